@@ -1,0 +1,301 @@
+// Copyright (c) 2026  The Spectral_segmentation authors.
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_SPECTRAL_SEGMENTATION_SEGMENT_TREE_H
+#define CGAL_SPECTRAL_SEGMENTATION_SEGMENT_TREE_H
+
+#include <CGAL/Spectral_segmentation/Part_salience.h>
+#include <CGAL/Spectral_segmentation/internal/Face_dual_graph.h>
+#include <CGAL/Spectral_segmentation/internal/boundary_smoothing.h>
+#include <CGAL/Spectral_segmentation/internal/mesh_numbering.h>
+#include <CGAL/Spectral_segmentation/internal/options.h>
+#include <CGAL/Spectral_segmentation/parameters.h>
+
+#include <CGAL/Iterator_range.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <limits>
+#include <set>
+#include <stdexcept>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace CGAL {
+namespace Spectral_segmentation {
+
+/// \ingroup PkgSpectralSegmentationRef
+/// The cuts that a run of `segment_spectral_recursive()` made, as a forest of binary trees.
+///
+/// The roots are the connected components of the mesh, the children of a node its two parts.
+/// From a tree the labels for fewer segments, or for a higher threshold, are read off without
+/// searching again; they are the labels that a run with these values would give.
+///
+/// Faces are named by their number: their position in `faces(mesh)`, or the value of the
+/// `face_index_map` if the run was given one.
+class Segment_tree
+{
+public:
+  typedef std::size_t size_type;
+
+  /// the index that stands for no node
+  static constexpr size_type null_node = static_cast<size_type>(-1);
+
+  /// What became of the search for the best cut of a node.
+  enum class Cut_state
+  {
+    NOT_SEARCHED, ///< the run ended before it came to this part
+    NO_CUT,       ///< there is no cut with two connected sides
+    REJECTED,     ///< the best cut is less salient than the threshold of the run
+    ACCEPTED      ///< the part was cut, and has two children
+  };
+
+  struct Node
+  {
+    size_type parent = null_node;
+
+    /// The part that the salience judges, which is the one of smaller area, then the rest;
+    /// `null_node` twice for a leaf.
+    size_type children[2] = {null_node, null_node};
+
+    size_type number_of_faces = 0;
+
+    /// in the square of the unit of the mesh's coordinates
+    double area = 0;
+
+    Cut_state cut_state = Cut_state::NOT_SEARCHED;
+
+    /// salience and factors of the best cut; 0 if there is none or it was not searched
+    double salience = 0;
+    Salience_factors factors;
+
+    bool is_leaf() const { return children[0] == null_node; }
+  };
+
+  /// \name Nodes
+  /// @{
+
+  size_type number_of_faces() const { return faces_.size(); }
+
+  size_type number_of_nodes() const { return nodes_.size(); }
+
+  /// Connected components of the mesh: the nodes from 0 to `number_of_roots() - 1`.
+  /// The children of the i-th cut that was made follow at `number_of_roots() + 2 * i`.
+  size_type number_of_roots() const { return number_of_roots_; }
+
+  /// number of leaves
+  size_type number_of_segments() const
+  { return number_of_roots_ + (nodes_.size() - number_of_roots_) / 2; }
+
+  const Node& node(size_type i) const { return nodes_[i]; }
+
+  /// the numbers of the faces of a node
+  Iterator_range<std::vector<internal::Index>::const_iterator> faces(size_type i) const
+  {
+    const auto first = faces_.begin() + first_face_[i];
+    return make_range(first, first + nodes_[i].number_of_faces);
+  }
+
+  /// @}
+
+  /// \name Labels
+  /// A label is a number from 0 to the number of segments - 1. Segments are numbered by their
+  /// face of smallest number. All functions are linear in the number of faces, with a term
+  /// O(c log c) for c cuts.
+  ///
+  /// They throw `std::out_of_range` if the run did not go so far: it ended, at its maximum number
+  /// of segments or stopped by its visitor, before a cut that is needed here, or had a higher
+  /// threshold.
+  /// @{
+
+  /// the labels that the run gave
+  std::vector<size_type> labels() const
+  { return labels(number_of_segments(), salience_threshold_); }
+
+  /// the label of each face, by its number, for at most `maximum_number_of_segments` segments
+  /// (never fewer than the mesh has connected components) and cuts of at least `salience_threshold`
+  std::vector<size_type> labels(size_type maximum_number_of_segments,
+                                double salience_threshold) const
+  {
+    if (std::isnan(salience_threshold))
+      throw std::invalid_argument("Segment_tree: the salience threshold is not a number");
+    std::vector<size_type> result(faces_.size());
+    const std::vector<size_type> parts = prune(maximum_number_of_segments, salience_threshold);
+    for (size_type label = 0; label < parts.size(); ++label)
+      for (internal::Index f : faces(parts[label]))
+        result[f] = label;
+    if (!neighbors_.empty()) {
+      internal::smooth_boundaries(neighbors_, result);
+      number_by_first_face(result, parts.size());
+    }
+    return result;
+  }
+
+  /// writes the labels for at most `n` segments at the threshold of the run into a property map,
+  /// and returns the number of segments
+  template <class TriangleMesh, class SegmentIdMap,
+            class NamedParameters = CGAL::parameters::Default_named_parameters>
+  size_type segment_by_number(const TriangleMesh& mesh, SegmentIdMap segment_ids, size_type n,
+                              const NamedParameters& np = NamedParameters()) const
+  { return write(mesh, segment_ids, labels(n, salience_threshold_), np); }
+
+  /// writes the labels for cuts of at least `salience_threshold`, up to the maximum number of
+  /// segments of the run, into a property map, and returns the number of segments
+  template <class TriangleMesh, class SegmentIdMap,
+            class NamedParameters = CGAL::parameters::Default_named_parameters>
+  size_type segment_by_threshold(const TriangleMesh& mesh, SegmentIdMap segment_ids,
+                                 double salience_threshold,
+                                 const NamedParameters& np = NamedParameters()) const
+  { return write(mesh, segment_ids, labels(maximum_number_of_segments_, salience_threshold), np); }
+
+  /// @}
+
+  /// \cond SKIP_IN_MANUAL
+
+  Segment_tree() = default;
+
+  // A forest of roots only. `component` is the number of the component of each face, and
+  // `areas` has one entry a component; components are numbered by their first face.
+  Segment_tree(const std::vector<internal::Index>& component, const std::vector<double>& areas,
+               const internal::Options& options)
+    : number_of_roots_(areas.size()), nodes_(areas.size()), first_face_(areas.size()),
+      smallest_face_(areas.size()), faces_(component.size()),
+      maximum_number_of_segments_(options.maximum_number_of_segments),
+      salience_threshold_(options.salience_threshold)
+  {
+    for (internal::Index c : component)
+      ++nodes_[c].number_of_faces;
+    size_type first = 0;
+    for (size_type c = 0; c < areas.size(); ++c) {
+      nodes_[c].area = areas[c];
+      first_face_[c] = first;
+      first += nodes_[c].number_of_faces;
+    }
+    std::vector<size_type> next = first_face_;
+    for (size_type f = 0; f < component.size(); ++f)
+      faces_[next[component[f]]++] = static_cast<internal::Index>(f);
+    for (size_type c = 0; c < areas.size(); ++c)
+      smallest_face_[c] = faces_[first_face_[c]];
+  }
+
+  // Large parts come first; of equally large ones the part with the face of smallest number,
+  // which no two parts have in common.
+  struct Before
+  {
+    const Segment_tree* tree;
+    bool operator()(size_type a, size_type b) const
+    {
+      if (tree->nodes_[a].area != tree->nodes_[b].area)
+        return tree->nodes_[a].area > tree->nodes_[b].area;
+      return tree->smallest_face_[a] < tree->smallest_face_[b];
+    }
+  };
+
+  typedef std::set<size_type, Before> Queue;
+
+  Queue empty_queue() const { return Queue(Before{this}); }
+
+  internal::Index smallest_face(size_type i) const { return smallest_face_[i]; }
+
+  void set_cut(size_type i, Cut_state state, double salience, const Salience_factors& factors)
+  {
+    nodes_[i].cut_state = state;
+    nodes_[i].salience = salience;
+    nodes_[i].factors = factors;
+  }
+
+  // Cuts leaf i: the j-th of its faces, in ascending order, goes to the child that `side[j]` names.
+  void cut(size_type i, const std::vector<char>& side, const double (&area)[2])
+  {
+    const auto first = faces_.begin() + first_face_[i];
+    std::vector<internal::Index> rest;
+    auto out = first;
+    for (size_type j = 0; j < side.size(); ++j)
+      if (side[j] == 0)
+        *out++ = first[j];
+      else
+        rest.push_back(first[j]);
+    std::copy(rest.begin(), rest.end(), out);
+
+    const size_type size[2] = {side.size() - rest.size(), rest.size()};
+    for (int k = 0; k < 2; ++k) {
+      nodes_[i].children[k] = nodes_.size();
+      Node child;
+      child.parent = i;
+      child.number_of_faces = size[k];
+      child.area = area[k];
+      nodes_.push_back(child);
+      first_face_.push_back(first_face_[i] + (k == 0 ? 0 : size[0]));
+      smallest_face_.push_back(faces_[first_face_.back()]);
+    }
+  }
+
+  void smooth_boundaries_with(std::vector<internal::Neighbors> neighbors)
+  { neighbors_ = std::move(neighbors); }
+
+  /// \endcond
+
+private:
+  // The nodes that are the segments, in the order of their labels. Repeats the run's recursion.
+  std::vector<size_type> prune(size_type maximum_number_of_segments,
+                               double salience_threshold) const
+  {
+    Queue queue = empty_queue();
+    for (size_type i = 0; i < number_of_roots_; ++i)
+      queue.insert(i);
+    std::vector<size_type> parts;
+    while (!queue.empty() && parts.size() + queue.size() < maximum_number_of_segments) {
+      const size_type i = *queue.begin();
+      queue.erase(queue.begin());
+      const Node& n = nodes_[i];
+      if (n.cut_state == Cut_state::NOT_SEARCHED)
+        throw std::out_of_range("Segment_tree: the run ended before it searched the part of node " +
+                                std::to_string(i) + ", which is needed for these labels");
+      if (n.cut_state == Cut_state::NO_CUT || n.salience < salience_threshold)
+        parts.push_back(i);
+      else if (n.cut_state == Cut_state::REJECTED)
+        throw std::out_of_range("Segment_tree: the run had a higher salience threshold");
+      else
+        queue.insert(std::begin(n.children), std::end(n.children));
+    }
+    parts.insert(parts.end(), queue.begin(), queue.end());
+    std::sort(parts.begin(), parts.end(), [this](size_type a, size_type b)
+              { return smallest_face_[a] < smallest_face_[b]; });
+    return parts;
+  }
+
+  static void number_by_first_face(std::vector<size_type>& labels, size_type number_of_labels)
+  {
+    std::vector<size_type> number(number_of_labels, null_node);
+    size_type next = 0;
+    for (size_type& label : labels) {
+      if (number[label] == null_node)
+        number[label] = next++;
+      label = number[label];
+    }
+  }
+
+  template <class TriangleMesh, class SegmentIdMap, class NamedParameters>
+  size_type write(const TriangleMesh& mesh, SegmentIdMap segment_ids,
+                  const std::vector<size_type>& labels, const NamedParameters& np) const
+  {
+    return internal::write_labels(
+      internal::numbered_faces(mesh, internal::cgal_pack(np)), labels, segment_ids);
+  }
+
+  size_type number_of_roots_ = 0;
+  std::vector<Node> nodes_;
+  std::vector<size_type> first_face_;            // of each node, in faces_
+  std::vector<internal::Index> smallest_face_;   // of each node
+  std::vector<internal::Index> faces_;           // permuted so that each node is a range
+  std::vector<internal::Neighbors> neighbors_;   // dual graph, only if boundaries are smoothed
+  size_type maximum_number_of_segments_ = (std::numeric_limits<size_type>::max)();
+  double salience_threshold_ = 0;
+};
+
+} // namespace Spectral_segmentation
+} // namespace CGAL
+
+#endif // CGAL_SPECTRAL_SEGMENTATION_SEGMENT_TREE_H

@@ -1,0 +1,56 @@
+// Copyright (c) 2026  The Spectral_segmentation authors.
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_SPECTRAL_SEGMENTATION_INTERNAL_CONCURRENCY_H
+#define CGAL_SPECTRAL_SEGMENTATION_INTERNAL_CONCURRENCY_H
+
+#include <CGAL/tags.h>
+
+#ifdef CGAL_LINKED_WITH_TBB
+#include <tbb/parallel_for.h>
+#include <tbb/parallel_invoke.h>
+#endif
+
+#include <cstddef>
+#include <type_traits>
+
+namespace CGAL {
+namespace Spectral_segmentation {
+namespace internal {
+
+template <class ConcurrencyTag>
+constexpr bool is_parallel = std::is_convertible<ConcurrencyTag, Parallel_tag>::value;
+
+// Calls f(0) .. f(n - 1), which do not depend on each other.
+template <class ConcurrencyTag, class Function>
+void for_each_index(std::size_t n, const Function& f)
+{
+#ifdef CGAL_LINKED_WITH_TBB
+  if constexpr (is_parallel<ConcurrencyTag>) {
+    tbb::parallel_for(std::size_t(0), n, f);
+    return;
+  }
+#endif
+  for (std::size_t i = 0; i < n; ++i)
+    f(i);
+}
+
+// Calls f() and g(), which do not depend on each other.
+template <class ConcurrencyTag, class F, class G>
+void do_both(const F& f, const G& g)
+{
+#ifdef CGAL_LINKED_WITH_TBB
+  if constexpr (is_parallel<ConcurrencyTag>) {
+    tbb::parallel_invoke(f, g);
+    return;
+  }
+#endif
+  f();
+  g();
+}
+
+} // namespace internal
+} // namespace Spectral_segmentation
+} // namespace CGAL
+
+#endif // CGAL_SPECTRAL_SEGMENTATION_INTERNAL_CONCURRENCY_H

@@ -1,0 +1,79 @@
+// Copyright (c) 2026  The Spectral_segmentation authors.
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_SPECTRAL_SEGMENTATION_INTERNAL_EMBEDDING_H
+#define CGAL_SPECTRAL_SEGMENTATION_INTERNAL_EMBEDDING_H
+
+#include <CGAL/Spectral_segmentation/internal/Face_dual_graph.h>
+#include <CGAL/Spectral_segmentation/internal/nystrom.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <tuple>
+#include <vector>
+
+namespace CGAL {
+namespace Spectral_segmentation {
+namespace internal {
+
+// The 1-D spectral embedding of the faces of a part (Section 5.3).
+
+struct Spectral_embedding
+{
+  double sigma;           // width of the kernel
+  Eigen::VectorXd first;  // e1
+  Eigen::VectorXd second; // e2
+  Eigen::VectorXd ratio;  // z = e2 / e1, smallest at the first sample
+};
+
+// The embedding from the distances of all faces from the samples s and t.
+inline Spectral_embedding spectral_embedding(const std::vector<double>& from_s,
+                                             const std::vector<double>& from_t, Index s, Index t)
+{
+  const Eigen::Index n = static_cast<Eigen::Index>(from_s.size());
+  Eigen::MatrixXd distances(2, n);
+  distances.row(0) = Eigen::Map<const Eigen::VectorXd>(from_s.data(), n);
+  distances.row(1) = Eigen::Map<const Eigen::VectorXd>(from_t.data(), n);
+
+  Spectral_embedding result;
+  result.sigma = distances.mean();
+  const Eigen::MatrixXd affinities =
+    (-distances.array() / (result.sigma * result.sigma)).exp().matrix();
+  const std::vector<Index> samples = {s, t};
+  const Eigenpairs e = nystrom_extrapolation(normalized_rows(affinities, samples), samples);
+  result.first = e.vectors.col(0);
+  result.second = e.vectors.col(1);
+  result.ratio = result.second.cwiseQuotient(result.first);
+  // The sign of an eigenvector is arbitrary.
+  if (result.ratio[s] > result.ratio[t]) {
+    result.second = -result.second;
+    result.ratio = -result.ratio;
+  }
+  return result;
+}
+
+// The faces in the order of the ratio e2 / e1, from s to t.
+//
+// Both eigenvectors are linear in the affinities x and y of a face to s and t, so the ratio is a
+// monotone function of x / y, that is, of the distance from s minus that from t. Sorting by this
+// difference needs no kernel and does not underflow. Where it ties, as along a limb that leaves the
+// way from s to t, the face nearer to s comes first.
+inline std::vector<Index> spectral_order(const std::vector<double>& from_s,
+                                         const std::vector<double>& from_t)
+{
+  std::vector<std::tuple<double, double, Index> > keys(from_s.size());
+  for (Index f = 0; f < keys.size(); ++f)
+    keys[f] = {from_s[f] - from_t[f], from_s[f], f};
+  std::sort(keys.begin(), keys.end());
+  std::vector<Index> order(keys.size());
+  for (std::size_t i = 0; i < keys.size(); ++i)
+    order[i] = std::get<2>(keys[i]);
+  return order;
+}
+
+} // namespace internal
+} // namespace Spectral_segmentation
+} // namespace CGAL
+
+#endif // CGAL_SPECTRAL_SEGMENTATION_INTERNAL_EMBEDDING_H

@@ -1,0 +1,177 @@
+// Copyright (c) 2026  The Spectral_segmentation authors.
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_SPECTRAL_SEGMENTATION_INTERNAL_FACE_DISTANCES_H
+#define CGAL_SPECTRAL_SEGMENTATION_INTERNAL_FACE_DISTANCES_H
+
+#include <CGAL/Spectral_segmentation/internal/Face_dual_graph.h>
+
+#include <algorithm>
+#include <cstddef>
+#include <numeric>
+#include <vector>
+
+namespace CGAL {
+namespace Spectral_segmentation {
+namespace internal {
+
+// Distances between adjacent faces (Section 3).
+
+// Length of the shortest way from the centroid `f` over the edge `ab` to the centroid `g`, when the
+// two faces are unfolded into one plane; the way stays inside the edge.
+inline double geodesic_distance(const Vector& a, const Vector& b, const Vector& f, const Vector& g)
+{
+  const double length = (b - a).norm();
+  if (length == 0)
+    return (f - a).norm() + (g - a).norm();
+  const Vector edge = (b - a) / length;
+  const double x_f = (f - a).dot(edge), x_g = (g - a).dot(edge);
+  const double y_f = (f - a - x_f * edge).norm(), y_g = (g - a - x_g * edge).norm();
+  double x = y_f + y_g > 0 ? x_f + (x_g - x_f) * (y_f / (y_f + y_g)) : x_f;
+  x = (std::min)((std::max)(x, 0.), length);
+  return std::hypot(x - x_f, y_f) + std::hypot(x - x_g, y_g);
+}
+
+struct Dihedral
+{
+  double one_minus_cosine; // of the angle between the normals
+  bool is_concave;
+};
+
+// `edge` is the edge as the face of normal `f` runs along it.
+inline Dihedral dihedral(const Vector& f, const Vector& g, const Vector& edge)
+{
+  // Half the squared chord keeps its digits where the cosine is near 1.
+  const double one_minus_cosine = (f - g).squaredNorm() / 2;
+  // Below 1e-6 rad, which is rounding, an edge is flat.
+  if (one_minus_cosine < 5e-13)
+    return {0, false};
+  return {one_minus_cosine, f.cross(g).dot(edge) < 0};
+}
+
+// Unit normals. A face without area takes that of the neighbor across its longest edge, so that it
+// does not hide the angle between the faces on its two sides; (0, 0, 0) where that fails.
+inline std::vector<Vector> face_normals(const Face_dual_graph& graph,
+                                        const std::vector<Vector>& points)
+{
+  std::vector<Vector> normals(graph.number_of_faces(), Vector::Zero());
+  std::vector<Index> degenerate;
+  const auto edge_vector = [&](Index h) -> Vector
+  { return points[graph.target_vertex(h)] - points[graph.source_vertex(h)]; };
+  const auto longest_edge = [&](Index f) {
+    Index longest = 3 * f;
+    for (Index h = 3 * f + 1; h < 3 * f + 3; ++h)
+      if (edge_vector(h).squaredNorm() > edge_vector(longest).squaredNorm())
+        longest = h;
+    return longest;
+  };
+  for (Index f = 0; f < normals.size(); ++f) {
+    const Vector cross = edge_vector(3 * f).cross(edge_vector(3 * f + 1));
+    if (cross.norm() > 1e-12 * edge_vector(longest_edge(f)).squaredNorm())
+      normals[f] = cross.normalized();
+    else
+      degenerate.push_back(f);
+  }
+  // A neighbor may be degenerate too: follow the longest edges to the first face with a normal.
+  std::vector<char> is_visited(normals.size(), 0);
+  std::vector<Index> path;
+  for (Index f : degenerate) {
+    path.clear();
+    for (; normals[f].isZero(0) && !is_visited[f]; f = graph.halfedges[longest_edge(f)].neighbor) {
+      is_visited[f] = 1;
+      path.push_back(f);
+    }
+    for (Index g : path)
+      normals[g] = normals[f];
+  }
+  return normals;
+}
+
+// Histogram equalization: maps values to equally spaced ones in [0, 1] by their rank; equal values
+// share the mean of their ranks.
+inline std::vector<double> equalize(const std::vector<float>& values)
+{
+  std::vector<std::size_t> order(values.size());
+  std::iota(order.begin(), order.end(), std::size_t(0));
+  std::sort(order.begin(), order.end(),
+            [&](std::size_t a, std::size_t b) { return values[a] < values[b]; });
+  std::vector<double> result(values.size());
+  for (std::size_t first = 0; first < order.size();) {
+    std::size_t last = first;
+    while (last + 1 < order.size() && values[order[last + 1]] == values[order[first]])
+      ++last;
+    const double rank =
+      order.size() > 1 ? (first + last) / 2. / static_cast<double>(order.size() - 1) : 0.5;
+    for (; first <= last; ++first)
+      result[order[first]] = rank;
+  }
+  return result;
+}
+
+// Divides by the mean.
+inline void normalize_by_mean(std::vector<double>& values)
+{
+  const double sum = std::accumulate(values.begin(), values.end(), 0.);
+  if (sum > 0)
+    for (double& value : values)
+      value *= static_cast<double>(values.size()) / sum;
+}
+
+struct Distance_weights
+{
+  double geodesic; // delta
+  double concave;  // eta at concave edges
+  double convex;   // eta at convex edges
+};
+
+// Fills in the distances of adjacent faces, computed from `points` in place of the graph's own.
+inline void set_face_distances(Face_dual_graph& graph, const std::vector<Vector>& points,
+                               const Distance_weights& weights)
+{
+  std::vector<Index> edges; // one half-edge each
+  for (Index h = 0; h < graph.halfedges.size(); ++h)
+    if (!graph.is_border(h) && h < graph.opposite(h))
+      edges.push_back(h);
+
+  const std::vector<Vector> normals = face_normals(graph, points);
+  const auto centroid = [&](Index f) -> Vector {
+    const std::array<Index, 3>& c = graph.corners[f];
+    return (points[c[0]] + points[c[1]] + points[c[2]]) / 3;
+  };
+
+  std::vector<double> geodesic(edges.size()), angle(edges.size());
+  for (std::size_t e = 0; e < edges.size(); ++e) {
+    const Index h = edges[e], f = h / 3, g = graph.halfedges[h].neighbor;
+    const Vector& a = points[graph.source_vertex(h)];
+    const Vector& b = points[graph.target_vertex(h)];
+    geodesic[e] = geodesic_distance(a, b, centroid(f), centroid(g));
+
+    const bool is_defined = !normals[f].isZero(0) && !normals[g].isZero(0);
+    const Dihedral d = is_defined ? dihedral(normals[f], normals[g], b - a) : Dihedral{0, false};
+    graph.halfedges[h].concave = d.is_concave;
+    angle[e] = (d.is_concave ? weights.concave : weights.convex) * d.one_minus_cosine;
+  }
+  normalize_by_mean(geodesic);
+  normalize_by_mean(angle);
+  // Single precision, so that angles that differ by rounding only tie.
+  const std::vector<double> equalized = equalize(std::vector<float>(angle.begin(), angle.end()));
+
+  for (std::size_t e = 0; e < edges.size(); ++e) {
+    Face_dual_graph::Halfedge& h = graph.halfedges[edges[e]];
+    h.geodesic = static_cast<float>(on_grid(geodesic[e]));
+    h.angle = static_cast<float>(on_grid(equalized[e]));
+    h.combined = static_cast<float>(
+      on_grid((1 - weights.geodesic) * equalized[e] + weights.geodesic * geodesic[e]));
+    Face_dual_graph::Halfedge& o = graph.halfedges[graph.opposite(edges[e])];
+    o.geodesic = h.geodesic;
+    o.angle = h.angle;
+    o.combined = h.combined;
+    o.concave = h.concave;
+  }
+}
+
+} // namespace internal
+} // namespace Spectral_segmentation
+} // namespace CGAL
+
+#endif // CGAL_SPECTRAL_SEGMENTATION_INTERNAL_FACE_DISTANCES_H

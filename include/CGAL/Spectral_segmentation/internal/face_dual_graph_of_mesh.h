@@ -1,0 +1,132 @@
+// Copyright (c) 2026  The Spectral_segmentation authors.
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_SPECTRAL_SEGMENTATION_INTERNAL_FACE_DUAL_GRAPH_OF_MESH_H
+#define CGAL_SPECTRAL_SEGMENTATION_INTERNAL_FACE_DUAL_GRAPH_OF_MESH_H
+
+#include <CGAL/Spectral_segmentation/internal/Face_dual_graph.h>
+#include <CGAL/Spectral_segmentation/internal/mesh_numbering.h>
+
+#include <CGAL/boost/graph/helpers.h>
+#include <CGAL/number_utils.h>
+
+#include <boost/graph/graph_traits.hpp>
+#include <boost/property_map/property_map.hpp>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <limits>
+#include <stdexcept>
+#include <string>
+#include <vector>
+
+namespace CGAL {
+namespace Spectral_segmentation {
+namespace internal {
+
+// Moves the points that faces use into [-1, 1]^3 and returns the length of 1 in the old unit,
+// a power of two, so that scaling rounds nothing.
+inline double normalize(std::vector<Vector>& points, const std::vector<char>& is_used)
+{
+  Vector smallest = Vector::Constant(std::numeric_limits<double>::infinity());
+  Vector largest = -smallest;
+  for (std::size_t v = 0; v < points.size(); ++v)
+    if (is_used[v]) {
+      smallest = smallest.cwiseMin(points[v]);
+      largest = largest.cwiseMax(points[v]);
+    }
+  const Vector center = smallest / 2 + largest / 2;
+  const double half_extent = (largest / 2 - smallest / 2).maxCoeff();
+  const double unit = half_extent > 0 ? std::ldexp(1., std::ilogb(half_extent) + 1) : 1;
+  for (std::size_t v = 0; v < points.size(); ++v)
+    points[v] = is_used[v] ? Vector((points[v] - center) / unit) : Vector(Vector::Zero());
+  return unit;
+}
+
+// Reads a mesh into arrays; face distances are left open. Vertices are numbered in the order of
+// `vertices(mesh)` and the first corner of a face is its smallest vertex, so that every model of the
+// same mesh gives the same arrays. Coordinates are normalized.
+//
+// Throws `std::invalid_argument` if a face is not a triangle or a coordinate is not finite.
+template <class TriangleMesh, class FaceDescriptor, class VertexPointMap, class GeomTraits>
+Face_dual_graph
+face_dual_graph_of_mesh(const TriangleMesh& mesh, const std::vector<FaceDescriptor>& faces,
+                        VertexPointMap vertex_point_map, const GeomTraits& traits)
+{
+  typedef boost::graph_traits<TriangleMesh> Graph_traits;
+  typedef typename Graph_traits::vertex_descriptor vertex_descriptor;
+  typedef typename Graph_traits::halfedge_descriptor halfedge_descriptor;
+
+  std::vector<vertex_descriptor> vertices_of_mesh;
+  for (vertex_descriptor v : vertices(mesh))
+    vertices_of_mesh.push_back(v);
+  const Descriptor_numbers<TriangleMesh, boost::vertex_index_t, vertex_descriptor>
+    vertex_number(mesh, vertices_of_mesh);
+  const Descriptor_numbers<TriangleMesh, boost::face_index_t, FaceDescriptor>
+    face_number(mesh, faces);
+
+  Face_dual_graph graph;
+  graph.corners.resize(faces.size());
+  graph.halfedges.resize(3 * faces.size());
+  for (Index f = 0; f < faces.size(); ++f) {
+    halfedge_descriptor h = halfedge(faces[f], mesh);
+    if (!CGAL::is_triangle(h, mesh))
+      throw std::invalid_argument("segment_spectral_recursive: face " + std::to_string(f) +
+                                  " is not a triangle");
+    std::array<Index, 3> corner;
+    for (Index& c : corner) {
+      c = vertex_number(source(h, mesh));
+      h = next(h, mesh);
+    }
+    const int first = static_cast<int>(std::min_element(corner.begin(), corner.end()) -
+                                       corner.begin());
+    for (int i = 0; i < 3; ++i) {
+      const int slot = (i + 3 - first) % 3;
+      graph.corners[f][slot] = corner[i];
+      const FaceDescriptor across = face(opposite(h, mesh), mesh);
+      const Index neighbor =
+        across == Graph_traits::null_face() ? null_index : face_number(across);
+      graph.halfedges[3 * f + slot].neighbor = neighbor == null_index ? f : neighbor;
+      h = next(h, mesh);
+    }
+  }
+  // An edge whose sides do not match, as of a face that is glued to itself, counts as border.
+  for (Index h = 0; h < graph.halfedges.size(); ++h)
+    if (!graph.is_border(h) && graph.opposite(h) == null_index)
+      graph.halfedges[h].neighbor = h / 3;
+
+  std::vector<char> is_used(vertices_of_mesh.size(), 0);
+  for (const std::array<Index, 3>& corner : graph.corners)
+    for (Index v : corner)
+      is_used[v] = 1;
+  const auto x = traits.compute_x_3_object();
+  const auto y = traits.compute_y_3_object();
+  const auto z = traits.compute_z_3_object();
+  graph.points.resize(vertices_of_mesh.size(), Vector::Zero());
+  for (Index v = 0; v < vertices_of_mesh.size(); ++v) {
+    if (!is_used[v])
+      continue;
+    const auto& p = get(vertex_point_map, vertices_of_mesh[v]);
+    graph.points[v] = Vector(CGAL::to_double(x(p)), CGAL::to_double(y(p)), CGAL::to_double(z(p)));
+    if (!graph.points[v].allFinite())
+      throw std::invalid_argument("segment_spectral_recursive: vertex " + std::to_string(v) +
+                                  " has a coordinate that is not finite");
+  }
+  graph.unit = normalize(graph.points, is_used);
+
+  graph.areas.resize(faces.size());
+  for (Index f = 0; f < faces.size(); ++f) {
+    const std::array<Index, 3>& c = graph.corners[f];
+    graph.areas[f] = (graph.points[c[1]] - graph.points[c[0]])
+                       .cross(graph.points[c[2]] - graph.points[c[0]]).norm() / 2;
+  }
+  return graph;
+}
+
+} // namespace internal
+} // namespace Spectral_segmentation
+} // namespace CGAL
+
+#endif // CGAL_SPECTRAL_SEGMENTATION_INTERNAL_FACE_DUAL_GRAPH_OF_MESH_H

@@ -1,0 +1,159 @@
+// Copyright (c) 2026  The Spectral_segmentation authors.
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_SPECTRAL_SEGMENTATION_INTERNAL_LINE_SEARCH_H
+#define CGAL_SPECTRAL_SEGMENTATION_INTERNAL_LINE_SEARCH_H
+
+#include <CGAL/Spectral_segmentation/Part_salience.h>
+#include <CGAL/Spectral_segmentation/internal/Face_dual_graph.h>
+#include <CGAL/Spectral_segmentation/internal/Meta_patch.h>
+
+#include <boost/pending/disjoint_sets.hpp>
+
+#include <cstddef>
+#include <limits>
+#include <optional>
+#include <utility>
+#include <vector>
+
+namespace CGAL {
+namespace Spectral_segmentation {
+namespace internal {
+
+// The line search of Section 5.3.
+
+// A two-way cut of a part.
+struct Cut
+{
+  std::vector<char> side; // of each face: 0 in the side of smaller area, 1 in the other
+  double area[2];
+  Salience_factors factors;
+  double salience;
+};
+
+// How Q grows along the line: the faces in the order in which they join Q, and the sizes of Q after
+// each visited face that joined, together with all that had waited for it.
+struct Growth
+{
+  std::vector<Index> faces;
+  std::vector<Index> sizes;
+};
+
+// A visited face that does not touch Q waits, with a special label, until a face that it touches
+// joins Q.
+inline Growth grow_along(const Face_dual_graph& part, const std::vector<Index>& line)
+{
+  enum Label : char { NOT_VISITED, WAITING, JOINED };
+  std::vector<Label> label(part.number_of_faces(), NOT_VISITED);
+  Growth q;
+  q.faces.reserve(line.size());
+  for (Index visited : line) {
+    label[visited] = WAITING;
+    bool touches = q.faces.empty();
+    for (Index h = 3 * visited; h < 3 * visited + 3; ++h)
+      touches = touches || label[part.halfedges[h].neighbor] == JOINED;
+    if (!touches)
+      continue;
+    std::size_t next = q.faces.size();
+    label[visited] = JOINED;
+    q.faces.push_back(visited);
+    for (; next < q.faces.size(); ++next)
+      for (Index h = 3 * q.faces[next]; h < 3 * q.faces[next] + 3; ++h) {
+        const Index g = part.halfedges[h].neighbor;
+        if (label[g] == WAITING) {
+          label[g] = JOINED;
+          q.faces.push_back(g);
+        }
+      }
+    q.sizes.push_back(static_cast<Index>(q.faces.size()));
+  }
+  return q;
+}
+
+// For each number i of faces, whether the part is still connected without the first i of `faces`,
+// that is, whether Q has no holes. Takes the faces back from the last to the first, with union-find.
+inline std::vector<bool> rest_is_connected(const Face_dual_graph& part,
+                                           const std::vector<Index>& faces)
+{
+  const std::size_t n = faces.size();
+  std::vector<Index> rank(n), parent(n);
+  boost::disjoint_sets<Index*, Index*> sets(rank.data(), parent.data());
+  std::vector<char> is_in_rest(n, 0);
+  std::vector<bool> result(n + 1, false);
+  std::size_t number_of_components = 0;
+  for (std::size_t i = n; i-- > 0;) {
+    const Index f = faces[i];
+    sets.make_set(f);
+    is_in_rest[f] = 1;
+    ++number_of_components;
+    for (Index h = 3 * f; h < 3 * f + 3; ++h) {
+      const Index g = part.halfedges[h].neighbor;
+      if (!is_in_rest[g])
+        continue;
+      const Index a = sets.find_set(f), b = sets.find_set(g);
+      if (a != b) {
+        sets.link(a, b);
+        --number_of_components;
+      }
+    }
+    result[i] = number_of_components == 1;
+  }
+  return result;
+}
+
+// The most salient cut along the line, if there is one with two connected sides, both of an area
+// above `minimum_area`. Of equally salient cuts the first is taken.
+// `observe(size of Q, factors, salience)` hears of each cut that is compared.
+template <class PartSalience, class Observer>
+std::optional<Cut> line_search(const Face_dual_graph& part, const std::vector<Index>& line,
+                               const PartSalience& part_salience, double minimum_area,
+                               const Observer& observe)
+{
+  const Growth growth = grow_along(part, line);
+  const std::vector<bool> is_cut = rest_is_connected(part, growth.faces);
+
+  Meta_patch q(part);
+  std::size_t size = 0, best_size = 0;
+  Cut best;
+  best.salience = -std::numeric_limits<double>::infinity();
+  for (Index size_after_step : growth.sizes) {
+    for (; size < size_after_step; ++size)
+      q.add(growth.faces[size]);
+    if (!is_cut[size] || !(q.smaller_area() > minimum_area))
+      continue;
+    const Salience_factors factors = q.factors();
+    const double salience = part_salience(factors);
+    observe(size, factors, salience);
+    if (salience > best.salience) {
+      best.salience = salience;
+      best.factors = factors;
+      best.area[0] = q.area();
+      best.area[1] = q.area_of_rest();
+      best_size = size;
+    }
+  }
+  if (best_size == 0)
+    return std::nullopt;
+
+  const bool q_is_smaller = best.area[0] <= best.area[1];
+  best.side.assign(part.number_of_faces(), q_is_smaller ? 1 : 0);
+  for (std::size_t i = 0; i < best_size; ++i)
+    best.side[growth.faces[i]] = q_is_smaller ? 0 : 1;
+  if (!q_is_smaller)
+    std::swap(best.area[0], best.area[1]);
+  return best;
+}
+
+template <class PartSalience>
+std::optional<Cut> line_search(const Face_dual_graph& part, const std::vector<Index>& line,
+                               const PartSalience& part_salience, double minimum_area)
+{
+  return line_search(part, line, part_salience, minimum_area,
+                     [](std::size_t, const Salience_factors&, double) {});
+}
+
+} // namespace internal
+} // namespace Spectral_segmentation
+} // namespace CGAL
+
+#endif // CGAL_SPECTRAL_SEGMENTATION_INTERNAL_LINE_SEARCH_H

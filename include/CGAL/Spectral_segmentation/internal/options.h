@@ -1,0 +1,107 @@
+// Copyright (c) 2026  The Spectral_segmentation authors.
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_SPECTRAL_SEGMENTATION_INTERNAL_OPTIONS_H
+#define CGAL_SPECTRAL_SEGMENTATION_INTERNAL_OPTIONS_H
+
+#include <CGAL/Spectral_segmentation/Part_salience.h>
+#include <CGAL/Spectral_segmentation/parameters.h>
+
+#include <CGAL/Named_function_parameters.h>
+
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <limits>
+#include <optional>
+#include <stdexcept>
+#include <string>
+#include <type_traits>
+
+namespace CGAL {
+namespace Spectral_segmentation {
+namespace internal {
+
+// What the caller can choose, with the defaults of the paper.
+struct Options
+{
+  std::size_t maximum_number_of_segments = (std::numeric_limits<std::size_t>::max)();
+  double salience_threshold = 0.5;
+  Weighted_part_salience part_salience;
+  double geodesic_weight = 0.01;
+  double concave_angle_weight = 1;
+  double convex_angle_weight = 0.1;
+  std::size_t number_of_reference_faces = 10;
+  std::size_t number_of_smoothing_iterations = 0;
+  bool boundary_smoothing = false;
+  std::optional<std::uint64_t> random_seed;
+
+  // Not for the caller: share of the area of the mesh below which nothing is called a part. The
+  // factors of the salience mean nothing for a handful of faces.
+  double smallest_part = 0.002;
+};
+
+inline void require(bool condition, const char* parameter, const char* range)
+{
+  if (!condition)
+    throw std::invalid_argument(std::string("segment_spectral_recursive: ") + parameter +
+                                " must be " + range);
+}
+
+// Leaves `value` as it is where the caller did not give the parameter.
+template <class Tag, class NamedParameters, class Value>
+void read_parameter(const NamedParameters& np, Tag tag, Value& value)
+{
+  if constexpr (!CGAL::parameters::is_default_parameter<NamedParameters, Tag>::value)
+    value = CGAL::parameters::get_parameter(np, tag);
+}
+
+template <class Tag, class NamedParameters>
+void read_count(const NamedParameters& np, Tag tag, const char* name, std::size_t smallest,
+                const char* range, std::size_t& value)
+{
+  if constexpr (!CGAL::parameters::is_default_parameter<NamedParameters, Tag>::value) {
+    const auto given = CGAL::parameters::get_parameter(np, tag);
+    require(given >= 0 && static_cast<std::size_t>(given) >= smallest, name, range);
+    value = static_cast<std::size_t>(given);
+  }
+}
+
+// Throws `std::invalid_argument` for a value out of its range.
+template <class NamedParameters>
+Options read_options(const NamedParameters& np)
+{
+  namespace tags = internal_np;
+  Options o;
+  read_count(np, tags::maximum_number_of_segments, "maximum_number_of_segments", 1, "at least 1",
+             o.maximum_number_of_segments);
+  read_parameter(np, tags::salience_threshold, o.salience_threshold);
+  read_parameter(np, tags::salience_weights, o.part_salience);
+  read_parameter(np, tags::geodesic_weight, o.geodesic_weight);
+  read_parameter(np, tags::concave_angle_weight, o.concave_angle_weight);
+  read_parameter(np, tags::convex_angle_weight, o.convex_angle_weight);
+  read_count(np, tags::number_of_reference_faces, "number_of_reference_faces", 1, "at least 1",
+             o.number_of_reference_faces);
+  read_count(np, tags::number_of_smoothing_iterations, "number_of_smoothing_iterations", 0,
+             "at least 0", o.number_of_smoothing_iterations);
+  read_parameter(np, tags::boundary_smoothing, o.boundary_smoothing);
+  read_parameter(np, CGAL::internal_np::random_seed, o.random_seed);
+
+  const Weighted_part_salience& w = o.part_salience;
+  require(!std::isnan(o.salience_threshold), "salience_threshold", "a number");
+  require(w.alpha >= 0 && w.beta >= 0 && w.gamma >= 0 &&
+          std::abs(w.alpha + w.beta + w.gamma - 1) < 1e-6,
+          "salience_weights", "not negative and sum to 1");
+  require(o.geodesic_weight >= 0 && o.geodesic_weight <= 1, "geodesic_weight", "in [0, 1]");
+  require(o.concave_angle_weight >= 0 && std::isfinite(o.concave_angle_weight),
+          "concave_angle_weight", "finite and not negative");
+  require(o.convex_angle_weight >= 0 && std::isfinite(o.convex_angle_weight),
+          "convex_angle_weight", "finite and not negative");
+  return o;
+}
+
+} // namespace internal
+} // namespace Spectral_segmentation
+} // namespace CGAL
+
+#endif // CGAL_SPECTRAL_SEGMENTATION_INTERNAL_OPTIONS_H

@@ -1,0 +1,142 @@
+// Copyright (c) 2026  The Spectral_segmentation authors.
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_SPECTRAL_SEGMENTATION_INTERNAL_SAMPLING_H
+#define CGAL_SPECTRAL_SEGMENTATION_INTERNAL_SAMPLING_H
+
+#include <CGAL/Spectral_segmentation/internal/Face_dual_graph.h>
+#include <CGAL/Spectral_segmentation/internal/shortest_paths.h>
+
+#include <algorithm>
+#include <cstddef>
+#include <cstdint>
+#include <limits>
+#include <random>
+#include <vector>
+
+namespace CGAL {
+namespace Spectral_segmentation {
+namespace internal {
+
+// Sampling based on shape context (Section 4).
+
+// The first reference face: the paper takes a random one. The face farthest from the center of the
+// part is as good, is at the end of a limb, and does not depend on the numbers of the faces.
+inline Index farthest_face_from_center(const Face_dual_graph& graph)
+{
+  Vector center = Vector::Zero();
+  double area = 0;
+  for (Index f = 0; f < graph.number_of_faces(); ++f) {
+    center += graph.areas[f] * graph.centroid(f);
+    area += graph.areas[f];
+  }
+  if (area > 0)
+    center /= area;
+  Index farthest = 0;
+  double largest = -1;
+  for (Index f = 0; f < graph.number_of_faces(); ++f) {
+    const double distance = on_grid((graph.centroid(f) - center).squaredNorm());
+    if (distance > largest) {
+      largest = distance;
+      farthest = f;
+    }
+  }
+  return farthest;
+}
+
+// A random face. The part is told by its smallest face, so that the choice depends neither on the
+// order in which parts are searched nor on the thread. The engine is the same on every platform.
+inline Index random_face(const Face_dual_graph& graph, std::uint64_t seed, Index smallest_face)
+{
+  std::seed_seq seeds{static_cast<std::uint32_t>(seed), static_cast<std::uint32_t>(seed >> 32),
+                      smallest_face, static_cast<Index>(graph.number_of_faces())};
+  std::mt19937_64 engine(seeds);
+  return static_cast<Index>(engine() % graph.number_of_faces());
+}
+
+struct Shape_contexts
+{
+  std::vector<Index> references;
+  std::vector<float> values; // the context vector of face f begins at f * references.size()
+
+  const float* operator[](Index f) const { return values.data() + f * references.size(); }
+};
+
+// Chooses up to k reference faces, mutually farthest apart in geodesic distance, and sums the
+// angle distances along the shortest geodesic paths while the tree of each reference grows.
+// `between_trees()` is called before each tree.
+template <class BetweenTrees>
+Shape_contexts shape_contexts(const Face_dual_graph& graph, Index first_reference, std::size_t k,
+                              const BetweenTrees& between_trees)
+{
+  const std::size_t n = graph.number_of_faces();
+  k = (std::min)(k, n);
+  Shape_contexts contexts;
+  std::vector<float> context_of_tree(n);
+  std::vector<std::vector<float> > columns;
+  std::vector<double> to_nearest(n, std::numeric_limits<double>::infinity());
+  Index reference = first_reference;
+  for (std::size_t j = 0; j < k; ++j) {
+    between_trees();
+    contexts.references.push_back(reference);
+    context_of_tree[reference] = 0;
+    const std::vector<double> distance = shortest_paths(
+      graph, reference, &Face_dual_graph::Halfedge::geodesic, [&](Index h) {
+        const Face_dual_graph::Halfedge& e = graph.halfedges[h];
+        context_of_tree[e.neighbor] = context_of_tree[h / 3] + e.angle;
+      });
+    columns.push_back(context_of_tree);
+
+    for (Index f = 0; f < n; ++f)
+      to_nearest[f] = (std::min)(to_nearest[f], distance[f]);
+    reference = static_cast<Index>(
+      std::max_element(to_nearest.begin(), to_nearest.end()) - to_nearest.begin());
+    if (to_nearest[reference] == 0)
+      break;
+  }
+
+  contexts.values.resize(n * columns.size());
+  for (Index f = 0; f < n; ++f)
+    for (std::size_t j = 0; j < columns.size(); ++j)
+      contexts.values[f * columns.size() + j] = columns[j][f];
+  return contexts;
+}
+
+struct Sample_faces
+{
+  Index s; // the face whose context has the largest norm
+  Index t; // the one whose context differs most from that of s
+};
+
+// The two samples (Section 4.2) of a part with two faces or more. Of equals the first is taken.
+inline Sample_faces sample_faces(const Shape_contexts& contexts)
+{
+  const std::size_t k = contexts.references.size();
+  const Index n = static_cast<Index>(contexts.values.size() / k);
+  const auto farthest = [&](const std::vector<float>& from, Index except) {
+    Index best = null_index;
+    double largest = -1;
+    for (Index f = 0; f < n; ++f) {
+      double squared = 0;
+      for (std::size_t j = 0; j < k; ++j) {
+        const double difference = double(contexts[f][j]) - from[j];
+        squared += difference * difference;
+      }
+      if (f != except && squared > largest) {
+        largest = squared;
+        best = f;
+      }
+    }
+    return best;
+  };
+  Sample_faces samples;
+  samples.s = farthest(std::vector<float>(k, 0.f), null_index);
+  samples.t = farthest(std::vector<float>(contexts[samples.s], contexts[samples.s] + k), samples.s);
+  return samples;
+}
+
+} // namespace internal
+} // namespace Spectral_segmentation
+} // namespace CGAL
+
+#endif // CGAL_SPECTRAL_SEGMENTATION_INTERNAL_SAMPLING_H

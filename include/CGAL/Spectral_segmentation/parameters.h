@@ -1,0 +1,272 @@
+// Copyright (c) 2026  The Spectral_segmentation authors.
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_SPECTRAL_SEGMENTATION_PARAMETERS_H
+#define CGAL_SPECTRAL_SEGMENTATION_PARAMETERS_H
+
+#include <CGAL/Spectral_segmentation/Part_salience.h>
+
+#include <CGAL/Named_function_parameters.h>
+
+#include <functional>
+#include <type_traits>
+
+namespace CGAL {
+namespace Spectral_segmentation {
+
+class Segment_tree;
+
+/// \cond SKIP_IN_MANUAL
+
+namespace internal_np {
+
+enum maximum_number_of_segments_t { maximum_number_of_segments };
+enum salience_threshold_t { salience_threshold };
+enum salience_weights_t { salience_weights };
+enum geodesic_weight_t { geodesic_weight };
+enum concave_angle_weight_t { concave_angle_weight };
+enum convex_angle_weight_t { convex_angle_weight };
+enum number_of_reference_faces_t { number_of_reference_faces };
+enum number_of_smoothing_iterations_t { number_of_smoothing_iterations };
+enum boundary_smoothing_t { boundary_smoothing };
+enum segment_tree_t { segment_tree };
+
+template <class T>
+using is_flag = std::is_same<T, bool>;
+
+template <class T>
+using is_count = std::bool_constant<std::is_integral<T>::value && !is_flag<T>::value>;
+
+template <class T>
+using is_real = std::bool_constant<std::is_arithmetic<T>::value && !is_flag<T>::value>;
+
+template <class Tag, class... Tags>
+using is_one_of = std::bool_constant<(std::is_same<Tag, Tags>::value || ...)>;
+
+// The tags that the package reads. CGAL's own functions ignore the others in silence; ours do not.
+template <class Tag>
+using is_known = is_one_of<Tag,
+  CGAL::internal_np::all_default_t, CGAL::internal_np::vertex_point_t,
+  CGAL::internal_np::face_index_t, CGAL::internal_np::geom_traits_t,
+  CGAL::internal_np::random_seed_t, CGAL::internal_np::visitor_t,
+  maximum_number_of_segments_t, salience_threshold_t, salience_weights_t, geodesic_weight_t,
+  concave_angle_weight_t, convex_angle_weight_t, number_of_reference_faces_t,
+  number_of_smoothing_iterations_t, boundary_smoothing_t, segment_tree_t>;
+
+template <class Pack>
+struct Has_only_known_tags : std::false_type {};
+
+template <>
+struct Has_only_known_tags<CGAL::internal_np::No_property> : std::true_type {};
+
+template <class T, class Tag, class Base>
+struct Has_only_known_tags<CGAL::Named_function_parameters<T, Tag, Base> >
+  : std::bool_constant<is_known<Tag>::value && Has_only_known_tags<Base>::value> {};
+
+} // namespace internal_np
+
+/// \endcond
+
+/// \ingroup PkgSpectralSegmentationRef
+/// A pack of named parameters: holds a CGAL pack, and offers the names that the functions of this
+/// package read, ours and CGAL's, to be chained in any order.
+///
+/// A pack is made by a function of the namespace `CGAL::Spectral_segmentation::parameters`;
+/// see `segment_spectral_recursive()` for the meaning of each name.
+template <class CGALNamedParameters = CGAL::parameters::Default_named_parameters>
+class Named_parameters
+{
+  CGALNamedParameters np_;
+
+  template <class Tag, class T>
+  using With = Named_parameters<CGAL::Named_function_parameters<T, Tag, CGALNamedParameters> >;
+
+  template <class Tag, class T>
+  With<Tag, T> with(const T& value) const
+  {
+    return With<Tag, T>(
+      CGAL::Named_function_parameters<T, Tag, CGALNamedParameters>(value, np_));
+  }
+
+public:
+  explicit Named_parameters(const CGALNamedParameters& np = CGALNamedParameters()) : np_(np)
+  {
+    static_assert(internal_np::Has_only_known_tags<CGALNamedParameters>::value,
+                  "this pack holds a CGAL named parameter that the package does not use");
+  }
+
+  /// the same parameters as a pack of CGAL, for CGAL's own functions
+  const CGALNamedParameters& cgal_parameters() const { return np_; }
+
+  template <class VertexPointMap>
+  auto vertex_point_map(const VertexPointMap& map) const
+  { return with<CGAL::internal_np::vertex_point_t>(map); }
+
+  template <class FaceIndexMap>
+  auto face_index_map(const FaceIndexMap& map) const
+  { return with<CGAL::internal_np::face_index_t>(map); }
+
+  template <class GeomTraits>
+  auto geom_traits(const GeomTraits& traits) const
+  { return with<CGAL::internal_np::geom_traits_t>(traits); }
+
+  template <class Integer>
+  auto random_seed(Integer seed) const
+  {
+    static_assert(internal_np::is_count<Integer>::value,
+                  "random_seed takes an integer");
+    return with<CGAL::internal_np::random_seed_t>(seed);
+  }
+
+  template <class Visitor>
+  auto visitor(const Visitor& v) const
+  { return with<CGAL::internal_np::visitor_t>(v); }
+
+  template <class Integer>
+  auto maximum_number_of_segments(Integer n) const
+  {
+    static_assert(internal_np::is_count<Integer>::value,
+                  "maximum_number_of_segments takes an integer");
+    return with<internal_np::maximum_number_of_segments_t>(n);
+  }
+
+  template <class Number>
+  auto salience_threshold(Number threshold) const
+  {
+    static_assert(internal_np::is_real<Number>::value,
+                  "salience_threshold takes a number");
+    return with<internal_np::salience_threshold_t>(static_cast<double>(threshold));
+  }
+
+  template <class Number1, class Number2, class Number3>
+  auto salience_weights(Number1 alpha, Number2 beta, Number3 gamma) const
+  {
+    static_assert(internal_np::is_real<Number1>::value && internal_np::is_real<Number2>::value &&
+                  internal_np::is_real<Number3>::value,
+                  "salience_weights takes three numbers: alpha, beta, gamma");
+    return with<internal_np::salience_weights_t>(Weighted_part_salience{
+      static_cast<double>(alpha), static_cast<double>(beta), static_cast<double>(gamma)});
+  }
+
+  template <class Number>
+  auto geodesic_weight(Number delta) const
+  {
+    static_assert(internal_np::is_real<Number>::value,
+                  "geodesic_weight takes a number");
+    return with<internal_np::geodesic_weight_t>(static_cast<double>(delta));
+  }
+
+  template <class Number>
+  auto concave_angle_weight(Number eta) const
+  {
+    static_assert(internal_np::is_real<Number>::value,
+                  "concave_angle_weight takes a number");
+    return with<internal_np::concave_angle_weight_t>(static_cast<double>(eta));
+  }
+
+  template <class Number>
+  auto convex_angle_weight(Number eta) const
+  {
+    static_assert(internal_np::is_real<Number>::value,
+                  "convex_angle_weight takes a number");
+    return with<internal_np::convex_angle_weight_t>(static_cast<double>(eta));
+  }
+
+  template <class Integer>
+  auto number_of_reference_faces(Integer k) const
+  {
+    static_assert(internal_np::is_count<Integer>::value,
+                  "number_of_reference_faces takes an integer");
+    return with<internal_np::number_of_reference_faces_t>(k);
+  }
+
+  template <class Integer>
+  auto number_of_smoothing_iterations(Integer n) const
+  {
+    static_assert(internal_np::is_count<Integer>::value,
+                  "number_of_smoothing_iterations takes an integer");
+    return with<internal_np::number_of_smoothing_iterations_t>(n);
+  }
+
+  template <class Bool>
+  auto boundary_smoothing(Bool on) const
+  {
+    static_assert(internal_np::is_flag<Bool>::value,
+                  "boundary_smoothing takes a bool");
+    return with<internal_np::boundary_smoothing_t>(on);
+  }
+
+  template <class Tree>
+  auto segment_tree(Tree& tree) const
+  {
+    static_assert(std::is_same<Tree, Segment_tree>::value,
+                  "segment_tree takes a CGAL::Spectral_segmentation::Segment_tree, not const");
+    return with<internal_np::segment_tree_t>(std::ref(tree));
+  }
+};
+
+/// The functions that start a pack of named parameters.
+namespace parameters {
+
+/// the empty pack: every parameter has its default
+inline Named_parameters<> default_values() { return Named_parameters<>(); }
+
+/// takes over a pack of CGAL, e.g. one that the caller was handed
+template <class T, class Tag, class Base>
+auto from(const CGAL::Named_function_parameters<T, Tag, Base>& np)
+{ return Named_parameters<CGAL::Named_function_parameters<T, Tag, Base> >(np); }
+
+#define CGAL_SPECTRAL_SEGMENTATION_START_PACK(NAME)               \
+  template <class... Values>                                      \
+  auto NAME(const Values&... values)                              \
+  { return default_values().NAME(values...); }
+
+CGAL_SPECTRAL_SEGMENTATION_START_PACK(vertex_point_map)
+CGAL_SPECTRAL_SEGMENTATION_START_PACK(face_index_map)
+CGAL_SPECTRAL_SEGMENTATION_START_PACK(geom_traits)
+CGAL_SPECTRAL_SEGMENTATION_START_PACK(random_seed)
+CGAL_SPECTRAL_SEGMENTATION_START_PACK(visitor)
+CGAL_SPECTRAL_SEGMENTATION_START_PACK(maximum_number_of_segments)
+CGAL_SPECTRAL_SEGMENTATION_START_PACK(salience_threshold)
+CGAL_SPECTRAL_SEGMENTATION_START_PACK(salience_weights)
+CGAL_SPECTRAL_SEGMENTATION_START_PACK(geodesic_weight)
+CGAL_SPECTRAL_SEGMENTATION_START_PACK(concave_angle_weight)
+CGAL_SPECTRAL_SEGMENTATION_START_PACK(convex_angle_weight)
+CGAL_SPECTRAL_SEGMENTATION_START_PACK(number_of_reference_faces)
+CGAL_SPECTRAL_SEGMENTATION_START_PACK(number_of_smoothing_iterations)
+CGAL_SPECTRAL_SEGMENTATION_START_PACK(boundary_smoothing)
+
+#undef CGAL_SPECTRAL_SEGMENTATION_START_PACK
+
+template <class Tree>
+auto segment_tree(Tree& tree)
+{ return default_values().segment_tree(tree); }
+
+} // namespace parameters
+
+/// \cond SKIP_IN_MANUAL
+
+namespace internal {
+
+template <class CGALNamedParameters>
+const CGALNamedParameters& cgal_pack(const Named_parameters<CGALNamedParameters>& np)
+{ return np.cgal_parameters(); }
+
+template <class T, class Tag, class Base>
+const CGAL::Named_function_parameters<T, Tag, Base>&
+cgal_pack(const CGAL::Named_function_parameters<T, Tag, Base>& np)
+{
+  static_assert(internal_np::Has_only_known_tags<
+                  CGAL::Named_function_parameters<T, Tag, Base> >::value,
+                "this pack holds a CGAL named parameter that the package does not use");
+  return np;
+}
+
+} // namespace internal
+
+/// \endcond
+
+} // namespace Spectral_segmentation
+} // namespace CGAL
+
+#endif // CGAL_SPECTRAL_SEGMENTATION_PARAMETERS_H

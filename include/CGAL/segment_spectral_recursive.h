@@ -1,0 +1,247 @@
+// Copyright (c) 2026  The Spectral_segmentation authors.
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_SEGMENT_SPECTRAL_RECURSIVE_H
+#define CGAL_SEGMENT_SPECTRAL_RECURSIVE_H
+
+#include <CGAL/Spectral_segmentation/Part_salience.h>
+#include <CGAL/Spectral_segmentation/Segment_tree.h>
+#include <CGAL/Spectral_segmentation/Segmentation_visitor.h>
+#include <CGAL/Spectral_segmentation/parameters.h>
+#include <CGAL/Spectral_segmentation/version.h>
+
+#include <CGAL/Spectral_segmentation/internal/Face_dual_graph.h>
+#include <CGAL/Spectral_segmentation/internal/Monitor.h>
+#include <CGAL/Spectral_segmentation/internal/concurrency.h>
+#include <CGAL/Spectral_segmentation/internal/face_distances.h>
+#include <CGAL/Spectral_segmentation/internal/face_dual_graph_of_mesh.h>
+#include <CGAL/Spectral_segmentation/internal/laplacian_smoothing.h>
+#include <CGAL/Spectral_segmentation/internal/mesh_numbering.h>
+#include <CGAL/Spectral_segmentation/internal/options.h>
+#include <CGAL/Spectral_segmentation/internal/recursion.h>
+
+#include <CGAL/Named_function_parameters.h>
+#include <CGAL/boost/graph/named_params_helper.h>
+#include <CGAL/tags.h>
+
+#include <boost/graph/graph_traits.hpp>
+
+#include <cstddef>
+#include <type_traits>
+#include <utility>
+#include <vector>
+
+namespace CGAL {
+
+/*!
+\ingroup PkgSpectralSegmentationRef
+
+cuts a triangle mesh into the parts that a person would name, by recursive and visually salient
+spectral cuts, and writes for each face the id of its segment.
+
+The method is that of Hao Zhang and Rong Liu, <em>Mesh Segmentation via Recursive and Visually
+Salient Spectral Cuts</em>, Vision, Modeling, and Visualization 2005. Sections named below are those
+of the paper. The faces are nodes of the dual graph of the mesh, and a concave edge puts its two
+faces far apart. For the largest part, two sample faces are found by shape context, the faces of the
+part are ordered by a spectral embedding with respect to these samples, and of all the cuts along
+this order the one with the most salient part is taken. Both sides are parts again, until no part
+has a cut whose salience reaches a threshold. Each connected component of the mesh is a part of its
+own from the start.
+
+The segment ids are contiguous and start at 0; segments are numbered by their first face, in the
+order of `faces(mesh)`. Every segment is connected. The same input gives the same ids on every run,
+with any number of threads, and for every data structure that holds the same mesh.
+
+The run takes \f$ O(p n \log n) \f$ time for \f$ n \f$ faces and \f$ p \f$ segments, and
+\f$ O(k n) \f$ memory for \f$ k \f$ reference faces. The mesh is not changed.
+Faces without area, borders, and any number of connected components are welcome.
+
+\tparam ConcurrencyTag `CGAL::Sequential_tag`, `CGAL::Parallel_tag` or
+  `CGAL::Parallel_if_available_tag`, the default. Parallelism needs TBB, and the target
+  `CGAL::TBB_support` of CMake.
+\tparam TriangleMesh a model of `FaceListGraph` and `VertexListGraph`
+\tparam SegmentIdMap a model of `WritablePropertyMap` with
+  `boost::graph_traits<TriangleMesh>::%face_descriptor` as key type and an integer type as value type
+\tparam NamedParameters a sequence of named parameters, of the namespace
+  `CGAL::Spectral_segmentation::parameters` or of `CGAL::parameters`
+
+\param mesh the triangle mesh
+\param segment_ids the ids of the segments are written here
+\param np an optional sequence of named parameters among the ones listed below
+
+\cgalNamedParamsBegin
+  \cgalParamNBegin{vertex_point_map}
+    \cgalParamDescription{the points of the vertices of `mesh`}
+    \cgalParamType{a model of `ReadablePropertyMap` with
+      `boost::graph_traits<TriangleMesh>::%vertex_descriptor` as key type and a point type of
+      `geom_traits` as value type}
+    \cgalParamDefault{`boost::get(CGAL::vertex_point, mesh)`}
+  \cgalParamNEnd
+  \cgalParamNBegin{face_index_map}
+    \cgalParamDescription{an own index from 0 to the number of faces - 1 for each face. Segments are
+      numbered, and ties between faces are broken, by these indices.}
+    \cgalParamType{a model of `ReadablePropertyMap` with
+      `boost::graph_traits<TriangleMesh>::%face_descriptor` as key type and an integer type as value
+      type}
+    \cgalParamDefault{the position of the face in `faces(mesh)`, which is safe for every mesh, also
+      one with removed faces or without ids}
+  \cgalParamNEnd
+  \cgalParamNBegin{geom_traits}
+    \cgalParamDescription{an instance of a geometric traits class}
+    \cgalParamType{a class with the functors `Compute_x_3`, `Compute_y_3`, `Compute_z_3` of `Kernel`
+      and the functions `compute_x_3_object()` etc. Coordinates are rounded to `double`.}
+    \cgalParamDefault{a \cgal kernel deduced from the point type}
+  \cgalParamNEnd
+  \cgalParamNBegin{maximum_number_of_segments}
+    \cgalParamDescription{No part is cut once there are so many segments. A mesh with more connected
+      components has one segment for each.}
+    \cgalParamType{an integer}
+    \cgalParamDefault{no limit; the threshold ends the run}
+    \cgalParamExtra{at least 1}
+  \cgalParamNEnd
+  \cgalParamNBegin{salience_threshold}
+    \cgalParamDescription{A part is not cut if its most salient cut has a salience below this value
+      (Section 2).}
+    \cgalParamType{a number}
+    \cgalParamDefault{`0.5`: the lower values leave the noise of flat regions in the result, higher
+      ones lose limbs with a shallow seam}
+    \cgalParamExtra{Salience is at most 1; `-infinity` accepts every cut, for use with
+      `maximum_number_of_segments`. Not a NaN.}
+  \cgalParamNEnd
+  \cgalParamNBegin{salience_weights}
+    \cgalParamDescription{the weights \f$ \alpha, \beta, \gamma \f$ of the size, the cut strength and
+      the protrusiveness in the salience of a part (Section 6, Equation 3)}
+    \cgalParamType{three numbers}
+    \cgalParamDefault{`0.1, 0.6, 0.3`, found by the authors to work generally well: the size must
+      stay small, or halves of a body win over its limbs}
+    \cgalParamExtra{not negative, with sum 1}
+  \cgalParamNEnd
+  \cgalParamNBegin{geodesic_weight}
+    \cgalParamDescription{the weight \f$ \delta \f$ of the geodesic distance in the distance of
+      adjacent faces; \f$ 1 - \delta \f$ is that of the angle distance (Section 3, Equation 1)}
+    \cgalParamType{a number}
+    \cgalParamDefault{`0.01`: angles decide, and geodesic distance where there are none}
+    \cgalParamExtra{in [0, 1]}
+  \cgalParamNEnd
+  \cgalParamNBegin{concave_angle_weight}
+    \cgalParamDescription{the factor \f$ \eta \f$ of the angle distance \f$ 1 - \cos \theta \f$ at
+      concave edges (Section 3)}
+    \cgalParamType{a number}
+    \cgalParamDefault{`1`; only its ratio to `convex_angle_weight` matters}
+    \cgalParamExtra{finite, not negative}
+  \cgalParamNEnd
+  \cgalParamNBegin{convex_angle_weight}
+    \cgalParamDescription{the same at convex edges}
+    \cgalParamType{a number}
+    \cgalParamDefault{`0.1`: by the minima rule people cut along concave creases}
+    \cgalParamExtra{finite, not negative}
+  \cgalParamNEnd
+  \cgalParamNBegin{number_of_reference_faces}
+    \cgalParamDescription{the dimension \f$ k \f$ of the context vector of a face (Section 4)}
+    \cgalParamType{an integer}
+    \cgalParamDefault{`10`; the result depends little on it, the time is linear in it}
+    \cgalParamExtra{at least 1}
+  \cgalParamNEnd
+  \cgalParamNBegin{random_seed}
+    \cgalParamDescription{chooses the first reference face of each part at random, as in the paper}
+    \cgalParamType{an integer}
+    \cgalParamDefault{none: the first reference face is the one farthest from the center of the part}
+  \cgalParamNEnd
+  \cgalParamNBegin{number_of_smoothing_iterations}
+    \cgalParamDescription{steps of Laplacian smoothing on a copy of the points, from which the face
+      distances are then computed (Section 2)}
+    \cgalParamType{an integer}
+    \cgalParamDefault{`0`; a few steps help on noisy scans}
+    \cgalParamExtra{at least 0}
+  \cgalParamNEnd
+  \cgalParamNBegin{boundary_smoothing}
+    \cgalParamDescription{whether the boundaries of the segments are smoothed by a morphological
+      opening of each segment with a ball of two steps over faces (Section 2). It moves a boundary by
+      a few faces at the most, and neither empties nor disconnects a segment.}
+    \cgalParamType{`bool`}
+    \cgalParamDefault{`false`: most cuts are smooth enough, as short ones are more salient}
+  \cgalParamNEnd
+  \cgalParamNBegin{segment_tree}
+    \cgalParamDescription{receives all cuts with their salience}
+    \cgalParamType{`CGAL::Spectral_segmentation::Segment_tree&`}
+    \cgalParamDefault{none}
+  \cgalParamNEnd
+  \cgalParamNBegin{visitor}
+    \cgalParamDescription{hears of the progress and may stop the run}
+    \cgalParamType{a class derived from `CGAL::Spectral_segmentation::Segmentation_visitor`, or
+      `std::reference_wrapper` of one to be read afterwards}
+    \cgalParamDefault{`CGAL::Spectral_segmentation::Segmentation_visitor`, which does nothing}
+  \cgalParamNEnd
+\cgalNamedParamsEnd
+
+\return the number of segments; 0 for an empty mesh
+
+\throws std::invalid_argument if a face is not a triangle, a coordinate is not finite, the
+  `face_index_map` is not one to one onto its range, or a number is out of its range
+\throws std::overflow_error if there are more segments than the value type of `segment_ids` can count
+
+If an exception is thrown, by the function or by the visitor, no id was written.
+*/
+template <class ConcurrencyTag = Parallel_if_available_tag,
+          class TriangleMesh, class SegmentIdMap,
+          class NamedParameters = parameters::Default_named_parameters>
+std::size_t segment_spectral_recursive(const TriangleMesh& mesh, SegmentIdMap segment_ids,
+                                       const NamedParameters& np = NamedParameters())
+{
+  namespace internal = Spectral_segmentation::internal;
+  namespace tags = Spectral_segmentation::internal_np;
+  using CGAL::parameters::choose_parameter;
+  using CGAL::parameters::get_parameter;
+  using CGAL::parameters::get_parameter_reference;
+  using Spectral_segmentation::Segment_tree;
+  using Spectral_segmentation::Segmentation_visitor;
+  using Spectral_segmentation::Stage;
+
+#ifndef CGAL_LINKED_WITH_TBB
+  static_assert(!internal::is_parallel<ConcurrencyTag>,
+                "Parallel_tag is enabled but TBB is unavailable.");
+#endif
+
+  const auto& pack = internal::cgal_pack(np);
+  typedef std::decay_t<decltype(pack)> Pack;
+  typedef typename GetGeomTraits<TriangleMesh, Pack>::type Geom_traits;
+  typedef typename internal_np::Lookup_named_param_def<
+    CGAL::internal_np::visitor_t, Pack, Segmentation_visitor>::reference Visitor_reference;
+
+  const internal::Options options = internal::read_options(pack);
+  const auto faces = internal::numbered_faces(mesh, pack);
+  Segmentation_visitor no_visitor;
+  Visitor_reference visitor =
+    choose_parameter(get_parameter_reference(pack, CGAL::internal_np::visitor), no_visitor);
+  internal::Monitor<std::remove_reference_t<Visitor_reference> > monitor(visitor);
+
+  internal::Face_dual_graph graph = monitor.stage(
+    Stage::INITIALIZATION, Segmentation_visitor::whole_mesh, [&] {
+      internal::Face_dual_graph g = internal::face_dual_graph_of_mesh(
+        mesh, faces,
+        choose_parameter(get_parameter(pack, CGAL::internal_np::vertex_point),
+                         get_const_property_map(CGAL::vertex_point, mesh)),
+        choose_parameter<Geom_traits>(get_parameter(pack, CGAL::internal_np::geom_traits)));
+      internal::set_face_distances(
+        g, internal::smoothed_points(g, options.number_of_smoothing_iterations),
+        {options.geodesic_weight, options.concave_angle_weight, options.convex_angle_weight});
+      return g;
+    });
+
+  Segment_tree tree = internal::cut_recursively<ConcurrencyTag>(
+    std::move(graph), options, options.part_salience, monitor);
+
+  const std::vector<std::size_t> labels = options.boundary_smoothing
+    ? monitor.stage(Stage::BOUNDARY_SMOOTHING, Segmentation_visitor::whole_mesh,
+                    [&] { return tree.labels(); })
+    : tree.labels();
+  const std::size_t number_of_segments = internal::write_labels(faces, labels, segment_ids);
+
+  if constexpr (!CGAL::parameters::is_default_parameter<Pack, tags::segment_tree_t>::value)
+    get_parameter_reference(pack, tags::segment_tree) = std::move(tree);
+  return number_of_segments;
+}
+
+} // namespace CGAL
+
+#endif // CGAL_SEGMENT_SPECTRAL_RECURSIVE_H
