@@ -52,8 +52,8 @@ The segment ids are contiguous and start at 0; segments are numbered by their fi
 order of `faces(mesh)`. Every segment is connected. The same input gives the same ids on every run,
 with any number of threads, and for every data structure that holds the same mesh.
 
-The run takes \f$ O(p n \log n) \f$ time for \f$ n \f$ faces and \f$ p \f$ segments, and
-\f$ O(k n) \f$ memory for \f$ k \f$ reference faces. The mesh is not changed.
+The run takes O(*k p n* log *n*) time for *n* faces, *k* reference faces and *p* parts that are
+searched, and O(*k n*) memory. The mesh is not changed.
 Faces without area, borders, and any number of connected components are welcome.
 
 \tparam ConcurrencyTag `CGAL::Sequential_tag`, `CGAL::Parallel_tag` or
@@ -99,17 +99,24 @@ Faces without area, borders, and any number of connected components are welcome.
     \cgalParamDefault{no limit; the threshold ends the run}
     \cgalParamExtra{at least 1}
   \cgalParamNEnd
+  \cgalParamNBegin{minimum_segment_size}
+    \cgalParamDescription{the share of the area of the mesh that each side of a cut must have. The
+      factors of the salience mean little for a handful of faces; the paper has no such limit.}
+    \cgalParamType{a number}
+    \cgalParamDefault{`0.005`: a finger of a whole figure is larger, a pit in its skin smaller}
+    \cgalParamExtra{in [0, 0.5]; 0 is the paper's method to the letter}
+  \cgalParamNEnd
   \cgalParamNBegin{salience_threshold}
     \cgalParamDescription{A part is not cut if its most salient cut has a salience below this value
       (Section 2).}
     \cgalParamType{a number}
-    \cgalParamDefault{`0.5`: the lower values leave the noise of flat regions in the result, higher
+    \cgalParamDefault{`0.54`: lower values leave the noise of flat regions in the result, higher
       ones lose limbs with a shallow seam}
     \cgalParamExtra{Salience is at most 1; `-infinity` accepts every cut, for use with
       `maximum_number_of_segments`. Not a NaN.}
   \cgalParamNEnd
   \cgalParamNBegin{salience_weights}
-    \cgalParamDescription{the weights \f$ \alpha, \beta, \gamma \f$ of the size, the cut strength and
+    \cgalParamDescription{the weights &alpha;, &beta;, &gamma; of the size, the cut strength and
       the protrusiveness in the salience of a part (Section 6, Equation 3)}
     \cgalParamType{three numbers}
     \cgalParamDefault{`0.1, 0.6, 0.3`, found by the authors to work generally well: the size must
@@ -117,15 +124,15 @@ Faces without area, borders, and any number of connected components are welcome.
     \cgalParamExtra{not negative, with sum 1}
   \cgalParamNEnd
   \cgalParamNBegin{geodesic_weight}
-    \cgalParamDescription{the weight \f$ \delta \f$ of the geodesic distance in the distance of
-      adjacent faces; \f$ 1 - \delta \f$ is that of the angle distance (Section 3, Equation 1)}
+    \cgalParamDescription{the weight &delta; of the geodesic distance in the distance of
+      adjacent faces; 1 - &delta; is that of the angle distance (Section 3, Equation 1)}
     \cgalParamType{a number}
     \cgalParamDefault{`0.01`: angles decide, and geodesic distance where there are none}
     \cgalParamExtra{in [0, 1]}
   \cgalParamNEnd
   \cgalParamNBegin{concave_angle_weight}
-    \cgalParamDescription{the factor \f$ \eta \f$ of the angle distance \f$ 1 - \cos \theta \f$ at
-      concave edges (Section 3)}
+    \cgalParamDescription{the factor &eta; of the angle distance 1 - cos &theta; at concave
+      edges (Section 3)}
     \cgalParamType{a number}
     \cgalParamDefault{`1`; only its ratio to `convex_angle_weight` matters}
     \cgalParamExtra{finite, not negative}
@@ -137,7 +144,7 @@ Faces without area, borders, and any number of connected components are welcome.
     \cgalParamExtra{finite, not negative}
   \cgalParamNEnd
   \cgalParamNBegin{number_of_reference_faces}
-    \cgalParamDescription{the dimension \f$ k \f$ of the context vector of a face (Section 4)}
+    \cgalParamDescription{the dimension *k* of the context vector of a face (Section 4)}
     \cgalParamType{an integer}
     \cgalParamDefault{`10`; the result depends little on it, the time is linear in it}
     \cgalParamExtra{at least 1}

@@ -8,21 +8,22 @@ namespace CGAL {
 namespace Spectral_segmentation {
 
 /// \ingroup PkgSpectralSegmentationRef
-/// The three factors of the salience of a part \f$ Q \f$ that is cut from a part \f$ M \f$
+/// The three factors of the salience of a part *Q* that is cut from a part *M*
 /// (Hoffman and Singh 1997; Zhang and Liu 2005, Section 6).
-/// \f$ Q \f$ is the one of the two sides that has the smaller area.
+/// *Q* is the one of the two sides that has the smaller area.
 struct Salience_factors
 {
-  /// \f$ V_s = Area(Q) / Area(M) \f$, in [0, 1/2].
+  /// *V<sub>s</sub>* = Area(*Q*) / Area(*M*), in [0, 1/2].
   double size = 0;
 
-  /// \f$ V_c \f$, in [0, 1]: the mean, over the edges of the cut, of the equalized angle distance
-  /// at concave edges and 0 at others, divided by the largest equalized angle distance in \f$ M \f$.
+  /// *V<sub>c</sub>*, in [0, 1]: the mean, over the edges of the cut, of the equalized angle
+  /// distance at concave edges and 0 at others, divided by the largest equalized angle distance
+  /// in *M*.
   double cut_strength = 0;
 
-  /// \f$ V_p = 1 - 4 \sqrt{\lambda_1 \lambda_2} / Area(Q) \f$, at most 1 and not bounded from below;
-  /// \f$ \lambda_1, \lambda_2 \f$ are the two largest eigenvalues of the covariance matrix of
-  /// the vertices along the cut.
+  /// *V<sub>p</sub>* = 1 - 4 sqrt(&lambda;<sub>1</sub> &lambda;<sub>2</sub>) / Area(*Q*), at most 1
+  /// and not bounded from below; the &lambda; are the two largest eigenvalues of the covariance
+  /// matrix of the vertices along the cut.
   double protrusiveness = 0;
 };
 

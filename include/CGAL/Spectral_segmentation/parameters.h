@@ -21,6 +21,7 @@ class Segment_tree;
 namespace internal_np {
 
 enum maximum_number_of_segments_t { maximum_number_of_segments };
+enum minimum_segment_size_t { minimum_segment_size };
 enum salience_threshold_t { salience_threshold };
 enum salience_weights_t { salience_weights };
 enum geodesic_weight_t { geodesic_weight };
@@ -49,8 +50,8 @@ using is_known = is_one_of<Tag,
   CGAL::internal_np::all_default_t, CGAL::internal_np::vertex_point_t,
   CGAL::internal_np::face_index_t, CGAL::internal_np::geom_traits_t,
   CGAL::internal_np::random_seed_t, CGAL::internal_np::visitor_t,
-  maximum_number_of_segments_t, salience_threshold_t, salience_weights_t, geodesic_weight_t,
-  concave_angle_weight_t, convex_angle_weight_t, number_of_reference_faces_t,
+  maximum_number_of_segments_t, minimum_segment_size_t, salience_threshold_t, salience_weights_t,
+  geodesic_weight_t, concave_angle_weight_t, convex_angle_weight_t, number_of_reference_faces_t,
   number_of_smoothing_iterations_t, boundary_smoothing_t, segment_tree_t>;
 
 template <class Pack>
@@ -128,6 +129,14 @@ public:
     static_assert(internal_np::is_count<Integer>::value,
                   "maximum_number_of_segments takes an integer");
     return with<internal_np::maximum_number_of_segments_t>(n);
+  }
+
+  template <class Number>
+  auto minimum_segment_size(Number share) const
+  {
+    static_assert(internal_np::is_real<Number>::value,
+                  "minimum_segment_size takes a number");
+    return with<internal_np::minimum_segment_size_t>(static_cast<double>(share));
   }
 
   template <class Number>
@@ -227,6 +236,7 @@ CGAL_SPECTRAL_SEGMENTATION_START_PACK(geom_traits)
 CGAL_SPECTRAL_SEGMENTATION_START_PACK(random_seed)
 CGAL_SPECTRAL_SEGMENTATION_START_PACK(visitor)
 CGAL_SPECTRAL_SEGMENTATION_START_PACK(maximum_number_of_segments)
+CGAL_SPECTRAL_SEGMENTATION_START_PACK(minimum_segment_size)
 CGAL_SPECTRAL_SEGMENTATION_START_PACK(salience_threshold)
 CGAL_SPECTRAL_SEGMENTATION_START_PACK(salience_weights)
 CGAL_SPECTRAL_SEGMENTATION_START_PACK(geodesic_weight)

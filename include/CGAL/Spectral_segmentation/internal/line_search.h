@@ -101,8 +101,8 @@ inline std::vector<bool> rest_is_connected(const Face_dual_graph& part,
   return result;
 }
 
-// The most salient cut along the line, if there is one with two connected sides, both of an area
-// above `minimum_area`. Of equally salient cuts the first is taken.
+// The most salient cut along the line, if there is one with two connected sides, both with an area,
+// and not below `minimum_area`. Of equally salient cuts the first is taken.
 // `observe(size of Q, factors, salience)` hears of each cut that is compared.
 template <class PartSalience, class Observer>
 std::optional<Cut> line_search(const Face_dual_graph& part, const std::vector<Index>& line,
@@ -119,7 +119,7 @@ std::optional<Cut> line_search(const Face_dual_graph& part, const std::vector<In
   for (Index size_after_step : growth.sizes) {
     for (; size < size_after_step; ++size)
       q.add(growth.faces[size]);
-    if (!is_cut[size] || !(q.smaller_area() > minimum_area))
+    if (!is_cut[size] || q.smaller_area() <= 0 || q.smaller_area() < minimum_area)
       continue;
     const Salience_factors factors = q.factors();
     const double salience = part_salience(factors);

@@ -26,7 +26,8 @@ namespace internal {
 struct Options
 {
   std::size_t maximum_number_of_segments = (std::numeric_limits<std::size_t>::max)();
-  double salience_threshold = 0.5;
+  double minimum_segment_size = 0.005;
+  double salience_threshold = 0.54;
   Weighted_part_salience part_salience;
   double geodesic_weight = 0.01;
   double concave_angle_weight = 1;
@@ -35,10 +36,6 @@ struct Options
   std::size_t number_of_smoothing_iterations = 0;
   bool boundary_smoothing = false;
   std::optional<std::uint64_t> random_seed;
-
-  // Not for the caller: share of the area of the mesh below which nothing is called a part. The
-  // factors of the salience mean nothing for a handful of faces.
-  double smallest_part = 0.002;
 };
 
 inline void require(bool condition, const char* parameter, const char* range)
@@ -75,6 +72,7 @@ Options read_options(const NamedParameters& np)
   Options o;
   read_count(np, tags::maximum_number_of_segments, "maximum_number_of_segments", 1, "at least 1",
              o.maximum_number_of_segments);
+  read_parameter(np, tags::minimum_segment_size, o.minimum_segment_size);
   read_parameter(np, tags::salience_threshold, o.salience_threshold);
   read_parameter(np, tags::salience_weights, o.part_salience);
   read_parameter(np, tags::geodesic_weight, o.geodesic_weight);
@@ -88,6 +86,8 @@ Options read_options(const NamedParameters& np)
   read_parameter(np, CGAL::internal_np::random_seed, o.random_seed);
 
   const Weighted_part_salience& w = o.part_salience;
+  require(o.minimum_segment_size >= 0 && o.minimum_segment_size <= 0.5, "minimum_segment_size",
+          "in [0, 0.5]");
   require(!std::isnan(o.salience_threshold), "salience_threshold", "a number");
   require(w.alpha >= 0 && w.beta >= 0 && w.gamma >= 0 &&
           std::abs(w.alpha + w.beta + w.gamma - 1) < 1e-6,

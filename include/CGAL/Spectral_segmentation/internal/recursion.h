@@ -136,7 +136,7 @@ Segment_tree cut_recursively(Face_dual_graph mesh, const Options& options,
   if (options.boundary_smoothing)
     tree.smooth_boundaries_with(neighbors(mesh));
 
-  const double minimum_area = options.smallest_part * total_area(mesh);
+  const double minimum_area = options.minimum_segment_size * total_area(mesh);
   std::vector<Face_dual_graph> components;
   if (number_of_components == 1)
     components.push_back(std::move(mesh));
