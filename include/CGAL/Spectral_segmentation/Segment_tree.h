@@ -91,6 +91,9 @@ public:
 
   const Node& node(size_type i) const { return nodes_[i]; }
 
+  /// the salience threshold of the run: no lower one can be asked for
+  double salience_threshold() const { return salience_threshold_; }
+
   /// the numbers of the faces of a node
   Iterator_range<std::vector<internal::Index>::const_iterator> faces(size_type i) const
   {

@@ -65,7 +65,6 @@ class Boundary_smoothing
           boundary.push_back(f);
         }
     // Faces at the boundary are one step from the other segment already.
-    std::vector<Index> core;
     for (int step = 1; step < radius; ++step) {
       std::vector<Index> next;
       for (Index f : boundary)
@@ -76,15 +75,11 @@ class Boundary_smoothing
           }
       boundary.swap(next);
     }
-    std::vector<char> has_core(size(), 0); // by label
+    std::vector<Index> core;
     for (Index f = 0; f < size(); ++f)
-      if (!is_eroded[f]) {
+      if (!is_eroded[f])
         core.push_back(f);
-        has_core[labels_[f]] = 1;
-      }
-    is_tooth_.assign(size(), 0);
-    for (Index f = 0; f < size(); ++f)
-      is_tooth_[f] = has_core[labels_[f]];
+    is_tooth_.assign(size(), 1);
     dilate(core, [this](Index f) { is_tooth_[f] = 0; });
   }
 
@@ -116,7 +111,7 @@ class Boundary_smoothing
           mark[g] = stamp + 1;
           rim.push_back(g);
         }
-    if (rim.empty())
+    if (rim.empty()) // the whole segment
       return false;
     std::vector<Index> found(1, rim.front());
     mark[rim.front()] = stamp + 2;

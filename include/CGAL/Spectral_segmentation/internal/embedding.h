@@ -22,7 +22,7 @@ namespace internal {
 struct Spectral_embedding
 {
   double sigma;           // width of the kernel
-  Eigen::VectorXd first;  // e1
+  Eigen::VectorXd first;  // e1, positive
   Eigen::VectorXd second; // e2
   Eigen::VectorXd ratio;  // z = e2 / e1, smallest at the first sample
 };
@@ -44,12 +44,12 @@ inline Spectral_embedding spectral_embedding(const std::vector<double>& from_s,
   const Eigenpairs e = nystrom_extrapolation(normalized_rows(affinities, samples), samples);
   result.first = e.vectors.col(0);
   result.second = e.vectors.col(1);
-  result.ratio = result.second.cwiseQuotient(result.first);
-  // The sign of an eigenvector is arbitrary.
-  if (result.ratio[s] > result.ratio[t]) {
+  // The signs of eigenvectors are arbitrary. All entries of the first have the same one.
+  if (result.first[s] < 0)
+    result.first = -result.first;
+  if (result.second[s] > result.second[t])
     result.second = -result.second;
-    result.ratio = -result.ratio;
-  }
+  result.ratio = result.second.cwiseQuotient(result.first);
   return result;
 }
 

@@ -6,7 +6,10 @@
 
 #include <CGAL/Spectral_segmentation/internal/Face_dual_graph.h>
 
+#include <Eigen/Geometry>
+
 #include <algorithm>
+#include <cmath>
 #include <cstddef>
 #include <numeric>
 #include <vector>

@@ -6,6 +6,7 @@
 
 #include <CGAL/Spectral_segmentation/internal/Face_dual_graph.h>
 
+#include <algorithm>
 #include <cstddef>
 #include <vector>
 

@@ -7,8 +7,10 @@
 #include <CGAL/Spectral_segmentation/Part_salience.h>
 #include <CGAL/Spectral_segmentation/internal/Face_dual_graph.h>
 #include <CGAL/Spectral_segmentation/internal/Meta_patch.h>
+#include <CGAL/Spectral_segmentation/internal/parts.h>
 
 #include <boost/pending/disjoint_sets.hpp>
+#include <boost/property_map/property_map.hpp>
 
 #include <cstddef>
 #include <limits>
@@ -77,7 +79,9 @@ inline std::vector<bool> rest_is_connected(const Face_dual_graph& part,
 {
   const std::size_t n = faces.size();
   std::vector<Index> rank(n), parent(n);
-  boost::disjoint_sets<Index*, Index*> sets(rank.data(), parent.data());
+  const boost::typed_identity_property_map<Index> index;
+  boost::disjoint_sets sets(boost::make_iterator_property_map(rank.begin(), index),
+                            boost::make_iterator_property_map(parent.begin(), index));
   std::vector<char> is_in_rest(n, 0);
   std::vector<bool> result(n + 1, false);
   std::size_t number_of_components = 0;
@@ -113,13 +117,15 @@ std::optional<Cut> line_search(const Face_dual_graph& part, const std::vector<In
   const std::vector<bool> is_cut = rest_is_connected(part, growth.faces);
 
   Meta_patch q(part);
+  // What the subtraction of areas leaves where the rest has none.
+  const double rounding = 1e-12 * total_area(part);
   std::size_t size = 0, best_size = 0;
   Cut best;
   best.salience = -std::numeric_limits<double>::infinity();
   for (Index size_after_step : growth.sizes) {
     for (; size < size_after_step; ++size)
       q.add(growth.faces[size]);
-    if (!is_cut[size] || q.smaller_area() <= 0 || q.smaller_area() < minimum_area)
+    if (!is_cut[size] || q.smaller_area() <= rounding || q.smaller_area() < minimum_area)
       continue;
     const Salience_factors factors = q.factors();
     const double salience = part_salience(factors);

@@ -27,7 +27,7 @@ struct Options
 {
   std::size_t maximum_number_of_segments = (std::numeric_limits<std::size_t>::max)();
   double minimum_segment_size = 0.005;
-  double salience_threshold = 0.54;
+  double salience_threshold = default_salience_threshold;
   Weighted_part_salience part_salience;
   double geodesic_weight = 0.01;
   double concave_angle_weight = 1;

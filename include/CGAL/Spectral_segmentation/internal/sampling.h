@@ -62,7 +62,7 @@ struct Shape_contexts
   const float* operator[](Index f) const { return values.data() + f * references.size(); }
 };
 
-// Chooses up to k reference faces, mutually farthest apart in geodesic distance, and sums the
+// Chooses k reference faces, or all of a part with fewer, mutually farthest apart in geodesic distance, and sums the
 // angle distances along the shortest geodesic paths while the tree of each reference grows.
 // `between_trees()` is called before each tree.
 template <class BetweenTrees>
@@ -72,33 +72,24 @@ Shape_contexts shape_contexts(const Face_dual_graph& graph, Index first_referenc
   const std::size_t n = graph.number_of_faces();
   k = (std::min)(k, n);
   Shape_contexts contexts;
-  std::vector<float> context_of_tree(n);
-  std::vector<std::vector<float> > columns;
+  contexts.values.resize(n * k);
   std::vector<double> to_nearest(n, std::numeric_limits<double>::infinity());
   Index reference = first_reference;
   for (std::size_t j = 0; j < k; ++j) {
     between_trees();
     contexts.references.push_back(reference);
-    context_of_tree[reference] = 0;
+    float* const values = contexts.values.data() + j;
     const std::vector<double> distance = shortest_paths(
       graph, reference, &Face_dual_graph::Halfedge::geodesic, [&](Index h) {
         const Face_dual_graph::Halfedge& e = graph.halfedges[h];
-        context_of_tree[e.neighbor] = context_of_tree[h / 3] + e.angle;
+        values[e.neighbor * k] = values[h / 3 * k] + e.angle;
       });
-    columns.push_back(context_of_tree);
 
     for (Index f = 0; f < n; ++f)
       to_nearest[f] = (std::min)(to_nearest[f], distance[f]);
     reference = static_cast<Index>(
       std::max_element(to_nearest.begin(), to_nearest.end()) - to_nearest.begin());
-    if (to_nearest[reference] == 0)
-      break;
   }
-
-  contexts.values.resize(n * columns.size());
-  for (Index f = 0; f < n; ++f)
-    for (std::size_t j = 0; j < columns.size(); ++j)
-      contexts.values[f * columns.size() + j] = columns[j][f];
   return contexts;
 }
 

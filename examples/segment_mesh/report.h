@@ -1,0 +1,69 @@
+// Copyright (c) 2026  The Spectral_segmentation authors.
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef SEGMENT_MESH_REPORT_H
+#define SEGMENT_MESH_REPORT_H
+
+#include "Run_watch.h"
+
+#include <CGAL/Spectral_segmentation/Segment_tree.h>
+
+#include <nlohmann/json.hpp>
+
+#include <cstddef>
+
+namespace segment_mesh {
+
+typedef nlohmann::ordered_json Json;
+
+// Seconds by stage, as in Table 1 of Zhang and Liu 2005. The stages are sums over all parts; with
+// several threads parts are searched at the same time, and the sums may exceed the total.
+inline Json seconds_report(const Run_watch& watch)
+{
+  return {{"initialization", watch.seconds(Run_watch::Stage::INITIALIZATION)},
+          {"sampling", watch.seconds(Run_watch::Stage::SAMPLING)},
+          {"embedding", watch.seconds(Run_watch::Stage::EMBEDDING)},
+          {"line_search", watch.seconds(Run_watch::Stage::LINE_SEARCH)},
+          {"boundary_smoothing", watch.seconds(Run_watch::Stage::BOUNDARY_SMOOTHING)},
+          {"total", watch.seconds()}};
+}
+
+inline const char* name_of(CGAL::Spectral_segmentation::Segment_tree::Cut_state state)
+{
+  typedef CGAL::Spectral_segmentation::Segment_tree::Cut_state Cut_state;
+  switch (state) {
+    case Cut_state::NO_CUT: return "no cut";
+    case Cut_state::REJECTED: return "rejected";
+    case Cut_state::ACCEPTED: return "accepted";
+    default: return "not searched";
+  }
+}
+
+// The nodes by their index; salience and factors are those of the best cut, null if there is none.
+inline Json tree_report(const CGAL::Spectral_segmentation::Segment_tree& tree)
+{
+  typedef CGAL::Spectral_segmentation::Segment_tree Segment_tree;
+  Json nodes = Json::array();
+  for (std::size_t i = 0; i < tree.number_of_nodes(); ++i) {
+    const Segment_tree::Node& n = tree.node(i);
+    const bool has_cut = n.cut_state == Segment_tree::Cut_state::REJECTED ||
+                         n.cut_state == Segment_tree::Cut_state::ACCEPTED;
+    Json node;
+    node["id"] = i;
+    node["parent"] = n.parent == Segment_tree::null_node ? Json() : Json(n.parent);
+    node["children"] = n.is_leaf() ? Json::array() : Json(n.children);
+    node["faces"] = n.number_of_faces;
+    node["area"] = n.area;
+    node["cut"] = name_of(n.cut_state);
+    node["salience"] = has_cut ? Json(n.salience) : Json();
+    node["factors"] = !has_cut ? Json() : Json{{"size", n.factors.size},
+                                               {"cut_strength", n.factors.cut_strength},
+                                               {"protrusiveness", n.factors.protrusiveness}};
+    nodes.push_back(node);
+  }
+  return nodes;
+}
+
+} // namespace segment_mesh
+
+#endif // SEGMENT_MESH_REPORT_H

@@ -1,0 +1,21 @@
+// Copyright (c) 2026  The Spectral_segmentation authors.
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#include <CGAL/Simple_cartesian.h>
+#include <CGAL/Surface_mesh.h>
+#include <CGAL/segment_spectral_recursive.h>
+
+#include <cstdlib>
+#include <iostream>
+
+typedef CGAL::Surface_mesh<CGAL::Simple_cartesian<double>::Point_3> Mesh;
+
+int main(int argc, char* argv[])
+{
+  Mesh mesh;
+  if (!CGAL::IO::read_polygon_mesh(argc > 1 ? argv[1] : "data/meshes/elephant.off", mesh))
+    return EXIT_FAILURE;
+  auto segment_ids = mesh.add_property_map<Mesh::Face_index, int>("f:segment").first;
+  std::cout << CGAL::segment_spectral_recursive(mesh, segment_ids) << " segments" << std::endl;
+  return CGAL::IO::write_polygon_mesh("segments.ply", mesh) ? EXIT_SUCCESS : EXIT_FAILURE;
+}

@@ -1,0 +1,52 @@
+#!/bin/bash
+# Copyright (c) 2026  The Spectral_segmentation authors.
+# SPDX-License-Identifier: GPL-3.0-or-later
+#
+# check_all.sh [--cgal DIR] [--build DIR]
+# All programs and tests, with warnings as errors, under g++ and clang++, each in Release and in
+# Debug with sanitizers, and each header alone. With --cgal, Release once more against the CGAL
+# whose CGALConfig.cmake is in DIR. Takes hours; builds in build-check/ or the --build folder.
+
+set -euo pipefail
+cd "$(dirname "$0")/.."
+
+cgal=
+build=build-check
+while [[ $# -gt 0 ]]; do
+  case $1 in
+    --cgal) cgal=$(realpath "$2"); shift 2 ;;
+    --build) build=$2; shift 2 ;;
+    *) echo "check_all.sh: unknown option: $1" >&2; exit 1 ;;
+  esac
+done
+
+failed=()
+
+# check NAME PRESET CMAKE_OPTION ...
+check() {
+  local name=$1 preset=$2
+  shift 2
+  echo "=== $name"
+  cmake --preset "$preset" -B "$build/$name" -DCMAKE_COMPILE_WARNING_AS_ERROR=ON "$@" &&
+    cmake --build "$build/$name" --parallel "$(nproc)" &&
+    ctest --test-dir "$build/$name" --output-on-failure --parallel "$(nproc)" ||
+    failed+=("$name")
+}
+
+for compiler in g++ clang++; do
+  echo "=== $compiler, each header alone"
+  while read -r header; do
+    "$compiler" -std=c++17 -Wall -Wextra -Werror -fsyntax-only -Iinclude \
+      ${cgal:+-isystem "$cgal/include"} -isystem /usr/include/eigen3 -include "$header" \
+      -x c++ /dev/null || failed+=("$compiler-$header")
+  done < <(cd include && find . -name '*.h' | sort)
+
+  check "$compiler-release" release -DCMAKE_CXX_COMPILER="$compiler"
+  check "$compiler-sanitize" sanitize -DCMAKE_CXX_COMPILER="$compiler"
+  if [[ -n $cgal ]]; then
+    check "$compiler-cgal" release -DCMAKE_CXX_COMPILER="$compiler" -DCGAL_DIR="$cgal"
+  fi
+done
+
+echo "failed: ${failed[*]:-none}"
+[[ ${#failed[@]} -eq 0 ]]

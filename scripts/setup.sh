@@ -1,0 +1,40 @@
+#!/bin/bash
+# Copyright (c) 2026  The Spectral_segmentation authors.
+# SPDX-License-Identifier: GPL-3.0-or-later
+#
+# setup.sh GROUP ...
+# Installs the Debian packages of the groups build, test and pictures that are missing.
+
+set -euo pipefail
+
+packages=()
+for group in "$@"; do
+  case $group in
+    build)
+      packages+=(cmake make g++ libcgal-dev libeigen3-dev libboost-dev libtbb-dev libcli11-dev
+                 nlohmann-json3-dev libcgal-demo) ;;
+    test) packages+=(libboost-test-dev libopenmesh-dev python3) ;;
+    pictures) packages+=(python3-vtk9 xvfb xauth) ;;
+    *) echo "setup.sh: no such group: $group (build, test, pictures)" >&2; exit 1 ;;
+  esac
+done
+
+missing=()
+for package in "${packages[@]}"; do
+  status=$(dpkg-query -W -f '${db:Status-Status}' "$package" 2> /dev/null || true)
+  [[ $status == installed ]] || missing+=("$package")
+done
+[[ ${#missing[@]} -gt 0 ]] || exit 0
+
+as_root=()
+if [[ $EUID -ne 0 ]]; then
+  as_root=(sudo)
+  if ! command -v sudo > /dev/null; then
+    echo "setup.sh: not root and no sudo; please install: ${missing[*]}" >&2
+    exit 1
+  fi
+fi
+"${as_root[@]}" apt-get update
+# Slim images of Debian leave out /usr/share/doc, where libcgal-demo has its meshes.
+"${as_root[@]}" env DEBIAN_FRONTEND=noninteractive apt-get install -y --no-install-recommends \
+  -o 'DPkg::Options::=--path-include=/usr/share/doc/libcgal-dev/*' "${missing[@]}"

@@ -1,0 +1,28 @@
+// Copyright (c) 2026  The Spectral_segmentation authors.
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+// The right form of what is wrong in the other files: compiles.
+
+#include <CGAL/segment_spectral_recursive.h>
+
+#include <CGAL/Simple_cartesian.h>
+#include <CGAL/Surface_mesh.h>
+
+#include <cstddef>
+
+typedef CGAL::Surface_mesh<CGAL::Simple_cartesian<double>::Point_3> Mesh;
+typedef Mesh::Property_map<Mesh::Face_index, int> Segment_ids;
+namespace params = CGAL::Spectral_segmentation::parameters;
+
+std::size_t run(const Mesh& mesh, Segment_ids ids, CGAL::Spectral_segmentation::Segment_tree& tree)
+{
+  return CGAL::segment_spectral_recursive(mesh, ids) +
+         CGAL::segment_spectral_recursive<CGAL::Sequential_tag>(
+           mesh, ids, CGAL::parameters::random_seed(1)) +
+         CGAL::segment_spectral_recursive(
+           mesh, ids, params::from(CGAL::parameters::random_seed(1)).salience_threshold(0.3)) +
+         CGAL::segment_spectral_recursive(
+           mesh, ids, params::random_seed(1).salience_threshold(0.3).maximum_number_of_segments(2)
+                        .boundary_smoothing(true).salience_weights(0.1, 0.6, 0.3)
+                        .segment_tree(tree));
+}

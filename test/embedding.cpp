@@ -1,0 +1,148 @@
+// Copyright (c) 2026  The Spectral_segmentation authors.
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#define BOOST_TEST_MODULE embedding
+#include <boost/test/unit_test.hpp>
+
+#include "test_meshes.h"
+
+#include <CGAL/Spectral_segmentation/internal/Face_dual_graph.h>
+#include <CGAL/Spectral_segmentation/internal/embedding.h>
+#include <CGAL/Spectral_segmentation/internal/shortest_paths.h>
+
+#include <cmath>
+#include <cstddef>
+#include <numeric>
+#include <vector>
+
+namespace tt = boost::test_tools;
+using namespace test_meshes;
+using CGAL::Spectral_segmentation::internal::Spectral_embedding;
+using CGAL::Spectral_segmentation::internal::shortest_paths;
+using CGAL::Spectral_segmentation::internal::spectral_embedding;
+using CGAL::Spectral_segmentation::internal::spectral_order;
+
+namespace {
+
+// Distances of all faces of a random mesh from two of them.
+struct Two_samples
+{
+  Index s, t;
+  std::vector<double> from_s, from_t;
+
+  explicit Two_samples(Random& random)
+  {
+    const std::vector<Soup> shapes = {plate(5, 4), sphere(1), torus(2, 0.7, 6, 5), dumbbell(5, 4)};
+    const Face_dual_graph graph =
+      graph_with_distances(displaced(shapes[random() % shapes.size()], 0.2, random));
+    const Index n = num_vertices(graph);
+    s = Index(random() % n);
+    t = Index((s + 1 + random() % (n - 1)) % n);
+    from_s = shortest_paths(graph, s, &Face_dual_graph::Halfedge::combined);
+    from_t = shortest_paths(graph, t, &Face_dual_graph::Halfedge::combined);
+  }
+
+  double difference(Index f) const { return from_s[f] - from_t[f]; }
+};
+
+} // namespace
+
+BOOST_AUTO_TEST_CASE(a_path_of_three_faces_worked_by_hand)
+{
+  // With the samples at its ends, sigma is 1 and the affinities are 1, q, q^2 with q = 1 / e.
+  const Spectral_embedding e = spectral_embedding({0, 1, 2}, {2, 1, 0}, 0, 2);
+  const double q = std::exp(-1.), r = std::sqrt(0.5);
+  BOOST_TEST(e.sigma == 1, tt::tolerance(1e-14));
+  BOOST_TEST(e.first[0] == r, tt::tolerance(1e-12));
+  BOOST_TEST(e.first[1] == std::sqrt(q / (1 + q * q)), tt::tolerance(1e-12));
+  BOOST_TEST(e.first[2] == r, tt::tolerance(1e-12));
+  BOOST_TEST(e.second[0] == -r, tt::tolerance(1e-12));
+  BOOST_TEST(std::abs(e.second[1]) < 1e-12);
+  BOOST_TEST(e.second[2] == r, tt::tolerance(1e-12));
+  BOOST_TEST(e.ratio[0] == -1, tt::tolerance(1e-12));
+  BOOST_TEST(std::abs(e.ratio[1]) < 1e-12);
+  BOOST_TEST(e.ratio[2] == 1, tt::tolerance(1e-12));
+  BOOST_TEST(spectral_order({0, 1, 2}, {2, 1, 0}) == std::vector<Index>({0, 1, 2}),
+             tt::per_element());
+  BOOST_TEST(spectral_order({2, 1, 0}, {0, 1, 2}) == std::vector<Index>({2, 1, 0}),
+             tt::per_element());
+}
+
+BOOST_AUTO_TEST_CASE(the_first_eigenvector_is_positive)
+{
+  for (unsigned seed = 1; seed <= 200; ++seed) {
+    BOOST_TEST_CONTEXT("seed " << seed) {
+      Random random(seed);
+      const Two_samples samples(random);
+      const Spectral_embedding e =
+        spectral_embedding(samples.from_s, samples.from_t, samples.s, samples.t);
+      BOOST_TEST(e.first.minCoeff() > 0);
+    }
+  }
+}
+
+BOOST_AUTO_TEST_CASE(sigma_is_the_mean_of_the_distances_at_hand)
+{
+  Random random(1);
+  const Two_samples samples(random);
+  const double sum = std::accumulate(samples.from_s.begin(), samples.from_s.end(), 0.) +
+                     std::accumulate(samples.from_t.begin(), samples.from_t.end(), 0.);
+  const Spectral_embedding e =
+    spectral_embedding(samples.from_s, samples.from_t, samples.s, samples.t);
+  BOOST_TEST(e.sigma == sum / static_cast<double>(2 * samples.from_s.size()),
+             tt::tolerance(1e-12));
+}
+
+// The claim on which the order rests: no kernel and no eigenvector is needed for it.
+BOOST_AUTO_TEST_CASE(the_ratio_of_the_eigenvectors_grows_with_the_difference_of_the_distances)
+{
+  for (unsigned seed = 1; seed <= 200; ++seed) {
+    BOOST_TEST_CONTEXT("seed " << seed) {
+      Random random(seed);
+      const Two_samples samples(random);
+      const Spectral_embedding e =
+        spectral_embedding(samples.from_s, samples.from_t, samples.s, samples.t);
+      const std::vector<Index> order = spectral_order(samples.from_s, samples.from_t);
+      const double rounding = 1e-10 * e.ratio.cwiseAbs().maxCoeff();
+      for (std::size_t i = 0; i + 1 < order.size(); ++i) {
+        const Index f = order[i], g = order[i + 1];
+        if (samples.difference(g) - samples.difference(f) > 1e-5)
+          BOOST_TEST(e.ratio[f] < e.ratio[g]);
+        else
+          BOOST_TEST(e.ratio[f] < e.ratio[g] + rounding);
+      }
+      BOOST_TEST(e.ratio[samples.s] <= e.ratio.minCoeff() + rounding);
+      BOOST_TEST(e.ratio[samples.t] >= e.ratio.maxCoeff() - rounding);
+    }
+  }
+}
+
+BOOST_AUTO_TEST_CASE(ties_go_to_the_face_nearer_to_s_and_then_to_the_smaller_number)
+{
+  for (unsigned seed = 1; seed <= 100; ++seed) {
+    BOOST_TEST_CONTEXT("seed " << seed) {
+      Random random(seed);
+      const Index n = static_cast<Index>(1 + random() % 100);
+      std::vector<double> from_s(n), from_t(n);
+      for (Index f = 0; f < n; ++f) {
+        from_s[f] = random() % 5;
+        from_t[f] = random() % 5;
+      }
+      const auto precedes = [&](Index f, Index g) {
+        const double difference = (from_s[f] - from_t[f]) - (from_s[g] - from_t[g]);
+        if (difference != 0)
+          return difference < 0;
+        return from_s[f] != from_s[g] ? from_s[f] < from_s[g] : f < g;
+      };
+      const std::vector<Index> order = spectral_order(from_s, from_t);
+      BOOST_REQUIRE(order.size() == n);
+      // The place of a face is the number of faces that precede it.
+      for (Index place = 0; place < n; ++place) {
+        Index predecessors = 0;
+        for (Index f = 0; f < n; ++f)
+          predecessors += precedes(f, order[place]);
+        BOOST_TEST(predecessors == place);
+      }
+    }
+  }
+}

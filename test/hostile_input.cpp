@@ -1,0 +1,326 @@
+// Copyright (c) 2026  The Spectral_segmentation authors.
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#define BOOST_TEST_MODULE hostile_input
+#include <boost/test/unit_test.hpp>
+
+#include "test_meshes.h"
+
+#include <CGAL/segment_spectral_recursive.h>
+
+#include <CGAL/Polygon_mesh_processing/connected_components.h>
+
+#include <boost/property_map/function_property_map.hpp>
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <limits>
+#include <random>
+#include <stdexcept>
+#include <string>
+#include <utility>
+#include <vector>
+
+using namespace test_meshes;
+namespace parameters = CGAL::Spectral_segmentation::parameters;
+namespace PMP = CGAL::Polygon_mesh_processing;
+using CGAL::Spectral_segmentation::Segment_tree;
+
+namespace {
+
+typedef std::vector<std::size_t> Labels;
+typedef Mesh::Face_index Face;
+
+const double infinity = std::numeric_limits<double>::infinity();
+const std::size_t untouched = 1234567;
+
+auto map_to(Labels& labels, const Mesh& mesh)
+{
+  labels.assign(num_faces(mesh), untouched);
+  return boost::make_iterator_property_map(labels.begin(), get(CGAL::face_index, mesh));
+}
+
+// For input on which nothing else is known: each face has a label, labels are contiguous and
+// numbered by their first face, and segments are connected.
+template <class NamedParameters>
+std::size_t check_labels(const Mesh& mesh, const NamedParameters& np)
+{
+  Labels labels;
+  const std::size_t n = CGAL::segment_spectral_recursive(mesh, map_to(labels, mesh), np);
+  std::size_t next = 0;
+  for (std::size_t label : labels) {
+    BOOST_TEST_REQUIRE(label <= next);
+    next += label == next;
+  }
+  BOOST_TEST(next == n);
+
+  const auto is_between_segments = [&](Mesh::Edge_index e) {
+    const Mesh::Halfedge_index h = halfedge(e, mesh);
+    return is_border(e, mesh) ||
+           labels[face(h, mesh)] != labels[face(opposite(h, mesh), mesh)];
+  };
+  Labels pieces;
+  BOOST_TEST(PMP::connected_components(
+               mesh, map_to(pieces, mesh),
+               CGAL::parameters::edge_is_constrained_map(
+                 boost::make_function_property_map<Mesh::Edge_index, bool>(is_between_segments)))
+             == n);
+  return n;
+}
+
+// With the cuts that the threshold keeps, and with every cut that there is.
+std::size_t check_labels(const Mesh& mesh)
+{
+  check_labels(mesh, parameters::salience_threshold(-infinity).minimum_segment_size(0)
+                       .boundary_smoothing(true));
+  check_labels(mesh, parameters::number_of_smoothing_iterations(3).random_seed(1));
+  return check_labels(mesh, parameters::default_values());
+}
+
+void check_refused(const Mesh& mesh)
+{
+  Labels labels;
+  const auto map = map_to(labels, mesh);
+  BOOST_CHECK_THROW(CGAL::segment_spectral_recursive(mesh, map), std::invalid_argument);
+  BOOST_TEST(labels == Labels(num_faces(mesh), untouched), boost::test_tools::per_element());
+}
+
+Labels labels_of(const Mesh& mesh)
+{
+  Labels labels;
+  CGAL::segment_spectral_recursive(mesh, map_to(labels, mesh));
+  return labels;
+}
+
+std::size_t number_of(const Labels& labels)
+{ return 1 + *std::max_element(labels.begin(), labels.end()); }
+
+template <class Function>
+Soup transformed(Soup soup, const Function& function)
+{
+  for (Point& p : soup.points)
+    p = function(p);
+  return soup;
+}
+
+Soup scaled(const Soup& soup, double factor)
+{
+  return transformed(soup, [factor](const Point& p)
+                     { return Point(factor * p.x(), factor * p.y(), factor * p.z()); });
+}
+
+const std::vector<Soup>& soups()
+{
+  static const std::vector<Soup> result = {
+    dumbbell(16, 12), plate(9, 7), read("hand.off"), read("pig.off"), read("bones.off"),
+    disjoint_union(dumbbell(14, 10), torus(3, 1, 20, 12))};
+  return result;
+}
+
+// Triangles at random between few vertices, each of which is taken unless it spoils the manifold.
+Mesh random_mesh(std::mt19937& engine, int extent)
+{
+  const std::size_t number_of_vertices = 3 + engine() % 8, trials = 1 + engine() % 40;
+  Mesh mesh;
+  for (std::size_t v = 0; v < number_of_vertices; ++v) {
+    const auto coordinate = [&] { return double(engine() % (extent + 1)); };
+    const double x = coordinate(), y = coordinate(), z = coordinate();
+    mesh.add_vertex(Point(x, y, z));
+  }
+  for (std::size_t i = 0; i < trials; ++i) {
+    const Mesh::Vertex_index a(engine() % number_of_vertices), b(engine() % number_of_vertices),
+                             c(engine() % number_of_vertices);
+    if (a != b && b != c && c != a)
+      mesh.add_face(a, b, c);
+  }
+  return mesh;
+}
+
+// Any triangles at random, made a manifold by CGAL.
+Mesh repaired_random_mesh(std::mt19937& engine, int extent)
+{
+  Soup soup;
+  const std::size_t number_of_vertices = 3 + engine() % 8, number_of_triangles = 1 + engine() % 15;
+  for (std::size_t v = 0; v < number_of_vertices; ++v) {
+    const auto coordinate = [&] { return double(engine() % (extent + 1)); };
+    const double x = coordinate(), y = coordinate(), z = coordinate();
+    soup.points.emplace_back(x, y, z);
+  }
+  while (soup.triangles.size() < number_of_triangles) {
+    const std::size_t a = engine() % number_of_vertices, b = engine() % number_of_vertices,
+                      c = engine() % number_of_vertices;
+    if (a != b && b != c && c != a)
+      soup.triangles.push_back({a, b, c});
+  }
+  PMP::orient_polygon_soup(soup.points, soup.triangles);
+  return mesh_of(soup);
+}
+
+} // namespace
+
+BOOST_AUTO_TEST_CASE(an_empty_mesh_has_no_segments)
+{
+  BOOST_TEST(check_labels(Mesh()) == 0);
+  Mesh vertices_only;
+  vertices_only.add_vertex(Point(1, 2, 3));
+  BOOST_TEST(check_labels(vertices_only) == 0);
+  Segment_tree tree;
+  BOOST_TEST(check_labels(Mesh(), parameters::segment_tree(tree)) == 0);
+  BOOST_TEST(tree.number_of_nodes() == 0);
+}
+
+BOOST_AUTO_TEST_CASE(one_face_and_two_faces)
+{
+  const Point o(0, 0, 0), x(1, 0, 0), y(0, 1, 0), z(0, 0, 1);
+  BOOST_TEST(check_labels(mesh_of({{o, x, y}, {{0, 1, 2}}})) == 1);
+  const Mesh folded = mesh_of({{o, x, y, z}, {{0, 1, 2}, {1, 0, 3}}});
+  BOOST_TEST(check_labels(folded) <= 2);
+  BOOST_TEST(check_labels(folded, parameters::salience_threshold(-infinity)) == 2);
+  // The same three vertices from both sides.
+  BOOST_TEST(check_labels(mesh_of({{o, x, y}, {{0, 1, 2}, {0, 2, 1}}})) <= 2);
+}
+
+BOOST_AUTO_TEST_CASE(hundreds_of_components)
+{
+  Soup soup;
+  for (int i = 0; i < 500; ++i) {
+    const double x = 3. * i;
+    const std::size_t v = soup.points.size();
+    soup.points.insert(soup.points.end(), {{x, 0, 0}, {x + 1, 0, 0}, {x, 1, 0}, {x, 0, 1}});
+    soup.triangles.insert(soup.triangles.end(), {{v, v + 2, v + 1}, {v, v + 1, v + 3},
+                                                 {v + 1, v + 2, v + 3}, {v + 2, v, v + 3}});
+  }
+  BOOST_TEST(check_labels(mesh_of(soup)) == 500);
+}
+
+BOOST_AUTO_TEST_CASE(a_mesh_without_area_is_one_segment_for_each_component)
+{
+  for (const Soup& soup : {dumbbell(10, 8), plate(6, 5), torus(3, 1, 10, 8)}) {
+    const auto check = [&](const auto& function)
+    { BOOST_TEST(check_labels(mesh_of(transformed(soup, function))) == 1); };
+    check([](const Point&) { return Point(0, 0, 0); });
+    check([](const Point&) { return Point(0.1, 1e9, -1e-9); });
+    check([](const Point& p) { return Point(p.x(), 0, 0); });
+    check([](const Point& p) { return Point(p.x(), 2 * p.x(), -p.x()); });
+  }
+}
+
+BOOST_AUTO_TEST_CASE(faces_without_area_among_others)
+{
+  for (const Soup& soup : soups()) {
+    check_labels(mesh_of(transformed(soup, [](const Point& p) // coincident points
+      { return Point(std::round(2 * p.x()) / 2, std::round(2 * p.y()) / 2, p.z()); })));
+    check_labels(mesh_of(transformed(soup, [](const Point& p) // a part of no area
+      { return p.z() > 0 ? Point(0, 0, p.z()) : p; })));
+    check_labels(mesh_of(transformed(soup, [](const Point& p) // half of it in one point
+      { return p.x() > 0 ? Point(0, 0, 0) : p; })));
+  }
+}
+
+BOOST_AUTO_TEST_CASE(duplicate_points)
+{
+  // Every triangle on vertices of its own, at the same places.
+  Soup soup;
+  for (const std::vector<std::size_t>& t : dumbbell(10, 8).triangles) {
+    soup.triangles.emplace_back();
+    for (std::size_t v : t) {
+      soup.triangles.back().push_back(soup.points.size());
+      soup.points.push_back(dumbbell(10, 8).points[v]);
+    }
+  }
+  BOOST_TEST(check_labels(mesh_of(soup)) == soup.triangles.size());
+}
+
+BOOST_AUTO_TEST_CASE(slivers)
+{
+  for (const Soup& soup : soups())
+    for (double thinness : {1e-6, 1e-9, 1e-13, 1e-200})
+      check_labels(mesh_of(transformed(soup, [thinness](const Point& p)
+        { return Point(p.x(), thinness * p.y(), p.z()); })));
+}
+
+BOOST_AUTO_TEST_CASE(a_power_of_two_as_unit_changes_nothing)
+{
+  for (const Soup& soup : soups()) {
+    const Labels expected = labels_of(mesh_of(soup));
+    for (int exponent : {-480, -40, -1, 1, 40, 480})
+      BOOST_TEST(labels_of(mesh_of(scaled(soup, std::ldexp(1., exponent)))) == expected,
+                 boost::test_tools::per_element());
+  }
+}
+
+BOOST_AUTO_TEST_CASE(any_unit_gives_as_many_segments)
+{
+  for (const Soup& soup : soups()) {
+    const std::size_t expected = number_of(labels_of(mesh_of(soup)));
+    for (double unit : {1e-150, 1e-12, 0.3, 7., 1e12, 1e150})
+      BOOST_TEST(number_of(labels_of(mesh_of(scaled(soup, unit)))) == expected);
+  }
+}
+
+BOOST_AUTO_TEST_CASE(a_translation_without_rounding_changes_nothing)
+{
+  for (const Soup& soup : soups()) {
+    // On a grid of 2^-20, so that the sums below are exact.
+    const Soup on_grid = transformed(soup, [](const Point& p) {
+      const auto round = [](double x) { return std::ldexp(std::round(std::ldexp(x, 20)), -20); };
+      return Point(round(p.x()), round(p.y()), round(p.z()));
+    });
+    const Labels expected = labels_of(mesh_of(on_grid));
+    const double far = std::ldexp(1., 30);
+    BOOST_TEST(labels_of(mesh_of(transformed(on_grid, [far](const Point& p)
+                 { return Point(p.x() + far, p.y() - far, p.z() + far); }))) == expected,
+               boost::test_tools::per_element());
+  }
+}
+
+BOOST_AUTO_TEST_CASE(the_ends_of_the_range_of_double)
+{
+  const double largest = (std::numeric_limits<double>::max)();
+  const double smallest = std::numeric_limits<double>::denorm_min();
+  for (const Soup& soup : {dumbbell(10, 8), plate(6, 5)})
+    for (double unit : {largest / 8, largest / 64, 1e200, 1e-200, 1e-300, 100 * smallest})
+      check_labels(mesh_of(scaled(soup, unit)));
+}
+
+BOOST_AUTO_TEST_CASE(coordinates_that_are_not_finite_are_refused)
+{
+  for (double bad : {std::numeric_limits<double>::quiet_NaN(), infinity, -infinity})
+    for (int axis = 0; axis < 3; ++axis) {
+      Mesh mesh = mesh_of(dumbbell(8, 6));
+      double x[3] = {0, 0, 0};
+      x[axis] = bad;
+      mesh.point(Mesh::Vertex_index(7)) = Point(x[0], x[1], x[2]);
+      check_refused(mesh);
+    }
+}
+
+BOOST_AUTO_TEST_CASE(a_vertex_without_faces_may_be_anywhere)
+{
+  Mesh mesh = mesh_of(dumbbell(16, 12));
+  const Labels expected = labels_of(mesh);
+  mesh.add_vertex(Point(infinity, 0, 0));
+  mesh.add_vertex(Point(1e300, 0, 0));
+  BOOST_TEST(labels_of(mesh) == expected, boost::test_tools::per_element());
+}
+
+BOOST_AUTO_TEST_CASE(a_face_that_is_not_a_triangle_is_refused)
+{
+  Soup soup = plate(3, 3);
+  soup.points.insert(soup.points.end(), {{9, 9, 9}, {10, 9, 9}, {10, 10, 9}, {9, 10, 9}});
+  const std::size_t n = soup.points.size();
+  soup.triangles.push_back({n - 4, n - 3, n - 2, n - 1});
+  check_refused(mesh_of(soup));
+}
+
+BOOST_AUTO_TEST_CASE(random_tiny_meshes)
+{
+  for (unsigned seed = 0; seed < 3000; ++seed)
+    BOOST_TEST_CONTEXT("seed " << seed) {
+      std::mt19937 engine(seed);
+      const int extent = 1 + seed % 4;
+      check_labels(seed % 2 == 0 ? random_mesh(engine, extent)
+                                 : repaired_random_mesh(engine, extent));
+    }
+}

@@ -1,0 +1,159 @@
+// Copyright (c) 2026  The Spectral_segmentation authors.
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#define BOOST_TEST_MODULE real_meshes
+#include <boost/test/unit_test.hpp>
+
+#include "test_meshes.h"
+
+#include <CGAL/segment_spectral_recursive.h>
+
+#include <CGAL/Aff_transformation_3.h>
+#include <CGAL/Polygon_mesh_processing/connected_components.h>
+#include <CGAL/Polygon_mesh_processing/transform.h>
+#include <CGAL/boost/graph/IO/polygon_mesh_io.h>
+#include <CGAL/boost/graph/helpers.h>
+#include <CGAL/tags.h>
+
+#include <boost/property_map/function_property_map.hpp>
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <filesystem>
+#include <map>
+#include <string>
+#include <utility>
+#include <vector>
+
+using namespace test_meshes;
+namespace parameters = CGAL::Spectral_segmentation::parameters;
+namespace PMP = CGAL::Polygon_mesh_processing;
+
+namespace {
+
+typedef std::vector<std::size_t> Labels;
+typedef CGAL::Aff_transformation_3<Kernel> Transformation;
+
+const char* const some_meshes[] = {"elephant.off", "hand.off", "dino.off", "bones.off",
+                                   "head.off", "pig.off", "camel.off", "mushroom.off"};
+
+auto map_to(Labels& labels, const Mesh& mesh)
+{
+  labels.resize(num_faces(mesh));
+  return boost::make_iterator_property_map(labels.begin(), get(CGAL::face_index, mesh));
+}
+
+template <class ConcurrencyTag = CGAL::Parallel_if_available_tag>
+Labels labels_of(const Mesh& mesh)
+{
+  Labels labels;
+  CGAL::segment_spectral_recursive<ConcurrencyTag>(mesh, map_to(labels, mesh));
+  return labels;
+}
+
+std::size_t number_of(const Labels& labels)
+{ return 1 + *std::max_element(labels.begin(), labels.end()); }
+
+std::size_t number_of_connected_pieces(const Mesh& mesh, const Labels& labels)
+{
+  const auto is_between_segments = [&](Mesh::Edge_index e) {
+    const Mesh::Halfedge_index h = halfedge(e, mesh);
+    return is_border(e, mesh) ||
+           labels[face(h, mesh)] != labels[face(opposite(h, mesh), mesh)];
+  };
+  Labels pieces;
+  return PMP::connected_components(
+    mesh, map_to(pieces, mesh),
+    CGAL::parameters::edge_is_constrained_map(
+      boost::make_function_property_map<Mesh::Edge_index, bool>(is_between_segments)));
+}
+
+// Share of the pairs of faces that both segmentations join or both separate.
+double rand_index(const Labels& a, const Labels& b)
+{
+  const auto number_of_pairs = [](double n) { return n * (n - 1) / 2; };
+  const auto joined_pairs = [&](const auto& sizes) {
+    double sum = 0;
+    for (const auto& entry : sizes)
+      sum += number_of_pairs(entry.second);
+    return sum;
+  };
+  std::map<std::size_t, double> in_a, in_b;
+  std::map<std::pair<std::size_t, std::size_t>, double> in_both;
+  for (std::size_t f = 0; f < a.size(); ++f) {
+    ++in_a[a[f]];
+    ++in_b[b[f]];
+    ++in_both[{a[f], b[f]}];
+  }
+  const double all = number_of_pairs(double(a.size()));
+  return (all + 2 * joined_pairs(in_both) - joined_pairs(in_a) - joined_pairs(in_b)) / all;
+}
+
+// A rotation by `angle` around an axis that is not one of the coordinate axes.
+Transformation skew_rotation(double angle)
+{
+  const double c = std::cos(angle), s = std::sin(angle), x = 2. / 7, y = 3. / 7, z = 6. / 7;
+  const double t = 1 - c;
+  return Transformation(t * x * x + c, t * x * y - s * z, t * x * z + s * y,
+                        t * x * y + s * z, t * y * y + c, t * y * z - s * x,
+                        t * x * z - s * y, t * y * z + s * x, t * z * z + c);
+}
+
+} // namespace
+
+BOOST_AUTO_TEST_CASE(each_mesh_of_CGAL_is_segmented)
+{
+  std::vector<std::filesystem::path> paths;
+  for (const auto& entry : std::filesystem::directory_iterator(
+         SPECTRAL_SEGMENTATION_TEST_DATA_DIR))
+    paths.push_back(entry.path());
+  std::sort(paths.begin(), paths.end());
+
+  std::size_t number_of_meshes = 0;
+  for (const std::filesystem::path& path : paths) {
+    Mesh mesh;
+    if (!CGAL::IO::read_polygon_mesh(path.string(), mesh) || num_faces(mesh) == 0 ||
+        !CGAL::is_triangle_mesh(mesh))
+      continue;
+    ++number_of_meshes;
+    BOOST_TEST_CONTEXT(path.filename()) {
+      Labels labels;
+      const std::size_t n = CGAL::segment_spectral_recursive(mesh, map_to(labels, mesh));
+      std::size_t next = 0;
+      for (std::size_t label : labels) {
+        BOOST_TEST_REQUIRE(label <= next);
+        next += label == next;
+      }
+      BOOST_TEST(next == n);
+      BOOST_TEST(number_of_connected_pieces(mesh, labels) == n);
+      BOOST_TEST((labels == labels_of<CGAL::Sequential_tag>(mesh)));
+    }
+  }
+  BOOST_TEST(number_of_meshes > 80);
+}
+
+BOOST_AUTO_TEST_CASE(the_axes_may_be_exchanged)
+{
+  const Transformation cyclic(0, 1, 0, 0, 0, 1, 1, 0, 0);
+  for (const char* name : some_meshes) {
+    Mesh mesh = mesh_of(read(name));
+    const Labels expected = labels_of(mesh);
+    PMP::transform(cyclic, mesh);
+    const double agreement = rand_index(labels_of(mesh), expected);
+    BOOST_TEST_MESSAGE(name << " axes " << agreement << " segments " << number_of(expected));
+    BOOST_TEST(agreement == 1);
+  }
+}
+
+BOOST_AUTO_TEST_CASE(a_rotation_changes_little)
+{
+  for (const char* name : some_meshes) {
+    Mesh mesh = mesh_of(read(name));
+    const Labels expected = labels_of(mesh);
+    PMP::transform(skew_rotation(pi / 6), mesh);
+    const double agreement = rand_index(labels_of(mesh), expected);
+    BOOST_TEST_MESSAGE(name << " rotation " << agreement);
+    BOOST_TEST(agreement > 0.98);
+  }
+}

@@ -1,0 +1,536 @@
+#!/usr/bin/env python3
+# Copyright (c) 2026  The Spectral_segmentation authors.
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Tests the command line tool: segment_mesh.py TOOL MESHES, with the directory of CGAL's meshes."""
+
+import collections
+import json
+import math
+import os
+import pathlib
+import random
+import resource
+import struct
+import subprocess
+import sys
+import tempfile
+import unittest
+
+TOOL = None
+MESHES = None
+
+Ply = collections.namedtuple("Ply", "points faces segments colors")
+
+
+def read_off(path):
+    lines = [line.split("#")[0] for line in path.read_text().splitlines()]
+    words = iter(" ".join(lines).split())
+    assert next(words) == "OFF"
+    counts = [int(next(words)) for _ in range(3)]
+    points = [tuple(float(next(words)) for _ in range(3)) for _ in range(counts[0])]
+    faces = [tuple(int(next(words)) for _ in range(int(next(words)))) for _ in range(counts[1])]
+    return points, faces
+
+
+def write_off(path, points, faces):
+    lines = ["OFF", "%d %d 0" % (len(points), len(faces))]
+    lines += ["%r %r %r" % tuple(p) for p in points]
+    lines += [" ".join(map(str, (len(f), *f))) for f in faces]
+    path.write_text("\n".join(lines) + "\n")
+
+
+def read_ply(path):
+    """A binary PLY as the tool writes it; segments and colors are empty if it has none."""
+    header, body = path.read_bytes().split(b"end_header\n", 1)
+    counts = {}
+    for line in header.decode().splitlines():
+        if line.startswith("element"):
+            counts[line.split()[1]] = int(line.split()[2])
+    with_segments = b"property int segment\nproperty uchar red" in header
+    points = [struct.unpack_from("<3d", body, 24 * i) for i in range(counts["vertex"])]
+    face = struct.Struct("<B3ii4B" if with_segments else "<B3i")
+    rows = [face.unpack_from(body, 24 * len(points) + face.size * i)
+            for i in range(counts["face"])]
+    assert len(body) == 24 * len(points) + face.size * len(rows)
+    assert all(row[0] == 3 for row in rows)
+    return Ply(points, [row[1:4] for row in rows], [row[4] for row in rows if with_segments],
+               [row[5:8] for row in rows if with_segments])
+
+
+def area(points, face):
+    p, q, r = (points[v] for v in face)
+    a, b = [[y[k] - x[k] for k in range(3)] for x, y in ((p, q), (p, r))]
+    cross = (a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0])
+    return math.hypot(*cross) / 2
+
+
+def tube(radii, around=16):
+    """A closed surface around the z axis: rings of these radii, a point at both ends."""
+    points = [(0., 0., -0.5)]
+    for z, radius in enumerate(radii):
+        for i in range(around):
+            angle = 2 * math.pi * (i + 0.5 * z) / around
+            points.append((radius * math.cos(angle), radius * math.sin(angle), float(z)))
+    points.append((0., 0., len(radii) - 0.5))
+    faces = []
+    for i in range(around):
+        faces.append((0, 1 + (i + 1) % around, 1 + i))
+    for z in range(len(radii) - 1):
+        for i in range(around):
+            a, b = 1 + z * around + i, 1 + z * around + (i + 1) % around
+            c, d = a + around, b + around
+            faces += [(a, b, c), (b, d, c)]
+    last = 1 + (len(radii) - 1) * around
+    for i in range(around):
+        faces.append((last + i, last + (i + 1) % around, len(points) - 1))
+    return points, faces
+
+
+def dumbbell():
+    """Two balls with a neck between them; the faces are those of one ball, then the other's."""
+    ball = [math.sin(math.pi * (i + 0.5) / 9) * 5 for i in range(9)]
+    return tube(ball[:8] + [1.] + ball[1:])
+
+
+def write_ascii_stl(path, points, faces):
+    lines = ["solid mesh"]
+    for face in faces:
+        lines.append("facet normal 0 0 0\nouter loop")
+        lines += ["vertex %r %r %r" % points[v] for v in face]
+        lines.append("endloop\nendfacet")
+    path.write_text("\n".join(lines) + "\nendsolid mesh\n")
+
+
+def write_binary_stl(path, points, faces):
+    with open(path, "wb") as out:
+        out.write(bytes(80) + struct.pack("<I", len(faces)))
+        for face in faces:
+            out.write(struct.pack("<3f", 0, 0, 0))
+            for v in face:
+                out.write(struct.pack("<3f", *points[v]))
+            out.write(struct.pack("<H", 0))
+
+
+class Tool_test(unittest.TestCase):
+
+    def setUp(self):
+        directory = tempfile.TemporaryDirectory()
+        self.addCleanup(directory.cleanup)
+        self.directory = pathlib.Path(directory.name)
+
+    def run_tool(self, *arguments, **how):
+        return subprocess.run([TOOL, *map(str, arguments)], cwd=self.directory, text=True,
+                              stdin=subprocess.DEVNULL, stdout=subprocess.PIPE,
+                              stderr=subprocess.PIPE, timeout=300, check=False, **how)
+
+    def segment(self, mesh, *arguments):
+        """The labels of a run without errors, which also writes out.ply and out.json."""
+        done = self.run_tool(mesh, "-o", "out.ply", "--labels", "out.seg", "--json", "out.json",
+                             *arguments)
+        self.assertEqual((done.returncode, done.stderr), (0, ""), mesh)
+        return self.labels()
+
+    def labels(self):
+        return [int(line) for line in (self.directory / "out.seg").read_text().splitlines()]
+
+    def ply(self):
+        return read_ply(self.directory / "out.ply")
+
+    def report(self):
+        return json.loads((self.directory / "out.json").read_text())
+
+    def assert_same_parts(self, labels, expected):
+        """The same partition, however the segments are numbered."""
+        self.assertEqual(len(labels), len(expected))
+        pairs = set(zip(labels, expected))
+        self.assertEqual(len(pairs), len(set(labels)))
+        self.assertEqual(len(pairs), len(set(expected)))
+
+    def write_off(self, points, faces, name="in.off"):
+        write_off(self.directory / name, points, faces)
+        return name
+
+    def assert_failure(self, *arguments, sentence="", **how):
+        before = sorted(self.directory.rglob("*"))
+        done = self.run_tool(*arguments, **how)
+        self.assertEqual(done.returncode, 1, arguments)
+        self.assertEqual(done.stdout, "")
+        self.assertRegex(done.stderr, r"\Asegment_mesh: .+\n\Z")
+        self.assertIn(sentence, done.stderr)
+        self.assertEqual(sorted(self.directory.rglob("*")), before, arguments)
+
+
+class Real_meshes(Tool_test):
+
+    def test_outputs_agree(self):
+        for name in ("elephant.off", "bones.off", "hand.off", "blobby_3cc.off", "mushroom.off"):
+            with self.subTest(name):
+                points, faces = read_off(MESHES / name)
+                labels = self.segment(MESHES / name)
+                ply, report = self.ply(), self.report()
+                number = max(labels) + 1
+                self.assertEqual(set(labels), set(range(number)))
+                self.assertEqual(report["segments"], number)
+                self.assertEqual(report["input_faces"], len(faces))
+                self.assertEqual(report["faces"], len(ply.faces))
+                self.assertEqual(report["vertices"], len(ply.points))
+                self.assertEqual(ply.segments, labels)
+                self.assertEqual(len(set(zip(ply.segments, ply.colors))), number)
+                self.assertEqual(len(set(ply.colors)), number)
+                for face, written in zip(faces, ply.faces):
+                    self.assertEqual([points[v] for v in face], self.rotated(
+                        [ply.points[v] for v in written], points[face[0]]))
+
+    @staticmethod
+    def rotated(corners, first):
+        i = corners.index(first)
+        return corners[i:] + corners[:i]
+
+    def test_tree_tells_the_segments(self):
+        labels = self.segment(MESHES / "elephant.off")
+        points, faces = read_off(MESHES / "elephant.off")
+        nodes = self.report()["tree"]
+        leaves = [n for n in nodes if not n["children"]]
+        self.assertEqual(sorted(n["faces"] for n in leaves),
+                         sorted(collections.Counter(labels).values()))
+        for i, node in enumerate(nodes):
+            self.assertEqual(node["id"], i)
+            self.assertEqual(node["cut"] == "accepted", bool(node["children"]))
+            for child in node["children"]:
+                self.assertEqual(nodes[child]["parent"], i)
+            if node["children"]:
+                parts = [nodes[child] for child in node["children"]]
+                self.assertEqual(sum(n["faces"] for n in parts), node["faces"])
+                self.assertAlmostEqual(sum(n["area"] for n in parts) / node["area"], 1)
+            if node["factors"]:
+                factors = node["factors"]
+                self.assertAlmostEqual(node["salience"],
+                                       0.1 * factors["size"] + 0.6 * factors["cut_strength"] +
+                                       0.3 * factors["protrusiveness"])
+                self.assertEqual(node["salience"] >= report["parameters"]["salience_threshold"],
+                                 node["cut"] == "accepted")
+        whole = sum(area(points, face) for face in faces)
+        self.assertAlmostEqual(nodes[0]["area"] / whole, 1)
+
+    def test_seconds(self):
+        self.segment(MESHES / "elephant.off", "--threads", 1)
+        seconds = self.report()["seconds"]
+        total = seconds.pop("total")
+        self.assertEqual(set(seconds), {"initialization", "sampling", "embedding", "line_search",
+                                        "boundary_smoothing"})
+        self.assertEqual(seconds["boundary_smoothing"], 0)
+        self.assertTrue(all(s >= 0 for s in seconds.values()))
+        self.assertLessEqual(sum(seconds.values()), total)
+
+    def test_number_of_segments(self):
+        for n in (1, 2, 7, 40):
+            self.segment(MESHES / "elephant.off", "--segments", n)
+            self.assertEqual(self.report()["segments"], n)
+        self.segment(MESHES / "elephant.off", "--segments", 40, "--salience-threshold", 0.7)
+        self.assertLess(self.report()["segments"], 40)
+
+    def test_threshold_decides(self):
+        for threshold in (0.3, 0.6, 0.8):
+            self.segment(MESHES / "hand.off", "--salience-threshold", threshold)
+            for node in self.report()["tree"]:
+                if node["salience"] is not None:
+                    self.assertEqual(node["salience"] >= threshold, node["cut"] == "accepted")
+
+    def test_every_run_is_the_same(self):
+        for options in ((), ("--seed", 5), ("--boundary-smoothing", "--smooth", 2)):
+            labels = self.segment(MESHES / "elephant.off", "--threads", 1, *options)
+            for threads in (1, 2):
+                if threads == 2 and "without TBB" in self.run_tool(
+                        MESHES / "elephant.off", "--threads", 2).stderr:
+                    self.skipTest("the tool was built without TBB")
+                again = self.segment(MESHES / "elephant.off", "--threads", threads, *options)
+                self.assertEqual(again, labels, (threads, options))
+
+    def test_options_reach_the_function(self):
+        plain = self.segment(MESHES / "elephant.off")
+        for options in (("--seed", 5), ("--smooth", 10), ("--boundary-smoothing",)):
+            self.assertNotEqual(self.segment(MESHES / "elephant.off", *options), plain, options)
+
+    def test_split_files_have_all_faces(self):
+        labels = self.segment(MESHES / "elephant.off", "--split-dir", "parts")
+        ply = self.ply()
+        corners = collections.defaultdict(list)
+        for face, label in zip(ply.faces, ply.segments):
+            corners[label].append([ply.points[v] for v in face])
+        files = sorted((self.directory / "parts").iterdir())
+        self.assertEqual([f.name for f in files],
+                         ["segment_%03d.ply" % i for i in range(max(labels) + 1)])
+        for i, file in enumerate(files):
+            part = read_ply(file)
+            self.assertEqual([[part.points[v] for v in face] for face in part.faces], corners[i])
+
+    def test_polygons(self):
+        for name in ("cube_quad.off", "cube_poly.off", "torus_quad.off"):
+            points, faces = read_off(MESHES / name)
+            labels = self.segment(MESHES / name)
+            ply = self.ply()
+            self.assertEqual(len(labels), len(faces))
+            self.assertLessEqual(set(labels), set(ply.segments))
+            self.assertEqual(len(ply.faces), sum(len(f) - 2 for f in faces))
+            if self.report()["segments"] == 1:
+                self.assertEqual(set(labels), {0})
+
+    def test_other_formats(self):
+        for name in ("pig.stl", "sphere.ply", "dino.off"):
+            self.assertEqual(len(self.segment(MESHES / name)), self.report()["input_faces"])
+        points, faces = read_off(MESHES / "hand.off")
+        expected = self.segment(MESHES / "hand.off")
+        obj = ["v %r %r %r" % p for p in points]
+        obj += ["f " + " ".join(str(v + 1) for v in f) for f in faces]
+        (self.directory / "hand.OBJ").write_text("\n".join(obj))
+        self.assertEqual(self.segment("hand.OBJ"), expected)
+        (self.directory / "out.ply").rename(self.directory / "hand.ply")
+        self.assertEqual(self.segment("hand.ply"), expected)
+
+
+class Soups(Tool_test):
+
+    def setUp(self):
+        super().setUp()
+        self.points, self.faces = dumbbell()
+        self.expected = self.segment(self.write_off(self.points, self.faces), "--segments", 2)
+        self.assertEqual(set(self.expected), {0, 1})
+
+    def test_stl(self):
+        write_ascii_stl(self.directory / "in.stl", self.points, self.faces)
+        self.assert_same_parts(self.segment("in.stl", "--segments", 2), self.expected)
+        self.assertEqual(self.report()["vertices"], len(self.points))
+        write_binary_stl(self.directory / "in.STL", self.points, self.faces)
+        self.assert_same_parts(self.segment("in.STL", "--segments", 2), self.expected)
+        self.assertEqual(self.report()["vertices"], len(self.points))
+
+    def test_flipped_faces(self):
+        for seed in range(5):
+            choose = random.Random(seed)
+            faces = [f[::-1] if choose.random() < 0.4 else f for f in self.faces]
+            with self.subTest(seed=seed):
+                labels = self.segment(self.write_off(self.points, faces), "--segments", 2)
+                self.assert_same_parts(labels, self.expected)
+
+    def test_the_side_of_most_faces_is_outside(self):
+        self.segment(self.write_off(self.points, self.faces))
+        salience = self.report()["tree"][0]["salience"]
+        faces = [self.faces[0][::-1]] + self.faces[1:]
+        self.segment(self.write_off(self.points, faces))
+        self.assertEqual(self.report()["tree"][0]["salience"], salience)
+
+    def test_points_repeated_for_each_face(self):
+        points = [self.points[v] for f in self.faces for v in f]
+        faces = [(i, i + 1, i + 2) for i in range(0, len(points), 3)]
+        labels = self.segment(self.write_off(points, faces), "--segments", 2)
+        self.assert_same_parts(labels, self.expected)
+        self.assertEqual(self.report()["vertices"], len(self.points))
+
+    def test_seam_of_repeated_points(self):
+        copies = {v: len(self.points) + i for i, v in enumerate(range(1, 17))}
+        faces = [tuple(copies.get(v, v) if i < 16 else v for v in f)
+                 for i, f in enumerate(self.faces)]
+        points = self.points + [self.points[v] for v in copies]
+        labels = self.segment(self.write_off(points, faces), "--segments", 2)
+        self.assert_same_parts(labels, self.expected)
+        self.assertEqual(self.report()["vertices"], len(self.points))
+
+    def test_faces_that_cannot_be_in_a_mesh(self):
+        end = len(self.points) - 1
+        extra = [(0, 0, 1), (end, end, end), (end, end - 1), (0, 1, 0, 1)]
+        faces = extra + self.faces
+        labels = self.segment(self.write_off(self.points, faces), "--segments", 2)
+        self.assert_same_parts(labels[4:], self.expected)
+        self.assertEqual(labels[:4], [labels[4], labels[-1], labels[-1], labels[4]])
+        self.assertEqual(self.report()["faces"], len(self.faces))
+
+    def test_face_twice(self):
+        faces = self.faces + [self.faces[40], self.faces[41][::-1]]
+        labels = self.segment(self.write_off(self.points, faces))
+        self.assertEqual(len(labels), len(faces))
+        self.assertEqual(set(labels), set(range(max(labels) + 1)))
+
+    def test_fins_on_edges(self):
+        points, faces = list(self.points), list(self.faces)
+        for a, b, _ in self.faces[::50]:
+            points.append(tuple(2 * x for x in self.points[a]))
+            faces.append((a, b, len(points) - 1))
+        labels = self.segment(self.write_off(points, faces))
+        self.assertEqual(len(labels), len(faces))
+        self.assertEqual(len(self.ply().faces), len(faces))
+
+    def test_moebius_strip(self):
+        n = 20
+        points = []
+        for i in range(n):
+            angle = 2 * math.pi * i / n
+            for side in (-1, 1):
+                r = 3 + side * math.cos(angle / 2)
+                points.append((r * math.cos(angle), r * math.sin(angle),
+                               side * math.sin(angle / 2)))
+        faces = []
+        for i in range(n):
+            a, b = 2 * i, 2 * i + 1
+            c, d = (a + 2, b + 2) if i + 1 < n else (1, 0)
+            faces += [(a, c, b), (b, c, d)]
+        self.assertEqual(len(self.segment(self.write_off(points, faces))), len(faces))
+
+    def test_random_soups(self):
+        for seed in range(100):
+            choose = random.Random(seed)
+            points = [tuple(choose.randrange(3) for _ in range(3))
+                      for _ in range(choose.randrange(3, 12))]
+            faces = [(0, 1, 2)] + [tuple(choose.randrange(len(points))
+                                         for _ in range(choose.choice((3, 3, 3, 4, 5, 6))))
+                                   for _ in range(choose.randrange(40))]
+            with self.subTest(seed=seed):
+                labels = self.segment(self.write_off(points, faces))
+                self.assertEqual(len(labels), len(faces))
+                number = self.report()["segments"]
+                self.assertTrue(all(0 <= label < number for label in labels))
+                self.assertEqual(set(self.ply().segments), set(range(number)))
+
+    def test_polygon_takes_the_label_with_the_largest_area(self):
+        points = [(0, 0, 0), (4, 0, 0), (2, 10, 0), (2, -1, 0)]
+        labels = self.segment(self.write_off(points, [(0, 3, 1, 2)]), "--segments", 2)
+        ply = self.ply()
+        large = max(range(2), key=lambda i: area(ply.points, ply.faces[i]))
+        self.assertEqual(labels, [ply.segments[large]])
+        self.assertEqual(set(ply.segments), {0, 1})
+
+    def test_polygon_that_is_not_convex(self):
+        n = 40
+        star = [((1 + i % 2) * math.cos(2 * math.pi * i / n),
+                 (1 + i % 2) * math.sin(2 * math.pi * i / n), 0.) for i in range(n)]
+        self.assertEqual(self.segment(self.write_off(star, [tuple(range(n))]), "--segments", 1),
+                         [0])
+        ply = self.ply()
+        self.assertEqual(len(ply.faces), n - 2)
+        inside = n * 1 * 2 * math.sin(2 * math.pi / n) / 2
+        self.assertAlmostEqual(sum(area(ply.points, f) for f in ply.faces), inside)
+
+    def test_coordinates_keep_all_digits(self):
+        points = [tuple(x / 3 for x in p) for p in self.points]
+        self.segment(self.write_off(points, self.faces))
+        self.assertEqual(self.ply().points, points)
+
+
+class Failures(Tool_test):
+
+    def setUp(self):
+        super().setUp()
+        self.mesh = MESHES / "hand.off"
+
+    def test_input_that_is_no_mesh(self):
+        empty = "OFF\n0 0 0\n"
+        triangle = "OFF\n3 1 0\n0 0 0\n1 0 0\n0 1 0\n3 0 1 2\n"
+        cases = {
+            "nothing.off": "", "nothing.obj": "", "nothing.ply": "", "nothing.stl": "",
+            "text.off": "Dear Sir", "text.obj": "Dear Sir", "text.ply": "Dear Sir",
+            "text.stl": "Dear Sir", "empty.off": empty, "cut.off": triangle[:-6],
+            "huge.off": triangle.replace("3 1", "4000000000 4000000000"),
+            "index.off": triangle.replace("0 1 2", "0 1 3"),
+            "negative.off": triangle.replace("0 1 2", "0 1 -1"),
+            "index.obj": "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 4\n",
+            "points.obj": "v 0 0 0\nv 1 0 0\nv 0 1 0\n",
+            "nan.off": triangle.replace("1 0 0", "nan 0 0"),
+            "inf.off": triangle.replace("1 0 0", "inf 0 0"),
+            "overflow.off": triangle.replace("1 0 0", "1e999 0 0"),
+            "degenerate.off": triangle.replace("0 1 2", "0 1 1"),
+            "name.xyz": triangle, "name": triangle,
+        }
+        for name, text in cases.items():
+            (self.directory / name).write_text(text)
+            with self.subTest(name):
+                self.assert_failure(name, "-o", "out.ply", "--labels", "out.seg", sentence=name)
+        self.assert_failure("missing.off", sentence="there is no file missing.off")
+        self.assert_failure(".", sentence="is not a file")
+
+    def test_coordinates_that_are_not_finite(self):
+        points, faces = [(0, 0, 0), (1, 0, 0), (0, 1, 0), (1, 1, 0)], [(0, 1, 2), (2, 1, 3)]
+        for bad in (math.nan, math.inf, -math.inf):
+            for v in range(4):
+                spoiled = [list(p) for p in points]
+                spoiled[v][2] = bad
+                write_binary_stl(self.directory / "in.stl", spoiled, faces)
+                ply = ("ply\nformat binary_little_endian 1.0\nelement vertex 4\n"
+                       "property double x\nproperty double y\nproperty double z\n"
+                       "element face 2\nproperty list uchar int vertex_indices\nend_header\n")
+                (self.directory / "in.ply").write_bytes(
+                    ply.encode() + b"".join(struct.pack("<3d", *p) for p in spoiled) +
+                    b"".join(struct.pack("<B3i", 3, *f) for f in faces))
+                for name in ("in.stl", "in.ply"):
+                    self.assert_failure(name, "-o", "out.ply", sentence="not finite")
+
+    def test_wrong_usage(self):
+        for arguments in ((), ("--unknown", self.mesh), (self.mesh, self.mesh),
+                          (self.mesh, "--segments"), (self.mesh, "--segments", "0"),
+                          (self.mesh, "--segments", "-3"), (self.mesh, "--segments", "many"),
+                          (self.mesh, "--segments", "2.5"), (self.mesh, "--segments", "9" * 30),
+                          (self.mesh, "--salience-threshold", "nan"),
+                          (self.mesh, "--salience-threshold", "high"),
+                          (self.mesh, "--seed", "-1"), (self.mesh, "--threads", "0"),
+                          (self.mesh, "--smooth", "-1"), (self.mesh, "-o"),
+                          (self.mesh, "-o", "", "--labels", "out.seg"),
+                          (self.mesh, "-o", "out.obj"), ("",)):
+            self.assert_failure(*arguments)
+
+    def test_output_that_cannot_be_written(self):
+        (self.directory / "directory.ply").mkdir()
+        (self.directory / "file").write_text("kept")
+        for option, name in (("-o", "missing/out.ply"), ("-o", "directory.ply"),
+                             ("--labels", "missing/out.seg"), ("--labels", "/dev/full"),
+                             ("--json", "."), ("--json", "file/out.json"),
+                             ("--split-dir", "file"), ("--split-dir", "missing/parts")):
+            self.assert_failure(self.mesh, option, name, sentence="cannot")
+        self.assert_failure(self.mesh, "--labels", "x", "--json", "./x", sentence="two outputs")
+        self.assertEqual((self.directory / "file").read_text(), "kept")
+
+    def test_full_disk(self):
+        """A limit on the size of files stands for the disk: what was there before stays."""
+        def limit():
+            resource.setrlimit(resource.RLIMIT_FSIZE, (30000, 30000))
+
+        (self.directory / "out.ply").write_text("kept")
+        self.assert_failure(self.mesh, "--split-dir", "parts", "--labels", "out.seg",
+                            "-o", "out.ply", sentence="cannot write out.ply",
+                            preexec_fn=limit, restore_signals=False)
+        self.assertEqual((self.directory / "out.ply").read_text(), "kept")
+
+
+class Printing(Tool_test):
+
+    def test_summary(self):
+        mesh = MESHES / "hand.off"
+        done = self.run_tool(mesh)
+        self.assertEqual((done.returncode, done.stderr, done.stdout.count("\n")), (0, "", 1))
+        self.assertIn("%d faces" % len(read_off(mesh)[1]), done.stdout)
+        self.assertEqual(list(self.directory.iterdir()), [])
+
+    def test_quiet(self):
+        done = self.run_tool(MESHES / "hand.off", "--quiet")
+        self.assertEqual((done.returncode, done.stderr, done.stdout), (0, "", ""))
+
+    def test_version_and_help(self):
+        done = self.run_tool("--version")
+        self.assertEqual(done.returncode, 0)
+        self.assertRegex(done.stdout, r"\Asegment_mesh \d+\.\d+\.\d+\n\Z")
+        done = self.run_tool("--help")
+        self.assertEqual(done.returncode, 0)
+        for option in ("-o", "--labels", "--json", "--split-dir", "--segments", "--seed",
+                       "--salience-threshold", "--threads", "--smooth", "--boundary-smoothing",
+                       "--quiet", "--version"):
+            self.assertIn(option, done.stdout)
+
+    def test_existing_files_are_replaced(self):
+        (self.directory / "target.seg").write_text("old")
+        os.symlink("target.seg", self.directory / "link.seg")
+        done = self.run_tool(MESHES / "hand.off", "--labels", "link.seg")
+        self.assertEqual(done.returncode, 0)
+        self.assertTrue((self.directory / "link.seg").is_symlink())
+        self.assertNotIn("old", (self.directory / "target.seg").read_text())
+
+
+if __name__ == "__main__":
+    TOOL, MESHES = os.path.abspath(sys.argv[1]), pathlib.Path(sys.argv[2]).absolute()
+    unittest.main(argv=[sys.argv[0], *sys.argv[3:]])

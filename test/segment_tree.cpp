@@ -1,0 +1,307 @@
+// Copyright (c) 2026  The Spectral_segmentation authors.
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#define BOOST_TEST_MODULE segment_tree
+#include <boost/test/unit_test.hpp>
+
+#include "test_meshes.h"
+
+#include <CGAL/segment_spectral_recursive.h>
+
+#include <CGAL/Polygon_mesh_processing/connected_components.h>
+#include <CGAL/Polygon_mesh_processing/measure.h>
+
+#include <Eigen/Core>
+#include <Eigen/Eigenvalues>
+
+#include <boost/property_map/function_property_map.hpp>
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <limits>
+#include <set>
+#include <stdexcept>
+#include <string>
+#include <vector>
+
+using namespace test_meshes;
+namespace parameters = CGAL::Spectral_segmentation::parameters;
+namespace PMP = CGAL::Polygon_mesh_processing;
+using CGAL::Spectral_segmentation::Segment_tree;
+
+namespace {
+
+typedef std::vector<std::size_t> Labels;
+typedef Segment_tree::Cut_state Cut_state;
+typedef Mesh::Face_index Face;
+typedef Mesh::Halfedge_index Halfedge;
+
+const double infinity = std::numeric_limits<double>::infinity();
+const std::size_t unlimited = (std::numeric_limits<std::size_t>::max)();
+
+auto map_to(Labels& labels, const Mesh& mesh)
+{
+  labels.resize(num_faces(mesh));
+  return boost::make_iterator_property_map(labels.begin(), get(CGAL::face_index, mesh));
+}
+
+template <class NamedParameters>
+Labels labels_of(const Mesh& mesh, const NamedParameters& np)
+{
+  Labels labels;
+  CGAL::segment_spectral_recursive(mesh, map_to(labels, mesh), np);
+  return labels;
+}
+
+template <class NamedParameters>
+Segment_tree tree_of(const Mesh& mesh, const NamedParameters& np)
+{
+  Segment_tree tree;
+  labels_of(mesh, np.segment_tree(tree));
+  return tree;
+}
+
+std::vector<Mesh> several_meshes()
+{
+  std::vector<Mesh> result;
+  for (const char* name : {"hand.off", "pig.off", "cactus.off"})
+    result.push_back(mesh_of(read(name)));
+  result.push_back(mesh_of(disjoint_union(dumbbell(20, 15), torus(3, 1, 30, 20))));
+  return result;
+}
+
+// Some of the thresholds at which the labels change, values beside them, and others.
+std::set<double> interesting_thresholds(const Segment_tree& tree, double smallest)
+{
+  std::set<double> result = {smallest, 0.5, 0.6, 0.9, 2, infinity};
+  for (std::size_t i = 0; i < tree.number_of_nodes(); i += 3)
+    if (tree.node(i).cut_state == Cut_state::ACCEPTED)
+      result.insert({tree.node(i).salience, std::nextafter(tree.node(i).salience, infinity)});
+  return result;
+}
+
+std::size_t number_of_connected_pieces(const Mesh& mesh, const Labels& labels)
+{
+  const auto is_between_segments = [&](Mesh::Edge_index e) {
+    const Halfedge h = halfedge(e, mesh);
+    return is_border(e, mesh) ||
+           labels[face(h, mesh)] != labels[face(opposite(h, mesh), mesh)];
+  };
+  Labels pieces;
+  return PMP::connected_components(
+    mesh, map_to(pieces, mesh),
+    CGAL::parameters::edge_is_constrained_map(
+      boost::make_function_property_map<Mesh::Edge_index, bool>(is_between_segments)));
+}
+
+void check_numbering(const Mesh& mesh, const Labels& labels, std::size_t number_of_segments)
+{
+  std::size_t next = 0; // segments are numbered by their first face
+  for (std::size_t label : labels) {
+    BOOST_TEST_REQUIRE(label <= next);
+    next += label == next;
+  }
+  BOOST_TEST(next == number_of_segments);
+  BOOST_TEST(number_of_connected_pieces(mesh, labels) == number_of_segments);
+}
+
+std::vector<Face> faces_of(const Segment_tree& tree, std::size_t i)
+{
+  std::vector<Face> result;
+  for (auto f : tree.faces(i))
+    result.push_back(Face(f));
+  return result;
+}
+
+std::multiset<Face> union_of(const std::vector<Face>& a, const std::vector<Face>& b)
+{
+  std::multiset<Face> result(a.begin(), a.end());
+  result.insert(b.begin(), b.end());
+  return result;
+}
+
+// 4 sqrt(l1 l2), from the vertices of the edges between two sets of faces.
+double spread_of_cut(const Mesh& mesh, const std::vector<Face>& q, const std::vector<Face>& rest)
+{
+  const std::set<Face> in_rest(rest.begin(), rest.end());
+  std::set<Mesh::Vertex_index> along_cut;
+  for (Face f : q)
+    for (Halfedge h : halfedges_around_face(halfedge(f, mesh), mesh))
+      if (in_rest.count(face(opposite(h, mesh), mesh)))
+        along_cut.insert({source(h, mesh), target(h, mesh)});
+  Eigen::Matrix3Xd points(3, along_cut.size());
+  Eigen::Index column = 0;
+  for (Mesh::Vertex_index v : along_cut) {
+    const Point& p = mesh.point(v);
+    points.col(column++) << p.x(), p.y(), p.z();
+  }
+  points.colwise() -= points.rowwise().mean().eval();
+  const Eigen::Matrix3d covariance = points * points.transpose() / double(points.cols());
+  const Eigen::Vector3d values =
+    Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d>(covariance).eigenvalues();
+  return 4 * std::sqrt((std::max)(values[1], 0.) * values[2]);
+}
+
+} // namespace
+
+BOOST_AUTO_TEST_CASE(a_tree_without_a_run_is_empty)
+{
+  const Segment_tree tree;
+  BOOST_TEST(tree.number_of_nodes() == 0);
+  BOOST_TEST(tree.number_of_segments() == 0);
+  BOOST_TEST(tree.labels().empty());
+}
+
+BOOST_AUTO_TEST_CASE(parts_partition_their_parent)
+{
+  const auto tolerance = boost::test_tools::tolerance(1e-9);
+  for (const Mesh& mesh : several_meshes()) {
+    const Segment_tree tree = tree_of(mesh, parameters::salience_threshold(0.3));
+    BOOST_TEST(tree.number_of_faces() == num_faces(mesh));
+    BOOST_TEST(tree.number_of_nodes() > tree.number_of_roots());
+    std::multiset<Face> faces_of_roots;
+    for (std::size_t i = 0; i < tree.number_of_nodes(); ++i) {
+      const Segment_tree::Node& n = tree.node(i);
+      const std::vector<Face> part = faces_of(tree, i);
+      BOOST_TEST(part.size() == n.number_of_faces);
+      BOOST_TEST(n.area == PMP::area(part, mesh), tolerance);
+      BOOST_TEST((n.parent == Segment_tree::null_node) == (i < tree.number_of_roots()));
+      if (i < tree.number_of_roots())
+        faces_of_roots.insert(part.begin(), part.end());
+      if (n.is_leaf()) {
+        BOOST_TEST(n.children[0] == Segment_tree::null_node);
+        BOOST_TEST(n.children[1] == Segment_tree::null_node);
+        continue;
+      }
+      for (std::size_t child : n.children)
+        BOOST_TEST(tree.node(child).parent == i);
+      BOOST_TEST((union_of(faces_of(tree, n.children[0]), faces_of(tree, n.children[1])) ==
+                  std::multiset<Face>(part.begin(), part.end())));
+      BOOST_TEST(tree.node(n.children[0]).area <= tree.node(n.children[1]).area);
+    }
+    const auto all = faces(mesh);
+    BOOST_TEST((faces_of_roots == std::multiset<Face>(all.begin(), all.end())));
+  }
+}
+
+BOOST_AUTO_TEST_CASE(each_cut_has_the_factors_of_its_salience)
+{
+  const auto tolerance = boost::test_tools::tolerance(1e-6);
+  for (const Mesh& mesh : several_meshes()) {
+    const Segment_tree tree = tree_of(
+      mesh, parameters::salience_threshold(0.3).salience_weights(0.2, 0.3, 0.5));
+    for (std::size_t i = 0; i < tree.number_of_nodes(); ++i) {
+      const Segment_tree::Node& n = tree.node(i);
+      BOOST_TEST(n.salience == 0.2 * n.factors.size + 0.3 * n.factors.cut_strength +
+                                 0.5 * n.factors.protrusiveness, tolerance);
+      BOOST_TEST(n.factors.cut_strength >= 0);
+      BOOST_TEST(n.factors.cut_strength <= 1);
+      if (n.is_leaf())
+        continue;
+      const double area = tree.node(n.children[0]).area;
+      BOOST_TEST(n.factors.size == area / n.area, tolerance);
+      const double spread =
+        spread_of_cut(mesh, faces_of(tree, n.children[0]), faces_of(tree, n.children[1]));
+      BOOST_TEST(std::abs(n.factors.protrusiveness - (1 - spread / area)) < 1e-6);
+    }
+  }
+}
+
+BOOST_AUTO_TEST_CASE(labels_are_contiguous_and_segments_connected)
+{
+  for (const Mesh& mesh : several_meshes())
+    for (bool smoothing : {false, true}) {
+      const Segment_tree tree = tree_of(
+        mesh, parameters::salience_threshold(0.3).boundary_smoothing(smoothing));
+      for (std::size_t n = tree.number_of_roots(); n <= tree.number_of_segments(); ++n)
+        check_numbering(mesh, tree.labels(n, 0.3), n);
+    }
+}
+
+BOOST_AUTO_TEST_CASE(labels_for_any_number_and_threshold_are_those_of_a_fresh_run)
+{
+  const double smallest = 0.4;
+  for (const Mesh& mesh : several_meshes())
+    for (bool smoothing : {false, true}) {
+      const auto np = parameters::boundary_smoothing(smoothing);
+      Segment_tree tree;
+      const Labels labels =
+        labels_of(mesh, np.salience_threshold(smallest).segment_tree(tree));
+      BOOST_TEST(tree.labels() == labels, boost::test_tools::per_element());
+
+      for (std::size_t n = 1; n <= tree.number_of_segments() + 1; ++n)
+        BOOST_TEST(tree.labels(n, smallest) ==
+                   labels_of(mesh, np.salience_threshold(smallest).maximum_number_of_segments(n)),
+                   boost::test_tools::per_element());
+      for (double threshold : interesting_thresholds(tree, smallest))
+        for (std::size_t n : {std::size_t(4), unlimited})
+          BOOST_TEST(tree.labels(n, threshold) ==
+                     labels_of(mesh, np.salience_threshold(threshold)
+                                       .maximum_number_of_segments(n)),
+                     boost::test_tools::per_element());
+    }
+}
+
+BOOST_AUTO_TEST_CASE(a_run_with_a_maximum_gives_labels_up_to_it)
+{
+  const Mesh mesh = mesh_of(read("hand.off"));
+  const auto np = parameters::salience_threshold(-infinity);
+  const Segment_tree tree = tree_of(mesh, np.maximum_number_of_segments(6));
+  for (std::size_t n = 1; n <= 6; ++n)
+    BOOST_TEST(tree.labels(n, -infinity) == labels_of(mesh, np.maximum_number_of_segments(n)),
+               boost::test_tools::per_element());
+  BOOST_CHECK_THROW(tree.labels(7, -infinity), std::out_of_range);
+  BOOST_CHECK_THROW(tree.labels(unlimited, -infinity), std::out_of_range);
+  // No cut reaches this threshold, so the run did not end too early for it.
+  BOOST_TEST(tree.labels(unlimited, infinity) == Labels(num_faces(mesh), 0),
+             boost::test_tools::per_element());
+}
+
+BOOST_AUTO_TEST_CASE(a_run_with_a_threshold_gives_no_labels_below_it)
+{
+  const Mesh mesh = mesh_of(read("hand.off"));
+  const Segment_tree tree = tree_of(mesh, parameters::salience_threshold(0.5));
+  BOOST_CHECK_THROW(tree.labels(unlimited, 0.2), std::out_of_range);
+  BOOST_CHECK_THROW(tree.labels(unlimited, -infinity), std::out_of_range);
+  BOOST_CHECK_THROW(tree.labels(1, std::nan("")), std::invalid_argument);
+  BOOST_TEST(tree.labels(1, 0.2) == Labels(num_faces(mesh), 0), boost::test_tools::per_element());
+}
+
+BOOST_AUTO_TEST_CASE(labels_are_written_into_a_property_map)
+{
+  const Mesh mesh = mesh_of(read("hand.off"));
+  const Segment_tree tree = tree_of(mesh, parameters::salience_threshold(0.4));
+  Labels written;
+  BOOST_TEST(tree.segment_by_number(mesh, map_to(written, mesh), 5) == 5);
+  BOOST_TEST(written == tree.labels(5, 0.4), boost::test_tools::per_element());
+
+  const double threshold = tree.node(0).salience;
+  const std::size_t n = tree.segment_by_threshold(mesh, map_to(written, mesh), threshold);
+  BOOST_TEST(written == tree.labels(unlimited, threshold), boost::test_tools::per_element());
+  BOOST_TEST(n == 1 + *std::max_element(written.begin(), written.end()));
+}
+
+BOOST_AUTO_TEST_CASE(labels_follow_the_face_index_map_of_the_run)
+{
+  const Mesh mesh = mesh_of(read("hand.off"));
+  const std::size_t last = num_faces(mesh) - 1;
+  const auto backwards = boost::make_function_property_map<Face, std::size_t>(
+    [last](Face f) { return last - f; });
+  Segment_tree tree;
+  const auto np = parameters::face_index_map(backwards);
+  const Labels expected = labels_of(mesh, np.segment_tree(tree));
+  Labels written;
+  tree.segment_by_number(mesh, map_to(written, mesh), unlimited, np);
+  BOOST_TEST(written == expected, boost::test_tools::per_element());
+  BOOST_TEST(written[last] == 0);
+}
+
+BOOST_AUTO_TEST_CASE(a_tree_of_another_mesh_is_refused)
+{
+  const Segment_tree tree = tree_of(mesh_of(sphere(1)), parameters::default_values());
+  const Mesh other = mesh_of(sphere(2));
+  Labels written;
+  BOOST_CHECK_THROW(tree.segment_by_number(other, map_to(written, other), 1),
+                    std::invalid_argument);
+}

@@ -1,0 +1,282 @@
+// Copyright (c) 2026  The Spectral_segmentation authors.
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef SPECTRAL_SEGMENTATION_TEST_MESHES_H
+#define SPECTRAL_SEGMENTATION_TEST_MESHES_H
+
+#include <CGAL/Spectral_segmentation/internal/Face_dual_graph.h>
+#include <CGAL/Spectral_segmentation/internal/face_distances.h>
+#include <CGAL/Spectral_segmentation/internal/face_dual_graph_of_mesh.h>
+#include <CGAL/Spectral_segmentation/internal/parts.h>
+
+#include <CGAL/IO/polygon_soup_io.h>
+#include <CGAL/Polygon_mesh_processing/orient_polygon_soup.h>
+#include <CGAL/Polygon_mesh_processing/polygon_soup_to_polygon_mesh.h>
+#include <CGAL/Polygon_mesh_processing/repair_polygon_soup.h>
+#include <CGAL/Simple_cartesian.h>
+#include <CGAL/Surface_mesh.h>
+
+#include <cmath>
+#include <cstddef>
+#include <map>
+#include <random>
+#include <stdexcept>
+#include <string>
+#include <utility>
+#include <vector>
+
+// Triangle meshes with known properties. Faces are oriented outwards, counterclockwise.
+namespace test_meshes {
+
+typedef CGAL::Simple_cartesian<double> Kernel;
+typedef Kernel::Point_3 Point;
+typedef CGAL::Surface_mesh<Point> Mesh;
+
+struct Soup
+{
+  std::vector<Point> points;
+  std::vector<std::vector<std::size_t> > triangles;
+};
+
+constexpr double pi = 3.14159265358979323846;
+
+// Vertices and faces of the mesh have the numbers of the soup, which must be a manifold.
+inline Mesh mesh_of(const Soup& soup)
+{
+  namespace PMP = CGAL::Polygon_mesh_processing;
+  Mesh mesh;
+  if (!PMP::is_polygon_soup_a_polygon_mesh(soup.triangles))
+    throw std::invalid_argument("the triangles do not form a manifold");
+  PMP::polygon_soup_to_polygon_mesh(soup.points, soup.triangles, mesh);
+  return mesh;
+}
+
+// A flat grid of nx * ny squares of side 1 in the plane z = 0, each cut in two, seen from above.
+inline Soup plate(std::size_t nx, std::size_t ny)
+{
+  Soup soup;
+  for (std::size_t y = 0; y <= ny; ++y)
+    for (std::size_t x = 0; x <= nx; ++x)
+      soup.points.emplace_back(double(x), double(y), 0.);
+  for (std::size_t y = 0; y < ny; ++y)
+    for (std::size_t x = 0; x < nx; ++x) {
+      const std::size_t v = y * (nx + 1) + x;
+      soup.triangles.push_back({v, v + 1, v + nx + 2});
+      soup.triangles.push_back({v, v + nx + 2, v + nx + 1});
+    }
+  return soup;
+}
+
+// The unit sphere: an icosahedron, each face cut in four `level` times; 20 * 4^level faces.
+inline Soup sphere(std::size_t level)
+{
+  Soup soup;
+  const auto add = [&](double x, double y, double z) {
+    const double norm = std::sqrt(x * x + y * y + z * z);
+    soup.points.emplace_back(x / norm, y / norm, z / norm);
+  };
+  const double g = (1 + std::sqrt(5.)) / 2;
+  for (double a : {-1., 1.})
+    for (double b : {-g, g}) {
+      add(a, b, 0);
+      add(0, a, b);
+      add(b, 0, a);
+    }
+  // Faces are the triples of vertices at the distance of an edge.
+  const auto are_adjacent = [&](std::size_t i, std::size_t j)
+  { return CGAL::squared_distance(soup.points[i], soup.points[j]) < 1.2; };
+  for (std::size_t i = 0; i < 12; ++i)
+    for (std::size_t j = i + 1; j < 12; ++j)
+      for (std::size_t k = j + 1; k < 12; ++k)
+        if (are_adjacent(i, j) && are_adjacent(j, k) && are_adjacent(k, i)) {
+          if (CGAL::orientation(Point(0, 0, 0), soup.points[i], soup.points[j], soup.points[k]) ==
+              CGAL::POSITIVE)
+            soup.triangles.push_back({i, j, k});
+          else
+            soup.triangles.push_back({i, k, j});
+        }
+
+  for (; level > 0; --level) {
+    std::map<std::pair<std::size_t, std::size_t>, std::size_t> midpoints;
+    const auto midpoint = [&](std::size_t i, std::size_t j) {
+      const auto [entry, is_new] = midpoints.emplace(std::minmax(i, j), soup.points.size());
+      if (is_new) {
+        const Point p = CGAL::midpoint(soup.points[i], soup.points[j]);
+        add(p.x(), p.y(), p.z());
+      }
+      return entry->second;
+    };
+    std::vector<std::vector<std::size_t> > finer;
+    for (const std::vector<std::size_t>& t : soup.triangles) {
+      const std::size_t a = midpoint(t[0], t[1]), b = midpoint(t[1], t[2]),
+                        c = midpoint(t[2], t[0]);
+      finer.insert(finer.end(), {{t[0], a, c}, {t[1], b, a}, {t[2], c, b}, {a, b, c}});
+    }
+    soup.triangles.swap(finer);
+  }
+  return soup;
+}
+
+// A torus around the z axis of radius R and tube radius r, with nu * nv squares cut in two.
+inline Soup torus(double R, double r, std::size_t nu, std::size_t nv)
+{
+  Soup soup;
+  for (std::size_t i = 0; i < nu; ++i)
+    for (std::size_t j = 0; j < nv; ++j) {
+      const double u = 2 * pi * double(i) / double(nu), v = 2 * pi * double(j) / double(nv);
+      const double radius = R + r * std::cos(v);
+      soup.points.emplace_back(radius * std::cos(u), radius * std::sin(u), r * std::sin(v));
+    }
+  for (std::size_t i = 0; i < nu; ++i)
+    for (std::size_t j = 0; j < nv; ++j) {
+      const std::size_t next_i = (i + 1) % nu, next_j = (j + 1) % nv;
+      const std::size_t a = i * nv + j, b = next_i * nv + j, c = next_i * nv + next_j,
+                        d = i * nv + next_j;
+      soup.triangles.push_back({a, b, c});
+      soup.triangles.push_back({a, c, d});
+    }
+  return soup;
+}
+
+// The surface of revolution around the z axis with the given (z, radius), from the lowest z to the
+// highest. It is closed at an end where the radius is 0, and open at others.
+inline Soup surface_of_revolution(const std::vector<std::pair<double, double> >& profile,
+                                  std::size_t n_around)
+{
+  Soup soup;
+  std::vector<std::vector<std::size_t> > rings; // of one vertex at the axis
+  for (const auto& [z, radius] : profile) {
+    rings.emplace_back();
+    for (std::size_t i = 0; i < (radius == 0 ? 1 : n_around); ++i) {
+      const double u = 2 * pi * double(i) / double(n_around);
+      rings.back().push_back(soup.points.size());
+      soup.points.emplace_back(radius * std::cos(u), radius * std::sin(u), z);
+    }
+  }
+  for (std::size_t k = 0; k + 1 < rings.size(); ++k)
+    for (std::size_t i = 0; i < n_around; ++i) {
+      const std::vector<std::size_t>&low = rings[k], &high = rings[k + 1];
+      const std::size_t next = (i + 1) % n_around;
+      if (low.size() > 1)
+        soup.triangles.push_back({low[i], low[next], high[next % high.size()]});
+      if (high.size() > 1)
+        soup.triangles.push_back({low[i % low.size()], high[next], high[i]});
+    }
+  return soup;
+}
+
+// Two unit spheres along the z axis, joined by a thin concave neck of radius 0.2 at z = 0; closed.
+inline Soup dumbbell(std::size_t n_around, std::size_t n_along)
+{
+  const double neck = 0.2, height = std::sqrt(1 - neck * neck);
+  const double start = std::acos(height); // angle of the neck, seen from the center of a sphere
+  std::vector<std::pair<double, double> > profile;
+  for (std::size_t i = 0; i < n_along; ++i) {
+    const double angle = pi + (start - pi) * double(i) / double(n_along);
+    profile.emplace_back(-height + std::cos(angle), i == 0 ? 0 : std::sin(angle));
+  }
+  profile.emplace_back(0., neck);
+  for (std::size_t i = n_along; i-- > 0;)
+    profile.emplace_back(-profile[i].first, profile[i].second);
+  return surface_of_revolution(profile, n_around);
+}
+
+inline Soup disjoint_union(Soup a, const Soup& b)
+{
+  const std::size_t offset = a.points.size();
+  a.points.insert(a.points.end(), b.points.begin(), b.points.end());
+  for (std::vector<std::size_t> t : b.triangles) {
+    for (std::size_t& v : t)
+      v += offset;
+    a.triangles.push_back(std::move(t));
+  }
+  return a;
+}
+
+// Joins two closed surfaces by removing the first triangle of each and identifying their vertices;
+// the genera add up.
+inline Soup connected_sum(const Soup& a, const Soup& b)
+{
+  Soup soup = disjoint_union(a, b);
+  const std::size_t offset = a.points.size();
+  const std::vector<std::size_t> hole = a.triangles.front(), other = b.triangles.front();
+  soup.triangles.erase(soup.triangles.begin() + std::ptrdiff_t(a.triangles.size()));
+  soup.triangles.erase(soup.triangles.begin());
+  for (std::vector<std::size_t>& t : soup.triangles)
+    for (std::size_t& v : t)
+      for (std::size_t i = 0; i < 3; ++i)
+        if (v == offset + other[i])
+          v = hole[(3 - i) % 3];
+  CGAL::Polygon_mesh_processing::remove_isolated_points_in_polygon_soup(soup.points,
+                                                                        soup.triangles);
+  return soup;
+}
+
+typedef std::mt19937 Random;
+
+// Moves each coordinate by up to `amount`.
+inline Soup displaced(Soup soup, double amount, Random& random)
+{
+  std::uniform_real_distribution<double> offset(-amount, amount);
+  for (Point& p : soup.points) {
+    const double x = offset(random), y = offset(random), z = offset(random);
+    p = Point(p.x() + x, p.y() + y, p.z() + z);
+  }
+  return soup;
+}
+
+typedef CGAL::Spectral_segmentation::internal::Face_dual_graph Face_dual_graph;
+typedef CGAL::Spectral_segmentation::internal::Index Index;
+
+// Faces and vertices have the numbers of the soup; face distances are left open.
+inline Face_dual_graph dual_graph_of(const Soup& soup)
+{
+  const Mesh mesh = mesh_of(soup);
+  const std::vector<Mesh::Face_index> faces(mesh.faces().begin(), mesh.faces().end());
+  return CGAL::Spectral_segmentation::internal::face_dual_graph_of_mesh(mesh, faces, mesh.points(),
+                                                                        Kernel());
+}
+
+// With the paper's distances between adjacent faces.
+inline Face_dual_graph graph_with_distances(const Soup& soup)
+{
+  Face_dual_graph graph = dual_graph_of(soup);
+  CGAL::Spectral_segmentation::internal::set_face_distances(graph, graph.points, {0.01, 1, 0.1});
+  return graph;
+}
+
+// A connected part of n random faces. It may touch itself at a vertex, as the parts of a cut can.
+inline Face_dual_graph random_part(const Face_dual_graph& graph, std::size_t n, Random& random)
+{
+  std::vector<std::size_t> piece(graph.number_of_faces(), 1);
+  std::vector<Index> front(1, Index(random() % graph.number_of_faces()));
+  while (n > 0 && !front.empty()) {
+    std::swap(front[random() % front.size()], front.back());
+    const Index f = front.back();
+    front.pop_back();
+    if (piece[f] == 0)
+      continue;
+    piece[f] = 0;
+    --n;
+    for (Index h = 3 * f; h < 3 * f + 3; ++h)
+      front.push_back(graph.halfedges[h].neighbor);
+  }
+  return CGAL::Spectral_segmentation::internal::split(graph, piece, 2).front();
+}
+
+#ifdef SPECTRAL_SEGMENTATION_TEST_DATA_DIR
+// A mesh of the test data, oriented; vertices are duplicated where it is not a manifold.
+inline Soup read(const std::string& name)
+{
+  Soup soup;
+  const std::string path = std::string(SPECTRAL_SEGMENTATION_TEST_DATA_DIR) + "/" + name;
+  if (!CGAL::IO::read_polygon_soup(path, soup.points, soup.triangles))
+    throw std::runtime_error("cannot read " + path);
+  CGAL::Polygon_mesh_processing::orient_polygon_soup(soup.points, soup.triangles);
+  return soup;
+}
+#endif
+
+} // namespace test_meshes
+
+#endif // SPECTRAL_SEGMENTATION_TEST_MESHES_H

@@ -1,0 +1,370 @@
+// Copyright (c) 2026  The Spectral_segmentation authors.
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#define BOOST_TEST_MODULE visitor
+#include <boost/test/unit_test.hpp>
+
+#include "test_meshes.h"
+
+#include <CGAL/segment_spectral_recursive.h>
+
+#include <CGAL/tags.h>
+
+#include <atomic>
+#include <cstddef>
+#include <functional>
+#include <limits>
+#include <map>
+#include <stdexcept>
+#include <string>
+#include <utility>
+#include <vector>
+
+using namespace test_meshes;
+namespace parameters = CGAL::Spectral_segmentation::parameters;
+using CGAL::Spectral_segmentation::Salience_factors;
+using CGAL::Spectral_segmentation::Segment_tree;
+using CGAL::Spectral_segmentation::Segmentation_visitor;
+using CGAL::Spectral_segmentation::Stage;
+
+namespace {
+
+typedef std::vector<std::size_t> Labels;
+
+const std::size_t unlimited = (std::numeric_limits<std::size_t>::max)();
+const std::size_t untouched = 1234567;
+
+auto map_to(Labels& labels, const Mesh& mesh)
+{
+  labels.resize(num_faces(mesh), untouched);
+  return boost::make_iterator_property_map(labels.begin(), get(CGAL::face_index, mesh));
+}
+
+template <class ConcurrencyTag = CGAL::Parallel_if_available_tag, class NamedParameters>
+Labels labels_of(const Mesh& mesh, const NamedParameters& np)
+{
+  Labels labels;
+  CGAL::segment_spectral_recursive<ConcurrencyTag>(mesh, map_to(labels, mesh), np);
+  return labels;
+}
+
+const Stage stages_of_part[] = {Stage::SAMPLING, Stage::EMBEDDING, Stage::LINE_SEARCH};
+
+// Checks that the events of each part are balanced and in order, in whatever way parts interleave.
+struct Strict_visitor : Segmentation_visitor
+{
+  struct State
+  {
+    std::size_t number_of_faces = 0;
+    int number_of_stages = 0;
+    bool is_in_stage = false;
+    bool has_ended = false;
+    bool is_cut = false;
+    double salience = 0;
+  };
+
+  std::map<std::size_t, State> parts;
+  std::vector<std::pair<Stage, bool> > events_of_mesh; // stage, is it the start
+  std::vector<std::size_t> cuts;
+  std::vector<std::size_t> numbers_of_segments;
+  std::size_t number_of_polls = 0;
+
+  void start_stage(Stage stage, std::size_t part)
+  {
+    if (part == whole_mesh) {
+      events_of_mesh.emplace_back(stage, true);
+      return;
+    }
+    State& p = parts.at(part);
+    BOOST_TEST_REQUIRE(p.number_of_stages < 3);
+    BOOST_TEST(!p.is_in_stage);
+    BOOST_TEST((stage == stages_of_part[p.number_of_stages]));
+    p.is_in_stage = true;
+  }
+
+  void end_stage(Stage stage, std::size_t part)
+  {
+    if (part == whole_mesh) {
+      events_of_mesh.emplace_back(stage, false);
+      return;
+    }
+    State& p = parts.at(part);
+    BOOST_TEST(p.is_in_stage);
+    BOOST_TEST((stage == stages_of_part[p.number_of_stages]));
+    p.is_in_stage = false;
+    ++p.number_of_stages;
+  }
+
+  void start_part(std::size_t part, std::size_t number_of_faces)
+  {
+    BOOST_TEST(parts.count(part) == 0);
+    parts[part].number_of_faces = number_of_faces;
+  }
+
+  void end_part(std::size_t part)
+  {
+    State& p = parts.at(part);
+    BOOST_TEST(!p.has_ended);
+    BOOST_TEST(!p.is_in_stage);
+    BOOST_TEST(p.number_of_stages == 3);
+    p.has_ended = true;
+  }
+
+  void part_cut(std::size_t part, const Salience_factors&, double salience,
+                std::size_t number_of_segments)
+  {
+    State& p = parts.at(part);
+    BOOST_TEST(p.has_ended);
+    BOOST_TEST(!p.is_cut);
+    p.is_cut = true;
+    p.salience = salience;
+    cuts.push_back(part);
+    numbers_of_segments.push_back(number_of_segments);
+  }
+
+  bool go_further()
+  {
+    ++number_of_polls;
+    return true;
+  }
+};
+
+template <class ConcurrencyTag>
+void check_events(const Mesh& mesh, bool smoothing)
+{
+  Strict_visitor visitor;
+  Segment_tree tree;
+  labels_of<ConcurrencyTag>(
+    mesh, parameters::visitor(std::ref(visitor)).salience_threshold(0.4).segment_tree(tree)
+            .boundary_smoothing(smoothing));
+
+  std::vector<std::pair<Stage, bool> > expected = {{Stage::INITIALIZATION, true},
+                                                   {Stage::INITIALIZATION, false}};
+  if (smoothing)
+    expected.insert(expected.end(), {{Stage::BOUNDARY_SMOOTHING, true},
+                                     {Stage::BOUNDARY_SMOOTHING, false}});
+  BOOST_TEST((visitor.events_of_mesh == expected));
+
+  for (const auto& [part, state] : visitor.parts) {
+    BOOST_TEST(state.has_ended);
+    BOOST_TEST_REQUIRE(part < tree.number_of_nodes());
+    BOOST_TEST(state.number_of_faces == tree.node(part).number_of_faces);
+    BOOST_TEST(state.is_cut == !tree.node(part).is_leaf());
+    if (state.is_cut)
+      BOOST_TEST(state.salience == tree.node(part).salience);
+  }
+  // A part of one face is not searched.
+  for (std::size_t i = 0; i < tree.number_of_nodes(); ++i)
+    BOOST_TEST(visitor.parts.count(i) == (tree.node(i).number_of_faces > 1 ? 1 : 0));
+
+  BOOST_TEST(visitor.cuts.size() == tree.number_of_segments() - tree.number_of_roots());
+  for (std::size_t i = 0; i < visitor.cuts.size(); ++i) {
+    BOOST_TEST(tree.node(tree.number_of_roots() + 2 * i).parent == visitor.cuts[i]);
+    BOOST_TEST(visitor.numbers_of_segments[i] == tree.number_of_roots() + i + 1);
+  }
+  BOOST_TEST(visitor.number_of_polls > 3 * visitor.parts.size());
+}
+
+struct Stop_at : Segmentation_visitor
+{
+  std::size_t remaining_polls;
+  explicit Stop_at(std::size_t poll) : remaining_polls(poll) {}
+  bool go_further() { return remaining_polls-- > 0; }
+};
+
+struct Failure : std::runtime_error
+{
+  Failure() : std::runtime_error("failure of a visitor") {}
+};
+
+// Throws at the event of the given number.
+struct Throwing_visitor : Segmentation_visitor
+{
+  std::size_t remaining_events;
+  explicit Throwing_visitor(std::size_t event) : remaining_events(event) {}
+
+  void count()
+  {
+    if (remaining_events-- == 0)
+      throw Failure();
+  }
+  void start_stage(Stage, std::size_t) { count(); }
+  void end_stage(Stage, std::size_t) { count(); }
+  void start_part(std::size_t, std::size_t) { count(); }
+  void end_part(std::size_t) { count(); }
+  void part_cut(std::size_t, const Salience_factors&, double, std::size_t) { count(); }
+  bool go_further() { count(); return true; }
+};
+
+// Notices calls at the same time.
+struct Lonely_visitor : Segmentation_visitor
+{
+  std::atomic<int> callers{0};
+  std::atomic<bool> met_another{false};
+  std::size_t number_of_calls = 0; // without a lock, for the thread sanitizer
+
+  void call()
+  {
+    if (++callers != 1)
+      met_another = true;
+    for (int i = 0; i < 1000; ++i)
+      ++number_of_calls;
+    --callers;
+  }
+  void start_stage(Stage, std::size_t) { call(); }
+  void end_stage(Stage, std::size_t) { call(); }
+  void start_part(std::size_t, std::size_t) { call(); }
+  void end_part(std::size_t) { call(); }
+  void part_cut(std::size_t, const Salience_factors&, double, std::size_t) { call(); }
+  bool go_further() { call(); return true; }
+};
+
+} // namespace
+
+BOOST_AUTO_TEST_CASE(events_are_balanced_and_in_order)
+{
+  const Soup triangle = {{Point(0, 0, 9), Point(1, 0, 9), Point(0, 1, 9)}, {{0, 1, 2}}};
+  for (const Mesh& mesh : {mesh_of(read("hand.off")), mesh_of(disjoint_union(dumbbell(16, 12),
+                                                                             triangle))})
+    for (bool smoothing : {false, true}) {
+      check_events<CGAL::Sequential_tag>(mesh, smoothing);
+#ifdef CGAL_LINKED_WITH_TBB
+      check_events<CGAL::Parallel_tag>(mesh, smoothing);
+#endif
+    }
+}
+
+BOOST_AUTO_TEST_CASE(parts_do_not_interleave_in_one_thread)
+{
+  struct Visitor : Segmentation_visitor
+  {
+    bool is_in_part = false;
+    void start_part(std::size_t, std::size_t)
+    {
+      BOOST_TEST(!is_in_part);
+      is_in_part = true;
+    }
+    void end_part(std::size_t) { is_in_part = false; }
+    void part_cut(std::size_t, const Salience_factors&, double, std::size_t)
+    { BOOST_TEST(!is_in_part); }
+  };
+  const Mesh mesh = mesh_of(read("hand.off"));
+  labels_of<CGAL::Sequential_tag>(mesh, parameters::visitor(Visitor()));
+}
+
+BOOST_AUTO_TEST_CASE(a_visitor_that_listens_changes_nothing)
+{
+  const Mesh mesh = mesh_of(read("hand.off"));
+  Strict_visitor visitor;
+  BOOST_TEST(labels_of(mesh, parameters::visitor(std::ref(visitor))) ==
+             labels_of(mesh, parameters::default_values()), boost::test_tools::per_element());
+}
+
+BOOST_AUTO_TEST_CASE(a_visitor_is_taken_by_value_and_by_reference)
+{
+  const Mesh mesh = mesh_of(dumbbell(16, 12));
+  const Labels whole(num_faces(mesh), 0);
+  Stop_at visitor(0);
+  const Stop_at const_visitor(0);
+  BOOST_TEST(labels_of(mesh, parameters::visitor(visitor)) == whole);
+  BOOST_TEST(labels_of(mesh, parameters::visitor(const_visitor)) == whole);
+  BOOST_TEST(labels_of(mesh, CGAL::parameters::visitor(Stop_at(0))) == whole);
+  BOOST_TEST(visitor.remaining_polls == 0);
+  BOOST_TEST(labels_of<CGAL::Sequential_tag>(mesh, parameters::visitor(std::ref(visitor))) ==
+             whole);
+  BOOST_TEST(visitor.remaining_polls == unlimited); // asked once, below 0
+}
+
+BOOST_AUTO_TEST_CASE(a_stopped_run_gives_the_labels_of_the_cuts_made_so_far)
+{
+  const Mesh mesh = mesh_of(disjoint_union(dumbbell(12, 8), read("tripod.off")));
+  for (bool smoothing : {false, true}) {
+    const auto np = parameters::salience_threshold(0.3).boundary_smoothing(smoothing);
+    Strict_visitor counter;
+    Segment_tree whole_tree;
+    const Labels whole = labels_of<CGAL::Sequential_tag>(
+      mesh, np.visitor(std::ref(counter)).segment_tree(whole_tree));
+    BOOST_TEST(whole_tree.number_of_segments() > 3);
+
+    std::size_t segments_before = 0;
+    for (std::size_t poll = 0; poll <= counter.number_of_polls; ++poll) {
+      BOOST_TEST_CONTEXT("stopped at poll " << poll) {
+        Segment_tree tree;
+        Labels labels;
+        Stop_at visitor(poll);
+        const std::size_t n = CGAL::segment_spectral_recursive<CGAL::Sequential_tag>(
+          mesh, map_to(labels, mesh), np.visitor(std::ref(visitor)).segment_tree(tree));
+        BOOST_TEST(n >= segments_before);
+        BOOST_TEST(n == tree.number_of_segments());
+        BOOST_TEST(labels == tree.labels(), boost::test_tools::per_element());
+        BOOST_TEST(labels == labels_of(mesh, np.maximum_number_of_segments(n)),
+                   boost::test_tools::per_element());
+        segments_before = n;
+      }
+    }
+    BOOST_TEST(segments_before == whole_tree.number_of_segments());
+  }
+}
+
+BOOST_AUTO_TEST_CASE(a_stopped_tree_does_not_invent_labels)
+{
+  const Mesh mesh = mesh_of(read("hand.off"));
+  Segment_tree tree;
+  labels_of(mesh, parameters::visitor(Stop_at(0)).segment_tree(tree));
+  BOOST_TEST(tree.number_of_segments() == 1);
+  BOOST_CHECK_THROW(tree.labels(2, 0.5), std::out_of_range);
+}
+
+#ifdef CGAL_LINKED_WITH_TBB
+BOOST_AUTO_TEST_CASE(a_run_in_threads_stops_too)
+{
+  const Mesh mesh = mesh_of(disjoint_union(read("hand.off"), dumbbell(20, 15)));
+  for (std::size_t poll = 0; poll < 300; poll += 13) {
+    Segment_tree tree;
+    Labels labels;
+    const std::size_t n = CGAL::segment_spectral_recursive<CGAL::Parallel_tag>(
+      mesh, map_to(labels, mesh),
+      parameters::visitor(Stop_at(poll)).segment_tree(tree).salience_threshold(0.3));
+    BOOST_TEST(n == tree.number_of_segments());
+    BOOST_TEST(labels == labels_of(mesh, parameters::maximum_number_of_segments(n)
+                                           .salience_threshold(0.3)),
+               boost::test_tools::per_element());
+  }
+}
+
+BOOST_AUTO_TEST_CASE(calls_from_threads_come_one_at_a_time)
+{
+  Lonely_visitor visitor;
+  const Mesh mesh = mesh_of(disjoint_union(read("hand.off"), read("pig.off")));
+  labels_of<CGAL::Parallel_tag>(
+    mesh, parameters::visitor(std::ref(visitor)).salience_threshold(0.3));
+  BOOST_TEST(visitor.number_of_calls > 0);
+  BOOST_TEST(!visitor.met_another);
+}
+#endif
+
+BOOST_AUTO_TEST_CASE(an_exception_of_a_visitor_passes_through_and_leaves_the_labels)
+{
+  const Mesh mesh = mesh_of(dumbbell(12, 8));
+  const Labels before(num_faces(mesh), untouched);
+  std::size_t event = 0;
+  for (bool has_thrown = true; has_thrown; ++event) {
+    Labels labels;
+    Segment_tree tree;
+    const auto run = [&] {
+      CGAL::segment_spectral_recursive(
+        mesh, map_to(labels, mesh),
+        parameters::visitor(Throwing_visitor(event)).segment_tree(tree)
+          .boundary_smoothing(true));
+    };
+    try {
+      run();
+      has_thrown = false;
+    }
+    catch (const Failure&) {
+      BOOST_TEST(labels == before, boost::test_tools::per_element());
+      BOOST_TEST(tree.number_of_nodes() == 0);
+    }
+  }
+  BOOST_TEST(event > 20);
+}
