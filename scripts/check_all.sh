@@ -5,7 +5,7 @@
 # check_all.sh [--cgal DIR] [--build DIR]
 # All programs and tests, with warnings as errors, under g++ and clang++, each in Release and in
 # Debug with sanitizers, and each header alone. With --cgal, Release once more against the CGAL
-# whose CGALConfig.cmake is in DIR. Takes hours; builds in build-check/ or the --build folder.
+# whose CGALConfig.cmake is in DIR. Takes long; builds in build-check/ or the --build folder.
 
 set -euo pipefail
 cd "$(dirname "$0")/.."

@@ -15,6 +15,6 @@ cmake --build build --target segment_mesh
 
 mkdir -p out
 build/examples/segment_mesh build/data/meshes/elephant.off -o out/elephant.ply
-scripts/render.py out/elephant.ply -o out/elephant.png
+scripts/render.py out/elephant.ply -o out/elephant.png --azimuth 150
 echo "colored mesh: $PWD/out/elephant.ply"
 echo "picture:      $PWD/out/elephant.png"

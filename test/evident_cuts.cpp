@@ -166,7 +166,7 @@ void add_box(Cells& cells, const Cell& low, const Cell& high)
         cells.insert({x, y, z});
 }
 
-// The boundary of a set of unit cubes, each square cut in two; open in the plane z = 0 if asked for.
+// The boundary of a set of unit cubes, each square cut in two; on demand open in the plane z = 0.
 Mesh boundary_of(const Cells& cells, bool is_open = false)
 {
   Soup soup;
@@ -324,9 +324,10 @@ BOOST_AUTO_TEST_CASE(a_torus_with_a_handle)
   add_box(cells, {1, 1, 6}, {14, 2, 7});
   const Mesh mesh = boundary_of(cells);
 
-  const Segment_tree tree = tree_of(mesh);
+  const Segment_tree tree = tree_of_parts(mesh, 2);
   const std::size_t handle = tree.node(0).children[0];
   const double area_of_handle = 2 * 3 * 4 + 4 * 13; // legs and bar
+  BOOST_TEST_REQUIRE(!tree.node(0).is_leaf());
   BOOST_TEST(tree.node(handle).area > 0.8 * area_of_handle);
   for (auto f : tree.faces(handle))
     for (Mesh::Vertex_index v : vertices_around_face(mesh.halfedge(Face(f)), mesh))

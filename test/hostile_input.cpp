@@ -19,7 +19,6 @@
 #include <random>
 #include <stdexcept>
 #include <string>
-#include <utility>
 #include <vector>
 
 using namespace test_meshes;
@@ -110,11 +109,22 @@ Soup scaled(const Soup& soup, double factor)
                      { return Point(factor * p.x(), factor * p.y(), factor * p.z()); });
 }
 
+// Without the symmetry of the surface, which makes many cuts equally salient.
+Soup dented(const Soup& soup, unsigned seed)
+{
+  std::mt19937 engine(seed);
+  const auto factor = [&] { return 1 + 0.1 * double(engine()) / double(engine.max()); };
+  return transformed(soup, [&](const Point& p) {
+    const double x = factor() * p.x(), y = factor() * p.y(), z = factor() * p.z();
+    return Point(x, y, z);
+  });
+}
+
 const std::vector<Soup>& soups()
 {
   static const std::vector<Soup> result = {
-    dumbbell(16, 12), plate(9, 7), read("hand.off"), read("pig.off"), read("bones.off"),
-    disjoint_union(dumbbell(14, 10), torus(3, 1, 20, 12))};
+    dumbbell(16, 12), plate(9, 7), dented(dumbbell(20, 16), 1), dented(torus(3, 1, 30, 20), 2),
+    dented(sphere(3), 3), disjoint_union(dumbbell(14, 10), torus(3, 1, 20, 12))};
   return result;
 }
 

@@ -189,7 +189,8 @@ class Real_meshes(Tool_test):
     def test_tree_tells_the_segments(self):
         labels = self.segment(MESHES / "elephant.off")
         points, faces = read_off(MESHES / "elephant.off")
-        nodes = self.report()["tree"]
+        report = self.report()
+        nodes = report["tree"]
         leaves = [n for n in nodes if not n["children"]]
         self.assertEqual(sorted(n["faces"] for n in leaves),
                          sorted(collections.Counter(labels).values()))

@@ -6,6 +6,7 @@
 #include <CGAL/boost/graph/generators.h>
 #include <CGAL/segment_spectral_recursive.h>
 
+#include <cstddef>
 #include <cstdlib>
 #include <iostream>
 
@@ -17,7 +18,8 @@ int main()
 {
   Mesh mesh;
   for (double x : {0., 5.})
-    CGAL::make_tetrahedron(Point(x, 0, 0), Point(x + 1, 0, 0), Point(x, 1, 0), Point(x, 0, 1), mesh);
+    CGAL::make_tetrahedron(Point(x, 0, 0), Point(x + 1, 0, 0), Point(x, 1, 0), Point(x, 0, 1),
+                           mesh);
   auto segment_ids = mesh.add_property_map<Mesh::Face_index, int>("f:segment").first;
   const std::size_t n = CGAL::segment_spectral_recursive(mesh, segment_ids);
   std::cout << n << " segments" << std::endl;

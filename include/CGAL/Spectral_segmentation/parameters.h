@@ -277,6 +277,13 @@ cgal_pack(const CGAL::Named_function_parameters<T, Tag, Base>& np)
   return np;
 }
 
+template <class NotAPack>
+CGAL::parameters::Default_named_parameters cgal_pack(const NotAPack&)
+{
+  static_assert(sizeof(NotAPack) == 0, "the last argument is not a pack of named parameters");
+  return CGAL::parameters::default_values();
+}
+
 } // namespace internal
 
 /// \endcond

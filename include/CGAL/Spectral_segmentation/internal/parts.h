@@ -9,6 +9,7 @@
 #include <boost/graph/connected_components.hpp>
 #include <boost/property_map/property_map.hpp>
 
+#include <array>
 #include <cstddef>
 #include <numeric>
 #include <vector>
