@@ -18,7 +18,6 @@
 #include <limits>
 #include <random>
 #include <stdexcept>
-#include <string>
 #include <vector>
 
 using namespace test_meshes;

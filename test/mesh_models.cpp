@@ -16,9 +16,8 @@
 #include <CGAL/Polyhedron_items_with_id_3.h>
 #include <CGAL/boost/graph/Euler_operations.h>
 #include <CGAL/boost/graph/Face_filtered_graph.h>
+#include <CGAL/boost/graph/generators.h>
 #include <CGAL/boost/graph/graph_traits_Linear_cell_complex_for_combinatorial_map.h>
-#include <CGAL/boost/graph/helpers.h>
-#include <CGAL/tags.h>
 
 #include <boost/mpl/list.hpp>
 
@@ -28,9 +27,7 @@
 #include <map>
 #include <set>
 #include <stdexcept>
-#include <string>
 #include <thread>
-#include <utility>
 #include <vector>
 
 using namespace test_meshes;

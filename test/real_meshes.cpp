@@ -22,7 +22,6 @@
 #include <cstddef>
 #include <filesystem>
 #include <map>
-#include <string>
 #include <utility>
 #include <vector>
 
@@ -51,9 +50,6 @@ Labels labels_of(const Mesh& mesh)
   CGAL::segment_spectral_recursive<ConcurrencyTag>(mesh, map_to(labels, mesh));
   return labels;
 }
-
-std::size_t number_of(const Labels& labels)
-{ return 1 + *std::max_element(labels.begin(), labels.end()); }
 
 std::size_t number_of_connected_pieces(const Mesh& mesh, const Labels& labels)
 {
@@ -140,9 +136,7 @@ BOOST_AUTO_TEST_CASE(the_axes_may_be_exchanged)
     Mesh mesh = mesh_of(read(name));
     const Labels expected = labels_of(mesh);
     PMP::transform(cyclic, mesh);
-    const double agreement = rand_index(labels_of(mesh), expected);
-    BOOST_TEST_MESSAGE(name << " axes " << agreement << " segments " << number_of(expected));
-    BOOST_TEST(agreement == 1);
+    BOOST_TEST((labels_of(mesh) == expected), name);
   }
 }
 
@@ -152,8 +146,6 @@ BOOST_AUTO_TEST_CASE(a_rotation_changes_little)
     Mesh mesh = mesh_of(read(name));
     const Labels expected = labels_of(mesh);
     PMP::transform(skew_rotation(pi / 6), mesh);
-    const double agreement = rand_index(labels_of(mesh), expected);
-    BOOST_TEST_MESSAGE(name << " rotation " << agreement);
-    BOOST_TEST(agreement > 0.98);
+    BOOST_TEST(rand_index(labels_of(mesh), expected) > 0.98, name);
   }
 }

@@ -20,7 +20,6 @@
 #include <cstddef>
 #include <limits>
 #include <set>
-#include <string>
 #include <vector>
 
 using namespace test_meshes;

@@ -22,7 +22,6 @@
 #include <limits>
 #include <set>
 #include <stdexcept>
-#include <string>
 #include <vector>
 
 using namespace test_meshes;

@@ -16,7 +16,6 @@
 #include <limits>
 #include <map>
 #include <stdexcept>
-#include <string>
 #include <utility>
 #include <vector>
 

@@ -61,7 +61,8 @@ Faces without area, borders, and any number of connected components are welcome.
   `CGAL::TBB_support` of CMake.
 \tparam TriangleMesh a model of `FaceListGraph` and `VertexListGraph`
 \tparam SegmentIdMap a model of `WritablePropertyMap` with
-  `boost::graph_traits<TriangleMesh>::%face_descriptor` as key type and an integer type as value type
+  `boost::graph_traits<TriangleMesh>::%face_descriptor` as key type and an integer type as value
+  type
 \tparam NamedParameters a sequence of named parameters, of the namespace
   `CGAL::Spectral_segmentation::parameters` or of `CGAL::parameters`
 
@@ -152,7 +153,8 @@ Faces without area, borders, and any number of connected components are welcome.
   \cgalParamNBegin{random_seed}
     \cgalParamDescription{chooses the first reference face of each part at random, as in the paper}
     \cgalParamType{an integer}
-    \cgalParamDefault{none: the first reference face is the one farthest from the center of the part}
+    \cgalParamDefault{none: the first reference face is the one farthest from the center of the
+      part}
   \cgalParamNEnd
   \cgalParamNBegin{number_of_smoothing_iterations}
     \cgalParamDescription{steps of Laplacian smoothing on a copy of the points, from which the face
@@ -163,8 +165,8 @@ Faces without area, borders, and any number of connected components are welcome.
   \cgalParamNEnd
   \cgalParamNBegin{boundary_smoothing}
     \cgalParamDescription{whether the boundaries of the segments are smoothed by a morphological
-      opening of each segment with a ball of two steps over faces (Section 2). It moves a boundary by
-      a few faces at the most, and neither empties nor disconnects a segment.}
+      opening of each segment with a ball of two steps over faces (Section 2). It moves a boundary
+      by a few faces at the most, and neither empties nor disconnects a segment.}
     \cgalParamType{`bool`}
     \cgalParamDefault{`false`: most cuts are smooth enough, as short ones are more salient}
   \cgalParamNEnd
@@ -185,7 +187,8 @@ Faces without area, borders, and any number of connected components are welcome.
 
 \throws std::invalid_argument if a face is not a triangle, a coordinate is not finite, the
   `face_index_map` is not one to one onto its range, or a number is out of its range
-\throws std::overflow_error if there are more segments than the value type of `segment_ids` can count
+\throws std::overflow_error if there are more segments than the value type of `segment_ids` can
+  count
 
 If an exception is thrown, by the function or by the visitor, no id was written.
 */

@@ -161,10 +161,12 @@ public:
 
   // A forest of roots only. `component` is the number of the component of each face, and
   // `areas` has one entry a component; components are numbered by their first face.
+  // Areas are handed over in a unit of `unit_area`.
   Segment_tree(const std::vector<internal::Index>& component, const std::vector<double>& areas,
-               const internal::Options& options)
+               double unit_area, const internal::Options& options)
     : number_of_roots_(areas.size()), nodes_(areas.size()), first_face_(areas.size()),
-      smallest_face_(areas.size()), faces_(component.size()),
+      smallest_face_(areas.size()), areas_(areas), unit_area_(unit_area),
+      faces_(component.size()),
       maximum_number_of_segments_(options.maximum_number_of_segments),
       salience_threshold_(options.salience_threshold)
   {
@@ -172,7 +174,7 @@ public:
       ++nodes_[c].number_of_faces;
     size_type first = 0;
     for (size_type c = 0; c < areas.size(); ++c) {
-      nodes_[c].area = areas[c];
+      nodes_[c].area = areas[c] * unit_area;
       first_face_[c] = first;
       first += nodes_[c].number_of_faces;
     }
@@ -190,8 +192,8 @@ public:
     const Segment_tree* tree;
     bool operator()(size_type a, size_type b) const
     {
-      if (tree->nodes_[a].area != tree->nodes_[b].area)
-        return tree->nodes_[a].area > tree->nodes_[b].area;
+      if (tree->areas_[a] != tree->areas_[b])
+        return tree->areas_[a] > tree->areas_[b];
       return tree->smallest_face_[a] < tree->smallest_face_[b];
     }
   };
@@ -228,10 +230,11 @@ public:
       Node child;
       child.parent = i;
       child.number_of_faces = size[k];
-      child.area = area[k];
+      child.area = area[k] * unit_area_;
       nodes_.push_back(child);
       first_face_.push_back(first_face_[i] + (k == 0 ? 0 : size[0]));
       smallest_face_.push_back(faces_[first_face_.back()]);
+      areas_.push_back(area[k]);
     }
   }
 
@@ -292,6 +295,8 @@ private:
   std::vector<Node> nodes_;
   std::vector<size_type> first_face_;            // of each node, in faces_
   std::vector<internal::Index> smallest_face_;   // of each node
+  std::vector<double> areas_;                    // of each node; neither 0 nor infinite in any unit
+  double unit_area_ = 1;
   std::vector<internal::Index> faces_;           // permuted so that each node is a range
   std::vector<internal::Neighbors> neighbors_;   // dual graph, only if boundaries are smoothed
   size_type maximum_number_of_segments_ = (std::numeric_limits<size_type>::max)();

@@ -29,8 +29,10 @@ enum class Stage
 /// Parts are named by the index of their node in the `Segment_tree` of the run.
 /// No two functions are called at the same time, but with `CGAL::Parallel_tag` several parts
 /// are searched at once: their calls interleave and come from different threads.
-/// An exception that leaves a visitor ends the run, passes through the caller's function, and leaves
-/// the caller's labels as they were.
+/// A run that is stopped, or ended by an exception, leaves starts without their ends, and with
+/// `CGAL::Parallel_tag` other parts may call once more after that.
+/// An exception that leaves a visitor ends the run, passes through the caller's function, and
+/// leaves the caller's labels as they were.
 struct Segmentation_visitor
 {
   /// the part of stages that concern the whole mesh

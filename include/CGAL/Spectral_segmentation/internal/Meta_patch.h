@@ -20,8 +20,8 @@ namespace CGAL {
 namespace Spectral_segmentation {
 namespace internal {
 
-// The patch Q of the line search (Section 5.3), to which faces are added one by one, and the factors
-// of the salience of the cut between Q and the rest (Section 6). Both take constant time.
+// The patch Q of the line search (Section 5.3), to which faces are added one by one, and the
+// factors of the salience of the cut between Q and the rest (Section 6). Both take constant time.
 class Meta_patch
 {
   const Face_dual_graph& part_;

@@ -142,6 +142,11 @@ inline void set_face_distances(Face_dual_graph& graph, const std::vector<Vector>
     return (points[c[0]] + points[c[1]] + points[c[2]]) / 3;
   };
 
+  // Relative to the larger one, as only their ratio matters and sums must not overflow.
+  const double largest_weight = (std::max)(weights.concave, weights.convex);
+  const double concave = largest_weight > 0 ? weights.concave / largest_weight : 0;
+  const double convex = largest_weight > 0 ? weights.convex / largest_weight : 0;
+
   std::vector<double> geodesic(edges.size()), angle(edges.size());
   for (std::size_t e = 0; e < edges.size(); ++e) {
     const Index h = edges[e], f = h / 3, g = graph.halfedges[h].neighbor;
@@ -152,7 +157,7 @@ inline void set_face_distances(Face_dual_graph& graph, const std::vector<Vector>
     const bool is_defined = !normals[f].isZero(0) && !normals[g].isZero(0);
     const Dihedral d = is_defined ? dihedral(normals[f], normals[g], b - a) : Dihedral{0, false};
     graph.halfedges[h].concave = d.is_concave;
-    angle[e] = (d.is_concave ? weights.concave : weights.convex) * d.one_minus_cosine;
+    angle[e] = (d.is_concave ? concave : convex) * d.one_minus_cosine;
   }
   normalize_by_mean(geodesic);
   normalize_by_mean(angle);

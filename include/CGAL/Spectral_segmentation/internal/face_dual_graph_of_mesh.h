@@ -41,15 +41,16 @@ inline double normalize(std::vector<Vector>& points, const std::vector<char>& is
     }
   const Vector center = smallest / 2 + largest / 2;
   const double half_extent = (largest / 2 - smallest / 2).maxCoeff();
-  const double unit = half_extent > 0 ? std::ldexp(1., std::ilogb(half_extent) + 1) : 1;
+  const double unit =
+    half_extent > 0 ? std::ldexp(1., (std::min)(std::ilogb(half_extent) + 1, 1023)) : 1;
   for (std::size_t v = 0; v < points.size(); ++v)
     points[v] = is_used[v] ? Vector((points[v] - center) / unit) : Vector(Vector::Zero());
   return unit;
 }
 
 // Reads a mesh into arrays; face distances are left open. Vertices are numbered in the order of
-// `vertices(mesh)` and the first corner of a face is its smallest vertex, so that every model of the
-// same mesh gives the same arrays. Coordinates are normalized.
+// `vertices(mesh)` and the first corner of a face is its smallest vertex, so that every model of
+// the same mesh gives the same arrays. Coordinates are normalized.
 //
 // Throws `std::invalid_argument` if a face is not a triangle or a coordinate is not finite.
 template <class TriangleMesh, class FaceDescriptor, class VertexPointMap, class GeomTraits>

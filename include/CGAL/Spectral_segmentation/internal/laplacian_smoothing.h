@@ -29,7 +29,7 @@ inline std::vector<Vector> smoothed_points(const Face_dual_graph& graph, std::si
   for (; iterations > 0; --iterations) {
     std::fill(sum.begin(), sum.end(), Vector::Zero());
     std::fill(degree.begin(), degree.end(), 0u);
-    // Around an inner vertex each edge starts one half-edge and ends one, so the mean is unweighted.
+    // One half-edge of each edge starts at an inner vertex, so the mean is unweighted.
     for (Index h = 0; h < graph.halfedges.size(); ++h) {
       sum[graph.source_vertex(h)] += points[graph.target_vertex(h)];
       ++degree[graph.source_vertex(h)];

@@ -73,7 +73,7 @@ inline Growth grow_along(const Face_dual_graph& part, const std::vector<Index>& 
 }
 
 // For each number i of faces, whether the part is still connected without the first i of `faces`,
-// that is, whether Q has no holes. Takes the faces back from the last to the first, with union-find.
+// that is, whether Q has no holes. Takes the faces back from last to first, with union-find.
 inline std::vector<bool> rest_is_connected(const Face_dual_graph& part,
                                            const std::vector<Index>& faces)
 {
@@ -130,7 +130,8 @@ std::optional<Cut> line_search(const Face_dual_graph& part, const std::vector<In
     const Salience_factors factors = q.factors();
     const double salience = part_salience(factors);
     observe(size, factors, salience);
-    if (salience > best.salience) {
+    // On the grid, so that rounding does not choose between cuts that mirror each other.
+    if (on_grid(salience) > on_grid(best.salience)) {
       best.salience = salience;
       best.factors = factors;
       best.area[0] = q.area();

@@ -91,7 +91,7 @@ public:
   }
 };
 
-// The faces in the order of their numbers: that of `faces(mesh)`, or of the caller's face index map.
+// The faces in the order of their numbers: that of `faces(mesh)`, or of the caller's index map.
 // Throws `std::invalid_argument` if the map is not one to one onto 0 .. n-1.
 template <class TriangleMesh, class CGALNamedParameters>
 std::vector<typename boost::graph_traits<TriangleMesh>::face_descriptor>

@@ -87,10 +87,8 @@ class Recursion
       return;
     }
     tree_.set_cut(node, Segment_tree::Cut_state::ACCEPTED, cut.salience, cut.factors);
-    const Face_dual_graph& graph = candidate.part.graph;
-    const double unit_area = graph.unit * graph.unit;
-    tree_.cut(node, cut.side, {cut.area[0] * unit_area, cut.area[1] * unit_area});
-    std::vector<Face_dual_graph> sides = split(graph, cut.side, 2);
+    tree_.cut(node, cut.side, cut.area);
+    std::vector<Face_dual_graph> sides = split(candidate.part.graph, cut.side, 2);
     for (int i = 0; i < 2; ++i)
       add_candidate(tree_.node(node).children[i], std::move(sides[i]));
     monitor_.part_cut(node, cut.factors, cut.salience, tree_.number_of_segments());
@@ -131,8 +129,8 @@ Segment_tree cut_recursively(Face_dual_graph mesh, const Options& options,
   const std::vector<Index> component = connected_components(mesh, number_of_components);
   std::vector<double> areas(number_of_components, 0);
   for (Index f = 0; f < mesh.number_of_faces(); ++f)
-    areas[component[f]] += mesh.areas[f] * mesh.unit * mesh.unit;
-  Segment_tree tree(component, areas, options);
+    areas[component[f]] += mesh.areas[f];
+  Segment_tree tree(component, areas, mesh.unit * mesh.unit, options);
   if (options.boundary_smoothing)
     tree.smooth_boundaries_with(neighbors(mesh));
 

@@ -62,8 +62,9 @@ struct Shape_contexts
   const float* operator[](Index f) const { return values.data() + f * references.size(); }
 };
 
-// Chooses k reference faces, or all of a part with fewer, mutually farthest apart in geodesic distance, and sums the
-// angle distances along the shortest geodesic paths while the tree of each reference grows.
+// Chooses k reference faces, or all of a part with fewer, mutually farthest apart in geodesic
+// distance, and sums the angle distances along the shortest geodesic paths while the tree of each
+// reference grows.
 // `between_trees()` is called before each tree.
 template <class BetweenTrees>
 Shape_contexts shape_contexts(const Face_dual_graph& graph, Index first_reference, std::size_t k,
