@@ -48,6 +48,7 @@ struct Options
   std::string input, mesh_file, label_file, report_file, split_directory;
   std::optional<std::size_t> segments;
   std::optional<double> threshold;
+  double minimum_segment_size = CGAL::Spectral_segmentation::default_minimum_segment_size;
   std::optional<std::uint64_t> seed;
   std::optional<std::size_t> threads;
   std::size_t smoothing_iterations = 0;
@@ -91,6 +92,9 @@ void add_options(CLI::App& app, Options& o)
                  "a part is not cut below this salience [" +
                    CLI::detail::to_string(CGAL::Spectral_segmentation::default_salience_threshold) +
                    "]")->type_name("T");
+  app.add_option("--minimum-segment-size", o.minimum_segment_size,
+                 "smallest share of the area of the mesh that a cut leaves on a side, up to 0.5")
+    ->type_name("S")->check(CLI::Range(0., 0.5))->capture_default_str();
   app.add_option("--seed", o.seed, "seed of the random first reference faces [none is random]")
     ->type_name("S")->check(CLI::Range(std::int64_t(0), largest));
   app.add_option("--threads", o.threads,
@@ -130,6 +134,7 @@ std::size_t segment(const Mesh& mesh, const Segment_map& segment_ids, const Opti
 {
   const auto np = parameters::maximum_number_of_segments(o.maximum_number_of_segments())
                     .salience_threshold(o.salience_threshold())
+                    .minimum_segment_size(o.minimum_segment_size)
                     .number_of_smoothing_iterations(o.smoothing_iterations)
                     .boundary_smoothing(o.boundary_smoothing)
                     .segment_tree(tree)
@@ -142,11 +147,12 @@ template <class T>
 Json json_or_null(const std::optional<T>& value)
 { return value ? Json(*value) : Json(); }
 
-// A threshold without limit is null.
+// A threshold without limit is null. Parameters without an option have the version's defaults.
 Json report(const Options& o, const Input_mesh& input, std::size_t number_of_segments,
             const Segment_tree& tree, const Json& seconds)
 {
-  return {{"input", o.input},
+  return {{"version", CGAL_SPECTRAL_SEGMENTATION_VERSION},
+          {"input", o.input},
           {"input_faces", input.polygons.size()},
           {"faces", input.mesh.number_of_faces()},
           {"vertices", input.mesh.number_of_vertices()},
@@ -155,6 +161,7 @@ Json report(const Options& o, const Input_mesh& input, std::size_t number_of_seg
           {"parameters",
            {{"maximum_number_of_segments", json_or_null(o.segments)},
             {"salience_threshold", o.salience_threshold()},
+            {"minimum_segment_size", o.minimum_segment_size},
             {"random_seed", json_or_null(o.seed)},
             {"threads", json_or_null(o.threads)},
             {"number_of_smoothing_iterations", o.smoothing_iterations},

@@ -23,6 +23,7 @@ namespace tt = boost::test_tools;
 using namespace test_meshes;
 using CGAL::Spectral_segmentation::internal::Sample_faces;
 using CGAL::Spectral_segmentation::internal::Shape_contexts;
+using CGAL::Spectral_segmentation::internal::Vector;
 using CGAL::Spectral_segmentation::internal::farthest_face_from_center;
 using CGAL::Spectral_segmentation::internal::null_index;
 using CGAL::Spectral_segmentation::internal::random_face;
@@ -164,6 +165,17 @@ BOOST_AUTO_TEST_CASE(contexts_are_sums_of_angles_along_the_shortest_geodesic_pat
       }
     }
   }
+}
+
+BOOST_AUTO_TEST_CASE(the_first_reference_does_not_depend_on_the_size_of_the_part)
+{
+  Random random(3);
+  Face_dual_graph part = random_graph(random);
+  const Index farthest = farthest_face_from_center(part);
+  BOOST_TEST(farthest != 0u);
+  for (Vector& p : part.points)
+    p = p / 65536 + Vector(0.5, 0.25, -0.5);
+  BOOST_TEST(farthest_face_from_center(part) == farthest);
 }
 
 BOOST_AUTO_TEST_CASE(there_are_no_more_references_than_faces)

@@ -48,9 +48,10 @@ this order the one with the most salient part is taken. Both sides are parts aga
 has a cut whose salience reaches a threshold. Each connected component of the mesh is a part of its
 own from the start.
 
-The segment ids are contiguous and start at 0; segments are numbered by their first face, in the
-order of `faces(mesh)`. Every segment is connected. The same input gives the same ids on every run,
-with any number of threads, and for every data structure that holds the same mesh.
+The segment ids are contiguous and start at 0; segments are numbered by their face of smallest
+index: its position in `faces(mesh)`, or in the `face_index_map` if one is given. Every segment is
+connected. The same input gives the same ids on every run, with any number of threads (unless a
+visitor stops it), and for every data structure that holds the same mesh.
 
 The run takes O(*k p n* log *n*) time for *n* faces, *k* reference faces and *p* parts that are
 searched, and O(*k n*) memory. The mesh is not changed.
@@ -59,7 +60,9 @@ Faces without area, borders, and any number of connected components are welcome.
 \tparam ConcurrencyTag `CGAL::Sequential_tag`, `CGAL::Parallel_tag` or
   `CGAL::Parallel_if_available_tag`, the default. Parallelism needs TBB, and the target
   `CGAL::TBB_support` of CMake.
-\tparam TriangleMesh a model of `FaceListGraph` and `VertexListGraph`
+\tparam TriangleMesh a model of `FaceListGraph` and `VertexListGraph`, with descriptors that
+  `std::hash` takes, as those of \cgal's models. Several threads may segment one mesh at a time,
+  except a `Face_filtered_graph`, which fills its indices when it is first asked for them.
 \tparam SegmentIdMap a model of `WritablePropertyMap` with
   `boost::graph_traits<TriangleMesh>::%face_descriptor` as key type and an integer type as value
   type
@@ -223,7 +226,8 @@ std::size_t segment_spectral_recursive(const TriangleMesh& mesh, SegmentIdMap se
   Segmentation_visitor no_visitor;
   Visitor_reference visitor =
     choose_parameter(get_parameter_reference(pack, CGAL::internal_np::visitor), no_visitor);
-  internal::Monitor<std::remove_reference_t<Visitor_reference> > monitor(visitor);
+  typedef internal::Monitor<std::remove_reference_t<Visitor_reference> > Monitor;
+  Monitor monitor(visitor);
 
   internal::Face_dual_graph graph = monitor.stage(
     Stage::INITIALIZATION, Segmentation_visitor::whole_mesh, [&] {
@@ -233,13 +237,15 @@ std::size_t segment_spectral_recursive(const TriangleMesh& mesh, SegmentIdMap se
                          get_const_property_map(CGAL::vertex_point, mesh)),
         choose_parameter<Geom_traits>(get_parameter(pack, CGAL::internal_np::geom_traits)));
       internal::set_face_distances(
-        g, internal::smoothed_points(g, options.number_of_smoothing_iterations),
+        g, internal::smoothed_points(g, options.number_of_smoothing_iterations,
+                                     [&] { return monitor.go_further(); }),
         {options.geodesic_weight, options.concave_angle_weight, options.convex_angle_weight});
       return g;
     });
 
-  Segment_tree tree = internal::cut_recursively<ConcurrencyTag>(
-    std::move(graph), options, options.part_salience, monitor);
+  Segment_tree tree =
+    internal::Recursion<ConcurrencyTag, Spectral_segmentation::Weighted_part_salience, Monitor>(
+      std::move(graph), options, options.part_salience, monitor)();
 
   const std::vector<std::size_t> labels = options.boundary_smoothing
     ? monitor.stage(Stage::BOUNDARY_SMOOTHING, Segmentation_visitor::whole_mesh,

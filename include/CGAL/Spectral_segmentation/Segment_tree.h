@@ -20,11 +20,19 @@
 #include <set>
 #include <stdexcept>
 #include <string>
+#include <type_traits>
 #include <utility>
 #include <vector>
 
 namespace CGAL {
 namespace Spectral_segmentation {
+
+/// \cond SKIP_IN_MANUAL
+namespace internal {
+template <class ConcurrencyTag, class PartSalience, class Monitor>
+class Recursion;
+}
+/// \endcond
 
 /// \ingroup PkgSpectralSegmentationRef
 /// The cuts that a run of `segment_spectral_recursive()` made, as a forest of binary trees.
@@ -137,7 +145,8 @@ public:
   }
 
   /// writes the labels for at most `n` segments at the threshold of the run into a property map,
-  /// and returns the number of segments
+  /// and returns the number of segments; `np` must have the `face_index_map` of the run if that had
+  /// one, and may have no other parameter
   template <class TriangleMesh, class SegmentIdMap,
             class NamedParameters = CGAL::parameters::Default_named_parameters>
   size_type segment_by_number(const TriangleMesh& mesh, SegmentIdMap segment_ids, size_type n,
@@ -145,7 +154,7 @@ public:
   { return write(mesh, segment_ids, labels(n, salience_threshold_), np); }
 
   /// writes the labels for cuts of at least `salience_threshold`, up to the maximum number of
-  /// segments of the run, into a property map, and returns the number of segments
+  /// segments of the run, into a property map, and returns the number of segments; `np` is as above
   template <class TriangleMesh, class SegmentIdMap,
             class NamedParameters = CGAL::parameters::Default_named_parameters>
   size_type segment_by_threshold(const TriangleMesh& mesh, SegmentIdMap segment_ids,
@@ -155,17 +164,20 @@ public:
 
   /// @}
 
-  /// \cond SKIP_IN_MANUAL
-
+  /// a tree without nodes, to be given to a run
   Segment_tree() = default;
+
+private:
+  template <class ConcurrencyTag, class PartSalience, class Monitor>
+  friend class internal::Recursion;
 
   // A forest of roots only. `component` is the number of the component of each face, and
   // `areas` has one entry a component; components are numbered by their first face.
-  // Areas are handed over in a unit of `unit_area`.
+  // Areas are handed over in the square of `unit`.
   Segment_tree(const std::vector<internal::Index>& component, const std::vector<double>& areas,
-               double unit_area, const internal::Options& options)
+               double unit, const internal::Options& options)
     : number_of_roots_(areas.size()), nodes_(areas.size()), first_face_(areas.size()),
-      smallest_face_(areas.size()), areas_(areas), unit_area_(unit_area),
+      smallest_face_(areas.size()), areas_(areas), unit_(unit),
       faces_(component.size()),
       maximum_number_of_segments_(options.maximum_number_of_segments),
       salience_threshold_(options.salience_threshold)
@@ -174,7 +186,7 @@ public:
       ++nodes_[c].number_of_faces;
     size_type first = 0;
     for (size_type c = 0; c < areas.size(); ++c) {
-      nodes_[c].area = areas[c] * unit_area;
+      nodes_[c].area = areas[c] * unit * unit;
       first_face_[c] = first;
       first += nodes_[c].number_of_faces;
     }
@@ -230,7 +242,7 @@ public:
       Node child;
       child.parent = i;
       child.number_of_faces = size[k];
-      child.area = area[k] * unit_area_;
+      child.area = area[k] * unit_ * unit_;
       nodes_.push_back(child);
       first_face_.push_back(first_face_[i] + (k == 0 ? 0 : size[0]));
       smallest_face_.push_back(faces_[first_face_.back()]);
@@ -241,9 +253,6 @@ public:
   void smooth_boundaries_with(std::vector<internal::Neighbors> neighbors)
   { neighbors_ = std::move(neighbors); }
 
-  /// \endcond
-
-private:
   // The nodes that are the segments, in the order of their labels. Repeats the run's recursion.
   std::vector<size_type> prune(size_type maximum_number_of_segments,
                                double salience_threshold) const
@@ -287,16 +296,18 @@ private:
   size_type write(const TriangleMesh& mesh, SegmentIdMap segment_ids,
                   const std::vector<size_type>& labels, const NamedParameters& np) const
   {
-    return internal::write_labels(
-      internal::numbered_faces(mesh, internal::cgal_pack(np)), labels, segment_ids);
+    const auto& pack = internal::cgal_pack(np);
+    static_assert(internal_np::has_only_face_index_map<std::decay_t<decltype(pack)> >::value,
+                  "the labels of a Segment_tree depend on no named parameter but face_index_map");
+    return internal::write_labels(internal::numbered_faces(mesh, pack), labels, segment_ids);
   }
 
   size_type number_of_roots_ = 0;
   std::vector<Node> nodes_;
   std::vector<size_type> first_face_;            // of each node, in faces_
   std::vector<internal::Index> smallest_face_;   // of each node
-  std::vector<double> areas_;                    // of each node; neither 0 nor infinite in any unit
-  double unit_area_ = 1;
+  std::vector<double> areas_;                    // of each node, in a unit in which none overflows
+  double unit_ = 1;
   std::vector<internal::Index> faces_;           // permuted so that each node is a range
   std::vector<internal::Neighbors> neighbors_;   // dual graph, only if boundaries are smoothed
   size_type maximum_number_of_segments_ = (std::numeric_limits<size_type>::max)();

@@ -41,7 +41,7 @@ struct Segmentation_visitor
   void start_stage(Stage /* stage */, std::size_t /* part */) {}
   void end_stage(Stage /* stage */, std::size_t /* part */) {}
 
-  /// The search for the best cut of `part` starts.
+  /// The search for the best cut of `part`, which has two faces or more, starts.
   void start_part(std::size_t /* part */, std::size_t /* number_of_faces */) {}
 
   /// The search for the best cut of `part` has ended.
@@ -51,7 +51,8 @@ struct Segmentation_visitor
   void part_cut(std::size_t /* part */, const Salience_factors&, double /* salience */,
                 std::size_t /* number_of_segments */) {}
 
-  /// Asked before each stage of each part and between the shortest path trees of a stage.
+  /// Asked before each stage of each part, between the shortest path trees of the sampling stage,
+  /// and between the iterations of smoothing.
   /// As soon as it returns `false` the run stops; the labels are those of the cuts made so far.
   bool go_further() { return true; }
 };

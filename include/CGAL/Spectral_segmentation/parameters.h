@@ -5,11 +5,15 @@
 #define CGAL_SPECTRAL_SEGMENTATION_PARAMETERS_H
 
 #include <CGAL/Spectral_segmentation/Part_salience.h>
+#include <CGAL/Spectral_segmentation/Segmentation_visitor.h>
 
 #include <CGAL/Named_function_parameters.h>
 
+#include <boost/property_map/property_map.hpp>
+
 #include <functional>
 #include <type_traits>
+#include <utility>
 
 namespace CGAL {
 namespace Spectral_segmentation {
@@ -17,9 +21,13 @@ namespace Spectral_segmentation {
 class Segment_tree;
 
 /// \ingroup PkgSpectralSegmentationRef
-/// The default of the named parameter `salience_threshold`: the one value for all meshes with the
-/// smallest Rand error on the odd half of the Princeton benchmark.
+/// The default of the named parameter `salience_threshold`: of the multiples of 0.02 the one value
+/// for all meshes with the smallest Rand error on the odd half of the Princeton benchmark.
 constexpr double default_salience_threshold = 0.54;
+
+/// \ingroup PkgSpectralSegmentationRef
+/// The default of the named parameter `minimum_segment_size`.
+constexpr double default_minimum_segment_size = 0.005;
 
 /// \cond SKIP_IN_MANUAL
 
@@ -49,25 +57,49 @@ using is_real = std::bool_constant<std::is_arithmetic<T>::value && !is_flag<T>::
 template <class Tag, class... Tags>
 using is_one_of = std::bool_constant<(std::is_same<Tag, Tags>::value || ...)>;
 
-// The tags that the package reads. CGAL's own functions ignore the others in silence; ours do not.
-template <class Tag>
-using is_known = is_one_of<Tag,
-  CGAL::internal_np::all_default_t, CGAL::internal_np::vertex_point_t,
-  CGAL::internal_np::face_index_t, CGAL::internal_np::geom_traits_t,
-  CGAL::internal_np::random_seed_t, CGAL::internal_np::visitor_t,
+template <class T>
+struct unwrapped { typedef T type; };
+
+template <class T>
+struct unwrapped<std::reference_wrapper<T> > { typedef T type; };
+
+template <class T, class = void>
+struct is_property_map : std::false_type {};
+
+template <class T>
+struct is_property_map<T, std::void_t<typename boost::property_traits<T>::value_type> >
+  : std::true_type {};
+
+template <class T, class = void>
+struct has_coordinates : std::false_type {};
+
+template <class T>
+struct has_coordinates<T, std::void_t<decltype(std::declval<const T&>().compute_x_3_object())> >
+  : std::true_type {};
+
+template <class Pack, class... Tags>
+struct has_only : std::false_type {};
+
+template <class... Tags>
+struct has_only<CGAL::internal_np::No_property, Tags...> : std::true_type {};
+
+// CGAL's own functions ignore in silence the tags that they do not read; ours do not.
+template <class T, class Tag, class Base, class... Tags>
+struct has_only<CGAL::Named_function_parameters<T, Tag, Base>, Tags...>
+  : std::bool_constant<is_one_of<Tag, CGAL::internal_np::all_default_t, Tags...>::value &&
+                       has_only<Base, Tags...>::value> {};
+
+template <class Pack>
+using has_only_face_index_map = has_only<Pack, CGAL::internal_np::face_index_t>;
+
+template <class Pack>
+using has_only_known_tags = has_only<Pack,
+  CGAL::internal_np::vertex_point_t, CGAL::internal_np::face_index_t,
+  CGAL::internal_np::geom_traits_t, CGAL::internal_np::random_seed_t,
+  CGAL::internal_np::visitor_t,
   maximum_number_of_segments_t, minimum_segment_size_t, salience_threshold_t, salience_weights_t,
   geodesic_weight_t, concave_angle_weight_t, convex_angle_weight_t, number_of_reference_faces_t,
   number_of_smoothing_iterations_t, boundary_smoothing_t, segment_tree_t>;
-
-template <class Pack>
-struct Has_only_known_tags : std::false_type {};
-
-template <>
-struct Has_only_known_tags<CGAL::internal_np::No_property> : std::true_type {};
-
-template <class T, class Tag, class Base>
-struct Has_only_known_tags<CGAL::Named_function_parameters<T, Tag, Base> >
-  : std::bool_constant<is_known<Tag>::value && Has_only_known_tags<Base>::value> {};
 
 } // namespace internal_np
 
@@ -97,7 +129,7 @@ class Named_parameters
 public:
   explicit Named_parameters(const CGALNamedParameters& np = CGALNamedParameters()) : np_(np)
   {
-    static_assert(internal_np::Has_only_known_tags<CGALNamedParameters>::value,
+    static_assert(internal_np::has_only_known_tags<CGALNamedParameters>::value,
                   "this pack holds a CGAL named parameter that the package does not use");
   }
 
@@ -106,15 +138,27 @@ public:
 
   template <class VertexPointMap>
   auto vertex_point_map(const VertexPointMap& map) const
-  { return with<CGAL::internal_np::vertex_point_t>(map); }
+  {
+    static_assert(internal_np::is_property_map<VertexPointMap>::value,
+                  "vertex_point_map takes a property map");
+    return with<CGAL::internal_np::vertex_point_t>(map);
+  }
 
   template <class FaceIndexMap>
   auto face_index_map(const FaceIndexMap& map) const
-  { return with<CGAL::internal_np::face_index_t>(map); }
+  {
+    static_assert(internal_np::is_property_map<FaceIndexMap>::value,
+                  "face_index_map takes a property map");
+    return with<CGAL::internal_np::face_index_t>(map);
+  }
 
   template <class GeomTraits>
   auto geom_traits(const GeomTraits& traits) const
-  { return with<CGAL::internal_np::geom_traits_t>(traits); }
+  {
+    static_assert(internal_np::has_coordinates<GeomTraits>::value,
+                  "geom_traits takes a class with the functor Compute_x_3");
+    return with<CGAL::internal_np::geom_traits_t>(traits);
+  }
 
   template <class Integer>
   auto random_seed(Integer seed) const
@@ -126,7 +170,12 @@ public:
 
   template <class Visitor>
   auto visitor(const Visitor& v) const
-  { return with<CGAL::internal_np::visitor_t>(v); }
+  {
+    static_assert(std::is_base_of<Segmentation_visitor,
+                                  typename internal_np::unwrapped<Visitor>::type>::value,
+                  "visitor takes a class derived from Segmentation_visitor, or std::ref to one");
+    return with<CGAL::internal_np::visitor_t>(v);
+  }
 
   template <class Integer>
   auto maximum_number_of_segments(Integer n) const
@@ -271,7 +320,7 @@ template <class T, class Tag, class Base>
 const CGAL::Named_function_parameters<T, Tag, Base>&
 cgal_pack(const CGAL::Named_function_parameters<T, Tag, Base>& np)
 {
-  static_assert(internal_np::Has_only_known_tags<
+  static_assert(internal_np::has_only_known_tags<
                   CGAL::Named_function_parameters<T, Tag, Base> >::value,
                 "this pack holds a CGAL named parameter that the package does not use");
   return np;

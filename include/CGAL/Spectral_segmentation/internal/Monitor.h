@@ -5,6 +5,7 @@
 #define CGAL_SPECTRAL_SEGMENTATION_INTERNAL_MONITOR_H
 
 #include <CGAL/Spectral_segmentation/Segmentation_visitor.h>
+#include <CGAL/Spectral_segmentation/internal/concurrency.h>
 
 #include <cstddef>
 #include <mutex>
@@ -29,7 +30,7 @@ class Monitor
   {
     if constexpr (!std::is_same<Visitor, Segmentation_visitor>::value) {
       const std::lock_guard<std::mutex> lock(mutex_);
-      f();
+      call_isolated(f); // lest the thread meets a part that locks again
     }
   }
 
@@ -46,12 +47,17 @@ public:
                 std::size_t number_of_segments)
   { call([&] { visitor_.part_cut(part, factors, salience, number_of_segments); }); }
 
+  bool go_further()
+  {
+    bool result = true;
+    call([&] { result = visitor_.go_further(); });
+    return result;
+  }
+
   void check()
   {
-    call([&] {
-      if (!visitor_.go_further())
-        throw Run_stopped();
-    });
+    if (!go_further())
+      throw Run_stopped();
   }
 
   // The result of f(), which is the work of a stage.

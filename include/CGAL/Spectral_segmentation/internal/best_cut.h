@@ -50,7 +50,8 @@ std::optional<Cut> best_cut(const Part& part, const Options& options,
                                        [&] { monitor.check(); }));
   });
 
-  // 2. to 5. distances from both, and the order of the faces on the line
+  // 2. distances from both; 3. to 5. the order of the faces on the line, for which neither kernel nor
+  // eigenvectors are needed
   monitor.check();
   const std::vector<Index> line = monitor.stage(Stage::EMBEDDING, part.node, [&] {
     std::vector<double> from_s, from_t;

@@ -98,7 +98,8 @@ class Boundary_smoothing
   }
 
   // Whether the faces of the segment that touch the tooth stay connected without it. The search
-  // stops when it has met them all, which is soon unless the tooth is an isthmus.
+  // stops when it has met them all, which is soon unless the tooth is an isthmus; it gives up when
+  // it has gone far, so that all searches together take linear time.
   bool can_lose(const std::vector<Index>& tooth, std::vector<Index>& mark, Index stamp) const
   {
     const std::size_t label = labels_[tooth.front()];
@@ -116,7 +117,8 @@ class Boundary_smoothing
     std::vector<Index> found(1, rim.front());
     mark[rim.front()] = stamp + 2;
     std::size_t missing = rim.size() - 1;
-    for (std::size_t i = 0; i < found.size() && missing > 0; ++i)
+    const std::size_t far = 1000 + 64 * tooth.size();
+    for (std::size_t i = 0; i < found.size() && i < far && missing > 0; ++i)
       for (Index g : neighbors_[found[i]])
         if (labels_[g] == label && mark[g] != stamp && mark[g] != stamp + 2) {
           missing -= mark[g] == stamp + 1;

@@ -9,6 +9,8 @@
 #ifdef CGAL_LINKED_WITH_TBB
 #include <tbb/parallel_for.h>
 #include <tbb/parallel_invoke.h>
+#include <tbb/task_arena.h>
+#include <tbb/task_group.h>
 #endif
 
 #include <cstddef>
@@ -21,13 +23,27 @@ namespace internal {
 template <class ConcurrencyTag>
 constexpr bool is_parallel = std::is_convertible<ConcurrencyTag, Parallel_tag>::value;
 
+// Calls f(), which may use TBB: while it waits, the thread takes no task from outside of it.
+template <class Function>
+void call_isolated(const Function& f)
+{
+#ifdef CGAL_LINKED_WITH_TBB
+  tbb::this_task_arena::isolate(f);
+#else
+  f();
+#endif
+}
+
+// Tasks have a context of their own: if the caller's is cancelled, none is skipped in silence.
+
 // Calls f(0) .. f(n - 1), which do not depend on each other.
 template <class ConcurrencyTag, class Function>
 void for_each_index(std::size_t n, const Function& f)
 {
 #ifdef CGAL_LINKED_WITH_TBB
   if constexpr (is_parallel<ConcurrencyTag>) {
-    tbb::parallel_for(std::size_t(0), n, f);
+    tbb::task_group_context own(tbb::task_group_context::isolated);
+    tbb::parallel_for(std::size_t(0), n, f, own);
     return;
   }
 #endif
@@ -41,7 +57,8 @@ void do_both(const F& f, const G& g)
 {
 #ifdef CGAL_LINKED_WITH_TBB
   if constexpr (is_parallel<ConcurrencyTag>) {
-    tbb::parallel_invoke(f, g);
+    tbb::task_group_context own(tbb::task_group_context::isolated);
+    call_isolated([&] { tbb::parallel_invoke(f, g, own); });
     return;
   }
 #endif

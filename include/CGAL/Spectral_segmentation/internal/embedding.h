@@ -17,7 +17,8 @@ namespace CGAL {
 namespace Spectral_segmentation {
 namespace internal {
 
-// The 1-D spectral embedding of the faces of a part (Section 5.3).
+// The 1-D spectral embedding of the faces of a part (Section 5.3). A run needs the order only; the
+// eigenvectors are for those who want to look at them.
 
 struct Spectral_embedding
 {
@@ -37,7 +38,7 @@ inline Spectral_embedding spectral_embedding(const std::vector<double>& from_s,
   distances.row(1) = Eigen::Map<const Eigen::VectorXd>(from_t.data(), n);
 
   Spectral_embedding result;
-  result.sigma = distances.mean();
+  result.sigma = distances.isZero(0) ? 1 : distances.mean();
   const Eigen::MatrixXd affinities =
     (-distances.array() / (result.sigma * result.sigma)).exp().matrix();
   const std::vector<Index> samples = {s, t};

@@ -65,6 +65,8 @@ face_dual_graph_of_mesh(const TriangleMesh& mesh, const std::vector<FaceDescript
   std::vector<vertex_descriptor> vertices_of_mesh;
   for (vertex_descriptor v : vertices(mesh))
     vertices_of_mesh.push_back(v);
+  if (vertices_of_mesh.size() >= null_index)
+    throw std::invalid_argument("segment_spectral_recursive: the mesh has too many vertices");
   const Descriptor_numbers<TriangleMesh, boost::vertex_index_t, vertex_descriptor>
     vertex_number(mesh, vertices_of_mesh);
   const Descriptor_numbers<TriangleMesh, boost::face_index_t, FaceDescriptor>

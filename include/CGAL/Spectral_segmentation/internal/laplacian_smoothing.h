@@ -15,8 +15,11 @@ namespace Spectral_segmentation {
 namespace internal {
 
 // The points after some steps of uniform Laplacian smoothing (Section 2): each moves half the way
-// to the mean of its neighbors; vertices on the border of the mesh stay.
-inline std::vector<Vector> smoothed_points(const Face_dual_graph& graph, std::size_t iterations)
+// to the mean of its neighbors; vertices on the border of the mesh stay. Ends early if
+// `go_further()`, asked before each step, is false.
+template <class GoFurther>
+std::vector<Vector> smoothed_points(const Face_dual_graph& graph, std::size_t iterations,
+                                    const GoFurther& go_further)
 {
   std::vector<Vector> points = graph.points;
   std::vector<char> is_fixed(points.size(), 0);
@@ -26,7 +29,7 @@ inline std::vector<Vector> smoothed_points(const Face_dual_graph& graph, std::si
 
   std::vector<Vector> sum(points.size());
   std::vector<unsigned> degree(points.size());
-  for (; iterations > 0; --iterations) {
+  for (; iterations > 0 && go_further(); --iterations) {
     std::fill(sum.begin(), sum.end(), Vector::Zero());
     std::fill(degree.begin(), degree.end(), 0u);
     // One half-edge of each edge starts at an inner vertex, so the mean is unweighted.
@@ -40,6 +43,9 @@ inline std::vector<Vector> smoothed_points(const Face_dual_graph& graph, std::si
   }
   return points;
 }
+
+inline std::vector<Vector> smoothed_points(const Face_dual_graph& graph, std::size_t iterations)
+{ return smoothed_points(graph, iterations, [] { return true; }); }
 
 } // namespace internal
 } // namespace Spectral_segmentation

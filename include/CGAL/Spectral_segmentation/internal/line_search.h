@@ -121,7 +121,7 @@ std::optional<Cut> line_search(const Face_dual_graph& part, const std::vector<In
   const double rounding = 1e-12 * total_area(part);
   std::size_t size = 0, best_size = 0;
   Cut best;
-  best.salience = -std::numeric_limits<double>::infinity();
+  double best_on_grid = -std::numeric_limits<double>::infinity();
   for (Index size_after_step : growth.sizes) {
     for (; size < size_after_step; ++size)
       q.add(growth.faces[size]);
@@ -131,7 +131,8 @@ std::optional<Cut> line_search(const Face_dual_graph& part, const std::vector<In
     const double salience = part_salience(factors);
     observe(size, factors, salience);
     // On the grid, so that rounding does not choose between cuts that mirror each other.
-    if (on_grid(salience) > on_grid(best.salience)) {
+    if (on_grid(salience) > best_on_grid) {
+      best_on_grid = on_grid(salience);
       best.salience = salience;
       best.factors = factors;
       best.area[0] = q.area();

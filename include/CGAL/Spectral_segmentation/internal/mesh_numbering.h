@@ -28,32 +28,32 @@ namespace internal {
 
 // Numbers the elements of a vector of descriptors by their position. Looks a descriptor up by the
 // mesh's own index map if that is sound (ids may be unset, or have gaps after a removal), else by
-// its hash. Nothing is stored in the mesh, so that one mesh may be segmented by several threads.
+// its hash. Nothing is stored in the mesh, so that one mesh may be segmented by several threads;
+// only a `Face_filtered_graph` fills its own index maps when they are first taken.
 template <class TriangleMesh, class IndexTag, class Descriptor>
 class Descriptor_numbers
 {
   static constexpr bool has_index_map =
     CGAL::graph_has_property<TriangleMesh, IndexTag>::value;
 
-  const TriangleMesh& mesh_;
+  typename CGAL::property_map_selector<TriangleMesh, IndexTag>::const_type index_map_;
   std::vector<Index> by_index_;
   std::unordered_map<Descriptor, Index> by_hash_;
 
   bool fill_by_index(const std::vector<Descriptor>& descriptors)
   {
     if constexpr (has_index_map) {
-      const auto map = get(IndexTag(), mesh_);
       const std::size_t limit = 16 * descriptors.size() + 65536;
       std::size_t size = 0;
       for (const Descriptor& d : descriptors) {
-        const auto i = static_cast<std::size_t>(get(map, d));
+        const auto i = static_cast<std::size_t>(get(index_map_, d));
         if (i >= limit)
           return false;
         size = (std::max)(size, i + 1);
       }
       by_index_.assign(size, null_index);
       for (std::size_t number = 0; number < descriptors.size(); ++number) {
-        Index& entry = by_index_[static_cast<std::size_t>(get(map, descriptors[number]))];
+        Index& entry = by_index_[static_cast<std::size_t>(get(index_map_, descriptors[number]))];
         if (entry != null_index)
           return false;
         entry = static_cast<Index>(number);
@@ -67,7 +67,7 @@ class Descriptor_numbers
 
 public:
   Descriptor_numbers(const TriangleMesh& mesh, const std::vector<Descriptor>& descriptors)
-    : mesh_(mesh)
+    : index_map_(CGAL::get_const_property_map(IndexTag(), mesh))
   {
     if (fill_by_index(descriptors))
       return;
@@ -82,7 +82,7 @@ public:
   {
     if constexpr (has_index_map) {
       if (!by_index_.empty()) {
-        const auto i = static_cast<std::size_t>(get(get(IndexTag(), mesh_), d));
+        const auto i = static_cast<std::size_t>(get(index_map_, d));
         return i < by_index_.size() ? by_index_[i] : null_index;
       }
     }

@@ -22,11 +22,12 @@ namespace CGAL {
 namespace Spectral_segmentation {
 namespace internal {
 
-// What the caller can choose, with the defaults of the paper.
+// What the caller can choose. The defaults are the paper's, but for the minimum size, which it does
+// not have, and the threshold, which it leaves to the user.
 struct Options
 {
   std::size_t maximum_number_of_segments = (std::numeric_limits<std::size_t>::max)();
-  double minimum_segment_size = 0.005;
+  double minimum_segment_size = default_minimum_segment_size;
   double salience_threshold = default_salience_threshold;
   Weighted_part_salience part_salience;
   double geodesic_weight = 0.01;
@@ -83,7 +84,13 @@ Options read_options(const NamedParameters& np)
   read_count(np, tags::number_of_smoothing_iterations, "number_of_smoothing_iterations", 0,
              "at least 0", o.number_of_smoothing_iterations);
   read_parameter(np, tags::boundary_smoothing, o.boundary_smoothing);
-  read_parameter(np, CGAL::internal_np::random_seed, o.random_seed);
+  if constexpr (!CGAL::parameters::is_default_parameter<
+                  NamedParameters, CGAL::internal_np::random_seed_t>::value) {
+    const auto seed = CGAL::parameters::get_parameter(np, CGAL::internal_np::random_seed);
+    static_assert(tags::is_count<std::decay_t<decltype(seed)> >::value,
+                  "random_seed takes an integer");
+    o.random_seed = static_cast<std::uint64_t>(seed);
+  }
 
   const Weighted_part_salience& w = o.part_salience;
   require(o.minimum_segment_size >= 0 && o.minimum_segment_size <= 0.5, "minimum_segment_size",

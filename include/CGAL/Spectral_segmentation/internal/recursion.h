@@ -38,9 +38,9 @@ class Recursion
   const Options& options_;
   const PartSalience& part_salience_;
   Monitor& monitor_;
-  Segment_tree& tree_;
   double minimum_area_;
 
+  Segment_tree tree_;
   Segment_tree::Queue queue_;
   std::unordered_map<std::size_t, Candidate> candidates_; // by node
 
@@ -94,18 +94,43 @@ class Recursion
     monitor_.part_cut(node, cut.factors, cut.salience, tree_.number_of_segments());
   }
 
-public:
-  Recursion(const Options& options, const PartSalience& part_salience, Monitor& monitor,
-            Segment_tree& tree, double minimum_area)
-    : options_(options), part_salience_(part_salience), monitor_(monitor), tree_(tree),
-      minimum_area_(minimum_area), queue_(tree.empty_queue())
-  {}
-
-  // `components` are the parts of the roots of the tree.
-  void operator()(std::vector<Face_dual_graph> components)
+  static Segment_tree forest_of_components(const Face_dual_graph& mesh,
+                                           const std::vector<Index>& component,
+                                           std::size_t number_of_components,
+                                           const Options& options)
   {
-    for (std::size_t i = 0; i < components.size(); ++i)
-      add_candidate(i, std::move(components[i]));
+    std::vector<double> areas(number_of_components, 0);
+    for (Index f = 0; f < mesh.number_of_faces(); ++f)
+      areas[component[f]] += mesh.areas[f];
+    return Segment_tree(component, areas, mesh.unit, options);
+  }
+
+public:
+  // Each connected component is a root of the tree.
+  Recursion(Face_dual_graph mesh, const Options& options, const PartSalience& part_salience,
+            Monitor& monitor)
+    : options_(options), part_salience_(part_salience), monitor_(monitor),
+      minimum_area_(options.minimum_segment_size * total_area(mesh)), queue_(tree_.empty_queue())
+  {
+    std::size_t number_of_components;
+    const std::vector<Index> component = connected_components(mesh, number_of_components);
+    tree_ = forest_of_components(mesh, component, number_of_components, options);
+    if (options.boundary_smoothing)
+      tree_.smooth_boundaries_with(neighbors(mesh));
+    std::vector<Face_dual_graph> parts;
+    if (number_of_components == 1)
+      parts.push_back(std::move(mesh));
+    else
+      parts = split(mesh, component, number_of_components);
+    for (std::size_t i = 0; i < parts.size(); ++i)
+      add_candidate(i, std::move(parts[i]));
+  }
+
+  Recursion(const Recursion&) = delete; // the queue looks into the tree
+  Recursion& operator=(const Recursion&) = delete;
+
+  Segment_tree operator()()
+  {
     try {
       while (!queue_.empty() &&
              tree_.number_of_segments() < options_.maximum_number_of_segments) {
@@ -116,34 +141,10 @@ public:
     catch (const Run_stopped&) {
       // The tree holds the cuts that were made.
     }
+    queue_.clear();
+    return std::move(tree_);
   }
 };
-
-// All cuts of a mesh; each connected component is a root of the tree. A run that its visitor stops
-// returns the cuts made so far.
-template <class ConcurrencyTag, class PartSalience, class Monitor>
-Segment_tree cut_recursively(Face_dual_graph mesh, const Options& options,
-                             const PartSalience& part_salience, Monitor& monitor)
-{
-  std::size_t number_of_components;
-  const std::vector<Index> component = connected_components(mesh, number_of_components);
-  std::vector<double> areas(number_of_components, 0);
-  for (Index f = 0; f < mesh.number_of_faces(); ++f)
-    areas[component[f]] += mesh.areas[f];
-  Segment_tree tree(component, areas, mesh.unit * mesh.unit, options);
-  if (options.boundary_smoothing)
-    tree.smooth_boundaries_with(neighbors(mesh));
-
-  const double minimum_area = options.minimum_segment_size * total_area(mesh);
-  std::vector<Face_dual_graph> components;
-  if (number_of_components == 1)
-    components.push_back(std::move(mesh));
-  else
-    components = split(mesh, component, number_of_components);
-  Recursion<ConcurrencyTag, PartSalience, Monitor>(
-    options, part_salience, monitor, tree, minimum_area)(std::move(components));
-  return tree;
-}
 
 } // namespace internal
 } // namespace Spectral_segmentation

@@ -32,16 +32,14 @@ inline Index farthest_face_from_center(const Face_dual_graph& graph)
   }
   if (area > 0)
     center /= area;
-  Index farthest = 0;
-  double largest = -1;
-  for (Index f = 0; f < graph.number_of_faces(); ++f) {
-    const double distance = on_grid((graph.centroid(f) - center).squaredNorm());
-    if (distance > largest) {
-      largest = distance;
-      farthest = f;
-    }
-  }
-  return farthest;
+  std::vector<double> distance(graph.number_of_faces());
+  for (Index f = 0; f < graph.number_of_faces(); ++f)
+    distance[f] = (graph.centroid(f) - center).squaredNorm();
+  const double largest = *std::max_element(distance.begin(), distance.end());
+  // The first of those that are as far but for rounding.
+  return static_cast<Index>(
+    std::find_if(distance.begin(), distance.end(),
+                 [&](double d) { return d >= (1 - 1e-9) * largest; }) - distance.begin());
 }
 
 // A random face. The part is told by its smallest face, so that the choice depends neither on the
