@@ -48,6 +48,7 @@ std::vector<Face_dual_graph> split(const Face_dual_graph& graph, const std::vect
   std::vector<std::size_t> last_piece(graph.points.size(), number_of_pieces);
   for (std::size_t p = 0; p < number_of_pieces; ++p) {
     Face_dual_graph& part = result[p];
+    part.unit = graph.unit;
     part.corners.reserve(faces[p].size());
     part.areas.reserve(faces[p].size());
     part.halfedges.reserve(3 * faces[p].size());
