@@ -27,6 +27,8 @@ def parse_arguments():
     parser.add_argument("-o", "--output", metavar="PNG",
                         help="default: the name of the mesh, ending in .png")
     parser.add_argument("--sheet", action="store_true", help="all meshes in one picture")
+    parser.add_argument("--columns", type=int, metavar="N",
+                        help="of the sheet; default: as many as rows")
     parser.add_argument("--size", type=int, nargs=2, default=(800, 600), metavar=("W", "H"),
                         help="of the picture of one mesh, in pixels [800 600]")
     parser.add_argument("--up", choices=["x", "y", "z", "-x", "-y", "-z", "pca"], default="y",
@@ -42,6 +44,8 @@ def parse_arguments():
         parser.error("-o names one picture: give one mesh, or --sheet")
     if arguments.sheet and not arguments.output:
         parser.error("--sheet needs -o")
+    if arguments.columns is not None and arguments.columns < 1:
+        parser.error("--columns must be at least 1")
     for mesh in arguments.meshes:
         if not os.path.isfile(mesh):
             parser.error("there is no file " + mesh)
@@ -175,8 +179,8 @@ def add_caption(renderer, text):
     renderer.AddActor2D(caption)
 
 
-def write_picture(renderers, size, output):
-    columns = math.ceil(math.sqrt(len(renderers)))
+def write_picture(renderers, size, output, columns=None):
+    columns = columns or math.ceil(math.sqrt(len(renderers)))
     rows = math.ceil(len(renderers) / columns)
     window = vtk.vtkRenderWindow()
     window.SetOffScreenRendering(1)
@@ -208,7 +212,7 @@ def main():
         for mesh in arguments.meshes:
             renderers.append(renderer_of(mesh, arguments))
             add_caption(renderers[-1], pathlib.Path(mesh).stem)
-        write_picture(renderers, arguments.size, arguments.output)
+        write_picture(renderers, arguments.size, arguments.output, arguments.columns)
         return
     for mesh in arguments.meshes:
         output = arguments.output or pathlib.Path(mesh).with_suffix(".png")

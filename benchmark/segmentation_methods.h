@@ -1,0 +1,112 @@
+// Copyright (c) 2026  The Spectral_segmentation authors.
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef SEGMENTATION_BENCHMARK_SEGMENTATION_METHODS_H
+#define SEGMENTATION_BENCHMARK_SEGMENTATION_METHODS_H
+
+#include "princeton_benchmark.h"
+
+#include <CGAL/mesh_segmentation.h>
+#include <CGAL/segment_spectral_recursive.h>
+
+#include <boost/property_map/vector_property_map.hpp>
+
+#include <cstddef>
+#include <limits>
+#include <stdexcept>
+#include <string>
+#include <vector>
+
+// What can be compared: a line here is a row in the tables.
+namespace segmentation_benchmark {
+
+namespace params = CGAL::Spectral_segmentation::parameters;
+using CGAL::Spectral_segmentation::Segment_tree;
+
+// A method of this package, which cuts on down to a threshold or up to a number of segments.
+struct Tree_method
+{
+  const char* name;
+  double default_threshold;
+  Segment_tree (*segment)(const Mesh&, double threshold, std::size_t maximum_number_of_segments);
+};
+
+// A method that gives labels only.
+struct Label_method
+{
+  const char* name;
+  Labels (*segment)(const Mesh&);
+};
+
+template <class NamedParameters>
+Segment_tree segment_tree(const Mesh& mesh, const NamedParameters& np)
+{
+  Segment_tree tree;
+  CGAL::segment_spectral_recursive(mesh, boost::vector_property_map<std::size_t>(mesh.num_faces()),
+                                   np.segment_tree(tree));
+  return tree;
+}
+
+inline Labels segment_by_sdf(const Mesh& mesh)
+{
+  Mesh with_values(mesh);
+  const auto sdf = with_values.add_property_map<Mesh::Face_index, double>("f:sdf").first;
+  const auto ids = with_values.add_property_map<Mesh::Face_index, std::size_t>("f:sdf_id").first;
+  CGAL::sdf_values(with_values, sdf);
+  CGAL::segmentation_from_sdf_values(with_values, sdf, ids);
+  return contiguous(std::vector<std::size_t>(ids.begin(), ids.end()));
+}
+
+inline const std::vector<Tree_method>& tree_methods()
+{
+  using CGAL::Spectral_segmentation::default_salience_threshold;
+  static const std::vector<Tree_method> methods = {
+    {"paper", default_salience_threshold, [](const Mesh& mesh, double threshold, std::size_t n) {
+       return segment_tree(mesh,
+                           params::salience_threshold(threshold).maximum_number_of_segments(n));
+     }},
+  };
+  return methods;
+}
+
+inline const std::vector<Label_method>& label_methods()
+{
+  static const std::vector<Label_method> methods = {
+    {"sdf", segment_by_sdf},
+    {"one", [](const Mesh& mesh) { return Labels(mesh.number_of_faces(), 0); }},
+  };
+  return methods;
+}
+
+// The errors of each person with respect to the others.
+constexpr const char* people_method = "people";
+
+inline std::vector<std::string> method_names()
+{
+  std::vector<std::string> names;
+  for (const Tree_method& method : tree_methods())
+    names.push_back(method.name);
+  for (const Label_method& method : label_methods())
+    names.push_back(method.name);
+  return names;
+}
+
+// No limit on the number of segments, and no threshold.
+constexpr std::size_t any_number = (std::numeric_limits<std::size_t>::max)();
+constexpr double any_salience = -std::numeric_limits<double>::infinity();
+
+// The labels of a method by itself: at its default threshold, if it has one.
+inline Labels default_labels(const std::string& method_name, const Mesh& mesh)
+{
+  for (const Tree_method& method : tree_methods())
+    if (method.name == method_name)
+      return method.segment(mesh, method.default_threshold, any_number).labels();
+  for (const Label_method& method : label_methods())
+    if (method.name == method_name)
+      return method.segment(mesh);
+  throw std::invalid_argument("there is no method " + method_name);
+}
+
+} // namespace segmentation_benchmark
+
+#endif // SEGMENTATION_BENCHMARK_SEGMENTATION_METHODS_H

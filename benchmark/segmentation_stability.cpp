@@ -1,0 +1,128 @@
+// Copyright (c) 2026  The Spectral_segmentation authors.
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+/// \file
+/// Rand distance between the result on a mesh and on the same mesh after a change that leaves its
+/// shape as it is, or nearly so.
+
+#include "mesh_changes.h"
+#include "segmentation_methods.h"
+
+#include <CLI/CLI.hpp>
+
+#include <algorithm>
+#include <cstddef>
+#include <cstdio>
+#include <cstdlib>
+#include <exception>
+#include <filesystem>
+#include <iostream>
+#include <map>
+#include <string>
+#include <vector>
+
+using namespace segmentation_benchmark;
+
+struct Options
+{
+  std::vector<std::string> inputs;
+  std::string ids = "odd";
+  std::vector<std::string> methods;
+  unsigned int seed = 0;
+};
+
+// Of one method under one change.
+struct Distances
+{
+  Mean mean, identical;
+  double largest = 0;
+  std::string worst;
+
+  void add(double distance, const std::string& name)
+  {
+    mean.add(distance);
+    identical.add(distance == 0);
+    if (distance > largest) {
+      largest = distance;
+      worst = name;
+    }
+  }
+};
+
+void add_options(CLI::App& app, Options& o)
+{
+  app.add_option("inputs", o.inputs, "folder of the Princeton benchmark, or mesh files")
+    ->required()->check(CLI::ExistingPath);
+  app.add_option("--ids", o.ids, "of the benchmark: odd, even, all, or a list as 1-20,33")
+    ->capture_default_str();
+  app.add_option("--method", o.methods, "what is compared with itself [" +
+                                          std::string(tree_methods().front().name) + "]")
+    ->check(CLI::IsMember(method_names()));
+  app.add_option("--seed", o.seed, "of the random changes")->capture_default_str();
+}
+
+std::vector<std::filesystem::path> mesh_files(const Options& o)
+{
+  std::vector<std::filesystem::path> files;
+  for (const std::filesystem::path input : o.inputs)
+    if (std::filesystem::is_directory(input))
+      for (int id : parse_ids(o.ids))
+        files.push_back(input / "off" / (std::to_string(id) + ".off"));
+    else
+      files.push_back(input);
+  return files;
+}
+
+double distance(const std::string& method, const Labels& original, const Changed_mesh& changed)
+{
+  Labels expected;
+  for (std::size_t f : changed.original_faces)
+    expected.push_back(original[f]);
+  return rand_error(contiguous(expected), default_labels(method, changed.mesh));
+}
+
+void print(const std::string& change, const Distances& d)
+{
+  std::printf("  %-14s %8.4f %8.4f  %7.0f %%  %s\n", change.c_str(), d.mean(), d.largest,
+              100 * d.identical(), d.worst.c_str());
+}
+
+void compare(const Options& o, const std::string& method)
+{
+  std::map<std::string, Distances> distances;
+  for (const std::filesystem::path& file : mesh_files(o)) {
+    const Mesh mesh = read_mesh(file);
+    const Labels original = default_labels(method, mesh);
+    CGAL::Random random(o.seed);
+    for (const Mesh_change& change : mesh_changes())
+      distances[change.name].add(distance(method, original, change.apply(mesh, random)),
+                                 file.stem().string());
+  }
+  std::printf("%s\n  %-14s %8s %8s  %9s  %s\n", method.c_str(), "Rand distance", "mean",
+              "largest", "identical", "of mesh");
+  for (const Mesh_change& change : mesh_changes())
+    print(change.name, distances[change.name]);
+}
+
+int main(int argc, char** argv)
+{
+  Options options;
+  CLI::App app("How much a segmentation changes with the mesh when the shape does not.",
+               "segmentation_stability");
+  try {
+    add_options(app, options);
+    app.parse(argc, argv);
+    if (options.methods.empty())
+      options.methods.push_back(tree_methods().front().name);
+    for (const std::string& method : options.methods)
+      compare(options, method);
+    return EXIT_SUCCESS;
+  }
+  catch (const CLI::ParseError& e) {
+    return app.exit(e) == 0 ? EXIT_SUCCESS : EXIT_FAILURE;
+  }
+  catch (const std::exception& e) {
+    std::cerr << "segmentation_stability: " << e.what() << "\n";
+    return EXIT_FAILURE;
+  }
+}
