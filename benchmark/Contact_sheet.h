@@ -8,7 +8,6 @@
 
 #include "../examples/segment_mesh/write_meshes.h"
 
-#include <cstddef>
 #include <cstdlib>
 #include <filesystem>
 #include <fstream>
@@ -18,8 +17,8 @@
 
 namespace segmentation_benchmark {
 
-// One picture of many meshes with colored segments, ten in a line. Meshes are kept in a temporary
-// folder until scripts/render.py has drawn them.
+// One picture of many meshes with colored segments, ten in a line, in the order of their captions.
+// Meshes are kept in a temporary folder until scripts/render.py has drawn them.
 class Contact_sheet
 {
   std::filesystem::path folder_;
@@ -50,15 +49,14 @@ public:
   Contact_sheet(const Contact_sheet&) = delete;
   Contact_sheet& operator=(const Contact_sheet&) = delete;
 
-  // Several threads may add meshes. The position is a number below 10000.
-  void add(std::size_t position, const std::string& caption, Mesh mesh, const Labels& labels)
+  // Captions differ. Several threads may add meshes.
+  void add(const std::string& caption, Mesh mesh, const Labels& labels)
   {
     const auto ids = mesh.add_property_map<Mesh::Face_index, int>("f:segment").first;
     for (Mesh::Face_index f : mesh.faces())
       ids[f] = static_cast<int>(labels[f]);
     segment_mesh::color_segments(mesh, ids, number_of_segments(labels));
-    const std::string name = std::to_string(10000 + position) + " " + caption + ".ply";
-    std::ofstream out(folder_ / name, std::ios::binary);
+    std::ofstream out(folder_ / (caption + ".ply"), std::ios::binary);
     segment_mesh::write_ply(out, mesh);
     if (!out.flush())
       throw std::runtime_error("cannot write into " + folder_.string());

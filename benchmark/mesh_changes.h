@@ -7,7 +7,6 @@
 #include "princeton_benchmark.h"
 
 #include <CGAL/AABB_face_graph_triangle_primitive.h>
-#include <CGAL/AABB_traits.h>
 #include <CGAL/AABB_tree.h>
 #include <CGAL/Aff_transformation_3.h>
 #include <CGAL/Polygon_mesh_processing/bbox.h>
@@ -16,6 +15,12 @@
 #include <CGAL/Surface_mesh_simplification/edge_collapse.h>
 #include <CGAL/boost/graph/iterator.h>
 #include <CGAL/point_generators_3.h>
+#include <CGAL/version.h>
+#if CGAL_VERSION_MAJOR >= 6
+#include <CGAL/AABB_traits_3.h>
+#else
+#include <CGAL/AABB_traits.h>
+#endif
 
 #include <Eigen/Geometry>
 
@@ -24,12 +29,20 @@
 #include <cstddef>
 #include <numeric>
 #include <string>
+#include <utility>
 #include <vector>
 
 // Changes of a mesh that should change its segmentation little or not at all.
 namespace segmentation_benchmark {
 
 typedef CGAL::Exact_predicates_inexact_constructions_kernel Kernel;
+
+typedef CGAL::AABB_face_graph_triangle_primitive<Mesh> AABB_primitive;
+#if CGAL_VERSION_MAJOR >= 6
+typedef CGAL::AABB_tree<CGAL::AABB_traits_3<Kernel, AABB_primitive> > AABB_tree;
+#else
+typedef CGAL::AABB_tree<CGAL::AABB_traits<Kernel, AABB_primitive> > AABB_tree;
+#endif
 
 struct Changed_mesh
 {
@@ -157,9 +170,7 @@ inline Changed_mesh decimated(const Mesh& mesh)
     { return current <= half; });
   result.mesh.collect_garbage();
 
-  typedef CGAL::AABB_face_graph_triangle_primitive<Mesh> Primitive;
-  CGAL::AABB_tree<CGAL::AABB_traits<Kernel, Primitive> > tree(
-    mesh.faces().begin(), mesh.faces().end(), mesh);
+  const AABB_tree tree(mesh.faces().begin(), mesh.faces().end(), mesh);
   for (Mesh::Face_index f : result.mesh.faces())
     result.original_faces.push_back(
       tree.closest_point_and_primitive(centroid(result.mesh, f)).second);

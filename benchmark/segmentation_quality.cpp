@@ -138,9 +138,10 @@ public:
 
 std::string caption(int id, const Score& score)
 {
-  char error[16];
-  std::snprintf(error, sizeof error, "%.3f", score.errors[RAND_ERROR]);
-  return std::to_string(id) + " " + category_names[category(id)] + " " + error;
+  char text[40];
+  std::snprintf(text, sizeof text, "%03d %s %.3f", id, category_names[category(id)],
+                score.errors[RAND_ERROR]);
+  return text;
 }
 
 std::vector<Scored_mesh> score_meshes(const Options& o, const std::vector<Row>& rows,
@@ -154,7 +155,7 @@ std::vector<Scored_mesh> score_meshes(const Options& o, const std::vector<Row>& 
     meshes[i] = Mesh_scorer(input, o.threshold)(rows);
     const Score& first = meshes[i].scores.front();
     if (sheet)
-      sheet->add(i, caption(ids[i], first), input.mesh, first.labels);
+      sheet->add(caption(ids[i], first), input.mesh, first.labels);
     for (Score& score : meshes[i].scores)
       Labels().swap(score.labels);
     progress.step();
