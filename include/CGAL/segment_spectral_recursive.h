@@ -13,12 +13,14 @@
 #include <CGAL/Spectral_segmentation/internal/Face_dual_graph.h>
 #include <CGAL/Spectral_segmentation/internal/Monitor.h>
 #include <CGAL/Spectral_segmentation/internal/concurrency.h>
+#include <CGAL/Spectral_segmentation/internal/cut_and_merge.h>
 #include <CGAL/Spectral_segmentation/internal/face_distances.h>
 #include <CGAL/Spectral_segmentation/internal/face_dual_graph_of_mesh.h>
 #include <CGAL/Spectral_segmentation/internal/laplacian_smoothing.h>
 #include <CGAL/Spectral_segmentation/internal/mesh_numbering.h>
 #include <CGAL/Spectral_segmentation/internal/options.h>
 #include <CGAL/Spectral_segmentation/internal/recursion.h>
+#include <CGAL/Spectral_segmentation/internal/thickness.h>
 
 #include <CGAL/Named_function_parameters.h>
 #include <CGAL/boost/graph/named_params_helper.h>
@@ -239,13 +241,20 @@ std::size_t segment_spectral_recursive(const TriangleMesh& mesh, SegmentIdMap se
       internal::set_face_distances(
         g, internal::smoothed_points(g, options.number_of_smoothing_iterations,
                                      [&] { return monitor.go_further(); }),
-        {options.geodesic_weight, options.concave_angle_weight, options.convex_angle_weight});
+        {options.geodesic_weight, options.concave_angle_weight, options.convex_angle_weight,
+         options.concavity_radius});
+      if (options.thickness)
+        g.thickness = internal::thickness<ConcurrencyTag>(
+          g, internal::face_normals(g, g.points), internal::thickness_radius);
       return g;
     });
 
-  Segment_tree tree =
-    internal::Recursion<ConcurrencyTag, Spectral_segmentation::Weighted_part_salience, Monitor>(
-      std::move(graph), options, options.part_salience, monitor)();
+  Segment_tree tree = options.method == Spectral_segmentation::Method::CALIBRATED
+    ? internal::Cut_and_merge<ConcurrencyTag, Spectral_segmentation::Calibrated_part_salience,
+                              Monitor>(
+        std::move(graph), options, options.calibrated_part_salience, monitor)()
+    : internal::Recursion<ConcurrencyTag, Spectral_segmentation::Weighted_part_salience, Monitor>(
+        std::move(graph), options, options.part_salience, monitor)();
 
   const std::vector<std::size_t> labels = options.boundary_smoothing
     ? monitor.stage(Stage::BOUNDARY_SMOOTHING, Segmentation_visitor::whole_mesh,

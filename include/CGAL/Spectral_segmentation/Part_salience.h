@@ -4,6 +4,8 @@
 #ifndef CGAL_SPECTRAL_SEGMENTATION_PART_SALIENCE_H
 #define CGAL_SPECTRAL_SEGMENTATION_PART_SALIENCE_H
 
+#include <cmath>
+
 namespace CGAL {
 namespace Spectral_segmentation {
 
@@ -25,6 +27,39 @@ struct Salience_factors
   /// and not bounded from below; the &lambda; are the two largest eigenvalues of the covariance
   /// matrix of the vertices along the cut.
   double protrusiveness = 0;
+
+  /// \name Factors beyond the paper
+  /// They are known for the cuts that `Calibrated_part_salience` judges, and 0 along the line search.
+  /// *L* is the square root of the area of the mesh. The hollowness of a set of faces is the mean
+  /// depth of its faces below its own convex hull.
+  /// @{
+
+  /// ln(Area(*M*) / Area(mesh)), at most 0
+  double logarithm_of_part = 0;
+
+  /// hollowness of *Q* / sqrt(Area(*Q*))
+  double hollowness_of_cut_part = 0;
+
+  /// the same of the rest
+  double hollowness_of_rest = 0;
+
+  /// hollowness of *M* less the mean, by area, of those of *Q* and the rest, divided by *L*
+  double convexity_gain = 0;
+
+  /// how fast the rest widens behind the cut: its area within a distance *r* of the cut, divided by
+  /// *r* and the length of the cut; *r* = 0.35 sqrt(Area(*Q*)); 1 on a cylinder, at most 4
+  double widening_of_rest = 0;
+
+  /// mean logarithm of the thickness of the rest less that of *Q*
+  double thickness_difference = 0;
+
+  /// the same at a distance from r/2 to r of the cut
+  double thickness_step = 0;
+
+  /// standard deviation of the logarithm of the thickness over *M*
+  double thickness_variation = 0;
+
+  /// @}
 };
 
 /// \ingroup PkgSpectralSegmentationRef
@@ -38,6 +73,34 @@ struct Weighted_part_salience
   double operator()(const Salience_factors& f) const
   {
     return alpha * f.size + beta * f.cut_strength + gamma * f.protrusiveness;
+  }
+};
+
+/// \ingroup PkgSpectralSegmentationRef
+/// The probability that a person would cut here: a logistic function of the factors.
+struct Calibrated_part_salience
+{
+  double constant = -6.803;
+  double logarithm_of_part = 0.493;
+  double cut_strength = 3.346;
+  double protrusiveness = 3.301;
+  double hollowness_of_cut_part = -2.227;
+  double hollowness_of_rest = -1.004;
+  double convexity_gain = 22.899;
+  double widening_of_rest = 1.484;
+  double thickness_difference = -0.407;
+  double thickness_step = 0.800;
+  double thickness_variation = 0.419;
+
+  double operator()(const Salience_factors& f) const
+  {
+    const double logit =
+      constant + logarithm_of_part * f.logarithm_of_part + cut_strength * f.cut_strength +
+      protrusiveness * f.protrusiveness + hollowness_of_cut_part * f.hollowness_of_cut_part +
+      hollowness_of_rest * f.hollowness_of_rest + convexity_gain * f.convexity_gain +
+      widening_of_rest * f.widening_of_rest + thickness_difference * f.thickness_difference +
+      thickness_step * f.thickness_step + thickness_variation * f.thickness_variation;
+    return 1 / (1 + std::exp(-logit));
   }
 };
 

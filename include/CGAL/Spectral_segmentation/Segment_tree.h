@@ -31,6 +31,8 @@ namespace Spectral_segmentation {
 namespace internal {
 template <class ConcurrencyTag, class PartSalience, class Monitor>
 class Recursion;
+template <class ConcurrencyTag, class PartSalience, class Monitor>
+class Cut_and_merge;
 }
 /// \endcond
 
@@ -123,7 +125,10 @@ public:
 
   /// the labels that the run gave
   std::vector<size_type> labels() const
-  { return labels(number_of_segments(), salience_threshold_); }
+  {
+    return labels((std::min)(number_of_segments(), maximum_number_of_segments_),
+                  salience_threshold_);
+  }
 
   /// the label of each face, by its number, for at most `maximum_number_of_segments` segments
   /// (never fewer than the mesh has connected components) and cuts of at least `salience_threshold`
@@ -170,6 +175,8 @@ public:
 private:
   template <class ConcurrencyTag, class PartSalience, class Monitor>
   friend class internal::Recursion;
+  template <class ConcurrencyTag, class PartSalience, class Monitor>
+  friend class internal::Cut_and_merge;
 
   // A forest of roots only. `component` is the number of the component of each face, and
   // `areas` has one entry a component; components are numbered by their first face.
@@ -197,14 +204,16 @@ private:
       smallest_face_[c] = faces_[first_face_[c]];
   }
 
-  // Large parts come first; of equally large ones the part with the face of smallest number,
-  // which no two parts have in common.
+  // The order of the cuts: that in which they were made if the tree is whole, else large parts come
+  // first; of equals the part with the face of smallest number, which no two parts have in common.
   struct Before
   {
     const Segment_tree* tree;
     bool operator()(size_type a, size_type b) const
     {
-      if (tree->areas_[a] != tree->areas_[b])
+      if (tree->is_whole_ && tree->nodes_[a].children[0] != tree->nodes_[b].children[0])
+        return tree->nodes_[a].children[0] < tree->nodes_[b].children[0];
+      if (!tree->is_whole_ && tree->areas_[a] != tree->areas_[b])
         return tree->areas_[a] > tree->areas_[b];
       return tree->smallest_face_[a] < tree->smallest_face_[b];
     }
@@ -312,6 +321,7 @@ private:
   std::vector<internal::Neighbors> neighbors_;   // dual graph, only if boundaries are smoothed
   size_type maximum_number_of_segments_ = (std::numeric_limits<size_type>::max)();
   double salience_threshold_ = 0;
+  bool is_whole_ = false; // the cuts were made from the most salient on, down to the last
 };
 
 } // namespace Spectral_segmentation

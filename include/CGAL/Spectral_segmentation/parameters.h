@@ -29,9 +29,19 @@ constexpr double default_salience_threshold = 0.54;
 /// The default of the named parameter `minimum_segment_size`.
 constexpr double default_minimum_segment_size = 0.005;
 
+/// \ingroup PkgSpectralSegmentationRef
+/// The values of the named parameter `method`.
+enum class Method
+{
+  ZHANG_LIU_2005, ///< the method of the paper
+  CALIBRATED      ///< cuts whose salience is the probability that a person would cut there
+};
+
 /// \cond SKIP_IN_MANUAL
 
 namespace internal_np {
+
+enum method_t { method };
 
 enum maximum_number_of_segments_t { maximum_number_of_segments };
 enum minimum_segment_size_t { minimum_segment_size };
@@ -96,7 +106,7 @@ template <class Pack>
 using has_only_known_tags = has_only<Pack,
   CGAL::internal_np::vertex_point_t, CGAL::internal_np::face_index_t,
   CGAL::internal_np::geom_traits_t, CGAL::internal_np::random_seed_t,
-  CGAL::internal_np::visitor_t,
+  CGAL::internal_np::visitor_t, method_t,
   maximum_number_of_segments_t, minimum_segment_size_t, salience_threshold_t, salience_weights_t,
   geodesic_weight_t, concave_angle_weight_t, convex_angle_weight_t, number_of_reference_faces_t,
   number_of_smoothing_iterations_t, boundary_smoothing_t, segment_tree_t>;
@@ -175,6 +185,14 @@ public:
                                   typename internal_np::unwrapped<Visitor>::type>::value,
                   "visitor takes a class derived from Segmentation_visitor, or std::ref to one");
     return with<CGAL::internal_np::visitor_t>(v);
+  }
+
+  template <class T>
+  auto method(T m) const
+  {
+    static_assert(std::is_same<T, Method>::value,
+                  "method takes a CGAL::Spectral_segmentation::Method");
+    return with<internal_np::method_t>(m);
   }
 
   template <class Integer>
@@ -289,6 +307,7 @@ CGAL_SPECTRAL_SEGMENTATION_START_PACK(face_index_map)
 CGAL_SPECTRAL_SEGMENTATION_START_PACK(geom_traits)
 CGAL_SPECTRAL_SEGMENTATION_START_PACK(random_seed)
 CGAL_SPECTRAL_SEGMENTATION_START_PACK(visitor)
+CGAL_SPECTRAL_SEGMENTATION_START_PACK(method)
 CGAL_SPECTRAL_SEGMENTATION_START_PACK(maximum_number_of_segments)
 CGAL_SPECTRAL_SEGMENTATION_START_PACK(minimum_segment_size)
 CGAL_SPECTRAL_SEGMENTATION_START_PACK(salience_threshold)

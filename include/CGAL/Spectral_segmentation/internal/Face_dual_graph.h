@@ -47,12 +47,14 @@ public:
     float geodesic = 0;  // G, normalized (Section 3)
     float angle = 0;     // H, equalized
     float combined = 0;  // d, Equation 1
+    float concavity = 0; // the part of H that is due to concave bending
     bool concave = false;
   };
 
   std::vector<Halfedge> halfedges;
   std::vector<std::array<Index, 3> > corners; // vertices of a face
   std::vector<double> areas;
+  std::vector<float> thickness;               // of the body under a face; empty if not measured
   std::vector<Vector> points;                 // of the vertices
   double unit = 1;                            // the length of 1 in the coordinates of the mesh
 
@@ -61,6 +63,9 @@ public:
   Index source_vertex(Index h) const { return corners[h / 3][h % 3]; }
   Index target_vertex(Index h) const { return corners[h / 3][(h + 1) % 3]; }
   bool is_border(Index h) const { return halfedges[h].neighbor == h / 3; }
+
+  double length(Index h) const
+  { return (points[target_vertex(h)] - points[source_vertex(h)]).norm(); }
 
   Vector centroid(Index f) const
   {

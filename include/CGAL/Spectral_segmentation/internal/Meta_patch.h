@@ -78,16 +78,15 @@ public:
       if (part_.is_border(h))
         continue;
       const Face_dual_graph::Halfedge& e = part_.halfedges[h];
-      const double concavity = e.concave ? e.angle : 0;
       if (has_face_[e.neighbor]) {
         --number_of_edges_;
-        concavity_ -= concavity;
+        concavity_ -= e.concavity;
         remove_vertex(part_.source_vertex(h));
         remove_vertex(part_.target_vertex(h));
       }
       else {
         ++number_of_edges_;
-        concavity_ += concavity;
+        concavity_ += e.concavity;
         add_vertex(part_.source_vertex(h));
         add_vertex(part_.target_vertex(h));
       }

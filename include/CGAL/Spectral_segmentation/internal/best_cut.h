@@ -6,15 +6,22 @@
 
 #include <CGAL/Spectral_segmentation/Segmentation_visitor.h>
 #include <CGAL/Spectral_segmentation/internal/Face_dual_graph.h>
+#include <CGAL/Spectral_segmentation/internal/Cut_judge.h>
 #include <CGAL/Spectral_segmentation/internal/concurrency.h>
+#include <CGAL/Spectral_segmentation/internal/cut_candidates.h>
 #include <CGAL/Spectral_segmentation/internal/embedding.h>
 #include <CGAL/Spectral_segmentation/internal/line_search.h>
+#include <CGAL/Spectral_segmentation/internal/minimum_cut.h>
 #include <CGAL/Spectral_segmentation/internal/options.h>
+#include <CGAL/Spectral_segmentation/internal/orderings.h>
+#include <CGAL/Spectral_segmentation/internal/parts.h>
 #include <CGAL/Spectral_segmentation/internal/sampling.h>
 #include <CGAL/Spectral_segmentation/internal/shortest_paths.h>
 
+#include <algorithm>
 #include <cstddef>
 #include <optional>
+#include <utility>
 #include <vector>
 
 namespace CGAL {
@@ -68,6 +75,86 @@ std::optional<Cut> best_cut(const Part& part, const Options& options,
 
   monitor.end_part(part.node);
   return cut;
+}
+
+inline bool both_sides_are_connected(const Face_dual_graph& part, const Sides& side)
+{
+  std::vector<Face_dual_graph> sides = split(part, side, 2);
+  for (const Face_dual_graph& s : sides) {
+    std::size_t number_of_components;
+    connected_components(s, number_of_components);
+    if (number_of_components != 1)
+      return false;
+  }
+  return true;
+}
+
+// The best cut of a part by a salience that is judged on whole cuts: of the candidates along several
+// lines, and of the minimum cuts around the best of them.
+template <class ConcurrencyTag, class PartSalience, class Monitor>
+std::optional<Cut> best_judged_cut(const Part& part, double area_of_mesh, const Options& options,
+                                   const PartSalience& part_salience, Monitor& monitor)
+{
+  const Face_dual_graph& m = part.graph;
+  const double minimum_area = options.minimum_segment_size * area_of_mesh;
+  if (m.number_of_faces() < 2 || total_area(m) < 2 * minimum_area)
+    return std::nullopt;
+  monitor.check();
+  monitor.start_part(part.node, m.number_of_faces());
+
+  Shape_contexts contexts;
+  const Sample_faces samples = monitor.stage(Stage::SAMPLING, part.node, [&] {
+    const Index first = options.random_seed
+      ? random_face(m, *options.random_seed, part.smallest_face) : farthest_face_from_center(m);
+    contexts = shape_contexts(m, first, options.number_of_reference_faces,
+                              [&] { monitor.check(); });
+    return sample_faces(contexts);
+  });
+
+  monitor.check();
+  const std::vector<Line> lines = monitor.stage(Stage::EMBEDDING, part.node, [&]
+    { return orderings<ConcurrencyTag>(m, contexts.references, samples, options); });
+
+  monitor.check();
+  std::vector<Cut> cuts = monitor.stage(Stage::LINE_SEARCH, part.node, [&] {
+    Cut_judge judge(m, area_of_mesh);
+    std::vector<Cut> result;
+    const auto add = [&](Sides side) {
+      Cut cut{std::move(side), {0, 0}, {}, 0};
+      for (Index f = 0; f < cut.side.size(); ++f)
+        cut.area[int(cut.side[f])] += m.areas[f];
+      if (cut.area[0] > cut.area[1]) {
+        for (char& s : cut.side)
+          s = 1 - s;
+        std::swap(cut.area[0], cut.area[1]);
+      }
+      if (cut.area[0] < minimum_area || !(cut.area[0] > 0))
+        return;
+      cut.factors = judge(cut.side);
+      cut.salience = part_salience(cut.factors);
+      result.push_back(std::move(cut));
+    };
+    for (Sides& side : cut_candidates<ConcurrencyTag>(m, lines, minimum_area,
+                                                      options.number_of_candidates))
+      add(std::move(side));
+    const auto more_salient = [](const Cut& a, const Cut& b)
+    { return on_grid(a.salience) > on_grid(b.salience); };
+    std::stable_sort(result.begin(), result.end(), more_salient);
+    const std::size_t number_refined =
+      (std::min)(result.size(), options.number_of_refined_candidates);
+    for (std::size_t i = 0; i < number_refined; ++i) {
+      Sides refined = minimum_cut_around(m, result[i].side, result[i].area[0]);
+      if (refined != result[i].side && both_sides_are_connected(m, refined))
+        add(std::move(refined));
+    }
+    std::stable_sort(result.begin(), result.end(), more_salient);
+    return result;
+  });
+
+  monitor.end_part(part.node);
+  if (cuts.empty())
+    return std::nullopt;
+  return std::move(cuts.front());
 }
 
 } // namespace internal

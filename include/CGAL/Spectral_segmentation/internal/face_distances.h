@@ -5,6 +5,7 @@
 #define CGAL_SPECTRAL_SEGMENTATION_INTERNAL_FACE_DISTANCES_H
 
 #include <CGAL/Spectral_segmentation/internal/Face_dual_graph.h>
+#include <CGAL/Spectral_segmentation/internal/shape_scale_angles.h>
 
 #include <Eigen/Geometry>
 
@@ -90,14 +91,20 @@ inline std::vector<Vector> face_normals(const Face_dual_graph& graph,
   return normals;
 }
 
-// Histogram equalization: maps values to equally spaced ones in [0, 1] by their rank; equal values
-// share the mean of their ranks.
-inline std::vector<double> equalize(const std::vector<float>& values)
+inline std::vector<std::size_t> sorted_indices(const std::vector<float>& values)
 {
   std::vector<std::size_t> order(values.size());
   std::iota(order.begin(), order.end(), std::size_t(0));
   std::sort(order.begin(), order.end(),
             [&](std::size_t a, std::size_t b) { return values[a] < values[b]; });
+  return order;
+}
+
+// Histogram equalization: maps values to equally spaced ones in [0, 1] by their rank; equal values
+// share the mean of their ranks.
+inline std::vector<double> equalize(const std::vector<float>& values)
+{
+  const std::vector<std::size_t> order = sorted_indices(values);
   std::vector<double> result(values.size());
   for (std::size_t first = 0; first < order.size();) {
     std::size_t last = first;
@@ -107,6 +114,27 @@ inline std::vector<double> equalize(const std::vector<float>& values)
       order.size() > 1 ? (first + last) / 2. / static_cast<double>(order.size() - 1) : 0.5;
     for (; first <= last; ++first)
       result[order[first]] = rank;
+  }
+  return result;
+}
+
+// The same where a value takes as much of [0, 1] as its weight says, so that an edge counts by its
+// length and not by the number of edges into which the triangulation cuts it.
+inline std::vector<double> equalize(const std::vector<float>& values,
+                                    const std::vector<double>& weights)
+{
+  const std::vector<std::size_t> order = sorted_indices(values);
+  const double total = std::accumulate(weights.begin(), weights.end(), 0.);
+  std::vector<double> result(values.size(), 0.5);
+  double below = 0;
+  for (std::size_t first = 0; total > 0 && first < order.size();) {
+    std::size_t end = first;
+    double equal = 0;
+    for (; end < order.size() && values[order[end]] == values[order[first]]; ++end)
+      equal += weights[order[end]];
+    for (; first < end; ++first)
+      result[order[first]] = (below + equal / 2) / total;
+    below += equal;
   }
   return result;
 }
@@ -125,6 +153,7 @@ struct Distance_weights
   double geodesic; // delta
   double concave;  // eta at concave edges
   double convex;   // eta at convex edges
+  double concavity_radius = 0; // at which bending is measured beside the dihedral angle; 0: it is not
 };
 
 // Fills in the distances of adjacent faces, computed from `points` in place of the graph's own.
@@ -162,18 +191,45 @@ inline void set_face_distances(Face_dual_graph& graph, const std::vector<Vector>
   normalize_by_mean(geodesic);
   normalize_by_mean(angle);
   // Single precision, so that angles that differ by rounding only tie.
-  const std::vector<double> equalized = equalize(std::vector<float>(angle.begin(), angle.end()));
+  const std::vector<float> rounded(angle.begin(), angle.end());
+  std::vector<double> equalized, concavity(edges.size(), 0);
+  if (weights.concavity_radius > 0) {
+    std::vector<double> lengths(edges.size());
+    std::vector<float> bending(edges.size());
+    const std::vector<double> angles =
+      shape_scale_angles(graph, points, normals, weights.concavity_radius);
+    for (std::size_t e = 0; e < edges.size(); ++e) {
+      const double a = angles[edges[e]];
+      lengths[e] = (points[graph.target_vertex(edges[e])] -
+                    points[graph.source_vertex(edges[e])]).norm();
+      bending[e] = static_cast<float>((a < 0 ? concave : convex) * (1 - std::cos(a)));
+    }
+    equalized = equalize(rounded, lengths);
+    const std::vector<double> equalized_bending = equalize(bending, lengths);
+    for (std::size_t e = 0; e < edges.size(); ++e) {
+      concavity[e] = ((graph.halfedges[edges[e]].concave ? equalized[e] : 0) +
+                      (angles[edges[e]] < 0 ? equalized_bending[e] : 0)) / 2;
+      equalized[e] = (equalized[e] + equalized_bending[e]) / 2;
+    }
+  }
+  else {
+    equalized = equalize(rounded);
+    for (std::size_t e = 0; e < edges.size(); ++e)
+      concavity[e] = graph.halfedges[edges[e]].concave ? equalized[e] : 0;
+  }
 
   for (std::size_t e = 0; e < edges.size(); ++e) {
     Face_dual_graph::Halfedge& h = graph.halfedges[edges[e]];
     h.geodesic = static_cast<float>(on_grid(geodesic[e]));
     h.angle = static_cast<float>(on_grid(equalized[e]));
+    h.concavity = static_cast<float>(on_grid(concavity[e]));
     h.combined = static_cast<float>(
       on_grid((1 - weights.geodesic) * equalized[e] + weights.geodesic * geodesic[e]));
     Face_dual_graph::Halfedge& o = graph.halfedges[graph.opposite(edges[e])];
     o.geodesic = h.geodesic;
     o.angle = h.angle;
     o.combined = h.combined;
+    o.concavity = h.concavity;
     o.concave = h.concave;
   }
 }

@@ -26,6 +26,7 @@ namespace internal {
 // not have, and the threshold, which it leaves to the user.
 struct Options
 {
+  Method method = Method::ZHANG_LIU_2005;
   std::size_t maximum_number_of_segments = (std::numeric_limits<std::size_t>::max)();
   double minimum_segment_size = default_minimum_segment_size;
   double salience_threshold = default_salience_threshold;
@@ -37,7 +38,29 @@ struct Options
   std::size_t number_of_smoothing_iterations = 0;
   bool boundary_smoothing = false;
   std::optional<std::uint64_t> random_seed;
+
+  // What the calibrated method adds.
+  double concavity_radius = 0;
+  bool single_source_orderings = false;
+  bool thickness = false;
+  std::size_t number_of_candidates = 14;
+  std::size_t number_of_refined_candidates = 4;
+  std::size_t number_of_pieces = 20;
+  double piece_threshold = 0.15;
+  Calibrated_part_salience calibrated_part_salience;
 };
+
+inline Options calibrated_options()
+{
+  Options o;
+  o.minimum_segment_size = 0.003;
+  o.salience_threshold = 0.5;
+  o.geodesic_weight = 0.03;
+  o.concavity_radius = 0.01;
+  o.single_source_orderings = true;
+  o.thickness = true;
+  return o;
+}
 
 inline void require(bool condition, const char* parameter, const char* range)
 {
@@ -70,7 +93,10 @@ template <class NamedParameters>
 Options read_options(const NamedParameters& np)
 {
   namespace tags = internal_np;
-  Options o;
+  Method method = Method::ZHANG_LIU_2005;
+  read_parameter(np, tags::method, method);
+  Options o = method == Method::CALIBRATED ? calibrated_options() : Options();
+  o.method = method;
   read_count(np, tags::maximum_number_of_segments, "maximum_number_of_segments", 1, "at least 1",
              o.maximum_number_of_segments);
   read_parameter(np, tags::minimum_segment_size, o.minimum_segment_size);

@@ -29,6 +29,15 @@ inline std::vector<Index> connected_components(const Face_dual_graph& graph, std
   return component;
 }
 
+inline std::vector<double> component_areas(const Face_dual_graph& graph,
+                                           const std::vector<Index>& component, std::size_t number)
+{
+  std::vector<double> areas(number, 0);
+  for (Index f = 0; f < graph.number_of_faces(); ++f)
+    areas[component[f]] += graph.areas[f];
+  return areas;
+}
+
 // Compact copies of the pieces of a graph. `piece` has the number of the piece of each face. Faces
 // keep their order; edges between two pieces become border.
 template <class Number>
@@ -63,6 +72,8 @@ std::vector<Face_dual_graph> split(const Face_dual_graph& graph, const std::vect
       part.corners.push_back({number_of_vertex[c[0]], number_of_vertex[c[1]],
                               number_of_vertex[c[2]]});
       part.areas.push_back(graph.areas[f]);
+      if (!graph.thickness.empty())
+        part.thickness.push_back(graph.thickness[f]);
       for (Index h = 3 * f; h < 3 * f + 3; ++h) {
         Face_dual_graph::Halfedge halfedge = graph.halfedges[h];
         const Index g = halfedge.neighbor;

@@ -94,17 +94,6 @@ class Recursion
     monitor_.part_cut(node, cut.factors, cut.salience, tree_.number_of_segments());
   }
 
-  static Segment_tree forest_of_components(const Face_dual_graph& mesh,
-                                           const std::vector<Index>& component,
-                                           std::size_t number_of_components,
-                                           const Options& options)
-  {
-    std::vector<double> areas(number_of_components, 0);
-    for (Index f = 0; f < mesh.number_of_faces(); ++f)
-      areas[component[f]] += mesh.areas[f];
-    return Segment_tree(component, areas, mesh.unit, options);
-  }
-
 public:
   // Each connected component is a root of the tree.
   Recursion(Face_dual_graph mesh, const Options& options, const PartSalience& part_salience,
@@ -114,7 +103,8 @@ public:
   {
     std::size_t number_of_components;
     const std::vector<Index> component = connected_components(mesh, number_of_components);
-    tree_ = forest_of_components(mesh, component, number_of_components, options);
+    tree_ = Segment_tree(component, component_areas(mesh, component, number_of_components),
+                         mesh.unit, options);
     if (options.boundary_smoothing)
       tree_.smooth_boundaries_with(neighbors(mesh));
     std::vector<Face_dual_graph> parts;

@@ -1,0 +1,152 @@
+// Copyright (c) 2026  The Spectral_segmentation authors.
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_SPECTRAL_SEGMENTATION_INTERNAL_CUT_JUDGE_H
+#define CGAL_SPECTRAL_SEGMENTATION_INTERNAL_CUT_JUDGE_H
+
+#include <CGAL/Spectral_segmentation/Part_salience.h>
+#include <CGAL/Spectral_segmentation/internal/Face_dual_graph.h>
+#include <CGAL/Spectral_segmentation/internal/Hollowness.h>
+#include <CGAL/Spectral_segmentation/internal/distances_from_cut.h>
+#include <CGAL/Spectral_segmentation/internal/parts.h>
+
+#include <Eigen/Core>
+#include <Eigen/Eigenvalues>
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <numeric>
+#include <vector>
+
+namespace CGAL {
+namespace Spectral_segmentation {
+namespace internal {
+
+// All factors of single cuts of a part, those beyond the paper too. A cut is given by the side of
+// each face: 0 for Q, which has the smaller area, 1 for the rest.
+class Cut_judge
+{
+  // Sums over the faces of a set, by area.
+  struct Thickness_sums
+  {
+    double area = 0, sum = 0, sum_of_squares = 0;
+    void add(double a, double thickness)
+    {
+      area += a;
+      sum += a * thickness;
+      sum_of_squares += a * thickness * thickness;
+    }
+    double mean() const { return area > 0 ? sum / area : 0; }
+    double deviation() const
+    {
+      return area > 0
+        ? std::sqrt((std::max)(sum_of_squares / area - mean() * mean(), 0.)) : 0;
+    }
+  };
+
+  const Face_dual_graph& part_;
+  double area_of_mesh_;
+  Hollowness hollowness_;
+  Thickness_sums thickness_of_part_;
+  double hollowness_of_part_;
+  std::vector<std::size_t> last_cut_; // of each vertex: the cut that was last to meet it
+  std::size_t number_of_cuts_ = 0;
+
+  double thickness(Index f) const { return part_.thickness.empty() ? 0 : part_.thickness[f]; }
+
+  // Cut strength, protrusiveness; returns the length of the cut.
+  double look_along(const std::vector<char>& side, double area_of_q, Salience_factors& factors)
+  {
+    ++number_of_cuts_;
+    double length = 0, concavity = 0, number_of_vertices = 0;
+    Vector sum = Vector::Zero();
+    Eigen::Matrix3d squares = Eigen::Matrix3d::Zero();
+    const Vector origin = part_.centroid(0);
+    for (Index h = 0; h < part_.halfedges.size(); ++h) {
+      if (side[h / 3] != 0 || side[part_.halfedges[h].neighbor] == 0)
+        continue;
+      const double l = part_.length(h);
+      length += l;
+      concavity += l * part_.halfedges[h].concavity;
+      for (Index v : {part_.source_vertex(h), part_.target_vertex(h)})
+        if (last_cut_[v] != number_of_cuts_) {
+          last_cut_[v] = number_of_cuts_;
+          const Vector p = part_.points[v] - origin;
+          ++number_of_vertices;
+          sum += p;
+          squares += p * p.transpose();
+        }
+    }
+    const Vector mean = sum / number_of_vertices;
+    Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> solver(
+      squares / number_of_vertices - mean * mean.transpose(), Eigen::EigenvaluesOnly);
+    const Vector variances = solver.eigenvalues().cwiseMax(0);
+    factors.cut_strength = length > 0 ? concavity / length : 0;
+    factors.protrusiveness = 1 - 4 * std::sqrt(variances[1] * variances[2]) / area_of_q;
+    return length;
+  }
+
+  void look_around(const std::vector<char>& side, double area_of_q, double length,
+                   Salience_factors& factors) const
+  {
+    const double radius = 0.35 * std::sqrt(area_of_q);
+    Thickness_sums off_the_cut[2];
+    double area_of_near_rest = 0;
+    for (const Face_at_distance& f : faces_near_cut(part_, side, radius)) {
+      if (f.distance >= radius / 2)
+        off_the_cut[int(side[f.face])].add(part_.areas[f.face], thickness(f.face));
+      if (side[f.face] == 1)
+        area_of_near_rest += part_.areas[f.face];
+    }
+    factors.widening_of_rest =
+      length > 0 ? (std::min)(area_of_near_rest / (radius * length), 4.) : 4;
+    if (off_the_cut[0].area > 0 && off_the_cut[1].area > 0)
+      factors.thickness_step = off_the_cut[1].mean() - off_the_cut[0].mean();
+  }
+
+public:
+  Cut_judge(const Face_dual_graph& part, double area_of_mesh)
+    : part_(part), area_of_mesh_(area_of_mesh), hollowness_(part), last_cut_(part.points.size(), 0)
+  {
+    std::vector<Index> all(part.number_of_faces());
+    std::iota(all.begin(), all.end(), Index(0));
+    hollowness_of_part_ = hollowness_(all);
+    for (Index f : all)
+      thickness_of_part_.add(part.areas[f], thickness(f));
+  }
+
+  // Both sides must have an area.
+  Salience_factors operator()(const std::vector<char>& side)
+  {
+    std::vector<Index> faces[2];
+    Thickness_sums thickness_of[2];
+    for (Index f = 0; f < side.size(); ++f) {
+      faces[int(side[f])].push_back(f);
+      thickness_of[int(side[f])].add(part_.areas[f], thickness(f));
+    }
+    const double area[2] = {thickness_of[0].area, thickness_of[1].area};
+    const double area_of_part = area[0] + area[1];
+
+    Salience_factors factors;
+    factors.size = area[0] / area_of_part;
+    const double length = look_along(side, area[0], factors);
+    look_around(side, area[0], length, factors);
+    const double hollowness[2] = {hollowness_(faces[0]), hollowness_(faces[1])};
+    factors.logarithm_of_part = std::log(area_of_part / area_of_mesh_);
+    factors.hollowness_of_cut_part = hollowness[0] / std::sqrt(area[0]);
+    factors.hollowness_of_rest = hollowness[1] / std::sqrt(area[1]);
+    factors.convexity_gain =
+      (hollowness_of_part_ - (area[0] * hollowness[0] + area[1] * hollowness[1]) / area_of_part) /
+      std::sqrt(area_of_mesh_);
+    factors.thickness_difference = thickness_of[1].mean() - thickness_of[0].mean();
+    factors.thickness_variation = thickness_of_part_.deviation();
+    return factors;
+  }
+};
+
+} // namespace internal
+} // namespace Spectral_segmentation
+} // namespace CGAL
+
+#endif // CGAL_SPECTRAL_SEGMENTATION_INTERNAL_CUT_JUDGE_H

@@ -1,0 +1,289 @@
+// Copyright (c) 2026  The Spectral_segmentation authors.
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_SPECTRAL_SEGMENTATION_INTERNAL_CUT_AND_MERGE_H
+#define CGAL_SPECTRAL_SEGMENTATION_INTERNAL_CUT_AND_MERGE_H
+
+#include <CGAL/Spectral_segmentation/Segment_tree.h>
+#include <CGAL/Spectral_segmentation/internal/Cut_judge.h>
+#include <CGAL/Spectral_segmentation/internal/Face_dual_graph.h>
+#include <CGAL/Spectral_segmentation/internal/Monitor.h>
+#include <CGAL/Spectral_segmentation/internal/best_cut.h>
+#include <CGAL/Spectral_segmentation/internal/concurrency.h>
+#include <CGAL/Spectral_segmentation/internal/options.h>
+#include <CGAL/Spectral_segmentation/internal/parts.h>
+
+#include <algorithm>
+#include <cstddef>
+#include <map>
+#include <optional>
+#include <set>
+#include <utility>
+#include <vector>
+
+namespace CGAL {
+namespace Spectral_segmentation {
+namespace internal {
+
+// Recursive two-way cuts, the most salient first, down to more pieces than anybody wants; then the
+// two neighbors whose common boundary is the least salient become one, until each component of the
+// mesh is whole again. A cut that was needed only to reach others is undone on the way, for nobody
+// would cut between its two sides once the others are gone. The tree has the merges in reverse.
+template <class ConcurrencyTag, class PartSalience, class Monitor>
+class Cut_and_merge
+{
+  struct Piece
+  {
+    Part part;
+    std::vector<Index> faces; // their numbers in the mesh, ascending
+    std::optional<Cut> cut;
+  };
+
+  // Two sets of pieces become one.
+  struct Merge
+  {
+    std::size_t into, from; // pieces that stand for their sets
+    double salience;
+    Salience_factors factors;
+  };
+
+  struct Boundary
+  {
+    double salience;
+    Salience_factors factors;
+  };
+
+  typedef std::pair<std::size_t, std::size_t> Pair; // the smaller number first
+  typedef std::map<Pair, Boundary> Boundaries;
+
+  const Face_dual_graph mesh_;
+  const Options& options_;
+  const PartSalience& part_salience_;
+  Monitor& monitor_;
+  const double area_of_mesh_;
+
+  std::vector<Index> component_;
+  std::size_t number_of_components_;
+  std::vector<Piece> pieces_;
+  std::size_t number_of_parts_ = 0; // that were searched or wait for it, to name them
+
+  void add_piece(Face_dual_graph graph, std::vector<Index> faces)
+  {
+    const Index smallest = faces.front();
+    pieces_.push_back(
+      {Part{std::move(graph), number_of_parts_++, smallest}, std::move(faces), std::nullopt});
+  }
+
+  void search(const std::vector<std::size_t>& pieces)
+  {
+    for_each_index<ConcurrencyTag>(pieces.size(), [&](std::size_t i) {
+      Piece& p = pieces_[pieces[i]];
+      p.cut = best_judged_cut<ConcurrencyTag>(p.part, area_of_mesh_, options_, part_salience_,
+                                              monitor_);
+    });
+  }
+
+  // The piece with the most salient cut, the first of several; none if no cut is worth it.
+  std::optional<std::size_t> next_piece() const
+  {
+    std::optional<std::size_t> best;
+    for (std::size_t i = 0; i < pieces_.size(); ++i) {
+      const std::optional<Cut>& cut = pieces_[i].cut;
+      if (cut && cut->salience >= (std::min)(options_.piece_threshold, options_.salience_threshold) &&
+          (!best || on_grid(cut->salience) > on_grid(pieces_[*best].cut->salience)))
+        best = i;
+    }
+    return best;
+  }
+
+  void cut_down()
+  {
+    std::vector<std::size_t> news(pieces_.size());
+    std::iota(news.begin(), news.end(), std::size_t(0));
+    const std::size_t most = number_of_components_ + options_.number_of_pieces - 1;
+    while (pieces_.size() < most) {
+      search(news);
+      const std::optional<std::size_t> next = next_piece();
+      if (!next)
+        return;
+      const Piece whole = std::move(pieces_[*next]);
+      std::vector<Index> faces[2];
+      for (std::size_t i = 0; i < whole.faces.size(); ++i)
+        faces[int(whole.cut->side[i])].push_back(whole.faces[i]);
+      std::vector<Face_dual_graph> sides = split(whole.part.graph, whole.cut->side, 2);
+      pieces_.erase(pieces_.begin() + static_cast<std::ptrdiff_t>(*next));
+      for (int s = 0; s < 2; ++s)
+        add_piece(std::move(sides[s]), std::move(faces[s]));
+      news = {pieces_.size() - 2, pieces_.size() - 1};
+      monitor_.part_cut(whole.part.node, whole.cut->factors, whole.cut->salience, pieces_.size());
+    }
+  }
+
+  // The boundary between two sets of faces as the cut of their union.
+  Boundary boundary(const std::vector<std::size_t>& set_of_face, const Pair& pair) const
+  {
+    Sides is_outside(mesh_.number_of_faces()), side;
+    double area[2] = {0, 0};
+    for (Index f = 0; f < is_outside.size(); ++f) {
+      const bool is_first = set_of_face[f] == pair.first, is_second = set_of_face[f] == pair.second;
+      is_outside[f] = !(is_first || is_second);
+      if (!is_outside[f]) {
+        side.push_back(is_first ? 0 : 1);
+        area[int(side.back())] += mesh_.areas[f];
+      }
+    }
+    if (area[0] > area[1])
+      for (char& s : side)
+        s = 1 - s;
+    const Face_dual_graph both = std::move(split(mesh_, is_outside, 2)[0]);
+    const Salience_factors factors = Cut_judge(both, area_of_mesh_)(side);
+    return {part_salience_(factors), factors};
+  }
+
+  // All neighbors, or those of one set.
+  std::vector<Pair> neighbors(const std::vector<std::size_t>& set_of_face,
+                              std::optional<std::size_t> of = std::nullopt) const
+  {
+    std::set<Pair> pairs;
+    for (Index h = 0; h < mesh_.halfedges.size(); ++h) {
+      const std::size_t a = set_of_face[h / 3], b = set_of_face[mesh_.halfedges[h].neighbor];
+      if (a < b && (!of || a == *of || b == *of))
+        pairs.insert({a, b});
+    }
+    return {pairs.begin(), pairs.end()};
+  }
+
+  void judge(const std::vector<std::size_t>& set_of_face, const std::vector<Pair>& pairs,
+             Boundaries& boundaries) const
+  {
+    std::vector<Boundary> judged(pairs.size());
+    for_each_index<ConcurrencyTag>(pairs.size(), [&](std::size_t i)
+      { judged[i] = boundary(set_of_face, pairs[i]); });
+    for (std::size_t i = 0; i < pairs.size(); ++i)
+      boundaries[pairs[i]] = judged[i];
+  }
+
+  std::vector<Merge> merge_up(std::vector<std::size_t> set_of_face) const
+  {
+    std::vector<Merge> merges;
+    Boundaries boundaries;
+    judge(set_of_face, neighbors(set_of_face), boundaries);
+    while (!boundaries.empty()) {
+      const auto least = std::min_element(
+        boundaries.begin(), boundaries.end(), [](const auto& a, const auto& b)
+        { return on_grid(a.second.salience) < on_grid(b.second.salience); });
+      const Pair pair = least->first;
+      merges.push_back({pair.first, pair.second, least->second.salience, least->second.factors});
+      for (auto b = boundaries.begin(); b != boundaries.end();)
+        if (b->first.first == pair.first || b->first.second == pair.first ||
+            b->first.first == pair.second || b->first.second == pair.second)
+          b = boundaries.erase(b);
+        else
+          ++b;
+      std::replace(set_of_face.begin(), set_of_face.end(), pair.second, pair.first);
+      judge(set_of_face, neighbors(set_of_face, pair.first), boundaries);
+    }
+    return merges;
+  }
+
+  // A boundary that outlives another is at least as salient.
+  static void make_monotone(std::vector<Merge>& merges)
+  {
+    double largest = -std::numeric_limits<double>::infinity();
+    for (Merge& m : merges)
+      largest = m.salience = (std::max)(m.salience, largest);
+  }
+
+  Segment_tree tree_of(const std::vector<std::size_t>& piece_of_face,
+                       const std::vector<Merge>& merges) const
+  {
+    Segment_tree tree(component_, component_areas(mesh_, component_, number_of_components_),
+                      mesh_.unit, options_);
+    tree.is_whole_ = true;
+    if (options_.boundary_smoothing)
+      tree.smooth_boundaries_with(internal::neighbors(mesh_));
+
+    // The sets of pieces on the two sides of each merge, and the node that a set becomes.
+    std::vector<std::vector<std::size_t> > set(pieces_.size());
+    for (std::size_t i = 0; i < set.size(); ++i)
+      set[i] = {i};
+    std::vector<std::vector<std::size_t> > from(merges.size());
+    for (std::size_t k = 0; k < merges.size(); ++k) {
+      from[k] = set[merges[k].from];
+      std::vector<std::size_t>& into = set[merges[k].into];
+      into.insert(into.end(), from[k].begin(), from[k].end());
+    }
+    std::vector<std::size_t> node(pieces_.size()); // that holds the piece
+    for (std::size_t i = 0; i < node.size(); ++i)
+      node[i] = component_[pieces_[i].faces.front()];
+    for (std::size_t k = merges.size(); k-- > 0;) {
+      const std::size_t cut_node = node[merges[k].into];
+      std::vector<char> is_from(pieces_.size(), 0);
+      for (std::size_t piece : from[k])
+        is_from[piece] = 1;
+      Sides side;
+      double area[2] = {0, 0};
+      for (Index f : tree.faces(cut_node)) {
+        side.push_back(is_from[piece_of_face[f]] ? 0 : 1);
+        area[int(side.back())] += mesh_.areas[f];
+      }
+      const bool from_is_smaller = area[0] <= area[1];
+      if (!from_is_smaller) {
+        for (char& s : side)
+          s = 1 - s;
+        std::swap(area[0], area[1]);
+      }
+      tree.set_cut(cut_node, Segment_tree::Cut_state::ACCEPTED, merges[k].salience,
+                   merges[k].factors);
+      tree.cut(cut_node, side, area);
+      const Segment_tree::Node& n = tree.node(cut_node);
+      for (std::size_t i = 0; i < node.size(); ++i)
+        if (node[i] == cut_node)
+          node[i] = n.children[is_from[i] == (from_is_smaller ? 1 : 0) ? 0 : 1];
+    }
+    for (std::size_t i = 0; i < tree.number_of_nodes(); ++i)
+      if (tree.node(i).is_leaf())
+        tree.set_cut(i, Segment_tree::Cut_state::NO_CUT, 0, Salience_factors());
+    return tree;
+  }
+
+public:
+  Cut_and_merge(Face_dual_graph mesh, const Options& options, const PartSalience& part_salience,
+                Monitor& monitor)
+    : mesh_(std::move(mesh)), options_(options), part_salience_(part_salience), monitor_(monitor),
+      area_of_mesh_(total_area(mesh_)),
+      component_(connected_components(mesh_, number_of_components_))
+  {
+    std::vector<std::vector<Index> > faces(number_of_components_);
+    for (Index f = 0; f < component_.size(); ++f)
+      faces[component_[f]].push_back(f);
+    std::vector<Face_dual_graph> graphs = split(mesh_, component_, number_of_components_);
+    for (std::size_t i = 0; i < number_of_components_; ++i)
+      add_piece(std::move(graphs[i]), std::move(faces[i]));
+  }
+
+  Segment_tree operator()()
+  {
+    try {
+      cut_down();
+    }
+    catch (const Run_stopped&) {
+      // The pieces are those of the cuts that were made.
+    }
+    std::sort(pieces_.begin(), pieces_.end(), [](const Piece& a, const Piece& b)
+              { return a.faces.front() < b.faces.front(); });
+    std::vector<std::size_t> piece_of_face(mesh_.number_of_faces());
+    for (std::size_t i = 0; i < pieces_.size(); ++i)
+      for (Index f : pieces_[i].faces)
+        piece_of_face[f] = i;
+    std::vector<Merge> merges = merge_up(piece_of_face);
+    make_monotone(merges);
+    return tree_of(piece_of_face, merges);
+  }
+};
+
+} // namespace internal
+} // namespace Spectral_segmentation
+} // namespace CGAL
+
+#endif // CGAL_SPECTRAL_SEGMENTATION_INTERNAL_CUT_AND_MERGE_H

@@ -1,0 +1,162 @@
+// Copyright (c) 2026  The Spectral_segmentation authors.
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_SPECTRAL_SEGMENTATION_INTERNAL_CUT_CANDIDATES_H
+#define CGAL_SPECTRAL_SEGMENTATION_INTERNAL_CUT_CANDIDATES_H
+
+#include <CGAL/Spectral_segmentation/Part_salience.h>
+#include <CGAL/Spectral_segmentation/internal/Face_dual_graph.h>
+#include <CGAL/Spectral_segmentation/internal/Meta_patch.h>
+#include <CGAL/Spectral_segmentation/internal/concurrency.h>
+#include <CGAL/Spectral_segmentation/internal/line_search.h>
+#include <CGAL/Spectral_segmentation/internal/minimum_cut.h>
+#include <CGAL/Spectral_segmentation/internal/orderings.h>
+#include <CGAL/Spectral_segmentation/internal/parts.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <utility>
+#include <vector>
+
+namespace CGAL {
+namespace Spectral_segmentation {
+namespace internal {
+
+// The few cuts of a part that are worth a closer look.
+
+// The side of each face: 0 for Q, of smaller area, 1 for the rest.
+typedef std::vector<char> Sides;
+
+struct Proposal
+{
+  Sides side;
+  double score; // comparable among proposals by the same measure
+};
+
+// The proposals of a line, by two measures: the salience of the paper, and cheapness, which is minus
+// the capacity of the cut over the length scale of its smaller side.
+struct Proposals
+{
+  std::vector<Proposal> salient, cheap;
+};
+
+struct Line_step
+{
+  std::size_t size; // of the meta patch
+  double area;
+  double smaller_area;
+  double salience, cheapness;
+};
+
+inline std::vector<Line_step> line_steps(const Face_dual_graph& part, const Growth& growth,
+                                         double minimum_area)
+{
+  const std::vector<bool> is_cut = rest_is_connected(part, growth.faces);
+  const Weighted_part_salience part_salience;
+  const double rounding = 1e-12 * total_area(part);
+  std::vector<Line_step> steps;
+  Meta_patch q(part);
+  double capacity_of_cut = 0;
+  std::size_t size = 0;
+  for (Index size_after_step : growth.sizes) {
+    for (; size < size_after_step; ++size) {
+      const Index f = growth.faces[size];
+      for (Index h = 3 * f; h < 3 * f + 3; ++h)
+        if (!part.is_border(h))
+          capacity_of_cut += (q.has_face(part.halfedges[h].neighbor) ? -1 : 1) * capacity(part, h);
+      q.add(f);
+    }
+    if (q.area() > 3 * q.area_of_rest()) // other lines come from that end
+      break;
+    const double smaller = q.smaller_area();
+    if (is_cut[size] && smaller > rounding && smaller >= minimum_area)
+      steps.push_back({size, q.area(), smaller, part_salience(q.factors()),
+                       -capacity_of_cut / std::sqrt(smaller)});
+  }
+  return steps;
+}
+
+// The two best steps by a measure, the second not next to the first.
+template <class Measure>
+std::vector<Proposal> best_steps(const Face_dual_graph& part, const Growth& growth,
+                                 std::vector<Line_step> steps, const Measure& measure)
+{
+  std::vector<Proposal> result;
+  while (result.size() < 2 && !steps.empty()) {
+    // On the grid, so that rounding does not choose between cuts that mirror each other.
+    const Line_step best = *std::max_element(
+      steps.begin(), steps.end(), [&](const Line_step& a, const Line_step& b)
+      { return on_grid(measure(a)) < on_grid(measure(b)); });
+    const char q = best.area <= total_area(part) / 2 ? 0 : 1;
+    Proposal p{Sides(part.number_of_faces(), 1 - q), measure(best)};
+    for (std::size_t i = 0; i < best.size; ++i)
+      p.side[growth.faces[i]] = q;
+    result.push_back(std::move(p));
+    steps.erase(std::remove_if(steps.begin(), steps.end(), [&](const Line_step& s) {
+      return std::abs(s.area - best.area) < 0.25 * best.smaller_area;
+    }), steps.end());
+  }
+  return result;
+}
+
+inline Proposals propose_cuts(const Face_dual_graph& part, const Line& line, double minimum_area)
+{
+  const Growth growth = grow_along(part, line);
+  const std::vector<Line_step> steps = line_steps(part, growth, minimum_area);
+  return {best_steps(part, growth, steps, [](const Line_step& s) { return s.salience; }),
+          best_steps(part, growth, steps, [](const Line_step& s) { return s.cheapness; })};
+}
+
+// Whether the faces on which two cuts differ are few against the smallest side of either.
+inline bool are_alike(const Sides& a, const Sides& b)
+{
+  std::size_t different = 0, a_q = 0, b_q = 0;
+  for (std::size_t f = 0; f < a.size(); ++f) {
+    different += a[f] != b[f];
+    a_q += a[f] == 0;
+    b_q += b[f] == 0;
+  }
+  different = (std::min)(different, a.size() - different);
+  const std::size_t smallest =
+    (std::min)((std::min)(a_q, a.size() - a_q), (std::min)(b_q, b.size() - b_q));
+  return 20 * different < 3 * smallest;
+}
+
+// At most `number` cuts, no two alike, the best by either measure in turns.
+template <class ConcurrencyTag>
+std::vector<Sides> cut_candidates(const Face_dual_graph& part, const std::vector<Line>& lines,
+                                  double minimum_area, std::size_t number)
+{
+  std::vector<Proposals> of_line(lines.size());
+  for_each_index<ConcurrencyTag>(lines.size(), [&](std::size_t i) {
+    of_line[i] = propose_cuts(part, lines[i], minimum_area);
+  });
+  std::vector<Proposal> by_measure[2];
+  for (Proposals& p : of_line) {
+    std::move(p.salient.begin(), p.salient.end(), std::back_inserter(by_measure[0]));
+    std::move(p.cheap.begin(), p.cheap.end(), std::back_inserter(by_measure[1]));
+  }
+  for (std::vector<Proposal>& proposals : by_measure)
+    std::stable_sort(proposals.begin(), proposals.end(), [](const Proposal& a, const Proposal& b)
+                     { return on_grid(a.score) > on_grid(b.score); });
+
+  std::vector<Sides> result;
+  std::size_t next[2] = {0, 0};
+  for (int m = 0; result.size() < number &&
+                  (next[0] < by_measure[0].size() || next[1] < by_measure[1].size()); m = 1 - m)
+    for (bool is_taken = false; !is_taken && next[m] < by_measure[m].size(); ++next[m]) {
+      Sides& side = by_measure[m][next[m]].side;
+      is_taken = std::none_of(result.begin(), result.end(),
+                              [&](const Sides& other) { return are_alike(side, other); });
+      if (is_taken)
+        result.push_back(std::move(side));
+    }
+  return result;
+}
+
+} // namespace internal
+} // namespace Spectral_segmentation
+} // namespace CGAL
+
+#endif // CGAL_SPECTRAL_SEGMENTATION_INTERNAL_CUT_CANDIDATES_H

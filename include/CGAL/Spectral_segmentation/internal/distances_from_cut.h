@@ -1,0 +1,63 @@
+// Copyright (c) 2026  The Spectral_segmentation authors.
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_SPECTRAL_SEGMENTATION_INTERNAL_DISTANCES_FROM_CUT_H
+#define CGAL_SPECTRAL_SEGMENTATION_INTERNAL_DISTANCES_FROM_CUT_H
+
+#include <CGAL/Spectral_segmentation/internal/Face_dual_graph.h>
+
+#include <functional>
+#include <limits>
+#include <queue>
+#include <utility>
+#include <vector>
+
+namespace CGAL {
+namespace Spectral_segmentation {
+namespace internal {
+
+struct Face_at_distance
+{
+  Index face;
+  double distance; // from the cut, from centroid to centroid
+};
+
+// The faces on both sides within `radius` of a cut, nearest first. BGL's Dijkstra initializes all
+// faces, and there are many cuts with few faces around them: hence a search that ends at the radius.
+inline std::vector<Face_at_distance> faces_near_cut(const Face_dual_graph& part,
+                                                    const std::vector<char>& side, double radius)
+{
+  typedef std::pair<double, Index> Entry;
+  std::vector<double> distance(part.number_of_faces(), std::numeric_limits<double>::infinity());
+  std::priority_queue<Entry, std::vector<Entry>, std::greater<Entry> > queue;
+  const auto relax = [&](Index f, double d) {
+    if (d < distance[f] && d <= radius) {
+      distance[f] = d;
+      queue.push({d, f});
+    }
+  };
+  for (Index h = 0; h < part.halfedges.size(); ++h)
+    if (side[h / 3] != side[part.halfedges[h].neighbor])
+      relax(h / 3, (part.centroid(h / 3) - (part.points[part.source_vertex(h)] +
+                                            part.points[part.target_vertex(h)]) / 2).norm());
+  std::vector<Face_at_distance> result;
+  while (!queue.empty()) {
+    const auto [d, f] = queue.top();
+    queue.pop();
+    if (d > distance[f])
+      continue;
+    result.push_back({f, d});
+    for (Index h = 3 * f; h < 3 * f + 3; ++h) {
+      const Index g = part.halfedges[h].neighbor;
+      if (side[g] == side[f])
+        relax(g, d + (part.centroid(g) - part.centroid(f)).norm());
+    }
+  }
+  return result;
+}
+
+} // namespace internal
+} // namespace Spectral_segmentation
+} // namespace CGAL
+
+#endif // CGAL_SPECTRAL_SEGMENTATION_INTERNAL_DISTANCES_FROM_CUT_H

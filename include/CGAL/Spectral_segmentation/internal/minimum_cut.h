@@ -1,0 +1,161 @@
+// Copyright (c) 2026  The Spectral_segmentation authors.
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_SPECTRAL_SEGMENTATION_INTERNAL_MINIMUM_CUT_H
+#define CGAL_SPECTRAL_SEGMENTATION_INTERNAL_MINIMUM_CUT_H
+
+#include <CGAL/Spectral_segmentation/internal/Face_dual_graph.h>
+#include <CGAL/Spectral_segmentation/internal/distances_from_cut.h>
+
+#include <boost/graph/boykov_kolmogorov_max_flow.hpp>
+#include <boost/graph/compressed_sparse_row_graph.hpp>
+#include <boost/property_map/property_map.hpp>
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <limits>
+#include <utility>
+#include <vector>
+
+namespace CGAL {
+namespace Spectral_segmentation {
+namespace internal {
+
+// What a cut pays for an edge: its length, and far less where the edge is concave.
+inline double capacity(const Face_dual_graph& part, Index h)
+{
+  const double convexity = 1 - part.halfedges[h].concavity;
+  return on_grid(part.length(h) * (0.05 + convexity * convexity));
+}
+
+// The flow network of a band of faces around a cut: node i is the i-th face of the band; the faces
+// beyond it on the side of Q are the source, those on the other side the sink.
+class Band_network
+{
+  typedef boost::compressed_sparse_row_graph<boost::directedS, boost::no_property,
+                                             boost::no_property, boost::no_property, int, int> Graph;
+  typedef boost::graph_traits<Graph>::edge_descriptor Edge;
+
+  struct Arc
+  {
+    int from, to;
+    double capacity;
+    bool operator<(const Arc& a) const
+    { return from != a.from ? from < a.from : to < a.to; }
+  };
+
+  int source_, sink_;
+  std::vector<Arc> arcs_;
+
+  void add_both(int a, int b, double there, double back)
+  {
+    arcs_.push_back({a, b, there});
+    arcs_.push_back({b, a, back});
+  }
+
+public:
+  explicit Band_network(std::size_t number_of_faces)
+    : source_(static_cast<int>(number_of_faces)), sink_(source_ + 1) {}
+
+  void join(int a, int b, double capacity) { add_both(a, b, capacity, capacity); }
+  void join_to_source(int a, double capacity) { add_both(source_, a, capacity, 0); }
+  void join_to_sink(int a, double capacity) { add_both(a, sink_, capacity, 0); }
+
+  // For each face of the band: whether it is on the side of the source. Of several minimum cuts it
+  // is the one nearest to the source, whatever the order of the arcs.
+  std::vector<bool> minimum_cut()
+  {
+    std::sort(arcs_.begin(), arcs_.end());
+    // Two faces with two edges in common, or several edges to a terminal, are one arc.
+    std::vector<Arc> arcs;
+    for (const Arc& a : arcs_)
+      if (!arcs.empty() && arcs.back().from == a.from && arcs.back().to == a.to)
+        arcs.back().capacity += a.capacity;
+      else
+        arcs.push_back(a);
+
+    std::vector<std::pair<int, int> > ends;
+    std::vector<double> capacities, residuals(arcs.size());
+    for (const Arc& a : arcs) {
+      ends.push_back({a.from, a.to});
+      capacities.push_back(a.capacity);
+    }
+    const int n = sink_ + 1;
+    const Graph graph(boost::edges_are_sorted, ends.begin(), ends.end(), n);
+    const std::vector<Edge> edge(edges(graph).first, edges(graph).second);
+    std::vector<Edge> reverse;
+    for (const Arc& a : arcs)
+      reverse.push_back(edge[std::lower_bound(arcs.begin(), arcs.end(), Arc{a.to, a.from, 0}) -
+                             arcs.begin()]);
+
+    std::vector<Edge> predecessors(n);
+    std::vector<boost::default_color_type> colors(n);
+    std::vector<long> distances(n);
+    const auto edge_index = get(boost::edge_index, graph);
+    const auto vertex_index = get(boost::vertex_index, graph);
+    boost::boykov_kolmogorov_max_flow(
+      graph, boost::make_iterator_property_map(capacities.begin(), edge_index),
+      boost::make_iterator_property_map(residuals.begin(), edge_index),
+      boost::make_iterator_property_map(reverse.begin(), edge_index),
+      boost::make_iterator_property_map(predecessors.begin(), vertex_index),
+      boost::make_iterator_property_map(colors.begin(), vertex_index),
+      boost::make_iterator_property_map(distances.begin(), vertex_index), vertex_index, source_,
+      sink_);
+    std::vector<bool> result(source_);
+    for (int i = 0; i < source_; ++i)
+      result[i] = colors[i] == boost::black_color;
+    return result;
+  }
+};
+
+// The cheapest cut within a distance of 0.35 sqrt(area of Q) around a cut.
+// Its sides need not be connected.
+inline std::vector<char> minimum_cut_around(const Face_dual_graph& part,
+                                            const std::vector<char>& side, double area_of_q)
+{
+  const std::vector<Face_at_distance> band =
+    faces_near_cut(part, side, 0.35 * std::sqrt(area_of_q));
+  std::vector<int> node(part.number_of_faces(), -1);
+  int last_of_side[2] = {-1, -1};
+  for (std::size_t i = 0; i < band.size(); ++i) {
+    node[band[i].face] = static_cast<int>(i);
+    last_of_side[int(side[band[i].face])] = static_cast<int>(i);
+  }
+
+  Band_network network(band.size());
+  bool has_terminal[2] = {false, false};
+  const auto join_to_terminal = [&](int i, char s, double c) {
+    has_terminal[int(s)] = true;
+    if (s == 0)
+      network.join_to_source(i, c);
+    else
+      network.join_to_sink(i, c);
+  };
+  for (std::size_t i = 0; i < band.size(); ++i) {
+    const Index f = band[i].face;
+    for (Index h = 3 * f; h < 3 * f + 3; ++h) {
+      const Index g = part.halfedges[h].neighbor;
+      if (node[g] < 0)
+        join_to_terminal(static_cast<int>(i), side[g], capacity(part, h));
+      else if (f < g)
+        network.join(static_cast<int>(i), node[g], capacity(part, h));
+    }
+  }
+  // A side that lies wholly in the band keeps the face farthest from the cut.
+  for (char s : {char(0), char(1)})
+    if (!has_terminal[int(s)] && last_of_side[int(s)] >= 0)
+      join_to_terminal(last_of_side[int(s)], s, (std::numeric_limits<float>::max)());
+
+  std::vector<char> result = side;
+  const std::vector<bool> is_at_source = network.minimum_cut();
+  for (std::size_t i = 0; i < band.size(); ++i)
+    result[band[i].face] = is_at_source[i] ? 0 : 1;
+  return result;
+}
+
+} // namespace internal
+} // namespace Spectral_segmentation
+} // namespace CGAL
+
+#endif // CGAL_SPECTRAL_SEGMENTATION_INTERNAL_MINIMUM_CUT_H

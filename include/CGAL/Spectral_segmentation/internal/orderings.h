@@ -1,0 +1,70 @@
+// Copyright (c) 2026  The Spectral_segmentation authors.
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_SPECTRAL_SEGMENTATION_INTERNAL_ORDERINGS_H
+#define CGAL_SPECTRAL_SEGMENTATION_INTERNAL_ORDERINGS_H
+
+#include <CGAL/Spectral_segmentation/internal/Face_dual_graph.h>
+#include <CGAL/Spectral_segmentation/internal/concurrency.h>
+#include <CGAL/Spectral_segmentation/internal/embedding.h>
+#include <CGAL/Spectral_segmentation/internal/options.h>
+#include <CGAL/Spectral_segmentation/internal/sampling.h>
+#include <CGAL/Spectral_segmentation/internal/shortest_paths.h>
+
+#include <algorithm>
+#include <cstddef>
+#include <numeric>
+#include <utility>
+#include <vector>
+
+namespace CGAL {
+namespace Spectral_segmentation {
+namespace internal {
+
+// The faces of a part in an order along which cuts are searched.
+typedef std::vector<Index> Line;
+
+template <class Value>
+Line sorted_by(const std::vector<Value>& values)
+{
+  Line line(values.size());
+  std::iota(line.begin(), line.end(), Index(0));
+  std::stable_sort(line.begin(), line.end(),
+                   [&](Index a, Index b) { return values[a] < values[b]; });
+  return line;
+}
+
+// The spectral order of the two samples from both its ends; then, as the options ask for them, the
+// orders by distance from each sample and each reference face, which grow a single limb where the
+// pair sees several at once, and the orders from the thinnest face and from the thickest.
+template <class ConcurrencyTag>
+std::vector<Line> orderings(const Face_dual_graph& part, const std::vector<Index>& references,
+                            const Sample_faces& samples, const Options& options)
+{
+  std::vector<Index> sources = {samples.s, samples.t};
+  if (options.single_source_orderings)
+    for (Index reference : references)
+      if (reference != samples.s && reference != samples.t)
+        sources.push_back(reference);
+  std::vector<std::vector<double> > distances(sources.size());
+  for_each_index<ConcurrencyTag>(sources.size(), [&](std::size_t i) {
+    distances[i] = shortest_paths(part, sources[i], &Face_dual_graph::Halfedge::combined);
+  });
+
+  std::vector<Line> lines = {spectral_order(distances[0], distances[1]),
+                             spectral_order(distances[1], distances[0])};
+  if (options.single_source_orderings)
+    for (const std::vector<double>& distance : distances)
+      lines.push_back(sorted_by(distance));
+  if (!part.thickness.empty()) {
+    lines.push_back(sorted_by(part.thickness));
+    lines.emplace_back(lines.back().rbegin(), lines.back().rend());
+  }
+  return lines;
+}
+
+} // namespace internal
+} // namespace Spectral_segmentation
+} // namespace CGAL
+
+#endif // CGAL_SPECTRAL_SEGMENTATION_INTERNAL_ORDERINGS_H

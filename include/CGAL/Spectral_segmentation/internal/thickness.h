@@ -1,0 +1,109 @@
+// Copyright (c) 2026  The Spectral_segmentation authors.
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_SPECTRAL_SEGMENTATION_INTERNAL_THICKNESS_H
+#define CGAL_SPECTRAL_SEGMENTATION_INTERNAL_THICKNESS_H
+
+#include <CGAL/Spectral_segmentation/internal/Face_dual_graph.h>
+#include <CGAL/Spectral_segmentation/internal/concurrency.h>
+#include <CGAL/Spectral_segmentation/internal/parts.h>
+#include <CGAL/Spectral_segmentation/internal/shape_scale_angles.h>
+
+#include <CGAL/AABB_tree.h>
+#include <CGAL/AABB_triangle_primitive.h>
+#include <CGAL/Simple_cartesian.h>
+#include <CGAL/version.h>
+#if CGAL_VERSION_NR >= 1060000000
+#include <CGAL/AABB_traits_3.h>
+#else
+#include <CGAL/AABB_traits.h>
+#endif
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <vector>
+
+namespace CGAL {
+namespace Spectral_segmentation {
+namespace internal {
+
+// How thick the body is under a face: one ray a face, straight inwards, in place of the cone of the
+// shape diameter function (Shapira, Shamir, Cohen-Or 2008); diffusion then joins the rays of
+// neighboring faces to one.
+
+// The radius of the disk over which rays are joined, relative to the square root of the area.
+constexpr double thickness_radius = 0.02;
+
+// The distance from the centroid of each face, against its normal, to the face on the other side of
+// the body; 0 where there is none.
+template <class ConcurrencyTag>
+std::vector<double> opposite_distances(const Face_dual_graph& mesh,
+                                       const std::vector<Vector>& normals)
+{
+  typedef Simple_cartesian<double> Kernel;
+  typedef std::vector<Kernel::Triangle_3>::const_iterator Triangle;
+  typedef AABB_triangle_primitive<Kernel, Triangle> Primitive;
+#if CGAL_VERSION_NR >= 1060000000
+  typedef AABB_tree<AABB_traits_3<Kernel, Primitive> > Tree;
+#else
+  typedef AABB_tree<AABB_traits<Kernel, Primitive> > Tree;
+#endif
+  const auto point = [](const Vector& p) { return Kernel::Point_3(p.x(), p.y(), p.z()); };
+
+  std::vector<Kernel::Triangle_3> triangles;
+  triangles.reserve(mesh.number_of_faces());
+  for (const std::array<Index, 3>& c : mesh.corners)
+    triangles.emplace_back(point(mesh.points[c[0]]), point(mesh.points[c[1]]),
+                           point(mesh.points[c[2]]));
+  Tree tree(triangles.cbegin(), triangles.cend());
+  tree.build();
+
+  std::vector<double> distances(mesh.number_of_faces(), 0);
+  for_each_index<ConcurrencyTag>(distances.size(), [&](std::size_t f) {
+    if (normals[f].isZero(0))
+      return;
+    const Vector center = mesh.centroid(static_cast<Index>(f));
+    const Kernel::Ray_3 ray(point(center),
+                            Kernel::Vector_3(-normals[f].x(), -normals[f].y(), -normals[f].z()));
+    const Triangle own = triangles.cbegin() + static_cast<std::ptrdiff_t>(f);
+    const auto hit = tree.first_intersected_primitive(ray, [own](Triangle t) { return t == own; });
+    if (!hit)
+      return;
+    // A ray that leaves through a face that looks back at it was not inside of the body.
+    const Index g = static_cast<Index>(*hit - triangles.cbegin());
+    const double slope = -normals[f].dot(normals[g]);
+    if (slope > 0)
+      distances[f] =
+        (std::max)((mesh.points[mesh.corners[g][0]] - center).dot(normals[g]) / slope, 0.);
+  });
+  return distances;
+}
+
+// The logarithm of the thickness at each face, relative to the square root of the area of the mesh
+// and smoothed over a disk of `radius` times this length; 0 where no ray of a component found an
+// opposite face.
+template <class ConcurrencyTag>
+std::vector<float> thickness(const Face_dual_graph& mesh, const std::vector<Vector>& normals,
+                             double radius)
+{
+  const std::vector<double> distances = opposite_distances<ConcurrencyTag>(mesh, normals);
+  const double unit = std::sqrt(total_area(mesh));
+  std::vector<Eigen::Array2d> sums(distances.size(), Eigen::Array2d::Zero()); // value, weight
+  for (Index f = 0; f < sums.size(); ++f)
+    if (distances[f] > 0)
+      sums[f] = mesh.areas[f] * Eigen::Array2d(std::log(distances[f] / unit), 1);
+  diffuse(mesh, (std::max)(number_of_diffusion_steps(mesh, radius), std::size_t(3)), sums);
+  std::vector<float> result(sums.size(), 0);
+  for (Index f = 0; f < sums.size(); ++f)
+    if (sums[f][1] > 0)
+      result[f] = static_cast<float>(sums[f][0] / sums[f][1]);
+  return result;
+}
+
+} // namespace internal
+} // namespace Spectral_segmentation
+} // namespace CGAL
+
+#endif // CGAL_SPECTRAL_SEGMENTATION_INTERNAL_THICKNESS_H
