@@ -152,6 +152,7 @@ BOOST_AUTO_TEST_CASE(each_of_the_defaults_is_the_one_that_is_documented)
     for (std::size_t i = 0; i < tree.number_of_nodes(); ++i)
       BOOST_TEST(tree.node(i).salience == by_default.node(i).salience);
   };
+  check(parameters::method(CGAL::Spectral_segmentation::Method::ZHANG_LIU_2005));
   check(parameters::salience_threshold(0.54));
   check(parameters::minimum_segment_size(0.005));
   check(parameters::salience_weights(0.1, 0.6, 0.3));

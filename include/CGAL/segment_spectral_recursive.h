@@ -98,6 +98,20 @@ Faces without area, borders, and any number of connected components are welcome.
       and the functions `compute_x_3_object()` etc. Coordinates are rounded to `double`.}
     \cgalParamDefault{a \cgal kernel deduced from the point type}
   \cgalParamNEnd
+  \cgalParamNBegin{method}
+    \cgalParamDescription{`ZHANG_LIU_2005` is the method of the paper, as told above. `CALIBRATED`
+      cuts where people cut: it also measures bending at the scale of the shape, searches along
+      single-source and thickness orders beside the spectral one, moves the best cuts to the minimum
+      cut near them, and judges cuts by `Calibrated_part_salience`. It first cuts each component
+      into small pieces, then merges neighbors again, the least salient boundary first; a
+      `Segment_tree` has the merges in reverse, down to at most 19 cuts more than there are
+      components, whatever the threshold and the maximum number of segments.}
+    \cgalParamType{`CGAL::Spectral_segmentation::Method`}
+    \cgalParamDefault{`ZHANG_LIU_2005`}
+    \cgalParamExtra{`CALIBRATED` has other defaults: `salience_threshold` 0.5, which is a
+      probability, `minimum_segment_size` 0.003 and `geodesic_weight` 0.03. It does not read
+      `salience_weights`. To a visitor, parts have the number in which they were found.}
+  \cgalParamNEnd
   \cgalParamNBegin{maximum_number_of_segments}
     \cgalParamDescription{No part is cut once there are so many segments. A mesh with more connected
       components has one segment for each.}

@@ -77,7 +77,9 @@ public:
 
     Cut_state cut_state = Cut_state::NOT_SEARCHED;
 
-    /// salience and factors of the best cut; 0 if there is none or it was not searched
+    /// salience and factors of the best cut; 0 if there is none or it was not searched.
+    /// With `Method::CALIBRATED` no cut is less salient than those that were made after it: its
+    /// salience is raised to theirs, while its factors are its own.
     double salience = 0;
     Salience_factors factors;
 
@@ -101,7 +103,8 @@ public:
 
   const Node& node(size_type i) const { return nodes_[i]; }
 
-  /// the salience threshold of the run: no lower one can be asked for
+  /// the salience threshold of the run: no lower one can be asked for, except with
+  /// `Method::CALIBRATED`, whose tree is whole whatever the threshold
   double salience_threshold() const { return salience_threshold_; }
 
   /// the numbers of the faces of a node

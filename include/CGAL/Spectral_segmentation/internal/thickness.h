@@ -52,11 +52,17 @@ std::vector<double> opposite_distances(const Face_dual_graph& mesh,
 #endif
   const auto point = [](const Vector& p) { return Kernel::Point_3(p.x(), p.y(), p.z()); };
 
-  std::vector<Kernel::Triangle_3> triangles;
-  triangles.reserve(mesh.number_of_faces());
-  for (const std::array<Index, 3>& c : mesh.corners)
-    triangles.emplace_back(point(mesh.points[c[0]]), point(mesh.points[c[1]]),
-                           point(mesh.points[c[2]]));
+  std::vector<Kernel::Triangle_3> triangles; // CGAL does not intersect degenerate ones
+  std::vector<Index> face;
+  for (Index f = 0; f < mesh.number_of_faces(); ++f) {
+    const std::array<Index, 3>& c = mesh.corners[f];
+    const Kernel::Triangle_3 t(point(mesh.points[c[0]]), point(mesh.points[c[1]]),
+                               point(mesh.points[c[2]]));
+    if (!t.is_degenerate()) {
+      triangles.push_back(t);
+      face.push_back(f);
+    }
+  }
   Tree tree(triangles.cbegin(), triangles.cend());
   tree.build();
 
@@ -67,12 +73,13 @@ std::vector<double> opposite_distances(const Face_dual_graph& mesh,
     const Vector center = mesh.centroid(static_cast<Index>(f));
     const Kernel::Ray_3 ray(point(center),
                             Kernel::Vector_3(-normals[f].x(), -normals[f].y(), -normals[f].z()));
-    const Triangle own = triangles.cbegin() + static_cast<std::ptrdiff_t>(f);
-    const auto hit = tree.first_intersected_primitive(ray, [own](Triangle t) { return t == own; });
+    const auto face_of = [&](Triangle t) { return face[t - triangles.cbegin()]; };
+    const auto hit =
+      tree.first_intersected_primitive(ray, [&](Triangle t) { return face_of(t) == f; });
     if (!hit)
       return;
     // A ray that leaves through a face that looks back at it was not inside of the body.
-    const Index g = static_cast<Index>(*hit - triangles.cbegin());
+    const Index g = face_of(*hit);
     const double slope = -normals[f].dot(normals[g]);
     if (slope > 0)
       distances[f] =

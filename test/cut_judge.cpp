@@ -1,0 +1,335 @@
+// Copyright (c) 2026  The Spectral_segmentation authors.
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#define BOOST_TEST_MODULE cut_judge
+#include <boost/test/unit_test.hpp>
+
+#include "test_meshes.h"
+
+#include <CGAL/Spectral_segmentation/Part_salience.h>
+#include <CGAL/Spectral_segmentation/internal/Cut_judge.h>
+#include <CGAL/Spectral_segmentation/internal/Face_dual_graph.h>
+#include <CGAL/Spectral_segmentation/internal/distances_from_cut.h>
+#include <CGAL/Spectral_segmentation/internal/face_distances.h>
+#include <CGAL/Spectral_segmentation/internal/parts.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <utility>
+#include <vector>
+
+using namespace test_meshes;
+namespace internal = CGAL::Spectral_segmentation::internal;
+using CGAL::Spectral_segmentation::Salience_factors;
+using internal::Cut_judge;
+using internal::total_area;
+
+namespace {
+
+typedef std::vector<char> Sides;
+
+auto tolerance(double t) { return boost::test_tools::tolerance(t); }
+
+Face_dual_graph graph_of(const Soup& soup)
+{
+  Face_dual_graph graph = dual_graph_of(soup);
+  internal::set_face_distances(graph, graph.points, {0.03, 1, 0.1, 0.01});
+  return graph;
+}
+
+// z of the centroid of each face, in the coordinates of the soup.
+std::vector<double> heights(const Soup& soup)
+{
+  std::vector<double> result;
+  for (const std::vector<std::size_t>& t : soup.triangles)
+    result.push_back((soup.points[t[0]].z() + soup.points[t[1]].z() + soup.points[t[2]].z()) / 3);
+  return result;
+}
+
+Sides below(const Soup& soup, double z)
+{
+  Sides side;
+  for (double h : heights(soup))
+    side.push_back(h < z ? 0 : 1);
+  return side;
+}
+
+Sides swapped(Sides side)
+{
+  for (char& s : side)
+    s = 1 - s;
+  return side;
+}
+
+Salience_factors factors(const Face_dual_graph& graph, const Sides& side)
+{ return Cut_judge(graph, total_area(graph))(side); }
+
+// 1 x 1 x 2: two cubes on top of each other.
+Soup box()
+{
+  const double r = std::sqrt(0.5);
+  return surface_of_revolution({{0, 0}, {0, r}, {1, r}, {2, r}, {2, 0}}, 4);
+}
+
+// Radius 1, open.
+Soup tube(std::size_t length, std::size_t rings_per_unit, std::size_t n_around)
+{
+  std::vector<std::pair<double, double> > profile;
+  for (std::size_t i = 0; i <= length * rings_per_unit; ++i)
+    profile.emplace_back(double(i) / double(rings_per_unit), 1.);
+  return surface_of_revolution(profile, n_around);
+}
+
+} // namespace
+
+BOOST_AUTO_TEST_CASE(a_box_of_two_cubes_is_cut_in_the_middle)
+{
+  const Soup soup = box();
+  const Face_dual_graph graph = graph_of(soup);
+  const Salience_factors f = Cut_judge(graph, 4 * total_area(graph))(below(soup, 1));
+  BOOST_TEST(f.size == 0.5, tolerance(1e-12));
+  // The corners of the unit square have the variance 1/4 in each direction; a half has the area 5.
+  BOOST_TEST(f.protrusiveness == 1 - 4 * 0.25 / 5, tolerance(1e-12));
+  BOOST_TEST(f.cut_strength == 0);
+  BOOST_TEST(f.logarithm_of_part == -std::log(4.), tolerance(1e-12));
+  BOOST_TEST(f.thickness_difference == 0);
+  BOOST_TEST(f.thickness_step == 0);
+  BOOST_TEST(f.thickness_variation == 0);
+}
+
+BOOST_AUTO_TEST_CASE(a_plate_cut_off_a_plate_has_a_base_without_width)
+{
+  const Face_dual_graph graph = graph_of(plate(4, 1));
+  const Salience_factors f = factors(graph, {0, 0, 1, 1, 1, 1, 1, 1});
+  BOOST_TEST(f.size == 0.25, tolerance(1e-12));
+  BOOST_TEST(f.protrusiveness == 1, tolerance(1e-7));
+  BOOST_TEST(f.cut_strength == 0);
+}
+
+BOOST_AUTO_TEST_CASE(the_size_of_the_whole_mesh_enters_two_factors)
+{
+  const Soup soup = dumbbell(20, 15);
+  const Face_dual_graph graph = graph_of(soup);
+  const double area = total_area(graph);
+  const Salience_factors a = Cut_judge(graph, area)(below(soup, 0)),
+                         b = Cut_judge(graph, 100 * area)(below(soup, 0));
+  BOOST_TEST(std::abs(a.logarithm_of_part) < 1e-12);
+  BOOST_TEST(b.logarithm_of_part == -std::log(100.), tolerance(1e-12));
+  BOOST_TEST(a.convexity_gain == 10 * b.convexity_gain, tolerance(1e-12));
+  BOOST_TEST(a.hollowness_of_rest == b.hollowness_of_rest);
+  BOOST_TEST(a.widening_of_rest == b.widening_of_rest);
+}
+
+BOOST_AUTO_TEST_CASE(convex_parts_of_a_convex_body_are_not_hollow)
+{
+  const Soup soup = sphere(3);
+  const Salience_factors f = factors(graph_of(soup), below(soup, 0));
+  for (double value : {f.hollowness_of_cut_part, f.hollowness_of_rest, f.convexity_gain}) {
+    BOOST_TEST(value > -0.001);
+    BOOST_TEST(value < 0.005);
+  }
+}
+
+BOOST_AUTO_TEST_CASE(two_spheres_are_convex_once_they_are_cut_apart)
+{
+  const Soup soup = dumbbell(40, 30);
+  const Salience_factors f = factors(graph_of(soup), below(soup, 0));
+  BOOST_TEST(f.hollowness_of_cut_part < 0.005);
+  BOOST_TEST(f.hollowness_of_rest < 0.005);
+  // The hull is a capsule. Below it a face whose normal leans by c towards the other sphere has the
+  // depth c times the distance of the centers, in the mean a fourth of that.
+  const double distance = 2 * std::sqrt(1 - 0.04);
+  BOOST_TEST(f.convexity_gain == distance / 4 / std::sqrt(8 * pi), tolerance(0.05));
+}
+
+BOOST_AUTO_TEST_CASE(the_hollowness_of_a_side_is_measured_in_the_root_of_its_own_area)
+{
+  // A bowl without thickness: half of a sphere from outside, half from inside.
+  std::vector<std::pair<double, double> > profile;
+  for (int i = 0; i <= 20; ++i)
+    profile.emplace_back(-std::cos(i * pi / 40), i == 0 ? 0 : std::sin(i * pi / 40));
+  Soup soup = surface_of_revolution(profile, 40);
+  const std::size_t n = soup.triangles.size();
+  for (std::size_t t = 0; t < n; ++t) {
+    std::vector<std::size_t> back = soup.triangles[t];
+    std::swap(back[1], back[2]);
+    soup.triangles.push_back(back);
+  }
+  // The rim joins the two.
+  const std::size_t first_of_rim = soup.points.size() - 40, shift = soup.points.size();
+  for (std::size_t v = 0; v < first_of_rim; ++v)
+    soup.points.push_back(soup.points[v]);
+  for (std::size_t t = n; t < 2 * n; ++t)
+    for (std::size_t& v : soup.triangles[t])
+      if (v < first_of_rim)
+        v += shift;
+  Sides side(2 * n, 0);
+  std::fill(side.begin() + std::ptrdiff_t(n), side.end(), char(1));
+
+  const Salience_factors f = factors(graph_of(soup), side);
+  BOOST_TEST(f.hollowness_of_cut_part < 0.005);
+  // Along the normal of a face at depth z below the rim the rim lies at sqrt(1 - z^2), the face at
+  // -1; z is evenly spread over [0, 1].
+  BOOST_TEST(f.hollowness_of_rest == (1 + pi / 4) / std::sqrt(2 * pi), tolerance(0.02));
+}
+
+BOOST_AUTO_TEST_CASE(thickness_that_is_constant_on_the_sides_has_its_variation_between_them)
+{
+  const Soup soup = tube(12, 4, 24);
+  Face_dual_graph graph = graph_of(soup);
+  const Sides side = below(soup, 3);
+  for (char s : side)
+    graph.thickness.push_back(s == 0 ? 1.f : 3.f);
+  const Salience_factors f = factors(graph, side);
+  BOOST_TEST(f.size == 0.25, tolerance(1e-9));
+  BOOST_TEST(f.thickness_difference == 2, tolerance(1e-9));
+  BOOST_TEST(f.thickness_step == 2, tolerance(1e-9));
+  BOOST_TEST(f.thickness_variation == 2 * std::sqrt(0.25 * 0.75), tolerance(1e-9));
+}
+
+BOOST_AUTO_TEST_CASE(the_step_of_thickness_sees_neither_the_cut_nor_what_is_far_from_it)
+{
+  const Soup soup = tube(12, 4, 24);
+  Face_dual_graph graph = graph_of(soup);
+  const Sides side = below(soup, 3);
+  double area = 0;
+  for (Index f = 0; f < side.size(); ++f)
+    area += side[f] == 0 ? graph.areas[f] : 0;
+  const double radius = 0.35 * std::sqrt(area);
+  graph.thickness.assign(side.size(), 500);
+  std::size_t number_in_ring[2] = {0, 0};
+  for (const internal::Face_at_distance& f : internal::faces_near_cut(graph, side, radius)) {
+    graph.thickness[f.face] = f.distance < radius / 2 ? -70.f : side[f.face] == 0 ? 4.f : 9.f;
+    number_in_ring[int(side[f.face])] += f.distance >= radius / 2;
+  }
+  BOOST_TEST(number_in_ring[0] > 0);
+  BOOST_TEST(number_in_ring[1] > 0);
+  BOOST_TEST(factors(graph, side).thickness_step == 5, tolerance(1e-9));
+}
+
+BOOST_AUTO_TEST_CASE(sides_without_a_face_at_some_distance_have_no_step_of_thickness)
+{
+  // Half a box has the area 5, which makes a radius of 0.78; the faces at the cut have their
+  // centroids at 0.37, the others are beyond 0.78.
+  const Soup soup = box();
+  Face_dual_graph graph = graph_of(soup);
+  const Sides side = below(soup, 1);
+  for (char s : side)
+    graph.thickness.push_back(s == 0 ? 1.f : 3.f);
+  const Salience_factors f = factors(graph, side);
+  BOOST_TEST(f.thickness_difference == 2, tolerance(1e-9));
+  BOOST_TEST(f.thickness_variation == 1, tolerance(1e-9));
+  BOOST_TEST(f.thickness_step == 0);
+  // Each of the 4 faces at the cut that belong to the rest has the area 1/2, the cut the length 4.
+  BOOST_TEST(f.widening_of_rest == 4 * 0.5 / (0.35 * std::sqrt(5.) * 4), tolerance(1e-9));
+}
+
+BOOST_AUTO_TEST_CASE(a_cylinder_does_not_widen_and_a_sphere_behind_a_neck_does)
+{
+  const Soup cylinder = tube(20, 6, 36);
+  const double widening = factors(graph_of(cylinder), below(cylinder, 6)).widening_of_rest;
+  BOOST_TEST(widening > 0.75); // ways over centroids are a bit longer than the straight ones
+  BOOST_TEST(widening < 1.02);
+
+  const Soup spheres = dumbbell(40, 30);
+  const double of_sphere = factors(graph_of(spheres), below(spheres, 0)).widening_of_rest;
+  // A zone of the sphere from the neck up to the radius.
+  const double neck = std::asin(0.2), radius = 0.35 * std::sqrt(4 * pi);
+  const double zone = 2 * pi * (std::cos(neck) - std::cos(neck + radius));
+  BOOST_TEST(of_sphere < 1.02 * zone / (radius * 2 * pi * 0.2));
+  BOOST_TEST(of_sphere > 0.65 * zone / (radius * 2 * pi * 0.2));
+}
+
+BOOST_AUTO_TEST_CASE(widening_ends_at_four)
+{
+  const Soup soup = dumbbell(20, 15);
+  const Sides side = below(soup, 0);
+  Face_dual_graph graph = graph_of(soup);
+  for (Index f = 0; f < side.size(); ++f)
+    graph.areas[f] *= side[f] == 1 ? 100 : 1;
+  BOOST_TEST(factors(graph, side).widening_of_rest == 4);
+}
+
+BOOST_AUTO_TEST_CASE(halves_of_equal_area_swap_their_factors_with_their_labels)
+{
+  Random random(7);
+  const Soup soup = displaced(dumbbell(20, 15), 0.01, random);
+  Face_dual_graph graph = graph_of(soup);
+  const Sides side = below(soup, 0);
+  // The halves get the same area, each face its share.
+  double area[2] = {0, 0};
+  for (Index f = 0; f < side.size(); ++f)
+    area[int(side[f])] += graph.areas[f];
+  for (Index f = 0; f < side.size(); ++f) {
+    graph.areas[f] /= area[int(side[f])];
+    graph.thickness.push_back(float(f % 7) + float(side[f]));
+  }
+  const Salience_factors a = factors(graph, side), b = factors(graph, swapped(side));
+  const auto same = tolerance(1e-9);
+  BOOST_TEST(a.size == b.size, same);
+  BOOST_TEST(a.cut_strength == b.cut_strength, same);
+  BOOST_TEST(a.protrusiveness == b.protrusiveness, same);
+  BOOST_TEST(a.logarithm_of_part == b.logarithm_of_part, same);
+  BOOST_TEST(a.hollowness_of_cut_part == b.hollowness_of_rest, same);
+  BOOST_TEST(a.hollowness_of_rest == b.hollowness_of_cut_part, same);
+  BOOST_TEST(a.convexity_gain == b.convexity_gain, same);
+  BOOST_TEST(a.thickness_difference == -b.thickness_difference, same);
+  BOOST_TEST(a.thickness_step == -b.thickness_step, same);
+  BOOST_TEST(a.thickness_variation == b.thickness_variation, same);
+  BOOST_TEST(a.thickness_difference != 0);
+  BOOST_TEST(a.thickness_step != 0);
+}
+
+BOOST_AUTO_TEST_CASE(cut_strength_is_the_mean_concavity_by_length)
+{
+  for (unsigned seed = 1; seed <= 40; ++seed) {
+    BOOST_TEST_CONTEXT("seed " << seed) {
+      Random random(seed);
+      const std::vector<Soup> shapes = {plate(9, 7), sphere(2), torus(2, 0.7, 16, 10),
+                                        dumbbell(12, 8)};
+      const Soup soup = displaced(shapes[seed % shapes.size()], 0.1, random);
+      const Mesh mesh = mesh_of(soup);
+      const Face_dual_graph graph = graph_of(soup);
+      Sides side(graph.number_of_faces());
+      for (char& s : side)
+        s = random() % 3 == 0 ? 0 : 1;
+      side[0] = 0;
+      side[1] = 1;
+
+      double length = 0, sum = 0;
+      for (Mesh::Edge_index e : mesh.edges()) {
+        if (mesh.is_border(e))
+          continue;
+        const Mesh::Face_index f = mesh.face(mesh.halfedge(e, 0)),
+                               g = mesh.face(mesh.halfedge(e, 1));
+        if (side[f] == side[g])
+          continue;
+        const double l = std::sqrt(CGAL::squared_distance(mesh.point(mesh.vertex(e, 0)),
+                                                          mesh.point(mesh.vertex(e, 1))));
+        length += l;
+        for (Index h = 3 * Index(f); h < 3 * Index(f) + 3; ++h)
+          if (graph.halfedges[h].neighbor == Index(g))
+            sum += l * graph.halfedges[h].concavity;
+      }
+      Cut_judge judge(graph, total_area(graph));
+      BOOST_TEST(judge(side).cut_strength == sum / length, tolerance(1e-9));
+      BOOST_TEST(sum > 0);
+    }
+  }
+}
+
+BOOST_AUTO_TEST_CASE(a_judge_forgets_the_cuts_before)
+{
+  const Soup soup = torus(2, 0.7, 16, 10);
+  const Face_dual_graph graph = graph_of(soup);
+  Cut_judge judge(graph, total_area(graph));
+  for (double z : {-0.5, 0.3, -0.5}) {
+    const Salience_factors a = judge(below(soup, z)), b = factors(graph, below(soup, z));
+    BOOST_TEST(a.protrusiveness == b.protrusiveness);
+    BOOST_TEST(a.cut_strength == b.cut_strength);
+    BOOST_TEST(a.hollowness_of_cut_part == b.hollowness_of_cut_part);
+    BOOST_TEST(a.hollowness_of_rest == b.hollowness_of_rest);
+    BOOST_TEST(a.widening_of_rest == b.widening_of_rest);
+  }
+}

@@ -1,0 +1,239 @@
+// Copyright (c) 2026  The Spectral_segmentation authors.
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#define BOOST_TEST_MODULE hollowness
+#include <boost/test/unit_test.hpp>
+
+#include "test_meshes.h"
+
+#include <CGAL/Spectral_segmentation/internal/Face_dual_graph.h>
+#include <CGAL/Spectral_segmentation/internal/Hollowness.h>
+#include <CGAL/Spectral_segmentation/internal/face_distances.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <limits>
+#include <numeric>
+#include <utility>
+#include <vector>
+
+namespace tt = boost::test_tools;
+using namespace test_meshes;
+using CGAL::Spectral_segmentation::internal::Hollowness;
+using CGAL::Spectral_segmentation::internal::Vector;
+using CGAL::Spectral_segmentation::internal::face_normals;
+
+namespace {
+
+// No direction is farther than this from the next of 162 that are evenly spread: a circle of this
+// radius covers three times its share of the sphere.
+const double between_directions = 0.2;
+const double single_precision = 1e-5;
+
+Soup scaled(Soup soup, double factor)
+{
+  for (Point& p : soup.points)
+    p = Point(factor * p.x(), factor * p.y(), factor * p.z());
+  return soup;
+}
+
+Soup moved(Soup soup, double x, double y, double z)
+{
+  for (Point& p : soup.points)
+    p = Point(p.x() + x, p.y() + y, p.z() + z);
+  return soup;
+}
+
+Soup turned_inside_out(Soup soup)
+{
+  for (std::vector<std::size_t>& t : soup.triangles)
+    std::swap(t[1], t[2]);
+  return soup;
+}
+
+std::vector<Index> range(Index first, Index last)
+{
+  std::vector<Index> faces(last - first);
+  std::iota(faces.begin(), faces.end(), first);
+  return faces;
+}
+
+std::vector<Index> all_faces(const Face_dual_graph& graph)
+{ return range(0, Index(graph.number_of_faces())); }
+
+// In the coordinates of the soup.
+double hollowness_of(const Soup& soup)
+{
+  const Face_dual_graph graph = dual_graph_of(soup);
+  return Hollowness(graph)(all_faces(graph)) * graph.unit;
+}
+
+// The depth along the normals themselves.
+double exact_hollowness(const Face_dual_graph& graph, const std::vector<Index>& faces)
+{
+  const std::vector<Vector> normals = face_normals(graph, graph.points);
+  double sum = 0, area = 0;
+  for (Index f : faces) {
+    double support = -std::numeric_limits<double>::infinity();
+    for (Index g : faces)
+      for (Index v : graph.corners[g])
+        support = std::max(support, normals[f].dot(graph.points[v]));
+    sum += graph.areas[f] * (support - normals[f].dot(graph.centroid(f)));
+    area += graph.areas[f];
+  }
+  return sum / area;
+}
+
+// The largest distance of two vertices of the faces.
+double diameter(const Face_dual_graph& graph, const std::vector<Index>& faces)
+{
+  double result = 0;
+  for (Index f : faces)
+    for (Index g : faces)
+      result = std::max(result, (graph.points[graph.corners[f][0]] -
+                                 graph.points[graph.corners[g][1]]).norm());
+  return result;
+}
+
+} // namespace
+
+BOOST_AUTO_TEST_CASE(nothing_is_not_hollow)
+{
+  const Face_dual_graph graph = dual_graph_of(sphere(0));
+  BOOST_TEST(Hollowness(graph)({}) == 0);
+}
+
+BOOST_AUTO_TEST_CASE(faces_without_area_are_not_hollow)
+{
+  Soup soup = turned_inside_out(sphere(1));
+  for (std::size_t v : soup.triangles[4])
+    soup.points[v] = Point(0, 0, 0);
+  const Face_dual_graph graph = dual_graph_of(soup);
+  Hollowness hollowness(graph);
+  BOOST_TEST(hollowness({4}) == 0);
+  BOOST_TEST(hollowness(all_faces(graph)) > 0.1);
+}
+
+BOOST_AUTO_TEST_CASE(a_convex_body_is_as_hollow_as_the_directions_are_coarse)
+{
+  for (double radius : {1., 30.}) {
+    const double hollowness = hollowness_of(scaled(sphere(3), radius));
+    BOOST_TEST(hollowness >= 0);
+    BOOST_TEST(hollowness < (1 - std::cos(between_directions)) * radius);
+  }
+  // A square prism with sides of sqrt(2).
+  const double of_box = hollowness_of(surface_of_revolution({{-1, 0}, {-1, 1}, {1, 1}, {1, 0}}, 4));
+  BOOST_TEST(of_box >= 0);
+  BOOST_TEST(of_box < between_directions * std::sqrt(2.));
+}
+
+BOOST_AUTO_TEST_CASE(a_sphere_turned_inside_out_is_a_diameter_below_its_hull)
+{
+  for (double radius : {1., 30.})
+    BOOST_TEST(hollowness_of(turned_inside_out(scaled(sphere(3), radius))) == 2 * radius,
+               tt::tolerance(0.02));
+}
+
+BOOST_AUTO_TEST_CASE(a_cavity_counts_by_its_area)
+{
+  const Soup soup = disjoint_union(scaled(sphere(3), 3), turned_inside_out(sphere(3)));
+  // The shell is 0, the cavity 1 + 3 below the hull; their areas are 9 to 1.
+  BOOST_TEST(hollowness_of(soup) == 0.4, tt::tolerance(0.1));
+}
+
+BOOST_AUTO_TEST_CASE(two_spheres_are_hollow_between_each_other)
+{
+  // The halves that look at each other are 2d |x| below the hull, which is d on average.
+  for (double d : {2., 5., 20.})
+    BOOST_TEST(hollowness_of(disjoint_union(moved(sphere(3), -d, 0, 0), moved(sphere(3), d, 0, 0)))
+               == d / 2, tt::tolerance(0.05));
+}
+
+BOOST_AUTO_TEST_CASE(the_directions_are_next_to_the_normals)
+{
+  for (unsigned seed = 1; seed <= 12; ++seed) {
+    BOOST_TEST_CONTEXT("seed " << seed) {
+      Random random(seed);
+      const std::vector<Soup> shapes = {plate(5, 4), sphere(2), torus(2, 0.7, 12, 8),
+                                        dumbbell(10, 6)};
+      const Face_dual_graph graph =
+        dual_graph_of(displaced(shapes[seed % shapes.size()], 0.05, random));
+      std::vector<Index> faces = all_faces(graph);
+      std::shuffle(faces.begin(), faces.end(), random);
+      faces.resize(faces.size() / (1 + seed % 3));
+      const double hollowness = Hollowness(graph)(faces);
+      BOOST_TEST(hollowness >= -single_precision);
+      BOOST_TEST(std::abs(hollowness - exact_hollowness(graph, faces)) <
+                 between_directions * diameter(graph, faces));
+    }
+  }
+}
+
+BOOST_AUTO_TEST_CASE(a_dumbbell_is_hollow_and_its_halves_are_less_so)
+{
+  const Face_dual_graph graph = dual_graph_of(dumbbell(24, 16));
+  std::vector<Index> low, high;
+  for (Index f : all_faces(graph))
+    (graph.centroid(f).z() < 0 ? low : high).push_back(f);
+  BOOST_TEST(low.size() == high.size());
+  Hollowness hollowness(graph);
+  const double whole = hollowness(all_faces(graph));
+  BOOST_TEST(whole == exact_hollowness(graph, all_faces(graph)), tt::tolerance(0.1));
+  BOOST_TEST(hollowness(low) < 0.1 * whole);
+  BOOST_TEST(hollowness(high) < 0.1 * whole);
+}
+
+BOOST_AUTO_TEST_CASE(only_the_vertices_of_the_set_make_its_hull)
+{
+  const Soup soup = disjoint_union(moved(sphere(3), -5, 0, 0), moved(sphere(3), 5, 0, 0));
+  const Face_dual_graph graph = dual_graph_of(soup);
+  const double alone = hollowness_of(sphere(3)) / graph.unit;
+  Hollowness hollowness(graph);
+  const double both = hollowness(all_faces(graph));
+  for (int i = 0; i < 2; ++i) {
+    BOOST_TEST(std::abs(hollowness(range(0, 1280)) - alone) < single_precision);
+    BOOST_TEST(std::abs(hollowness(range(1280, 2560)) - alone) < single_precision);
+    BOOST_TEST(hollowness(all_faces(graph)) == both);
+  }
+  BOOST_TEST(both > 10 * alone);
+}
+
+BOOST_AUTO_TEST_CASE(a_flat_set_is_not_hollow)
+{
+  const Face_dual_graph graph = dual_graph_of(plate(30, 30));
+  Hollowness hollowness(graph);
+  BOOST_TEST(hollowness(all_faces(graph)) < between_directions * std::sqrt(2.));
+  BOOST_TEST(hollowness({17}) < between_directions * 2 / 30);
+}
+
+BOOST_AUTO_TEST_CASE(the_order_of_the_faces_does_not_matter)
+{
+  Random random(2);
+  const Face_dual_graph graph = dual_graph_of(torus(2, 0.5, 40, 20)); // 800 vertices
+  std::vector<Index> faces = all_faces(graph);
+  Hollowness hollowness(graph);
+  const double in_order = hollowness(faces);
+  std::shuffle(faces.begin(), faces.end(), random);
+  BOOST_TEST(hollowness(faces) == in_order, tt::tolerance(1e-12));
+  BOOST_TEST(in_order == exact_hollowness(graph, faces), tt::tolerance(0.1));
+}
+
+BOOST_AUTO_TEST_CASE(moving_the_part_does_not_matter)
+{
+  const Face_dual_graph graph = dual_graph_of(dumbbell(12, 8));
+  const double in_place = Hollowness(graph)(all_faces(graph));
+  Face_dual_graph elsewhere = graph;
+  for (Vector& p : elsewhere.points)
+    p += Vector(0.4, -0.3, 0.2);
+  BOOST_TEST(std::abs(Hollowness(elsewhere)(all_faces(graph)) - in_place) < single_precision);
+  BOOST_TEST(in_place > 0.01);
+}
+
+BOOST_AUTO_TEST_CASE(the_hollowness_grows_with_the_size)
+{
+  const double hollowness = hollowness_of(torus(2, 0.5, 24, 12));
+  for (double factor : {1e-3, 3., 1000.})
+    BOOST_TEST(hollowness_of(scaled(torus(2, 0.5, 24, 12), factor)) == factor * hollowness,
+               tt::tolerance(single_precision));
+}

@@ -1,0 +1,274 @@
+// Copyright (c) 2026  The Spectral_segmentation authors.
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#define BOOST_TEST_MODULE shape_scale_angles
+#include <boost/test/unit_test.hpp>
+
+#include "test_meshes.h"
+
+#include <CGAL/Spectral_segmentation/internal/Face_dual_graph.h>
+#include <CGAL/Spectral_segmentation/internal/face_distances.h>
+#include <CGAL/Spectral_segmentation/internal/shape_scale_angles.h>
+
+#include <Eigen/Core>
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <numeric>
+#include <random>
+#include <utility>
+#include <vector>
+
+namespace tt = boost::test_tools;
+using namespace test_meshes;
+using CGAL::Spectral_segmentation::internal::Vector;
+using CGAL::Spectral_segmentation::internal::diffuse;
+using CGAL::Spectral_segmentation::internal::face_normals;
+using CGAL::Spectral_segmentation::internal::number_of_diffusion_steps;
+using CGAL::Spectral_segmentation::internal::shape_scale_angles;
+
+namespace {
+
+Soup scaled(Soup soup, double factor)
+{
+  for (Point& p : soup.points)
+    p = Point(factor * p.x(), factor * p.y(), factor * p.z());
+  return soup;
+}
+
+Soup turned_inside_out(Soup soup)
+{
+  for (std::vector<std::size_t>& t : soup.triangles)
+    std::swap(t[1], t[2]);
+  return soup;
+}
+
+std::vector<double> angles_of(const Face_dual_graph& graph, double radius)
+{ return shape_scale_angles(graph, graph.points, face_normals(graph, graph.points), radius); }
+
+// The length over which the surface bends by an angle, in the coordinates of the graph.
+double way(const Face_dual_graph& graph, double radius)
+{ return 2 * radius * std::sqrt(std::accumulate(graph.areas.begin(), graph.areas.end(), 0.)); }
+
+Vector edge_of(const Face_dual_graph& graph, Index h)
+{ return graph.points[graph.target_vertex(h)] - graph.points[graph.source_vertex(h)]; }
+
+double mean(const std::vector<double>& values)
+{ return std::accumulate(values.begin(), values.end(), 0.) / double(values.size()); }
+
+std::vector<double> random_values(std::size_t n, Random& random)
+{
+  std::uniform_real_distribution<double> value(-1, 1);
+  std::vector<double> values(n);
+  for (double& x : values)
+    x = value(random);
+  return values;
+}
+
+// Around the z axis, open, of radius 1 and height 4.
+Soup cylinder(std::size_t n_around)
+{ return surface_of_revolution({{-2, 1}, {-1.5, 1}, {-0.5, 1}, {0, 1}, {1, 1}, {2, 1}}, n_around); }
+
+} // namespace
+
+BOOST_AUTO_TEST_CASE(the_steps_of_the_diffusion_are_bounded)
+{
+  const Face_dual_graph graph = dual_graph_of(sphere(2));
+  BOOST_TEST(number_of_diffusion_steps(graph, 0) == 1U);
+  BOOST_TEST(number_of_diffusion_steps(graph, 0.01) == 1U);
+  BOOST_TEST(number_of_diffusion_steps(graph, 1) == 60U);
+  BOOST_TEST(number_of_diffusion_steps(graph, 1e200) == 60U);
+}
+
+BOOST_AUTO_TEST_CASE(the_steps_grow_with_the_faces_of_a_disk)
+{
+  const Face_dual_graph coarse = dual_graph_of(sphere(2)), fine = dual_graph_of(sphere(3));
+  BOOST_TEST(number_of_diffusion_steps(coarse, 0.1) == 2U);  // 2.4
+  BOOST_TEST(number_of_diffusion_steps(coarse, 0.15) == 5U); // 5.4
+  BOOST_TEST(number_of_diffusion_steps(coarse, 0.2) == 10U); // 9.6
+  BOOST_TEST(number_of_diffusion_steps(fine, 0.1) == number_of_diffusion_steps(coarse, 0.2));
+}
+
+BOOST_AUTO_TEST_CASE(a_face_gives_a_fifth_over_each_edge)
+{
+  const Face_dual_graph icosahedron = dual_graph_of(sphere(0));
+  std::vector<double> values(20, 0);
+  values[7] = 1;
+  diffuse(icosahedron, 1, values);
+  for (Index f = 0; f < 20; ++f) {
+    bool is_adjacent = false;
+    for (Index h = 3 * f; h < 3 * f + 3; ++h)
+      is_adjacent = is_adjacent || icosahedron.halfedges[h].neighbor == 7;
+    BOOST_TEST(values[f] == (f == 7 ? 0.4 : is_adjacent ? 0.2 : 0));
+  }
+}
+
+BOOST_AUTO_TEST_CASE(a_face_on_the_border_keeps_what_finds_no_neighbor)
+{
+  const Face_dual_graph square = dual_graph_of(plate(1, 1));
+  std::vector<double> values = {1, 0};
+  diffuse(square, 0, values);
+  BOOST_TEST(values[0] == 1);
+  BOOST_TEST(values[1] == 0);
+  diffuse(square, 2, values);
+  BOOST_TEST(values[0] == 0.68, tt::tolerance(1e-15));
+  BOOST_TEST(values[1] == 0.32, tt::tolerance(1e-15));
+}
+
+BOOST_AUTO_TEST_CASE(the_diffusion_keeps_sums_and_spreads_no_constant)
+{
+  Random random(1);
+  for (const Soup& soup : {sphere(1), torus(2, 1, 6, 5), plate(5, 4), cylinder(7)}) {
+    const Face_dual_graph graph = dual_graph_of(soup);
+    const std::vector<double> old = random_values(graph.number_of_faces(), random);
+    std::vector<Eigen::Array2d> values;
+    for (double x : old)
+      values.emplace_back(x, 3);
+    diffuse(graph, 17, values);
+    double sum = 0, change = 0;
+    for (std::size_t f = 0; f < old.size(); ++f) {
+      sum += values[f][0];
+      change += std::abs(values[f][0] - old[f]);
+      BOOST_TEST(values[f][1] == 3, tt::tolerance(1e-14));
+    }
+    BOOST_TEST(std::abs(sum - std::accumulate(old.begin(), old.end(), 0.)) < 1e-12);
+    BOOST_TEST(change > 0.1 * double(old.size()));
+  }
+}
+
+BOOST_AUTO_TEST_CASE(many_steps_reach_the_mean_of_each_component)
+{
+  const Face_dual_graph graph = dual_graph_of(disjoint_union(plate(2, 2), sphere(0)));
+  std::vector<double> values(28, 0);
+  values[0] = 8;
+  values[8] = 100;
+  diffuse(graph, 1000, values);
+  for (Index f = 0; f < 28; ++f)
+    BOOST_TEST(values[f] == (f < 8 ? 1 : 5), tt::tolerance(1e-12));
+}
+
+BOOST_AUTO_TEST_CASE(a_plate_does_not_bend)
+{
+  for (double angle : angles_of(dual_graph_of(plate(6, 5)), 0.1))
+    BOOST_TEST(angle == 0);
+}
+
+BOOST_AUTO_TEST_CASE(a_sphere_bends_by_the_way_over_its_radius_everywhere)
+{
+  for (double size : {1., 7., 1000.})
+    for (double radius : {0.02, 0.05, 0.1}) {
+      const Face_dual_graph graph = dual_graph_of(scaled(sphere(3), size));
+      const double expected = way(graph, radius) / (size / graph.unit);
+      for (double angle : angles_of(graph, radius))
+        BOOST_TEST(angle == expected, tt::tolerance(0.05));
+    }
+}
+
+BOOST_AUTO_TEST_CASE(the_angle_does_not_depend_on_the_triangulation)
+{
+  const double coarse = mean(angles_of(dual_graph_of(sphere(2)), 0.1));
+  const double fine = mean(angles_of(dual_graph_of(sphere(4)), 0.1));
+  BOOST_TEST(coarse == fine, tt::tolerance(0.02));
+  BOOST_TEST(coarse == 0.2 * std::sqrt(4 * pi), tt::tolerance(0.02));
+}
+
+// Euler: the curvature across an edge is that around the axis times the squared cosine of its angle
+// to the axis. It holds exactly, as each triangle has the same tensor in proportion to its area.
+BOOST_AUTO_TEST_CASE(a_cylinder_bends_across_its_axis_only)
+{
+  for (std::size_t n : {5, 12, 40})
+    for (double radius : {0.02, 0.1}) {
+      const Face_dual_graph graph = dual_graph_of(cylinder(n));
+      const double side = 2 * std::sin(pi / double(n)) / graph.unit;
+      const double along = way(graph, radius) * 2 * pi / double(n) / side;
+      const std::vector<double> angles = angles_of(graph, radius);
+      for (Index h = 0; h < angles.size(); ++h) {
+        const Vector edge = edge_of(graph, h);
+        BOOST_TEST(std::abs(angles[h] - along * edge.z() * edge.z() / edge.squaredNorm()) < 1e-12);
+      }
+    }
+}
+
+BOOST_AUTO_TEST_CASE(a_torus_is_concave_around_its_hole_only)
+{
+  const std::size_t n_tube = 24;
+  const Face_dual_graph graph = dual_graph_of(torus(3, 1, 72, n_tube));
+  const double length = way(graph, 0.02) * graph.unit;
+  const std::vector<double> angles = angles_of(graph, 0.02);
+  for (Index h = 0; h < angles.size(); ++h) {
+    const Index a = graph.source_vertex(h), b = graph.target_vertex(h);
+    const Vector middle = (graph.points[a] + graph.points[b]) / 2 * graph.unit;
+    const double from_axis = std::hypot(middle.x(), middle.y());
+    if (a / n_tube == b / n_tube) // around the tube
+      BOOST_TEST(std::abs(angles[h] - length * (from_axis - 3) / from_axis) < 0.05 * length);
+    else if (a % n_tube == b % n_tube)
+      BOOST_TEST(std::abs(angles[h] - length) < 0.05 * length);
+  }
+}
+
+BOOST_AUTO_TEST_CASE(turned_inside_out_convex_is_concave)
+{
+  for (const Soup& soup : {sphere(1), cylinder(9), torus(3, 1, 9, 8)}) {
+    const std::vector<double> angles = angles_of(dual_graph_of(soup), 0.05);
+    const Face_dual_graph inside_out = dual_graph_of(turned_inside_out(soup));
+    const std::vector<double> reversed = angles_of(inside_out, 0.05);
+    double sum = 0;
+    for (Index h = 0; h < angles.size(); ++h) {
+      // A face has its first corner as before, and its edges in reverse.
+      BOOST_TEST(std::abs(reversed[h] + angles[3 * (h / 3) + 2 - h % 3]) < 1e-12);
+      sum += angles[h];
+    }
+    BOOST_TEST(sum > 0.1);
+  }
+}
+
+BOOST_AUTO_TEST_CASE(a_valley_is_negative_and_a_ridge_is_positive)
+{
+  for (double rise : {-1., 1.}) {
+    const Face_dual_graph graph = dual_graph_of(
+      {{Point(0, 0, 0), Point(1, 0, 0), Point(0, 1, rise), Point(1, -1, rise)},
+       {{0, 1, 2}, {1, 0, 3}}});
+    // Both slopes have 45 degrees: a right angle over the area of both, along an edge of length 1.
+    const double area = std::sqrt(2.);
+    const double expected = -rise * 0.2 * std::sqrt(area) * pi / 2 / area;
+    const std::vector<double> angles = angles_of(graph, 0.1);
+    for (Index h = 0; h < 6; ++h) {
+      if (graph.is_border(h))
+        BOOST_TEST(angles[h] == 0);
+      else
+        BOOST_TEST(angles[h] == expected, tt::tolerance(1e-12));
+    }
+  }
+}
+
+BOOST_AUTO_TEST_CASE(both_sides_of_an_edge_have_the_same_angle)
+{
+  Random random(3);
+  const Face_dual_graph graph = dual_graph_of(displaced(torus(2, 0.7, 12, 8), 0.2, random));
+  const std::vector<double> angles = angles_of(graph, 0.05);
+  double largest = 0, smallest = 0;
+  for (Index h = 0; h < angles.size(); ++h) {
+    BOOST_TEST(std::abs(angles[h] - angles[graph.opposite(h)]) < 1e-12);
+    largest = std::max(largest, angles[h]);
+    smallest = std::min(smallest, angles[h]);
+  }
+  BOOST_TEST(largest > 0.1);
+  BOOST_TEST(smallest < -0.1);
+}
+
+BOOST_AUTO_TEST_CASE(no_angle_is_more_than_half_a_turn)
+{
+  for (double angle : angles_of(dual_graph_of(sphere(1)), 10))
+    BOOST_TEST(angle == pi);
+  for (double angle : angles_of(dual_graph_of(turned_inside_out(sphere(1))), 10))
+    BOOST_TEST(angle == -pi);
+}
+
+BOOST_AUTO_TEST_CASE(faces_without_area_leave_the_angles_finite)
+{
+  Soup soup = sphere(1);
+  soup.points[soup.triangles[0][0]] = soup.points[soup.triangles[0][1]];
+  for (double angle : angles_of(dual_graph_of(soup), 0.05))
+    BOOST_TEST(std::isfinite(angle));
+}
