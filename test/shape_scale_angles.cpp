@@ -154,6 +154,16 @@ BOOST_AUTO_TEST_CASE(a_plate_does_not_bend)
     BOOST_TEST(angle == 0);
 }
 
+BOOST_AUTO_TEST_CASE(a_plate_does_not_bend_in_any_position)
+{
+  Soup soup = plate(20, 20);
+  for (Point& p : soup.points)
+    p = Point(p.x(), p.y(), p.x() / 3 + p.y() / 7);
+  const Face_dual_graph graph = dual_graph_of(soup);
+  for (double angle : angles_of(graph, 0.01))
+    BOOST_TEST(angle == 0);
+}
+
 BOOST_AUTO_TEST_CASE(a_sphere_bends_by_the_way_over_its_radius_everywhere)
 {
   for (double size : {1., 7., 1000.})

@@ -47,7 +47,7 @@ struct Salience_factors
   double convexity_gain = 0;
 
   /// how fast the rest widens behind the cut: its area within a distance *r* of the cut, divided by
-  /// *r* and the length of the cut; *r* = 0.35 sqrt(Area(*Q*)); 1 on a cylinder, at most 4
+  /// *r* and the length of the cut; *r* = 0.35 sqrt(Area(*Q*)); about 1 on a cylinder, at most 4
   double widening_of_rest = 0;
 
   /// mean logarithm of the thickness of the rest less that of *Q*

@@ -15,7 +15,9 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <limits>
 #include <map>
+#include <numeric>
 #include <optional>
 #include <set>
 #include <utility>
@@ -83,14 +85,13 @@ class Cut_and_merge
     });
   }
 
-  // The piece with the most salient cut, the first of several; none if no cut is worth it.
+  // The piece with the most salient cut, the first of several; none if there is no cut.
   std::optional<std::size_t> next_piece() const
   {
     std::optional<std::size_t> best;
     for (std::size_t i = 0; i < pieces_.size(); ++i) {
       const std::optional<Cut>& cut = pieces_[i].cut;
-      if (cut && cut->salience >= (std::min)(options_.piece_threshold, options_.salience_threshold) &&
-          (!best || on_grid(cut->salience) > on_grid(pieces_[*best].cut->salience)))
+      if (cut && (!best || on_grid(cut->salience) > on_grid(pieces_[*best].cut->salience)))
         best = i;
     }
     return best;

@@ -46,7 +46,6 @@ struct Options
   std::size_t number_of_candidates = 14;
   std::size_t number_of_refined_candidates = 4;
   std::size_t number_of_pieces = 20;
-  double piece_threshold = 0.15;
   Calibrated_part_salience calibrated_part_salience;
 };
 

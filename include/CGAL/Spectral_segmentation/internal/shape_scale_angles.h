@@ -84,7 +84,8 @@ inline std::vector<double> shape_scale_angles(const Face_dual_graph& mesh,
     const double curvature =
       edge.dot((tensors[f] + tensors[g]) * edge) / (squared_length * (areas[f] + areas[g]));
     const double angle = way * curvature;
-    angles[h] = (std::min)((std::max)(angle, -CGAL_PI), CGAL_PI);
+    if (std::abs(angle) > 1e-6) // below, which is rounding, the surface is flat
+      angles[h] = (std::min)((std::max)(angle, -CGAL_PI), CGAL_PI);
   }
   return angles;
 }

@@ -19,10 +19,13 @@
 #include <CGAL/AABB_traits.h>
 #endif
 
+#include <Eigen/Core>
+
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstddef>
+#include <numeric>
 #include <vector>
 
 namespace CGAL {
@@ -89,8 +92,8 @@ std::vector<double> opposite_distances(const Face_dual_graph& mesh,
 }
 
 // The logarithm of the thickness at each face, relative to the square root of the area of the mesh
-// and smoothed over a disk of `radius` times this length; 0 where no ray of a component found an
-// opposite face.
+// and smoothed over a disk of `radius` times this length. Far from any ray that found an opposite
+// face it is the mean over those that did, and 0 if none did.
 template <class ConcurrencyTag>
 std::vector<float> thickness(const Face_dual_graph& mesh, const std::vector<Vector>& normals,
                              double radius)
@@ -102,7 +105,8 @@ std::vector<float> thickness(const Face_dual_graph& mesh, const std::vector<Vect
     if (distances[f] > 0)
       sums[f] = mesh.areas[f] * Eigen::Array2d(std::log(distances[f] / unit), 1);
   diffuse(mesh, (std::max)(number_of_diffusion_steps(mesh, radius), std::size_t(3)), sums);
-  std::vector<float> result(sums.size(), 0);
+  const Eigen::Array2d all = std::accumulate(sums.begin(), sums.end(), Eigen::Array2d(0, 0));
+  std::vector<float> result(sums.size(), all[1] > 0 ? static_cast<float>(all[0] / all[1]) : 0);
   for (Index f = 0; f < sums.size(); ++f)
     if (sums[f][1] > 0)
       result[f] = static_cast<float>(sums[f][0] / sums[f][1]);
