@@ -29,7 +29,7 @@ struct Salience_factors
   double protrusiveness = 0;
 
   /// \name Factors beyond the paper
-  /// They are known for the cuts that `Calibrated_part_salience` judges, and 0 along the line search.
+  /// They are known for the cuts that `Calibrated_part_salience` judges, else 0.
   /// *L* is the square root of the area of the mesh. The hollowness of a set of faces is the mean
   /// depth of its faces below its own convex hull.
   /// @{

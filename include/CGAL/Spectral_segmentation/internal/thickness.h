@@ -10,13 +10,14 @@
 #include <CGAL/Spectral_segmentation/internal/shape_scale_angles.h>
 
 #include <CGAL/AABB_tree.h>
-#include <CGAL/AABB_triangle_primitive.h>
 #include <CGAL/Simple_cartesian.h>
 #include <CGAL/version.h>
 #if CGAL_VERSION_NR >= 1060000000
 #include <CGAL/AABB_traits_3.h>
+#include <CGAL/AABB_triangle_primitive_3.h>
 #else
 #include <CGAL/AABB_traits.h>
+#include <CGAL/AABB_triangle_primitive.h>
 #endif
 
 #include <Eigen/Core>
@@ -47,11 +48,10 @@ std::vector<double> opposite_distances(const Face_dual_graph& mesh,
 {
   typedef Simple_cartesian<double> Kernel;
   typedef std::vector<Kernel::Triangle_3>::const_iterator Triangle;
-  typedef AABB_triangle_primitive<Kernel, Triangle> Primitive;
 #if CGAL_VERSION_NR >= 1060000000
-  typedef AABB_tree<AABB_traits_3<Kernel, Primitive> > Tree;
+  typedef AABB_tree<AABB_traits_3<Kernel, AABB_triangle_primitive_3<Kernel, Triangle> > > Tree;
 #else
-  typedef AABB_tree<AABB_traits<Kernel, Primitive> > Tree;
+  typedef AABB_tree<AABB_traits<Kernel, AABB_triangle_primitive<Kernel, Triangle> > > Tree;
 #endif
   const auto point = [](const Vector& p) { return Kernel::Point_3(p.x(), p.y(), p.z()); };
 
