@@ -78,13 +78,13 @@ struct Weighted_part_salience
 
 /// \ingroup PkgSpectralSegmentationRef
 /// The probability that a person would cut here: a logistic function of the factors, fitted to the
-/// cuts that people made on the odd half of the Princeton Segmentation Benchmark (Chen, Golovinskiy,
-/// Funkhouser 2009).
+/// cuts that people made on the odd half of the Princeton Segmentation Benchmark (Chen,
+/// Golovinskiy, Funkhouser 2009).
 ///
-/// A part is more likely to be cut if it is a large share of the mesh; if the cut is concave, and its
-/// base small against the part that is cut off; if both sides are closer to convex than their union,
-/// and the sides themselves are; if the rest widens behind the cut; and if the thickness changes at
-/// the cut.
+/// A part is more likely to be cut if it is a large share of the mesh; if the cut is concave, and
+/// its base small against the part that is cut off; if both sides are closer to convex than their
+/// union, and the sides themselves are; if the rest widens behind the cut; and if the thickness
+/// changes at the cut.
 struct Calibrated_part_salience
 {
   double constant = -6.803;

@@ -89,8 +89,8 @@ inline bool both_sides_are_connected(const Face_dual_graph& part, const Sides& s
   return true;
 }
 
-// The best cut of a part by a salience that is judged on whole cuts: of the candidates along several
-// lines, and of the minimum cuts around the best of them.
+// The best cut of a part by a salience that is judged on whole cuts: of the candidates along
+// several lines, and of the minimum cuts around the best of them.
 template <class ConcurrencyTag, class PartSalience, class Monitor>
 std::optional<Cut> best_judged_cut(const Part& part, double area_of_mesh, const Options& options,
                                    const PartSalience& part_salience, Monitor& monitor)

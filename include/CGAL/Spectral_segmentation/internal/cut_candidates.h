@@ -35,8 +35,8 @@ struct Proposal
   double score; // comparable among proposals by the same measure
 };
 
-// The proposals of a line, by two measures: the salience of the paper, and cheapness, which is minus
-// the capacity of the cut over the length scale of its smaller side.
+// The proposals of a line, by two measures: the salience of the paper, and cheapness, which is
+// minus the capacity of the cut over the length scale of its smaller side.
 struct Proposals
 {
   std::vector<Proposal> salient, cheap;

@@ -23,7 +23,8 @@ struct Face_at_distance
 };
 
 // The faces on both sides within `radius` of a cut, nearest first. BGL's Dijkstra initializes all
-// faces, and there are many cuts with few faces around them: hence a search that ends at the radius.
+// faces, and there are many cuts with few faces around them: hence a search of its own that ends
+// at the radius.
 inline std::vector<Face_at_distance> faces_near_cut(const Face_dual_graph& part,
                                                     const std::vector<char>& side, double radius)
 {

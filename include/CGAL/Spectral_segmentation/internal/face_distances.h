@@ -153,7 +153,7 @@ struct Distance_weights
   double geodesic; // delta
   double concave;  // eta at concave edges
   double convex;   // eta at convex edges
-  double concavity_radius = 0; // at which bending is measured beside the dihedral angle; 0: it is not
+  double concavity_radius = 0; // for bending beside the dihedral angle; 0: without
 };
 
 // Fills in the distances of adjacent faces, computed from `points` in place of the graph's own.

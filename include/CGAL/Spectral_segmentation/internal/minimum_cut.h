@@ -33,8 +33,8 @@ inline double capacity(const Face_dual_graph& part, Index h)
 // beyond it on the side of Q are the source, those on the other side the sink.
 class Band_network
 {
-  typedef boost::compressed_sparse_row_graph<boost::directedS, boost::no_property,
-                                             boost::no_property, boost::no_property, int, int> Graph;
+  typedef boost::no_property None;
+  typedef boost::compressed_sparse_row_graph<boost::directedS, None, None, None, int, int> Graph;
   typedef boost::graph_traits<Graph>::edge_descriptor Edge;
 
   struct Arc
