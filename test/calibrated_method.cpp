@@ -4,11 +4,11 @@
 #define BOOST_TEST_MODULE calibrated_method
 #include <boost/test/unit_test.hpp>
 
+#include "test_labels.h"
 #include "test_meshes.h"
 
 #include <CGAL/segment_spectral_recursive.h>
 
-#include <CGAL/Polygon_mesh_processing/connected_components.h>
 #include <CGAL/Polygon_mesh_processing/polygon_soup_to_polygon_mesh.h>
 #include <CGAL/Polyhedron_3.h>
 
@@ -34,18 +34,10 @@ using CGAL::Spectral_segmentation::Segmentation_visitor;
 
 namespace {
 
-typedef std::vector<std::size_t> Labels;
-
 const double infinity = std::numeric_limits<double>::infinity();
 const std::size_t unlimited = (std::numeric_limits<std::size_t>::max)();
 
 auto calibrated() { return parameters::method(Method::CALIBRATED); }
-
-auto map_to(Labels& labels, const Mesh& mesh)
-{
-  labels.resize(num_faces(mesh));
-  return boost::make_iterator_property_map(labels.begin(), get(CGAL::face_index, mesh));
-}
 
 template <class NamedParameters>
 Labels labels_of(const Soup& soup, const NamedParameters& np)
@@ -61,20 +53,6 @@ Labels labels_of(const Soup& soup) { return labels_of(soup, calibrated()); }
 
 std::size_t number_of(const Labels& labels)
 { return labels.empty() ? 0 : 1 + *std::max_element(labels.begin(), labels.end()); }
-
-std::size_t number_of_connected_pieces(const Mesh& mesh, const Labels& labels)
-{
-  const auto is_between_segments = [&](Mesh::Edge_index e) {
-    const Mesh::Halfedge_index h = halfedge(e, mesh);
-    return is_border(e, mesh) ||
-           labels[face(h, mesh)] != labels[face(opposite(h, mesh), mesh)];
-  };
-  Labels pieces;
-  return PMP::connected_components(
-    mesh, map_to(pieces, mesh),
-    CGAL::parameters::edge_is_constrained_map(
-      boost::make_function_property_map<Mesh::Edge_index, bool>(is_between_segments)));
-}
 
 void check_numbering(const Mesh& mesh, const Labels& labels)
 {

@@ -52,13 +52,6 @@ Soup roof(double slope)
           {{0, 1, 2}, {1, 0, 3}}};
 }
 
-Soup turned_inside_out(Soup soup)
-{
-  for (std::vector<std::size_t>& t : soup.triangles)
-    std::swap(t[1], t[2]);
-  return soup;
-}
-
 // The dihedral of the only inner edge of a roof.
 Dihedral dihedral_of(const Soup& soup)
 {

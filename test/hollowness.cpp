@@ -31,27 +31,6 @@ namespace {
 const double between_directions = 0.2;
 const double single_precision = 1e-5;
 
-Soup scaled(Soup soup, double factor)
-{
-  for (Point& p : soup.points)
-    p = Point(factor * p.x(), factor * p.y(), factor * p.z());
-  return soup;
-}
-
-Soup moved(Soup soup, double x, double y, double z)
-{
-  for (Point& p : soup.points)
-    p = Point(p.x() + x, p.y() + y, p.z() + z);
-  return soup;
-}
-
-Soup turned_inside_out(Soup soup)
-{
-  for (std::vector<std::size_t>& t : soup.triangles)
-    std::swap(t[1], t[2]);
-  return soup;
-}
-
 std::vector<Index> range(Index first, Index last)
 {
   std::vector<Index> faces(last - first);

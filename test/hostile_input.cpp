@@ -102,12 +102,6 @@ Soup transformed(Soup soup, const Function& function)
   return soup;
 }
 
-Soup scaled(const Soup& soup, double factor)
-{
-  return transformed(soup, [factor](const Point& p)
-                     { return Point(factor * p.x(), factor * p.y(), factor * p.z()); });
-}
-
 // Without the symmetry of the surface, which makes many cuts equally salient.
 Soup dented(const Soup& soup, unsigned seed)
 {

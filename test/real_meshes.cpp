@@ -4,18 +4,16 @@
 #define BOOST_TEST_MODULE real_meshes
 #include <boost/test/unit_test.hpp>
 
+#include "test_labels.h"
 #include "test_meshes.h"
 
 #include <CGAL/segment_spectral_recursive.h>
 
 #include <CGAL/Aff_transformation_3.h>
-#include <CGAL/Polygon_mesh_processing/connected_components.h>
 #include <CGAL/Polygon_mesh_processing/transform.h>
 #include <CGAL/boost/graph/IO/polygon_mesh_io.h>
 #include <CGAL/boost/graph/helpers.h>
 #include <CGAL/tags.h>
-
-#include <boost/property_map/function_property_map.hpp>
 
 #include <algorithm>
 #include <cmath>
@@ -31,17 +29,10 @@ namespace PMP = CGAL::Polygon_mesh_processing;
 
 namespace {
 
-typedef std::vector<std::size_t> Labels;
 typedef CGAL::Aff_transformation_3<Kernel> Transformation;
 
 const char* const some_meshes[] = {"elephant.off", "hand.off", "dino.off", "bones.off",
                                    "head.off", "pig.off", "camel.off", "mushroom.off"};
-
-auto map_to(Labels& labels, const Mesh& mesh)
-{
-  labels.resize(num_faces(mesh));
-  return boost::make_iterator_property_map(labels.begin(), get(CGAL::face_index, mesh));
-}
 
 template <class ConcurrencyTag = CGAL::Parallel_if_available_tag>
 Labels labels_of(const Mesh& mesh)
@@ -49,20 +40,6 @@ Labels labels_of(const Mesh& mesh)
   Labels labels;
   CGAL::segment_spectral_recursive<ConcurrencyTag>(mesh, map_to(labels, mesh));
   return labels;
-}
-
-std::size_t number_of_connected_pieces(const Mesh& mesh, const Labels& labels)
-{
-  const auto is_between_segments = [&](Mesh::Edge_index e) {
-    const Mesh::Halfedge_index h = halfedge(e, mesh);
-    return is_border(e, mesh) ||
-           labels[face(h, mesh)] != labels[face(opposite(h, mesh), mesh)];
-  };
-  Labels pieces;
-  return PMP::connected_components(
-    mesh, map_to(pieces, mesh),
-    CGAL::parameters::edge_is_constrained_map(
-      boost::make_function_property_map<Mesh::Edge_index, bool>(is_between_segments)));
 }
 
 // Share of the pairs of faces that both segmentations join or both separate.

@@ -4,11 +4,11 @@
 #define BOOST_TEST_MODULE segment_tree
 #include <boost/test/unit_test.hpp>
 
+#include "test_labels.h"
 #include "test_meshes.h"
 
 #include <CGAL/segment_spectral_recursive.h>
 
-#include <CGAL/Polygon_mesh_processing/connected_components.h>
 #include <CGAL/Polygon_mesh_processing/measure.h>
 
 #include <Eigen/Core>
@@ -31,19 +31,12 @@ using CGAL::Spectral_segmentation::Segment_tree;
 
 namespace {
 
-typedef std::vector<std::size_t> Labels;
 typedef Segment_tree::Cut_state Cut_state;
 typedef Mesh::Face_index Face;
 typedef Mesh::Halfedge_index Halfedge;
 
 const double infinity = std::numeric_limits<double>::infinity();
 const std::size_t unlimited = (std::numeric_limits<std::size_t>::max)();
-
-auto map_to(Labels& labels, const Mesh& mesh)
-{
-  labels.resize(num_faces(mesh));
-  return boost::make_iterator_property_map(labels.begin(), get(CGAL::face_index, mesh));
-}
 
 template <class NamedParameters>
 Labels labels_of(const Mesh& mesh, const NamedParameters& np)
@@ -78,20 +71,6 @@ std::set<double> interesting_thresholds(const Segment_tree& tree, double smalles
     if (tree.node(i).cut_state == Cut_state::ACCEPTED)
       result.insert({tree.node(i).salience, std::nextafter(tree.node(i).salience, infinity)});
   return result;
-}
-
-std::size_t number_of_connected_pieces(const Mesh& mesh, const Labels& labels)
-{
-  const auto is_between_segments = [&](Mesh::Edge_index e) {
-    const Halfedge h = halfedge(e, mesh);
-    return is_border(e, mesh) ||
-           labels[face(h, mesh)] != labels[face(opposite(h, mesh), mesh)];
-  };
-  Labels pieces;
-  return PMP::connected_components(
-    mesh, map_to(pieces, mesh),
-    CGAL::parameters::edge_is_constrained_map(
-      boost::make_function_property_map<Mesh::Edge_index, bool>(is_between_segments)));
 }
 
 void check_numbering(const Mesh& mesh, const Labels& labels, std::size_t number_of_segments)

@@ -30,20 +30,6 @@ using CGAL::Spectral_segmentation::internal::shape_scale_angles;
 
 namespace {
 
-Soup scaled(Soup soup, double factor)
-{
-  for (Point& p : soup.points)
-    p = Point(factor * p.x(), factor * p.y(), factor * p.z());
-  return soup;
-}
-
-Soup turned_inside_out(Soup soup)
-{
-  for (std::vector<std::size_t>& t : soup.triangles)
-    std::swap(t[1], t[2]);
-  return soup;
-}
-
 std::vector<double> angles_of(const Face_dual_graph& graph, double radius)
 { return shape_scale_angles(graph, graph.points, face_normals(graph, graph.points), radius); }
 

@@ -181,6 +181,27 @@ inline Soup dumbbell(std::size_t n_around, std::size_t n_along)
   return surface_of_revolution(profile, n_around);
 }
 
+inline Soup scaled(Soup soup, double factor)
+{
+  for (Point& p : soup.points)
+    p = Point(factor * p.x(), factor * p.y(), factor * p.z());
+  return soup;
+}
+
+inline Soup moved(Soup soup, double x, double y, double z)
+{
+  for (Point& p : soup.points)
+    p = Point(p.x() + x, p.y() + y, p.z() + z);
+  return soup;
+}
+
+inline Soup turned_inside_out(Soup soup)
+{
+  for (std::vector<std::size_t>& t : soup.triangles)
+    std::swap(t[1], t[2]);
+  return soup;
+}
+
 inline Soup disjoint_union(Soup a, const Soup& b)
 {
   const std::size_t offset = a.points.size();

@@ -47,27 +47,6 @@ Soup box(double a, double b, double c)
   return soup;
 }
 
-Soup scaled(Soup soup, double factor)
-{
-  for (Point& p : soup.points)
-    p = Point(factor * p.x(), factor * p.y(), factor * p.z());
-  return soup;
-}
-
-Soup moved(Soup soup, double x, double y, double z)
-{
-  for (Point& p : soup.points)
-    p = Point(p.x() + x, p.y() + y, p.z() + z);
-  return soup;
-}
-
-Soup turned_inside_out(Soup soup)
-{
-  for (std::vector<std::size_t>& t : soup.triangles)
-    std::swap(t[1], t[2]);
-  return soup;
-}
-
 // A plate of 2 * side^2 faces over another that it looks away from.
 Soup sandwich(std::size_t side, double distance)
 {

@@ -7,11 +7,8 @@
 #include <CGAL/Spectral_segmentation/Part_salience.h>
 #include <CGAL/Spectral_segmentation/internal/Face_dual_graph.h>
 #include <CGAL/Spectral_segmentation/internal/Hollowness.h>
+#include <CGAL/Spectral_segmentation/internal/Meta_patch.h>
 #include <CGAL/Spectral_segmentation/internal/distances_from_cut.h>
-#include <CGAL/Spectral_segmentation/internal/parts.h>
-
-#include <Eigen/Core>
-#include <Eigen/Eigenvalues>
 
 #include <algorithm>
 #include <cmath>
@@ -50,40 +47,26 @@ class Cut_judge
   Hollowness hollowness_;
   Thickness_sums thickness_of_part_;
   double hollowness_of_part_;
-  std::vector<std::size_t> last_cut_; // of each vertex: the cut that was last to meet it
-  std::size_t number_of_cuts_ = 0;
 
   double thickness(Index f) const { return part_.thickness.empty() ? 0 : part_.thickness[f]; }
 
-  // Cut strength, protrusiveness; returns the length of the cut.
-  double look_along(const std::vector<char>& side, double area_of_q, Salience_factors& factors)
+  // Size, cut strength by length, protrusiveness; returns the length of the cut.
+  double look_along(const std::vector<char>& side, const std::vector<Index>& faces_of_q,
+                    Salience_factors& factors) const
   {
-    ++number_of_cuts_;
-    double length = 0, concavity = 0, number_of_vertices = 0;
-    Vector sum = Vector::Zero();
-    Eigen::Matrix3d squares = Eigen::Matrix3d::Zero();
-    const Vector origin = part_.centroid(0);
-    for (Index h = 0; h < part_.halfedges.size(); ++h) {
-      if (side[h / 3] != 0 || side[part_.halfedges[h].neighbor] == 0)
-        continue;
-      const double l = part_.length(h);
-      length += l;
-      concavity += l * part_.halfedges[h].concavity;
-      for (Index v : {part_.source_vertex(h), part_.target_vertex(h)})
-        if (last_cut_[v] != number_of_cuts_) {
-          last_cut_[v] = number_of_cuts_;
-          const Vector p = part_.points[v] - origin;
-          ++number_of_vertices;
-          sum += p;
-          squares += p * p.transpose();
+    Meta_patch q(part_);
+    double length = 0, concavity = 0;
+    for (Index f : faces_of_q) {
+      q.add(f);
+      for (Index h = 3 * f; h < 3 * f + 3; ++h)
+        if (side[part_.halfedges[h].neighbor] != 0) {
+          const double l = part_.length(h);
+          length += l;
+          concavity += l * part_.halfedges[h].concavity;
         }
     }
-    const Vector mean = sum / number_of_vertices;
-    Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> solver(
-      squares / number_of_vertices - mean * mean.transpose(), Eigen::EigenvaluesOnly);
-    const Vector variances = solver.eigenvalues().cwiseMax(0);
+    factors = q.factors();
     factors.cut_strength = length > 0 ? concavity / length : 0;
-    factors.protrusiveness = 1 - 4 * std::sqrt(variances[1] * variances[2]) / area_of_q;
     return length;
   }
 
@@ -107,7 +90,7 @@ class Cut_judge
 
 public:
   Cut_judge(const Face_dual_graph& part, double area_of_mesh)
-    : part_(part), area_of_mesh_(area_of_mesh), hollowness_(part), last_cut_(part.points.size(), 0)
+    : part_(part), area_of_mesh_(area_of_mesh), hollowness_(part)
   {
     std::vector<Index> all(part.number_of_faces());
     std::iota(all.begin(), all.end(), Index(0));
@@ -129,8 +112,7 @@ public:
     const double area_of_part = area[0] + area[1];
 
     Salience_factors factors;
-    factors.size = area[0] / area_of_part;
-    const double length = look_along(side, area[0], factors);
+    const double length = look_along(side, faces[0], factors);
     look_around(side, area[0], length, factors);
     const double hollowness[2] = {hollowness_(faces[0]), hollowness_(faces[1])};
     factors.logarithm_of_part = std::log(area_of_part / area_of_mesh_);

@@ -36,6 +36,16 @@ struct Part
   Index smallest_face; // its number in the mesh
 };
 
+template <class Monitor>
+Shape_contexts shape_contexts(const Part& part, const Options& options, Monitor& monitor)
+{
+  const Index first = options.random_seed
+    ? random_face(part.graph, *options.random_seed, part.smallest_face)
+    : farthest_face_from_center(part.graph);
+  return shape_contexts(part.graph, first, options.number_of_reference_faces,
+                        [&] { monitor.check(); });
+}
+
 // BESTCUT (Figure 2): the most salient cut of a part, if there is one.
 // Throws `Run_stopped` if the visitor stops the run.
 template <class ConcurrencyTag, class PartSalience, class Monitor>
@@ -50,12 +60,8 @@ std::optional<Cut> best_cut(const Part& part, const Options& options,
   monitor.start_part(part.node, m.number_of_faces());
 
   // 1. two sample faces
-  const Sample_faces samples = monitor.stage(Stage::SAMPLING, part.node, [&] {
-    const Index first = options.random_seed
-      ? random_face(m, *options.random_seed, part.smallest_face) : farthest_face_from_center(m);
-    return sample_faces(shape_contexts(m, first, options.number_of_reference_faces,
-                                       [&] { monitor.check(); }));
-  });
+  const Sample_faces samples = monitor.stage(Stage::SAMPLING, part.node, [&]
+    { return sample_faces(shape_contexts(part, options, monitor)); });
 
   // 2. distances from both; 3. to 5. the order of the faces on the line, for which neither kernel nor
   // eigenvectors are needed
@@ -104,10 +110,7 @@ std::optional<Cut> best_judged_cut(const Part& part, double area_of_mesh, const 
 
   Shape_contexts contexts;
   const Sample_faces samples = monitor.stage(Stage::SAMPLING, part.node, [&] {
-    const Index first = options.random_seed
-      ? random_face(m, *options.random_seed, part.smallest_face) : farthest_face_from_center(m);
-    contexts = shape_contexts(m, first, options.number_of_reference_faces,
-                              [&] { monitor.check(); });
+    contexts = shape_contexts(part, options, monitor);
     return sample_faces(contexts);
   });
 
@@ -123,11 +126,7 @@ std::optional<Cut> best_judged_cut(const Part& part, double area_of_mesh, const 
       Cut cut{std::move(side), {0, 0}, {}, 0};
       for (Index f = 0; f < cut.side.size(); ++f)
         cut.area[int(cut.side[f])] += m.areas[f];
-      if (cut.area[0] > cut.area[1]) {
-        for (char& s : cut.side)
-          s = 1 - s;
-        std::swap(cut.area[0], cut.area[1]);
-      }
+      put_smaller_side_first(cut.side, cut.area);
       if (cut.area[0] < minimum_area || !(cut.area[0] > 0))
         return;
       cut.factors = judge(cut.side);

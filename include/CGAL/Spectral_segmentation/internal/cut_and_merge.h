@@ -10,6 +10,7 @@
 #include <CGAL/Spectral_segmentation/internal/Monitor.h>
 #include <CGAL/Spectral_segmentation/internal/best_cut.h>
 #include <CGAL/Spectral_segmentation/internal/concurrency.h>
+#include <CGAL/Spectral_segmentation/internal/cut_candidates.h>
 #include <CGAL/Spectral_segmentation/internal/options.h>
 #include <CGAL/Spectral_segmentation/internal/parts.h>
 
@@ -133,9 +134,7 @@ class Cut_and_merge
         area[int(side.back())] += mesh_.areas[f];
       }
     }
-    if (area[0] > area[1])
-      for (char& s : side)
-        s = 1 - s;
+    put_smaller_side_first(side, area);
     const Face_dual_graph both = std::move(split(mesh_, is_outside, 2)[0]);
     const Salience_factors factors = Cut_judge(both, area_of_mesh_)(side);
     return {part_salience_(factors), factors};
@@ -229,11 +228,7 @@ class Cut_and_merge
         area[int(side.back())] += mesh_.areas[f];
       }
       const bool from_is_smaller = area[0] <= area[1];
-      if (!from_is_smaller) {
-        for (char& s : side)
-          s = 1 - s;
-        std::swap(area[0], area[1]);
-      }
+      put_smaller_side_first(side, area);
       tree.set_cut(cut_node, Segment_tree::Cut_state::ACCEPTED, merges[k].salience,
                    merges[k].factors);
       tree.cut(cut_node, side, area);

@@ -29,6 +29,15 @@ namespace internal {
 // The side of each face: 0 for Q, of smaller area, 1 for the rest.
 typedef std::vector<char> Sides;
 
+inline void put_smaller_side_first(Sides& side, double (&area)[2])
+{
+  if (area[0] <= area[1])
+    return;
+  for (char& s : side)
+    s = 1 - s;
+  std::swap(area[0], area[1]);
+}
+
 struct Proposal
 {
   Sides side;
