@@ -32,11 +32,7 @@ typedef std::vector<char> Sides;
 auto tolerance(double t) { return boost::test_tools::tolerance(t); }
 
 Face_dual_graph graph_of(const Soup& soup)
-{
-  Face_dual_graph graph = dual_graph_of(soup);
-  internal::set_face_distances(graph, graph.points, {0.03, 1, 0.1, 0.01});
-  return graph;
-}
+{ return graph_with_distances(soup, weights_of_calibrated_method); }
 
 // z of the centroid of each face, in the coordinates of the soup.
 std::vector<double> heights(const Soup& soup)

@@ -20,13 +20,11 @@
 namespace tt = boost::test_tools;
 using namespace test_meshes;
 using CGAL::Spectral_segmentation::internal::Dihedral;
-using CGAL::Spectral_segmentation::internal::Distance_weights;
 using CGAL::Spectral_segmentation::internal::Vector;
 using CGAL::Spectral_segmentation::internal::dihedral;
 using CGAL::Spectral_segmentation::internal::equalize;
 using CGAL::Spectral_segmentation::internal::face_normals;
 using CGAL::Spectral_segmentation::internal::geodesic_distance;
-using CGAL::Spectral_segmentation::internal::set_face_distances;
 
 namespace {
 
@@ -116,8 +114,6 @@ double rank_by_counting(const Values& values, std::size_t i)
   return (smaller + (equal - 1) / 2) / static_cast<double>(values.size() - 1);
 }
 
-const Distance_weights weights_of_paper = {0.01, 1, 0.1};
-
 } // namespace
 
 BOOST_AUTO_TEST_CASE(geodesic_distance_worked_by_hand)
@@ -190,7 +186,7 @@ BOOST_AUTO_TEST_CASE(distances_on_random_meshes_agree_with_the_definition)
       const Soup soup = displaced(shapes[seed % shapes.size()], 0.15, random);
       const Distance_weights weights = {0.25, 0.5 + seed % 3, 0.2 * (seed % 5)};
       Face_dual_graph graph = dual_graph_of(soup);
-      set_face_distances(graph, graph.points, weights);
+      set_face_distances(graph, weights);
 
       const std::vector<Expected_edge> edges = expected_edges(soup, graph, weights);
       std::vector<double> angles;
@@ -245,10 +241,10 @@ BOOST_AUTO_TEST_CASE(a_geodesic_weight_of_0_or_1_leaves_one_distance)
 {
   Random random(2);
   Face_dual_graph graph = dual_graph_of(displaced(sphere(1), 0.1, random));
-  set_face_distances(graph, graph.points, {0, 1, 0.1});
+  set_face_distances(graph, {0, 1, 0.1});
   for (const Face_dual_graph::Halfedge& h : graph.halfedges)
     BOOST_TEST(h.combined == h.angle);
-  set_face_distances(graph, graph.points, {1, 1, 0.1});
+  set_face_distances(graph, {1, 1, 0.1});
   for (const Face_dual_graph::Halfedge& h : graph.halfedges)
     BOOST_TEST(h.combined == h.geodesic);
 }
@@ -272,17 +268,17 @@ BOOST_AUTO_TEST_CASE(the_weight_of_concave_edges_decides_against_sharper_convex_
     return -1.f;
   };
   // Of the five inner edges three are flat and share the lowest ranks.
-  set_face_distances(graph, graph.points, {0.01, 1, 0.1});
+  set_face_distances(graph, {0.01, 1, 0.1});
   BOOST_TEST(angle_between(0, 3) == 1.f);    // the valley
   BOOST_TEST(angle_between(2, 5) == 0.75f);  // the ridge
   BOOST_TEST(angle_between(0, 1) == 0.25f);
-  set_face_distances(graph, graph.points, {0.01, 1, 1});
+  set_face_distances(graph, {0.01, 1, 1});
   BOOST_TEST(angle_between(0, 3) == 0.75f);
   BOOST_TEST(angle_between(2, 5) == 1.f);
-  set_face_distances(graph, graph.points, {0.01, 1, 0});
+  set_face_distances(graph, {0.01, 1, 0});
   BOOST_TEST(angle_between(0, 3) == 1.f);
   BOOST_TEST(angle_between(2, 5) == 0.375f); // flat like the other three
-  set_face_distances(graph, graph.points, {0.01, 0, 0});
+  set_face_distances(graph, {0.01, 0, 0});
   BOOST_TEST(angle_between(0, 3) == 0.5f);
 }
 
@@ -387,7 +383,9 @@ BOOST_AUTO_TEST_CASE(distances_are_computed_from_the_given_points)
   Random random(4);
   const Soup soup = sphere(1), other = displaced(soup, 0.1, random);
   Face_dual_graph graph = dual_graph_of(soup);
-  set_face_distances(graph, dual_graph_of(other).points, weights_of_paper);
+  const std::vector<Vector> points = dual_graph_of(other).points;
+  CGAL::Spectral_segmentation::internal::set_face_distances(
+    graph, points, face_normals(graph, points), weights_of_paper);
   const Face_dual_graph expected = graph_with_distances(other);
   for (Index h = 0; h < graph.halfedges.size(); ++h)
     BOOST_TEST(graph.halfedges[h].combined == expected.halfedges[h].combined);

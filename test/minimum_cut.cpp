@@ -35,11 +35,7 @@ typedef std::vector<char> Sides;
 const double infinity = std::numeric_limits<double>::infinity();
 
 Face_dual_graph graph_of(const Soup& soup)
-{
-  Face_dual_graph graph = dual_graph_of(soup);
-  internal::set_face_distances(graph, graph.points, {0.03, 1, 0.1, 0.01});
-  return graph;
-}
+{ return graph_with_distances(soup, weights_of_calibrated_method); }
 
 Face_dual_graph random_graph(Random& random)
 {

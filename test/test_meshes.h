@@ -259,10 +259,22 @@ inline Face_dual_graph dual_graph_of(const Soup& soup)
 }
 
 // With the paper's distances between adjacent faces.
-inline Face_dual_graph graph_with_distances(const Soup& soup)
+typedef CGAL::Spectral_segmentation::internal::Distance_weights Distance_weights;
+constexpr Distance_weights weights_of_paper = {0.01, 1, 0.1};
+constexpr Distance_weights weights_of_calibrated_method = {0.03, 1, 0.1, 0.01};
+
+inline void set_face_distances(Face_dual_graph& graph, const Distance_weights& weights)
+{
+  CGAL::Spectral_segmentation::internal::set_face_distances(
+    graph, graph.points,
+    CGAL::Spectral_segmentation::internal::face_normals(graph, graph.points), weights);
+}
+
+inline Face_dual_graph graph_with_distances(const Soup& soup,
+                                            const Distance_weights& weights = weights_of_paper)
 {
   Face_dual_graph graph = dual_graph_of(soup);
-  CGAL::Spectral_segmentation::internal::set_face_distances(graph, graph.points, {0.01, 1, 0.1});
+  set_face_distances(graph, weights);
   return graph;
 }
 

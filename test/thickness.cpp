@@ -59,7 +59,8 @@ std::vector<double> distances_of(const Soup& soup)
 {
   const Face_dual_graph graph = dual_graph_of(soup);
   std::vector<double> distances =
-    opposite_distances<CGAL::Sequential_tag>(graph, face_normals(graph, graph.points));
+    opposite_distances<CGAL::Sequential_tag>(graph, graph.points,
+                                             face_normals(graph, graph.points));
   for (double& d : distances)
     d *= graph.unit;
   return distances;
@@ -68,7 +69,8 @@ std::vector<double> distances_of(const Soup& soup)
 std::vector<float> thickness_of(const Soup& soup, double radius)
 {
   const Face_dual_graph graph = dual_graph_of(soup);
-  return thickness<CGAL::Sequential_tag>(graph, face_normals(graph, graph.points), radius);
+  return thickness<CGAL::Sequential_tag>(graph, graph.points, face_normals(graph, graph.points),
+                                         radius);
 }
 
 double area_of(const Soup& soup)
@@ -166,7 +168,8 @@ BOOST_AUTO_TEST_CASE(a_face_without_normal_has_no_distance)
   const Face_dual_graph graph = dual_graph_of(box(1, 1, 1));
   std::vector<Vector> normals = face_normals(graph, graph.points);
   normals[5] = Vector::Zero();
-  const std::vector<double> distances = opposite_distances<CGAL::Sequential_tag>(graph, normals);
+  const std::vector<double> distances =
+    opposite_distances<CGAL::Sequential_tag>(graph, graph.points, normals);
   BOOST_TEST(distances[5] == 0);
   BOOST_TEST(distances[0] * graph.unit == 1, tt::tolerance(1e-14));
 }

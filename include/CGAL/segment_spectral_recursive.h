@@ -252,14 +252,16 @@ std::size_t segment_spectral_recursive(const TriangleMesh& mesh, SegmentIdMap se
         choose_parameter(get_parameter(pack, CGAL::internal_np::vertex_point),
                          get_const_property_map(CGAL::vertex_point, mesh)),
         choose_parameter<Geom_traits>(get_parameter(pack, CGAL::internal_np::geom_traits)));
+      const std::vector<internal::Vector> points = internal::smoothed_points(
+        g, options.number_of_smoothing_iterations, [&] { return monitor.go_further(); });
+      const std::vector<internal::Vector> normals = internal::face_normals(g, points);
       internal::set_face_distances(
-        g, internal::smoothed_points(g, options.number_of_smoothing_iterations,
-                                     [&] { return monitor.go_further(); }),
+        g, points, normals,
         {options.geodesic_weight, options.concave_angle_weight, options.convex_angle_weight,
          options.concavity_radius});
       if (options.thickness)
-        g.thickness = internal::thickness<ConcurrencyTag>(
-          g, internal::face_normals(g, g.points), internal::thickness_radius);
+        g.thickness = internal::thickness<ConcurrencyTag>(g, points, normals,
+                                                          internal::thickness_radius);
       return g;
     });
 

@@ -67,10 +67,13 @@ public:
   double length(Index h) const
   { return (points[target_vertex(h)] - points[source_vertex(h)]).norm(); }
 
-  Vector centroid(Index f) const
+  Vector centroid(Index f) const { return centroid(f, points); }
+
+  // The same with the vertices at other points.
+  Vector centroid(Index f, const std::vector<Vector>& other_points) const
   {
     const std::array<Index, 3>& c = corners[f];
-    return (points[c[0]] + points[c[1]] + points[c[2]]) / 3;
+    return (other_points[c[0]] + other_points[c[1]] + other_points[c[2]]) / 3;
   }
 
   // The half-edge on the other side of an edge that is not on the border.

@@ -6,6 +6,7 @@
 
 #include <CGAL/Spectral_segmentation/internal/Face_dual_graph.h>
 #include <CGAL/Spectral_segmentation/internal/shape_scale_angles.h>
+#include <CGAL/Spectral_segmentation/internal/sorted_indices.h>
 
 #include <Eigen/Geometry>
 
@@ -91,20 +92,11 @@ inline std::vector<Vector> face_normals(const Face_dual_graph& graph,
   return normals;
 }
 
-inline std::vector<std::size_t> sorted_indices(const std::vector<float>& values)
-{
-  std::vector<std::size_t> order(values.size());
-  std::iota(order.begin(), order.end(), std::size_t(0));
-  std::sort(order.begin(), order.end(),
-            [&](std::size_t a, std::size_t b) { return values[a] < values[b]; });
-  return order;
-}
-
 // Histogram equalization: maps values to equally spaced ones in [0, 1] by their rank; equal values
 // share the mean of their ranks.
 inline std::vector<double> equalize(const std::vector<float>& values)
 {
-  const std::vector<std::size_t> order = sorted_indices(values);
+  const std::vector<Index> order = sorted_indices(values);
   std::vector<double> result(values.size());
   for (std::size_t first = 0; first < order.size();) {
     std::size_t last = first;
@@ -123,7 +115,7 @@ inline std::vector<double> equalize(const std::vector<float>& values)
 inline std::vector<double> equalize(const std::vector<float>& values,
                                     const std::vector<double>& weights)
 {
-  const std::vector<std::size_t> order = sorted_indices(values);
+  const std::vector<Index> order = sorted_indices(values);
   const double total = std::accumulate(weights.begin(), weights.end(), 0.);
   std::vector<double> result(values.size(), 0.5);
   double below = 0;
@@ -156,75 +148,102 @@ struct Distance_weights
   double concavity_radius = 0; // for bending beside the dihedral angle; 0: without
 };
 
-// Fills in the distances of adjacent faces, computed from `points` in place of the graph's own.
-inline void set_face_distances(Face_dual_graph& graph, const std::vector<Vector>& points,
-                               const Distance_weights& weights)
+// Relative to the larger one, as only their ratio matters and sums must not overflow.
+inline Distance_weights with_relative_angle_weights(Distance_weights weights)
 {
+  const double largest = (std::max)(weights.concave, weights.convex);
+  if (largest > 0) {
+    weights.concave /= largest;
+    weights.convex /= largest;
+  }
+  return weights;
+}
+
+// Of each edge.
+struct Equalized_angles
+{
+  std::vector<double> whole;   // H
+  std::vector<double> concave; // the part of it that is due to concave bending
+};
+
+// `edges` has one half-edge an edge, `angles` the distances of their faces by dihedral angle.
+inline Equalized_angles equalized_dihedrals(const Face_dual_graph& graph,
+                                            const std::vector<Index>& edges,
+                                            const std::vector<float>& angles)
+{
+  Equalized_angles result{equalize(angles), std::vector<double>(edges.size(), 0)};
+  for (std::size_t e = 0; e < edges.size(); ++e)
+    if (graph.halfedges[edges[e]].concave)
+      result.concave[e] = result.whole[e];
+  return result;
+}
+
+// The mean of the dihedral angle and of bending at the scale of the shape.
+inline Equalized_angles
+equalized_dihedrals_and_bending(const Face_dual_graph& graph, const std::vector<Vector>& points,
+                                const std::vector<Vector>& normals, const Distance_weights& weights,
+                                const std::vector<Index>& edges, const std::vector<float>& angles)
+{
+  const std::vector<double> bending =
+    shape_scale_angles(graph, points, normals, weights.concavity_radius);
+  std::vector<double> lengths(edges.size());
+  std::vector<float> distances(edges.size());
+  for (std::size_t e = 0; e < edges.size(); ++e) {
+    const Index h = edges[e];
+    lengths[e] = (points[graph.target_vertex(h)] - points[graph.source_vertex(h)]).norm();
+    distances[e] = static_cast<float>((bending[h] < 0 ? weights.concave : weights.convex) *
+                                      (1 - std::cos(bending[h])));
+  }
+  const std::vector<double> by_dihedral = equalize(angles, lengths);
+  const std::vector<double> by_bending = equalize(distances, lengths);
+  Equalized_angles result{std::vector<double>(edges.size()), std::vector<double>(edges.size())};
+  for (std::size_t e = 0; e < edges.size(); ++e) {
+    result.whole[e] = (by_dihedral[e] + by_bending[e]) / 2;
+    result.concave[e] = ((graph.halfedges[edges[e]].concave ? by_dihedral[e] : 0) +
+                         (bending[edges[e]] < 0 ? by_bending[e] : 0)) / 2;
+  }
+  return result;
+}
+
+// Fills in the distances of adjacent faces, computed from `points` in place of the graph's own, and
+// from the normals of the faces there.
+inline void set_face_distances(Face_dual_graph& graph, const std::vector<Vector>& points,
+                               const std::vector<Vector>& normals,
+                               const Distance_weights& given_weights)
+{
+  const Distance_weights weights = with_relative_angle_weights(given_weights);
   std::vector<Index> edges; // one half-edge each
   for (Index h = 0; h < graph.halfedges.size(); ++h)
     if (!graph.is_border(h) && h < graph.opposite(h))
       edges.push_back(h);
-
-  const std::vector<Vector> normals = face_normals(graph, points);
-  const auto centroid = [&](Index f) -> Vector {
-    const std::array<Index, 3>& c = graph.corners[f];
-    return (points[c[0]] + points[c[1]] + points[c[2]]) / 3;
-  };
-
-  // Relative to the larger one, as only their ratio matters and sums must not overflow.
-  const double largest_weight = (std::max)(weights.concave, weights.convex);
-  const double concave = largest_weight > 0 ? weights.concave / largest_weight : 0;
-  const double convex = largest_weight > 0 ? weights.convex / largest_weight : 0;
 
   std::vector<double> geodesic(edges.size()), angle(edges.size());
   for (std::size_t e = 0; e < edges.size(); ++e) {
     const Index h = edges[e], f = h / 3, g = graph.halfedges[h].neighbor;
     const Vector& a = points[graph.source_vertex(h)];
     const Vector& b = points[graph.target_vertex(h)];
-    geodesic[e] = geodesic_distance(a, b, centroid(f), centroid(g));
+    geodesic[e] = geodesic_distance(a, b, graph.centroid(f, points), graph.centroid(g, points));
 
     const bool is_defined = !normals[f].isZero(0) && !normals[g].isZero(0);
     const Dihedral d = is_defined ? dihedral(normals[f], normals[g], b - a) : Dihedral{0, false};
     graph.halfedges[h].concave = d.is_concave;
-    angle[e] = (d.is_concave ? concave : convex) * d.one_minus_cosine;
+    angle[e] = (d.is_concave ? weights.concave : weights.convex) * d.one_minus_cosine;
   }
   normalize_by_mean(geodesic);
   normalize_by_mean(angle);
   // Single precision, so that angles that differ by rounding only tie.
   const std::vector<float> rounded(angle.begin(), angle.end());
-  std::vector<double> equalized, concavity(edges.size(), 0);
-  if (weights.concavity_radius > 0) {
-    std::vector<double> lengths(edges.size());
-    std::vector<float> bending(edges.size());
-    const std::vector<double> angles =
-      shape_scale_angles(graph, points, normals, weights.concavity_radius);
-    for (std::size_t e = 0; e < edges.size(); ++e) {
-      const double a = angles[edges[e]];
-      lengths[e] = (points[graph.target_vertex(edges[e])] -
-                    points[graph.source_vertex(edges[e])]).norm();
-      bending[e] = static_cast<float>((a < 0 ? concave : convex) * (1 - std::cos(a)));
-    }
-    equalized = equalize(rounded, lengths);
-    const std::vector<double> equalized_bending = equalize(bending, lengths);
-    for (std::size_t e = 0; e < edges.size(); ++e) {
-      concavity[e] = ((graph.halfedges[edges[e]].concave ? equalized[e] : 0) +
-                      (angles[edges[e]] < 0 ? equalized_bending[e] : 0)) / 2;
-      equalized[e] = (equalized[e] + equalized_bending[e]) / 2;
-    }
-  }
-  else {
-    equalized = equalize(rounded);
-    for (std::size_t e = 0; e < edges.size(); ++e)
-      concavity[e] = graph.halfedges[edges[e]].concave ? equalized[e] : 0;
-  }
+  const Equalized_angles equalized = weights.concavity_radius > 0
+    ? equalized_dihedrals_and_bending(graph, points, normals, weights, edges, rounded)
+    : equalized_dihedrals(graph, edges, rounded);
 
   for (std::size_t e = 0; e < edges.size(); ++e) {
     Face_dual_graph::Halfedge& h = graph.halfedges[edges[e]];
     h.geodesic = static_cast<float>(on_grid(geodesic[e]));
-    h.angle = static_cast<float>(on_grid(equalized[e]));
-    h.concavity = static_cast<float>(on_grid(concavity[e]));
+    h.angle = static_cast<float>(on_grid(equalized.whole[e]));
+    h.concavity = static_cast<float>(on_grid(equalized.concave[e]));
     h.combined = static_cast<float>(
-      on_grid((1 - weights.geodesic) * equalized[e] + weights.geodesic * geodesic[e]));
+      on_grid((1 - weights.geodesic) * equalized.whole[e] + weights.geodesic * geodesic[e]));
     Face_dual_graph::Halfedge& o = graph.halfedges[graph.opposite(edges[e])];
     o.geodesic = h.geodesic;
     o.angle = h.angle;

@@ -10,11 +10,9 @@
 #include <CGAL/Spectral_segmentation/internal/options.h>
 #include <CGAL/Spectral_segmentation/internal/sampling.h>
 #include <CGAL/Spectral_segmentation/internal/shortest_paths.h>
+#include <CGAL/Spectral_segmentation/internal/sorted_indices.h>
 
-#include <algorithm>
 #include <cstddef>
-#include <numeric>
-#include <utility>
 #include <vector>
 
 namespace CGAL {
@@ -23,16 +21,6 @@ namespace internal {
 
 // The faces of a part in an order along which cuts are searched.
 typedef std::vector<Index> Line;
-
-template <class Value>
-Line sorted_by(const std::vector<Value>& values)
-{
-  Line line(values.size());
-  std::iota(line.begin(), line.end(), Index(0));
-  std::stable_sort(line.begin(), line.end(),
-                   [&](Index a, Index b) { return values[a] < values[b]; });
-  return line;
-}
 
 // The spectral order of the two samples from both its ends; then, as the options ask for them, the
 // orders by distance from each sample and each reference face, which grow a single limb where the
@@ -55,9 +43,9 @@ std::vector<Line> orderings(const Face_dual_graph& part, const std::vector<Index
                              spectral_order(distances[1], distances[0])};
   if (options.single_source_orderings)
     for (const std::vector<double>& distance : distances)
-      lines.push_back(sorted_by(distance));
+      lines.push_back(sorted_indices(distance));
   if (!part.thickness.empty()) {
-    lines.push_back(sorted_by(part.thickness));
+    lines.push_back(sorted_indices(part.thickness));
     lines.emplace_back(lines.back().rbegin(), lines.back().rend());
   }
   return lines;

@@ -41,9 +41,11 @@ namespace internal {
 constexpr double thickness_radius = 0.02;
 
 // The distance from the centroid of each face, against its normal, to the face on the other side of
-// the body; 0 where there is none.
+// the body; 0 where there is none. The vertices are at `points`, the normals of the faces are those
+// there.
 template <class ConcurrencyTag>
 std::vector<double> opposite_distances(const Face_dual_graph& mesh,
+                                       const std::vector<Vector>& points,
                                        const std::vector<Vector>& normals)
 {
   typedef Simple_cartesian<double> Kernel;
@@ -59,8 +61,7 @@ std::vector<double> opposite_distances(const Face_dual_graph& mesh,
   std::vector<Index> face;
   for (Index f = 0; f < mesh.number_of_faces(); ++f) {
     const std::array<Index, 3>& c = mesh.corners[f];
-    const Kernel::Triangle_3 t(point(mesh.points[c[0]]), point(mesh.points[c[1]]),
-                               point(mesh.points[c[2]]));
+    const Kernel::Triangle_3 t(point(points[c[0]]), point(points[c[1]]), point(points[c[2]]));
     if (!t.is_degenerate()) {
       triangles.push_back(t);
       face.push_back(f);
@@ -73,7 +74,7 @@ std::vector<double> opposite_distances(const Face_dual_graph& mesh,
   for_each_index<ConcurrencyTag>(distances.size(), [&](std::size_t f) {
     if (normals[f].isZero(0))
       return;
-    const Vector center = mesh.centroid(static_cast<Index>(f));
+    const Vector center = mesh.centroid(static_cast<Index>(f), points);
     const Kernel::Ray_3 ray(point(center),
                             Kernel::Vector_3(-normals[f].x(), -normals[f].y(), -normals[f].z()));
     const auto face_of = [&](Triangle t) { return face[t - triangles.cbegin()]; };
@@ -86,7 +87,7 @@ std::vector<double> opposite_distances(const Face_dual_graph& mesh,
     const double slope = -normals[f].dot(normals[g]);
     if (slope > 0)
       distances[f] =
-        (std::max)((mesh.points[mesh.corners[g][0]] - center).dot(normals[g]) / slope, 0.);
+        (std::max)((points[mesh.corners[g][0]] - center).dot(normals[g]) / slope, 0.);
   });
   return distances;
 }
@@ -95,10 +96,10 @@ std::vector<double> opposite_distances(const Face_dual_graph& mesh,
 // and smoothed over a disk of `radius` times this length. Far from any ray that found an opposite
 // face it is the mean over those that did, and 0 if none did.
 template <class ConcurrencyTag>
-std::vector<float> thickness(const Face_dual_graph& mesh, const std::vector<Vector>& normals,
-                             double radius)
+std::vector<float> thickness(const Face_dual_graph& mesh, const std::vector<Vector>& points,
+                             const std::vector<Vector>& normals, double radius)
 {
-  const std::vector<double> distances = opposite_distances<ConcurrencyTag>(mesh, normals);
+  const std::vector<double> distances = opposite_distances<ConcurrencyTag>(mesh, points, normals);
   const double unit = std::sqrt(total_area(mesh));
   std::vector<Eigen::Array2d> sums(distances.size(), Eigen::Array2d::Zero()); // value, weight
   for (Index f = 0; f < sums.size(); ++f)
