@@ -38,50 +38,75 @@ inline std::vector<double> component_areas(const Face_dual_graph& graph,
   return areas;
 }
 
-// Compact copies of the pieces of a graph. `piece` has the number of the piece of each face. Faces
-// keep their order; edges between two pieces become border.
+// Makes compact copies of sets of faces of a graph, each in time linear in the size of the set; only
+// the first one pays for arrays of the size of the graph.
+class Part_copier
+{
+  const Face_dual_graph& graph_;
+  std::vector<Index> face_, vertex_; // their numbers in the part at hand, else null_index
+
+  void add_vertices(Index f, Face_dual_graph& part)
+  {
+    std::array<Index, 3> corners;
+    for (int i = 0; i < 3; ++i) {
+      const Index v = graph_.corners[f][i];
+      if (vertex_[v] == null_index) {
+        vertex_[v] = static_cast<Index>(part.points.size());
+        part.points.push_back(graph_.points[v]);
+      }
+      corners[i] = vertex_[v];
+    }
+    part.corners.push_back(corners);
+  }
+
+public:
+  explicit Part_copier(const Face_dual_graph& graph)
+    : graph_(graph), face_(graph.number_of_faces(), null_index),
+      vertex_(graph.points.size(), null_index) {}
+
+  // Faces keep the order in which they are given; edges to other faces become border.
+  Face_dual_graph operator()(const std::vector<Index>& faces)
+  {
+    for (Index i = 0; i < faces.size(); ++i)
+      face_[faces[i]] = i;
+    Face_dual_graph part;
+    part.unit = graph_.unit;
+    part.corners.reserve(faces.size());
+    part.areas.reserve(faces.size());
+    part.halfedges.reserve(3 * faces.size());
+    for (Index f : faces) {
+      add_vertices(f, part);
+      part.areas.push_back(graph_.areas[f]);
+      if (!graph_.thickness.empty())
+        part.thickness.push_back(graph_.thickness[f]);
+      for (Index h = 3 * f; h < 3 * f + 3; ++h) {
+        Face_dual_graph::Halfedge halfedge = graph_.halfedges[h];
+        const Index neighbor = face_[halfedge.neighbor];
+        halfedge.neighbor = neighbor == null_index ? face_[f] : neighbor;
+        part.halfedges.push_back(halfedge);
+      }
+    }
+    for (Index f : faces) {
+      face_[f] = null_index;
+      for (Index v : graph_.corners[f])
+        vertex_[v] = null_index;
+    }
+    return part;
+  }
+};
+
+// The pieces of a graph. `piece` has the number of the piece of each face. Faces keep their order.
 template <class Number>
 std::vector<Face_dual_graph> split(const Face_dual_graph& graph, const std::vector<Number>& piece,
                                    std::size_t number_of_pieces)
 {
-  std::vector<Face_dual_graph> result(number_of_pieces);
-  std::vector<Index> number_of_face(graph.number_of_faces());
   std::vector<std::vector<Index> > faces(number_of_pieces);
-  for (Index f = 0; f < graph.number_of_faces(); ++f) {
-    number_of_face[f] = static_cast<Index>(faces[piece[f]].size());
+  for (Index f = 0; f < graph.number_of_faces(); ++f)
     faces[piece[f]].push_back(f);
-  }
-
-  // A vertex lies in several pieces: its number is valid in the piece that was last to meet it.
-  std::vector<Index> number_of_vertex(graph.points.size());
-  std::vector<std::size_t> last_piece(graph.points.size(), number_of_pieces);
-  for (std::size_t p = 0; p < number_of_pieces; ++p) {
-    Face_dual_graph& part = result[p];
-    part.unit = graph.unit;
-    part.corners.reserve(faces[p].size());
-    part.areas.reserve(faces[p].size());
-    part.halfedges.reserve(3 * faces[p].size());
-    for (Index f : faces[p]) {
-      for (Index v : graph.corners[f])
-        if (last_piece[v] != p) {
-          last_piece[v] = p;
-          number_of_vertex[v] = static_cast<Index>(part.points.size());
-          part.points.push_back(graph.points[v]);
-        }
-      const std::array<Index, 3>& c = graph.corners[f];
-      part.corners.push_back({number_of_vertex[c[0]], number_of_vertex[c[1]],
-                              number_of_vertex[c[2]]});
-      part.areas.push_back(graph.areas[f]);
-      if (!graph.thickness.empty())
-        part.thickness.push_back(graph.thickness[f]);
-      for (Index h = 3 * f; h < 3 * f + 3; ++h) {
-        Face_dual_graph::Halfedge halfedge = graph.halfedges[h];
-        const Index g = halfedge.neighbor;
-        halfedge.neighbor = number_of_face[piece[g] == piece[f] ? g : f];
-        part.halfedges.push_back(halfedge);
-      }
-    }
-  }
+  Part_copier copy(graph);
+  std::vector<Face_dual_graph> result;
+  for (const std::vector<Index>& f : faces)
+    result.push_back(copy(f));
   return result;
 }
 
