@@ -48,11 +48,6 @@ void check(const Recorded& expected, const NamedParameters& np)
   }
 }
 
-auto paper()
-{
-  return parameters::method(CGAL::Spectral_segmentation::Method::ZHANG_LIU_2005);
-}
-
 } // namespace
 
 BOOST_AUTO_TEST_CASE(labels_by_default)
@@ -63,12 +58,12 @@ BOOST_AUTO_TEST_CASE(labels_by_default)
                                    Recorded{"bones.off", 58, 0xc76b5a9ee4962fb3},
                                    Recorded{"cactus.off", 9, 0x88949e87e8a3617d},
                                    Recorded{"dino.off", 21, 0x1c8054a229fe2d08}})
-    check(expected, paper());
+    check(expected, parameters::zhang_liu_2005());
 }
 
 BOOST_AUTO_TEST_CASE(labels_of_twelve_segments)
 {
-  const auto np = paper().salience_threshold(-std::numeric_limits<double>::infinity())
+  const auto np = parameters::zhang_liu_2005().salience_threshold(-std::numeric_limits<double>::infinity())
                     .maximum_number_of_segments(12);
   for (const Recorded& expected : {Recorded{"elephant.off", 12, 0x29e583590e03e60f},
                                    Recorded{"tripod.off", 12, 0x27aa16bc418d3b5c},
@@ -79,7 +74,7 @@ BOOST_AUTO_TEST_CASE(labels_of_twelve_segments)
 BOOST_AUTO_TEST_CASE(labels_with_other_values)
 {
   check({"cactus.off", 63, 0x80f81aa1aaf1b6af},
-        paper().minimum_segment_size(0).salience_threshold(0.4));
+        parameters::zhang_liu_2005().minimum_segment_size(0).salience_threshold(0.4));
   check({"dino.off", 36, 0x7c0d4188b4edac81},
-        paper().salience_weights(0.2, 0.3, 0.5).random_seed(3).boundary_smoothing(true));
+        parameters::zhang_liu_2005().salience_weights(0.2, 0.3, 0.5).random_seed(3).boundary_smoothing(true));
 }

@@ -259,18 +259,15 @@ std::size_t segment_spectral_recursive(const TriangleMesh& mesh, SegmentIdMap se
         g, points, normals,
         {options.geodesic_weight, options.concave_angle_weight, options.convex_angle_weight,
          options.concavity_radius});
-      if (options.thickness)
+      if (options.needs_thickness())
         g.thickness = internal::thickness<ConcurrencyTag>(g, points, normals,
                                                           internal::thickness_radius);
       return g;
     });
 
-  Segment_tree tree = options.method == Spectral_segmentation::Method::CALIBRATED
-    ? internal::Cut_and_merge<ConcurrencyTag, Spectral_segmentation::Calibrated_part_salience,
-                              Monitor>(
-        std::move(graph), options, options.calibrated_part_salience, monitor)()
-    : internal::Recursion<ConcurrencyTag, Spectral_segmentation::Weighted_part_salience, Monitor>(
-        std::move(graph), options, options.part_salience, monitor)();
+  Segment_tree tree = options.number_of_pieces > 0
+    ? internal::cut_and_merge<ConcurrencyTag>(std::move(graph), options, monitor)
+    : internal::Recursion<ConcurrencyTag, Monitor>(std::move(graph), options, monitor)();
 
   const std::vector<std::size_t> labels = options.boundary_smoothing
     ? monitor.stage(Stage::BOUNDARY_SMOOTHING, Segmentation_visitor::whole_mesh,

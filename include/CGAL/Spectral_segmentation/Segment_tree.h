@@ -29,9 +29,9 @@ namespace Spectral_segmentation {
 
 /// \cond SKIP_IN_MANUAL
 namespace internal {
-template <class ConcurrencyTag, class PartSalience, class Monitor>
+template <class ConcurrencyTag, class Monitor>
 class Recursion;
-template <class ConcurrencyTag, class PartSalience, class Monitor>
+template <class ConcurrencyTag, class Monitor, class Observer>
 class Cut_and_merge;
 }
 /// \endcond
@@ -176,9 +176,9 @@ public:
   Segment_tree() = default;
 
 private:
-  template <class ConcurrencyTag, class PartSalience, class Monitor>
+  template <class ConcurrencyTag, class Monitor>
   friend class internal::Recursion;
-  template <class ConcurrencyTag, class PartSalience, class Monitor>
+  template <class ConcurrencyTag, class Monitor, class Observer>
   friend class internal::Cut_and_merge;
 
   // A forest of roots only. `component` is the number of the component of each face, and

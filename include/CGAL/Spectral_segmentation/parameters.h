@@ -21,21 +21,28 @@ namespace Spectral_segmentation {
 class Segment_tree;
 
 /// \ingroup PkgSpectralSegmentationRef
-/// The default of the named parameter `salience_threshold`: of the multiples of 0.02 the one value
-/// for all meshes with the smallest Rand error on the odd half of the Princeton benchmark.
-constexpr double default_salience_threshold = 0.54;
-
-/// \ingroup PkgSpectralSegmentationRef
-/// The default of the named parameter `minimum_segment_size`.
-constexpr double default_minimum_segment_size = 0.005;
-
-/// \ingroup PkgSpectralSegmentationRef
-/// The values of the named parameter `method`.
+/// The values of the named parameter `method`, which chooses the defaults of all others.
 enum class Method
 {
   ZHANG_LIU_2005, ///< the method of the paper
   CALIBRATED      ///< cuts whose salience is the probability that a person would cut there
 };
+
+/// \ingroup PkgSpectralSegmentationRef
+/// The default of the named parameter `salience_threshold` for a `Weighted_part_salience`: of the
+/// multiples of 0.02 the one value for all meshes with the smallest Rand error on the odd half of
+/// the Princeton benchmark.
+constexpr double default_salience_threshold = 0.54;
+
+/// \ingroup PkgSpectralSegmentationRef
+/// The default of the named parameter `salience_threshold` for any other part salience: a person
+/// would rather cut than not.
+constexpr double default_probability_threshold = 0.5;
+
+/// \ingroup PkgSpectralSegmentationRef
+/// The default of the named parameter `minimum_segment_size`.
+constexpr double default_minimum_segment_size(Method method)
+{ return method == Method::CALIBRATED ? 0.003 : 0.005; }
 
 /// \cond SKIP_IN_MANUAL
 
@@ -46,11 +53,17 @@ enum method_t { method };
 enum maximum_number_of_segments_t { maximum_number_of_segments };
 enum minimum_segment_size_t { minimum_segment_size };
 enum salience_threshold_t { salience_threshold };
-enum salience_weights_t { salience_weights };
+enum part_salience_t { part_salience };
 enum geodesic_weight_t { geodesic_weight };
 enum concave_angle_weight_t { concave_angle_weight };
 enum convex_angle_weight_t { convex_angle_weight };
+enum concavity_radius_t { concavity_radius };
 enum number_of_reference_faces_t { number_of_reference_faces };
+enum single_source_orderings_t { single_source_orderings };
+enum thickness_orderings_t { thickness_orderings };
+enum number_of_candidates_t { number_of_candidates };
+enum number_of_refined_candidates_t { number_of_refined_candidates };
+enum number_of_pieces_t { number_of_pieces };
 enum number_of_smoothing_iterations_t { number_of_smoothing_iterations };
 enum boundary_smoothing_t { boundary_smoothing };
 enum segment_tree_t { segment_tree };
@@ -63,6 +76,14 @@ using is_count = std::bool_constant<std::is_integral<T>::value && !is_flag<T>::v
 
 template <class T>
 using is_real = std::bool_constant<std::is_arithmetic<T>::value && !is_flag<T>::value>;
+
+template <class T, class = void>
+struct is_part_salience : std::false_type {};
+
+template <class T>
+struct is_part_salience<
+  T, std::void_t<std::invoke_result_t<const T&, const Salience_factors&> > >
+  : is_real<std::decay_t<std::invoke_result_t<const T&, const Salience_factors&> > > {};
 
 template <class Tag, class... Tags>
 using is_one_of = std::bool_constant<(std::is_same<Tag, Tags>::value || ...)>;
@@ -107,8 +128,10 @@ using has_only_known_tags = has_only<Pack,
   CGAL::internal_np::vertex_point_t, CGAL::internal_np::face_index_t,
   CGAL::internal_np::geom_traits_t, CGAL::internal_np::random_seed_t,
   CGAL::internal_np::visitor_t, method_t,
-  maximum_number_of_segments_t, minimum_segment_size_t, salience_threshold_t, salience_weights_t,
-  geodesic_weight_t, concave_angle_weight_t, convex_angle_weight_t, number_of_reference_faces_t,
+  maximum_number_of_segments_t, minimum_segment_size_t, salience_threshold_t, part_salience_t,
+  geodesic_weight_t, concave_angle_weight_t, convex_angle_weight_t, concavity_radius_t,
+  number_of_reference_faces_t, single_source_orderings_t, thickness_orderings_t,
+  number_of_candidates_t, number_of_refined_candidates_t, number_of_pieces_t,
   number_of_smoothing_iterations_t, boundary_smoothing_t, segment_tree_t>;
 
 } // namespace internal_np
@@ -195,6 +218,9 @@ public:
     return with<internal_np::method_t>(m);
   }
 
+  /// the method of the paper: short for `method(Method::ZHANG_LIU_2005)`
+  auto zhang_liu_2005() const { return method(Method::ZHANG_LIU_2005); }
+
   template <class Integer>
   auto maximum_number_of_segments(Integer n) const
   {
@@ -219,13 +245,23 @@ public:
     return with<internal_np::salience_threshold_t>(static_cast<double>(threshold));
   }
 
+  template <class PartSalience>
+  auto part_salience(const PartSalience& model) const
+  {
+    static_assert(internal_np::is_part_salience<PartSalience>::value,
+                  "part_salience takes a class that is called with Salience_factors, while const, "
+                  "and returns a number");
+    return with<internal_np::part_salience_t>(model);
+  }
+
+  /// short for `part_salience(Weighted_part_salience{alpha, beta, gamma})`
   template <class Number1, class Number2, class Number3>
   auto salience_weights(Number1 alpha, Number2 beta, Number3 gamma) const
   {
     static_assert(internal_np::is_real<Number1>::value && internal_np::is_real<Number2>::value &&
                   internal_np::is_real<Number3>::value,
                   "salience_weights takes three numbers: alpha, beta, gamma");
-    return with<internal_np::salience_weights_t>(Weighted_part_salience{
+    return part_salience(Weighted_part_salience{
       static_cast<double>(alpha), static_cast<double>(beta), static_cast<double>(gamma)});
   }
 
@@ -253,12 +289,60 @@ public:
     return with<internal_np::convex_angle_weight_t>(static_cast<double>(eta));
   }
 
+  template <class Number>
+  auto concavity_radius(Number radius) const
+  {
+    static_assert(internal_np::is_real<Number>::value,
+                  "concavity_radius takes a number");
+    return with<internal_np::concavity_radius_t>(static_cast<double>(radius));
+  }
+
   template <class Integer>
   auto number_of_reference_faces(Integer k) const
   {
     static_assert(internal_np::is_count<Integer>::value,
                   "number_of_reference_faces takes an integer");
     return with<internal_np::number_of_reference_faces_t>(k);
+  }
+
+  template <class Bool>
+  auto single_source_orderings(Bool on) const
+  {
+    static_assert(internal_np::is_flag<Bool>::value,
+                  "single_source_orderings takes a bool");
+    return with<internal_np::single_source_orderings_t>(on);
+  }
+
+  template <class Bool>
+  auto thickness_orderings(Bool on) const
+  {
+    static_assert(internal_np::is_flag<Bool>::value,
+                  "thickness_orderings takes a bool");
+    return with<internal_np::thickness_orderings_t>(on);
+  }
+
+  template <class Integer>
+  auto number_of_candidates(Integer n) const
+  {
+    static_assert(internal_np::is_count<Integer>::value,
+                  "number_of_candidates takes an integer");
+    return with<internal_np::number_of_candidates_t>(n);
+  }
+
+  template <class Integer>
+  auto number_of_refined_candidates(Integer n) const
+  {
+    static_assert(internal_np::is_count<Integer>::value,
+                  "number_of_refined_candidates takes an integer");
+    return with<internal_np::number_of_refined_candidates_t>(n);
+  }
+
+  template <class Integer>
+  auto number_of_pieces(Integer n) const
+  {
+    static_assert(internal_np::is_count<Integer>::value,
+                  "number_of_pieces takes an integer");
+    return with<internal_np::number_of_pieces_t>(n);
   }
 
   template <class Integer>
@@ -308,14 +392,22 @@ CGAL_SPECTRAL_SEGMENTATION_START_PACK(geom_traits)
 CGAL_SPECTRAL_SEGMENTATION_START_PACK(random_seed)
 CGAL_SPECTRAL_SEGMENTATION_START_PACK(visitor)
 CGAL_SPECTRAL_SEGMENTATION_START_PACK(method)
+CGAL_SPECTRAL_SEGMENTATION_START_PACK(zhang_liu_2005)
 CGAL_SPECTRAL_SEGMENTATION_START_PACK(maximum_number_of_segments)
 CGAL_SPECTRAL_SEGMENTATION_START_PACK(minimum_segment_size)
 CGAL_SPECTRAL_SEGMENTATION_START_PACK(salience_threshold)
+CGAL_SPECTRAL_SEGMENTATION_START_PACK(part_salience)
 CGAL_SPECTRAL_SEGMENTATION_START_PACK(salience_weights)
 CGAL_SPECTRAL_SEGMENTATION_START_PACK(geodesic_weight)
 CGAL_SPECTRAL_SEGMENTATION_START_PACK(concave_angle_weight)
 CGAL_SPECTRAL_SEGMENTATION_START_PACK(convex_angle_weight)
+CGAL_SPECTRAL_SEGMENTATION_START_PACK(concavity_radius)
 CGAL_SPECTRAL_SEGMENTATION_START_PACK(number_of_reference_faces)
+CGAL_SPECTRAL_SEGMENTATION_START_PACK(single_source_orderings)
+CGAL_SPECTRAL_SEGMENTATION_START_PACK(thickness_orderings)
+CGAL_SPECTRAL_SEGMENTATION_START_PACK(number_of_candidates)
+CGAL_SPECTRAL_SEGMENTATION_START_PACK(number_of_refined_candidates)
+CGAL_SPECTRAL_SEGMENTATION_START_PACK(number_of_pieces)
 CGAL_SPECTRAL_SEGMENTATION_START_PACK(number_of_smoothing_iterations)
 CGAL_SPECTRAL_SEGMENTATION_START_PACK(boundary_smoothing)
 

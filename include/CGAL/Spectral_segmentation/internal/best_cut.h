@@ -5,18 +5,19 @@
 #define CGAL_SPECTRAL_SEGMENTATION_INTERNAL_BEST_CUT_H
 
 #include <CGAL/Spectral_segmentation/Segmentation_visitor.h>
-#include <CGAL/Spectral_segmentation/internal/Face_dual_graph.h>
 #include <CGAL/Spectral_segmentation/internal/Cut_judge.h>
+#include <CGAL/Spectral_segmentation/internal/Face_dual_graph.h>
+#include <CGAL/Spectral_segmentation/internal/Meta_patch.h>
 #include <CGAL/Spectral_segmentation/internal/concurrency.h>
 #include <CGAL/Spectral_segmentation/internal/cut_candidates.h>
-#include <CGAL/Spectral_segmentation/internal/embedding.h>
 #include <CGAL/Spectral_segmentation/internal/line_search.h>
 #include <CGAL/Spectral_segmentation/internal/minimum_cut.h>
 #include <CGAL/Spectral_segmentation/internal/options.h>
 #include <CGAL/Spectral_segmentation/internal/orderings.h>
 #include <CGAL/Spectral_segmentation/internal/parts.h>
 #include <CGAL/Spectral_segmentation/internal/sampling.h>
-#include <CGAL/Spectral_segmentation/internal/shortest_paths.h>
+
+#include <boost/graph/filtered_graph.hpp>
 
 #include <algorithm>
 #include <cstddef>
@@ -46,60 +47,120 @@ Shape_contexts shape_contexts(const Part& part, const Options& options, Monitor&
                         [&] { monitor.check(); });
 }
 
-// BESTCUT (Figure 2): the most salient cut of a part, if there is one.
-// Throws `Run_stopped` if the visitor stops the run.
-template <class ConcurrencyTag, class PartSalience, class Monitor>
-std::optional<Cut> best_cut(const Part& part, const Options& options,
-                            const PartSalience& part_salience, double minimum_area,
-                            Monitor& monitor)
+struct Within_a_side
 {
-  const Face_dual_graph& m = part.graph;
-  if (m.number_of_faces() < 2)
-    return std::nullopt;
-  monitor.check();
-  monitor.start_part(part.node, m.number_of_faces());
-
-  // 1. two sample faces
-  const Sample_faces samples = monitor.stage(Stage::SAMPLING, part.node, [&]
-    { return sample_faces(shape_contexts(part, options, monitor)); });
-
-  // 2. distances from both; 3. to 5. the order of the faces on the line, for which neither kernel nor
-  // eigenvectors are needed
-  monitor.check();
-  const std::vector<Index> line = monitor.stage(Stage::EMBEDDING, part.node, [&] {
-    std::vector<double> from_s, from_t;
-    const Weighting combined = &Face_dual_graph::Halfedge::combined;
-    do_both<ConcurrencyTag>([&] { from_s = shortest_paths(m, samples.s, combined); },
-                            [&] { from_t = shortest_paths(m, samples.t, combined); });
-    return spectral_order(from_s, from_t);
-  });
-
-  // 6. line search
-  monitor.check();
-  std::optional<Cut> cut = monitor.stage(Stage::LINE_SEARCH, part.node, [&]
-    { return line_search(m, line, part_salience, minimum_area); });
-
-  monitor.end_part(part.node);
-  return cut;
-}
+  const Face_dual_graph* part = nullptr;
+  const Sides* side = nullptr;
+  bool operator()(Index h) const { return (*side)[h / 3] == (*side)[part->halfedges[h].neighbor]; }
+};
 
 inline bool both_sides_are_connected(const Face_dual_graph& part, const Sides& side)
 {
-  std::vector<Face_dual_graph> sides = split(part, side, 2);
-  for (const Face_dual_graph& s : sides) {
-    std::size_t number_of_components;
-    connected_components(s, number_of_components);
-    if (number_of_components != 1)
-      return false;
-  }
-  return true;
+  const boost::filtered_graph<Face_dual_graph, Within_a_side> sides(part, {&part, &side});
+  std::size_t number_of_components;
+  connected_components(sides, number_of_components);
+  return number_of_components == 2;
 }
 
-// The best cut of a part by a salience that is judged on whole cuts: of the candidates along
-// several lines, and of the minimum cuts around the best of them.
-template <class ConcurrencyTag, class PartSalience, class Monitor>
-std::optional<Cut> best_judged_cut(const Part& part, double area_of_mesh, const Options& options,
-                                   const PartSalience& part_salience, Monitor& monitor)
+// Judges whole cuts of a part: by all factors if the run takes candidates, else by those of the
+// paper, which are known at every step of a line.
+class Judge_of_part
+{
+  const Face_dual_graph& part_;
+  const Part_salience& part_salience_;
+  double minimum_area_;
+  std::optional<Cut_judge> by_all_factors_;
+
+  Salience_factors factors(const Sides& side)
+  {
+    if (by_all_factors_)
+      return (*by_all_factors_)(side);
+    Meta_patch q(part_);
+    for (Index f = 0; f < side.size(); ++f)
+      if (side[f] == 0)
+        q.add(f);
+    return q.factors();
+  }
+
+public:
+  Judge_of_part(const Face_dual_graph& part, double area_of_mesh, const Options& options)
+    : part_(part), part_salience_(options.part_salience),
+      minimum_area_(options.minimum_segment_size * area_of_mesh)
+  {
+    if (options.number_of_candidates > 0)
+      by_all_factors_.emplace(part, area_of_mesh);
+  }
+
+  // None if a side is too small.
+  std::optional<Cut> operator()(Sides side)
+  {
+    Cut cut{std::move(side), {0, 0}, {}, 0};
+    for (Index f = 0; f < cut.side.size(); ++f)
+      cut.area[int(cut.side[f])] += part_.areas[f];
+    put_smaller_side_first(cut.side, cut.area);
+    if (cut.area[0] < minimum_area_ || !(cut.area[0] > 0))
+      return std::nullopt;
+    cut.factors = factors(cut.side);
+    cut.salience = part_salience_(cut.factors);
+    return cut;
+  }
+};
+
+// The candidates along the lines, or the best cut of each line.
+template <class ConcurrencyTag>
+std::vector<Cut> cuts_along(const Face_dual_graph& part, const std::vector<Line>& lines,
+                            double minimum_area, const Options& options, Judge_of_part& judge)
+{
+  std::vector<std::optional<Cut> > cuts;
+  if (options.number_of_candidates > 0) {
+    for (Sides& side : cut_candidates<ConcurrencyTag>(part, lines, minimum_area,
+                                                      options.number_of_candidates))
+      cuts.push_back(judge(std::move(side)));
+  }
+  else {
+    cuts.resize(lines.size());
+    for_each_index<ConcurrencyTag>(lines.size(), [&](std::size_t i)
+      { cuts[i] = line_search(part, lines[i], options.part_salience, minimum_area); });
+  }
+  std::vector<Cut> result;
+  for (std::optional<Cut>& cut : cuts)
+    if (cut)
+      result.push_back(std::move(*cut));
+  return result;
+}
+
+// Adds the minimum cuts around the most salient of the cuts, and puts the most salient first.
+inline void refine(const Face_dual_graph& part, std::size_t number, Judge_of_part& judge,
+                   std::vector<Cut>& cuts)
+{
+  const auto sort = [&] {
+    std::stable_sort(cuts.begin(), cuts.end(), [](const Cut& a, const Cut& b)
+                     { return on_grid(a.salience) > on_grid(b.salience); });
+  };
+  sort();
+  number = (std::min)(number, cuts.size());
+  for (std::size_t i = 0; i < number; ++i) {
+    Sides refined = minimum_cut_around(part, cuts[i].side, cuts[i].area[0]);
+    if (refined == cuts[i].side || !both_sides_are_connected(part, refined))
+      continue;
+    if (std::optional<Cut> cut = judge(std::move(refined)))
+      cuts.push_back(std::move(*cut));
+  }
+  sort();
+}
+
+struct No_observer
+{
+  template <class... Arguments>
+  void operator()(const Arguments&...) const {}
+};
+
+// BESTCUT (Figure 2), with more lines and more than one cut of them if the options ask for it: the
+// most salient cut of a part, if there is one. `observe(cut)` hears of each cut that is judged.
+// Throws `Run_stopped` if the visitor stops the run.
+template <class ConcurrencyTag, class Monitor, class Observer = No_observer>
+std::optional<Cut> best_cut(const Part& part, double area_of_mesh, const Options& options,
+                            Monitor& monitor, const Observer& observe = Observer())
 {
   const Face_dual_graph& m = part.graph;
   const double minimum_area = options.minimum_segment_size * area_of_mesh;
@@ -108,49 +169,31 @@ std::optional<Cut> best_judged_cut(const Part& part, double area_of_mesh, const 
   monitor.check();
   monitor.start_part(part.node, m.number_of_faces());
 
+  // 1. two sample faces
   Shape_contexts contexts;
   const Sample_faces samples = monitor.stage(Stage::SAMPLING, part.node, [&] {
     contexts = shape_contexts(part, options, monitor);
     return sample_faces(contexts);
   });
 
+  // 2. distances from both; 3. to 5. the order of the faces on the line, for which neither kernel
+  // nor eigenvectors are needed; and other lines
   monitor.check();
   const std::vector<Line> lines = monitor.stage(Stage::EMBEDDING, part.node, [&]
     { return orderings<ConcurrencyTag>(m, contexts.references, samples, options); });
 
+  // 6. line search
   monitor.check();
   std::vector<Cut> cuts = monitor.stage(Stage::LINE_SEARCH, part.node, [&] {
-    Cut_judge judge(m, area_of_mesh);
-    std::vector<Cut> result;
-    const auto add = [&](Sides side) {
-      Cut cut{std::move(side), {0, 0}, {}, 0};
-      for (Index f = 0; f < cut.side.size(); ++f)
-        cut.area[int(cut.side[f])] += m.areas[f];
-      put_smaller_side_first(cut.side, cut.area);
-      if (cut.area[0] < minimum_area || !(cut.area[0] > 0))
-        return;
-      cut.factors = judge(cut.side);
-      cut.salience = part_salience(cut.factors);
-      result.push_back(std::move(cut));
-    };
-    for (Sides& side : cut_candidates<ConcurrencyTag>(m, lines, minimum_area,
-                                                      options.number_of_candidates))
-      add(std::move(side));
-    const auto more_salient = [](const Cut& a, const Cut& b)
-    { return on_grid(a.salience) > on_grid(b.salience); };
-    std::stable_sort(result.begin(), result.end(), more_salient);
-    const std::size_t number_refined =
-      (std::min)(result.size(), options.number_of_refined_candidates);
-    for (std::size_t i = 0; i < number_refined; ++i) {
-      Sides refined = minimum_cut_around(m, result[i].side, result[i].area[0]);
-      if (refined != result[i].side && both_sides_are_connected(m, refined))
-        add(std::move(refined));
-    }
-    std::stable_sort(result.begin(), result.end(), more_salient);
+    Judge_of_part judge(m, area_of_mesh, options);
+    std::vector<Cut> result = cuts_along<ConcurrencyTag>(m, lines, minimum_area, options, judge);
+    refine(m, options.number_of_refined_candidates, judge, result);
     return result;
   });
 
   monitor.end_part(part.node);
+  for (const Cut& cut : cuts)
+    observe(cut);
   if (cuts.empty())
     return std::nullopt;
   return std::move(cuts.front());

@@ -8,7 +8,6 @@
 
 #ifdef CGAL_LINKED_WITH_TBB
 #include <tbb/parallel_for.h>
-#include <tbb/parallel_invoke.h>
 #include <tbb/task_arena.h>
 #include <tbb/task_group.h>
 #endif
@@ -43,27 +42,12 @@ void for_each_index(std::size_t n, const Function& f)
 #ifdef CGAL_LINKED_WITH_TBB
   if constexpr (is_parallel<ConcurrencyTag>) {
     tbb::task_group_context own(tbb::task_group_context::isolated);
-    tbb::parallel_for(std::size_t(0), n, f, own);
+    call_isolated([&] { tbb::parallel_for(std::size_t(0), n, f, own); });
     return;
   }
 #endif
   for (std::size_t i = 0; i < n; ++i)
     f(i);
-}
-
-// Calls f() and g(), which do not depend on each other.
-template <class ConcurrencyTag, class F, class G>
-void do_both(const F& f, const G& g)
-{
-#ifdef CGAL_LINKED_WITH_TBB
-  if constexpr (is_parallel<ConcurrencyTag>) {
-    tbb::task_group_context own(tbb::task_group_context::isolated);
-    call_isolated([&] { tbb::parallel_invoke(f, g, own); });
-    return;
-  }
-#endif
-  f();
-  g();
 }
 
 } // namespace internal

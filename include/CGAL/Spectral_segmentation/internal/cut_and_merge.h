@@ -16,6 +16,7 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <iterator>
 #include <limits>
 #include <map>
 #include <numeric>
@@ -28,11 +29,25 @@ namespace CGAL {
 namespace Spectral_segmentation {
 namespace internal {
 
+// A cut whose factors were found out: of a part that is searched, or the boundary between two sets of
+// pieces as the cut of their union.
+struct Judged_cut
+{
+  enum Kind { CANDIDATE, BOUNDARY };
+
+  Kind kind;
+  const std::vector<Index>& faces; // of the part, by their numbers in the mesh
+  const Sides& side;               // of each of these faces
+  const Salience_factors& factors;
+};
+
 // Recursive two-way cuts, the most salient first, down to more pieces than anybody wants; then the
 // two neighbors whose common boundary is the least salient become one, until each component of the
 // mesh is whole again. A cut that was needed only to reach others is undone on the way, for nobody
 // would cut between its two sides once the others are gone. The tree has the merges in reverse.
-template <class ConcurrencyTag, class PartSalience, class Monitor>
+//
+// `Observer` is called with each `Judged_cut`; from several threads if the run has several.
+template <class ConcurrencyTag, class Monitor, class Observer = No_observer>
 class Cut_and_merge
 {
   struct Piece
@@ -56,13 +71,14 @@ class Cut_and_merge
     Salience_factors factors;
   };
 
-  typedef std::pair<std::size_t, std::size_t> Pair; // the smaller number first
+  typedef std::vector<std::vector<Index> > Face_sets; // each ascending
+  typedef std::pair<std::size_t, std::size_t> Pair;   // of sets, the smaller number first
   typedef std::map<Pair, Boundary> Boundaries;
 
   const Face_dual_graph mesh_;
   const Options& options_;
-  const PartSalience& part_salience_;
   Monitor& monitor_;
+  const Observer& observe_;
   const double area_of_mesh_;
 
   std::vector<Index> component_;
@@ -81,8 +97,9 @@ class Cut_and_merge
   {
     for_each_index<ConcurrencyTag>(pieces.size(), [&](std::size_t i) {
       Piece& p = pieces_[pieces[i]];
-      p.cut = best_judged_cut<ConcurrencyTag>(p.part, area_of_mesh_, options_, part_salience_,
-                                              monitor_);
+      p.cut = best_cut<ConcurrencyTag>(
+        p.part, area_of_mesh_, options_, monitor_, [&](const Cut& cut)
+        { observe_(Judged_cut{Judged_cut::CANDIDATE, p.faces, cut.side, cut.factors}); });
     });
   }
 
@@ -98,12 +115,18 @@ class Cut_and_merge
     return best;
   }
 
+  bool has_enough_pieces() const
+  {
+    const std::size_t maximum = options_.maximum_number_of_segments;
+    return pieces_.size() - number_of_components_ + 1 >= options_.number_of_pieces &&
+           (maximum == unlimited || pieces_.size() >= maximum);
+  }
+
   void cut_down()
   {
     std::vector<std::size_t> news(pieces_.size());
     std::iota(news.begin(), news.end(), std::size_t(0));
-    const std::size_t most = number_of_components_ + options_.number_of_pieces - 1;
-    while (pieces_.size() < most) {
+    while (!has_enough_pieces()) {
       search(news);
       const std::optional<std::size_t> next = next_piece();
       if (!next)
@@ -121,23 +144,33 @@ class Cut_and_merge
     }
   }
 
-  // The boundary between two sets of faces as the cut of their union.
-  Boundary boundary(const std::vector<std::size_t>& set_of_face, const Pair& pair) const
+  // The faces of the pieces, in the order of their first faces; their graphs are not needed any more.
+  Face_sets take_faces_of_pieces()
   {
-    Sides is_outside(mesh_.number_of_faces()), side;
+    Face_sets result;
+    for (Piece& p : pieces_)
+      result.push_back(std::move(p.faces));
+    pieces_.clear();
+    std::sort(result.begin(), result.end());
+    return result;
+  }
+
+  // The boundary between two sets of faces as the cut of their union.
+  Boundary boundary(const std::vector<Index>& first, const std::vector<Index>& second) const
+  {
+    std::vector<Index> faces;
+    std::merge(first.begin(), first.end(), second.begin(), second.end(), std::back_inserter(faces));
+    Sides side;
     double area[2] = {0, 0};
-    for (Index f = 0; f < is_outside.size(); ++f) {
-      const bool is_first = set_of_face[f] == pair.first, is_second = set_of_face[f] == pair.second;
-      is_outside[f] = !(is_first || is_second);
-      if (!is_outside[f]) {
-        side.push_back(is_first ? 0 : 1);
-        area[int(side.back())] += mesh_.areas[f];
-      }
+    for (Index f : faces) {
+      side.push_back(std::binary_search(first.begin(), first.end(), f) ? 0 : 1);
+      area[int(side.back())] += mesh_.areas[f];
     }
     put_smaller_side_first(side, area);
-    const Face_dual_graph both = std::move(split(mesh_, is_outside, 2)[0]);
+    const Face_dual_graph both = Part_copier(mesh_)(faces);
     const Salience_factors factors = Cut_judge(both, area_of_mesh_)(side);
-    return {part_salience_(factors), factors};
+    observe_(Judged_cut{Judged_cut::BOUNDARY, faces, side, factors});
+    return {options_.part_salience(factors), factors};
   }
 
   // All neighbors, or those of one set.
@@ -153,35 +186,38 @@ class Cut_and_merge
     return {pairs.begin(), pairs.end()};
   }
 
-  void judge(const std::vector<std::size_t>& set_of_face, const std::vector<Pair>& pairs,
-             Boundaries& boundaries) const
+  void judge(const Face_sets& sets, const std::vector<Pair>& pairs, Boundaries& boundaries) const
   {
     std::vector<Boundary> judged(pairs.size());
     for_each_index<ConcurrencyTag>(pairs.size(), [&](std::size_t i)
-      { judged[i] = boundary(set_of_face, pairs[i]); });
+      { judged[i] = boundary(sets[pairs[i].first], sets[pairs[i].second]); });
     for (std::size_t i = 0; i < pairs.size(); ++i)
       boundaries[pairs[i]] = judged[i];
   }
 
-  std::vector<Merge> merge_up(std::vector<std::size_t> set_of_face) const
+  std::vector<Merge> merge_up(Face_sets sets, std::vector<std::size_t> set_of_face) const
   {
     std::vector<Merge> merges;
     Boundaries boundaries;
-    judge(set_of_face, neighbors(set_of_face), boundaries);
+    judge(sets, neighbors(set_of_face), boundaries);
     while (!boundaries.empty()) {
       const auto least = std::min_element(
         boundaries.begin(), boundaries.end(), [](const auto& a, const auto& b)
         { return on_grid(a.second.salience) < on_grid(b.second.salience); });
-      const Pair pair = least->first;
-      merges.push_back({pair.first, pair.second, least->second.salience, least->second.factors});
+      const auto [into, from] = least->first;
+      merges.push_back({into, from, least->second.salience, least->second.factors});
       for (auto b = boundaries.begin(); b != boundaries.end();)
-        if (b->first.first == pair.first || b->first.second == pair.first ||
-            b->first.first == pair.second || b->first.second == pair.second)
+        if (b->first.first == into || b->first.second == into || b->first.first == from ||
+            b->first.second == from)
           b = boundaries.erase(b);
         else
           ++b;
-      std::replace(set_of_face.begin(), set_of_face.end(), pair.second, pair.first);
-      judge(set_of_face, neighbors(set_of_face, pair.first), boundaries);
+      const std::ptrdiff_t size = static_cast<std::ptrdiff_t>(sets[into].size());
+      sets[into].insert(sets[into].end(), sets[from].begin(), sets[from].end());
+      std::inplace_merge(sets[into].begin(), sets[into].begin() + size, sets[into].end());
+      sets[from].clear();
+      std::replace(set_of_face.begin(), set_of_face.end(), from, into);
+      judge(sets, neighbors(set_of_face, into), boundaries);
     }
     return merges;
   }
@@ -194,7 +230,7 @@ class Cut_and_merge
       largest = m.salience = (std::max)(m.salience, largest);
   }
 
-  Segment_tree tree_of(const std::vector<std::size_t>& piece_of_face,
+  Segment_tree tree_of(const Face_sets& pieces, const std::vector<std::size_t>& piece_of_face,
                        const std::vector<Merge>& merges) const
   {
     Segment_tree tree(component_, component_areas(mesh_, component_, number_of_components_),
@@ -204,7 +240,7 @@ class Cut_and_merge
       tree.smooth_boundaries_with(internal::neighbors(mesh_));
 
     // The sets of pieces on the two sides of each merge, and the node that a set becomes.
-    std::vector<std::vector<std::size_t> > set(pieces_.size());
+    std::vector<std::vector<std::size_t> > set(pieces.size());
     for (std::size_t i = 0; i < set.size(); ++i)
       set[i] = {i};
     std::vector<std::vector<std::size_t> > from(merges.size());
@@ -213,12 +249,12 @@ class Cut_and_merge
       std::vector<std::size_t>& into = set[merges[k].into];
       into.insert(into.end(), from[k].begin(), from[k].end());
     }
-    std::vector<std::size_t> node(pieces_.size()); // that holds the piece
+    std::vector<std::size_t> node(pieces.size()); // that holds the piece
     for (std::size_t i = 0; i < node.size(); ++i)
-      node[i] = component_[pieces_[i].faces.front()];
+      node[i] = component_[pieces[i].front()];
     for (std::size_t k = merges.size(); k-- > 0;) {
       const std::size_t cut_node = node[merges[k].into];
-      std::vector<char> is_from(pieces_.size(), 0);
+      std::vector<char> is_from(pieces.size(), 0);
       for (std::size_t piece : from[k])
         is_from[piece] = 1;
       Sides side;
@@ -244,9 +280,9 @@ class Cut_and_merge
   }
 
 public:
-  Cut_and_merge(Face_dual_graph mesh, const Options& options, const PartSalience& part_salience,
-                Monitor& monitor)
-    : mesh_(std::move(mesh)), options_(options), part_salience_(part_salience), monitor_(monitor),
+  Cut_and_merge(Face_dual_graph mesh, const Options& options, Monitor& monitor,
+                const Observer& observe)
+    : mesh_(std::move(mesh)), options_(options), monitor_(monitor), observe_(observe),
       area_of_mesh_(total_area(mesh_)),
       component_(connected_components(mesh_, number_of_components_))
   {
@@ -266,17 +302,25 @@ public:
     catch (const Run_stopped&) {
       // The pieces are those of the cuts that were made.
     }
-    std::sort(pieces_.begin(), pieces_.end(), [](const Piece& a, const Piece& b)
-              { return a.faces.front() < b.faces.front(); });
+    const Face_sets pieces = take_faces_of_pieces();
     std::vector<std::size_t> piece_of_face(mesh_.number_of_faces());
-    for (std::size_t i = 0; i < pieces_.size(); ++i)
-      for (Index f : pieces_[i].faces)
+    for (std::size_t i = 0; i < pieces.size(); ++i)
+      for (Index f : pieces[i])
         piece_of_face[f] = i;
-    std::vector<Merge> merges = merge_up(piece_of_face);
+    std::vector<Merge> merges = merge_up(pieces, piece_of_face);
     make_monotone(merges);
-    return tree_of(piece_of_face, merges);
+    return tree_of(pieces, piece_of_face, merges);
   }
 };
+
+// The tree of a mesh; `observe` hears of each cut that is judged on the way.
+template <class ConcurrencyTag, class Monitor, class Observer = No_observer>
+Segment_tree cut_and_merge(Face_dual_graph mesh, const Options& options, Monitor& monitor,
+                           const Observer& observe = Observer())
+{
+  return Cut_and_merge<ConcurrencyTag, Monitor, Observer>(std::move(mesh), options, monitor,
+                                                          observe)();
+}
 
 } // namespace internal
 } // namespace Spectral_segmentation

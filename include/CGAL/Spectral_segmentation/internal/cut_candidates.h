@@ -26,21 +26,29 @@ namespace internal {
 
 // The few cuts of a part that are worth a closer look.
 
-// The side of each face: 0 for Q, of smaller area, 1 for the rest.
-typedef std::vector<char> Sides;
-
-inline void put_smaller_side_first(Sides& side, double (&area)[2])
+// A patch that knows the capacity of its cut.
+class Patch_with_capacity : public Meta_patch
 {
-  if (area[0] <= area[1])
-    return;
-  for (char& s : side)
-    s = 1 - s;
-  std::swap(area[0], area[1]);
-}
+  const Face_dual_graph& part_;
+  double capacity_of_cut_ = 0;
+
+public:
+  explicit Patch_with_capacity(const Face_dual_graph& part) : Meta_patch(part), part_(part) {}
+
+  void add(Index f)
+  {
+    for (Index h = 3 * f; h < 3 * f + 3; ++h)
+      if (!part_.is_border(h))
+        capacity_of_cut_ += (has_face(part_.halfedges[h].neighbor) ? -1 : 1) * capacity(part_, h);
+    Meta_patch::add(f);
+  }
+
+  double capacity_of_cut() const { return capacity_of_cut_; }
+};
 
 struct Proposal
 {
-  Sides side;
+  Sides side; // the larger one may be first
   double score; // comparable among proposals by the same measure
 };
 
@@ -62,35 +70,23 @@ struct Line_step
 inline std::vector<Line_step> line_steps(const Face_dual_graph& part, const Growth& growth,
                                          double minimum_area)
 {
-  const std::vector<bool> is_cut = rest_is_connected(part, growth.faces);
   const Weighted_part_salience part_salience;
-  const double rounding = 1e-12 * total_area(part);
   std::vector<Line_step> steps;
-  Meta_patch q(part);
-  double capacity_of_cut = 0;
-  std::size_t size = 0;
-  for (Index size_after_step : growth.sizes) {
-    for (; size < size_after_step; ++size) {
-      const Index f = growth.faces[size];
-      for (Index h = 3 * f; h < 3 * f + 3; ++h)
-        if (!part.is_border(h))
-          capacity_of_cut += (q.has_face(part.halfedges[h].neighbor) ? -1 : 1) * capacity(part, h);
-      q.add(f);
-    }
-    if (q.area() > 3 * q.area_of_rest()) // other lines come from that end
-      break;
-    const double smaller = q.smaller_area();
-    if (is_cut[size] && smaller > rounding && smaller >= minimum_area)
-      steps.push_back({size, q.area(), smaller, part_salience(q.factors()),
-                       -capacity_of_cut / std::sqrt(smaller)});
-  }
+  visit_cuts<Patch_with_capacity>(
+    part, growth, minimum_area, [&](const Patch_with_capacity& q, std::size_t size) {
+      if (q.area() > 3 * q.area_of_rest()) // other lines come from that end
+        return false;
+      steps.push_back({size, q.area(), q.smaller_area(), part_salience(q.factors()),
+                       -q.capacity_of_cut() / std::sqrt(q.smaller_area())});
+      return true;
+    });
   return steps;
 }
 
 // The two best steps by a measure, the second not next to the first.
 template <class Measure>
-std::vector<Proposal> best_steps(const Face_dual_graph& part, const Growth& growth,
-                                 std::vector<Line_step> steps, const Measure& measure)
+std::vector<Proposal> best_steps(const Growth& growth, std::vector<Line_step> steps,
+                                 const Measure& measure)
 {
   std::vector<Proposal> result;
   while (result.size() < 2 && !steps.empty()) {
@@ -98,11 +94,7 @@ std::vector<Proposal> best_steps(const Face_dual_graph& part, const Growth& grow
     const Line_step best = *std::max_element(
       steps.begin(), steps.end(), [&](const Line_step& a, const Line_step& b)
       { return on_grid(measure(a)) < on_grid(measure(b)); });
-    const char q = best.area <= total_area(part) / 2 ? 0 : 1;
-    Proposal p{Sides(part.number_of_faces(), 1 - q), measure(best)};
-    for (std::size_t i = 0; i < best.size; ++i)
-      p.side[growth.faces[i]] = q;
-    result.push_back(std::move(p));
+    result.push_back({sides_of(growth, best.size), measure(best)});
     steps.erase(std::remove_if(steps.begin(), steps.end(), [&](const Line_step& s) {
       return std::abs(s.area - best.area) < 0.25 * best.smaller_area;
     }), steps.end());
@@ -114,8 +106,8 @@ inline Proposals propose_cuts(const Face_dual_graph& part, const Line& line, dou
 {
   const Growth growth = grow_along(part, line);
   const std::vector<Line_step> steps = line_steps(part, growth, minimum_area);
-  return {best_steps(part, growth, steps, [](const Line_step& s) { return s.salience; }),
-          best_steps(part, growth, steps, [](const Line_step& s) { return s.cheapness; })};
+  return {best_steps(growth, steps, [](const Line_step& s) { return s.salience; }),
+          best_steps(growth, steps, [](const Line_step& s) { return s.cheapness; })};
 }
 
 // Whether the faces on which two cuts differ are few against the smallest side of either.
@@ -133,7 +125,8 @@ inline bool are_alike(const Sides& a, const Sides& b)
   return 20 * different < 3 * smallest;
 }
 
-// At most `number` cuts, no two alike, the best by either measure in turns.
+// At most `number` cuts, no two alike, the best by either measure in turns. The larger side may be
+// first.
 template <class ConcurrencyTag>
 std::vector<Sides> cut_candidates(const Face_dual_graph& part, const std::vector<Line>& lines,
                                   double minimum_area, std::size_t number)

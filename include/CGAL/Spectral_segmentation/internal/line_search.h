@@ -24,14 +24,26 @@ namespace internal {
 
 // The line search of Section 5.3.
 
+// The side of each face: 0 for Q, of smaller area, 1 for the rest.
+typedef std::vector<char> Sides;
+
 // A two-way cut of a part.
 struct Cut
 {
-  std::vector<char> side; // of each face: 0 in the side of smaller area, 1 in the other
+  Sides side;
   double area[2];
   Salience_factors factors;
   double salience;
 };
+
+inline void put_smaller_side_first(Sides& side, double (&area)[2])
+{
+  if (area[0] <= area[1])
+    return;
+  for (char& s : side)
+    s = 1 - s;
+  std::swap(area[0], area[1]);
+}
 
 // How Q grows along the line: the faces in the order in which they join Q, and the sizes of Q after
 // each visited face that joined, together with all that had waited for it.
@@ -105,8 +117,36 @@ inline std::vector<bool> rest_is_connected(const Face_dual_graph& part,
   return result;
 }
 
-// The most salient cut along the line, if there is one with two connected sides, both with an area,
-// and not below `minimum_area`. Of equally salient cuts the first is taken.
+// Adds the faces to a patch Q, and calls `visit(q, size of q)` after each step that leaves two
+// connected sides, both with an area, and not below `minimum_area`. Ends early if that returns false.
+template <class Patch, class Visit>
+void visit_cuts(const Face_dual_graph& part, const Growth& growth, double minimum_area,
+                const Visit& visit)
+{
+  const std::vector<bool> is_cut = rest_is_connected(part, growth.faces);
+  // What the subtraction of areas leaves where the rest has none.
+  const double rounding = 1e-12 * total_area(part);
+  Patch q(part);
+  std::size_t size = 0;
+  for (Index size_after_step : growth.sizes) {
+    for (; size < size_after_step; ++size)
+      q.add(growth.faces[size]);
+    if (is_cut[size] && q.smaller_area() > rounding && q.smaller_area() >= minimum_area &&
+        !visit(std::as_const(q), size))
+      return;
+  }
+}
+
+// 0 for the first faces that joined Q, 1 for the others.
+inline Sides sides_of(const Growth& growth, std::size_t size)
+{
+  Sides side(growth.faces.size(), 1);
+  for (std::size_t i = 0; i < size; ++i)
+    side[growth.faces[i]] = 0;
+  return side;
+}
+
+// The most salient cut along the line, if there is one. Of equally salient cuts the first is taken.
 // `observe(size of Q, factors, salience)` hears of each cut that is compared.
 template <class PartSalience, class Observer>
 std::optional<Cut> line_search(const Face_dual_graph& part, const std::vector<Index>& line,
@@ -114,41 +154,25 @@ std::optional<Cut> line_search(const Face_dual_graph& part, const std::vector<In
                                const Observer& observe)
 {
   const Growth growth = grow_along(part, line);
-  const std::vector<bool> is_cut = rest_is_connected(part, growth.faces);
-
-  Meta_patch q(part);
-  // What the subtraction of areas leaves where the rest has none.
-  const double rounding = 1e-12 * total_area(part);
-  std::size_t size = 0, best_size = 0;
+  std::size_t best_size = 0;
   Cut best;
   double best_on_grid = -std::numeric_limits<double>::infinity();
-  for (Index size_after_step : growth.sizes) {
-    for (; size < size_after_step; ++size)
-      q.add(growth.faces[size]);
-    if (!is_cut[size] || q.smaller_area() <= rounding || q.smaller_area() < minimum_area)
-      continue;
+  visit_cuts<Meta_patch>(part, growth, minimum_area, [&](const Meta_patch& q, std::size_t size) {
     const Salience_factors factors = q.factors();
     const double salience = part_salience(factors);
     observe(size, factors, salience);
     // On the grid, so that rounding does not choose between cuts that mirror each other.
     if (on_grid(salience) > best_on_grid) {
       best_on_grid = on_grid(salience);
-      best.salience = salience;
-      best.factors = factors;
-      best.area[0] = q.area();
-      best.area[1] = q.area_of_rest();
+      best = {{}, {q.area(), q.area_of_rest()}, factors, salience};
       best_size = size;
     }
-  }
+    return true;
+  });
   if (best_size == 0)
     return std::nullopt;
-
-  const bool q_is_smaller = best.area[0] <= best.area[1];
-  best.side.assign(part.number_of_faces(), q_is_smaller ? 1 : 0);
-  for (std::size_t i = 0; i < best_size; ++i)
-    best.side[growth.faces[i]] = q_is_smaller ? 0 : 1;
-  if (!q_is_smaller)
-    std::swap(best.area[0], best.area[1]);
+  best.side = sides_of(growth, best_size);
+  put_smaller_side_first(best.side, best.area);
   return best;
 }
 

@@ -12,6 +12,7 @@
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
+#include <functional>
 #include <limits>
 #include <optional>
 #include <stdexcept>
@@ -22,42 +23,54 @@ namespace CGAL {
 namespace Spectral_segmentation {
 namespace internal {
 
+// A model of the concept `PartSalience`.
+typedef std::function<double(const Salience_factors&)> Part_salience;
+
+constexpr std::size_t unlimited = (std::numeric_limits<std::size_t>::max)();
+
 // What the caller can choose. The defaults are the paper's, but for the minimum size, which it does
 // not have, and the threshold, which it leaves to the user.
 struct Options
 {
-  Method method = Method::ZHANG_LIU_2005;
-  std::size_t maximum_number_of_segments = (std::numeric_limits<std::size_t>::max)();
-  double minimum_segment_size = default_minimum_segment_size;
+  std::size_t maximum_number_of_segments = unlimited;
+  double minimum_segment_size = default_minimum_segment_size(Method::ZHANG_LIU_2005);
   double salience_threshold = default_salience_threshold;
-  Weighted_part_salience part_salience;
+  Part_salience part_salience = Weighted_part_salience();
   double geodesic_weight = 0.01;
   double concave_angle_weight = 1;
   double convex_angle_weight = 0.1;
+  double concavity_radius = 0;
   std::size_t number_of_reference_faces = 10;
+  bool single_source_orderings = false;
+  bool thickness_orderings = false;
+  std::size_t number_of_candidates = 0;
+  std::size_t number_of_refined_candidates = 0;
+  std::size_t number_of_pieces = 0;
   std::size_t number_of_smoothing_iterations = 0;
   bool boundary_smoothing = false;
   std::optional<std::uint64_t> random_seed;
 
-  // What the calibrated method adds.
-  double concavity_radius = 0;
-  bool single_source_orderings = false;
-  bool thickness = false;
-  std::size_t number_of_candidates = 14;
-  std::size_t number_of_refined_candidates = 4;
-  std::size_t number_of_pieces = 20;
-  Calibrated_part_salience calibrated_part_salience;
+  bool needs_thickness() const
+  {
+    const bool judges_by_all_factors = number_of_candidates > 0 || number_of_pieces > 0;
+    return thickness_orderings ||
+           (judges_by_all_factors && !part_salience.target<Weighted_part_salience>());
+  }
 };
 
 inline Options calibrated_options()
 {
   Options o;
-  o.minimum_segment_size = 0.003;
-  o.salience_threshold = 0.5;
+  o.minimum_segment_size = default_minimum_segment_size(Method::CALIBRATED);
+  o.salience_threshold = default_probability_threshold;
+  o.part_salience = Calibrated_part_salience();
   o.geodesic_weight = 0.03;
   o.concavity_radius = 0.01;
   o.single_source_orderings = true;
-  o.thickness = true;
+  o.thickness_orderings = true;
+  o.number_of_candidates = 14;
+  o.number_of_refined_candidates = 4;
+  o.number_of_pieces = 20;
   return o;
 }
 
@@ -87,25 +100,53 @@ void read_count(const NamedParameters& np, Tag tag, const char* name, std::size_
   }
 }
 
+// The threshold follows the salience.
+template <class NamedParameters>
+void read_part_salience(const NamedParameters& np, Options& o)
+{
+  typedef internal_np::part_salience_t Tag;
+  if constexpr (!CGAL::parameters::is_default_parameter<NamedParameters, Tag>::value) {
+    const auto model = CGAL::parameters::get_parameter(np, Tag());
+    typedef std::decay_t<decltype(model)> Model;
+    if constexpr (std::is_same<Model, Weighted_part_salience>::value) {
+      require(model.alpha >= 0 && model.beta >= 0 && model.gamma >= 0 &&
+              std::abs(model.alpha + model.beta + model.gamma - 1) < 1e-6,
+              "salience_weights", "not negative and sum to 1");
+      o.salience_threshold = default_salience_threshold;
+    }
+    else
+      o.salience_threshold = default_probability_threshold;
+    o.part_salience = model;
+  }
+}
+
 // Throws `std::invalid_argument` for a value out of its range.
 template <class NamedParameters>
 Options read_options(const NamedParameters& np)
 {
   namespace tags = internal_np;
-  Method method = Method::ZHANG_LIU_2005;
+  Method method = Method::CALIBRATED;
   read_parameter(np, tags::method, method);
   Options o = method == Method::CALIBRATED ? calibrated_options() : Options();
-  o.method = method;
+  read_part_salience(np, o);
   read_count(np, tags::maximum_number_of_segments, "maximum_number_of_segments", 1, "at least 1",
              o.maximum_number_of_segments);
   read_parameter(np, tags::minimum_segment_size, o.minimum_segment_size);
   read_parameter(np, tags::salience_threshold, o.salience_threshold);
-  read_parameter(np, tags::salience_weights, o.part_salience);
   read_parameter(np, tags::geodesic_weight, o.geodesic_weight);
   read_parameter(np, tags::concave_angle_weight, o.concave_angle_weight);
   read_parameter(np, tags::convex_angle_weight, o.convex_angle_weight);
+  read_parameter(np, tags::concavity_radius, o.concavity_radius);
   read_count(np, tags::number_of_reference_faces, "number_of_reference_faces", 1, "at least 1",
              o.number_of_reference_faces);
+  read_parameter(np, tags::single_source_orderings, o.single_source_orderings);
+  read_parameter(np, tags::thickness_orderings, o.thickness_orderings);
+  read_count(np, tags::number_of_candidates, "number_of_candidates", 0, "at least 0",
+             o.number_of_candidates);
+  read_count(np, tags::number_of_refined_candidates, "number_of_refined_candidates", 0,
+             "at least 0", o.number_of_refined_candidates);
+  read_count(np, tags::number_of_pieces, "number_of_pieces", 0, "0 or at least 2",
+             o.number_of_pieces);
   read_count(np, tags::number_of_smoothing_iterations, "number_of_smoothing_iterations", 0,
              "at least 0", o.number_of_smoothing_iterations);
   read_parameter(np, tags::boundary_smoothing, o.boundary_smoothing);
@@ -117,18 +158,16 @@ Options read_options(const NamedParameters& np)
     o.random_seed = static_cast<std::uint64_t>(seed);
   }
 
-  const Weighted_part_salience& w = o.part_salience;
   require(o.minimum_segment_size >= 0 && o.minimum_segment_size <= 0.5, "minimum_segment_size",
           "in [0, 0.5]");
   require(!std::isnan(o.salience_threshold), "salience_threshold", "a number");
-  require(w.alpha >= 0 && w.beta >= 0 && w.gamma >= 0 &&
-          std::abs(w.alpha + w.beta + w.gamma - 1) < 1e-6,
-          "salience_weights", "not negative and sum to 1");
   require(o.geodesic_weight >= 0 && o.geodesic_weight <= 1, "geodesic_weight", "in [0, 1]");
   require(o.concave_angle_weight >= 0 && std::isfinite(o.concave_angle_weight),
           "concave_angle_weight", "finite and not negative");
   require(o.convex_angle_weight >= 0 && std::isfinite(o.convex_angle_weight),
           "convex_angle_weight", "finite and not negative");
+  require(o.concavity_radius >= 0 && o.concavity_radius <= 1, "concavity_radius", "in [0, 1]");
+  require(o.number_of_pieces != 1, "number_of_pieces", "0 or at least 2");
   return o;
 }
 

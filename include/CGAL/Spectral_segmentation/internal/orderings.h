@@ -22,9 +22,10 @@ namespace internal {
 // The faces of a part in an order along which cuts are searched.
 typedef std::vector<Index> Line;
 
-// The spectral order of the two samples from both its ends; then, as the options ask for them, the
-// orders by distance from each sample and each reference face, which grow a single limb where the
-// pair sees several at once, and the orders from the thinnest face and from the thickest.
+// The spectral order of the two samples. From both its ends if candidates are taken, for these are
+// on the first part of a line. Then, as the options ask for them, the orders by distance from each
+// sample and each reference face, which grow a single limb where the pair sees several at once, and
+// the orders from the thinnest face and from the thickest.
 template <class ConcurrencyTag>
 std::vector<Line> orderings(const Face_dual_graph& part, const std::vector<Index>& references,
                             const Sample_faces& samples, const Options& options)
@@ -39,12 +40,13 @@ std::vector<Line> orderings(const Face_dual_graph& part, const std::vector<Index
     distances[i] = shortest_paths(part, sources[i], &Face_dual_graph::Halfedge::combined);
   });
 
-  std::vector<Line> lines = {spectral_order(distances[0], distances[1]),
-                             spectral_order(distances[1], distances[0])};
+  std::vector<Line> lines = {spectral_order(distances[0], distances[1])};
+  if (options.number_of_candidates > 0)
+    lines.push_back(spectral_order(distances[1], distances[0]));
   if (options.single_source_orderings)
     for (const std::vector<double>& distance : distances)
       lines.push_back(sorted_indices(distance));
-  if (!part.thickness.empty()) {
+  if (options.thickness_orderings) {
     lines.push_back(sorted_indices(part.thickness));
     lines.emplace_back(lines.back().rbegin(), lines.back().rend());
   }

@@ -19,11 +19,13 @@ namespace Spectral_segmentation {
 namespace internal {
 
 // The component of each face, numbered in the order of their first faces.
-inline std::vector<Index> connected_components(const Face_dual_graph& graph, std::size_t& number)
+// `Graph` is a `Face_dual_graph`, or one with some edges filtered out.
+template <class Graph>
+std::vector<Index> connected_components(const Graph& graph, std::size_t& number)
 {
-  std::vector<Index> component(graph.number_of_faces());
+  std::vector<Index> component(num_vertices(graph));
   const boost::typed_identity_property_map<Index> index;
-  number = graph.number_of_faces() == 0 ? 0 :
+  number = component.empty() ? 0 :
     boost::connected_components(graph, boost::make_iterator_property_map(component.begin(), index),
                                 boost::vertex_index_map(index));
   return component;

@@ -25,7 +25,7 @@ namespace internal {
 
 // The recursive two-way cut of Section 2: a queue of parts by area, the largest of which is cut
 // until no part has a salient cut or the maximum number of segments is reached.
-template <class ConcurrencyTag, class PartSalience, class Monitor>
+template <class ConcurrencyTag, class Monitor>
 class Recursion
 {
   struct Candidate
@@ -36,9 +36,8 @@ class Recursion
   };
 
   const Options& options_;
-  const PartSalience& part_salience_;
   Monitor& monitor_;
-  double minimum_area_;
+  double area_of_mesh_;
 
   Segment_tree tree_;
   Segment_tree::Queue queue_;
@@ -66,7 +65,7 @@ class Recursion
         batch.push_back(&candidates_[*node]);
     for_each_index<ConcurrencyTag>(batch.size(), [&](std::size_t i) {
       Candidate& c = *batch[i];
-      c.cut = best_cut<ConcurrencyTag>(c.part, options_, part_salience_, minimum_area_, monitor_);
+      c.cut = best_cut<ConcurrencyTag>(c.part, area_of_mesh_, options_, monitor_);
       c.is_searched = true;
     });
   }
@@ -96,10 +95,9 @@ class Recursion
 
 public:
   // Each connected component is a root of the tree.
-  Recursion(Face_dual_graph mesh, const Options& options, const PartSalience& part_salience,
-            Monitor& monitor)
-    : options_(options), part_salience_(part_salience), monitor_(monitor),
-      minimum_area_(options.minimum_segment_size * total_area(mesh)), queue_(tree_.empty_queue())
+  Recursion(Face_dual_graph mesh, const Options& options, Monitor& monitor)
+    : options_(options), monitor_(monitor), area_of_mesh_(total_area(mesh)),
+      queue_(tree_.empty_queue())
   {
     std::size_t number_of_components;
     const std::vector<Index> component = connected_components(mesh, number_of_components);
