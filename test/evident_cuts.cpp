@@ -44,11 +44,11 @@ Segment_tree tree_of(const Mesh& mesh, const NamedParameters& np)
 
 Segment_tree tree_of_parts(const Mesh& mesh, std::size_t number_of_segments)
 {
-  return tree_of(mesh, parameters::salience_threshold(-infinity)
+  return tree_of(mesh, parameters::zhang_liu_2005().salience_threshold(-infinity)
                          .maximum_number_of_segments(number_of_segments));
 }
 
-Segment_tree tree_of(const Mesh& mesh) { return tree_of(mesh, parameters::default_values()); }
+Segment_tree tree_of(const Mesh& mesh) { return tree_of(mesh, parameters::zhang_liu_2005()); }
 
 // A limb, and the vertices at which it is joined to the rest.
 struct Limb

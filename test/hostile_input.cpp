@@ -22,6 +22,7 @@
 
 using namespace test_meshes;
 namespace parameters = CGAL::Spectral_segmentation::parameters;
+using CGAL::Spectral_segmentation::Method;
 namespace PMP = CGAL::Polygon_mesh_processing;
 using CGAL::Spectral_segmentation::Segment_tree;
 
@@ -67,12 +68,18 @@ std::size_t check_labels(const Mesh& mesh, const NamedParameters& np)
   return n;
 }
 
+const Method methods[] = {Method::ZHANG_LIU_2005, Method::CALIBRATED};
+
 // With the cuts that the threshold keeps, and with every cut that there is.
 std::size_t check_labels(const Mesh& mesh)
 {
-  check_labels(mesh, parameters::salience_threshold(-infinity).minimum_segment_size(0)
-                       .boundary_smoothing(true));
-  check_labels(mesh, parameters::number_of_smoothing_iterations(3).random_seed(1));
+  for (Method method : methods) {
+    const auto np = parameters::method(method);
+    check_labels(mesh, np.salience_threshold(-infinity).minimum_segment_size(0)
+                         .boundary_smoothing(true));
+    check_labels(mesh, np.number_of_smoothing_iterations(3).random_seed(1));
+  }
+  check_labels(mesh, parameters::zhang_liu_2005());
   return check_labels(mesh, parameters::default_values());
 }
 
@@ -84,10 +91,10 @@ void check_refused(const Mesh& mesh)
   BOOST_TEST(labels == Labels(num_faces(mesh), untouched), boost::test_tools::per_element());
 }
 
-Labels labels_of(const Mesh& mesh)
+Labels labels_of(const Mesh& mesh, Method method)
 {
   Labels labels;
-  CGAL::segment_spectral_recursive(mesh, map_to(labels, mesh));
+  CGAL::segment_spectral_recursive(mesh, map_to(labels, mesh), parameters::method(method));
   return labels;
 }
 
@@ -245,37 +252,40 @@ BOOST_AUTO_TEST_CASE(slivers)
 
 BOOST_AUTO_TEST_CASE(a_power_of_two_as_unit_changes_nothing)
 {
-  for (const Soup& soup : soups()) {
-    const Labels expected = labels_of(mesh_of(soup));
-    for (int exponent : {-480, -40, -1, 1, 40, 480})
-      BOOST_TEST(labels_of(mesh_of(scaled(soup, std::ldexp(1., exponent)))) == expected,
-                 boost::test_tools::per_element());
-  }
+  for (Method method : methods)
+    for (const Soup& soup : soups()) {
+      const Labels expected = labels_of(mesh_of(soup), method);
+      for (int exponent : {-480, -40, -1, 1, 40, 480})
+        BOOST_TEST(labels_of(mesh_of(scaled(soup, std::ldexp(1., exponent))), method) == expected,
+                   boost::test_tools::per_element());
+    }
 }
 
 BOOST_AUTO_TEST_CASE(any_unit_gives_as_many_segments)
 {
-  for (const Soup& soup : soups()) {
-    const std::size_t expected = number_of(labels_of(mesh_of(soup)));
-    for (double unit : {1e-150, 1e-12, 0.3, 7., 1e12, 1e150})
-      BOOST_TEST(number_of(labels_of(mesh_of(scaled(soup, unit)))) == expected);
-  }
+  for (Method method : methods)
+    for (const Soup& soup : soups()) {
+      const std::size_t expected = number_of(labels_of(mesh_of(soup), method));
+      for (double unit : {1e-150, 1e-12, 0.3, 7., 1e12, 1e150})
+        BOOST_TEST(number_of(labels_of(mesh_of(scaled(soup, unit)), method)) == expected);
+    }
 }
 
 BOOST_AUTO_TEST_CASE(a_translation_without_rounding_changes_nothing)
 {
-  for (const Soup& soup : soups()) {
-    // On a grid of 2^-20, so that the sums below are exact.
-    const Soup on_grid = transformed(soup, [](const Point& p) {
-      const auto round = [](double x) { return std::ldexp(std::round(std::ldexp(x, 20)), -20); };
-      return Point(round(p.x()), round(p.y()), round(p.z()));
-    });
-    const Labels expected = labels_of(mesh_of(on_grid));
-    const double far = std::ldexp(1., 30);
-    BOOST_TEST(labels_of(mesh_of(transformed(on_grid, [far](const Point& p)
-                 { return Point(p.x() + far, p.y() - far, p.z() + far); }))) == expected,
-               boost::test_tools::per_element());
-  }
+  for (Method method : methods)
+    for (const Soup& soup : soups()) {
+      // On a grid of 2^-20, so that the sums below are exact.
+      const Soup on_grid = transformed(soup, [](const Point& p) {
+        const auto round = [](double x) { return std::ldexp(std::round(std::ldexp(x, 20)), -20); };
+        return Point(round(p.x()), round(p.y()), round(p.z()));
+      });
+      const Labels expected = labels_of(mesh_of(on_grid), method);
+      const double far = std::ldexp(1., 30);
+      const Soup moved = transformed(on_grid, [far](const Point& p)
+        { return Point(p.x() + far, p.y() - far, p.z() + far); });
+      BOOST_TEST(labels_of(mesh_of(moved), method) == expected, boost::test_tools::per_element());
+    }
 }
 
 BOOST_AUTO_TEST_CASE(the_ends_of_the_range_of_double)
@@ -302,10 +312,13 @@ BOOST_AUTO_TEST_CASE(coordinates_that_are_not_finite_are_refused)
 BOOST_AUTO_TEST_CASE(a_vertex_without_faces_may_be_anywhere)
 {
   Mesh mesh = mesh_of(dumbbell(16, 12));
-  const Labels expected = labels_of(mesh);
+  const Labels of_paper = labels_of(mesh, Method::ZHANG_LIU_2005);
+  const Labels calibrated = labels_of(mesh, Method::CALIBRATED);
   mesh.add_vertex(Point(infinity, 0, 0));
   mesh.add_vertex(Point(1e300, 0, 0));
-  BOOST_TEST(labels_of(mesh) == expected, boost::test_tools::per_element());
+  BOOST_TEST(labels_of(mesh, Method::ZHANG_LIU_2005) == of_paper,
+             boost::test_tools::per_element());
+  BOOST_TEST(labels_of(mesh, Method::CALIBRATED) == calibrated, boost::test_tools::per_element());
 }
 
 BOOST_AUTO_TEST_CASE(a_face_that_is_not_a_triangle_is_refused)

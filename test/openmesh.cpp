@@ -25,6 +25,7 @@
 
 using namespace test_meshes;
 namespace parameters = CGAL::Spectral_segmentation::parameters;
+using CGAL::Spectral_segmentation::Method;
 
 namespace {
 
@@ -42,16 +43,19 @@ typedef boost::mpl::list<
 
 typedef std::vector<std::size_t> Labels;
 
+// By both methods.
 template <class Graph>
 Labels labels_of(const Graph& graph)
 {
   typedef typename boost::graph_traits<Graph>::face_descriptor face_descriptor;
   std::map<face_descriptor, std::size_t> ids;
-  CGAL::segment_spectral_recursive(graph, boost::make_assoc_property_map(ids),
-                                   parameters::salience_threshold(0.4));
   Labels labels;
-  for (face_descriptor f : faces(graph))
-    labels.push_back(ids.at(f));
+  for (Method method : {Method::CALIBRATED, Method::ZHANG_LIU_2005}) {
+    CGAL::segment_spectral_recursive(graph, boost::make_assoc_property_map(ids),
+                                     parameters::method(method).salience_threshold(0.4));
+    for (face_descriptor f : faces(graph))
+      labels.push_back(ids.at(f));
+  }
   return labels;
 }
 

@@ -63,8 +63,8 @@ BOOST_AUTO_TEST_CASE(labels_by_default)
 
 BOOST_AUTO_TEST_CASE(labels_of_twelve_segments)
 {
-  const auto np = parameters::zhang_liu_2005().salience_threshold(-std::numeric_limits<double>::infinity())
-                    .maximum_number_of_segments(12);
+  const auto np = parameters::zhang_liu_2005().maximum_number_of_segments(12)
+                    .salience_threshold(-std::numeric_limits<double>::infinity());
   for (const Recorded& expected : {Recorded{"elephant.off", 12, 0x29e583590e03e60f},
                                    Recorded{"tripod.off", 12, 0x27aa16bc418d3b5c},
                                    Recorded{"blobby_3cc.off", 12, 0x93c8853e23a34699}})
@@ -76,5 +76,6 @@ BOOST_AUTO_TEST_CASE(labels_with_other_values)
   check({"cactus.off", 63, 0x80f81aa1aaf1b6af},
         parameters::zhang_liu_2005().minimum_segment_size(0).salience_threshold(0.4));
   check({"dino.off", 36, 0x7c0d4188b4edac81},
-        parameters::zhang_liu_2005().salience_weights(0.2, 0.3, 0.5).random_seed(3).boundary_smoothing(true));
+        parameters::zhang_liu_2005().salience_weights(0.2, 0.3, 0.5).random_seed(3)
+          .boundary_smoothing(true));
 }

@@ -49,7 +49,7 @@ Result segment(const Mesh& mesh, double threshold, std::size_t maximum = unlimit
   r.labels.resize(num_faces(mesh));
   r.number_of_segments = CGAL::segment_spectral_recursive<ConcurrencyTag>(
     mesh, boost::make_iterator_property_map(r.labels.begin(), get(CGAL::face_index, mesh)),
-    parameters::salience_threshold(threshold).maximum_number_of_segments(maximum)
+    parameters::zhang_liu_2005().salience_threshold(threshold).maximum_number_of_segments(maximum)
       .minimum_segment_size(minimum_size).segment_tree(r.tree));
   return r;
 }

@@ -41,14 +41,21 @@ namespace CGAL {
 cuts a triangle mesh into the parts that a person would name, by recursive and visually salient
 spectral cuts, and writes for each face the id of its segment.
 
-The method is that of Hao Zhang and Rong Liu, <em>Mesh Segmentation via Recursive and Visually
-Salient Spectral Cuts</em>, Vision, Modeling, and Visualization 2005. Sections named below are those
-of the paper. The faces are nodes of the dual graph of the mesh, and a concave edge puts its two
-faces far apart. For the largest part, two sample faces are found by shape context, the faces of the
+The method is built on that of Hao Zhang and Rong Liu, <em>Mesh Segmentation via Recursive and
+Visually Salient Spectral Cuts</em>, Vision, Modeling, and Visualization 2005. Sections named below
+are those of the paper. The faces are nodes of the dual graph of the mesh, and a concave edge puts
+its two faces far apart. In a part, two sample faces are found by shape context, the faces of the
 part are ordered by a spectral embedding with respect to these samples, and of all the cuts along
-this order the one with the most salient part is taken. Both sides are parts again, until no part
-has a cut whose salience reaches a threshold. Each connected component of the mesh is a part of its
-own from the start.
+this order the one with the most salient part is taken. Both sides are parts again. Each connected
+component of the mesh is a part of its own from the start.
+
+In the paper the largest part is cut next, until no part has a cut whose salience reaches a
+threshold: this is `zhang_liu_2005()`. The default, `Method::CALIBRATED`, cuts where people cut: it
+also measures bending at the scale of the shape, searches along more orders of the faces, moves the
+best cuts to the minimum cut near them, and judges cuts by a salience that is the probability that
+a person would cut there. It first cuts the mesh into small pieces, then merges neighbors again, the
+least salient boundary first, up to the threshold. Each of these differences is a named parameter;
+`method` sets the defaults of them all.
 
 The segment ids are contiguous and start at 0; segments are numbered by their face of smallest
 index: its position in `faces(mesh)`, or in the `face_index_map` if one is given. Every segment is
@@ -56,7 +63,8 @@ connected. The same input gives the same ids on every run, with any number of th
 visitor stops it), and for every data structure that holds the same mesh.
 
 The run takes O(*k p n* log *n*) time for *n* faces, *k* reference faces and *p* parts that are
-searched, and O(*k n*) memory. The mesh is not changed.
+searched, and O(*k n*) memory. The bound leaves out the minimum cuts, for which the worst case is
+worse, but which in practice take hardly more than linear time. The mesh is not changed.
 Faces without area, borders, and any number of connected components are welcome.
 
 \tparam ConcurrencyTag `CGAL::Sequential_tag`, `CGAL::Parallel_tag` or
@@ -99,55 +107,61 @@ Faces without area, borders, and any number of connected components are welcome.
     \cgalParamDefault{a \cgal kernel deduced from the point type}
   \cgalParamNEnd
   \cgalParamNBegin{method}
-    \cgalParamDescription{`ZHANG_LIU_2005` is the method of the paper, as told above. `CALIBRATED`
-      cuts where people cut: it also measures bending at the scale of the shape, searches along
-      single-source and thickness orders beside the spectral one, moves the best cuts to the minimum
-      cut near them, and judges cuts by `Calibrated_part_salience`. It first cuts each component
-      into small pieces, then merges neighbors again, the least salient boundary first; a
-      `Segment_tree` has the merges in reverse, down to at most 19 cuts more than there are
-      components, whatever the threshold and the maximum number of segments.}
+    \cgalParamDescription{the method, which is the defaults of all other parameters;
+      `zhang_liu_2005()` is short for `method(Method::ZHANG_LIU_2005)`. Where two defaults are given
+      below, the first is that of `CALIBRATED`, the second that of `ZHANG_LIU_2005`.}
     \cgalParamType{`CGAL::Spectral_segmentation::Method`}
-    \cgalParamDefault{`ZHANG_LIU_2005`}
-    \cgalParamExtra{`CALIBRATED` has other defaults: `salience_threshold` 0.5, which is a
-      probability, `minimum_segment_size` 0.003 and `geodesic_weight` 0.03. It does not read
-      `salience_weights`. To a visitor, parts have the number in which they were found.}
+    \cgalParamDefault{`CALIBRATED`}
   \cgalParamNEnd
   \cgalParamNBegin{maximum_number_of_segments}
-    \cgalParamDescription{No part is cut once there are so many segments. A mesh with more connected
-      components has one segment for each.}
+    \cgalParamDescription{the largest number of segments, but a mesh with more connected components
+      has one for each. The paper's recursion ends there; among pieces it is where merging ends.}
     \cgalParamType{an integer}
-    \cgalParamDefault{no limit; the threshold ends the run}
-    \cgalParamExtra{at least 1}
+    \cgalParamDefault{`std::numeric_limits<std::size_t>::max()`, which is no limit; the threshold
+      ends the run}
+    \cgalParamExtra{at least 1. See `number_of_pieces` for numbers above that one.}
   \cgalParamNEnd
   \cgalParamNBegin{minimum_segment_size}
     \cgalParamDescription{the share of the area of the mesh that each side of a cut must have. The
       factors of the salience mean little for a handful of faces; the paper has no such limit.}
     \cgalParamType{a number}
-    \cgalParamDefault{`0.005`: a finger of a whole figure is larger, a pit in its skin smaller}
-    \cgalParamExtra{in [0, 0.5]; 0 is the paper's method to the letter}
+    \cgalParamDefault{`default_minimum_segment_size(method)`: `0.003`, `0.005`. A finger of a whole
+      figure is larger, a pit in its skin smaller.}
+    \cgalParamExtra{in [0, 0.5]; 0 with `zhang_liu_2005()` is the paper's method to the letter}
   \cgalParamNEnd
-  \cgalParamNBegin{salience_threshold}
-    \cgalParamDescription{A part is not cut if its most salient cut has a salience below this value
-      (Section 2).}
-    \cgalParamType{a number}
-    \cgalParamDefault{`0.54`: lower values leave the noise of flat regions in the result, higher
-      ones lose limbs with a shallow seam}
-    \cgalParamExtra{Salience is at most 1; `-infinity` accepts every cut, for use with
-      `maximum_number_of_segments`. Not a NaN.}
+  \cgalParamNBegin{part_salience}
+    \cgalParamDescription{judges the cuts (Section 6)}
+    \cgalParamType{a model of the concept `PartSalience`}
+    \cgalParamDefault{`Calibrated_part_salience()`, `Weighted_part_salience()`}
+    \cgalParamExtra{Give `salience_threshold` with a salience of your own, on its scale. With
+      `number_of_candidates(0)` it is called at each step of each line, and the factors beyond the
+      paper are 0 there; the boundaries of pieces are always judged by all factors.}
   \cgalParamNEnd
   \cgalParamNBegin{salience_weights}
-    \cgalParamDescription{the weights &alpha;, &beta;, &gamma; of the size, the cut strength and
-      the protrusiveness in the salience of a part (Section 6, Equation 3)}
+    \cgalParamDescription{the weights &alpha;, &beta;, &gamma; of the size, the cut strength and the
+      protrusiveness in the salience of a part (Section 6, Equation 3); short for
+      `part_salience(Weighted_part_salience{alpha, beta, gamma})`, of which the last in a pack
+      counts}
     \cgalParamType{three numbers}
-    \cgalParamDefault{`0.1, 0.6, 0.3`, found by the authors to work generally well: the size must
-      stay small, or halves of a body win over its limbs}
+    \cgalParamDefault{`0.1, 0.6, 0.3` in a `Weighted_part_salience`, found by the authors to work
+      generally well: the size must stay small, or halves of a body win over its limbs}
     \cgalParamExtra{not negative, with sum 1}
+  \cgalParamNEnd
+  \cgalParamNBegin{salience_threshold}
+    \cgalParamDescription{Cuts whose salience is below this value are not made (Section 2), or
+      undone by merging.}
+    \cgalParamType{a number}
+    \cgalParamDefault{`default_salience_threshold`, `0.54`, for a `Weighted_part_salience`: lower
+      values leave the noise of flat regions in the result, higher ones lose limbs with a shallow
+      seam. Else `default_probability_threshold`, `0.5`.}
+    \cgalParamExtra{`-infinity` accepts every cut, for use with `maximum_number_of_segments`. Not a
+      NaN.}
   \cgalParamNEnd
   \cgalParamNBegin{geodesic_weight}
     \cgalParamDescription{the weight &delta; of the geodesic distance in the distance of
       adjacent faces; 1 - &delta; is that of the angle distance (Section 3, Equation 1)}
     \cgalParamType{a number}
-    \cgalParamDefault{`0.01`: angles decide, and geodesic distance where there are none}
+    \cgalParamDefault{`0.03`, `0.01`: angles decide, and geodesic distance where there are none}
     \cgalParamExtra{in [0, 1]}
   \cgalParamNEnd
   \cgalParamNBegin{concave_angle_weight}
@@ -163,11 +177,67 @@ Faces without area, borders, and any number of connected components are welcome.
     \cgalParamDefault{`0.1`: by the minima rule people cut along concave creases}
     \cgalParamExtra{finite, not negative}
   \cgalParamNEnd
+  \cgalParamNBegin{concavity_radius}
+    \cgalParamDescription{the radius of the disks over which the bending of the surface is averaged,
+      relative to the square root of the area of the mesh. Half of the angle distance of two faces
+      then is that of their dihedral angle, half that of the bending across their edge, both ranked
+      by length of edge, so that it depends less on the triangulation. The time grows with the
+      square of the radius, up to 60 passes over the mesh.}
+    \cgalParamType{a number}
+    \cgalParamDefault{`0.01`; `0`, which is dihedral angles alone}
+    \cgalParamExtra{in [0, 1]}
+  \cgalParamNEnd
   \cgalParamNBegin{number_of_reference_faces}
     \cgalParamDescription{the dimension *k* of the context vector of a face (Section 4)}
     \cgalParamType{an integer}
     \cgalParamDefault{`10`; the result depends little on it, the time is linear in it}
     \cgalParamExtra{at least 1}
+  \cgalParamNEnd
+  \cgalParamNBegin{single_source_orderings}
+    \cgalParamDescription{whether cuts are also searched along the orders of the faces by distance
+      from each sample and each reference face: such an order grows a single limb where the spectral
+      one, from one sample to the other, sees several at once}
+    \cgalParamType{`bool`}
+    \cgalParamDefault{`true`, `false`}
+  \cgalParamNEnd
+  \cgalParamNBegin{thickness_orderings}
+    \cgalParamDescription{whether cuts are also searched along the orders of the faces by the
+      thickness of the body under them, from the thinnest and from the thickest. The thickness is
+      measured once, by a ray for each face, O(*n* log *n*) on most meshes.}
+    \cgalParamType{`bool`}
+    \cgalParamDefault{`true`, `false`}
+    \cgalParamExtra{It is also measured if all factors of cuts are asked for by a part salience
+      other than `Weighted_part_salience`, which does not read it.}
+  \cgalParamNEnd
+  \cgalParamNBegin{number_of_candidates}
+    \cgalParamDescription{how many cuts of a part are judged by all factors of the salience. They
+      are found by the salience of the paper, and as cuts that are cheap in length and convexity,
+      along the first three quarters of each line; hence the spectral order is searched from both
+      its ends. With 0 every step of every line is judged by the factors of the paper, and the best
+      step of each line is a cut.}
+    \cgalParamType{an integer}
+    \cgalParamDefault{`14`, `0`}
+    \cgalParamExtra{at least 0}
+  \cgalParamNEnd
+  \cgalParamNBegin{number_of_refined_candidates}
+    \cgalParamDescription{how many of the most salient cuts of a part are moved to the minimum cut
+      within a distance of 0.35 sqrt(*area of the smaller side*) around them, and judged again; an
+      edge costs its length, and little if it is concave}
+    \cgalParamType{an integer}
+    \cgalParamDefault{`4`, `0`}
+    \cgalParamExtra{at least 0}
+  \cgalParamNEnd
+  \cgalParamNBegin{number_of_pieces}
+    \cgalParamDescription{the number of pieces into which a connected mesh is cut, the most salient
+      cut first, before neighbors are merged again, the least salient boundary first; one more for
+      each further component. With 0 nothing is merged: the paper's recursion cuts the largest part
+      next.}
+    \cgalParamType{an integer}
+    \cgalParamDefault{`20`, `0`}
+    \cgalParamExtra{0 or at least 2. If the `maximum_number_of_segments` is larger than the number
+      of pieces there are as many pieces as that, so that the threshold `-infinity` gives so many
+      segments; then labels depend on the maximum also where they have fewer segments. A
+      `Segment_tree` has all merges in reverse, whatever the threshold.}
   \cgalParamNEnd
   \cgalParamNBegin{random_seed}
     \cgalParamDescription{chooses the first reference face of each part at random, as in the paper}
@@ -177,7 +247,7 @@ Faces without area, borders, and any number of connected components are welcome.
   \cgalParamNEnd
   \cgalParamNBegin{number_of_smoothing_iterations}
     \cgalParamDescription{steps of Laplacian smoothing on a copy of the points, from which the face
-      distances are then computed (Section 2)}
+      distances and the thickness are then computed (Section 2)}
     \cgalParamType{an integer}
     \cgalParamDefault{`0`; a few steps help on noisy scans}
     \cgalParamExtra{at least 0}
@@ -209,7 +279,7 @@ Faces without area, borders, and any number of connected components are welcome.
 \throws std::overflow_error if there are more segments than the value type of `segment_ids` can
   count
 
-If an exception is thrown, by the function or by the visitor, no id was written.
+If an exception is thrown, by the function, the visitor or the part salience, no id was written.
 */
 template <class ConcurrencyTag = Parallel_if_available_tag,
           class TriangleMesh, class SegmentIdMap,

@@ -29,7 +29,8 @@ struct Salience_factors
   double protrusiveness = 0;
 
   /// \name Factors beyond the paper
-  /// They are known for the cuts that `Calibrated_part_salience` judges, else 0.
+  /// They are 0 where the named parameter `number_of_candidates` is 0, except at the boundaries of
+  /// pieces.
   /// *L* is the square root of the area of the mesh. The hollowness of a set of faces is the mean
   /// depth of its faces below its own convex hull.
   /// @{
@@ -64,6 +65,7 @@ struct Salience_factors
 
 /// \ingroup PkgSpectralSegmentationRef
 /// The salience of a part as the weighted sum of its factors (Zhang and Liu 2005, Equation 3).
+/// \cgalModels{PartSalience}
 struct Weighted_part_salience
 {
   double alpha = 0.1; ///< weight of `Salience_factors::size`
@@ -85,6 +87,7 @@ struct Weighted_part_salience
 /// its base small against the part that is cut off; if both sides are closer to convex than their
 /// union, and the sides themselves are; if the rest widens behind the cut; and if the thickness
 /// changes at the cut.
+/// \cgalModels{PartSalience}
 struct Calibrated_part_salience
 {
   double constant = -6.803;

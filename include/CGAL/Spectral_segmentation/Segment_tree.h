@@ -43,6 +43,11 @@ class Cut_and_merge;
 /// From a tree the labels for fewer segments, or for a higher threshold, are read off without
 /// searching again; they are the labels that a run with these values would give.
 ///
+/// Where a run merged pieces (`number_of_pieces`), the cuts are its merges in reverse, and the tree
+/// is whole: it has them all, whatever the threshold and the maximum number of segments of the run.
+/// The labels are those of a run with the same number of pieces, that is, for maximum numbers of
+/// segments that do not ask for more.
+///
 /// Faces are named by their number: their position in `faces(mesh)`, or the value of the
 /// `face_index_map` if the run was given one.
 class Segment_tree
@@ -78,8 +83,8 @@ public:
     Cut_state cut_state = Cut_state::NOT_SEARCHED;
 
     /// salience and factors of the best cut; 0 if there is none or it was not searched.
-    /// With `Method::CALIBRATED` no cut is less salient than those that were made after it: its
-    /// salience is raised to theirs, while its factors are its own.
+    /// In a whole tree no cut is less salient than those that follow: its salience is raised to
+    /// theirs, while its factors are its own.
     double salience = 0;
     Salience_factors factors;
 
@@ -103,8 +108,7 @@ public:
 
   const Node& node(size_type i) const { return nodes_[i]; }
 
-  /// the salience threshold of the run: no lower one can be asked for, except with
-  /// `Method::CALIBRATED`, whose tree is whole whatever the threshold
+  /// the salience threshold of the run: no lower one can be asked for, except of a whole tree
   double salience_threshold() const { return salience_threshold_; }
 
   /// the numbers of the faces of a node

@@ -17,8 +17,8 @@ enum class Stage
 {
   INITIALIZATION,    ///< face dual graph and face distances, once
   SAMPLING,          ///< the two sample faces of a part, by shape context
-  EMBEDDING,         ///< distances from the two samples, order of the faces on the line
-  LINE_SEARCH,       ///< the most salient cut along the line
+  EMBEDDING,         ///< distances from the samples, order of the faces on each line
+  LINE_SEARCH,       ///< the most salient cut along the lines, and minimum cuts near the best
   BOUNDARY_SMOOTHING ///< morphological smoothing of the labels, once, if asked for
 };
 
@@ -26,7 +26,8 @@ enum class Stage
 /// What a run reports while it works; every function does nothing, so a visitor derives from this
 /// class and hides the functions that it needs.
 ///
-/// Parts are named by the index of their node in the `Segment_tree` of the run.
+/// Parts are named by the index of their node in the `Segment_tree` of the run; where pieces are
+/// merged again, which is after all these calls, by the number in which they were found.
 /// No two functions are called at the same time, but with `CGAL::Parallel_tag` several parts
 /// are searched at once: their calls interleave and come from different threads.
 /// A run that is stopped, or ended by an exception, leaves starts without their ends, and with
@@ -41,19 +42,21 @@ struct Segmentation_visitor
   void start_stage(Stage /* stage */, std::size_t /* part */) {}
   void end_stage(Stage /* stage */, std::size_t /* part */) {}
 
-  /// The search for the best cut of `part`, which has two faces or more, starts.
+  /// The search for the best cut of `part` starts; it has two faces or more, and room for two
+  /// segments of minimum size.
   void start_part(std::size_t /* part */, std::size_t /* number_of_faces */) {}
 
   /// The search for the best cut of `part` has ended.
   void end_part(std::size_t /* part */) {}
 
-  /// `part` was cut in two; there are now `number_of_segments` segments.
+  /// `part` was cut in two; there are now `number_of_segments` segments, or pieces.
   void part_cut(std::size_t /* part */, const Salience_factors&, double /* salience */,
                 std::size_t /* number_of_segments */) {}
 
   /// Asked before each stage of each part, between the shortest path trees of the sampling stage,
   /// and between the iterations of smoothing.
-  /// As soon as it returns `false` the run stops; the labels are those of the cuts made so far.
+  /// As soon as it returns `false` the run stops; the labels are those of the cuts made so far, or
+  /// of the pieces after merging.
   bool go_further() { return true; }
 };
 

@@ -29,8 +29,8 @@ namespace CGAL {
 namespace Spectral_segmentation {
 namespace internal {
 
-// A cut whose factors were found out: of a part that is searched, or the boundary between two sets of
-// pieces as the cut of their union.
+// A cut whose factors were found out: of a part that is searched, or the boundary between two sets
+// of pieces as the cut of their union.
 struct Judged_cut
 {
   enum Kind { CANDIDATE, BOUNDARY };
@@ -144,7 +144,7 @@ class Cut_and_merge
     }
   }
 
-  // The faces of the pieces, in the order of their first faces; their graphs are not needed any more.
+  // The faces of the pieces, in the order of their first faces. Their graphs have served.
   Face_sets take_faces_of_pieces()
   {
     Face_sets result;

@@ -118,7 +118,7 @@ inline std::vector<bool> rest_is_connected(const Face_dual_graph& part,
 }
 
 // Adds the faces to a patch Q, and calls `visit(q, size of q)` after each step that leaves two
-// connected sides, both with an area, and not below `minimum_area`. Ends early if that returns false.
+// connected sides, both with an area, and not below `minimum_area`. Ends once it returns false.
 template <class Patch, class Visit>
 void visit_cuts(const Face_dual_graph& part, const Growth& growth, double minimum_area,
                 const Visit& visit)

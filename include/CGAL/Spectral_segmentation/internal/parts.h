@@ -40,8 +40,8 @@ inline std::vector<double> component_areas(const Face_dual_graph& graph,
   return areas;
 }
 
-// Makes compact copies of sets of faces of a graph, each in time linear in the size of the set; only
-// the first one pays for arrays of the size of the graph.
+// Makes compact copies of sets of faces of a graph, each in time linear in the size of the set. It
+// holds arrays of the size of the graph.
 class Part_copier
 {
   const Face_dual_graph& graph_;
