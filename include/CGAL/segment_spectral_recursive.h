@@ -14,13 +14,10 @@
 #include <CGAL/Spectral_segmentation/internal/Monitor.h>
 #include <CGAL/Spectral_segmentation/internal/concurrency.h>
 #include <CGAL/Spectral_segmentation/internal/cut_and_merge.h>
-#include <CGAL/Spectral_segmentation/internal/face_distances.h>
-#include <CGAL/Spectral_segmentation/internal/face_dual_graph_of_mesh.h>
-#include <CGAL/Spectral_segmentation/internal/laplacian_smoothing.h>
+#include <CGAL/Spectral_segmentation/internal/initialization.h>
 #include <CGAL/Spectral_segmentation/internal/mesh_numbering.h>
 #include <CGAL/Spectral_segmentation/internal/options.h>
 #include <CGAL/Spectral_segmentation/internal/recursion.h>
-#include <CGAL/Spectral_segmentation/internal/thickness.h>
 
 #include <CGAL/Named_function_parameters.h>
 #include <CGAL/boost/graph/named_params_helper.h>
@@ -317,22 +314,12 @@ std::size_t segment_spectral_recursive(const TriangleMesh& mesh, SegmentIdMap se
 
   internal::Face_dual_graph graph = monitor.stage(
     Stage::INITIALIZATION, Segmentation_visitor::whole_mesh, [&] {
-      internal::Face_dual_graph g = internal::face_dual_graph_of_mesh(
+      return internal::initialize<ConcurrencyTag>(
         mesh, faces,
         choose_parameter(get_parameter(pack, CGAL::internal_np::vertex_point),
                          get_const_property_map(CGAL::vertex_point, mesh)),
-        choose_parameter<Geom_traits>(get_parameter(pack, CGAL::internal_np::geom_traits)));
-      const std::vector<internal::Vector> points = internal::smoothed_points(
-        g, options.number_of_smoothing_iterations, [&] { return monitor.go_further(); });
-      const std::vector<internal::Vector> normals = internal::face_normals(g, points);
-      internal::set_face_distances(
-        g, points, normals,
-        {options.geodesic_weight, options.concave_angle_weight, options.convex_angle_weight,
-         options.concavity_radius});
-      if (options.needs_thickness())
-        g.thickness = internal::thickness<ConcurrencyTag>(g, points, normals,
-                                                          internal::thickness_radius);
-      return g;
+        choose_parameter<Geom_traits>(get_parameter(pack, CGAL::internal_np::geom_traits)),
+        options, [&] { return monitor.go_further(); });
     });
 
   Segment_tree tree = options.number_of_pieces > 0

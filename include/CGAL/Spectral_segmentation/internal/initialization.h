@@ -1,0 +1,44 @@
+// Copyright (c) 2026  The Spectral_segmentation authors.
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_SPECTRAL_SEGMENTATION_INTERNAL_INITIALIZATION_H
+#define CGAL_SPECTRAL_SEGMENTATION_INTERNAL_INITIALIZATION_H
+
+#include <CGAL/Spectral_segmentation/internal/Face_dual_graph.h>
+#include <CGAL/Spectral_segmentation/internal/face_distances.h>
+#include <CGAL/Spectral_segmentation/internal/face_dual_graph_of_mesh.h>
+#include <CGAL/Spectral_segmentation/internal/laplacian_smoothing.h>
+#include <CGAL/Spectral_segmentation/internal/options.h>
+#include <CGAL/Spectral_segmentation/internal/thickness.h>
+
+#include <vector>
+
+namespace CGAL {
+namespace Spectral_segmentation {
+namespace internal {
+
+// All that a run needs to know of a mesh. Smoothing ends early if `go_further()` is false.
+// Throws as `face_dual_graph_of_mesh()` does.
+template <class ConcurrencyTag, class TriangleMesh, class FaceDescriptor, class VertexPointMap,
+          class GeomTraits, class GoFurther>
+Face_dual_graph initialize(const TriangleMesh& mesh, const std::vector<FaceDescriptor>& faces,
+                           VertexPointMap vertex_point_map, const GeomTraits& traits,
+                           const Options& options, const GoFurther& go_further)
+{
+  Face_dual_graph graph = face_dual_graph_of_mesh(mesh, faces, vertex_point_map, traits);
+  const std::vector<Vector> points =
+    smoothed_points(graph, options.number_of_smoothing_iterations, go_further);
+  const std::vector<Vector> normals = face_normals(graph, points);
+  set_face_distances(graph, points, normals,
+                     {options.geodesic_weight, options.concave_angle_weight,
+                      options.convex_angle_weight, options.concavity_radius});
+  if (options.needs_thickness())
+    graph.thickness = thickness<ConcurrencyTag>(graph, points, normals, thickness_radius);
+  return graph;
+}
+
+} // namespace internal
+} // namespace Spectral_segmentation
+} // namespace CGAL
+
+#endif // CGAL_SPECTRAL_SEGMENTATION_INTERNAL_INITIALIZATION_H
