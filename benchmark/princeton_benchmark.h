@@ -151,6 +151,16 @@ inline double mean_rand_error(const Labels& labels, const std::vector<Labels>& p
   return mean();
 }
 
+// Of each two people; the error of one with respect to the other is that of the other.
+inline double mean_rand_error_of_people(const std::vector<Labels>& people)
+{
+  Mean mean;
+  for (std::size_t i = 0; i < people.size(); ++i)
+    for (std::size_t j = 0; j < i; ++j)
+      mean.add(rand_error(people[i], people[j]));
+  return mean();
+}
+
 } // namespace segmentation_benchmark
 
 #endif // SEGMENTATION_BENCHMARK_PRINCETON_BENCHMARK_H

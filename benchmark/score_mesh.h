@@ -60,6 +60,21 @@ struct Scored_mesh
 // The tree is cut to so many segments for the protocol TREE, which is more than people make.
 constexpr std::size_t number_of_segments_of_tree = 40;
 
+inline Labels best_labels(const Segment_tree& tree, const std::vector<Labels>& people)
+{
+  Labels best;
+  double least = std::numeric_limits<double>::infinity();
+  for (std::size_t n = tree.number_of_roots(); n <= tree.number_of_segments(); ++n) {
+    Labels labels = tree.labels(n, any_salience);
+    const double error = mean_rand_error(labels, people);
+    if (error < least) {
+      least = error;
+      best.swap(labels);
+    }
+  }
+  return best;
+}
+
 class Mesh_scorer
 {
   struct Timed_tree
@@ -138,21 +153,6 @@ class Mesh_scorer
     return trees_.emplace(method.name, Timed_tree{std::move(tree), seconds}).first->second;
   }
 
-  Labels best_labels(const Segment_tree& tree) const
-  {
-    Labels best;
-    double least = std::numeric_limits<double>::infinity();
-    for (std::size_t n = tree.number_of_roots(); n <= tree.number_of_segments(); ++n) {
-      Labels labels = tree.labels(n, any_salience);
-      const double error = mean_rand_error(labels, input_.people);
-      if (error < least) {
-        least = error;
-        best.swap(labels);
-      }
-    }
-    return best;
-  }
-
   Score score(const Tree_method& method, Protocol protocol)
   {
     if (protocol == Protocol::AUTO) {
@@ -163,7 +163,7 @@ class Mesh_scorer
     }
     const Timed_tree& whole = whole_tree(method);
     return score(protocol == Protocol::K ? whole.tree.labels(usual_number_, any_salience)
-                                         : best_labels(whole.tree),
+                                         : best_labels(whole.tree, input_.people),
                  whole.seconds);
   }
 
