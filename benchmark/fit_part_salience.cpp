@@ -1,0 +1,212 @@
+// Copyright (c) 2026  The Spectral_segmentation authors.
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+/// \file
+/// Fits the numbers of `Calibrated_part_salience` to people's cuts on the Princeton Segmentation
+/// Benchmark, and reports the Rand errors of runs with them; also with each category judged by
+/// numbers that are fitted to the others.
+///
+/// The cuts are those that a run with the numbers in the source has to judge. So the program is run
+/// again with the new numbers in the source, until they stay.
+
+#include "for_each_mesh.h"
+#include "judged_cuts.h"
+#include "part_salience_fit.h"
+#include "tree_errors.h"
+
+#include <CLI/CLI.hpp>
+
+#include <nlohmann/json.hpp>
+
+#include <cstddef>
+#include <cstdio>
+#include <cstdlib>
+#include <exception>
+#include <fstream>
+#include <iostream>
+#include <map>
+#include <stdexcept>
+#include <string>
+#include <vector>
+
+using namespace segmentation_benchmark;
+
+typedef nlohmann::ordered_json Json;
+typedef std::map<std::size_t, Calibrated_part_salience> Saliences; // by category
+
+struct Options
+{
+  std::string folder, ids = "odd", json;
+  std::size_t threads = 1, rounds = 3;
+  bool leaves_one_category_out = false;
+};
+
+void add_options(CLI::App& app, Options& o)
+{
+  app.add_option("folder", o.folder, "holds off/N.off and seg/Benchmark/N/*.seg")
+    ->required()->check(CLI::ExistingDirectory);
+  app.add_option("--ids", o.ids, "odd, even, all, or a list as 1-20,33")->capture_default_str();
+  app.add_option("--rounds", o.rounds,
+                 "of fitting again, each with more weight on the cuts that the last one prefers")
+    ->capture_default_str();
+  app.add_flag("--leave-one-category-out", o.leaves_one_category_out,
+               "also judges each category by a fit to the others");
+  app.add_option("--json", o.json, "writes all figures, of each mesh too")->type_name("OUT");
+  app.add_option("--threads", o.threads,
+                 "meshes at a time, each on one thread; with 1, a mesh may use all threads")
+    ->check(CLI::Range(1, 1024))->capture_default_str();
+}
+
+// f(mesh) of each mesh of the benchmark.
+template <class Function>
+auto of_each_mesh(const Options& o, const Function& f)
+{
+  const std::vector<int> ids = parse_ids(o.ids);
+  std::vector<decltype(f(Benchmark_mesh()))> results(ids.size());
+  Progress progress(ids.size());
+  for_each_mesh(ids.size(), o.threads, [&](std::size_t i) {
+    results[i] = f(read_benchmark_mesh(o.folder, ids[i]));
+    progress.step();
+  });
+  return results;
+}
+
+std::vector<Tree_errors> errors_with(const Options& o, const Saliences& saliences)
+{
+  return of_each_mesh(o, [&](const Benchmark_mesh& mesh)
+    { return tree_errors(mesh, saliences.at(category(mesh.id))); });
+}
+
+// For each category the fit to all others.
+Saliences fits_to_others(const std::vector<Mesh_cuts>& meshes, std::size_t rounds)
+{
+  Saliences result;
+  for (const Mesh_cuts& mesh : meshes) {
+    const std::size_t left_out = category(mesh.id);
+    if (result.count(left_out) != 0)
+      continue;
+    std::vector<Mesh_cuts> others;
+    for (const Mesh_cuts& other : meshes)
+      if (category(other.id) != left_out)
+        others.push_back(other);
+    if (others.empty())
+      throw std::invalid_argument("one category cannot be left out of one");
+    result[left_out] = fit_part_salience(others, rounds).salience;
+  }
+  return result;
+}
+
+void print(const Part_salience_fit& fit)
+{
+  std::printf("  double constant = %.3f;\n", fit.salience.constant);
+  for (const Fitted_factor& f : fitted_factors)
+    std::printf("  double %s = %.3f;\n", f.name, fit.salience.*f.coefficient);
+}
+
+std::map<std::size_t, std::vector<Tree_errors> >
+by_category(const std::vector<Tree_errors>& meshes)
+{
+  std::map<std::size_t, std::vector<Tree_errors> > result;
+  for (const Tree_errors& mesh : meshes)
+    result[category(mesh.id)].push_back(mesh);
+  return result;
+}
+
+void print_line(const char* name, const std::vector<Tree_errors>& meshes, std::size_t threshold)
+{
+  const Tree_errors mean = mean_tree_errors(meshes);
+  std::printf("%-10s %6zu %8.4f %8.4f %8.4f %8.4f\n", name, meshes.size(), mean.people,
+              mean.automatic[threshold], mean.k, mean.best);
+}
+
+void print(const char* title, const std::vector<Tree_errors>& meshes)
+{
+  const Tree_errors mean = mean_tree_errors(meshes);
+  const std::size_t best = best_threshold(mean);
+  std::printf("\n%s\nthreshold     auto\n", title);
+  for (std::size_t t = 0; t < mean.automatic.size(); ++t)
+    std::printf("%9.2f %8.4f%s\n", probability_thresholds()[t], mean.automatic[t],
+                t == best ? "  least" : "");
+  std::printf("\nRand error meshes   people  auto%.2f       k     tree\n",
+              probability_thresholds()[best]);
+  for (const auto& [category, of_category] : by_category(meshes))
+    print_line(category_names[category], of_category, best);
+  print_line("all meshes", meshes, best);
+  std::fflush(stdout);
+}
+
+Json json_of(const Calibrated_part_salience& salience)
+{
+  Json json = {{"constant", salience.constant}};
+  for (const Fitted_factor& f : fitted_factors)
+    json[f.name] = salience.*f.coefficient;
+  return json;
+}
+
+Json json_of(const Tree_errors& errors)
+{
+  return {{"people", errors.people},
+          {"auto", errors.automatic},
+          {"k", errors.k},
+          {"tree", errors.best}};
+}
+
+Json json_of(const std::vector<Tree_errors>& meshes)
+{
+  const Tree_errors mean = mean_tree_errors(meshes);
+  Json json = json_of(mean);
+  json["best_threshold"] = probability_thresholds()[best_threshold(mean)];
+  for (const Tree_errors& mesh : meshes)
+    json["meshes"][std::to_string(mesh.id)] = json_of(mesh);
+  return json;
+}
+
+void run(const Options& o)
+{
+  const std::vector<Mesh_cuts> cuts = of_each_mesh(o, judged_cuts);
+  const Part_salience_fit fit = fit_part_salience(cuts, o.rounds);
+  std::printf("%zu cuts of %zu meshes, loss %.5f\n\n", number_of_cuts(cuts), cuts.size(),
+              fit.loss);
+  print(fit);
+  Saliences saliences;
+  for (const Mesh_cuts& mesh : cuts)
+    saliences[category(mesh.id)] = fit.salience;
+  const std::vector<Tree_errors> errors = errors_with(o, saliences);
+  print("Fitted to all meshes", errors);
+
+  Json json = {{"cuts", number_of_cuts(cuts)},
+               {"loss", fit.loss},
+               {"salience", json_of(fit.salience)},
+               {"thresholds", probability_thresholds()},
+               {"fitted_to_all", json_of(errors)}};
+  if (o.leaves_one_category_out) {
+    saliences = fits_to_others(cuts, o.rounds);
+    const std::vector<Tree_errors> of_left_out = errors_with(o, saliences);
+    print("Each category by a fit to the others", of_left_out);
+    Json& left_out = json["fitted_to_others"] = json_of(of_left_out);
+    for (const auto& [category, salience] : saliences)
+      left_out["salience"][category_names[category]] = json_of(salience);
+  }
+  if (!o.json.empty() && !(std::ofstream(o.json) << json.dump(1) << std::endl))
+    throw std::runtime_error("cannot write " + o.json);
+}
+
+int main(int argc, char** argv)
+{
+  Options options;
+  CLI::App app("Fits the calibrated salience to people's cuts on the Princeton benchmark.",
+               "fit_part_salience");
+  try {
+    add_options(app, options);
+    app.parse(argc, argv);
+    run(options);
+    return EXIT_SUCCESS;
+  }
+  catch (const CLI::ParseError& e) {
+    return app.exit(e) == 0 ? EXIT_SUCCESS : EXIT_FAILURE;
+  }
+  catch (const std::exception& e) {
+    std::cerr << "fit_part_salience: " << e.what() << "\n";
+    return EXIT_FAILURE;
+  }
+}

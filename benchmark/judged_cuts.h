@@ -1,0 +1,105 @@
+// Copyright (c) 2026  The Spectral_segmentation authors.
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef SEGMENTATION_BENCHMARK_JUDGED_CUTS_H
+#define SEGMENTATION_BENCHMARK_JUDGED_CUTS_H
+
+#include "princeton_benchmark.h"
+
+#include <CGAL/Spectral_segmentation/Segmentation_visitor.h>
+#include <CGAL/Spectral_segmentation/internal/Monitor.h>
+#include <CGAL/Spectral_segmentation/internal/cut_and_merge.h>
+#include <CGAL/Spectral_segmentation/internal/initialization.h>
+#include <CGAL/Spectral_segmentation/internal/options.h>
+
+#include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
+#include <CGAL/tags.h>
+
+#include <cstddef>
+#include <utility>
+#include <vector>
+
+// The cuts that a run has to judge, and what people think of them.
+namespace segmentation_benchmark {
+
+namespace spectral = CGAL::Spectral_segmentation;
+using spectral::internal::Judged_cut;
+
+struct Cut_sample
+{
+  spectral::Salience_factors factors;
+  double agreement; // of people
+};
+
+// Cuts among which one is chosen: the candidates of a part, or a single boundary.
+struct Cut_group
+{
+  Judged_cut::Kind kind;
+  std::vector<Cut_sample> cuts;
+};
+
+struct Mesh_cuts
+{
+  int id;
+  std::vector<Cut_group> groups;
+};
+
+inline std::size_t number_of_cuts(const std::vector<Mesh_cuts>& meshes)
+{
+  std::size_t number = 0;
+  for (const Mesh_cuts& mesh : meshes)
+    for (const Cut_group& group : mesh.groups)
+      number += group.cuts.size();
+  return number;
+}
+
+// 1 less the share of the faces of the smaller side that lie beyond the cut, with respect to the
+// person's segments, each of which belongs to the side that has less of it: 1 where the cut follows
+// the borders of the person's segments.
+inline double agreement(const Judged_cut& cut, const Labels& person)
+{
+  Labels of_part;
+  for (std::size_t f : cut.faces)
+    of_part.push_back(person[f]);
+  const Eigen::ArrayXXd faces = overlap(Labels(cut.side.begin(), cut.side.end()), of_part);
+  return 1 - faces.colwise().minCoeff().sum() / faces.rowwise().sum().minCoeff();
+}
+
+inline double mean_agreement(const Judged_cut& cut, const std::vector<Labels>& people)
+{
+  Mean mean;
+  for (const Labels& person : people)
+    mean.add(agreement(cut, person));
+  return mean();
+}
+
+// All cuts that the calibrated method judges on its way.
+inline Mesh_cuts judged_cuts(const Benchmark_mesh& input)
+{
+  namespace internal = spectral::internal;
+  Mesh_cuts result{input.id, {}};
+  std::pair<internal::Index, std::size_t> last_part(internal::null_index, 0);
+  const auto observe = [&](const Judged_cut& cut) {
+    // No two parts that are searched have both the first face and the size in common.
+    const std::pair<internal::Index, std::size_t> part(cut.faces.front(), cut.faces.size());
+    if (cut.kind == Judged_cut::BOUNDARY || part != last_part)
+      result.groups.push_back({cut.kind, {}});
+    last_part = part;
+    result.groups.back().cuts.push_back({cut.factors, mean_agreement(cut, input.people)});
+  };
+
+  const internal::Options options = internal::calibrated_options();
+  const std::vector<Mesh::Face_index> faces(input.mesh.faces().begin(), input.mesh.faces().end());
+  spectral::Segmentation_visitor visitor;
+  internal::Monitor<spectral::Segmentation_visitor> monitor(visitor);
+  internal::cut_and_merge<CGAL::Sequential_tag>(
+    internal::initialize<CGAL::Sequential_tag>(
+      input.mesh, faces, input.mesh.points(),
+      CGAL::Exact_predicates_inexact_constructions_kernel(), options, [] { return true; }),
+    options, monitor, observe);
+  return result;
+}
+
+} // namespace segmentation_benchmark
+
+#endif // SEGMENTATION_BENCHMARK_JUDGED_CUTS_H

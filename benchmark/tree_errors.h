@@ -1,0 +1,81 @@
+// Copyright (c) 2026  The Spectral_segmentation authors.
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef SEGMENTATION_BENCHMARK_TREE_ERRORS_H
+#define SEGMENTATION_BENCHMARK_TREE_ERRORS_H
+
+#include "score_mesh.h"
+
+#include <algorithm>
+#include <cstddef>
+#include <vector>
+
+// The Rand errors of all that can be read off the whole tree of a mesh.
+namespace segmentation_benchmark {
+
+// Probabilities at which a run may end.
+inline const std::vector<double>& probability_thresholds()
+{
+  static const std::vector<double> thresholds = [] {
+    std::vector<double> result;
+    for (int percent = 30; percent <= 70; percent += 2)
+      result.push_back(percent / 100.);
+    return result;
+  }();
+  return thresholds;
+}
+
+struct Tree_errors
+{
+  int id = 0;
+  double people = undefined;      // of two people
+  std::vector<double> automatic;  // at each threshold
+  double k = undefined;           // with people's usual number of parts
+  double best = undefined;        // of all numbers of parts
+};
+
+template <class PartSalience>
+Tree_errors tree_errors(const Benchmark_mesh& input, const PartSalience& part_salience)
+{
+  using CGAL::Spectral_segmentation::Method;
+  const Segment_tree tree = segment_tree(
+    input.mesh, params::method(Method::CALIBRATED).part_salience(part_salience));
+  const auto error = [&](const Labels& labels) { return mean_rand_error(labels, input.people); };
+  Tree_errors result;
+  result.id = input.id;
+  result.people = mean_rand_error_of_people(input.people);
+  for (double threshold : probability_thresholds())
+    result.automatic.push_back(error(tree.labels(any_number, threshold)));
+  result.k = error(tree.labels(usual_number_of_segments(input.people), any_salience));
+  result.best = error(best_labels(tree, input.people));
+  return result;
+}
+
+inline Tree_errors mean_tree_errors(const std::vector<Tree_errors>& meshes)
+{
+  const auto mean = [&](const auto& error) {
+    Mean result;
+    for (const Tree_errors& mesh : meshes)
+      result.add(error(mesh));
+    return result();
+  };
+  Tree_errors result;
+  result.people = mean([](const Tree_errors& e) { return e.people; });
+  for (std::size_t t = 0; t < probability_thresholds().size(); ++t)
+    result.automatic.push_back(mean([t](const Tree_errors& e) { return e.automatic[t]; }));
+  result.k = mean([](const Tree_errors& e) { return e.k; });
+  result.best = mean([](const Tree_errors& e) { return e.best; });
+  return result;
+}
+
+// The position of the threshold of least error, the lowest of several.
+inline std::size_t best_threshold(const Tree_errors& errors)
+{
+  return static_cast<std::size_t>(
+    std::min_element(errors.automatic.begin(), errors.automatic.end()) -
+    errors.automatic.begin());
+}
+
+} // namespace segmentation_benchmark
+
+#endif // SEGMENTATION_BENCHMARK_TREE_ERRORS_H
