@@ -71,12 +71,11 @@ inline std::vector<float> angles_along_paths(const Face_dual_graph& graph, Index
   sum[reference] = 0;
   std::vector<Index> path;
   for (Index first = 0; first < sum.size(); ++first) {
-    for (Index f = first; sum[f] == unknown; f = graph.halfedges[step[f]].neighbor)
-      path.push_back(f);
-    for (; !path.empty(); path.pop_back()) {
-      const Face_dual_graph::Halfedge& h = graph.halfedges[step[path.back()]];
-      sum[path.back()] = sum[h.neighbor] + h.angle;
-    }
+    Index f = first;
+    for (; sum[f] == unknown; f = graph.halfedges[step[f]].neighbor)
+      path.push_back(step[f]);
+    for (float s = sum[f]; !path.empty(); path.pop_back())
+      sum[path.back() / 3] = s += graph.halfedges[path.back()].angle;
   }
   return sum;
 }
