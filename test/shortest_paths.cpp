@@ -7,16 +7,22 @@
 #include "test_meshes.h"
 
 #include <CGAL/Spectral_segmentation/internal/Face_dual_graph.h>
+#include <CGAL/Spectral_segmentation/internal/face_distances.h>
 #include <CGAL/Spectral_segmentation/internal/shortest_paths.h>
 
 #include <algorithm>
+#include <cmath>
 #include <cstddef>
 #include <limits>
 #include <vector>
 
 namespace tt = boost::test_tools;
 using namespace test_meshes;
+using CGAL::Spectral_segmentation::internal::Dijkstra_search;
 using CGAL::Spectral_segmentation::internal::Weighting;
+using CGAL::Spectral_segmentation::internal::first_steps;
+using CGAL::Spectral_segmentation::internal::null_index;
+using CGAL::Spectral_segmentation::internal::set_face_distances;
 using CGAL::Spectral_segmentation::internal::shortest_paths;
 
 namespace {
@@ -34,6 +40,15 @@ Face_dual_graph random_graph(Random& random)
     graph_with_distances(displaced(shapes[random() % shapes.size()], 0.2, random));
   const std::size_t n = graph.number_of_faces();
   return random_part(graph, n / 2 + random() % (n / 2 + 1), random);
+}
+
+// Weights from 0 to 512, most of them small, and many equal.
+void make_uneven(Face_dual_graph& graph, Weighting weighting, Random& random)
+{
+  for (Index h = 0; h < graph.halfedges.size(); ++h)
+    if (!graph.is_border(h))
+      graph.halfedges[h].*weighting = graph.halfedges[graph.opposite(h)].*weighting =
+        random() % 4 == 0 ? 0.f : std::ldexp(1.f, 9 - int(random() % 30));
 }
 
 std::vector<std::vector<double> > floyd_warshall(const Face_dual_graph& graph, Weighting weighting)
@@ -55,58 +70,106 @@ std::vector<std::vector<double> > floyd_warshall(const Face_dual_graph& graph, W
 
 } // namespace
 
-// Distances lie on a grid, so that the two agree in every bit.
+// Distances lie on a grid, so that they agree in every bit.
 BOOST_AUTO_TEST_CASE(distances_equal_those_of_floyd_and_warshall)
 {
-  for (unsigned seed = 1; seed <= 30; ++seed) {
+  for (unsigned seed = 1; seed <= 40; ++seed) {
     BOOST_TEST_CONTEXT("seed " << seed) {
       Random random(seed);
-      const Face_dual_graph graph = random_graph(random);
+      Face_dual_graph graph = random_graph(random);
+      if (seed > 30)
+        for (Weighting weighting : weightings)
+          make_uneven(graph, weighting, random);
       for (Weighting weighting : weightings) {
         const std::vector<std::vector<double> > expected = floyd_warshall(graph, weighting);
-        for (Index source = 0; source < graph.number_of_faces(); ++source)
+        for (Index source = 0; source < graph.number_of_faces(); ++source) {
           BOOST_TEST(shortest_paths(graph, source, weighting) == expected[source],
                      tt::per_element());
+          BOOST_TEST(shortest_paths<Dijkstra_search>(graph, source, weighting) == expected[source],
+                     tt::per_element());
+        }
       }
     }
   }
 }
 
-BOOST_AUTO_TEST_CASE(a_way_is_relaxed_from_a_face_with_a_final_distance)
+BOOST_AUTO_TEST_CASE(both_searches_agree_on_real_meshes)
+{
+  for (const char* name : {"elephant.off", "hand.off", "dino.off", "camel.off", "mushroom.off"}) {
+    Face_dual_graph graph = dual_graph_of(read(name));
+    for (double concavity_radius : {0., 0.01}) {
+      set_face_distances(graph, graph.points, {0.03, 1, 0.1, concavity_radius});
+      for (Weighting weighting : weightings)
+        for (Index source : {Index(0), Index(graph.number_of_faces() / 2)})
+          BOOST_TEST((shortest_paths(graph, source, weighting) ==
+                      shortest_paths<Dijkstra_search>(graph, source, weighting)), name);
+    }
+  }
+}
+
+BOOST_AUTO_TEST_CASE(first_steps_lead_to_the_source_over_shortest_paths)
 {
   for (unsigned seed = 1; seed <= 100; ++seed) {
     BOOST_TEST_CONTEXT("seed " << seed) {
       Random random(seed);
-      const Face_dual_graph graph = random_graph(random);
+      Face_dual_graph graph = random_graph(random);
       const Weighting weighting = weightings[seed % 3];
-      const Index source = static_cast<Index>(random() % graph.number_of_faces());
-      std::vector<Index> relaxed;
-      const std::vector<double> distance = shortest_paths(
-        graph, source, weighting, [&](Index h) { relaxed.push_back(h); });
-
-      std::vector<double> so_far(graph.number_of_faces(), infinity);
-      so_far[source] = 0;
-      double last = 0;
-      for (Index h : relaxed) {
-        BOOST_TEST(so_far[h / 3] == distance[h / 3]);
-        BOOST_TEST(distance[h / 3] >= last); // from the nearest face to the farthest
-        last = distance[h / 3];
-        double& there = so_far[graph.halfedges[h].neighbor];
-        const double length = distance[h / 3] + graph.halfedges[h].*weighting;
-        BOOST_TEST(length < there);
-        there = length;
+      if (seed % 2 == 0)
+        make_uneven(graph, weighting, random);
+      const std::size_t n = graph.number_of_faces();
+      const Index source = static_cast<Index>(random() % n);
+      const std::vector<double> distance = shortest_paths(graph, source, weighting);
+      const std::vector<Index> step = first_steps(graph, source, weighting, distance);
+      BOOST_TEST(step[source] == null_index);
+      for (Index f = 0; f < n; ++f) {
+        double length = 0;
+        std::size_t number_of_steps = 0;
+        for (Index g = f; g != source; g = graph.halfedges[step[g]].neighbor) {
+          BOOST_TEST_REQUIRE(step[g] / 3 == g);
+          BOOST_TEST_REQUIRE(++number_of_steps < n);
+          length += graph.halfedges[step[g]].*weighting;
+        }
+        BOOST_TEST(length == distance[f]);
       }
-      BOOST_TEST(so_far == distance, tt::per_element());
     }
   }
+}
+
+BOOST_AUTO_TEST_CASE(of_several_shortest_paths_the_one_over_the_nearest_neighbor_is_taken)
+{
+  Face_dual_graph graph = dual_graph_of(
+    {{Point(0, 0, 0), Point(1, 0, 0), Point(0, 1, 0), Point(-1, 0, 0), Point(0, -1, 0)},
+     {{0, 1, 2}, {0, 2, 3}, {0, 3, 4}, {0, 4, 1}}}); // a ring of four faces
+  const Weighting weighting = &Halfedge::geodesic;
+  const auto set_weight = [&](Index f, Index g, float weight) {
+    for (Index h = 0; h < graph.halfedges.size(); ++h)
+      if (std::minmax(h / 3, graph.halfedges[h].neighbor) == std::minmax(f, g))
+        graph.halfedges[h].*weighting = weight;
+  };
+  const auto next_of_2 = [&] {
+    const std::vector<double> distance = shortest_paths(graph, 0, weighting);
+    return graph.halfedges[first_steps(graph, 0, weighting, distance)[2]].neighbor;
+  };
+  set_weight(0, 1, 2);
+  set_weight(1, 2, 2);
+  set_weight(0, 3, 2);
+  set_weight(3, 2, 2);
+  BOOST_TEST(next_of_2() == 1u); // both are as near; the first of them
+  set_weight(0, 3, 1);
+  set_weight(3, 2, 3);
+  BOOST_TEST(next_of_2() == 3u);
+  set_weight(3, 2, 3.5);
+  BOOST_TEST(next_of_2() == 1u);
 }
 
 BOOST_AUTO_TEST_CASE(a_single_face_is_at_distance_0)
 {
   Random random(1);
   const Face_dual_graph graph = random_part(dual_graph_of(sphere(0)), 1, random);
-  BOOST_TEST(shortest_paths(graph, 0, &Halfedge::geodesic) == std::vector<double>({0}),
-             tt::per_element());
+  const std::vector<double> distance = shortest_paths(graph, 0, &Halfedge::geodesic);
+  BOOST_TEST(distance == std::vector<double>({0}), tt::per_element());
+  BOOST_TEST(first_steps(graph, 0, &Halfedge::geodesic, distance) ==
+             std::vector<Index>({null_index}), tt::per_element());
 }
 
 BOOST_AUTO_TEST_CASE(ways_of_length_0_are_ways)

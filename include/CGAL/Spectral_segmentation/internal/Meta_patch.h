@@ -10,6 +10,7 @@
 
 #include <Eigen/Core>
 #include <Eigen/Eigenvalues>
+#include <Eigen/Geometry>
 
 #include <algorithm>
 #include <cmath>
@@ -65,9 +66,11 @@ public:
     : part_(part), area_of_part_(total_area(part)), origin_(part.centroid(0)),
       has_face_(part.number_of_faces(), 0), valence_(part.points.size(), 0)
   {
-    for (Index h = 0; h < part.halfedges.size(); ++h)
-      if (!part.is_border(h))
-        largest_angle_ = (std::max)(largest_angle_, double(part.halfedges[h].angle));
+    float largest = 0;
+    for (Index f = 0; f < part.number_of_faces(); ++f)
+      for (Index h = 3 * f; h < 3 * f + 3; ++h)
+        largest = (std::max)(largest, part.halfedges[h].neighbor == f ? 0 : part.halfedges[h].angle);
+    largest_angle_ = largest;
   }
 
   void add(Index f)
@@ -111,11 +114,8 @@ public:
     const Eigen::Matrix3d c = sum_of_squares_ / n - mean * mean.transpose();
     // The product of the two largest eigenvalues is the largest eigenvalue of the adjugate; found
     // as one root it is accurate also where the cut is nearly straight and the second one vanishes.
-    Eigen::Matrix3d adjugate;
-    for (int i = 0; i < 3; ++i)
-      for (int j = 0; j < 3; ++j)
-        adjugate(i, j) = c((i + 1) % 3, (j + 1) % 3) * c((i + 2) % 3, (j + 2) % 3) -
-                         c((i + 1) % 3, (j + 2) % 3) * c((i + 2) % 3, (j + 1) % 3);
+    Eigen::Matrix3d adjugate; // c is symmetric
+    adjugate << c.col(1).cross(c.col(2)), c.col(2).cross(c.col(0)), c.col(0).cross(c.col(1));
     Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> solver;
     solver.computeDirect(adjugate, Eigen::EigenvaluesOnly);
     const double product = (std::max)(solver.eigenvalues()[2], 0.);

@@ -37,10 +37,11 @@ inline std::vector<Face_at_distance> faces_near_cut(const Face_dual_graph& part,
       queue.push({d, f});
     }
   };
-  for (Index h = 0; h < part.halfedges.size(); ++h)
-    if (side[h / 3] != side[part.halfedges[h].neighbor])
-      relax(h / 3, (part.centroid(h / 3) - (part.points[part.source_vertex(h)] +
-                                            part.points[part.target_vertex(h)]) / 2).norm());
+  for (Index f = 0; f < part.number_of_faces(); ++f)
+    for (Index h = 3 * f; h < 3 * f + 3; ++h)
+      if (side[f] != side[part.halfedges[h].neighbor])
+        relax(f, (part.centroid(f) - (part.points[part.source_vertex(h)] +
+                                      part.points[part.target_vertex(h)]) / 2).norm());
   std::vector<Face_at_distance> result;
   while (!queue.empty()) {
     const auto [d, f] = queue.top();
@@ -48,10 +49,11 @@ inline std::vector<Face_at_distance> faces_near_cut(const Face_dual_graph& part,
     if (d > distance[f])
       continue;
     result.push_back({f, d});
+    const Vector center = part.centroid(f);
     for (Index h = 3 * f; h < 3 * f + 3; ++h) {
       const Index g = part.halfedges[h].neighbor;
-      if (side[g] == side[f])
-        relax(g, d + (part.centroid(g) - part.centroid(f)).norm());
+      if (d < distance[g] && side[g] == side[f])
+        relax(g, d + (part.centroid(g) - center).norm());
     }
   }
   return result;

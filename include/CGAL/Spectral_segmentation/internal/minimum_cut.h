@@ -11,10 +11,10 @@
 #include <boost/graph/compressed_sparse_row_graph.hpp>
 #include <boost/property_map/property_map.hpp>
 
-#include <algorithm>
 #include <cmath>
 #include <cstddef>
 #include <limits>
+#include <numeric>
 #include <utility>
 #include <vector>
 
@@ -41,53 +41,57 @@ class Band_network
   {
     int from, to;
     double capacity;
-    bool operator<(const Arc& a) const
-    { return from != a.from ? from < a.from : to < a.to; }
   };
 
   int source_, sink_;
-  std::vector<Arc> arcs_;
+  std::vector<Arc> arcs_; // between faces; arc i ^ 1 is the reverse of arc i
+  std::vector<double> from_source_, to_sink_; // capacities of each face
 
-  void add_both(int a, int b, double there, double back)
+  static void add_both(std::vector<Arc>& arcs, int a, int b, double there, double back)
   {
-    arcs_.push_back({a, b, there});
-    arcs_.push_back({b, a, back});
+    arcs.push_back({a, b, there});
+    arcs.push_back({b, a, back});
   }
 
 public:
   explicit Band_network(std::size_t number_of_faces)
-    : source_(static_cast<int>(number_of_faces)), sink_(source_ + 1) {}
+    : source_(static_cast<int>(number_of_faces)), sink_(source_ + 1),
+      from_source_(number_of_faces, 0), to_sink_(number_of_faces, 0)
+  {}
 
-  void join(int a, int b, double capacity) { add_both(a, b, capacity, capacity); }
-  void join_to_source(int a, double capacity) { add_both(source_, a, capacity, 0); }
-  void join_to_sink(int a, double capacity) { add_both(a, sink_, capacity, 0); }
+  void join(int a, int b, double capacity) { add_both(arcs_, a, b, capacity, capacity); }
+  void join_to_source(int a, double capacity) { from_source_[a] += capacity; }
+  void join_to_sink(int a, double capacity) { to_sink_[a] += capacity; }
 
   // For each face of the band: whether it is on the side of the source. Of several minimum cuts it
   // is the one nearest to the source, whatever the order of the arcs.
-  std::vector<bool> minimum_cut()
+  std::vector<bool> minimum_cut() const
   {
-    std::sort(arcs_.begin(), arcs_.end());
-    // Two faces with two edges in common, or several edges to a terminal, are one arc.
-    std::vector<Arc> arcs;
-    for (const Arc& a : arcs_)
-      if (!arcs.empty() && arcs.back().from == a.from && arcs.back().to == a.to)
-        arcs.back().capacity += a.capacity;
-      else
-        arcs.push_back(a);
-
-    std::vector<std::pair<int, int> > ends;
-    std::vector<double> capacities, residuals(arcs.size());
-    for (const Arc& a : arcs) {
-      ends.push_back({a.from, a.to});
-      capacities.push_back(a.capacity);
+    // One arc for each terminal and face, which BGL asks for.
+    std::vector<Arc> arcs = arcs_;
+    for (int i = 0; i < source_; ++i) {
+      if (from_source_[i] > 0)
+        add_both(arcs, source_, i, from_source_[i], 0);
+      if (to_sink_[i] > 0)
+        add_both(arcs, i, sink_, to_sink_[i], 0);
     }
     const int n = sink_ + 1;
+    std::vector<std::size_t> next(n + 1, 0), place(arcs.size()); // in the order of the nodes
+    for (const Arc& a : arcs)
+      ++next[a.from + 1];
+    std::partial_sum(next.begin(), next.end(), next.begin());
+    std::vector<std::pair<int, int> > ends(arcs.size());
+    std::vector<double> capacities(arcs.size()), residuals(arcs.size());
+    for (std::size_t i = 0; i < arcs.size(); ++i) {
+      place[i] = next[arcs[i].from]++;
+      ends[place[i]] = {arcs[i].from, arcs[i].to};
+      capacities[place[i]] = arcs[i].capacity;
+    }
     const Graph graph(boost::edges_are_sorted, ends.begin(), ends.end(), n);
     const std::vector<Edge> edge(edges(graph).first, edges(graph).second);
-    std::vector<Edge> reverse;
-    for (const Arc& a : arcs)
-      reverse.push_back(edge[std::lower_bound(arcs.begin(), arcs.end(), Arc{a.to, a.from, 0}) -
-                             arcs.begin()]);
+    std::vector<Edge> reverse(arcs.size());
+    for (std::size_t i = 0; i < arcs.size(); ++i)
+      reverse[place[i]] = edge[place[i ^ 1]];
 
     std::vector<Edge> predecessors(n);
     std::vector<boost::default_color_type> colors(n);

@@ -60,9 +60,28 @@ struct Shape_contexts
   const float* operator[](Index f) const { return values.data() + f * references.size(); }
 };
 
+// The sums of the angle distances along the shortest geodesic paths to a face.
+inline std::vector<float> angles_along_paths(const Face_dual_graph& graph, Index reference,
+                                             const std::vector<double>& distance)
+{
+  const std::vector<Index> step =
+    first_steps(graph, reference, &Face_dual_graph::Halfedge::geodesic, distance);
+  constexpr float unknown = -1;
+  std::vector<float> sum(graph.number_of_faces(), unknown);
+  sum[reference] = 0;
+  std::vector<Index> path;
+  for (Index first = 0; first < sum.size(); ++first) {
+    Index f = first;
+    for (; sum[f] == unknown; f = graph.halfedges[step[f]].neighbor)
+      path.push_back(step[f]);
+    for (float s = sum[f]; !path.empty(); path.pop_back())
+      sum[path.back() / 3] = s += graph.halfedges[path.back()].angle;
+  }
+  return sum;
+}
+
 // Chooses k reference faces, or all of a part with fewer, mutually farthest apart in geodesic
-// distance, and sums the angle distances along the shortest geodesic paths while the tree of each
-// reference grows.
+// distance, and sums the angle distances along the shortest geodesic paths to each.
 // `between_trees()` is called before each tree.
 template <class BetweenTrees>
 Shape_contexts shape_contexts(const Face_dual_graph& graph, Index first_reference, std::size_t k,
@@ -77,15 +96,13 @@ Shape_contexts shape_contexts(const Face_dual_graph& graph, Index first_referenc
   for (std::size_t j = 0; j < k; ++j) {
     between_trees();
     contexts.references.push_back(reference);
-    float* const values = contexts.values.data() + j;
-    const std::vector<double> distance = shortest_paths(
-      graph, reference, &Face_dual_graph::Halfedge::geodesic, [&](Index h) {
-        const Face_dual_graph::Halfedge& e = graph.halfedges[h];
-        values[e.neighbor * k] = values[h / 3 * k] + e.angle;
-      });
-
-    for (Index f = 0; f < n; ++f)
+    const std::vector<double> distance =
+      shortest_paths(graph, reference, &Face_dual_graph::Halfedge::geodesic);
+    const std::vector<float> angles = angles_along_paths(graph, reference, distance);
+    for (Index f = 0; f < n; ++f) {
+      contexts.values[f * k + j] = angles[f];
       to_nearest[f] = (std::min)(to_nearest[f], distance[f]);
+    }
     reference = static_cast<Index>(
       std::max_element(to_nearest.begin(), to_nearest.end()) - to_nearest.begin());
   }
