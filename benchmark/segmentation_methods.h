@@ -59,16 +59,16 @@ inline Labels segment_by_sdf(const Mesh& mesh)
 
 inline const std::vector<Tree_method>& tree_methods()
 {
-  using CGAL::Spectral_segmentation::default_salience_threshold;
-  using CGAL::Spectral_segmentation::Method;
   static const std::vector<Tree_method> methods = {
-    {"calibrated", 0.5, [](const Mesh& mesh, double threshold, std::size_t n) {
-       return segment_tree(mesh, params::method(Method::CALIBRATED).salience_threshold(threshold)
-                                   .maximum_number_of_segments(n));
-     }},
-    {"paper", default_salience_threshold, [](const Mesh& mesh, double threshold, std::size_t n) {
+    {"calibrated", CGAL::Spectral_segmentation::default_probability_threshold,
+     [](const Mesh& mesh, double threshold, std::size_t n) {
        return segment_tree(mesh,
                            params::salience_threshold(threshold).maximum_number_of_segments(n));
+     }},
+    {"paper", CGAL::Spectral_segmentation::default_salience_threshold,
+     [](const Mesh& mesh, double threshold, std::size_t n) {
+       return segment_tree(mesh, params::zhang_liu_2005().salience_threshold(threshold)
+                                   .maximum_number_of_segments(n));
      }},
   };
   return methods;

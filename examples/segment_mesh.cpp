@@ -40,20 +40,45 @@
 #include <vector>
 
 namespace parameters = CGAL::Spectral_segmentation::parameters;
+using CGAL::Spectral_segmentation::Method;
 using CGAL::Spectral_segmentation::Segment_tree;
 using namespace segment_mesh;
+
+double default_threshold(Method method)
+{
+  return method == Method::CALIBRATED
+    ? CGAL::Spectral_segmentation::default_probability_threshold
+    : CGAL::Spectral_segmentation::default_salience_threshold;
+}
+
+// The defaults of a number that follow the method, for the help.
+template <class Default>
+std::string defaults(const Default& default_of)
+{
+  return " [" + CLI::detail::to_string(default_of(Method::CALIBRATED)) + ", paper " +
+         CLI::detail::to_string(default_of(Method::ZHANG_LIU_2005)) + "]";
+}
 
 struct Options
 {
   std::string input, mesh_file, label_file, report_file, split_directory;
+  std::string method_name = "calibrated";
   std::optional<std::size_t> segments;
-  std::optional<double> threshold;
-  double minimum_segment_size = CGAL::Spectral_segmentation::default_minimum_segment_size;
+  std::optional<double> threshold, minimum_size;
   std::optional<std::uint64_t> seed;
   std::optional<std::size_t> threads;
   std::size_t smoothing_iterations = 0;
   bool boundary_smoothing = false;
   bool quiet = false;
+
+  Method method() const
+  { return method_name == "paper" ? Method::ZHANG_LIU_2005 : Method::CALIBRATED; }
+
+  double minimum_segment_size() const
+  {
+    return minimum_size.value_or(
+      CGAL::Spectral_segmentation::default_minimum_segment_size(method()));
+  }
 
   std::size_t maximum_number_of_segments() const
   { return segments.value_or((std::numeric_limits<std::size_t>::max)()); }
@@ -62,7 +87,7 @@ struct Options
   double salience_threshold() const
   {
     return threshold.value_or(segments ? -std::numeric_limits<double>::infinity()
-                                    : CGAL::Spectral_segmentation::default_salience_threshold);
+                                       : default_threshold(method()));
   }
 };
 
@@ -84,17 +109,20 @@ void add_options(CLI::App& app, Options& o)
   add_file("--json", o.report_file,
            "counts, seconds by stage summed over all parts, parameters, tree of cuts");
   add_file("--split-dir", o.split_directory, "directory for one .ply file a segment");
+  app.add_option("--method", o.method_name,
+                 "calibrated: cuts where people cut; paper: Zhang and Liu 2005")
+    ->type_name("M")->check(CLI::IsMember({"calibrated", "paper"}))->capture_default_str();
   app.add_option("--segments", o.segments,
                  "largest number of segments, but one for each connected component at least; "
                  "without --salience-threshold as many as that if the mesh can be cut so often")
     ->type_name("N")->check(CLI::Range(std::int64_t(1), largest));
   app.add_option("--salience-threshold", o.threshold,
-                 "a part is not cut below this salience [" +
-                   CLI::detail::to_string(CGAL::Spectral_segmentation::default_salience_threshold) +
-                   "]")->type_name("T");
-  app.add_option("--minimum-segment-size", o.minimum_segment_size,
-                 "smallest share of the area of the mesh that a cut leaves on a side, up to 0.5")
-    ->type_name("S")->check(CLI::Range(0., 0.5))->capture_default_str();
+                 "no cut has a salience below this, which is a probability if the method is "
+                 "calibrated" + defaults(default_threshold))->type_name("T");
+  app.add_option("--minimum-segment-size", o.minimum_size,
+                 "smallest share of the area of the mesh that a cut leaves on a side, up to 0.5" +
+                   defaults(CGAL::Spectral_segmentation::default_minimum_segment_size))
+    ->type_name("S")->check(CLI::Range(0., 0.5));
   app.add_option("--seed", o.seed, "seed of the random first reference faces [none is random]")
     ->type_name("S")->check(CLI::Range(std::int64_t(0), largest));
   app.add_option("--threads", o.threads,
@@ -132,9 +160,10 @@ void check_options(const Options& o)
 std::size_t segment(const Mesh& mesh, const Segment_map& segment_ids, const Options& o,
                     Segment_tree& tree, Run_watch& watch)
 {
-  const auto np = parameters::maximum_number_of_segments(o.maximum_number_of_segments())
+  const auto np = parameters::method(o.method())
+                    .maximum_number_of_segments(o.maximum_number_of_segments())
                     .salience_threshold(o.salience_threshold())
-                    .minimum_segment_size(o.minimum_segment_size)
+                    .minimum_segment_size(o.minimum_segment_size())
                     .number_of_smoothing_iterations(o.smoothing_iterations)
                     .boundary_smoothing(o.boundary_smoothing)
                     .segment_tree(tree)
@@ -159,14 +188,15 @@ Json report(const Options& o, const Input_mesh& input, std::size_t number_of_seg
           {"segments", number_of_segments},
           {"seconds", seconds},
           {"parameters",
-           {{"maximum_number_of_segments", json_or_null(o.segments)},
+           {{"method", o.method_name},
+            {"maximum_number_of_segments", json_or_null(o.segments)},
             {"salience_threshold", o.salience_threshold()},
-            {"minimum_segment_size", o.minimum_segment_size},
+            {"minimum_segment_size", o.minimum_segment_size()},
             {"random_seed", json_or_null(o.seed)},
             {"threads", json_or_null(o.threads)},
             {"number_of_smoothing_iterations", o.smoothing_iterations},
             {"boundary_smoothing", o.boundary_smoothing}}},
-          {"tree", tree_report(tree)}};
+          {"tree", tree_report(tree, o.method())}};
 }
 
 void run(const Options& o)

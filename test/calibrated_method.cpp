@@ -7,6 +7,7 @@
 #include "test_labels.h"
 #include "test_meshes.h"
 
+#include <CGAL/Spectral_segmentation/internal/cut_and_merge.h>
 #include <CGAL/segment_spectral_recursive.h>
 
 #include <CGAL/Polygon_mesh_processing/polygon_soup_to_polygon_mesh.h>
@@ -28,7 +29,7 @@
 using namespace test_meshes;
 namespace parameters = CGAL::Spectral_segmentation::parameters;
 namespace PMP = CGAL::Polygon_mesh_processing;
-using CGAL::Spectral_segmentation::Method;
+namespace internal = CGAL::Spectral_segmentation::internal;
 using CGAL::Spectral_segmentation::Segment_tree;
 using CGAL::Spectral_segmentation::Segmentation_visitor;
 
@@ -37,7 +38,7 @@ namespace {
 const double infinity = std::numeric_limits<double>::infinity();
 const std::size_t unlimited = (std::numeric_limits<std::size_t>::max)();
 
-auto calibrated() { return parameters::method(Method::CALIBRATED); }
+auto calibrated() { return parameters::default_values(); }
 
 template <class NamedParameters>
 Labels labels_of(const Soup& soup, const NamedParameters& np)
@@ -146,6 +147,80 @@ BOOST_AUTO_TEST_CASE(labels_for_any_number_without_a_threshold_are_those_of_a_fr
     BOOST_TEST(number_of(fresh) == n);
     BOOST_TEST(tree.labels(n, -infinity) == fresh, boost::test_tools::per_element());
   }
+}
+
+BOOST_AUTO_TEST_CASE(as_many_segments_as_are_asked_for)
+{
+  const auto np = calibrated().salience_threshold(-infinity);
+  const Mesh mesh = mesh_of(elephant());
+  for (std::size_t n : {20, 21, 40}) {
+    const Labels labels = labels_of(elephant(), np.maximum_number_of_segments(n));
+    BOOST_TEST(number_of(labels) == n);
+    check_numbering(mesh, labels);
+  }
+  BOOST_TEST(number_of(labels_of(elephant(), np)) == 20);
+  BOOST_TEST(number_of(labels_of(elephant(), np.number_of_pieces(7))) == 7);
+  const Soup three = disjoint_union(dumbbell(16, 12), disjoint_union(sphere(2), sphere(1)));
+  BOOST_TEST(number_of(labels_of(three, np.number_of_pieces(6))) == 8);
+  BOOST_TEST(number_of(labels_of(three, np.number_of_pieces(6).maximum_number_of_segments(11))) ==
+             11);
+  BOOST_TEST(number_of(labels_of(dumbbell(6, 4), np.minimum_segment_size(0)
+                                                   .number_of_pieces(unlimited))) > 20);
+}
+
+BOOST_AUTO_TEST_CASE(labels_depend_on_the_maximum_only_above_the_number_of_pieces)
+{
+  Segment_tree whole, up_to_10, up_to_30;
+  labels_of(elephant(), calibrated().segment_tree(whole));
+  labels_of(elephant(), calibrated().maximum_number_of_segments(10).segment_tree(up_to_10));
+  labels_of(elephant(), calibrated().maximum_number_of_segments(30).segment_tree(up_to_30));
+  BOOST_TEST(whole.number_of_segments() == 20);
+  BOOST_TEST(up_to_30.number_of_segments() == 30);
+  for (std::size_t n = 1; n <= 20; ++n)
+    BOOST_TEST(whole.labels(n, -infinity) == up_to_10.labels(n, -infinity),
+               boost::test_tools::per_element());
+}
+
+BOOST_AUTO_TEST_CASE(an_observer_hears_of_the_cuts_that_are_judged)
+{
+  typedef internal::Judged_cut Judged_cut;
+  const internal::Face_dual_graph mesh =
+    graph_with_distances(dumbbell(20, 16), weights_of_calibrated_method);
+  const internal::Options options = internal::calibrated_options();
+  Segmentation_visitor visitor;
+  internal::Monitor<Segmentation_visitor> monitor(visitor);
+  std::set<std::vector<internal::Index> > parts;
+  std::size_t number_of[2] = {0, 0};
+  std::set<double> saliences[2];
+  const Segment_tree tree = internal::cut_and_merge<CGAL::Sequential_tag>(
+    mesh, options, monitor, [&](const Judged_cut& cut) {
+      ++number_of[cut.kind];
+      saliences[cut.kind].insert(options.part_salience(cut.factors));
+      BOOST_TEST_REQUIRE(cut.side.size() == cut.faces.size());
+      BOOST_TEST(std::is_sorted(cut.faces.begin(), cut.faces.end()));
+      double area[2] = {0, 0};
+      for (std::size_t i = 0; i < cut.faces.size(); ++i)
+        area[int(cut.side[i])] += mesh.areas[cut.faces[i]];
+      BOOST_TEST(cut.factors.size == area[0] / (area[0] + area[1]),
+                 boost::test_tools::tolerance(1e-9));
+      BOOST_TEST(cut.factors.logarithm_of_part ==
+                 std::log((area[0] + area[1]) / internal::total_area(mesh)),
+                 boost::test_tools::tolerance(1e-9));
+      if (cut.kind == Judged_cut::CANDIDATE)
+        parts.insert(cut.faces);
+    });
+  // Each cut into pieces was a candidate, and makes two parts that are searched; but the last one
+  // ends the search. No part has more candidates than are taken and refined.
+  const std::size_t pieces = tree.number_of_segments();
+  BOOST_TEST(pieces == 20);
+  BOOST_TEST(parts.size() <= 2 * pieces - 3);
+  BOOST_TEST(parts.size() >= pieces - 1);
+  BOOST_TEST(number_of[Judged_cut::CANDIDATE] <= parts.size() * (14 + 4));
+  // Each merge is of a boundary.
+  BOOST_TEST(number_of[Judged_cut::BOUNDARY] >= pieces - 1);
+  for (std::size_t i = 0; i < tree.number_of_nodes(); ++i)
+    if (!tree.node(i).is_leaf())
+      BOOST_TEST(saliences[Judged_cut::BOUNDARY].count(tree.node(i).salience) == 1);
 }
 
 BOOST_AUTO_TEST_CASE(labels_for_any_threshold_are_those_of_a_fresh_run)

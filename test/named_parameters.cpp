@@ -12,17 +12,25 @@
 
 #include <algorithm>
 #include <array>
+#include <atomic>
+#include <cmath>
 #include <cstddef>
 #include <limits>
+#include <memory>
 #include <set>
 #include <stdexcept>
 #include <string>
+#include <utility>
 #include <vector>
 
 using namespace test_meshes;
 namespace parameters = CGAL::Spectral_segmentation::parameters;
+using CGAL::Spectral_segmentation::Calibrated_part_salience;
+using CGAL::Spectral_segmentation::Method;
+using CGAL::Spectral_segmentation::Salience_factors;
 using CGAL::Spectral_segmentation::Segment_tree;
 using CGAL::Spectral_segmentation::Segmentation_visitor;
+using CGAL::Spectral_segmentation::Weighted_part_salience;
 
 namespace {
 
@@ -126,16 +134,30 @@ BOOST_AUTO_TEST_CASE(defaults_are_those_that_are_documented)
 {
   Segmentation_visitor visitor;
   const Labels labels = labels_of_hand();
-  BOOST_TEST(number_of(labels) > 2);
-  BOOST_TEST(labels == labels_of_hand(
-               parameters::vertex_point_map(get(CGAL::vertex_point, hand()))
-                 .face_index_map(get(CGAL::face_index, hand())).geom_traits(Kernel())
-                 .maximum_number_of_segments((std::numeric_limits<std::size_t>::max)())
-                 .salience_threshold(0.54).minimum_segment_size(0.005)
-                 .salience_weights(0.1, 0.6, 0.3).geodesic_weight(0.01)
-                 .concave_angle_weight(1).convex_angle_weight(0.1).number_of_reference_faces(10)
-                 .number_of_smoothing_iterations(0).boundary_smoothing(false)
-                 .visitor(visitor)), boost::test_tools::per_element());
+  BOOST_TEST(number_of(labels) > 1);
+  const auto common =
+    parameters::vertex_point_map(get(CGAL::vertex_point, hand()))
+      .face_index_map(get(CGAL::face_index, hand())).geom_traits(Kernel())
+      .maximum_number_of_segments((std::numeric_limits<std::size_t>::max)())
+      .concave_angle_weight(1).convex_angle_weight(0.1).number_of_reference_faces(10)
+      .number_of_smoothing_iterations(0).boundary_smoothing(false).visitor(visitor);
+  const auto calibrated =
+    common.salience_threshold(0.5).minimum_segment_size(0.003)
+      .part_salience(Calibrated_part_salience()).geodesic_weight(0.03).concavity_radius(0.01)
+      .single_source_orderings(true).thickness_orderings(true).number_of_candidates(14)
+      .number_of_refined_candidates(4).number_of_pieces(20);
+  const auto of_paper =
+    common.salience_threshold(0.54).minimum_segment_size(0.005)
+      .part_salience(Weighted_part_salience()).geodesic_weight(0.01).concavity_radius(0)
+      .single_source_orderings(false).thickness_orderings(false).number_of_candidates(0)
+      .number_of_refined_candidates(0).number_of_pieces(0);
+  // With all parameters given, nothing is left to the method.
+  for (Method method : {Method::CALIBRATED, Method::ZHANG_LIU_2005}) {
+    BOOST_TEST(labels == labels_of_hand(calibrated.method(method)),
+               boost::test_tools::per_element());
+    BOOST_TEST(labels_of_hand(parameters::zhang_liu_2005()) ==
+               labels_of_hand(of_paper.method(method)), boost::test_tools::per_element());
+  }
   Labels without_pack;
   CGAL::segment_spectral_recursive(hand(), map_to(without_pack, hand()));
   BOOST_TEST(labels == without_pack, boost::test_tools::per_element());
@@ -143,25 +165,152 @@ BOOST_AUTO_TEST_CASE(defaults_are_those_that_are_documented)
 
 BOOST_AUTO_TEST_CASE(each_of_the_defaults_is_the_one_that_is_documented)
 {
-  Segment_tree by_default;
-  labels_of_hand(parameters::segment_tree(by_default));
-  const auto check = [&](const auto& np) {
+  const auto check = [](const auto& by_default, const auto& with_value) {
+    Segment_tree expected, tree;
+    labels_of_hand(by_default.segment_tree(expected));
+    labels_of_hand(with_value.segment_tree(tree));
+    BOOST_TEST_REQUIRE(tree.number_of_nodes() == expected.number_of_nodes());
+    BOOST_TEST(tree.salience_threshold() == expected.salience_threshold());
+    for (std::size_t i = 0; i < tree.number_of_nodes(); ++i)
+      BOOST_TEST(tree.node(i).salience == expected.node(i).salience);
+  };
+  const auto check_common = [&](const auto& np) {
+    check(np, np.concave_angle_weight(1));
+    check(np, np.convex_angle_weight(0.1));
+    check(np, np.number_of_reference_faces(10));
+    check(np, np.number_of_smoothing_iterations(0));
+    check(np, np.boundary_smoothing(false));
+  };
+  const auto calibrated = parameters::default_values();
+  check_common(calibrated);
+  check(calibrated, calibrated.method(Method::CALIBRATED));
+  check(calibrated, calibrated.salience_threshold(
+                      CGAL::Spectral_segmentation::default_probability_threshold));
+  check(calibrated, calibrated.minimum_segment_size(0.003));
+  check(calibrated, calibrated.part_salience(Calibrated_part_salience()));
+  check(calibrated, calibrated.geodesic_weight(0.03));
+  check(calibrated, calibrated.concavity_radius(0.01));
+  check(calibrated, calibrated.single_source_orderings(true));
+  check(calibrated, calibrated.thickness_orderings(true));
+  check(calibrated, calibrated.number_of_candidates(14));
+  check(calibrated, calibrated.number_of_refined_candidates(4));
+  check(calibrated, calibrated.number_of_pieces(20));
+  const auto paper = parameters::zhang_liu_2005();
+  check_common(paper);
+  check(paper, parameters::method(Method::ZHANG_LIU_2005));
+  check(paper, parameters::boundary_smoothing(false).zhang_liu_2005());
+  check(paper, paper.salience_threshold(0.54));
+  check(paper, paper.minimum_segment_size(0.005));
+  check(paper, paper.salience_weights(0.1, 0.6, 0.3));
+  check(paper, paper.geodesic_weight(0.01));
+  check(paper, paper.concavity_radius(0));
+  check(paper, paper.single_source_orderings(false));
+  check(paper, paper.thickness_orderings(false));
+  check(paper, paper.number_of_candidates(0));
+  check(paper, paper.number_of_refined_candidates(0));
+  check(paper, paper.number_of_pieces(0));
+}
+
+BOOST_AUTO_TEST_CASE(the_threshold_follows_the_salience)
+{
+  const auto threshold = [](const auto& np) {
     Segment_tree tree;
     labels_of_hand(np.segment_tree(tree));
-    BOOST_TEST_REQUIRE(tree.number_of_nodes() == by_default.number_of_nodes());
-    for (std::size_t i = 0; i < tree.number_of_nodes(); ++i)
-      BOOST_TEST(tree.node(i).salience == by_default.node(i).salience);
+    return tree.salience_threshold();
   };
-  check(parameters::method(CGAL::Spectral_segmentation::Method::ZHANG_LIU_2005));
-  check(parameters::salience_threshold(0.54));
-  check(parameters::minimum_segment_size(0.005));
-  check(parameters::salience_weights(0.1, 0.6, 0.3));
-  check(parameters::geodesic_weight(0.01));
-  check(parameters::concave_angle_weight(1));
-  check(parameters::convex_angle_weight(0.1));
-  check(parameters::number_of_reference_faces(10));
-  check(parameters::number_of_smoothing_iterations(0));
-  check(parameters::boundary_smoothing(false));
+  const auto own_salience = [](const Salience_factors& f) { return f.size; };
+  for (Method method : {Method::CALIBRATED, Method::ZHANG_LIU_2005}) {
+    const auto np = parameters::method(method);
+    BOOST_TEST(threshold(np.salience_weights(0.2, 0.3, 0.5)) == 0.54);
+    BOOST_TEST(threshold(np.part_salience(Weighted_part_salience())) == 0.54);
+    BOOST_TEST(threshold(np.part_salience(Calibrated_part_salience())) ==
+               CGAL::Spectral_segmentation::default_probability_threshold);
+    BOOST_TEST(threshold(np.part_salience(own_salience)) ==
+               CGAL::Spectral_segmentation::default_probability_threshold);
+    BOOST_TEST(threshold(np.salience_threshold(0.7).salience_weights(0.2, 0.3, 0.5)) == 0.7);
+  }
+}
+
+BOOST_AUTO_TEST_CASE(weights_are_a_part_salience)
+{
+  for (Method method : {Method::CALIBRATED, Method::ZHANG_LIU_2005}) {
+    const auto np = parameters::method(method);
+    const Labels expected = labels_of_hand(np.salience_weights(0.5, 0.4, 0.1));
+    BOOST_TEST(expected ==
+               labels_of_hand(np.part_salience(Weighted_part_salience{0.5, 0.4, 0.1})),
+               boost::test_tools::per_element());
+    // The last one counts.
+    BOOST_TEST(expected == labels_of_hand(np.part_salience(Calibrated_part_salience())
+                                            .salience_weights(0.5, 0.4, 0.1)),
+               boost::test_tools::per_element());
+  }
+  BOOST_TEST(labels_of_hand() ==
+             labels_of_hand(parameters::salience_weights(0.5, 0.4, 0.1)
+                              .part_salience(Calibrated_part_salience())),
+             boost::test_tools::per_element());
+}
+
+BOOST_AUTO_TEST_CASE(a_salience_may_have_any_scale)
+{
+  const Calibrated_part_salience probability;
+  const auto logit = [probability](const Salience_factors& f) {
+    const double p = probability(f);
+    return std::log(p / (1 - p));
+  };
+  BOOST_TEST(labels_of_hand(parameters::salience_threshold(0.3)) ==
+             labels_of_hand(parameters::part_salience(logit)
+                              .salience_threshold(std::log(0.3 / 0.7))),
+             boost::test_tools::per_element());
+  const auto eight_times = [](const Salience_factors& f) -> float
+  { return float(8 * Weighted_part_salience()(f)); };
+  BOOST_TEST(labels_of_hand(parameters::zhang_liu_2005()) ==
+             labels_of_hand(parameters::zhang_liu_2005().part_salience(eight_times)
+                              .salience_threshold(8 * 0.54)), boost::test_tools::per_element());
+}
+
+BOOST_AUTO_TEST_CASE(a_salience_hears_the_factors_that_are_documented)
+{
+  struct Heard
+  {
+    std::atomic<bool> any{false}, beyond_the_paper{false}, thickness{false};
+  };
+  const auto heard = [](auto np) {
+    const auto result = std::make_unique<Heard>();
+    labels_of_hand(np.part_salience([&](const Salience_factors& f) {
+      if (f.size > 0)
+        result->any = true;
+      if (f.logarithm_of_part < 0 || f.hollowness_of_rest > 0)
+        result->beyond_the_paper = true;
+      if (f.thickness_variation > 0)
+        result->thickness = true;
+      return Weighted_part_salience()(f);
+    }));
+    BOOST_TEST(result->any);
+    return std::make_pair(bool(result->beyond_the_paper), bool(result->thickness));
+  };
+  const auto nothing = std::make_pair(false, false), everything = std::make_pair(true, true);
+  const auto paper = parameters::zhang_liu_2005();
+  BOOST_TEST((heard(paper) == nothing));
+  BOOST_TEST((heard(paper.thickness_orderings(true)) == nothing));
+  BOOST_TEST((heard(paper.number_of_refined_candidates(4)) == nothing));
+  BOOST_TEST((heard(paper.number_of_candidates(3)) == everything));
+  BOOST_TEST((heard(paper.number_of_pieces(5)) == everything));
+  BOOST_TEST((heard(parameters::default_values()) == everything));
+}
+
+BOOST_AUTO_TEST_CASE(an_exception_of_a_salience_passes_through_and_leaves_the_labels)
+{
+  const auto failing = [](const Salience_factors&) -> double
+  { throw std::runtime_error("failure of a salience"); };
+  for (Method method : {Method::CALIBRATED, Method::ZHANG_LIU_2005}) {
+    Labels labels;
+    const auto map = map_to(labels, hand());
+    const Labels before = labels;
+    BOOST_CHECK_THROW(CGAL::segment_spectral_recursive(
+                        hand(), map, parameters::method(method).part_salience(failing)),
+                      std::runtime_error);
+    BOOST_TEST(labels == before, boost::test_tools::per_element());
+  }
 }
 
 BOOST_AUTO_TEST_CASE(parameters_chain_in_any_order)
@@ -181,7 +330,7 @@ BOOST_AUTO_TEST_CASE(parameters_chain_in_any_order)
   BOOST_TEST(a == b, boost::test_tools::per_element());
   BOOST_TEST(a == c, boost::test_tools::per_element());
   for (const Segment_tree* tree : {&tree_1, &tree_2, &tree_3})
-    BOOST_TEST(tree->number_of_segments() == number_of(a));
+    BOOST_TEST(tree->labels() == a, boost::test_tools::per_element());
 }
 
 BOOST_AUTO_TEST_CASE(a_pack_of_CGAL_is_taken_as_it_is)
@@ -229,25 +378,46 @@ BOOST_AUTO_TEST_CASE(numbers_of_any_type_are_taken)
 
 BOOST_AUTO_TEST_CASE(each_number_has_an_effect)
 {
-  const auto tree_of = [](const auto& np) {
-    Segment_tree tree;
-    labels_of_hand(np.salience_threshold(-infinity).maximum_number_of_segments(6)
-                     .segment_tree(tree));
-    return tree;
+  // Whether the labels are others than those of `by_default`, alike for all thresholds.
+  const auto differ = [](const auto& by_default, const auto& np) {
+    const auto labels = [](const auto& pack)
+    { return labels_of_hand(pack.salience_threshold(-infinity).maximum_number_of_segments(12)); };
+    return labels(np) != labels(by_default);
   };
-  const Segment_tree by_default = tree_of(parameters::default_values());
-  const auto differs = [&](const auto& np) { return tree_of(np).labels() != by_default.labels(); };
-  BOOST_TEST(differs(parameters::salience_weights(0.5, 0.4, 0.1)));
-  BOOST_TEST(differs(parameters::minimum_segment_size(0.3)));
-  BOOST_TEST(differs(parameters::geodesic_weight(1)));
-  BOOST_TEST(differs(parameters::concave_angle_weight(0)));
-  BOOST_TEST(differs(parameters::convex_angle_weight(5)));
-  BOOST_TEST(differs(parameters::number_of_reference_faces(1)));
-  BOOST_TEST(differs(parameters::number_of_smoothing_iterations(5)));
-  BOOST_TEST(differs(parameters::boundary_smoothing(true)));
+  const auto check_common = [&](const auto& np) {
+    BOOST_TEST(differ(np, np.salience_weights(0.5, 0.4, 0.1)));
+    BOOST_TEST(differ(np, np.minimum_segment_size(0.3)));
+    BOOST_TEST(differ(np, np.geodesic_weight(1)));
+    BOOST_TEST(differ(np, np.concave_angle_weight(0)));
+    BOOST_TEST(differ(np, np.convex_angle_weight(5)));
+    BOOST_TEST(differ(np, np.number_of_reference_faces(1)));
+    BOOST_TEST(differ(np, np.number_of_smoothing_iterations(5)));
+    BOOST_TEST(differ(np, np.boundary_smoothing(true)));
+  };
+  const auto calibrated = parameters::default_values();
+  const auto paper = parameters::zhang_liu_2005();
+  check_common(calibrated);
+  check_common(paper);
+  // Every difference between the two methods can be switched on and off by itself.
+  BOOST_TEST(differ(calibrated, calibrated.part_salience(Weighted_part_salience())));
+  BOOST_TEST(differ(calibrated, calibrated.concavity_radius(0)));
+  BOOST_TEST(differ(calibrated, calibrated.single_source_orderings(false)));
+  BOOST_TEST(differ(calibrated, calibrated.thickness_orderings(false)));
+  BOOST_TEST(differ(calibrated, calibrated.number_of_candidates(0)));
+  BOOST_TEST(differ(calibrated, calibrated.number_of_refined_candidates(0)));
+  BOOST_TEST(differ(calibrated, calibrated.number_of_pieces(0)));
+  BOOST_TEST(differ(paper, paper.part_salience(Calibrated_part_salience())));
+  BOOST_TEST(differ(paper, paper.concavity_radius(0.01)));
+  BOOST_TEST(differ(paper, paper.single_source_orderings(true)));
+  BOOST_TEST(differ(paper, paper.thickness_orderings(true)));
+  BOOST_TEST(differ(paper, paper.number_of_candidates(14)));
+  BOOST_TEST(differ(paper, paper.number_of_refined_candidates(4)));
+  BOOST_TEST(differ(paper, paper.number_of_pieces(20)));
+  BOOST_TEST(number_of(labels_of_hand(paper.salience_threshold(0.3))) >
+             number_of(labels_of_hand(paper.salience_threshold(0.7))));
   BOOST_TEST(number_of(labels_of_hand(parameters::salience_threshold(0.3))) >
              number_of(labels_of_hand(parameters::salience_threshold(0.7))));
-  BOOST_TEST(number_of(labels_of_hand(parameters::maximum_number_of_segments(2))) == 2);
+  BOOST_TEST(number_of(labels_of_hand(parameters::maximum_number_of_segments(1))) == 1);
 }
 
 BOOST_AUTO_TEST_CASE(only_the_ratio_of_the_angle_weights_matters)
@@ -387,6 +557,14 @@ BOOST_AUTO_TEST_CASE(numbers_out_of_range_are_refused_by_name)
   check_refused("convex_angle_weight", parameters::convex_angle_weight(-1));
   check_refused("convex_angle_weight", parameters::convex_angle_weight(infinity));
   check_refused("convex_angle_weight", parameters::convex_angle_weight(not_a_number));
+  check_refused("salience_weights", parameters::part_salience(Weighted_part_salience{1, 1, 1}));
+  check_refused("concavity_radius", parameters::concavity_radius(-0.01));
+  check_refused("concavity_radius", parameters::concavity_radius(1.01));
+  check_refused("concavity_radius", parameters::concavity_radius(not_a_number));
+  check_refused("number_of_candidates", parameters::number_of_candidates(-1));
+  check_refused("number_of_refined_candidates", parameters::number_of_refined_candidates(-1));
+  check_refused("number_of_pieces", parameters::number_of_pieces(-1));
+  check_refused("number_of_pieces", parameters::number_of_pieces(1));
   check_refused("number_of_reference_faces", parameters::number_of_reference_faces(0));
   check_refused("number_of_reference_faces", parameters::number_of_reference_faces(-1));
   check_refused("number_of_smoothing_iterations", parameters::number_of_smoothing_iterations(-1));
@@ -409,6 +587,13 @@ BOOST_AUTO_TEST_CASE(the_ends_of_the_ranges_are_taken)
   BOOST_TEST(is_taken(parameters::concave_angle_weight(1e300).convex_angle_weight(1e300)));
   BOOST_TEST(is_taken(parameters::concave_angle_weight(1e-300).convex_angle_weight(1e-300)));
   BOOST_TEST(is_taken(parameters::number_of_reference_faces(1)));
+  BOOST_TEST(is_taken(parameters::concavity_radius(0)));
+  BOOST_TEST(is_taken(parameters::concavity_radius(1)));
+  BOOST_TEST(is_taken(parameters::number_of_candidates(0)));
+  BOOST_TEST(is_taken(parameters::number_of_candidates(1).number_of_refined_candidates(0)));
+  BOOST_TEST(is_taken(parameters::number_of_refined_candidates(1000)));
+  BOOST_TEST(is_taken(parameters::number_of_pieces(0)));
+  BOOST_TEST(is_taken(parameters::number_of_pieces(2)));
   const Mesh small = mesh_of(dumbbell(8, 6));
   BOOST_TEST(labels_of(small, parameters::number_of_reference_faces(num_faces(small))) ==
              labels_of(small, parameters::number_of_reference_faces(num_faces(small) + 1)),

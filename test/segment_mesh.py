@@ -187,7 +187,7 @@ class Real_meshes(Tool_test):
         return corners[i:] + corners[:i]
 
     def test_tree_tells_the_segments(self):
-        labels = self.segment(MESHES / "elephant.off")
+        labels = self.segment(MESHES / "elephant.off", "--method", "paper")
         points, faces = read_off(MESHES / "elephant.off")
         report = self.report()
         nodes = report["tree"]
@@ -213,6 +213,31 @@ class Real_meshes(Tool_test):
         whole = sum(area(points, face) for face in faces)
         self.assertAlmostEqual(nodes[0]["area"] / whole, 1)
 
+    def test_tree_tells_the_probability_of_each_cut(self):
+        labels = self.segment(MESHES / "elephant.off")
+        report = self.report()
+        self.assertEqual(report["parameters"]["method"], "calibrated")
+        cuts = [n for n in report["tree"] if n["children"]]
+        self.assertEqual(len(cuts), 19)
+        for node in cuts:
+            self.assertTrue(0 <= node["probability"] <= 1)
+            self.assertNotIn("salience", node)
+            self.assertGreater(node["factors"]["thickness_variation"], 0)
+        made = [n for n in cuts
+                if n["probability"] >= report["parameters"]["salience_threshold"]]
+        self.assertEqual(len(made), max(labels))
+        self.assertEqual(self.segment(MESHES / "elephant.off", "--method", "calibrated"), labels)
+
+    def test_defaults_follow_the_method(self):
+        for method, threshold, size in (("calibrated", 0.5, 0.003), ("paper", 0.54, 0.005)):
+            self.segment(MESHES / "hand.off", "--method", method)
+            parameters = self.report()["parameters"]
+            self.assertEqual(parameters["method"], method)
+            self.assertEqual(parameters["salience_threshold"], threshold)
+            self.assertEqual(parameters["minimum_segment_size"], size)
+        self.segment(MESHES / "hand.off", "--method", "paper", "--minimum-segment-size", 0)
+        self.assertEqual(self.report()["parameters"]["minimum_segment_size"], 0)
+
     def test_seconds(self):
         self.segment(MESHES / "elephant.off", "--threads", 1)
         seconds = self.report()["seconds"]
@@ -224,15 +249,17 @@ class Real_meshes(Tool_test):
         self.assertLessEqual(sum(seconds.values()), total)
 
     def test_number_of_segments(self):
-        for n in (1, 2, 7, 40):
-            self.segment(MESHES / "elephant.off", "--segments", n)
-            self.assertEqual(self.report()["segments"], n)
+        for method in ("calibrated", "paper"):
+            for n in (1, 2, 7, 40):
+                self.segment(MESHES / "elephant.off", "--method", method, "--segments", n)
+                self.assertEqual(self.report()["segments"], n)
         self.segment(MESHES / "elephant.off", "--segments", 40, "--salience-threshold", 0.7)
         self.assertLess(self.report()["segments"], 40)
 
     def test_threshold_decides(self):
         for threshold in (0.3, 0.6, 0.8):
-            self.segment(MESHES / "hand.off", "--salience-threshold", threshold)
+            self.segment(MESHES / "hand.off", "--method", "paper", "--salience-threshold",
+                         threshold)
             for node in self.report()["tree"]:
                 if node["salience"] is not None:
                     self.assertEqual(node["salience"] >= threshold, node["cut"] == "accepted")
@@ -315,10 +342,10 @@ class Soups(Tool_test):
 
     def test_the_side_of_most_faces_is_outside(self):
         self.segment(self.write_off(self.points, self.faces))
-        salience = self.report()["tree"][0]["salience"]
+        salience = self.report()["tree"][0]["probability"]
         faces = [self.faces[0][::-1]] + self.faces[1:]
         self.segment(self.write_off(self.points, faces))
-        self.assertEqual(self.report()["tree"][0]["salience"], salience)
+        self.assertEqual(self.report()["tree"][0]["probability"], salience)
 
     def test_points_repeated_for_each_face(self):
         points = [self.points[v] for f in self.faces for v in f]
@@ -469,6 +496,7 @@ class Failures(Tool_test):
                           (self.mesh, "--segments", "-3"), (self.mesh, "--segments", "many"),
                           (self.mesh, "--segments", "2.5"), (self.mesh, "--segments", "9" * 30),
                           (self.mesh, "--salience-threshold", "nan"),
+                          (self.mesh, "--method", "best"),
                           (self.mesh, "--salience-threshold", "high"),
                           (self.mesh, "--seed", "-1"), (self.mesh, "--threads", "0"),
                           (self.mesh, "--smooth", "-1"), (self.mesh, "-o"),
@@ -519,8 +547,8 @@ class Printing(Tool_test):
         done = self.run_tool("--help")
         self.assertEqual(done.returncode, 0)
         for option in ("-o", "--labels", "--json", "--split-dir", "--segments", "--seed",
-                       "--salience-threshold", "--threads", "--smooth", "--boundary-smoothing",
-                       "--quiet", "--version"):
+                       "--method", "--salience-threshold", "--threads", "--smooth",
+                       "--boundary-smoothing", "--quiet", "--version"):
             self.assertIn(option, done.stdout)
 
     def test_existing_files_are_replaced(self):

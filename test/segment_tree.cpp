@@ -27,6 +27,7 @@
 using namespace test_meshes;
 namespace parameters = CGAL::Spectral_segmentation::parameters;
 namespace PMP = CGAL::Polygon_mesh_processing;
+using CGAL::Spectral_segmentation::Method;
 using CGAL::Spectral_segmentation::Segment_tree;
 
 namespace {
@@ -37,6 +38,8 @@ typedef Mesh::Halfedge_index Halfedge;
 
 const double infinity = std::numeric_limits<double>::infinity();
 const std::size_t unlimited = (std::numeric_limits<std::size_t>::max)();
+
+const Method methods[] = {Method::ZHANG_LIU_2005, Method::CALIBRATED};
 
 template <class NamedParameters>
 Labels labels_of(const Mesh& mesh, const NamedParameters& np)
@@ -134,33 +137,35 @@ BOOST_AUTO_TEST_CASE(a_tree_without_a_run_is_empty)
 BOOST_AUTO_TEST_CASE(parts_partition_their_parent)
 {
   const auto tolerance = boost::test_tools::tolerance(1e-9);
-  for (const Mesh& mesh : several_meshes()) {
-    const Segment_tree tree = tree_of(mesh, parameters::salience_threshold(0.3));
-    BOOST_TEST(tree.number_of_faces() == num_faces(mesh));
-    BOOST_TEST(tree.number_of_nodes() > tree.number_of_roots());
-    std::multiset<Face> faces_of_roots;
-    for (std::size_t i = 0; i < tree.number_of_nodes(); ++i) {
-      const Segment_tree::Node& n = tree.node(i);
-      const std::vector<Face> part = faces_of(tree, i);
-      BOOST_TEST(part.size() == n.number_of_faces);
-      BOOST_TEST(n.area == PMP::area(part, mesh), tolerance);
-      BOOST_TEST((n.parent == Segment_tree::null_node) == (i < tree.number_of_roots()));
-      if (i < tree.number_of_roots())
-        faces_of_roots.insert(part.begin(), part.end());
-      if (n.is_leaf()) {
-        BOOST_TEST(n.children[0] == Segment_tree::null_node);
-        BOOST_TEST(n.children[1] == Segment_tree::null_node);
-        continue;
+  for (const Mesh& mesh : several_meshes())
+    for (Method method : methods) {
+      const Segment_tree tree =
+        tree_of(mesh, parameters::method(method).salience_threshold(0.3));
+      BOOST_TEST(tree.number_of_faces() == num_faces(mesh));
+      BOOST_TEST(tree.number_of_nodes() > tree.number_of_roots());
+      std::multiset<Face> faces_of_roots;
+      for (std::size_t i = 0; i < tree.number_of_nodes(); ++i) {
+        const Segment_tree::Node& n = tree.node(i);
+        const std::vector<Face> part = faces_of(tree, i);
+        BOOST_TEST(part.size() == n.number_of_faces);
+        BOOST_TEST(n.area == PMP::area(part, mesh), tolerance);
+        BOOST_TEST((n.parent == Segment_tree::null_node) == (i < tree.number_of_roots()));
+        if (i < tree.number_of_roots())
+          faces_of_roots.insert(part.begin(), part.end());
+        if (n.is_leaf()) {
+          BOOST_TEST(n.children[0] == Segment_tree::null_node);
+          BOOST_TEST(n.children[1] == Segment_tree::null_node);
+          continue;
+        }
+        for (std::size_t child : n.children)
+          BOOST_TEST(tree.node(child).parent == i);
+        BOOST_TEST((union_of(faces_of(tree, n.children[0]), faces_of(tree, n.children[1])) ==
+                    std::multiset<Face>(part.begin(), part.end())));
+        BOOST_TEST(tree.node(n.children[0]).area <= tree.node(n.children[1]).area);
       }
-      for (std::size_t child : n.children)
-        BOOST_TEST(tree.node(child).parent == i);
-      BOOST_TEST((union_of(faces_of(tree, n.children[0]), faces_of(tree, n.children[1])) ==
-                  std::multiset<Face>(part.begin(), part.end())));
-      BOOST_TEST(tree.node(n.children[0]).area <= tree.node(n.children[1]).area);
+      const auto all = faces(mesh);
+      BOOST_TEST((faces_of_roots == std::multiset<Face>(all.begin(), all.end())));
     }
-    const auto all = faces(mesh);
-    BOOST_TEST((faces_of_roots == std::multiset<Face>(all.begin(), all.end())));
-  }
 }
 
 BOOST_AUTO_TEST_CASE(each_cut_has_the_factors_of_its_salience)
@@ -168,7 +173,7 @@ BOOST_AUTO_TEST_CASE(each_cut_has_the_factors_of_its_salience)
   const auto tolerance = boost::test_tools::tolerance(1e-6);
   for (const Mesh& mesh : several_meshes()) {
     const Segment_tree tree = tree_of(
-      mesh, parameters::salience_threshold(0.3).salience_weights(0.2, 0.3, 0.5));
+      mesh, parameters::zhang_liu_2005().salience_threshold(0.3).salience_weights(0.2, 0.3, 0.5));
     for (std::size_t i = 0; i < tree.number_of_nodes(); ++i) {
       const Segment_tree::Node& n = tree.node(i);
       BOOST_TEST(n.salience == 0.2 * n.factors.size + 0.3 * n.factors.cut_strength +
@@ -189,12 +194,15 @@ BOOST_AUTO_TEST_CASE(each_cut_has_the_factors_of_its_salience)
 BOOST_AUTO_TEST_CASE(labels_are_contiguous_and_segments_connected)
 {
   for (const Mesh& mesh : several_meshes())
-    for (bool smoothing : {false, true}) {
-      const Segment_tree tree = tree_of(
-        mesh, parameters::salience_threshold(0.3).boundary_smoothing(smoothing));
-      for (std::size_t n = tree.number_of_roots(); n <= tree.number_of_segments(); ++n)
-        check_numbering(mesh, tree.labels(n, 0.3), n);
-    }
+    for (Method method : methods)
+      for (bool smoothing : {false, true}) {
+        const double smallest = method == Method::CALIBRATED ? -infinity : 0.3;
+        const Segment_tree tree = tree_of(
+          mesh, parameters::method(method).salience_threshold(smallest)
+                  .boundary_smoothing(smoothing));
+        for (std::size_t n = tree.number_of_roots(); n <= tree.number_of_segments(); ++n)
+          check_numbering(mesh, tree.labels(n, smallest), n);
+      }
 }
 
 BOOST_AUTO_TEST_CASE(labels_for_any_number_and_threshold_are_those_of_a_fresh_run)
@@ -202,7 +210,7 @@ BOOST_AUTO_TEST_CASE(labels_for_any_number_and_threshold_are_those_of_a_fresh_ru
   const double smallest = 0.4;
   for (const Mesh& mesh : several_meshes())
     for (bool smoothing : {false, true}) {
-      const auto np = parameters::boundary_smoothing(smoothing);
+      const auto np = parameters::zhang_liu_2005().boundary_smoothing(smoothing);
       Segment_tree tree;
       const Labels labels =
         labels_of(mesh, np.salience_threshold(smallest).segment_tree(tree));
@@ -224,7 +232,7 @@ BOOST_AUTO_TEST_CASE(labels_for_any_number_and_threshold_are_those_of_a_fresh_ru
 BOOST_AUTO_TEST_CASE(a_run_with_a_maximum_gives_labels_up_to_it)
 {
   const Mesh mesh = mesh_of(read("hand.off"));
-  const auto np = parameters::salience_threshold(-infinity);
+  const auto np = parameters::zhang_liu_2005().salience_threshold(-infinity);
   const Segment_tree tree = tree_of(mesh, np.maximum_number_of_segments(6));
   for (std::size_t n = 1; n <= 6; ++n)
     BOOST_TEST(tree.labels(n, -infinity) == labels_of(mesh, np.maximum_number_of_segments(n)),
@@ -239,7 +247,8 @@ BOOST_AUTO_TEST_CASE(a_run_with_a_maximum_gives_labels_up_to_it)
 BOOST_AUTO_TEST_CASE(a_run_with_a_threshold_gives_no_labels_below_it)
 {
   const Mesh mesh = mesh_of(read("hand.off"));
-  const Segment_tree tree = tree_of(mesh, parameters::salience_threshold(0.5));
+  const Segment_tree tree =
+    tree_of(mesh, parameters::zhang_liu_2005().salience_threshold(0.5));
   BOOST_CHECK_THROW(tree.labels(unlimited, 0.2), std::out_of_range);
   BOOST_CHECK_THROW(tree.labels(unlimited, -infinity), std::out_of_range);
   BOOST_CHECK_THROW(tree.labels(1, std::nan("")), std::invalid_argument);
@@ -249,15 +258,18 @@ BOOST_AUTO_TEST_CASE(a_run_with_a_threshold_gives_no_labels_below_it)
 BOOST_AUTO_TEST_CASE(labels_are_written_into_a_property_map)
 {
   const Mesh mesh = mesh_of(read("hand.off"));
-  const Segment_tree tree = tree_of(mesh, parameters::salience_threshold(0.4));
-  Labels written;
-  BOOST_TEST(tree.segment_by_number(mesh, map_to(written, mesh), 5) == 5);
-  BOOST_TEST(written == tree.labels(5, 0.4), boost::test_tools::per_element());
+  for (Method method : methods) {
+    const Segment_tree tree =
+      tree_of(mesh, parameters::method(method).salience_threshold(0.1));
+    Labels written;
+    BOOST_TEST(tree.segment_by_number(mesh, map_to(written, mesh), 5) == 5);
+    BOOST_TEST(written == tree.labels(5, 0.1), boost::test_tools::per_element());
 
-  const double threshold = tree.node(0).salience;
-  const std::size_t n = tree.segment_by_threshold(mesh, map_to(written, mesh), threshold);
-  BOOST_TEST(written == tree.labels(unlimited, threshold), boost::test_tools::per_element());
-  BOOST_TEST(n == 1 + *std::max_element(written.begin(), written.end()));
+    const double threshold = tree.node(0).salience;
+    const std::size_t n = tree.segment_by_threshold(mesh, map_to(written, mesh), threshold);
+    BOOST_TEST(written == tree.labels(unlimited, threshold), boost::test_tools::per_element());
+    BOOST_TEST(n == 1 + *std::max_element(written.begin(), written.end()));
+  }
 }
 
 BOOST_AUTO_TEST_CASE(labels_follow_the_face_index_map_of_the_run)
@@ -266,13 +278,15 @@ BOOST_AUTO_TEST_CASE(labels_follow_the_face_index_map_of_the_run)
   const std::size_t last = num_faces(mesh) - 1;
   const auto backwards = boost::make_function_property_map<Face, std::size_t>(
     [last](Face f) { return last - f; });
-  Segment_tree tree;
   const auto np = parameters::face_index_map(backwards);
-  const Labels expected = labels_of(mesh, np.segment_tree(tree));
-  Labels written;
-  tree.segment_by_number(mesh, map_to(written, mesh), unlimited, np);
-  BOOST_TEST(written == expected, boost::test_tools::per_element());
-  BOOST_TEST(written[last] == 0);
+  for (Method method : methods) {
+    Segment_tree tree;
+    const Labels expected = labels_of(mesh, np.method(method).segment_tree(tree));
+    Labels written;
+    tree.segment_by_number(mesh, map_to(written, mesh), unlimited, np);
+    BOOST_TEST(written == expected, boost::test_tools::per_element());
+    BOOST_TEST(written[last] == 0);
+  }
 }
 
 BOOST_AUTO_TEST_CASE(a_tree_of_another_mesh_is_refused)

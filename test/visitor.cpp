@@ -21,6 +21,7 @@
 
 using namespace test_meshes;
 namespace parameters = CGAL::Spectral_segmentation::parameters;
+using CGAL::Spectral_segmentation::Method;
 using CGAL::Spectral_segmentation::Salience_factors;
 using CGAL::Spectral_segmentation::Segment_tree;
 using CGAL::Spectral_segmentation::Segmentation_visitor;
@@ -46,6 +47,8 @@ Labels labels_of(const Mesh& mesh, const NamedParameters& np)
   CGAL::segment_spectral_recursive<ConcurrencyTag>(mesh, map_to(labels, mesh), np);
   return labels;
 }
+
+const Method methods[] = {Method::ZHANG_LIU_2005, Method::CALIBRATED};
 
 const Stage stages_of_part[] = {Stage::SAMPLING, Stage::EMBEDDING, Stage::LINE_SEARCH};
 
@@ -134,8 +137,8 @@ void check_events(const Mesh& mesh, bool smoothing)
   Strict_visitor visitor;
   Segment_tree tree;
   labels_of<ConcurrencyTag>(
-    mesh, parameters::visitor(std::ref(visitor)).salience_threshold(0.4).segment_tree(tree)
-            .boundary_smoothing(smoothing));
+    mesh, parameters::zhang_liu_2005().visitor(std::ref(visitor)).salience_threshold(0.4)
+            .segment_tree(tree).boundary_smoothing(smoothing));
 
   std::vector<std::pair<Stage, bool> > expected = {{Stage::INITIALIZATION, true},
                                                    {Stage::INITIALIZATION, false}};
@@ -152,9 +155,14 @@ void check_events(const Mesh& mesh, bool smoothing)
     if (state.is_cut)
       BOOST_TEST(state.salience == tree.node(part).salience);
   }
-  // A part of one face is not searched.
-  for (std::size_t i = 0; i < tree.number_of_nodes(); ++i)
-    BOOST_TEST(visitor.parts.count(i) == (tree.node(i).number_of_faces > 1 ? 1 : 0));
+  // A part of one face, or without room for two segments, is not searched.
+  double area_of_mesh = 0;
+  for (std::size_t i = 0; i < tree.number_of_roots(); ++i)
+    area_of_mesh += tree.node(i).area;
+  for (std::size_t i = 0; i < tree.number_of_nodes(); ++i) {
+    const bool has_room = tree.node(i).area > 2 * 0.005 * area_of_mesh;
+    BOOST_TEST(visitor.parts.count(i) == (tree.node(i).number_of_faces > 1 && has_room ? 1 : 0));
+  }
 
   BOOST_TEST(visitor.cuts.size() == tree.number_of_segments() - tree.number_of_roots());
   for (std::size_t i = 0; i < visitor.cuts.size(); ++i) {
@@ -248,15 +256,19 @@ BOOST_AUTO_TEST_CASE(parts_do_not_interleave_in_one_thread)
     { BOOST_TEST(!is_in_part); }
   };
   const Mesh mesh = mesh_of(read("hand.off"));
-  labels_of<CGAL::Sequential_tag>(mesh, parameters::visitor(Visitor()));
+  for (Method method : methods)
+    labels_of<CGAL::Sequential_tag>(mesh, parameters::method(method).visitor(Visitor()));
 }
 
 BOOST_AUTO_TEST_CASE(a_visitor_that_listens_changes_nothing)
 {
   const Mesh mesh = mesh_of(read("hand.off"));
-  Strict_visitor visitor;
-  BOOST_TEST(labels_of(mesh, parameters::visitor(std::ref(visitor))) ==
-             labels_of(mesh, parameters::default_values()), boost::test_tools::per_element());
+  for (Method method : methods) {
+    Strict_visitor visitor;
+    BOOST_TEST(labels_of(mesh, parameters::method(method).visitor(std::ref(visitor))) ==
+               labels_of(mesh, parameters::method(method)), boost::test_tools::per_element());
+    BOOST_TEST(visitor.cuts.size() > 1);
+  }
 }
 
 BOOST_AUTO_TEST_CASE(a_visitor_is_taken_by_value_and_by_reference)
@@ -278,7 +290,8 @@ BOOST_AUTO_TEST_CASE(a_stopped_run_gives_the_labels_of_the_cuts_made_so_far)
 {
   const Mesh mesh = mesh_of(disjoint_union(dumbbell(12, 8), read("tripod.off")));
   for (bool smoothing : {false, true}) {
-    const auto np = parameters::salience_threshold(0.3).boundary_smoothing(smoothing);
+    const auto np =
+      parameters::zhang_liu_2005().salience_threshold(0.3).boundary_smoothing(smoothing);
     Strict_visitor counter;
     Segment_tree whole_tree;
     const Labels whole = labels_of<CGAL::Sequential_tag>(
@@ -309,7 +322,7 @@ BOOST_AUTO_TEST_CASE(a_stopped_tree_does_not_invent_labels)
 {
   const Mesh mesh = mesh_of(read("hand.off"));
   Segment_tree tree;
-  labels_of(mesh, parameters::visitor(Stop_at(0)).segment_tree(tree));
+  labels_of(mesh, parameters::zhang_liu_2005().visitor(Stop_at(0)).segment_tree(tree));
   BOOST_TEST(tree.number_of_segments() == 1);
   BOOST_CHECK_THROW(tree.labels(2, 0.5), std::out_of_range);
 }
@@ -318,27 +331,28 @@ BOOST_AUTO_TEST_CASE(a_stopped_tree_does_not_invent_labels)
 BOOST_AUTO_TEST_CASE(a_run_in_threads_stops_too)
 {
   const Mesh mesh = mesh_of(disjoint_union(read("hand.off"), dumbbell(20, 15)));
+  const auto np = parameters::zhang_liu_2005().salience_threshold(0.3);
   for (std::size_t poll = 0; poll < 300; poll += 13) {
     Segment_tree tree;
     Labels labels;
     const std::size_t n = CGAL::segment_spectral_recursive<CGAL::Parallel_tag>(
-      mesh, map_to(labels, mesh),
-      parameters::visitor(Stop_at(poll)).segment_tree(tree).salience_threshold(0.3));
+      mesh, map_to(labels, mesh), np.visitor(Stop_at(poll)).segment_tree(tree));
     BOOST_TEST(n == tree.number_of_segments());
-    BOOST_TEST(labels == labels_of(mesh, parameters::maximum_number_of_segments(n)
-                                           .salience_threshold(0.3)),
+    BOOST_TEST(labels == labels_of(mesh, np.maximum_number_of_segments(n)),
                boost::test_tools::per_element());
   }
 }
 
 BOOST_AUTO_TEST_CASE(calls_from_threads_come_one_at_a_time)
 {
-  Lonely_visitor visitor;
   const Mesh mesh = mesh_of(disjoint_union(read("hand.off"), read("pig.off")));
-  labels_of<CGAL::Parallel_tag>(
-    mesh, parameters::visitor(std::ref(visitor)).salience_threshold(0.3));
-  BOOST_TEST(visitor.number_of_calls > 0);
-  BOOST_TEST(!visitor.met_another);
+  for (Method method : methods) {
+    Lonely_visitor visitor;
+    labels_of<CGAL::Parallel_tag>(
+      mesh, parameters::method(method).visitor(std::ref(visitor)).salience_threshold(0.3));
+    BOOST_TEST(visitor.number_of_calls > 0);
+    BOOST_TEST(!visitor.met_another);
+  }
 }
 #endif
 
@@ -346,24 +360,23 @@ BOOST_AUTO_TEST_CASE(an_exception_of_a_visitor_passes_through_and_leaves_the_lab
 {
   const Mesh mesh = mesh_of(dumbbell(12, 8));
   const Labels before(num_faces(mesh), untouched);
-  std::size_t event = 0;
-  for (bool has_thrown = true; has_thrown; ++event) {
-    Labels labels;
-    Segment_tree tree;
-    const auto run = [&] {
-      CGAL::segment_spectral_recursive(
-        mesh, map_to(labels, mesh),
-        parameters::visitor(Throwing_visitor(event)).segment_tree(tree)
-          .boundary_smoothing(true));
-    };
-    try {
-      run();
-      has_thrown = false;
+  for (Method method : methods) {
+    std::size_t event = 0;
+    for (bool has_thrown = true; has_thrown; ++event) {
+      Labels labels;
+      Segment_tree tree;
+      try {
+        CGAL::segment_spectral_recursive(
+          mesh, map_to(labels, mesh),
+          parameters::method(method).visitor(Throwing_visitor(event)).segment_tree(tree)
+            .boundary_smoothing(true));
+        has_thrown = false;
+      }
+      catch (const Failure&) {
+        BOOST_TEST(labels == before, boost::test_tools::per_element());
+        BOOST_TEST(tree.number_of_nodes() == 0);
+      }
     }
-    catch (const Failure&) {
-      BOOST_TEST(labels == before, boost::test_tools::per_element());
-      BOOST_TEST(tree.number_of_nodes() == 0);
-    }
+    BOOST_TEST(event > 20);
   }
-  BOOST_TEST(event > 20);
 }

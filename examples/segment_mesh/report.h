@@ -7,6 +7,7 @@
 #include "Run_watch.h"
 
 #include <CGAL/Spectral_segmentation/Segment_tree.h>
+#include <CGAL/Spectral_segmentation/parameters.h>
 
 #include <nlohmann/json.hpp>
 
@@ -39,10 +40,32 @@ inline const char* name_of(CGAL::Spectral_segmentation::Segment_tree::Cut_state 
   }
 }
 
+inline Json factors_report(const CGAL::Spectral_segmentation::Salience_factors& f,
+                           CGAL::Spectral_segmentation::Method method)
+{
+  Json report = {{"size", f.size},
+                 {"cut_strength", f.cut_strength},
+                 {"protrusiveness", f.protrusiveness}};
+  if (method == CGAL::Spectral_segmentation::Method::CALIBRATED)
+    report.update({{"logarithm_of_part", f.logarithm_of_part},
+                   {"hollowness_of_cut_part", f.hollowness_of_cut_part},
+                   {"hollowness_of_rest", f.hollowness_of_rest},
+                   {"convexity_gain", f.convexity_gain},
+                   {"widening_of_rest", f.widening_of_rest},
+                   {"thickness_difference", f.thickness_difference},
+                   {"thickness_step", f.thickness_step},
+                   {"thickness_variation", f.thickness_variation}});
+  return report;
+}
+
 // The nodes by their index; salience and factors are those of the best cut, null if there is none.
-inline Json tree_report(const CGAL::Spectral_segmentation::Segment_tree& tree)
+// The salience of the calibrated method goes by the name of what it is, a probability.
+inline Json tree_report(const CGAL::Spectral_segmentation::Segment_tree& tree,
+                        CGAL::Spectral_segmentation::Method method)
 {
   typedef CGAL::Spectral_segmentation::Segment_tree Segment_tree;
+  const char* const salience =
+    method == CGAL::Spectral_segmentation::Method::CALIBRATED ? "probability" : "salience";
   Json nodes = Json::array();
   for (std::size_t i = 0; i < tree.number_of_nodes(); ++i) {
     const Segment_tree::Node& n = tree.node(i);
@@ -55,10 +78,8 @@ inline Json tree_report(const CGAL::Spectral_segmentation::Segment_tree& tree)
     node["faces"] = n.number_of_faces;
     node["area"] = n.area;
     node["cut"] = name_of(n.cut_state);
-    node["salience"] = has_cut ? Json(n.salience) : Json();
-    node["factors"] = !has_cut ? Json() : Json{{"size", n.factors.size},
-                                               {"cut_strength", n.factors.cut_strength},
-                                               {"protrusiveness", n.factors.protrusiveness}};
+    node[salience] = has_cut ? Json(n.salience) : Json();
+    node["factors"] = has_cut ? factors_report(n.factors, method) : Json();
     nodes.push_back(node);
   }
   return nodes;
