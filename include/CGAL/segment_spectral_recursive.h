@@ -325,7 +325,7 @@ std::size_t segment_spectral_recursive(const TriangleMesh& mesh, SegmentIdMap se
       const std::vector<internal::Vector> points = internal::smoothed_points(
         g, options.number_of_smoothing_iterations, [&] { return monitor.go_further(); });
       const std::vector<internal::Vector> normals = internal::face_normals(g, points);
-      internal::set_face_distances(
+      internal::set_face_distances<ConcurrencyTag>(
         g, points, normals,
         {options.geodesic_weight, options.concave_angle_weight, options.convex_angle_weight,
          options.concavity_radius});
