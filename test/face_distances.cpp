@@ -384,7 +384,7 @@ BOOST_AUTO_TEST_CASE(distances_are_computed_from_the_given_points)
   const Soup soup = sphere(1), other = displaced(soup, 0.1, random);
   Face_dual_graph graph = dual_graph_of(soup);
   const std::vector<Vector> points = dual_graph_of(other).points;
-  CGAL::Spectral_segmentation::internal::set_face_distances(
+  CGAL::Spectral_segmentation::internal::set_face_distances<CGAL::Sequential_tag>(
     graph, points, face_normals(graph, points), weights_of_paper);
   const Face_dual_graph expected = graph_with_distances(other);
   for (Index h = 0; h < graph.halfedges.size(); ++h)

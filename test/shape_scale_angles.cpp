@@ -31,7 +31,7 @@ using CGAL::Spectral_segmentation::internal::shape_scale_angles;
 namespace {
 
 std::vector<double> angles_of(const Face_dual_graph& graph, double radius)
-{ return shape_scale_angles(graph, graph.points, face_normals(graph, graph.points), radius); }
+{ return shape_scale_angles<CGAL::Sequential_tag>(graph, graph.points, face_normals(graph, graph.points), radius); }
 
 // The length over which the surface bends by an angle, in the coordinates of the graph.
 double way(const Face_dual_graph& graph, double radius)

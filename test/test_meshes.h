@@ -261,11 +261,11 @@ inline Face_dual_graph dual_graph_of(const Soup& soup)
 // With the paper's distances between adjacent faces.
 typedef CGAL::Spectral_segmentation::internal::Distance_weights Distance_weights;
 constexpr Distance_weights weights_of_paper = {0.01, 1, 0.1};
-constexpr Distance_weights weights_of_calibrated_method = {0.03, 1, 0.1, 0.01};
+constexpr Distance_weights weights_of_calibrated_method = {0.03, 1, 0.1, 0.02};
 
 inline void set_face_distances(Face_dual_graph& graph, const Distance_weights& weights)
 {
-  CGAL::Spectral_segmentation::internal::set_face_distances(
+  CGAL::Spectral_segmentation::internal::set_face_distances<CGAL::Sequential_tag>(
     graph, graph.points,
     CGAL::Spectral_segmentation::internal::face_normals(graph, graph.points), weights);
 }

@@ -16,6 +16,7 @@
 #include <cmath>
 #include <cstddef>
 #include <limits>
+#include <numeric>
 #include <vector>
 
 namespace CGAL {
@@ -23,23 +24,28 @@ namespace Spectral_segmentation {
 namespace internal {
 
 // How far sets of faces of a part are from convex: the mean depth, by area, of their faces below
-// their own convex hull. The hull is known by its support function in some directions; the depth of
-// a face is measured along the one next to its normal.
+// their own convex hull, each along its normal. The hull is that of the extreme points in some
+// directions; which point supports it along a normal is found among those of the directions next to
+// the normal.
 class Hollowness
 {
   typedef Eigen::Matrix<float, Eigen::Dynamic, 3> Directions;
+  static constexpr int number_of_directions = 162;
+  static constexpr int number_of_neighbors = 12;
+  typedef std::array<int, number_of_neighbors> Neighbors; // the direction itself is the first
 
   const Face_dual_graph& part_;
-  std::vector<Eigen::Index> direction_; // of each face
-  std::vector<std::size_t> last_set_;   // of each vertex: the set that was last to meet it
+  std::vector<Eigen::Vector3f> normal_;
+  std::vector<int> direction_;        // next to the normal of each face
+  std::vector<std::size_t> last_set_; // of each vertex: the set that was last to meet it
   std::size_t number_of_sets_ = 0;
-  Eigen::Matrix3Xf points_;             // of the set at hand
+  Eigen::Matrix3Xf points_;           // of the set at hand
 
   // Evenly spread over the sphere: a Fibonacci lattice.
   static const Directions& directions()
   {
     static const Directions result = [] {
-      constexpr int n = 162;
+      constexpr int n = number_of_directions;
       const double golden_angle = CGAL_PI * (3 - std::sqrt(5.));
       Directions d(n, 3);
       for (int i = 0; i < n; ++i) {
@@ -52,29 +58,57 @@ class Hollowness
     return result;
   }
 
-  // In blocks that stay in the cache.
-  Eigen::VectorXf support(Eigen::Index number_of_points) const
+  static const std::vector<Neighbors>& neighbors()
   {
-    constexpr Eigen::Index block = 256;
-    Eigen::VectorXf result = Eigen::VectorXf::Constant(
-      directions().rows(), -std::numeric_limits<float>::infinity());
-    for (Eigen::Index i = 0; i < number_of_points; i += block)
-      result = result.cwiseMax(
-        (directions() * points_.middleCols(i, (std::min)(block, number_of_points - i)))
-          .rowwise().maxCoeff());
+    static const std::vector<Neighbors> result = [] {
+      std::vector<Neighbors> n(number_of_directions);
+      const Eigen::MatrixXf cosines = directions() * directions().transpose();
+      std::vector<int> all(number_of_directions);
+      for (int i = 0; i < number_of_directions; ++i) {
+        std::iota(all.begin(), all.end(), 0);
+        std::partial_sort_copy(all.begin(), all.end(), n[i].begin(), n[i].end(),
+                               [&](int a, int b) { return cosines(i, a) > cosines(i, b); });
+      }
+      return n;
+    }();
+    return result;
+  }
+
+  // The extreme point of the set in each direction, found in blocks that stay in the cache.
+  Eigen::Matrix3Xf extreme_points(Eigen::Index number_of_points) const
+  {
+    const auto block = [&](Eigen::Index first)
+    { return points_.middleCols(first, (std::min)(Eigen::Index(256), number_of_points - first)); };
+    Eigen::VectorXf support = Eigen::VectorXf::Constant(
+      number_of_directions, -std::numeric_limits<float>::infinity());
+    std::vector<Eigen::Index> best_block(number_of_directions, 0);
+    for (Eigen::Index first = 0; first < number_of_points; first += 256) {
+      const Eigen::VectorXf s = (directions() * block(first)).rowwise().maxCoeff();
+      for (int d = 0; d < number_of_directions; ++d)
+        if (s[d] > support[d]) {
+          support[d] = s[d];
+          best_block[d] = first;
+        }
+    }
+    Eigen::Matrix3Xf result(3, number_of_directions);
+    for (int d = 0; d < number_of_directions; ++d) {
+      Eigen::Index best;
+      (directions().row(d) * block(best_block[d])).maxCoeff(&best);
+      result.col(d) = points_.col(best_block[d] + best);
+    }
     return result;
   }
 
 public:
   explicit Hollowness(const Face_dual_graph& part)
-    : part_(part), direction_(part.number_of_faces(), 0), last_set_(part.points.size(), 0),
+    : part_(part), direction_(part.number_of_faces()), last_set_(part.points.size(), 0),
       points_(3, part.points.size())
   {
     for (Index f = 0; f < direction_.size(); ++f) {
       const std::array<Index, 3>& c = part.corners[f];
-      const Vector normal = (part.points[c[1]] - part.points[c[0]])
-                              .cross(part.points[c[2]] - part.points[c[0]]).normalized();
-      (directions() * normal.cast<float>()).maxCoeff(&direction_[f]);
+      normal_.push_back((part.points[c[1]] - part.points[c[0]])
+                          .cross(part.points[c[2]] - part.points[c[0]]).normalized().cast<float>());
+      (directions() * normal_[f]).maxCoeff(&direction_[f]);
     }
   }
 
@@ -89,11 +123,16 @@ public:
           last_set_[v] = number_of_sets_;
           points_.col(number_of_points++) = part_.points[v].cast<float>();
         }
-    const Eigen::VectorXf h = support(number_of_points);
+    if (number_of_points == 0)
+      return 0;
+    const Eigen::Matrix3Xf extreme = extreme_points(number_of_points);
     double sum = 0, area = 0;
     for (Index f : faces) {
-      const Vector direction = directions().row(direction_[f]).transpose().cast<double>();
-      sum += part_.areas[f] * (h[direction_[f]] - direction.dot(part_.centroid(f)));
+      const Eigen::Vector3f center = part_.centroid(f).cast<float>();
+      float depth = 0;
+      for (int d : neighbors()[direction_[f]])
+        depth = (std::max)(depth, normal_[f].dot(extreme.col(d) - center));
+      sum += part_.areas[f] * depth;
       area += part_.areas[f];
     }
     return area > 0 ? sum / area : 0;

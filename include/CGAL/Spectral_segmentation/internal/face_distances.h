@@ -145,7 +145,7 @@ struct Distance_weights
   double geodesic; // delta
   double concave;  // eta at concave edges
   double convex;   // eta at convex edges
-  double concavity_radius = 0; // for bending beside the dihedral angle; 0: without
+  double concavity_radius = 0; // of bending in place of the dihedral angle; 0: without
 };
 
 // Relative to the larger one, as only their ratio matters and sums must not overflow.
@@ -178,14 +178,14 @@ inline Equalized_angles equalized_dihedrals(const Face_dual_graph& graph,
   return result;
 }
 
-// The mean of the dihedral angle and of bending at the scale of the shape.
-inline Equalized_angles
-equalized_dihedrals_and_bending(const Face_dual_graph& graph, const std::vector<Vector>& points,
-                                const std::vector<Vector>& normals, const Distance_weights& weights,
-                                const std::vector<Index>& edges, const std::vector<float>& angles)
+// The same by bending at the scale of the shape, which does not depend on the triangulation.
+template <class ConcurrencyTag>
+Equalized_angles equalized_bending(const Face_dual_graph& graph, const std::vector<Vector>& points,
+                                   const std::vector<Vector>& normals,
+                                   const Distance_weights& weights, const std::vector<Index>& edges)
 {
   const std::vector<double> bending =
-    shape_scale_angles(graph, points, normals, weights.concavity_radius);
+    shape_scale_angles<ConcurrencyTag>(graph, points, normals, weights.concavity_radius);
   std::vector<double> lengths(edges.size());
   std::vector<float> distances(edges.size());
   for (std::size_t e = 0; e < edges.size(); ++e) {
@@ -194,22 +194,18 @@ equalized_dihedrals_and_bending(const Face_dual_graph& graph, const std::vector<
     distances[e] = static_cast<float>((bending[h] < 0 ? weights.concave : weights.convex) *
                                       (1 - std::cos(bending[h])));
   }
-  const std::vector<double> by_dihedral = equalize(angles, lengths);
-  const std::vector<double> by_bending = equalize(distances, lengths);
-  Equalized_angles result{std::vector<double>(edges.size()), std::vector<double>(edges.size())};
-  for (std::size_t e = 0; e < edges.size(); ++e) {
-    result.whole[e] = (by_dihedral[e] + by_bending[e]) / 2;
-    result.concave[e] = ((graph.halfedges[edges[e]].concave ? by_dihedral[e] : 0) +
-                         (bending[edges[e]] < 0 ? by_bending[e] : 0)) / 2;
-  }
+  Equalized_angles result{equalize(distances, lengths), std::vector<double>(edges.size(), 0)};
+  for (std::size_t e = 0; e < edges.size(); ++e)
+    if (bending[edges[e]] < 0)
+      result.concave[e] = result.whole[e];
   return result;
 }
 
 // Fills in the distances of adjacent faces, computed from `points` in place of the graph's own, and
 // from the normals of the faces there.
-inline void set_face_distances(Face_dual_graph& graph, const std::vector<Vector>& points,
-                               const std::vector<Vector>& normals,
-                               const Distance_weights& given_weights)
+template <class ConcurrencyTag>
+void set_face_distances(Face_dual_graph& graph, const std::vector<Vector>& points,
+                        const std::vector<Vector>& normals, const Distance_weights& given_weights)
 {
   const Distance_weights weights = with_relative_angle_weights(given_weights);
   std::vector<Index> edges; // one half-edge each
@@ -234,7 +230,7 @@ inline void set_face_distances(Face_dual_graph& graph, const std::vector<Vector>
   // Single precision, so that angles that differ by rounding only tie.
   const std::vector<float> rounded(angle.begin(), angle.end());
   const Equalized_angles equalized = weights.concavity_radius > 0
-    ? equalized_dihedrals_and_bending(graph, points, normals, weights, edges, rounded)
+    ? equalized_bending<ConcurrencyTag>(graph, points, normals, weights, edges)
     : equalized_dihedrals(graph, edges, rounded);
 
   for (std::size_t e = 0; e < edges.size(); ++e) {

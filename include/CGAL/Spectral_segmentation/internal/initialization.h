@@ -29,9 +29,9 @@ Face_dual_graph initialize(const TriangleMesh& mesh, const std::vector<FaceDescr
   const std::vector<Vector> points =
     smoothed_points(graph, options.number_of_smoothing_iterations, go_further);
   const std::vector<Vector> normals = face_normals(graph, points);
-  set_face_distances(graph, points, normals,
-                     {options.geodesic_weight, options.concave_angle_weight,
-                      options.convex_angle_weight, options.concavity_radius});
+  set_face_distances<ConcurrencyTag>(graph, points, normals,
+                                     {options.geodesic_weight, options.concave_angle_weight,
+                                      options.convex_angle_weight, options.concavity_radius});
   if (options.needs_thickness())
     graph.thickness = thickness<ConcurrencyTag>(graph, points, normals, thickness_radius);
   return graph;

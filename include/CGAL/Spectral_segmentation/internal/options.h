@@ -65,7 +65,7 @@ inline Options calibrated_options()
   o.salience_threshold = default_probability_threshold;
   o.part_salience = Calibrated_part_salience();
   o.geodesic_weight = 0.03;
-  o.concavity_radius = 0.01;
+  o.concavity_radius = 0.02;
   o.single_source_orderings = true;
   o.thickness_orderings = true;
   o.number_of_candidates = 14;

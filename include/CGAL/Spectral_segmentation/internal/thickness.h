@@ -4,10 +4,10 @@
 #ifndef CGAL_SPECTRAL_SEGMENTATION_INTERNAL_THICKNESS_H
 #define CGAL_SPECTRAL_SEGMENTATION_INTERNAL_THICKNESS_H
 
+#include <CGAL/Spectral_segmentation/internal/Diffusion.h>
 #include <CGAL/Spectral_segmentation/internal/Face_dual_graph.h>
 #include <CGAL/Spectral_segmentation/internal/concurrency.h>
 #include <CGAL/Spectral_segmentation/internal/parts.h>
-#include <CGAL/Spectral_segmentation/internal/shape_scale_angles.h>
 
 #include <CGAL/AABB_tree.h>
 #include <CGAL/Simple_cartesian.h>
@@ -26,7 +26,6 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
-#include <numeric>
 #include <vector>
 
 namespace CGAL {
@@ -38,7 +37,7 @@ namespace internal {
 // neighboring faces to one.
 
 // The radius of the disk over which rays are joined, relative to the square root of the area.
-constexpr double thickness_radius = 0.02;
+constexpr double thickness_radius = 0.012;
 
 // The distance from the centroid of each face, against its normal, to the face on the other side of
 // the body; 0 where there is none. The vertices are at `points`, the normals of the faces are those
@@ -93,24 +92,32 @@ std::vector<double> opposite_distances(const Face_dual_graph& mesh,
 }
 
 // The logarithm of the thickness at each face, relative to the square root of the area of the mesh
-// and smoothed over a disk of `radius` times this length. Far from any ray that found an opposite
-// face it is the mean over those that did, and 0 if none did.
+// and averaged over `radius` times this length. Where hardly any ray nearby found an opposite face
+// it is the mean over those that did, and 0 if none did.
 template <class ConcurrencyTag>
 std::vector<float> thickness(const Face_dual_graph& mesh, const std::vector<Vector>& points,
                              const std::vector<Vector>& normals, double radius)
 {
   const std::vector<double> distances = opposite_distances<ConcurrencyTag>(mesh, points, normals);
+  const Eigen::Index n = static_cast<Eigen::Index>(distances.size());
   const double unit = std::sqrt(total_area(mesh));
-  std::vector<Eigen::Array2d> sums(distances.size(), Eigen::Array2d::Zero()); // value, weight
-  for (Index f = 0; f < sums.size(); ++f)
-    if (distances[f] > 0)
-      sums[f] = mesh.areas[f] * Eigen::Array2d(std::log(distances[f] / unit), 1);
-  diffuse(mesh, (std::max)(number_of_diffusion_steps(mesh, radius), std::size_t(3)), sums);
-  const Eigen::Array2d all = std::accumulate(sums.begin(), sums.end(), Eigen::Array2d(0, 0));
-  std::vector<float> result(sums.size(), all[1] > 0 ? static_cast<float>(all[0] / all[1]) : 0);
-  for (Index f = 0; f < sums.size(); ++f)
-    if (sums[f][1] > 0)
-      result[f] = static_cast<float>(sums[f][0] / sums[f][1]);
+  std::vector<Eigen::VectorXd> amounts(2, Eigen::VectorXd::Zero(n));
+  Eigen::VectorXd &weight = amounts[0], &excess = amounts[1];
+  for (Eigen::Index f = 0; f < n; ++f)
+    if (distances[f] > 0) {
+      weight[f] = mesh.areas[f];
+      excess[f] = mesh.areas[f] * std::log(distances[f] / unit);
+    }
+  if (!(weight.sum() > 0))
+    return std::vector<float>(distances.size(), 0);
+
+  const double mean = excess.sum() / weight.sum();
+  excess -= mean * weight;
+  const Diffusion diffusion(mesh, points, radius);
+  for_each_index<ConcurrencyTag>(2, [&](std::size_t i) { amounts[i] = diffusion(amounts[i]); });
+  std::vector<float> result;
+  for (Eigen::Index f = 0; f < n; ++f)
+    result.push_back(static_cast<float>(weight[f] > 0.01 ? mean + excess[f] / weight[f] : mean));
   return result;
 }
 

@@ -1,0 +1,85 @@
+// Copyright (c) 2026  The Spectral_segmentation authors.
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_SPECTRAL_SEGMENTATION_INTERNAL_DIFFUSION_H
+#define CGAL_SPECTRAL_SEGMENTATION_INTERNAL_DIFFUSION_H
+
+#include <CGAL/Spectral_segmentation/internal/Face_dual_graph.h>
+#include <CGAL/Spectral_segmentation/internal/parts.h>
+
+#include <Eigen/Core>
+#include <Eigen/IterativeLinearSolvers>
+#include <Eigen/SparseCore>
+
+#include <algorithm>
+#include <cmath>
+#include <vector>
+
+namespace CGAL {
+namespace Spectral_segmentation {
+namespace internal {
+
+// Averages over the surface with a kernel of a given radius, the root of its mean squared distance:
+// the heat equation on the faces, by two steps of backward Euler. The flux over an edge is its
+// length over the distance of the two centroids (finite volumes), so that the average depends on
+// the shape and not on the triangulation. No heat passes the border.
+class Diffusion
+{
+  typedef Eigen::SparseMatrix<double, Eigen::RowMajor> Matrix;
+
+  Eigen::VectorXd root_of_area_;
+  Matrix matrix_; // of a step; symmetric, as it is for densities times the roots of the areas
+
+  // The time is bounded, as are the iterations of the solver: the radius ends at about 9 faces.
+  static double time(double radius, double mean_area)
+  { return (std::min)(radius * radius / 4, 20 * mean_area); }
+
+public:
+  // `radius` is relative to the square root of the area of the mesh, which must not be 0.
+  Diffusion(const Face_dual_graph& mesh, const std::vector<Vector>& points, double radius)
+    : root_of_area_(mesh.number_of_faces()), matrix_(mesh.number_of_faces(), mesh.number_of_faces())
+  {
+    const double area = total_area(mesh);
+    const double mean_area = area / static_cast<double>(mesh.number_of_faces());
+    const double step = time(radius * std::sqrt(area), mean_area) / 2;
+    for (Index f = 0; f < mesh.number_of_faces(); ++f)
+      root_of_area_[f] = std::sqrt((std::max)(mesh.areas[f], 1e-9 * mean_area));
+    const double smallest_distance = 1e-3 * std::sqrt(mean_area);
+
+    std::vector<Eigen::Triplet<double> > entries;
+    entries.reserve(4 * mesh.number_of_faces());
+    for (Index f = 0; f < mesh.number_of_faces(); ++f) {
+      double sum = 0;
+      for (Index h = 3 * f; h < 3 * f + 3; ++h) {
+        if (mesh.is_border(h))
+          continue;
+        const Index g = mesh.halfedges[h].neighbor;
+        const Vector& a = points[mesh.source_vertex(h)];
+        const Vector& b = points[mesh.target_vertex(h)];
+        const double distance = (mesh.centroid(f, points) - (a + b) / 2).norm() +
+                                (mesh.centroid(g, points) - (a + b) / 2).norm();
+        const double flux = step * (b - a).norm() / (std::max)(distance, smallest_distance);
+        sum += flux;
+        entries.emplace_back(f, g, -flux / (root_of_area_[f] * root_of_area_[g]));
+      }
+      entries.emplace_back(f, f, 1 + sum / (root_of_area_[f] * root_of_area_[f]));
+    }
+    matrix_.setFromTriplets(entries.begin(), entries.end());
+  }
+
+  // The averaged density of a quantity of which each face has some amount.
+  Eigen::VectorXd operator()(const Eigen::VectorXd& amounts) const
+  {
+    Eigen::ConjugateGradient<Matrix, Eigen::Lower | Eigen::Upper> solver(matrix_);
+    solver.setTolerance(1e-3);
+    const Eigen::VectorXd start = amounts.cwiseQuotient(root_of_area_);
+    const Eigen::VectorXd middle = solver.solveWithGuess(start, start);
+    return solver.solveWithGuess(middle, middle).cwiseQuotient(root_of_area_);
+  }
+};
+
+} // namespace internal
+} // namespace Spectral_segmentation
+} // namespace CGAL
+
+#endif // CGAL_SPECTRAL_SEGMENTATION_INTERNAL_DIFFUSION_H
