@@ -8,6 +8,8 @@
 
 #include <CGAL/Spectral_segmentation/internal/Face_dual_graph.h>
 #include <CGAL/Spectral_segmentation/internal/face_distances.h>
+#include <CGAL/Spectral_segmentation/internal/shape_scale_angles.h>
+#include <CGAL/tags.h>
 
 #include <boost/math/tools/minima.hpp>
 
@@ -25,6 +27,7 @@ using CGAL::Spectral_segmentation::internal::dihedral;
 using CGAL::Spectral_segmentation::internal::equalize;
 using CGAL::Spectral_segmentation::internal::face_normals;
 using CGAL::Spectral_segmentation::internal::geodesic_distance;
+using CGAL::Spectral_segmentation::internal::shape_scale_angles;
 
 namespace {
 
@@ -112,6 +115,18 @@ double rank_by_counting(const Values& values, std::size_t i)
     equal += value == values[i];
   }
   return (smaller + (equal - 1) / 2) / static_cast<double>(values.size() - 1);
+}
+
+// The share of the weight of those that are smaller, and half of the equal ones.
+double share_by_adding(const std::vector<float>& values, const std::vector<double>& weights,
+                       std::size_t i)
+{
+  double below = 0, total = 0;
+  for (std::size_t j = 0; j < values.size(); ++j) {
+    below += values[j] < values[i] ? weights[j] : values[j] == values[i] ? weights[j] / 2 : 0;
+    total += weights[j];
+  }
+  return below / total;
 }
 
 } // namespace
@@ -320,6 +335,67 @@ BOOST_AUTO_TEST_CASE(equalized_values_are_mean_ranks)
       const std::vector<double> result = equalize(values);
       for (std::size_t i = 0; i < values.size(); ++i)
         BOOST_TEST(result[i] == rank_by_counting(values, i));
+    }
+  }
+}
+
+BOOST_AUTO_TEST_CASE(with_weights_a_value_takes_as_much_room_as_its_weight)
+{
+  BOOST_TEST(equalize({}, {}).empty());
+  BOOST_TEST(equalize({7.f}, {3}) == std::vector<double>({0.5}), tt::per_element());
+  BOOST_TEST(equalize({3.f, 1.f, 2.f}, {2, 1, 1}) == std::vector<double>({0.75, 0.125, 0.375}),
+             tt::per_element());
+  BOOST_TEST(equalize({5.f, 1.f, 5.f}, {1, 2, 5}) == std::vector<double>({0.625, 0.125, 0.625}),
+             tt::per_element());
+  BOOST_TEST(equalize({2.f, 1.f}, {0, 0}) == std::vector<double>({0.5, 0.5}), tt::per_element());
+  for (unsigned seed = 1; seed <= 20; ++seed) {
+    BOOST_TEST_CONTEXT("seed " << seed) {
+      Random random(seed);
+      std::vector<float> values(1 + random() % 200);
+      std::vector<double> weights(values.size());
+      for (std::size_t i = 0; i < values.size(); ++i) {
+        values[i] = static_cast<float>(random() % 50) / 7;
+        weights[i] = 0.1 * (1 + random() % 100);
+      }
+      const std::vector<double> result = equalize(values, weights);
+      for (std::size_t i = 0; i < values.size(); ++i)
+        BOOST_TEST(result[i] == share_by_adding(values, weights, i), tt::tolerance(1e-12));
+    }
+  }
+}
+
+BOOST_AUTO_TEST_CASE(with_a_radius_bending_takes_the_place_of_the_dihedral_angle)
+{
+  for (unsigned seed = 1; seed <= 8; ++seed) {
+    BOOST_TEST_CONTEXT("seed " << seed) {
+      Random random(seed);
+      const std::vector<Soup> shapes = {plate(9, 7), sphere(2), torus(2, 0.7, 16, 10),
+                                        dumbbell(12, 8)};
+      Face_dual_graph graph = dual_graph_of(displaced(shapes[seed % shapes.size()], 0.1, random));
+      const Distance_weights weights = {0.25, 1, 0.2, 0.04};
+      set_face_distances(graph, weights);
+      const std::vector<double> bending =
+        shape_scale_angles<CGAL::Sequential_tag>(graph, graph.points,
+                                                 face_normals(graph, graph.points), 0.04);
+      std::vector<Index> edges;
+      std::vector<float> values;
+      std::vector<double> lengths;
+      for (Index h = 0; h < graph.halfedges.size(); ++h)
+        if (!graph.is_border(h) && h < graph.opposite(h)) {
+          edges.push_back(h);
+          values.push_back(float((bending[h] < 0 ? 1 : 0.2) * (1 - std::cos(bending[h]))));
+          lengths.push_back(graph.length(h));
+        }
+      bool differs = false;
+      for (std::size_t e = 0; e < edges.size(); ++e) {
+        const Face_dual_graph::Halfedge& h = graph.halfedges[edges[e]];
+        const double angle = share_by_adding(values, lengths, e);
+        BOOST_TEST(std::abs(h.angle - angle) < rounding);
+        BOOST_TEST(h.concavity == (bending[edges[e]] < 0 ? h.angle : 0));
+        BOOST_TEST(std::abs(h.combined - (0.75 * angle + 0.25 * h.geodesic)) < 2 * rounding);
+        differs = differs || (bending[edges[e]] < 0) != h.concave;
+      }
+      BOOST_TEST(differs);
     }
   }
 }

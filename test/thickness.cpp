@@ -6,6 +6,7 @@
 
 #include "test_meshes.h"
 
+#include <CGAL/Spectral_segmentation/internal/Diffusion.h>
 #include <CGAL/Spectral_segmentation/internal/Face_dual_graph.h>
 #include <CGAL/Spectral_segmentation/internal/face_distances.h>
 #include <CGAL/Spectral_segmentation/internal/thickness.h>
@@ -23,6 +24,7 @@
 
 namespace tt = boost::test_tools;
 using namespace test_meshes;
+using CGAL::Spectral_segmentation::internal::Diffusion;
 using CGAL::Spectral_segmentation::internal::Vector;
 using CGAL::Spectral_segmentation::internal::face_normals;
 using CGAL::Spectral_segmentation::internal::opposite_distances;
@@ -225,24 +227,56 @@ BOOST_AUTO_TEST_CASE(each_component_has_its_own_thickness_and_one_without_rays_t
   }
 }
 
-BOOST_AUTO_TEST_CASE(faces_join_their_rays_in_three_steps_by_area)
+BOOST_AUTO_TEST_CASE(rays_are_joined_by_area)
 {
-  const Soup soup = box(1, 2, 4);
+  // The cap is open: rays from below pass it.
+  const Soup soup = surface_of_revolution({{0, 0}, {0.5, 1}, {1, 1.2}, {2, 0.6}, {3, 0.9}}, 24);
   const Face_dual_graph graph = dual_graph_of(soup);
-  Eigen::MatrixXd step = 0.4 * Eigen::MatrixXd::Identity(12, 12);
-  Eigen::VectorXd areas(12), logarithms(12);
-  for (Index f = 0; f < 12; ++f) {
-    for (Index h = 3 * f; h < 3 * f + 3; ++h)
-      step(f, graph.halfedges[h].neighbor) += 0.2;
-    areas[f] = f < 4 ? 4 : f < 8 ? 2 : 1;
-    logarithms[f] = std::log((f < 4 ? 1 : f < 8 ? 2 : 4) / std::sqrt(28.));
+  const std::vector<double> distances = distances_of(soup);
+  const double unit = std::sqrt(area_of(soup));
+  Eigen::VectorXd weights = Eigen::VectorXd::Zero(Eigen::Index(distances.size()));
+  Eigen::VectorXd sums = weights;
+  for (Index f = 0; f < distances.size(); ++f)
+    if (distances[f] > 0) {
+      weights[f] = graph.areas[f];
+      sums[f] = graph.areas[f] * std::log(distances[f] / unit);
+    }
+  BOOST_TEST(weights.minCoeff() == 0);
+  for (double radius : {0.02, 0.05}) {
+    const Diffusion diffusion(graph, graph.points, radius);
+    const Eigen::VectorXd weight = diffusion(weights), sum = diffusion(sums);
+    const std::vector<float> thicknesses = thickness_of(soup, radius);
+    for (Index f = 0; f < distances.size(); ++f)
+      if (weight[f] > 0.05)
+        BOOST_TEST(thicknesses[f] == sum[f] / weight[f], tt::tolerance(0.01));
+    const auto range = std::minmax_element(thicknesses.begin(), thicknesses.end());
+    BOOST_TEST(*range.second - *range.first > 0.2);
   }
-  const Eigen::MatrixXd steps = step * step * step;
-  const Eigen::VectorXd expected =
-    (steps * areas.cwiseProduct(logarithms)).cwiseQuotient(steps * areas);
-  const std::vector<float> thicknesses = thickness_of(soup, 0.02);
+}
+
+BOOST_AUTO_TEST_CASE(without_a_radius_each_face_has_its_own_thickness)
+{
+  const std::vector<float> thicknesses = thickness_of(box(1, 2, 4), 0);
   for (Index f = 0; f < 12; ++f)
-    BOOST_TEST(thicknesses[f] == expected[f], tt::tolerance(single_precision));
+    BOOST_TEST(thicknesses[f] == std::log((f < 4 ? 1 : f < 8 ? 2 : 4) / std::sqrt(28.)),
+               tt::tolerance(single_precision));
+}
+
+BOOST_AUTO_TEST_CASE(faces_far_from_all_rays_take_the_mean)
+{
+  // A long plate over a short one below each of its ends, one near and one far.
+  const Soup end = turned_inside_out(plate(4, 4));
+  const Soup ends = disjoint_union(end, moved(end, 36, 0, -1.5));
+  const Soup soup = disjoint_union(ends, moved(plate(40, 4), 0, 0, 0.5));
+  const double unit = std::sqrt(12 * 16.);
+  const std::vector<float> thicknesses = thickness_of(soup, 0.05);
+  for (std::size_t f = 0; f < thicknesses.size(); ++f) {
+    const double x = soup.points[soup.triangles[f][0]].x();
+    if (x < 4 || x > 36)
+      BOOST_TEST(thicknesses[f] == std::log((x < 4 ? 0.5 : 2) / unit), tt::tolerance(0.01));
+    if (x > 10 && x < 30)
+      BOOST_TEST(thicknesses[f] == std::log(1 / unit), tt::tolerance(single_precision));
+  }
 }
 
 BOOST_AUTO_TEST_CASE(a_face_that_sees_nothing_takes_the_thickness_of_its_neighbors)
