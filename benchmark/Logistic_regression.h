@@ -28,9 +28,9 @@ struct Logistic_model
 // at a largest deviation.
 class Logistic_regression
 {
-  static constexpr double largest_deviation_ = 5; // in standard deviations
-  static constexpr double accuracy_ = 1e-12;      // of the loss
-  static constexpr int maximum_number_of_steps_ = 100;
+  static constexpr double largest_deviation = 5; // in standard deviations
+  static constexpr double accuracy = 1e-12;      // of the loss
+  static constexpr int maximum_number_of_steps = 100;
 
   typedef Eigen::ArrayXd Array;
   typedef Eigen::VectorXd Vector;
@@ -71,7 +71,7 @@ public:
     z.rowwise() /= deviations_.transpose();
     table_.resize(factors.rows(), factors.cols() + 1);
     table_ << Vector::Ones(factors.rows()),
-      z.max(-largest_deviation_).min(largest_deviation_).matrix();
+      z.max(-largest_deviation).min(largest_deviation).matrix();
     penalties_[0] = 0;
   }
 
@@ -80,7 +80,7 @@ public:
   {
     const Array weights = given_weights / given_weights.sum();
     Vector numbers = Vector::Zero(table_.cols());
-    for (int i = 0; i < maximum_number_of_steps_; ++i) {
+    for (int i = 0; i < maximum_number_of_steps; ++i) {
       const Array p = 1 / (1 + (-logits(numbers)).exp());
       const Vector gradient = table_.transpose() * (weights * (p - targets_)).matrix() +
                               2 * penalties_.cwiseProduct(numbers);
@@ -89,7 +89,7 @@ public:
       hessian.diagonal() += 2 * penalties_;
       Vector step = hessian.ldlt().solve(gradient);
       const double expected_gain = gradient.dot(step) / 2;
-      if (expected_gain < accuracy_)
+      if (expected_gain < accuracy)
         return model(weights, numbers - step);
       while (loss(weights, numbers - step) > loss(weights, numbers))
         step /= 2;

@@ -53,9 +53,9 @@ inline std::size_t number_of_cuts(const std::vector<Mesh_cuts>& meshes)
   return number;
 }
 
-// 1 less the share of the faces of the smaller side that lie beyond the cut, with respect to the
-// person's segments, each of which belongs to the side that has less of it: 1 where the cut follows
-// the borders of the person's segments.
+// 1 less the faces that the cut takes off the person's segments, of each the smaller of two pieces,
+// relative to those of the cut's smaller side: 1 where it follows the borders of segments, 0 where
+// the smaller side is nowhere the larger piece of one.
 inline double agreement(const Judged_cut& cut, const Labels& person)
 {
   Labels of_part;

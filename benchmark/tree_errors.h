@@ -10,7 +10,8 @@
 #include <cstddef>
 #include <vector>
 
-// The Rand errors of all that can be read off the whole tree of a mesh.
+// The Rand errors of what can be read off the tree of a mesh, of a run with no limit on the number
+// of segments.
 namespace segmentation_benchmark {
 
 // Probabilities at which a run may end.
@@ -28,10 +29,10 @@ inline const std::vector<double>& probability_thresholds()
 struct Tree_errors
 {
   int id = 0;
-  double people = undefined;      // of two people
-  std::vector<double> automatic;  // at each threshold
-  double k = undefined;           // with people's usual number of parts
-  double best = undefined;        // of all numbers of parts
+  double people = undefined;     // of two people
+  std::vector<double> automatic; // at each threshold
+  double k = undefined;          // with people's usual number of parts
+  double best = undefined;       // of all numbers of parts
 };
 
 template <class PartSalience>

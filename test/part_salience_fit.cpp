@@ -3,13 +3,11 @@
 
 #define BOOST_TEST_MODULE part_salience_fit
 #include "../benchmark/part_salience_fit.h"
+#include "../benchmark/tree_errors.h"
 #include "test_meshes.h"
 
 #include <CGAL/boost/graph/copy_face_graph.h>
 #include <CGAL/boost/graph/iterator.h>
-#include <CGAL/segment_spectral_recursive.h>
-
-#include <boost/property_map/vector_property_map.hpp>
 #include <boost/test/unit_test.hpp>
 
 #include <algorithm>
@@ -50,13 +48,18 @@ Cut_group group_of_size(Judged_cut::Kind kind, double share_of_area)
 Calibrated_part_salience zero_salience()
 { return {0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0}; }
 
-CGAL::Spectral_segmentation::Segment_tree tree_of(const Mesh& mesh)
+// A mesh that one person cuts, at its neck.
+Benchmark_mesh dumbbell()
 {
-  CGAL::Spectral_segmentation::Segment_tree tree;
-  CGAL::segment_spectral_recursive(mesh,
-                                   boost::vector_property_map<std::size_t>(mesh.num_faces()),
-                                   CGAL::Spectral_segmentation::parameters::segment_tree(tree));
-  return tree;
+  Benchmark_mesh result{7, {}, {{}}};
+  CGAL::copy_face_graph(test_meshes::mesh_of(test_meshes::dumbbell(24, 12)), result.mesh);
+  for (Mesh::Face_index f : result.mesh.faces()) {
+    double z = 0;
+    for (Mesh::Vertex_index v : CGAL::vertices_around_face(result.mesh.halfedge(f), result.mesh))
+      z += result.mesh.point(v).z();
+    result.people.front().push_back(z < 0 ? 0 : 1);
+  }
+  return result;
 }
 
 } // namespace
@@ -81,17 +84,7 @@ BOOST_AUTO_TEST_CASE(agreement_by_hand)
 
 BOOST_AUTO_TEST_CASE(judged_cuts_of_a_dumbbell)
 {
-  Benchmark_mesh input{7, {}, {}};
-  CGAL::copy_face_graph(test_meshes::mesh_of(test_meshes::dumbbell(24, 12)), input.mesh);
-  Labels halves; // a person who cuts at the neck
-  for (Mesh::Face_index f : input.mesh.faces()) {
-    double z = 0;
-    for (Mesh::Vertex_index v :
-         CGAL::vertices_around_face(input.mesh.halfedge(f), input.mesh))
-      z += input.mesh.point(v).z();
-    halves.push_back(z < 0 ? 0 : 1);
-  }
-  input.people = {halves};
+  const Benchmark_mesh input = dumbbell();
   const Mesh_cuts cuts = judged_cuts(input);
   BOOST_TEST(cuts.id == 7);
 
@@ -106,7 +99,7 @@ BOOST_AUTO_TEST_CASE(judged_cuts_of_a_dumbbell)
                           group.cuts.front().factors.logarithm_of_part) < tolerance);
   }
   // To p pieces there are p - 1 cuts, so at most 2 p - 1 parts that are searched, and p - 1 merges.
-  const CGAL::Spectral_segmentation::Segment_tree tree = tree_of(input.mesh);
+  const Segment_tree tree = segment_tree(input.mesh, params::default_values());
   BOOST_TEST(number[Judged_cut::CANDIDATE] >= tree.number_of_segments() - 1);
   BOOST_TEST(number[Judged_cut::CANDIDATE] <= 2 * tree.number_of_segments() - 1);
   BOOST_TEST(number[Judged_cut::BOUNDARY] >= tree.number_of_segments() - 1);
@@ -267,4 +260,46 @@ BOOST_AUTO_TEST_CASE(later_rounds_mind_the_chosen_cut)
   };
   BOOST_TEST(error_at_chosen(0) > 0.1);
   BOOST_TEST(error_at_chosen(3) < error_at_chosen(0) / 3);
+}
+
+// One person cuts at the neck, as the tree does first, the other not at all.
+BOOST_AUTO_TEST_CASE(errors_of_a_dumbbell)
+{
+  Benchmark_mesh input = dumbbell();
+  const Labels halves = input.people.front(), whole(halves.size(), 0);
+  input.people.push_back(whole);
+  const double error = rand_error(halves, whole);
+  const Tree_errors errors = tree_errors(input, Calibrated_part_salience());
+  BOOST_TEST(errors.id == 7);
+  BOOST_TEST(errors.people == error, tt::tolerance(tolerance));
+  BOOST_TEST(errors.best == error / 2, tt::tolerance(tolerance));
+  BOOST_TEST(errors.k == error / 2, tt::tolerance(tolerance));
+  const std::vector<double>& thresholds = probability_thresholds();
+  BOOST_TEST_REQUIRE(errors.automatic.size() == thresholds.size());
+  BOOST_TEST(thresholds.front() == 0.3);
+  BOOST_TEST(thresholds.back() == 0.7);
+  for (std::size_t t = 0; t < thresholds.size(); ++t) {
+    const Segment_tree tree = segment_tree(input.mesh, params::salience_threshold(thresholds[t]));
+    BOOST_TEST(errors.automatic[t] == mean_rand_error(tree.labels(), input.people),
+               tt::tolerance(tolerance));
+  }
+
+  input.people = {halves, halves};
+  const Tree_errors agreed = tree_errors(input, Calibrated_part_salience());
+  BOOST_TEST(agreed.people == 0);
+  BOOST_TEST(agreed.k == 0);
+  BOOST_TEST(agreed.best == 0);
+  const Tree_errors mean = mean_tree_errors({errors, agreed});
+  BOOST_TEST(mean.people == error / 2, tt::tolerance(tolerance));
+  BOOST_TEST(mean.k == error / 4, tt::tolerance(tolerance));
+  BOOST_TEST(mean.best == error / 4, tt::tolerance(tolerance));
+  BOOST_TEST(mean.automatic.front() == (errors.automatic.front() + agreed.automatic.front()) / 2,
+             tt::tolerance(tolerance));
+}
+
+BOOST_AUTO_TEST_CASE(best_threshold_is_that_of_least_error)
+{
+  Tree_errors errors;
+  errors.automatic = {0.3, 0.1, 0.2, 0.1};
+  BOOST_TEST(best_threshold(errors) == 1u);
 }
