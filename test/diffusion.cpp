@@ -30,9 +30,9 @@ using Eigen::VectorXd;
 
 namespace {
 
-// The solver stops at 1e-3 of the norm of the amounts over the roots of the areas; no step makes
+// The solver stops at 1e-6 of the norm of the amounts over the roots of the areas; no step makes
 // the error of the one before larger in this norm.
-const double tolerance_of_two_steps = 2.01e-3;
+const double tolerance_of_two_steps = 2.01e-6;
 
 VectorXd areas_of(const Face_dual_graph& graph)
 { return Eigen::Map<const VectorXd>(graph.areas.data(), Eigen::Index(graph.areas.size())); }

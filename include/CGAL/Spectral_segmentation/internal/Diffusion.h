@@ -22,7 +22,8 @@ namespace internal {
 // Averages over the surface with a kernel of a given radius, the root of its mean squared distance:
 // the heat equation on the faces, by two steps of backward Euler. The flux over an edge is its
 // length over the distance of the two centroids (finite volumes), so that the average depends on
-// the shape and not on the triangulation. No heat passes the border.
+// the shape and, unless faces are long and thin, not on the triangulation. No heat passes the
+// border.
 class Diffusion
 {
   typedef Eigen::SparseMatrix<double, Eigen::RowMajor> Matrix;
@@ -71,7 +72,7 @@ public:
   Eigen::VectorXd operator()(const Eigen::VectorXd& amounts) const
   {
     Eigen::ConjugateGradient<Matrix, Eigen::Lower | Eigen::Upper> solver(matrix_);
-    solver.setTolerance(1e-3);
+    solver.setTolerance(1e-6);
     const Eigen::VectorXd start = amounts.cwiseQuotient(root_of_area_);
     const Eigen::VectorXd middle = solver.solveWithGuess(start, start);
     return solver.solveWithGuess(middle, middle).cwiseQuotient(root_of_area_);

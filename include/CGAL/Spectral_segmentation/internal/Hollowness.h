@@ -30,8 +30,8 @@ namespace internal {
 class Hollowness
 {
   typedef Eigen::Matrix<float, Eigen::Dynamic, 3> Directions;
-  static constexpr int number_of_directions = 162;
-  static constexpr int number_of_neighbors = 12;
+  static constexpr int number_of_directions = 96;
+  static constexpr int number_of_neighbors = 10;
   typedef std::array<int, number_of_neighbors> Neighbors; // the direction itself is the first
 
   const Face_dual_graph& part_;
@@ -41,7 +41,7 @@ class Hollowness
   std::size_t number_of_sets_ = 0;
   Eigen::Matrix3Xf points_;           // of the set at hand
 
-  // Evenly spread over the sphere: a Fibonacci lattice.
+  // Evenly spread over the sphere: a Fibonacci lattice, which descends in z.
   static const Directions& directions()
   {
     static const Directions result = [] {
@@ -72,6 +72,18 @@ class Hollowness
       return n;
     }();
     return result;
+  }
+
+  // No unit vector is farther than 0.25 from its next direction.
+  static int next_direction(const Eigen::Vector3f& normal)
+  {
+    const int middle = static_cast<int>((1 - normal.z()) * number_of_directions / 2);
+    const int reach = number_of_directions / 8;
+    const int first = (std::max)(middle - reach, 0);
+    const int end = (std::min)(middle + reach + 1, number_of_directions);
+    int best;
+    (directions().middleRows(first, end - first) * normal).maxCoeff(&best);
+    return first + best;
   }
 
   // The extreme point of the set in each direction, found in blocks that stay in the cache.
@@ -108,7 +120,7 @@ public:
       const std::array<Index, 3>& c = part.corners[f];
       normal_.push_back((part.points[c[1]] - part.points[c[0]])
                           .cross(part.points[c[2]] - part.points[c[0]]).normalized().cast<float>());
-      (directions() * normal_[f]).maxCoeff(&direction_[f]);
+      direction_[f] = next_direction(normal_[f]);
     }
   }
 

@@ -53,14 +53,16 @@ std::vector<double> shape_scale_angles(const Face_dual_graph& mesh,
   Eigen::Matrix<double, Eigen::Dynamic, 6> tensors;
   tensors.setZero(static_cast<Eigen::Index>(mesh.number_of_faces()), 6);
   for (Index h = 0; h < mesh.halfedges.size(); ++h) {
+    const Index f = h / 3, g = mesh.halfedges[h].neighbor;
     const Vector edge = edge_vector(h);
     const double length = edge.norm();
-    if (mesh.is_border(h) || length == 0)
+    const double area = mesh.areas[f] + mesh.areas[g];
+    if (mesh.is_border(h) || length == 0 || area == 0)
       continue;
-    const Vector& normal = normals[h / 3];
-    const Vector& other = normals[mesh.halfedges[h].neighbor];
-    const double angle = std::atan2(normal.cross(other).dot(edge) / length, normal.dot(other));
-    tensors.row(h / 3) += angle / (2 * length) * squared(edge);
+    const double angle =
+      std::atan2(normals[f].cross(normals[g]).dot(edge) / length, normals[f].dot(normals[g]));
+    // By area, lest a sliver beside a sharp edge has nearly all of its density.
+    tensors.row(f) += angle * mesh.areas[f] / area / length * squared(edge);
   }
   const Diffusion diffusion(mesh, points, radius);
   for_each_index<ConcurrencyTag>(6, [&](std::size_t i) {
