@@ -175,13 +175,15 @@ Faces without area, borders, and any number of connected components are welcome.
     \cgalParamExtra{finite, not negative}
   \cgalParamNEnd
   \cgalParamNBegin{concavity_radius}
-    \cgalParamDescription{the radius of the disks over which the bending of the surface is averaged,
-      relative to the square root of the area of the mesh. Half of the angle distance of two faces
-      then is that of their dihedral angle, half that of the bending across their edge, both ranked
-      by length of edge, so that it depends less on the triangulation. The time grows with the
-      square of the radius, up to 60 passes over the mesh.}
+    \cgalParamDescription{the radius over which the bending of the surface is averaged, as the root
+      of the mean squared distance of the averaging kernel, relative to the square root of the area
+      of the mesh. The angle distance of two faces is that of the bending across their edge in place
+      of their dihedral angle, ranked by length of edge, so that it hardly depends on the
+      triangulation. To bound the time, the radius ends at 9 times the root of the mean area of the
+      faces.}
     \cgalParamType{a number}
-    \cgalParamDefault{`0.01`; `0`, which is dihedral angles alone}
+    \cgalParamDefault{`0.02`, about the width of a crease between two limbs; `0`, which is dihedral
+      angles}
     \cgalParamExtra{in [0, 1]}
   \cgalParamNEnd
   \cgalParamNBegin{number_of_reference_faces}
