@@ -71,10 +71,20 @@ auto of_each_mesh(const Options& o, const Function& f)
   return results;
 }
 
+Tree_method method_with(const Calibrated_part_salience& salience)
+{
+  return {"fitted", CGAL::Spectral_segmentation::default_probability_threshold, true,
+          [salience](const Mesh& mesh, double threshold, std::size_t n) {
+            return segment_tree(mesh, params::part_salience(salience)
+                                        .salience_threshold(threshold)
+                                        .maximum_number_of_segments(n));
+          }};
+}
+
 std::vector<Tree_errors> errors_with(const Options& o, const Saliences& saliences)
 {
   return of_each_mesh(o, [&](const Benchmark_mesh& mesh)
-    { return tree_errors(mesh, saliences.at(category(mesh.id))); });
+    { return tree_errors(mesh, method_with(saliences.at(category(mesh.id)))); });
 }
 
 // For each category the fit to all others.
@@ -125,10 +135,10 @@ void print(const char* title, const std::vector<Tree_errors>& meshes)
   const std::size_t best = best_threshold(mean);
   std::printf("\n%s\nthreshold     auto\n", title);
   for (std::size_t t = 0; t < mean.automatic.size(); ++t)
-    std::printf("%9.2f %8.4f%s\n", probability_thresholds()[t], mean.automatic[t],
+    std::printf("%9.2f %8.4f%s\n", tried_thresholds()[t], mean.automatic[t],
                 t == best ? "  least" : "");
   std::printf("\nRand error meshes   people  auto%.2f       k     tree\n",
-              probability_thresholds()[best]);
+              tried_thresholds()[best]);
   for (const auto& [category, of_category] : by_category(meshes))
     print_line(category_names[category], of_category, best);
   print_line("all meshes", meshes, best);
@@ -155,7 +165,7 @@ Json json_of(const std::vector<Tree_errors>& meshes)
 {
   const Tree_errors mean = mean_tree_errors(meshes);
   Json json = json_of(mean);
-  json["best_threshold"] = probability_thresholds()[best_threshold(mean)];
+  json["best_threshold"] = tried_thresholds()[best_threshold(mean)];
   for (const Tree_errors& mesh : meshes)
     json["meshes"][std::to_string(mesh.id)] = json_of(mesh);
   return json;
@@ -177,7 +187,7 @@ void run(const Options& o)
   Json json = {{"cuts", number_of_cuts(cuts)},
                {"loss", fit.loss},
                {"salience", json_of(fit.salience)},
-               {"thresholds", probability_thresholds()},
+               {"thresholds", tried_thresholds()},
                {"fitted_to_all", json_of(errors)}};
   if (o.leaves_one_category_out) {
     saliences = fits_to_others(cuts, o.rounds);

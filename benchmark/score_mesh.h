@@ -4,18 +4,17 @@
 #ifndef SEGMENTATION_BENCHMARK_SCORE_MESH_H
 #define SEGMENTATION_BENCHMARK_SCORE_MESH_H
 
+#include "Method_trees.h"
 #include "consensus_floor.h"
 #include "segmentation_methods.h"
+#include "timed.h"
 
-#include <algorithm>
 #include <array>
-#include <chrono>
 #include <cstddef>
 #include <limits>
 #include <map>
 #include <optional>
 #include <string>
-#include <utility>
 #include <vector>
 
 namespace segmentation_benchmark {
@@ -57,9 +56,6 @@ struct Scored_mesh
   std::vector<Score> scores; // one a row
 };
 
-// The tree is cut to so many segments for the protocol TREE, which is more than people make.
-constexpr std::size_t number_of_segments_of_tree = 40;
-
 inline Labels best_labels(const Segment_tree& tree, const std::vector<Labels>& people)
 {
   Labels best;
@@ -77,30 +73,15 @@ inline Labels best_labels(const Segment_tree& tree, const std::vector<Labels>& p
 
 class Mesh_scorer
 {
-  struct Timed_tree
-  {
-    Segment_tree tree;
-    double seconds;
-  };
-
   const Benchmark_mesh& input_;
   std::optional<double> threshold_;
   Mesh_facts facts_;
   std::vector<Segmentation> people_;
   std::size_t usual_number_;
   double floor_;
-  std::map<std::string, Timed_tree> trees_; // by the name of the method
+  std::map<std::string, Method_trees> trees_; // by the name of the method
 
-  template <class Function>
-  static auto timed(const Function& f)
-  {
-    const auto start = std::chrono::steady_clock::now();
-    auto result = f();
-    const std::chrono::duration<double> time = std::chrono::steady_clock::now() - start;
-    return std::make_pair(std::move(result), time.count());
-  }
-
-  Score score(const Labels& labels, double seconds) const
+  Score score(const Labels& labels, const Time& time) const
   {
     const Segmentation result = segmentation(facts_, labels);
     std::vector<Errors> all;
@@ -110,7 +91,7 @@ class Mesh_scorer
     s.errors = mean_errors(all);
     s.segments = static_cast<double>(number_of_segments(labels));
     s.excess = s.errors[RAND_ERROR] - floor_;
-    s.seconds = seconds;
+    s.seconds = time.wall;
     s.labels = labels;
     return s;
   }
@@ -141,30 +122,18 @@ class Mesh_scorer
     return s;
   }
 
-  const Timed_tree& whole_tree(const Tree_method& method)
-  {
-    const auto found = trees_.find(method.name);
-    if (found != trees_.end())
-      return found->second;
-    auto [tree, seconds] = timed([&] {
-      return method.segment(input_.mesh, any_salience,
-                            (std::max)(number_of_segments_of_tree, usual_number_));
-    });
-    return trees_.emplace(method.name, Timed_tree{std::move(tree), seconds}).first->second;
-  }
-
   Score score(const Tree_method& method, Protocol protocol)
   {
+    Method_trees& trees = trees_.try_emplace(method.name, method, input_.mesh).first->second;
     if (protocol == Protocol::AUTO) {
       const double threshold = threshold_.value_or(method.default_threshold);
-      const auto [tree, seconds] =
-        timed([&] { return method.segment(input_.mesh, threshold, any_number); });
-      return score(tree.labels(), seconds);
+      const Timed_tree& automatic = trees.down_to(threshold);
+      return score(automatic.tree.labels(any_number, threshold), automatic.time);
     }
-    const Timed_tree& whole = whole_tree(method);
+    const Timed_tree& whole = trees.up_to(usual_number_);
     return score(protocol == Protocol::K ? whole.tree.labels(usual_number_, any_salience)
                                          : best_labels(whole.tree, input_.people),
-                 whole.seconds);
+                 whole.time);
   }
 
   Score score(const Row& row)
@@ -174,8 +143,8 @@ class Mesh_scorer
         return score(method, row.protocol);
     if (row.method == people_method)
       return score_of_people();
-    const auto [labels, seconds] = timed([&] { return default_labels(row.method, input_.mesh); });
-    return score(labels, seconds);
+    const auto [labels, time] = timed([&] { return default_labels(row.method, input_.mesh); });
+    return score(labels, time);
   }
 
 public:

@@ -8,10 +8,12 @@
 
 #include <CGAL/mesh_segmentation.h>
 #include <CGAL/segment_spectral_recursive.h>
+#include <CGAL/tags.h>
 
 #include <boost/property_map/vector_property_map.hpp>
 
 #include <cstddef>
+#include <functional>
 #include <limits>
 #include <stdexcept>
 #include <string>
@@ -28,7 +30,9 @@ struct Tree_method
 {
   const char* name;
   double default_threshold;
-  Segment_tree (*segment)(const Mesh&, double threshold, std::size_t maximum_number_of_segments);
+  bool has_whole_trees; // whatever the threshold
+  std::function<Segment_tree(const Mesh&, double threshold, std::size_t maximum_number_of_segments)>
+    segment;
 };
 
 // A method that gives labels only.
@@ -38,12 +42,12 @@ struct Label_method
   Labels (*segment)(const Mesh&);
 };
 
-template <class NamedParameters>
+template <class ConcurrencyTag = CGAL::Parallel_if_available_tag, class NamedParameters>
 Segment_tree segment_tree(const Mesh& mesh, const NamedParameters& np)
 {
   Segment_tree tree;
-  CGAL::segment_spectral_recursive(mesh, boost::vector_property_map<std::size_t>(mesh.num_faces()),
-                                   np.segment_tree(tree));
+  CGAL::segment_spectral_recursive<ConcurrencyTag>(
+    mesh, boost::vector_property_map<std::size_t>(mesh.num_faces()), np.segment_tree(tree));
   return tree;
 }
 
@@ -60,12 +64,12 @@ inline Labels segment_by_sdf(const Mesh& mesh)
 inline const std::vector<Tree_method>& tree_methods()
 {
   static const std::vector<Tree_method> methods = {
-    {"calibrated", CGAL::Spectral_segmentation::default_probability_threshold,
+    {"calibrated", CGAL::Spectral_segmentation::default_probability_threshold, true,
      [](const Mesh& mesh, double threshold, std::size_t n) {
        return segment_tree(mesh,
                            params::salience_threshold(threshold).maximum_number_of_segments(n));
      }},
-    {"paper", CGAL::Spectral_segmentation::default_salience_threshold,
+    {"paper", CGAL::Spectral_segmentation::default_salience_threshold, false,
      [](const Mesh& mesh, double threshold, std::size_t n) {
        return segment_tree(mesh, params::zhang_liu_2005().salience_threshold(threshold)
                                    .maximum_number_of_segments(n));

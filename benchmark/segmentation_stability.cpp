@@ -5,6 +5,7 @@
 /// Rand distance between the result on a mesh and on the same mesh after a change that leaves its
 /// shape as it is, or nearly so.
 
+#include "for_each_mesh.h"
 #include "mesh_changes.h"
 #include "segmentation_methods.h"
 
@@ -17,7 +18,6 @@
 #include <exception>
 #include <filesystem>
 #include <iostream>
-#include <map>
 #include <string>
 #include <vector>
 
@@ -29,6 +29,7 @@ struct Options
   std::string ids = "odd";
   std::vector<std::string> methods;
   unsigned int seed = 0;
+  std::size_t threads = 1;
 };
 
 // Of one method under one change.
@@ -58,7 +59,10 @@ void add_options(CLI::App& app, Options& o)
   app.add_option("--method", o.methods, "what is compared with itself [" +
                                           std::string(tree_methods().front().name) + "]")
     ->check(CLI::IsMember(method_names()));
-  app.add_option("--seed", o.seed, "of the random changes")->capture_default_str();
+  app.add_option("--seed", o.seed, "of the random changes of each mesh")->capture_default_str();
+  app.add_option("--threads", o.threads,
+                 "meshes at a time, each on one thread; with 1, a mesh may use all threads")
+    ->check(CLI::Range(1, 1024))->capture_default_str();
 }
 
 std::vector<std::filesystem::path> mesh_files(const Options& o)
@@ -87,21 +91,36 @@ void print(const std::string& change, const Distances& d)
               100 * d.identical(), d.worst.c_str());
 }
 
+// One for each change.
+std::vector<double> distances(const std::string& method, const Mesh& mesh, unsigned int seed)
+{
+  const Labels original = default_labels(method, mesh);
+  CGAL::Random random(seed);
+  std::vector<double> result;
+  for (const Mesh_change& change : mesh_changes())
+    result.push_back(distance(method, original, change.apply(mesh, random)));
+  return result;
+}
+
 void compare(const Options& o, const std::string& method)
 {
-  std::map<std::string, Distances> distances;
-  for (const std::filesystem::path& file : mesh_files(o)) {
-    const Mesh mesh = read_mesh(file);
-    const Labels original = default_labels(method, mesh);
-    CGAL::Random random(o.seed);
-    for (const Mesh_change& change : mesh_changes())
-      distances[change.name].add(distance(method, original, change.apply(mesh, random)),
-                                 file.stem().string());
+  const std::vector<std::filesystem::path> files = mesh_files(o);
+  std::vector<std::vector<double> > of_mesh(files.size());
+  {
+    Progress progress(files.size());
+    for_each_mesh(files.size(), o.threads, [&](std::size_t i) {
+      of_mesh[i] = distances(method, read_mesh(files[i]), o.seed);
+      progress.step();
+    });
   }
   std::printf("%s\n  %-14s %8s %8s  %9s  %s\n", method.c_str(), "Rand distance", "mean",
               "largest", "identical", "of mesh");
-  for (const Mesh_change& change : mesh_changes())
-    print(change.name, distances[change.name]);
+  for (std::size_t change = 0; change < mesh_changes().size(); ++change) {
+    Distances all;
+    for (std::size_t i = 0; i < files.size(); ++i)
+      all.add(of_mesh[i][change], files[i].stem().string());
+    print(mesh_changes()[change].name, all);
+  }
 }
 
 int main(int argc, char** argv)

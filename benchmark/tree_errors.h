@@ -4,18 +4,18 @@
 #ifndef SEGMENTATION_BENCHMARK_TREE_ERRORS_H
 #define SEGMENTATION_BENCHMARK_TREE_ERRORS_H
 
+#include "Method_trees.h"
 #include "score_mesh.h"
 
 #include <algorithm>
 #include <cstddef>
 #include <vector>
 
-// The Rand errors of what can be read off the tree of a mesh, of a run with no limit on the number
-// of segments.
+// The Rand errors of all that can be read off the trees of a mesh.
 namespace segmentation_benchmark {
 
-// Probabilities at which a run may end.
-inline const std::vector<double>& probability_thresholds()
+// Saliences at which a run may end.
+inline const std::vector<double>& tried_thresholds()
 {
   static const std::vector<double> thresholds = [] {
     std::vector<double> result;
@@ -29,29 +29,35 @@ inline const std::vector<double>& probability_thresholds()
 struct Tree_errors
 {
   int id = 0;
-  double people = undefined;     // of two people
-  std::vector<double> automatic; // at each threshold
-  double k = undefined;          // with people's usual number of parts
-  double best = undefined;       // of all numbers of parts
+  double people = undefined;      // of two people
+  double by_default = undefined;  // at the default threshold
+  std::vector<double> automatic;  // at each threshold
+  double k = undefined;           // with people's usual number of parts
+  double best = undefined;        // of all numbers of parts
+  Time time;                      // of the tree up to the largest number of parts
 };
 
-template <class PartSalience>
-Tree_errors tree_errors(const Benchmark_mesh& input, const PartSalience& part_salience)
+inline Tree_errors tree_errors(const Benchmark_mesh& input, const Tree_method& method)
 {
-  using CGAL::Spectral_segmentation::Method;
-  const Segment_tree tree = segment_tree(
-    input.mesh, params::method(Method::CALIBRATED).part_salience(part_salience));
+  const double lowest = (std::min)(method.default_threshold, tried_thresholds().front());
+  const std::size_t usual_number = usual_number_of_segments(input.people);
+  Method_trees trees(method, input.mesh);
+  const Segment_tree& automatic = trees.down_to(lowest).tree;
+  const auto& [whole, time] = trees.up_to(usual_number);
   const auto error = [&](const Labels& labels) { return mean_rand_error(labels, input.people); };
   Tree_errors result;
   result.id = input.id;
   result.people = mean_rand_error_of_people(input.people);
-  for (double threshold : probability_thresholds())
-    result.automatic.push_back(error(tree.labels(any_number, threshold)));
-  result.k = error(tree.labels(usual_number_of_segments(input.people), any_salience));
-  result.best = error(best_labels(tree, input.people));
+  result.by_default = error(automatic.labels(any_number, method.default_threshold));
+  for (double threshold : tried_thresholds())
+    result.automatic.push_back(error(automatic.labels(any_number, threshold)));
+  result.k = error(whole.labels(usual_number, any_salience));
+  result.best = error(best_labels(whole, input.people));
+  result.time = time;
   return result;
 }
 
+// Without the time.
 inline Tree_errors mean_tree_errors(const std::vector<Tree_errors>& meshes)
 {
   const auto mean = [&](const auto& error) {
@@ -62,7 +68,8 @@ inline Tree_errors mean_tree_errors(const std::vector<Tree_errors>& meshes)
   };
   Tree_errors result;
   result.people = mean([](const Tree_errors& e) { return e.people; });
-  for (std::size_t t = 0; t < probability_thresholds().size(); ++t)
+  result.by_default = mean([](const Tree_errors& e) { return e.by_default; });
+  for (std::size_t t = 0; t < tried_thresholds().size(); ++t)
     result.automatic.push_back(mean([t](const Tree_errors& e) { return e.automatic[t]; }));
   result.k = mean([](const Tree_errors& e) { return e.k; });
   result.best = mean([](const Tree_errors& e) { return e.best; });

@@ -1,0 +1,58 @@
+// Copyright (c) 2026  The Spectral_segmentation authors.
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef SEGMENTATION_BENCHMARK_METHOD_TREES_H
+#define SEGMENTATION_BENCHMARK_METHOD_TREES_H
+
+#include "segmentation_methods.h"
+#include "timed.h"
+
+#include <algorithm>
+#include <cstddef>
+#include <map>
+#include <utility>
+
+namespace segmentation_benchmark {
+
+// A tree is cut to so many segments at least, which is more than people make.
+constexpr std::size_t number_of_segments_of_tree = 20;
+
+struct Timed_tree
+{
+  Segment_tree tree;
+  Time time;
+};
+
+// The trees of a method on a mesh. Each is made when it is first asked for, and kept.
+class Method_trees
+{
+  const Tree_method& method_;
+  const Mesh& mesh_;
+  std::map<std::pair<double, std::size_t>, Timed_tree> trees_; // by the arguments of the run
+
+  const Timed_tree& run(double threshold, std::size_t maximum_number_of_segments)
+  {
+    const std::pair<double, std::size_t> arguments(threshold, maximum_number_of_segments);
+    const auto found = trees_.find(arguments);
+    if (found != trees_.end())
+      return found->second;
+    auto [tree, time] =
+      timed([&] { return method_.segment(mesh_, threshold, maximum_number_of_segments); });
+    return trees_.emplace(arguments, Timed_tree{std::move(tree), time}).first->second;
+  }
+
+public:
+  Method_trees(const Tree_method& method, const Mesh& mesh) : method_(method), mesh_(mesh) {}
+
+  // Has the labels for this threshold and all higher ones.
+  const Timed_tree& down_to(double threshold)
+  { return method_.has_whole_trees ? up_to(1) : run(threshold, any_number); }
+
+  // Has the labels for so many segments and all smaller numbers.
+  const Timed_tree& up_to(std::size_t number_of_segments)
+  { return run(any_salience, (std::max)(number_of_segments, number_of_segments_of_tree)); }
+};
+
+} // namespace segmentation_benchmark
+
+#endif // SEGMENTATION_BENCHMARK_METHOD_TREES_H

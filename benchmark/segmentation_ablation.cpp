@@ -1,0 +1,180 @@
+// Copyright (c) 2026  The Spectral_segmentation authors.
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+/// \file
+/// What each difference between the two methods of the package gains in error, and costs in time,
+/// on the Princeton Segmentation Benchmark: each is switched off alone in the calibrated method,
+/// and on alone in that of the paper.
+
+#include "for_each_mesh.h"
+#include "method_variants.h"
+#include "score_report.h"
+#include "tree_errors.h"
+
+#include <CLI/CLI.hpp>
+
+#include <nlohmann/json.hpp>
+
+#include <cstddef>
+#include <cstdio>
+#include <cstdlib>
+#include <exception>
+#include <fstream>
+#include <iostream>
+#include <stdexcept>
+#include <string>
+#include <vector>
+
+using namespace segmentation_benchmark;
+
+struct Options
+{
+  std::string folder, ids = "odd", json;
+  std::size_t threads = 1;
+};
+
+// Of one method.
+struct Result
+{
+  const char* name;
+  std::vector<Tree_errors> meshes;
+};
+
+// The columns of the table.
+struct Figures
+{
+  double by_default, best_automatic, best_threshold, k, best_of_tree, seconds;
+};
+
+struct Result_block
+{
+  const char* title;
+  std::vector<Result> results; // of the method itself, then of its variants
+};
+
+void add_options(CLI::App& app, Options& o)
+{
+  app.add_option("folder", o.folder, "holds off/N.off and seg/Benchmark/N/*.seg")
+    ->required()->check(CLI::ExistingDirectory);
+  app.add_option("--ids", o.ids, "odd, even, all, or a list as 1-20,33")->capture_default_str();
+  app.add_option("--json", o.json, "writes all figures, of each mesh too")->type_name("OUT");
+  app.add_option("--threads", o.threads, "meshes at a time, each on one thread")
+    ->check(CLI::Range(1, 1024))->capture_default_str();
+}
+
+std::vector<Result_block> results(const Options& o)
+{
+  const std::vector<int> ids = parse_ids(o.ids);
+  std::vector<Result_block> result;
+  for (const Method_block& block : method_blocks()) {
+    result.push_back({block.title, {}});
+    for (const Tree_method& method : block.methods)
+      result.back().results.push_back({method.name, std::vector<Tree_errors>(ids.size())});
+  }
+  Progress progress(ids.size());
+  for_each_mesh(ids.size(), o.threads, [&](std::size_t i) {
+    const Benchmark_mesh input = read_benchmark_mesh(o.folder, ids[i]);
+    for (std::size_t b = 0; b < result.size(); ++b)
+      for (std::size_t m = 0; m < result[b].results.size(); ++m)
+        result[b].results[m].meshes[i] = tree_errors(input, method_blocks()[b].methods[m]);
+    progress.step();
+  });
+  return result;
+}
+
+Figures figures(const Result& result)
+{
+  const Tree_errors mean = mean_tree_errors(result.meshes);
+  const std::size_t best = best_threshold(mean);
+  std::vector<double> seconds;
+  for (const Tree_errors& mesh : result.meshes)
+    seconds.push_back(mesh.time.thread);
+  return {mean.by_default, mean.automatic[best], tried_thresholds()[best], mean.k, mean.best,
+          median(seconds)};
+}
+
+void print_line(const char* name, const Figures& f, const Figures& first)
+{
+  std::printf("%-28s %7.4f %+8.4f %7.4f %+8.4f %9.2f %7.4f %+8.4f %7.4f %+8.4f %7.3f %+8.3f\n",
+              name, f.by_default, f.by_default - first.by_default, f.best_automatic,
+              f.best_automatic - first.best_automatic, f.best_threshold, f.k, f.k - first.k,
+              f.best_of_tree, f.best_of_tree - first.best_of_tree, f.seconds,
+              f.seconds - first.seconds);
+}
+
+void print(const Result_block& block)
+{
+  std::printf("%s\n%-28s %7s %8s %7s %8s %9s %7s %8s %7s %8s %7s %8s\n", block.title,
+              "Rand error", "auto", "change", "best", "change", "threshold", "k", "change", "tree",
+              "change", "seconds", "change");
+  const Figures first = figures(block.results.front());
+  for (const Result& result : block.results)
+    print_line(result.name, figures(result), first);
+  std::printf("\n");
+}
+
+Json json_of(const Tree_errors& errors)
+{
+  return {{"auto", errors.by_default},
+          {"auto_at_thresholds", errors.automatic},
+          {"k", errors.k},
+          {"tree", errors.best},
+          {"seconds", errors.time.thread}};
+}
+
+Json json_of(const Result& result)
+{
+  const Figures f = figures(result);
+  Json json = {{"name", result.name},
+               {"auto", f.by_default},
+               {"best_auto", f.best_automatic},
+               {"best_threshold", f.best_threshold},
+               {"k", f.k},
+               {"tree", f.best_of_tree},
+               {"median_seconds", f.seconds}};
+  for (const Tree_errors& mesh : result.meshes)
+    json["meshes"][std::to_string(mesh.id)] = json_of(mesh);
+  return json;
+}
+
+Json json_of(const std::vector<Result_block>& blocks)
+{
+  Json json = {{"thresholds", tried_thresholds()}};
+  for (const Result_block& block : blocks)
+    for (const Result& result : block.results)
+      json[block.title].push_back(json_of(result));
+  return json;
+}
+
+void run(const Options& o)
+{
+  const std::vector<Result_block> blocks = results(o);
+  for (const Result_block& block : blocks)
+    print(block);
+  std::printf("auto: at the default threshold; best: at the one threshold that is best for these "
+              "meshes\nk: people's usual number of parts is given; tree: the best number of parts"
+              "\nseconds: of one thread for a whole tree, median; change: from the first line\n");
+  std::fflush(stdout);
+  if (!o.json.empty() && !(std::ofstream(o.json) << json_of(blocks).dump(1) << std::endl))
+    throw std::runtime_error("cannot write " + o.json);
+}
+
+int main(int argc, char** argv)
+{
+  Options options;
+  CLI::App app("The differences between the two methods, one at a time, on people's cuts.",
+               "segmentation_ablation");
+  try {
+    add_options(app, options);
+    app.parse(argc, argv);
+    run(options);
+    return EXIT_SUCCESS;
+  }
+  catch (const CLI::ParseError& e) {
+    return app.exit(e) == 0 ? EXIT_SUCCESS : EXIT_FAILURE;
+  }
+  catch (const std::exception& e) {
+    std::cerr << "segmentation_ablation: " << e.what() << "\n";
+    return EXIT_FAILURE;
+  }
+}

@@ -1,0 +1,135 @@
+// Copyright (c) 2026  The Spectral_segmentation authors.
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#define BOOST_TEST_MODULE method_variants
+#include "../benchmark/method_variants.h"
+#include "../benchmark/tree_errors.h"
+#include "test_meshes.h"
+
+#include <CGAL/boost/graph/copy_face_graph.h>
+
+#include <boost/test/unit_test.hpp>
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <utility>
+#include <vector>
+
+using namespace segmentation_benchmark;
+using CGAL::Spectral_segmentation::internal::calibrated_options;
+using test_meshes::Random;
+
+namespace {
+
+// A thick and a thin rod with necks, and a ring.
+Mesh two_bodies()
+{
+  std::vector<std::pair<double, double> > profile = {{0, 0}};
+  for (int i = 1; i < 24; ++i)
+    profile.emplace_back(i / 3., (i < 12 ? 1 : 0.4) * (1.2 + std::sin(i)));
+  profile.emplace_back(8, 0);
+  Random random(5);
+  const test_meshes::Soup bodies = test_meshes::disjoint_union(
+    test_meshes::surface_of_revolution(profile, 16),
+    test_meshes::moved(test_meshes::torus(1, 0.3, 12, 8), 9, 0, 0));
+  Mesh mesh;
+  CGAL::copy_face_graph(test_meshes::mesh_of(test_meshes::displaced(bodies, 0.02, random)), mesh);
+  return mesh;
+}
+
+std::vector<double> saliences(const Segment_tree& tree)
+{
+  std::vector<double> result;
+  for (std::size_t i = 0; i < tree.number_of_nodes(); ++i)
+    result.push_back(tree.node(i).salience);
+  return result;
+}
+
+bool are_equal(const Segment_tree& a, const Segment_tree& b)
+{ return a.labels() == b.labels() && saliences(a) == saliences(b); }
+
+Segment_tree default_tree(const Tree_method& method, const Mesh& mesh)
+{ return method.segment(mesh, method.default_threshold, any_number); }
+
+Method_options with_all_switches(Method_options to, const Method_options& from)
+{
+  for (const Method_switch& s : method_switches())
+    s.take(to, from);
+  salience_switch().take(to, from);
+  return to;
+}
+
+} // namespace
+
+BOOST_AUTO_TEST_CASE(switches_are_all_that_lies_between_the_methods)
+{
+  const Mesh mesh = two_bodies();
+  const Segment_tree calibrated = segment_tree(mesh, params::default_values()),
+                     paper = segment_tree(mesh, params::zhang_liu_2005());
+  BOOST_TEST(!are_equal(calibrated, paper));
+  const auto tree_with = [&](const Method_options& options)
+    { return default_tree(method_with("", options), mesh); };
+  BOOST_TEST(are_equal(tree_with(calibrated_options()), calibrated));
+  BOOST_TEST(are_equal(tree_with(Method_options()), paper));
+  BOOST_TEST(are_equal(tree_with(with_all_switches(Method_options(), calibrated_options())),
+                       calibrated));
+  BOOST_TEST(are_equal(tree_with(with_all_switches(calibrated_options(), Method_options())),
+                       paper));
+}
+
+BOOST_AUTO_TEST_CASE(each_switch_alone_changes_the_tree)
+{
+  const Mesh mesh = two_bodies();
+  for (const Method_block& block : method_blocks()) {
+    const Segment_tree whole = block.methods.front().segment(mesh, any_salience, 20);
+    for (std::size_t i = 1; i < block.methods.size(); ++i)
+      BOOST_TEST(!are_equal(block.methods[i].segment(mesh, any_salience, 20), whole),
+                 block.title << ": " << block.methods[i].name);
+  }
+}
+
+BOOST_AUTO_TEST_CASE(kept_trees_give_the_labels_of_runs)
+{
+  const Mesh mesh = two_bodies();
+  for (const Method_block& block : method_blocks()) {
+    const Tree_method& method = block.methods.front();
+    std::size_t runs = 0;
+    const Tree_method counted = {
+      method.name, method.default_threshold, method.has_whole_trees,
+      [&](const Mesh& m, double threshold, std::size_t n) {
+        ++runs;
+        return method.segment(m, threshold, n);
+      }};
+    Method_trees trees(counted, mesh);
+    for (double threshold : {0.4, 0.5, 0.6})
+      BOOST_TEST((trees.down_to(0.4).tree.labels(any_number, threshold) ==
+                  method.segment(mesh, threshold, any_number).labels()));
+    for (std::size_t n : {1, 2, 5, 20})
+      BOOST_TEST((trees.up_to(n).tree.labels(n, any_salience) ==
+                  method.segment(mesh, any_salience, n).labels()));
+    BOOST_TEST(runs == (method.has_whole_trees ? 1u : 2u));
+    BOOST_TEST((trees.up_to(23).tree.labels(23, any_salience) ==
+                method.segment(mesh, any_salience, 23).labels()));
+  }
+}
+
+// People are the methods themselves, with six segments each.
+BOOST_AUTO_TEST_CASE(errors_read_off_trees_are_those_of_runs)
+{
+  Benchmark_mesh input{1, two_bodies(), {}};
+  for (const Tree_method& method : tree_methods())
+    input.people.push_back(method.segment(input.mesh, any_salience, 6).labels());
+  for (const Tree_method& method : tree_methods()) {
+    const Tree_errors errors = tree_errors(input, method);
+    const auto error = [&](double threshold, std::size_t n)
+      { return mean_rand_error(method.segment(input.mesh, threshold, n).labels(), input.people); };
+    BOOST_TEST(errors.by_default == error(method.default_threshold, any_number));
+    BOOST_TEST(errors.automatic.back() == error(tried_thresholds().back(), any_number));
+    BOOST_TEST(errors.k == error(any_salience, 6));
+    double least = 1;
+    for (std::size_t n = 2; n <= 20; ++n)
+      least = (std::min)(least, error(any_salience, n));
+    BOOST_TEST(errors.best == least);
+  }
+}
