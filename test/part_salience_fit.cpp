@@ -269,12 +269,12 @@ BOOST_AUTO_TEST_CASE(errors_of_a_dumbbell)
   const Labels halves = input.people.front(), whole(halves.size(), 0);
   input.people.push_back(whole);
   const double error = rand_error(halves, whole);
-  const Tree_errors errors = tree_errors(input, Calibrated_part_salience());
+  const Tree_errors errors = tree_errors(input, tree_methods().front());
   BOOST_TEST(errors.id == 7);
   BOOST_TEST(errors.people == error, tt::tolerance(tolerance));
   BOOST_TEST(errors.best == error / 2, tt::tolerance(tolerance));
   BOOST_TEST(errors.k == error / 2, tt::tolerance(tolerance));
-  const std::vector<double>& thresholds = probability_thresholds();
+  const std::vector<double>& thresholds = tried_thresholds();
   BOOST_TEST_REQUIRE(errors.automatic.size() == thresholds.size());
   BOOST_TEST(thresholds.front() == 0.3);
   BOOST_TEST(thresholds.back() == 0.7);
@@ -285,7 +285,7 @@ BOOST_AUTO_TEST_CASE(errors_of_a_dumbbell)
   }
 
   input.people = {halves, halves};
-  const Tree_errors agreed = tree_errors(input, Calibrated_part_salience());
+  const Tree_errors agreed = tree_errors(input, tree_methods().front());
   BOOST_TEST(agreed.people == 0);
   BOOST_TEST(agreed.k == 0);
   BOOST_TEST(agreed.best == 0);
