@@ -100,7 +100,7 @@ public:
   }
 
   // Both sides must have an area.
-  Salience_factors operator()(const std::vector<char>& side)
+  Salience_factors operator()(const std::vector<char>& side) const
   {
     std::vector<Index> faces[2];
     Thickness_sums thickness_of[2];

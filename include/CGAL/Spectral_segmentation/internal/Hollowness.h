@@ -36,10 +36,7 @@ class Hollowness
 
   const Face_dual_graph& part_;
   std::vector<Eigen::Vector3f> normal_;
-  std::vector<int> direction_;        // next to the normal of each face
-  std::vector<std::size_t> last_set_; // of each vertex: the set that was last to meet it
-  std::size_t number_of_sets_ = 0;
-  Eigen::Matrix3Xf points_;           // of the set at hand
+  std::vector<int> direction_; // next to the normal of each face
 
   // Evenly spread over the sphere: a Fibonacci lattice, which descends in z.
   static const Directions& directions()
@@ -86,15 +83,30 @@ class Hollowness
     return first + best;
   }
 
-  // The extreme point of the set in each direction, found in blocks that stay in the cache.
-  Eigen::Matrix3Xf extreme_points(Eigen::Index number_of_points) const
+  Eigen::Matrix3Xf points(const std::vector<Index>& faces) const
+  {
+    std::vector<char> is_met(part_.points.size(), 0);
+    Eigen::Matrix3Xf result(3, part_.points.size());
+    Eigen::Index number = 0;
+    for (Index f : faces)
+      for (Index v : part_.corners[f])
+        if (!is_met[v]) {
+          is_met[v] = 1;
+          result.col(number++) = part_.points[v].cast<float>();
+        }
+    result.conservativeResize(3, number);
+    return result;
+  }
+
+  // The extreme point in each direction, found in blocks that stay in the cache.
+  static Eigen::Matrix3Xf extreme_points(const Eigen::Matrix3Xf& points)
   {
     const auto block = [&](Eigen::Index first)
-    { return points_.middleCols(first, (std::min)(Eigen::Index(256), number_of_points - first)); };
+    { return points.middleCols(first, (std::min)(Eigen::Index(256), points.cols() - first)); };
     Eigen::VectorXf support = Eigen::VectorXf::Constant(
       number_of_directions, -std::numeric_limits<float>::infinity());
     std::vector<Eigen::Index> best_block(number_of_directions, 0);
-    for (Eigen::Index first = 0; first < number_of_points; first += 256) {
+    for (Eigen::Index first = 0; first < points.cols(); first += 256) {
       const Eigen::VectorXf s = (directions() * block(first)).rowwise().maxCoeff();
       for (int d = 0; d < number_of_directions; ++d)
         if (s[d] > support[d]) {
@@ -106,15 +118,14 @@ class Hollowness
     for (int d = 0; d < number_of_directions; ++d) {
       Eigen::Index best;
       (directions().row(d) * block(best_block[d])).maxCoeff(&best);
-      result.col(d) = points_.col(best_block[d] + best);
+      result.col(d) = points.col(best_block[d] + best);
     }
     return result;
   }
 
 public:
   explicit Hollowness(const Face_dual_graph& part)
-    : part_(part), direction_(part.number_of_faces()), last_set_(part.points.size(), 0),
-      points_(3, part.points.size())
+    : part_(part), direction_(part.number_of_faces())
   {
     for (Index f = 0; f < direction_.size(); ++f) {
       const std::array<Index, 3>& c = part.corners[f];
@@ -125,19 +136,11 @@ public:
   }
 
   // 0 for faces without area.
-  double operator()(const std::vector<Index>& faces)
+  double operator()(const std::vector<Index>& faces) const
   {
-    ++number_of_sets_;
-    Eigen::Index number_of_points = 0;
-    for (Index f : faces)
-      for (Index v : part_.corners[f])
-        if (last_set_[v] != number_of_sets_) {
-          last_set_[v] = number_of_sets_;
-          points_.col(number_of_points++) = part_.points[v].cast<float>();
-        }
-    if (number_of_points == 0)
+    if (faces.empty())
       return 0;
-    const Eigen::Matrix3Xf extreme = extreme_points(number_of_points);
+    const Eigen::Matrix3Xf extreme = extreme_points(points(faces));
     double sum = 0, area = 0;
     for (Index f : faces) {
       const Eigen::Vector3f center = part_.centroid(f).cast<float>();

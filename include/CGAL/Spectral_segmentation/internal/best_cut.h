@@ -71,7 +71,7 @@ class Judge_of_part
   double minimum_area_;
   std::optional<Cut_judge> by_all_factors_;
 
-  Salience_factors factors(const Sides& side)
+  Salience_factors factors(const Sides& side) const
   {
     if (by_all_factors_)
       return (*by_all_factors_)(side);
@@ -92,7 +92,7 @@ public:
   }
 
   // None if a side is too small.
-  std::optional<Cut> operator()(Sides side)
+  std::optional<Cut> operator()(Sides side) const
   {
     Cut cut{std::move(side), {0, 0}, {}, 0};
     for (Index f = 0; f < cut.side.size(); ++f)
@@ -106,16 +106,25 @@ public:
   }
 };
 
+inline void append(std::vector<std::optional<Cut> >& more, std::vector<Cut>& cuts)
+{
+  for (std::optional<Cut>& cut : more)
+    if (cut)
+      cuts.push_back(std::move(*cut));
+}
+
 // The candidates along the lines, or the best cut of each line.
 template <class ConcurrencyTag>
 std::vector<Cut> cuts_along(const Face_dual_graph& part, const std::vector<Line>& lines,
-                            double minimum_area, const Options& options, Judge_of_part& judge)
+                            double minimum_area, const Options& options, const Judge_of_part& judge)
 {
   std::vector<std::optional<Cut> > cuts;
   if (options.number_of_candidates > 0) {
-    for (Sides& side : cut_candidates<ConcurrencyTag>(part, lines, minimum_area,
-                                                      options.number_of_candidates))
-      cuts.push_back(judge(std::move(side)));
+    std::vector<Sides> sides =
+      cut_candidates<ConcurrencyTag>(part, lines, minimum_area, options.number_of_candidates);
+    cuts.resize(sides.size());
+    for_each_index<ConcurrencyTag>(sides.size(), [&](std::size_t i)
+      { cuts[i] = judge(std::move(sides[i])); });
   }
   else {
     cuts.resize(lines.size());
@@ -123,30 +132,30 @@ std::vector<Cut> cuts_along(const Face_dual_graph& part, const std::vector<Line>
       { cuts[i] = line_search(part, lines[i], options.part_salience, minimum_area); });
   }
   std::vector<Cut> result;
-  for (std::optional<Cut>& cut : cuts)
-    if (cut)
-      result.push_back(std::move(*cut));
+  append(cuts, result);
   return result;
 }
 
-// Adds the minimum cuts around the most salient of the cuts, and puts the most salient first.
-inline void refine(const Face_dual_graph& part, std::size_t number, Judge_of_part& judge,
-                   std::vector<Cut>& cuts)
+inline void put_most_salient_first(std::vector<Cut>& cuts)
 {
-  const auto sort = [&] {
-    std::stable_sort(cuts.begin(), cuts.end(), [](const Cut& a, const Cut& b)
-                     { return on_grid(a.salience) > on_grid(b.salience); });
-  };
-  sort();
-  number = (std::min)(number, cuts.size());
-  for (std::size_t i = 0; i < number; ++i) {
-    Sides refined = minimum_cut_around(part, cuts[i].side, cuts[i].area[0]);
-    if (refined == cuts[i].side || !both_sides_are_connected(part, refined))
-      continue;
-    if (std::optional<Cut> cut = judge(std::move(refined)))
-      cuts.push_back(std::move(*cut));
-  }
-  sort();
+  std::stable_sort(cuts.begin(), cuts.end(), [](const Cut& a, const Cut& b)
+                   { return on_grid(a.salience) > on_grid(b.salience); });
+}
+
+// Adds the minimum cuts around the most salient of the cuts, and puts the most salient first.
+template <class ConcurrencyTag>
+void refine(const Face_dual_graph& part, std::size_t number, const Judge_of_part& judge,
+            std::vector<Cut>& cuts)
+{
+  put_most_salient_first(cuts);
+  std::vector<std::optional<Cut> > refined((std::min)(number, cuts.size()));
+  for_each_index<ConcurrencyTag>(refined.size(), [&](std::size_t i) {
+    Sides sides = minimum_cut_around(part, cuts[i].side, cuts[i].area[0]);
+    if (sides != cuts[i].side && both_sides_are_connected(part, sides))
+      refined[i] = judge(std::move(sides));
+  });
+  append(refined, cuts);
+  put_most_salient_first(cuts);
 }
 
 struct No_observer
@@ -185,9 +194,9 @@ std::optional<Cut> best_cut(const Part& part, double area_of_mesh, const Options
   // 6. line search
   monitor.check();
   std::vector<Cut> cuts = monitor.stage(Stage::LINE_SEARCH, part.node, [&] {
-    Judge_of_part judge(m, area_of_mesh, options);
+    const Judge_of_part judge(m, area_of_mesh, options);
     std::vector<Cut> result = cuts_along<ConcurrencyTag>(m, lines, minimum_area, options, judge);
-    refine(m, options.number_of_refined_candidates, judge, result);
+    refine<ConcurrencyTag>(m, options.number_of_refined_candidates, judge, result);
     return result;
   });
 
