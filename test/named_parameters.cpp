@@ -142,8 +142,8 @@ BOOST_AUTO_TEST_CASE(defaults_are_those_that_are_documented)
       .concave_angle_weight(1).convex_angle_weight(0.1).number_of_reference_faces(10)
       .number_of_smoothing_iterations(0).boundary_smoothing(false).visitor(visitor);
   const auto calibrated =
-    common.salience_threshold(0.5).minimum_segment_size(0.003)
-      .part_salience(Calibrated_part_salience()).geodesic_weight(0.03).concavity_radius(0.01)
+    common.salience_threshold(0.38).minimum_segment_size(0.003)
+      .part_salience(Calibrated_part_salience()).geodesic_weight(0.03).concavity_radius(0.02)
       .single_source_orderings(true).thickness_orderings(true).number_of_candidates(14)
       .number_of_refined_candidates(4).number_of_pieces(20);
   const auto of_paper =
@@ -189,7 +189,7 @@ BOOST_AUTO_TEST_CASE(each_of_the_defaults_is_the_one_that_is_documented)
   check(calibrated, calibrated.minimum_segment_size(0.003));
   check(calibrated, calibrated.part_salience(Calibrated_part_salience()));
   check(calibrated, calibrated.geodesic_weight(0.03));
-  check(calibrated, calibrated.concavity_radius(0.01));
+  check(calibrated, calibrated.concavity_radius(0.02));
   check(calibrated, calibrated.single_source_orderings(true));
   check(calibrated, calibrated.thickness_orderings(true));
   check(calibrated, calibrated.number_of_candidates(14));
@@ -407,7 +407,7 @@ BOOST_AUTO_TEST_CASE(each_number_has_an_effect)
   BOOST_TEST(differ(calibrated, calibrated.number_of_refined_candidates(0)));
   BOOST_TEST(differ(calibrated, calibrated.number_of_pieces(0)));
   BOOST_TEST(differ(paper, paper.part_salience(Calibrated_part_salience())));
-  BOOST_TEST(differ(paper, paper.concavity_radius(0.01)));
+  BOOST_TEST(differ(paper, paper.concavity_radius(0.02)));
   BOOST_TEST(differ(paper, paper.single_source_orderings(true)));
   BOOST_TEST(differ(paper, paper.thickness_orderings(true)));
   BOOST_TEST(differ(paper, paper.number_of_candidates(14)));

@@ -90,17 +90,21 @@ struct Weighted_part_salience
 /// \cgalModels{PartSalience}
 struct Calibrated_part_salience
 {
-  double constant = -6.803;
-  double logarithm_of_part = 0.493;
-  double cut_strength = 3.346;
-  double protrusiveness = 3.301;
-  double hollowness_of_cut_part = -2.227;
-  double hollowness_of_rest = -1.004;
-  double convexity_gain = 22.899;
-  double widening_of_rest = 1.484;
-  double thickness_difference = -0.407;
-  double thickness_step = 0.800;
-  double thickness_variation = 0.419;
+  // As benchmark/fit_part_salience BENCH_DIR --ids odd --leave-one-category-out printed them: 126968
+  // cuts of 190 meshes, no random numbers. Mean Rand error at the threshold 0.36, with people's
+  // number of parts, and of the best number of parts: 0.101, 0.107, 0.090; each category judged by a
+  // fit to the others: 0.104, 0.108, 0.091. People differ by 0.109.
+  double constant = -6.030;
+  double logarithm_of_part = 0.275;
+  double cut_strength = 2.409;
+  double protrusiveness = 2.938;
+  double hollowness_of_cut_part = -2.732;
+  double hollowness_of_rest = -0.423;
+  double convexity_gain = 31.752;
+  double widening_of_rest = 1.311;
+  double thickness_difference = -0.203;
+  double thickness_step = 0.686;
+  double thickness_variation = 0.568;
 
   double operator()(const Salience_factors& f) const
   {
