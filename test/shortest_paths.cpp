@@ -98,7 +98,7 @@ BOOST_AUTO_TEST_CASE(both_searches_agree_on_real_meshes)
   for (const char* name : {"elephant.off", "hand.off", "dino.off", "camel.off", "mushroom.off"}) {
     Face_dual_graph graph = dual_graph_of(read(name));
     for (double concavity_radius : {0., 0.01}) {
-      set_face_distances(graph, graph.points, {0.03, 1, 0.1, concavity_radius});
+      set_face_distances(graph, {0.03, 1, 0.1, concavity_radius});
       for (Weighting weighting : weightings)
         for (Index source : {Index(0), Index(graph.number_of_faces() / 2)})
           BOOST_TEST((shortest_paths(graph, source, weighting) ==
