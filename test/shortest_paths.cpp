@@ -22,7 +22,6 @@ using CGAL::Spectral_segmentation::internal::Dijkstra_search;
 using CGAL::Spectral_segmentation::internal::Weighting;
 using CGAL::Spectral_segmentation::internal::first_steps;
 using CGAL::Spectral_segmentation::internal::null_index;
-using CGAL::Spectral_segmentation::internal::set_face_distances;
 using CGAL::Spectral_segmentation::internal::shortest_paths;
 
 namespace {
