@@ -143,7 +143,7 @@ BOOST_AUTO_TEST_CASE(a_cavity_counts_by_its_area)
 {
   const Soup soup = disjoint_union(scaled(sphere(3), 3), turned_inside_out(sphere(3)));
   // The shell is 0, the cavity 1 + 3 below the hull; their areas are 9 to 1.
-  BOOST_TEST(hollowness_of(soup) == 0.4, tt::tolerance(0.01));
+  BOOST_TEST(hollowness_of(soup) == 0.4, tt::tolerance(0.02));
 }
 
 BOOST_AUTO_TEST_CASE(two_spheres_are_hollow_between_each_other)
@@ -151,7 +151,7 @@ BOOST_AUTO_TEST_CASE(two_spheres_are_hollow_between_each_other)
   // The halves that look at each other are 2d |x| below the hull, which is d on average.
   for (double d : {2., 5., 20.})
     BOOST_TEST(hollowness_of(disjoint_union(moved(sphere(3), -d, 0, 0), moved(sphere(3), d, 0, 0)))
-               == d / 2, tt::tolerance(0.003));
+               == d / 2, tt::tolerance(0.006));
 }
 
 BOOST_AUTO_TEST_CASE(hardly_any_depth_is_out_of_sight)
@@ -184,7 +184,7 @@ BOOST_AUTO_TEST_CASE(a_dumbbell_is_hollow_and_its_halves_are_less_so)
   BOOST_TEST(low.size() == high.size());
   Hollowness hollowness(graph);
   const double whole = hollowness(all_faces(graph));
-  BOOST_TEST(whole == exact_hollowness(graph, all_faces(graph)), tt::tolerance(0.002));
+  BOOST_TEST(whole == exact_hollowness(graph, all_faces(graph)), tt::tolerance(0.004));
   BOOST_TEST(whole > 0.2);
   BOOST_TEST(hollowness(low) < single_precision);
   BOOST_TEST(hollowness(high) < single_precision);
@@ -224,7 +224,7 @@ BOOST_AUTO_TEST_CASE(the_order_of_the_faces_does_not_matter)
   const double in_order = hollowness(faces);
   std::shuffle(faces.begin(), faces.end(), random);
   BOOST_TEST(hollowness(faces) == in_order, tt::tolerance(1e-12));
-  BOOST_TEST(in_order == exact_hollowness(graph, faces), tt::tolerance(0.002));
+  BOOST_TEST(in_order == exact_hollowness(graph, faces), tt::tolerance(0.004));
 }
 
 BOOST_AUTO_TEST_CASE(moving_the_part_does_not_matter)
