@@ -258,7 +258,7 @@ int main(int argc, char* argv[])
   CGAL::set_error_handler([](const char*, const char*, const char*, int, const char*) {});
   CGAL::set_warning_handler([](const char*, const char*, const char*, int, const char*) {});
   Options options;
-  CLI::App app("Cuts a mesh into its parts by recursive and visually salient spectral cuts.",
+  CLI::App app("Cuts a mesh into the parts that a person would name.",
                "segment_mesh");
   try {
     add_options(app, options);

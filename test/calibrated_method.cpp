@@ -328,7 +328,7 @@ BOOST_AUTO_TEST_CASE(the_unit_does_not_matter)
 
 BOOST_AUTO_TEST_CASE(the_names_of_the_axes_matter_little)
 {
-  // Hulls are sampled in directions that do not turn with the mesh.
+  // The points of hulls are found in directions that do not turn with the mesh.
   Soup soup = elephant();
   for (Point& p : soup.points)
     p = Point(p.y(), p.z(), p.x());

@@ -60,8 +60,9 @@ connected. The same input gives the same ids on every run, with any number of th
 visitor stops it), and for every data structure that holds the same mesh.
 
 The run takes O(*k p n* log *n*) time for *n* faces, *k* reference faces and *p* parts that are
-searched, and O(*k n*) memory. The bound leaves out the minimum cuts, for which the worst case is
-worse, but which in practice take hardly more than linear time. The mesh is not changed.
+searched, and O(*k n*) memory. The bound leaves out the shortest paths where a few edges are far
+longer than all others, and the minimum cuts: their worst cases are worse, but in practice they take
+hardly more than linear time. The mesh is not changed.
 Faces without area, borders, and any number of connected components are welcome.
 
 \tparam ConcurrencyTag `CGAL::Sequential_tag`, `CGAL::Parallel_tag` or

@@ -10,8 +10,8 @@ namespace CGAL {
 namespace Spectral_segmentation {
 
 /// \ingroup PkgSpectralSegmentationRef
-/// The three factors of the salience of a part *Q* that is cut from a part *M*
-/// (Hoffman and Singh 1997; Zhang and Liu 2005, Section 6).
+/// The factors by which the cut of a part *Q* from a part *M* is judged: the three of the paper
+/// (Hoffman and Singh 1997; Zhang and Liu 2005, Section 6), and more.
 /// *Q* is the one of the two sides that has the smaller area.
 struct Salience_factors
 {
@@ -19,8 +19,9 @@ struct Salience_factors
   double size = 0;
 
   /// *V<sub>c</sub>*, in [0, 1]: the mean, over the edges of the cut, of the equalized angle
-  /// distance at concave edges and 0 at others, divided by the largest equalized angle distance
-  /// in *M*.
+  /// distance at concave edges and 0 at others. Where the factors beyond the paper are known, an
+  /// edge counts by its length; else all count the same, and the mean is divided by the largest
+  /// equalized angle distance in *M*.
   double cut_strength = 0;
 
   /// *V<sub>p</sub>* = 1 - 4 sqrt(&lambda;<sub>1</sub> &lambda;<sub>2</sub>) / Area(*Q*), at most 1
@@ -90,10 +91,10 @@ struct Weighted_part_salience
 /// \cgalModels{PartSalience}
 struct Calibrated_part_salience
 {
-  // As benchmark/fit_part_salience BENCH_DIR --ids odd --leave-one-category-out printed them: 126968
-  // cuts of 190 meshes, no random numbers. Mean Rand error at the threshold 0.36, with people's
-  // number of parts, and of the best number of parts: 0.101, 0.107, 0.090; each category judged by a
-  // fit to the others: 0.104, 0.108, 0.091. People differ by 0.109.
+  // As benchmark/fit_part_salience BENCH_DIR --ids odd --leave-one-category-out printed them:
+  // 126968 cuts of 190 meshes, no random numbers. Mean Rand error at the threshold that is best for
+  // these meshes, 0.36; with people's number of parts; of the best number: 0.101, 0.107, 0.090.
+  // Each category judged by a fit to the others: 0.104, 0.108, 0.091. People differ by 0.109.
   double constant = -6.030;
   double logarithm_of_part = 0.275;
   double cut_strength = 2.409;

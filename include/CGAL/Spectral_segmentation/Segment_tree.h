@@ -62,9 +62,9 @@ public:
   enum class Cut_state
   {
     NOT_SEARCHED, ///< the run ended before it came to this part
-    NO_CUT,       ///< there is no cut with two connected sides
-    REJECTED,     ///< the best cut is less salient than the threshold of the run
-    ACCEPTED      ///< the part was cut, and has two children
+    NO_CUT,       ///< there is no cut with two connected sides of minimum size, or it is a piece
+    REJECTED,     ///< the best cut is less salient than the threshold; not if there are pieces
+    ACCEPTED      ///< the part has two children; if there are pieces, whatever the threshold
   };
 
   struct Node
@@ -102,7 +102,7 @@ public:
   /// The children of the i-th cut that was made follow at `number_of_roots() + 2 * i`.
   size_type number_of_roots() const { return number_of_roots_; }
 
-  /// number of leaves
+  /// number of leaves, which are the pieces if the run has pieces
   size_type number_of_segments() const
   { return number_of_roots_ + (nodes_.size() - number_of_roots_) / 2; }
 

@@ -29,8 +29,9 @@ typedef Eigen::Vector3d Vector;
 // the faces across the three edges of a face; the face itself where there is none
 typedef std::array<Index, 3> Neighbors;
 
-// Distances of adjacent faces are on a grid of 2^-20, on which sums of doubles are exact: the length
-// of a path does not depend on the order of its sum, and faces that tie on paper tie in the machine.
+// Distances of adjacent faces are on a grid of 2^-20, on which sums of doubles are exact: the
+// length of a path does not depend on the order of its sum, and faces that tie on paper tie in the
+// machine.
 inline double on_grid(double x) { return std::floor(x * 1048576. + 0.5) / 1048576.; }
 
 // The faces of a part of the mesh, as arrays; a model of BGL's `VertexListGraph` and

@@ -68,8 +68,10 @@ public:
   {
     float largest = 0;
     for (Index f = 0; f < part.number_of_faces(); ++f)
-      for (Index h = 3 * f; h < 3 * f + 3; ++h)
-        largest = (std::max)(largest, part.halfedges[h].neighbor == f ? 0 : part.halfedges[h].angle);
+      for (Index h = 3 * f; h < 3 * f + 3; ++h) {
+        const Face_dual_graph::Halfedge& e = part.halfedges[h];
+        largest = (std::max)(largest, e.neighbor == f ? 0 : e.angle);
+      }
     largest_angle_ = largest;
   }
 

@@ -260,10 +260,10 @@ class Cut_and_merge
       Sides side;
       double area[2] = {0, 0};
       for (Index f : tree.faces(cut_node)) {
-        side.push_back(is_from[piece_of_face[f]] ? 0 : 1);
+        side.push_back(is_from[piece_of_face[f]]); // 1 as in boundary(), should the areas be equal
         area[int(side.back())] += mesh_.areas[f];
       }
-      const bool from_is_smaller = area[0] <= area[1];
+      const int side_of_from = area[0] <= area[1] ? 1 : 0;
       put_smaller_side_first(side, area);
       tree.set_cut(cut_node, Segment_tree::Cut_state::ACCEPTED, merges[k].salience,
                    merges[k].factors);
@@ -271,7 +271,7 @@ class Cut_and_merge
       const Segment_tree::Node& n = tree.node(cut_node);
       for (std::size_t i = 0; i < node.size(); ++i)
         if (node[i] == cut_node)
-          node[i] = n.children[is_from[i] == (from_is_smaller ? 1 : 0) ? 0 : 1];
+          node[i] = n.children[is_from[i] ? side_of_from : 1 - side_of_from];
     }
     for (std::size_t i = 0; i < tree.number_of_nodes(); ++i)
       if (tree.node(i).is_leaf())
