@@ -12,6 +12,7 @@
 #include "for_each_mesh.h"
 #include "judged_cuts.h"
 #include "part_salience_fit.h"
+#include "program.h"
 #include "tree_errors.h"
 
 #include <CLI/CLI.hpp>
@@ -20,10 +21,6 @@
 
 #include <cstddef>
 #include <cstdio>
-#include <cstdlib>
-#include <exception>
-#include <fstream>
-#include <iostream>
 #include <map>
 #include <stdexcept>
 #include <string>
@@ -197,26 +194,12 @@ void run(const Options& o)
     for (const auto& [category, salience] : saliences)
       left_out["salience"][category_names[category]] = json_of(salience);
   }
-  if (!o.json.empty() && !(std::ofstream(o.json) << json.dump(1) << std::endl))
-    throw std::runtime_error("cannot write " + o.json);
+  write_json(o.json, json);
 }
 
 int main(int argc, char** argv)
 {
-  Options options;
-  CLI::App app("Fits the calibrated salience to people's cuts on the Princeton benchmark.",
-               "fit_part_salience");
-  try {
-    add_options(app, options);
-    app.parse(argc, argv);
-    run(options);
-    return EXIT_SUCCESS;
-  }
-  catch (const CLI::ParseError& e) {
-    return app.exit(e) == 0 ? EXIT_SUCCESS : EXIT_FAILURE;
-  }
-  catch (const std::exception& e) {
-    std::cerr << "fit_part_salience: " << e.what() << "\n";
-    return EXIT_FAILURE;
-  }
+  return run_program("fit_part_salience",
+                     "Fits the calibrated salience to people's cuts on the Princeton benchmark.",
+                     add_options, run, argc, argv);
 }

@@ -8,6 +8,7 @@
 
 #include "for_each_mesh.h"
 #include "method_variants.h"
+#include "program.h"
 #include "score_report.h"
 #include "tree_errors.h"
 
@@ -17,11 +18,6 @@
 
 #include <cstddef>
 #include <cstdio>
-#include <cstdlib>
-#include <exception>
-#include <fstream>
-#include <iostream>
-#include <stdexcept>
 #include <string>
 #include <vector>
 
@@ -155,26 +151,12 @@ void run(const Options& o)
               "meshes\nk: people's usual number of parts is given; tree: the best number of parts"
               "\nseconds: of one thread for a whole tree, median; change: from the first line\n");
   std::fflush(stdout);
-  if (!o.json.empty() && !(std::ofstream(o.json) << json_of(blocks).dump(1) << std::endl))
-    throw std::runtime_error("cannot write " + o.json);
+  write_json(o.json, json_of(blocks));
 }
 
 int main(int argc, char** argv)
 {
-  Options options;
-  CLI::App app("The differences between the two methods, one at a time, on people's cuts.",
-               "segmentation_ablation");
-  try {
-    add_options(app, options);
-    app.parse(argc, argv);
-    run(options);
-    return EXIT_SUCCESS;
-  }
-  catch (const CLI::ParseError& e) {
-    return app.exit(e) == 0 ? EXIT_SUCCESS : EXIT_FAILURE;
-  }
-  catch (const std::exception& e) {
-    std::cerr << "segmentation_ablation: " << e.what() << "\n";
-    return EXIT_FAILURE;
-  }
+  return run_program("segmentation_ablation",
+                     "The differences between the two methods, one at a time, on people's cuts.",
+                     add_options, run, argc, argv);
 }

@@ -9,6 +9,7 @@
 
 #include "Contact_sheet.h"
 #include "for_each_mesh.h"
+#include "program.h"
 #include "score_mesh.h"
 #include "score_report.h"
 
@@ -17,10 +18,6 @@
 #include <algorithm>
 #include <cstddef>
 #include <cstdio>
-#include <cstdlib>
-#include <exception>
-#include <fstream>
-#include <iostream>
 #include <optional>
 #include <stdexcept>
 #include <string>
@@ -123,29 +120,14 @@ void run(const Options& o)
   std::printf("\n");
   print_categories(summaries);
   std::fflush(stdout);
-  if (!o.json.empty() &&
-      !(std::ofstream(o.json) << json_report(summaries, meshes).dump(1) << std::endl))
-    throw std::runtime_error("cannot write " + o.json);
+  write_json(o.json, json_report(summaries, meshes));
   if (sheet)
     sheet->write(o.sheet);
 }
 
 int main(int argc, char** argv)
 {
-  Options options;
-  CLI::App app("Errors of segmentations with respect to people's on the Princeton benchmark.",
-               "segmentation_quality");
-  try {
-    add_options(app, options);
-    app.parse(argc, argv);
-    run(options);
-    return EXIT_SUCCESS;
-  }
-  catch (const CLI::ParseError& e) {
-    return app.exit(e) == 0 ? EXIT_SUCCESS : EXIT_FAILURE;
-  }
-  catch (const std::exception& e) {
-    std::cerr << "segmentation_quality: " << e.what() << "\n";
-    return EXIT_FAILURE;
-  }
+  return run_program("segmentation_quality",
+                     "Errors of segmentations with respect to people's on the Princeton benchmark.",
+                     add_options, run, argc, argv);
 }

@@ -7,6 +7,7 @@
 
 #include "for_each_mesh.h"
 #include "mesh_changes.h"
+#include "program.h"
 #include "segmentation_methods.h"
 
 #include <CLI/CLI.hpp>
@@ -14,10 +15,7 @@
 #include <algorithm>
 #include <cstddef>
 #include <cstdio>
-#include <cstdlib>
-#include <exception>
 #include <filesystem>
-#include <iostream>
 #include <string>
 #include <vector>
 
@@ -27,7 +25,7 @@ struct Options
 {
   std::vector<std::string> inputs;
   std::string ids = "odd";
-  std::vector<std::string> methods;
+  std::vector<std::string> methods = {tree_methods().front().name};
   unsigned int seed = 0;
   std::size_t threads = 1;
 };
@@ -123,25 +121,15 @@ void compare(const Options& o, const std::string& method)
   }
 }
 
+void run(const Options& o)
+{
+  for (const std::string& method : o.methods)
+    compare(o, method);
+}
+
 int main(int argc, char** argv)
 {
-  Options options;
-  CLI::App app("How much a segmentation changes with the mesh when the shape does not.",
-               "segmentation_stability");
-  try {
-    add_options(app, options);
-    app.parse(argc, argv);
-    if (options.methods.empty())
-      options.methods.push_back(tree_methods().front().name);
-    for (const std::string& method : options.methods)
-      compare(options, method);
-    return EXIT_SUCCESS;
-  }
-  catch (const CLI::ParseError& e) {
-    return app.exit(e) == 0 ? EXIT_SUCCESS : EXIT_FAILURE;
-  }
-  catch (const std::exception& e) {
-    std::cerr << "segmentation_stability: " << e.what() << "\n";
-    return EXIT_FAILURE;
-  }
+  return run_program("segmentation_stability",
+                     "How much a segmentation changes with the mesh when the shape does not.",
+                     add_options, run, argc, argv);
 }
