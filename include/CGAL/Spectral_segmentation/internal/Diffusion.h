@@ -28,12 +28,9 @@ class Diffusion
 {
   typedef Eigen::SparseMatrix<double, Eigen::RowMajor> Matrix;
 
+  double radius_;
   Eigen::VectorXd root_of_area_;
   Matrix matrix_; // of a step; symmetric, as it is for densities times the roots of the areas
-
-  // The time is bounded, as are the iterations of the solver: the radius ends at about 9 faces.
-  static double time(double radius, double mean_area)
-  { return (std::min)(radius * radius / 4, 20 * mean_area); }
 
 public:
   // `radius` is relative to the square root of the area of the mesh, which must not be 0.
@@ -42,7 +39,9 @@ public:
   {
     const double area = total_area(mesh);
     const double mean_area = area / static_cast<double>(mesh.number_of_faces());
-    const double step = time(radius * std::sqrt(area), mean_area) / 2;
+    // About 9 faces, which bounds the iterations of the solver.
+    radius_ = (std::min)(radius * std::sqrt(area), std::sqrt(80 * mean_area));
+    const double step = radius_ * radius_ / 8;
     for (Index f = 0; f < mesh.number_of_faces(); ++f)
       root_of_area_[f] = std::sqrt((std::max)(mesh.areas[f], 1e-9 * mean_area));
     const double smallest_distance = 1e-3 * std::sqrt(mean_area);
@@ -67,6 +66,9 @@ public:
     }
     matrix_.setFromTriplets(entries.begin(), entries.end());
   }
+
+  // As it was bounded, in the unit of the points.
+  double radius() const { return radius_; }
 
   // The averaged density of a quantity of which each face has some amount.
   Eigen::VectorXd operator()(const Eigen::VectorXd& amounts) const

@@ -191,8 +191,10 @@ Equalized_angles equalized_bending(const Face_dual_graph& graph, const std::vect
   for (std::size_t e = 0; e < edges.size(); ++e) {
     const Index h = edges[e];
     lengths[e] = (points[graph.target_vertex(h)] - points[graph.source_vertex(h)]).norm();
+    // 1 - cos of the angle, which keeps its digits where that is small.
+    const double sine = std::sin(bending[h] / 2);
     distances[e] = static_cast<float>((bending[h] < 0 ? weights.concave : weights.convex) *
-                                      (1 - std::cos(bending[h])));
+                                      (2 * sine * sine));
   }
   Equalized_angles result{equalize(distances, lengths), std::vector<double>(edges.size(), 0)};
   for (std::size_t e = 0; e < edges.size(); ++e)

@@ -70,7 +70,7 @@ std::vector<double> shape_scale_angles(const Face_dual_graph& mesh,
     tensors.col(column) = diffusion(tensors.col(column));
   });
 
-  const double way = 2 * radius * std::sqrt(total_area(mesh));
+  const double way = 2 * diffusion.radius();
   for (Index h = 0; h < angles.size(); ++h) {
     const Index f = h / 3, g = mesh.halfedges[h].neighbor;
     const Vector edge = edge_vector(h);
