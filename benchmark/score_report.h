@@ -46,14 +46,6 @@ struct Row_summary
   }
 };
 
-inline double median(std::vector<double> values)
-{
-  const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
-  std::nth_element(values.begin(), middle, values.end());
-  return values.size() % 2 == 1 ? *middle
-                                : (*middle + *std::max_element(values.begin(), middle)) / 2;
-}
-
 template <class Range, class Value>
 double mean_of(const Range& range, const Value& value)
 {

@@ -284,6 +284,14 @@ public:
   { return count_ == 0 ? undefined : sum_ / static_cast<double>(count_); }
 };
 
+inline double median(std::vector<double> values)
+{
+  const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
+  std::nth_element(values.begin(), middle, values.end());
+  return values.size() % 2 == 1 ? *middle
+                                : (*middle + *std::max_element(values.begin(), middle)) / 2;
+}
+
 template <class ErrorsRange>
 Errors mean_errors(const ErrorsRange& all)
 {
