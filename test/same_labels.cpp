@@ -1,0 +1,124 @@
+// Copyright (c) 2026  The Spectral_segmentation authors.
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#define BOOST_TEST_MODULE same_labels
+#include <boost/test/unit_test.hpp>
+
+#include <CGAL/Spectral_segmentation/internal/shortest_paths.h>
+
+#include <atomic>
+#include <cstddef>
+#include <vector>
+
+namespace {
+
+bool uses_dijkstra = false;
+std::atomic<std::size_t> number_of_dijkstra_searches(0);
+
+} // namespace
+
+namespace CGAL {
+namespace Spectral_segmentation {
+namespace internal {
+
+// All searches of a run come here, as this is declared before any is used.
+template <>
+std::vector<double> shortest_paths<Bucket_search>(const Face_dual_graph& graph, Index source,
+                                                  Weighting weighting)
+{
+  if (!uses_dijkstra)
+    return Bucket_search()(graph, source, weighting);
+  ++number_of_dijkstra_searches;
+  return Dijkstra_search()(graph, source, weighting);
+}
+
+} // namespace internal
+} // namespace Spectral_segmentation
+} // namespace CGAL
+
+#include "test_labels.h"
+#include "test_meshes.h"
+
+#include <CGAL/segment_spectral_recursive.h>
+
+#include <CGAL/tags.h>
+
+#ifdef CGAL_LINKED_WITH_TBB
+#include <tbb/global_control.h>
+#include <tbb/task_arena.h>
+#endif
+
+using namespace test_meshes;
+namespace parameters = CGAL::Spectral_segmentation::parameters;
+using CGAL::Spectral_segmentation::Method;
+using CGAL::Spectral_segmentation::Segment_tree;
+
+namespace {
+
+struct Result
+{
+  Labels labels;
+  Segment_tree tree;
+};
+
+template <class ConcurrencyTag>
+Result segment(const Mesh& mesh, Method method)
+{
+  Result r;
+  CGAL::segment_spectral_recursive<ConcurrencyTag>(
+    mesh, map_to(r.labels, mesh), parameters::method(method).segment_tree(r.tree));
+  return r;
+}
+
+void check_equal(const Result& a, const Result& b)
+{
+  BOOST_TEST((a.labels == b.labels));
+  BOOST_TEST_REQUIRE(a.tree.number_of_nodes() == b.tree.number_of_nodes());
+  for (std::size_t i = 0; i < a.tree.number_of_nodes(); ++i) {
+    BOOST_TEST(a.tree.node(i).salience == b.tree.node(i).salience);
+    BOOST_TEST((a.tree.node(i).cut_state == b.tree.node(i).cut_state));
+  }
+}
+
+// Calls check(mesh, method, expected) for the result of one thread and the default search.
+template <class Check>
+void for_each_run(const Check& check)
+{
+  for (const char* name : {"elephant.off", "hand.off"}) {
+    const Mesh mesh = mesh_of(read(name));
+    for (Method method : {Method::CALIBRATED, Method::ZHANG_LIU_2005})
+      BOOST_TEST_CONTEXT(name << ", method " << int(method)) {
+        const Result expected = segment<CGAL::Sequential_tag>(mesh, method);
+        BOOST_TEST(expected.tree.number_of_segments() > 3);
+        check(mesh, method, expected);
+      }
+  }
+}
+
+} // namespace
+
+#ifdef CGAL_LINKED_WITH_TBB
+BOOST_AUTO_TEST_CASE(the_number_of_threads_changes_nothing)
+{
+  for_each_run([](const Mesh& mesh, Method method, const Result& expected) {
+    for (int threads : {1, 2, 4, 8}) {
+      const tbb::global_control control(tbb::global_control::max_allowed_parallelism, threads);
+      tbb::task_arena arena(threads); // more threads than cores, too
+      check_equal(arena.execute([&] { return segment<CGAL::Parallel_tag>(mesh, method); }),
+                  expected);
+    }
+  });
+}
+#endif
+
+BOOST_AUTO_TEST_CASE(the_search_for_shortest_paths_changes_nothing)
+{
+  for_each_run([](const Mesh& mesh, Method method, const Result& expected) {
+    const std::size_t number_before = number_of_dijkstra_searches;
+    uses_dijkstra = true;
+    const Result result = segment<CGAL::Sequential_tag>(mesh, method);
+    uses_dijkstra = false;
+    BOOST_TEST(number_of_dijkstra_searches > number_before);
+    check_equal(result, expected);
+  });
+}
