@@ -5,8 +5,8 @@
 #define SEGMENTATION_BENCHMARK_SEGMENTATION_METHODS_H
 
 #include "princeton_benchmark.h"
+#include "segment_by_sdf.h"
 
-#include <CGAL/mesh_segmentation.h>
 #include <CGAL/segment_spectral_recursive.h>
 #include <CGAL/tags.h>
 
@@ -49,16 +49,6 @@ Segment_tree segment_tree(const Mesh& mesh, const NamedParameters& np)
   CGAL::segment_spectral_recursive<ConcurrencyTag>(
     mesh, boost::vector_property_map<std::size_t>(mesh.num_faces()), np.segment_tree(tree));
   return tree;
-}
-
-inline Labels segment_by_sdf(const Mesh& mesh)
-{
-  Mesh with_values(mesh);
-  const auto sdf = with_values.add_property_map<Mesh::Face_index, double>("f:sdf").first;
-  const auto ids = with_values.add_property_map<Mesh::Face_index, std::size_t>("f:sdf_id").first;
-  CGAL::sdf_values(with_values, sdf);
-  CGAL::segmentation_from_sdf_values(with_values, sdf, ids);
-  return contiguous(std::vector<std::size_t>(ids.begin(), ids.end()));
 }
 
 inline const std::vector<Tree_method>& tree_methods()

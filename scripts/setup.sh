@@ -3,7 +3,7 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 #
 # setup.sh GROUP ...
-# Installs the Debian packages of the groups build, test and pictures that are missing.
+# Installs the Debian packages of the groups build, test, pictures and performance that are missing.
 
 set -euo pipefail
 
@@ -15,7 +15,8 @@ for group in "$@"; do
                  nlohmann-json3-dev libcgal-demo) ;;
     test) packages+=(libboost-test-dev libopenmesh-dev python3) ;;
     pictures) packages+=(python3-vtk9 xvfb xauth) ;;
-    *) echo "setup.sh: no such group: $group (build, test, pictures)" >&2; exit 1 ;;
+    performance) packages+=(libbenchmark-dev valgrind python3 python3-matplotlib) ;;
+    *) echo "setup.sh: no such group: $group (build, test, pictures, performance)" >&2; exit 1 ;;
   esac
 done
 
