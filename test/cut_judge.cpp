@@ -8,6 +8,7 @@
 
 #include <CGAL/Spectral_segmentation/Part_salience.h>
 #include <CGAL/Spectral_segmentation/internal/Cut_judge.h>
+#include <CGAL/Spectral_segmentation/internal/Extreme_points.h>
 #include <CGAL/Spectral_segmentation/internal/Face_dual_graph.h>
 #include <CGAL/Spectral_segmentation/internal/distances_from_cut.h>
 #include <CGAL/Spectral_segmentation/internal/face_distances.h>
@@ -16,6 +17,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <numeric>
 #include <utility>
 #include <vector>
 
@@ -23,6 +25,8 @@ using namespace test_meshes;
 namespace internal = CGAL::Spectral_segmentation::internal;
 using CGAL::Spectral_segmentation::Salience_factors;
 using internal::Cut_judge;
+using internal::Extreme_points;
+using internal::Judged_mesh;
 using internal::total_area;
 
 namespace {
@@ -58,8 +62,14 @@ Sides swapped(Sides side)
   return side;
 }
 
-Salience_factors factors(const Face_dual_graph& graph, const Sides& side)
-{ return Cut_judge(graph, total_area(graph))(side); }
+// Of a cut of the whole mesh, whose area is said to be so many times what it is.
+Salience_factors factors(const Face_dual_graph& graph, const Sides& side, double times = 1)
+{
+  std::vector<Index> faces(graph.number_of_faces());
+  std::iota(faces.begin(), faces.end(), Index(0));
+  const Judged_mesh mesh = {times * total_area(graph), Extreme_points(graph)};
+  return Cut_judge(graph, faces, mesh)(side);
+}
 
 // 1 x 1 x 2: two cubes on top of each other.
 Soup box()
@@ -83,7 +93,7 @@ BOOST_AUTO_TEST_CASE(a_box_of_two_cubes_is_cut_in_the_middle)
 {
   const Soup soup = box();
   const Face_dual_graph graph = graph_of(soup);
-  const Salience_factors f = Cut_judge(graph, 4 * total_area(graph))(below(soup, 1));
+  const Salience_factors f = factors(graph, below(soup, 1), 4);
   BOOST_TEST(f.size == 0.5, tolerance(1e-12));
   // The corners of the unit square have the variance 1/4 in each direction; a half has the area 5.
   BOOST_TEST(f.protrusiveness == 1 - 4 * 0.25 / 5, tolerance(1e-12));
@@ -107,9 +117,8 @@ BOOST_AUTO_TEST_CASE(the_size_of_the_whole_mesh_enters_two_factors)
 {
   const Soup soup = dumbbell(20, 15);
   const Face_dual_graph graph = graph_of(soup);
-  const double area = total_area(graph);
-  const Salience_factors a = Cut_judge(graph, area)(below(soup, 0)),
-                         b = Cut_judge(graph, 100 * area)(below(soup, 0));
+  const Salience_factors a = factors(graph, below(soup, 0)),
+                         b = factors(graph, below(soup, 0), 100);
   BOOST_TEST(std::abs(a.logarithm_of_part) < 1e-12);
   BOOST_TEST(b.logarithm_of_part == -std::log(100.), tolerance(1e-12));
   BOOST_TEST(a.convexity_gain == 10 * b.convexity_gain, tolerance(1e-12));
@@ -306,8 +315,7 @@ BOOST_AUTO_TEST_CASE(cut_strength_is_the_mean_concavity_by_length)
           if (graph.halfedges[h].neighbor == Index(g))
             sum += l * graph.halfedges[h].concavity;
       }
-      Cut_judge judge(graph, total_area(graph));
-      BOOST_TEST(judge(side).cut_strength == sum / length, tolerance(1e-9));
+      BOOST_TEST(factors(graph, side).cut_strength == sum / length, tolerance(1e-9));
       BOOST_TEST(sum > 0);
     }
   }
@@ -317,7 +325,10 @@ BOOST_AUTO_TEST_CASE(a_judge_forgets_the_cuts_before)
 {
   const Soup soup = torus(2, 0.7, 16, 10);
   const Face_dual_graph graph = graph_of(soup);
-  Cut_judge judge(graph, total_area(graph));
+  std::vector<Index> faces(graph.number_of_faces());
+  std::iota(faces.begin(), faces.end(), Index(0));
+  const Judged_mesh mesh = {total_area(graph), Extreme_points(graph)};
+  const Cut_judge judge(graph, faces, mesh);
   for (double z : {-0.5, 0.3, -0.5}) {
     const Salience_factors a = judge(below(soup, z)), b = factors(graph, below(soup, z));
     BOOST_TEST(a.protrusiveness == b.protrusiveness);

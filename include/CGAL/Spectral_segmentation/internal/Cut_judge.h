@@ -5,20 +5,39 @@
 #define CGAL_SPECTRAL_SEGMENTATION_INTERNAL_CUT_JUDGE_H
 
 #include <CGAL/Spectral_segmentation/Part_salience.h>
+#include <CGAL/Spectral_segmentation/internal/Extreme_points.h>
 #include <CGAL/Spectral_segmentation/internal/Face_dual_graph.h>
 #include <CGAL/Spectral_segmentation/internal/Hollowness.h>
 #include <CGAL/Spectral_segmentation/internal/Meta_patch.h>
 #include <CGAL/Spectral_segmentation/internal/distances_from_cut.h>
+#include <CGAL/Spectral_segmentation/internal/options.h>
+#include <CGAL/Spectral_segmentation/internal/parts.h>
 
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
 #include <numeric>
+#include <optional>
 #include <vector>
 
 namespace CGAL {
 namespace Spectral_segmentation {
 namespace internal {
+
+// What the factors of cuts say of the whole mesh.
+struct Judged_mesh
+{
+  double area;
+  std::optional<Extreme_points> extreme_points; // for the factors beyond the paper
+};
+
+inline Judged_mesh judged_mesh(const Face_dual_graph& mesh, const Options& options)
+{
+  Judged_mesh result{total_area(mesh), {}};
+  if (options.judges_by_all_factors())
+    result.extreme_points.emplace(mesh);
+  return result;
+}
 
 // All factors of single cuts of a part, those beyond the paper too. A cut is given by the side of
 // each face: 0 for Q, which has the smaller area, 1 for the rest.
@@ -89,8 +108,9 @@ class Cut_judge
   }
 
 public:
-  Cut_judge(const Face_dual_graph& part, double area_of_mesh)
-    : part_(part), area_of_mesh_(area_of_mesh), hollowness_(part)
+  // `faces` are those of the part, by their numbers in the mesh.
+  Cut_judge(const Face_dual_graph& part, const std::vector<Index>& faces, const Judged_mesh& mesh)
+    : part_(part), area_of_mesh_(mesh.area), hollowness_(*mesh.extreme_points, part, faces)
   {
     std::vector<Index> all(part.number_of_faces());
     std::iota(all.begin(), all.end(), Index(0));
