@@ -49,11 +49,10 @@ inline std::vector<Face_at_distance> faces_near_cut(const Face_dual_graph& part,
     if (d > distance[f])
       continue;
     result.push_back({f, d});
-    const Vector center = part.centroid(f);
     for (Index h = 3 * f; h < 3 * f + 3; ++h) {
       const Index g = part.halfedges[h].neighbor;
       if (d < distance[g] && side[g] == side[f])
-        relax(g, d + (part.centroid(g) - center).norm());
+        relax(g, d + part.halfedges[h].centroids);
     }
   }
   return result;
