@@ -202,7 +202,8 @@ BOOST_AUTO_TEST_CASE(the_step_of_thickness_sees_neither_the_cut_nor_what_is_far_
   const double radius = 0.35 * std::sqrt(area);
   graph.thickness.assign(side.size(), 500);
   std::size_t number_in_ring[2] = {0, 0};
-  for (const internal::Face_at_distance& f : internal::faces_near_cut(graph, side, radius)) {
+  for (const internal::Face_at_distance& f : internal::faces_near_cut(
+         graph, side, internal::halfedges_of_cut(graph, side), radius)) {
     graph.thickness[f.face] = f.distance < radius / 2 ? -70.f : side[f.face] == 0 ? 4.f : 9.f;
     number_in_ring[int(side[f.face])] += f.distance >= radius / 2;
   }

@@ -70,32 +70,30 @@ class Cut_judge
   double thickness(Index f) const { return part_.thickness.empty() ? 0 : part_.thickness[f]; }
 
   // Size, cut strength by length, protrusiveness; returns the length of the cut.
-  double look_along(const std::vector<char>& side, const std::vector<Index>& faces_of_q,
+  double look_along(const std::vector<Index>& faces_of_q, const std::vector<Index>& cut,
                     Salience_factors& factors) const
   {
     Meta_patch q(part_);
-    double length = 0, concavity = 0;
-    for (Index f : faces_of_q) {
+    for (Index f : faces_of_q)
       q.add(f);
-      for (Index h = 3 * f; h < 3 * f + 3; ++h)
-        if (side[part_.halfedges[h].neighbor] != 0) {
-          const double l = part_.length(h);
-          length += l;
-          concavity += l * part_.halfedges[h].concavity;
-        }
-    }
     factors = q.factors();
+    double length = 0, concavity = 0;
+    for (Index h : cut) {
+      const double l = part_.length(h);
+      length += l;
+      concavity += l * part_.halfedges[h].concavity;
+    }
     factors.cut_strength = length > 0 ? concavity / length : 0;
     return length;
   }
 
-  void look_around(const std::vector<char>& side, double area_of_q, double length,
-                   Salience_factors& factors) const
+  void look_around(const std::vector<char>& side, const std::vector<Index>& cut, double area_of_q,
+                   double length, Salience_factors& factors) const
   {
     const double radius = 0.35 * std::sqrt(area_of_q);
     Thickness_sums off_the_cut[2];
     double area_of_near_rest = 0;
-    for (const Face_at_distance& f : faces_near_cut(part_, side, radius)) {
+    for (const Face_at_distance& f : faces_near_cut(part_, side, cut, radius)) {
       if (f.distance >= radius / 2)
         off_the_cut[int(side[f.face])].add(part_.areas[f.face], thickness(f.face));
       if (side[f.face] == 1)
@@ -123,6 +121,8 @@ public:
   Salience_factors operator()(const std::vector<char>& side) const
   {
     std::vector<Index> faces[2];
+    for (std::vector<Index>& f : faces)
+      f.reserve(side.size());
     Thickness_sums thickness_of[2];
     for (Index f = 0; f < side.size(); ++f) {
       faces[int(side[f])].push_back(f);
@@ -132,8 +132,9 @@ public:
     const double area_of_part = area[0] + area[1];
 
     Salience_factors factors;
-    const double length = look_along(side, faces[0], factors);
-    look_around(side, area[0], length, factors);
+    const std::vector<Index> cut = halfedges_of_cut(part_, side);
+    const double length = look_along(faces[0], cut, factors);
+    look_around(side, cut, area[0], length, factors);
     const double hollowness[2] = {hollowness_(faces[0]), hollowness_(faces[1])};
     factors.logarithm_of_part = std::log(area_of_part / area_of_mesh_);
     factors.hollowness_of_cut_part = hollowness[0] / std::sqrt(area[0]);

@@ -133,7 +133,7 @@ struct Face_plane
 // kept, so that only the faces of the blocks that a set shares with others are looked at.
 class Extreme_points
 {
-  static constexpr Index faces_per_block = 64;
+  static constexpr Index faces_per_block = 32;
 
   std::vector<Eigen::Vector3f> points_;
   std::vector<std::array<Index, 3> > corners_;

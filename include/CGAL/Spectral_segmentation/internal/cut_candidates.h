@@ -32,16 +32,19 @@ namespace internal {
 class Patch_with_capacity : public Meta_patch
 {
   const Face_dual_graph& part_;
+  const std::vector<double>& capacities_;
   double capacity_of_cut_ = 0;
 
 public:
-  explicit Patch_with_capacity(const Face_dual_graph& part) : Meta_patch(part), part_(part) {}
+  // `capacities` are those of the half-edges.
+  Patch_with_capacity(const Face_dual_graph& part, const std::vector<double>& capacities)
+    : Meta_patch(part), part_(part), capacities_(capacities) {}
 
   void add(Index f)
   {
     for (Index h = 3 * f; h < 3 * f + 3; ++h)
       if (!part_.is_border(h))
-        capacity_of_cut_ += (has_face(part_.halfedges[h].neighbor) ? -1 : 1) * capacity(part_, h);
+        capacity_of_cut_ += (has_face(part_.halfedges[h].neighbor) ? -1 : 1) * capacities_[h];
     Meta_patch::add(f);
   }
 
@@ -87,20 +90,22 @@ inline std::vector<Line_step> line_steps(const Face_dual_graph& part, const Grow
 
 // The two best steps by a measure, the second not next to the first.
 template <class Measure>
-std::vector<Proposal> best_steps(const Growth& growth, std::vector<Line_step> steps,
+std::vector<Proposal> best_steps(const Growth& growth, const std::vector<Line_step>& steps,
                                  const Measure& measure)
 {
+  const Line_step* best[2] = {nullptr, nullptr};
+  for (int i = 0; i < 2; ++i)
+    for (const Line_step& s : steps) {
+      const bool is_next_to_first =
+        i == 1 && std::abs(s.area - best[0]->area) < 0.25 * best[0]->smaller_area;
+      // On the grid, so that rounding does not choose between cuts that mirror each other.
+      if (!is_next_to_first && (!best[i] || on_grid(measure(s)) > on_grid(measure(*best[i]))))
+        best[i] = &s;
+    }
   std::vector<Proposal> result;
-  while (result.size() < 2 && !steps.empty()) {
-    // On the grid, so that rounding does not choose between cuts that mirror each other.
-    const Line_step best = *std::max_element(
-      steps.begin(), steps.end(), [&](const Line_step& a, const Line_step& b)
-      { return on_grid(measure(a)) < on_grid(measure(b)); });
-    result.push_back({sides_of(growth, best.size), measure(best)});
-    steps.erase(std::remove_if(steps.begin(), steps.end(), [&](const Line_step& s) {
-      return std::abs(s.area - best.area) < 0.25 * best.smaller_area;
-    }), steps.end());
-  }
+  for (const Line_step* s : best)
+    if (s)
+      result.push_back({sides_of(growth, s->size), measure(*s)});
   return result;
 }
 
@@ -150,7 +155,11 @@ std::vector<Sides> cut_candidates(const Face_dual_graph& part, const std::vector
                                   double minimum_area, std::size_t number)
 {
   std::vector<Proposals> of_line(lines.size());
-  const Patch_with_capacity empty(part);
+  std::vector<double> capacities;
+  capacities.reserve(part.halfedges.size());
+  for (Index h = 0; h < part.halfedges.size(); ++h)
+    capacities.push_back(capacity(part, h));
+  const Patch_with_capacity empty(part, capacities);
   for_each_index<ConcurrencyTag>(lines.size(), [&](std::size_t i) {
     of_line[i] = propose_cuts(part, lines[i], minimum_area, empty);
   });
