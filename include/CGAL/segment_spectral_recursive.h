@@ -151,7 +151,7 @@ Faces without area, borders, and any number of connected components are welcome.
     \cgalParamType{a number}
     \cgalParamDefault{`default_salience_threshold`, `0.54`, for a `Weighted_part_salience`: lower
       values leave the noise of flat regions in the result, higher ones lose limbs with a shallow
-      seam. Else `default_probability_threshold`, `0.38`.}
+      seam. Else `default_probability_threshold`, `0.42`.}
     \cgalParamExtra{`-infinity` accepts every cut, for use with `maximum_number_of_segments`. Not a
       NaN.}
   \cgalParamNEnd

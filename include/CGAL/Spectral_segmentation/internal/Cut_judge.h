@@ -92,17 +92,34 @@ class Cut_judge
   {
     const double radius = 0.35 * std::sqrt(area_of_q);
     Thickness_sums off_the_cut[2];
-    double area_of_near_rest = 0;
+    double area_of_near_rest = 0, length_of_edges = 0, concavity = 0;
     for (const Face_at_distance& f : faces_near_cut(part_, side, cut, radius)) {
       if (f.distance >= radius / 2)
         off_the_cut[int(side[f.face])].add(part_.areas[f.face], thickness(f.face));
       if (side[f.face] == 1)
         area_of_near_rest += part_.areas[f.face];
+      for (Index h = 3 * f.face; h < 3 * f.face + 3; ++h)
+        if (!part_.is_border(h)) {
+          const double l = part_.length(h);
+          length_of_edges += l;
+          concavity += l * part_.halfedges[h].concavity;
+        }
     }
+    factors.concavity_near_cut = length_of_edges > 0 ? concavity / length_of_edges : 0;
     factors.widening_of_rest =
       length > 0 ? (std::min)(area_of_near_rest / (radius * length), 4.) : 4;
     if (off_the_cut[0].area > 0 && off_the_cut[1].area > 0)
       factors.thickness_step = off_the_cut[1].mean() - off_the_cut[0].mean();
+  }
+
+  void look_at_hulls(const std::vector<Index> (&faces)[2], const double (&area)[2],
+                     Salience_factors& factors) const
+  {
+    const double unit = std::sqrt(area_of_mesh_), whole = hollowness_of_part_ / unit;
+    const double sides = (area[0] * hollowness_(faces[0]) + area[1] * hollowness_(faces[1])) /
+                         ((area[0] + area[1]) * unit);
+    factors.convexity_gain = whole - sides;
+    factors.relative_convexity_gain = std::log((whole + 0.001) / (sides + 0.001));
   }
 
 public:
@@ -123,26 +140,18 @@ public:
     std::vector<Index> faces[2];
     for (std::vector<Index>& f : faces)
       f.reserve(side.size());
-    Thickness_sums thickness_of[2];
+    double area[2] = {0, 0};
     for (Index f = 0; f < side.size(); ++f) {
       faces[int(side[f])].push_back(f);
-      thickness_of[int(side[f])].add(part_.areas[f], thickness(f));
+      area[int(side[f])] += part_.areas[f];
     }
-    const double area[2] = {thickness_of[0].area, thickness_of[1].area};
-    const double area_of_part = area[0] + area[1];
 
     Salience_factors factors;
     const std::vector<Index> cut = halfedges_of_cut(part_, side);
     const double length = look_along(faces[0], cut, factors);
     look_around(side, cut, area[0], length, factors);
-    const double hollowness[2] = {hollowness_(faces[0]), hollowness_(faces[1])};
-    factors.logarithm_of_part = std::log(area_of_part / area_of_mesh_);
-    factors.hollowness_of_cut_part = hollowness[0] / std::sqrt(area[0]);
-    factors.hollowness_of_rest = hollowness[1] / std::sqrt(area[1]);
-    factors.convexity_gain =
-      (hollowness_of_part_ - (area[0] * hollowness[0] + area[1] * hollowness[1]) / area_of_part) /
-      std::sqrt(area_of_mesh_);
-    factors.thickness_difference = thickness_of[1].mean() - thickness_of[0].mean();
+    look_at_hulls(faces, area, factors);
+    factors.logarithm_of_part = std::log((area[0] + area[1]) / area_of_mesh_);
     factors.thickness_variation = thickness_of_part_.deviation();
     return factors;
   }
