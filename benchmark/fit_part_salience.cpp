@@ -134,6 +134,7 @@ void print(const char* title, const std::vector<Tree_errors>& meshes)
   for (std::size_t t = 0; t < mean.automatic.size(); ++t)
     std::printf("%9.2f %8.4f%s\n", tried_thresholds()[t], mean.automatic[t],
                 t == best ? "  least" : "");
+  std::printf("  default %8.4f\n", mean.by_default);
   std::printf("\nRand error meshes   people  auto%.2f       k     tree\n",
               tried_thresholds()[best]);
   for (const auto& [category, of_category] : by_category(meshes))

@@ -8,10 +8,12 @@
 
 #include <CGAL/Spectral_segmentation/internal/Monitor.h>
 #include <CGAL/Spectral_segmentation/internal/best_cut.h>
+#include <CGAL/Spectral_segmentation/internal/Cut_judge.h>
 #include <CGAL/tags.h>
 
 #include <algorithm>
 #include <cstddef>
+#include <numeric>
 #include <optional>
 #include <vector>
 
@@ -24,6 +26,13 @@ using internal::Sides;
 
 namespace {
 
+internal::Part whole(const Face_dual_graph& graph)
+{
+  std::vector<Index> faces(graph.number_of_faces());
+  std::iota(faces.begin(), faces.end(), Index(0));
+  return {graph, 0, faces};
+}
+
 std::vector<Cut> judged_cuts(const Face_dual_graph& graph, const Options& options,
                              std::optional<Cut>& best)
 {
@@ -31,7 +40,7 @@ std::vector<Cut> judged_cuts(const Face_dual_graph& graph, const Options& option
   internal::Monitor<Segmentation_visitor> monitor(visitor);
   std::vector<Cut> cuts;
   best = internal::best_cut<CGAL::Sequential_tag>(
-    internal::Part{graph, 0, 0}, internal::total_area(graph), options, monitor,
+    whole(graph), internal::judged_mesh(graph, options), options, monitor,
     [&](const Cut& cut) { cuts.push_back(cut); });
   return cuts;
 }
@@ -148,7 +157,7 @@ BOOST_AUTO_TEST_CASE(a_part_without_room_for_two_segments_is_not_searched)
   options.minimum_segment_size = 0.1;
   const auto search = [&](double area_of_mesh) {
     return internal::best_cut<CGAL::Sequential_tag>(
-      internal::Part{graph, 0, 0}, area_of_mesh, options, monitor);
+      whole(graph), {area_of_mesh, {}}, options, monitor);
   };
   const double area = internal::total_area(graph);
   BOOST_TEST(!search(5.01 * area).has_value());

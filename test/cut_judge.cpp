@@ -8,7 +8,9 @@
 
 #include <CGAL/Spectral_segmentation/Part_salience.h>
 #include <CGAL/Spectral_segmentation/internal/Cut_judge.h>
+#include <CGAL/Spectral_segmentation/internal/Extreme_points.h>
 #include <CGAL/Spectral_segmentation/internal/Face_dual_graph.h>
+#include <CGAL/Spectral_segmentation/internal/Hollowness.h>
 #include <CGAL/Spectral_segmentation/internal/distances_from_cut.h>
 #include <CGAL/Spectral_segmentation/internal/face_distances.h>
 #include <CGAL/Spectral_segmentation/internal/parts.h>
@@ -16,6 +18,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <numeric>
 #include <utility>
 #include <vector>
 
@@ -23,6 +26,8 @@ using namespace test_meshes;
 namespace internal = CGAL::Spectral_segmentation::internal;
 using CGAL::Spectral_segmentation::Salience_factors;
 using internal::Cut_judge;
+using internal::Extreme_points;
+using internal::Judged_mesh;
 using internal::total_area;
 
 namespace {
@@ -58,8 +63,14 @@ Sides swapped(Sides side)
   return side;
 }
 
-Salience_factors factors(const Face_dual_graph& graph, const Sides& side)
-{ return Cut_judge(graph, total_area(graph))(side); }
+// Of a cut of the whole mesh, whose area is said to be so many times what it is.
+Salience_factors factors(const Face_dual_graph& graph, const Sides& side, double times = 1)
+{
+  std::vector<Index> faces(graph.number_of_faces());
+  std::iota(faces.begin(), faces.end(), Index(0));
+  const Judged_mesh mesh = {times * total_area(graph), Extreme_points(graph)};
+  return Cut_judge(graph, faces, mesh)(side);
+}
 
 // 1 x 1 x 2: two cubes on top of each other.
 Soup box()
@@ -83,13 +94,12 @@ BOOST_AUTO_TEST_CASE(a_box_of_two_cubes_is_cut_in_the_middle)
 {
   const Soup soup = box();
   const Face_dual_graph graph = graph_of(soup);
-  const Salience_factors f = Cut_judge(graph, 4 * total_area(graph))(below(soup, 1));
+  const Salience_factors f = factors(graph, below(soup, 1), 4);
   BOOST_TEST(f.size == 0.5, tolerance(1e-12));
   // The corners of the unit square have the variance 1/4 in each direction; a half has the area 5.
   BOOST_TEST(f.protrusiveness == 1 - 4 * 0.25 / 5, tolerance(1e-12));
   BOOST_TEST(f.cut_strength == 0);
   BOOST_TEST(f.logarithm_of_part == -std::log(4.), tolerance(1e-12));
-  BOOST_TEST(f.thickness_difference == 0);
   BOOST_TEST(f.thickness_step == 0);
   BOOST_TEST(f.thickness_variation == 0);
 }
@@ -103,69 +113,95 @@ BOOST_AUTO_TEST_CASE(a_plate_cut_off_a_plate_has_a_base_without_width)
   BOOST_TEST(f.cut_strength == 0);
 }
 
-BOOST_AUTO_TEST_CASE(the_size_of_the_whole_mesh_enters_two_factors)
+BOOST_AUTO_TEST_CASE(the_size_of_the_whole_mesh_enters_three_factors)
 {
   const Soup soup = dumbbell(20, 15);
   const Face_dual_graph graph = graph_of(soup);
-  const double area = total_area(graph);
-  const Salience_factors a = Cut_judge(graph, area)(below(soup, 0)),
-                         b = Cut_judge(graph, 100 * area)(below(soup, 0));
+  const Salience_factors a = factors(graph, below(soup, 0)),
+                         b = factors(graph, below(soup, 0), 100);
   BOOST_TEST(std::abs(a.logarithm_of_part) < 1e-12);
   BOOST_TEST(b.logarithm_of_part == -std::log(100.), tolerance(1e-12));
   BOOST_TEST(a.convexity_gain == 10 * b.convexity_gain, tolerance(1e-12));
-  BOOST_TEST(a.hollowness_of_rest == b.hollowness_of_rest);
+  // The sides are convex.
+  for (const Salience_factors& f : {a, b})
+    BOOST_TEST(f.relative_convexity_gain == std::log(1 + 1000 * f.convexity_gain), tolerance(1e-3));
   BOOST_TEST(a.widening_of_rest == b.widening_of_rest);
 }
 
-BOOST_AUTO_TEST_CASE(convex_parts_of_a_convex_body_are_not_hollow)
+BOOST_AUTO_TEST_CASE(a_convex_body_does_not_get_more_convex)
 {
   const Soup soup = sphere(3);
   const Salience_factors f = factors(graph_of(soup), below(soup, 0));
-  for (double value : {f.hollowness_of_cut_part, f.hollowness_of_rest, f.convexity_gain})
-    BOOST_TEST(std::abs(value) < 1e-6);
+  BOOST_TEST(std::abs(f.convexity_gain) < 1e-6);
+  BOOST_TEST(std::abs(f.relative_convexity_gain) < 1e-3);
 }
 
 BOOST_AUTO_TEST_CASE(two_spheres_are_convex_once_they_are_cut_apart)
 {
   const Soup soup = dumbbell(40, 30);
   const Salience_factors f = factors(graph_of(soup), below(soup, 0));
-  BOOST_TEST(f.hollowness_of_cut_part < 1e-6);
-  BOOST_TEST(f.hollowness_of_rest < 1e-6);
   // The hull is a capsule. Below it a face whose normal leans by c towards the other sphere has the
   // depth c times the distance of the centers, in the mean a fourth of that.
   const double distance = 2 * std::sqrt(1 - 0.04);
   BOOST_TEST(f.convexity_gain == distance / 4 / std::sqrt(8 * pi), tolerance(0.05));
 }
 
-BOOST_AUTO_TEST_CASE(the_hollowness_of_a_side_is_measured_in_the_root_of_its_own_area)
+BOOST_AUTO_TEST_CASE(gains_of_convexity_are_those_of_the_hollowness)
 {
-  // A bowl without thickness: half of a sphere from outside, half from inside.
-  std::vector<std::pair<double, double> > profile;
-  for (int i = 0; i <= 20; ++i)
-    profile.emplace_back(-std::cos(i * pi / 40), i == 0 ? 0 : std::sin(i * pi / 40));
-  Soup soup = surface_of_revolution(profile, 40);
-  const std::size_t n = soup.triangles.size();
-  for (std::size_t t = 0; t < n; ++t) {
-    std::vector<std::size_t> back = soup.triangles[t];
-    std::swap(back[1], back[2]);
-    soup.triangles.push_back(back);
+  const Soup soup = torus(2, 0.7, 16, 10);
+  const Face_dual_graph graph = graph_of(soup);
+  const Sides side = below(soup, -0.5);
+  std::vector<Index> all, faces[2];
+  double area[2] = {0, 0};
+  for (Index f = 0; f < side.size(); ++f) {
+    all.push_back(f);
+    faces[int(side[f])].push_back(f);
+    area[int(side[f])] += graph.areas[f];
   }
-  // The rim joins the two.
-  const std::size_t first_of_rim = soup.points.size() - 40, shift = soup.points.size();
-  for (std::size_t v = 0; v < first_of_rim; ++v)
-    soup.points.push_back(soup.points[v]);
-  for (std::size_t t = n; t < 2 * n; ++t)
-    for (std::size_t& v : soup.triangles[t])
-      if (v < first_of_rim)
-        v += shift;
-  Sides side(2 * n, 0);
-  std::fill(side.begin() + std::ptrdiff_t(n), side.end(), char(1));
+  const Extreme_points extreme_points(graph);
+  const internal::Hollowness hollowness(extreme_points, graph, all);
+  const double of_sides = (area[0] * hollowness(faces[0]) + area[1] * hollowness(faces[1])) /
+                          (area[0] + area[1]);
+  const double unit = 5, whole = hollowness(all) / unit, sides = of_sides / unit;
+  const Salience_factors f = factors(graph, side, 25 / total_area(graph));
+  BOOST_TEST(sides > 0.01);
+  BOOST_TEST(f.convexity_gain == whole - sides, tolerance(1e-9));
+  BOOST_TEST(f.relative_convexity_gain == std::log((whole + 0.001) / (sides + 0.001)),
+             tolerance(1e-9));
+}
 
-  const Salience_factors f = factors(graph_of(soup), side);
-  BOOST_TEST(f.hollowness_of_cut_part < 1e-6);
-  // Along the normal of a face at depth z below the rim the rim lies at sqrt(1 - z^2), the face at
-  // -1; z is evenly spread over [0, 1].
-  BOOST_TEST(f.hollowness_of_rest == (1 + pi / 4) / std::sqrt(2 * pi), tolerance(0.01));
+BOOST_AUTO_TEST_CASE(concavity_near_the_cut_is_a_mean_by_length)
+{
+  // The faces near the cut are the 8 that have an edge of it, each with edges 1, 1, sqrt(2).
+  const Soup soup = box();
+  Face_dual_graph graph = graph_of(soup);
+  const Sides side = below(soup, 1);
+  for (Face_dual_graph::Halfedge& h : graph.halfedges)
+    h.concavity = 0;
+  for (Index h = 0; h < graph.halfedges.size(); ++h)
+    if (side[h / 3] != side[graph.halfedges[h].neighbor])
+      graph.halfedges[h].concavity = 0.5;
+  const Salience_factors f = factors(graph, side);
+  BOOST_TEST(f.cut_strength == 0.5, tolerance(1e-12));
+  BOOST_TEST(f.concavity_near_cut == 0.5 / (2 + std::sqrt(2.)), tolerance(1e-12));
+}
+
+BOOST_AUTO_TEST_CASE(concavity_near_the_cut_does_not_see_what_is_far_from_it)
+{
+  const Soup soup = tube(12, 4, 24);
+  Face_dual_graph graph = graph_of(soup);
+  const Sides side = below(soup, 3);
+  const double area_of_q = factors(graph, side).size * total_area(graph);
+  std::vector<char> is_near(side.size(), 0);
+  for (const internal::Face_at_distance& f :
+       internal::faces_near_cut(graph, side, internal::halfedges_of_cut(graph, side),
+                                0.35 * std::sqrt(area_of_q)))
+    is_near[f.face] = 1;
+  for (Index h = 0; h < graph.halfedges.size(); ++h)
+    graph.halfedges[h].concavity =
+      is_near[h / 3] || is_near[graph.halfedges[h].neighbor] ? 0.25f : 1.f;
+  BOOST_TEST(std::count(is_near.begin(), is_near.end(), 0) > 0);
+  BOOST_TEST(factors(graph, side).concavity_near_cut == 0.25, tolerance(1e-9));
 }
 
 BOOST_AUTO_TEST_CASE(thickness_that_is_constant_on_the_sides_has_its_variation_between_them)
@@ -177,7 +213,6 @@ BOOST_AUTO_TEST_CASE(thickness_that_is_constant_on_the_sides_has_its_variation_b
     graph.thickness.push_back(s == 0 ? 1.f : 3.f);
   const Salience_factors f = factors(graph, side);
   BOOST_TEST(f.size == 0.25, tolerance(1e-9));
-  BOOST_TEST(f.thickness_difference == 2, tolerance(1e-9));
   BOOST_TEST(f.thickness_step == 2, tolerance(1e-9));
   BOOST_TEST(f.thickness_variation == 2 * std::sqrt(0.25 * 0.75), tolerance(1e-9));
 }
@@ -193,7 +228,8 @@ BOOST_AUTO_TEST_CASE(the_step_of_thickness_sees_neither_the_cut_nor_what_is_far_
   const double radius = 0.35 * std::sqrt(area);
   graph.thickness.assign(side.size(), 500);
   std::size_t number_in_ring[2] = {0, 0};
-  for (const internal::Face_at_distance& f : internal::faces_near_cut(graph, side, radius)) {
+  for (const internal::Face_at_distance& f : internal::faces_near_cut(
+         graph, side, internal::halfedges_of_cut(graph, side), radius)) {
     graph.thickness[f.face] = f.distance < radius / 2 ? -70.f : side[f.face] == 0 ? 4.f : 9.f;
     number_in_ring[int(side[f.face])] += f.distance >= radius / 2;
   }
@@ -212,7 +248,6 @@ BOOST_AUTO_TEST_CASE(sides_without_a_face_at_some_distance_have_no_step_of_thick
   for (char s : side)
     graph.thickness.push_back(s == 0 ? 1.f : 3.f);
   const Salience_factors f = factors(graph, side);
-  BOOST_TEST(f.thickness_difference == 2, tolerance(1e-9));
   BOOST_TEST(f.thickness_variation == 1, tolerance(1e-9));
   BOOST_TEST(f.thickness_step == 0);
   // Each of the 4 faces at the cut that belong to the rest has the area 1/2, the cut the length 4.
@@ -265,13 +300,11 @@ BOOST_AUTO_TEST_CASE(halves_of_equal_area_swap_their_factors_with_their_labels)
   BOOST_TEST(a.cut_strength == b.cut_strength, same);
   BOOST_TEST(a.protrusiveness == b.protrusiveness, same);
   BOOST_TEST(a.logarithm_of_part == b.logarithm_of_part, same);
-  BOOST_TEST(a.hollowness_of_cut_part == b.hollowness_of_rest, same);
-  BOOST_TEST(a.hollowness_of_rest == b.hollowness_of_cut_part, same);
+  BOOST_TEST(a.concavity_near_cut == b.concavity_near_cut, same);
   BOOST_TEST(a.convexity_gain == b.convexity_gain, same);
-  BOOST_TEST(a.thickness_difference == -b.thickness_difference, same);
+  BOOST_TEST(a.relative_convexity_gain == b.relative_convexity_gain, same);
   BOOST_TEST(a.thickness_step == -b.thickness_step, same);
   BOOST_TEST(a.thickness_variation == b.thickness_variation, same);
-  BOOST_TEST(a.thickness_difference != 0);
   BOOST_TEST(a.thickness_step != 0);
 }
 
@@ -306,8 +339,7 @@ BOOST_AUTO_TEST_CASE(cut_strength_is_the_mean_concavity_by_length)
           if (graph.halfedges[h].neighbor == Index(g))
             sum += l * graph.halfedges[h].concavity;
       }
-      Cut_judge judge(graph, total_area(graph));
-      BOOST_TEST(judge(side).cut_strength == sum / length, tolerance(1e-9));
+      BOOST_TEST(factors(graph, side).cut_strength == sum / length, tolerance(1e-9));
       BOOST_TEST(sum > 0);
     }
   }
@@ -317,13 +349,16 @@ BOOST_AUTO_TEST_CASE(a_judge_forgets_the_cuts_before)
 {
   const Soup soup = torus(2, 0.7, 16, 10);
   const Face_dual_graph graph = graph_of(soup);
-  Cut_judge judge(graph, total_area(graph));
+  std::vector<Index> faces(graph.number_of_faces());
+  std::iota(faces.begin(), faces.end(), Index(0));
+  const Judged_mesh mesh = {total_area(graph), Extreme_points(graph)};
+  const Cut_judge judge(graph, faces, mesh);
   for (double z : {-0.5, 0.3, -0.5}) {
     const Salience_factors a = judge(below(soup, z)), b = factors(graph, below(soup, z));
     BOOST_TEST(a.protrusiveness == b.protrusiveness);
     BOOST_TEST(a.cut_strength == b.cut_strength);
-    BOOST_TEST(a.hollowness_of_cut_part == b.hollowness_of_cut_part);
-    BOOST_TEST(a.hollowness_of_rest == b.hollowness_of_rest);
+    BOOST_TEST(a.concavity_near_cut == b.concavity_near_cut);
+    BOOST_TEST(a.relative_convexity_gain == b.relative_convexity_gain);
     BOOST_TEST(a.widening_of_rest == b.widening_of_rest);
   }
 }

@@ -210,7 +210,7 @@ BOOST_AUTO_TEST_CASE(distances_on_random_meshes_agree_with_the_definition)
       for (std::size_t i = 0; i < edges.size(); ++i) {
         const Face_dual_graph::Halfedge& h = graph.halfedges[edges[i].halfedge];
         const double angle = rank_by_counting(angles, i);
-        BOOST_TEST(h.concave == edges[i].concave);
+        BOOST_TEST(h.concavity == (edges[i].concave ? h.angle : 0));
         BOOST_TEST(std::abs(h.geodesic - edges[i].geodesic) < rounding);
         BOOST_TEST(std::abs(h.angle - angle) < rounding);
         BOOST_TEST(std::abs(h.combined - (0.75 * angle + 0.25 * edges[i].geodesic)) < rounding);
@@ -227,14 +227,14 @@ BOOST_AUTO_TEST_CASE(both_sides_of_an_edge_agree_and_the_border_has_no_distance)
     const Face_dual_graph::Halfedge& e = graph.halfedges[h];
     if (graph.is_border(h)) {
       BOOST_TEST(e.geodesic + e.angle + e.combined == 0);
-      BOOST_TEST(!e.concave);
+      BOOST_TEST(e.concavity == 0);
       continue;
     }
     const Face_dual_graph::Halfedge& o = graph.halfedges[graph.opposite(h)];
     BOOST_TEST(e.geodesic == o.geodesic);
     BOOST_TEST(e.angle == o.angle);
     BOOST_TEST(e.combined == o.combined);
-    BOOST_TEST(e.concave == o.concave);
+    BOOST_TEST(e.concavity == o.concavity);
   }
 }
 
@@ -309,9 +309,10 @@ BOOST_AUTO_TEST_CASE(turned_inside_out_concave_and_convex_edges_swap)
     while (inverse.source_vertex(same) != graph.target_vertex(h) ||
            inverse.target_vertex(same) != graph.source_vertex(h))
       ++same;
-    BOOST_TEST(graph.halfedges[h].concave == !inverse.halfedges[same].concave);
+    const bool is_concave = graph.halfedges[h].concavity > 0;
+    BOOST_TEST(is_concave != (inverse.halfedges[same].concavity > 0));
     BOOST_TEST(graph.halfedges[h].geodesic == inverse.halfedges[same].geodesic);
-    number_of_concave += graph.halfedges[h].concave;
+    number_of_concave += is_concave;
   }
   BOOST_TEST(number_of_concave > 0u);
   BOOST_TEST(number_of_concave < graph.halfedges.size());
@@ -374,9 +375,9 @@ BOOST_AUTO_TEST_CASE(with_a_radius_bending_takes_the_place_of_the_dihedral_angle
       Face_dual_graph graph = dual_graph_of(displaced(shapes[seed % shapes.size()], 0.1, random));
       const Distance_weights weights = {0.25, 1, 0.2, 0.04};
       set_face_distances(graph, weights);
+      const std::vector<Vector> normals = face_normals(graph, graph.points);
       const std::vector<double> bending =
-        shape_scale_angles<CGAL::Sequential_tag>(graph, graph.points,
-                                                 face_normals(graph, graph.points), 0.04);
+        shape_scale_angles<CGAL::Sequential_tag>(graph, graph.points, normals, 0.04);
       std::vector<Index> edges;
       std::vector<float> values;
       std::vector<double> lengths;
@@ -393,7 +394,11 @@ BOOST_AUTO_TEST_CASE(with_a_radius_bending_takes_the_place_of_the_dihedral_angle
         BOOST_TEST(std::abs(h.angle - angle) < rounding);
         BOOST_TEST(h.concavity == (bending[edges[e]] < 0 ? h.angle : 0));
         BOOST_TEST(std::abs(h.combined - (0.75 * angle + 0.25 * h.geodesic)) < 2 * rounding);
-        differs = differs || (bending[edges[e]] < 0) != h.concave;
+        const Index i = edges[e];
+        const Dihedral d = dihedral(normals[i / 3], normals[h.neighbor],
+                                    graph.points[graph.target_vertex(i)] -
+                                      graph.points[graph.source_vertex(i)]);
+        differs = differs || (bending[i] < 0) != d.is_concave;
       }
       BOOST_TEST(differs);
     }
@@ -446,7 +451,7 @@ BOOST_AUTO_TEST_CASE(a_mesh_without_area_has_no_angles)
       p = Point(length * p.x(), 0, 0);
     const Face_dual_graph graph = graph_with_distances(soup);
     for (const Face_dual_graph::Halfedge& h : graph.halfedges) {
-      BOOST_TEST(!h.concave);
+      BOOST_TEST(h.concavity == 0);
       BOOST_TEST(h.angle == 0.5f);
       BOOST_TEST(h.geodesic >= 0);
       BOOST_TEST(std::isfinite(h.combined));

@@ -308,7 +308,7 @@ BOOST_AUTO_TEST_CASE(pieces_keep_their_faces_and_the_edges_between_them)
             BOOST_TEST(part.halfedges[h].angle == graph.halfedges[old].angle);
             BOOST_TEST(part.halfedges[h].combined == graph.halfedges[old].combined);
             BOOST_TEST(part.halfedges[h].concavity == graph.halfedges[old].concavity);
-            BOOST_TEST(part.halfedges[h].concave == graph.halfedges[old].concave);
+            BOOST_TEST(part.halfedges[h].centroids == graph.halfedges[old].centroids);
           }
         }
       }

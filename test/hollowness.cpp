@@ -6,6 +6,7 @@
 
 #include "test_meshes.h"
 
+#include <CGAL/Spectral_segmentation/internal/Extreme_points.h>
 #include <CGAL/Spectral_segmentation/internal/Face_dual_graph.h>
 #include <CGAL/Spectral_segmentation/internal/Hollowness.h>
 #include <CGAL/Spectral_segmentation/internal/face_distances.h>
@@ -24,6 +25,7 @@
 
 namespace tt = boost::test_tools;
 using namespace test_meshes;
+using CGAL::Spectral_segmentation::internal::Extreme_points;
 using CGAL::Spectral_segmentation::internal::Hollowness;
 using CGAL::Spectral_segmentation::internal::Vector;
 using CGAL::Spectral_segmentation::internal::face_normals;
@@ -44,11 +46,26 @@ std::vector<Index> range(Index first, Index last)
 std::vector<Index> all_faces(const Face_dual_graph& graph)
 { return range(0, Index(graph.number_of_faces())); }
 
+// Of sets of faces of a whole mesh.
+class Hollowness_of_mesh
+{
+  const Extreme_points extreme_points_;
+  const std::vector<Index> all_faces_;
+  const Hollowness hollowness_;
+
+public:
+  explicit Hollowness_of_mesh(const Face_dual_graph& graph)
+    : extreme_points_(graph), all_faces_(all_faces(graph)),
+      hollowness_(extreme_points_, graph, all_faces_) {}
+
+  double operator()(const std::vector<Index>& faces) const { return hollowness_(faces); }
+};
+
 // In the coordinates of the soup.
 double hollowness_of(const Soup& soup)
 {
   const Face_dual_graph graph = dual_graph_of(soup);
-  return Hollowness(graph)(all_faces(graph)) * graph.unit;
+  return Hollowness_of_mesh(graph)(all_faces(graph)) * graph.unit;
 }
 
 // By the hull of all points.
@@ -107,7 +124,7 @@ double diameter(const Face_dual_graph& graph, const std::vector<Index>& faces)
 BOOST_AUTO_TEST_CASE(nothing_is_not_hollow)
 {
   const Face_dual_graph graph = dual_graph_of(sphere(0));
-  BOOST_TEST(Hollowness(graph)({}) == 0);
+  BOOST_TEST(Hollowness_of_mesh(graph)({}) == 0);
 }
 
 BOOST_AUTO_TEST_CASE(faces_without_area_are_not_hollow)
@@ -116,7 +133,7 @@ BOOST_AUTO_TEST_CASE(faces_without_area_are_not_hollow)
   for (std::size_t v : soup.triangles[4])
     soup.points[v] = Point(0, 0, 0);
   const Face_dual_graph graph = dual_graph_of(soup);
-  Hollowness hollowness(graph);
+  const Hollowness_of_mesh hollowness(graph);
   BOOST_TEST(hollowness({4}) == 0);
   BOOST_TEST(hollowness(all_faces(graph)) > 0.1);
 }
@@ -166,7 +183,7 @@ BOOST_AUTO_TEST_CASE(hardly_any_depth_is_out_of_sight)
       std::vector<Index> faces = all_faces(graph);
       std::shuffle(faces.begin(), faces.end(), random);
       faces.resize(faces.size() / (1 + seed % 3));
-      const double hollowness = Hollowness(graph)(faces);
+      const double hollowness = Hollowness_of_mesh(graph)(faces);
       const double exact = exact_hollowness(graph, faces);
       BOOST_TEST(hollowness < exact + single_precision);
       BOOST_TEST(hollowness > exact - out_of_sight * diameter(graph, faces));
@@ -182,7 +199,7 @@ BOOST_AUTO_TEST_CASE(a_dumbbell_is_hollow_and_its_halves_are_less_so)
   for (Index f : all_faces(graph))
     (graph.centroid(f).z() < 0 ? low : high).push_back(f);
   BOOST_TEST(low.size() == high.size());
-  Hollowness hollowness(graph);
+  const Hollowness_of_mesh hollowness(graph);
   const double whole = hollowness(all_faces(graph));
   BOOST_TEST(whole == exact_hollowness(graph, all_faces(graph)), tt::tolerance(0.004));
   BOOST_TEST(whole > 0.2);
@@ -194,7 +211,7 @@ BOOST_AUTO_TEST_CASE(only_the_vertices_of_the_set_make_its_hull)
 {
   const Soup soup = disjoint_union(moved(sphere(3), -5, 0, 0), moved(sphere(3), 5, 0, 0));
   const Face_dual_graph graph = dual_graph_of(soup);
-  Hollowness hollowness(graph);
+  const Hollowness_of_mesh hollowness(graph);
   const double both = hollowness(all_faces(graph));
   for (int i = 0; i < 2; ++i) {
     BOOST_TEST(hollowness(range(0, 1280)) < single_precision);
@@ -209,7 +226,7 @@ BOOST_AUTO_TEST_CASE(a_flat_set_is_not_hollow)
   Random random(3);
   for (int i = 0; i < 5; ++i) {
     const Face_dual_graph graph = dual_graph_of(rotated(plate(30, 30), random_rotation(random)));
-    Hollowness hollowness(graph);
+    const Hollowness_of_mesh hollowness(graph);
     BOOST_TEST(hollowness(all_faces(graph)) < single_precision);
     BOOST_TEST(hollowness({17}) < single_precision);
   }
@@ -220,7 +237,7 @@ BOOST_AUTO_TEST_CASE(the_order_of_the_faces_does_not_matter)
   Random random(2);
   const Face_dual_graph graph = dual_graph_of(torus(2, 0.5, 40, 20)); // 800 vertices
   std::vector<Index> faces = all_faces(graph);
-  Hollowness hollowness(graph);
+  const Hollowness_of_mesh hollowness(graph);
   const double in_order = hollowness(faces);
   std::shuffle(faces.begin(), faces.end(), random);
   BOOST_TEST(hollowness(faces) == in_order, tt::tolerance(1e-12));
@@ -230,11 +247,12 @@ BOOST_AUTO_TEST_CASE(the_order_of_the_faces_does_not_matter)
 BOOST_AUTO_TEST_CASE(moving_the_part_does_not_matter)
 {
   const Face_dual_graph graph = dual_graph_of(dumbbell(12, 8));
-  const double in_place = Hollowness(graph)(all_faces(graph));
+  const double in_place = Hollowness_of_mesh(graph)(all_faces(graph));
   Face_dual_graph elsewhere = graph;
   for (Vector& p : elsewhere.points)
     p += Vector(0.4, -0.3, 0.2);
-  BOOST_TEST(std::abs(Hollowness(elsewhere)(all_faces(graph)) - in_place) < single_precision);
+  const double moved = Hollowness_of_mesh(elsewhere)(all_faces(graph));
+  BOOST_TEST(std::abs(moved - in_place) < single_precision);
   BOOST_TEST(in_place > 0.01);
 }
 

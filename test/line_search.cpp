@@ -52,8 +52,7 @@ class Twin
   struct Edge
   {
     Faces faces;
-    double angle;
-    bool concave;
+    double angle, concavity;
   };
 
   const Face_dual_graph& part_;
@@ -103,7 +102,7 @@ public:
       Edge& e = edges_[std::minmax(part.source_vertex(h), part.target_vertex(h))];
       e.faces.insert(h / 3);
       e.angle = part.halfedges[h].angle;
-      e.concave = part.halfedges[h].concave;
+      e.concavity = part.halfedges[h].concavity;
     }
     for (Index f = 0; f < part.number_of_faces(); ++f)
       neighbors_[f];
@@ -134,8 +133,7 @@ public:
     for (const auto& [ends, edge] : edges_)
       if (q.count(*edge.faces.begin()) != q.count(*edge.faces.rbegin())) {
         ++number_of_edges;
-        if (edge.concave)
-          strength += edge.angle / largest_angle_;
+        strength += edge.concavity / largest_angle_;
         vertices.insert({ends.first, ends.second});
       }
     step.cut_strength = strength / number_of_edges;

@@ -142,7 +142,7 @@ BOOST_AUTO_TEST_CASE(defaults_are_those_that_are_documented)
       .concave_angle_weight(1).convex_angle_weight(0.1).number_of_reference_faces(10)
       .number_of_smoothing_iterations(0).boundary_smoothing(false).visitor(visitor);
   const auto calibrated =
-    common.salience_threshold(0.38).minimum_segment_size(0.003)
+    common.salience_threshold(0.42).minimum_segment_size(0.003)
       .part_salience(Calibrated_part_salience()).geodesic_weight(0.03).concavity_radius(0.02)
       .single_source_orderings(true).thickness_orderings(true).number_of_candidates(14)
       .number_of_refined_candidates(4).number_of_pieces(20);
@@ -279,7 +279,7 @@ BOOST_AUTO_TEST_CASE(a_salience_hears_the_factors_that_are_documented)
     labels_of_hand(np.part_salience([&](const Salience_factors& f) {
       if (f.size > 0)
         result->any = true;
-      if (f.logarithm_of_part < 0 || f.hollowness_of_rest > 0)
+      if (f.logarithm_of_part < 0 || f.widening_of_rest > 0)
         result->beyond_the_paper = true;
       if (f.thickness_variation > 0)
         result->thickness = true;

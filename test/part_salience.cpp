@@ -141,8 +141,8 @@ BOOST_AUTO_TEST_CASE(strength_is_relative_to_the_largest_angle_of_the_part)
 {
   Face_dual_graph graph = graph_with_distances(cube_on_a_plate());
   for (Face_dual_graph::Halfedge& h : graph.halfedges) {
-    h.angle = h.concave ? 0.25f : 0.125f;
-    h.concavity = h.concave ? 0.25f : 0;
+    h.angle = h.concavity > 0 ? 0.25f : 0.125f;
+    h.concavity = h.concavity > 0 ? 0.25f : 0;
   }
   // An edge at the border of the part does not count.
   for (Index h = 0; h < graph.halfedges.size(); ++h)

@@ -75,7 +75,7 @@ double context_by_walking(const Face_dual_graph& graph, Index f, Index reference
 }
 
 Shape_contexts contexts_of(const Face_dual_graph& graph, Index first, std::size_t k)
-{ return shape_contexts(graph, first, k, [] {}); }
+{ return shape_contexts<CGAL::Sequential_tag>(graph, first, k, [] {}); }
 
 double squared_distance(const Shape_contexts& contexts, Index f, const std::vector<double>& from)
 {
@@ -193,11 +193,11 @@ BOOST_AUTO_TEST_CASE(the_caller_hears_of_each_tree)
   const Face_dual_graph graph = graph_with_distances(sphere(1));
   for (std::size_t k : {1, 4, 10}) {
     std::size_t calls = 0;
-    shape_contexts(graph, 0, k, [&] { ++calls; });
+    shape_contexts<CGAL::Sequential_tag>(graph, 0, k, [&] { ++calls; });
     BOOST_TEST(calls == k);
   }
   const auto stop = [] { throw std::runtime_error("stop"); };
-  BOOST_CHECK_THROW(shape_contexts(graph, 0, 3, stop), std::runtime_error);
+  BOOST_CHECK_THROW(shape_contexts<CGAL::Sequential_tag>(graph, 0, 3, stop), std::runtime_error);
 }
 
 BOOST_AUTO_TEST_CASE(samples_have_the_largest_context_and_the_one_that_differs_most)

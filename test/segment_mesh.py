@@ -229,7 +229,7 @@ class Real_meshes(Tool_test):
         self.assertEqual(self.segment(MESHES / "elephant.off", "--method", "calibrated"), labels)
 
     def test_defaults_follow_the_method(self):
-        for method, threshold, size in (("calibrated", 0.38, 0.003), ("paper", 0.54, 0.005)):
+        for method, threshold, size in (("calibrated", 0.42, 0.003), ("paper", 0.54, 0.005)):
             self.segment(MESHES / "hand.off", "--method", method)
             parameters = self.report()["parameters"]
             self.assertEqual(parameters["method"], method)

@@ -48,11 +48,10 @@ inline Json factors_report(const CGAL::Spectral_segmentation::Salience_factors& 
                  {"protrusiveness", f.protrusiveness}};
   if (method == CGAL::Spectral_segmentation::Method::CALIBRATED)
     report.update({{"logarithm_of_part", f.logarithm_of_part},
-                   {"hollowness_of_cut_part", f.hollowness_of_cut_part},
-                   {"hollowness_of_rest", f.hollowness_of_rest},
+                   {"concavity_near_cut", f.concavity_near_cut},
                    {"convexity_gain", f.convexity_gain},
+                   {"relative_convexity_gain", f.relative_convexity_gain},
                    {"widening_of_rest", f.widening_of_rest},
-                   {"thickness_difference", f.thickness_difference},
                    {"thickness_step", f.thickness_step},
                    {"thickness_variation", f.thickness_variation}});
   return report;

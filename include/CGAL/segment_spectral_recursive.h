@@ -151,7 +151,7 @@ Faces without area, borders, and any number of connected components are welcome.
     \cgalParamType{a number}
     \cgalParamDefault{`default_salience_threshold`, `0.54`, for a `Weighted_part_salience`: lower
       values leave the noise of flat regions in the result, higher ones lose limbs with a shallow
-      seam. Else `default_probability_threshold`, `0.38`.}
+      seam. Else `default_probability_threshold`, `0.42`.}
     \cgalParamExtra{`-infinity` accepts every cut, for use with `maximum_number_of_segments`. Not a
       NaN.}
   \cgalParamNEnd
@@ -315,19 +315,21 @@ std::size_t segment_spectral_recursive(const TriangleMesh& mesh, SegmentIdMap se
   typedef internal::Monitor<std::remove_reference_t<Visitor_reference> > Monitor;
   Monitor monitor(visitor);
 
-  internal::Face_dual_graph graph = monitor.stage(
-    Stage::INITIALIZATION, Segmentation_visitor::whole_mesh, [&] {
-      return internal::initialize<ConcurrencyTag>(
-        mesh, faces,
-        choose_parameter(get_parameter(pack, CGAL::internal_np::vertex_point),
-                         get_const_property_map(CGAL::vertex_point, mesh)),
-        choose_parameter<Geom_traits>(get_parameter(pack, CGAL::internal_np::geom_traits)),
-        options, [&] { return monitor.go_further(); });
-    });
-
-  Segment_tree tree = options.number_of_pieces > 0
-    ? internal::cut_and_merge<ConcurrencyTag>(std::move(graph), options, monitor)
-    : internal::Recursion<ConcurrencyTag, Monitor>(std::move(graph), options, monitor)();
+  Segment_tree tree;
+  internal::call_isolated([&] {
+    internal::Face_dual_graph graph = monitor.stage(
+      Stage::INITIALIZATION, Segmentation_visitor::whole_mesh, [&] {
+        return internal::initialize<ConcurrencyTag>(
+          mesh, faces,
+          choose_parameter(get_parameter(pack, CGAL::internal_np::vertex_point),
+                           get_const_property_map(CGAL::vertex_point, mesh)),
+          choose_parameter<Geom_traits>(get_parameter(pack, CGAL::internal_np::geom_traits)),
+          options, [&] { return monitor.go_further(); });
+      });
+    tree = options.number_of_pieces > 0
+      ? internal::cut_and_merge<ConcurrencyTag>(std::move(graph), options, monitor)
+      : internal::Recursion<ConcurrencyTag, Monitor>(std::move(graph), options, monitor)();
+  });
 
   const std::vector<std::size_t> labels = options.boundary_smoothing
     ? monitor.stage(Stage::BOUNDARY_SMOOTHING, Segmentation_visitor::whole_mesh,

@@ -5,20 +5,39 @@
 #define CGAL_SPECTRAL_SEGMENTATION_INTERNAL_CUT_JUDGE_H
 
 #include <CGAL/Spectral_segmentation/Part_salience.h>
+#include <CGAL/Spectral_segmentation/internal/Extreme_points.h>
 #include <CGAL/Spectral_segmentation/internal/Face_dual_graph.h>
 #include <CGAL/Spectral_segmentation/internal/Hollowness.h>
 #include <CGAL/Spectral_segmentation/internal/Meta_patch.h>
 #include <CGAL/Spectral_segmentation/internal/distances_from_cut.h>
+#include <CGAL/Spectral_segmentation/internal/options.h>
+#include <CGAL/Spectral_segmentation/internal/parts.h>
 
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
 #include <numeric>
+#include <optional>
 #include <vector>
 
 namespace CGAL {
 namespace Spectral_segmentation {
 namespace internal {
+
+// What the factors of cuts say of the whole mesh.
+struct Judged_mesh
+{
+  double area;
+  std::optional<Extreme_points> extreme_points; // for the factors beyond the paper
+};
+
+inline Judged_mesh judged_mesh(const Face_dual_graph& mesh, const Options& options)
+{
+  Judged_mesh result{total_area(mesh), {}};
+  if (options.judges_by_all_factors())
+    result.extreme_points.emplace(mesh);
+  return result;
+}
 
 // All factors of single cuts of a part, those beyond the paper too. A cut is given by the side of
 // each face: 0 for Q, which has the smaller area, 1 for the rest.
@@ -51,46 +70,62 @@ class Cut_judge
   double thickness(Index f) const { return part_.thickness.empty() ? 0 : part_.thickness[f]; }
 
   // Size, cut strength by length, protrusiveness; returns the length of the cut.
-  double look_along(const std::vector<char>& side, const std::vector<Index>& faces_of_q,
+  double look_along(const std::vector<Index>& faces_of_q, const std::vector<Index>& cut,
                     Salience_factors& factors) const
   {
     Meta_patch q(part_);
-    double length = 0, concavity = 0;
-    for (Index f : faces_of_q) {
+    for (Index f : faces_of_q)
       q.add(f);
-      for (Index h = 3 * f; h < 3 * f + 3; ++h)
-        if (side[part_.halfedges[h].neighbor] != 0) {
-          const double l = part_.length(h);
-          length += l;
-          concavity += l * part_.halfedges[h].concavity;
-        }
-    }
     factors = q.factors();
+    double length = 0, concavity = 0;
+    for (Index h : cut) {
+      const double l = part_.length(h);
+      length += l;
+      concavity += l * part_.halfedges[h].concavity;
+    }
     factors.cut_strength = length > 0 ? concavity / length : 0;
     return length;
   }
 
-  void look_around(const std::vector<char>& side, double area_of_q, double length,
-                   Salience_factors& factors) const
+  void look_around(const std::vector<char>& side, const std::vector<Index>& cut, double area_of_q,
+                   double length, Salience_factors& factors) const
   {
     const double radius = 0.35 * std::sqrt(area_of_q);
     Thickness_sums off_the_cut[2];
-    double area_of_near_rest = 0;
-    for (const Face_at_distance& f : faces_near_cut(part_, side, radius)) {
+    double area_of_near_rest = 0, length_of_edges = 0, concavity = 0;
+    for (const Face_at_distance& f : faces_near_cut(part_, side, cut, radius)) {
       if (f.distance >= radius / 2)
         off_the_cut[int(side[f.face])].add(part_.areas[f.face], thickness(f.face));
       if (side[f.face] == 1)
         area_of_near_rest += part_.areas[f.face];
+      for (Index h = 3 * f.face; h < 3 * f.face + 3; ++h)
+        if (!part_.is_border(h)) {
+          const double l = part_.length(h);
+          length_of_edges += l;
+          concavity += l * part_.halfedges[h].concavity;
+        }
     }
+    factors.concavity_near_cut = length_of_edges > 0 ? concavity / length_of_edges : 0;
     factors.widening_of_rest =
       length > 0 ? (std::min)(area_of_near_rest / (radius * length), 4.) : 4;
     if (off_the_cut[0].area > 0 && off_the_cut[1].area > 0)
       factors.thickness_step = off_the_cut[1].mean() - off_the_cut[0].mean();
   }
 
+  void look_at_hulls(const std::vector<Index> (&faces)[2], const double (&area)[2],
+                     Salience_factors& factors) const
+  {
+    const double unit = std::sqrt(area_of_mesh_), whole = hollowness_of_part_ / unit;
+    const double sides = (area[0] * hollowness_(faces[0]) + area[1] * hollowness_(faces[1])) /
+                         ((area[0] + area[1]) * unit);
+    factors.convexity_gain = whole - sides;
+    factors.relative_convexity_gain = std::log((whole + 0.001) / (sides + 0.001));
+  }
+
 public:
-  Cut_judge(const Face_dual_graph& part, double area_of_mesh)
-    : part_(part), area_of_mesh_(area_of_mesh), hollowness_(part)
+  // `faces` are those of the part, by their numbers in the mesh.
+  Cut_judge(const Face_dual_graph& part, const std::vector<Index>& faces, const Judged_mesh& mesh)
+    : part_(part), area_of_mesh_(mesh.area), hollowness_(*mesh.extreme_points, part, faces)
   {
     std::vector<Index> all(part.number_of_faces());
     std::iota(all.begin(), all.end(), Index(0));
@@ -103,25 +138,20 @@ public:
   Salience_factors operator()(const std::vector<char>& side) const
   {
     std::vector<Index> faces[2];
-    Thickness_sums thickness_of[2];
+    for (std::vector<Index>& f : faces)
+      f.reserve(side.size());
+    double area[2] = {0, 0};
     for (Index f = 0; f < side.size(); ++f) {
       faces[int(side[f])].push_back(f);
-      thickness_of[int(side[f])].add(part_.areas[f], thickness(f));
+      area[int(side[f])] += part_.areas[f];
     }
-    const double area[2] = {thickness_of[0].area, thickness_of[1].area};
-    const double area_of_part = area[0] + area[1];
 
     Salience_factors factors;
-    const double length = look_along(side, faces[0], factors);
-    look_around(side, area[0], length, factors);
-    const double hollowness[2] = {hollowness_(faces[0]), hollowness_(faces[1])};
-    factors.logarithm_of_part = std::log(area_of_part / area_of_mesh_);
-    factors.hollowness_of_cut_part = hollowness[0] / std::sqrt(area[0]);
-    factors.hollowness_of_rest = hollowness[1] / std::sqrt(area[1]);
-    factors.convexity_gain =
-      (hollowness_of_part_ - (area[0] * hollowness[0] + area[1] * hollowness[1]) / area_of_part) /
-      std::sqrt(area_of_mesh_);
-    factors.thickness_difference = thickness_of[1].mean() - thickness_of[0].mean();
+    const std::vector<Index> cut = halfedges_of_cut(part_, side);
+    const double length = look_along(faces[0], cut, factors);
+    look_around(side, cut, area[0], length, factors);
+    look_at_hulls(faces, area, factors);
+    factors.logarithm_of_part = std::log((area[0] + area[1]) / area_of_mesh_);
     factors.thickness_variation = thickness_of_part_.deviation();
     return factors;
   }

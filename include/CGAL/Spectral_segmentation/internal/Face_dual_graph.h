@@ -32,7 +32,8 @@ typedef std::array<Index, 3> Neighbors;
 // Distances of adjacent faces are on a grid of 2^-20, on which sums of doubles are exact: the
 // length of a path does not depend on the order of its sum, and faces that tie on paper tie in the
 // machine.
-inline double on_grid(double x) { return std::floor(x * 1048576. + 0.5) / 1048576.; }
+constexpr double grid_step = 1. / (1 << 20);
+inline double on_grid(double x) { return std::floor(x / grid_step + 0.5) * grid_step; }
 
 // The faces of a part of the mesh, as arrays; a model of BGL's `VertexListGraph` and
 // `IncidenceGraph` whose vertices are the faces.
@@ -49,7 +50,7 @@ public:
     float angle = 0;     // H, equalized
     float combined = 0;  // d, Equation 1
     float concavity = 0; // the part of H that is due to concave bending
-    bool concave = false;
+    float centroids = 0; // the distance of the centroids of the two faces, straight
   };
 
   std::vector<Halfedge> halfedges;

@@ -100,6 +100,7 @@ public:
 
   bool has_face(Index f) const { return has_face_[f] != 0; }
   double area() const { return area_; }
+  double area_of_part() const { return area_of_part_; }
   double area_of_rest() const { return area_of_part_ - area_; }
   double smaller_area() const { return (std::min)(area(), area_of_rest()); }
 

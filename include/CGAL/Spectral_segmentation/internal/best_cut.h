@@ -17,7 +17,8 @@
 #include <CGAL/Spectral_segmentation/internal/parts.h>
 #include <CGAL/Spectral_segmentation/internal/sampling.h>
 
-#include <boost/graph/filtered_graph.hpp>
+#include <boost/pending/disjoint_sets.hpp>
+#include <boost/property_map/property_map.hpp>
 
 #include <algorithm>
 #include <cstddef>
@@ -33,32 +34,40 @@ namespace internal {
 struct Part
 {
   Face_dual_graph graph;
-  std::size_t node;    // in the segment tree
-  Index smallest_face; // its number in the mesh
+  std::size_t node;         // in the segment tree
+  std::vector<Index> faces; // their numbers in the mesh, ascending
 };
 
-template <class Monitor>
+template <class ConcurrencyTag, class Monitor>
 Shape_contexts shape_contexts(const Part& part, const Options& options, Monitor& monitor)
 {
   const Index first = options.random_seed
-    ? random_face(part.graph, *options.random_seed, part.smallest_face)
+    ? random_face(part.graph, *options.random_seed, part.faces.front())
     : farthest_face_from_center(part.graph);
-  return shape_contexts(part.graph, first, options.number_of_reference_faces,
-                        [&] { monitor.check(); });
+  return shape_contexts<ConcurrencyTag>(part.graph, first, options.number_of_reference_faces,
+                                        [&] { monitor.check(); });
 }
-
-struct Within_a_side
-{
-  const Face_dual_graph* part = nullptr;
-  const Sides* side = nullptr;
-  bool operator()(Index h) const { return (*side)[h / 3] == (*side)[part->halfedges[h].neighbor]; }
-};
 
 inline bool both_sides_are_connected(const Face_dual_graph& part, const Sides& side)
 {
-  const boost::filtered_graph<Face_dual_graph, Within_a_side> sides(part, {&part, &side});
-  std::size_t number_of_components;
-  connected_components(sides, number_of_components);
+  const std::size_t n = part.number_of_faces();
+  std::vector<Index> rank(n), parent(n);
+  const boost::typed_identity_property_map<Index> index;
+  boost::disjoint_sets sets(boost::make_iterator_property_map(rank.begin(), index),
+                            boost::make_iterator_property_map(parent.begin(), index));
+  for (Index f = 0; f < n; ++f)
+    sets.make_set(f);
+  std::size_t number_of_components = n;
+  for (Index h = 0; h < part.halfedges.size(); ++h) {
+    const Index f = h / 3, g = part.halfedges[h].neighbor;
+    if (f >= g || side[f] != side[g])
+      continue;
+    const Index a = sets.find_set(f), b = sets.find_set(g);
+    if (a != b) {
+      sets.link(a, b);
+      --number_of_components;
+    }
+  }
   return number_of_components == 2;
 }
 
@@ -83,12 +92,12 @@ class Judge_of_part
   }
 
 public:
-  Judge_of_part(const Face_dual_graph& part, double area_of_mesh, const Options& options)
-    : part_(part), part_salience_(options.part_salience),
-      minimum_area_(options.minimum_segment_size * area_of_mesh)
+  Judge_of_part(const Part& part, const Judged_mesh& mesh, const Options& options)
+    : part_(part.graph), part_salience_(options.part_salience),
+      minimum_area_(options.minimum_segment_size * mesh.area)
   {
     if (options.number_of_candidates > 0)
-      by_all_factors_.emplace(part, area_of_mesh);
+      by_all_factors_.emplace(part.graph, part.faces, mesh);
   }
 
   // None if a side is too small.
@@ -168,11 +177,11 @@ struct No_observer
 // most salient cut of a part, if there is one. `observe(cut)` hears of each cut that is judged.
 // Throws `Run_stopped` if the visitor stops the run.
 template <class ConcurrencyTag, class Monitor, class Observer = No_observer>
-std::optional<Cut> best_cut(const Part& part, double area_of_mesh, const Options& options,
+std::optional<Cut> best_cut(const Part& part, const Judged_mesh& mesh, const Options& options,
                             Monitor& monitor, const Observer& observe = Observer())
 {
   const Face_dual_graph& m = part.graph;
-  const double minimum_area = options.minimum_segment_size * area_of_mesh;
+  const double minimum_area = options.minimum_segment_size * mesh.area;
   if (m.number_of_faces() < 2 || total_area(m) < 2 * minimum_area)
     return std::nullopt;
   monitor.check();
@@ -181,7 +190,7 @@ std::optional<Cut> best_cut(const Part& part, double area_of_mesh, const Options
   // 1. two sample faces
   Shape_contexts contexts;
   const Sample_faces samples = monitor.stage(Stage::SAMPLING, part.node, [&] {
-    contexts = shape_contexts(part, options, monitor);
+    contexts = shape_contexts<ConcurrencyTag>(part, options, monitor);
     return sample_faces(contexts);
   });
 
@@ -194,7 +203,7 @@ std::optional<Cut> best_cut(const Part& part, double area_of_mesh, const Options
   // 6. line search
   monitor.check();
   std::vector<Cut> cuts = monitor.stage(Stage::LINE_SEARCH, part.node, [&] {
-    const Judge_of_part judge(m, area_of_mesh, options);
+    const Judge_of_part judge(part, mesh, options);
     std::vector<Cut> result = cuts_along<ConcurrencyTag>(m, lines, minimum_area, options, judge);
     refine<ConcurrencyTag>(m, options.number_of_refined_candidates, judge, result);
     return result;

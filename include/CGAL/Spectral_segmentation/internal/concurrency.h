@@ -22,7 +22,8 @@ namespace internal {
 template <class ConcurrencyTag>
 constexpr bool is_parallel = std::is_convertible<ConcurrencyTag, Parallel_tag>::value;
 
-// Calls f(), which may use TBB: while it waits, the thread takes no task from outside of it.
+// Calls f(), which may use TBB: while it waits, the thread takes no task from outside of it. So a
+// run does not meet tasks of its caller. Within a run waiting threads take what there is to do.
 template <class Function>
 void call_isolated(const Function& f)
 {
@@ -42,7 +43,7 @@ void for_each_index(std::size_t n, const Function& f)
 #ifdef CGAL_LINKED_WITH_TBB
   if constexpr (is_parallel<ConcurrencyTag>) {
     tbb::task_group_context own(tbb::task_group_context::isolated);
-    call_isolated([&] { tbb::parallel_for(std::size_t(0), n, f, own); });
+    tbb::parallel_for(std::size_t(0), n, f, own);
     return;
   }
 #endif

@@ -53,7 +53,6 @@ class Cut_and_merge
   struct Piece
   {
     Part part;
-    std::vector<Index> faces; // their numbers in the mesh, ascending
     std::optional<Cut> cut;
   };
 
@@ -79,7 +78,7 @@ class Cut_and_merge
   const Options& options_;
   Monitor& monitor_;
   const Observer& observe_;
-  const double area_of_mesh_;
+  const Judged_mesh judged_mesh_;
 
   std::vector<Index> component_;
   std::size_t number_of_components_;
@@ -88,9 +87,7 @@ class Cut_and_merge
 
   void add_piece(Face_dual_graph graph, std::vector<Index> faces)
   {
-    const Index smallest = faces.front();
-    pieces_.push_back(
-      {Part{std::move(graph), number_of_parts_++, smallest}, std::move(faces), std::nullopt});
+    pieces_.push_back({Part{std::move(graph), number_of_parts_++, std::move(faces)}, std::nullopt});
   }
 
   void search(const std::vector<std::size_t>& pieces)
@@ -98,8 +95,8 @@ class Cut_and_merge
     for_each_index<ConcurrencyTag>(pieces.size(), [&](std::size_t i) {
       Piece& p = pieces_[pieces[i]];
       p.cut = best_cut<ConcurrencyTag>(
-        p.part, area_of_mesh_, options_, monitor_, [&](const Cut& cut)
-        { observe_(Judged_cut{Judged_cut::CANDIDATE, p.faces, cut.side, cut.factors}); });
+        p.part, judged_mesh_, options_, monitor_, [&](const Cut& cut)
+        { observe_(Judged_cut{Judged_cut::CANDIDATE, p.part.faces, cut.side, cut.factors}); });
     });
   }
 
@@ -133,8 +130,8 @@ class Cut_and_merge
         return;
       const Piece whole = std::move(pieces_[*next]);
       std::vector<Index> faces[2];
-      for (std::size_t i = 0; i < whole.faces.size(); ++i)
-        faces[int(whole.cut->side[i])].push_back(whole.faces[i]);
+      for (std::size_t i = 0; i < whole.part.faces.size(); ++i)
+        faces[int(whole.cut->side[i])].push_back(whole.part.faces[i]);
       std::vector<Face_dual_graph> sides = split(whole.part.graph, whole.cut->side, 2);
       pieces_.erase(pieces_.begin() + static_cast<std::ptrdiff_t>(*next));
       for (int s = 0; s < 2; ++s)
@@ -149,7 +146,7 @@ class Cut_and_merge
   {
     Face_sets result;
     for (Piece& p : pieces_)
-      result.push_back(std::move(p.faces));
+      result.push_back(std::move(p.part.faces));
     pieces_.clear();
     std::sort(result.begin(), result.end());
     return result;
@@ -168,7 +165,7 @@ class Cut_and_merge
     }
     put_smaller_side_first(side, area);
     const Face_dual_graph both = Part_copier(mesh_)(faces);
-    const Salience_factors factors = Cut_judge(both, area_of_mesh_)(side);
+    const Salience_factors factors = Cut_judge(both, faces, judged_mesh_)(side);
     observe_(Judged_cut{Judged_cut::BOUNDARY, faces, side, factors});
     return {options_.part_salience(factors), factors};
   }
@@ -283,7 +280,7 @@ public:
   Cut_and_merge(Face_dual_graph mesh, const Options& options, Monitor& monitor,
                 const Observer& observe)
     : mesh_(std::move(mesh)), options_(options), monitor_(monitor), observe_(observe),
-      area_of_mesh_(total_area(mesh_)),
+      judged_mesh_(judged_mesh(mesh_, options)),
       component_(connected_components(mesh_, number_of_components_))
   {
     std::vector<std::vector<Index> > faces(number_of_components_);

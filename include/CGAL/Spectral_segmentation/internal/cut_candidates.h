@@ -13,6 +13,8 @@
 #include <CGAL/Spectral_segmentation/internal/orderings.h>
 #include <CGAL/Spectral_segmentation/internal/parts.h>
 
+#include <boost/dynamic_bitset.hpp>
+
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
@@ -30,16 +32,19 @@ namespace internal {
 class Patch_with_capacity : public Meta_patch
 {
   const Face_dual_graph& part_;
+  const std::vector<double>& capacities_;
   double capacity_of_cut_ = 0;
 
 public:
-  explicit Patch_with_capacity(const Face_dual_graph& part) : Meta_patch(part), part_(part) {}
+  // `capacities` are those of the half-edges.
+  Patch_with_capacity(const Face_dual_graph& part, const std::vector<double>& capacities)
+    : Meta_patch(part), part_(part), capacities_(capacities) {}
 
   void add(Index f)
   {
     for (Index h = 3 * f; h < 3 * f + 3; ++h)
       if (!part_.is_border(h))
-        capacity_of_cut_ += (has_face(part_.halfedges[h].neighbor) ? -1 : 1) * capacity(part_, h);
+        capacity_of_cut_ += (has_face(part_.halfedges[h].neighbor) ? -1 : 1) * capacities_[h];
     Meta_patch::add(f);
   }
 
@@ -68,12 +73,13 @@ struct Line_step
 };
 
 inline std::vector<Line_step> line_steps(const Face_dual_graph& part, const Growth& growth,
-                                         double minimum_area)
+                                         double minimum_area, Patch_with_capacity empty)
 {
   const Weighted_part_salience part_salience;
   std::vector<Line_step> steps;
-  visit_cuts<Patch_with_capacity>(
-    part, growth, minimum_area, [&](const Patch_with_capacity& q, std::size_t size) {
+  visit_cuts(
+    part, growth, minimum_area, std::move(empty),
+    [&](const Patch_with_capacity& q, std::size_t size) {
       if (q.area() > 3 * q.area_of_rest()) // other lines come from that end
         return false;
       steps.push_back({size, q.area(), q.smaller_area(), part_salience(q.factors()),
@@ -85,45 +91,63 @@ inline std::vector<Line_step> line_steps(const Face_dual_graph& part, const Grow
 
 // The two best steps by a measure, the second not next to the first.
 template <class Measure>
-std::vector<Proposal> best_steps(const Growth& growth, std::vector<Line_step> steps,
+std::vector<Proposal> best_steps(const Growth& growth, const std::vector<Line_step>& steps,
                                  const Measure& measure)
 {
+  const Line_step* best[2] = {nullptr, nullptr};
+  for (int i = 0; i < 2; ++i)
+    for (const Line_step& s : steps) {
+      const bool is_next_to_first =
+        i == 1 && std::abs(s.area - best[0]->area) < 0.25 * best[0]->smaller_area;
+      // On the grid, so that rounding does not choose between cuts that mirror each other.
+      if (!is_next_to_first && (!best[i] || on_grid(measure(s)) > on_grid(measure(*best[i]))))
+        best[i] = &s;
+    }
   std::vector<Proposal> result;
-  while (result.size() < 2 && !steps.empty()) {
-    // On the grid, so that rounding does not choose between cuts that mirror each other.
-    const Line_step best = *std::max_element(
-      steps.begin(), steps.end(), [&](const Line_step& a, const Line_step& b)
-      { return on_grid(measure(a)) < on_grid(measure(b)); });
-    result.push_back({sides_of(growth, best.size), measure(best)});
-    steps.erase(std::remove_if(steps.begin(), steps.end(), [&](const Line_step& s) {
-      return std::abs(s.area - best.area) < 0.25 * best.smaller_area;
-    }), steps.end());
-  }
+  for (const Line_step* s : best)
+    if (s)
+      result.push_back({sides_of(growth, s->size), measure(*s)});
   return result;
 }
 
-inline Proposals propose_cuts(const Face_dual_graph& part, const Line& line, double minimum_area)
+inline Proposals propose_cuts(const Face_dual_graph& part, const Line& line, double minimum_area,
+                              const Patch_with_capacity& empty)
 {
   const Growth growth = grow_along(part, line);
-  const std::vector<Line_step> steps = line_steps(part, growth, minimum_area);
+  const std::vector<Line_step> steps = line_steps(part, growth, minimum_area, empty);
   return {best_steps(growth, steps, [](const Line_step& s) { return s.salience; }),
           best_steps(growth, steps, [](const Line_step& s) { return s.cheapness; })};
 }
 
-// Whether the faces on which two cuts differ are few against the smallest side of either.
-inline bool are_alike(const Sides& a, const Sides& b)
+// Tells whether a cut is new among those that it was given: the faces on which two cuts differ must
+// not be few against the smallest side of either.
+class Distinct_cuts
 {
-  std::size_t different = 0, a_q = 0, b_q = 0;
-  for (std::size_t f = 0; f < a.size(); ++f) {
-    different += a[f] != b[f];
-    a_q += a[f] == 0;
-    b_q += b[f] == 0;
+  typedef boost::dynamic_bitset<> Face_set;
+  std::vector<Face_set> cuts_; // one side of each
+
+  static std::size_t smaller(std::size_t number, const Face_set& faces)
+  { return (std::min)(number, faces.size() - number); }
+
+  static bool are_alike(const Face_set& a, const Face_set& b)
+  {
+    const std::size_t smallest = (std::min)(smaller(a.count(), a), smaller(b.count(), b));
+    return 20 * smaller((a ^ b).count(), a) < 3 * smallest;
   }
-  different = (std::min)(different, a.size() - different);
-  const std::size_t smallest =
-    (std::min)((std::min)(a_q, a.size() - a_q), (std::min)(b_q, b.size() - b_q));
-  return 20 * different < 3 * smallest;
-}
+
+public:
+  bool insert(const Sides& side)
+  {
+    Face_set faces(side.size());
+    for (std::size_t f = 0; f < side.size(); ++f)
+      faces[f] = side[f] != 0;
+    if (std::any_of(cuts_.begin(), cuts_.end(),
+                    [&](const Face_set& other) { return are_alike(faces, other); }))
+      return false;
+    cuts_.push_back(std::move(faces));
+    return true;
+  }
+};
 
 // At most `number` cuts, no two alike, the best by either measure in turns. The larger side may be
 // first.
@@ -132,8 +156,13 @@ std::vector<Sides> cut_candidates(const Face_dual_graph& part, const std::vector
                                   double minimum_area, std::size_t number)
 {
   std::vector<Proposals> of_line(lines.size());
+  std::vector<double> capacities;
+  capacities.reserve(part.halfedges.size());
+  for (Index h = 0; h < part.halfedges.size(); ++h)
+    capacities.push_back(capacity(part, h));
+  const Patch_with_capacity empty(part, capacities);
   for_each_index<ConcurrencyTag>(lines.size(), [&](std::size_t i) {
-    of_line[i] = propose_cuts(part, lines[i], minimum_area);
+    of_line[i] = propose_cuts(part, lines[i], minimum_area, empty);
   });
   std::vector<Proposal> by_measure[2];
   for (Proposals& p : of_line) {
@@ -145,13 +174,13 @@ std::vector<Sides> cut_candidates(const Face_dual_graph& part, const std::vector
                      { return on_grid(a.score) > on_grid(b.score); });
 
   std::vector<Sides> result;
+  Distinct_cuts distinct;
   std::size_t next[2] = {0, 0};
   for (int m = 0; result.size() < number &&
                   (next[0] < by_measure[0].size() || next[1] < by_measure[1].size()); m = 1 - m)
     for (bool is_taken = false; !is_taken && next[m] < by_measure[m].size(); ++next[m]) {
       Sides& side = by_measure[m][next[m]].side;
-      is_taken = std::none_of(result.begin(), result.end(),
-                              [&](const Sides& other) { return are_alike(side, other); });
+      is_taken = distinct.insert(side);
       if (is_taken)
         result.push_back(std::move(side));
     }

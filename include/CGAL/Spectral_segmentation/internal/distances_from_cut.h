@@ -22,11 +22,25 @@ struct Face_at_distance
   double distance; // from the cut, from centroid to centroid
 };
 
+// The half-edges along a cut on its side 0.
+inline std::vector<Index> halfedges_of_cut(const Face_dual_graph& part,
+                                           const std::vector<char>& side)
+{
+  std::vector<Index> result;
+  for (Index f = 0; f < part.number_of_faces(); ++f)
+    if (side[f] == 0)
+      for (Index h = 3 * f; h < 3 * f + 3; ++h)
+        if (side[part.halfedges[h].neighbor] != 0)
+          result.push_back(h);
+  return result;
+}
+
 // The faces on both sides within `radius` of a cut, nearest first. BGL's Dijkstra initializes all
 // faces, and there are many cuts with few faces around them: hence a search of its own that ends
 // at the radius.
 inline std::vector<Face_at_distance> faces_near_cut(const Face_dual_graph& part,
-                                                    const std::vector<char>& side, double radius)
+                                                    const std::vector<char>& side,
+                                                    const std::vector<Index>& cut, double radius)
 {
   typedef std::pair<double, Index> Entry;
   std::vector<double> distance(part.number_of_faces(), std::numeric_limits<double>::infinity());
@@ -37,11 +51,12 @@ inline std::vector<Face_at_distance> faces_near_cut(const Face_dual_graph& part,
       queue.push({d, f});
     }
   };
-  for (Index f = 0; f < part.number_of_faces(); ++f)
-    for (Index h = 3 * f; h < 3 * f + 3; ++h)
-      if (side[f] != side[part.halfedges[h].neighbor])
-        relax(f, (part.centroid(f) - (part.points[part.source_vertex(h)] +
-                                      part.points[part.target_vertex(h)]) / 2).norm());
+  for (Index h : cut) {
+    const Vector middle =
+      (part.points[part.source_vertex(h)] + part.points[part.target_vertex(h)]) / 2;
+    for (Index f : {h / 3, part.halfedges[h].neighbor})
+      relax(f, (part.centroid(f) - middle).norm());
+  }
   std::vector<Face_at_distance> result;
   while (!queue.empty()) {
     const auto [d, f] = queue.top();
@@ -49,11 +64,10 @@ inline std::vector<Face_at_distance> faces_near_cut(const Face_dual_graph& part,
     if (d > distance[f])
       continue;
     result.push_back({f, d});
-    const Vector center = part.centroid(f);
     for (Index h = 3 * f; h < 3 * f + 3; ++h) {
       const Index g = part.halfedges[h].neighbor;
       if (d < distance[g] && side[g] == side[f])
-        relax(g, d + (part.centroid(g) - center).norm());
+        relax(g, d + part.halfedges[h].centroids);
     }
   }
   return result;

@@ -6,11 +6,10 @@
 
 #include <CGAL/Spectral_segmentation/internal/Face_dual_graph.h>
 #include <CGAL/Spectral_segmentation/internal/nystrom.h>
+#include <CGAL/Spectral_segmentation/internal/sorted_indices.h>
 
-#include <algorithm>
 #include <cmath>
 #include <cstddef>
-#include <tuple>
 #include <vector>
 
 namespace CGAL {
@@ -63,14 +62,11 @@ inline Spectral_embedding spectral_embedding(const std::vector<double>& from_s,
 inline std::vector<Index> spectral_order(const std::vector<double>& from_s,
                                          const std::vector<double>& from_t)
 {
-  std::vector<std::tuple<double, double, Index> > keys(from_s.size());
-  for (Index f = 0; f < keys.size(); ++f)
-    keys[f] = {from_s[f] - from_t[f], from_s[f], f};
-  std::sort(keys.begin(), keys.end());
-  std::vector<Index> order(keys.size());
-  for (std::size_t i = 0; i < keys.size(); ++i)
-    order[i] = std::get<2>(keys[i]);
-  return order;
+  std::vector<double> difference(from_s.size());
+  for (std::size_t f = 0; f < difference.size(); ++f)
+    difference[f] = from_s[f] - from_t[f];
+  return sorted_by_distance(difference, [&](Index f, Index g)
+    { return from_s[f] < from_s[g] || (from_s[f] == from_s[g] && f < g); });
 }
 
 } // namespace internal

@@ -166,14 +166,30 @@ struct Equalized_angles
   std::vector<double> concave; // the part of it that is due to concave bending
 };
 
-// `edges` has one half-edge an edge, `angles` the distances of their faces by dihedral angle.
+// `edges` has one half-edge an edge. Faces without a normal bend nowhere.
 inline Equalized_angles equalized_dihedrals(const Face_dual_graph& graph,
-                                            const std::vector<Index>& edges,
-                                            const std::vector<float>& angles)
+                                            const std::vector<Vector>& points,
+                                            const std::vector<Vector>& normals,
+                                            const Distance_weights& weights,
+                                            const std::vector<Index>& edges)
 {
-  Equalized_angles result{equalize(angles), std::vector<double>(edges.size(), 0)};
+  std::vector<double> angles(edges.size(), 0);
+  std::vector<char> is_concave(edges.size(), 0);
+  for (std::size_t e = 0; e < edges.size(); ++e) {
+    const Index h = edges[e], f = h / 3, g = graph.halfedges[h].neighbor;
+    if (normals[f].isZero(0) || normals[g].isZero(0))
+      continue;
+    const Dihedral d = dihedral(normals[f], normals[g],
+                                points[graph.target_vertex(h)] - points[graph.source_vertex(h)]);
+    is_concave[e] = d.is_concave;
+    angles[e] = (d.is_concave ? weights.concave : weights.convex) * d.one_minus_cosine;
+  }
+  normalize_by_mean(angles);
+  // Single precision, so that angles that differ by rounding only tie.
+  const std::vector<float> rounded(angles.begin(), angles.end());
+  Equalized_angles result{equalize(rounded), std::vector<double>(edges.size(), 0)};
   for (std::size_t e = 0; e < edges.size(); ++e)
-    if (graph.halfedges[edges[e]].concave)
+    if (is_concave[e])
       result.concave[e] = result.whole[e];
   return result;
 }
@@ -215,25 +231,16 @@ void set_face_distances(Face_dual_graph& graph, const std::vector<Vector>& point
     if (!graph.is_border(h) && h < graph.opposite(h))
       edges.push_back(h);
 
-  std::vector<double> geodesic(edges.size()), angle(edges.size());
-  for (std::size_t e = 0; e < edges.size(); ++e) {
-    const Index h = edges[e], f = h / 3, g = graph.halfedges[h].neighbor;
-    const Vector& a = points[graph.source_vertex(h)];
-    const Vector& b = points[graph.target_vertex(h)];
-    geodesic[e] = geodesic_distance(a, b, graph.centroid(f, points), graph.centroid(g, points));
-
-    const bool is_defined = !normals[f].isZero(0) && !normals[g].isZero(0);
-    const Dihedral d = is_defined ? dihedral(normals[f], normals[g], b - a) : Dihedral{0, false};
-    graph.halfedges[h].concave = d.is_concave;
-    angle[e] = (d.is_concave ? weights.concave : weights.convex) * d.one_minus_cosine;
-  }
+  std::vector<double> geodesic;
+  geodesic.reserve(edges.size());
+  for (Index h : edges)
+    geodesic.push_back(geodesic_distance(
+      points[graph.source_vertex(h)], points[graph.target_vertex(h)], graph.centroid(h / 3, points),
+      graph.centroid(graph.halfedges[h].neighbor, points)));
   normalize_by_mean(geodesic);
-  normalize_by_mean(angle);
-  // Single precision, so that angles that differ by rounding only tie.
-  const std::vector<float> rounded(angle.begin(), angle.end());
   const Equalized_angles equalized = weights.concavity_radius > 0
     ? equalized_bending<ConcurrencyTag>(graph, points, normals, weights, edges)
-    : equalized_dihedrals(graph, edges, rounded);
+    : equalized_dihedrals(graph, points, normals, weights, edges);
 
   for (std::size_t e = 0; e < edges.size(); ++e) {
     Face_dual_graph::Halfedge& h = graph.halfedges[edges[e]];
@@ -247,7 +254,6 @@ void set_face_distances(Face_dual_graph& graph, const std::vector<Vector>& point
     o.angle = h.angle;
     o.combined = h.combined;
     o.concavity = h.concavity;
-    o.concave = h.concave;
   }
 }
 

@@ -127,6 +127,11 @@ face_dual_graph_of_mesh(const TriangleMesh& mesh, const std::vector<FaceDescript
     graph.areas[f] = (graph.points[c[1]] - graph.points[c[0]])
                        .cross(graph.points[c[2]] - graph.points[c[0]]).norm() / 2;
   }
+  for (Index h = 0; h < graph.halfedges.size(); ++h) {
+    const Index g = graph.halfedges[h].neighbor;
+    graph.halfedges[h].centroids =
+      static_cast<float>((graph.centroid(g) - graph.centroid(h / 3)).norm());
+  }
   return graph;
 }
 

@@ -5,12 +5,14 @@
 #define CGAL_SPECTRAL_SEGMENTATION_INTERNAL_INITIALIZATION_H
 
 #include <CGAL/Spectral_segmentation/internal/Face_dual_graph.h>
+#include <CGAL/Spectral_segmentation/internal/concurrency.h>
 #include <CGAL/Spectral_segmentation/internal/face_distances.h>
 #include <CGAL/Spectral_segmentation/internal/face_dual_graph_of_mesh.h>
 #include <CGAL/Spectral_segmentation/internal/laplacian_smoothing.h>
 #include <CGAL/Spectral_segmentation/internal/options.h>
 #include <CGAL/Spectral_segmentation/internal/thickness.h>
 
+#include <cstddef>
 #include <vector>
 
 namespace CGAL {
@@ -29,11 +31,14 @@ Face_dual_graph initialize(const TriangleMesh& mesh, const std::vector<FaceDescr
   const std::vector<Vector> points =
     smoothed_points(graph, options.number_of_smoothing_iterations, go_further);
   const std::vector<Vector> normals = face_normals(graph, points);
-  set_face_distances<ConcurrencyTag>(graph, points, normals,
-                                     {options.geodesic_weight, options.concave_angle_weight,
-                                      options.convex_angle_weight, options.concavity_radius});
-  if (options.needs_thickness())
-    graph.thickness = thickness<ConcurrencyTag>(graph, points, normals, thickness_radius);
+  for_each_index<ConcurrencyTag>(options.needs_thickness() ? 2 : 1, [&](std::size_t task) {
+    if (task == 0)
+      set_face_distances<ConcurrencyTag>(graph, points, normals,
+                                         {options.geodesic_weight, options.concave_angle_weight,
+                                          options.convex_angle_weight, options.concavity_radius});
+    else
+      graph.thickness = thickness<ConcurrencyTag>(graph, points, normals, thickness_radius);
+  });
   return graph;
 }
 

@@ -117,16 +117,15 @@ inline std::vector<bool> rest_is_connected(const Face_dual_graph& part,
   return result;
 }
 
-// Adds the faces to a patch Q, and calls `visit(q, size of q)` after each step that leaves two
-// connected sides, both with an area, and not below `minimum_area`. Ends once it returns false.
+// Adds the faces to the empty patch Q, and calls `visit(q, size of q)` after each step that leaves
+// two connected sides, both with an area, and not below `minimum_area`. Ends once it returns false.
 template <class Patch, class Visit>
-void visit_cuts(const Face_dual_graph& part, const Growth& growth, double minimum_area,
+void visit_cuts(const Face_dual_graph& part, const Growth& growth, double minimum_area, Patch q,
                 const Visit& visit)
 {
   const std::vector<bool> is_cut = rest_is_connected(part, growth.faces);
   // What the subtraction of areas leaves where the rest has none.
-  const double rounding = 1e-12 * total_area(part);
-  Patch q(part);
+  const double rounding = 1e-12 * q.area_of_part();
   std::size_t size = 0;
   for (Index size_after_step : growth.sizes) {
     for (; size < size_after_step; ++size)
@@ -157,7 +156,7 @@ std::optional<Cut> line_search(const Face_dual_graph& part, const std::vector<In
   std::size_t best_size = 0;
   Cut best;
   double best_on_grid = -std::numeric_limits<double>::infinity();
-  visit_cuts<Meta_patch>(part, growth, minimum_area, [&](const Meta_patch& q, std::size_t size) {
+  const auto visit = [&](const Meta_patch& q, std::size_t size) {
     const Salience_factors factors = q.factors();
     const double salience = part_salience(factors);
     observe(size, factors, salience);
@@ -168,7 +167,8 @@ std::optional<Cut> line_search(const Face_dual_graph& part, const std::vector<In
       best_size = size;
     }
     return true;
-  });
+  };
+  visit_cuts(part, growth, minimum_area, Meta_patch(part), visit);
   if (best_size == 0)
     return std::nullopt;
   best.side = sides_of(growth, best_size);

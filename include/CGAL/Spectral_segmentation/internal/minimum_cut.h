@@ -119,7 +119,7 @@ inline std::vector<char> minimum_cut_around(const Face_dual_graph& part,
                                             const std::vector<char>& side, double area_of_q)
 {
   const std::vector<Face_at_distance> band =
-    faces_near_cut(part, side, 0.35 * std::sqrt(area_of_q));
+    faces_near_cut(part, side, halfedges_of_cut(part, side), 0.35 * std::sqrt(area_of_q));
   std::vector<int> node(part.number_of_faces(), -1);
   int last_of_side[2] = {-1, -1};
   for (std::size_t i = 0; i < band.size(); ++i) {

@@ -50,11 +50,12 @@ struct Options
   bool boundary_smoothing = false;
   std::optional<std::uint64_t> random_seed;
 
+  bool judges_by_all_factors() const { return number_of_candidates > 0 || number_of_pieces > 0; }
+
   bool needs_thickness() const
   {
-    const bool judges_by_all_factors = number_of_candidates > 0 || number_of_pieces > 0;
     return thickness_orderings ||
-           (judges_by_all_factors && !part_salience.target<Weighted_part_salience>());
+           (judges_by_all_factors() && !part_salience.target<Weighted_part_salience>());
   }
 };
 

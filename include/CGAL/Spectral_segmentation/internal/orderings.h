@@ -45,7 +45,7 @@ std::vector<Line> orderings(const Face_dual_graph& part, const std::vector<Index
     lines.push_back(spectral_order(distances[1], distances[0]));
   if (options.single_source_orderings)
     for (const std::vector<double>& distance : distances)
-      lines.push_back(sorted_indices(distance));
+      lines.push_back(sorted_by_distance(distance));
   if (options.thickness_orderings) {
     lines.push_back(sorted_indices(part.thickness));
     lines.emplace_back(lines.back().rbegin(), lines.back().rend());

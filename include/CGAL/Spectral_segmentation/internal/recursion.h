@@ -37,7 +37,7 @@ class Recursion
 
   const Options& options_;
   Monitor& monitor_;
-  double area_of_mesh_;
+  const Judged_mesh mesh_;
 
   Segment_tree tree_;
   Segment_tree::Queue queue_;
@@ -46,7 +46,8 @@ class Recursion
   void add_candidate(std::size_t node, Face_dual_graph graph)
   {
     Candidate& c = candidates_[node];
-    c.part = Part{std::move(graph), node, tree_.smallest_face(node)};
+    const auto faces = tree_.faces(node);
+    c.part = Part{std::move(graph), node, {faces.begin(), faces.end()}};
     queue_.insert(node);
   }
 
@@ -65,7 +66,7 @@ class Recursion
         batch.push_back(&candidates_[*node]);
     for_each_index<ConcurrencyTag>(batch.size(), [&](std::size_t i) {
       Candidate& c = *batch[i];
-      c.cut = best_cut<ConcurrencyTag>(c.part, area_of_mesh_, options_, monitor_);
+      c.cut = best_cut<ConcurrencyTag>(c.part, mesh_, options_, monitor_);
       c.is_searched = true;
     });
   }
@@ -96,7 +97,7 @@ class Recursion
 public:
   // Each connected component is a root of the tree.
   Recursion(Face_dual_graph mesh, const Options& options, Monitor& monitor)
-    : options_(options), monitor_(monitor), area_of_mesh_(total_area(mesh)),
+    : options_(options), monitor_(monitor), mesh_(judged_mesh(mesh, options)),
       queue_(tree_.empty_queue())
   {
     std::size_t number_of_components;

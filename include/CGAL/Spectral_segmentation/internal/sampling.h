@@ -5,6 +5,7 @@
 #define CGAL_SPECTRAL_SEGMENTATION_INTERNAL_SAMPLING_H
 
 #include <CGAL/Spectral_segmentation/internal/Face_dual_graph.h>
+#include <CGAL/Spectral_segmentation/internal/concurrency.h>
 #include <CGAL/Spectral_segmentation/internal/shortest_paths.h>
 
 #include <algorithm>
@@ -81,9 +82,9 @@ inline std::vector<float> angles_along_paths(const Face_dual_graph& graph, Index
 }
 
 // Chooses k reference faces, or all of a part with fewer, mutually farthest apart in geodesic
-// distance, and sums the angle distances along the shortest geodesic paths to each.
-// `between_trees()` is called before each tree.
-template <class BetweenTrees>
+// distance, and sums the angle distances along the shortest geodesic paths to each, while the tree
+// of the next one grows. `between_trees()` is called before each tree.
+template <class ConcurrencyTag, class BetweenTrees>
 Shape_contexts shape_contexts(const Face_dual_graph& graph, Index first_reference, std::size_t k,
                               const BetweenTrees& between_trees)
 {
@@ -92,19 +93,33 @@ Shape_contexts shape_contexts(const Face_dual_graph& graph, Index first_referenc
   Shape_contexts contexts;
   contexts.values.resize(n * k);
   std::vector<double> to_nearest(n, std::numeric_limits<double>::infinity());
-  Index reference = first_reference;
-  for (std::size_t j = 0; j < k; ++j) {
-    between_trees();
-    contexts.references.push_back(reference);
-    const std::vector<double> distance =
-      shortest_paths(graph, reference, &Face_dual_graph::Halfedge::geodesic);
-    const std::vector<float> angles = angles_along_paths(graph, reference, distance);
-    for (Index f = 0; f < n; ++f) {
-      contexts.values[f * k + j] = angles[f];
-      to_nearest[f] = (std::min)(to_nearest[f], distance[f]);
-    }
-    reference = static_cast<Index>(
+  std::vector<double> distance, next_distance;
+  const auto grow_tree = [&] {
+    const Index reference = contexts.references.empty() ? first_reference : static_cast<Index>(
       std::max_element(to_nearest.begin(), to_nearest.end()) - to_nearest.begin());
+    contexts.references.push_back(reference);
+    next_distance = shortest_paths(graph, reference, &Face_dual_graph::Halfedge::geodesic);
+    for (Index f = 0; f < n; ++f)
+      to_nearest[f] = (std::min)(to_nearest[f], next_distance[f]);
+  };
+  const auto sum_angles = [&](std::size_t j, Index reference) {
+    const std::vector<float> angles = angles_along_paths(graph, reference, distance);
+    for (Index f = 0; f < n; ++f)
+      contexts.values[f * k + j] = angles[f];
+  };
+  between_trees();
+  grow_tree();
+  for (std::size_t j = 0; j < k; ++j) {
+    distance.swap(next_distance);
+    const Index reference = contexts.references.back();
+    if (j + 1 < k)
+      between_trees();
+    for_each_index<ConcurrencyTag>(j + 1 < k ? 2 : 1, [&](std::size_t task) {
+      if (task == 0)
+        sum_angles(j, reference);
+      else
+        grow_tree();
+    });
   }
   return contexts;
 }

@@ -6,23 +6,57 @@
 
 #include <CGAL/Spectral_segmentation/internal/Face_dual_graph.h>
 
-#include <algorithm>
-#include <numeric>
+#include <boost/sort/spreadsort/integer_sort.hpp>
+
+#include <cstdint>
+#include <cstring>
+#include <functional>
+#include <utility>
 #include <vector>
 
 namespace CGAL {
 namespace Spectral_segmentation {
 namespace internal {
 
-// The indices of the values, the smallest value first; equal ones keep their order.
-template <class Value>
-std::vector<Index> sorted_indices(const std::vector<Value>& values)
+// The indices of the keys, the smallest key first; of equal ones those first that `is_first(i, j)`
+// says.
+template <class Integer, class IsFirst>
+std::vector<Index> sorted_by_key(std::vector<std::pair<Integer, Index> >& keys,
+                                 const IsFirst& is_first)
 {
-  std::vector<Index> order(values.size());
-  std::iota(order.begin(), order.end(), Index(0));
-  std::stable_sort(order.begin(), order.end(),
-                   [&](Index a, Index b) { return values[a] < values[b]; });
+  typedef std::pair<Integer, Index> Key;
+  boost::sort::spreadsort::integer_sort(
+    keys.begin(), keys.end(), [](const Key& k, unsigned offset) { return k.first >> offset; },
+    [&](const Key& a, const Key& b)
+    { return a.first < b.first || (a.first == b.first && is_first(a.second, b.second)); });
+  std::vector<Index> order(keys.size());
+  for (Index i = 0; i < order.size(); ++i)
+    order[i] = keys[i].second;
   return order;
+}
+
+// The indices of the values, the smallest value first; equal ones keep their order. No NaN.
+inline std::vector<Index> sorted_indices(const std::vector<float>& values)
+{
+  std::vector<std::pair<std::int32_t, Index> > keys(values.size());
+  for (Index i = 0; i < keys.size(); ++i) {
+    const float value = values[i] + 0.f; // no negative zero
+    std::int32_t bits;
+    std::memcpy(&bits, &value, sizeof(bits));
+    keys[i] = {bits < 0 ? bits ^ 0x7fffffff : bits, i}; // in the order of the values
+  }
+  return sorted_by_key(keys, std::less<Index>());
+}
+
+// The same of distances, which are on a grid, or of their differences.
+template <class IsFirst = std::less<Index> >
+std::vector<Index> sorted_by_distance(const std::vector<double>& distances,
+                                      const IsFirst& is_first = IsFirst())
+{
+  std::vector<std::pair<std::int64_t, Index> > keys(distances.size());
+  for (Index i = 0; i < keys.size(); ++i)
+    keys[i] = {static_cast<std::int64_t>(distances[i] / grid_step), i};
+  return sorted_by_key(keys, is_first);
 }
 
 } // namespace internal
