@@ -7,11 +7,13 @@
 
 #include "princeton_benchmark.h"
 #include "program.h"
-#include "segment_with_threads.h"
 #include "segmentation_metrics.h"
 #include "sized_mesh.h"
+#include "with_threads.h"
 
 #include "../examples/segment_mesh/Run_watch.h"
+
+#include <CGAL/segment_spectral_recursive.h>
 
 #include <boost/property_map/vector_property_map.hpp>
 
@@ -92,10 +94,12 @@ void add_options(CLI::App& app, Options& o)
 std::size_t segment(const Mesh& mesh, std::size_t parts, std::size_t threads,
                     segment_mesh::Run_watch& watch)
 {
-  return segment_with_threads(
-    threads, mesh, boost::vector_property_map<std::size_t>(mesh.number_of_faces()),
-    params::zhang_liu_2005().maximum_number_of_segments(parts)
-      .salience_threshold(-std::numeric_limits<double>::infinity()).visitor(std::ref(watch)));
+  return with_threads(threads, [&](auto tag) {
+    return CGAL::segment_spectral_recursive<decltype(tag)>(
+      mesh, boost::vector_property_map<std::size_t>(mesh.number_of_faces()),
+      params::zhang_liu_2005().maximum_number_of_segments(parts)
+        .salience_threshold(-std::numeric_limits<double>::infinity()).visitor(std::ref(watch)));
+  });
 }
 
 Result result(const Row& row, const Options& o)

@@ -54,8 +54,8 @@ def series_of(rows, value):
     series = collections.defaultdict(dict)
     for row in rows:
         if value(row) > 0:
-            name = [part for part in row["run_name"].split("/") if not part.isdigit() and
-                    part not in ("real_time", "manual_time", "process_time")]
+            name = [part for part in row["run_name"].split("/")
+                    if not part.isdigit() and part not in ("real_time", "process_time")]
             series["/".join(name)][row["faces"]] = value(row)
     return {name: np.array(sorted(points.items())) for name, points in series.items()}
 
