@@ -19,6 +19,7 @@ enum class Stage
   SAMPLING,          ///< the two sample faces of a part, by shape context
   EMBEDDING,         ///< distances from the samples, order of the faces on each line
   LINE_SEARCH,       ///< the most salient cut along the lines, and minimum cuts near the best
+  MERGING,           ///< pieces become segments again, once, if there are pieces
   BOUNDARY_SMOOTHING ///< morphological smoothing of the labels, once, if asked for
 };
 

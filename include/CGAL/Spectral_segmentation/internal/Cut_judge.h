@@ -5,6 +5,7 @@
 #define CGAL_SPECTRAL_SEGMENTATION_INTERNAL_CUT_JUDGE_H
 
 #include <CGAL/Spectral_segmentation/Part_salience.h>
+#include <CGAL/Spectral_segmentation/internal/Cut.h>
 #include <CGAL/Spectral_segmentation/internal/Extreme_points.h>
 #include <CGAL/Spectral_segmentation/internal/Face_dual_graph.h>
 #include <CGAL/Spectral_segmentation/internal/Hollowness.h>
@@ -87,7 +88,7 @@ class Cut_judge
     return length;
   }
 
-  void look_around(const std::vector<char>& side, const std::vector<Index>& cut, double area_of_q,
+  void look_around(const Sides& side, const std::vector<Index>& cut, double area_of_q,
                    double length, Salience_factors& factors) const
   {
     const double radius = 0.35 * std::sqrt(area_of_q);
@@ -135,7 +136,7 @@ public:
   }
 
   // Both sides must have an area.
-  Salience_factors operator()(const std::vector<char>& side) const
+  Salience_factors operator()(const Sides& side) const
   {
     std::vector<Index> faces[2];
     for (std::vector<Index>& f : faces)
