@@ -7,13 +7,15 @@
 #include <CGAL/segment_spectral_recursive.h>
 
 #include <boost/graph/adjacency_list.hpp>
-#include <boost/graph/connected_components.hpp>
+#include <boost/graph/kruskal_min_spanning_tree.hpp>
+#include <boost/property_map/function_property_map.hpp>
 
 #include <cmath>
 #include <cstddef>
 #include <cstdlib>
 #include <fstream>
 #include <iostream>
+#include <iterator>
 #include <map>
 #include <string>
 #include <vector>
@@ -49,16 +51,32 @@ Part_graph part_graph(const Mesh& mesh, SegmentIdMap segment_ids, std::size_t nu
     const Point &p = mesh.point(source(h, mesh)), &q = mesh.point(target(h, mesh));
     const double length = std::sqrt(CGAL::squared_distance(p, q));
     const Point middle = CGAL::midpoint(p, q);
-    for (Mesh::Face_index f : {face(h, mesh), face(opposite(h, mesh), mesh)})
-      if (f != Mesh::null_face())
-        parts[segment_ids[f]].add(middle, length);
-    if (is_border(e, mesh))
-      continue;
-    const std::size_t a = segment_ids[face(h, mesh)], b = segment_ids[face(opposite(h, mesh), mesh)];
-    if (a != b)
-      parts[add_edge(a, b, parts).first].add(middle, length);
+    const Mesh::Face_index f = face(h, mesh), g = face(opposite(h, mesh), mesh);
+    for (Mesh::Face_index side : {f, g})
+      if (side != Mesh::null_face())
+        parts[segment_ids[side]].add(middle, length);
+    if (!is_border(e, mesh) && segment_ids[f] != segment_ids[g])
+      parts[add_edge(segment_ids[f], segment_ids[g], parts).first].add(middle, length);
   }
   return parts;
+}
+
+// Where three parts touch each other, only the two longest boundaries are joints.
+Part_graph skeleton(const Part_graph& parts)
+{
+  typedef boost::graph_traits<Part_graph>::edge_descriptor Boundary;
+  const auto minus_length = boost::make_function_property_map<Boundary>(
+    [&](Boundary boundary) { return -parts[boundary].weight; });
+  std::vector<Boundary> joints;
+  boost::kruskal_minimum_spanning_tree(parts, std::back_inserter(joints),
+                                       boost::weight_map(minus_length));
+
+  Part_graph result(num_vertices(parts));
+  for (std::size_t part : CGAL::make_range(vertices(parts)))
+    result[part] = parts[part];
+  for (Boundary joint : joints)
+    add_edge(source(joint, parts), target(joint, parts), parts[joint], result);
+  return result;
 }
 
 // Where limbs end: the vertex farthest from the joint, of each part that has only one.
@@ -91,12 +109,8 @@ int main(int argc, char* argv[])
 
   auto segment_ids = mesh.add_property_map<Mesh::Face_index, std::size_t>("f:segment").first;
   const std::size_t n = CGAL::segment_spectral_recursive(mesh, segment_ids);
-  const Part_graph parts = part_graph(mesh, segment_ids, n);
-
-  std::vector<std::size_t> component(n);
-  const std::size_t c = boost::connected_components(parts, component.data());
-  std::cout << n << " parts, " << num_edges(parts) << " joints, "
-            << num_edges(parts) + c - n << " loops" << std::endl;
+  const Part_graph parts = skeleton(part_graph(mesh, segment_ids, n));
+  std::cout << n << " parts, " << num_edges(parts) << " joints" << std::endl;
 
   std::ofstream out("skeleton.polylines.txt");
   for (const auto& joint : CGAL::make_range(edges(parts)))

@@ -18,7 +18,8 @@ namespace PMP = CGAL::Polygon_mesh_processing;
 
 int main(int argc, char* argv[])
 {
-  const std::string filename = argc > 1 ? argv[1] : CGAL::data_file_path("meshes/pig.stl");
+  const std::string filename =
+    argc > 1 ? argv[1] : CGAL::data_file_path("meshes/double-torus-example.off");
 
   // Reads OFF, OBJ, PLY, STL and more as a polygon soup, joins equal points, drops polygons that
   // occur twice, makes neighbors agree in orientation, and duplicates vertices and edges where the

@@ -35,11 +35,11 @@ int main(int argc, char* argv[])
     ++sizes[segment_ids[f]];
   const std::size_t largest = std::max_element(sizes.begin(), sizes.end()) - sizes.begin();
 
-  // Only the largest segment is cut again, down to less salient cuts.
+  // Only the segment with the most faces is cut again, into up to four, by less salient cuts.
   const CGAL::Face_filtered_graph<Mesh> region(mesh, largest, segment_ids);
   auto region_ids = mesh.add_property_map<Face, std::size_t>("f:segment_of_region").first;
-  const std::size_t m =
-    CGAL::segment_spectral_recursive(region, region_ids, params::salience_threshold(0.1));
+  const std::size_t m = CGAL::segment_spectral_recursive(
+    region, region_ids, params::salience_threshold(0.1).maximum_number_of_segments(4));
   std::cout << n << " segments; segment " << largest << " is cut in " << m << " again" << std::endl;
 
   // One of the new segments keeps the id, the others get ids behind those of the first run.
