@@ -24,7 +24,9 @@ template <class Value>
 std::string caption_of(const char* parameter, const Value& value, const Value& default_value)
 {
   std::ostringstream out;
-  out << std::boolalpha << parameter << ' ' << value << (value == default_value ? " (default)" : "");
+  out << std::boolalpha << parameter << ' ' << value;
+  if (value == default_value)
+    out << " (default)";
   return out.str();
 }
 
@@ -42,13 +44,14 @@ void draw_row(Picture_book& book, const char* parameter, Value Options::*member,
   }
 }
 
-// Each vertex moves by less than `share` of the diagonal of the bounding box.
+// Each coordinate of a vertex moves by at most `share` of the diagonal of the bounding box.
 inline Named_mesh noisy(const Named_mesh& shape, double share)
 {
   namespace PMP = CGAL::Polygon_mesh_processing;
   Named_mesh result = shape;
   const CGAL::Bbox_3 box = PMP::bbox(shape.mesh);
-  PMP::random_perturbation(result.mesh, share * std::hypot(box.x_span(), box.y_span(), box.z_span()),
+  const double diagonal = std::hypot(box.x_span(), box.y_span(), box.z_span());
+  PMP::random_perturbation(result.mesh, share * diagonal,
                            CGAL::parameters::do_project(false).random_seed(0));
   return result;
 }
@@ -83,7 +86,7 @@ inline void draw_parameters(Picture_book& book, const Named_mesh& limbs, const N
            {0.0, 0.01, calibrated.concavity_radius, 0.06});
   draw_row(book, "number_of_smoothing_iterations", &Options::number_of_smoothing_iterations, paper,
            noise, {0, 1, 3, 10});
-  draw_row(book, "boundary_smoothing", &Options::boundary_smoothing, paper, coarse, {false, true});
+  draw_row(book, "boundary_smoothing", &Options::boundary_smoothing, paper, noise, {false, true});
 }
 
 inline void draw_methods(Picture_book& book, const std::vector<const Named_mesh*>& shapes)
@@ -104,9 +107,10 @@ inline void draw_sdf_comparison(Picture_book& book, const std::vector<const Name
     add_segments(book, "sdf", *shape, colors, segment(shape->mesh, calibrated_options()),
                  "this package");
     const Sdf_segmentation sdf(shape->mesh);
-    for (std::size_t clusters : {5, 2, 10})
-      add_segments(book, "sdf", *shape, colors, sdf(clusters),
-                   caption_of("SDF, clusters:", clusters, std::size_t(5)));
+    add_segments(book, "sdf", *shape, colors, sdf.by_default(), "SDF, default");
+    for (std::size_t clusters : {5, 10})
+      add_segments(book, "sdf", *shape, colors, sdf.by_flow_of_boost(clusters),
+                   "SDF, Boost's flow, " + count(clusters, "clusters"));
   }
 }
 

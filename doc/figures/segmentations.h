@@ -70,15 +70,35 @@ public:
     : mesh_(mesh), values_(mesh_.add_property_map<Mesh::Face_index, double>("f:sdf").first)
   { CGAL::sdf_values(mesh_, values_); }
 
-  Labels operator()(std::size_t number_of_clusters) const
+  // With all defaults of CGAL.
+  Labels by_default() const
   {
-    const double default_lambda = 0.26;
     boost::vector_property_map<std::size_t> ids(mesh_.number_of_faces());
-    CGAL::segmentation_from_sdf_values(mesh_, values_, ids, number_of_clusters, default_lambda);
-    Labels labels;
+    CGAL::segmentation_from_sdf_values(mesh_, values_, ids);
+    return labels(ids);
+  }
+
+  // With Boost's maximum flow, as with CGAL_DO_NOT_USE_BOYKOV_KOLMOGOROV_MAXFLOW_SOFTWARE. The code
+  // that is the default adds the flow of each expansion to that of the next and ends early.
+  Labels by_flow_of_boost(std::size_t number_of_clusters) const
+  {
+    typedef boost::property_map<Mesh, CGAL::vertex_point_t>::const_type Points;
+    CGAL::internal::Surface_mesh_segmentation<
+      Mesh, Kernel, Points, true, CGAL::Alpha_expansion_boost_compressed_sparse_row_tag>
+      algorithm(mesh_, Kernel(), get(CGAL::vertex_point, mesh_));
+    boost::vector_property_map<std::size_t> ids(mesh_.number_of_faces());
+    const double default_lambda = 0.26;
+    algorithm.partition(number_of_clusters, default_lambda, values_, ids, true);
+    return labels(ids);
+  }
+
+private:
+  Labels labels(const boost::vector_property_map<std::size_t>& ids) const
+  {
+    Labels result;
     for (Mesh::Face_index f : mesh_.faces())
-      labels.push_back(ids[f]);
-    return labels;
+      result.push_back(ids[f]);
+    return result;
   }
 };
 
