@@ -15,18 +15,18 @@ namespace Spectral_segmentation {
 /// *Q* is the one of the two sides that has the smaller area.
 struct Salience_factors
 {
-  /// *V<sub>s</sub>* = Area(*Q*) / Area(*M*), in [0, 1/2].
+  /// <em>V<sub>s</sub></em> = Area(*Q*) / Area(*M*), in [0, 1/2].
   double size = 0;
 
-  /// *V<sub>c</sub>*, in [0, 1]: the mean, over the edges of the cut, of the equalized angle
+  /// <em>V<sub>c</sub></em>, in [0, 1]: the mean, over the edges of the cut, of the equalized angle
   /// distance at concave edges and 0 at others. Where the factors beyond the paper are known, an
   /// edge counts by its length; else all count the same, and the mean is divided by the largest
   /// equalized angle distance in *M*.
   double cut_strength = 0;
 
-  /// *V<sub>p</sub>* = 1 - 4 sqrt(&lambda;<sub>1</sub> &lambda;<sub>2</sub>) / Area(*Q*), at most 1
-  /// and not bounded from below; the &lambda; are the two largest eigenvalues of the covariance
-  /// matrix of the vertices along the cut.
+  /// <em>V<sub>p</sub></em> = 1 - 4 sqrt(&lambda;<sub>1</sub> &lambda;<sub>2</sub>) / Area(*Q*), at
+  /// most 1 and not bounded from below; the &lambda; are the two largest eigenvalues of the
+  /// covariance matrix of the vertices along the cut.
   double protrusiveness = 0;
 
   /// \name Factors beyond the paper
@@ -74,6 +74,7 @@ struct Weighted_part_salience
   double beta = 0.6;  ///< weight of `Salience_factors::cut_strength`
   double gamma = 0.3; ///< weight of `Salience_factors::protrusiveness`
 
+  /// the weighted sum; in [0, 1] but for a negative protrusiveness
   double operator()(const Salience_factors& f) const
   {
     return alpha * f.size + beta * f.cut_strength + gamma * f.protrusiveness;
@@ -92,6 +93,11 @@ struct Weighted_part_salience
 /// \cgalModels{PartSalience}
 struct Calibrated_part_salience
 {
+  /// \name Coefficients
+  /// The constant, and what the factors of the same names are multiplied by, in the logit of the
+  /// probability.
+  /// @{
+
   // As benchmark/fit_part_salience BENCH_DIR --ids odd --leave-one-category-out printed them:
   // 122244 cuts of 190 meshes, no random numbers. Mean Rand error at the threshold that is best for
   // these meshes, 0.42; with people's number of parts; of the best number: 0.102, 0.104, 0.088.
@@ -108,6 +114,9 @@ struct Calibrated_part_salience
   double thickness_step = 0.350;
   double thickness_variation = 0.832;
 
+  /// @}
+
+  /// the probability, in [0, 1]
   double operator()(const Salience_factors& f) const
   {
     const double logit =
