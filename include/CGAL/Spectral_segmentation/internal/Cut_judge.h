@@ -120,7 +120,7 @@ class Cut_judge
     const double sides = (area[0] * hollowness_(faces[0]) + area[1] * hollowness_(faces[1])) /
                          ((area[0] + area[1]) * unit);
     factors.convexity_gain = whole - sides;
-    factors.relative_convexity_gain = std::log((whole + 0.001) / (sides + 0.001));
+    factors.relative_convexity_gain = std::log((whole + 0.005) / (sides + 0.005));
   }
 
 public:
