@@ -124,7 +124,7 @@ BOOST_AUTO_TEST_CASE(the_size_of_the_whole_mesh_enters_three_factors)
   BOOST_TEST(a.convexity_gain == 10 * b.convexity_gain, tolerance(1e-12));
   // The sides are convex.
   for (const Salience_factors& f : {a, b})
-    BOOST_TEST(f.relative_convexity_gain == std::log(1 + 1000 * f.convexity_gain), tolerance(1e-3));
+    BOOST_TEST(f.relative_convexity_gain == std::log(1 + 200 * f.convexity_gain), tolerance(1e-3));
   BOOST_TEST(a.widening_of_rest == b.widening_of_rest);
 }
 
