@@ -15,13 +15,14 @@ typedef CGAL::Surface_mesh<CGAL::Simple_cartesian<double>::Point_3> Mesh;
 typedef CGAL::Spectral_segmentation::Salience_factors Salience_factors;
 namespace params = CGAL::Spectral_segmentation::parameters;
 
-// How many times thicker the rest is than the part that is cut off, if a person would cut there.
+// How many times thicker the rest is, next to the cut, than the part that is cut off, if a person
+// would cut there.
 struct Thin_limb_salience
 {
   CGAL::Spectral_segmentation::Calibrated_part_salience probability;
 
   double operator()(const Salience_factors& factors) const
-  { return probability(factors) < 0.2 ? 0 : std::exp(factors.thickness_difference); }
+  { return probability(factors) < 0.2 ? 0 : std::exp(factors.thickness_step); }
 };
 
 int main(int argc, char* argv[])
