@@ -84,8 +84,9 @@ inline void draw_dual_graph(Picture_book& book, const Named_mesh& shape)
     const Face_dual_graph::Halfedge& e = graph.halfedges[h];
     const Kernel::Point_3 a = point(shape.mesh, graph.source_vertex(h)),
                           b = point(shape.mesh, graph.target_vertex(h));
-    edges.add_tube(a, b, e.concave ? red : blue, e.concave ? 1.5 : 0.7);
-    const Rgb color = mixed({190, 190, 190}, e.concave ? red : Rgb{0, 0, 0}, e.combined);
+    const bool is_concave = e.concavity > 0;
+    edges.add_tube(a, b, is_concave ? red : blue, is_concave ? 1.5 : 0.7);
+    const Rgb color = mixed({190, 190, 190}, is_concave ? red : Rgb{0, 0, 0}, e.combined);
     const Kernel::Point_3 middle = CGAL::midpoint(a, b);
     for (Index f : {h / 3, e.neighbor})
       arcs.add_tube(centroid(shape.mesh, f), middle, color, 0.4 + 1.6 * e.combined);
@@ -135,8 +136,9 @@ inline void add_samples(Picture& picture, const internal::Sample_faces& samples)
 
 inline internal::Shape_contexts contexts_of(const Face_dual_graph& graph)
 {
-  return internal::shape_contexts(graph, internal::farthest_face_from_center(graph),
-                                  zhang_liu_options().number_of_reference_faces, [] {});
+  return internal::shape_contexts<CGAL::Sequential_tag>(
+    graph, internal::farthest_face_from_center(graph),
+    zhang_liu_options().number_of_reference_faces, [] {});
 }
 
 inline void draw_contexts(Picture_book& book, const Named_mesh& shape)
