@@ -239,7 +239,6 @@ private:
 
   Queue empty_queue() const { return Queue(Before{this}); }
 
-  internal::Index smallest_face(size_type i) const { return smallest_face_[i]; }
 
   void set_cut(size_type i, Cut_state state, double salience, const Salience_factors& factors)
   {

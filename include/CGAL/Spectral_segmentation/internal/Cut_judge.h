@@ -17,7 +17,6 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
-#include <numeric>
 #include <optional>
 #include <vector>
 
@@ -65,8 +64,8 @@ class Cut_judge
   const Face_dual_graph& part_;
   double area_of_mesh_;
   Hollowness hollowness_;
-  Thickness_sums thickness_of_part_;
   double hollowness_of_part_;
+  Thickness_sums thickness_of_part_;
 
   double thickness(Index f) const { return part_.thickness.empty() ? 0 : part_.thickness[f]; }
 
@@ -126,12 +125,10 @@ class Cut_judge
 public:
   // `faces` are those of the part, by their numbers in the mesh.
   Cut_judge(const Face_dual_graph& part, const std::vector<Index>& faces, const Judged_mesh& mesh)
-    : part_(part), area_of_mesh_(mesh.area), hollowness_(*mesh.extreme_points, part, faces)
+    : part_(part), area_of_mesh_(mesh.area), hollowness_(*mesh.extreme_points, part, faces),
+      hollowness_of_part_(hollowness_.of_part())
   {
-    std::vector<Index> all(part.number_of_faces());
-    std::iota(all.begin(), all.end(), Index(0));
-    hollowness_of_part_ = hollowness_(all);
-    for (Index f : all)
+    for (Index f = 0; f < part.number_of_faces(); ++f)
       thickness_of_part_.add(part.areas[f], thickness(f));
   }
 

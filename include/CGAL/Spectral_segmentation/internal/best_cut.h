@@ -18,9 +18,6 @@
 #include <CGAL/Spectral_segmentation/internal/parts.h>
 #include <CGAL/Spectral_segmentation/internal/sampling.h>
 
-#include <boost/pending/disjoint_sets.hpp>
-#include <boost/property_map/property_map.hpp>
-
 #include <algorithm>
 #include <cstddef>
 #include <optional>
@@ -51,25 +48,15 @@ Shape_contexts shape_contexts(const Part& part, const Options& options, Monitor&
 
 inline bool both_sides_are_connected(const Face_dual_graph& part, const Sides& side)
 {
-  const std::size_t n = part.number_of_faces();
-  std::vector<Index> rank(n), parent(n);
-  const boost::typed_identity_property_map<Index> index;
-  boost::disjoint_sets sets(boost::make_iterator_property_map(rank.begin(), index),
-                            boost::make_iterator_property_map(parent.begin(), index));
-  for (Index f = 0; f < n; ++f)
-    sets.make_set(f);
-  std::size_t number_of_components = n;
+  Face_components components(part.number_of_faces());
+  for (Index f = 0; f < part.number_of_faces(); ++f)
+    components.add(f);
   for (Index h = 0; h < part.halfedges.size(); ++h) {
     const Index f = h / 3, g = part.halfedges[h].neighbor;
-    if (f >= g || side[f] != side[g])
-      continue;
-    const Index a = sets.find_set(f), b = sets.find_set(g);
-    if (a != b) {
-      sets.link(a, b);
-      --number_of_components;
-    }
+    if (f < g && side[f] == side[g])
+      components.join(f, g);
   }
-  return number_of_components == 2;
+  return components.number() == 2;
 }
 
 // Judges whole cuts of a part: by all factors if the run takes candidates, else by those of the

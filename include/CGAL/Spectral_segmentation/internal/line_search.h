@@ -10,9 +10,6 @@
 #include <CGAL/Spectral_segmentation/internal/Meta_patch.h>
 #include <CGAL/Spectral_segmentation/internal/parts.h>
 
-#include <boost/pending/disjoint_sets.hpp>
-#include <boost/property_map/property_map.hpp>
-
 #include <cstddef>
 #include <limits>
 #include <optional>
@@ -70,29 +67,19 @@ inline std::vector<bool> rest_is_connected(const Face_dual_graph& part,
                                            const std::vector<Index>& faces)
 {
   const std::size_t n = faces.size();
-  std::vector<Index> rank(n), parent(n);
-  const boost::typed_identity_property_map<Index> index;
-  boost::disjoint_sets sets(boost::make_iterator_property_map(rank.begin(), index),
-                            boost::make_iterator_property_map(parent.begin(), index));
+  Face_components components(n);
   std::vector<char> is_in_rest(n, 0);
   std::vector<bool> result(n + 1, false);
-  std::size_t number_of_components = 0;
   for (std::size_t i = n; i-- > 0;) {
     const Index f = faces[i];
-    sets.make_set(f);
+    components.add(f);
     is_in_rest[f] = 1;
-    ++number_of_components;
     for (Index h = 3 * f; h < 3 * f + 3; ++h) {
       const Index g = part.halfedges[h].neighbor;
-      if (!is_in_rest[g])
-        continue;
-      const Index a = sets.find_set(f), b = sets.find_set(g);
-      if (a != b) {
-        sets.link(a, b);
-        --number_of_components;
-      }
+      if (is_in_rest[g])
+        components.join(f, g);
     }
-    result[i] = number_of_components == 1;
+    result[i] = components.number() == 1;
   }
   return result;
 }
