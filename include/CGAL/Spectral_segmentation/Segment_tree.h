@@ -33,6 +33,7 @@ template <class ConcurrencyTag, class Monitor>
 class Recursion;
 template <class ConcurrencyTag, class Monitor, class Observer>
 class Cut_and_merge;
+class Cut_transfer;
 }
 /// \endcond
 
@@ -193,6 +194,7 @@ private:
   friend class internal::Recursion;
   template <class ConcurrencyTag, class Monitor, class Observer>
   friend class internal::Cut_and_merge;
+  friend class internal::Cut_transfer;
 
   // A forest of roots only. `component` is the number of the component of each face, and
   // `areas` has one entry a component; components are numbered by their first face.

@@ -20,6 +20,7 @@ enum class Stage
   EMBEDDING,         ///< distances from the samples, order of the faces on each line
   LINE_SEARCH,       ///< the most salient cut along the lines, and minimum cuts near the best
   MERGING,           ///< pieces become segments again, once, if there are pieces
+  TRANSFER,          ///< the cuts of a simplified mesh are carried over to the mesh, once
   BOUNDARY_SMOOTHING ///< morphological smoothing of the labels, once, if asked for
 };
 

@@ -65,6 +65,7 @@ enum thickness_orderings_t { thickness_orderings };
 enum number_of_candidates_t { number_of_candidates };
 enum number_of_refined_candidates_t { number_of_refined_candidates };
 enum number_of_pieces_t { number_of_pieces };
+enum number_of_searched_faces_t { number_of_searched_faces };
 enum number_of_smoothing_iterations_t { number_of_smoothing_iterations };
 enum boundary_smoothing_t { boundary_smoothing };
 enum segment_tree_t { segment_tree };
@@ -133,7 +134,8 @@ using has_only_known_tags = has_only<Pack,
   geodesic_weight_t, concave_angle_weight_t, convex_angle_weight_t, concavity_radius_t,
   number_of_reference_faces_t, single_source_orderings_t, thickness_orderings_t,
   number_of_candidates_t, number_of_refined_candidates_t, number_of_pieces_t,
-  number_of_smoothing_iterations_t, boundary_smoothing_t, segment_tree_t>;
+  number_of_searched_faces_t, number_of_smoothing_iterations_t, boundary_smoothing_t,
+  segment_tree_t>;
 
 } // namespace internal_np
 
@@ -355,6 +357,14 @@ public:
   }
 
   template <class Integer>
+  auto number_of_searched_faces(Integer n) const
+  {
+    static_assert(internal_np::is_count<Integer>::value,
+                  "number_of_searched_faces takes an integer");
+    return with<internal_np::number_of_searched_faces_t>(n);
+  }
+
+  template <class Integer>
   auto number_of_smoothing_iterations(Integer n) const
   {
     static_assert(internal_np::is_count<Integer>::value,
@@ -424,6 +434,7 @@ CGAL_SPECTRAL_SEGMENTATION_START_PACK(thickness_orderings)
 CGAL_SPECTRAL_SEGMENTATION_START_PACK(number_of_candidates)
 CGAL_SPECTRAL_SEGMENTATION_START_PACK(number_of_refined_candidates)
 CGAL_SPECTRAL_SEGMENTATION_START_PACK(number_of_pieces)
+CGAL_SPECTRAL_SEGMENTATION_START_PACK(number_of_searched_faces)
 CGAL_SPECTRAL_SEGMENTATION_START_PACK(number_of_smoothing_iterations)
 CGAL_SPECTRAL_SEGMENTATION_START_PACK(boundary_smoothing)
 
