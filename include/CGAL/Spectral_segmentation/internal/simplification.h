@@ -21,7 +21,9 @@
 #include <cstdint>
 #include <cstring>
 #include <functional>
+#include <iterator>
 #include <numeric>
+#include <optional>
 #include <queue>
 #include <utility>
 #include <vector>
@@ -38,6 +40,57 @@ struct Simplified_mesh
   std::vector<Index> vertices; // of the graph: which one each vertex of the mesh became
 };
 
+// Edges by length, the shortest first. All but those of about the shortest length wait in buckets,
+// as one heap of all edges would be slow to reach in memory.
+class Edges_by_length
+{
+public:
+  typedef std::pair<std::uint64_t, Index> Edge; // its key, which begins with the length; a half-edge
+
+private:
+  // Of lengths that are equal in their exponent and the first bits of their mantissa.
+  static constexpr int bits_of_bucket = 14;
+  typedef std::priority_queue<Edge, std::vector<Edge>, std::greater<Edge> > Queue;
+
+  std::vector<std::vector<Edge> > buckets_;
+  std::size_t current_ = 0;
+  Queue queue_; // of the current bucket and those before
+
+  static std::size_t bucket(std::uint64_t key) { return key >> (64 - bits_of_bucket); }
+
+public:
+  Edges_by_length() : buckets_(std::size_t(1) << bits_of_bucket) {}
+
+  // The squared length decides, then the other number.
+  static std::uint64_t key(float squared_length, std::uint32_t other)
+  {
+    std::uint32_t bits; // of a float that is not negative, in the order of the floats
+    std::memcpy(&bits, &squared_length, sizeof(bits));
+    return (std::uint64_t(bits) << 32) | other;
+  }
+
+  void push(const Edge& edge)
+  {
+    if (bucket(edge.first) <= current_)
+      queue_.push(edge);
+    else
+      buckets_[bucket(edge.first)].push_back(edge);
+  }
+
+  // The shortest edge leaves; none if there are no more.
+  std::optional<Edge> pop()
+  {
+    while (queue_.empty()) {
+      if (++current_ >= buckets_.size())
+        return std::nullopt;
+      queue_ = Queue(std::greater<Edge>(), std::exchange(buckets_[current_], {}));
+    }
+    const Edge result = queue_.top();
+    queue_.pop();
+    return result;
+  }
+};
+
 // Collapses edges, the shortest first, until few faces are left. The vertex that is left goes where
 // it keeps the planes of the faces around, weighted by their squared areas, as Lindstrom and Turk
 // (1998) keep the volume. CGAL's edge_collapse() does as much for any mesh, in ten times the time.
@@ -46,10 +99,6 @@ struct Simplified_mesh
 // that the result moves with the mesh and does not depend on the numbers of its vertices and faces.
 class Edge_collapse
 {
-  // An edge that may be collapsed; out of date if its length has changed since.
-  typedef std::pair<std::uint64_t, Index> Entry; // key and half-edge, the shortest edge first
-  typedef std::priority_queue<Entry, std::vector<Entry>, std::greater<Entry> > Queue;
-
   typedef boost::container::small_vector<Index, 16> Some;
 
   std::vector<std::array<Index, 3> > corners_; // null_index for faces that are gone
@@ -58,7 +107,7 @@ class Edge_collapse
   std::vector<Index> became_;                  // what each vertex was joined to, or itself
   std::vector<char> is_fixed_;                 // vertices that stay as they are
   std::size_t number_of_faces_;
-  Queue queue_;
+  Edges_by_length edges_; // those that changed since are there again
 
   static Index next(Index h) { return h % 3 == 2 ? h - 2 : h + 1; }
   static Index previous(Index h) { return h % 3 == 0 ? h + 2 : h - 1; }
@@ -110,12 +159,10 @@ class Edge_collapse
   std::uint64_t key(Index h) const
   {
     const Vector &p = points_[source(h)], &q = points_[target(h)];
-    const float length = static_cast<float>((q - p).squaredNorm());
-    std::uint32_t bits; // of a float that is not negative, in the order of the floats
-    std::memcpy(&bits, &length, sizeof(bits));
     const Vector sum = p + q;
     const std::size_t hash = boost::hash_range(sum.data(), sum.data() + 3);
-    return (std::uint64_t(bits) << 32) | std::uint32_t(hash ^ (hash >> 31));
+    return Edges_by_length::key(static_cast<float>((q - p).squaredNorm()),
+                                static_cast<std::uint32_t>(hash ^ (hash >> 31)));
   }
 
   // Of the face of h if the source of h moves.
@@ -215,9 +262,9 @@ class Edge_collapse
     for (const Some* around : {&around_u, &around_v})
       for (Index g : *around)
         if (!is_gone(g / 3)) {
-          queue_.push({key(g), g});
+          edges_.push({key(g), g});
           if (opposite_[previous(g)] == null_index)
-            queue_.push({key(previous(g)), previous(g)});
+            edges_.push({key(previous(g)), previous(g)});
         }
   }
 
@@ -234,17 +281,14 @@ public:
 
     std::vector<Index> outgoing(points_.size(), null_index);
     std::vector<Index> number_of_faces_around(points_.size(), 0);
-    std::vector<Entry> entries;
-    entries.reserve(opposite_.size() / 2);
     for (Index h = 0; h < opposite_.size(); ++h) {
       if (!mesh.is_border(h))
         opposite_[h] = mesh.opposite(h);
       outgoing[source(h)] = h;
       ++number_of_faces_around[source(h)];
       if (opposite_[h] == null_index || h < opposite_[h])
-        entries.push_back({key(h), h});
+        edges_.push({key(h), h});
     }
-    queue_ = Queue(std::greater<Entry>(), std::move(entries));
     // Where several fans of faces meet in a vertex, each knows nothing of the others.
     for (Index v = 0; v < outgoing.size(); ++v)
       is_fixed_[v] = outgoing[v] == null_index ||
@@ -254,9 +298,11 @@ public:
   // Until at most `number_of_faces` are left, or no edge can be collapsed.
   void operator()(std::size_t number_of_faces)
   {
-    while (number_of_faces_ > number_of_faces && !queue_.empty()) {
-      const auto [old_key, h] = queue_.top();
-      queue_.pop();
+    while (number_of_faces_ > number_of_faces) {
+      const std::optional<Edges_by_length::Edge> shortest = edges_.pop();
+      if (!shortest)
+        return;
+      const auto [old_key, h] = *shortest;
       if (is_gone(h / 3) || key(h) != old_key)
         continue;
       const Some around_u = around_source(h), around_v = around_source(next(h));
