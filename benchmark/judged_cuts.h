@@ -53,15 +53,21 @@ inline std::size_t number_of_cuts(const std::vector<Mesh_cuts>& meshes)
   return number;
 }
 
+inline Labels labels_of(const std::vector<spectral::internal::Index>& faces, const Labels& labels)
+{
+  Labels result;
+  for (spectral::internal::Index f : faces)
+    result.push_back(labels[f]);
+  return result;
+}
+
 // 1 less the faces that the cut takes off the person's segments, of each the smaller of two pieces,
 // relative to those of the cut's smaller side: 1 where it follows the borders of segments, 0 where
 // the smaller side is nowhere the larger piece of one.
 inline double agreement(const Judged_cut& cut, const Labels& person)
 {
-  Labels of_part;
-  for (std::size_t f : cut.faces)
-    of_part.push_back(person[f]);
-  const Eigen::ArrayXXd faces = overlap(Labels(cut.side.begin(), cut.side.end()), of_part);
+  const Eigen::ArrayXXd faces =
+    overlap(Labels(cut.side.begin(), cut.side.end()), labels_of(cut.faces, person));
   return 1 - faces.colwise().minCoeff().sum() / faces.rowwise().sum().minCoeff();
 }
 
@@ -77,6 +83,16 @@ inline double mean_agreement(const Judged_cut& cut, const std::vector<Labels>& p
 inline Mesh_cuts judged_cuts(const Benchmark_mesh& input)
 {
   namespace internal = spectral::internal;
+  const internal::Options options = internal::calibrated_options();
+  const std::vector<Mesh::Face_index> faces(input.mesh.faces().begin(), input.mesh.faces().end());
+  internal::Initial_mesh mesh = internal::initialize<CGAL::Sequential_tag>(
+    input.mesh, faces, input.mesh.points(),
+    CGAL::Exact_predicates_inexact_constructions_kernel(), options, [] { return true; });
+  std::vector<Labels> people = input.people;
+  for (const internal::Simplified_mesh& simplified : mesh.simplified)
+    for (Labels& person : people)
+      person = labels_of(simplified.faces, person);
+
   Mesh_cuts result{input.id, {}};
   std::pair<internal::Index, std::size_t> last_part(internal::null_index, 0);
   const auto observe = [&](const Judged_cut& cut) {
@@ -85,18 +101,12 @@ inline Mesh_cuts judged_cuts(const Benchmark_mesh& input)
     if (cut.kind == Judged_cut::BOUNDARY || part != last_part)
       result.groups.push_back({cut.kind, {}});
     last_part = part;
-    result.groups.back().cuts.push_back({cut.factors, mean_agreement(cut, input.people)});
+    result.groups.back().cuts.push_back({cut.factors, mean_agreement(cut, people)});
   };
-
-  const internal::Options options = internal::calibrated_options();
-  const std::vector<Mesh::Face_index> faces(input.mesh.faces().begin(), input.mesh.faces().end());
   spectral::Segmentation_visitor visitor;
   internal::Monitor<spectral::Segmentation_visitor> monitor(visitor);
-  internal::cut_and_merge<CGAL::Sequential_tag>(
-    internal::initialize<CGAL::Sequential_tag>(
-      input.mesh, faces, input.mesh.points(),
-      CGAL::Exact_predicates_inexact_constructions_kernel(), options, [] { return true; }),
-    options, monitor, observe);
+  internal::cut_and_merge<CGAL::Sequential_tag>(std::move(mesh.searched()), options, monitor,
+                                                observe);
   return result;
 }
 

@@ -37,6 +37,7 @@ inline const std::vector<Method_switch>& method_switches()
     {"thickness_orderings", take<&Method_options::thickness_orderings>},
     {"number_of_candidates", take<&Method_options::number_of_candidates>},
     {"number_of_refined_candidates", take<&Method_options::number_of_refined_candidates>},
+    {"number_of_searched_faces", take<&Method_options::number_of_searched_faces>},
     {"number_of_pieces", take<&Method_options::number_of_pieces>},
     {"geodesic_weight", take<&Method_options::geodesic_weight>},
     {"minimum_segment_size", take<&Method_options::minimum_segment_size>},
@@ -75,6 +76,7 @@ inline Tree_method method_with(const char* name, const Method_options& o)
               .number_of_candidates(o.number_of_candidates)
               .number_of_refined_candidates(o.number_of_refined_candidates)
               .number_of_pieces(o.number_of_pieces)
+              .number_of_searched_faces(o.number_of_searched_faces)
               .geodesic_weight(o.geodesic_weight)
               .minimum_segment_size(o.minimum_segment_size));
   };

@@ -3,7 +3,8 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 #
 # setup.sh GROUP ...
-# Installs the Debian packages of the groups build, test, pictures and performance that are missing.
+# Installs the Debian packages that are missing of the groups build, test, pictures, manual and
+# performance.
 
 set -euo pipefail
 
@@ -13,10 +14,12 @@ for group in "$@"; do
     build)
       packages+=(cmake make g++ libcgal-dev libeigen3-dev libboost-dev libtbb-dev libcli11-dev
                  nlohmann-json3-dev libcgal-demo) ;;
-    test) packages+=(libboost-test-dev libopenmesh-dev python3) ;;
+    test) packages+=(libboost-test-dev libopenmesh-dev python3 doxygen) ;;
     pictures) packages+=(python3-vtk9 xvfb xauth) ;;
+    manual) packages+=(doxygen python3-vtk9 xvfb xauth) ;;
     performance) packages+=(libbenchmark-dev valgrind python3 python3-matplotlib) ;;
-    *) echo "setup.sh: no such group: $group (build, test, pictures, performance)" >&2; exit 1 ;;
+    *) echo "setup.sh: no such group: $group (build, test, pictures, manual, performance)" >&2
+       exit 1 ;;
   esac
 done
 

@@ -14,6 +14,7 @@
 #include <CGAL/Spectral_segmentation/internal/Monitor.h>
 #include <CGAL/Spectral_segmentation/internal/concurrency.h>
 #include <CGAL/Spectral_segmentation/internal/cut_and_merge.h>
+#include <CGAL/Spectral_segmentation/internal/cut_transfer.h>
 #include <CGAL/Spectral_segmentation/internal/initialization.h>
 #include <CGAL/Spectral_segmentation/internal/mesh_numbering.h>
 #include <CGAL/Spectral_segmentation/internal/options.h>
@@ -317,7 +318,7 @@ std::size_t segment_spectral_recursive(const TriangleMesh& mesh, SegmentIdMap se
 
   Segment_tree tree;
   internal::call_isolated([&] {
-    internal::Face_dual_graph graph = monitor.stage(
+    internal::Initial_mesh initial = monitor.stage(
       Stage::INITIALIZATION, Segmentation_visitor::whole_mesh, [&] {
         return internal::initialize<ConcurrencyTag>(
           mesh, faces,
@@ -326,9 +327,15 @@ std::size_t segment_spectral_recursive(const TriangleMesh& mesh, SegmentIdMap se
           choose_parameter<Geom_traits>(get_parameter(pack, CGAL::internal_np::geom_traits)),
           options, [&] { return monitor.go_further(); });
       });
+    const bool is_simplified = !initial.simplified.empty();
+    internal::Face_dual_graph searched =
+      is_simplified ? initial.searched() : std::move(initial.graph);
     tree = options.number_of_pieces > 0
-      ? internal::cut_and_merge<ConcurrencyTag>(std::move(graph), options, monitor)
-      : internal::Recursion<ConcurrencyTag, Monitor>(std::move(graph), options, monitor)();
+      ? internal::cut_and_merge<ConcurrencyTag>(std::move(searched), options, monitor)
+      : internal::Recursion<ConcurrencyTag, Monitor>(std::move(searched), options, monitor)();
+    if (is_simplified)
+      tree = monitor.stage(Stage::TRANSFER, Segmentation_visitor::whole_mesh, [&]
+        { return internal::transfer_cuts<ConcurrencyTag>(std::move(tree), initial, options); });
   });
 
   const std::vector<std::size_t> labels = options.boundary_smoothing

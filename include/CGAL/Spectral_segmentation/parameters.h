@@ -65,6 +65,7 @@ enum thickness_orderings_t { thickness_orderings };
 enum number_of_candidates_t { number_of_candidates };
 enum number_of_refined_candidates_t { number_of_refined_candidates };
 enum number_of_pieces_t { number_of_pieces };
+enum number_of_searched_faces_t { number_of_searched_faces };
 enum number_of_smoothing_iterations_t { number_of_smoothing_iterations };
 enum boundary_smoothing_t { boundary_smoothing };
 enum segment_tree_t { segment_tree };
@@ -133,7 +134,8 @@ using has_only_known_tags = has_only<Pack,
   geodesic_weight_t, concave_angle_weight_t, convex_angle_weight_t, concavity_radius_t,
   number_of_reference_faces_t, single_source_orderings_t, thickness_orderings_t,
   number_of_candidates_t, number_of_refined_candidates_t, number_of_pieces_t,
-  number_of_smoothing_iterations_t, boundary_smoothing_t, segment_tree_t>;
+  number_of_searched_faces_t, number_of_smoothing_iterations_t, boundary_smoothing_t,
+  segment_tree_t>;
 
 } // namespace internal_np
 
@@ -161,6 +163,8 @@ class Named_parameters
   }
 
 public:
+  /// a pack with the parameters of a pack of CGAL, which must have none that the functions of this
+  /// package do not read
   explicit Named_parameters(const CGALNamedParameters& np = CGALNamedParameters()) : np_(np)
   {
     static_assert(internal_np::has_only_known_tags<CGALNamedParameters>::value,
@@ -169,6 +173,12 @@ public:
 
   /// the same parameters as a pack of CGAL, for CGAL's own functions
   const CGALNamedParameters& cgal_parameters() const { return np_; }
+
+  /// \name Parameters
+  /// Each function returns a pack that has its parameter besides those of this pack; of a parameter
+  /// that is given twice the last value counts. An argument of a wrong type is an error at compile
+  /// time, a value out of its range an exception of the function that is called with the pack.
+  /// @{
 
   template <class VertexPointMap>
   auto vertex_point_map(const VertexPointMap& map) const
@@ -347,6 +357,14 @@ public:
   }
 
   template <class Integer>
+  auto number_of_searched_faces(Integer n) const
+  {
+    static_assert(internal_np::is_count<Integer>::value,
+                  "number_of_searched_faces takes an integer");
+    return with<internal_np::number_of_searched_faces_t>(n);
+  }
+
+  template <class Integer>
   auto number_of_smoothing_iterations(Integer n) const
   {
     static_assert(internal_np::is_count<Integer>::value,
@@ -369,6 +387,8 @@ public:
                   "segment_tree takes a CGAL::Spectral_segmentation::Segment_tree, not const");
     return with<internal_np::segment_tree_t>(std::ref(tree));
   }
+
+  /// @}
 };
 
 /// The functions that start a pack of named parameters.
@@ -381,6 +401,11 @@ inline Named_parameters<> default_values() { return Named_parameters<>(); }
 template <class T, class Tag, class Base>
 auto from(const CGAL::Named_function_parameters<T, Tag, Base>& np)
 { return Named_parameters<CGAL::Named_function_parameters<T, Tag, Base> >(np); }
+
+/// \name Parameters
+/// Each function starts a pack with the parameter of its name; it takes what the function of this
+/// name in `Named_parameters` takes.
+/// @{
 
 #define CGAL_SPECTRAL_SEGMENTATION_START_PACK(NAME)               \
   template <class... Values>                                      \
@@ -409,6 +434,7 @@ CGAL_SPECTRAL_SEGMENTATION_START_PACK(thickness_orderings)
 CGAL_SPECTRAL_SEGMENTATION_START_PACK(number_of_candidates)
 CGAL_SPECTRAL_SEGMENTATION_START_PACK(number_of_refined_candidates)
 CGAL_SPECTRAL_SEGMENTATION_START_PACK(number_of_pieces)
+CGAL_SPECTRAL_SEGMENTATION_START_PACK(number_of_searched_faces)
 CGAL_SPECTRAL_SEGMENTATION_START_PACK(number_of_smoothing_iterations)
 CGAL_SPECTRAL_SEGMENTATION_START_PACK(boundary_smoothing)
 
@@ -417,6 +443,8 @@ CGAL_SPECTRAL_SEGMENTATION_START_PACK(boundary_smoothing)
 template <class Tree>
 auto segment_tree(Tree& tree)
 { return default_values().segment_tree(tree); }
+
+/// @}
 
 } // namespace parameters
 

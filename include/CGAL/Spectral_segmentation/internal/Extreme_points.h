@@ -5,6 +5,7 @@
 #define CGAL_SPECTRAL_SEGMENTATION_INTERNAL_EXTREME_POINTS_H
 
 #include <CGAL/Spectral_segmentation/internal/Face_dual_graph.h>
+#include <CGAL/Spectral_segmentation/internal/Principal_frame.h>
 
 #include <CGAL/Simple_cartesian.h>
 #include <CGAL/Spatial_sort_traits_adapter_3.h>
@@ -129,8 +130,9 @@ struct Face_plane
   std::uint8_t direction; // next to the normal
 };
 
-// Finds the extreme points of sets of faces of a mesh. Those of small compact blocks of faces are
-// kept, so that only the faces of the blocks that a set shares with others are looked at.
+// Finds the extreme points of sets of faces of a mesh, in its principal frame. Those of small
+// compact blocks of faces are kept, so that only the faces of the blocks that a set shares with
+// others are looked at.
 class Extreme_points
 {
   static constexpr Index faces_per_block = 32;
@@ -142,14 +144,14 @@ class Extreme_points
   std::vector<Index> size_of_block_;
   std::vector<Extremes> of_block_;
 
-  void set_planes(const Face_dual_graph& mesh)
+  void set_planes(const Face_dual_graph& mesh, const Principal_frame& frame)
   {
     planes_.reserve(mesh.number_of_faces());
     for (Index f = 0; f < mesh.number_of_faces(); ++f) {
       const std::array<Index, 3>& c = mesh.corners[f];
       const Vector &p = mesh.points[c[0]], &q = mesh.points[c[1]], &r = mesh.points[c[2]];
-      const Eigen::Vector3f normal = (q - p).cross(r - p).normalized().cast<float>();
-      planes_.push_back({mesh.centroid(f).cast<float>(), normal,
+      const Eigen::Vector3f normal = frame.vector((q - p).cross(r - p).normalized()).cast<float>();
+      planes_.push_back({frame.point(mesh.centroid(f)).cast<float>(), normal,
                          static_cast<std::uint8_t>(directions::nearest(normal))});
     }
   }
@@ -180,10 +182,11 @@ class Extreme_points
 public:
   explicit Extreme_points(const Face_dual_graph& mesh) : corners_(mesh.corners)
   {
+    const Principal_frame frame(mesh);
     points_.reserve(mesh.points.size());
     for (const Vector& p : mesh.points)
-      points_.push_back(p.cast<float>());
-    set_planes(mesh);
+      points_.push_back(frame.point(p).cast<float>());
+    set_planes(mesh, frame);
     set_blocks();
   }
 

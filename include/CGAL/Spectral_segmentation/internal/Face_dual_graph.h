@@ -5,6 +5,7 @@
 #define CGAL_SPECTRAL_SEGMENTATION_INTERNAL_FACE_DUAL_GRAPH_H
 
 #include <Eigen/Core>
+#include <Eigen/Geometry>
 
 #include <boost/graph/graph_traits.hpp>
 #include <boost/graph/properties.hpp>
@@ -102,6 +103,22 @@ public:
   typedef Index degree_size_type;
   static vertex_descriptor null_vertex() { return null_index; }
 };
+
+// Sets what follows from the corners and the points: areas, and distances of centroids.
+inline void set_sizes(Face_dual_graph& graph)
+{
+  graph.areas.resize(graph.number_of_faces());
+  for (Index f = 0; f < graph.number_of_faces(); ++f) {
+    const std::array<Index, 3>& c = graph.corners[f];
+    graph.areas[f] = (graph.points[c[1]] - graph.points[c[0]])
+                       .cross(graph.points[c[2]] - graph.points[c[0]]).norm() / 2;
+  }
+  for (Index h = 0; h < graph.halfedges.size(); ++h) {
+    const Index g = graph.halfedges[h].neighbor;
+    graph.halfedges[h].centroids =
+      static_cast<float>((graph.centroid(g) - graph.centroid(h / 3)).norm());
+  }
+}
 
 inline Index num_vertices(const Face_dual_graph& g)
 { return static_cast<Index>(g.number_of_faces()); }

@@ -10,8 +10,6 @@
 #include <CGAL/boost/graph/helpers.h>
 #include <CGAL/number_utils.h>
 
-#include <Eigen/Geometry>
-
 #include <boost/graph/graph_traits.hpp>
 #include <boost/property_map/property_map.hpp>
 
@@ -120,18 +118,7 @@ face_dual_graph_of_mesh(const TriangleMesh& mesh, const std::vector<FaceDescript
                                   " has a coordinate that is not finite");
   }
   graph.unit = normalize(graph.points, is_used);
-
-  graph.areas.resize(faces.size());
-  for (Index f = 0; f < faces.size(); ++f) {
-    const std::array<Index, 3>& c = graph.corners[f];
-    graph.areas[f] = (graph.points[c[1]] - graph.points[c[0]])
-                       .cross(graph.points[c[2]] - graph.points[c[0]]).norm() / 2;
-  }
-  for (Index h = 0; h < graph.halfedges.size(); ++h) {
-    const Index g = graph.halfedges[h].neighbor;
-    graph.halfedges[h].centroids =
-      static_cast<float>((graph.centroid(g) - graph.centroid(h / 3)).norm());
-  }
+  set_sizes(graph);
   return graph;
 }
 

@@ -10,26 +10,32 @@
 #include <CGAL/Spectral_segmentation/internal/face_dual_graph_of_mesh.h>
 #include <CGAL/Spectral_segmentation/internal/laplacian_smoothing.h>
 #include <CGAL/Spectral_segmentation/internal/options.h>
+#include <CGAL/Spectral_segmentation/internal/simplification.h>
 #include <CGAL/Spectral_segmentation/internal/thickness.h>
 
 #include <cstddef>
+#include <utility>
 #include <vector>
 
 namespace CGAL {
 namespace Spectral_segmentation {
 namespace internal {
 
-// All that a run needs to know of a mesh. Smoothing ends early if `go_further()` is false.
-// Throws as `face_dual_graph_of_mesh()` does.
-template <class ConcurrencyTag, class TriangleMesh, class FaceDescriptor, class VertexPointMap,
-          class GeomTraits, class GoFurther>
-Face_dual_graph initialize(const TriangleMesh& mesh, const std::vector<FaceDescriptor>& faces,
-                           VertexPointMap vertex_point_map, const GeomTraits& traits,
-                           const Options& options, const GoFurther& go_further)
+// All that a run needs to know of a mesh.
+struct Initial_mesh
 {
-  Face_dual_graph graph = face_dual_graph_of_mesh(mesh, faces, vertex_point_map, traits);
-  const std::vector<Vector> points =
-    smoothed_points(graph, options.number_of_smoothing_iterations, go_further);
+  Face_dual_graph graph;
+  // If the graph has more faces than shall be searched: the first simplifies the graph, the next
+  // that one, and so on.
+  std::vector<Simplified_mesh> simplified;
+
+  // The one on which cuts are searched, which has face distances.
+  Face_dual_graph& searched() { return simplified.empty() ? graph : simplified.back().graph; }
+};
+
+template <class ConcurrencyTag>
+void measure(Face_dual_graph& graph, const std::vector<Vector>& points, const Options& options)
+{
   const std::vector<Vector> normals = face_normals(graph, points);
   for_each_index<ConcurrencyTag>(options.needs_thickness() ? 2 : 1, [&](std::size_t task) {
     if (task == 0)
@@ -39,7 +45,28 @@ Face_dual_graph initialize(const TriangleMesh& mesh, const std::vector<FaceDescr
     else
       graph.thickness = thickness<ConcurrencyTag>(graph, points, normals, thickness_radius);
   });
-  return graph;
+}
+
+// Smoothing ends early if `go_further()` is false. Throws as `face_dual_graph_of_mesh()` does.
+template <class ConcurrencyTag, class TriangleMesh, class FaceDescriptor, class VertexPointMap,
+          class GeomTraits, class GoFurther>
+Initial_mesh initialize(const TriangleMesh& mesh, const std::vector<FaceDescriptor>& faces,
+                        VertexPointMap vertex_point_map, const GeomTraits& traits,
+                        const Options& options, const GoFurther& go_further)
+{
+  Initial_mesh result{face_dual_graph_of_mesh(mesh, faces, vertex_point_map, traits), {}};
+  Face_dual_graph& graph = result.graph;
+  std::vector<Vector> points =
+    smoothed_points(graph, options.number_of_smoothing_iterations, go_further);
+  if (options.number_of_searched_faces == 0 ||
+      graph.number_of_faces() <= options.number_of_searched_faces) {
+    measure<ConcurrencyTag>(graph, points, options);
+    return result;
+  }
+  graph.points = std::move(points);
+  result.simplified = simplify_in_steps(graph, options.number_of_searched_faces);
+  measure<ConcurrencyTag>(result.searched(), result.searched().points, options);
+  return result;
 }
 
 } // namespace internal

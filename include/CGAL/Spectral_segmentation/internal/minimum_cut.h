@@ -4,6 +4,7 @@
 #ifndef CGAL_SPECTRAL_SEGMENTATION_INTERNAL_MINIMUM_CUT_H
 #define CGAL_SPECTRAL_SEGMENTATION_INTERNAL_MINIMUM_CUT_H
 
+#include <CGAL/Spectral_segmentation/internal/Cut.h>
 #include <CGAL/Spectral_segmentation/internal/Face_dual_graph.h>
 #include <CGAL/Spectral_segmentation/internal/distances_from_cut.h>
 
@@ -113,18 +114,17 @@ public:
   }
 };
 
-// The cheapest cut within a distance of 0.35 sqrt(area of Q) around a cut.
-// Its sides need not be connected.
-inline std::vector<char> minimum_cut_around(const Face_dual_graph& part,
-                                            const std::vector<char>& side, double area_of_q)
+// The cheapest cut that leaves all faces of a part on their sides but those of the band. Faces that
+// are on no side, neither 0 nor 1, count as if they were not there. A side that lies wholly in the
+// band keeps the last of its faces there. The sides need not be connected.
+inline Sides minimum_cut_within(const Face_dual_graph& part, const std::vector<Index>& band,
+                                const Sides& side)
 {
-  const std::vector<Face_at_distance> band =
-    faces_near_cut(part, side, halfedges_of_cut(part, side), 0.35 * std::sqrt(area_of_q));
   std::vector<int> node(part.number_of_faces(), -1);
   int last_of_side[2] = {-1, -1};
   for (std::size_t i = 0; i < band.size(); ++i) {
-    node[band[i].face] = static_cast<int>(i);
-    last_of_side[int(side[band[i].face])] = static_cast<int>(i);
+    node[band[i]] = static_cast<int>(i);
+    last_of_side[int(side[band[i]])] = static_cast<int>(i);
   }
 
   Band_network network(band.size());
@@ -137,25 +137,35 @@ inline std::vector<char> minimum_cut_around(const Face_dual_graph& part,
       network.join_to_sink(i, c);
   };
   for (std::size_t i = 0; i < band.size(); ++i) {
-    const Index f = band[i].face;
+    const Index f = band[i];
     for (Index h = 3 * f; h < 3 * f + 3; ++h) {
       const Index g = part.halfedges[h].neighbor;
-      if (node[g] < 0)
-        join_to_terminal(static_cast<int>(i), side[g], capacity(part, h));
-      else if (f < g)
+      if (node[g] >= 0 && f < g)
         network.join(static_cast<int>(i), node[g], capacity(part, h));
+      else if (node[g] < 0 && (side[g] == 0 || side[g] == 1))
+        join_to_terminal(static_cast<int>(i), side[g], capacity(part, h));
     }
   }
-  // A side that lies wholly in the band keeps the face farthest from the cut.
   for (char s : {char(0), char(1)})
     if (!has_terminal[int(s)] && last_of_side[int(s)] >= 0)
       join_to_terminal(last_of_side[int(s)], s, (std::numeric_limits<float>::max)());
 
-  std::vector<char> result = side;
+  Sides result = side;
   const std::vector<bool> is_at_source = network.minimum_cut();
   for (std::size_t i = 0; i < band.size(); ++i)
-    result[band[i].face] = is_at_source[i] ? 0 : 1;
+    result[band[i]] = is_at_source[i] ? 0 : 1;
   return result;
+}
+
+// The cheapest cut within a distance of 0.35 sqrt(area of Q) around a cut. Its sides need not be
+// connected.
+inline Sides minimum_cut_around(const Face_dual_graph& part, const Sides& side, double area_of_q)
+{
+  std::vector<Index> band; // a side that lies wholly in it keeps the face farthest from the cut
+  for (const Face_at_distance& f :
+       faces_near_cut(part, side, halfedges_of_cut(part, side), 0.35 * std::sqrt(area_of_q)))
+    band.push_back(f.face);
+  return minimum_cut_within(part, band, side);
 }
 
 } // namespace internal

@@ -46,6 +46,7 @@ struct Options
   std::size_t number_of_candidates = 0;
   std::size_t number_of_refined_candidates = 0;
   std::size_t number_of_pieces = 0;
+  std::size_t number_of_searched_faces = 0;
   std::size_t number_of_smoothing_iterations = 0;
   bool boundary_smoothing = false;
   std::optional<std::uint64_t> random_seed;
@@ -72,6 +73,13 @@ inline Options calibrated_options()
   o.number_of_candidates = 14;
   o.number_of_refined_candidates = 4;
   o.number_of_pieces = 20;
+  o.number_of_searched_faces = 4000;
+#ifdef SPEC_EXPERIMENT
+  if (const char* e = std::getenv("NS")) o.number_of_searched_faces = std::stoul(e);
+  if (const char* e = std::getenv("NPIECES")) o.number_of_pieces = std::stoul(e);
+  if (const char* e = std::getenv("NCAND")) o.number_of_candidates = std::stoul(e);
+  if (const char* e = std::getenv("NREF")) o.number_of_refined_candidates = std::stoul(e);
+#endif
   return o;
 }
 
@@ -148,6 +156,8 @@ Options read_options(const NamedParameters& np)
              "at least 0", o.number_of_refined_candidates);
   read_count(np, tags::number_of_pieces, "number_of_pieces", 0, "0 or at least 2",
              o.number_of_pieces);
+  read_count(np, tags::number_of_searched_faces, "number_of_searched_faces", 0, "at least 0",
+             o.number_of_searched_faces);
   read_count(np, tags::number_of_smoothing_iterations, "number_of_smoothing_iterations", 0,
              "at least 0", o.number_of_smoothing_iterations);
   read_parameter(np, tags::boundary_smoothing, o.boundary_smoothing);
