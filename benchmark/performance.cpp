@@ -2,14 +2,19 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 /// \file
-/// Time and memory of whole runs and of the stages of the first cut against the size of the mesh,
-/// beside CGAL's SDF segmentation and other searches for shortest paths.
-/// `scripts/plot_performance.py` draws what `--benchmark_out=FILE` writes.
+/// Time and peak memory against the size of the mesh: whole runs and their stages, beside CGAL's
+/// SDF segmentation; another number of segments of a finished tree; and searches for shortest
+/// paths, beside a breadth-first search, which does no more than touch the graph.
 ///
-/// A row is METHOD/WHAT/threads:N/FACES, without threads where there is one only. The paper's whole
-/// run makes 5 parts.
+/// A row is RUN/threads:N/FACES or WHAT/FACES. Runs have counters: the milliseconds of each stage,
+/// summed over the parts, and the bytes a face at the peak, beyond the mesh.
+/// `calibrated_unsimplified` searches the mesh itself; `paper` makes 5 parts.
+///
+/// All sizes, on a machine with nothing else to do, and the picture:
+///
+///     performance --largest 10000000 --benchmark_out=performance.json
+///     scripts/plot_performance.py performance.json
 
-#include "First_cut.h"
 #include "Peak_memory.h"
 #include "other_searches.h"
 #include "program.h"
@@ -19,7 +24,10 @@
 
 #include "../examples/segment_mesh/Run_watch.h"
 
+#include <CGAL/segment_spectral_recursive.h>
+
 #include <CGAL/boost/graph/helpers.h>
+#include <CGAL/tags.h>
 
 #include <benchmark/benchmark.h>
 
@@ -32,21 +40,52 @@
 #include <functional>
 #include <iostream>
 #include <limits>
+#include <map>
 #include <optional>
 #include <set>
 #include <string>
 #include <thread>
+#include <utility>
 #include <vector>
 
 using namespace segmentation_benchmark;
+using CGAL::Spectral_segmentation::Method;
 using CGAL::Spectral_segmentation::Segment_tree;
 using CGAL::Spectral_segmentation::Stage;
+namespace internal = CGAL::Spectral_segmentation::internal;
 namespace params = CGAL::Spectral_segmentation::parameters;
-
-typedef boost::vector_property_map<std::size_t> Segment_ids;
 
 const std::size_t sizes[] = {1000, 3000, 12500, 20000, 50000, 75000, 200000, 350000, 800000,
                              2000000, 3200000, 10000000};
+
+const std::pair<Stage, const char*> stages[] = {
+  {Stage::INITIALIZATION, "initialization"}, {Stage::SAMPLING, "sampling"},
+  {Stage::EMBEDDING, "embedding"},           {Stage::LINE_SEARCH, "line_search"},
+  {Stage::MERGING, "merging"},               {Stage::TRANSFER, "transfer"}};
+
+constexpr std::size_t unlimited = internal::unlimited;
+constexpr double any_salience = -std::numeric_limits<double>::infinity();
+
+struct Run
+{
+  const char* name;
+  std::size_t largest; // the number of faces up to which its time is bearable
+  Method method;
+  std::size_t number_of_searched_faces;
+  std::size_t maximum_number_of_segments;
+  double salience_threshold;
+};
+
+const std::size_t searched_faces = internal::calibrated_options().number_of_searched_faces;
+constexpr double threshold = CGAL::Spectral_segmentation::default_probability_threshold;
+
+const Run calibrated = {"calibrated", unlimited, Method::CALIBRATED, searched_faces, unlimited,
+                        threshold};
+const Run unsimplified = {"calibrated_unsimplified", 75000, Method::CALIBRATED, 0, unlimited,
+                          threshold};
+const Run paper = {"paper", unlimited, Method::ZHANG_LIU_2005, 0, 5, any_salience};
+
+constexpr std::size_t largest_for_sdf = 350000;
 
 struct Options
 {
@@ -55,27 +94,18 @@ struct Options
   std::set<std::size_t> threads = {1, (std::max)(1u, std::thread::hardware_concurrency())};
 };
 
-struct Run
-{
-  const char* name;
-  Method method;
-  std::size_t maximum_number_of_segments;
-  double salience_threshold;
-};
-
-const Run runs[] = {
-  {"calibrated", Method::CALIBRATED, (std::numeric_limits<std::size_t>::max)(),
-   CGAL::Spectral_segmentation::default_probability_threshold},
-  {"paper", Method::ZHANG_LIU_2005, 5, -std::numeric_limits<double>::infinity()}};
-
 std::size_t segment(const Mesh& mesh, const Run& run, std::size_t threads,
                     segment_mesh::Run_watch& watch, Segment_tree& tree)
 {
   return with_threads(threads, [&](auto tag) {
     return CGAL::segment_spectral_recursive<decltype(tag)>(
-      mesh, Segment_ids(mesh.number_of_faces()),
-      params::method(run.method).maximum_number_of_segments(run.maximum_number_of_segments)
-        .salience_threshold(run.salience_threshold).segment_tree(tree).visitor(std::ref(watch)));
+      mesh, boost::vector_property_map<std::size_t>(mesh.number_of_faces()),
+      params::method(run.method)
+        .number_of_searched_faces(run.number_of_searched_faces)
+        .maximum_number_of_segments(run.maximum_number_of_segments)
+        .salience_threshold(run.salience_threshold)
+        .segment_tree(tree)
+        .visitor(std::ref(watch)));
   });
 }
 
@@ -84,7 +114,7 @@ class Input
 {
   Mesh mesh_;
   std::optional<Segment_tree> tree_;
-  std::optional<First_cut> first_cut_;
+  std::optional<Face_dual_graph> graph_;
 
 public:
   Input(const Mesh& original, std::size_t size) : mesh_(with_size(original, size)) {}
@@ -95,19 +125,21 @@ public:
   {
     if (!tree_) {
       segment_mesh::Run_watch watch(false);
-      segment(mesh_, runs[0], 1, watch, tree_.emplace());
+      segment(mesh_, calibrated, 1, watch, tree_.emplace());
     }
     return *tree_;
   }
 
-  First_cut& first_cut(Method method)
+  // With the distances of the paper.
+  const Face_dual_graph& graph()
   {
-    if (!first_cut_ || first_cut_->method() != method)
-      first_cut_.emplace(mesh_, method);
-    return *first_cut_;
+    if (!graph_)
+      graph_ = internal::initialize<CGAL::Sequential_tag>(
+        mesh_, std::vector<Mesh::Face_index>(mesh_.faces().begin(), mesh_.faces().end()),
+        mesh_.points(), CGAL::Exact_predicates_inexact_constructions_kernel(),
+        internal::Options(), [] { return true; }).graph;
+    return *graph_;
   }
-
-  const Face_dual_graph& graph() { return first_cut(Method::CALIBRATED).graph(); }
 };
 
 // Keeps the input of one size only, as rows come in the order of their sizes.
@@ -139,21 +171,23 @@ void count(benchmark::State& state, const Mesh& mesh, std::size_t number_of_segm
     static_cast<double>(memory.bytes()) / static_cast<double>(mesh.number_of_faces());
 }
 
-// The stages are counted in seconds, of the last run and summed over its parts.
-void measure_whole_run(benchmark::State& state, Input& input, const Run& run, std::size_t threads)
+void measure_run(benchmark::State& state, Input& input, const Run& run, std::size_t threads)
 {
   std::size_t number_of_segments = 0;
+  std::map<Stage, double> seconds;
   const Peak_memory memory;
   for (auto _ : state) {
     segment_mesh::Run_watch watch(false);
     Segment_tree tree;
     number_of_segments = segment(input.mesh(), run, threads, watch, tree);
-    state.counters["initialization"] = watch.seconds(Stage::INITIALIZATION);
-    state.counters["sampling"] = watch.seconds(Stage::SAMPLING);
-    state.counters["embedding"] = watch.seconds(Stage::EMBEDDING);
-    state.counters["line_search"] = watch.seconds(Stage::LINE_SEARCH);
+    for (const auto& stage : stages)
+      seconds[stage.first] += watch.seconds(stage.first);
   }
   count(state, input.mesh(), number_of_segments, memory);
+  for (const auto& [stage, name] : stages)
+    if (seconds[stage] > 0)
+      state.counters[name] =
+        benchmark::Counter(1000 * seconds[stage], benchmark::Counter::kAvgIterations);
 }
 
 void measure_sdf(benchmark::State& state, Input& input)
@@ -168,10 +202,9 @@ void measure_sdf(benchmark::State& state, Input& input)
 void measure_another_number(benchmark::State& state, Input& input)
 {
   const Segment_tree& tree = input.tree();
-  const Segment_ids ids(input.mesh().number_of_faces());
   std::size_t number = 1;
   for (auto _ : state) {
-    tree.segment_by_number(input.mesh(), ids, number);
+    benchmark::DoNotOptimize(tree.labels(number, any_salience));
     number = 1 + number % tree.number_of_segments();
   }
 }
@@ -225,52 +258,27 @@ public:
 
   void add_run(const Run& run, std::size_t threads) const
   {
-    add(name(run, "whole", threads), [=, &run](benchmark::State& state, Input& input)
-      { measure_whole_run(state, input, run, threads); });
+    if (size_ <= run.largest)
+      add(run.name + ("/threads:" + std::to_string(threads)),
+          [=, &run](benchmark::State& state, Input& input)
+          { measure_run(state, input, run, threads); });
   }
 
-  // `stage(first cut, tag)` is its work.
-  template <class Function>
-  void add_stage(const Run& run, const char* stage_name, std::size_t threads,
-                 const Function& stage) const
+  // The runs come first, while the mesh is alone in memory.
+  void add_all(const std::set<std::size_t>& threads) const
   {
-    add(name(run, stage_name, threads), [=, &run](benchmark::State& state, Input& input) {
-      First_cut& first_cut = input.first_cut(run.method);
-      for (auto _ : state)
-        with_threads(threads, [&](auto tag) { stage(first_cut, tag); });
-    });
+    for (const Run* run : {&calibrated, &unsimplified, &paper})
+      for (std::size_t n : threads)
+        add_run(*run, n);
+    if (size_ <= largest_for_sdf)
+      add("sdf/threads:1", measure_sdf);
+    add("another_number_of_segments", measure_another_number);
+    add("shortest_path_tree/bgl_on_cgal_dual", measure_dijkstra_on_dual);
+    add("shortest_path_tree/bgl_on_our_graph", measure_search<internal::Dijkstra_search>);
+    add("shortest_path_tree/buckets", measure_search<internal::Bucket_search>);
+    add("shortest_path_tree/breadth_first", measure_breadth_first_search);
   }
-
-  static std::string name(const Run& run, const std::string& what, std::size_t threads)
-  { return run.name + ("/" + what) + "/threads:" + std::to_string(threads); }
 };
-
-void add_stages(const Rows& rows, const Run& run, std::size_t threads)
-{
-  rows.add_stage(run, "initialization", threads, [](auto& cut, auto tag) { cut.initialize(tag); });
-  rows.add_stage(run, "sampling", threads, [](auto& cut, auto tag) { cut.sample(tag); });
-  rows.add_stage(run, "embedding", threads, [](auto& cut, auto tag) { cut.order(tag); });
-  rows.add_stage(run, "line_search", threads, [](auto& cut, auto tag) { cut.search_lines(tag); });
-  if (run.method == Method::CALIBRATED)
-    rows.add_stage(run, "refinement", threads, [](auto& cut, auto tag) { cut.refine(tag); });
-}
-
-// The whole runs come first, while no stage has left anything in memory.
-void add_rows(const Rows& rows, const std::set<std::size_t>& threads)
-{
-  for (const Run& run : runs)
-    for (std::size_t n : threads)
-      rows.add_run(run, n);
-  rows.add("sdf/whole", measure_sdf);
-  rows.add("calibrated/another_number", measure_another_number);
-  for (const Run& run : runs)
-    for (std::size_t n : threads)
-      add_stages(rows, run, n);
-  rows.add("shortest_path_tree/stock_bgl_on_cgal_dual", measure_dijkstra_on_dual);
-  rows.add("shortest_path_tree/bgl", measure_search<internal::Dijkstra_search>);
-  rows.add("shortest_path_tree/buckets", measure_search<internal::Bucket_search>);
-  rows.add("shortest_path_tree/breadth_first", measure_breadth_first_search);
-}
 
 void add_options(CLI::App& app, Options& o)
 {
@@ -288,7 +296,7 @@ void run(const Options& o)
   benchmark::AddCustomContext("mesh", o.mesh_file);
   for (std::size_t size : sizes)
     if (size <= o.largest)
-      add_rows(Rows(inputs, size), o.threads);
+      Rows(inputs, size).add_all(o.threads);
   benchmark::RunSpecifiedBenchmarks();
 }
 

@@ -8,6 +8,8 @@
 
 #include <CGAL/mesh_segmentation.h>
 
+#include <boost/property_map/property_map.hpp>
+
 #include <cstddef>
 #include <vector>
 
@@ -16,12 +18,14 @@ namespace segmentation_benchmark {
 // The labels of CGAL's segmentation by shape diameter, by its defaults.
 inline Labels segment_by_sdf(const Mesh& mesh)
 {
-  Mesh with_values(mesh);
-  const auto sdf = with_values.add_property_map<Mesh::Face_index, double>("f:sdf").first;
-  const auto ids = with_values.add_property_map<Mesh::Face_index, std::size_t>("f:sdf_id").first;
-  CGAL::sdf_values(with_values, sdf);
-  CGAL::segmentation_from_sdf_values(with_values, sdf, ids);
-  return contiguous(std::vector<std::size_t>(ids.begin(), ids.end()));
+  std::vector<double> values(mesh.number_of_faces());
+  std::vector<std::size_t> ids(values.size());
+  const auto index = get(CGAL::face_index, mesh);
+  const auto value_map = boost::make_iterator_property_map(values.begin(), index);
+  CGAL::sdf_values(mesh, value_map);
+  CGAL::segmentation_from_sdf_values(mesh, value_map,
+                                     boost::make_iterator_property_map(ids.begin(), index));
+  return contiguous(ids);
 }
 
 } // namespace segmentation_benchmark

@@ -55,6 +55,28 @@ using CGAL::Spectral_segmentation::Segment_tree;
 
 namespace {
 
+struct Run
+{
+  const char* mesh;
+  Method method;
+  std::size_t number_of_searched_faces;
+  std::size_t number_of_simplifications; // of the mesh, then of what is left, and so on
+};
+
+const Run runs[] = {{"elephant.off", Method::CALIBRATED, 4000, 1},
+                    {"elephant.off", Method::CALIBRATED, 150, 2},
+                    {"elephant.off", Method::ZHANG_LIU_2005, 0, 0},
+                    {"hand.off", Method::CALIBRATED, 0, 0},
+                    {"hand.off", Method::ZHANG_LIU_2005, 0, 0}};
+
+std::size_t number_of_simplifications(const Run& run)
+{
+  if (run.number_of_searched_faces == 0)
+    return 0;
+  return CGAL::Spectral_segmentation::internal::simplify_in_steps(
+           dual_graph_of(read(run.mesh)), run.number_of_searched_faces).size();
+}
+
 struct Result
 {
   Labels labels;
@@ -62,11 +84,13 @@ struct Result
 };
 
 template <class ConcurrencyTag>
-Result segment(const Mesh& mesh, Method method)
+Result segment(const Mesh& mesh, const Run& run)
 {
   Result r;
   CGAL::segment_spectral_recursive<ConcurrencyTag>(
-    mesh, map_to(r.labels, mesh), parameters::method(method).segment_tree(r.tree));
+    mesh, map_to(r.labels, mesh),
+    parameters::method(run.method).number_of_searched_faces(run.number_of_searched_faces)
+      .segment_tree(r.tree));
   return r;
 }
 
@@ -80,19 +104,19 @@ void check_equal(const Result& a, const Result& b)
   }
 }
 
-// Calls check(mesh, method, expected) for the result of one thread and the default search.
+// Calls check(mesh, run, expected) for the result of one thread and the default search.
 template <class Check>
 void for_each_run(const Check& check)
 {
-  for (const char* name : {"elephant.off", "hand.off"}) {
-    const Mesh mesh = mesh_of(read(name));
-    for (Method method : {Method::CALIBRATED, Method::ZHANG_LIU_2005})
-      BOOST_TEST_CONTEXT(name << ", method " << int(method)) {
-        const Result expected = segment<CGAL::Sequential_tag>(mesh, method);
-        BOOST_TEST(expected.tree.number_of_segments() > 3);
-        check(mesh, method, expected);
-      }
-  }
+  for (const Run& run : runs)
+    BOOST_TEST_CONTEXT(run.mesh << ", method " << int(run.method) << ", searched faces "
+                                << run.number_of_searched_faces) {
+      const Mesh mesh = mesh_of(read(run.mesh));
+      const Result expected = segment<CGAL::Sequential_tag>(mesh, run);
+      BOOST_TEST(expected.tree.number_of_segments() > 3);
+      BOOST_TEST(number_of_simplifications(run) == run.number_of_simplifications);
+      check(mesh, run, expected);
+    }
 }
 
 } // namespace
@@ -100,12 +124,11 @@ void for_each_run(const Check& check)
 #ifdef CGAL_LINKED_WITH_TBB
 BOOST_AUTO_TEST_CASE(the_number_of_threads_changes_nothing)
 {
-  for_each_run([](const Mesh& mesh, Method method, const Result& expected) {
+  for_each_run([](const Mesh& mesh, const Run& run, const Result& expected) {
     for (int threads : {1, 2, 4, 8}) {
       const tbb::global_control control(tbb::global_control::max_allowed_parallelism, threads);
       tbb::task_arena arena(threads); // more threads than cores, too
-      check_equal(arena.execute([&] { return segment<CGAL::Parallel_tag>(mesh, method); }),
-                  expected);
+      check_equal(arena.execute([&] { return segment<CGAL::Parallel_tag>(mesh, run); }), expected);
     }
   });
 }
@@ -113,10 +136,10 @@ BOOST_AUTO_TEST_CASE(the_number_of_threads_changes_nothing)
 
 BOOST_AUTO_TEST_CASE(the_search_for_shortest_paths_changes_nothing)
 {
-  for_each_run([](const Mesh& mesh, Method method, const Result& expected) {
+  for_each_run([](const Mesh& mesh, const Run& run, const Result& expected) {
     const std::size_t number_before = number_of_dijkstra_searches;
     uses_dijkstra = true;
-    const Result result = segment<CGAL::Sequential_tag>(mesh, method);
+    const Result result = segment<CGAL::Sequential_tag>(mesh, run);
     uses_dijkstra = false;
     BOOST_TEST(number_of_dijkstra_searches > number_before);
     check_equal(result, expected);
