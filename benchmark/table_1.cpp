@@ -4,6 +4,8 @@
 /// \file
 /// Table 1 of Zhang and Liu 2005 with its own rows beside ours, for meshes of libcgal-demo of the
 /// same size and about the same kind, by the paper's method into the same number of parts.
+///
+///     table_1 --json table_1.json
 
 #include "princeton_benchmark.h"
 #include "program.h"

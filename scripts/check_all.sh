@@ -4,8 +4,9 @@
 #
 # check_all.sh [--cgal DIR] [--build DIR]
 # All programs and tests, with warnings as errors, under g++ and clang++, each in Release and in
-# Debug with sanitizers, and each header alone. With --cgal, Release once more against the CGAL
-# whose CGALConfig.cmake is in DIR. Takes long; builds in build-check/ or the --build folder.
+# Debug with sanitizers, each header alone, and the number of instructions of a run. With --cgal,
+# Release once more against the CGAL whose CGALConfig.cmake is in DIR. Takes long; builds in
+# build-check/ or the --build folder. Needs the packages of `setup.sh build test performance`.
 
 set -euo pipefail
 cd "$(dirname "$0")/.."
@@ -47,6 +48,9 @@ for compiler in g++ clang++; do
     check "$compiler-cgal" release -DCMAKE_CXX_COMPILER="$compiler" -DCGAL_DIR="$cgal"
   fi
 done
+
+echo "=== instructions of a run"
+cmake --build "$build/g++-release" --target check_instructions || failed+=(instructions)
 
 echo "failed: ${failed[*]:-none}"
 [[ ${#failed[@]} -eq 0 ]]

@@ -6,9 +6,15 @@
   check_instructions.py PROGRAM MESH             fails if a count is off by more than 2 %
   check_instructions.py PROGRAM MESH --update    writes the counts to the file
 
-PROGRAM is benchmark/instructions, built in Release. A count hardly depends on the machine and what
+PROGRAM is benchmark/instructions, built by CMake in Release, MESH is elephant.off of libcgal-demo:
+the target check_instructions calls it with these. A count hardly depends on the machine and what
 else runs there, but on the compiler and the libraries: the file names those of its counts, and
 there is no verdict with others. Needs valgrind.
+
+To renew the counts after a change that is worth its time:
+
+  cmake --build build --target instructions
+  scripts/check_instructions.py build/benchmark/instructions build/data/meshes/elephant.off --update
 """
 
 import argparse
