@@ -240,6 +240,17 @@ Faces without area, borders, and any number of connected components are welcome.
       segments; then labels depend on the maximum also where they have fewer segments. A
       `Segment_tree` has all merges in reverse, whatever the threshold.}
   \cgalParamNEnd
+  \cgalParamNBegin{number_of_searched_faces}
+    \cgalParamDescription{the number of faces on which cuts are searched. A mesh with more faces is
+      simplified to so many by edge collapses, and the cuts are carried over to it: by minimum cuts
+      through the faces that the simplified mesh has on neither side. So the time that the search
+      takes does not grow with the mesh, which is then read, simplified and cut in O(*n* log *n*).
+      With 0 the mesh itself is searched.}
+    \cgalParamType{an integer}
+    \cgalParamDefault{`4000`, at which the agreement with people is that of the mesh itself; `0`}
+    \cgalParamExtra{at least 0. If more than 20 pieces or segments are asked for, by
+      `number_of_pieces` or `maximum_number_of_segments`, it grows in proportion.}
+  \cgalParamNEnd
   \cgalParamNBegin{random_seed}
     \cgalParamDescription{chooses the first reference face of each part at random, as in the paper}
     \cgalParamType{an integer}
