@@ -198,3 +198,20 @@ BOOST_AUTO_TEST_CASE(the_method_of_the_paper_can_be_searched_on_fewer_faces_too)
   BOOST_TEST(number_of_connected_pieces(mesh, labels) == 2);
   BOOST_TEST(length_of_boundaries(soup, labels) < 1.2 * 2 * pi * 0.2);
 }
+
+BOOST_AUTO_TEST_CASE(a_tree_of_the_paper_is_read_off_in_the_order_of_its_run)
+{
+  Random random(7);
+  const Soup soup = displaced(torus(2, 0.5, 120, 40), 0.02, random);
+  const Mesh mesh = mesh_of(soup);
+  const auto np = parameters::zhang_liu_2005().number_of_searched_faces(1000)
+                    .salience_threshold(-infinity);
+  Segment_tree tree;
+  Labels labels;
+  CGAL::segment_spectral_recursive(
+    mesh, map_to(labels, mesh), np.maximum_number_of_segments(12).segment_tree(tree));
+  for (std::size_t n = 1; n <= 12; ++n) {
+    CGAL::segment_spectral_recursive(mesh, map_to(labels, mesh), np.maximum_number_of_segments(n));
+    BOOST_TEST(tree.labels(n, -infinity) == labels, boost::test_tools::per_element());
+  }
+}

@@ -408,7 +408,7 @@ BOOST_AUTO_TEST_CASE(each_number_has_an_effect)
   BOOST_TEST(differ(calibrated, calibrated.number_of_candidates(0)));
   BOOST_TEST(differ(calibrated, calibrated.number_of_refined_candidates(0)));
   BOOST_TEST(differ(calibrated, calibrated.number_of_pieces(0)));
-  BOOST_TEST(differ(calibrated, calibrated.number_of_searched_faces(0)));
+  BOOST_TEST(differ(calibrated, calibrated.number_of_searched_faces(1000)));
   BOOST_TEST(differ(paper, paper.part_salience(Calibrated_part_salience())));
   BOOST_TEST(differ(paper, paper.concavity_radius(0.02)));
   BOOST_TEST(differ(paper, paper.single_source_orderings(true)));

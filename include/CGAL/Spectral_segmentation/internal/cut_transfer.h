@@ -262,9 +262,11 @@ public:
         same[cuts_.node(cut).children[s]] = tree.node(node).children[is_swapped ? 1 - s : s];
     }
     for (std::size_t i = 0; i < cuts_.number_of_nodes(); ++i)
-      if (same[i] != Segment_tree::null_node)
+      if (same[i] != Segment_tree::null_node) {
         tree.set_cut(same[i], cuts_.node(i).cut_state, cuts_.node(i).salience,
                      cuts_.node(i).factors);
+        tree.areas_[same[i]] = cuts_.areas_[i]; // by which the run chose what to cut next
+      }
     return tree;
   }
 };
