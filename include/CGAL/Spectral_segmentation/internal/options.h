@@ -87,12 +87,6 @@ inline Options calibrated_options()
   o.number_of_refined_candidates = 4;
   o.number_of_pieces = 20;
   o.number_of_searched_faces = 4000;
-#ifdef SPEC_EXPERIMENT
-  if (const char* e = std::getenv("NS")) o.number_of_searched_faces = std::stoul(e);
-  if (const char* e = std::getenv("NPIECES")) o.number_of_pieces = std::stoul(e);
-  if (const char* e = std::getenv("NCAND")) o.number_of_candidates = std::stoul(e);
-  if (const char* e = std::getenv("NREF")) o.number_of_refined_candidates = std::stoul(e);
-#endif
   return o;
 }
 
