@@ -35,6 +35,8 @@ struct Options
 {
   std::string folder, ids = "odd", json;
   std::size_t threads = 1, rounds = 3;
+  std::size_t searched_faces =
+    CGAL::Spectral_segmentation::internal::calibrated_options().number_of_searched_faces;
   bool leaves_one_category_out = false;
 };
 
@@ -45,6 +47,9 @@ void add_options(CLI::App& app, Options& o)
   app.add_option("--ids", o.ids, "odd, even, all, or a list as 1-20,33")->capture_default_str();
   app.add_option("--rounds", o.rounds,
                  "of fitting again, each with more weight on the cuts that the last one prefers")
+    ->capture_default_str();
+  app.add_option("--searched-faces", o.searched_faces,
+                 "the number_of_searched_faces of all runs; 0: the meshes themselves")
     ->capture_default_str();
   app.add_flag("--leave-one-category-out", o.leaves_one_category_out,
                "also judges each category by a fit to the others");
@@ -68,11 +73,12 @@ auto of_each_mesh(const Options& o, const Function& f)
   return results;
 }
 
-Tree_method method_with(const Calibrated_part_salience& salience)
+Tree_method method_with(const Calibrated_part_salience& salience, std::size_t searched_faces)
 {
   return {"fitted", CGAL::Spectral_segmentation::default_probability_threshold, true,
-          [salience](const Mesh& mesh, double threshold, std::size_t n) {
+          [=](const Mesh& mesh, double threshold, std::size_t n) {
             return segment_tree(mesh, params::part_salience(salience)
+                                        .number_of_searched_faces(searched_faces)
                                         .salience_threshold(threshold)
                                         .maximum_number_of_segments(n));
           }};
@@ -81,7 +87,7 @@ Tree_method method_with(const Calibrated_part_salience& salience)
 std::vector<Tree_errors> errors_with(const Options& o, const Saliences& saliences)
 {
   return of_each_mesh(o, [&](const Benchmark_mesh& mesh)
-    { return tree_errors(mesh, method_with(saliences.at(category(mesh.id)))); });
+    { return tree_errors(mesh, method_with(saliences.at(category(mesh.id)), o.searched_faces)); });
 }
 
 // For each category the fit to all others.
@@ -163,7 +169,8 @@ Json json_of(const std::vector<Tree_errors>& meshes)
 
 void run(const Options& o)
 {
-  const std::vector<Mesh_cuts> cuts = of_each_mesh(o, judged_cuts);
+  const std::vector<Mesh_cuts> cuts = of_each_mesh(o, [&](const Benchmark_mesh& mesh)
+    { return judged_cuts(mesh, o.searched_faces); });
   const Part_salience_fit fit = fit_part_salience(cuts, o.rounds);
   std::printf("%zu cuts of %zu meshes, loss %.5f\n\n", number_of_cuts(cuts), cuts.size(),
               fit.loss);

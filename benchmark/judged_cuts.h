@@ -80,10 +80,11 @@ inline double mean_agreement(const Judged_cut& cut, const std::vector<Labels>& p
 }
 
 // All cuts that the calibrated method judges on its way.
-inline Mesh_cuts judged_cuts(const Benchmark_mesh& input)
+inline Mesh_cuts judged_cuts(const Benchmark_mesh& input, std::size_t number_of_searched_faces)
 {
   namespace internal = spectral::internal;
-  const internal::Options options = internal::calibrated_options();
+  internal::Options options = internal::calibrated_options();
+  options.number_of_searched_faces = number_of_searched_faces;
   const std::vector<Mesh::Face_index> faces(input.mesh.faces().begin(), input.mesh.faces().end());
   internal::Initial_mesh mesh = internal::initialize<CGAL::Sequential_tag>(
     input.mesh, faces, input.mesh.points(),

@@ -145,12 +145,12 @@ BOOST_AUTO_TEST_CASE(defaults_are_those_that_are_documented)
     common.salience_threshold(0.42).minimum_segment_size(0.003)
       .part_salience(Calibrated_part_salience()).geodesic_weight(0.03).concavity_radius(0.02)
       .single_source_orderings(true).thickness_orderings(true).number_of_candidates(14)
-      .number_of_refined_candidates(4).number_of_pieces(20);
+      .number_of_refined_candidates(4).number_of_pieces(20).number_of_searched_faces(4000);
   const auto of_paper =
     common.salience_threshold(0.54).minimum_segment_size(0.005)
       .part_salience(Weighted_part_salience()).geodesic_weight(0.01).concavity_radius(0)
       .single_source_orderings(false).thickness_orderings(false).number_of_candidates(0)
-      .number_of_refined_candidates(0).number_of_pieces(0);
+      .number_of_refined_candidates(0).number_of_pieces(0).number_of_searched_faces(0);
   // With all parameters given, nothing is left to the method.
   for (Method method : {Method::CALIBRATED, Method::ZHANG_LIU_2005}) {
     BOOST_TEST(labels == labels_of_hand(calibrated.method(method)),
@@ -195,6 +195,7 @@ BOOST_AUTO_TEST_CASE(each_of_the_defaults_is_the_one_that_is_documented)
   check(calibrated, calibrated.number_of_candidates(14));
   check(calibrated, calibrated.number_of_refined_candidates(4));
   check(calibrated, calibrated.number_of_pieces(20));
+  check(calibrated, calibrated.number_of_searched_faces(4000));
   const auto paper = parameters::zhang_liu_2005();
   check_common(paper);
   check(paper, parameters::method(Method::ZHANG_LIU_2005));
@@ -209,6 +210,7 @@ BOOST_AUTO_TEST_CASE(each_of_the_defaults_is_the_one_that_is_documented)
   check(paper, paper.number_of_candidates(0));
   check(paper, paper.number_of_refined_candidates(0));
   check(paper, paper.number_of_pieces(0));
+  check(paper, paper.number_of_searched_faces(0));
 }
 
 BOOST_AUTO_TEST_CASE(the_threshold_follows_the_salience)
@@ -406,12 +408,14 @@ BOOST_AUTO_TEST_CASE(each_number_has_an_effect)
   BOOST_TEST(differ(calibrated, calibrated.number_of_candidates(0)));
   BOOST_TEST(differ(calibrated, calibrated.number_of_refined_candidates(0)));
   BOOST_TEST(differ(calibrated, calibrated.number_of_pieces(0)));
+  BOOST_TEST(differ(calibrated, calibrated.number_of_searched_faces(1000)));
   BOOST_TEST(differ(paper, paper.part_salience(Calibrated_part_salience())));
   BOOST_TEST(differ(paper, paper.concavity_radius(0.02)));
   BOOST_TEST(differ(paper, paper.single_source_orderings(true)));
   BOOST_TEST(differ(paper, paper.number_of_candidates(14)));
   BOOST_TEST(differ(paper, paper.number_of_refined_candidates(4)));
   BOOST_TEST(differ(paper, paper.number_of_pieces(20)));
+  BOOST_TEST(differ(paper, paper.number_of_searched_faces(1000)));
   BOOST_TEST(number_of(labels_of_hand(paper.salience_threshold(0.3))) >
              number_of(labels_of_hand(paper.salience_threshold(0.7))));
   BOOST_TEST(number_of(labels_of_hand(parameters::salience_threshold(0.3))) >
@@ -564,6 +568,7 @@ BOOST_AUTO_TEST_CASE(numbers_out_of_range_are_refused_by_name)
   check_refused("number_of_refined_candidates", parameters::number_of_refined_candidates(-1));
   check_refused("number_of_pieces", parameters::number_of_pieces(-1));
   check_refused("number_of_pieces", parameters::number_of_pieces(1));
+  check_refused("number_of_searched_faces", parameters::number_of_searched_faces(-1));
   check_refused("number_of_reference_faces", parameters::number_of_reference_faces(0));
   check_refused("number_of_reference_faces", parameters::number_of_reference_faces(-1));
   check_refused("number_of_smoothing_iterations", parameters::number_of_smoothing_iterations(-1));
@@ -593,6 +598,7 @@ BOOST_AUTO_TEST_CASE(the_ends_of_the_ranges_are_taken)
   BOOST_TEST(is_taken(parameters::number_of_refined_candidates(1000)));
   BOOST_TEST(is_taken(parameters::number_of_pieces(0)));
   BOOST_TEST(is_taken(parameters::number_of_pieces(2)));
+  BOOST_TEST(is_taken(parameters::number_of_searched_faces(0)));
   const Mesh small = mesh_of(dumbbell(8, 6));
   BOOST_TEST(labels_of(small, parameters::number_of_reference_faces(num_faces(small))) ==
              labels_of(small, parameters::number_of_reference_faces(num_faces(small) + 1)),

@@ -45,7 +45,7 @@ inline Face_dual_graph graph_of(const Mesh& mesh)
 {
   return internal::initialize<CGAL::Sequential_tag>(
     mesh, std::vector<Mesh::Face_index>(mesh.faces_begin(), mesh.faces_end()), mesh.points(),
-    Kernel(), zhang_liu_options(), [] { return true; });
+    Kernel(), zhang_liu_options(), [] { return true; }).graph;
 }
 
 inline Kernel::Point_3 centroid(const Mesh& mesh, Index f)

@@ -26,6 +26,7 @@ inline Json seconds_report(const Run_watch& watch)
           {"embedding", watch.seconds(Run_watch::Stage::EMBEDDING)},
           {"line_search", watch.seconds(Run_watch::Stage::LINE_SEARCH)},
           {"merging", watch.seconds(Run_watch::Stage::MERGING)},
+          {"transfer", watch.seconds(Run_watch::Stage::TRANSFER)},
           {"boundary_smoothing", watch.seconds(Run_watch::Stage::BOUNDARY_SMOOTHING)},
           {"total", watch.seconds()}};
 }

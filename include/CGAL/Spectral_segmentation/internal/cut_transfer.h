@@ -14,9 +14,13 @@
 #include <CGAL/Spectral_segmentation/internal/parts.h>
 #include <CGAL/Spectral_segmentation/internal/simplification.h>
 
+#include <CGAL/Iterator_range.h>
+
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstddef>
+#include <utility>
 #include <vector>
 
 namespace CGAL {
@@ -28,42 +32,52 @@ namespace internal {
 // band around the cut, are divided by the minimum cut.
 class Cut_transfer
 {
+  enum Side : char { Q, REST, BETWEEN, OUTSIDE }; // OUTSIDE: not in the part that is cut
+
+  typedef Iterator_range<std::vector<Index>::const_iterator> Faces; // of a node
+
   const Segment_tree& cuts_;
   const Simplified_mesh& simplified_;
   const Face_dual_graph& mesh_;
   Face_dual_graph bands_;              // the faces that may be between, and those next to them
   std::vector<Index> number_in_bands_; // of each face; null_index if it is not there
+  std::vector<char> side_;             // of each face
 
-  Index vertex(Index f, int i) const { return simplified_.vertices[mesh_.corners[f][i]]; }
-
-  // For each vertex of the simplified mesh what its faces have in common, joined with `join`; each
-  // face gives a value or none.
-  template <class ValueOf, class Join>
-  std::vector<Index> of_vertices(const ValueOf& value_of, const Join& join) const
+  // What the faces around each vertex of the simplified mesh have in common: their values, joined;
+  // null_index of none. Faces whose value is null_index do not count.
+  template <class Join>
+  std::vector<Index> of_vertices(const std::vector<Index>& values, const Join& join) const
   {
     const Face_dual_graph& graph = simplified_.graph;
     std::vector<Index> result(graph.points.size(), null_index);
     for (Index f = 0; f < graph.number_of_faces(); ++f)
-      if (value_of(f) != null_index)
+      if (values[f] != null_index)
         for (Index v : graph.corners[f])
-          result[v] = result[v] == null_index ? value_of(f) : join(result[v], value_of(f));
+          result[v] = result[v] == null_index ? values[f] : join(result[v], values[f]);
     return result;
   }
 
+  std::array<Index, 3> values_at(const std::vector<Index>& of_vertex, Index f) const
+  {
+    const std::array<Index, 3>& c = mesh_.corners[f];
+    const std::vector<Index>& vertices = simplified_.vertices;
+    return {of_vertex[vertices[c[0]]], of_vertex[vertices[c[1]]], of_vertex[vertices[c[2]]]};
+  }
+
+  // Whether a face may be between the sides of any cut.
   std::vector<char> are_between() const
   {
+    constexpr Index several = null_index - 1;
     std::vector<Index> leaf(simplified_.graph.number_of_faces());
     for (std::size_t i = 0; i < cuts_.number_of_nodes(); ++i)
       if (cuts_.node(i).is_leaf())
         for (Index f : cuts_.faces(i))
           leaf[f] = static_cast<Index>(i);
-    const Index several = null_index - 1;
-    const std::vector<Index> of_vertex = of_vertices(
-      [&](Index f) { return leaf[f]; }, [](Index a, Index b) { return a == b ? a : several; });
+    const std::vector<Index> of_vertex =
+      of_vertices(leaf, [](Index a, Index b) { return a == b ? a : several; });
     std::vector<char> result(mesh_.number_of_faces());
     for (Index f = 0; f < result.size(); ++f) {
-      const Index a = of_vertex[vertex(f, 0)], b = of_vertex[vertex(f, 1)],
-                  c = of_vertex[vertex(f, 2)];
+      const auto [a, b, c] = values_at(of_vertex, f);
       result[f] = a == several || a != b || a != c;
     }
     return result;
@@ -85,135 +99,133 @@ class Cut_transfer
     }
     bands_ = Part_copier(mesh_)(faces);
     const double area = total_area(bands_);
-    const double radius =
+    const double radius = // which is relative to the area
       area > 0 ? options.concavity_radius * std::sqrt(total_area(mesh_) / area) : 0;
     set_face_distances<ConcurrencyTag>(bands_, bands_.points, face_normals(bands_, bands_.points),
                                        {options.geodesic_weight, options.concave_angle_weight,
                                         options.convex_angle_weight, radius});
   }
 
-  // The sides of the faces of a node; 2 for those between.
-  template <class Faces>
-  Sides sure_sides(std::size_t node, const Faces& faces) const
+  // Tells whether there are faces on either side.
+  bool set_sure_sides(std::size_t node, const Faces& faces)
   {
-    std::vector<Index> side(simplified_.graph.number_of_faces(), null_index);
-    for (Index s = 0; s < 2; ++s)
+    std::vector<Index> bit(simplified_.graph.number_of_faces(), null_index);
+    for (Index s : {Q, REST})
       for (Index f : cuts_.faces(cuts_.node(node).children[s]))
-        side[f] = s + 1;
-    const std::vector<Index> of_vertex =
-      of_vertices([&](Index f) { return side[f]; }, [](Index a, Index b) { return a | b; });
-    Sides result;
-    result.reserve(faces.size());
-    bool has_side[2] = {false, false};
+        bit[f] = Index(1) << s;
+    const std::vector<Index> of_vertex = of_vertices(bit, [](Index a, Index b) { return a | b; });
+    Index all = 0;
     for (Index f : faces) {
       Index sides = 0;
-      for (int i = 0; i < 3; ++i)
-        if (of_vertex[vertex(f, i)] != null_index)
-          sides |= of_vertex[vertex(f, i)];
-      // Faces that connect() brought here, of which the simplified mesh knows nothing, are on any
-      // side; it will do so again.
-      result.push_back(sides == 3 ? 2 : sides == 2 ? 1 : 0);
-      if (sides == 1 || sides == 2)
-        has_side[sides - 1] = true;
+      for (Index bits : values_at(of_vertex, f))
+        if (bits != null_index)
+          sides |= bits;
+      // Faces that came here to keep a part connected have no side; that will take care of them.
+      side_[f] = sides == 3 ? BETWEEN : sides == 2 ? REST : Q;
+      if (sides != 3)
+        all |= sides;
     }
-    // A side so thin that all is between has the faces that are left of it in the simplified mesh.
-    for (Index s = 0; s < 2; ++s)
-      if (!has_side[s])
-        for (Index g : cuts_.faces(cuts_.node(node).children[s])) {
-          const auto f = std::lower_bound(faces.begin(), faces.end(), simplified_.faces[g]);
-          if (f != faces.end() && *f == simplified_.faces[g])
-            result[static_cast<std::size_t>(f - faces.begin())] = static_cast<char>(s);
-        }
-    return result;
+    return all == 3;
   }
 
-  template <class Faces>
-  void divide_band(const Faces& faces, Sides& side) const
+  void divide_band(const Faces& faces)
   {
-    Sides in_bands(bands_.number_of_faces(), 2);
+    Sides in_bands(bands_.number_of_faces(), OUTSIDE);
     std::vector<Index> band;
-    std::size_t i = 0;
     for (Index f : faces) {
       const Index b = number_in_bands_[f];
-      if (b != null_index)
-        in_bands[b] = side[i];
-      if (side[i] == 2) {
+      if (b == null_index)
+        continue;
+      in_bands[b] = side_[f] == BETWEEN ? char(Q) : side_[f];
+      if (side_[f] == BETWEEN)
         band.push_back(b);
-        in_bands[b] = 0;
-      }
-      ++i;
     }
     in_bands = minimum_cut_within(bands_, band, in_bands);
-    i = 0;
-    for (Index f : faces) {
-      if (side[i] == 2)
-        side[i] = in_bands[number_in_bands_[f]];
-      ++i;
-    }
+    for (Index f : faces)
+      if (side_[f] == BETWEEN)
+        side_[f] = in_bands[number_in_bands_[f]];
   }
 
-  // The connected sets of faces of a connected part with the same side, but for the largest on
-  // `given`, go to the other side.
-  template <class Faces>
-  void keep_largest(const Faces& faces, char given, std::vector<char>& side_of_face) const
+  // Where a side is so thin that all of it is between: the faces that are left in the simplified
+  // mesh have their sides, and the others between follow them, step by step.
+  void grow_sides(std::size_t node)
   {
-    constexpr char met = 3;
-    std::vector<Index> largest;
-    double largest_area = -1;
-    std::vector<std::vector<Index> > others;
+    std::vector<Index> reached;
+    for (char s : {Q, REST})
+      for (Index f : cuts_.faces(cuts_.node(node).children[int(s)])) {
+        const Index left = simplified_.faces[f];
+        if (side_[left] == BETWEEN) {
+          side_[left] = s;
+          reached.push_back(left);
+        }
+      }
+    for (std::size_t i = 0; i < reached.size(); ++i)
+      for (Index h = 3 * reached[i]; h < 3 * reached[i] + 3; ++h) {
+        const Index g = mesh_.halfedges[h].neighbor;
+        if (side_[g] == BETWEEN) {
+          side_[g] = side_[reached[i]];
+          reached.push_back(g);
+        }
+      }
+  }
+
+  // The connected sets of faces on a side of a connected part, but for the largest, go to the other
+  // side.
+  void keep_largest(const Faces& faces, Side given)
+  {
+    std::vector<std::vector<Index> > sets;
+    std::vector<double> areas;
     for (Index first : faces) {
-      if (side_of_face[first] != given)
+      if (side_[first] != given)
         continue;
       std::vector<Index> set(1, first);
-      side_of_face[first] = met;
+      side_[first] = BETWEEN;
       double area = 0;
       for (std::size_t i = 0; i < set.size(); ++i) {
         area += mesh_.areas[set[i]];
         for (Index h = 3 * set[i]; h < 3 * set[i] + 3; ++h) {
           const Index g = mesh_.halfedges[h].neighbor;
-          if (side_of_face[g] == given) {
-            side_of_face[g] = met;
+          if (side_[g] == given) {
+            side_[g] = BETWEEN;
             set.push_back(g);
           }
         }
       }
-      if (area > largest_area) {
-        largest.swap(set);
-        largest_area = area;
-      }
-      others.push_back(std::move(set));
+      sets.push_back(std::move(set));
+      areas.push_back(area);
     }
-    for (Index f : largest)
-      side_of_face[f] = given;
-    for (const std::vector<Index>& set : others)
-      for (Index f : set)
-        side_of_face[f] = static_cast<char>(1 - given);
+    const std::ptrdiff_t largest = std::max_element(areas.begin(), areas.end()) - areas.begin();
+    for (std::size_t i = 0; i < sets.size(); ++i)
+      for (Index f : sets[i])
+        side_[f] = static_cast<std::ptrdiff_t>(i) == largest ? given : given == Q ? REST : Q;
   }
 
-  template <class Faces>
-  void connect(const Faces& faces, std::vector<char>& side_of_face, Sides& side) const
+  Sides sides(std::size_t node, const Faces& faces)
   {
-    std::size_t i = 0;
-    for (Index f : faces)
-      side_of_face[f] = side[i++];
-    keep_largest(faces, 0, side_of_face);
-    keep_largest(faces, 1, side_of_face);
-    i = 0;
+    if (set_sure_sides(node, faces))
+      divide_band(faces);
+    else
+      grow_sides(node);
+    keep_largest(faces, Q);
+    keep_largest(faces, REST);
+    Sides result;
+    result.reserve(faces.size());
     for (Index f : faces) {
-      side[i++] = side_of_face[f];
-      side_of_face[f] = 2;
+      result.push_back(side_[f]);
+      side_[f] = OUTSIDE;
     }
+    return result;
   }
 
 public:
   Cut_transfer(const Segment_tree& cuts, const Simplified_mesh& simplified,
                const Face_dual_graph& mesh)
     : cuts_(cuts), simplified_(simplified), mesh_(mesh),
-      number_in_bands_(mesh.number_of_faces(), null_index)
+      number_in_bands_(mesh.number_of_faces(), null_index), side_(mesh.number_of_faces(), OUTSIDE)
   {}
 
   template <class ConcurrencyTag>
-  Segment_tree transfer(const Options& options)
+  Segment_tree operator()(const Options& options)
   {
     set_bands<ConcurrencyTag>(options);
     std::size_t number_of_components;
@@ -224,35 +236,37 @@ public:
     if (options.boundary_smoothing)
       tree.smooth_boundaries_with(neighbors(mesh_));
 
-    std::vector<std::size_t> node_of(cuts_.number_of_nodes()); // in the tree
-    std::vector<std::size_t> in_order; // nodes with children, in the order of the cuts
-    for (std::size_t i = 0; i < cuts_.number_of_nodes(); ++i) {
-      if (i < cuts_.number_of_roots())
-        node_of[i] = component[simplified_.faces[*cuts_.faces(i).begin()]];
-      else if ((i - cuts_.number_of_roots()) % 2 == 0)
-        in_order.push_back(cuts_.node(i).parent);
-    }
-    std::vector<char> side_of_face(mesh_.number_of_faces(), 2);
-    for (std::size_t i : in_order) {
-      const auto faces = tree.faces(node_of[i]);
-      Sides side = sure_sides(i, faces);
-      divide_band(faces, side);
-      connect(faces, side_of_face, side);
+    std::vector<std::size_t> same(cuts_.number_of_nodes(), Segment_tree::null_node); // in the tree
+    for (std::size_t i = 0; i < cuts_.number_of_roots(); ++i)
+      same[i] = component[simplified_.faces[*cuts_.faces(i).begin()]];
+    for (std::size_t i = cuts_.number_of_roots(); i < cuts_.number_of_nodes(); i += 2) {
+      const std::size_t cut = cuts_.node(i).parent, node = same[cut];
+      if (node == Segment_tree::null_node)
+        continue;
+      Sides side = sides(cut, tree.faces(node));
       double area[2] = {0, 0};
-      std::size_t k = 0;
-      for (Index f : faces)
-        area[int(side[k++])] += mesh_.areas[f];
-      const int first = area[0] <= area[1] ? 0 : 1;
+      std::size_t number[2] = {0, 0}, k = 0;
+      for (Index f : tree.faces(node)) {
+        area[int(side[k])] += mesh_.areas[f];
+        ++number[int(side[k++])];
+      }
+      // A part of a few faces may be lost; then the cut is not made.
+      if (number[0] == 0 || number[1] == 0) {
+        same[cuts_.node(cut).children[number[0] == 0 ? 1 : 0]] = node;
+        continue;
+      }
+      const bool is_swapped = area[0] > area[1];
       put_smaller_side_first(side, area);
-      tree.cut(node_of[i], side, area);
+      tree.cut(node, side, area);
       for (int s = 0; s < 2; ++s)
-        node_of[cuts_.node(i).children[s]] =
-          tree.node(node_of[i]).children[first == 0 ? s : 1 - s];
+        same[cuts_.node(cut).children[s]] = tree.node(node).children[is_swapped ? 1 - s : s];
     }
-    for (std::size_t i = 0; i < cuts_.number_of_nodes(); ++i) {
-      const Segment_tree::Node& n = cuts_.node(i);
-      tree.set_cut(node_of[i], n.cut_state, n.salience, n.factors);
-    }
+    for (std::size_t i = 0; i < cuts_.number_of_nodes(); ++i)
+      if (same[i] != Segment_tree::null_node) {
+        tree.set_cut(same[i], cuts_.node(i).cut_state, cuts_.node(i).salience,
+                     cuts_.node(i).factors);
+        tree.areas_[same[i]] = cuts_.areas_[i]; // by which the run chose what to cut next
+      }
     return tree;
   }
 };
@@ -264,7 +278,7 @@ Segment_tree transfer_cuts(Segment_tree tree, const Initial_mesh& mesh, const Op
   for (std::size_t i = mesh.simplified.size(); i-- > 0;)
     tree = Cut_transfer(tree, mesh.simplified[i],
                         i > 0 ? mesh.simplified[i - 1].graph : mesh.graph)
-             .template transfer<ConcurrencyTag>(options);
+             .template operator()<ConcurrencyTag>(options);
   return tree;
 }
 

@@ -58,13 +58,13 @@ Initial_mesh initialize(const TriangleMesh& mesh, const std::vector<FaceDescript
   Face_dual_graph& graph = result.graph;
   std::vector<Vector> points =
     smoothed_points(graph, options.number_of_smoothing_iterations, go_further);
-  if (options.number_of_searched_faces == 0 ||
-      graph.number_of_faces() <= options.number_of_searched_faces) {
+  const std::size_t number_of_faces = options.faces_to_search(graph.number_of_faces());
+  if (number_of_faces == graph.number_of_faces()) {
     measure<ConcurrencyTag>(graph, points, options);
     return result;
   }
   graph.points = std::move(points);
-  result.simplified = simplify_in_steps(graph, options.number_of_searched_faces);
+  result.simplified = simplify_in_steps(graph, number_of_faces);
   measure<ConcurrencyTag>(result.searched(), result.searched().points, options);
   return result;
 }

@@ -9,6 +9,7 @@
 
 #include <CGAL/Named_function_parameters.h>
 
+#include <algorithm>
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
@@ -58,6 +59,18 @@ struct Options
     return thickness_orderings ||
            (judges_by_all_factors() && !part_salience.target<Weighted_part_salience>());
   }
+
+  // The number of faces on which the cuts of a mesh are searched: `number_of_searched_faces` for up
+  // to 20 parts, and in proportion for more.
+  std::size_t faces_to_search(std::size_t number_of_faces) const
+  {
+    const std::size_t parts = maximum_number_of_segments == unlimited
+      ? number_of_pieces : (std::max)(number_of_pieces, maximum_number_of_segments);
+    const double number =
+      static_cast<double>(number_of_searched_faces) * (std::max)(static_cast<double>(parts) / 20, 1.);
+    return number > 0 && number < static_cast<double>(number_of_faces)
+      ? static_cast<std::size_t>(number) : number_of_faces;
+  }
 };
 
 inline Options calibrated_options()
@@ -74,12 +87,6 @@ inline Options calibrated_options()
   o.number_of_refined_candidates = 4;
   o.number_of_pieces = 20;
   o.number_of_searched_faces = 4000;
-#ifdef SPEC_EXPERIMENT
-  if (const char* e = std::getenv("NS")) o.number_of_searched_faces = std::stoul(e);
-  if (const char* e = std::getenv("NPIECES")) o.number_of_pieces = std::stoul(e);
-  if (const char* e = std::getenv("NCAND")) o.number_of_candidates = std::stoul(e);
-  if (const char* e = std::getenv("NREF")) o.number_of_refined_candidates = std::stoul(e);
-#endif
   return o;
 }
 

@@ -1,0 +1,217 @@
+// Copyright (c) 2026  The Spectral_segmentation authors.
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#define BOOST_TEST_MODULE cut_transfer
+#include <boost/test/unit_test.hpp>
+
+#include "test_labels.h"
+#include "test_meshes.h"
+
+#include <CGAL/Spectral_segmentation/internal/cut_and_merge.h>
+#include <CGAL/Spectral_segmentation/internal/cut_transfer.h>
+#include <CGAL/Spectral_segmentation/internal/initialization.h>
+#include <CGAL/segment_spectral_recursive.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <functional>
+#include <limits>
+#include <set>
+#include <utility>
+#include <vector>
+
+using namespace test_meshes;
+namespace internal = CGAL::Spectral_segmentation::internal;
+namespace parameters = CGAL::Spectral_segmentation::parameters;
+using CGAL::Spectral_segmentation::Segment_tree;
+using CGAL::Spectral_segmentation::Segmentation_visitor;
+using CGAL::Spectral_segmentation::Stage;
+
+namespace {
+
+const double infinity = std::numeric_limits<double>::infinity();
+
+// A run, step by step.
+struct Run
+{
+  internal::Initial_mesh mesh;
+  Segment_tree searched, whole;
+
+  Run(const Soup& soup, std::size_t number_of_searched_faces)
+  {
+    internal::Options options = internal::calibrated_options();
+    options.number_of_searched_faces = number_of_searched_faces;
+    const Mesh m = mesh_of(soup);
+    mesh = internal::initialize<CGAL::Sequential_tag>(
+      m, std::vector<Mesh::Face_index>(m.faces().begin(), m.faces().end()), m.points(), Kernel(),
+      options, [] { return true; });
+    Segmentation_visitor visitor;
+    internal::Monitor<Segmentation_visitor> monitor(visitor);
+    searched = internal::cut_and_merge<CGAL::Sequential_tag>(mesh.searched(), options, monitor);
+    whole = internal::transfer_cuts<CGAL::Sequential_tag>(searched, mesh, options);
+  }
+};
+
+std::vector<std::size_t> leaves(const Segment_tree& tree)
+{
+  std::vector<std::size_t> result(tree.number_of_faces());
+  for (std::size_t i = 0; i < tree.number_of_nodes(); ++i)
+    if (tree.node(i).is_leaf())
+      for (std::size_t f : tree.faces(i))
+        result[f] = i;
+  return result;
+}
+
+Soup fine_dumbbell() { return dumbbell(80, 60); }
+
+double length_of_boundaries(const Soup& soup, const Labels& labels)
+{
+  const Mesh mesh = mesh_of(soup);
+  double length = 0;
+  for (Mesh::Edge_index e : mesh.edges()) {
+    const Mesh::Halfedge_index h = mesh.halfedge(e);
+    if (!mesh.is_border(e) && labels[mesh.face(h)] != labels[mesh.face(mesh.opposite(h))])
+      length += std::sqrt(CGAL::squared_distance(mesh.point(mesh.source(h)),
+                                                 mesh.point(mesh.target(h))));
+  }
+  return length;
+}
+
+} // namespace
+
+BOOST_AUTO_TEST_CASE(the_cuts_are_those_of_the_simplified_mesh)
+{
+  for (const Soup& soup :
+       {fine_dumbbell(), disjoint_union(sphere(4), moved(dumbbell(60, 40), 5, 0, 0))}) {
+    const Run run(soup, 1500);
+    BOOST_TEST_REQUIRE(run.mesh.simplified.size() == 1);
+    const Segment_tree &few = run.searched, &all = run.whole;
+    BOOST_TEST(all.number_of_faces() == soup.triangles.size());
+    BOOST_TEST(all.number_of_roots() == few.number_of_roots());
+    BOOST_TEST_REQUIRE(all.number_of_nodes() == few.number_of_nodes());
+    for (std::size_t i = few.number_of_roots(); i < few.number_of_nodes(); i += 2) {
+      const Segment_tree::Node &cut = few.node(few.node(i).parent),
+                               &same = all.node(all.node(i).parent);
+      BOOST_TEST(cut.salience == same.salience);
+      BOOST_TEST(same.factors.cut_strength == cut.factors.cut_strength);
+      BOOST_TEST(all.node(same.children[0]).area <= all.node(same.children[1]).area);
+      // The simplified mesh has nearly the same areas.
+      BOOST_TEST(std::abs(same.area - cut.area) < 0.08 * all.node(0).area);
+    }
+  }
+}
+
+BOOST_AUTO_TEST_CASE(faces_far_from_all_cuts_are_where_the_simplified_mesh_has_them)
+{
+  const Run run(fine_dumbbell(), 1500);
+  const internal::Simplified_mesh& simplified = run.mesh.simplified.front();
+  const std::vector<std::size_t> few = leaves(run.searched), all = leaves(run.whole);
+  std::vector<std::set<std::size_t> > of_vertex(simplified.graph.points.size());
+  for (std::size_t f = 0; f < few.size(); ++f)
+    for (Index v : simplified.graph.corners[f])
+      of_vertex[v].insert(few[f]);
+  // A leaf of one tree is one leaf of the other, whatever their order.
+  std::set<std::pair<std::size_t, std::size_t> > pairs;
+  std::size_t number_of_far = 0;
+  for (std::size_t f = 0; f < all.size(); ++f) {
+    std::set<std::size_t> around;
+    for (Index v : run.mesh.graph.corners[f])
+      around.insert(of_vertex[simplified.vertices[v]].begin(),
+                    of_vertex[simplified.vertices[v]].end());
+    if (around.size() == 1) {
+      ++number_of_far;
+      pairs.insert({*around.begin(), all[f]});
+    }
+  }
+  BOOST_TEST(number_of_far > all.size() / 4);
+  std::set<std::size_t> first, second;
+  for (const auto& [a, b] : pairs) {
+    BOOST_TEST(first.insert(a).second);
+    BOOST_TEST(second.insert(b).second);
+  }
+}
+
+BOOST_AUTO_TEST_CASE(the_neck_is_cut_along_its_shortest_ring)
+{
+  const Soup soup = fine_dumbbell();
+  const Mesh mesh = mesh_of(soup);
+  Labels labels;
+  BOOST_TEST(CGAL::segment_spectral_recursive(mesh, map_to(labels, mesh),
+                                              parameters::maximum_number_of_segments(2)
+                                                .number_of_searched_faces(2000)) == 2);
+  // The ring at z = 0 of radius 0.2, as a polygon of 80 sides.
+  BOOST_TEST(length_of_boundaries(soup, labels) == 2 * 80 * 0.2 * std::sin(pi / 80),
+             boost::test_tools::tolerance(1e-6));
+}
+
+BOOST_AUTO_TEST_CASE(segments_are_connected_for_every_number)
+{
+  for (const Soup& soup : {fine_dumbbell(), torus(2, 0.5, 120, 40), plate(60, 50),
+                           connected_sum(sphere(4), moved(sphere(4), 2, 0.1, 0))}) {
+    const Run run(soup, 1000);
+    const Mesh mesh = mesh_of(soup);
+    for (std::size_t n = 1; n <= run.whole.number_of_segments(); ++n) {
+      const Labels labels = run.whole.labels(n, -infinity);
+      BOOST_TEST(number_of_connected_pieces(mesh, labels) == n);
+    }
+  }
+}
+
+BOOST_AUTO_TEST_CASE(several_steps_end_at_the_same_neck)
+{
+  const Soup soup = fine_dumbbell(); // 19040 faces
+  const Run run(soup, 300);
+  BOOST_TEST(run.mesh.simplified.size() == 2);
+  const Labels labels = run.whole.labels(2, -infinity);
+  BOOST_TEST(length_of_boundaries(soup, labels) < 1.1 * 2 * pi * 0.2);
+}
+
+BOOST_AUTO_TEST_CASE(small_meshes_are_searched_themselves)
+{
+  struct Heard : Segmentation_visitor
+  {
+    std::set<Stage> stages;
+    void start_stage(Stage stage, std::size_t) { stages.insert(stage); }
+  };
+  const Mesh mesh = mesh_of(dumbbell(20, 16));
+  const std::size_t n = num_faces(mesh);
+  for (std::size_t number : {std::size_t(0), n, n - 1}) {
+    Heard heard;
+    Labels labels;
+    CGAL::segment_spectral_recursive(
+      mesh, map_to(labels, mesh),
+      parameters::number_of_searched_faces(number).visitor(std::ref(heard)));
+    BOOST_TEST((heard.stages.count(Stage::TRANSFER) == 1) == (number == n - 1));
+  }
+}
+
+BOOST_AUTO_TEST_CASE(the_method_of_the_paper_can_be_searched_on_fewer_faces_too)
+{
+  const Soup soup = fine_dumbbell();
+  const Mesh mesh = mesh_of(soup);
+  Labels labels;
+  CGAL::segment_spectral_recursive(
+    mesh, map_to(labels, mesh),
+    parameters::zhang_liu_2005().number_of_searched_faces(2000).maximum_number_of_segments(2));
+  BOOST_TEST(number_of_connected_pieces(mesh, labels) == 2);
+  BOOST_TEST(length_of_boundaries(soup, labels) < 1.2 * 2 * pi * 0.2);
+}
+
+BOOST_AUTO_TEST_CASE(a_tree_of_the_paper_is_read_off_in_the_order_of_its_run)
+{
+  Random random(7);
+  const Soup soup = displaced(torus(2, 0.5, 120, 40), 0.02, random);
+  const Mesh mesh = mesh_of(soup);
+  const auto np = parameters::zhang_liu_2005().number_of_searched_faces(1000)
+                    .salience_threshold(-infinity);
+  Segment_tree tree;
+  Labels labels;
+  CGAL::segment_spectral_recursive(
+    mesh, map_to(labels, mesh), np.maximum_number_of_segments(12).segment_tree(tree));
+  for (std::size_t n = 1; n <= 12; ++n) {
+    CGAL::segment_spectral_recursive(mesh, map_to(labels, mesh), np.maximum_number_of_segments(n));
+    BOOST_TEST(tree.labels(n, -infinity) == labels, boost::test_tools::per_element());
+  }
+}
