@@ -1,0 +1,215 @@
+// Copyright (c) 2026  The Spectral_segmentation authors.
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#include "../for_each_mesh.h"
+#include "../princeton_benchmark.h"
+#include "experiment.h"
+#include "experiments.h"
+#include "face_samples.h"
+#include "paired_difference.h"
+#include "pictures.h"
+#include "recursive_cuts.h"
+
+#include <CGAL/Spectral_segmentation/internal/embedding.h>
+#include <CGAL/Spectral_segmentation/internal/line_search.h>
+#include <CGAL/Spectral_segmentation/internal/shortest_paths.h>
+
+#include <array>
+#include <cstddef>
+#include <cstdio>
+#include <optional>
+#include <string>
+#include <vector>
+
+// Figure 3 and Section 4: how often the two samples lie in different parts.
+namespace segmentation_benchmark {
+namespace {
+
+constexpr std::size_t number_of_schemes = sampling_schemes.size();
+
+// Schemes that depend on a random face are tried as often as this at each part.
+constexpr int number_of_trials = 5;
+
+// Of people who have two segments or more in the part, the share that has the two faces in
+// different ones.
+double share_that_separates(const std::vector<Labels>& people_in_part, Index s, Index t)
+{
+  Mean share;
+  for (const Labels& person : people_in_part)
+    if (number_of_segments(person) > 1)
+      share.add(person[s] != person[t]);
+  return share();
+}
+
+double separation(const Part& part, const std::vector<Labels>& people,
+                  const Sampling_scheme& scheme, Random_engine& random)
+{
+  std::vector<Labels> people_in_part;
+  for (const Labels& person : people)
+    people_in_part.push_back(labels_of_part(part, person));
+  Mean share;
+  for (int i = 0; i < (scheme.take == samples_by_contexts ? 1 : number_of_trials); ++i) {
+    const std::vector<Index> samples = scheme.take(part.graph, 2, random);
+    share.add(share_that_separates(people_in_part, samples[0], samples[1]));
+  }
+  return share();
+}
+
+std::optional<Sides> sides_between(const Face_dual_graph& part, Index s, Index t,
+                                   double minimum_area)
+{
+  namespace internal = CGAL::Spectral_segmentation::internal;
+  const auto from = [&part](Index f)
+  { return internal::shortest_paths(part, f, &Face_dual_graph::Halfedge::combined); };
+  const std::optional<internal::Cut> cut = internal::line_search(
+    part, internal::spectral_order(from(s), from(t)),
+    CGAL::Spectral_segmentation::Weighted_part_salience(), minimum_area);
+  return cut ? std::optional<Sides>(cut->side) : std::nullopt;
+}
+
+// The sides of the cut between the samples of a scheme.
+std::optional<Sides> sides_by(const Sampling_scheme& scheme, const Face_dual_graph& part,
+                              double minimum_area, Random_engine& random)
+{
+  if (part.number_of_faces() < 2)
+    return std::nullopt;
+  const std::vector<Index> samples = scheme.take(part, 2, random);
+  return sides_between(part, samples[0], samples[1], minimum_area);
+}
+
+typedef std::array<double, number_of_schemes> Values; // by scheme
+
+// At each part of the recursion by shape context.
+std::vector<Values> separations(const Benchmark_mesh& input, const Face_dual_graph& graph,
+                                Random_engine& random)
+{
+  const double smallest = minimum_area(graph);
+  std::vector<Values> result;
+  const auto see_and_cut = [&](const Part& part) -> std::optional<Sides> {
+    if (part.graph.number_of_faces() < 2)
+      return std::nullopt;
+    result.emplace_back();
+    for (std::size_t i = 0; i < number_of_schemes; ++i)
+      result.back()[i] = separation(part, input.people, sampling_schemes[i], random);
+    return sides_by(sampling_schemes[shape_context_scheme], part.graph, smallest, random);
+  };
+  recursive_cuts(graph, usual_number_of_segments(input.people), see_and_cut);
+  return result;
+}
+
+struct Scores
+{
+  Values at_first_cut, over_recursion, rand_error;
+};
+
+Scores scores(const Benchmark_mesh& input, const Experiment_options& o)
+{
+  Random_engine random = random_engine(o.seed, input.id);
+  const Face_dual_graph graph = paper_graph(input.mesh);
+  const std::vector<Values> of_parts = separations(input, graph, random);
+  Scores result;
+  result.at_first_cut.fill(undefined);
+  if (!of_parts.empty())
+    result.at_first_cut = of_parts.front();
+  for (std::size_t i = 0; i < number_of_schemes; ++i) {
+    Mean mean;
+    for (const Values& values : of_parts)
+      mean.add(values[i]);
+    result.over_recursion[i] = mean();
+    const Labels labels = recursive_cuts(
+      graph, usual_number_of_segments(input.people), [&](const Part& part)
+      { return sides_by(sampling_schemes[i], part.graph, minimum_area(graph), random); });
+    result.rand_error[i] = mean_rand_error(labels, input.people);
+  }
+  return result;
+}
+
+typedef Values Scores::*Column;
+
+std::vector<double> values(const std::vector<Scores>& meshes, Column column,
+                           std::size_t scheme)
+{
+  std::vector<double> result;
+  for (const Scores& scores : meshes)
+    result.push_back((scores.*column)[scheme]);
+  return result;
+}
+
+double mean(const std::vector<Scores>& meshes, Column column, std::size_t scheme)
+{
+  Mean result;
+  for (double value : values(meshes, column, scheme))
+    result.add(value);
+  return result();
+}
+
+// Whether shape context has larger values than every other scheme, beyond chance.
+bool shape_context_is_largest(const std::vector<Scores>& meshes, Column column)
+{
+  const std::vector<double> of_contexts = values(meshes, column, shape_context_scheme);
+  for (std::size_t i = 0; i < number_of_schemes; ++i)
+    if (i != shape_context_scheme &&
+        !paired_difference(of_contexts, values(meshes, column, i)).is_positive())
+      return false;
+  return true;
+}
+
+void print(const std::vector<Scores>& meshes)
+{
+  std::printf("%-13s%21s%21s%21s\n", "samples", "first cut", "recursion", "Rand error");
+  for (std::size_t i = 0; i < number_of_schemes; ++i) {
+    std::printf("%-13s", sampling_schemes[i].name);
+    for (Column column : {&Scores::at_first_cut, &Scores::over_recursion, &Scores::rand_error}) {
+      const Paired_difference d = paired_difference(
+        values(meshes, column, i), values(meshes, column, shape_context_scheme));
+      std::printf("  %.3f %+.3f+-%.3f", mean(meshes, column, i), d.mean, d.standard_error);
+    }
+    std::printf("\n");
+  }
+  std::printf("first cut, recursion: share of people who have the two samples in different parts, "
+              "of those\nwho have two parts there; Rand error: with people's usual number of "
+              "parts; differences from\nshape context with their standard errors\n");
+  const auto verdict = [&](Column column)
+  { return shape_context_is_largest(meshes, column) ? "reproduced" : "not reproduced"; };
+  std::printf("Section 4, that samples by shape context lie in different parts more often than "
+              "all others: %s at the first cut, %s over the recursion.\n",
+              verdict(&Scores::at_first_cut), verdict(&Scores::over_recursion));
+}
+
+// The samples of all schemes at the first cut, on the parts of a person.
+void write_picture(const Benchmark_mesh& input, const Experiment_options& o)
+{
+  const Pictures pictures(o.pictures);
+  const Face_dual_graph graph = paper_graph(input.mesh);
+  const Part part = whole_part(graph);
+  for (const Sampling_scheme& scheme : sampling_schemes) {
+    Random_engine random = random_engine(o.seed, input.id);
+    std::vector<CGAL::IO::Color> colors;
+    for (std::size_t label : input.people.front()) {
+      const unsigned char shade = static_cast<unsigned char>(160 + 40 * (label % 3));
+      colors.emplace_back(shade, shade, shade);
+    }
+    for (Index sample : scheme.take(part.graph, 2, random))
+      mark_sample(graph, part.faces[sample], CGAL::IO::Color(200, 20, 40), colors);
+    pictures.write_colors(std::string("samples_by_") + scheme.name, input.mesh, colors);
+  }
+}
+
+} // namespace
+
+// The pictures are of the first mesh.
+void run_comparison_of_samplings(const Experiment_options& o)
+{
+  const std::vector<int> ids = parse_ids(o.ids);
+  if (!o.pictures.empty())
+    write_picture(read_benchmark_mesh(o.folder, ids.front()), o);
+  std::vector<Scores> meshes;
+  Progress progress(ids.size());
+  for (int id : ids) {
+    meshes.push_back(scores(read_benchmark_mesh(o.folder, id), o));
+    progress.step();
+  }
+  print(meshes);
+}
+
+} // namespace segmentation_benchmark

@@ -1,0 +1,51 @@
+// Copyright (c) 2026  The Spectral_segmentation authors.
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef SEGMENTATION_BENCHMARK_PAPER_EXPERIMENTS_EXPERIMENTS_H
+#define SEGMENTATION_BENCHMARK_PAPER_EXPERIMENTS_EXPERIMENTS_H
+
+#include <cstddef>
+#include <cstdint>
+#include <string>
+
+namespace segmentation_benchmark {
+
+struct Experiment_options
+{
+  std::string folder, ids = "odd";
+  std::string pictures; // a folder for meshes and plots; empty if none are wanted
+  std::uint64_t seed = 1;
+};
+
+// Figure 1. The pictures are of the first mesh.
+struct Placement_options : Experiment_options
+{
+  std::size_t pairs = 10; // of samples, of each kind on each mesh
+};
+
+void run_placement_of_samples(const Placement_options& o);
+
+// Figure 3 and Section 4. The pictures are of the first mesh.
+void run_comparison_of_samplings(const Experiment_options& o);
+
+// Figure 4 and Section 7.1. The pictures are of a mesh that is cut in place of the benchmark.
+struct Clustering_options : Experiment_options
+{
+  std::string mesh;
+  std::size_t parts = 6;     // of this mesh
+  std::size_t samples = 100; // rows of the affinity matrix
+};
+
+void run_comparison_with_clustering(const Clustering_options& o);
+
+// Section 7.2. The pictures are plots.
+struct Number_of_samples_options : Experiment_options
+{
+  std::size_t faces = 1000; // to which meshes are decimated
+};
+
+void run_number_of_samples(const Number_of_samples_options& o);
+
+} // namespace segmentation_benchmark
+
+#endif // SEGMENTATION_BENCHMARK_PAPER_EXPERIMENTS_EXPERIMENTS_H
