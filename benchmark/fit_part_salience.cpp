@@ -151,14 +151,6 @@ Json json_of(const Calibrated_part_salience& salience)
   return json;
 }
 
-Json json_of(const Tree_errors& errors)
-{
-  return {{"people", errors.people},
-          {"auto", errors.automatic},
-          {"k", errors.k},
-          {"tree", errors.best}};
-}
-
 Json json_of(const std::vector<Tree_errors>& meshes)
 {
   const Tree_errors mean = mean_tree_errors(meshes);

@@ -109,15 +109,6 @@ void print(const Result_block& block)
   std::printf("\n");
 }
 
-Json json_of(const Tree_errors& errors)
-{
-  return {{"auto", errors.by_default},
-          {"auto_at_thresholds", errors.automatic},
-          {"k", errors.k},
-          {"tree", errors.best},
-          {"seconds", errors.time.thread}};
-}
-
 Json json_of(const Result& result)
 {
   const Figures f = figures(result);

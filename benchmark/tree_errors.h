@@ -7,6 +7,8 @@
 #include "Method_trees.h"
 #include "score_mesh.h"
 
+#include <nlohmann/json.hpp>
+
 #include <algorithm>
 #include <cstddef>
 #include <vector>
@@ -74,6 +76,16 @@ inline Tree_errors mean_tree_errors(const std::vector<Tree_errors>& meshes)
   result.k = mean([](const Tree_errors& e) { return e.k; });
   result.best = mean([](const Tree_errors& e) { return e.best; });
   return result;
+}
+
+inline nlohmann::ordered_json json_of(const Tree_errors& errors)
+{
+  return {{"people", errors.people},
+          {"auto", errors.by_default},
+          {"auto_at_thresholds", errors.automatic},
+          {"k", errors.k},
+          {"tree", errors.best},
+          {"seconds", errors.time.thread}};
 }
 
 // The position of the threshold of least error, the lowest of several.

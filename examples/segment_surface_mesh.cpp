@@ -8,13 +8,15 @@
 
 #include <cstdlib>
 #include <iostream>
+#include <string>
 
 typedef CGAL::Surface_mesh<CGAL::Simple_cartesian<double>::Point_3> Mesh;
 
 int main(int argc, char* argv[])
 {
+  const std::string filename = argc > 1 ? argv[1] : CGAL::data_file_path("meshes/elephant.off");
   Mesh mesh;
-  if (!CGAL::IO::read_polygon_mesh(argc > 1 ? argv[1] : "data/meshes/elephant.off", mesh))
+  if (!CGAL::IO::read_polygon_mesh(filename, mesh))
     return EXIT_FAILURE;
   auto segment_ids = mesh.add_property_map<Mesh::Face_index, int>("f:segment").first;
   std::cout << CGAL::segment_spectral_recursive(mesh, segment_ids) << " segments" << std::endl;

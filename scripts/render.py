@@ -200,6 +200,7 @@ def write_picture(renderers, size, output, columns=None):
     writer.SetFileName(str(output))
     writer.SetInputConnection(picture.GetOutputPort())
     writer.Write()
+    window.Finalize()
     if writer.GetErrorCode() != 0:
         sys.exit("render.py: cannot write " + str(output))
 

@@ -3,7 +3,7 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 #
 # setup.sh GROUP ...
-# Installs the Debian packages of the groups build, test and pictures that are missing.
+# Installs the Debian packages of the groups build, test, pictures and manual that are missing.
 
 set -euo pipefail
 
@@ -13,9 +13,10 @@ for group in "$@"; do
     build)
       packages+=(cmake make g++ libcgal-dev libeigen3-dev libboost-dev libtbb-dev libcli11-dev
                  nlohmann-json3-dev libcgal-demo) ;;
-    test) packages+=(libboost-test-dev libopenmesh-dev python3) ;;
+    test) packages+=(libboost-test-dev libopenmesh-dev python3 doxygen) ;;
     pictures) packages+=(python3-vtk9 xvfb xauth) ;;
-    *) echo "setup.sh: no such group: $group (build, test, pictures)" >&2; exit 1 ;;
+    manual) packages+=(doxygen python3-vtk9 xvfb xauth) ;;
+    *) echo "setup.sh: no such group: $group (build, test, pictures, manual)" >&2; exit 1 ;;
   esac
 done
 

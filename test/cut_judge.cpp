@@ -124,7 +124,7 @@ BOOST_AUTO_TEST_CASE(the_size_of_the_whole_mesh_enters_three_factors)
   BOOST_TEST(a.convexity_gain == 10 * b.convexity_gain, tolerance(1e-12));
   // The sides are convex.
   for (const Salience_factors& f : {a, b})
-    BOOST_TEST(f.relative_convexity_gain == std::log(1 + 1000 * f.convexity_gain), tolerance(1e-3));
+    BOOST_TEST(f.relative_convexity_gain == std::log(1 + 200 * f.convexity_gain), tolerance(1e-3));
   BOOST_TEST(a.widening_of_rest == b.widening_of_rest);
 }
 
@@ -166,7 +166,7 @@ BOOST_AUTO_TEST_CASE(gains_of_convexity_are_those_of_the_hollowness)
   const Salience_factors f = factors(graph, side, 25 / total_area(graph));
   BOOST_TEST(sides > 0.01);
   BOOST_TEST(f.convexity_gain == whole - sides, tolerance(1e-9));
-  BOOST_TEST(f.relative_convexity_gain == std::log((whole + 0.001) / (sides + 0.001)),
+  BOOST_TEST(f.relative_convexity_gain == std::log((whole + 0.005) / (sides + 0.005)),
              tolerance(1e-9));
 }
 

@@ -268,6 +268,16 @@ BOOST_AUTO_TEST_CASE(rotating_the_part_hardly_matters)
   }
 }
 
+BOOST_AUTO_TEST_CASE(a_part_without_symmetry_may_be_rotated)
+{
+  Random random(5);
+  const Soup soup = displaced(dumbbell(24, 16), 0.1, random);
+  const double unrotated = hollowness_of(soup);
+  for (int i = 0; i < 10; ++i)
+    BOOST_TEST(hollowness_of(rotated(soup, random_rotation(random))) == unrotated,
+               tt::tolerance(1e-4));
+}
+
 BOOST_AUTO_TEST_CASE(the_hollowness_grows_with_the_size)
 {
   const double hollowness = hollowness_of(torus(2, 0.5, 24, 12));

@@ -242,8 +242,8 @@ class Real_meshes(Tool_test):
         self.segment(MESHES / "elephant.off", "--threads", 1)
         seconds = self.report()["seconds"]
         total = seconds.pop("total")
-        self.assertEqual(set(seconds), {"initialization", "sampling", "embedding", "line_search",
-                                        "boundary_smoothing"})
+        self.assertEqual(set(seconds), {"initialization", "sampling", "embedding",
+                                        "line_search", "merging", "boundary_smoothing"})
         self.assertEqual(seconds["boundary_smoothing"], 0)
         self.assertTrue(all(s >= 0 for s in seconds.values()))
         self.assertLessEqual(sum(seconds.values()), total)

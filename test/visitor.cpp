@@ -260,6 +260,23 @@ BOOST_AUTO_TEST_CASE(parts_do_not_interleave_in_one_thread)
     labels_of<CGAL::Sequential_tag>(mesh, parameters::method(method).visitor(Visitor()));
 }
 
+BOOST_AUTO_TEST_CASE(pieces_are_merged_once_when_all_parts_have_been_searched)
+{
+  struct Last_stage : Segmentation_visitor
+  {
+    std::vector<std::pair<Stage, std::size_t> > stages;
+    void start_stage(Stage stage, std::size_t part) { stages.push_back({stage, part}); }
+  } visitor;
+  const Mesh mesh = mesh_of(dumbbell(12, 8));
+  labels_of(mesh, parameters::visitor(std::ref(visitor)));
+  const std::pair<Stage, std::size_t> merging(Stage::MERGING, Segmentation_visitor::whole_mesh);
+  BOOST_TEST(std::count(visitor.stages.begin(), visitor.stages.end(), merging) == 1);
+  BOOST_TEST((visitor.stages.back() == merging));
+  visitor.stages.clear();
+  labels_of(mesh, parameters::visitor(std::ref(visitor)).number_of_pieces(0));
+  BOOST_TEST(std::count(visitor.stages.begin(), visitor.stages.end(), merging) == 0);
+}
+
 BOOST_AUTO_TEST_CASE(a_visitor_that_listens_changes_nothing)
 {
   const Mesh mesh = mesh_of(read("hand.off"));

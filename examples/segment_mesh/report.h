@@ -25,6 +25,7 @@ inline Json seconds_report(const Run_watch& watch)
           {"sampling", watch.seconds(Run_watch::Stage::SAMPLING)},
           {"embedding", watch.seconds(Run_watch::Stage::EMBEDDING)},
           {"line_search", watch.seconds(Run_watch::Stage::LINE_SEARCH)},
+          {"merging", watch.seconds(Run_watch::Stage::MERGING)},
           {"boundary_smoothing", watch.seconds(Run_watch::Stage::BOUNDARY_SMOOTHING)},
           {"total", watch.seconds()}};
 }

@@ -2,21 +2,31 @@
 # Copyright (c) 2026  The Spectral_segmentation authors.
 # SPDX-License-Identifier: GPL-3.0-or-later
 
-# consume.sh find_package BUILD_DIR CMAKE_OPTION ...
+# consume.sh find_package|debian_package BUILD_DIR CMAKE_OPTION ...
 # consume.sh add_subdirectory|fetch_content CMAKE_OPTION ...
 # Builds and runs the program of this folder, which gets the package in the way that is named, in a
-# temporary folder. For find_package the package is first installed there from its build.
+# temporary folder. For find_package the package is first installed there from its build; for
+# debian_package, which is find_package too, the Debian package is made and unpacked there.
 set -e
-way=$1
-shift
+project=$1
 work=$(mktemp -d)
 trap 'rm -rf "$work"' EXIT
-if [ "$way" = find_package ]; then
-  # Installed here and moved there: no path may be fixed.
-  cmake --install "$1" --prefix "$work/installed"
-  mv "$work/installed" "$work/moved"
-  shift
-fi
-cmake -S "$(dirname "$0")/$way" -B "$work/build" -DSpectral_segmentation_ROOT="$work/moved" "$@"
+case $1 in
+  find_package)
+    # Installed here and moved there: no path may be fixed.
+    cmake --install "$2" --prefix "$work/installed"
+    mkdir "$work/root"
+    mv "$work/installed" "$work/root/usr"
+    shift ;;
+  debian_package)
+    project=find_package
+    cpack --config "$2/CPackConfig.cmake" -B "$work/package"
+    dpkg-deb --info "$work"/package/*.deb
+    dpkg-deb --extract "$work"/package/*.deb "$work/root"
+    shift ;;
+esac
+shift
+cmake -S "$(dirname "$0")/$project" -B "$work/build" \
+  -DSpectral_segmentation_ROOT="$work/root/usr" "$@"
 cmake --build "$work/build"
 "$work/build/consumer"

@@ -53,6 +53,7 @@ class Cut_and_merge;
 class Segment_tree
 {
 public:
+  /// an unsigned integer, for nodes, faces, and numbers of them
   typedef std::size_t size_type;
 
   /// the index that stands for no node
@@ -67,35 +68,42 @@ public:
     ACCEPTED      ///< the part has two children; if there are pieces, whatever the threshold
   };
 
+  /// A set of faces: a connected component of the mesh, or one side of the cut of its parent.
   struct Node
   {
+    /// the node that was cut; `null_node` for a root
     size_type parent = null_node;
 
     /// The part that the salience judges, which is the one of smaller area, then the rest;
     /// `null_node` twice for a leaf.
     size_type children[2] = {null_node, null_node};
 
-    size_type number_of_faces = 0;
+    size_type number_of_faces = 0; ///< of the set; at least 1
 
     /// in the square of the unit of the mesh's coordinates
     double area = 0;
 
-    Cut_state cut_state = Cut_state::NOT_SEARCHED;
+    Cut_state cut_state = Cut_state::NOT_SEARCHED; ///< what became of the search for its cut
 
-    /// salience and factors of the best cut; 0 if there is none or it was not searched.
+    /// the salience of the best cut; 0 if there is none or it was not searched.
     /// In a whole tree no cut is less salient than those that follow: its salience is raised to
     /// theirs, while its factors are its own.
     double salience = 0;
+
+    /// the factors of that cut
     Salience_factors factors;
 
+    /// whether it has no children
     bool is_leaf() const { return children[0] == null_node; }
   };
 
   /// \name Nodes
   /// @{
 
+  /// the number of faces of the mesh; 0 before a run
   size_type number_of_faces() const { return faces_.size(); }
 
+  /// the number of nodes, leaves too
   size_type number_of_nodes() const { return nodes_.size(); }
 
   /// Connected components of the mesh: the nodes from 0 to `number_of_roots() - 1`.
@@ -106,12 +114,13 @@ public:
   size_type number_of_segments() const
   { return number_of_roots_ + (nodes_.size() - number_of_roots_) / 2; }
 
+  /// the node of index `i`, which is below `number_of_nodes()`; this is not checked
   const Node& node(size_type i) const { return nodes_[i]; }
 
   /// the salience threshold of the run: no lower one can be asked for, except of a whole tree
   double salience_threshold() const { return salience_threshold_; }
 
-  /// the numbers of the faces of a node
+  /// the numbers of the faces of node `i`, a range of unsigned integers in ascending order
   Iterator_range<std::vector<internal::Index>::const_iterator> faces(size_type i) const
   {
     const auto first = faces_.begin() + first_face_[i];
@@ -230,7 +239,6 @@ private:
 
   Queue empty_queue() const { return Queue(Before{this}); }
 
-  internal::Index smallest_face(size_type i) const { return smallest_face_[i]; }
 
   void set_cut(size_type i, Cut_state state, double salience, const Salience_factors& factors)
   {

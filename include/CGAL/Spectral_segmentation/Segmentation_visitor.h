@@ -19,6 +19,7 @@ enum class Stage
   SAMPLING,          ///< the two sample faces of a part, by shape context
   EMBEDDING,         ///< distances from the samples, order of the faces on each line
   LINE_SEARCH,       ///< the most salient cut along the lines, and minimum cuts near the best
+  MERGING,           ///< pieces become segments again, once, if there are pieces
   BOUNDARY_SMOOTHING ///< morphological smoothing of the labels, once, if asked for
 };
 
@@ -39,7 +40,10 @@ struct Segmentation_visitor
   /// the part of stages that concern the whole mesh
   static constexpr std::size_t whole_mesh = static_cast<std::size_t>(-1);
 
+  /// A stage of the search in `part` starts, or one of the whole mesh.
   void start_stage(Stage /* stage */, std::size_t /* part */) {}
+
+  /// The stage has ended.
   void end_stage(Stage /* stage */, std::size_t /* part */) {}
 
   /// The search for the best cut of `part` starts; it has two faces or more, and room for two

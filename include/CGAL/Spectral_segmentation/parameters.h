@@ -161,6 +161,8 @@ class Named_parameters
   }
 
 public:
+  /// a pack with the parameters of a pack of CGAL, which must have none that the functions of this
+  /// package do not read
   explicit Named_parameters(const CGALNamedParameters& np = CGALNamedParameters()) : np_(np)
   {
     static_assert(internal_np::has_only_known_tags<CGALNamedParameters>::value,
@@ -169,6 +171,12 @@ public:
 
   /// the same parameters as a pack of CGAL, for CGAL's own functions
   const CGALNamedParameters& cgal_parameters() const { return np_; }
+
+  /// \name Parameters
+  /// Each function returns a pack that has its parameter besides those of this pack; of a parameter
+  /// that is given twice the last value counts. An argument of a wrong type is an error at compile
+  /// time, a value out of its range an exception of the function that is called with the pack.
+  /// @{
 
   template <class VertexPointMap>
   auto vertex_point_map(const VertexPointMap& map) const
@@ -369,6 +377,8 @@ public:
                   "segment_tree takes a CGAL::Spectral_segmentation::Segment_tree, not const");
     return with<internal_np::segment_tree_t>(std::ref(tree));
   }
+
+  /// @}
 };
 
 /// The functions that start a pack of named parameters.
@@ -381,6 +391,11 @@ inline Named_parameters<> default_values() { return Named_parameters<>(); }
 template <class T, class Tag, class Base>
 auto from(const CGAL::Named_function_parameters<T, Tag, Base>& np)
 { return Named_parameters<CGAL::Named_function_parameters<T, Tag, Base> >(np); }
+
+/// \name Parameters
+/// Each function starts a pack with the parameter of its name; it takes what the function of this
+/// name in `Named_parameters` takes.
+/// @{
 
 #define CGAL_SPECTRAL_SEGMENTATION_START_PACK(NAME)               \
   template <class... Values>                                      \
@@ -417,6 +432,8 @@ CGAL_SPECTRAL_SEGMENTATION_START_PACK(boundary_smoothing)
 template <class Tree>
 auto segment_tree(Tree& tree)
 { return default_values().segment_tree(tree); }
+
+/// @}
 
 } // namespace parameters
 

@@ -5,6 +5,7 @@
 #define CGAL_SPECTRAL_SEGMENTATION_INTERNAL_CUT_JUDGE_H
 
 #include <CGAL/Spectral_segmentation/Part_salience.h>
+#include <CGAL/Spectral_segmentation/internal/Cut.h>
 #include <CGAL/Spectral_segmentation/internal/Extreme_points.h>
 #include <CGAL/Spectral_segmentation/internal/Face_dual_graph.h>
 #include <CGAL/Spectral_segmentation/internal/Hollowness.h>
@@ -16,7 +17,6 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
-#include <numeric>
 #include <optional>
 #include <vector>
 
@@ -64,8 +64,8 @@ class Cut_judge
   const Face_dual_graph& part_;
   double area_of_mesh_;
   Hollowness hollowness_;
-  Thickness_sums thickness_of_part_;
   double hollowness_of_part_;
+  Thickness_sums thickness_of_part_;
 
   double thickness(Index f) const { return part_.thickness.empty() ? 0 : part_.thickness[f]; }
 
@@ -87,7 +87,7 @@ class Cut_judge
     return length;
   }
 
-  void look_around(const std::vector<char>& side, const std::vector<Index>& cut, double area_of_q,
+  void look_around(const Sides& side, const std::vector<Index>& cut, double area_of_q,
                    double length, Salience_factors& factors) const
   {
     const double radius = 0.35 * std::sqrt(area_of_q);
@@ -119,23 +119,21 @@ class Cut_judge
     const double sides = (area[0] * hollowness_(faces[0]) + area[1] * hollowness_(faces[1])) /
                          ((area[0] + area[1]) * unit);
     factors.convexity_gain = whole - sides;
-    factors.relative_convexity_gain = std::log((whole + 0.001) / (sides + 0.001));
+    factors.relative_convexity_gain = std::log((whole + 0.005) / (sides + 0.005));
   }
 
 public:
   // `faces` are those of the part, by their numbers in the mesh.
   Cut_judge(const Face_dual_graph& part, const std::vector<Index>& faces, const Judged_mesh& mesh)
-    : part_(part), area_of_mesh_(mesh.area), hollowness_(*mesh.extreme_points, part, faces)
+    : part_(part), area_of_mesh_(mesh.area), hollowness_(*mesh.extreme_points, part, faces),
+      hollowness_of_part_(hollowness_.of_part())
   {
-    std::vector<Index> all(part.number_of_faces());
-    std::iota(all.begin(), all.end(), Index(0));
-    hollowness_of_part_ = hollowness_(all);
-    for (Index f : all)
+    for (Index f = 0; f < part.number_of_faces(); ++f)
       thickness_of_part_.add(part.areas[f], thickness(f));
   }
 
   // Both sides must have an area.
-  Salience_factors operator()(const std::vector<char>& side) const
+  Salience_factors operator()(const Sides& side) const
   {
     std::vector<Index> faces[2];
     for (std::vector<Index>& f : faces)

@@ -5,6 +5,7 @@
 #define CGAL_SPECTRAL_SEGMENTATION_INTERNAL_EXTREME_POINTS_H
 
 #include <CGAL/Spectral_segmentation/internal/Face_dual_graph.h>
+#include <CGAL/Spectral_segmentation/internal/parts.h>
 
 #include <CGAL/Simple_cartesian.h>
 #include <CGAL/Spatial_sort_traits_adapter_3.h>
@@ -14,6 +15,7 @@
 #include <boost/property_map/function_property_map.hpp>
 
 #include <Eigen/Core>
+#include <Eigen/Eigenvalues>
 #include <Eigen/Geometry>
 
 #include <algorithm>
@@ -122,6 +124,41 @@ struct Extremes
   { add(other.distances, [&](int d) { return other.points[d]; }); }
 };
 
+// A frame of coordinates that moves with the mesh, so that the directions do: its center and its
+// principal axes, each to the side on which the points are spread farther.
+class Principal_frame
+{
+  Vector center_ = Vector::Zero();
+  Eigen::Matrix3d axes_ = Eigen::Matrix3d::Identity(); // the rows
+
+public:
+  explicit Principal_frame(const Face_dual_graph& mesh)
+  {
+    const double area = total_area(mesh);
+    if (!(area > 0))
+      return;
+    for (Index f = 0; f < mesh.number_of_faces(); ++f)
+      center_ += mesh.areas[f] / area * mesh.centroid(f);
+    Eigen::Matrix3d covariance = Eigen::Matrix3d::Zero();
+    for (Index f = 0; f < mesh.number_of_faces(); ++f) {
+      const Vector p = mesh.centroid(f) - center_;
+      covariance += mesh.areas[f] / area * p * p.transpose();
+    }
+    axes_ = Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d>(covariance).eigenvectors().transpose();
+    Vector skewness = Vector::Zero();
+    for (Index f = 0; f < mesh.number_of_faces(); ++f) {
+      const Vector p = axes_ * (mesh.centroid(f) - center_);
+      skewness += mesh.areas[f] / area * p.cwiseProduct(p).cwiseProduct(p);
+    }
+    for (int i = 0; i < 3; ++i)
+      if (skewness[i] < 0)
+        axes_.row(i) *= -1;
+  }
+
+  Eigen::Vector3f point(const Vector& p) const { return vector(p - center_); }
+  Eigen::Vector3f vector(const Vector& v) const { return (axes_ * v).cast<float>(); }
+};
+
 // The plane of a face.
 struct Face_plane
 {
@@ -129,7 +166,7 @@ struct Face_plane
   std::uint8_t direction; // next to the normal
 };
 
-// Finds the extreme points of sets of faces of a mesh. Those of small compact blocks of faces are
+// Finds the extreme points of sets of faces of a mesh, in its principal frame. Those of small compact blocks of faces are
 // kept, so that only the faces of the blocks that a set shares with others are looked at.
 class Extreme_points
 {
@@ -142,14 +179,14 @@ class Extreme_points
   std::vector<Index> size_of_block_;
   std::vector<Extremes> of_block_;
 
-  void set_planes(const Face_dual_graph& mesh)
+  void set_planes(const Face_dual_graph& mesh, const Principal_frame& frame)
   {
     planes_.reserve(mesh.number_of_faces());
     for (Index f = 0; f < mesh.number_of_faces(); ++f) {
       const std::array<Index, 3>& c = mesh.corners[f];
       const Vector &p = mesh.points[c[0]], &q = mesh.points[c[1]], &r = mesh.points[c[2]];
-      const Eigen::Vector3f normal = (q - p).cross(r - p).normalized().cast<float>();
-      planes_.push_back({mesh.centroid(f).cast<float>(), normal,
+      const Eigen::Vector3f normal = frame.vector((q - p).cross(r - p).normalized());
+      planes_.push_back({frame.point(mesh.centroid(f)), normal,
                          static_cast<std::uint8_t>(directions::nearest(normal))});
     }
   }
@@ -180,10 +217,11 @@ class Extreme_points
 public:
   explicit Extreme_points(const Face_dual_graph& mesh) : corners_(mesh.corners)
   {
+    const Principal_frame frame(mesh);
     points_.reserve(mesh.points.size());
     for (const Vector& p : mesh.points)
-      points_.push_back(p.cast<float>());
-    set_planes(mesh);
+      points_.push_back(frame.point(p));
+    set_planes(mesh, frame);
     set_blocks();
   }
 

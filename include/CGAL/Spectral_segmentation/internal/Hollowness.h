@@ -58,6 +58,16 @@ public:
       depths_.push_back(depth(f, of_part_));
   }
 
+  double of_part() const
+  {
+    double sum = 0, area = 0;
+    for (Index f = 0; f < depths_.size(); ++f) {
+      sum += part_.areas[f] * depths_[f];
+      area += part_.areas[f];
+    }
+    return area > 0 ? sum / area : 0;
+  }
+
   // Of faces of the part, without repetition; 0 if they have no area.
   double operator()(const std::vector<Index>& faces) const
   {

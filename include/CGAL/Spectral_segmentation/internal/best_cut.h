@@ -5,6 +5,7 @@
 #define CGAL_SPECTRAL_SEGMENTATION_INTERNAL_BEST_CUT_H
 
 #include <CGAL/Spectral_segmentation/Segmentation_visitor.h>
+#include <CGAL/Spectral_segmentation/internal/Cut.h>
 #include <CGAL/Spectral_segmentation/internal/Cut_judge.h>
 #include <CGAL/Spectral_segmentation/internal/Face_dual_graph.h>
 #include <CGAL/Spectral_segmentation/internal/Meta_patch.h>
@@ -16,9 +17,6 @@
 #include <CGAL/Spectral_segmentation/internal/orderings.h>
 #include <CGAL/Spectral_segmentation/internal/parts.h>
 #include <CGAL/Spectral_segmentation/internal/sampling.h>
-
-#include <boost/pending/disjoint_sets.hpp>
-#include <boost/property_map/property_map.hpp>
 
 #include <algorithm>
 #include <cstddef>
@@ -50,25 +48,15 @@ Shape_contexts shape_contexts(const Part& part, const Options& options, Monitor&
 
 inline bool both_sides_are_connected(const Face_dual_graph& part, const Sides& side)
 {
-  const std::size_t n = part.number_of_faces();
-  std::vector<Index> rank(n), parent(n);
-  const boost::typed_identity_property_map<Index> index;
-  boost::disjoint_sets sets(boost::make_iterator_property_map(rank.begin(), index),
-                            boost::make_iterator_property_map(parent.begin(), index));
-  for (Index f = 0; f < n; ++f)
-    sets.make_set(f);
-  std::size_t number_of_components = n;
+  Face_components components(part.number_of_faces());
+  for (Index f = 0; f < part.number_of_faces(); ++f)
+    components.add(f);
   for (Index h = 0; h < part.halfedges.size(); ++h) {
     const Index f = h / 3, g = part.halfedges[h].neighbor;
-    if (f >= g || side[f] != side[g])
-      continue;
-    const Index a = sets.find_set(f), b = sets.find_set(g);
-    if (a != b) {
-      sets.link(a, b);
-      --number_of_components;
-    }
+    if (f < g && side[f] == side[g])
+      components.join(f, g);
   }
-  return number_of_components == 2;
+  return components.number() == 2;
 }
 
 // Judges whole cuts of a part: by all factors if the run takes candidates, else by those of the
@@ -100,6 +88,8 @@ public:
       by_all_factors_.emplace(part.graph, part.faces, mesh);
   }
 
+  double minimum_area() const { return minimum_area_; } // of a side
+
   // None if a side is too small.
   std::optional<Cut> operator()(Sides side) const
   {
@@ -125,12 +115,13 @@ inline void append(std::vector<std::optional<Cut> >& more, std::vector<Cut>& cut
 // The candidates along the lines, or the best cut of each line.
 template <class ConcurrencyTag>
 std::vector<Cut> cuts_along(const Face_dual_graph& part, const std::vector<Line>& lines,
-                            double minimum_area, const Options& options, const Judge_of_part& judge)
+                            const Options& options, const Judge_of_part& judge)
 {
   std::vector<std::optional<Cut> > cuts;
   if (options.number_of_candidates > 0) {
     std::vector<Sides> sides =
-      cut_candidates<ConcurrencyTag>(part, lines, minimum_area, options.number_of_candidates);
+      cut_candidates<ConcurrencyTag>(part, lines, judge.minimum_area(),
+                                     options.number_of_candidates);
     cuts.resize(sides.size());
     for_each_index<ConcurrencyTag>(sides.size(), [&](std::size_t i)
       { cuts[i] = judge(std::move(sides[i])); });
@@ -138,7 +129,7 @@ std::vector<Cut> cuts_along(const Face_dual_graph& part, const std::vector<Line>
   else {
     cuts.resize(lines.size());
     for_each_index<ConcurrencyTag>(lines.size(), [&](std::size_t i)
-      { cuts[i] = line_search(part, lines[i], options.part_salience, minimum_area); });
+      { cuts[i] = line_search(part, lines[i], options.part_salience, judge.minimum_area()); });
   }
   std::vector<Cut> result;
   append(cuts, result);
@@ -167,12 +158,6 @@ void refine(const Face_dual_graph& part, std::size_t number, const Judge_of_part
   put_most_salient_first(cuts);
 }
 
-struct No_observer
-{
-  template <class... Arguments>
-  void operator()(const Arguments&...) const {}
-};
-
 // BESTCUT (Figure 2), with more lines and more than one cut of them if the options ask for it: the
 // most salient cut of a part, if there is one. `observe(cut)` hears of each cut that is judged.
 // Throws `Run_stopped` if the visitor stops the run.
@@ -181,8 +166,7 @@ std::optional<Cut> best_cut(const Part& part, const Judged_mesh& mesh, const Opt
                             Monitor& monitor, const Observer& observe = Observer())
 {
   const Face_dual_graph& m = part.graph;
-  const double minimum_area = options.minimum_segment_size * mesh.area;
-  if (m.number_of_faces() < 2 || total_area(m) < 2 * minimum_area)
+  if (m.number_of_faces() < 2 || total_area(m) < 2 * options.minimum_segment_size * mesh.area)
     return std::nullopt;
   monitor.check();
   monitor.start_part(part.node, m.number_of_faces());
@@ -204,7 +188,7 @@ std::optional<Cut> best_cut(const Part& part, const Judged_mesh& mesh, const Opt
   monitor.check();
   std::vector<Cut> cuts = monitor.stage(Stage::LINE_SEARCH, part.node, [&] {
     const Judge_of_part judge(part, mesh, options);
-    std::vector<Cut> result = cuts_along<ConcurrencyTag>(m, lines, minimum_area, options, judge);
+    std::vector<Cut> result = cuts_along<ConcurrencyTag>(m, lines, options, judge);
     refine<ConcurrencyTag>(m, options.number_of_refined_candidates, judge, result);
     return result;
   });

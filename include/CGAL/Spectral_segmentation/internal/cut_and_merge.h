@@ -5,6 +5,8 @@
 #define CGAL_SPECTRAL_SEGMENTATION_INTERNAL_CUT_AND_MERGE_H
 
 #include <CGAL/Spectral_segmentation/Segment_tree.h>
+#include <CGAL/Spectral_segmentation/Segmentation_visitor.h>
+#include <CGAL/Spectral_segmentation/internal/Cut.h>
 #include <CGAL/Spectral_segmentation/internal/Cut_judge.h>
 #include <CGAL/Spectral_segmentation/internal/Face_dual_graph.h>
 #include <CGAL/Spectral_segmentation/internal/Monitor.h>
@@ -304,7 +306,8 @@ public:
     for (std::size_t i = 0; i < pieces.size(); ++i)
       for (Index f : pieces[i])
         piece_of_face[f] = i;
-    std::vector<Merge> merges = merge_up(pieces, piece_of_face);
+    std::vector<Merge> merges = monitor_.stage(Stage::MERGING, Segmentation_visitor::whole_mesh,
+                                               [&] { return merge_up(pieces, piece_of_face); });
     make_monotone(merges);
     return tree_of(pieces, piece_of_face, merges);
   }

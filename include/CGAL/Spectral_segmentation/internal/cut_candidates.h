@@ -5,6 +5,7 @@
 #define CGAL_SPECTRAL_SEGMENTATION_INTERNAL_CUT_CANDIDATES_H
 
 #include <CGAL/Spectral_segmentation/Part_salience.h>
+#include <CGAL/Spectral_segmentation/internal/Cut.h>
 #include <CGAL/Spectral_segmentation/internal/Face_dual_graph.h>
 #include <CGAL/Spectral_segmentation/internal/Meta_patch.h>
 #include <CGAL/Spectral_segmentation/internal/concurrency.h>

@@ -4,6 +4,7 @@
 #ifndef CGAL_SPECTRAL_SEGMENTATION_INTERNAL_DISTANCES_FROM_CUT_H
 #define CGAL_SPECTRAL_SEGMENTATION_INTERNAL_DISTANCES_FROM_CUT_H
 
+#include <CGAL/Spectral_segmentation/internal/Cut.h>
 #include <CGAL/Spectral_segmentation/internal/Face_dual_graph.h>
 
 #include <functional>
@@ -24,7 +25,7 @@ struct Face_at_distance
 
 // The half-edges along a cut on its side 0.
 inline std::vector<Index> halfedges_of_cut(const Face_dual_graph& part,
-                                           const std::vector<char>& side)
+                                           const Sides& side)
 {
   std::vector<Index> result;
   for (Index f = 0; f < part.number_of_faces(); ++f)
@@ -39,7 +40,7 @@ inline std::vector<Index> halfedges_of_cut(const Face_dual_graph& part,
 // faces, and there are many cuts with few faces around them: hence a search of its own that ends
 // at the radius.
 inline std::vector<Face_at_distance> faces_near_cut(const Face_dual_graph& part,
-                                                    const std::vector<char>& side,
+                                                    const Sides& side,
                                                     const std::vector<Index>& cut, double radius)
 {
   typedef std::pair<double, Index> Entry;

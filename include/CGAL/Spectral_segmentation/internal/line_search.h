@@ -5,12 +5,10 @@
 #define CGAL_SPECTRAL_SEGMENTATION_INTERNAL_LINE_SEARCH_H
 
 #include <CGAL/Spectral_segmentation/Part_salience.h>
+#include <CGAL/Spectral_segmentation/internal/Cut.h>
 #include <CGAL/Spectral_segmentation/internal/Face_dual_graph.h>
 #include <CGAL/Spectral_segmentation/internal/Meta_patch.h>
 #include <CGAL/Spectral_segmentation/internal/parts.h>
-
-#include <boost/pending/disjoint_sets.hpp>
-#include <boost/property_map/property_map.hpp>
 
 #include <cstddef>
 #include <limits>
@@ -23,27 +21,6 @@ namespace Spectral_segmentation {
 namespace internal {
 
 // The line search of Section 5.3.
-
-// The side of each face: 0 for Q, of smaller area, 1 for the rest.
-typedef std::vector<char> Sides;
-
-// A two-way cut of a part.
-struct Cut
-{
-  Sides side;
-  double area[2];
-  Salience_factors factors;
-  double salience;
-};
-
-inline void put_smaller_side_first(Sides& side, double (&area)[2])
-{
-  if (area[0] <= area[1])
-    return;
-  for (char& s : side)
-    s = 1 - s;
-  std::swap(area[0], area[1]);
-}
 
 // How Q grows along the line: the faces in the order in which they join Q, and the sizes of Q after
 // each visited face that joined, together with all that had waited for it.
@@ -90,29 +67,19 @@ inline std::vector<bool> rest_is_connected(const Face_dual_graph& part,
                                            const std::vector<Index>& faces)
 {
   const std::size_t n = faces.size();
-  std::vector<Index> rank(n), parent(n);
-  const boost::typed_identity_property_map<Index> index;
-  boost::disjoint_sets sets(boost::make_iterator_property_map(rank.begin(), index),
-                            boost::make_iterator_property_map(parent.begin(), index));
+  Face_components components(n);
   std::vector<char> is_in_rest(n, 0);
   std::vector<bool> result(n + 1, false);
-  std::size_t number_of_components = 0;
   for (std::size_t i = n; i-- > 0;) {
     const Index f = faces[i];
-    sets.make_set(f);
+    components.add(f);
     is_in_rest[f] = 1;
-    ++number_of_components;
     for (Index h = 3 * f; h < 3 * f + 3; ++h) {
       const Index g = part.halfedges[h].neighbor;
-      if (!is_in_rest[g])
-        continue;
-      const Index a = sets.find_set(f), b = sets.find_set(g);
-      if (a != b) {
-        sets.link(a, b);
-        --number_of_components;
-      }
+      if (is_in_rest[g])
+        components.join(f, g);
     }
-    result[i] = number_of_components == 1;
+    result[i] = components.number() == 1;
   }
   return result;
 }
@@ -147,10 +114,10 @@ inline Sides sides_of(const Growth& growth, std::size_t size)
 
 // The most salient cut along the line, if there is one. Of equally salient cuts the first is taken.
 // `observe(size of Q, factors, salience)` hears of each cut that is compared.
-template <class PartSalience, class Observer>
+template <class PartSalience, class Observer = No_observer>
 std::optional<Cut> line_search(const Face_dual_graph& part, const std::vector<Index>& line,
                                const PartSalience& part_salience, double minimum_area,
-                               const Observer& observe)
+                               const Observer& observe = Observer())
 {
   const Growth growth = grow_along(part, line);
   std::size_t best_size = 0;
@@ -174,14 +141,6 @@ std::optional<Cut> line_search(const Face_dual_graph& part, const std::vector<In
   best.side = sides_of(growth, best_size);
   put_smaller_side_first(best.side, best.area);
   return best;
-}
-
-template <class PartSalience>
-std::optional<Cut> line_search(const Face_dual_graph& part, const std::vector<Index>& line,
-                               const PartSalience& part_salience, double minimum_area)
-{
-  return line_search(part, line, part_salience, minimum_area,
-                     [](std::size_t, const Salience_factors&, double) {});
 }
 
 } // namespace internal

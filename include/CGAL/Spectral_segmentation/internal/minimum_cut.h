@@ -4,6 +4,7 @@
 #ifndef CGAL_SPECTRAL_SEGMENTATION_INTERNAL_MINIMUM_CUT_H
 #define CGAL_SPECTRAL_SEGMENTATION_INTERNAL_MINIMUM_CUT_H
 
+#include <CGAL/Spectral_segmentation/internal/Cut.h>
 #include <CGAL/Spectral_segmentation/internal/Face_dual_graph.h>
 #include <CGAL/Spectral_segmentation/internal/distances_from_cut.h>
 
@@ -115,8 +116,8 @@ public:
 
 // The cheapest cut within a distance of 0.35 sqrt(area of Q) around a cut.
 // Its sides need not be connected.
-inline std::vector<char> minimum_cut_around(const Face_dual_graph& part,
-                                            const std::vector<char>& side, double area_of_q)
+inline Sides minimum_cut_around(const Face_dual_graph& part,
+                                            const Sides& side, double area_of_q)
 {
   const std::vector<Face_at_distance> band =
     faces_near_cut(part, side, halfedges_of_cut(part, side), 0.35 * std::sqrt(area_of_q));
@@ -151,7 +152,7 @@ inline std::vector<char> minimum_cut_around(const Face_dual_graph& part,
     if (!has_terminal[int(s)] && last_of_side[int(s)] >= 0)
       join_to_terminal(last_of_side[int(s)], s, (std::numeric_limits<float>::max)());
 
-  std::vector<char> result = side;
+  Sides result = side;
   const std::vector<bool> is_at_source = network.minimum_cut();
   for (std::size_t i = 0; i < band.size(); ++i)
     result[band[i].face] = is_at_source[i] ? 0 : 1;

@@ -7,6 +7,7 @@
 #include <CGAL/Spectral_segmentation/internal/Face_dual_graph.h>
 
 #include <boost/graph/connected_components.hpp>
+#include <boost/pending/disjoint_sets.hpp>
 #include <boost/property_map/property_map.hpp>
 
 #include <array>
@@ -19,9 +20,7 @@ namespace Spectral_segmentation {
 namespace internal {
 
 // The component of each face, numbered in the order of their first faces.
-// `Graph` is a `Face_dual_graph`, or one with some edges filtered out.
-template <class Graph>
-std::vector<Index> connected_components(const Graph& graph, std::size_t& number)
+inline std::vector<Index> connected_components(const Face_dual_graph& graph, std::size_t& number)
 {
   std::vector<Index> component(num_vertices(graph));
   const boost::typed_identity_property_map<Index> index;
@@ -30,6 +29,43 @@ std::vector<Index> connected_components(const Graph& graph, std::size_t& number)
                                 boost::vertex_index_map(index));
   return component;
 }
+
+// The components of faces that are added one by one, by union-find.
+class Face_components
+{
+  typedef boost::typed_identity_property_map<Index> Face_index;
+  typedef boost::iterator_property_map<std::vector<Index>::iterator, Face_index> Map;
+
+  std::vector<Index> rank_, parent_;
+  boost::disjoint_sets<Map, Map> sets_;
+  std::size_t number_ = 0;
+
+public:
+  explicit Face_components(std::size_t number_of_faces)
+    : rank_(number_of_faces), parent_(number_of_faces),
+      sets_(Map(rank_.begin(), Face_index()), Map(parent_.begin(), Face_index())) {}
+
+  Face_components(const Face_components&) = delete; // the sets look into the vectors
+  Face_components& operator=(const Face_components&) = delete;
+
+  void add(Index f)
+  {
+    sets_.make_set(f);
+    ++number_;
+  }
+
+  // Two faces that were added.
+  void join(Index f, Index g)
+  {
+    const Index a = sets_.find_set(f), b = sets_.find_set(g);
+    if (a == b)
+      return;
+    sets_.link(a, b);
+    --number_;
+  }
+
+  std::size_t number() const { return number_; }
+};
 
 inline std::vector<double> component_areas(const Face_dual_graph& graph,
                                            const std::vector<Index>& component, std::size_t number)

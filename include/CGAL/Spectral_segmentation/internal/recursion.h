@@ -5,6 +5,7 @@
 #define CGAL_SPECTRAL_SEGMENTATION_INTERNAL_RECURSION_H
 
 #include <CGAL/Spectral_segmentation/Segment_tree.h>
+#include <CGAL/Spectral_segmentation/internal/Cut.h>
 #include <CGAL/Spectral_segmentation/internal/Face_dual_graph.h>
 #include <CGAL/Spectral_segmentation/internal/Monitor.h>
 #include <CGAL/Spectral_segmentation/internal/best_cut.h>

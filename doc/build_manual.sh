@@ -1,0 +1,11 @@
+#!/bin/bash
+# Copyright (c) 2026  The Spectral_segmentation authors.
+# SPDX-License-Identifier: GPL-3.0-or-later
+#
+# build_manual.sh DOXYGEN DOXYFILE PYTHON HTML_FOLDER
+# Builds the manual, and fails for a warning of Doxygen or a link or picture that leads nowhere.
+
+set -euo pipefail
+mkdir -p "$4/pictures"
+"$1" "$2"
+"$3" "$(dirname "$0")/check_links.py" "$4"

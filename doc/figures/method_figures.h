@@ -1,0 +1,269 @@
+// Copyright (c) 2026  The Spectral_segmentation authors.
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef MANUAL_FIGURES_METHOD_FIGURES_H
+#define MANUAL_FIGURES_METHOD_FIGURES_H
+
+#include "Picture_book.h"
+#include "segmentations.h"
+
+#include <CGAL/Spectral_segmentation/internal/embedding.h>
+#include <CGAL/Spectral_segmentation/internal/initialization.h>
+#include <CGAL/Spectral_segmentation/internal/line_search.h>
+#include <CGAL/Spectral_segmentation/internal/options.h>
+#include <CGAL/Spectral_segmentation/internal/parts.h>
+#include <CGAL/Spectral_segmentation/internal/sampling.h>
+#include <CGAL/Spectral_segmentation/internal/shortest_paths.h>
+
+#include <CGAL/Kernel/global_functions.h>
+#include <CGAL/tags.h>
+
+#include <Eigen/Core>
+#include <Eigen/Eigenvalues>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+// The figures that show how the method of the paper works, from the rooms of the library.
+namespace manual_figures {
+
+namespace internal = CGAL::Spectral_segmentation::internal;
+using internal::Face_dual_graph;
+using internal::Index;
+
+constexpr Rgb white = {245, 245, 245}, light = {205, 205, 205}, dark = {120, 120, 120},
+              red = {200, 30, 30}, blue = {40, 90, 200}, orange = {250, 150, 20};
+
+// With the distances of the paper. Faces and vertices have the numbers of the mesh.
+inline Face_dual_graph graph_of(const Mesh& mesh)
+{
+  return internal::initialize<CGAL::Sequential_tag>(
+    mesh, std::vector<Mesh::Face_index>(mesh.faces_begin(), mesh.faces_end()), mesh.points(),
+    Kernel(), zhang_liu_options(), [] { return true; });
+}
+
+inline Kernel::Point_3 centroid(const Mesh& mesh, Index f)
+{
+  const Mesh::Halfedge_index h = mesh.halfedge(Mesh::Face_index(f));
+  return CGAL::centroid(mesh.point(mesh.source(h)), mesh.point(mesh.target(h)),
+                        mesh.point(mesh.target(mesh.next(h))));
+}
+
+inline Kernel::Point_3 point(const Mesh& mesh, Index v)
+{ return mesh.point(Mesh::Vertex_index(v)); }
+
+// Between two colors, and from blue over white to red.
+inline Rgb mixed(const Rgb& a, const Rgb& b, double share)
+{
+  Rgb result;
+  for (int i = 0; i < 3; ++i)
+    result[i] = static_cast<std::uint8_t>(std::lround(a[i] + share * (b[i] - a[i])));
+  return result;
+}
+
+inline Rgb blue_white_red(double x)
+{ return x < 0.5 ? mixed(blue, white, 2 * x) : mixed(white, red, 2 * x - 1); }
+
+// The dual graph of a small mesh: edges by the sign of their bending, arcs by their weight.
+inline void draw_dual_graph(Picture_book& book, const Named_mesh& shape)
+{
+  const Face_dual_graph graph = graph_of(shape.mesh);
+  Picture edges{shape, "edges of the mesh: concave in red, convex in blue",
+                std::vector<Rgb>(graph.number_of_faces(), white)};
+  Picture arcs{shape, "arcs of the dual graph: the darker and thicker, the longer",
+               std::vector<Rgb>(graph.number_of_faces(), white)};
+  for (Index h = 0; h < graph.halfedges.size(); ++h) {
+    if (graph.is_border(h) || h > graph.opposite(h))
+      continue;
+    const Face_dual_graph::Halfedge& e = graph.halfedges[h];
+    const Kernel::Point_3 a = point(shape.mesh, graph.source_vertex(h)),
+                          b = point(shape.mesh, graph.target_vertex(h));
+    const bool is_concave = e.concavity > 0;
+    edges.add_tube(a, b, is_concave ? red : blue, is_concave ? 1.5 : 0.7);
+    const Rgb color = mixed({190, 190, 190}, is_concave ? red : Rgb{0, 0, 0}, e.combined);
+    const Kernel::Point_3 middle = CGAL::midpoint(a, b);
+    for (Index f : {h / 3, e.neighbor})
+      arcs.add_tube(centroid(shape.mesh, f), middle, color, 0.4 + 1.6 * e.combined);
+  }
+  book.add("dual_graph", edges);
+  book.add("dual_graph", arcs);
+}
+
+// Each face's context as a color: its three principal components are red, green and blue.
+inline std::vector<Rgb> context_colors(const internal::Shape_contexts& contexts)
+{
+  const Eigen::Index k = static_cast<Eigen::Index>(contexts.references.size());
+  const Eigen::Index n = static_cast<Eigen::Index>(contexts.values.size()) / k;
+  Eigen::MatrixXd vectors =
+    Eigen::Map<const Eigen::MatrixXf>(contexts.values.data(), k, n).cast<double>();
+  vectors.colwise() -= vectors.rowwise().mean().eval();
+  const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> solver(vectors * vectors.transpose());
+  Eigen::MatrixXd components = solver.eigenvectors().rightCols(3).transpose() * vectors;
+  std::vector<Rgb> colors(n);
+  for (int i = 0; i < 3; ++i) {
+    const double smallest = components.row(i).minCoeff(), largest = components.row(i).maxCoeff();
+    for (Eigen::Index f = 0; f < n; ++f)
+      colors[f][i] = static_cast<std::uint8_t>(
+        40 + 200 * (components(i, f) - smallest) / (largest - smallest));
+  }
+  return colors;
+}
+
+inline std::vector<Rgb> context_norm_colors(const internal::Shape_contexts& contexts)
+{
+  std::vector<double> norms;
+  const std::size_t k = contexts.references.size();
+  for (Index f = 0; f < contexts.values.size() / k; ++f)
+    norms.push_back(Eigen::Map<const Eigen::VectorXf>(contexts[f], k).norm());
+  const auto [smallest, largest] = std::minmax_element(norms.begin(), norms.end());
+  std::vector<Rgb> colors;
+  for (double norm : norms)
+    colors.push_back(blue_white_red((norm - *smallest) / (*largest - *smallest)));
+  return colors;
+}
+
+inline void add_samples(Picture& picture, const internal::Sample_faces& samples)
+{
+  picture.add_ball(centroid(picture.shape.mesh, samples.s), red);
+  picture.add_ball(centroid(picture.shape.mesh, samples.t), orange);
+}
+
+inline internal::Shape_contexts contexts_of(const Face_dual_graph& graph)
+{
+  return internal::shape_contexts<CGAL::Sequential_tag>(
+    graph, internal::farthest_face_from_center(graph),
+    zhang_liu_options().number_of_reference_faces, [] {});
+}
+
+inline void draw_contexts(Picture_book& book, const Named_mesh& shape)
+{
+  const Face_dual_graph graph = graph_of(shape.mesh);
+  const internal::Shape_contexts contexts = contexts_of(graph);
+  Picture colors{shape, "reference faces, and contexts: like colors are like contexts",
+                 context_colors(contexts)};
+  for (Index reference : contexts.references)
+    colors.add_ball(centroid(shape.mesh, reference), {0, 0, 0});
+  book.add("contexts", colors);
+  Picture norms{shape, "norm of the context, from blue to red; f_s is the red ball, f_t the orange",
+                context_norm_colors(contexts)};
+  add_samples(norms, internal::sample_faces(contexts));
+  book.add("contexts", norms);
+}
+
+// The line of two samples, and what was found along it.
+struct Searched_line
+{
+  internal::Sample_faces samples;
+  std::vector<double> from_s, from_t;
+  std::vector<Index> order;
+  std::optional<internal::Cut> best;
+  Json steps = Json::array();
+
+  Searched_line(const Face_dual_graph& graph, const internal::Sample_faces& given)
+    : samples(given),
+      from_s(internal::shortest_paths(graph, samples.s, &Face_dual_graph::Halfedge::combined)),
+      from_t(internal::shortest_paths(graph, samples.t, &Face_dual_graph::Halfedge::combined)),
+      order(internal::spectral_order(from_s, from_t))
+  {
+    const Options options = zhang_liu_options();
+    const double area = internal::total_area(graph);
+    best = internal::line_search(
+      graph, order, options.part_salience, options.minimum_segment_size * area,
+      [&](std::size_t size, const CGAL::Spectral_segmentation::Salience_factors& f, double salience)
+      { steps.push_back({size, f.size, f.cut_strength, f.protrusiveness, salience}); });
+  }
+};
+
+inline void add_cut(Picture& picture, const Face_dual_graph& graph, const internal::Cut& cut)
+{
+  const Mesh& mesh = picture.shape.mesh;
+  for (Index h = 0; h < graph.halfedges.size(); ++h)
+    if (cut.side[h / 3] == 0 && cut.side[graph.halfedges[h].neighbor] == 1)
+      picture.add_tube(point(mesh, graph.source_vertex(h)), point(mesh, graph.target_vertex(h)),
+                       red, 3);
+}
+
+// As Figure 1 of the paper: the regions of the two samples, and the best cut along their line.
+inline void draw_regions(Picture_book& book, const Named_mesh& shape, const Face_dual_graph& graph,
+                         const Searched_line& line, const std::string& caption)
+{
+  std::vector<Rgb> colors;
+  for (Index f = 0; f < graph.number_of_faces(); ++f)
+    colors.push_back(line.from_s[f] < line.from_t[f] ? dark : light);
+  char salience[20];
+  std::snprintf(salience, sizeof salience, "%.2f", line.best->salience);
+  Picture picture{shape, caption + ": salience of the best cut " + salience, colors};
+  add_samples(picture, line.samples);
+  add_cut(picture, graph, *line.best);
+  book.add("samples", picture);
+}
+
+// The face nearest to a place.
+inline Index face_at(const Mesh& mesh, const Kernel::Point_3& place)
+{
+  Index best = 0;
+  for (Index f = 1; f < mesh.number_of_faces(); ++f)
+    if (CGAL::compare_distance_to_point(place, centroid(mesh, f), centroid(mesh, best)) ==
+        CGAL::SMALLER)
+      best = f;
+  return best;
+}
+
+// `same_part` are two places on one part of the shape.
+inline void draw_samples_and_line(Picture_book& book, const Named_mesh& shape,
+                                  const std::array<Kernel::Point_3, 2>& same_part)
+{
+  const Face_dual_graph graph = graph_of(shape.mesh);
+  const Searched_line good(graph, internal::sample_faces(contexts_of(graph)));
+  const Searched_line bad(graph, {face_at(shape.mesh, same_part[0]),
+                                  face_at(shape.mesh, same_part[1])});
+  draw_regions(book, shape, graph, good, "(a) samples by shape context");
+  draw_regions(book, shape, graph, bad, "(b) two samples in one part");
+
+  std::vector<Rgb> rank(graph.number_of_faces());
+  for (std::size_t i = 0; i < good.order.size(); ++i)
+    rank[good.order[i]] = blue_white_red(static_cast<double>(i) / (good.order.size() - 1));
+  Picture order{shape, "order of the faces on the line, from f_s (blue) to f_t (red)", rank};
+  add_cut(order, graph, *good.best);
+  book.add("line", order);
+  std::vector<Rgb> sides;
+  for (char side : good.best->side)
+    sides.push_back(side == 0 ? orange : light);
+  book.add("line", {shape, "best cut: Q in orange, the rest in grey", sides});
+  book.add_chart("line_search", {{"good", good.steps}, {"bad", bad.steps},
+                                 {"number_of_faces", graph.number_of_faces()},
+                                 {"threshold", zhang_liu_options().salience_threshold}});
+}
+
+// The tree of cuts, and what is read off it for some numbers of segments.
+inline void draw_tree(Picture_book& book, const Named_mesh& shape)
+{
+  const Segment_tree tree = segment_tree(shape.mesh, calibrated_options());
+  Row_colors colors;
+  const double none = -std::numeric_limits<double>::infinity();
+  const Labels pieces = tree.labels(tree.number_of_segments(), none);
+  for (std::size_t n : {std::size_t(2), std::size_t(4), std::size_t(8)})
+    add_segments(book, "tree", shape, colors, tree.labels(n, none), "at most " + std::to_string(n));
+  const std::vector<Rgb> of_pieces = colors(pieces);
+  book.add("tree", {shape, "all leaves: " + count(tree.number_of_segments(), "pieces"), of_pieces});
+
+  Json nodes = Json::array();
+  for (std::size_t i = 0; i < tree.number_of_nodes(); ++i) {
+    const Segment_tree::Node& node = tree.node(i);
+    Json entry = {{"salience", node.salience}, {"color", of_pieces[*tree.faces(i).begin()]}};
+    if (!node.is_leaf())
+      entry["children"] = {node.children[0], node.children[1]};
+    nodes.push_back(std::move(entry));
+  }
+  book.add_chart("tree", {{"nodes", std::move(nodes)}, {"threshold", tree.salience_threshold()}});
+}
+
+} // namespace manual_figures
+
+#endif // MANUAL_FIGURES_METHOD_FIGURES_H

@@ -1,0 +1,119 @@
+// Copyright (c) 2026  The Spectral_segmentation authors.
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef MANUAL_FIGURES_PARAMETER_FIGURES_H
+#define MANUAL_FIGURES_PARAMETER_FIGURES_H
+
+#include "Picture_book.h"
+#include "segmentations.h"
+
+#include <CGAL/Polygon_mesh_processing/bbox.h>
+#include <CGAL/Polygon_mesh_processing/random_perturbation.h>
+
+#include <cmath>
+#include <cstddef>
+#include <limits>
+#include <sstream>
+#include <string>
+#include <vector>
+
+// Rows of pictures: one mesh, one parameter, some values; and the same with methods.
+namespace manual_figures {
+
+template <class Value>
+std::string caption_of(const char* parameter, const Value& value, const Value& default_value)
+{
+  std::ostringstream out;
+  out << std::boolalpha << parameter << ' ' << value;
+  if (value == default_value)
+    out << " (default)";
+  return out.str();
+}
+
+// A row of runs of `method`, with values of the option `member`; the default is that of the method.
+template <class Value>
+void draw_row(Picture_book& book, const char* parameter, Value Options::*member,
+              const Options& method, const Named_mesh& shape, const std::vector<Value>& values)
+{
+  Row_colors colors;
+  for (const Value& value : values) {
+    Options options = method;
+    options.*member = value;
+    add_segments(book, parameter, shape, colors, segment(shape.mesh, options),
+                 caption_of(parameter, value, method.*member));
+  }
+}
+
+// Each coordinate of a vertex moves by at most `share` of the diagonal of the bounding box.
+inline Named_mesh noisy(const Named_mesh& shape, double share)
+{
+  namespace PMP = CGAL::Polygon_mesh_processing;
+  Named_mesh result = shape;
+  const CGAL::Bbox_3 box = PMP::bbox(shape.mesh);
+  const double diagonal = std::hypot(box.x_span(), box.y_span(), box.z_span());
+  PMP::random_perturbation(result.mesh, share * diagonal,
+                           CGAL::parameters::do_project(false).random_seed(0));
+  return result;
+}
+
+// The rows about the tree read one tree.
+inline void draw_rows_of_tree(Picture_book& book, const Named_mesh& shape)
+{
+  const Segment_tree tree = segment_tree(shape.mesh, calibrated_options());
+  const std::size_t no_limit = (std::numeric_limits<std::size_t>::max)();
+  const double infinity = std::numeric_limits<double>::infinity();
+  Row_colors colors;
+  for (double threshold : {0.9, 0.6, tree.salience_threshold(), 0.1})
+    add_segments(book, "salience_threshold", shape, colors, tree.labels(no_limit, threshold),
+                 caption_of("salience_threshold", threshold, tree.salience_threshold()));
+  colors = Row_colors();
+  for (std::size_t n : {2, 5, 10, 20})
+    add_segments(book, "maximum_number_of_segments", shape, colors, tree.labels(n, -infinity),
+                 caption_of("maximum_number_of_segments", n, no_limit));
+}
+
+inline void draw_parameters(Picture_book& book, const Named_mesh& limbs, const Named_mesh& coarse,
+                            const Named_mesh& fine)
+{
+  const Options calibrated = calibrated_options(), paper = zhang_liu_options();
+  draw_rows_of_tree(book, limbs);
+  draw_row(book, "minimum_segment_size", &Options::minimum_segment_size, calibrated, fine,
+           {0.0, calibrated.minimum_segment_size, 0.02, 0.1});
+  draw_row(book, "number_of_pieces", &Options::number_of_pieces, calibrated, limbs,
+           {5, 10, calibrated.number_of_pieces, 40});
+  const Named_mesh noise = noisy(coarse, 0.004);
+  draw_row(book, "concavity_radius", &Options::concavity_radius, calibrated, noise,
+           {0.0, 0.01, calibrated.concavity_radius, 0.06});
+  draw_row(book, "number_of_smoothing_iterations", &Options::number_of_smoothing_iterations, paper,
+           noise, {0, 1, 3, 10});
+  draw_row(book, "boundary_smoothing", &Options::boundary_smoothing, paper, noise, {false, true});
+}
+
+inline void draw_methods(Picture_book& book, const std::vector<const Named_mesh*>& shapes)
+{
+  for (const Named_mesh* shape : shapes) {
+    Row_colors colors;
+    add_segments(book, "methods", *shape, colors, segment(shape->mesh, calibrated_options()),
+                 "CALIBRATED");
+    add_segments(book, "methods", *shape, colors, segment(shape->mesh, zhang_liu_options()),
+                 "ZHANG_LIU_2005");
+  }
+}
+
+inline void draw_sdf_comparison(Picture_book& book, const std::vector<const Named_mesh*>& shapes)
+{
+  for (const Named_mesh* shape : shapes) {
+    Row_colors colors;
+    add_segments(book, "sdf", *shape, colors, segment(shape->mesh, calibrated_options()),
+                 "this package");
+    const Sdf_segmentation sdf(shape->mesh);
+    add_segments(book, "sdf", *shape, colors, sdf.by_default(), "SDF, default");
+    for (std::size_t clusters : {5, 10})
+      add_segments(book, "sdf", *shape, colors, sdf.by_flow_of_boost(clusters),
+                   "SDF, Boost's flow, " + count(clusters, "clusters"));
+  }
+}
+
+} // namespace manual_figures
+
+#endif // MANUAL_FIGURES_PARAMETER_FIGURES_H

@@ -1,0 +1,115 @@
+// Copyright (c) 2026  The Spectral_segmentation authors.
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef MANUAL_FIGURES_SEGMENTATIONS_H
+#define MANUAL_FIGURES_SEGMENTATIONS_H
+
+#include "Picture_book.h"
+#include "Row_colors.h"
+
+#include <CGAL/Spectral_segmentation/internal/options.h>
+#include <CGAL/mesh_segmentation.h>
+#include <CGAL/segment_spectral_recursive.h>
+
+#include <boost/property_map/vector_property_map.hpp>
+
+#include <algorithm>
+#include <cstddef>
+#include <string>
+#include <vector>
+
+namespace manual_figures {
+
+namespace params = CGAL::Spectral_segmentation::parameters;
+using CGAL::Spectral_segmentation::Segment_tree;
+using CGAL::Spectral_segmentation::internal::Options;
+using CGAL::Spectral_segmentation::internal::calibrated_options;
+
+inline std::size_t number_of_segments(const Labels& labels)
+{ return 1 + *std::max_element(labels.begin(), labels.end()); }
+
+inline std::string count(std::size_t n, const std::string& things)
+{ return std::to_string(n) + " " + (n == 1 ? things.substr(0, things.size() - 1) : things); }
+
+// In one pack, as the whole method is compiled for each type of a pack.
+inline Segment_tree segment_tree(const Mesh& mesh, const Options& o)
+{
+  Segment_tree tree;
+  CGAL::segment_spectral_recursive(
+    mesh, boost::vector_property_map<std::size_t>(mesh.number_of_faces()),
+    params::part_salience(o.part_salience)
+      .maximum_number_of_segments(o.maximum_number_of_segments)
+      .minimum_segment_size(o.minimum_segment_size)
+      .salience_threshold(o.salience_threshold)
+      .geodesic_weight(o.geodesic_weight)
+      .concavity_radius(o.concavity_radius)
+      .single_source_orderings(o.single_source_orderings)
+      .thickness_orderings(o.thickness_orderings)
+      .number_of_candidates(o.number_of_candidates)
+      .number_of_refined_candidates(o.number_of_refined_candidates)
+      .number_of_pieces(o.number_of_pieces)
+      .number_of_smoothing_iterations(o.number_of_smoothing_iterations)
+      .boundary_smoothing(o.boundary_smoothing)
+      .segment_tree(tree));
+  return tree;
+}
+
+inline Labels segment(const Mesh& mesh, const Options& options)
+{ return segment_tree(mesh, options).labels(); }
+
+inline Options zhang_liu_options() { return Options(); }
+
+// Segmentations by the shape diameter function, from values that are computed once.
+class Sdf_segmentation
+{
+  Mesh mesh_;
+  Mesh::Property_map<Mesh::Face_index, double> values_;
+
+public:
+  explicit Sdf_segmentation(const Mesh& mesh)
+    : mesh_(mesh), values_(mesh_.add_property_map<Mesh::Face_index, double>("f:sdf").first)
+  { CGAL::sdf_values(mesh_, values_); }
+
+  // With all defaults of CGAL.
+  Labels by_default() const
+  {
+    boost::vector_property_map<std::size_t> ids(mesh_.number_of_faces());
+    CGAL::segmentation_from_sdf_values(mesh_, values_, ids);
+    return labels(ids);
+  }
+
+  // With Boost's maximum flow, as with CGAL_DO_NOT_USE_BOYKOV_KOLMOGOROV_MAXFLOW_SOFTWARE. The code
+  // that is the default adds the flow of each expansion to that of the next and ends early.
+  Labels by_flow_of_boost(std::size_t number_of_clusters) const
+  {
+    typedef boost::property_map<Mesh, CGAL::vertex_point_t>::const_type Points;
+    CGAL::internal::Surface_mesh_segmentation<
+      Mesh, Kernel, Points, true, CGAL::Alpha_expansion_boost_compressed_sparse_row_tag>
+      algorithm(mesh_, Kernel(), get(CGAL::vertex_point, mesh_));
+    boost::vector_property_map<std::size_t> ids(mesh_.number_of_faces());
+    const double default_lambda = 0.26;
+    algorithm.partition(number_of_clusters, default_lambda, values_, ids, true);
+    return labels(ids);
+  }
+
+private:
+  Labels labels(const boost::vector_property_map<std::size_t>& ids) const
+  {
+    Labels result;
+    for (Mesh::Face_index f : mesh_.faces())
+      result.push_back(ids[f]);
+    return result;
+  }
+};
+
+// Adds a picture of a segmentation, with the number of segments in its caption.
+inline void add_segments(Picture_book& book, const std::string& figure, const Named_mesh& shape,
+                         Row_colors& colors, const Labels& labels, const std::string& caption)
+{
+  book.add(figure, {shape, caption + ": " + count(number_of_segments(labels), "segments"),
+                    colors(labels)});
+}
+
+} // namespace manual_figures
+
+#endif // MANUAL_FIGURES_SEGMENTATIONS_H

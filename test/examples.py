@@ -1,0 +1,298 @@
+#!/usr/bin/env python3
+# Copyright (c) 2026  The Spectral_segmentation authors.
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Tests an example: examples.py EXAMPLE MESHES, with the directory of CGAL's meshes."""
+
+import collections
+import os
+import pathlib
+import random
+import re
+import struct
+import subprocess
+import sys
+import tempfile
+import unittest
+
+from segment_mesh import dumbbell, read_off, tube, write_off
+
+EXAMPLE = None
+MESHES = None
+
+
+def read_ply(path):
+    """Points, faces, and the other properties of the faces by name, of a binary PLY."""
+    letters = {"uchar": "B", "int": "i", "uint": "I", "float": "f", "double": "d"}
+    header, body = path.read_bytes().split(b"end_header\n", 1)
+    counts, names, formats = {}, {"vertex": [], "face": []}, {"vertex": "<", "face": "<"}
+    for line in header.decode().splitlines():
+        words = line.split()
+        if words[0] == "element":
+            element = words[1]
+            counts[element] = int(words[2])
+        elif words[:2] == ["property", "list"]:
+            formats[element] += letters[words[2]] + "3" + letters[words[3]]
+        elif words[0] == "property":
+            names[element].append(words[2])
+            formats[element] += letters[words[1]]
+    size = counts["vertex"] * struct.calcsize(formats["vertex"])
+    points = [row[:3] for row in struct.iter_unpack(formats["vertex"], body[:size])]
+    rows = list(struct.iter_unpack(formats["face"], body[size:]))
+    assert len(rows) == counts["face"] and all(row[0] == 3 for row in rows)
+    return (points, [row[1:4] for row in rows],
+            {name: [row[4 + i] for row in rows] for i, name in enumerate(names["face"])})
+
+
+def cross(a, b):
+    return (a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0])
+
+
+def dot(a, b):
+    return sum(x * y for x, y in zip(a, b))
+
+
+def minus(a, b):
+    return tuple(x - y for x, y in zip(a, b))
+
+
+def volume(points, faces):
+    return sum(dot(points[a], cross(points[b], points[c])) for a, b, c in faces) / 6
+
+
+def directed_edges(faces):
+    return [(face[i - 1], face[i]) for face in faces for i in range(3)]
+
+
+def is_closed(faces):
+    """Whether each edge has a face on both sides."""
+    edges = set(directed_edges(faces))
+    return len(edges) == 3 * len(faces) and edges == {(b, a) for a, b in edges}
+
+
+def connected_sets(faces):
+    """The faces, in one list for each set that is connected across edges."""
+    faces_at = collections.defaultdict(list)
+    for i, face in enumerate(faces):
+        for a, b in directed_edges([face]):
+            faces_at[min(a, b), max(a, b)].append(i)
+    sets, is_seen = [], set()
+    for start in range(len(faces)):
+        if start in is_seen:
+            continue
+        is_seen.add(start)
+        members = [start]
+        for i in members:
+            for a, b in directed_edges([faces[i]]):
+                new = [j for j in faces_at[min(a, b), max(a, b)] if j not in is_seen]
+                is_seen.update(new)
+                members += new
+        sets.append([faces[i] for i in members])
+    return sets
+
+
+def faces_of_segments(faces, labels):
+    result = collections.defaultdict(list)
+    for face, label in zip(faces, labels):
+        result[label].append(face)
+    return result
+
+
+def outer_planes(points, faces):
+    """Point and outer normal of the plane of each face."""
+    return [(points[a], cross(minus(points[b], points[a]), minus(points[c], points[a])))
+            for a, b, c in faces]
+
+
+def is_inside(point, planes, tolerance):
+    return all(dot(minus(point, origin), normal) <= tolerance * dot(normal, normal) ** 0.5
+               for origin, normal in planes)
+
+
+class Example(unittest.TestCase):
+
+    def setUp(self):
+        directory = tempfile.TemporaryDirectory()
+        self.addCleanup(directory.cleanup)
+        self.directory = pathlib.Path(directory.name)
+
+    def run_example(self, *arguments):
+        """What it prints. Without arguments it reads the elephant."""
+        done = subprocess.run(
+            [EXAMPLE, *map(str, arguments)], cwd=self.directory, text=True, check=False,
+            stdin=subprocess.DEVNULL, stdout=subprocess.PIPE, stderr=subprocess.PIPE, timeout=300,
+            env={**os.environ, "CGAL_DATA_DIR": str(MESHES.parent), "CGAL_TEST_SUITE": "1"})
+        self.assertEqual((done.returncode, done.stderr), (0, ""))
+        return done.stdout
+
+    def numbers(self, pattern, output):
+        """The numbers in the only line of the output, which has the pattern."""
+        match = re.fullmatch(pattern + r"\n", output)
+        self.assertTrue(match, output)
+        return [float(x) for x in match.groups()]
+
+    def write(self, points, faces):
+        write_off(self.directory / "mesh.off", points, faces)
+        return "mesh.off"
+
+    def ply(self):
+        return read_ply(self.directory / "segments.ply")
+
+    def check_segments(self, faces, labels, n):
+        self.assertEqual(len(labels), len(faces))
+        segments = faces_of_segments(faces, labels)
+        self.assertEqual(sorted(segments), list(range(int(n))))
+        for segment in segments.values():
+            self.assertEqual(len(connected_sets(segment)), 1)
+
+    def check_labels(self, read_labels):
+        """Two balls are two segments, and an elephant is many."""
+        points, faces = dumbbell()
+        self.assertEqual(self.run_example(self.write(points, faces)), "2 segments\n")
+        self.assertEqual(len(faces) % 2, 0)
+        half = [0] * (len(faces) // 2)
+        labels = read_labels()
+        self.assertLessEqual(sum(a != b for a, b in zip(labels, half + [1 for _ in half])), 32)
+
+        n, = self.numbers(r"(\d+) segments", self.run_example())
+        self.assertGreater(n, 6)
+        self.check_segments(read_off(MESHES / "elephant.off")[1], read_labels(), n)
+
+    def labels_in_text(self):
+        return [int(line) for line in (self.directory / "segments.txt").read_text().splitlines()]
+
+    def test_segment_surface_mesh(self):
+        self.check_labels(lambda: self.ply()[2]["segment"])
+
+    def test_segment_polyhedron(self):
+        self.check_labels(self.labels_in_text)
+
+    def test_segment_linear_cell_complex(self):
+        self.check_labels(self.labels_in_text)
+
+    def test_segment_openmesh(self):
+        n, = self.numbers(r"(\d+) segments", self.run_example())
+        self.assertGreater(n, 6)
+        header = (self.directory / "segments.ply").read_bytes().split(b"end_header")[0].decode()
+        self.assertRegex(header, r"element face 5558\n.*\n(property uchar (red|green|blue)\n){3}")
+
+    def test_segment_part_again(self):
+        n, region, m = self.numbers(r"(\d+) segments; segment (\d+) is cut in (\d+) again",
+                                    self.run_example())
+        self.assertLess(region, n)
+        self.assertGreater(m, 1)
+        _, faces, properties = self.ply()
+        self.check_segments(faces, properties["segment"], n + m - 1)
+
+    def test_choose_number_of_segments(self):
+        labels = {}
+        for n in (3, 7):
+            output = self.run_example(MESHES / "elephant.off", n)
+            _, *cuts, last = output.splitlines()
+            self.assertEqual(last, "%d segments are written" % n)
+            _, faces, properties = self.ply()
+            labels[n] = properties["segment"]
+            self.check_segments(faces, labels[n], n)
+        numbers, probabilities = zip(*(map(float, line.split()) for line in cuts))
+        self.assertEqual(list(numbers), list(range(2, len(cuts) + 2)))
+        self.assertEqual(list(probabilities), sorted(probabilities, reverse=True))
+        self.assertTrue(all(0 <= p <= 1 for p in probabilities))
+        self.assertEqual(len(set(zip(labels[3], labels[7]))), 7, "the few are unions of the many")
+
+    def test_own_part_salience(self):
+        pattern = r"(\d+) segments, .*"
+        ball = [5., 8., 9.5, 10., 9.5, 8., 5.]
+        rod = [1.] * 20
+        self.assertEqual(
+            self.numbers(pattern, self.run_example(self.write(*tube(ball + rod)))), [2])
+        self.assertEqual(self.numbers(pattern, self.run_example(self.write(*dumbbell()))), [1])
+        n, = self.numbers(pattern, self.run_example())
+        _, faces, properties = self.ply()
+        self.check_segments(faces, properties["segment"], n)
+
+    def test_progress_and_cancel(self):
+        *cuts, last = self.run_example().splitlines()
+        self.assertRegex(last, r"^\d+ segments, finished$")
+        numbers = [int(line.split(" parts by a cut of salience ")[0]) for line in cuts]
+        self.assertEqual(numbers, list(range(2, len(cuts) + 2)))
+        self.assertEqual(self.run_example(MESHES / "elephant.off", 0), "1 segments, stopped\n")
+        self.assertEqual(set(self.ply()[2]["segment"]), {0})
+
+    def volumes_of_parts(self, output):
+        volumes = []
+        for i, line in enumerate(output.splitlines()):
+            points, faces = read_off(self.directory / ("part_%d.off" % i))
+            self.assertTrue(is_closed(faces), line)
+            volumes.append(volume(points, faces))
+            self.assertGreater(volumes[-1], 0)
+            self.assertEqual(line, "part %d: volume %g" % (i, volumes[-1]))
+        return volumes
+
+    def test_parts_as_closed_meshes(self):
+        self.assertGreater(len(self.volumes_of_parts(self.run_example())), 6)
+        balls = dumbbell()
+        volumes = self.volumes_of_parts(self.run_example(self.write(*balls)))
+        self.assertEqual(len(volumes), 2)
+        self.assertAlmostEqual(sum(volumes), volume(*balls), places=6)
+
+    def test_collision_shapes(self):
+        n, number_of_faces, percentage = self.numbers(
+            r"(\d+) convex shapes with (\d+) faces in place of 5558; "
+            r"they take ([\d.]+) % of the space of one shape around all", self.run_example())
+        points, faces, _ = read_ply(self.directory / "collision_shapes.ply")
+        self.assertEqual(len(faces), number_of_faces)
+        self.assertTrue(is_closed(faces))
+        shapes = [(outer_planes(points, shape), {v for face in shape for v in face})
+                  for shape in connected_sets(faces)]
+        self.assertEqual(len(shapes), n)
+        for planes, vertices in shapes:
+            self.assertTrue(all(is_inside(points[v], planes, 1e-6) for v in vertices))
+        mesh_points, mesh_faces = read_off(MESHES / "elephant.off")
+        for p in mesh_points:
+            self.assertTrue(any(is_inside(p, planes, 1e-6) for planes, _ in shapes))
+        self.assertGreater(volume(points, faces), volume(mesh_points, mesh_faces))
+        self.assertLess(percentage, 100)
+
+    def test_curve_skeleton_of_parts(self):
+        self.assertEqual(self.run_example(self.write(*dumbbell())), "2 parts, 1 joints\n")
+        text = (self.directory / "skeleton.polylines.txt").read_text()
+        polylines = [[float(x) for x in line.split()] for line in text.splitlines()]
+        self.assertEqual([line[0] for line in polylines], [3, 2, 2])
+        ends = [z for line in polylines for z in line[3::3]]
+        for z, expected in zip(ends, (3.5, 8, 12.5, 3.5, -0.5, 12.5, 16.5)):
+            self.assertAlmostEqual(z, expected, delta=0.6)
+        for line in polylines[:1]:
+            self.assertTrue(all(abs(x) < 1e-4 for x in line[1::3] + line[2::3]))
+
+        n, joints = self.numbers(r"(\d+) parts, (\d+) joints", self.run_example())
+        self.assertGreater(n, 6)
+        self.assertEqual(joints, n - 1)
+
+    def test_read_any_file(self):
+        """Polygons of a file, then triangles without common points, turned at random, one twice."""
+        self.assertEqual(self.run_example(), "220 polygons, 466 triangles, 2 segments\n")
+        random.seed(1)
+        points, triangles = dumbbell()
+        polygons = [list(t) for t in triangles]
+        polygons.append(polygons[7])
+        soup = [polygon[::random.choice((1, -1))] for polygon in polygons]
+        corners = [points[v] for polygon in soup for v in polygon]
+        name = self.write(corners, [range(3 * i, 3 * i + 3) for i in range(len(soup))])
+        self.assertEqual(self.run_example(name), "%d polygons, %d triangles, 2 segments\n" %
+                         (len(triangles), len(triangles)))
+        repaired, faces, _ = self.ply()
+        self.assertTrue(is_closed(faces))
+        self.assertAlmostEqual(volume(repaired, faces), volume(points, triangles), places=6)
+
+    def test_draw_segments(self):
+        n, = self.numbers(r"(\d+) segments", self.run_example())
+        _, faces, properties = self.ply()
+        self.check_segments(faces, properties["segment"], n)
+        colors = set(zip(properties["red"], properties["green"], properties["blue"]))
+        pairs = set(zip(properties["segment"], properties["red"], properties["green"],
+                        properties["blue"]))
+        self.assertEqual((len(colors), len(pairs)), (n, n))
+
+
+if __name__ == "__main__":
+    EXAMPLE, MESHES = os.path.abspath(sys.argv[1]), pathlib.Path(sys.argv[2]).absolute()
+    unittest.main(argv=[sys.argv[0], "Example.test_" + pathlib.Path(EXAMPLE).stem])
