@@ -184,7 +184,8 @@ inline const std::vector<Mesh_change>& mesh_changes()
     {"noise 0.1 %", [](const Mesh& m, CGAL::Random& r) { return with_noise(m, r, 0.001); }},
     {"noise 0.5 %", [](const Mesh& m, CGAL::Random& r) { return with_noise(m, r, 0.005); }},
     {"subdivided", [](const Mesh& m, CGAL::Random&) { return subdivided(m); }},
-    {"decimated", [](const Mesh& m, CGAL::Random&) { return decimated(m, m.number_of_edges() / 2); }},
+    {"decimated",
+     [](const Mesh& m, CGAL::Random&) { return decimated(m, m.number_of_edges() / 2); }},
   };
   return changes;
 }

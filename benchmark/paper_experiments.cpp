@@ -49,7 +49,7 @@ void add_options(CLI::App& app, Options& o)
 
   const auto placement = std::make_shared<Placement_options>();
   CLI::App& samples = add_experiment(
-    app, o, "samples", "Figure 1: line search between samples in the same part, and in different "
+    app, o, "placement", "Figure 1: line search between samples in the same part, and in different "
     "parts", run_placement_of_samples, placement);
   samples.get_option("folder")->required();
   samples.add_option("--pairs", placement->pairs, "of each kind on each mesh")
@@ -72,6 +72,10 @@ void add_options(CLI::App& app, Options& o)
   clusters.add_option("--samples", clustering->samples,
                       "rows of the affinity matrix; it is whole in parts with no more faces")
     ->check(CLI::Range(2, 20000))->capture_default_str();
+  clusters.add_option("--faces", clustering->faces,
+                      "to which the meshes of the benchmark are decimated, so that the matrix can be "
+                      "whole")
+    ->check(CLI::Range(200, 20000))->excludes(mesh);
 
   const auto numbers = std::make_shared<Number_of_samples_options>();
   CLI::App& nystrom = add_experiment(

@@ -3,10 +3,10 @@
 
 #include "../for_each_mesh.h"
 #include "../princeton_benchmark.h"
+#include "evaluation.h"
 #include "experiment.h"
 #include "experiments.h"
 #include "face_samples.h"
-#include "paired_difference.h"
 #include "pictures.h"
 #include "recursive_cuts.h"
 
@@ -112,10 +112,8 @@ Scores scores(const Benchmark_mesh& input, const Experiment_options& o)
   if (!of_parts.empty())
     result.at_first_cut = of_parts.front();
   for (std::size_t i = 0; i < number_of_schemes; ++i) {
-    Mean mean;
-    for (const Values& values : of_parts)
-      mean.add(values[i]);
-    result.over_recursion[i] = mean();
+    result.over_recursion[i] =
+      mean_of(values_of(of_parts, [i](const Values& values) { return values[i]; }));
     const Labels labels = recursive_cuts(
       graph, usual_number_of_segments(input.people), [&](const Part& part)
       { return sides_by(sampling_schemes[i], part.graph, minimum_area(graph), random); });
@@ -126,54 +124,41 @@ Scores scores(const Benchmark_mesh& input, const Experiment_options& o)
 
 typedef Values Scores::*Column;
 
-std::vector<double> values(const std::vector<Scores>& meshes, Column column,
-                           std::size_t scheme)
+std::vector<double> values(const std::vector<Scores>& meshes, Column column, std::size_t scheme)
+{ return values_of(meshes, [=](const Scores& scores) { return (scores.*column)[scheme]; }); }
+
+// Of a scheme against shape context.
+Paired_difference difference(const std::vector<Scores>& meshes, Column column, std::size_t scheme)
 {
-  std::vector<double> result;
-  for (const Scores& scores : meshes)
-    result.push_back((scores.*column)[scheme]);
-  return result;
+  return paired_difference(values(meshes, column, scheme),
+                           values(meshes, column, shape_context_scheme));
 }
 
-double mean(const std::vector<Scores>& meshes, Column column, std::size_t scheme)
-{
-  Mean result;
-  for (double value : values(meshes, column, scheme))
-    result.add(value);
-  return result();
-}
-
-// Whether shape context has larger values than every other scheme, beyond chance.
-bool shape_context_is_largest(const std::vector<Scores>& meshes, Column column)
-{
-  const std::vector<double> of_contexts = values(meshes, column, shape_context_scheme);
-  for (std::size_t i = 0; i < number_of_schemes; ++i)
-    if (i != shape_context_scheme &&
-        !paired_difference(of_contexts, values(meshes, column, i)).is_positive())
-      return false;
-  return true;
-}
-
-void print(const std::vector<Scores>& meshes)
+void print_table(const std::vector<Scores>& meshes)
 {
   std::printf("%-13s%21s%21s%21s\n", "samples", "first cut", "recursion", "Rand error");
   for (std::size_t i = 0; i < number_of_schemes; ++i) {
     std::printf("%-13s", sampling_schemes[i].name);
     for (Column column : {&Scores::at_first_cut, &Scores::over_recursion, &Scores::rand_error}) {
-      const Paired_difference d = paired_difference(
-        values(meshes, column, i), values(meshes, column, shape_context_scheme));
-      std::printf("  %.3f %+.3f+-%.3f", mean(meshes, column, i), d.mean, d.standard_error);
+      const Paired_difference d = difference(meshes, column, i);
+      std::printf("  %.3f %+.3f+-%.3f", mean_of(values(meshes, column, i)), d.mean,
+                  d.standard_error);
     }
     std::printf("\n");
   }
   std::printf("first cut, recursion: share of people who have the two samples in different parts, "
               "of those\nwho have two parts there; Rand error: with people's usual number of "
               "parts; differences from\nshape context with their standard errors\n");
-  const auto verdict = [&](Column column)
-  { return shape_context_is_largest(meshes, column) ? "reproduced" : "not reproduced"; };
-  std::printf("Section 4, that samples by shape context lie in different parts more often than "
-              "all others: %s at the first cut, %s over the recursion.\n",
-              verdict(&Scores::at_first_cut), verdict(&Scores::over_recursion));
+}
+
+void print_claim(const std::vector<Scores>& meshes, Column column, const char* where)
+{
+  std::printf("Section 4, that samples by shape context lie in different parts more often, %s:",
+              where);
+  for (std::size_t i = 0; i < number_of_schemes; ++i)
+    if (i != shape_context_scheme)
+      std::printf(" %s against %s%s", verdict(difference(meshes, column, i).is_negative()),
+                  sampling_schemes[i].name, i + 2 < number_of_schemes ? "," : ".\n");
 }
 
 // The samples of all schemes at the first cut, on the parts of a person.
@@ -182,22 +167,19 @@ void write_picture(const Benchmark_mesh& input, const Experiment_options& o)
   const Pictures pictures(o.pictures);
   const Face_dual_graph graph = paper_graph(input.mesh);
   const Part part = whole_part(graph);
+  const std::vector<CGAL::IO::Color> of_person =
+    pale(segment_colors(input.mesh, input.people.front()));
   for (const Sampling_scheme& scheme : sampling_schemes) {
     Random_engine random = random_engine(o.seed, input.id);
-    std::vector<CGAL::IO::Color> colors;
-    for (std::size_t label : input.people.front()) {
-      const unsigned char shade = static_cast<unsigned char>(160 + 40 * (label % 3));
-      colors.emplace_back(shade, shade, shade);
-    }
+    std::vector<CGAL::IO::Color> colors = of_person;
     for (Index sample : scheme.take(part.graph, 2, random))
-      mark_sample(graph, part.faces[sample], CGAL::IO::Color(200, 20, 40), colors);
-    pictures.write_colors(std::string("samples_by_") + scheme.name, input.mesh, colors);
+      mark_sample(graph, part.faces[sample], CGAL::IO::black(), colors);
+    pictures.write_mesh(std::string("samples by ") + scheme.name, input.mesh, colors);
   }
 }
 
 } // namespace
 
-// The pictures are of the first mesh.
 void run_comparison_of_samplings(const Experiment_options& o)
 {
   const std::vector<int> ids = parse_ids(o.ids);
@@ -209,7 +191,9 @@ void run_comparison_of_samplings(const Experiment_options& o)
     meshes.push_back(scores(read_benchmark_mesh(o.folder, id), o));
     progress.step();
   }
-  print(meshes);
+  print_table(meshes);
+  print_claim(meshes, &Scores::at_first_cut, "at the first cut");
+  print_claim(meshes, &Scores::over_recursion, "over the recursion");
 }
 
 } // namespace segmentation_benchmark

@@ -5,11 +5,12 @@
 #include "../for_each_mesh.h"
 #include "../princeton_benchmark.h"
 #include "../timed.h"
+#include "evaluation.h"
 #include "experiment.h"
 #include "experiments.h"
-#include "paired_difference.h"
 #include "pictures.h"
 #include "recursive_cuts.h"
+#include "simplified.h"
 #include "spectral_clusters.h"
 
 #include <CGAL/Spectral_segmentation/Segmentation_visitor.h>
@@ -95,12 +96,7 @@ Results results(const Benchmark_mesh& input, const Clustering_options& o)
 
 std::vector<double> values(const std::vector<Results>& meshes, std::size_t clusterer,
                            double Result::*member)
-{
-  std::vector<double> result;
-  for (const Results& all : meshes)
-    result.push_back(all[clusterer].*member);
-  return result;
-}
+{ return values_of(meshes, [=](const Results& all) { return all[clusterer].*member; }); }
 
 void print(const std::vector<Results>& meshes)
 {
@@ -109,12 +105,8 @@ void print(const std::vector<Results>& meshes)
     std::printf("%-18s", clusterers[i].name);
     for (const auto& [width, digits, member] : {std::make_tuple(10, 4, &Result::rand_error),
                                                 std::make_tuple(8, 3, &Result::seconds),
-                                                std::make_tuple(8, 1, &Result::megabytes)}) {
-      Mean mean;
-      for (double value : values(meshes, i, member))
-        mean.add(value);
-      std::printf(" %*.*f", width, digits, mean());
-    }
+                                                std::make_tuple(8, 1, &Result::megabytes)})
+      std::printf(" %*.*f", width, digits, mean_of(values(meshes, i, member)));
     std::printf("\n");
   }
   std::printf("means; seconds of the processor and peak memory of the segmentation, the face "
@@ -131,9 +123,8 @@ void print_claim(const std::vector<Results>& meshes)
   std::printf("Section 7.1, that line search is better than k-means: %s against k-way k-means, "
               "whose error is larger by %+.3f +- %.3f, %s against recursive 2-means, by %+.3f +- "
               "%.3f.\n",
-              k_way.is_positive() ? "reproduced" : "not reproduced", k_way.mean,
-              k_way.standard_error, two_means.is_positive() ? "reproduced" : "not reproduced",
-              two_means.mean, two_means.standard_error);
+              verdict(k_way.is_positive()), k_way.mean, k_way.standard_error,
+              verdict(two_means.is_positive()), two_means.mean, two_means.standard_error);
 }
 
 // One mesh in some parts, by each method.
@@ -143,7 +134,8 @@ void run_on_mesh(const Clustering_options& o)
   const Results all = results(paper_graph(mesh), o.parts, o, random_engine(o.seed, 0));
   if (!o.pictures.empty())
     for (std::size_t i = 0; i < clusterers.size(); ++i)
-      Pictures(o.pictures).write_segments(clusterers[i].name, mesh, all[i].labels);
+      Pictures(o.pictures).write_mesh(clusterers[i].name, mesh,
+                                      segment_colors(mesh, all[i].labels));
   print({all});
 }
 
@@ -161,7 +153,8 @@ void run_comparison_with_clustering(const Clustering_options& o)
   std::vector<Results> meshes;
   Progress progress(ids.size());
   for (int id : ids) {
-    meshes.push_back(results(read_benchmark_mesh(o.folder, id), o));
+    const Benchmark_mesh input = read_benchmark_mesh(o.folder, id);
+    meshes.push_back(results(o.faces > 0 ? simplified(input, o.faces) : input, o));
     progress.step();
   }
   print(meshes);

@@ -34,6 +34,7 @@ struct Clustering_options : Experiment_options
   std::string mesh;
   std::size_t parts = 6;     // of this mesh
   std::size_t samples = 100; // rows of the affinity matrix
+  std::size_t faces = 0;     // to which meshes of the benchmark are decimated, if not 0
 };
 
 void run_comparison_with_clustering(const Clustering_options& o);

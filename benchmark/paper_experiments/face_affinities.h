@@ -59,6 +59,17 @@ inline Eigen::MatrixXd normalized(const Eigen::MatrixXd& affinities)
   return scale.asDiagonal() * affinities * scale.asDiagonal();
 }
 
+// The eigenvectors of a part, approximated from the rows of some samples as in Section 5.2, or
+// exact if all faces are samples.
+inline Eigenpairs face_eigenpairs(const Face_dual_graph& part, const std::vector<Index>& samples)
+{
+  namespace internal = CGAL::Spectral_segmentation::internal;
+  const Eigen::MatrixXd rows = affinities(distances_from(part, samples));
+  return samples.size() == part.number_of_faces()
+    ? internal::descending_eigenpairs(normalized(rows))
+    : internal::nystrom_extrapolation(internal::normalized_rows(rows, samples), samples);
+}
+
 // The distance between two vectors after scaling to unit length and choice of the sign: from 0, for
 // the same direction, to the square root of 2.
 inline double direction_error(const Eigen::VectorXd& a, const Eigen::VectorXd& b)

@@ -18,25 +18,27 @@ namespace segmentation_benchmark {
 
 typedef nlohmann::ordered_json Json;
 
-// A folder of what scripts/render.py (meshes) and scripts/plot_lines.py (plots) draw. Names are
-// without the endings of the files.
+// A folder of what scripts/render.py (meshes) and scripts/plot_lines.py (plots) draw. Files have the
+// names that are given, with _ for spaces, and an ending.
 class Pictures
 {
   std::filesystem::path folder_;
 
-  void write_mesh(const std::string& name, const Mesh& mesh) const;
+  std::filesystem::path path(std::string name, const char* ending) const;
 
 public:
   explicit Pictures(const std::string& folder);
 
-  void write_segments(const std::string& name, Mesh mesh, const Labels& labels) const;
-
-  // Of each face.
-  void write_colors(const std::string& name, Mesh mesh,
-                    const std::vector<CGAL::IO::Color>& colors) const;
+  // One color a face.
+  void write_mesh(const std::string& name, Mesh mesh,
+                  const std::vector<CGAL::IO::Color>& colors) const;
 
   void write_plot(const std::string& name, const Json& plot) const;
 };
+
+// The color of each face.
+std::vector<CGAL::IO::Color> segment_colors(Mesh mesh, const Labels& labels);
+std::vector<CGAL::IO::Color> pale(std::vector<CGAL::IO::Color> colors);
 
 // Gives the faces within a small distance of a sample one color.
 void mark_sample(const Face_dual_graph& graph, Index sample, const CGAL::IO::Color& color,

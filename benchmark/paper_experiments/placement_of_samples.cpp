@@ -4,14 +4,12 @@
 #include "../for_each_mesh.h"
 #include "../judged_cuts.h"
 #include "../princeton_benchmark.h"
+#include "evaluation.h"
 #include "experiment.h"
 #include "experiments.h"
 #include "face_samples.h"
-#include "paired_difference.h"
 #include "pictures.h"
 
-#include <CGAL/Spectral_segmentation/internal/Cut_judge.h>
-#include <CGAL/Spectral_segmentation/internal/best_cut.h>
 #include <CGAL/Spectral_segmentation/internal/embedding.h>
 #include <CGAL/Spectral_segmentation/internal/line_search.h>
 #include <CGAL/Spectral_segmentation/internal/shortest_paths.h>
@@ -19,6 +17,7 @@
 #include <algorithm>
 #include <array>
 #include <cstddef>
+#include <cstdint>
 #include <cstdio>
 #include <optional>
 #include <string>
@@ -38,15 +37,8 @@ enum Placement { SAME_PART, DIFFERENT_PARTS, SHAPE_CONTEXT, NUMBER_OF_PLACEMENTS
 constexpr std::array<const char*, NUMBER_OF_PLACEMENTS> names =
   {"in the same part", "in different parts", "by shape context"};
 
-// A cut is found if the borders of people's segments are so near to it.
+// A part is found if its borders are so near to the cut.
 constexpr double enough_agreement = 0.75;
-
-struct Outcome
-{
-  double salience = undefined, agreement = undefined, is_found = undefined;
-};
-
-typedef std::array<Outcome, NUMBER_OF_PLACEMENTS> Outcomes; // by Placement
 
 struct Searched_line
 {
@@ -73,231 +65,176 @@ Searched_line search_line(const Face_dual_graph& part, const Sample_faces& sampl
   return result;
 }
 
-// With respect to some people.
-Outcome outcome(const Part& part, const Sample_faces& samples, double minimum_area,
-                const std::vector<Labels>& people)
+// Two samples and what is found between them.
+struct Trial
 {
-  const std::optional<Cut> cut = search_line(part.graph, samples, minimum_area).cut;
-  Outcome result;
-  if (!cut)
-    return result;
-  result.salience = cut->salience;
-  result.agreement = mean_agreement(
-    Judged_cut{Judged_cut::CANDIDATE, part.faces, cut->side, cut->factors}, people);
-  result.is_found = result.agreement >= enough_agreement;
-  return result;
-}
-
-// Two random faces in the same segment of a person or in different ones, if chance finds some.
-std::optional<Sample_faces> random_pair(const Labels& person, bool in_same,
-                                        Random_engine& random)
-{
-  for (int attempt = 0; attempt < 10000; ++attempt) {
-    const Index s = random_face(person.size(), random), t = random_face(person.size(), random);
-    if (s != t && (person[s] == person[t]) == in_same)
-      return Sample_faces{s, t};
-  }
-  return std::nullopt;
-}
-
-Outcome mean_outcome(const std::vector<Outcome>& all)
-{
-  Mean salience, agreement, is_found;
-  for (const Outcome& o : all) {
-    salience.add(o.salience);
-    agreement.add(o.agreement);
-    is_found.add(o.is_found);
-  }
-  return {salience(), agreement(), is_found()};
-}
-
-Outcomes outcomes(const Benchmark_mesh& input, const Placement_options& o)
-{
-  Random_engine random = random_engine(o.seed, input.id);
-  const Face_dual_graph graph = paper_graph(input.mesh);
-  const Part part = whole_part(graph);
-  const double smallest = minimum_area(graph);
-  Outcomes result;
-  for (Placement placement : {SAME_PART, DIFFERENT_PARTS}) {
-    std::vector<Outcome> all;
-    for (std::size_t i = 0; i < o.pairs; ++i) {
-      const Labels& person = input.people[i % input.people.size()];
-      const auto samples =
-        random_pair(labels_of_part(part, person), placement == SAME_PART, random);
-      if (samples)
-        all.push_back(outcome(part, *samples, smallest, {person}));
-    }
-    result[placement] = mean_outcome(all);
-  }
-  const std::vector<Index> samples = samples_by_contexts(part.graph, 2, random);
-  result[SHAPE_CONTEXT] = outcome(part, {samples[0], samples[1]}, smallest, input.people);
-  return result;
-}
-
-// The picture of the paper, for one mesh: a segment of a person that is evidently a part, and that
-// person's largest segment, in which both samples of (b) lie.
-struct Evident_part
-{
-  std::vector<char> is_in_part, is_in_body; // of each face
+  Sample_faces samples;
+  double salience = undefined, agreement = 0; // of the best cut, if there is one
 };
 
-// Of all segments of people that are cut off by one cut, and are not the body, the most salient.
-std::optional<Evident_part> evident_part(const Part& part, const Face_dual_graph& mesh,
-                                         const std::vector<Labels>& people)
+typedef std::array<std::vector<Trial>, NUMBER_OF_PLACEMENTS> Trials; // by Placement
+
+// The first cut of a mesh.
+class First_cut
 {
-  namespace internal = CGAL::Spectral_segmentation::internal;
-  const internal::Options options;
-  const internal::Judged_mesh judged = internal::judged_mesh(mesh, options);
-  const internal::Judge_of_part judge(part, judged, options);
-  std::optional<Evident_part> result;
-  double largest_salience = 0;
-  for (const Labels& person : people) {
-    const Labels labels = labels_of_part(part, person);
-    std::vector<double> areas(number_of_segments(labels), 0);
-    for (Index f = 0; f < labels.size(); ++f)
-      areas[labels[f]] += part.graph.areas[f];
-    const std::size_t body = static_cast<std::size_t>(
-      std::max_element(areas.begin(), areas.end()) - areas.begin());
-    const auto is_in = [&labels](std::size_t segment) {
-      std::vector<char> result;
-      for (std::size_t label : labels)
-        result.push_back(label == segment);
-      return result;
-    };
-    for (std::size_t segment = 0; segment < areas.size(); ++segment) {
-      const Sides sides = is_in(segment);
-      if (segment == body || !internal::both_sides_are_connected(part.graph, sides))
-        continue;
-      const std::optional<Cut> cut = judge(sides);
-      if (cut && cut->salience > largest_salience) {
-        largest_salience = cut->salience;
-        result = {sides, is_in(body)};
+  const Benchmark_mesh& input_;
+  Face_dual_graph graph_;
+  Part part_;
+  double minimum_area_;
+  Random_engine random_;
+
+  // Two random faces in the same segment or in different ones, if chance finds some.
+  std::optional<Sample_faces> random_pair(const Labels& segments, bool in_same)
+  {
+    for (int attempt = 0; attempt < 10000; ++attempt) {
+      const Index s = random_face(segments.size(), random_),
+                  t = random_face(segments.size(), random_);
+      if (s != t && (segments[s] == segments[t]) == in_same)
+        return Sample_faces{s, t};
+    }
+    return std::nullopt;
+  }
+
+  void add_trial(const Sample_faces& samples, const std::optional<Cut>& cut, const Labels& person,
+                 std::vector<Trial>& trials) const
+  {
+    Trial trial{samples};
+    if (cut) {
+      trial.salience = cut->salience;
+      trial.agreement = agreement(
+        Judged_cut{Judged_cut::CANDIDATE, part_.faces, cut->side, cut->factors}, person);
+    }
+    trials.push_back(trial);
+  }
+
+public:
+  First_cut(const Benchmark_mesh& input, std::uint64_t seed)
+    : input_(input), graph_(paper_graph(input.mesh)), part_(whole_part(graph_)),
+      minimum_area_(segmentation_benchmark::minimum_area(graph_)),
+      random_(random_engine(seed, input.id)) {}
+
+  Searched_line search(const Sample_faces& samples) const
+  { return search_line(part_.graph, samples, minimum_area_); }
+
+  // Random pairs with respect to one person after the other; the pair by shape context with respect
+  // to each.
+  Trials trials(std::size_t number_of_pairs)
+  {
+    Trials result;
+    for (Placement placement : {SAME_PART, DIFFERENT_PARTS})
+      for (std::size_t i = 0; i < number_of_pairs; ++i) {
+        const Labels& person = input_.people[i % input_.people.size()];
+        if (const auto samples =
+              random_pair(labels_of_part(part_, person), placement == SAME_PART))
+          add_trial(*samples, search(*samples).cut, person, result[placement]);
       }
+    const std::vector<Index> pair = samples_by_contexts(part_.graph, 2, random_);
+    const Sample_faces samples = {pair[0], pair[1]};
+    const std::optional<Cut> cut = search(samples).cut;
+    for (const Labels& person : input_.people)
+      add_trial(samples, cut, person, result[SHAPE_CONTEXT]);
+    return result;
+  }
+
+  // The two Voronoi regions in shades, as in the paper; Q is orange.
+  void draw(const Pictures& pictures, const std::string& name, const Sample_faces& samples,
+            const Searched_line& line) const
+  {
+    std::vector<CGAL::IO::Color> colors(input_.mesh.number_of_faces(), CGAL::IO::white());
+    for (std::size_t i = 0; i < part_.faces.size(); ++i) {
+      const bool is_near_s = line.from_s[i] <= line.from_t[i];
+      const bool is_in_q = line.cut && line.cut->side[i] == 0;
+      colors[part_.faces[i]] =
+        is_in_q ? is_near_s ? CGAL::IO::Color(250, 170, 80) : CGAL::IO::Color(205, 125, 45)
+                : is_near_s ? CGAL::IO::Color(225, 225, 225) : CGAL::IO::Color(165, 165, 165);
     }
+    mark_sample(graph_, part_.faces[samples.s], CGAL::IO::Color(20, 60, 200), colors);
+    mark_sample(graph_, part_.faces[samples.t], CGAL::IO::Color(200, 20, 40), colors);
+    pictures.write_mesh(name, input_.mesh, colors);
   }
-  return result;
-}
+};
 
-// The face of a set that is farthest from another face in geodesic distance.
-Index farthest_in(const Face_dual_graph& part, const std::vector<char>& is_in, Index from)
+// Of both placements the pair whose cut agrees best with the person, and the salience along its line.
+void write_pictures(const First_cut& first_cut, const Trials& trials, int id,
+                    const Pictures& pictures)
 {
-  const std::vector<double> distance = CGAL::Spectral_segmentation::internal::shortest_paths(
-    part, from, &Face_dual_graph::Halfedge::geodesic);
-  Index farthest = from;
-  for (Index f = 0; f < distance.size(); ++f)
-    if (is_in[f] && (!is_in[farthest] || distance[f] > distance[farthest]))
-      farthest = f;
-  return farthest;
-}
-
-// Intersection over union, for the side where it is larger.
-double overlap_with(const std::vector<char>& is_in, const Sides& sides)
-{
-  double best = 0;
-  for (char side : {0, 1}) {
-    double common = 0, either = 0;
-    for (std::size_t f = 0; f < sides.size(); ++f) {
-      common += is_in[f] && sides[f] == side;
-      either += is_in[f] || sides[f] == side;
-    }
-    best = (std::max)(best, common / either);
-  }
-  return best;
-}
-
-// The two Voronoi regions in shades of grey, as in the paper, and the smaller side of the cut.
-std::vector<CGAL::IO::Color> colors(const Benchmark_mesh& input,
-                                    const Face_dual_graph& graph, const Part& part,
-                                    const Sample_faces& samples, const Searched_line& line)
-{
-  std::vector<CGAL::IO::Color> result(input.mesh.number_of_faces(), CGAL::IO::Color(255, 255, 255));
-  for (std::size_t i = 0; i < part.faces.size(); ++i) {
-    const bool is_near_s = line.from_s[i] <= line.from_t[i];
-    const bool is_cut_off = line.cut && line.cut->side[i] == 0;
-    result[part.faces[i]] = is_cut_off ? is_near_s ? CGAL::IO::Color(250, 170, 80)
-                                                   : CGAL::IO::Color(205, 125, 45)
-                            : is_near_s ? CGAL::IO::Color(225, 225, 225)
-                                        : CGAL::IO::Color(165, 165, 165);
-  }
-  mark_sample(graph, part.faces[samples.s], CGAL::IO::Color(20, 60, 200), result);
-  mark_sample(graph, part.faces[samples.t], CGAL::IO::Color(200, 20, 40), result);
-  return result;
-}
-
-void write_pictures(const Benchmark_mesh& input, const Pictures& pictures)
-{
-  const Face_dual_graph graph = paper_graph(input.mesh);
-  const Part part = whole_part(graph);
-  const std::optional<Evident_part> evident = evident_part(part, graph, input.people);
-  if (!evident) {
-    std::printf("mesh %d has no evident part\n", input.id);
-    return;
-  }
-  const Index first = farthest_in(part.graph, evident->is_in_part, 0),
-              body_1 = farthest_in(part.graph, evident->is_in_body, first),
-              body_2 = farthest_in(part.graph, evident->is_in_body, body_1),
-              in_part = farthest_in(part.graph, evident->is_in_part, body_1);
-  Json plot = {{"title", "Salience along the line, mesh " + std::to_string(input.id)},
+  Json plot = {{"title", "Salience along the line, mesh " + std::to_string(id)},
                {"x", "share of the faces in Q"}, {"y", "salience"}, {"lines", Json::array()}};
-  const std::pair<const char*, Sample_faces> pairs[] = {{"different_parts", {in_part, body_1}},
-                                                        {"same_part", {body_2, body_1}}};
-  for (const auto& [name, samples] : pairs) {
-    const Searched_line line = search_line(part.graph, samples, minimum_area(graph));
-    pictures.write_colors(name, input.mesh, colors(input, graph, part, samples, line));
-    plot["lines"].push_back({{"name", name}, {"x", line.sizes}, {"y", line.saliences}});
-    std::printf("mesh %d, samples %-15s: salience %.3f, overlap with the evident part %.3f\n",
-                input.id, name, line.cut ? line.cut->salience : undefined,
-                line.cut ? overlap_with(evident->is_in_part, line.cut->side) : undefined);
+  for (Placement placement : {SAME_PART, DIFFERENT_PARTS}) {
+    const auto best = std::max_element(
+      trials[placement].begin(), trials[placement].end(), [](const Trial& a, const Trial& b)
+      { return a.agreement < b.agreement; });
+    if (best == trials[placement].end())
+      continue;
+    const Searched_line line = first_cut.search(best->samples);
+    first_cut.draw(pictures, std::string("samples ") + names[placement], best->samples, line);
+    plot["lines"].push_back(
+      {{"name", names[placement]}, {"x", line.sizes}, {"y", line.saliences}});
   }
   pictures.write_plot("salience", plot);
 }
 
-template <class Member>
-std::vector<double> column(const std::vector<Outcomes>& meshes, Placement placement, Member member)
+// Means over the trials of a mesh, or over meshes.
+struct Outcome
 {
-  std::vector<double> values;
-  for (const Outcomes& o : meshes)
-    values.push_back(o[placement].*member);
-  return values;
+  double salience, agreement, is_found;
+};
+
+typedef std::array<Outcome, NUMBER_OF_PLACEMENTS> Outcomes; // by Placement
+
+Outcomes outcomes(const Trials& trials)
+{
+  Outcomes result;
+  for (std::size_t p = 0; p < NUMBER_OF_PLACEMENTS; ++p)
+    result[p] = {mean_of(values_of(trials[p], &Trial::salience)),
+                 mean_of(values_of(trials[p], &Trial::agreement)),
+                 mean_of(values_of(trials[p], [](const Trial& t)
+                                   { return t.agreement >= enough_agreement; }))};
+  return result;
 }
+
+typedef double Outcome::*Column;
+
+std::vector<double> values(const std::vector<Outcomes>& meshes, std::size_t placement,
+                           Column column)
+{ return values_of(meshes, [=](const Outcomes& o) { return o[placement].*column; }); }
 
 void print(const std::vector<Outcomes>& meshes)
 {
-  std::printf("samples               salience  agreement  found\n");
-  for (int p = 0; p < NUMBER_OF_PLACEMENTS; ++p) {
-    std::vector<Outcome> row;
-    for (const Outcomes& o : meshes)
-      row.push_back(o[p]);
-    const Outcome mean = mean_outcome(row);
-    std::printf("%-20s %9.3f %10.3f %6.3f\n", names[p], mean.salience, mean.agreement,
-                mean.is_found);
-  }
-  std::printf("agreement: 1 where the best cut follows the borders of people's segments; found: "
-              "share of cuts with at least %.2f\n", enough_agreement);
-  const auto gain = [&](auto member) {
-    return paired_difference(column(meshes, DIFFERENT_PARTS, member),
-                             column(meshes, SAME_PART, member));
+  std::printf("%-20s %9s %10s %6s\n", "samples", "salience", "agreement", "found");
+  for (std::size_t p = 0; p < NUMBER_OF_PLACEMENTS; ++p)
+    std::printf("%-20s %9.3f %10.3f %6.3f\n", names[p],
+                mean_of(values(meshes, p, &Outcome::salience)),
+                mean_of(values(meshes, p, &Outcome::agreement)),
+                mean_of(values(meshes, p, &Outcome::is_found)));
+  std::printf("agreement: 1 where the best cut follows the borders of a person's segments; found: "
+              "share of cuts\nwith at least %.2f\n", enough_agreement);
+  const auto gain = [&](Column column) {
+    return paired_difference(values(meshes, DIFFERENT_PARTS, column),
+                             values(meshes, SAME_PART, column));
   };
   const Paired_difference agreement = gain(&Outcome::agreement),
                           salience = gain(&Outcome::salience);
   std::printf("Figure 1, that line search finds the better cut between samples in different parts: "
               "%s; agreement changes by %+.3f +- %.3f, salience by %+.3f +- %.3f.\n",
-              agreement.is_positive() ? "reproduced" : "not reproduced", agreement.mean,
-              agreement.standard_error, salience.mean, salience.standard_error);
+              verdict(agreement.is_positive()), agreement.mean, agreement.standard_error,
+              salience.mean, salience.standard_error);
 }
 
 } // namespace
 
-// The picture is of the first mesh.
 void run_placement_of_samples(const Placement_options& o)
 {
   const std::vector<int> ids = parse_ids(o.ids);
-  if (!o.pictures.empty())
-    write_pictures(read_benchmark_mesh(o.folder, ids.front()), Pictures(o.pictures));
   std::vector<Outcomes> meshes;
   Progress progress(ids.size());
   for (int id : ids) {
-    meshes.push_back(outcomes(read_benchmark_mesh(o.folder, id), o));
+    const Benchmark_mesh input = read_benchmark_mesh(o.folder, id);
+    First_cut first_cut(input, o.seed);
+    const Trials trials = first_cut.trials(o.pairs);
+    if (meshes.empty() && !o.pictures.empty())
+      write_pictures(first_cut, trials, id, Pictures(o.pictures));
+    meshes.push_back(outcomes(trials));
     progress.step();
   }
   print(meshes);

@@ -10,8 +10,6 @@
 #include "k_means.h"
 #include "recursive_cuts.h"
 
-#include <CGAL/Spectral_segmentation/internal/nystrom.h>
-
 #include <Eigen/Core>
 
 #include <algorithm>
@@ -23,19 +21,16 @@
 namespace segmentation_benchmark {
 
 // The rows of the k leading eigenvectors, scaled to unit length. The matrix is whole in a part with
-// at most m faces, else approximated from the rows of m faces that are far apart.
+// at most m faces, else approximated from the rows of m faces that are far apart. By the scaling, row
+// sums of other faces cancel out. Extrapolation needs the leading eigenvalues only: the affinities are
+// not positive definite, so that the one-shot method would divide by eigenvalues near 0.
 inline Eigen::MatrixXd spectral_coordinates(const Face_dual_graph& part, std::size_t k,
                                             std::size_t m, Random_engine& random)
 {
-  namespace internal = CGAL::Spectral_segmentation::internal;
-  const bool is_whole = m >= part.number_of_faces();
-  const std::vector<Index> samples = is_whole
+  const std::vector<Index> samples = m >= part.number_of_faces()
     ? all_faces(part)
     : samples_by_paths<&Face_dual_graph::Halfedge::combined>(part, m, random);
-  Eigen::MatrixXd rows = affinities(distances_from(part, samples));
-  const Eigenpairs e = is_whole
-    ? internal::descending_eigenpairs(normalized(rows))
-    : internal::nystrom_eigenvectors(internal::normalized_rows(rows, samples), samples);
+  const Eigenpairs e = face_eigenpairs(part, samples);
   const Eigen::Index dimensions =
     (std::min)(static_cast<Eigen::Index>(k), e.vectors.cols());
   return e.vectors.leftCols(dimensions).rowwise().normalized();

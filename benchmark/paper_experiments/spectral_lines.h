@@ -8,7 +8,6 @@
 #include "face_affinities.h"
 
 #include <CGAL/Spectral_segmentation/internal/line_search.h>
-#include <CGAL/Spectral_segmentation/internal/nystrom.h>
 #include <CGAL/Spectral_segmentation/internal/orderings.h>
 #include <CGAL/Spectral_segmentation/internal/shortest_paths.h>
 
@@ -25,17 +24,6 @@ namespace segmentation_benchmark {
 
 using CGAL::Spectral_segmentation::internal::Cut;
 using CGAL::Spectral_segmentation::internal::Line;
-
-// The eigenvectors of a part, approximated from the rows of some samples as in Section 5.2, or
-// exact if all faces are samples.
-inline Eigenpairs face_eigenpairs(const Face_dual_graph& part, const std::vector<Index>& samples)
-{
-  namespace internal = CGAL::Spectral_segmentation::internal;
-  const Eigen::MatrixXd rows = affinities(distances_from(part, samples));
-  return samples.size() == part.number_of_faces()
-    ? internal::descending_eigenpairs(normalized(rows))
-    : internal::nystrom_extrapolation(internal::normalized_rows(rows, samples), samples);
-}
 
 // The faces in the order of the ratio of the second eigenvector to the first. Where it ties but for
 // rounding, those near the first sample on the line come first.
