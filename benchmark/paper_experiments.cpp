@@ -24,10 +24,11 @@ struct Options
 void add_benchmark_options(CLI::App& command, Experiment_options& o)
 {
   command.add_option("folder", o.folder, "holds off/N.off and seg/Benchmark/N/*.seg")
-    ->check(CLI::ExistingDirectory);
+    ->required()->check(CLI::ExistingDirectory);
   command.add_option("--ids", o.ids, "odd, even, all, or a list as 1-20,33")
     ->capture_default_str();
-  command.add_option("--pictures", o.pictures, "writes meshes (PLY) and plots (JSON)")
+  command.add_option("--pictures", o.pictures,
+                     "writes what the first mesh looks like (PLY), and plots (JSON)")
     ->type_name("FOLDER");
   command.add_option("--seed", o.seed, "of all random choices")->capture_default_str();
 }
@@ -48,41 +49,30 @@ void add_options(CLI::App& app, Options& o)
   app.require_subcommand(1);
 
   const auto placement = std::make_shared<Placement_options>();
-  CLI::App& samples = add_experiment(
-    app, o, "placement", "Figure 1: line search between samples in the same part, and in different "
-    "parts", run_placement_of_samples, placement);
-  samples.get_option("folder")->required();
-  samples.add_option("--pairs", placement->pairs, "of each kind on each mesh")
+  add_experiment(app, o, "placement", "Figure 1: line search between samples in the same part, and "
+                 "in different parts", run_placement_of_samples, placement)
+    .add_option("--pairs", placement->pairs, "of samples, of each kind on each mesh")
     ->check(CLI::Range(1, 1000))->capture_default_str();
 
   add_experiment(app, o, "sampling", "Section 4: how often the two samples lie in different parts, "
                  "by sampling scheme", run_comparison_of_samplings,
-                 std::make_shared<Experiment_options>())
-    .get_option("folder")->required();
+                 std::make_shared<Experiment_options>());
 
   const auto clustering = std::make_shared<Clustering_options>();
   CLI::App& clusters = add_experiment(
     app, o, "clustering", "Section 7.1: k-way and recursive k-means on spectral embeddings, and "
     "line search", run_comparison_with_clustering, clustering);
-  CLI::Option* mesh = clusters.add_option(
-    "--mesh", clustering->mesh, "a mesh to be cut, in place of a benchmark folder");
-  mesh->check(CLI::ExistingFile)->excludes(clusters.get_option("folder"));
-  clusters.add_option("--parts", clustering->parts, "of this mesh")
-    ->needs(mesh)->check(CLI::Range(1, 1000))->capture_default_str();
   clusters.add_option("--samples", clustering->samples,
                       "rows of the affinity matrix; it is whole in parts with no more faces")
     ->check(CLI::Range(2, 20000))->capture_default_str();
   clusters.add_option("--faces", clustering->faces,
-                      "to which the meshes of the benchmark are decimated, so that the matrix can be "
-                      "whole")
-    ->check(CLI::Range(200, 20000))->excludes(mesh);
+                      "to which the meshes are decimated, so that the matrix can be whole")
+    ->check(CLI::Range(200, 20000));
 
   const auto numbers = std::make_shared<Number_of_samples_options>();
-  CLI::App& nystrom = add_experiment(
-    app, o, "nystrom", "Section 7.2: eigenvectors and segmentations by two samples and by more",
-    run_number_of_samples, numbers);
-  nystrom.get_option("folder")->required();
-  nystrom.add_option("--faces", numbers->faces, "to which the meshes are decimated")
+  add_experiment(app, o, "nystrom", "Section 7.2: eigenvectors and segmentations by two samples and "
+                 "by more", run_number_of_samples, numbers)
+    .add_option("--faces", numbers->faces, "to which the meshes are decimated")
     ->check(CLI::Range(200, 5000))->capture_default_str();
 }
 

@@ -6,6 +6,7 @@
 
 #include "test_meshes.h"
 
+#include "../benchmark/paper_experiments/cut_between_samples.h"
 #include "../benchmark/paper_experiments/evaluation.h"
 #include "../benchmark/paper_experiments/experiment.h"
 #include "../benchmark/paper_experiments/face_affinities.h"
@@ -20,6 +21,9 @@
 #include <CGAL/Spectral_segmentation/internal/nystrom.h>
 #include <CGAL/Spectral_segmentation/internal/sampling.h>
 #include <CGAL/Spectral_segmentation/internal/shortest_paths.h>
+
+#include <CGAL/boost/graph/copy_face_graph.h>
+#include <CGAL/segment_spectral_recursive.h>
 
 #include <Eigen/Core>
 
@@ -259,6 +263,30 @@ BOOST_AUTO_TEST_CASE(recursion_cuts_the_largest_part)
              tt::per_element());
   const auto none = [](const Part&) { return std::optional<Sides>(); };
   BOOST_TEST(number_of_segments(recursive_cuts(graph, 3, none)) == 1u);
+}
+
+BOOST_AUTO_TEST_CASE(recursion_by_shape_context_is_that_of_the_package)
+{
+  namespace params = CGAL::Spectral_segmentation::parameters;
+  test_meshes::Random displacement(1);
+  Mesh mesh;
+  CGAL::copy_face_graph(
+    test_meshes::mesh_of(
+      test_meshes::displaced(test_meshes::dumbbell(12, 6), 0.01, displacement)), mesh);
+  const std::size_t k = 5;
+  const auto expected = mesh.add_property_map<Mesh::Face_index, std::size_t>("f:segment").first;
+  BOOST_TEST(CGAL::segment_spectral_recursive(
+               mesh, expected,
+               params::zhang_liu_2005().maximum_number_of_segments(k)
+                 .salience_threshold(-std::numeric_limits<double>::infinity())) == k);
+
+  const Face_dual_graph graph = paper_graph(mesh);
+  Random_engine random = random_engine(1, 0);
+  const Labels labels = recursive_cuts(graph, k, [&](const Part& part) {
+    return cut_between_samples(sampling_schemes[shape_context_scheme], part.graph,
+                               minimum_area(graph), random);
+  });
+  BOOST_TEST(contiguous(labels) == Labels(expected.begin(), expected.end()), tt::per_element());
 }
 
 BOOST_AUTO_TEST_CASE(paired_difference_by_hand)

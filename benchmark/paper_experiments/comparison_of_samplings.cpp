@@ -3,16 +3,13 @@
 
 #include "../for_each_mesh.h"
 #include "../princeton_benchmark.h"
+#include "cut_between_samples.h"
 #include "evaluation.h"
 #include "experiment.h"
 #include "experiments.h"
 #include "face_samples.h"
 #include "pictures.h"
 #include "recursive_cuts.h"
-
-#include <CGAL/Spectral_segmentation/internal/embedding.h>
-#include <CGAL/Spectral_segmentation/internal/line_search.h>
-#include <CGAL/Spectral_segmentation/internal/shortest_paths.h>
 
 #include <array>
 #include <cstddef>
@@ -55,28 +52,6 @@ double separation(const Part& part, const std::vector<Labels>& people,
   return share();
 }
 
-std::optional<Sides> sides_between(const Face_dual_graph& part, Index s, Index t,
-                                   double minimum_area)
-{
-  namespace internal = CGAL::Spectral_segmentation::internal;
-  const auto from = [&part](Index f)
-  { return internal::shortest_paths(part, f, &Face_dual_graph::Halfedge::combined); };
-  const std::optional<internal::Cut> cut = internal::line_search(
-    part, internal::spectral_order(from(s), from(t)),
-    CGAL::Spectral_segmentation::Weighted_part_salience(), minimum_area);
-  return cut ? std::optional<Sides>(cut->side) : std::nullopt;
-}
-
-// The sides of the cut between the samples of a scheme.
-std::optional<Sides> sides_by(const Sampling_scheme& scheme, const Face_dual_graph& part,
-                              double minimum_area, Random_engine& random)
-{
-  if (part.number_of_faces() < 2)
-    return std::nullopt;
-  const std::vector<Index> samples = scheme.take(part, 2, random);
-  return sides_between(part, samples[0], samples[1], minimum_area);
-}
-
 typedef std::array<double, number_of_schemes> Values; // by scheme
 
 // At each part of the recursion by shape context.
@@ -91,7 +66,8 @@ std::vector<Values> separations(const Benchmark_mesh& input, const Face_dual_gra
     result.emplace_back();
     for (std::size_t i = 0; i < number_of_schemes; ++i)
       result.back()[i] = separation(part, input.people, sampling_schemes[i], random);
-    return sides_by(sampling_schemes[shape_context_scheme], part.graph, smallest, random);
+    return cut_between_samples(sampling_schemes[shape_context_scheme], part.graph, smallest,
+                               random);
   };
   recursive_cuts(graph, usual_number_of_segments(input.people), see_and_cut);
   return result;
@@ -115,8 +91,9 @@ Scores scores(const Benchmark_mesh& input, const Experiment_options& o)
     result.over_recursion[i] =
       mean_of(values_of(of_parts, [i](const Values& values) { return values[i]; }));
     const Labels labels = recursive_cuts(
-      graph, usual_number_of_segments(input.people), [&](const Part& part)
-      { return sides_by(sampling_schemes[i], part.graph, minimum_area(graph), random); });
+      graph, usual_number_of_segments(input.people), [&](const Part& part) {
+        return cut_between_samples(sampling_schemes[i], part.graph, minimum_area(graph), random);
+      });
     result.rand_error[i] = mean_rand_error(labels, input.people);
   }
   return result;

@@ -5,27 +5,19 @@
 #include "../for_each_mesh.h"
 #include "../princeton_benchmark.h"
 #include "../timed.h"
+#include "cut_between_samples.h"
 #include "evaluation.h"
 #include "experiment.h"
 #include "experiments.h"
+#include "face_samples.h"
 #include "pictures.h"
 #include "recursive_cuts.h"
 #include "simplified.h"
 #include "spectral_clusters.h"
 
-#include <CGAL/Spectral_segmentation/Segmentation_visitor.h>
-#include <CGAL/Spectral_segmentation/internal/Cut_judge.h>
-#include <CGAL/Spectral_segmentation/internal/Monitor.h>
-#include <CGAL/Spectral_segmentation/internal/best_cut.h>
-#include <CGAL/Spectral_segmentation/internal/options.h>
-
-#include <CGAL/tags.h>
-
 #include <array>
 #include <cstddef>
 #include <cstdio>
-#include <optional>
-#include <stdexcept>
 #include <tuple>
 #include <utility>
 #include <vector>
@@ -41,16 +33,11 @@ struct Clusterer
 };
 
 Labels by_line_search(const Face_dual_graph& mesh, std::size_t k, std::size_t,
-                      Random_engine&)
+                      Random_engine& random)
 {
-  namespace internal = CGAL::Spectral_segmentation::internal;
-  CGAL::Spectral_segmentation::Segmentation_visitor visitor;
-  internal::Monitor<CGAL::Spectral_segmentation::Segmentation_visitor> monitor(visitor);
-  const internal::Options options;
-  const internal::Judged_mesh judged = internal::judged_mesh(mesh, options);
   return recursive_cuts(mesh, k, [&](const Part& part) {
-    const auto cut = internal::best_cut<CGAL::Sequential_tag>(part, judged, options, monitor);
-    return cut ? std::optional<Sides>(cut->side) : std::nullopt;
+    return cut_between_samples(sampling_schemes[shape_context_scheme], part.graph,
+                               minimum_area(mesh), random);
   });
 }
 
@@ -65,32 +52,26 @@ constexpr std::array<Clusterer, NUMBER_OF_CLUSTERERS> clusterers = {{
 struct Result
 {
   Labels labels;
-  double rand_error = undefined, seconds, megabytes;
+  double rand_error, seconds, megabytes;
 };
 
 typedef std::array<Result, NUMBER_OF_CLUSTERERS> Results;
 
 // With the face distances given.
-Results results(const Face_dual_graph& graph, std::size_t k, const Clustering_options& o,
-                Random_engine random)
+Results results(const Benchmark_mesh& input, const Clustering_options& o)
 {
+  const Face_dual_graph graph = paper_graph(input.mesh);
+  const std::size_t k = usual_number_of_segments(input.people);
+  Random_engine random = random_engine(o.seed, input.id);
   Results all;
   for (std::size_t i = 0; i < clusterers.size(); ++i) {
     const Peak_memory memory;
     auto [labels, time] =
       timed([&] { return clusterers[i].segment(graph, k, o.samples, random); });
-    all[i] = {std::move(labels), undefined, time.thread,
-              static_cast<double>(memory.bytes()) / 1e6};
+    const double megabytes = static_cast<double>(memory.bytes()) / 1e6;
+    const double rand_error = mean_rand_error(labels, input.people);
+    all[i] = {std::move(labels), rand_error, time.thread, megabytes};
   }
-  return all;
-}
-
-Results results(const Benchmark_mesh& input, const Clustering_options& o)
-{
-  Results all = results(paper_graph(input.mesh), usual_number_of_segments(input.people), o,
-                        random_engine(o.seed, input.id));
-  for (Result& result : all)
-    result.rand_error = mean_rand_error(std::exchange(result.labels, {}), input.people);
   return all;
 }
 
@@ -127,34 +108,26 @@ void print_claim(const std::vector<Results>& meshes)
               verdict(two_means.is_positive()), two_means.mean, two_means.standard_error);
 }
 
-// One mesh in some parts, by each method.
-void run_on_mesh(const Clustering_options& o)
+void write_pictures(const Mesh& mesh, const Results& results, const Pictures& pictures)
 {
-  const Mesh mesh = read_mesh(o.mesh);
-  const Results all = results(paper_graph(mesh), o.parts, o, random_engine(o.seed, 0));
-  if (!o.pictures.empty())
-    for (std::size_t i = 0; i < clusterers.size(); ++i)
-      Pictures(o.pictures).write_mesh(clusterers[i].name, mesh,
-                                      segment_colors(mesh, all[i].labels));
-  print({all});
+  for (std::size_t i = 0; i < clusterers.size(); ++i)
+    pictures.write_mesh(clusterers[i].name, mesh, segment_colors(mesh, results[i].labels));
 }
 
 } // namespace
 
 void run_comparison_with_clustering(const Clustering_options& o)
 {
-  if (!o.mesh.empty()) {
-    run_on_mesh(o);
-    return;
-  }
-  if (o.folder.empty())
-    throw std::invalid_argument("clustering needs a benchmark folder or a mesh");
   const std::vector<int> ids = parse_ids(o.ids);
   std::vector<Results> meshes;
   Progress progress(ids.size());
   for (int id : ids) {
-    const Benchmark_mesh input = read_benchmark_mesh(o.folder, id);
-    meshes.push_back(results(o.faces > 0 ? simplified(input, o.faces) : input, o));
+    Benchmark_mesh input = read_benchmark_mesh(o.folder, id);
+    if (o.faces > 0)
+      input = simplified(input, o.faces);
+    meshes.push_back(results(input, o));
+    if (meshes.size() == 1 && !o.pictures.empty())
+      write_pictures(input.mesh, meshes.front(), Pictures(o.pictures));
     progress.step();
   }
   print(meshes);

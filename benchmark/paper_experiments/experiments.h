@@ -13,11 +13,11 @@ namespace segmentation_benchmark {
 struct Experiment_options
 {
   std::string folder, ids = "odd";
-  std::string pictures; // a folder for meshes and plots; empty if none are wanted
+  std::string pictures; // a folder for pictures of the first mesh, and plots; empty for none
   std::uint64_t seed = 1;
 };
 
-// Figure 1. The pictures are of the first mesh.
+// Figure 1.
 struct Placement_options : Experiment_options
 {
   std::size_t pairs = 10; // of samples, of each kind on each mesh
@@ -25,16 +25,14 @@ struct Placement_options : Experiment_options
 
 void run_placement_of_samples(const Placement_options& o);
 
-// Figure 3 and Section 4. The pictures are of the first mesh.
+// Figure 3 and Section 4.
 void run_comparison_of_samplings(const Experiment_options& o);
 
-// Figure 4 and Section 7.1. The pictures are of a mesh that is cut in place of the benchmark.
+// Figure 4 and Section 7.1.
 struct Clustering_options : Experiment_options
 {
-  std::string mesh;
-  std::size_t parts = 6;     // of this mesh
   std::size_t samples = 100; // rows of the affinity matrix
-  std::size_t faces = 0;     // to which meshes of the benchmark are decimated, if not 0
+  std::size_t faces = 0;     // to which meshes are decimated, if not 0
 };
 
 void run_comparison_with_clustering(const Clustering_options& o);

@@ -43,7 +43,7 @@ struct Scores
 // The error of the recursion with eigenvectors from the samples that `take(part)` chooses.
 template <class Take>
 double rand_error_with(const Face_dual_graph& graph, const std::vector<Labels>& people,
-                const Take& take)
+                       const Take& take)
 {
   const double smallest = minimum_area(graph);
   const auto sides_of = [&](const Part& part) -> std::optional<Sides> {
@@ -127,8 +127,8 @@ void print_claim_of_eigenvectors(const std::vector<Scores>& meshes)
   Comparison c;
   for (std::size_t i = 0; i < sampling_schemes.size(); ++i)
     add_settings(meshes, &Errors_of_line::second, i, i, c);
-  std::printf("Section 7.2, that more samples bring the second eigenvector nearer: %s; it is nearer "
-              "in %zu of %zu settings and farther in %zu.\n",
+  std::printf("Section 7.2, that more samples bring the second eigenvector nearer: %s; it is "
+              "nearer in %zu of %zu settings and farther in %zu.\n",
               verdict(c.smaller > 0 && c.larger == 0), c.smaller, c.settings, c.larger);
 }
 
@@ -182,8 +182,7 @@ void report(const std::vector<Scores>& meshes, const std::string& pictures)
     if (!pictures.empty())
       write_plot(Pictures(pictures), meshes, name, title, error);
   }
-  std::printf("%-13s %7.4f\n", "exact",
-              mean_of(values_of(meshes, &Scores::exact_rand_error)));
+  std::printf("%-13s %7.4f\n", "exact", mean_of(values_of(meshes, &Scores::exact_rand_error)));
   print_claim_of_eigenvectors(meshes);
   print_claims_of_cuts(meshes);
 }

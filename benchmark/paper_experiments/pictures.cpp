@@ -60,7 +60,8 @@ std::vector<CGAL::IO::Color> segment_colors(Mesh mesh, const Labels& labels)
 
 std::vector<CGAL::IO::Color> pale(std::vector<CGAL::IO::Color> colors)
 {
-  const auto paler = [](int channel) { return static_cast<unsigned char>((channel + 2 * 255) / 3); };
+  const auto paler = [](int channel)
+  { return static_cast<unsigned char>((channel + 2 * 255) / 3); };
   for (CGAL::IO::Color& c : colors)
     c = CGAL::IO::Color(paler(c.red()), paler(c.green()), paler(c.blue()));
   return colors;

@@ -18,8 +18,8 @@ namespace segmentation_benchmark {
 
 typedef nlohmann::ordered_json Json;
 
-// A folder of what scripts/render.py (meshes) and scripts/plot_lines.py (plots) draw. Files have the
-// names that are given, with _ for spaces, and an ending.
+// A folder of what scripts/render.py (meshes) and scripts/plot_lines.py (plots) draw. Files have
+// the names that are given, with _ for spaces, and an ending.
 class Pictures
 {
   std::filesystem::path folder_;

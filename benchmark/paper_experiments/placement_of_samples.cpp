@@ -154,7 +154,8 @@ public:
   }
 };
 
-// Of both placements the pair whose cut agrees best with the person, and the salience along its line.
+// Of both placements the pair whose cut agrees best with the person, and the salience along its
+// line.
 void write_pictures(const First_cut& first_cut, const Trials& trials, int id,
                     const Pictures& pictures)
 {

@@ -12,7 +12,8 @@
 
 namespace segmentation_benchmark {
 
-// With about so many faces, that the whole matrix fits, and the labels of the nearest original faces.
+// With about so many faces, that the whole matrix fits, and the labels of the nearest original
+// faces.
 inline Benchmark_mesh simplified(const Benchmark_mesh& input, std::size_t faces)
 {
   Changed_mesh changed = decimated(input.mesh, 3 * faces / 2);

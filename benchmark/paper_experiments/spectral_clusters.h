@@ -21,9 +21,9 @@
 namespace segmentation_benchmark {
 
 // The rows of the k leading eigenvectors, scaled to unit length. The matrix is whole in a part with
-// at most m faces, else approximated from the rows of m faces that are far apart. By the scaling, row
-// sums of other faces cancel out. Extrapolation needs the leading eigenvalues only: the affinities are
-// not positive definite, so that the one-shot method would divide by eigenvalues near 0.
+// at most m faces, else approximated from the rows of m faces that are far apart. By the scaling,
+// row sums of other faces cancel out. Extrapolation needs the leading eigenvalues only: as the
+// affinities are not positive definite, the one-shot method would divide by eigenvalues near 0.
 inline Eigen::MatrixXd spectral_coordinates(const Face_dual_graph& part, std::size_t k,
                                             std::size_t m, Random_engine& random)
 {

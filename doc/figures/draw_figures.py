@@ -37,7 +37,6 @@ LAYOUTS = {
     "samples": (2, (700, 560)),
     "line": (2, (700, 560)),
     "boundary_smoothing": (2, (700, 560)),
-    "samplings": (5, (480, 480)),
     "clusterings": (3, (480, 400)),
 }
 USUAL_LAYOUT = (4, (480, 400))

@@ -63,6 +63,7 @@ void draw_all(Picture_book& book, Meshes& meshes)
   draw_sdf_comparison(book, {&meshes["elephant"], &meshes["triceratops"], &meshes["camel"],
                              &meshes["homer"]});
   draw_samplings(book, meshes["bear"]);
+  draw_clusterings(book, meshes["bear"], 6);
   draw_clusterings(book, meshes["hand"], 6);
 }
 
