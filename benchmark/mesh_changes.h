@@ -160,14 +160,13 @@ inline Kernel::Point_3 centroid(const Mesh& mesh, Mesh::Face_index f)
                         mesh.point(mesh.target(mesh.next(h))));
 }
 
-// To half the number of edges. Faces are compared with the face nearest to their centroid.
-inline Changed_mesh decimated(const Mesh& mesh)
+// Faces are compared with the face nearest to their centroid.
+inline Changed_mesh decimated(const Mesh& mesh, std::size_t number_of_edges)
 {
   Changed_mesh result{mesh, {}};
-  const std::size_t half = mesh.number_of_edges() / 2;
   CGAL::Surface_mesh_simplification::edge_collapse(
-    result.mesh, [half](const auto&, const auto&, std::size_t, std::size_t current)
-    { return current <= half; });
+    result.mesh, [number_of_edges](const auto&, const auto&, std::size_t, std::size_t current)
+    { return current <= number_of_edges; });
   result.mesh.collect_garbage();
 
   const AABB_tree tree(mesh.faces().begin(), mesh.faces().end(), mesh);
@@ -185,7 +184,8 @@ inline const std::vector<Mesh_change>& mesh_changes()
     {"noise 0.1 %", [](const Mesh& m, CGAL::Random& r) { return with_noise(m, r, 0.001); }},
     {"noise 0.5 %", [](const Mesh& m, CGAL::Random& r) { return with_noise(m, r, 0.005); }},
     {"subdivided", [](const Mesh& m, CGAL::Random&) { return subdivided(m); }},
-    {"decimated", [](const Mesh& m, CGAL::Random&) { return decimated(m); }},
+    {"decimated",
+     [](const Mesh& m, CGAL::Random&) { return decimated(m, m.number_of_edges() / 2); }},
   };
   return changes;
 }

@@ -22,19 +22,19 @@ using test_meshes::Random;
 
 namespace {
 
-// A thick and a thin rod with necks, and a ring.
+// A thick and a thin rod with necks, and a ring, with more faces than are searched by default.
 Mesh two_bodies()
 {
   std::vector<std::pair<double, double> > profile = {{0, 0}};
-  for (int i = 1; i < 24; ++i)
-    profile.emplace_back(i / 3., (i < 12 ? 1 : 0.4) * (1.2 + std::sin(i)));
+  for (int i = 1; i < 72; ++i)
+    profile.emplace_back(i / 9., (i < 36 ? 1 : 0.4) * (1.2 + std::sin(i / 3.)));
   profile.emplace_back(8, 0);
   Random random(5);
   const test_meshes::Soup bodies = test_meshes::disjoint_union(
-    test_meshes::surface_of_revolution(profile, 16),
+    test_meshes::surface_of_revolution(profile, 32),
     test_meshes::moved(test_meshes::torus(1, 0.3, 12, 8), 9, 0, 0));
   Mesh mesh;
-  CGAL::copy_face_graph(test_meshes::mesh_of(test_meshes::displaced(bodies, 0.02, random)), mesh);
+  CGAL::copy_face_graph(test_meshes::mesh_of(test_meshes::displaced(bodies, 0.01, random)), mesh);
   return mesh;
 }
 

@@ -37,6 +37,7 @@ LAYOUTS = {
     "samples": (2, (700, 560)),
     "line": (2, (700, 560)),
     "boundary_smoothing": (2, (700, 560)),
+    "clusterings": (3, (480, 400)),
 }
 USUAL_LAYOUT = (4, (480, 400))
 

@@ -5,6 +5,7 @@
 /// Computes what the pictures of the manual show; draw_figures.py then draws them.
 
 #include "Picture_book.h"
+#include "experiment_figures.h"
 #include "method_figures.h"
 #include "parameter_figures.h"
 
@@ -61,6 +62,9 @@ void draw_all(Picture_book& book, Meshes& meshes)
   draw_methods(book, {&meshes["elephant"], &meshes["camel"], &meshes["homer"], &meshes["femur"]});
   draw_sdf_comparison(book, {&meshes["elephant"], &meshes["triceratops"], &meshes["camel"],
                              &meshes["homer"]});
+  draw_samplings(book, meshes["bear"]);
+  draw_clusterings(book, meshes["bear"], 6);
+  draw_clusterings(book, meshes["hand"], 6);
 }
 
 int main(int argc, char** argv)

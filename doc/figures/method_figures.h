@@ -190,8 +190,9 @@ inline void add_cut(Picture& picture, const Face_dual_graph& graph, const intern
 }
 
 // As Figure 1 of the paper: the regions of the two samples, and the best cut along their line.
-inline void draw_regions(Picture_book& book, const Named_mesh& shape, const Face_dual_graph& graph,
-                         const Searched_line& line, const std::string& caption)
+inline void draw_regions(Picture_book& book, const std::string& figure, const Named_mesh& shape,
+                         const Face_dual_graph& graph, const Searched_line& line,
+                         const std::string& caption)
 {
   std::vector<Rgb> colors;
   for (Index f = 0; f < graph.number_of_faces(); ++f)
@@ -201,7 +202,7 @@ inline void draw_regions(Picture_book& book, const Named_mesh& shape, const Face
   Picture picture{shape, caption + ": salience of the best cut " + salience, colors};
   add_samples(picture, line.samples);
   add_cut(picture, graph, *line.best);
-  book.add("samples", picture);
+  book.add(figure, picture);
 }
 
 // The face nearest to a place.
@@ -223,8 +224,8 @@ inline void draw_samples_and_line(Picture_book& book, const Named_mesh& shape,
   const Searched_line good(graph, internal::sample_faces(contexts_of(graph)));
   const Searched_line bad(graph, {face_at(shape.mesh, same_part[0]),
                                   face_at(shape.mesh, same_part[1])});
-  draw_regions(book, shape, graph, good, "(a) samples by shape context");
-  draw_regions(book, shape, graph, bad, "(b) two samples in one part");
+  draw_regions(book, "samples", shape, graph, good, "(a) samples by shape context");
+  draw_regions(book, "samples", shape, graph, bad, "(b) two samples in one part");
 
   std::vector<Rgb> rank(graph.number_of_faces());
   for (std::size_t i = 0; i < good.order.size(); ++i)

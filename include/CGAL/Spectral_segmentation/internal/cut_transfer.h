@@ -64,9 +64,12 @@ class Cut_transfer
     return {of_vertex[vertices[c[0]]], of_vertex[vertices[c[1]]], of_vertex[vertices[c[2]]]};
   }
 
-  // Whether a face may be between the sides of any cut.
+  // Whether a face may be between the sides of any cut. All may if there might be more cuts: a cut
+  // must not depend on those after it.
   std::vector<char> are_between() const
   {
+    if (!cuts_.is_whole_)
+      return std::vector<char>(mesh_.number_of_faces(), 1);
     constexpr Index several = null_index - 1;
     std::vector<Index> leaf(simplified_.graph.number_of_faces());
     for (std::size_t i = 0; i < cuts_.number_of_nodes(); ++i)

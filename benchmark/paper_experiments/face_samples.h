@@ -1,0 +1,108 @@
+// Copyright (c) 2026  The Spectral_segmentation authors.
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef SEGMENTATION_BENCHMARK_PAPER_EXPERIMENTS_FACE_SAMPLES_H
+#define SEGMENTATION_BENCHMARK_PAPER_EXPERIMENTS_FACE_SAMPLES_H
+
+#include "experiment.h"
+
+#include <CGAL/Spectral_segmentation/internal/options.h>
+#include <CGAL/Spectral_segmentation/internal/sampling.h>
+#include <CGAL/Spectral_segmentation/internal/shortest_paths.h>
+
+#include <CGAL/tags.h>
+
+#include <algorithm>
+#include <array>
+#include <cstddef>
+#include <limits>
+#include <vector>
+
+// The ways to choose samples that the paper mentions (Sections 4 and 7.2).
+namespace segmentation_benchmark {
+
+// Takes m different faces of a part, or all of a part with fewer.
+struct Sampling_scheme
+{
+  const char* name;
+  std::vector<Index> (*take)(const Face_dual_graph& part, std::size_t m, Random_engine& random);
+};
+
+inline std::vector<Index> random_samples(const Face_dual_graph& part, std::size_t m,
+                                         Random_engine& random)
+{
+  const std::size_t n = part.number_of_faces();
+  std::vector<Index> samples;
+  while (samples.size() < (std::min)(m, n)) {
+    const Index f = random_face(n, random);
+    if (std::find(samples.begin(), samples.end(), f) == samples.end())
+      samples.push_back(f);
+  }
+  return samples;
+}
+
+// Each is the one farthest from those before. `distances_from(f)` are the distances of all n faces.
+template <class DistancesFrom>
+std::vector<Index> farthest_first(std::size_t n, Index first, std::size_t m,
+                                  const DistancesFrom& distances_from)
+{
+  std::vector<Index> samples = {first};
+  std::vector<double> to_nearest(n, std::numeric_limits<double>::infinity());
+  while (samples.size() < (std::min)(m, n)) {
+    const std::vector<double> distance = distances_from(samples.back());
+    for (std::size_t f = 0; f < n; ++f)
+      to_nearest[f] = (std::min)(to_nearest[f], distance[f]);
+    to_nearest[samples.back()] = -1; // so that it is not taken again where all distances are 0
+    samples.push_back(static_cast<Index>(
+      std::max_element(to_nearest.begin(), to_nearest.end()) - to_nearest.begin()));
+  }
+  return samples;
+}
+
+// The first is the one farthest from a random face.
+template <auto weighting>
+std::vector<Index> samples_by_paths(const Face_dual_graph& part, std::size_t m,
+                                    Random_engine& random)
+{
+  const auto distances_from = [&](Index f)
+  { return CGAL::Spectral_segmentation::internal::shortest_paths(part, f, weighting); };
+  const std::size_t n = part.number_of_faces();
+  const Index first = farthest_first(n, random_face(n, random), 2, distances_from).back();
+  return farthest_first(n, first, m, distances_from);
+}
+
+// The first two are those of the paper, with the first reference face of the package.
+inline std::vector<Index> samples_by_contexts(const Face_dual_graph& part, std::size_t m,
+                                              Random_engine&)
+{
+  namespace internal = CGAL::Spectral_segmentation::internal;
+  const internal::Shape_contexts contexts = internal::shape_contexts<CGAL::Sequential_tag>(
+    part, internal::farthest_face_from_center(part),
+    internal::Options().number_of_reference_faces, [] {});
+  const std::size_t k = contexts.references.size();
+  const auto distances_from = [&](Index from) {
+    std::vector<double> squared(part.number_of_faces(), 0);
+    for (Index f = 0; f < squared.size(); ++f)
+      for (std::size_t j = 0; j < k; ++j) {
+        const double difference = double(contexts[f][j]) - contexts[from][j];
+        squared[f] += difference * difference;
+      }
+    return squared;
+  };
+  return farthest_first(part.number_of_faces(), internal::sample_faces(contexts).s, m,
+                        distances_from);
+}
+
+constexpr std::array<Sampling_scheme, 5> sampling_schemes = {{
+  {"random", random_samples},
+  {"geodesic", samples_by_paths<&Face_dual_graph::Halfedge::geodesic>},
+  {"angle", samples_by_paths<&Face_dual_graph::Halfedge::angle>},
+  {"combined", samples_by_paths<&Face_dual_graph::Halfedge::combined>},
+  {"shape context", samples_by_contexts},
+}};
+
+constexpr std::size_t shape_context_scheme = sampling_schemes.size() - 1;
+
+} // namespace segmentation_benchmark
+
+#endif // SEGMENTATION_BENCHMARK_PAPER_EXPERIMENTS_FACE_SAMPLES_H

@@ -1,0 +1,68 @@
+// Copyright (c) 2026  The Spectral_segmentation authors.
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef SEGMENTATION_BENCHMARK_PAPER_EXPERIMENTS_SPECTRAL_LINES_H
+#define SEGMENTATION_BENCHMARK_PAPER_EXPERIMENTS_SPECTRAL_LINES_H
+
+#include "experiment.h"
+#include "face_affinities.h"
+
+#include <CGAL/Spectral_segmentation/internal/line_search.h>
+#include <CGAL/Spectral_segmentation/internal/orderings.h>
+#include <CGAL/Spectral_segmentation/internal/shortest_paths.h>
+
+#include <Eigen/Core>
+
+#include <algorithm>
+#include <optional>
+#include <tuple>
+#include <utility>
+#include <vector>
+
+// Line search along the ratio of the first two eigenvectors, for any number of samples.
+namespace segmentation_benchmark {
+
+using CGAL::Spectral_segmentation::internal::Cut;
+using CGAL::Spectral_segmentation::internal::Line;
+
+// The faces in the order of the ratio of the second eigenvector to the first. Where it ties but for
+// rounding, those near the first sample on the line come first.
+inline Line spectral_line(const Face_dual_graph& part, const Eigenpairs& e,
+                          const std::vector<Index>& samples, bool is_reversed)
+{
+  Eigen::ArrayXd z = e.vectors.col(1).array() / e.vectors.col(0).array();
+  if (is_reversed)
+    z = -z;
+  const double step = 1e-9 * (z.maxCoeff() - z.minCoeff());
+  if (step > 0)
+    z = (z / step).round();
+  const Index first = *std::min_element(samples.begin(), samples.end(),
+                                        [&z](Index f, Index g) { return z[f] < z[g]; });
+  const std::vector<double> distance = CGAL::Spectral_segmentation::internal::shortest_paths(
+    part, first, &Face_dual_graph::Halfedge::combined);
+  Line line = all_faces(part);
+  std::sort(line.begin(), line.end(), [&](Index f, Index g) {
+    return std::make_tuple(z[f], distance[f], f) < std::make_tuple(z[g], distance[g], g);
+  });
+  return line;
+}
+
+// The most salient cut along the line, searched from both its ends.
+inline std::optional<Cut> cut_by_eigenvectors(const Face_dual_graph& part, const Eigenpairs& e,
+                                              const std::vector<Index>& samples,
+                                              double minimum_area)
+{
+  std::optional<Cut> best;
+  for (bool is_reversed : {false, true}) {
+    std::optional<Cut> cut = CGAL::Spectral_segmentation::internal::line_search(
+      part, spectral_line(part, e, samples, is_reversed),
+      CGAL::Spectral_segmentation::Weighted_part_salience(), minimum_area);
+    if (cut && (!best || cut->salience > best->salience))
+      best = std::move(cut);
+  }
+  return best;
+}
+
+} // namespace segmentation_benchmark
+
+#endif // SEGMENTATION_BENCHMARK_PAPER_EXPERIMENTS_SPECTRAL_LINES_H
