@@ -24,12 +24,17 @@
 using namespace test_meshes;
 namespace internal = CGAL::Spectral_segmentation::internal;
 using internal::null_index;
-using internal::simplify;
-using internal::simplify_in_steps;
 using internal::Simplified_mesh;
 using internal::Vector;
 
 namespace {
+
+Simplified_mesh simplify(const Face_dual_graph& mesh, std::size_t number_of_faces)
+{ return internal::simplify<CGAL::Sequential_tag>(mesh, number_of_faces); }
+
+std::vector<Simplified_mesh> simplify_in_steps(const Face_dual_graph& mesh,
+                                               std::size_t number_of_faces)
+{ return internal::simplify_in_steps<CGAL::Sequential_tag>(mesh, number_of_faces); }
 
 // In the unit of the mesh, whose coordinates are normalized.
 double volume(const Face_dual_graph& graph)
@@ -274,4 +279,25 @@ BOOST_AUTO_TEST_CASE(steps_lead_from_the_mesh_to_the_number)
   check(steps[0].graph, steps[1]);
   BOOST_TEST(steps[0].graph.number_of_faces() <= 1600);
   BOOST_TEST(steps[1].graph.number_of_faces() <= 100);
+}
+
+BOOST_AUTO_TEST_CASE(a_large_mesh_is_simplified_in_domains_and_shows_no_seam)
+{
+  const Face_dual_graph mesh = dual_graph_of(sphere(7)); // 327680 faces
+  const Simplified_mesh simplified = simplify(mesh, 20000);
+  check(mesh, simplified);
+  const Face_dual_graph& graph = simplified.graph;
+  BOOST_TEST(graph.number_of_faces() <= 20000);
+  BOOST_TEST(graph.number_of_faces() >= 19998);
+  BOOST_TEST(euler_characteristic(graph) == 2);
+  BOOST_TEST(volume(graph) == volume(mesh), boost::test_tools::tolerance(0.001));
+  const double mean = internal::total_area(graph) / double(graph.number_of_faces());
+  for (double area : graph.areas) {
+    BOOST_TEST(area > mean / 8);
+    BOOST_TEST(area < mean * 6);
+  }
+  const Simplified_mesh parallel = internal::simplify<CGAL::Parallel_if_available_tag>(mesh, 20000);
+  BOOST_TEST((parallel.faces == simplified.faces));
+  BOOST_TEST((parallel.vertices == simplified.vertices));
+  BOOST_TEST((parallel.graph.points == graph.points));
 }

@@ -64,7 +64,7 @@ Initial_mesh initialize(const TriangleMesh& mesh, const std::vector<FaceDescript
     return result;
   }
   graph.points = std::move(points);
-  result.simplified = simplify_in_steps(graph, number_of_faces);
+  result.simplified = simplify_in_steps<ConcurrencyTag>(graph, number_of_faces);
   measure<ConcurrencyTag>(result.searched(), result.searched().points, options);
   return result;
 }
