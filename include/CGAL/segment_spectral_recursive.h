@@ -52,21 +52,22 @@ threshold: this is `zhang_liu_2005()`. The default, `Method::CALIBRATED`, cuts w
 also measures bending at the scale of the shape, searches along more orders of the faces, moves the
 best cuts to the minimum cut near them, and judges cuts by a salience that is the probability that
 a person would cut there. It first cuts the mesh into small pieces, then merges neighbors again, the
-least salient boundary first, up to the threshold. A mesh of many faces is simplified for the search,
-and the cuts are carried over to it. Each of these differences is a named parameter; `method` sets
-the defaults of them all.
+least salient boundary first, up to the threshold. A mesh of many faces is simplified for the
+search, and the cuts are carried over to it. Each of these differences is a named parameter;
+`method` sets the defaults of them all.
 
 The segment ids are contiguous and start at 0; segments are numbered by their face of smallest
 index: its position in `faces(mesh)`, or in the `face_index_map` if one is given. Every segment is
 connected. The same input gives the same ids on every run, with any number of threads (unless a
 visitor stops it), and for every data structure that holds the same mesh.
 
-The run takes O(*n* log *n*) time and O(*n*) memory to read a mesh of *n* faces, to simplify it to
-the *m* faces that are searched, and to carry *c* cuts over to it, which takes O(*c n*) time where
-each cuts off a small part of the rest; and O(*k p m* log *m*) time and O(*k m*) memory to search
-*p* parts with *k* reference faces. Without simplification *m* is *n*. The bound leaves out the shortest paths where a few edges are far
-longer than all others, and the minimum cuts: their worst cases are worse, but in practice they take
-hardly more than linear time. The mesh is not changed.
+The run takes O(*n* log *n*) time and O(*n*) memory to read a mesh of *n* faces and to simplify it
+to the *m* faces that are searched; O(*k p m* log *m*) time and O(*k m*) memory to search *p* parts
+with *k* reference faces; and O(*c n*) time to carry *c* cuts over to the mesh, less where they
+halve parts. Without simplification *m* is *n*, and nothing is carried over. The bounds leave out
+the shortest paths where a few edges are far longer than all others, and the minimum cuts: their
+worst cases are worse, but in practice they take hardly more than linear time. The mesh is not
+changed.
 Faces without area, borders, and any number of connected components are welcome.
 
 \tparam ConcurrencyTag `CGAL::Sequential_tag`, `CGAL::Parallel_tag` or

@@ -15,7 +15,7 @@ namespace Spectral_segmentation {
 /// The stages of a run, those of Table 1 in Zhang and Liu 2005.
 enum class Stage
 {
-  INITIALIZATION,    ///< face dual graph, simplification, face distances, thickness, once, as needed
+  INITIALIZATION,    ///< face dual graph, simplification, face distances, thickness, once
   SAMPLING,          ///< the two sample faces of a part, by shape context
   EMBEDDING,         ///< distances from the samples, order of the faces on each line
   LINE_SEARCH,       ///< the most salient cut along the lines, and minimum cuts near the best

@@ -66,8 +66,8 @@ struct Options
   {
     const std::size_t parts = maximum_number_of_segments == unlimited
       ? number_of_pieces : (std::max)(number_of_pieces, maximum_number_of_segments);
-    const double number =
-      static_cast<double>(number_of_searched_faces) * (std::max)(static_cast<double>(parts) / 20, 1.);
+    const double number = static_cast<double>(number_of_searched_faces) *
+                          (std::max)(static_cast<double>(parts) / 20, 1.);
     return number > 0 && number < static_cast<double>(number_of_faces)
       ? static_cast<std::size_t>(number) : number_of_faces;
   }

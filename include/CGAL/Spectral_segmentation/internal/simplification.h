@@ -40,7 +40,7 @@ namespace internal {
 struct Simplified_mesh
 {
   Face_dual_graph graph;       // its sizes are set, its face distances are left open
-  std::vector<Index> faces;    // of the mesh, ascending: what is left of them are those of the graph
+  std::vector<Index> faces;    // of the mesh, ascending: what is left of them are the graph's
   std::vector<Index> vertices; // of the graph: which one each vertex of the mesh became
 };
 
@@ -49,7 +49,7 @@ struct Simplified_mesh
 class Edges_by_length
 {
 public:
-  typedef std::pair<std::uint64_t, Index> Edge; // its key, which begins with the length; a half-edge
+  typedef std::pair<std::uint64_t, Index> Edge; // its key, which begins with the length; half-edge
 
 private:
   // Of lengths that are equal in their exponent and the first bits of their mantissa.
@@ -99,11 +99,12 @@ public:
 // it keeps the planes of the faces around, weighted by their squared areas, as Lindstrom and Turk
 // (1998) keep the volume. CGAL's edge_collapse() does as much for any mesh, in ten times the time.
 //
-// The faces of a large mesh are first dealt with in compact domains, where vertices that domains have
-// in common stay: in parallel, and because memory likes it.
+// The faces of a large mesh are first dealt with in compact domains, where vertices that domains
+// have in common stay: in parallel, and because memory likes it.
 //
-// It works in the principal frame, with coordinates on a grid, and breaks ties by a hash of them, so
-// that the result moves with the mesh and does not depend on the numbers of its vertices and faces.
+// It works in the principal frame, with coordinates on a grid, and breaks ties by a hash of them,
+// so that the result moves with the mesh and does not depend on the numbers of its vertices and
+// faces.
 class Edge_collapse
 {
   typedef boost::container::small_vector<Index, 16> Some;
