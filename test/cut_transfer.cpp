@@ -215,3 +215,28 @@ BOOST_AUTO_TEST_CASE(a_tree_of_the_paper_is_read_off_in_the_order_of_its_run)
     BOOST_TEST(tree.labels(n, -infinity) == labels, boost::test_tools::per_element());
   }
 }
+
+BOOST_AUTO_TEST_CASE(parts_of_a_few_searched_faces_are_neither_lost_nor_torn)
+{
+  const std::size_t limits[] = {12, 40, 80};
+  for (unsigned seed = 1; seed <= 12; ++seed)
+    BOOST_TEST_CONTEXT("seed " << seed) {
+      Random random(seed);
+      const Soup soup = displaced(seed % 2 == 0 ? torus(2, 0.7, 24, 12) : sphere(3), 0.05, random);
+      const Mesh mesh = mesh_of(soup);
+      const auto np = parameters::minimum_segment_size(0).number_of_searched_faces(
+        limits[seed % 3]).salience_threshold(-infinity);
+      const auto check = [&](const auto& method) {
+        Segment_tree tree;
+        Labels labels;
+        const std::size_t n =
+          CGAL::segment_spectral_recursive(mesh, map_to(labels, mesh), method.segment_tree(tree));
+        BOOST_TEST(number_of_connected_pieces(mesh, labels) == n);
+        for (std::size_t i = 1; i <= n; ++i)
+          BOOST_TEST(number_of_connected_pieces(mesh, tree.labels(i, -infinity)) == i);
+      };
+      check(np);
+      check(np.method(CGAL::Spectral_segmentation::Method::ZHANG_LIU_2005)
+              .maximum_number_of_segments(8));
+    }
+}

@@ -301,3 +301,14 @@ BOOST_AUTO_TEST_CASE(a_large_mesh_is_simplified_in_domains_and_shows_no_seam)
   BOOST_TEST((parallel.vertices == simplified.vertices));
   BOOST_TEST((parallel.graph.points == graph.points));
 }
+
+BOOST_AUTO_TEST_CASE(a_large_mesh_keeps_its_faces_where_it_has_many)
+{
+  // A plate of two faces, far away and large, has hardly any faces to give.
+  const Soup soup = disjoint_union(sphere(7), moved(scaled(plate(1, 1), 200), 0, 0, -300));
+  const Face_dual_graph mesh = dual_graph_of(soup);
+  const Simplified_mesh simplified = simplify(mesh, 20000);
+  check(mesh, simplified);
+  BOOST_TEST(simplified.graph.number_of_faces() <= 20000);
+  BOOST_TEST(simplified.graph.number_of_faces() >= 19998);
+}

@@ -246,13 +246,15 @@ Faces without area, borders, and any number of connected components are welcome.
   \cgalParamNEnd
   \cgalParamNBegin{number_of_searched_faces}
     \cgalParamDescription{the number of faces on which cuts are searched. A mesh with more faces is
-      simplified to so many by edge collapses, and the cuts are carried over to it, by minimum cuts
+      simplified to so many, as far as its topology allows, by edge collapses, and the cuts are carried over to it, by minimum cuts
       through the faces that are on neither side of the simplified mesh for sure. So the time of the
       search does not grow with the mesh. With 0 the mesh itself is searched.}
     \cgalParamType{an integer}
     \cgalParamDefault{`4000`, at which the agreement with people is that of the mesh itself; `0`}
-    \cgalParamExtra{at least 0. If more than 20 pieces or segments are asked for, by
-      `number_of_pieces` or `maximum_number_of_segments`, it grows in proportion.}
+    \cgalParamExtra{at least 0. If there are pieces, and more than 20 of them or of segments are
+      asked for by `number_of_pieces` or `maximum_number_of_segments`, it grows in proportion.
+      Factors and salience of cuts and the `minimum_segment_size` are those of the mesh that is
+      searched. The visitor is not asked whether to go further during simplification and transfer.}
   \cgalParamNEnd
   \cgalParamNBegin{random_seed}
     \cgalParamDescription{chooses the first reference face of each part at random, as in the paper}
@@ -262,7 +264,8 @@ Faces without area, borders, and any number of connected components are welcome.
   \cgalParamNEnd
   \cgalParamNBegin{number_of_smoothing_iterations}
     \cgalParamDescription{steps of Laplacian smoothing on a copy of the points, from which the face
-      distances and the thickness are then computed (Section 2)}
+      distances and the thickness are then computed (Section 2), and the simplified mesh if cuts are
+      searched on one}
     \cgalParamType{an integer}
     \cgalParamDefault{`0`; a few steps help on noisy scans}
     \cgalParamExtra{at least 0}

@@ -91,7 +91,7 @@ public:
     /// theirs, while its factors are its own.
     double salience = 0;
 
-    /// the factors of that cut
+    /// the factors of that cut, on the mesh on which it was searched (`number_of_searched_faces`)
     Salience_factors factors;
 
     /// whether it has no children

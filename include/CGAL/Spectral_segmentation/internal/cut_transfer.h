@@ -29,7 +29,8 @@ namespace internal {
 
 // Carries the cuts of a simplified mesh over to the mesh itself. A face is on the side on which all
 // faces around its three vertices are, as the simplified mesh has them. Those between, which are a
-// band around the cut, are divided by the minimum cut.
+// band around the cut, are divided by the minimum cut, or if nothing is sure, by what is nearer.
+// Where a side is not connected then, the smaller pieces go to the other side.
 class Cut_transfer
 {
   enum Side : char { Q, REST, BETWEEN, OUTSIDE }; // OUTSIDE: not in the part that is cut
@@ -151,9 +152,12 @@ class Cut_transfer
 
   // Where a side is so thin that all of it is between: the faces that are left in the simplified
   // mesh have their sides, and the others between follow them, step by step.
-  void grow_sides(std::size_t node)
+  void grow_sides(std::size_t node, const Faces& faces)
   {
     std::vector<Index> reached;
+    for (Index f : faces)
+      if (side_[f] != BETWEEN)
+        reached.push_back(f);
     for (char s : {Q, REST})
       for (Index f : cuts_.faces(cuts_.node(node).children[int(s)])) {
         const Index left = simplified_.faces[f];
@@ -170,6 +174,9 @@ class Cut_transfer
           reached.push_back(g);
         }
       }
+    for (Index f : faces)
+      if (side_[f] == BETWEEN) // nothing was reached
+        side_[f] = REST;
   }
 
   // The connected sets of faces on a side of a connected part, but for the largest, go to the other
@@ -203,14 +210,36 @@ class Cut_transfer
         side_[f] = static_cast<std::ptrdiff_t>(i) == largest ? given : given == Q ? REST : Q;
   }
 
+  // A side on which no face is gets one, without which the part is still connected.
+  void keep_both_sides(const Faces& faces)
+  {
+    const Side first = static_cast<Side>(side_[*faces.begin()]);
+    if (std::any_of(faces.begin(), faces.end(), [&](Index f) { return side_[f] != first; }))
+      return;
+    std::vector<Index> reached(1, *faces.begin());
+    side_[reached.front()] = BETWEEN;
+    for (std::size_t i = 0; i < reached.size(); ++i)
+      for (Index h = 3 * reached[i]; h < 3 * reached[i] + 3; ++h) {
+        const Index g = mesh_.halfedges[h].neighbor;
+        if (side_[g] == first) {
+          side_[g] = BETWEEN;
+          reached.push_back(g);
+        }
+      }
+    for (Index f : reached)
+      side_[f] = first;
+    side_[reached.back()] = first == Q ? REST : Q;
+  }
+
   Sides sides(std::size_t node, const Faces& faces)
   {
     if (set_sure_sides(node, faces))
       divide_band(faces);
     else
-      grow_sides(node);
+      grow_sides(node, faces);
     keep_largest(faces, Q);
     keep_largest(faces, REST);
+    keep_both_sides(faces);
     Sides result;
     result.reserve(faces.size());
     for (Index f : faces) {
@@ -253,7 +282,7 @@ public:
         area[int(side[k])] += mesh_.areas[f];
         ++number[int(side[k++])];
       }
-      // A part of a few faces may be lost; then the cut is not made.
+      // Of a part that has one face left there is nothing to cut.
       if (number[0] == 0 || number[1] == 0) {
         same[cuts_.node(cut).children[number[0] == 0 ? 1 : 0]] = node;
         continue;

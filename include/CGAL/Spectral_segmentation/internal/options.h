@@ -61,13 +61,14 @@ struct Options
   }
 
   // The number of faces on which the cuts of a mesh are searched: `number_of_searched_faces` for up
-  // to 20 parts, and in proportion for more.
+  // to 20 pieces, and in proportion for more. Without pieces it must not depend on the number of
+  // segments, as a tree gives the labels of runs with fewer.
   std::size_t faces_to_search(std::size_t number_of_faces) const
   {
-    const std::size_t parts = maximum_number_of_segments == unlimited
+    const std::size_t pieces = number_of_pieces == 0 || maximum_number_of_segments == unlimited
       ? number_of_pieces : (std::max)(number_of_pieces, maximum_number_of_segments);
     const double number = static_cast<double>(number_of_searched_faces) *
-                          (std::max)(static_cast<double>(parts) / 20, 1.);
+                          (std::max)(static_cast<double>(pieces) / 20, 1.);
     return number > 0 && number < static_cast<double>(number_of_faces)
       ? static_cast<std::size_t>(number) : number_of_faces;
   }

@@ -26,6 +26,7 @@
 #include <cstring>
 #include <functional>
 #include <iterator>
+#include <limits>
 #include <numeric>
 #include <optional>
 #include <queue>
@@ -149,6 +150,18 @@ class Edge_collapse
     return result;
   }
 
+  // Whether there are at most three faces around the source of h, and no border.
+  bool has_few_faces_around(Index h) const
+  {
+    Index g = h;
+    for (int i = 0; i < 3; ++i) {
+      g = opposite_[previous(g)];
+      if (g == null_index || g == h)
+        return g == h;
+    }
+    return false;
+  }
+
   bool is_on_border(const Some& around) const
   {
     return std::any_of(around.begin(), around.end(), [&](Index h)
@@ -230,8 +243,7 @@ class Edge_collapse
       // Not around a vertex on a seam: it has more faces, and other threads may be at work there.
       if (is_on_seam(source(previous(e))))
         continue;
-      const Some around_apex = around_source(previous(e));
-      if (around_apex.size() < 4 && !is_on_border(around_apex))
+      if (has_few_faces_around(previous(e)))
         return false;
     }
     if (o != null_index && (u_on_border || v_on_border))
@@ -243,7 +255,7 @@ class Edge_collapse
         if (g / 3 == h / 3 || (o != null_index && g / 3 == o / 3))
           continue;
         const Vector before = normal(g, points_[source(g)]), after = normal(g, point);
-        if (after.dot(before) < 0.3 * after.norm() * before.norm())
+        if (!before.isZero(0) && !(after.dot(before) > 0.3 * after.norm() * before.norm()))
           return false;
       }
     return true;
@@ -280,7 +292,7 @@ class Edge_collapse
         }
   }
 
-  // Of some faces, until at most `number` of them are left or no edge can be collapsed.
+  // Of some faces, until at most `number` of them are left or no edge is left to try.
   template <class Faces>
   void collapse_edges(const Faces& faces, std::size_t number)
   {
@@ -337,6 +349,28 @@ class Edge_collapse
     return result;
   }
 
+  // How many faces there are for a unit of area if so many are shared by all domains, of which none
+  // takes more than it has.
+  static double shared_by_area(double number, const std::vector<std::vector<Index> >& faces,
+                               const std::vector<double>& areas)
+  {
+    std::vector<std::pair<double, std::size_t> > full_at; // the faces per area that a domain has
+    double area = 0;
+    for (std::size_t d = 0; d < faces.size(); ++d)
+      if (areas[d] > 0) {
+        full_at.push_back({static_cast<double>(faces[d].size()) / areas[d], d});
+        area += areas[d];
+      }
+    std::sort(full_at.begin(), full_at.end());
+    for (const auto& [density, d] : full_at) {
+      if (density * area >= number)
+        return number / area;
+      number -= static_cast<double>(faces[d].size());
+      area -= areas[d];
+    }
+    return std::numeric_limits<double>::max();
+  }
+
   template <class ConcurrencyTag>
   void collapse_edges_by_domains(std::size_t number)
   {
@@ -352,11 +386,12 @@ class Edge_collapse
           domain[v] = d;
         }
       }
-    const double area = std::accumulate(areas.begin(), areas.end(), 0.);
+    // Some more are left than in the end, as those at the seams are.
+    const double faces_per_area = shared_by_area(1.5 * static_cast<double>(number), faces, areas);
     for_each_index<ConcurrencyTag>(faces.size(), [&](std::size_t d) {
-      // Some more are left, as those at the seams are.
-      const double share = area > 0 ? 1.5 * static_cast<double>(number) * areas[d] / area : 0;
-      collapse_edges(faces[d], static_cast<std::size_t>(share));
+      const double all = static_cast<double>(faces[d].size());
+      collapse_edges(faces[d],
+                     static_cast<std::size_t>((std::min)(faces_per_area * areas[d], all)));
     });
     is_on_seam_.clear();
   }
@@ -386,7 +421,7 @@ public:
                      around_source(outgoing[v]).size() != number_of_faces_around[v];
   }
 
-  // Until at most `number_of_faces` are left, or no edge can be collapsed.
+  // Until at most `number_of_faces` are left, or no edge is left to try.
   template <class ConcurrencyTag>
   void collapse_edges(std::size_t number_of_faces)
   {
