@@ -269,6 +269,7 @@ public:
       tree.smooth_boundaries_with(neighbors(mesh_));
 
     std::vector<std::size_t> same(cuts_.number_of_nodes(), Segment_tree::null_node); // in the tree
+    bool is_complete = true;
     for (std::size_t i = 0; i < cuts_.number_of_roots(); ++i)
       same[i] = component[simplified_.faces[*cuts_.faces(i).begin()]];
     for (std::size_t i = cuts_.number_of_roots(); i < cuts_.number_of_nodes(); i += 2) {
@@ -285,6 +286,7 @@ public:
       // Of a part that has one face left there is nothing to cut.
       if (number[0] == 0 || number[1] == 0) {
         same[cuts_.node(cut).children[number[0] == 0 ? 1 : 0]] = node;
+        is_complete = false;
         continue;
       }
       const bool is_swapped = area[0] > area[1];
@@ -299,6 +301,9 @@ public:
                      cuts_.node(i).factors);
         tree.areas_[same[i]] = cuts_.areas_[i]; // by which the run chose what to cut next
       }
+    if (!is_complete) // no more segments than there are can be asked for
+      tree.maximum_number_of_segments_ =
+        (std::min)(tree.maximum_number_of_segments_, tree.number_of_segments());
     return tree;
   }
 };
