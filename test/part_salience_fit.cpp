@@ -85,7 +85,7 @@ BOOST_AUTO_TEST_CASE(agreement_by_hand)
 BOOST_AUTO_TEST_CASE(judged_cuts_of_a_dumbbell)
 {
   const Benchmark_mesh input = dumbbell();
-  const Mesh_cuts cuts = judged_cuts(input);
+  const Mesh_cuts cuts = judged_cuts(input, 0);
   BOOST_TEST(cuts.id == 7);
 
   std::size_t number[2] = {0, 0};
