@@ -49,7 +49,7 @@ inline Face_dual_graph paper_graph(const Mesh& mesh)
   const std::vector<Mesh::Face_index> faces(mesh.faces().begin(), mesh.faces().end());
   return CGAL::Spectral_segmentation::internal::initialize<CGAL::Sequential_tag>(
     mesh, faces, mesh.points(), CGAL::Exact_predicates_inexact_constructions_kernel(),
-    CGAL::Spectral_segmentation::internal::Options(), [] { return true; });
+    CGAL::Spectral_segmentation::internal::Options(), [] { return true; }).graph;
 }
 
 // Each connected component is a part.
