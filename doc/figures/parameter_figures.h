@@ -81,6 +81,8 @@ inline void draw_parameters(Picture_book& book, const Named_mesh& limbs, const N
            {0.0, calibrated.minimum_segment_size, 0.02, 0.1});
   draw_row(book, "number_of_pieces", &Options::number_of_pieces, calibrated, limbs,
            {5, 10, calibrated.number_of_pieces, 40});
+  draw_row(book, "number_of_searched_faces", &Options::number_of_searched_faces, calibrated, fine,
+           {500, 1500, calibrated.number_of_searched_faces, 0});
   const Named_mesh noise = noisy(coarse, 0.004);
   draw_row(book, "concavity_radius", &Options::concavity_radius, calibrated, noise,
            {0.0, 0.01, calibrated.concavity_radius, 0.06});

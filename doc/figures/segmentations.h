@@ -48,6 +48,7 @@ inline Segment_tree segment_tree(const Mesh& mesh, const Options& o)
       .number_of_candidates(o.number_of_candidates)
       .number_of_refined_candidates(o.number_of_refined_candidates)
       .number_of_pieces(o.number_of_pieces)
+      .number_of_searched_faces(o.number_of_searched_faces)
       .number_of_smoothing_iterations(o.number_of_smoothing_iterations)
       .boundary_smoothing(o.boundary_smoothing)
       .segment_tree(tree));
