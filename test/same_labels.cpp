@@ -73,7 +73,7 @@ std::size_t number_of_simplifications(const Run& run)
 {
   if (run.number_of_searched_faces == 0)
     return 0;
-  return CGAL::Spectral_segmentation::internal::simplify_in_steps(
+  return CGAL::Spectral_segmentation::internal::simplify_in_steps<CGAL::Sequential_tag>(
            dual_graph_of(read(run.mesh)), run.number_of_searched_faces).size();
 }
 
