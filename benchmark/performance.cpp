@@ -214,7 +214,8 @@ void measure_search(benchmark::State& state, Input& input)
 {
   const Face_dual_graph& graph = input.graph();
   for (auto _ : state)
-    benchmark::DoNotOptimize(Search()(graph, 0, &Face_dual_graph::Halfedge::combined));
+    benchmark::DoNotOptimize(
+      internal::shortest_paths<Search>(graph, 0, &Face_dual_graph::Halfedge::combined));
 }
 
 void measure_breadth_first_search(benchmark::State& state, Input& input)

@@ -21,16 +21,24 @@ namespace CGAL {
 namespace Spectral_segmentation {
 namespace internal {
 
-// All searches of a run come here, as this is declared before any is used.
-template <>
-std::vector<double> shortest_paths<Bucket_search>(const Face_dual_graph& graph, Index source,
-                                                  Weighting weighting)
+template <class Paths>
+void grow_paths_by_chosen_search(const Weighted_graph& graph, Index source, Paths& paths)
 {
   if (!uses_dijkstra)
-    return Bucket_search()(graph, source, weighting);
+    return Bucket_search()(graph, source, paths);
   ++number_of_dijkstra_searches;
-  return Dijkstra_search()(graph, source, weighting);
+  Dijkstra_search()(graph, source, paths);
 }
+
+// All searches of a run come here, as these are declared before any is used.
+
+template <>
+void grow_paths<Bucket_search>(const Weighted_graph& graph, Index source, Path_lengths& paths)
+{ grow_paths_by_chosen_search(graph, source, paths); }
+
+template <>
+void grow_paths<Bucket_search>(const Weighted_graph& graph, Index source, Path_angles& paths)
+{ grow_paths_by_chosen_search(graph, source, paths); }
 
 } // namespace internal
 } // namespace Spectral_segmentation

@@ -81,7 +81,7 @@ double squared_distance(const Shape_contexts& contexts, Index f, const std::vect
 {
   double sum = 0;
   for (std::size_t j = 0; j < from.size(); ++j)
-    sum += std::pow(contexts[f][j] - from[j], 2);
+    sum += std::pow(contexts.values(f, j) - from[j], 2);
   return sum;
 }
 
@@ -131,7 +131,7 @@ BOOST_AUTO_TEST_CASE(references_are_mutually_farthest)
       const std::size_t k = 1 + random() % 10;
       const Shape_contexts contexts = contexts_of(graph, first, k);
       BOOST_REQUIRE(contexts.references.size() == k);
-      BOOST_REQUIRE(contexts.values.size() == k * graph.number_of_faces());
+      BOOST_REQUIRE(std::size_t(contexts.values.cols()) == k);
       BOOST_TEST(contexts.references[0] == first);
       std::vector<double> to_nearest(graph.number_of_faces(),
                                      std::numeric_limits<double>::infinity());
@@ -161,7 +161,7 @@ BOOST_AUTO_TEST_CASE(contexts_are_sums_of_angles_along_the_shortest_geodesic_pat
         const Index reference = contexts.references[j];
         const std::vector<double> distance = geodesic_distances(graph, reference);
         for (Index f = 0; f < graph.number_of_faces(); ++f)
-          BOOST_TEST(contexts[f][j] == context_by_walking(graph, f, reference, distance));
+          BOOST_TEST(contexts.values(f, j) == context_by_walking(graph, f, reference, distance));
       }
     }
   }
@@ -210,14 +210,17 @@ BOOST_AUTO_TEST_CASE(samples_have_the_largest_context_and_the_one_that_differs_m
       Shape_contexts contexts;
       contexts.references.resize(k);
       const unsigned number_of_values = 1 + random() % 20; // the fewer the more ties
-      for (std::size_t i = 0; i < n * k; ++i)
-        contexts.values.push_back(static_cast<float>(random() % number_of_values));
+      contexts.values = Eigen::MatrixXf::NullaryExpr(n, k, [&]
+        { return static_cast<float>(random() % number_of_values); });
 
       const Sample_faces samples = sample_faces(contexts);
       BOOST_REQUIRE(samples.s < n);
       BOOST_REQUIRE(samples.t < n);
       BOOST_TEST(samples.s != samples.t);
-      const std::vector<double> origin(k, 0.), of_s(contexts[samples.s], contexts[samples.s] + k);
+      const std::vector<double> origin(k, 0.);
+      std::vector<double> of_s;
+      for (std::size_t j = 0; j < k; ++j)
+        of_s.push_back(contexts.values(samples.s, j));
       const double norm_s = squared_distance(contexts, samples.s, origin);
       const double difference_t = squared_distance(contexts, samples.t, of_s);
       for (Index f = 0; f < n; ++f) {

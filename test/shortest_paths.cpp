@@ -14,14 +14,18 @@
 #include <cmath>
 #include <cstddef>
 #include <limits>
+#include <numeric>
+#include <utility>
 #include <vector>
 
 namespace tt = boost::test_tools;
 using namespace test_meshes;
 using CGAL::Spectral_segmentation::internal::Dijkstra_search;
+using CGAL::Spectral_segmentation::internal::Path_angles;
+using CGAL::Spectral_segmentation::internal::Path_lengths;
+using CGAL::Spectral_segmentation::internal::Weighted_graph;
 using CGAL::Spectral_segmentation::internal::Weighting;
-using CGAL::Spectral_segmentation::internal::first_steps;
-using CGAL::Spectral_segmentation::internal::null_index;
+using CGAL::Spectral_segmentation::internal::grow_paths;
 using CGAL::Spectral_segmentation::internal::shortest_paths;
 
 namespace {
@@ -106,9 +110,9 @@ BOOST_AUTO_TEST_CASE(both_searches_agree_on_real_meshes)
   }
 }
 
-BOOST_AUTO_TEST_CASE(first_steps_lead_to_the_source_over_shortest_paths)
+BOOST_AUTO_TEST_CASE(of_several_sources_the_nearest_counts)
 {
-  for (unsigned seed = 1; seed <= 100; ++seed) {
+  for (unsigned seed = 1; seed <= 40; ++seed) {
     BOOST_TEST_CONTEXT("seed " << seed) {
       Random random(seed);
       Face_dual_graph graph = random_graph(random);
@@ -116,49 +120,64 @@ BOOST_AUTO_TEST_CASE(first_steps_lead_to_the_source_over_shortest_paths)
       if (seed % 2 == 0)
         make_uneven(graph, weighting, random);
       const std::size_t n = graph.number_of_faces();
-      const Index source = static_cast<Index>(random() % n);
-      const std::vector<double> distance = shortest_paths(graph, source, weighting);
-      const std::vector<Index> step = first_steps(graph, source, weighting, distance);
-      BOOST_TEST(step[source] == null_index);
-      for (Index f = 0; f < n; ++f) {
-        double length = 0;
-        std::size_t number_of_steps = 0;
-        for (Index g = f; g != source; g = graph.halfedges[step[g]].neighbor) {
-          BOOST_TEST_REQUIRE(step[g] / 3 == g);
-          BOOST_TEST_REQUIRE(++number_of_steps < n);
-          length += graph.halfedges[step[g]].*weighting;
-        }
-        BOOST_TEST(length == distance[f]);
+      std::vector<double> expected(n, infinity);
+      Path_lengths by_buckets(n), by_dijkstra(n);
+      for (int i = 0; i < 4; ++i) {
+        const Index source = static_cast<Index>(random() % n);
+        grow_paths(Weighted_graph(graph, weighting), source, by_buckets);
+        grow_paths<Dijkstra_search>(Weighted_graph(graph, weighting), source, by_dijkstra);
+        const std::vector<double> distance = floyd_warshall(graph, weighting)[source];
+        for (Index f = 0; f < n; ++f)
+          expected[f] = std::min(expected[f], distance[f]);
+        BOOST_TEST(by_buckets.lengths == expected, tt::per_element());
+        BOOST_TEST(by_dijkstra.lengths == expected, tt::per_element());
       }
     }
   }
 }
 
-BOOST_AUTO_TEST_CASE(of_several_shortest_paths_the_one_over_the_nearest_neighbor_is_taken)
+BOOST_AUTO_TEST_CASE(angles_are_summed_along_the_paths_over_the_nearest_neighbors)
 {
-  Face_dual_graph graph = dual_graph_of(
-    {{Point(0, 0, 0), Point(1, 0, 0), Point(0, 1, 0), Point(-1, 0, 0), Point(0, -1, 0)},
-     {{0, 1, 2}, {0, 2, 3}, {0, 3, 4}, {0, 4, 1}}}); // a ring of four faces
-  const Weighting weighting = &Halfedge::geodesic;
-  const auto set_weight = [&](Index f, Index g, float weight) {
-    for (Index h = 0; h < graph.halfedges.size(); ++h)
-      if (std::minmax(h / 3, graph.halfedges[h].neighbor) == std::minmax(f, g))
-        graph.halfedges[h].*weighting = weight;
-  };
-  const auto next_of_2 = [&] {
-    const std::vector<double> distance = shortest_paths(graph, 0, weighting);
-    return graph.halfedges[first_steps(graph, 0, weighting, distance)[2]].neighbor;
-  };
-  set_weight(0, 1, 2);
-  set_weight(1, 2, 2);
-  set_weight(0, 3, 2);
-  set_weight(3, 2, 2);
-  BOOST_TEST(next_of_2() == 1u); // both are as near; the first of them
-  set_weight(0, 3, 1);
-  set_weight(3, 2, 3);
-  BOOST_TEST(next_of_2() == 3u);
-  set_weight(3, 2, 3.5);
-  BOOST_TEST(next_of_2() == 1u);
+  for (unsigned seed = 1; seed <= 100; ++seed) {
+    BOOST_TEST_CONTEXT("seed " << seed) {
+      Random random(seed);
+      Face_dual_graph graph = random_graph(random);
+      const Weighting weighting = weightings[seed % 3];
+      for (Index h = 0; h < graph.halfedges.size(); ++h)
+        if (!graph.is_border(h)) // few values, so that many paths are as short
+          graph.halfedges[h].*weighting = graph.halfedges[graph.opposite(h)].*weighting =
+            1 + float(random() % 3);
+      const std::size_t n = graph.number_of_faces();
+      const Index source = static_cast<Index>(random() % n);
+      const std::vector<double> distance = floyd_warshall(graph, weighting)[source];
+
+      std::vector<Index> faces(n);
+      std::iota(faces.begin(), faces.end(), 0);
+      std::stable_sort(faces.begin(), faces.end(),
+                       [&](Index f, Index g) { return distance[f] < distance[g]; });
+      std::vector<float> expected(n, 0);
+      for (Index f : faces) {
+        std::pair<double, Index> nearest(infinity, 0);
+        for (Index h = 3 * f; h < 3 * f + 3; ++h) {
+          const Index g = graph.halfedges[h].neighbor;
+          const std::pair<double, Index> candidate(distance[g], g);
+          if (distance[g] + graph.halfedges[h].*weighting == distance[f] && candidate < nearest) {
+            nearest = candidate;
+            expected[f] = expected[g] + graph.halfedges[h].angle;
+          }
+        }
+      }
+
+      Path_angles by_buckets(n), by_dijkstra(n);
+      grow_paths(Weighted_graph(graph, weighting), source, by_buckets);
+      grow_paths<Dijkstra_search>(Weighted_graph(graph, weighting), source, by_dijkstra);
+      for (Index f = 0; f < n; ++f) {
+        BOOST_TEST(by_buckets.length(f) == distance[f]);
+        BOOST_TEST(by_buckets.angles(f) == expected[f]);
+        BOOST_TEST(by_dijkstra.angles(f) == expected[f]);
+      }
+    }
+  }
 }
 
 BOOST_AUTO_TEST_CASE(a_single_face_is_at_distance_0)
@@ -167,8 +186,6 @@ BOOST_AUTO_TEST_CASE(a_single_face_is_at_distance_0)
   const Face_dual_graph graph = random_part(dual_graph_of(sphere(0)), 1, random);
   const std::vector<double> distance = shortest_paths(graph, 0, &Halfedge::geodesic);
   BOOST_TEST(distance == std::vector<double>({0}), tt::per_element());
-  BOOST_TEST(first_steps(graph, 0, &Halfedge::geodesic, distance) ==
-             std::vector<Index>({null_index}), tt::per_element());
 }
 
 BOOST_AUTO_TEST_CASE(ways_of_length_0_are_ways)
@@ -176,4 +193,8 @@ BOOST_AUTO_TEST_CASE(ways_of_length_0_are_ways)
   Face_dual_graph graph = dual_graph_of(plate(3, 3)); // its distances are 0
   BOOST_TEST(shortest_paths(graph, 4, &Halfedge::combined) ==
              std::vector<double>(graph.number_of_faces(), 0.), tt::per_element());
+  Path_angles paths(graph.number_of_faces());
+  grow_paths(Weighted_graph(graph, &Halfedge::combined), 4, paths);
+  for (Index f = 0; f < graph.number_of_faces(); ++f)
+    BOOST_TEST(paths.length(f) == 0);
 }

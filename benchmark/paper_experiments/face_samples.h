@@ -79,12 +79,11 @@ inline std::vector<Index> samples_by_contexts(const Face_dual_graph& part, std::
   const internal::Shape_contexts contexts = internal::shape_contexts<CGAL::Sequential_tag>(
     part, internal::farthest_face_from_center(part),
     internal::Options().number_of_reference_faces, [] {});
-  const std::size_t k = contexts.references.size();
   const auto distances_from = [&](Index from) {
     std::vector<double> squared(part.number_of_faces(), 0);
     for (Index f = 0; f < squared.size(); ++f)
-      for (std::size_t j = 0; j < k; ++j) {
-        const double difference = double(contexts[f][j]) - contexts[from][j];
+      for (Eigen::Index j = 0; j < contexts.values.cols(); ++j) {
+        const double difference = double(contexts.values(f, j)) - contexts.values(from, j);
         squared[f] += difference * difference;
       }
     return squared;

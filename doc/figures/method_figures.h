@@ -98,17 +98,14 @@ inline void draw_dual_graph(Picture_book& book, const Named_mesh& shape)
 // Each face's context as a color: its three principal components are red, green and blue.
 inline std::vector<Rgb> context_colors(const internal::Shape_contexts& contexts)
 {
-  const Eigen::Index k = static_cast<Eigen::Index>(contexts.references.size());
-  const Eigen::Index n = static_cast<Eigen::Index>(contexts.values.size()) / k;
-  Eigen::MatrixXd vectors =
-    Eigen::Map<const Eigen::MatrixXf>(contexts.values.data(), k, n).cast<double>();
+  Eigen::MatrixXd vectors = contexts.values.transpose().cast<double>();
   vectors.colwise() -= vectors.rowwise().mean().eval();
   const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> solver(vectors * vectors.transpose());
   Eigen::MatrixXd components = solver.eigenvectors().rightCols(3).transpose() * vectors;
-  std::vector<Rgb> colors(n);
+  std::vector<Rgb> colors(vectors.cols());
   for (int i = 0; i < 3; ++i) {
     const double smallest = components.row(i).minCoeff(), largest = components.row(i).maxCoeff();
-    for (Eigen::Index f = 0; f < n; ++f)
+    for (Eigen::Index f = 0; f < vectors.cols(); ++f)
       colors[f][i] = static_cast<std::uint8_t>(
         40 + 200 * (components(i, f) - smallest) / (largest - smallest));
   }
@@ -118,9 +115,8 @@ inline std::vector<Rgb> context_colors(const internal::Shape_contexts& contexts)
 inline std::vector<Rgb> context_norm_colors(const internal::Shape_contexts& contexts)
 {
   std::vector<double> norms;
-  const std::size_t k = contexts.references.size();
-  for (Index f = 0; f < contexts.values.size() / k; ++f)
-    norms.push_back(Eigen::Map<const Eigen::VectorXf>(contexts[f], k).norm());
+  for (Eigen::Index f = 0; f < contexts.values.rows(); ++f)
+    norms.push_back(contexts.values.row(f).norm());
   const auto [smallest, largest] = std::minmax_element(norms.begin(), norms.end());
   std::vector<Rgb> colors;
   for (double norm : norms)

@@ -333,18 +333,22 @@ std::size_t segment_spectral_recursive(const TriangleMesh& mesh, SegmentIdMap se
   typedef internal::Monitor<std::remove_reference_t<Visitor_reference> > Monitor;
   Monitor monitor(visitor);
 
+  const std::vector<internal::Index> order = internal::order_of_locality(mesh, faces);
   Segment_tree tree;
   internal::call_isolated([&] {
     internal::Initial_mesh initial = monitor.stage(
       Stage::INITIALIZATION, Segmentation_visitor::whole_mesh, [&] {
         return internal::initialize<ConcurrencyTag>(
-          mesh, faces,
+          mesh, internal::in_order(faces, order),
           choose_parameter(get_parameter(pack, CGAL::internal_np::vertex_point),
                            get_const_property_map(CGAL::vertex_point, mesh)),
           choose_parameter<Geom_traits>(get_parameter(pack, CGAL::internal_np::geom_traits)),
           options, [&] { return monitor.go_further(); });
       });
     const bool is_simplified = !initial.simplified.empty();
+    std::vector<internal::Neighbors> neighbors;
+    if (options.boundary_smoothing)
+      neighbors = internal::neighbors(initial.graph);
     internal::Face_dual_graph searched =
       is_simplified ? initial.searched() : std::move(initial.graph);
     tree = options.number_of_pieces > 0
@@ -353,6 +357,7 @@ std::size_t segment_spectral_recursive(const TriangleMesh& mesh, SegmentIdMap se
     if (is_simplified)
       tree = monitor.stage(Stage::TRANSFER, Segmentation_visitor::whole_mesh, [&]
         { return internal::transfer_cuts<ConcurrencyTag>(std::move(tree), initial, options); });
+    internal::number_faces(tree, order, neighbors);
   });
 
   const std::vector<std::size_t> labels = options.boundary_smoothing

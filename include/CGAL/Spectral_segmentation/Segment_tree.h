@@ -28,12 +28,14 @@ namespace CGAL {
 namespace Spectral_segmentation {
 
 /// \cond SKIP_IN_MANUAL
+class Segment_tree;
 namespace internal {
 template <class ConcurrencyTag, class Monitor>
 class Recursion;
 template <class ConcurrencyTag, class Monitor, class Observer>
 class Cut_and_merge;
 class Cut_transfer;
+inline void number_faces(Segment_tree&, const std::vector<Index>&, const std::vector<Neighbors>&);
 }
 /// \endcond
 
@@ -121,7 +123,7 @@ public:
   /// the salience threshold of the run: no lower one can be asked for, except of a whole tree
   double salience_threshold() const { return salience_threshold_; }
 
-  /// the numbers of the faces of node `i`, a range of unsigned integers in ascending order
+  /// the numbers of the faces of node `i`, a range of unsigned integers; those of a leaf ascend
   Iterator_range<std::vector<internal::Index>::const_iterator> faces(size_type i) const
   {
     const auto first = faces_.begin() + first_face_[i];
@@ -195,6 +197,8 @@ private:
   template <class ConcurrencyTag, class Monitor, class Observer>
   friend class internal::Cut_and_merge;
   friend class internal::Cut_transfer;
+  friend void internal::number_faces(Segment_tree&, const std::vector<internal::Index>&,
+                                     const std::vector<internal::Neighbors>&);
 
   // A forest of roots only. `component` is the number of the component of each face, and
   // `areas` has one entry a component; components are numbered by their first face.
@@ -223,7 +227,7 @@ private:
   }
 
   // The order of the cuts: that in which they were made if the tree is whole, else large parts come
-  // first; of equals the part with the face of smallest number, which no two parts have in common.
+  // first; of equals the part that was made first.
   struct Before
   {
     const Segment_tree* tree;
@@ -233,14 +237,13 @@ private:
         return tree->nodes_[a].children[0] < tree->nodes_[b].children[0];
       if (!tree->is_whole_ && tree->areas_[a] != tree->areas_[b])
         return tree->areas_[a] > tree->areas_[b];
-      return tree->smallest_face_[a] < tree->smallest_face_[b];
+      return a < b;
     }
   };
 
   typedef std::set<size_type, Before> Queue;
 
   Queue empty_queue() const { return Queue(Before{this}); }
-
 
   void set_cut(size_type i, Cut_state state, double salience, const Salience_factors& factors)
   {
@@ -275,9 +278,6 @@ private:
       areas_.push_back(area[k]);
     }
   }
-
-  void smooth_boundaries_with(std::vector<internal::Neighbors> neighbors)
-  { neighbors_ = std::move(neighbors); }
 
   // The nodes that are the segments, in the order of their labels. Repeats the run's recursion.
   std::vector<size_type> prune(size_type maximum_number_of_segments,
@@ -340,6 +340,35 @@ private:
   double salience_threshold_ = 0;
   bool is_whole_ = false; // the cuts were made from the most salient on, down to the last
 };
+
+/// \cond SKIP_IN_MANUAL
+namespace internal {
+
+// Numbers the faces of a run as the mesh does: f becomes `number[f]`. `neighbors` are those of the
+// faces of the run if boundaries shall be smoothed.
+inline void number_faces(Segment_tree& tree, const std::vector<Index>& number,
+                         const std::vector<Neighbors>& neighbors)
+{
+  std::vector<std::size_t> leaf(number.size()), next(tree.first_face_);
+  for (std::size_t i = 0; i < tree.number_of_nodes(); ++i)
+    if (tree.node(i).is_leaf())
+      for (Index f : tree.faces(i))
+        leaf[number[f]] = i;
+  for (Index f = 0; f < number.size(); ++f)
+    tree.faces_[next[leaf[f]]++] = f;
+  for (std::size_t i = tree.number_of_nodes(); i-- > 0;) {
+    const auto& children = tree.node(i).children;
+    tree.smallest_face_[i] = tree.node(i).is_leaf() ? *tree.faces(i).begin()
+      : (std::min)(tree.smallest_face_[children[0]], tree.smallest_face_[children[1]]);
+  }
+  tree.neighbors_.resize(neighbors.size());
+  for (Index f = 0; f < neighbors.size(); ++f)
+    for (int i = 0; i < 3; ++i)
+      tree.neighbors_[number[f]][i] = number[neighbors[f][i]];
+}
+
+} // namespace internal
+/// \endcond
 
 } // namespace Spectral_segmentation
 } // namespace CGAL

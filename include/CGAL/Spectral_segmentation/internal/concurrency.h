@@ -51,6 +51,30 @@ void for_each_index(std::size_t n, const Function& f)
     f(i);
 }
 
+// Functions that run beside the caller, who waits for them; without threads `run()` calls them.
+template <class ConcurrencyTag, bool IsParallel = is_parallel<ConcurrencyTag> >
+class Task_group
+{
+public:
+  template <class Function>
+  void run(const Function& f) { f(); }
+  void wait() {}
+};
+
+#ifdef CGAL_LINKED_WITH_TBB
+template <class ConcurrencyTag>
+class Task_group<ConcurrencyTag, true>
+{
+  tbb::task_group_context own_{tbb::task_group_context::isolated};
+  tbb::task_group group_{own_};
+
+public:
+  template <class Function>
+  void run(const Function& f) { group_.run(f); }
+  void wait() { group_.wait(); }
+};
+#endif
+
 } // namespace internal
 } // namespace Spectral_segmentation
 } // namespace CGAL

@@ -235,8 +235,6 @@ class Cut_and_merge
     Segment_tree tree(component_, component_areas(mesh_, component_, number_of_components_),
                       mesh_.unit, options_);
     tree.is_whole_ = true;
-    if (options_.boundary_smoothing)
-      tree.smooth_boundaries_with(internal::neighbors(mesh_));
 
     // The sets of pieces on the two sides of each merge, and the node that a set becomes.
     std::vector<std::vector<std::size_t> > set(pieces.size());

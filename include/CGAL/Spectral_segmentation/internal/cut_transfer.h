@@ -265,8 +265,6 @@ public:
     Segment_tree tree(component, component_areas(mesh_, component, number_of_components),
                       mesh_.unit, options);
     tree.is_whole_ = cuts_.is_whole_;
-    if (options.boundary_smoothing)
-      tree.smooth_boundaries_with(neighbors(mesh_));
 
     std::vector<std::size_t> same(cuts_.number_of_nodes(), Segment_tree::null_node); // in the tree
     bool is_complete = true;

@@ -7,7 +7,6 @@
 #include <CGAL/Spectral_segmentation/internal/Face_dual_graph.h>
 #include <CGAL/Spectral_segmentation/internal/mesh_numbering.h>
 
-#include <CGAL/boost/graph/helpers.h>
 #include <CGAL/number_utils.h>
 
 #include <boost/graph/graph_traits.hpp>
@@ -26,31 +25,30 @@ namespace CGAL {
 namespace Spectral_segmentation {
 namespace internal {
 
-// Moves the points that faces use into [-1, 1]^3 and returns the length of 1 in the old unit,
-// a power of two, so that scaling rounds nothing.
-inline double normalize(std::vector<Vector>& points, const std::vector<char>& is_used)
+// Moves the points into [-1, 1]^3 and returns the length of 1 in the old unit, a power of two, so
+// that scaling rounds nothing.
+inline double normalize(std::vector<Vector>& points)
 {
   Vector smallest = Vector::Constant(std::numeric_limits<double>::infinity());
   Vector largest = -smallest;
-  for (std::size_t v = 0; v < points.size(); ++v)
-    if (is_used[v]) {
-      smallest = smallest.cwiseMin(points[v]);
-      largest = largest.cwiseMax(points[v]);
-    }
+  for (const Vector& p : points) {
+    smallest = smallest.cwiseMin(p);
+    largest = largest.cwiseMax(p);
+  }
   const Vector center = smallest / 2 + largest / 2;
   const double half_extent = (largest / 2 - smallest / 2).maxCoeff();
   const double unit =
     half_extent > 0 ? std::ldexp(1., (std::min)(std::ilogb(half_extent) + 1, 1023)) : 1;
-  for (std::size_t v = 0; v < points.size(); ++v)
-    points[v] = is_used[v] ? Vector((points[v] - center) / unit) : Vector(Vector::Zero());
+  for (Vector& p : points)
+    p = (p - center) / unit;
   return unit;
 }
 
-// Reads a mesh into arrays; face distances are left open. Vertices are numbered in the order of
-// `vertices(mesh)` and the first corner of a face is its smallest vertex, so that every model of
-// the same mesh gives the same arrays. Coordinates are normalized.
+// Reads triangles into arrays; face distances are left open. Vertices are numbered as faces come to
+// them, and the first corner of a face is the vertex that is the first in `vertices(mesh)`, so that
+// every model of the same mesh gives the same arrays. Coordinates are normalized.
 //
-// Throws `std::invalid_argument` if a face is not a triangle or a coordinate is not finite.
+// Throws `std::invalid_argument` if a coordinate is not finite.
 template <class TriangleMesh, class FaceDescriptor, class VertexPointMap, class GeomTraits>
 Face_dual_graph
 face_dual_graph_of_mesh(const TriangleMesh& mesh, const std::vector<FaceDescriptor>& faces,
@@ -73,11 +71,10 @@ face_dual_graph_of_mesh(const TriangleMesh& mesh, const std::vector<FaceDescript
   Face_dual_graph graph;
   graph.corners.resize(faces.size());
   graph.halfedges.resize(3 * faces.size());
+  std::vector<Index> used;                                            // vertices of the mesh
+  std::vector<Index> number_in_used(vertices_of_mesh.size(), null_index);
   for (Index f = 0; f < faces.size(); ++f) {
     halfedge_descriptor h = halfedge(faces[f], mesh);
-    if (!CGAL::is_triangle(h, mesh))
-      throw std::invalid_argument("segment_spectral_recursive: face " + std::to_string(f) +
-                                  " is not a triangle");
     std::array<Index, 3> corner;
     for (Index& c : corner) {
       c = vertex_number(source(h, mesh));
@@ -94,30 +91,31 @@ face_dual_graph_of_mesh(const TriangleMesh& mesh, const std::vector<FaceDescript
       graph.halfedges[3 * f + slot].neighbor = neighbor == null_index ? f : neighbor;
       h = next(h, mesh);
     }
+    for (Index& c : graph.corners[f]) {
+      if (number_in_used[c] == null_index) {
+        number_in_used[c] = static_cast<Index>(used.size());
+        used.push_back(c);
+      }
+      c = number_in_used[c];
+    }
   }
   // An edge whose sides do not match, as of a face that is glued to itself, counts as border.
   for (Index h = 0; h < graph.halfedges.size(); ++h)
     if (!graph.is_border(h) && graph.opposite(h) == null_index)
       graph.halfedges[h].neighbor = h / 3;
 
-  std::vector<char> is_used(vertices_of_mesh.size(), 0);
-  for (const std::array<Index, 3>& corner : graph.corners)
-    for (Index v : corner)
-      is_used[v] = 1;
   const auto x = traits.compute_x_3_object();
   const auto y = traits.compute_y_3_object();
   const auto z = traits.compute_z_3_object();
-  graph.points.resize(vertices_of_mesh.size(), Vector::Zero());
-  for (Index v = 0; v < vertices_of_mesh.size(); ++v) {
-    if (!is_used[v])
-      continue;
+  graph.points.reserve(used.size());
+  for (Index v : used) {
     const auto& p = get(vertex_point_map, vertices_of_mesh[v]);
-    graph.points[v] = Vector(CGAL::to_double(x(p)), CGAL::to_double(y(p)), CGAL::to_double(z(p)));
-    if (!graph.points[v].allFinite())
+    graph.points.emplace_back(CGAL::to_double(x(p)), CGAL::to_double(y(p)), CGAL::to_double(z(p)));
+    if (!graph.points.back().allFinite())
       throw std::invalid_argument("segment_spectral_recursive: vertex " + std::to_string(v) +
                                   " has a coordinate that is not finite");
   }
-  graph.unit = normalize(graph.points, is_used);
+  graph.unit = normalize(graph.points);
   set_sizes(graph);
   return graph;
 }

@@ -105,8 +105,6 @@ public:
     const std::vector<Index> component = connected_components(mesh, number_of_components);
     tree_ = Segment_tree(component, component_areas(mesh, component, number_of_components),
                          mesh.unit, options);
-    if (options.boundary_smoothing)
-      tree_.smooth_boundaries_with(neighbors(mesh));
     std::vector<Face_dual_graph> parts;
     if (number_of_components == 1)
       parts.push_back(std::move(mesh));

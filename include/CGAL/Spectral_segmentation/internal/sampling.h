@@ -8,6 +8,8 @@
 #include <CGAL/Spectral_segmentation/internal/concurrency.h>
 #include <CGAL/Spectral_segmentation/internal/shortest_paths.h>
 
+#include <Eigen/Core>
+
 #include <algorithm>
 #include <cstddef>
 #include <cstdint>
@@ -56,71 +58,38 @@ inline Index random_face(const Face_dual_graph& graph, std::uint64_t seed, Index
 struct Shape_contexts
 {
   std::vector<Index> references;
-  std::vector<float> values; // the context vector of face f begins at f * references.size()
-
-  const float* operator[](Index f) const { return values.data() + f * references.size(); }
+  Eigen::MatrixXf values; // a row for each face, a column for each reference
 };
 
-// The sums of the angle distances along the shortest geodesic paths to a face.
-inline std::vector<float> angles_along_paths(const Face_dual_graph& graph, Index reference,
-                                             const std::vector<double>& distance)
-{
-  const std::vector<Index> step =
-    first_steps(graph, reference, &Face_dual_graph::Halfedge::geodesic, distance);
-  constexpr float unknown = -1;
-  std::vector<float> sum(graph.number_of_faces(), unknown);
-  sum[reference] = 0;
-  std::vector<Index> path;
-  for (Index first = 0; first < sum.size(); ++first) {
-    Index f = first;
-    for (; sum[f] == unknown; f = graph.halfedges[step[f]].neighbor)
-      path.push_back(step[f]);
-    for (float s = sum[f]; !path.empty(); path.pop_back())
-      sum[path.back() / 3] = s += graph.halfedges[path.back()].angle;
-  }
-  return sum;
-}
-
 // Chooses k reference faces, or all of a part with fewer, mutually farthest apart in geodesic
-// distance, and sums the angle distances along the shortest geodesic paths to each, while the tree
-// of the next one grows. `between_trees()` is called before each tree.
+// distance, and sums the angle distances along the shortest geodesic paths to each, while the next
+// ones are chosen. `between_trees()` is called before each tree.
 template <class ConcurrencyTag, class BetweenTrees>
 Shape_contexts shape_contexts(const Face_dual_graph& graph, Index first_reference, std::size_t k,
                               const BetweenTrees& between_trees)
 {
   const std::size_t n = graph.number_of_faces();
-  k = (std::min)(k, n);
+  const Weighted_graph weighted(graph, &Face_dual_graph::Halfedge::geodesic);
   Shape_contexts contexts;
-  contexts.values.resize(n * k);
-  std::vector<double> to_nearest(n, std::numeric_limits<double>::infinity());
-  std::vector<double> distance, next_distance;
-  const auto grow_tree = [&] {
-    const Index reference = contexts.references.empty() ? first_reference : static_cast<Index>(
-      std::max_element(to_nearest.begin(), to_nearest.end()) - to_nearest.begin());
-    contexts.references.push_back(reference);
-    next_distance = shortest_paths(graph, reference, &Face_dual_graph::Halfedge::geodesic);
-    for (Index f = 0; f < n; ++f)
-      to_nearest[f] = (std::min)(to_nearest[f], next_distance[f]);
-  };
-  const auto sum_angles = [&](std::size_t j, Index reference) {
-    const std::vector<float> angles = angles_along_paths(graph, reference, distance);
-    for (Index f = 0; f < n; ++f)
-      contexts.values[f * k + j] = angles[f];
-  };
-  between_trees();
-  grow_tree();
+  k = (std::min)(k, n);
+  contexts.values.resize(n, k);
+  Path_lengths to_nearest(n);
+  Task_group<ConcurrencyTag> trees;
   for (std::size_t j = 0; j < k; ++j) {
-    distance.swap(next_distance);
-    const Index reference = contexts.references.back();
-    if (j + 1 < k)
-      between_trees();
-    for_each_index<ConcurrencyTag>(j + 1 < k ? 2 : 1, [&](std::size_t task) {
-      if (task == 0)
-        sum_angles(j, reference);
-      else
-        grow_tree();
+    between_trees();
+    const Index reference = contexts.references.empty() ? first_reference : static_cast<Index>(
+      std::max_element(to_nearest.lengths.begin(), to_nearest.lengths.end()) -
+      to_nearest.lengths.begin());
+    contexts.references.push_back(reference);
+    trees.run([&, j, reference] {
+      Path_angles paths(n);
+      grow_paths(weighted, reference, paths);
+      for (Index f = 0; f < n; ++f)
+        contexts.values(f, j) = paths.angles(f);
     });
+    grow_paths(weighted, reference, to_nearest);
   }
+  trees.wait();
   return contexts;
 }
 
@@ -133,27 +102,20 @@ struct Sample_faces
 // The two samples (Section 4.2) of a part with two faces or more. Of equals the first is taken.
 inline Sample_faces sample_faces(const Shape_contexts& contexts)
 {
-  const std::size_t k = contexts.references.size();
-  const Index n = static_cast<Index>(contexts.values.size() / k);
-  const auto farthest = [&](const std::vector<float>& from, Index except) {
-    Index best = null_index;
-    double largest = -1;
-    for (Index f = 0; f < n; ++f) {
-      double squared = 0;
-      for (std::size_t j = 0; j < k; ++j) {
-        const double difference = double(contexts[f][j]) - from[j];
-        squared += difference * difference;
+  const auto farthest = [&](const Eigen::RowVectorXf& from, Index except) {
+    std::vector<double> squared(contexts.values.rows(), 0);
+    for (Eigen::Index j = 0; j < contexts.values.cols(); ++j)
+      for (Index f = 0; f < squared.size(); ++f) {
+        const double difference = double(contexts.values(f, j)) - from[j];
+        squared[f] += difference * difference;
       }
-      if (f != except && squared > largest) {
-        largest = squared;
-        best = f;
-      }
-    }
-    return best;
+    if (except != null_index)
+      squared[except] = -1;
+    return static_cast<Index>(std::max_element(squared.begin(), squared.end()) - squared.begin());
   };
   Sample_faces samples;
-  samples.s = farthest(std::vector<float>(k, 0.f), null_index);
-  samples.t = farthest(std::vector<float>(contexts[samples.s], contexts[samples.s] + k), samples.s);
+  samples.s = farthest(Eigen::RowVectorXf::Zero(contexts.values.cols()), null_index);
+  samples.t = farthest(contexts.values.row(samples.s), samples.s);
   return samples;
 }
 

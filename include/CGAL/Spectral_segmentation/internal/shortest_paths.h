@@ -23,50 +23,158 @@ namespace internal {
 // The three weightings of Section 3: geodesic, angle and combined.
 typedef float Face_dual_graph::Halfedge::* Weighting;
 
-// Distances of all faces of a connected part from `source`, by BGL's Dijkstra in O(n log n): the
-// reference for `Bucket_search`.
+// A step from a face to a neighbor, and the angle distance between the two.
+struct Arc
+{
+  Index neighbor;
+  float weight;
+  float angle;
+};
+
+// A connected part with one weighting: what a search reads, and no more, side by side in memory.
+class Weighted_graph
+{
+  const Face_dual_graph& graph_;
+  std::vector<Arc> arcs_; // of each half-edge
+  double sum_ = 0, largest_ = 0;
+
+public:
+  Weighted_graph(const Face_dual_graph& graph, Weighting weighting) : graph_(graph)
+  {
+    arcs_.reserve(graph.halfedges.size());
+    for (const Face_dual_graph::Halfedge& h : graph.halfedges) {
+      const float weight = h.*weighting;
+      arcs_.push_back({h.neighbor, weight, h.angle});
+      sum_ += weight;
+      largest_ = (std::max)(largest_, double(weight));
+    }
+  }
+
+  const Face_dual_graph& faces() const { return graph_; }
+  const Arc& arc(Index h) const { return arcs_[h]; }
+  double mean_weight() const { return sum_ / static_cast<double>(arcs_.size()); }
+  double largest_weight() const { return largest_; }
+};
+
+// What a search finds is kept in `paths`: `start(source)`, and `reach(f, arc)`, which tells whether
+// the way by f over the arc is better than what was known for the neighbor; `length(f)`.
+
+// The lengths of the shortest paths, from the nearest if several sources were started from.
+struct Path_lengths
+{
+  std::vector<double> lengths;
+
+  explicit Path_lengths(std::size_t number_of_faces)
+    : lengths(number_of_faces, std::numeric_limits<double>::infinity()) {}
+
+  void start(Index source) { lengths[source] = 0; }
+  double length(Index f) const { return lengths[f]; }
+
+  bool reach(Index f, const Arc& arc)
+  {
+    const double length = lengths[f] + arc.weight;
+    if (length >= lengths[arc.neighbor])
+      return false;
+    lengths[arc.neighbor] = length;
+    return true;
+  }
+};
+
+// The same with the sums of the angle distances along the paths. Of several shortest paths the one
+// over the nearest neighbor is taken, then over the first, so that it does not depend on the search
+// which one it is, unless steps have no length.
+class Path_angles
+{
+  struct Path
+  {
+    double length = std::numeric_limits<double>::infinity();
+    float angles = 0;
+    Index previous = null_index; // face
+  };
+
+  std::vector<Path> paths_;
+
+  bool is_nearer(Index f, Index g) const
+  {
+    return paths_[f].length < paths_[g].length ||
+           (paths_[f].length == paths_[g].length && f < g);
+  }
+
+public:
+  explicit Path_angles(std::size_t number_of_faces) : paths_(number_of_faces) {}
+
+  void start(Index source) { paths_[source].length = 0; }
+  double length(Index f) const { return paths_[f].length; }
+  float angles(Index f) const { return paths_[f].angles; }
+
+  bool reach(Index f, const Arc& arc)
+  {
+    const double length = paths_[f].length + arc.weight;
+    Path& path = paths_[arc.neighbor];
+    if (length > path.length)
+      return false;
+    if (length == path.length &&
+        (arc.weight == 0 || path.previous == null_index || !is_nearer(f, path.previous)))
+      return false;
+    path = {length, paths_[f].angles + arc.angle, f};
+    return true;
+  }
+};
+
+// By BGL's Dijkstra in O(n log n): the reference for `Bucket_search`.
 struct Dijkstra_search
 {
-  std::vector<double> operator()(const Face_dual_graph& graph, Index source,
-                                 Weighting weighting) const
+  template <class Paths>
+  class Visitor : public boost::dijkstra_visitor<>
   {
-    std::vector<double> distance(graph.number_of_faces());
+    const Weighted_graph* graph_;
+    Paths* paths_;
+
+  public:
+    Visitor(const Weighted_graph& graph, Paths& paths) : graph_(&graph), paths_(&paths) {}
+
+    void examine_vertex(Index f, const Face_dual_graph&) const
+    {
+      for (Index h = 3 * f; h < 3 * f + 3; ++h)
+        paths_->reach(f, graph_->arc(h));
+    }
+  };
+
+  template <class Paths>
+  void operator()(const Weighted_graph& graph, Index source, Paths& paths) const
+  {
+    paths.start(source);
+    std::vector<double> distance(graph.faces().number_of_faces());
     const boost::typed_identity_property_map<Index> index;
-    const auto weight = [&graph, weighting](Index h) -> double
-    { return graph.halfedges[h].*weighting; };
+    const auto weight = [&graph](Index h) -> double { return graph.arc(h).weight; };
     boost::dijkstra_shortest_paths(
-      graph, source,
+      graph.faces(), source,
       boost::weight_map(boost::make_function_property_map<Index, double>(weight))
         .distance_map(boost::make_iterator_property_map(distance.begin(), index))
-        .vertex_index_map(index));
-    return distance;
+        .vertex_index_map(index)
+        .visitor(Visitor<Paths>(graph, paths)));
   }
 };
 
 // The same, as sums on a grid are exact, with buckets of the width of a mean weight in place of the
 // heap, which costs more than all else: the faces of the nearest bucket are visited in any order,
-// and again when their distance shrinks, until none does. A circle of buckets is enough, since no
-// weight reaches around it.
+// and again when they are reached on a better way, until none is. A circle of buckets is enough,
+// since no weight reaches around it. Where paths are known already, only those who get a better one
+// are visited.
 struct Bucket_search
 {
-  std::vector<double> operator()(const Face_dual_graph& graph, Index source,
-                                 Weighting weighting) const
+  template <class Paths>
+  void operator()(const Weighted_graph& graph, Index source, Paths& paths) const
   {
-    typedef std::vector<std::pair<Index, double> > Bucket; // faces with their distance
-    double sum = 0, largest = 0;
-    for (const Face_dual_graph::Halfedge& h : graph.halfedges) {
-      sum += h.*weighting;
-      largest = (std::max)(largest, double(h.*weighting));
-    }
-    const double buckets_per_distance =
-      sum > 0 ? static_cast<double>(graph.halfedges.size()) / sum : 0;
-    std::vector<Bucket> circle(static_cast<std::size_t>(largest * buckets_per_distance) + 3);
-    const auto bucket_at = [&](double d) -> Bucket&
-    { return circle[static_cast<Index>(d * buckets_per_distance) % circle.size()]; };
+    typedef std::vector<Index> Bucket;
+    const double buckets_per_length = graph.mean_weight() > 0 ? 1 / graph.mean_weight() : 0;
+    const auto bucket_of = [&](Index f)
+    { return static_cast<std::size_t>(paths.length(f) * buckets_per_length); };
+    std::vector<Bucket> circle(
+      static_cast<std::size_t>(graph.largest_weight() * buckets_per_length) + 3);
 
-    std::vector<double> distance(graph.number_of_faces(), std::numeric_limits<double>::infinity());
-    distance[source] = 0;
-    circle[0].push_back({source, 0});
+    paths.start(source);
+    circle[0].push_back(source);
     Bucket visited;
     std::size_t number_of_waiting = 1;
     for (std::size_t current = 0; number_of_waiting > 0; ++current)
@@ -74,60 +182,32 @@ struct Bucket_search
         visited.clear();
         visited.swap(nearest);
         number_of_waiting -= visited.size();
-        for (const auto& [f, d] : visited) {
-          if (distance[f] < d)
+        for (Index f : visited) {
+          if (bucket_of(f) < current) // it was reached on a better way since
             continue;
-          for (Index h = 3 * f; h < 3 * f + 3; ++h) {
-            const Index g = graph.halfedges[h].neighbor;
-            const double d_g = d + graph.halfedges[h].*weighting;
-            if (d_g < distance[g]) {
-              distance[g] = d_g;
-              bucket_at(d_g).push_back({g, d_g});
+          for (Index h = 3 * f; h < 3 * f + 3; ++h)
+            if (paths.reach(f, graph.arc(h))) {
+              const Index g = graph.arc(h).neighbor;
+              circle[bucket_of(g) % circle.size()].push_back(g);
               ++number_of_waiting;
             }
-          }
         }
       }
-    return distance;
   }
 };
 
+// Adds the paths from a source to all faces.
+template <class Search = Bucket_search, class Paths>
+void grow_paths(const Weighted_graph& graph, Index source, Paths& paths)
+{ Search()(graph, source, paths); }
+
+// The distances of all faces from `source`.
 template <class Search = Bucket_search>
 std::vector<double> shortest_paths(const Face_dual_graph& graph, Index source, Weighting weighting)
-{ return Search()(graph, source, weighting); }
-
-// The half-edge of each face over which its shortest path to `source` begins; `null_index` for the
-// source. Of several the one to the nearest neighbor, then to the first, so that it does not depend
-// on the search which path is taken.
-inline std::vector<Index> first_steps(const Face_dual_graph& graph, Index source,
-                                      Weighting weighting, const std::vector<double>& distance)
 {
-  std::vector<Index> step(graph.number_of_faces(), null_index);
-  std::vector<Index> reached;
-  reached.reserve(step.size());
-  for (Index f = 0; f < step.size(); ++f) {
-    std::pair<double, Index> best(distance[f], 0); // distance and number of the neighbor
-    for (Index h = 3 * f; h < 3 * f + 3; ++h) {
-      const Index g = graph.halfedges[h].neighbor;
-      if (distance[g] + graph.halfedges[h].*weighting == distance[f] &&
-          std::make_pair(distance[g], g) < best) {
-        best = {distance[g], g};
-        step[f] = h;
-      }
-    }
-    if (step[f] != null_index || f == source)
-      reached.push_back(f);
-  }
-  // The others are at distance 0 from a face that is reached.
-  for (std::size_t i = 0; reached.size() < step.size(); ++i)
-    for (Index h = 3 * reached[i]; h < 3 * reached[i] + 3; ++h) {
-      const Index g = graph.halfedges[h].neighbor;
-      if (step[g] == null_index && g != source && graph.halfedges[h].*weighting == 0) {
-        step[g] = graph.opposite(h);
-        reached.push_back(g);
-      }
-    }
-  return step;
+  Path_lengths paths(graph.number_of_faces());
+  grow_paths<Search>(Weighted_graph(graph, weighting), source, paths);
+  return std::move(paths.lengths);
 }
 
 } // namespace internal
