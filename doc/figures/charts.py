@@ -4,8 +4,8 @@
 
 import html
 
-WIDTH, HEIGHT = 640, 390
-LEFT, RIGHT, TOP, BOTTOM = 60, 20, 20, 70
+WIDTH, HEIGHT = 640, 396
+LEFT, RIGHT, TOP, BOTTOM = 60, 20, 20, 76
 
 
 class Svg:
@@ -59,7 +59,7 @@ class Svg:
     def x_axis(self, title, values):
         for value in values:
             self.text(self.x(value), HEIGHT - BOTTOM + 18, "%.1f" % value, "middle")
-        self.text((LEFT + WIDTH - RIGHT) / 2, HEIGHT - BOTTOM + 36, title, "middle")
+        self.text((LEFT + WIDTH - RIGHT) / 2, HEIGHT - BOTTOM + 40, title, "middle")
 
     def __str__(self):
         return ('<svg xmlns="http://www.w3.org/2000/svg" viewBox="0 0 %d %d" width="%d" '
