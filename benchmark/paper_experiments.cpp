@@ -70,8 +70,9 @@ void add_options(CLI::App& app, Options& o)
     ->check(CLI::Range(200, 20000));
 
   const auto numbers = std::make_shared<Number_of_samples_options>();
-  add_experiment(app, o, "nystrom", "Section 7.2: eigenvectors and segmentations by two samples and "
-                 "by more", run_number_of_samples, numbers)
+  add_experiment(app, o, "nystrom",
+                 "Section 7.2: eigenvectors and segmentations by two samples and by more",
+                 run_number_of_samples, numbers)
     .add_option("--faces", numbers->faces, "to which the meshes are decimated")
     ->check(CLI::Range(200, 5000))->capture_default_str();
 }

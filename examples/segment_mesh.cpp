@@ -35,6 +35,7 @@
 #include <new>
 #include <optional>
 #include <set>
+#include <sstream>
 #include <stdexcept>
 #include <string>
 #include <vector>
@@ -55,8 +56,10 @@ double default_threshold(Method method)
 template <class Default>
 std::string defaults(const Default& default_of)
 {
-  return " [" + CLI::detail::to_string(default_of(Method::CALIBRATED)) + ", paper " +
-         CLI::detail::to_string(default_of(Method::ZHANG_LIU_2005)) + "]";
+  std::ostringstream out;
+  out << " [" << default_of(Method::CALIBRATED) << ", paper "
+      << default_of(Method::ZHANG_LIU_2005) << ']';
+  return out.str();
 }
 
 struct Options

@@ -400,8 +400,8 @@ BOOST_AUTO_TEST_CASE(each_number_has_an_effect)
   const auto paper = parameters::zhang_liu_2005();
   check_common(calibrated);
   check_common(paper);
-  // Every difference between the two methods can be switched on and off by itself. Orders by thickness
-  // find no better cut of the hand: they are tested with the variants of the methods.
+  // Every difference between the two methods can be switched on and off by itself. Orders by
+  // thickness find no better cut of the hand: they are tested with the variants of the methods.
   BOOST_TEST(differ(calibrated, calibrated.part_salience(Weighted_part_salience())));
   BOOST_TEST(differ(calibrated, calibrated.concavity_radius(0)));
   BOOST_TEST(differ(calibrated, calibrated.single_source_orderings(false)));

@@ -3,9 +3,11 @@
 
 /*!
 \ingroup PkgSpectralSegmentationConcepts
+judges a cut by its factors.
+
 \cgalConcept
 
-judges a cut by its factors. `CGAL::segment_spectral_recursive()` copies it, and calls the copy from
+`CGAL::segment_spectral_recursive()` copies it, and calls the copy from
 several threads at a time with `CGAL::Parallel_tag`.
 
 \cgalHasModels{`CGAL::Spectral_segmentation::Weighted_part_salience`,

@@ -4,8 +4,8 @@
 
 import html
 
-WIDTH, HEIGHT = 900, 420
-LEFT, RIGHT, TOP, BOTTOM = 60, 20, 20, 50
+WIDTH, HEIGHT = 640, 396
+LEFT, RIGHT, TOP, BOTTOM = 60, 20, 20, 76
 
 
 class Svg:
@@ -29,9 +29,11 @@ class Svg:
                           % (path, color, width,
                              ' stroke-dasharray="%s"' % dashes if dashes else ""))
 
-    def text(self, x, y, text, anchor="start", color="#222222", size=15):
-        self.items.append('<text x="%.1f" y="%.1f" text-anchor="%s" fill="%s" font-size="%d">%s'
-                          '</text>' % (x, y, anchor, color, size, html.escape(text)))
+    def text(self, x, y, text, anchor="start", color="#222222"):
+        """Text with a white rim, so that it can be read on lines."""
+        self.items.append('<text x="%.1f" y="%.1f" text-anchor="%s" fill="%s" font-size="15" '
+                          'stroke="white" stroke-width="5" paint-order="stroke">%s</text>'
+                          % (x, y, anchor, color, html.escape(text)))
 
     def square(self, x, y, color, side=14):
         self.items.append('<rect x="%.1f" y="%.1f" width="%d" height="%d" fill="%s" '
@@ -53,6 +55,11 @@ class Svg:
                           'font-size="15" transform="rotate(-90 16 %.1f)">%s</text>'
                           % ((TOP + HEIGHT - BOTTOM) / 2, (TOP + HEIGHT - BOTTOM) / 2,
                              html.escape(title)))
+
+    def x_axis(self, title, values):
+        for value in values:
+            self.text(self.x(value), HEIGHT - BOTTOM + 18, "%.1f" % value, "middle")
+        self.text((LEFT + WIDTH - RIGHT) / 2, HEIGHT - BOTTOM + 40, title, "middle")
 
     def __str__(self):
         return ('<svg xmlns="http://www.w3.org/2000/svg" viewBox="0 0 %d %d" width="%d" '
@@ -78,18 +85,18 @@ def line_search(charts):
     svg = Svg((0, 1), (0, 1))
     svg.y_axis("salience and its factors", 0.2)
     svg.polyline([(0, data["threshold"]), (1, data["threshold"])], "#666666", 1.5, "6 4")
-    svg.text(svg.x(1) - 4, svg.y(data["threshold"]) - 6, "threshold", "end", "#666666")
     n = data["number_of_faces"]
     for i, (name, column, color) in enumerate(CURVES):
         points = [(step[0] / n, max(0, step[column])) for step in steps]
         svg.polyline(points, color, 3 if column == 4 else 1.5)
-        svg.text(LEFT + 10 + 150 * i, HEIGHT - 8, "— " + name, color=color)
+        svg.text(LEFT + 145 * i, HEIGHT - 8, "— " + name, color=color)
+    svg.text(svg.x(0.5), svg.y(data["threshold"]) - 6, "threshold", "middle", "#666666")
     best = max(steps, key=lambda step: step[4])
     svg.ball(best[0] / n, best[4], "#c81e1e")
-    svg.text(svg.x(best[0] / n), svg.y(best[4]) - 12, "best cut", "middle", "#c81e1e")
-    svg.text(svg.x(1), HEIGHT - BOTTOM + 20, "share of the faces in Q", "end")
-    return ("salience of the cut after each step of the line search, from f_s on, and its three "
-            "factors; negative values are drawn as 0", str(svg))
+    svg.text(svg.x(best[0] / n), svg.y(best[4]) - 14, "best cut", "middle", "#c81e1e")
+    svg.x_axis("share of the faces in Q", [0, 0.2, 0.4, 0.6, 0.8, 1])
+    return ("salience of the cut after each step of the line search, and its three factors; "
+            "negative values are drawn as 0", str(svg))
 
 
 def tree_of_cuts(charts):
@@ -120,6 +127,7 @@ def tree_of_cuts(charts):
     svg.polyline([(-0.5, data["threshold"]), (leaves - 0.5, data["threshold"])], "#c81e1e", 1.5,
                  "6 4")
     svg.text(svg.x(leaves - 0.5) - 4, svg.y(data["threshold"]) - 6, "threshold", "end", "#c81e1e")
+    svg.x_axis("pieces", [])
     return ("tree of cuts: the higher a cut, the more salient; those below the threshold are grey; "
             "the squares have the colors of the pieces above", str(svg))
 

@@ -32,12 +32,17 @@ USUAL_VIEW = ("y", 30, 20)
 
 # Pictures in a row, and their size in pixels.
 LAYOUTS = {
-    "dual_graph": (2, (900, 700)),
+    "dual_graph": (2, (900, 500)),
     "contexts": (2, (700, 560)),
     "samples": (2, (700, 560)),
     "line": (2, (700, 560)),
     "boundary_smoothing": (2, (700, 560)),
     "clusterings": (3, (480, 400)),
+    # Of a mesh that is long and low
+    "tree": (4, (480, 290)),
+    "salience_threshold": (4, (480, 290)),
+    "maximum_number_of_segments": (4, (480, 290)),
+    "number_of_pieces": (4, (480, 290)),
 }
 USUAL_LAYOUT = (4, (480, 400))
 

@@ -146,7 +146,7 @@ inline void draw_contexts(Picture_book& book, const Named_mesh& shape)
   for (Index reference : contexts.references)
     colors.add_ball(centroid(shape.mesh, reference), {0, 0, 0});
   book.add("contexts", colors);
-  Picture norms{shape, "norm of the context, from blue to red; f_s is the red ball, f_t the orange",
+  Picture norms{shape, "norm of the context, from blue to red, and the two samples",
                 context_norm_colors(contexts)};
   add_samples(norms, internal::sample_faces(contexts));
   book.add("contexts", norms);
@@ -226,7 +226,7 @@ inline void draw_samples_and_line(Picture_book& book, const Named_mesh& shape,
   std::vector<Rgb> rank(graph.number_of_faces());
   for (std::size_t i = 0; i < good.order.size(); ++i)
     rank[good.order[i]] = blue_white_red(static_cast<double>(i) / (good.order.size() - 1));
-  Picture order{shape, "order of the faces on the line, from f_s (blue) to f_t (red)", rank};
+  Picture order{shape, "order of the faces on the line, from blue to red", rank};
   add_cut(order, graph, *good.best);
   book.add("line", order);
   std::vector<Rgb> sides;

@@ -88,7 +88,11 @@ inline void draw_parameters(Picture_book& book, const Named_mesh& limbs, const N
            {0.0, 0.01, calibrated.concavity_radius, 0.06});
   draw_row(book, "number_of_smoothing_iterations", &Options::number_of_smoothing_iterations, paper,
            noise, {0, 1, 3, 10});
-  draw_row(book, "boundary_smoothing", &Options::boundary_smoothing, paper, noise, {false, true});
+  Options few_segments = paper;
+  few_segments.maximum_number_of_segments = 8;
+  few_segments.salience_threshold = -std::numeric_limits<double>::infinity();
+  draw_row(book, "boundary_smoothing", &Options::boundary_smoothing, few_segments, noise,
+           {false, true});
 }
 
 inline void draw_methods(Picture_book& book, const std::vector<const Named_mesh*>& shapes)

@@ -246,9 +246,10 @@ Faces without area, borders, and any number of connected components are welcome.
   \cgalParamNEnd
   \cgalParamNBegin{number_of_searched_faces}
     \cgalParamDescription{the number of faces on which cuts are searched. A mesh with more faces is
-      simplified to so many, as far as its topology allows, by edge collapses, and the cuts are carried over to it, by minimum cuts
-      through the faces that are on neither side of the simplified mesh for sure. So the time of the
-      search does not grow with the mesh. With 0 the mesh itself is searched.}
+      simplified to so many, as far as its topology allows, by edge collapses, and the cuts are
+      carried over to it, by minimum cuts through the faces that are on neither side of the
+      simplified mesh for sure. So the time of the search does not grow with the mesh. With 0 the
+      mesh itself is searched.}
     \cgalParamType{an integer}
     \cgalParamDefault{`4000`, at which the agreement with people is that of the mesh itself; `0`}
     \cgalParamExtra{at least 0. If there are pieces, and more than 20 of them or of segments are

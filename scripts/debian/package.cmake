@@ -5,7 +5,8 @@
 
 set(CPACK_GENERATOR DEB)
 set(CPACK_PACKAGE_NAME libcgal-spectral-segmentation-dev)
-set(CPACK_PACKAGE_CONTACT "Spectral_segmentation authors <maintainers@localhost>"
+# Debian wants an address, and the project has none: RFC 2606 keeps .invalid for such a case.
+set(CPACK_PACKAGE_CONTACT "Spectral_segmentation authors <noreply@spectral-segmentation.invalid>"
   CACHE STRING "Name and address of the maintainer of the Debian package")
 set(CPACK_PACKAGING_INSTALL_PREFIX /usr)
 set(CPACK_INSTALL_DEFAULT_DIRECTORY_PERMISSIONS
