@@ -8,6 +8,7 @@
 
 #include <CGAL/Spectral_segmentation/internal/Face_dual_graph.h>
 #include <CGAL/Spectral_segmentation/internal/face_dual_graph_of_mesh.h>
+#include <CGAL/Spectral_segmentation/internal/mesh_numbering.h>
 #include <CGAL/Spectral_segmentation/internal/parts.h>
 
 #include <boost/graph/graph_concepts.hpp>
@@ -25,6 +26,7 @@ using namespace test_meshes;
 using CGAL::Spectral_segmentation::internal::connected_components;
 using CGAL::Spectral_segmentation::internal::neighbors;
 using CGAL::Spectral_segmentation::internal::null_index;
+using CGAL::Spectral_segmentation::internal::order_of_locality;
 using CGAL::Spectral_segmentation::internal::split;
 using CGAL::Spectral_segmentation::internal::total_area;
 
@@ -153,12 +155,18 @@ BOOST_AUTO_TEST_CASE(points_are_normalized_by_a_power_of_two)
       largest = std::max(largest, p.cwiseAbs().maxCoeff());
     BOOST_TEST(largest <= 1);
     BOOST_TEST(largest >= 0.5);
-    for (std::size_t v = 1; v < soup.points.size(); ++v) {
-      const auto original = soup.points[v] - soup.points[0];
-      const auto normalized = graph.unit * (graph.points[v] - graph.points[0]);
-      for (int i = 0; i < 3; ++i)
-        BOOST_TEST(std::abs(original[i] - normalized[i]) < 1e-14 * graph.unit);
-    }
+    const auto edge = [&](std::size_t f, int i) {
+      std::vector<std::size_t> t = soup.triangles[f];
+      std::rotate(t.begin(), std::min_element(t.begin(), t.end()), t.end());
+      return soup.points[t[i]] - soup.points[t[0]];
+    };
+    for (std::size_t f = 0; f < soup.triangles.size(); ++f)
+      for (int i : {1, 2}) {
+        const auto normalized = graph.unit * (graph.points[graph.corners[f][i]] -
+                                              graph.points[graph.corners[f][0]]);
+        for (int j = 0; j < 3; ++j)
+          BOOST_TEST(std::abs(edge(f, i)[j] - normalized[j]) < 1e-14 * graph.unit);
+      }
     for (std::size_t f = 0; f < soup.triangles.size(); ++f) {
       const std::vector<std::size_t>& t = soup.triangles[f];
       const double squared = CGAL::squared_area(soup.points[t[0]], soup.points[t[1]],
@@ -221,9 +229,44 @@ BOOST_AUTO_TEST_CASE(what_is_not_a_finite_triangle_mesh_is_refused)
     soup.points[3] = Point(1, bad, 0);
     BOOST_CHECK_THROW(dual_graph_of(soup), std::invalid_argument);
   }
-  const Soup quad = {{Point(0, 0, 0), Point(1, 0, 0), Point(1, 1, 0), Point(0, 1, 0)},
-                     {{0, 1, 2, 3}}};
-  BOOST_CHECK_THROW(dual_graph_of(quad), std::invalid_argument);
+  const Mesh quad = mesh_of({{Point(0, 0, 0), Point(1, 0, 0), Point(1, 1, 0), Point(0, 1, 0)},
+                             {{0, 1, 2, 3}}});
+  BOOST_CHECK_THROW(order_of_locality(quad, std::vector<Mesh::Face_index>{Mesh::Face_index(0)}),
+                    std::invalid_argument);
+}
+
+BOOST_AUTO_TEST_CASE(neighbors_are_near_in_the_order_of_locality_whatever_the_order_was)
+{
+  Random random(1);
+  Soup soup = sphere(5);
+  std::shuffle(soup.triangles.begin(), soup.triangles.end(), random);
+  const Mesh mesh = mesh_of(soup);
+  const std::vector<Mesh::Face_index> faces(mesh.faces().begin(), mesh.faces().end());
+  const std::vector<Index> order = order_of_locality(mesh, faces);
+  std::vector<Index> place(order.size(), null_index);
+  for (Index i = 0; i < order.size(); ++i)
+    place[order[i]] = i;
+  BOOST_TEST(std::count(place.begin(), place.end(), null_index) == 0); // all are in it
+
+  const Face_dual_graph graph = dual_graph_of(soup);
+  std::size_t number_of_near = 0;
+  for (Index h = 0; h < graph.halfedges.size(); ++h)
+    number_of_near += std::abs(double(place[h / 3]) - place[graph.halfedges[h].neighbor]) < 1024;
+  // A block of 1024 has about 4 * 32 edges to others, of 1536.
+  BOOST_TEST(double(number_of_near) > 0.9 * double(graph.halfedges.size()));
+}
+
+BOOST_AUTO_TEST_CASE(components_keep_their_order)
+{
+  const Soup soup = disjoint_union(disjoint_union(sphere(1), plate(2, 2)), sphere(0));
+  const Mesh mesh = mesh_of(soup);
+  const std::vector<Mesh::Face_index> faces(mesh.faces().begin(), mesh.faces().end());
+  std::vector<Index> order = order_of_locality(mesh, faces);
+  const std::size_t first = sphere(1).triangles.size(), second = plate(2, 2).triangles.size();
+  for (std::size_t i = 0; i < order.size(); ++i) {
+    BOOST_TEST((order[i] < first) == (i < first));
+    BOOST_TEST((order[i] < first + second) == (i < first + second));
+  }
 }
 
 BOOST_AUTO_TEST_CASE(components_are_numbered_by_their_first_faces)
