@@ -5,6 +5,7 @@
 #define CGAL_SPECTRAL_SEGMENTATION_INTERNAL_FACE_DISTANCES_H
 
 #include <CGAL/Spectral_segmentation/internal/Face_dual_graph.h>
+#include <CGAL/Spectral_segmentation/internal/concurrency.h>
 #include <CGAL/Spectral_segmentation/internal/shape_scale_angles.h>
 #include <CGAL/Spectral_segmentation/internal/sorted_indices.h>
 
@@ -219,6 +220,20 @@ Equalized_angles equalized_bending(const Face_dual_graph& graph, const std::vect
   return result;
 }
 
+inline std::vector<double> normalized_geodesic_distances(const Face_dual_graph& graph,
+                                                         const std::vector<Vector>& points,
+                                                         const std::vector<Index>& edges)
+{
+  std::vector<double> result;
+  result.reserve(edges.size());
+  for (Index h : edges)
+    result.push_back(geodesic_distance(
+      points[graph.source_vertex(h)], points[graph.target_vertex(h)], graph.centroid(h / 3, points),
+      graph.centroid(graph.halfedges[h].neighbor, points)));
+  normalize_by_mean(result);
+  return result;
+}
+
 // Fills in the distances of adjacent faces, computed from `points` in place of the graph's own, and
 // from the normals of the faces there.
 template <class ConcurrencyTag>
@@ -232,15 +247,15 @@ void set_face_distances(Face_dual_graph& graph, const std::vector<Vector>& point
       edges.push_back(h);
 
   std::vector<double> geodesic;
-  geodesic.reserve(edges.size());
-  for (Index h : edges)
-    geodesic.push_back(geodesic_distance(
-      points[graph.source_vertex(h)], points[graph.target_vertex(h)], graph.centroid(h / 3, points),
-      graph.centroid(graph.halfedges[h].neighbor, points)));
-  normalize_by_mean(geodesic);
-  const Equalized_angles equalized = weights.concavity_radius > 0
-    ? equalized_bending<ConcurrencyTag>(graph, points, normals, weights, edges)
-    : equalized_dihedrals(graph, points, normals, weights, edges);
+  Equalized_angles equalized;
+  for_each_index<ConcurrencyTag>(2, [&](std::size_t task) {
+    if (task == 0)
+      geodesic = normalized_geodesic_distances(graph, points, edges);
+    else
+      equalized = weights.concavity_radius > 0
+        ? equalized_bending<ConcurrencyTag>(graph, points, normals, weights, edges)
+        : equalized_dihedrals(graph, points, normals, weights, edges);
+  });
 
   for (std::size_t e = 0; e < edges.size(); ++e) {
     Face_dual_graph::Halfedge& h = graph.halfedges[edges[e]];

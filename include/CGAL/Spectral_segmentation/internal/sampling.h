@@ -87,7 +87,8 @@ Shape_contexts shape_contexts(const Face_dual_graph& graph, Index first_referenc
       for (Index f = 0; f < n; ++f)
         contexts.values(f, j) = paths.angles(f);
     });
-    grow_paths(weighted, reference, to_nearest);
+    if (j + 1 < k)
+      grow_paths(weighted, reference, to_nearest);
   }
   trees.wait();
   return contexts;
