@@ -303,8 +303,8 @@ BOOST_AUTO_TEST_CASE(a_capped_cylinder_with_a_ball)
 
 BOOST_AUTO_TEST_CASE(a_torus_with_a_knob)
 {
-  for (const auto& [side, length] : {std::make_pair(12, 4), std::make_pair(15, 6),
-                                     std::make_pair(18, 6)})
+  for (const auto& [side, length] : {std::make_pair(12, 6), std::make_pair(15, 8),
+                                     std::make_pair(18, 8)})
     BOOST_TEST_CONTEXT("side " << side << ", length " << length) {
       const int x = side / 2;
       Cells cells = square_torus(side);

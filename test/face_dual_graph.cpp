@@ -26,6 +26,7 @@ using namespace test_meshes;
 using CGAL::Spectral_segmentation::internal::connected_components;
 using CGAL::Spectral_segmentation::internal::neighbors;
 using CGAL::Spectral_segmentation::internal::null_index;
+using CGAL::Spectral_segmentation::internal::number_vertices_by_faces;
 using CGAL::Spectral_segmentation::internal::order_of_locality;
 using CGAL::Spectral_segmentation::internal::split;
 using CGAL::Spectral_segmentation::internal::total_area;
@@ -155,18 +156,12 @@ BOOST_AUTO_TEST_CASE(points_are_normalized_by_a_power_of_two)
       largest = std::max(largest, p.cwiseAbs().maxCoeff());
     BOOST_TEST(largest <= 1);
     BOOST_TEST(largest >= 0.5);
-    const auto edge = [&](std::size_t f, int i) {
-      std::vector<std::size_t> t = soup.triangles[f];
-      std::rotate(t.begin(), std::min_element(t.begin(), t.end()), t.end());
-      return soup.points[t[i]] - soup.points[t[0]];
-    };
-    for (std::size_t f = 0; f < soup.triangles.size(); ++f)
-      for (int i : {1, 2}) {
-        const auto normalized = graph.unit * (graph.points[graph.corners[f][i]] -
-                                              graph.points[graph.corners[f][0]]);
-        for (int j = 0; j < 3; ++j)
-          BOOST_TEST(std::abs(edge(f, i)[j] - normalized[j]) < 1e-14 * graph.unit);
-      }
+    for (std::size_t v = 1; v < soup.points.size(); ++v) {
+      const auto original = soup.points[v] - soup.points[0];
+      const auto normalized = graph.unit * (graph.points[v] - graph.points[0]);
+      for (int i = 0; i < 3; ++i)
+        BOOST_TEST(std::abs(original[i] - normalized[i]) < 1e-14 * graph.unit);
+    }
     for (std::size_t f = 0; f < soup.triangles.size(); ++f) {
       const std::vector<std::size_t>& t = soup.triangles[f];
       const double squared = CGAL::squared_area(soup.points[t[0]], soup.points[t[1]],
@@ -266,6 +261,23 @@ BOOST_AUTO_TEST_CASE(components_keep_their_order)
   for (std::size_t i = 0; i < order.size(); ++i) {
     BOOST_TEST((order[i] < first) == (i < first));
     BOOST_TEST((order[i] < first + second) == (i < first + second));
+  }
+}
+
+BOOST_AUTO_TEST_CASE(vertices_numbered_by_faces_are_the_same_points)
+{
+  for (const Soup& soup : soups()) {
+    const Face_dual_graph graph = dual_graph_of(soup);
+    Face_dual_graph other = graph;
+    number_vertices_by_faces(other);
+    Index largest = 0;
+    for (Index f = 0; f < graph.number_of_faces(); ++f)
+      for (int i = 0; i < 3; ++i) {
+        BOOST_TEST((other.points[other.corners[f][i]] == graph.points[graph.corners[f][i]]));
+        BOOST_TEST(other.corners[f][i] <= largest); // each comes after those before it
+        largest = std::max(largest, other.corners[f][i] + 1);
+      }
+    BOOST_TEST(other.points.size() == largest);
   }
 }
 

@@ -250,7 +250,7 @@ inline Soup displaced(Soup soup, double amount, Random& random)
 typedef CGAL::Spectral_segmentation::internal::Face_dual_graph Face_dual_graph;
 typedef CGAL::Spectral_segmentation::internal::Index Index;
 
-// Faces have the numbers of the soup; face distances are left open.
+// Faces and vertices have the numbers of the soup; face distances are left open.
 inline Face_dual_graph dual_graph_of(const Soup& soup)
 {
   const Mesh mesh = mesh_of(soup);

@@ -120,6 +120,24 @@ inline void set_sizes(Face_dual_graph& graph)
   }
 }
 
+// Numbers the vertices as faces come to them, so that what is near in the order of the faces is near
+// in memory. Vertices without a face go.
+inline void number_vertices_by_faces(Face_dual_graph& graph)
+{
+  std::vector<Vector> points;
+  points.reserve(graph.points.size());
+  std::vector<Index> number(graph.points.size(), null_index);
+  for (std::array<Index, 3>& corners : graph.corners)
+    for (Index& v : corners) {
+      if (number[v] == null_index) {
+        number[v] = static_cast<Index>(points.size());
+        points.push_back(graph.points[v]);
+      }
+      v = number[v];
+    }
+  graph.points = std::move(points);
+}
+
 inline Index num_vertices(const Face_dual_graph& g)
 { return static_cast<Index>(g.number_of_faces()); }
 

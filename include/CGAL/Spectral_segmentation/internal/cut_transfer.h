@@ -7,6 +7,7 @@
 #include <CGAL/Spectral_segmentation/Segment_tree.h>
 #include <CGAL/Spectral_segmentation/internal/Cut.h>
 #include <CGAL/Spectral_segmentation/internal/Face_dual_graph.h>
+#include <CGAL/Spectral_segmentation/internal/concurrency.h>
 #include <CGAL/Spectral_segmentation/internal/face_distances.h>
 #include <CGAL/Spectral_segmentation/internal/initialization.h>
 #include <CGAL/Spectral_segmentation/internal/minimum_cut.h>
@@ -43,6 +44,9 @@ class Cut_transfer
   Face_dual_graph bands_;              // the faces that may be between, and those next to them
   std::vector<Index> number_in_bands_; // of each face; null_index if it is not there
   std::vector<char> side_;             // of each face
+  std::vector<Index> reached_;         // by the present flood
+  std::vector<Index> flood_;           // the last one that reached each face
+  Index number_of_floods_ = 0;
 
   // What the faces around each vertex of the simplified mesh have in common: their values, joined;
   // null_index of none. Faces whose value is null_index do not count.
@@ -179,35 +183,51 @@ class Cut_transfer
         side_[f] = REST;
   }
 
+  // Adds the faces of one side that are connected with a face, to those that this flood reached.
+  void flood(Index first)
+  {
+    std::size_t next = reached_.size();
+    reached_.push_back(first);
+    flood_[first] = number_of_floods_;
+    for (; next < reached_.size(); ++next)
+      for (Index h = 3 * reached_[next]; h < 3 * reached_[next] + 3; ++h) {
+        const Index g = mesh_.halfedges[h].neighbor;
+        if (side_[g] == side_[first] && flood_[g] != number_of_floods_) {
+          flood_[g] = number_of_floods_;
+          reached_.push_back(g);
+        }
+      }
+  }
+
+  void start_flood()
+  {
+    reached_.clear();
+    ++number_of_floods_;
+  }
+
   // The connected sets of faces on a side of a connected part, but for the largest, go to the other
   // side.
   void keep_largest(const Faces& faces, Side given)
   {
-    std::vector<std::vector<Index> > sets;
+    start_flood();
+    std::vector<std::size_t> first_of_set; // in reached_
     std::vector<double> areas;
-    for (Index first : faces) {
-      if (side_[first] != given)
+    for (Index f : faces) {
+      if (side_[f] != given || flood_[f] == number_of_floods_)
         continue;
-      std::vector<Index> set(1, first);
-      side_[first] = BETWEEN;
-      double area = 0;
-      for (std::size_t i = 0; i < set.size(); ++i) {
-        area += mesh_.areas[set[i]];
-        for (Index h = 3 * set[i]; h < 3 * set[i] + 3; ++h) {
-          const Index g = mesh_.halfedges[h].neighbor;
-          if (side_[g] == given) {
-            side_[g] = BETWEEN;
-            set.push_back(g);
-          }
-        }
-      }
-      sets.push_back(std::move(set));
-      areas.push_back(area);
+      first_of_set.push_back(reached_.size());
+      flood(f);
+      areas.push_back(0);
+      for (std::size_t i = first_of_set.back(); i < reached_.size(); ++i)
+        areas.back() += mesh_.areas[reached_[i]];
     }
-    const std::ptrdiff_t largest = std::max_element(areas.begin(), areas.end()) - areas.begin();
-    for (std::size_t i = 0; i < sets.size(); ++i)
-      for (Index f : sets[i])
-        side_[f] = static_cast<std::ptrdiff_t>(i) == largest ? given : given == Q ? REST : Q;
+    if (areas.size() < 2)
+      return;
+    const std::size_t largest = std::max_element(areas.begin(), areas.end()) - areas.begin();
+    first_of_set.push_back(reached_.size());
+    for (std::size_t i = 0; i < reached_.size(); ++i)
+      if (i < first_of_set[largest] || i >= first_of_set[largest + 1])
+        side_[reached_[i]] = given == Q ? REST : Q;
   }
 
   // A side on which no face is gets one, without which the part is still connected.
@@ -216,19 +236,9 @@ class Cut_transfer
     const Side first = static_cast<Side>(side_[*faces.begin()]);
     if (std::any_of(faces.begin(), faces.end(), [&](Index f) { return side_[f] != first; }))
       return;
-    std::vector<Index> reached(1, *faces.begin());
-    side_[reached.front()] = BETWEEN;
-    for (std::size_t i = 0; i < reached.size(); ++i)
-      for (Index h = 3 * reached[i]; h < 3 * reached[i] + 3; ++h) {
-        const Index g = mesh_.halfedges[h].neighbor;
-        if (side_[g] == first) {
-          side_[g] = BETWEEN;
-          reached.push_back(g);
-        }
-      }
-    for (Index f : reached)
-      side_[f] = first;
-    side_[reached.back()] = first == Q ? REST : Q;
+    start_flood();
+    flood(*faces.begin());
+    side_[reached_.back()] = first == Q ? REST : Q;
   }
 
   Sides sides(std::size_t node, const Faces& faces)
@@ -253,15 +263,21 @@ public:
   Cut_transfer(const Segment_tree& cuts, const Simplified_mesh& simplified,
                const Face_dual_graph& mesh)
     : cuts_(cuts), simplified_(simplified), mesh_(mesh),
-      number_in_bands_(mesh.number_of_faces(), null_index), side_(mesh.number_of_faces(), OUTSIDE)
+      number_in_bands_(mesh.number_of_faces(), null_index), side_(mesh.number_of_faces(), OUTSIDE),
+      flood_(mesh.number_of_faces(), 0)
   {}
 
   template <class ConcurrencyTag>
   Segment_tree operator()(const Options& options)
   {
-    set_bands<ConcurrencyTag>(options);
     std::size_t number_of_components;
-    const std::vector<Index> component = connected_components(mesh_, number_of_components);
+    std::vector<Index> component;
+    for_each_index<ConcurrencyTag>(2, [&](std::size_t task) {
+      if (task == 0)
+        set_bands<ConcurrencyTag>(options);
+      else
+        component = connected_components(mesh_, number_of_components);
+    });
     Segment_tree tree(component, component_areas(mesh_, component, number_of_components),
                       mesh_.unit, options);
     tree.is_whole_ = cuts_.is_whole_;

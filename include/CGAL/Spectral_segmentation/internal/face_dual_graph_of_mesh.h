@@ -25,28 +25,29 @@ namespace CGAL {
 namespace Spectral_segmentation {
 namespace internal {
 
-// Moves the points into [-1, 1]^3 and returns the length of 1 in the old unit, a power of two, so
-// that scaling rounds nothing.
-inline double normalize(std::vector<Vector>& points)
+// Moves the points that faces use into [-1, 1]^3 and returns the length of 1 in the old unit,
+// a power of two, so that scaling rounds nothing.
+inline double normalize(std::vector<Vector>& points, const std::vector<char>& is_used)
 {
   Vector smallest = Vector::Constant(std::numeric_limits<double>::infinity());
   Vector largest = -smallest;
-  for (const Vector& p : points) {
-    smallest = smallest.cwiseMin(p);
-    largest = largest.cwiseMax(p);
-  }
+  for (std::size_t v = 0; v < points.size(); ++v)
+    if (is_used[v]) {
+      smallest = smallest.cwiseMin(points[v]);
+      largest = largest.cwiseMax(points[v]);
+    }
   const Vector center = smallest / 2 + largest / 2;
   const double half_extent = (largest / 2 - smallest / 2).maxCoeff();
   const double unit =
     half_extent > 0 ? std::ldexp(1., (std::min)(std::ilogb(half_extent) + 1, 1023)) : 1;
-  for (Vector& p : points)
-    p = (p - center) / unit;
+  for (std::size_t v = 0; v < points.size(); ++v)
+    points[v] = is_used[v] ? Vector((points[v] - center) / unit) : Vector(Vector::Zero());
   return unit;
 }
 
-// Reads triangles into arrays; face distances are left open. Vertices are numbered as faces come to
-// them, and the first corner of a face is the vertex that is the first in `vertices(mesh)`, so that
-// every model of the same mesh gives the same arrays. Coordinates are normalized.
+// Reads triangles into arrays; face distances are left open. Vertices are numbered in the order of
+// `vertices(mesh)` and the first corner of a face is its smallest vertex, so that every model of
+// the same mesh gives the same arrays. Coordinates are normalized.
 //
 // Throws `std::invalid_argument` if a coordinate is not finite.
 template <class TriangleMesh, class FaceDescriptor, class VertexPointMap, class GeomTraits>
@@ -71,8 +72,6 @@ face_dual_graph_of_mesh(const TriangleMesh& mesh, const std::vector<FaceDescript
   Face_dual_graph graph;
   graph.corners.resize(faces.size());
   graph.halfedges.resize(3 * faces.size());
-  std::vector<Index> used;                                            // vertices of the mesh
-  std::vector<Index> number_in_used(vertices_of_mesh.size(), null_index);
   for (Index f = 0; f < faces.size(); ++f) {
     halfedge_descriptor h = halfedge(faces[f], mesh);
     std::array<Index, 3> corner;
@@ -91,31 +90,30 @@ face_dual_graph_of_mesh(const TriangleMesh& mesh, const std::vector<FaceDescript
       graph.halfedges[3 * f + slot].neighbor = neighbor == null_index ? f : neighbor;
       h = next(h, mesh);
     }
-    for (Index& c : graph.corners[f]) {
-      if (number_in_used[c] == null_index) {
-        number_in_used[c] = static_cast<Index>(used.size());
-        used.push_back(c);
-      }
-      c = number_in_used[c];
-    }
   }
   // An edge whose sides do not match, as of a face that is glued to itself, counts as border.
   for (Index h = 0; h < graph.halfedges.size(); ++h)
     if (!graph.is_border(h) && graph.opposite(h) == null_index)
       graph.halfedges[h].neighbor = h / 3;
 
+  std::vector<char> is_used(vertices_of_mesh.size(), 0);
+  for (const std::array<Index, 3>& corner : graph.corners)
+    for (Index v : corner)
+      is_used[v] = 1;
   const auto x = traits.compute_x_3_object();
   const auto y = traits.compute_y_3_object();
   const auto z = traits.compute_z_3_object();
-  graph.points.reserve(used.size());
-  for (Index v : used) {
+  graph.points.resize(vertices_of_mesh.size(), Vector::Zero());
+  for (Index v = 0; v < vertices_of_mesh.size(); ++v) {
+    if (!is_used[v])
+      continue;
     const auto& p = get(vertex_point_map, vertices_of_mesh[v]);
-    graph.points.emplace_back(CGAL::to_double(x(p)), CGAL::to_double(y(p)), CGAL::to_double(z(p)));
-    if (!graph.points.back().allFinite())
+    graph.points[v] = Vector(CGAL::to_double(x(p)), CGAL::to_double(y(p)), CGAL::to_double(z(p)));
+    if (!graph.points[v].allFinite())
       throw std::invalid_argument("segment_spectral_recursive: vertex " + std::to_string(v) +
                                   " has a coordinate that is not finite");
   }
-  graph.unit = normalize(graph.points);
+  graph.unit = normalize(graph.points, is_used);
   set_sizes(graph);
   return graph;
 }

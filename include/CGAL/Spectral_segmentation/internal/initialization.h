@@ -56,6 +56,7 @@ Initial_mesh initialize(const TriangleMesh& mesh, const std::vector<FaceDescript
 {
   Initial_mesh result{face_dual_graph_of_mesh(mesh, faces, vertex_point_map, traits), {}};
   Face_dual_graph& graph = result.graph;
+  number_vertices_by_faces(graph);
   std::vector<Vector> points =
     smoothed_points(graph, options.number_of_smoothing_iterations, go_further);
   const std::size_t number_of_faces = options.faces_to_search(graph.number_of_faces());
