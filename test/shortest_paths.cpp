@@ -1,7 +1,6 @@
 // Copyright (c) 2026  The Spectral_segmentation authors.
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#define BOOST_TEST_MODULE shortest_paths
 #include <boost/test/unit_test.hpp>
 
 #include "test_meshes.h"
@@ -15,6 +14,8 @@
 #include <cstddef>
 #include <limits>
 #include <vector>
+
+BOOST_AUTO_TEST_SUITE(shortest_paths)
 
 namespace tt = boost::test_tools;
 using namespace test_meshes;
@@ -177,3 +178,5 @@ BOOST_AUTO_TEST_CASE(ways_of_length_0_are_ways)
   BOOST_TEST(shortest_paths(graph, 4, &Halfedge::combined) ==
              std::vector<double>(graph.number_of_faces(), 0.), tt::per_element());
 }
+
+BOOST_AUTO_TEST_SUITE_END()
