@@ -9,7 +9,7 @@ set -euo pipefail
 cd "$(dirname "$0")/.."
 
 scripts/setup.sh build test
-# With -O3 and each test by itself, compiling takes twice the time; check_all.sh does that.
+# Less to compile than with -O3 and each test by itself, which is what check_all.sh builds.
 cmake -S . -B build-test -DCMAKE_BUILD_TYPE=Release \
   -DSPECTRAL_SEGMENTATION_BUILD_TESTS=ON -DSPECTRAL_SEGMENTATION_BUILD_EXAMPLES=ON \
   -DSPECTRAL_SEGMENTATION_BUILD_BENCHMARKS=OFF \
