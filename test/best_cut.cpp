@@ -1,7 +1,6 @@
 // Copyright (c) 2026  The Spectral_segmentation authors.
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#define BOOST_TEST_MODULE best_cut
 #include <boost/test/unit_test.hpp>
 
 #include "test_meshes.h"
@@ -16,6 +15,8 @@
 #include <numeric>
 #include <optional>
 #include <vector>
+
+BOOST_AUTO_TEST_SUITE(best_cut)
 
 using namespace test_meshes;
 namespace internal = CGAL::Spectral_segmentation::internal;
@@ -165,3 +166,5 @@ BOOST_AUTO_TEST_CASE(a_part_without_room_for_two_segments_is_not_searched)
   BOOST_TEST(search(area).has_value());
   BOOST_TEST(visitor.number_of_parts == 1);
 }
+
+BOOST_AUTO_TEST_SUITE_END()

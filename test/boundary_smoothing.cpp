@@ -1,7 +1,6 @@
 // Copyright (c) 2026  The Spectral_segmentation authors.
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#define BOOST_TEST_MODULE boundary_smoothing
 #include <boost/test/unit_test.hpp>
 
 #include "test_meshes.h"
@@ -14,6 +13,8 @@
 #include <cstddef>
 #include <set>
 #include <vector>
+
+BOOST_AUTO_TEST_SUITE(boundary_smoothing)
 
 namespace tt = boost::test_tools;
 using namespace test_meshes;
@@ -214,3 +215,5 @@ BOOST_AUTO_TEST_CASE(one_segment_and_no_face_are_left_as_they_are)
   BOOST_TEST(smoothed_on_plate(one) == one, tt::per_element());
   BOOST_TEST(smoothed(Soup(), {}).empty());
 }
+
+BOOST_AUTO_TEST_SUITE_END()

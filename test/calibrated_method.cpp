@@ -1,7 +1,6 @@
 // Copyright (c) 2026  The Spectral_segmentation authors.
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#define BOOST_TEST_MODULE calibrated_method
 #include <boost/test/unit_test.hpp>
 
 #include "test_labels.h"
@@ -25,6 +24,8 @@
 #include <set>
 #include <utility>
 #include <vector>
+
+BOOST_AUTO_TEST_SUITE(calibrated_method)
 
 using namespace test_meshes;
 namespace parameters = CGAL::Spectral_segmentation::parameters;
@@ -431,3 +432,5 @@ BOOST_AUTO_TEST_CASE(a_run_that_is_stopped_has_labels_of_connected_segments)
   }
   BOOST_TEST(largest_number >= 2);
 }
+
+BOOST_AUTO_TEST_SUITE_END()

@@ -1,7 +1,6 @@
 // Copyright (c) 2026  The Spectral_segmentation authors.
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#define BOOST_TEST_MODULE cut_judge
 #include <boost/test/unit_test.hpp>
 
 #include "test_meshes.h"
@@ -21,6 +20,8 @@
 #include <numeric>
 #include <utility>
 #include <vector>
+
+BOOST_AUTO_TEST_SUITE(cut_judge)
 
 using namespace test_meshes;
 namespace internal = CGAL::Spectral_segmentation::internal;
@@ -362,3 +363,5 @@ BOOST_AUTO_TEST_CASE(a_judge_forgets_the_cuts_before)
     BOOST_TEST(a.widening_of_rest == b.widening_of_rest);
   }
 }
+
+BOOST_AUTO_TEST_SUITE_END()

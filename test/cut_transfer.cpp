@@ -1,7 +1,6 @@
 // Copyright (c) 2026  The Spectral_segmentation authors.
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#define BOOST_TEST_MODULE cut_transfer
 #include <boost/test/unit_test.hpp>
 
 #include "test_labels.h"
@@ -21,6 +20,8 @@
 #include <set>
 #include <utility>
 #include <vector>
+
+BOOST_AUTO_TEST_SUITE(cut_transfer)
 
 using namespace test_meshes;
 namespace internal = CGAL::Spectral_segmentation::internal;
@@ -240,3 +241,5 @@ BOOST_AUTO_TEST_CASE(parts_of_a_few_searched_faces_are_neither_lost_nor_torn)
               .maximum_number_of_segments(8));
     }
 }
+
+BOOST_AUTO_TEST_SUITE_END()

@@ -1,7 +1,6 @@
 // Copyright (c) 2026  The Spectral_segmentation authors.
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#define BOOST_TEST_MODULE diffusion
 #include <boost/test/unit_test.hpp>
 
 #include "test_meshes.h"
@@ -19,6 +18,8 @@
 #include <numeric>
 #include <utility>
 #include <vector>
+
+BOOST_AUTO_TEST_SUITE(diffusion)
 
 namespace tt = boost::test_tools;
 using namespace test_meshes;
@@ -279,3 +280,5 @@ BOOST_AUTO_TEST_CASE(the_numbers_of_the_faces_do_not_matter)
                  tt::tolerance(1e-9));
   }
 }
+
+BOOST_AUTO_TEST_SUITE_END()

@@ -1,7 +1,6 @@
 // Copyright (c) 2026  The Spectral_segmentation authors.
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#define BOOST_TEST_MODULE embedding
 #include <boost/test/unit_test.hpp>
 
 #include "test_meshes.h"
@@ -14,6 +13,8 @@
 #include <cstddef>
 #include <numeric>
 #include <vector>
+
+BOOST_AUTO_TEST_SUITE(embedding)
 
 namespace tt = boost::test_tools;
 using namespace test_meshes;
@@ -146,3 +147,5 @@ BOOST_AUTO_TEST_CASE(ties_go_to_the_face_nearer_to_s_and_then_to_the_smaller_num
     }
   }
 }
+
+BOOST_AUTO_TEST_SUITE_END()

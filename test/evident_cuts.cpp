@@ -1,7 +1,6 @@
 // Copyright (c) 2026  The Spectral_segmentation authors.
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#define BOOST_TEST_MODULE evident_cuts
 #include <boost/test/unit_test.hpp>
 
 #include "test_meshes.h"
@@ -19,6 +18,8 @@
 #include <set>
 #include <utility>
 #include <vector>
+
+BOOST_AUTO_TEST_SUITE(evident_cuts)
 
 using namespace test_meshes;
 namespace parameters = CGAL::Spectral_segmentation::parameters;
@@ -386,3 +387,5 @@ BOOST_AUTO_TEST_CASE(a_flat_plate_is_one_part)
       }
     }
 }
+
+BOOST_AUTO_TEST_SUITE_END()

@@ -1,7 +1,6 @@
 // Copyright (c) 2026  The Spectral_segmentation authors.
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#define BOOST_TEST_MODULE face_distances
 #include <boost/test/unit_test.hpp>
 
 #include "test_meshes.h"
@@ -18,6 +17,8 @@
 #include <cmath>
 #include <cstddef>
 #include <vector>
+
+BOOST_AUTO_TEST_SUITE(face_distances)
 
 namespace tt = boost::test_tools;
 using namespace test_meshes;
@@ -471,3 +472,5 @@ BOOST_AUTO_TEST_CASE(distances_are_computed_from_the_given_points)
   for (Index h = 0; h < graph.halfedges.size(); ++h)
     BOOST_TEST(graph.halfedges[h].combined == expected.halfedges[h].combined);
 }
+
+BOOST_AUTO_TEST_SUITE_END()

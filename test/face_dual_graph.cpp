@@ -1,7 +1,6 @@
 // Copyright (c) 2026  The Spectral_segmentation authors.
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#define BOOST_TEST_MODULE face_dual_graph
 #include <boost/test/unit_test.hpp>
 
 #include "test_meshes.h"
@@ -20,6 +19,8 @@
 #include <set>
 #include <stdexcept>
 #include <vector>
+
+BOOST_AUTO_TEST_SUITE(face_dual_graph)
 
 namespace tt = boost::test_tools;
 using namespace test_meshes;
@@ -370,3 +371,5 @@ BOOST_AUTO_TEST_CASE(pieces_keep_their_faces_and_the_edges_between_them)
     }
   }
 }
+
+BOOST_AUTO_TEST_SUITE_END()

@@ -1,7 +1,6 @@
 // Copyright (c) 2026  The Spectral_segmentation authors.
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#define BOOST_TEST_MODULE hollowness
 #include <boost/test/unit_test.hpp>
 
 #include "test_meshes.h"
@@ -22,6 +21,8 @@
 #include <random>
 #include <utility>
 #include <vector>
+
+BOOST_AUTO_TEST_SUITE(hollowness)
 
 namespace tt = boost::test_tools;
 using namespace test_meshes;
@@ -285,3 +286,5 @@ BOOST_AUTO_TEST_CASE(the_hollowness_grows_with_the_size)
     BOOST_TEST(hollowness_of(scaled(torus(2, 0.5, 24, 12), factor)) == factor * hollowness,
                tt::tolerance(1e-5));
 }
+
+BOOST_AUTO_TEST_SUITE_END()

@@ -1,7 +1,6 @@
 // Copyright (c) 2026  The Spectral_segmentation authors.
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#define BOOST_TEST_MODULE hostile_input
 #include <boost/test/unit_test.hpp>
 
 #include "test_meshes.h"
@@ -19,6 +18,8 @@
 #include <random>
 #include <stdexcept>
 #include <vector>
+
+BOOST_AUTO_TEST_SUITE(hostile_input)
 
 using namespace test_meshes;
 namespace parameters = CGAL::Spectral_segmentation::parameters;
@@ -340,3 +341,5 @@ BOOST_AUTO_TEST_CASE(random_tiny_meshes)
                                  : repaired_random_mesh(engine, extent));
     }
 }
+
+BOOST_AUTO_TEST_SUITE_END()

@@ -1,7 +1,6 @@
 // Copyright (c) 2026  The Spectral_segmentation authors.
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#define BOOST_TEST_MODULE laplacian_smoothing
 #include <boost/test/unit_test.hpp>
 
 #include "test_meshes.h"
@@ -11,6 +10,8 @@
 
 #include <cstddef>
 #include <vector>
+
+BOOST_AUTO_TEST_SUITE(laplacian_smoothing)
 
 using namespace test_meshes;
 using CGAL::Spectral_segmentation::internal::Vector;
@@ -94,3 +95,5 @@ BOOST_AUTO_TEST_CASE(a_vertex_without_a_face_stays)
   const Face_dual_graph graph = dual_graph_of(soup);
   BOOST_TEST((smoothed_points(graph, 2).back() == graph.points.back()));
 }
+
+BOOST_AUTO_TEST_SUITE_END()

@@ -1,7 +1,6 @@
 // Copyright (c) 2026  The Spectral_segmentation authors.
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#define BOOST_TEST_MODULE line_search
 #include <boost/test/unit_test.hpp>
 
 #include "test_meshes.h"
@@ -26,6 +25,8 @@
 #include <set>
 #include <utility>
 #include <vector>
+
+BOOST_AUTO_TEST_SUITE(line_search)
 
 namespace tt = boost::test_tools;
 using namespace test_meshes;
@@ -398,3 +399,5 @@ BOOST_AUTO_TEST_CASE(a_part_without_a_cut_has_none)
   BOOST_TEST(!line_search(part, random_line(part, random), Weighted_part_salience(),
                           0.51 * total_area(part)).has_value());
 }
+
+BOOST_AUTO_TEST_SUITE_END()

@@ -1,7 +1,6 @@
 // Copyright (c) 2026  The Spectral_segmentation authors.
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#define BOOST_TEST_MODULE mesh_models
 #include <boost/test/unit_test.hpp>
 
 #include "test_meshes.h"
@@ -29,6 +28,8 @@
 #include <stdexcept>
 #include <thread>
 #include <vector>
+
+BOOST_AUTO_TEST_SUITE(mesh_models)
 
 using namespace test_meshes;
 namespace parameters = CGAL::Spectral_segmentation::parameters;
@@ -382,3 +383,5 @@ BOOST_AUTO_TEST_CASE(two_threads_may_segment_the_same_mesh)
   segment_in_two_threads(mesh);
   segment_in_two_threads(polyhedron);
 }
+
+BOOST_AUTO_TEST_SUITE_END()

@@ -1,7 +1,6 @@
 // Copyright (c) 2026  The Spectral_segmentation authors.
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#define BOOST_TEST_MODULE method_variants
 #include "../benchmark/method_variants.h"
 #include "../benchmark/tree_errors.h"
 #include "test_meshes.h"
@@ -15,6 +14,8 @@
 #include <cstddef>
 #include <utility>
 #include <vector>
+
+BOOST_AUTO_TEST_SUITE(method_variants)
 
 using namespace segmentation_benchmark;
 using CGAL::Spectral_segmentation::internal::calibrated_options;
@@ -133,3 +134,5 @@ BOOST_AUTO_TEST_CASE(errors_read_off_trees_are_those_of_runs)
     BOOST_TEST(errors.best == least);
   }
 }
+
+BOOST_AUTO_TEST_SUITE_END()

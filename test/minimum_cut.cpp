@@ -1,7 +1,6 @@
 // Copyright (c) 2026  The Spectral_segmentation authors.
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#define BOOST_TEST_MODULE minimum_cut
 #include <boost/test/unit_test.hpp>
 
 #include "test_meshes.h"
@@ -18,6 +17,8 @@
 #include <limits>
 #include <set>
 #include <vector>
+
+BOOST_AUTO_TEST_SUITE(minimum_cut)
 
 using namespace test_meshes;
 namespace internal = CGAL::Spectral_segmentation::internal;
@@ -349,3 +350,5 @@ BOOST_AUTO_TEST_CASE(two_faces_keep_a_side_each)
     BOOST_TEST((after == Sides{1, 0}));
   }
 }
+
+BOOST_AUTO_TEST_SUITE_END()

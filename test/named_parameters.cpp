@@ -1,7 +1,6 @@
 // Copyright (c) 2026  The Spectral_segmentation authors.
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#define BOOST_TEST_MODULE named_parameters
 #include <boost/test/unit_test.hpp>
 
 #include "test_meshes.h"
@@ -22,6 +21,8 @@
 #include <string>
 #include <utility>
 #include <vector>
+
+BOOST_AUTO_TEST_SUITE(named_parameters)
 
 using namespace test_meshes;
 namespace parameters = CGAL::Spectral_segmentation::parameters;
@@ -617,3 +618,5 @@ BOOST_AUTO_TEST_CASE(a_face_index_map_that_does_not_number_the_faces_is_refused)
   refuse([](Face f) { return int(f) - 1; });
   refuse([last](Face f) { return int(f) == last ? 0 : int(f); });
 }
+
+BOOST_AUTO_TEST_SUITE_END()

@@ -1,7 +1,6 @@
 // Copyright (c) 2026  The Spectral_segmentation authors.
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#define BOOST_TEST_MODULE nystrom
 #include <boost/test/unit_test.hpp>
 
 #include <CGAL/Spectral_segmentation/internal/Face_dual_graph.h>
@@ -17,6 +16,8 @@
 #include <numeric>
 #include <random>
 #include <vector>
+
+BOOST_AUTO_TEST_SUITE(nystrom)
 
 using CGAL::Spectral_segmentation::internal::Eigenpairs;
 using CGAL::Spectral_segmentation::internal::Index;
@@ -205,3 +206,5 @@ BOOST_AUTO_TEST_CASE(two_by_two_worked_by_hand)
   BOOST_TEST(are_parallel(e.vectors.col(0), Eigen::Vector3d(r, r, r), 1e-15));
   BOOST_TEST(are_parallel(e.vectors.col(1), Eigen::Vector3d(r, -r, 0), 1e-15));
 }
+
+BOOST_AUTO_TEST_SUITE_END()

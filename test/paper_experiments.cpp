@@ -1,7 +1,6 @@
 // Copyright (c) 2026  The Spectral_segmentation authors.
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#define BOOST_TEST_MODULE paper_experiments
 #include <boost/test/unit_test.hpp>
 
 #include "test_meshes.h"
@@ -36,6 +35,8 @@
 #include <optional>
 #include <set>
 #include <vector>
+
+BOOST_AUTO_TEST_SUITE(paper_experiments)
 
 namespace internal = CGAL::Spectral_segmentation::internal;
 namespace tt = boost::test_tools;
@@ -298,3 +299,5 @@ BOOST_AUTO_TEST_CASE(paired_difference_by_hand)
   BOOST_TEST(!d.is_negative());
   BOOST_TEST(!paired_difference({1, -1}, {0, 0}).is_positive());
 }
+
+BOOST_AUTO_TEST_SUITE_END()

@@ -1,7 +1,6 @@
 // Copyright (c) 2026  The Spectral_segmentation authors.
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#define BOOST_TEST_MODULE paper_labels
 #include <boost/test/unit_test.hpp>
 
 #include "test_labels.h"
@@ -12,6 +11,8 @@
 #include <cstddef>
 #include <cstdint>
 #include <limits>
+
+BOOST_AUTO_TEST_SUITE(paper_labels)
 
 using namespace test_meshes;
 namespace parameters = CGAL::Spectral_segmentation::parameters;
@@ -80,3 +81,5 @@ BOOST_AUTO_TEST_CASE(labels_with_other_values)
   check({"dino.off", 51, 0x522f71664787361c}, np);
   check({"dino.off", 31, 0xdf664d4768fbf3d8}, np.random_seed(3));
 }
+
+BOOST_AUTO_TEST_SUITE_END()

@@ -1,7 +1,6 @@
 // Copyright (c) 2026  The Spectral_segmentation authors.
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#define BOOST_TEST_MODULE part_salience
 #include <boost/test/unit_test.hpp>
 
 #include "test_meshes.h"
@@ -15,6 +14,8 @@
 #include <cstddef>
 #include <numeric>
 #include <vector>
+
+BOOST_AUTO_TEST_SUITE(part_salience)
 
 namespace tt = boost::test_tools;
 using namespace test_meshes;
@@ -220,3 +221,5 @@ BOOST_AUTO_TEST_CASE(the_weighted_salience_is_the_weighted_sum)
   BOOST_TEST((Weighted_part_salience{0, 1, 0}(factors)) == 0.5);
   BOOST_TEST((Weighted_part_salience{0, 0, 1}(factors)) == -2);
 }
+
+BOOST_AUTO_TEST_SUITE_END()

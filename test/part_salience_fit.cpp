@@ -1,7 +1,6 @@
 // Copyright (c) 2026  The Spectral_segmentation authors.
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#define BOOST_TEST_MODULE part_salience_fit
 #include "../benchmark/part_salience_fit.h"
 #include "../benchmark/tree_errors.h"
 #include "test_meshes.h"
@@ -20,6 +19,8 @@
 #include <string>
 #include <utility>
 #include <vector>
+
+BOOST_AUTO_TEST_SUITE(part_salience_fit)
 
 using namespace segmentation_benchmark;
 using test_meshes::Random;
@@ -303,3 +304,5 @@ BOOST_AUTO_TEST_CASE(best_threshold_is_that_of_least_error)
   errors.automatic = {0.3, 0.1, 0.2, 0.1};
   BOOST_TEST(best_threshold(errors) == 1u);
 }
+
+BOOST_AUTO_TEST_SUITE_END()

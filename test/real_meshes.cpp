@@ -1,7 +1,6 @@
 // Copyright (c) 2026  The Spectral_segmentation authors.
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#define BOOST_TEST_MODULE real_meshes
 #include <boost/test/unit_test.hpp>
 
 #include "test_labels.h"
@@ -22,6 +21,8 @@
 #include <map>
 #include <utility>
 #include <vector>
+
+BOOST_AUTO_TEST_SUITE(real_meshes)
 
 using namespace test_meshes;
 namespace parameters = CGAL::Spectral_segmentation::parameters;
@@ -133,3 +134,5 @@ BOOST_AUTO_TEST_CASE(a_rotation_changes_little)
     BOOST_TEST(rand_index(labels_of(mesh, Method::ZHANG_LIU_2005), expected) > 0.98, name);
   }
 }
+
+BOOST_AUTO_TEST_SUITE_END()

@@ -1,7 +1,6 @@
 // Copyright (c) 2026  The Spectral_segmentation authors.
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#define BOOST_TEST_MODULE recursion
 #include <boost/test/unit_test.hpp>
 
 #include "test_meshes.h"
@@ -21,6 +20,8 @@
 #include <limits>
 #include <set>
 #include <vector>
+
+BOOST_AUTO_TEST_SUITE(recursion)
 
 using namespace test_meshes;
 namespace parameters = CGAL::Spectral_segmentation::parameters;
@@ -184,3 +185,5 @@ BOOST_AUTO_TEST_CASE(the_number_of_threads_changes_nothing)
     }
 }
 #endif
+
+BOOST_AUTO_TEST_SUITE_END()

@@ -1,7 +1,6 @@
 // Copyright (c) 2026  The Spectral_segmentation authors.
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#define BOOST_TEST_MODULE sampling
 #include <boost/test/unit_test.hpp>
 
 #include "test_meshes.h"
@@ -18,6 +17,8 @@
 #include <set>
 #include <stdexcept>
 #include <vector>
+
+BOOST_AUTO_TEST_SUITE(sampling)
 
 namespace tt = boost::test_tools;
 using namespace test_meshes;
@@ -250,3 +251,5 @@ BOOST_AUTO_TEST_CASE(a_random_face_depends_on_seed_and_part_and_is_reproducible)
   BOOST_TEST(by_part.size() > 80u);
   BOOST_TEST(random_face(graph, 1, 0) != random_face(graph, 1 + (std::uint64_t(1) << 32), 0));
 }
+
+BOOST_AUTO_TEST_SUITE_END()

@@ -1,8 +1,6 @@
 // Copyright (c) 2026  The Spectral_segmentation authors.
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#define BOOST_TEST_MODULE segment_colors
-
 #include "../examples/segment_mesh/segment_colors.h"
 
 #include <boost/test/unit_test.hpp>
@@ -15,6 +13,8 @@
 #include <random>
 #include <set>
 #include <vector>
+
+BOOST_AUTO_TEST_SUITE(segment_colors)
 
 using segment_mesh::Rgb;
 using segment_mesh::segment_colors;
@@ -152,3 +152,5 @@ BOOST_AUTO_TEST_CASE(no_color_is_lost_on_a_white_ground)
   for (const Rgb& color : segment_colors(Neighbors(2000)))
     BOOST_TEST(difference(color, {255, 255, 255}) > 20);
 }
+
+BOOST_AUTO_TEST_SUITE_END()

@@ -1,7 +1,6 @@
 // Copyright (c) 2026  The Spectral_segmentation authors.
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#define BOOST_TEST_MODULE segment_tree
 #include <boost/test/unit_test.hpp>
 
 #include "test_labels.h"
@@ -23,6 +22,8 @@
 #include <set>
 #include <stdexcept>
 #include <vector>
+
+BOOST_AUTO_TEST_SUITE(segment_tree)
 
 using namespace test_meshes;
 namespace parameters = CGAL::Spectral_segmentation::parameters;
@@ -297,3 +298,5 @@ BOOST_AUTO_TEST_CASE(a_tree_of_another_mesh_is_refused)
   BOOST_CHECK_THROW(tree.segment_by_number(other, map_to(written, other), 1),
                     std::invalid_argument);
 }
+
+BOOST_AUTO_TEST_SUITE_END()

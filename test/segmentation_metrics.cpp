@@ -1,7 +1,6 @@
 // Copyright (c) 2026  The Spectral_segmentation authors.
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#define BOOST_TEST_MODULE segmentation_metrics
 #include "../benchmark/consensus_floor.h"
 #include "../benchmark/segmentation_metrics.h"
 #include "test_meshes.h"
@@ -14,6 +13,8 @@
 #include <limits>
 #include <random>
 #include <vector>
+
+BOOST_AUTO_TEST_SUITE(segmentation_metrics)
 
 using namespace segmentation_benchmark;
 using test_meshes::mesh_of;
@@ -315,3 +316,5 @@ BOOST_AUTO_TEST_CASE(small_atoms_join_the_atom_they_are_most_like)
   BOOST_TEST(atoms.atom_of_face == (Labels{0, 0, 0, 0, 1, 1, 0}), tt::per_element());
   BOOST_TEST(atoms.sizes == (std::vector<double>{5, 2}), tt::per_element());
 }
+
+BOOST_AUTO_TEST_SUITE_END()

@@ -1,7 +1,6 @@
 // Copyright (c) 2026  The Spectral_segmentation authors.
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#define BOOST_TEST_MODULE shape_scale_angles
 #include <boost/test/unit_test.hpp>
 
 #include "test_meshes.h"
@@ -17,6 +16,8 @@
 #include <numeric>
 #include <utility>
 #include <vector>
+
+BOOST_AUTO_TEST_SUITE(shape_scale_angles)
 
 namespace tt = boost::test_tools;
 using namespace test_meshes;
@@ -190,3 +191,5 @@ BOOST_AUTO_TEST_CASE(faces_without_area_leave_the_angles_finite)
   for (double angle : angles_of(dual_graph_of(soup), 0.05))
     BOOST_TEST(std::isfinite(angle));
 }
+
+BOOST_AUTO_TEST_SUITE_END()

@@ -1,7 +1,6 @@
 // Copyright (c) 2026  The Spectral_segmentation authors.
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#define BOOST_TEST_MODULE shortest_paths
 #include <boost/test/unit_test.hpp>
 
 #include "test_meshes.h"
@@ -17,6 +16,8 @@
 #include <numeric>
 #include <utility>
 #include <vector>
+
+BOOST_AUTO_TEST_SUITE(shortest_paths)
 
 namespace tt = boost::test_tools;
 using namespace test_meshes;
@@ -198,3 +199,5 @@ BOOST_AUTO_TEST_CASE(ways_of_length_0_are_ways)
   for (Index f = 0; f < graph.number_of_faces(); ++f)
     BOOST_TEST(paths.length(f) == 0);
 }
+
+BOOST_AUTO_TEST_SUITE_END()

@@ -1,7 +1,6 @@
 // Copyright (c) 2026  The Spectral_segmentation authors.
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#define BOOST_TEST_MODULE simplification
 #include <boost/test/unit_test.hpp>
 
 #include "test_meshes.h"
@@ -20,6 +19,8 @@
 #include <set>
 #include <utility>
 #include <vector>
+
+BOOST_AUTO_TEST_SUITE(simplification)
 
 using namespace test_meshes;
 namespace internal = CGAL::Spectral_segmentation::internal;
@@ -312,3 +313,5 @@ BOOST_AUTO_TEST_CASE(a_large_mesh_keeps_its_faces_where_it_has_many)
   BOOST_TEST(simplified.graph.number_of_faces() <= 20000);
   BOOST_TEST(simplified.graph.number_of_faces() >= 19998);
 }
+
+BOOST_AUTO_TEST_SUITE_END()

@@ -1,7 +1,6 @@
 // Copyright (c) 2026  The Spectral_segmentation authors.
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#define BOOST_TEST_MODULE thickness
 #include <boost/test/unit_test.hpp>
 
 #include "test_meshes.h"
@@ -21,6 +20,8 @@
 #include <numeric>
 #include <utility>
 #include <vector>
+
+BOOST_AUTO_TEST_SUITE(thickness)
 
 namespace tt = boost::test_tools;
 using namespace test_meshes;
@@ -289,3 +290,5 @@ BOOST_AUTO_TEST_CASE(a_face_that_sees_nothing_takes_the_thickness_of_its_neighbo
   for (float t : thickness_of(soup, 1))
     BOOST_TEST(t == std::log(0.5 / std::sqrt(20.)), tt::tolerance(single_precision));
 }
+
+BOOST_AUTO_TEST_SUITE_END()

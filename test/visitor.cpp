@@ -1,7 +1,6 @@
 // Copyright (c) 2026  The Spectral_segmentation authors.
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#define BOOST_TEST_MODULE visitor
 #include <boost/test/unit_test.hpp>
 
 #include "test_meshes.h"
@@ -18,6 +17,8 @@
 #include <stdexcept>
 #include <utility>
 #include <vector>
+
+BOOST_AUTO_TEST_SUITE(visitor)
 
 using namespace test_meshes;
 namespace parameters = CGAL::Spectral_segmentation::parameters;
@@ -397,3 +398,5 @@ BOOST_AUTO_TEST_CASE(an_exception_of_a_visitor_passes_through_and_leaves_the_lab
     BOOST_TEST(event > 20);
   }
 }
+
+BOOST_AUTO_TEST_SUITE_END()
