@@ -8,6 +8,7 @@
 #include <CGAL/Spectral_segmentation/internal/Face_dual_graph.h>
 #include <CGAL/Spectral_segmentation/internal/embedding.h>
 #include <CGAL/Spectral_segmentation/internal/shortest_paths.h>
+#include <CGAL/Spectral_segmentation/internal/spectral_order.h>
 
 #include <cmath>
 #include <cstddef>

@@ -15,11 +15,11 @@
 #include "../benchmark/paper_experiments/spectral_clusters.h"
 #include "../benchmark/paper_experiments/spectral_lines.h"
 
-#include <CGAL/Spectral_segmentation/internal/embedding.h>
 #include <CGAL/Spectral_segmentation/internal/line_search.h>
 #include <CGAL/Spectral_segmentation/internal/nystrom.h>
 #include <CGAL/Spectral_segmentation/internal/sampling.h>
 #include <CGAL/Spectral_segmentation/internal/shortest_paths.h>
+#include <CGAL/Spectral_segmentation/internal/spectral_order.h>
 
 #include <CGAL/boost/graph/copy_face_graph.h>
 #include <CGAL/segment_spectral_recursive.h>

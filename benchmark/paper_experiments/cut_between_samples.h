@@ -7,9 +7,9 @@
 #include "experiment.h"
 #include "face_samples.h"
 
-#include <CGAL/Spectral_segmentation/internal/embedding.h>
 #include <CGAL/Spectral_segmentation/internal/line_search.h>
 #include <CGAL/Spectral_segmentation/internal/shortest_paths.h>
+#include <CGAL/Spectral_segmentation/internal/spectral_order.h>
 
 #include <optional>
 #include <vector>

@@ -10,9 +10,9 @@
 #include "face_samples.h"
 #include "pictures.h"
 
-#include <CGAL/Spectral_segmentation/internal/embedding.h>
 #include <CGAL/Spectral_segmentation/internal/line_search.h>
 #include <CGAL/Spectral_segmentation/internal/shortest_paths.h>
+#include <CGAL/Spectral_segmentation/internal/spectral_order.h>
 
 #include <algorithm>
 #include <array>

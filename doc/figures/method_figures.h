@@ -7,13 +7,13 @@
 #include "Picture_book.h"
 #include "segmentations.h"
 
-#include <CGAL/Spectral_segmentation/internal/embedding.h>
 #include <CGAL/Spectral_segmentation/internal/initialization.h>
 #include <CGAL/Spectral_segmentation/internal/line_search.h>
 #include <CGAL/Spectral_segmentation/internal/options.h>
 #include <CGAL/Spectral_segmentation/internal/parts.h>
 #include <CGAL/Spectral_segmentation/internal/sampling.h>
 #include <CGAL/Spectral_segmentation/internal/shortest_paths.h>
+#include <CGAL/Spectral_segmentation/internal/spectral_order.h>
 
 #include <CGAL/Kernel/global_functions.h>
 #include <CGAL/tags.h>

@@ -59,6 +59,13 @@ public:
   /// an unsigned integer, for nodes, faces, and numbers of them
   typedef std::size_t size_type;
 
+#ifdef DOXYGEN_RUNNING
+  /// a range of unsigned integers
+  typedef unspecified_type Face_range;
+#else
+  typedef Iterator_range<std::vector<internal::Index>::const_iterator> Face_range;
+#endif
+
   /// the index that stands for no node
   static constexpr size_type null_node = static_cast<size_type>(-1);
 
@@ -123,8 +130,8 @@ public:
   /// the salience threshold of the run: no lower one can be asked for, except of a whole tree
   double salience_threshold() const { return salience_threshold_; }
 
-  /// the numbers of the faces of node `i`, a range of unsigned integers; those of a leaf ascend
-  Iterator_range<std::vector<internal::Index>::const_iterator> faces(size_type i) const
+  /// the numbers of the faces of node `i`; those of a leaf ascend
+  Face_range faces(size_type i) const
   {
     const auto first = faces_.begin() + first_face_[i];
     return make_range(first, first + nodes_[i].number_of_faces);

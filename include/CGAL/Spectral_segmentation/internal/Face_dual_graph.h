@@ -120,8 +120,8 @@ inline void set_sizes(Face_dual_graph& graph)
   }
 }
 
-// Numbers the vertices as faces come to them, so that what is near in the order of the faces is near
-// in memory. Vertices without a face go.
+// Numbers the vertices as faces come to them, so that those of faces near in order are near in
+// memory. Vertices without a face go.
 inline void number_vertices_by_faces(Face_dual_graph& graph)
 {
   std::vector<Vector> points;

@@ -6,7 +6,6 @@
 
 #include <CGAL/Spectral_segmentation/internal/Face_dual_graph.h>
 #include <CGAL/Spectral_segmentation/internal/nystrom.h>
-#include <CGAL/Spectral_segmentation/internal/sorted_indices.h>
 
 #include <cmath>
 #include <cstddef>
@@ -16,8 +15,8 @@ namespace CGAL {
 namespace Spectral_segmentation {
 namespace internal {
 
-// The 1-D spectral embedding of the faces of a part (Section 5.3). A run needs the order only; the
-// eigenvectors are for those who want to look at them.
+// The 1-D spectral embedding of the faces of a part (Section 5.3). A run needs their order only,
+// `spectral_order()`; the eigenvectors are for those who want to look at them.
 
 struct Spectral_embedding
 {
@@ -51,22 +50,6 @@ inline Spectral_embedding spectral_embedding(const std::vector<double>& from_s,
     result.second = -result.second;
   result.ratio = result.second.cwiseQuotient(result.first);
   return result;
-}
-
-// The faces in the order of the ratio e2 / e1, from s to t.
-//
-// Both eigenvectors are linear in the affinities x and y of a face to s and t, so the ratio is a
-// monotone function of x / y, that is, of the distance from s minus that from t. Sorting by this
-// difference needs no kernel and does not underflow. Where it ties, as along a limb that leaves the
-// way from s to t, the face nearer to s comes first.
-inline std::vector<Index> spectral_order(const std::vector<double>& from_s,
-                                         const std::vector<double>& from_t)
-{
-  std::vector<double> difference(from_s.size());
-  for (std::size_t f = 0; f < difference.size(); ++f)
-    difference[f] = from_s[f] - from_t[f];
-  return sorted_by_distance(difference, [&](Index f, Index g)
-    { return from_s[f] < from_s[g] || (from_s[f] == from_s[g] && f < g); });
 }
 
 } // namespace internal

@@ -6,11 +6,11 @@
 
 #include <CGAL/Spectral_segmentation/internal/Face_dual_graph.h>
 #include <CGAL/Spectral_segmentation/internal/concurrency.h>
-#include <CGAL/Spectral_segmentation/internal/embedding.h>
 #include <CGAL/Spectral_segmentation/internal/options.h>
 #include <CGAL/Spectral_segmentation/internal/sampling.h>
 #include <CGAL/Spectral_segmentation/internal/shortest_paths.h>
 #include <CGAL/Spectral_segmentation/internal/sorted_indices.h>
+#include <CGAL/Spectral_segmentation/internal/spectral_order.h>
 
 #include <cstddef>
 #include <vector>
