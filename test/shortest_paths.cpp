@@ -46,13 +46,19 @@ Face_dual_graph random_graph(Random& random)
   return random_part(graph, n / 2 + random() % (n / 2 + 1), random);
 }
 
-// Weights from 0 to 512, most of them small, and many equal.
-void make_uneven(Face_dual_graph& graph, Weighting weighting, Random& random)
+template <class Weight>
+void set_weights(Face_dual_graph& graph, Weighting weighting, const Weight& weight)
 {
   for (Index h = 0; h < graph.halfedges.size(); ++h)
     if (!graph.is_border(h))
-      graph.halfedges[h].*weighting = graph.halfedges[graph.opposite(h)].*weighting =
-        random() % 4 == 0 ? 0.f : std::ldexp(1.f, 9 - int(random() % 30));
+      graph.halfedges[h].*weighting = graph.halfedges[graph.opposite(h)].*weighting = weight();
+}
+
+// Weights from 0 to 512, most of them small, and many equal.
+void make_uneven(Face_dual_graph& graph, Weighting weighting, Random& random)
+{
+  set_weights(graph, weighting, [&]
+    { return random() % 4 == 0 ? 0.f : std::ldexp(1.f, 9 - int(random() % 30)); });
 }
 
 std::vector<std::vector<double> > floyd_warshall(const Face_dual_graph& graph, Weighting weighting)
@@ -144,10 +150,8 @@ BOOST_AUTO_TEST_CASE(angles_are_summed_along_the_paths_over_the_nearest_neighbor
       Random random(seed);
       Face_dual_graph graph = random_graph(random);
       const Weighting weighting = weightings[seed % 3];
-      for (Index h = 0; h < graph.halfedges.size(); ++h)
-        if (!graph.is_border(h)) // few values, so that many paths are as short
-          graph.halfedges[h].*weighting = graph.halfedges[graph.opposite(h)].*weighting =
-            1 + float(random() % 3);
+      // Few values, so that many paths are as short.
+      set_weights(graph, weighting, [&] { return 1 + float(random() % 3); });
       const std::size_t n = graph.number_of_faces();
       const Index source = static_cast<Index>(random() % n);
       const std::vector<double> distance = floyd_warshall(graph, weighting)[source];

@@ -334,11 +334,12 @@ std::size_t segment_spectral_recursive(const TriangleMesh& mesh, SegmentIdMap se
   typedef internal::Monitor<std::remove_reference_t<Visitor_reference> > Monitor;
   Monitor monitor(visitor);
 
-  const std::vector<internal::Index> order = internal::order_of_locality(mesh, faces);
   Segment_tree tree;
   internal::call_isolated([&] {
+    std::vector<internal::Index> order;
     internal::Initial_mesh initial = monitor.stage(
       Stage::INITIALIZATION, Segmentation_visitor::whole_mesh, [&] {
+        order = internal::order_of_locality(mesh, faces);
         return internal::initialize<ConcurrencyTag>(
           mesh, internal::in_order(faces, order),
           choose_parameter(get_parameter(pack, CGAL::internal_np::vertex_point),

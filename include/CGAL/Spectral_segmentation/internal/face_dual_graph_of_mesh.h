@@ -84,9 +84,7 @@ face_dual_graph_of_mesh(const TriangleMesh& mesh, const std::vector<FaceDescript
     for (int i = 0; i < 3; ++i) {
       const int slot = (i + 3 - first) % 3;
       graph.corners[f][slot] = corner[i];
-      const FaceDescriptor across = face(opposite(h, mesh), mesh);
-      const Index neighbor =
-        across == Graph_traits::null_face() ? null_index : face_number(across);
+      const Index neighbor = number_across(mesh, h, face_number);
       graph.halfedges[3 * f + slot].neighbor = neighbor == null_index ? f : neighbor;
       h = next(h, mesh);
     }

@@ -124,6 +124,16 @@ numbered_faces(const TriangleMesh& mesh, const CGALNamedParameters& np)
   return result;
 }
 
+// The number of the face across an edge; null_index where there is none, or none with a number.
+template <class TriangleMesh, class Number>
+Index number_across(const TriangleMesh& mesh,
+                    typename boost::graph_traits<TriangleMesh>::halfedge_descriptor h,
+                    const Number& number)
+{
+  const auto across = face(opposite(h, mesh), mesh);
+  return across == boost::graph_traits<TriangleMesh>::null_face() ? null_index : number(across);
+}
+
 // The neighbors of a triangle across its edges, in ascending order, and null_index for none.
 template <class TriangleMesh, class FaceDescriptor, class Number>
 Neighbors neighbors_of_triangle(const TriangleMesh& mesh, FaceDescriptor f, const Number& number)
@@ -131,9 +141,7 @@ Neighbors neighbors_of_triangle(const TriangleMesh& mesh, FaceDescriptor f, cons
   Neighbors result;
   auto h = halfedge(f, mesh);
   for (Index& neighbor : result) {
-    const FaceDescriptor across = face(opposite(h, mesh), mesh);
-    neighbor =
-      across == boost::graph_traits<TriangleMesh>::null_face() ? null_index : number(across);
+    neighbor = number_across(mesh, h, number);
     h = next(h, mesh);
   }
   std::sort(result.begin(), result.end());
