@@ -24,6 +24,8 @@
 #include <CGAL/boost/graph/copy_face_graph.h>
 #include <CGAL/segment_spectral_recursive.h>
 
+#include <CGAL/tags.h>
+
 #include <Eigen/Core>
 
 #include <algorithm>
@@ -184,7 +186,7 @@ BOOST_AUTO_TEST_CASE(cut_by_two_samples)
   { return internal::shortest_paths(graph, f, &Face_dual_graph::Halfedge::combined); };
   const std::vector<double> from_s = from(samples[0]), from_t = from(samples[1]);
   const auto salience = [&](const Line& line) {
-    return internal::line_search(
+    return internal::line_search<CGAL::Sequential_tag>(
       graph, line, CGAL::Spectral_segmentation::Weighted_part_salience(), 0)->salience;
   };
   const double expected = std::max(salience(internal::spectral_order(from_s, from_t)),

@@ -11,6 +11,8 @@
 #include <CGAL/Spectral_segmentation/internal/shortest_paths.h>
 #include <CGAL/Spectral_segmentation/internal/spectral_order.h>
 
+#include <CGAL/tags.h>
+
 #include <optional>
 #include <vector>
 
@@ -27,7 +29,7 @@ inline std::optional<Sides> cut_between_samples(const Sampling_scheme& scheme,
   const std::vector<Index> samples = scheme.take(part, 2, random);
   const auto from = [&part](Index f)
   { return internal::shortest_paths(part, f, &Face_dual_graph::Halfedge::combined); };
-  const std::optional<internal::Cut> cut = internal::line_search(
+  const std::optional<internal::Cut> cut = internal::line_search<CGAL::Sequential_tag>(
     part, internal::spectral_order(from(samples[0]), from(samples[1])),
     CGAL::Spectral_segmentation::Weighted_part_salience(), minimum_area);
   return cut ? std::optional<Sides>(cut->side) : std::nullopt;

@@ -14,11 +14,14 @@
 #include <CGAL/Spectral_segmentation/internal/shortest_paths.h>
 #include <CGAL/Spectral_segmentation/internal/spectral_order.h>
 
+#include <CGAL/tags.h>
+
 #include <algorithm>
 #include <array>
 #include <cstddef>
 #include <cstdint>
 #include <cstdio>
+#include <map>
 #include <optional>
 #include <string>
 #include <utility>
@@ -54,14 +57,16 @@ Searched_line search_line(const Face_dual_graph& part, const Sample_faces& sampl
   Searched_line result;
   result.from_s = internal::shortest_paths(part, samples.s, &Face_dual_graph::Halfedge::combined);
   result.from_t = internal::shortest_paths(part, samples.t, &Face_dual_graph::Halfedge::combined);
-  const double n = static_cast<double>(part.number_of_faces());
-  result.cut = internal::line_search(
+  std::map<std::size_t, double> saliences; // by size
+  result.cut = internal::line_search<CGAL::Sequential_tag>(
     part, internal::spectral_order(result.from_s, result.from_t),
     CGAL::Spectral_segmentation::Weighted_part_salience(), minimum_area,
-    [&](std::size_t size, const Salience_factors&, double salience) {
-      result.sizes.push_back(static_cast<double>(size) / n);
-      result.saliences.push_back(salience);
-    });
+    [&](std::size_t size, const Salience_factors&, double salience) { saliences[size] = salience; });
+  for (const auto& [size, salience] : saliences) {
+    result.sizes.push_back(static_cast<double>(size) /
+                           static_cast<double>(part.number_of_faces()));
+    result.saliences.push_back(salience);
+  }
   return result;
 }
 

@@ -11,6 +11,8 @@
 #include <CGAL/Spectral_segmentation/internal/orderings.h>
 #include <CGAL/Spectral_segmentation/internal/shortest_paths.h>
 
+#include <CGAL/tags.h>
+
 #include <Eigen/Core>
 
 #include <algorithm>
@@ -54,9 +56,10 @@ inline std::optional<Cut> cut_by_eigenvectors(const Face_dual_graph& part, const
 {
   std::optional<Cut> best;
   for (bool is_reversed : {false, true}) {
-    std::optional<Cut> cut = CGAL::Spectral_segmentation::internal::line_search(
-      part, spectral_line(part, e, samples, is_reversed),
-      CGAL::Spectral_segmentation::Weighted_part_salience(), minimum_area);
+    std::optional<Cut> cut =
+      CGAL::Spectral_segmentation::internal::line_search<CGAL::Sequential_tag>(
+        part, spectral_line(part, e, samples, is_reversed),
+        CGAL::Spectral_segmentation::Weighted_part_salience(), minimum_area);
     if (cut && (!best || cut->salience > best->salience))
       best = std::move(cut);
   }

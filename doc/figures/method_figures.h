@@ -169,10 +169,11 @@ struct Searched_line
   {
     const Options options = zhang_liu_options();
     const double area = internal::total_area(graph);
-    best = internal::line_search(
+    best = internal::line_search<CGAL::Sequential_tag>(
       graph, order, options.part_salience, options.minimum_segment_size * area,
       [&](std::size_t size, const CGAL::Spectral_segmentation::Salience_factors& f, double salience)
       { steps.push_back({size, f.size, f.cut_strength, f.protrusiveness, salience}); });
+    std::sort(steps.begin(), steps.end()); // by size
   }
 };
 

@@ -128,8 +128,10 @@ std::vector<Cut> cuts_along(const Face_dual_graph& part, const std::vector<Line>
   }
   else {
     cuts.resize(lines.size());
-    for_each_index<ConcurrencyTag>(lines.size(), [&](std::size_t i)
-      { cuts[i] = line_search(part, lines[i], options.part_salience, judge.minimum_area()); });
+    for_each_index<ConcurrencyTag>(lines.size(), [&](std::size_t i) {
+      cuts[i] = line_search<ConcurrencyTag>(part, lines[i], options.part_salience,
+                                            judge.minimum_area());
+    });
   }
   std::vector<Cut> result;
   append(cuts, result);

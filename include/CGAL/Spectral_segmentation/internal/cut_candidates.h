@@ -79,7 +79,7 @@ inline std::vector<Line_step> line_steps(const Face_dual_graph& part, const Grow
   const Weighted_part_salience part_salience;
   std::vector<Line_step> steps;
   visit_cuts(
-    part, growth, minimum_area, std::move(empty),
+    growth.faces.begin(), sizes_of_cuts(part, growth), minimum_area, std::move(empty),
     [&](const Patch_with_capacity& q, std::size_t size) {
       if (q.area() > 3 * q.area_of_rest()) // other lines come from that end
         return false;

@@ -8,9 +8,12 @@
 #include <CGAL/Spectral_segmentation/internal/Cut.h>
 #include <CGAL/Spectral_segmentation/internal/Face_dual_graph.h>
 #include <CGAL/Spectral_segmentation/internal/Meta_patch.h>
+#include <CGAL/Spectral_segmentation/internal/concurrency.h>
 #include <CGAL/Spectral_segmentation/internal/parts.h>
 
+#include <algorithm>
 #include <cstddef>
+#include <iterator>
 #include <limits>
 #include <optional>
 #include <utility>
@@ -84,20 +87,30 @@ inline std::vector<bool> rest_is_connected(const Face_dual_graph& part,
   return result;
 }
 
-// Adds the faces to the empty patch Q, and calls `visit(q, size of q)` after each step that leaves
-// two connected sides, both with an area, and not below `minimum_area`. Ends once it returns false.
-template <class Patch, class Visit>
-void visit_cuts(const Face_dual_graph& part, const Growth& growth, double minimum_area, Patch q,
-                const Visit& visit)
+// The sizes of Q after the steps that leave two connected sides.
+inline std::vector<Index> sizes_of_cuts(const Face_dual_graph& part, const Growth& growth)
 {
   const std::vector<bool> is_cut = rest_is_connected(part, growth.faces);
+  std::vector<Index> result;
+  result.reserve(growth.sizes.size());
+  std::copy_if(growth.sizes.begin(), growth.sizes.end(), std::back_inserter(result),
+               [&](Index size) { return is_cut[size]; });
+  return result;
+}
+
+// Adds faces to the empty patch Q, and calls `visit(q, size of q)` at each of the sizes, which
+// ascend, where both sides have an area, and not below `minimum_area`. Ends once it returns false.
+template <class FaceIterator, class Patch, class Visit>
+void visit_cuts(FaceIterator next_face, const std::vector<Index>& sizes, double minimum_area,
+                Patch q, const Visit& visit)
+{
   // What the subtraction of areas leaves where the rest has none.
   const double rounding = 1e-12 * q.area_of_part();
-  std::size_t size = 0;
-  for (Index size_after_step : growth.sizes) {
-    for (; size < size_after_step; ++size)
-      q.add(growth.faces[size]);
-    if (is_cut[size] && q.smaller_area() > rounding && q.smaller_area() >= minimum_area &&
+  Index size = 0;
+  for (Index size_of_cut : sizes) {
+    for (; size < size_of_cut; ++size)
+      q.add(*next_face++);
+    if (q.smaller_area() > rounding && q.smaller_area() >= minimum_area &&
         !visit(std::as_const(q), size))
       return;
   }
@@ -113,34 +126,55 @@ inline Sides sides_of(const Growth& growth, std::size_t size)
 }
 
 // The most salient cut along the line, if there is one. Of equally salient cuts the first is taken.
-// `observe(size of Q, factors, salience)` hears of each cut that is compared.
-template <class PartSalience, class Observer = No_observer>
+// A cut of Q is one of the rest, too: the second half of the faces is taken from the end of the
+// line, in another thread. `observe(size of Q, factors, salience)` hears of each cut that is
+// compared, in each half from the end to the middle.
+template <class ConcurrencyTag, class PartSalience, class Observer = No_observer>
 std::optional<Cut> line_search(const Face_dual_graph& part, const std::vector<Index>& line,
                                const PartSalience& part_salience, double minimum_area,
                                const Observer& observe = Observer())
 {
   const Growth growth = grow_along(part, line);
-  std::size_t best_size = 0;
-  Cut best;
-  double best_on_grid = -std::numeric_limits<double>::infinity();
-  const auto visit = [&](const Meta_patch& q, std::size_t size) {
-    const Salience_factors factors = q.factors();
-    const double salience = part_salience(factors);
-    observe(size, factors, salience);
-    // On the grid, so that rounding does not choose between cuts that mirror each other.
-    if (on_grid(salience) > best_on_grid) {
-      best_on_grid = on_grid(salience);
-      best = {{}, {q.area(), q.area_of_rest()}, factors, salience};
-      best_size = size;
-    }
-    return true;
-  };
-  visit_cuts(part, growth, minimum_area, Meta_patch(part), visit);
-  if (best_size == 0)
+  const Index n = static_cast<Index>(growth.faces.size());
+  std::vector<Index> sizes[2]; // of Q, and of the rest
+  for (Index size : sizes_of_cuts(part, growth))
+    sizes[size <= n / 2 ? 0 : 1].push_back(size <= n / 2 ? size : n - size);
+  std::reverse(sizes[1].begin(), sizes[1].end());
+
+  struct Best
+  {
+    Index size_of_q = 0;
+    Cut cut;
+    double on_grid = -std::numeric_limits<double>::infinity();
+  } best[2];
+  const Meta_patch empty(part);
+  for_each_index<ConcurrencyTag>(2, [&](std::size_t half) {
+    const auto visit = [&, half](const Meta_patch& patch, Index size) {
+      const Index size_of_q = half == 0 ? size : n - size;
+      const Salience_factors factors = patch.factors();
+      const double salience = part_salience(factors);
+      observe(size_of_q, factors, salience);
+      // On the grid, so that rounding does not choose between cuts that mirror each other.
+      Best& b = best[half];
+      if (on_grid(salience) > b.on_grid || (half == 1 && on_grid(salience) == b.on_grid)) {
+        b = {size_of_q, {{}, {patch.area(), patch.area_of_rest()}, factors, salience},
+             on_grid(salience)};
+        if (half == 1)
+          std::swap(b.cut.area[0], b.cut.area[1]);
+      }
+      return true;
+    };
+    if (half == 0)
+      visit_cuts(growth.faces.begin(), sizes[half], minimum_area, empty, visit);
+    else
+      visit_cuts(growth.faces.rbegin(), sizes[half], minimum_area, empty, visit);
+  });
+  Best& b = best[best[1].on_grid > best[0].on_grid ? 1 : 0];
+  if (b.size_of_q == 0)
     return std::nullopt;
-  best.side = sides_of(growth, best_size);
-  put_smaller_side_first(best.side, best.area);
-  return best;
+  b.cut.side = sides_of(growth, b.size_of_q);
+  put_smaller_side_first(b.cut.side, b.cut.area);
+  return std::move(b.cut);
 }
 
 } // namespace internal

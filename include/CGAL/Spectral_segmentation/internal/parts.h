@@ -6,7 +6,6 @@
 
 #include <CGAL/Spectral_segmentation/internal/Face_dual_graph.h>
 
-#include <boost/graph/connected_components.hpp>
 #include <boost/pending/disjoint_sets.hpp>
 #include <boost/property_map/property_map.hpp>
 
@@ -18,17 +17,6 @@
 namespace CGAL {
 namespace Spectral_segmentation {
 namespace internal {
-
-// The component of each face, numbered in the order of their first faces.
-inline std::vector<Index> connected_components(const Face_dual_graph& graph, std::size_t& number)
-{
-  std::vector<Index> component(num_vertices(graph));
-  const boost::typed_identity_property_map<Index> index;
-  number = component.empty() ? 0 :
-    boost::connected_components(graph, boost::make_iterator_property_map(component.begin(), index),
-                                boost::vertex_index_map(index));
-  return component;
-}
 
 // The components of faces that are added one by one, by union-find.
 class Face_components
@@ -64,8 +52,31 @@ public:
     --number_;
   }
 
+  Index representative(Index f) { return sets_.find_set(f); }
   std::size_t number() const { return number_; }
 };
+
+// The component of each face, numbered in the order of their first faces. Half the time of BGL's
+// search, as it reads the faces in their order.
+inline std::vector<Index> connected_components(const Face_dual_graph& graph, std::size_t& number)
+{
+  const Index n = static_cast<Index>(graph.number_of_faces());
+  Face_components components(n);
+  for (Index f = 0; f < n; ++f)
+    components.add(f);
+  for (Index h = 0; h < graph.halfedges.size(); ++h)
+    if (h / 3 < graph.halfedges[h].neighbor)
+      components.join(h / 3, graph.halfedges[h].neighbor);
+  number = 0;
+  std::vector<Index> result(n), number_of(n, null_index); // of the representative
+  for (Index f = 0; f < n; ++f) {
+    Index& component = number_of[components.representative(f)];
+    if (component == null_index)
+      component = static_cast<Index>(number++);
+    result[f] = component;
+  }
+  return result;
+}
 
 inline std::vector<double> component_areas(const Face_dual_graph& graph,
                                            const std::vector<Index>& component, std::size_t number)
