@@ -35,6 +35,7 @@ class Recursion;
 template <class ConcurrencyTag, class Monitor, class Observer>
 class Cut_and_merge;
 class Cut_transfer;
+inline void set_faces(Segment_tree&, const std::vector<Index>&);
 inline void number_faces(Segment_tree&, const std::vector<Index>&, const std::vector<Neighbors>&);
 }
 /// \endcond
@@ -204,6 +205,7 @@ private:
   template <class ConcurrencyTag, class Monitor, class Observer>
   friend class internal::Cut_and_merge;
   friend class internal::Cut_transfer;
+  friend void internal::set_faces(Segment_tree&, const std::vector<internal::Index>&);
   friend void internal::number_faces(Segment_tree&, const std::vector<internal::Index>&,
                                      const std::vector<internal::Neighbors>&);
 
@@ -351,23 +353,61 @@ private:
 /// \cond SKIP_IN_MANUAL
 namespace internal {
 
+// The leaf in which each face is.
+inline std::vector<Index> leaves(const Segment_tree& tree)
+{
+  std::vector<Index> leaf(tree.number_of_faces());
+  for (std::size_t i = 0; i < tree.number_of_nodes(); ++i)
+    if (tree.node(i).is_leaf())
+      for (Index f : tree.faces(i))
+        leaf[f] = static_cast<Index>(i);
+  return leaf;
+}
+
+// Puts other faces into the leaves, of which each gets one or more.
+inline void set_faces(Segment_tree& tree, const std::vector<Index>& leaf)
+{
+  std::vector<Segment_tree::Node>& nodes = tree.nodes_;
+  for (Segment_tree::Node& n : nodes)
+    n.number_of_faces = 0;
+  tree.smallest_face_.assign(nodes.size(), null_index);
+  for (Index f = 0; f < leaf.size(); ++f) {
+    ++nodes[leaf[f]].number_of_faces;
+    tree.smallest_face_[leaf[f]] = (std::min)(tree.smallest_face_[leaf[f]], f);
+  }
+  for (std::size_t i = nodes.size(); i-- > 0;)
+    if (!nodes[i].is_leaf())
+      for (std::size_t child : nodes[i].children) {
+        nodes[i].number_of_faces += nodes[child].number_of_faces;
+        tree.smallest_face_[i] = (std::min)(tree.smallest_face_[i], tree.smallest_face_[child]);
+      }
+  std::size_t first = 0;
+  for (std::size_t i = 0; i < tree.number_of_roots_; ++i) {
+    tree.first_face_[i] = first;
+    first += nodes[i].number_of_faces;
+  }
+  for (std::size_t i = 0; i < nodes.size(); ++i)
+    if (!nodes[i].is_leaf()) {
+      const auto& [a, b] = nodes[i].children;
+      tree.first_face_[a] = tree.first_face_[i];
+      tree.first_face_[b] = tree.first_face_[i] + nodes[a].number_of_faces;
+    }
+  tree.faces_.resize(leaf.size());
+  std::vector<std::size_t> next(tree.first_face_);
+  for (Index f = 0; f < leaf.size(); ++f)
+    tree.faces_[next[leaf[f]]++] = f;
+}
+
 // Numbers the faces of a run as the mesh does: f becomes `number[f]`. `neighbors` are those of the
 // faces of the run if boundaries shall be smoothed.
 inline void number_faces(Segment_tree& tree, const std::vector<Index>& number,
                          const std::vector<Neighbors>& neighbors)
 {
-  std::vector<std::size_t> leaf(number.size()), next(tree.first_face_);
-  for (std::size_t i = 0; i < tree.number_of_nodes(); ++i)
-    if (tree.node(i).is_leaf())
-      for (Index f : tree.faces(i))
-        leaf[number[f]] = i;
-  for (Index f = 0; f < number.size(); ++f)
-    tree.faces_[next[leaf[f]]++] = f;
-  for (std::size_t i = tree.number_of_nodes(); i-- > 0;) {
-    const auto& children = tree.node(i).children;
-    tree.smallest_face_[i] = tree.node(i).is_leaf() ? *tree.faces(i).begin()
-      : (std::min)(tree.smallest_face_[children[0]], tree.smallest_face_[children[1]]);
-  }
+  const std::vector<Index> leaf = leaves(tree);
+  std::vector<Index> numbered(leaf.size());
+  for (Index f = 0; f < leaf.size(); ++f)
+    numbered[number[f]] = leaf[f];
+  set_faces(tree, numbered);
   tree.neighbors_.resize(neighbors.size());
   for (Index f = 0; f < neighbors.size(); ++f)
     for (int i = 0; i < 3; ++i)

@@ -48,15 +48,9 @@ Shape_contexts shape_contexts(const Part& part, const Options& options, Monitor&
 
 inline bool both_sides_are_connected(const Face_dual_graph& part, const Sides& side)
 {
-  Face_components components(part.number_of_faces());
-  for (Index f = 0; f < part.number_of_faces(); ++f)
-    components.add(f);
-  for (Index h = 0; h < part.halfedges.size(); ++h) {
-    const Index f = h / 3, g = part.halfedges[h].neighbor;
-    if (f < g && side[f] == side[g])
-      components.join(f, g);
-  }
-  return components.number() == 2;
+  std::size_t number;
+  connected_components(part, number, [&](Index f, Index g) { return side[f] == side[g]; });
+  return number == 2;
 }
 
 // Judges whole cuts of a part: by all factors if the run takes candidates, else by those of the

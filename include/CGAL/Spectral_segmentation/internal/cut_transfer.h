@@ -21,6 +21,7 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
+#include <unordered_map>
 #include <utility>
 #include <vector>
 
@@ -32,35 +33,34 @@ namespace internal {
 // faces around its three vertices are, as the simplified mesh has them. Those between, which are a
 // band around the cut, are divided by the minimum cut, or if nothing is sure, by what is nearer.
 // Where a side is not connected then, the smaller pieces go to the other side.
+//
+// The faces that may be between the sides of any cut, and those next to them, are the bands. What
+// is connected beyond them is divided by no cut. So cuts divide cells: a cell is a face of the
+// bands or such a core.
 class Cut_transfer
 {
   enum Side : char { Q, REST, BETWEEN, OUTSIDE }; // OUTSIDE: not in the part that is cut
 
-  typedef Iterator_range<std::vector<Index>::const_iterator> Faces; // of a node
+  typedef Iterator_range<std::vector<Index>::const_iterator> Cells; // of a node
 
   const Segment_tree& cuts_;
   const Simplified_mesh& simplified_;
   const Face_dual_graph& mesh_;
-  Face_dual_graph bands_;              // the faces that may be between, and those next to them
+
+  Face_dual_graph bands_;
   std::vector<Index> number_in_bands_; // of each face; null_index if it is not there
-  std::vector<char> side_;             // of each face
-  std::vector<Index> reached_;         // by the present flood
-  std::vector<Index> flood_;           // the last one that reached each face
+
+  std::vector<Index> cell_;       // of each face
+  std::vector<Index> first_face_; // of each cell
+  std::vector<double> areas_;     // of each cell
+  std::unordered_map<Index, std::vector<Index> > neighbors_of_core_;
+
+  std::vector<char> side_;     // of each cell
+  std::vector<Index> reached_; // by the present flood
+  std::vector<Index> flood_;   // the last one that reached each cell
   Index number_of_floods_ = 0;
 
-  // What the faces around each vertex of the simplified mesh have in common: their values, joined;
-  // null_index of none. Faces whose value is null_index do not count.
-  template <class Join>
-  std::vector<Index> of_vertices(const std::vector<Index>& values, const Join& join) const
-  {
-    const Face_dual_graph& graph = simplified_.graph;
-    std::vector<Index> result(graph.points.size(), null_index);
-    for (Index f = 0; f < graph.number_of_faces(); ++f)
-      if (values[f] != null_index)
-        for (Index v : graph.corners[f])
-          result[v] = result[v] == null_index ? values[f] : join(result[v], values[f]);
-    return result;
-  }
+  bool is_in_bands(Index f) const { return number_in_bands_[f] != null_index; }
 
   std::array<Index, 3> values_at(const std::vector<Index>& of_vertex, Index f) const
   {
@@ -71,30 +71,30 @@ class Cut_transfer
 
   // Whether a face may be between the sides of any cut. All may if there might be more cuts: a cut
   // must not depend on those after it.
+  template <class ConcurrencyTag>
   std::vector<char> are_between() const
   {
+    std::vector<char> result(mesh_.number_of_faces(), 1);
     if (!cuts_.is_whole_)
-      return std::vector<char>(mesh_.number_of_faces(), 1);
+      return result;
     constexpr Index several = null_index - 1;
-    std::vector<Index> leaf(simplified_.graph.number_of_faces());
-    for (std::size_t i = 0; i < cuts_.number_of_nodes(); ++i)
-      if (cuts_.node(i).is_leaf())
-        for (Index f : cuts_.faces(i))
-          leaf[f] = static_cast<Index>(i);
-    const std::vector<Index> of_vertex =
-      of_vertices(leaf, [](Index a, Index b) { return a == b ? a : several; });
-    std::vector<char> result(mesh_.number_of_faces());
-    for (Index f = 0; f < result.size(); ++f) {
-      const auto [a, b, c] = values_at(of_vertex, f);
+    const std::vector<Index> leaf = leaves(cuts_);
+    std::vector<Index> of_vertex(simplified_.graph.points.size(), null_index);
+    for (Index f = 0; f < leaf.size(); ++f)
+      for (Index v : simplified_.graph.corners[f])
+        of_vertex[v] = of_vertex[v] == null_index || of_vertex[v] == leaf[f] ? leaf[f] : several;
+    for_each_index<ConcurrencyTag>(result.size(), [&](std::size_t f) {
+      const auto [a, b, c] = values_at(of_vertex, static_cast<Index>(f));
       result[f] = a == several || a != b || a != c;
-    }
+    });
     return result;
   }
 
+  // The faces of the bands.
   template <class ConcurrencyTag>
-  void set_bands(const Options& options)
+  std::vector<Index> number_bands()
   {
-    const std::vector<char> is_between = are_between();
+    const std::vector<char> is_between = are_between<ConcurrencyTag>();
     std::vector<Index> faces;
     for (Index f = 0; f < mesh_.number_of_faces(); ++f) {
       bool is_needed = is_between[f];
@@ -105,6 +105,12 @@ class Cut_transfer
         faces.push_back(f);
       }
     }
+    return faces;
+  }
+
+  template <class ConcurrencyTag>
+  void set_bands(const std::vector<Index>& faces, const Options& options)
+  {
     bands_ = Part_copier(mesh_)(faces);
     const double area = total_area(bands_);
     const double radius = // which is relative to the area
@@ -114,89 +120,120 @@ class Cut_transfer
                                         options.convex_angle_weight, radius});
   }
 
-  // Tells whether there are faces on either side.
-  bool set_sure_sides(std::size_t node, const Faces& faces)
+  void set_cells()
   {
-    std::vector<Index> bit(simplified_.graph.number_of_faces(), null_index);
+    std::size_t number;
+    cell_ = connected_components(mesh_, number, [&](Index f, Index g)
+      { return !is_in_bands(f) && !is_in_bands(g); });
+    first_face_.assign(number, null_index);
+    areas_.assign(number, 0);
+    side_.assign(number, OUTSIDE);
+    flood_.assign(number, 0);
+    for (Index f = 0; f < cell_.size(); ++f) {
+      areas_[cell_[f]] += mesh_.areas[f];
+      first_face_[cell_[f]] = (std::min)(first_face_[cell_[f]], f);
+      if (!is_in_bands(f))
+        for (Index h = 3 * f; h < 3 * f + 3; ++h)
+          if (is_in_bands(mesh_.halfedges[h].neighbor))
+            neighbors_of_core_[cell_[f]].push_back(cell_[mesh_.halfedges[h].neighbor]);
+    }
+  }
+
+  template <class Visit>
+  void for_each_neighbor(Index cell, const Visit& visit) const
+  {
+    const Index f = first_face_[cell];
+    if (is_in_bands(f)) {
+      for (Index h = 3 * f; h < 3 * f + 3; ++h)
+        visit(cell_[mesh_.halfedges[h].neighbor]);
+      return;
+    }
+    const auto core = neighbors_of_core_.find(cell);
+    if (core != neighbors_of_core_.end())
+      std::for_each(core->second.begin(), core->second.end(), visit);
+  }
+
+  // Tells whether there are cells on either side.
+  bool set_sure_sides(std::size_t node, const Cells& cells)
+  {
+    std::vector<Index> of_vertex(simplified_.graph.points.size(), 0); // the sides, as bits
     for (Index s : {Q, REST})
       for (Index f : cuts_.faces(cuts_.node(node).children[s]))
-        bit[f] = Index(1) << s;
-    const std::vector<Index> of_vertex = of_vertices(bit, [](Index a, Index b) { return a | b; });
+        for (Index v : simplified_.graph.corners[f])
+          of_vertex[v] |= Index(1) << s;
     Index all = 0;
-    for (Index f : faces) {
-      Index sides = 0;
-      for (Index bits : values_at(of_vertex, f))
-        if (bits != null_index)
-          sides |= bits;
-      // Faces that came here to keep a part connected have no side; that will take care of them.
-      side_[f] = sides == 3 ? BETWEEN : sides == 2 ? REST : Q;
+    for (Index cell : cells) {
+      const auto [a, b, c] = values_at(of_vertex, first_face_[cell]);
+      const Index sides = a | b | c;
+      // Cells that came here to keep a part connected have no side; that will take care of them.
+      side_[cell] = sides == 3 ? BETWEEN : sides == 2 ? REST : Q;
       if (sides != 3)
         all |= sides;
     }
     return all == 3;
   }
 
-  void divide_band(const Faces& faces)
+  void divide_band(const Cells& cells)
   {
     Sides in_bands(bands_.number_of_faces(), OUTSIDE);
     std::vector<Index> band;
-    for (Index f : faces) {
-      const Index b = number_in_bands_[f];
+    for (Index cell : cells) {
+      const Index b = number_in_bands_[first_face_[cell]];
       if (b == null_index)
         continue;
-      in_bands[b] = side_[f] == BETWEEN ? char(Q) : side_[f];
-      if (side_[f] == BETWEEN)
+      in_bands[b] = side_[cell] == BETWEEN ? char(Q) : side_[cell];
+      if (side_[cell] == BETWEEN)
         band.push_back(b);
     }
     in_bands = minimum_cut_within(bands_, band, in_bands);
-    for (Index f : faces)
-      if (side_[f] == BETWEEN)
-        side_[f] = in_bands[number_in_bands_[f]];
+    for (Index cell : cells)
+      if (side_[cell] == BETWEEN)
+        side_[cell] = in_bands[number_in_bands_[first_face_[cell]]];
   }
 
   // Where a side is so thin that all of it is between: the faces that are left in the simplified
   // mesh have their sides, and the others between follow them, step by step.
-  void grow_sides(std::size_t node, const Faces& faces)
+  void grow_sides(std::size_t node, const Cells& cells)
   {
     std::vector<Index> reached;
-    for (Index f : faces)
-      if (side_[f] != BETWEEN)
-        reached.push_back(f);
+    for (Index cell : cells)
+      if (side_[cell] != BETWEEN)
+        reached.push_back(cell);
     for (char s : {Q, REST})
       for (Index f : cuts_.faces(cuts_.node(node).children[int(s)])) {
-        const Index left = simplified_.faces[f];
+        const Index left = cell_[simplified_.faces[f]];
         if (side_[left] == BETWEEN) {
           side_[left] = s;
           reached.push_back(left);
         }
       }
-    for (std::size_t i = 0; i < reached.size(); ++i)
-      for (Index h = 3 * reached[i]; h < 3 * reached[i] + 3; ++h) {
-        const Index g = mesh_.halfedges[h].neighbor;
-        if (side_[g] == BETWEEN) {
-          side_[g] = side_[reached[i]];
-          reached.push_back(g);
+    for (std::size_t i = 0; i < reached.size(); ++i) {
+      const char side = side_[reached[i]];
+      for_each_neighbor(reached[i], [&](Index cell) {
+        if (side_[cell] == BETWEEN) {
+          side_[cell] = side;
+          reached.push_back(cell);
         }
-      }
-    for (Index f : faces)
-      if (side_[f] == BETWEEN) // nothing was reached
-        side_[f] = REST;
+      });
+    }
+    for (Index cell : cells)
+      if (side_[cell] == BETWEEN) // nothing was reached
+        side_[cell] = REST;
   }
 
-  // Adds the faces of one side that are connected with a face, to those that this flood reached.
+  // Adds the cells of one side that are connected with a cell, to those that this flood reached.
   void flood(Index first)
   {
     std::size_t next = reached_.size();
     reached_.push_back(first);
     flood_[first] = number_of_floods_;
     for (; next < reached_.size(); ++next)
-      for (Index h = 3 * reached_[next]; h < 3 * reached_[next] + 3; ++h) {
-        const Index g = mesh_.halfedges[h].neighbor;
-        if (side_[g] == side_[first] && flood_[g] != number_of_floods_) {
-          flood_[g] = number_of_floods_;
-          reached_.push_back(g);
+      for_each_neighbor(reached_[next], [&](Index cell) {
+        if (side_[cell] == side_[first] && flood_[cell] != number_of_floods_) {
+          flood_[cell] = number_of_floods_;
+          reached_.push_back(cell);
         }
-      }
+      });
   }
 
   void start_flood()
@@ -205,21 +242,21 @@ class Cut_transfer
     ++number_of_floods_;
   }
 
-  // The connected sets of faces on a side of a connected part, but for the largest, go to the other
+  // The connected sets of cells on a side of a connected part, but for the largest, go to the other
   // side.
-  void keep_largest(const Faces& faces, Side given)
+  void keep_largest(const Cells& cells, Side given)
   {
     start_flood();
     std::vector<std::size_t> first_of_set; // in reached_
     std::vector<double> areas;
-    for (Index f : faces) {
-      if (side_[f] != given || flood_[f] == number_of_floods_)
+    for (Index cell : cells) {
+      if (side_[cell] != given || flood_[cell] == number_of_floods_)
         continue;
       first_of_set.push_back(reached_.size());
-      flood(f);
+      flood(cell);
       areas.push_back(0);
       for (std::size_t i = first_of_set.back(); i < reached_.size(); ++i)
-        areas.back() += mesh_.areas[reached_[i]];
+        areas.back() += areas_[reached_[i]];
     }
     if (areas.size() < 2)
       return;
@@ -230,56 +267,71 @@ class Cut_transfer
         side_[reached_[i]] = given == Q ? REST : Q;
   }
 
-  // A side on which no face is gets one, without which the part is still connected.
-  void keep_both_sides(const Faces& faces)
+  // A side on which no cell is gets one, without which the part is still connected.
+  void keep_both_sides(const Cells& cells)
   {
-    const Side first = static_cast<Side>(side_[*faces.begin()]);
-    if (std::any_of(faces.begin(), faces.end(), [&](Index f) { return side_[f] != first; }))
+    const Side first = static_cast<Side>(side_[*cells.begin()]);
+    if (std::any_of(cells.begin(), cells.end(), [&](Index c) { return side_[c] != first; }))
       return;
     start_flood();
-    flood(*faces.begin());
+    flood(*cells.begin());
     side_[reached_.back()] = first == Q ? REST : Q;
   }
 
-  Sides sides(std::size_t node, const Faces& faces)
+  Sides sides(std::size_t node, const Cells& cells)
   {
-    if (set_sure_sides(node, faces))
-      divide_band(faces);
+    if (set_sure_sides(node, cells))
+      divide_band(cells);
     else
-      grow_sides(node, faces);
-    keep_largest(faces, Q);
-    keep_largest(faces, REST);
-    keep_both_sides(faces);
+      grow_sides(node, cells);
+    keep_largest(cells, Q);
+    keep_largest(cells, REST);
+    keep_both_sides(cells);
     Sides result;
-    result.reserve(faces.size());
-    for (Index f : faces) {
-      result.push_back(side_[f]);
-      side_[f] = OUTSIDE;
+    result.reserve(cells.size());
+    for (Index cell : cells) {
+      result.push_back(side_[cell]);
+      side_[cell] = OUTSIDE;
     }
     return result;
   }
 
-public:
-  Cut_transfer(const Segment_tree& cuts, const Simplified_mesh& simplified,
-               const Face_dual_graph& mesh)
-    : cuts_(cuts), simplified_(simplified), mesh_(mesh),
-      number_in_bands_(mesh.number_of_faces(), null_index), side_(mesh.number_of_faces(), OUTSIDE),
-      flood_(mesh.number_of_faces(), 0)
-  {}
-
-  template <class ConcurrencyTag>
-  Segment_tree operator()(const Options& options)
+  // Cuts a leaf of the tree as a node of the simplified mesh is cut. Puts down for its children
+  // which nodes of the tree they are. Tells whether there was something to cut.
+  bool cut_as(std::size_t given, std::size_t node, Segment_tree& tree,
+              std::vector<std::size_t>& same)
   {
-    std::size_t number_of_components;
-    std::vector<Index> component;
-    for_each_index<ConcurrencyTag>(2, [&](std::size_t task) {
-      if (task == 0)
-        set_bands<ConcurrencyTag>(options);
-      else
-        component = connected_components(mesh_, number_of_components);
-    });
-    Segment_tree tree(component, component_areas(mesh_, component, number_of_components),
-                      mesh_.unit, options);
+    const auto& children = cuts_.node(given).children;
+    Sides side = sides(given, tree.faces(node));
+    double area[2] = {0, 0};
+    std::size_t number[2] = {0, 0};
+    for (std::size_t i = 0; i < side.size(); ++i) {
+      area[int(side[i])] += areas_[tree.faces(node).begin()[i]];
+      ++number[int(side[i])];
+    }
+    if (number[0] == 0 || number[1] == 0) { // of one cell
+      same[children[number[0] == 0 ? 1 : 0]] = node;
+      return false;
+    }
+    const bool is_swapped = area[0] > area[1];
+    put_smaller_side_first(side, area);
+    tree.cut(node, side, area);
+    for (int s = 0; s < 2; ++s)
+      same[children[s]] = tree.node(node).children[is_swapped ? 1 - s : s];
+    return true;
+  }
+
+  // With cells in place of faces.
+  Segment_tree tree_of_cells(const std::vector<Index>& component, std::size_t number_of_components,
+                             const Options& options)
+  {
+    std::vector<Index> component_of_cell;
+    std::vector<double> areas(number_of_components, 0);
+    for (Index cell = 0; cell < first_face_.size(); ++cell) {
+      component_of_cell.push_back(component[first_face_[cell]]);
+      areas[component_of_cell.back()] += areas_[cell];
+    }
+    Segment_tree tree(component_of_cell, areas, mesh_.unit, options);
     tree.is_whole_ = cuts_.is_whole_;
 
     std::vector<std::size_t> same(cuts_.number_of_nodes(), Segment_tree::null_node); // in the tree
@@ -287,27 +339,9 @@ public:
     for (std::size_t i = 0; i < cuts_.number_of_roots(); ++i)
       same[i] = component[simplified_.faces[*cuts_.faces(i).begin()]];
     for (std::size_t i = cuts_.number_of_roots(); i < cuts_.number_of_nodes(); i += 2) {
-      const std::size_t cut = cuts_.node(i).parent, node = same[cut];
-      if (node == Segment_tree::null_node)
-        continue;
-      Sides side = sides(cut, tree.faces(node));
-      double area[2] = {0, 0};
-      std::size_t number[2] = {0, 0}, k = 0;
-      for (Index f : tree.faces(node)) {
-        area[int(side[k])] += mesh_.areas[f];
-        ++number[int(side[k++])];
-      }
-      // Of a part that has one face left there is nothing to cut.
-      if (number[0] == 0 || number[1] == 0) {
-        same[cuts_.node(cut).children[number[0] == 0 ? 1 : 0]] = node;
+      const std::size_t given = cuts_.node(i).parent;
+      if (same[given] != Segment_tree::null_node && !cut_as(given, same[given], tree, same))
         is_complete = false;
-        continue;
-      }
-      const bool is_swapped = area[0] > area[1];
-      put_smaller_side_first(side, area);
-      tree.cut(node, side, area);
-      for (int s = 0; s < 2; ++s)
-        same[cuts_.node(cut).children[s]] = tree.node(node).children[is_swapped ? 1 - s : s];
     }
     for (std::size_t i = 0; i < cuts_.number_of_nodes(); ++i)
       if (same[i] != Segment_tree::null_node) {
@@ -318,6 +352,36 @@ public:
     if (!is_complete) // no more segments than there are can be asked for
       tree.maximum_number_of_segments_ =
         (std::min)(tree.maximum_number_of_segments_, tree.number_of_segments());
+    return tree;
+  }
+
+public:
+  Cut_transfer(const Segment_tree& cuts, const Simplified_mesh& simplified,
+               const Face_dual_graph& mesh)
+    : cuts_(cuts), simplified_(simplified), mesh_(mesh),
+      number_in_bands_(mesh.number_of_faces(), null_index)
+  {}
+
+  template <class ConcurrencyTag>
+  Segment_tree operator()(const Options& options)
+  {
+    const std::vector<Index> faces_of_bands = number_bands<ConcurrencyTag>();
+    std::size_t number_of_components;
+    std::vector<Index> component;
+    for_each_index<ConcurrencyTag>(3, [&](std::size_t task) {
+      if (task == 0)
+        set_bands<ConcurrencyTag>(faces_of_bands, options);
+      else if (task == 1)
+        set_cells();
+      else
+        component = connected_components(mesh_, number_of_components);
+    });
+    Segment_tree tree = tree_of_cells(component, number_of_components, options);
+    const std::vector<Index> leaf_of_cell = leaves(tree);
+    std::vector<Index> leaf(mesh_.number_of_faces());
+    for (Index f = 0; f < leaf.size(); ++f)
+      leaf[f] = leaf_of_cell[cell_[f]];
+    set_faces(tree, leaf);
     return tree;
   }
 };
