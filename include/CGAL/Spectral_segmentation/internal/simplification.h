@@ -117,7 +117,7 @@ class Edge_collapse
   std::vector<char> is_fixed_;                 // vertices that stay as they are
   std::vector<char> is_on_seam_;               // of domains; empty without domains
 
-  static constexpr std::size_t faces_per_domain = 1 << 15;
+  static constexpr std::size_t faces_per_domain = 1 << 13;
 
   static Index next(Index h) { return h % 3 == 2 ? h - 2 : h + 1; }
   static Index previous(Index h) { return h % 3 == 0 ? h + 2 : h - 1; }
@@ -386,12 +386,16 @@ class Edge_collapse
           domain[v] = d;
         }
       }
-    // Some more are left than in the end, as those at the seams are.
-    const double faces_per_area = shared_by_area(1.5 * static_cast<double>(number), faces, areas);
+    const double faces_per_area = shared_by_area(static_cast<double>(number), faces, areas);
     for_each_index<ConcurrencyTag>(faces.size(), [&](std::size_t d) {
+      // Those with an edge on a seam are left besides.
+      const auto at_seam = std::count_if(faces[d].begin(), faces[d].end(), [&](Index f) {
+        const std::array<Index, 3>& c = corners_[f];
+        return is_on_seam_[c[0]] + is_on_seam_[c[1]] + is_on_seam_[c[2]] >= 2;
+      });
       const double all = static_cast<double>(faces[d].size());
-      collapse_edges(faces[d],
-                     static_cast<std::size_t>((std::min)(faces_per_area * areas[d], all)));
+      collapse_edges(faces[d], static_cast<std::size_t>(
+        (std::min)(faces_per_area * areas[d] + static_cast<double>(at_seam), all)));
     });
     is_on_seam_.clear();
   }
