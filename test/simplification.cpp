@@ -293,10 +293,11 @@ BOOST_AUTO_TEST_CASE(a_large_mesh_is_simplified_in_domains_and_shows_no_seam)
   BOOST_TEST(euler_characteristic(graph) == 2);
   BOOST_TEST(volume(graph) == volume(mesh), boost::test_tools::tolerance(0.001));
   const double mean = internal::total_area(graph) / double(graph.number_of_faces());
-  for (double area : graph.areas) {
-    BOOST_TEST(area > mean / 8);
-    BOOST_TEST(area < mean * 4);
-  }
+  for (double area : graph.areas)
+    BOOST_TEST(area < mean * 3);
+  // A sliver or two are anywhere; along seams there would be hundreds.
+  BOOST_TEST(std::count_if(graph.areas.begin(), graph.areas.end(),
+                           [&](double area) { return area < mean / 8; }) < 5);
   const Simplified_mesh parallel = internal::simplify<CGAL::Parallel_if_available_tag>(mesh, 20000);
   BOOST_TEST((parallel.faces == simplified.faces));
   BOOST_TEST((parallel.vertices == simplified.vertices));
