@@ -40,6 +40,7 @@ using CGAL::Spectral_segmentation::internal::Growth;
 using CGAL::Spectral_segmentation::internal::Vector;
 using CGAL::Spectral_segmentation::internal::grow_along;
 using CGAL::Spectral_segmentation::internal::line_search;
+using CGAL::Spectral_segmentation::internal::neighbors;
 using CGAL::Spectral_segmentation::internal::on_grid;
 using CGAL::Spectral_segmentation::internal::rest_is_connected;
 using CGAL::Spectral_segmentation::internal::shortest_paths;
@@ -336,13 +337,13 @@ BOOST_AUTO_TEST_CASE(faces_that_do_not_touch_the_patch_wait)
     {{Point(0, 0, 0), Point(1, 0, 0), Point(0, 1, 0), Point(1, 1, 0), Point(0, 2, 0),
       Point(1, 2, 0), Point(0, 3, 0), Point(1, 3, 0)},
      {{0, 1, 2}, {2, 1, 3}, {2, 3, 4}, {4, 3, 5}, {4, 5, 6}, {6, 5, 7}}});
-  const Growth growth = grow_along(strip, {0, 3, 5, 2, 1, 4});
+  const Growth growth = grow_along(neighbors(strip), {0, 3, 5, 2, 1, 4});
   BOOST_TEST(growth.faces == std::vector<Index>({0, 1, 2, 3, 4, 5}), tt::per_element());
   BOOST_TEST(growth.sizes == std::vector<Index>({1, 4, 6}), tt::per_element());
-  const Growth from_the_middle = grow_along(strip, {2, 0, 3, 1, 5, 4});
+  const Growth from_the_middle = grow_along(neighbors(strip), {2, 0, 3, 1, 5, 4});
   BOOST_TEST(from_the_middle.faces == std::vector<Index>({2, 3, 1, 0, 4, 5}), tt::per_element());
   BOOST_TEST(from_the_middle.sizes == std::vector<Index>({1, 2, 4, 6}), tt::per_element());
-  BOOST_TEST(rest_is_connected(strip, from_the_middle.faces) ==
+  BOOST_TEST(rest_is_connected(neighbors(strip), from_the_middle.faces) ==
              std::vector<bool>({true, false, false, false, true, true, false}),
              tt::per_element());
 }

@@ -7,6 +7,7 @@
 #include <CGAL/Spectral_segmentation/Part_salience.h>
 #include <CGAL/Spectral_segmentation/internal/Face_dual_graph.h>
 #include <CGAL/Spectral_segmentation/internal/parts.h>
+#include <CGAL/Spectral_segmentation/internal/prefetch.h>
 
 #include <Eigen/Core>
 #include <Eigen/Eigenvalues>
@@ -96,6 +97,15 @@ public:
         add_vertex(part_.target_vertex(h));
       }
     }
+  }
+
+  // Before it is added.
+  void prefetch_face(Index f) const
+  {
+    prefetch(&part_.areas[f]);
+    prefetch(&part_.corners[f]);
+    prefetch(&part_.halfedges[3 * f]);
+    prefetch(&part_.halfedges[3 * f + 2]);
   }
 
   bool has_face(Index f) const { return has_face_[f] != 0; }

@@ -73,13 +73,15 @@ struct Line_step
   double salience, cheapness;
 };
 
-inline std::vector<Line_step> line_steps(const Face_dual_graph& part, const Growth& growth,
-                                         double minimum_area, Patch_with_capacity empty)
+inline std::vector<Line_step> line_steps(const std::vector<Neighbors>& neighbors,
+                                         const Growth& growth, double minimum_area,
+                                         Patch_with_capacity empty)
 {
   const Weighted_part_salience part_salience;
   std::vector<Line_step> steps;
   visit_cuts(
-    growth.faces.begin(), sizes_of_cuts(part, growth), minimum_area, std::move(empty),
+    growth.faces.begin(), growth.faces.end(), sizes_of_cuts(neighbors, growth), minimum_area,
+    std::move(empty),
     [&](const Patch_with_capacity& q, std::size_t size) {
       if (q.area() > 3 * q.area_of_rest()) // other lines come from that end
         return false;
@@ -111,11 +113,11 @@ std::vector<Proposal> best_steps(const Growth& growth, const std::vector<Line_st
   return result;
 }
 
-inline Proposals propose_cuts(const Face_dual_graph& part, const Line& line, double minimum_area,
-                              const Patch_with_capacity& empty)
+inline Proposals propose_cuts(const std::vector<Neighbors>& neighbors, const Line& line,
+                              double minimum_area, const Patch_with_capacity& empty)
 {
-  const Growth growth = grow_along(part, line);
-  const std::vector<Line_step> steps = line_steps(part, growth, minimum_area, empty);
+  const Growth growth = grow_along(neighbors, line);
+  const std::vector<Line_step> steps = line_steps(neighbors, growth, minimum_area, empty);
   return {best_steps(growth, steps, [](const Line_step& s) { return s.salience; }),
           best_steps(growth, steps, [](const Line_step& s) { return s.cheapness; })};
 }
@@ -162,8 +164,9 @@ std::vector<Sides> cut_candidates(const Face_dual_graph& part, const std::vector
   for (Index h = 0; h < part.halfedges.size(); ++h)
     capacities.push_back(capacity(part, h));
   const Patch_with_capacity empty(part, capacities);
+  const std::vector<Neighbors> neighbors_of_faces = neighbors(part);
   for_each_index<ConcurrencyTag>(lines.size(), [&](std::size_t i) {
-    of_line[i] = propose_cuts(part, lines[i], minimum_area, empty);
+    of_line[i] = propose_cuts(neighbors_of_faces, lines[i], minimum_area, empty);
   });
   std::vector<Proposal> by_measure[2];
   for (Proposals& p : of_line) {

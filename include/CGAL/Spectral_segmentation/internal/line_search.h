@@ -35,30 +35,29 @@ struct Growth
 
 // A visited face that does not touch Q waits, with a special label, until a face that it touches
 // joins Q.
-inline Growth grow_along(const Face_dual_graph& part, const std::vector<Index>& line)
+inline Growth grow_along(const std::vector<Neighbors>& neighbors, const std::vector<Index>& line)
 {
   enum Label : char { NOT_VISITED, WAITING, JOINED };
-  std::vector<Label> label(part.number_of_faces(), NOT_VISITED);
+  std::vector<Label> label(neighbors.size(), NOT_VISITED);
   Growth q;
   q.faces.reserve(line.size());
+  q.sizes.reserve(line.size());
   for (Index visited : line) {
     label[visited] = WAITING;
     bool touches = q.faces.empty();
-    for (Index h = 3 * visited; h < 3 * visited + 3; ++h)
-      touches = touches || label[part.halfedges[h].neighbor] == JOINED;
+    for (Index g : neighbors[visited])
+      touches = touches || label[g] == JOINED;
     if (!touches)
       continue;
     std::size_t next = q.faces.size();
     label[visited] = JOINED;
     q.faces.push_back(visited);
     for (; next < q.faces.size(); ++next)
-      for (Index h = 3 * q.faces[next]; h < 3 * q.faces[next] + 3; ++h) {
-        const Index g = part.halfedges[h].neighbor;
+      for (Index g : neighbors[q.faces[next]])
         if (label[g] == WAITING) {
           label[g] = JOINED;
           q.faces.push_back(g);
         }
-      }
     q.sizes.push_back(static_cast<Index>(q.faces.size()));
   }
   return q;
@@ -66,7 +65,7 @@ inline Growth grow_along(const Face_dual_graph& part, const std::vector<Index>& 
 
 // For each number i of faces, whether the part is still connected without the first i of `faces`,
 // that is, whether Q has no holes. Takes the faces back from last to first, with union-find.
-inline std::vector<bool> rest_is_connected(const Face_dual_graph& part,
+inline std::vector<bool> rest_is_connected(const std::vector<Neighbors>& neighbors,
                                            const std::vector<Index>& faces)
 {
   const std::size_t n = faces.size();
@@ -77,20 +76,19 @@ inline std::vector<bool> rest_is_connected(const Face_dual_graph& part,
     const Index f = faces[i];
     components.add(f);
     is_in_rest[f] = 1;
-    for (Index h = 3 * f; h < 3 * f + 3; ++h) {
-      const Index g = part.halfedges[h].neighbor;
+    for (Index g : neighbors[f])
       if (is_in_rest[g])
         components.join(f, g);
-    }
     result[i] = components.number() == 1;
   }
   return result;
 }
 
 // The sizes of Q after the steps that leave two connected sides.
-inline std::vector<Index> sizes_of_cuts(const Face_dual_graph& part, const Growth& growth)
+inline std::vector<Index> sizes_of_cuts(const std::vector<Neighbors>& neighbors,
+                                        const Growth& growth)
 {
-  const std::vector<bool> is_cut = rest_is_connected(part, growth.faces);
+  const std::vector<bool> is_cut = rest_is_connected(neighbors, growth.faces);
   std::vector<Index> result;
   result.reserve(growth.sizes.size());
   std::copy_if(growth.sizes.begin(), growth.sizes.end(), std::back_inserter(result),
@@ -101,15 +99,18 @@ inline std::vector<Index> sizes_of_cuts(const Face_dual_graph& part, const Growt
 // Adds faces to the empty patch Q, and calls `visit(q, size of q)` at each of the sizes, which
 // ascend, where both sides have an area, and not below `minimum_area`. Ends once it returns false.
 template <class FaceIterator, class Patch, class Visit>
-void visit_cuts(FaceIterator next_face, const std::vector<Index>& sizes, double minimum_area,
-                Patch q, const Visit& visit)
+void visit_cuts(FaceIterator first_face, FaceIterator end, const std::vector<Index>& sizes,
+                double minimum_area, Patch q, const Visit& visit)
 {
   // What the subtraction of areas leaves where the rest has none.
   const double rounding = 1e-12 * q.area_of_part();
   Index size = 0;
   for (Index size_of_cut : sizes) {
-    for (; size < size_of_cut; ++size)
-      q.add(*next_face++);
+    for (; size < size_of_cut; ++size) {
+      if (end - first_face > size + 8)
+        q.prefetch_face(first_face[size + 8]);
+      q.add(first_face[size]);
+    }
     if (q.smaller_area() > rounding && q.smaller_area() >= minimum_area &&
         !visit(std::as_const(q), size))
       return;
@@ -134,10 +135,11 @@ std::optional<Cut> line_search(const Face_dual_graph& part, const std::vector<In
                                const PartSalience& part_salience, double minimum_area,
                                const Observer& observe = Observer())
 {
-  const Growth growth = grow_along(part, line);
+  const std::vector<Neighbors> neighbors_of_faces = neighbors(part);
+  const Growth growth = grow_along(neighbors_of_faces, line);
   const Index n = static_cast<Index>(growth.faces.size());
   std::vector<Index> sizes[2]; // of Q, and of the rest
-  for (Index size : sizes_of_cuts(part, growth))
+  for (Index size : sizes_of_cuts(neighbors_of_faces, growth))
     sizes[size <= n / 2 ? 0 : 1].push_back(size <= n / 2 ? size : n - size);
   std::reverse(sizes[1].begin(), sizes[1].end());
 
@@ -165,9 +167,9 @@ std::optional<Cut> line_search(const Face_dual_graph& part, const std::vector<In
       return true;
     };
     if (half == 0)
-      visit_cuts(growth.faces.begin(), sizes[half], minimum_area, empty, visit);
+      visit_cuts(growth.faces.begin(), growth.faces.end(), sizes[0], minimum_area, empty, visit);
     else
-      visit_cuts(growth.faces.rbegin(), sizes[half], minimum_area, empty, visit);
+      visit_cuts(growth.faces.rbegin(), growth.faces.rend(), sizes[1], minimum_area, empty, visit);
   });
   Best& b = best[best[1].on_grid > best[0].on_grid ? 1 : 0];
   if (b.size_of_q == 0)

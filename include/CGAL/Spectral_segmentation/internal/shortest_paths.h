@@ -5,6 +5,7 @@
 #define CGAL_SPECTRAL_SEGMENTATION_INTERNAL_SHORTEST_PATHS_H
 
 #include <CGAL/Spectral_segmentation/internal/Face_dual_graph.h>
+#include <CGAL/Spectral_segmentation/internal/prefetch.h>
 
 #include <boost/graph/dijkstra_shortest_paths.hpp>
 #include <boost/property_map/function_property_map.hpp>
@@ -54,10 +55,12 @@ public:
   const Arc& arc(Index h) const { return arcs_[h]; }
   double mean_weight() const { return sum_ / static_cast<double>(arcs_.size()); }
   double largest_weight() const { return largest_; }
+  void prefetch_arcs(Index f) const { prefetch(&arcs_[3 * f]); }
 };
 
 // What a search finds is kept in `paths`: `start(source)`, and `reach(f, arc)`, which tells whether
-// the way by f over the arc is better than what was known for the neighbor; `length(f)`.
+// the way by f over the arc is better than what was known for the neighbor; `length(f)`;
+// `prefetch_path(f)`.
 
 // The lengths of the shortest paths, from the nearest if several sources were started from.
 struct Path_lengths
@@ -69,6 +72,7 @@ struct Path_lengths
 
   void start(Index source) { lengths[source] = 0; }
   double length(Index f) const { return lengths[f]; }
+  void prefetch_path(Index f) const { prefetch(&lengths[f]); }
 
   bool reach(Index f, const Arc& arc)
   {
@@ -106,6 +110,7 @@ public:
   void start(Index source) { paths_[source].length = 0; }
   double length(Index f) const { return paths_[f].length; }
   float angles(Index f) const { return paths_[f].angles; }
+  void prefetch_path(Index f) const { prefetch(&paths_[f]); }
 
   bool reach(Index f, const Arc& arc)
   {
@@ -168,27 +173,39 @@ struct Bucket_search
   {
     typedef std::vector<Index> Bucket;
     const double buckets_per_length = graph.mean_weight() > 0 ? 1 / graph.mean_weight() : 0;
-    const auto bucket_of = [&](Index f)
-    { return static_cast<std::size_t>(paths.length(f) * buckets_per_length); };
-    std::vector<Bucket> circle(
-      static_cast<std::size_t>(graph.largest_weight() * buckets_per_length) + 3);
+    // By way of a signed number, which processors have an instruction for.
+    const auto bucket_of = [&](Index f) {
+      return static_cast<std::size_t>(
+        static_cast<std::ptrdiff_t>(paths.length(f) * buckets_per_length));
+    };
+    const auto buckets_of_weight =
+      static_cast<std::size_t>(graph.largest_weight() * buckets_per_length);
+    std::size_t size = 4; // a power of 2, for the place in the circle
+    while (size < buckets_of_weight + 3)
+      size *= 2;
+    std::vector<Bucket> circle(size);
 
     paths.start(source);
     circle[0].push_back(source);
     Bucket visited;
     std::size_t number_of_waiting = 1;
     for (std::size_t current = 0; number_of_waiting > 0; ++current)
-      for (Bucket& nearest = circle[current % circle.size()]; !nearest.empty();) {
+      for (Bucket& nearest = circle[current & (size - 1)]; !nearest.empty();) {
         visited.clear();
         visited.swap(nearest);
         number_of_waiting -= visited.size();
-        for (Index f : visited) {
+        for (std::size_t i = 0; i < visited.size(); ++i) {
+          if (i + 4 < visited.size())
+            for (Index h = 3 * visited[i + 4]; h < 3 * visited[i + 4] + 3; ++h)
+              paths.prefetch_path(graph.arc(h).neighbor);
+          const Index f = visited[i];
           if (bucket_of(f) < current) // it was reached on a better way since
             continue;
           for (Index h = 3 * f; h < 3 * f + 3; ++h)
             if (paths.reach(f, graph.arc(h))) {
               const Index g = graph.arc(h).neighbor;
-              circle[bucket_of(g) % circle.size()].push_back(g);
+              graph.prefetch_arcs(g);
+              circle[bucket_of(g) & (size - 1)].push_back(g);
               ++number_of_waiting;
             }
         }
