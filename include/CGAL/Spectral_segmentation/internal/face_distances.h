@@ -57,11 +57,10 @@ inline Dihedral dihedral(const Vector& f, const Vector& g, const Vector& edge)
 
 // Unit normals. A face without area takes that of the neighbor across its longest edge, so that it
 // does not hide the angle between the faces on its two sides; (0, 0, 0) where that fails.
-inline std::vector<Vector> face_normals(const Face_dual_graph& graph,
-                                        const std::vector<Vector>& points)
+template <class ConcurrencyTag>
+std::vector<Vector> face_normals(const Face_dual_graph& graph, const std::vector<Vector>& points)
 {
   std::vector<Vector> normals(graph.number_of_faces(), Vector::Zero());
-  std::vector<Index> degenerate;
   const auto edge_vector = [&](Index h) -> Vector
   { return points[graph.target_vertex(h)] - points[graph.source_vertex(h)]; };
   const auto longest_edge = [&](Index f) {
@@ -71,17 +70,16 @@ inline std::vector<Vector> face_normals(const Face_dual_graph& graph,
         longest = h;
     return longest;
   };
-  for (Index f = 0; f < normals.size(); ++f) {
+  for_each_index<ConcurrencyTag>(normals.size(), [&](Index f) {
     const Vector cross = edge_vector(3 * f).cross(edge_vector(3 * f + 1));
     if (cross.norm() > 1e-12 * edge_vector(longest_edge(f)).squaredNorm())
       normals[f] = cross.normalized();
-    else
-      degenerate.push_back(f);
-  }
-  // A neighbor may be degenerate too: follow the longest edges to the first face with a normal.
+  });
+  // A neighbor may be without area too: follow the longest edges to the first face with a normal.
   std::vector<char> is_visited(normals.size(), 0);
   std::vector<Index> path;
-  for (Index f : degenerate) {
+  for (Index first = 0; first < normals.size(); ++first) {
+    Index f = first;
     path.clear();
     for (; normals[f].isZero(0) && !is_visited[f]; f = graph.halfedges[longest_edge(f)].neighbor) {
       is_visited[f] = 1;

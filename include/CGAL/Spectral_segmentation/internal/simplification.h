@@ -432,6 +432,7 @@ public:
                    number_of_faces);
   }
 
+  template <class ConcurrencyTag>
   Simplified_mesh result(double unit)
   {
     Simplified_mesh result;
@@ -459,7 +460,7 @@ public:
         halfedge.neighbor = new_face[o == null_index ? f : o / 3];
         graph.halfedges.push_back(halfedge);
       }
-    set_sizes(graph);
+    set_sizes<ConcurrencyTag>(graph);
     // A vertex became one of those before which it was joined, and so on.
     result.vertices.resize(points_.size());
     for (Index v = 0; v < became_.size(); ++v) {
@@ -477,7 +478,7 @@ Simplified_mesh simplify(const Face_dual_graph& mesh, std::size_t number_of_face
 {
   Edge_collapse collapse(mesh);
   collapse.collapse_edges<ConcurrencyTag>(number_of_faces);
-  return collapse.result(mesh.unit);
+  return collapse.result<ConcurrencyTag>(mesh.unit);
 }
 
 // Each the simplification of the one before, the first that of the mesh, in steps that leave about
