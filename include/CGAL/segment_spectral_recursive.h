@@ -348,7 +348,7 @@ std::size_t segment_spectral_recursive(const TriangleMesh& mesh, SegmentIdMap se
                            get_const_property_map(CGAL::vertex_point, mesh)),
           choose_parameter<Geom_traits>(get_parameter(pack, CGAL::internal_np::geom_traits)));
         order = internal::order_of_locality(triangles.neighbors);
-        triangles = internal::in_order(triangles, order);
+        triangles = internal::in_order(std::move(triangles), order);
         return internal::initialize<ConcurrencyTag>(std::move(triangles), options,
                                                     [&] { return monitor.go_further(); });
       });

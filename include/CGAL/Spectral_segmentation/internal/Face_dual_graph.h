@@ -125,11 +125,12 @@ Face_dual_graph dual_graph(Triangles triangles)
   graph.halfedges.resize(3 * graph.number_of_faces());
   for_each_index<ConcurrencyTag>(graph.halfedges.size(), [&](Index h) {
     const Index f = h / 3, g = triangles.neighbors[f][h % 3];
+    const Neighbors neighbors = triangles.neighbors[g];
+    const std::array<Index, 3> corners = graph.corners[g];
     bool is_matched = false;
-    for (Index o = 3 * g; o < 3 * g + 3; ++o)
-      is_matched = is_matched || (triangles.neighbors[g][o % 3] == f &&
-                                  graph.source_vertex(o) == graph.target_vertex(h) &&
-                                  graph.target_vertex(o) == graph.source_vertex(h));
+    for (int i = 0; i < 3; ++i)
+      is_matched |= neighbors[i] == f && corners[i] == graph.target_vertex(h) &&
+                    corners[(i + 1) % 3] == graph.source_vertex(h);
     graph.halfedges[h].neighbor = is_matched ? g : f;
   });
   set_sizes<ConcurrencyTag>(graph);

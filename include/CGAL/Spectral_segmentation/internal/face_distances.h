@@ -166,23 +166,24 @@ struct Equalized_angles
 };
 
 // `edges` has one half-edge an edge. Faces without a normal bend nowhere.
-inline Equalized_angles equalized_dihedrals(const Face_dual_graph& graph,
-                                            const std::vector<Vector>& points,
-                                            const std::vector<Vector>& normals,
-                                            const Distance_weights& weights,
-                                            const std::vector<Index>& edges)
+template <class ConcurrencyTag>
+Equalized_angles equalized_dihedrals(const Face_dual_graph& graph,
+                                     const std::vector<Vector>& points,
+                                     const std::vector<Vector>& normals,
+                                     const Distance_weights& weights,
+                                     const std::vector<Index>& edges)
 {
   std::vector<double> angles(edges.size(), 0);
   std::vector<char> is_concave(edges.size(), 0);
-  for (std::size_t e = 0; e < edges.size(); ++e) {
+  for_each_index<ConcurrencyTag>(edges.size(), [&](std::size_t e) {
     const Index h = edges[e], f = h / 3, g = graph.halfedges[h].neighbor;
     if (normals[f].isZero(0) || normals[g].isZero(0))
-      continue;
+      return;
     const Dihedral d = dihedral(normals[f], normals[g],
                                 points[graph.target_vertex(h)] - points[graph.source_vertex(h)]);
     is_concave[e] = d.is_concave;
     angles[e] = (d.is_concave ? weights.concave : weights.convex) * d.one_minus_cosine;
-  }
+  });
   normalize_by_mean(angles);
   // Single precision, so that angles that differ by rounding only tie.
   const std::vector<float> rounded(angles.begin(), angles.end());
@@ -203,14 +204,14 @@ Equalized_angles equalized_bending(const Face_dual_graph& graph, const std::vect
     shape_scale_angles<ConcurrencyTag>(graph, points, normals, weights.concavity_radius);
   std::vector<double> lengths(edges.size());
   std::vector<float> distances(edges.size());
-  for (std::size_t e = 0; e < edges.size(); ++e) {
+  for_each_index<ConcurrencyTag>(edges.size(), [&](std::size_t e) {
     const Index h = edges[e];
     lengths[e] = (points[graph.target_vertex(h)] - points[graph.source_vertex(h)]).norm();
     // 1 - cos of the angle, which keeps its digits where that is small.
     const double sine = std::sin(bending[h] / 2);
     distances[e] = static_cast<float>((bending[h] < 0 ? weights.concave : weights.convex) *
                                       (2 * sine * sine));
-  }
+  });
   Equalized_angles result{equalize(distances, lengths), std::vector<double>(edges.size(), 0)};
   for (std::size_t e = 0; e < edges.size(); ++e)
     if (bending[edges[e]] < 0)
@@ -218,16 +219,18 @@ Equalized_angles equalized_bending(const Face_dual_graph& graph, const std::vect
   return result;
 }
 
-inline std::vector<double> normalized_geodesic_distances(const Face_dual_graph& graph,
-                                                         const std::vector<Vector>& points,
-                                                         const std::vector<Index>& edges)
+template <class ConcurrencyTag>
+std::vector<double> normalized_geodesic_distances(const Face_dual_graph& graph,
+                                                  const std::vector<Vector>& points,
+                                                  const std::vector<Index>& edges)
 {
-  std::vector<double> result;
-  result.reserve(edges.size());
-  for (Index h : edges)
-    result.push_back(geodesic_distance(
+  std::vector<double> result(edges.size());
+  for_each_index<ConcurrencyTag>(edges.size(), [&](std::size_t e) {
+    const Index h = edges[e];
+    result[e] = geodesic_distance(
       points[graph.source_vertex(h)], points[graph.target_vertex(h)], graph.centroid(h / 3, points),
-      graph.centroid(graph.halfedges[h].neighbor, points)));
+      graph.centroid(graph.halfedges[h].neighbor, points));
+  });
   normalize_by_mean(result);
   return result;
 }
@@ -241,21 +244,21 @@ void set_face_distances(Face_dual_graph& graph, const std::vector<Vector>& point
   const Distance_weights weights = with_relative_angle_weights(given_weights);
   std::vector<Index> edges; // one half-edge each
   for (Index h = 0; h < graph.halfedges.size(); ++h)
-    if (!graph.is_border(h) && h < graph.opposite(h))
+    if (h / 3 < graph.halfedges[h].neighbor)
       edges.push_back(h);
 
   std::vector<double> geodesic;
   Equalized_angles equalized;
   for_each_index<ConcurrencyTag>(2, [&](std::size_t task) {
     if (task == 0)
-      geodesic = normalized_geodesic_distances(graph, points, edges);
+      geodesic = normalized_geodesic_distances<ConcurrencyTag>(graph, points, edges);
     else
       equalized = weights.concavity_radius > 0
         ? equalized_bending<ConcurrencyTag>(graph, points, normals, weights, edges)
-        : equalized_dihedrals(graph, points, normals, weights, edges);
+        : equalized_dihedrals<ConcurrencyTag>(graph, points, normals, weights, edges);
   });
 
-  for (std::size_t e = 0; e < edges.size(); ++e) {
+  for_each_index<ConcurrencyTag>(edges.size(), [&](std::size_t e) {
     Face_dual_graph::Halfedge& h = graph.halfedges[edges[e]];
     h.geodesic = static_cast<float>(on_grid(geodesic[e]));
     h.angle = static_cast<float>(on_grid(equalized.whole[e]));
@@ -267,7 +270,7 @@ void set_face_distances(Face_dual_graph& graph, const std::vector<Vector>& point
     o.angle = h.angle;
     o.combined = h.combined;
     o.concavity = h.concavity;
-  }
+  });
 }
 
 } // namespace internal

@@ -9,11 +9,21 @@
 #include <algorithm>
 #include <array>
 #include <cstddef>
+#include <tuple>
+#include <utility>
 #include <vector>
 
 namespace CGAL {
 namespace Spectral_segmentation {
 namespace internal {
+
+// Without branches, which nobody could predict.
+inline Neighbors ascending(Neighbors faces)
+{
+  for (int i : {0, 1, 0})
+    std::tie(faces[i], faces[i + 1]) = std::minmax({faces[i], faces[i + 1]});
+  return faces;
+}
 
 // The faces in an order in which what is near on the surface is near in memory: blocks, each found
 // by a breadth-first search that begins at a face next to an earlier block, or at the first face
@@ -40,42 +50,50 @@ inline std::vector<Index> order_of_locality(const std::vector<Neighbors>& neighb
       outside.pop_back();
       std::size_t next = order.size();
       const std::size_t end_of_block = next + size_of_block;
-      for (add(seed, end_of_block); next < order.size(); ++next) {
-        Neighbors ascending = neighbors[order[next]];
-        std::sort(ascending.begin(), ascending.end());
-        for (Index f : ascending)
+      for (add(seed, end_of_block); next < order.size(); ++next)
+        for (Index f : ascending(neighbors[order[next]]))
           add(f, end_of_block);
-      }
     }
   return order;
 }
 
-// The same triangles with their faces in an order, and numbered so. Vertices are numbered as faces
-// come to them, so that those of faces near in order are near in memory; those without a face go.
-inline Triangles in_order(const Triangles& triangles, const std::vector<Index>& order)
+// Numbers the vertices as faces come to them, so that those of faces near in order are near in
+// memory. Vertices without a face go.
+inline void number_vertices_by_faces(Triangles& triangles)
 {
-  std::vector<Index> new_face(order.size()), new_vertex(triangles.points.size(), null_index);
-  for (Index i = 0; i < order.size(); ++i)
-    new_face[order[i]] = i;
-  Triangles result;
-  result.unit = triangles.unit;
-  result.corners.reserve(order.size());
-  result.neighbors.reserve(order.size());
-  result.points.reserve(triangles.points.size());
-  for (Index f : order) {
-    std::array<Index, 3> corners = triangles.corners[f];
+  std::vector<Vector> points;
+  points.reserve(triangles.points.size());
+  std::vector<Index> number(triangles.points.size(), null_index);
+  for (std::array<Index, 3>& corners : triangles.corners)
     for (Index& v : corners) {
-      if (new_vertex[v] == null_index) {
-        new_vertex[v] = static_cast<Index>(result.points.size());
-        result.points.push_back(triangles.points[v]);
+      if (number[v] == null_index) {
+        number[v] = static_cast<Index>(points.size());
+        points.push_back(triangles.points[v]);
       }
-      v = new_vertex[v];
+      v = number[v];
     }
-    result.corners.push_back(corners);
-    const Neighbors& n = triangles.neighbors[f];
-    result.neighbors.push_back({new_face[n[0]], new_face[n[1]], new_face[n[2]]});
+  triangles.points = std::move(points);
+}
+
+// The same triangles with their faces in an order, and numbered so, and their vertices by them.
+inline Triangles in_order(Triangles triangles, const std::vector<Index>& order)
+{
+  std::vector<Index> number(order.size());
+  for (Index i = 0; i < order.size(); ++i)
+    number[order[i]] = i;
+  std::vector<std::array<Index, 3> > corners;
+  std::vector<Neighbors> neighbors;
+  corners.reserve(order.size());
+  neighbors.reserve(order.size());
+  for (Index f : order) {
+    corners.push_back(triangles.corners[f]);
+    const Neighbors& across = triangles.neighbors[f];
+    neighbors.push_back({number[across[0]], number[across[1]], number[across[2]]});
   }
-  return result;
+  triangles.corners = std::move(corners);
+  triangles.neighbors = std::move(neighbors);
+  number_vertices_by_faces(triangles);
+  return triangles;
 }
 
 } // namespace internal
