@@ -11,6 +11,7 @@
 #include <CGAL/Spectral_segmentation/internal/cut_and_merge.h>
 #include <CGAL/Spectral_segmentation/internal/initialization.h>
 #include <CGAL/Spectral_segmentation/internal/options.h>
+#include <CGAL/Spectral_segmentation/internal/read_triangles.h>
 
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 #include <CGAL/tags.h>
@@ -87,8 +88,9 @@ inline Mesh_cuts judged_cuts(const Benchmark_mesh& input, std::size_t number_of_
   options.number_of_searched_faces = number_of_searched_faces;
   const std::vector<Mesh::Face_index> faces(input.mesh.faces().begin(), input.mesh.faces().end());
   internal::Initial_mesh mesh = internal::initialize<CGAL::Sequential_tag>(
-    input.mesh, faces, input.mesh.points(),
-    CGAL::Exact_predicates_inexact_constructions_kernel(), options, [] { return true; });
+    internal::read_triangles(input.mesh, faces, input.mesh.points(),
+                             CGAL::Exact_predicates_inexact_constructions_kernel()),
+    options, [] { return true; });
   std::vector<Labels> people = input.people;
   for (const internal::Simplified_mesh& simplified : mesh.simplified)
     for (Labels& person : people)

@@ -133,11 +133,13 @@ public:
   // With the distances of the paper.
   const Face_dual_graph& graph()
   {
-    if (!graph_)
+    if (!graph_) {
+      const std::vector<Mesh::Face_index> faces(mesh_.faces().begin(), mesh_.faces().end());
       graph_ = internal::initialize<CGAL::Sequential_tag>(
-        mesh_, std::vector<Mesh::Face_index>(mesh_.faces().begin(), mesh_.faces().end()),
-        mesh_.points(), CGAL::Exact_predicates_inexact_constructions_kernel(),
+        internal::read_triangles(mesh_, faces, mesh_.points(),
+                                 CGAL::Exact_predicates_inexact_constructions_kernel()),
         internal::Options(), [] { return true; }).graph;
+    }
     return *graph_;
   }
 };

@@ -44,10 +44,8 @@ struct Run
   {
     internal::Options options = internal::calibrated_options();
     options.number_of_searched_faces = number_of_searched_faces;
-    const Mesh m = mesh_of(soup);
-    mesh = internal::initialize<CGAL::Sequential_tag>(
-      m, std::vector<Mesh::Face_index>(m.faces().begin(), m.faces().end()), m.points(), Kernel(),
-      options, [] { return true; });
+    mesh = internal::initialize<CGAL::Sequential_tag>(triangles_of(mesh_of(soup)), options,
+                                                      [] { return true; });
     Segmentation_visitor visitor;
     internal::Monitor<Segmentation_visitor> monitor(visitor);
     searched = internal::cut_and_merge<CGAL::Sequential_tag>(mesh.searched(), options, monitor);

@@ -26,7 +26,6 @@ using CGAL::Spectral_segmentation::internal::Dihedral;
 using CGAL::Spectral_segmentation::internal::Vector;
 using CGAL::Spectral_segmentation::internal::dihedral;
 using CGAL::Spectral_segmentation::internal::equalize;
-using CGAL::Spectral_segmentation::internal::face_normals;
 using CGAL::Spectral_segmentation::internal::geodesic_distance;
 using CGAL::Spectral_segmentation::internal::shape_scale_angles;
 

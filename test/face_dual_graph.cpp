@@ -6,9 +6,9 @@
 #include "test_meshes.h"
 
 #include <CGAL/Spectral_segmentation/internal/Face_dual_graph.h>
-#include <CGAL/Spectral_segmentation/internal/face_dual_graph_of_mesh.h>
-#include <CGAL/Spectral_segmentation/internal/mesh_numbering.h>
+#include <CGAL/Spectral_segmentation/internal/order_of_locality.h>
 #include <CGAL/Spectral_segmentation/internal/parts.h>
+#include <CGAL/Spectral_segmentation/internal/read_triangles.h>
 
 #include <boost/graph/graph_concepts.hpp>
 
@@ -16,6 +16,7 @@
 #include <cmath>
 #include <cstddef>
 #include <limits>
+#include <numeric>
 #include <set>
 #include <stdexcept>
 #include <vector>
@@ -25,12 +26,13 @@ BOOST_AUTO_TEST_SUITE(face_dual_graph)
 namespace tt = boost::test_tools;
 using namespace test_meshes;
 using CGAL::Spectral_segmentation::internal::connected_components;
+using CGAL::Spectral_segmentation::internal::in_order;
 using CGAL::Spectral_segmentation::internal::neighbors;
 using CGAL::Spectral_segmentation::internal::null_index;
-using CGAL::Spectral_segmentation::internal::number_vertices_by_faces;
 using CGAL::Spectral_segmentation::internal::order_of_locality;
 using CGAL::Spectral_segmentation::internal::split;
 using CGAL::Spectral_segmentation::internal::total_area;
+using CGAL::Spectral_segmentation::internal::Triangles;
 
 namespace {
 
@@ -196,9 +198,7 @@ BOOST_AUTO_TEST_CASE(vertices_without_a_face_do_not_count)
   for (double x : {1e6, std::numeric_limits<double>::quiet_NaN()}) {
     Mesh mesh = mesh_of(soup);
     mesh.add_vertex(Point(x, 0, 0));
-    const std::vector<Mesh::Face_index> faces(mesh.faces().begin(), mesh.faces().end());
-    const Face_dual_graph other = CGAL::Spectral_segmentation::internal::face_dual_graph_of_mesh(
-      mesh, faces, mesh.points(), Kernel());
+    const Face_dual_graph other = dual_graph_of(mesh);
     BOOST_TEST(other.unit == graph.unit);
     BOOST_TEST((other.areas == graph.areas));
     BOOST_TEST((other.corners == graph.corners));
@@ -227,8 +227,7 @@ BOOST_AUTO_TEST_CASE(what_is_not_a_finite_triangle_mesh_is_refused)
   }
   const Mesh quad = mesh_of({{Point(0, 0, 0), Point(1, 0, 0), Point(1, 1, 0), Point(0, 1, 0)},
                              {{0, 1, 2, 3}}});
-  BOOST_CHECK_THROW(order_of_locality(quad, std::vector<Mesh::Face_index>{Mesh::Face_index(0)}),
-                    std::invalid_argument);
+  BOOST_CHECK_THROW(triangles_of(quad), std::invalid_argument);
 }
 
 BOOST_AUTO_TEST_CASE(neighbors_are_near_in_the_order_of_locality_whatever_the_order_was)
@@ -236,9 +235,8 @@ BOOST_AUTO_TEST_CASE(neighbors_are_near_in_the_order_of_locality_whatever_the_or
   Random random(1);
   Soup soup = sphere(5);
   std::shuffle(soup.triangles.begin(), soup.triangles.end(), random);
-  const Mesh mesh = mesh_of(soup);
-  const std::vector<Mesh::Face_index> faces(mesh.faces().begin(), mesh.faces().end());
-  const std::vector<Index> order = order_of_locality(mesh, faces);
+  const Triangles triangles = triangles_of(mesh_of(soup));
+  const std::vector<Index> order = order_of_locality(triangles.neighbors);
   std::vector<Index> place(order.size(), null_index);
   for (Index i = 0; i < order.size(); ++i)
     place[order[i]] = i;
@@ -255,9 +253,7 @@ BOOST_AUTO_TEST_CASE(neighbors_are_near_in_the_order_of_locality_whatever_the_or
 BOOST_AUTO_TEST_CASE(components_keep_their_order)
 {
   const Soup soup = disjoint_union(disjoint_union(sphere(1), plate(2, 2)), sphere(0));
-  const Mesh mesh = mesh_of(soup);
-  const std::vector<Mesh::Face_index> faces(mesh.faces().begin(), mesh.faces().end());
-  std::vector<Index> order = order_of_locality(mesh, faces);
+  const std::vector<Index> order = order_of_locality(triangles_of(mesh_of(soup)).neighbors);
   const std::size_t first = sphere(1).triangles.size(), second = plate(2, 2).triangles.size();
   for (std::size_t i = 0; i < order.size(); ++i) {
     BOOST_TEST((order[i] < first) == (i < first));
@@ -265,20 +261,30 @@ BOOST_AUTO_TEST_CASE(components_keep_their_order)
   }
 }
 
-BOOST_AUTO_TEST_CASE(vertices_numbered_by_faces_are_the_same_points)
+BOOST_AUTO_TEST_CASE(triangles_in_another_order_are_the_same_triangles)
 {
+  Random random(1);
   for (const Soup& soup : soups()) {
-    const Face_dual_graph graph = dual_graph_of(soup);
-    Face_dual_graph other = graph;
-    number_vertices_by_faces(other);
-    Index largest = 0;
-    for (Index f = 0; f < graph.number_of_faces(); ++f)
+    Mesh mesh = mesh_of(soup);
+    mesh.add_vertex(Point(0, 0, 0)); // without a face
+    const Triangles triangles = triangles_of(mesh);
+    std::vector<Index> order(soup.triangles.size());
+    std::iota(order.begin(), order.end(), Index(0));
+    std::shuffle(order.begin(), order.end(), random);
+    const Triangles other = in_order(triangles, order);
+    BOOST_TEST(other.unit == triangles.unit);
+    BOOST_REQUIRE(other.corners.size() == order.size());
+    BOOST_REQUIRE(other.neighbors.size() == order.size());
+    BOOST_TEST(other.points.size() == soup.points.size());
+    Index number_of_vertices = 0;
+    for (Index f = 0; f < order.size(); ++f)
       for (int i = 0; i < 3; ++i) {
-        BOOST_TEST((other.points[other.corners[f][i]] == graph.points[graph.corners[f][i]]));
-        BOOST_TEST(other.corners[f][i] <= largest); // each comes after those before it
-        largest = std::max(largest, other.corners[f][i] + 1);
+        const Index v = other.corners[f][i];
+        BOOST_TEST((other.points[v] == triangles.points[triangles.corners[order[f]][i]]));
+        BOOST_TEST(order[other.neighbors[f][i]] == triangles.neighbors[order[f]][i]);
+        BOOST_TEST(v <= number_of_vertices); // each comes after those before it
+        number_of_vertices = std::max(number_of_vertices, v + 1);
       }
-    BOOST_TEST(other.points.size() == largest);
   }
 }
 

@@ -29,7 +29,6 @@ using namespace test_meshes;
 using CGAL::Spectral_segmentation::internal::Extreme_points;
 using CGAL::Spectral_segmentation::internal::Hollowness;
 using CGAL::Spectral_segmentation::internal::Vector;
-using CGAL::Spectral_segmentation::internal::face_normals;
 
 namespace {
 

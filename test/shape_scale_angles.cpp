@@ -22,7 +22,6 @@ BOOST_AUTO_TEST_SUITE(shape_scale_angles)
 namespace tt = boost::test_tools;
 using namespace test_meshes;
 using CGAL::Spectral_segmentation::internal::Vector;
-using CGAL::Spectral_segmentation::internal::face_normals;
 using CGAL::Spectral_segmentation::internal::shape_scale_angles;
 
 namespace {

@@ -6,8 +6,8 @@
 
 #include <CGAL/Spectral_segmentation/internal/Face_dual_graph.h>
 #include <CGAL/Spectral_segmentation/internal/face_distances.h>
-#include <CGAL/Spectral_segmentation/internal/face_dual_graph_of_mesh.h>
 #include <CGAL/Spectral_segmentation/internal/parts.h>
+#include <CGAL/Spectral_segmentation/internal/read_triangles.h>
 
 #include <CGAL/IO/polygon_soup_io.h>
 #include <CGAL/Polygon_mesh_processing/orient_polygon_soup.h>
@@ -250,13 +250,26 @@ inline Soup displaced(Soup soup, double amount, Random& random)
 typedef CGAL::Spectral_segmentation::internal::Face_dual_graph Face_dual_graph;
 typedef CGAL::Spectral_segmentation::internal::Index Index;
 
-// Faces and vertices have the numbers of the soup; face distances are left open.
-inline Face_dual_graph dual_graph_of(const Soup& soup)
+inline CGAL::Spectral_segmentation::internal::Triangles triangles_of(const Mesh& mesh)
 {
-  const Mesh mesh = mesh_of(soup);
   const std::vector<Mesh::Face_index> faces(mesh.faces().begin(), mesh.faces().end());
-  return CGAL::Spectral_segmentation::internal::face_dual_graph_of_mesh(mesh, faces, mesh.points(),
-                                                                        Kernel());
+  return CGAL::Spectral_segmentation::internal::read_triangles(mesh, faces, mesh.points(),
+                                                               Kernel());
+}
+
+// Faces and vertices have the numbers of the mesh; face distances are left open.
+inline Face_dual_graph dual_graph_of(const Mesh& mesh)
+{
+  return CGAL::Spectral_segmentation::internal::dual_graph<CGAL::Sequential_tag>(
+    triangles_of(mesh));
+}
+
+inline Face_dual_graph dual_graph_of(const Soup& soup) { return dual_graph_of(mesh_of(soup)); }
+
+inline auto face_normals(const Face_dual_graph& graph,
+                         const std::vector<CGAL::Spectral_segmentation::internal::Vector>& points)
+{
+  return CGAL::Spectral_segmentation::internal::face_normals<CGAL::Sequential_tag>(graph, points);
 }
 
 // With the paper's distances between adjacent faces.
@@ -267,8 +280,7 @@ constexpr Distance_weights weights_of_calibrated_method = {0.03, 1, 0.1, 0.02};
 inline void set_face_distances(Face_dual_graph& graph, const Distance_weights& weights)
 {
   CGAL::Spectral_segmentation::internal::set_face_distances<CGAL::Sequential_tag>(
-    graph, graph.points,
-    CGAL::Spectral_segmentation::internal::face_normals(graph, graph.points), weights);
+    graph, graph.points, face_normals(graph, graph.points), weights);
 }
 
 inline Face_dual_graph graph_with_distances(const Soup& soup,

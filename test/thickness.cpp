@@ -27,7 +27,6 @@ namespace tt = boost::test_tools;
 using namespace test_meshes;
 using CGAL::Spectral_segmentation::internal::Diffusion;
 using CGAL::Spectral_segmentation::internal::Vector;
-using CGAL::Spectral_segmentation::internal::face_normals;
 using CGAL::Spectral_segmentation::internal::opposite_distances;
 using CGAL::Spectral_segmentation::internal::thickness;
 

@@ -11,6 +11,7 @@
 #include <CGAL/Spectral_segmentation/internal/initialization.h>
 #include <CGAL/Spectral_segmentation/internal/options.h>
 #include <CGAL/Spectral_segmentation/internal/parts.h>
+#include <CGAL/Spectral_segmentation/internal/read_triangles.h>
 
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 #include <CGAL/tags.h>
@@ -47,9 +48,11 @@ inline Index random_face(std::size_t number_of_faces, Random_engine& random)
 inline Face_dual_graph paper_graph(const Mesh& mesh)
 {
   const std::vector<Mesh::Face_index> faces(mesh.faces().begin(), mesh.faces().end());
-  return CGAL::Spectral_segmentation::internal::initialize<CGAL::Sequential_tag>(
-    mesh, faces, mesh.points(), CGAL::Exact_predicates_inexact_constructions_kernel(),
-    CGAL::Spectral_segmentation::internal::Options(), [] { return true; }).graph;
+  namespace internal = CGAL::Spectral_segmentation::internal;
+  return internal::initialize<CGAL::Sequential_tag>(
+    internal::read_triangles(mesh, faces, mesh.points(),
+                             CGAL::Exact_predicates_inexact_constructions_kernel()),
+    internal::Options(), [] { return true; }).graph;
 }
 
 // Each connected component is a part.

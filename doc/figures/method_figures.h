@@ -11,6 +11,7 @@
 #include <CGAL/Spectral_segmentation/internal/line_search.h>
 #include <CGAL/Spectral_segmentation/internal/options.h>
 #include <CGAL/Spectral_segmentation/internal/parts.h>
+#include <CGAL/Spectral_segmentation/internal/read_triangles.h>
 #include <CGAL/Spectral_segmentation/internal/sampling.h>
 #include <CGAL/Spectral_segmentation/internal/shortest_paths.h>
 #include <CGAL/Spectral_segmentation/internal/spectral_order.h>
@@ -43,9 +44,10 @@ constexpr Rgb white = {245, 245, 245}, light = {205, 205, 205}, dark = {120, 120
 // With the distances of the paper. Faces and vertices have the numbers of the mesh.
 inline Face_dual_graph graph_of(const Mesh& mesh)
 {
+  const std::vector<Mesh::Face_index> faces(mesh.faces_begin(), mesh.faces_end());
   return internal::initialize<CGAL::Sequential_tag>(
-    mesh, std::vector<Mesh::Face_index>(mesh.faces_begin(), mesh.faces_end()), mesh.points(),
-    Kernel(), zhang_liu_options(), [] { return true; }).graph;
+    internal::read_triangles(mesh, faces, mesh.points(), Kernel()), zhang_liu_options(),
+    [] { return true; }).graph;
 }
 
 inline Kernel::Point_3 centroid(const Mesh& mesh, Index f)

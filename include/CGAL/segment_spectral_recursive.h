@@ -12,12 +12,15 @@
 
 #include <CGAL/Spectral_segmentation/internal/Face_dual_graph.h>
 #include <CGAL/Spectral_segmentation/internal/Monitor.h>
+#include <CGAL/Spectral_segmentation/internal/Triangles.h>
 #include <CGAL/Spectral_segmentation/internal/concurrency.h>
 #include <CGAL/Spectral_segmentation/internal/cut_and_merge.h>
 #include <CGAL/Spectral_segmentation/internal/cut_transfer.h>
 #include <CGAL/Spectral_segmentation/internal/initialization.h>
 #include <CGAL/Spectral_segmentation/internal/mesh_numbering.h>
 #include <CGAL/Spectral_segmentation/internal/options.h>
+#include <CGAL/Spectral_segmentation/internal/order_of_locality.h>
+#include <CGAL/Spectral_segmentation/internal/read_triangles.h>
 #include <CGAL/Spectral_segmentation/internal/recursion.h>
 
 #include <CGAL/Named_function_parameters.h>
@@ -339,13 +342,15 @@ std::size_t segment_spectral_recursive(const TriangleMesh& mesh, SegmentIdMap se
     std::vector<internal::Index> order;
     internal::Initial_mesh initial = monitor.stage(
       Stage::INITIALIZATION, Segmentation_visitor::whole_mesh, [&] {
-        order = internal::order_of_locality(mesh, faces);
-        return internal::initialize<ConcurrencyTag>(
-          mesh, internal::in_order(faces, order),
+        internal::Triangles triangles = internal::read_triangles(
+          mesh, faces,
           choose_parameter(get_parameter(pack, CGAL::internal_np::vertex_point),
                            get_const_property_map(CGAL::vertex_point, mesh)),
-          choose_parameter<Geom_traits>(get_parameter(pack, CGAL::internal_np::geom_traits)),
-          options, [&] { return monitor.go_further(); });
+          choose_parameter<Geom_traits>(get_parameter(pack, CGAL::internal_np::geom_traits)));
+        order = internal::order_of_locality(triangles.neighbors);
+        triangles = internal::in_order(std::move(triangles), order);
+        return internal::initialize<ConcurrencyTag>(std::move(triangles), options,
+                                                    [&] { return monitor.go_further(); });
       });
     const bool is_simplified = !initial.simplified.empty();
     std::vector<internal::Neighbors> neighbors;

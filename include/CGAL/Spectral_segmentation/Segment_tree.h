@@ -5,7 +5,7 @@
 #define CGAL_SPECTRAL_SEGMENTATION_SEGMENT_TREE_H
 
 #include <CGAL/Spectral_segmentation/Part_salience.h>
-#include <CGAL/Spectral_segmentation/internal/Face_dual_graph.h>
+#include <CGAL/Spectral_segmentation/internal/Triangles.h>
 #include <CGAL/Spectral_segmentation/internal/boundary_smoothing.h>
 #include <CGAL/Spectral_segmentation/internal/mesh_numbering.h>
 #include <CGAL/Spectral_segmentation/internal/options.h>

@@ -4,7 +4,9 @@
 #ifndef CGAL_SPECTRAL_SEGMENTATION_INTERNAL_FACE_DUAL_GRAPH_H
 #define CGAL_SPECTRAL_SEGMENTATION_INTERNAL_FACE_DUAL_GRAPH_H
 
-#include <Eigen/Core>
+#include <CGAL/Spectral_segmentation/internal/Triangles.h>
+#include <CGAL/Spectral_segmentation/internal/concurrency.h>
+
 #include <Eigen/Geometry>
 
 #include <boost/graph/graph_traits.hpp>
@@ -14,21 +16,12 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
-#include <cstdint>
 #include <utility>
 #include <vector>
 
 namespace CGAL {
 namespace Spectral_segmentation {
 namespace internal {
-
-typedef std::uint32_t Index;
-constexpr Index null_index = static_cast<Index>(-1);
-
-typedef Eigen::Vector3d Vector;
-
-// the faces across the three edges of a face; the face itself where there is none
-typedef std::array<Index, 3> Neighbors;
 
 // Distances of adjacent faces are on a grid of 2^-20, on which sums of doubles are exact: the
 // length of a path does not depend on the order of its sum, and faces that tie on paper tie in the
@@ -105,37 +98,43 @@ public:
 };
 
 // Sets what follows from the corners and the points: areas, and distances of centroids.
-inline void set_sizes(Face_dual_graph& graph)
+template <class ConcurrencyTag>
+void set_sizes(Face_dual_graph& graph)
 {
   graph.areas.resize(graph.number_of_faces());
-  for (Index f = 0; f < graph.number_of_faces(); ++f) {
+  for_each_index<ConcurrencyTag>(graph.number_of_faces(), [&](Index f) {
     const std::array<Index, 3>& c = graph.corners[f];
     graph.areas[f] = (graph.points[c[1]] - graph.points[c[0]])
                        .cross(graph.points[c[2]] - graph.points[c[0]]).norm() / 2;
-  }
-  for (Index h = 0; h < graph.halfedges.size(); ++h) {
-    const Index g = graph.halfedges[h].neighbor;
-    graph.halfedges[h].centroids =
-      static_cast<float>((graph.centroid(g) - graph.centroid(h / 3)).norm());
-  }
+    const Vector centroid = graph.centroid(f);
+    for (Index h = 3 * f; h < 3 * f + 3; ++h)
+      graph.halfedges[h].centroids =
+        static_cast<float>((graph.centroid(graph.halfedges[h].neighbor) - centroid).norm());
+  });
 }
 
-// Numbers the vertices as faces come to them, so that those of faces near in order are near in
-// memory. Vertices without a face go.
-inline void number_vertices_by_faces(Face_dual_graph& graph)
+// Face distances are left open. An edge whose sides do not match, as of a face that is glued to
+// itself, counts as border.
+template <class ConcurrencyTag>
+Face_dual_graph dual_graph(Triangles triangles)
 {
-  std::vector<Vector> points;
-  points.reserve(graph.points.size());
-  std::vector<Index> number(graph.points.size(), null_index);
-  for (std::array<Index, 3>& corners : graph.corners)
-    for (Index& v : corners) {
-      if (number[v] == null_index) {
-        number[v] = static_cast<Index>(points.size());
-        points.push_back(graph.points[v]);
-      }
-      v = number[v];
-    }
-  graph.points = std::move(points);
+  Face_dual_graph graph;
+  graph.corners = std::move(triangles.corners);
+  graph.points = std::move(triangles.points);
+  graph.unit = triangles.unit;
+  graph.halfedges.resize(3 * graph.number_of_faces());
+  for_each_index<ConcurrencyTag>(graph.halfedges.size(), [&](Index h) {
+    const Index f = h / 3, g = triangles.neighbors[f][h % 3];
+    const Neighbors neighbors = triangles.neighbors[g];
+    const std::array<Index, 3> corners = graph.corners[g];
+    bool is_matched = false;
+    for (int i = 0; i < 3; ++i)
+      is_matched |= neighbors[i] == f && corners[i] == graph.target_vertex(h) &&
+                    corners[(i + 1) % 3] == graph.source_vertex(h);
+    graph.halfedges[h].neighbor = is_matched ? g : f;
+  });
+  set_sizes<ConcurrencyTag>(graph);
+  return graph;
 }
 
 inline Index num_vertices(const Face_dual_graph& g)

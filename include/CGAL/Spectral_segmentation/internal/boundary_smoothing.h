@@ -4,7 +4,7 @@
 #ifndef CGAL_SPECTRAL_SEGMENTATION_INTERNAL_BOUNDARY_SMOOTHING_H
 #define CGAL_SPECTRAL_SEGMENTATION_INTERNAL_BOUNDARY_SMOOTHING_H
 
-#include <CGAL/Spectral_segmentation/internal/Face_dual_graph.h>
+#include <CGAL/Spectral_segmentation/internal/Triangles.h>
 
 #include <cstddef>
 #include <utility>

@@ -115,7 +115,8 @@ class Cut_transfer
     const double area = total_area(bands_);
     const double radius = // which is relative to the area
       area > 0 ? options.concavity_radius * std::sqrt(total_area(mesh_) / area) : 0;
-    set_face_distances<ConcurrencyTag>(bands_, bands_.points, face_normals(bands_, bands_.points),
+    set_face_distances<ConcurrencyTag>(bands_, bands_.points,
+                                       face_normals<ConcurrencyTag>(bands_, bands_.points),
                                        {options.geodesic_weight, options.concave_angle_weight,
                                         options.convex_angle_weight, radius});
   }

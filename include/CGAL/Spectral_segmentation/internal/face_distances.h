@@ -57,11 +57,10 @@ inline Dihedral dihedral(const Vector& f, const Vector& g, const Vector& edge)
 
 // Unit normals. A face without area takes that of the neighbor across its longest edge, so that it
 // does not hide the angle between the faces on its two sides; (0, 0, 0) where that fails.
-inline std::vector<Vector> face_normals(const Face_dual_graph& graph,
-                                        const std::vector<Vector>& points)
+template <class ConcurrencyTag>
+std::vector<Vector> face_normals(const Face_dual_graph& graph, const std::vector<Vector>& points)
 {
   std::vector<Vector> normals(graph.number_of_faces(), Vector::Zero());
-  std::vector<Index> degenerate;
   const auto edge_vector = [&](Index h) -> Vector
   { return points[graph.target_vertex(h)] - points[graph.source_vertex(h)]; };
   const auto longest_edge = [&](Index f) {
@@ -71,17 +70,16 @@ inline std::vector<Vector> face_normals(const Face_dual_graph& graph,
         longest = h;
     return longest;
   };
-  for (Index f = 0; f < normals.size(); ++f) {
+  for_each_index<ConcurrencyTag>(normals.size(), [&](Index f) {
     const Vector cross = edge_vector(3 * f).cross(edge_vector(3 * f + 1));
     if (cross.norm() > 1e-12 * edge_vector(longest_edge(f)).squaredNorm())
       normals[f] = cross.normalized();
-    else
-      degenerate.push_back(f);
-  }
-  // A neighbor may be degenerate too: follow the longest edges to the first face with a normal.
+  });
+  // A neighbor may be without area too: follow the longest edges to the first face with a normal.
   std::vector<char> is_visited(normals.size(), 0);
   std::vector<Index> path;
-  for (Index f : degenerate) {
+  for (Index first = 0; first < normals.size(); ++first) {
+    Index f = first;
     path.clear();
     for (; normals[f].isZero(0) && !is_visited[f]; f = graph.halfedges[longest_edge(f)].neighbor) {
       is_visited[f] = 1;
@@ -168,23 +166,24 @@ struct Equalized_angles
 };
 
 // `edges` has one half-edge an edge. Faces without a normal bend nowhere.
-inline Equalized_angles equalized_dihedrals(const Face_dual_graph& graph,
-                                            const std::vector<Vector>& points,
-                                            const std::vector<Vector>& normals,
-                                            const Distance_weights& weights,
-                                            const std::vector<Index>& edges)
+template <class ConcurrencyTag>
+Equalized_angles equalized_dihedrals(const Face_dual_graph& graph,
+                                     const std::vector<Vector>& points,
+                                     const std::vector<Vector>& normals,
+                                     const Distance_weights& weights,
+                                     const std::vector<Index>& edges)
 {
   std::vector<double> angles(edges.size(), 0);
   std::vector<char> is_concave(edges.size(), 0);
-  for (std::size_t e = 0; e < edges.size(); ++e) {
+  for_each_index<ConcurrencyTag>(edges.size(), [&](std::size_t e) {
     const Index h = edges[e], f = h / 3, g = graph.halfedges[h].neighbor;
     if (normals[f].isZero(0) || normals[g].isZero(0))
-      continue;
+      return;
     const Dihedral d = dihedral(normals[f], normals[g],
                                 points[graph.target_vertex(h)] - points[graph.source_vertex(h)]);
     is_concave[e] = d.is_concave;
     angles[e] = (d.is_concave ? weights.concave : weights.convex) * d.one_minus_cosine;
-  }
+  });
   normalize_by_mean(angles);
   // Single precision, so that angles that differ by rounding only tie.
   const std::vector<float> rounded(angles.begin(), angles.end());
@@ -205,14 +204,14 @@ Equalized_angles equalized_bending(const Face_dual_graph& graph, const std::vect
     shape_scale_angles<ConcurrencyTag>(graph, points, normals, weights.concavity_radius);
   std::vector<double> lengths(edges.size());
   std::vector<float> distances(edges.size());
-  for (std::size_t e = 0; e < edges.size(); ++e) {
+  for_each_index<ConcurrencyTag>(edges.size(), [&](std::size_t e) {
     const Index h = edges[e];
     lengths[e] = (points[graph.target_vertex(h)] - points[graph.source_vertex(h)]).norm();
     // 1 - cos of the angle, which keeps its digits where that is small.
     const double sine = std::sin(bending[h] / 2);
     distances[e] = static_cast<float>((bending[h] < 0 ? weights.concave : weights.convex) *
                                       (2 * sine * sine));
-  }
+  });
   Equalized_angles result{equalize(distances, lengths), std::vector<double>(edges.size(), 0)};
   for (std::size_t e = 0; e < edges.size(); ++e)
     if (bending[edges[e]] < 0)
@@ -220,16 +219,18 @@ Equalized_angles equalized_bending(const Face_dual_graph& graph, const std::vect
   return result;
 }
 
-inline std::vector<double> normalized_geodesic_distances(const Face_dual_graph& graph,
-                                                         const std::vector<Vector>& points,
-                                                         const std::vector<Index>& edges)
+template <class ConcurrencyTag>
+std::vector<double> normalized_geodesic_distances(const Face_dual_graph& graph,
+                                                  const std::vector<Vector>& points,
+                                                  const std::vector<Index>& edges)
 {
-  std::vector<double> result;
-  result.reserve(edges.size());
-  for (Index h : edges)
-    result.push_back(geodesic_distance(
+  std::vector<double> result(edges.size());
+  for_each_index<ConcurrencyTag>(edges.size(), [&](std::size_t e) {
+    const Index h = edges[e];
+    result[e] = geodesic_distance(
       points[graph.source_vertex(h)], points[graph.target_vertex(h)], graph.centroid(h / 3, points),
-      graph.centroid(graph.halfedges[h].neighbor, points)));
+      graph.centroid(graph.halfedges[h].neighbor, points));
+  });
   normalize_by_mean(result);
   return result;
 }
@@ -243,21 +244,21 @@ void set_face_distances(Face_dual_graph& graph, const std::vector<Vector>& point
   const Distance_weights weights = with_relative_angle_weights(given_weights);
   std::vector<Index> edges; // one half-edge each
   for (Index h = 0; h < graph.halfedges.size(); ++h)
-    if (!graph.is_border(h) && h < graph.opposite(h))
+    if (h / 3 < graph.halfedges[h].neighbor)
       edges.push_back(h);
 
   std::vector<double> geodesic;
   Equalized_angles equalized;
   for_each_index<ConcurrencyTag>(2, [&](std::size_t task) {
     if (task == 0)
-      geodesic = normalized_geodesic_distances(graph, points, edges);
+      geodesic = normalized_geodesic_distances<ConcurrencyTag>(graph, points, edges);
     else
       equalized = weights.concavity_radius > 0
         ? equalized_bending<ConcurrencyTag>(graph, points, normals, weights, edges)
-        : equalized_dihedrals(graph, points, normals, weights, edges);
+        : equalized_dihedrals<ConcurrencyTag>(graph, points, normals, weights, edges);
   });
 
-  for (std::size_t e = 0; e < edges.size(); ++e) {
+  for_each_index<ConcurrencyTag>(edges.size(), [&](std::size_t e) {
     Face_dual_graph::Halfedge& h = graph.halfedges[edges[e]];
     h.geodesic = static_cast<float>(on_grid(geodesic[e]));
     h.angle = static_cast<float>(on_grid(equalized.whole[e]));
@@ -269,7 +270,7 @@ void set_face_distances(Face_dual_graph& graph, const std::vector<Vector>& point
     o.angle = h.angle;
     o.combined = h.combined;
     o.concavity = h.concavity;
-  }
+  });
 }
 
 } // namespace internal

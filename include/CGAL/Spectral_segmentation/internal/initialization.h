@@ -5,9 +5,9 @@
 #define CGAL_SPECTRAL_SEGMENTATION_INTERNAL_INITIALIZATION_H
 
 #include <CGAL/Spectral_segmentation/internal/Face_dual_graph.h>
+#include <CGAL/Spectral_segmentation/internal/Triangles.h>
 #include <CGAL/Spectral_segmentation/internal/concurrency.h>
 #include <CGAL/Spectral_segmentation/internal/face_distances.h>
-#include <CGAL/Spectral_segmentation/internal/face_dual_graph_of_mesh.h>
 #include <CGAL/Spectral_segmentation/internal/laplacian_smoothing.h>
 #include <CGAL/Spectral_segmentation/internal/options.h>
 #include <CGAL/Spectral_segmentation/internal/simplification.h>
@@ -36,7 +36,7 @@ struct Initial_mesh
 template <class ConcurrencyTag>
 void measure(Face_dual_graph& graph, const std::vector<Vector>& points, const Options& options)
 {
-  const std::vector<Vector> normals = face_normals(graph, points);
+  const std::vector<Vector> normals = face_normals<ConcurrencyTag>(graph, points);
   for_each_index<ConcurrencyTag>(options.needs_thickness() ? 2 : 1, [&](std::size_t task) {
     if (task == 0)
       set_face_distances<ConcurrencyTag>(graph, points, normals,
@@ -47,16 +47,12 @@ void measure(Face_dual_graph& graph, const std::vector<Vector>& points, const Op
   });
 }
 
-// Smoothing ends early if `go_further()` is false. Throws as `face_dual_graph_of_mesh()` does.
-template <class ConcurrencyTag, class TriangleMesh, class FaceDescriptor, class VertexPointMap,
-          class GeomTraits, class GoFurther>
-Initial_mesh initialize(const TriangleMesh& mesh, const std::vector<FaceDescriptor>& faces,
-                        VertexPointMap vertex_point_map, const GeomTraits& traits,
-                        const Options& options, const GoFurther& go_further)
+// Smoothing ends early if `go_further()` is false.
+template <class ConcurrencyTag, class GoFurther>
+Initial_mesh initialize(Triangles triangles, const Options& options, const GoFurther& go_further)
 {
-  Initial_mesh result{face_dual_graph_of_mesh(mesh, faces, vertex_point_map, traits), {}};
+  Initial_mesh result{dual_graph<ConcurrencyTag>(std::move(triangles)), {}};
   Face_dual_graph& graph = result.graph;
-  number_vertices_by_faces(graph);
   std::vector<Vector> points =
     smoothed_points(graph, options.number_of_smoothing_iterations, go_further);
   const std::size_t number_of_faces = options.faces_to_search(graph.number_of_faces());

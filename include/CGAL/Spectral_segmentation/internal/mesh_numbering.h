@@ -4,10 +4,9 @@
 #ifndef CGAL_SPECTRAL_SEGMENTATION_INTERNAL_MESH_NUMBERING_H
 #define CGAL_SPECTRAL_SEGMENTATION_INTERNAL_MESH_NUMBERING_H
 
-#include <CGAL/Spectral_segmentation/internal/Face_dual_graph.h>
+#include <CGAL/Spectral_segmentation/internal/Triangles.h>
 
 #include <CGAL/Named_function_parameters.h>
-#include <CGAL/boost/graph/helpers.h>
 #include <CGAL/boost/graph/named_params_helper.h>
 #include <CGAL/boost/graph/properties.h>
 
@@ -18,7 +17,6 @@
 #include <cstddef>
 #include <limits>
 #include <stdexcept>
-#include <string>
 #include <type_traits>
 #include <unordered_map>
 #include <utility>
@@ -121,81 +119,6 @@ numbered_faces(const TriangleMesh& mesh, const CGALNamedParameters& np)
     }
     result = std::move(by_index);
   }
-  return result;
-}
-
-// The number of the face across an edge; null_index where there is none, or none with a number.
-template <class TriangleMesh, class Number>
-Index number_across(const TriangleMesh& mesh,
-                    typename boost::graph_traits<TriangleMesh>::halfedge_descriptor h,
-                    const Number& number)
-{
-  const auto across = face(opposite(h, mesh), mesh);
-  return across == boost::graph_traits<TriangleMesh>::null_face() ? null_index : number(across);
-}
-
-// The neighbors of a triangle across its edges, in ascending order, and null_index for none.
-template <class TriangleMesh, class FaceDescriptor, class Number>
-Neighbors neighbors_of_triangle(const TriangleMesh& mesh, FaceDescriptor f, const Number& number)
-{
-  Neighbors result;
-  auto h = halfedge(f, mesh);
-  for (Index& neighbor : result) {
-    neighbor = number_across(mesh, h, number);
-    h = next(h, mesh);
-  }
-  std::sort(result.begin(), result.end());
-  return result;
-}
-
-// The numbers of the faces in an order in which what is near on the surface is near in memory:
-// blocks, each found by a breadth-first search that begins at a face next to an earlier block, or
-// at the first face that is left. It does not depend on the data structure.
-//
-// Throws `std::invalid_argument` if a face is not a triangle.
-template <class TriangleMesh, class FaceDescriptor>
-std::vector<Index> order_of_locality(const TriangleMesh& mesh,
-                                     const std::vector<FaceDescriptor>& faces)
-{
-  constexpr std::size_t size_of_block = 1024; // any that fits into the cache together with others
-  for (Index f = 0; f < faces.size(); ++f)
-    if (!CGAL::is_triangle(halfedge(faces[f], mesh), mesh))
-      throw std::invalid_argument("segment_spectral_recursive: face " + std::to_string(f) +
-                                  " is not a triangle");
-  const Descriptor_numbers<TriangleMesh, boost::face_index_t, FaceDescriptor> number(mesh, faces);
-  std::vector<Index> order, outside; // of the blocks so far, but next to them
-  order.reserve(faces.size());
-  std::vector<char> is_in_order(faces.size(), 0);
-  const auto add = [&](Index f, std::size_t end_of_block) {
-    if (f == null_index || is_in_order[f])
-      return;
-    if (order.size() == end_of_block) {
-      outside.push_back(f);
-      return;
-    }
-    is_in_order[f] = 1;
-    order.push_back(f);
-  };
-  for (Index first = 0; first < faces.size(); ++first)
-    for (outside.push_back(first); !outside.empty();) {
-      const Index seed = outside.back();
-      outside.pop_back();
-      std::size_t next = order.size();
-      const std::size_t end_of_block = next + size_of_block;
-      for (add(seed, end_of_block); next < order.size(); ++next)
-        for (Index f : neighbors_of_triangle(mesh, faces[order[next]], number))
-          add(f, end_of_block);
-    }
-  return order;
-}
-
-template <class Value>
-std::vector<Value> in_order(const std::vector<Value>& values, const std::vector<Index>& order)
-{
-  std::vector<Value> result;
-  result.reserve(order.size());
-  for (Index i : order)
-    result.push_back(values[i]);
   return result;
 }
 

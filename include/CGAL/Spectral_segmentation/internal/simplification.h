@@ -106,6 +106,7 @@ public:
 // It works in the principal frame, with coordinates on a grid, and breaks ties by a hash of them,
 // so that the result moves with the mesh and does not depend on the numbers of its vertices and
 // faces.
+template <class ConcurrencyTag>
 class Edge_collapse
 {
   typedef boost::container::small_vector<Index, 16> Some;
@@ -371,7 +372,6 @@ class Edge_collapse
     return std::numeric_limits<double>::max();
   }
 
-  template <class ConcurrencyTag>
   void collapse_edges_by_domains(std::size_t number)
   {
     const std::vector<std::vector<Index> > faces = domains();
@@ -403,34 +403,35 @@ class Edge_collapse
 public:
   explicit Edge_collapse(const Face_dual_graph& mesh)
     : corners_(mesh.corners), opposite_(mesh.halfedges.size(), null_index),
-      became_(mesh.points.size()), is_fixed_(mesh.points.size(), 0)
+      points_(mesh.points.size()), became_(mesh.points.size()), is_fixed_(mesh.points.size(), 0)
   {
     const Principal_frame frame(mesh);
-    points_.reserve(mesh.points.size());
-    for (const Vector& p : mesh.points)
-      points_.push_back(on_fine_grid(frame.point(p)));
+    for_each_index<ConcurrencyTag>(points_.size(), [&](std::size_t v)
+      { points_[v] = on_fine_grid(frame.point(mesh.points[v])); });
     std::iota(became_.begin(), became_.end(), Index(0));
+    for_each_index<ConcurrencyTag>(opposite_.size(), [&](Index h) {
+      if (!mesh.is_border(h))
+        opposite_[h] = mesh.opposite(h);
+    });
 
     std::vector<Index> outgoing(points_.size(), null_index);
     std::vector<Index> number_of_faces_around(points_.size(), 0);
     for (Index h = 0; h < opposite_.size(); ++h) {
-      if (!mesh.is_border(h))
-        opposite_[h] = mesh.opposite(h);
       outgoing[source(h)] = h;
       ++number_of_faces_around[source(h)];
     }
     // Where several fans of faces meet in a vertex, each knows nothing of the others.
-    for (Index v = 0; v < outgoing.size(); ++v)
+    for_each_index<ConcurrencyTag>(outgoing.size(), [&](std::size_t v) {
       is_fixed_[v] = outgoing[v] == null_index ||
                      around_source(outgoing[v]).size() != number_of_faces_around[v];
+    });
   }
 
   // Until at most `number_of_faces` are left, or no edge is left to try.
-  template <class ConcurrencyTag>
   void collapse_edges(std::size_t number_of_faces)
   {
     if (corners_.size() >= 4 * faces_per_domain)
-      collapse_edges_by_domains<ConcurrencyTag>(number_of_faces);
+      collapse_edges_by_domains(number_of_faces);
     collapse_edges(make_range(boost::counting_iterator<Index>(0),
                               boost::counting_iterator<Index>(Index(corners_.size()))),
                    number_of_faces);
@@ -463,7 +464,7 @@ public:
         halfedge.neighbor = new_face[o == null_index ? f : o / 3];
         graph.halfedges.push_back(halfedge);
       }
-    set_sizes(graph);
+    set_sizes<ConcurrencyTag>(graph);
     // A vertex became one of those before which it was joined, and so on.
     result.vertices.resize(points_.size());
     for (Index v = 0; v < became_.size(); ++v) {
@@ -479,8 +480,8 @@ public:
 template <class ConcurrencyTag>
 Simplified_mesh simplify(const Face_dual_graph& mesh, std::size_t number_of_faces)
 {
-  Edge_collapse collapse(mesh);
-  collapse.collapse_edges<ConcurrencyTag>(number_of_faces);
+  Edge_collapse<ConcurrencyTag> collapse(mesh);
+  collapse.collapse_edges(number_of_faces);
   return collapse.result(mesh.unit);
 }
 

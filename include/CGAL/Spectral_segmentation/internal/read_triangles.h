@@ -1,12 +1,13 @@
 // Copyright (c) 2026  The Spectral_segmentation authors.
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#ifndef CGAL_SPECTRAL_SEGMENTATION_INTERNAL_FACE_DUAL_GRAPH_OF_MESH_H
-#define CGAL_SPECTRAL_SEGMENTATION_INTERNAL_FACE_DUAL_GRAPH_OF_MESH_H
+#ifndef CGAL_SPECTRAL_SEGMENTATION_INTERNAL_READ_TRIANGLES_H
+#define CGAL_SPECTRAL_SEGMENTATION_INTERNAL_READ_TRIANGLES_H
 
-#include <CGAL/Spectral_segmentation/internal/Face_dual_graph.h>
+#include <CGAL/Spectral_segmentation/internal/Triangles.h>
 #include <CGAL/Spectral_segmentation/internal/mesh_numbering.h>
 
+#include <CGAL/boost/graph/helpers.h>
 #include <CGAL/number_utils.h>
 
 #include <boost/graph/graph_traits.hpp>
@@ -45,15 +46,15 @@ inline double normalize(std::vector<Vector>& points, const std::vector<char>& is
   return unit;
 }
 
-// Reads triangles into arrays; face distances are left open. Vertices are numbered in the order of
-// `vertices(mesh)` and the first corner of a face is its smallest vertex, so that every model of
-// the same mesh gives the same arrays. Coordinates are normalized.
+// Reads a mesh into arrays. Vertices are numbered in the order of `vertices(mesh)` and the first
+// corner of a face is its smallest vertex, so that every model of the same mesh gives the same
+// arrays. Coordinates are normalized. This is all that a run reads of the mesh, in one thread, as
+// property maps and number types need not stand several.
 //
-// Throws `std::invalid_argument` if a coordinate is not finite.
+// Throws `std::invalid_argument` if a face is not a triangle or a coordinate is not finite.
 template <class TriangleMesh, class FaceDescriptor, class VertexPointMap, class GeomTraits>
-Face_dual_graph
-face_dual_graph_of_mesh(const TriangleMesh& mesh, const std::vector<FaceDescriptor>& faces,
-                        VertexPointMap vertex_point_map, const GeomTraits& traits)
+Triangles read_triangles(const TriangleMesh& mesh, const std::vector<FaceDescriptor>& faces,
+                         VertexPointMap vertex_point_map, const GeomTraits& traits)
 {
   typedef boost::graph_traits<TriangleMesh> Graph_traits;
   typedef typename Graph_traits::vertex_descriptor vertex_descriptor;
@@ -69,55 +70,50 @@ face_dual_graph_of_mesh(const TriangleMesh& mesh, const std::vector<FaceDescript
   const Descriptor_numbers<TriangleMesh, boost::face_index_t, FaceDescriptor>
     face_number(mesh, faces);
 
-  Face_dual_graph graph;
-  graph.corners.resize(faces.size());
-  graph.halfedges.resize(3 * faces.size());
+  Triangles triangles;
+  triangles.corners.resize(faces.size());
+  triangles.neighbors.resize(faces.size());
+  std::vector<char> is_used(vertices_of_mesh.size(), 0);
   for (Index f = 0; f < faces.size(); ++f) {
     halfedge_descriptor h = halfedge(faces[f], mesh);
-    std::array<Index, 3> corner;
-    for (Index& c : corner) {
-      c = vertex_number(source(h, mesh));
-      h = next(h, mesh);
+    if (!CGAL::is_triangle(h, mesh))
+      throw std::invalid_argument("segment_spectral_recursive: face " + std::to_string(f) +
+                                  " is not a triangle");
+    std::array<Index, 3>& corners = triangles.corners[f];
+    Neighbors& neighbors = triangles.neighbors[f];
+    for (int i = 0; i < 3; ++i, h = next(h, mesh)) {
+      corners[i] = vertex_number(source(h, mesh));
+      is_used[corners[i]] = 1;
+      const auto across = face(opposite(h, mesh), mesh);
+      const Index number =
+        across == Graph_traits::null_face() ? null_index : face_number(across);
+      neighbors[i] = number == null_index ? f : number;
     }
-    const int first = static_cast<int>(std::min_element(corner.begin(), corner.end()) -
-                                       corner.begin());
-    for (int i = 0; i < 3; ++i) {
-      const int slot = (i + 3 - first) % 3;
-      graph.corners[f][slot] = corner[i];
-      const Index neighbor = number_across(mesh, h, face_number);
-      graph.halfedges[3 * f + slot].neighbor = neighbor == null_index ? f : neighbor;
-      h = next(h, mesh);
-    }
+    const auto first = std::min_element(corners.begin(), corners.end()) - corners.begin();
+    std::rotate(corners.begin(), corners.begin() + first, corners.end());
+    std::rotate(neighbors.begin(), neighbors.begin() + first, neighbors.end());
   }
-  // An edge whose sides do not match, as of a face that is glued to itself, counts as border.
-  for (Index h = 0; h < graph.halfedges.size(); ++h)
-    if (!graph.is_border(h) && graph.opposite(h) == null_index)
-      graph.halfedges[h].neighbor = h / 3;
 
-  std::vector<char> is_used(vertices_of_mesh.size(), 0);
-  for (const std::array<Index, 3>& corner : graph.corners)
-    for (Index v : corner)
-      is_used[v] = 1;
   const auto x = traits.compute_x_3_object();
   const auto y = traits.compute_y_3_object();
   const auto z = traits.compute_z_3_object();
-  graph.points.resize(vertices_of_mesh.size(), Vector::Zero());
+  triangles.points.resize(vertices_of_mesh.size(), Vector::Zero());
   for (Index v = 0; v < vertices_of_mesh.size(); ++v) {
     if (!is_used[v])
       continue;
     const auto& p = get(vertex_point_map, vertices_of_mesh[v]);
-    graph.points[v] = Vector(CGAL::to_double(x(p)), CGAL::to_double(y(p)), CGAL::to_double(z(p)));
-    if (!graph.points[v].allFinite())
+    Vector& point = triangles.points[v];
+    point = Vector(CGAL::to_double(x(p)), CGAL::to_double(y(p)), CGAL::to_double(z(p)));
+    if (!point.allFinite())
       throw std::invalid_argument("segment_spectral_recursive: vertex " + std::to_string(v) +
                                   " has a coordinate that is not finite");
   }
-  graph.unit = normalize(graph.points, is_used);
-  set_sizes(graph);
-  return graph;
+  triangles.unit = normalize(triangles.points, is_used);
+  return triangles;
 }
 
 } // namespace internal
 } // namespace Spectral_segmentation
 } // namespace CGAL
 
-#endif // CGAL_SPECTRAL_SEGMENTATION_INTERNAL_FACE_DUAL_GRAPH_OF_MESH_H
+#endif // CGAL_SPECTRAL_SEGMENTATION_INTERNAL_READ_TRIANGLES_H
