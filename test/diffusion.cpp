@@ -31,9 +31,9 @@ using Eigen::VectorXd;
 
 namespace {
 
-// The solver stops at 1e-6 of the norm of the amounts over the roots of the areas; no step makes
-// the error of the one before larger in this norm.
-const double tolerance_of_two_steps = 2.01e-6;
+// Of the norm of the amounts over the roots of the areas, in which no step makes the error of the
+// one before larger.
+const double tolerance_of_two_steps = 1e-12;
 
 VectorXd areas_of(const Face_dual_graph& graph)
 { return Eigen::Map<const VectorXd>(graph.areas.data(), Eigen::Index(graph.areas.size())); }

@@ -188,8 +188,8 @@ Faces without area, borders, and any number of connected components are welcome.
       of the mean squared distance of the averaging kernel, relative to the square root of the area
       of the mesh. The angle distance of two faces is that of the bending across their edge in place
       of their dihedral angle, ranked by length of edge, so that it hardly depends on the
-      triangulation. To bound the time, the radius ends at 9 times the root of the mean area of the
-      faces.}
+      triangulation. The radius ends at 9 times the root of the mean area of the faces, as wide as
+      the bands in which cuts of a simplified mesh are carried over.}
     \cgalParamType{a number}
     \cgalParamDefault{`0.02`, about the width of a crease between two limbs; `0`, which is dihedral
       angles}

@@ -8,7 +8,7 @@
 #include <CGAL/Spectral_segmentation/internal/parts.h>
 
 #include <Eigen/Core>
-#include <Eigen/IterativeLinearSolvers>
+#include <Eigen/SparseCholesky>
 #include <Eigen/SparseCore>
 
 #include <algorithm>
@@ -26,20 +26,22 @@ namespace internal {
 // border.
 class Diffusion
 {
-  typedef Eigen::SparseMatrix<double, Eigen::RowMajor> Matrix;
+  typedef Eigen::SparseMatrix<double> Matrix;
 
   double radius_;
   Eigen::VectorXd root_of_area_;
-  Matrix matrix_; // of a step; symmetric, as it is for densities times the roots of the areas
+  // Of the matrix of a step; symmetric, as it is for densities times the roots of the areas. Three
+  // to four times as fast as conjugate gradients, above all on the bands of cuts.
+  Eigen::SimplicialLDLT<Matrix> solver_;
 
 public:
   // `radius` is relative to the square root of the area of the mesh, which must not be 0.
   Diffusion(const Face_dual_graph& mesh, const std::vector<Vector>& points, double radius)
-    : root_of_area_(mesh.number_of_faces()), matrix_(mesh.number_of_faces(), mesh.number_of_faces())
+    : root_of_area_(mesh.number_of_faces())
   {
     const double area = total_area(mesh);
     const double mean_area = area / static_cast<double>(mesh.number_of_faces());
-    // About 9 faces, which bounds the iterations of the solver.
+    // About 9 faces: the bands around the cuts of a simplified mesh are not wider.
     radius_ = (std::min)(radius * std::sqrt(area), std::sqrt(80 * mean_area));
     const double step = radius_ * radius_ / 8;
     for (Index f = 0; f < mesh.number_of_faces(); ++f)
@@ -64,7 +66,9 @@ public:
       }
       entries.emplace_back(f, f, 1 + sum / (root_of_area_[f] * root_of_area_[f]));
     }
-    matrix_.setFromTriplets(entries.begin(), entries.end());
+    Matrix matrix(mesh.number_of_faces(), mesh.number_of_faces());
+    matrix.setFromTriplets(entries.begin(), entries.end());
+    solver_.compute(matrix);
   }
 
   // As it was bounded, in the unit of the points.
@@ -73,11 +77,8 @@ public:
   // The averaged density of a quantity of which each face has some amount.
   Eigen::VectorXd operator()(const Eigen::VectorXd& amounts) const
   {
-    Eigen::ConjugateGradient<Matrix, Eigen::Lower | Eigen::Upper> solver(matrix_);
-    solver.setTolerance(1e-6);
-    const Eigen::VectorXd start = amounts.cwiseQuotient(root_of_area_);
-    const Eigen::VectorXd middle = solver.solveWithGuess(start, start);
-    return solver.solveWithGuess(middle, middle).cwiseQuotient(root_of_area_);
+    const Eigen::VectorXd middle = solver_.solve(amounts.cwiseQuotient(root_of_area_));
+    return solver_.solve(middle).cwiseQuotient(root_of_area_);
   }
 };
 
