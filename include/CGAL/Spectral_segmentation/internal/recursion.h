@@ -89,9 +89,11 @@ class Recursion
     }
     tree_.set_cut(node, Segment_tree::Cut_state::ACCEPTED, cut.salience, cut.factors);
     tree_.cut(node, cut.side, cut.area);
-    std::vector<Face_dual_graph> sides = split(candidate.part.graph, cut.side, 2);
-    for (int i = 0; i < 2; ++i)
-      add_candidate(tree_.node(node).children[i], std::move(sides[i]));
+    if (tree_.number_of_segments() < options_.maximum_number_of_segments) {
+      std::vector<Face_dual_graph> sides = split(candidate.part.graph, cut.side, 2);
+      for (int i = 0; i < 2; ++i)
+        add_candidate(tree_.node(node).children[i], std::move(sides[i]));
+    }
     monitor_.part_cut(node, cut.factors, cut.salience, tree_.number_of_segments());
   }
 

@@ -81,12 +81,20 @@ Shape_contexts shape_contexts(const Face_dual_graph& graph, Index first_referenc
       std::max_element(to_nearest.lengths.begin(), to_nearest.lengths.end()) -
       to_nearest.lengths.begin());
     contexts.references.push_back(reference);
-    trees.run([&, j, reference] {
+    const auto grow_tree = [&, j, reference] {
       Path_angles paths(n);
       grow_paths(weighted, reference, paths);
       for (Index f = 0; f < n; ++f)
         contexts.values(f, j) = paths.angles(f);
-    });
+      if (j == 0) // which is no search more for the next reference
+        for (Index f = 0; f < n; ++f)
+          to_nearest.lengths[f] = paths.length(f);
+    };
+    if (j == 0) {
+      grow_tree();
+      continue;
+    }
+    trees.run(grow_tree);
     if (j + 1 < k)
       grow_paths(weighted, reference, to_nearest);
   }
