@@ -323,7 +323,7 @@ class Edge_collapse
     }
   }
 
-  // The faces in each cell of a grid; cells without a face, which are most, are left out.
+  // The faces in each cell of a grid, but for cells without a face, which are most of a large grid.
   std::vector<std::vector<Index> > domains() const
   {
     // A surface meets about as many cells as there are in two layers of the grid.
