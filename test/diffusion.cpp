@@ -258,6 +258,23 @@ BOOST_AUTO_TEST_CASE(faces_of_hardly_any_area_do_no_harm)
   }
 }
 
+BOOST_AUTO_TEST_CASE(a_long_component_without_area_does_no_harm)
+{
+  for (double length : {1e2, 1e4, 1e6, 1e8}) {
+    const Soup needle = {{Point(0, 0, 0), Point(length, 0, 0), Point(length / 2, 0, 0)},
+                         {{0, 1, 2}, {0, 2, 1}}};
+    const Face_dual_graph graph = dual_graph_of(disjoint_union(plate(40, 40), needle));
+    const Eigen::Index n = 2 * 40 * 40;
+    BOOST_REQUIRE(graph.number_of_faces() == std::size_t(n) + 2);
+    for (double radius : {0.02, 0.05, 1.}) {
+      const VectorXd density = averaged(graph, radius, 3 * areas_of(graph));
+      for (double d : density.head(n))
+        BOOST_TEST(d == 3, tt::tolerance(1e-9));
+      BOOST_TEST(density.tail(2).isZero(0));
+    }
+  }
+}
+
 BOOST_AUTO_TEST_CASE(the_numbers_of_the_faces_do_not_matter)
 {
   Random random(5);

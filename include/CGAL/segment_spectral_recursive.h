@@ -20,6 +20,7 @@
 #include <CGAL/Spectral_segmentation/internal/mesh_numbering.h>
 #include <CGAL/Spectral_segmentation/internal/options.h>
 #include <CGAL/Spectral_segmentation/internal/order_of_locality.h>
+#include <CGAL/Spectral_segmentation/internal/parts.h>
 #include <CGAL/Spectral_segmentation/internal/read_triangles.h>
 #include <CGAL/Spectral_segmentation/internal/recursion.h>
 

@@ -60,7 +60,10 @@ public:
         const Vector& b = points[mesh.target_vertex(h)];
         const double distance = (mesh.centroid(f, points) - (a + b) / 2).norm() +
                                 (mesh.centroid(g, points) - (a + b) / 2).norm();
-        const double flux = step * (b - a).norm() / (std::max)(distance, smallest_distance);
+        // Bounded, lest the 1 on the diagonal is lost beside it, and the matrix singular.
+        const double flux =
+          (std::min)(step * (b - a).norm() / (std::max)(distance, smallest_distance),
+                     1e14 * root_of_area_[f] * root_of_area_[g]);
         sum += flux;
         entries.emplace_back(f, g, -flux / (root_of_area_[f] * root_of_area_[g]));
       }

@@ -327,12 +327,10 @@ class Cut_transfer
                              const Options& options)
   {
     std::vector<Index> component_of_cell;
-    std::vector<double> areas(number_of_components, 0);
-    for (Index cell = 0; cell < first_face_.size(); ++cell) {
-      component_of_cell.push_back(component[first_face_[cell]]);
-      areas[component_of_cell.back()] += areas_[cell];
-    }
-    Segment_tree tree(component_of_cell, areas, mesh_.unit, options);
+    for (Index f : first_face_)
+      component_of_cell.push_back(component[f]);
+    Segment_tree tree(component_of_cell, component_areas(mesh_, component, number_of_components),
+                      mesh_.unit, options);
     tree.is_whole_ = cuts_.is_whole_;
 
     std::vector<std::size_t> same(cuts_.number_of_nodes(), Segment_tree::null_node); // in the tree

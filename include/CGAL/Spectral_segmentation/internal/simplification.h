@@ -323,7 +323,7 @@ class Edge_collapse
     }
   }
 
-  // The faces in each cell of a grid.
+  // The faces in each cell of a grid, but for cells without a face, which are most of a large grid.
   std::vector<std::vector<Index> > domains() const
   {
     // A surface meets about as many cells as there are in two layers of the grid.
@@ -347,6 +347,9 @@ class Edge_collapse
         cell = n * cell + (std::min)(static_cast<Index>((std::max)(place[i], 0.)), n - 1);
       result[cell].push_back(f);
     }
+    result.erase(std::remove_if(result.begin(), result.end(),
+                                [](const std::vector<Index>& faces) { return faces.empty(); }),
+                 result.end());
     return result;
   }
 
