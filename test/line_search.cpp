@@ -357,8 +357,9 @@ BOOST_AUTO_TEST_CASE(a_patch_that_is_closed_around_a_hole_is_no_cut)
   line.erase(line.begin() + 24);
   line.push_back(24);
   std::vector<std::size_t> sizes;
-  line_search<Sequential_tag>(part, line, Weighted_part_salience(), 0,
-              [&](std::size_t size, const Salience_factors&, double) { sizes.push_back(size); });
+  line_search<Sequential_tag>(
+    part, line, Weighted_part_salience(), 0,
+    [&](std::size_t size, const Salience_factors&, double) { sizes.push_back(size); });
   BOOST_REQUIRE(sizes.size() > 2u);
   std::sort(sizes.begin(), sizes.end());
   BOOST_TEST(sizes[sizes.size() - 2] == 26u); // without 27, that is

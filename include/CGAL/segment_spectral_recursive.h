@@ -67,11 +67,13 @@ visitor stops it), and for every data structure that holds the same mesh.
 
 The run takes O(*n* log *n*) time and O(*n*) memory to read a mesh of *n* faces and to simplify it
 to the *m* faces that are searched; O(*k p m* log *m*) time and O(*k m*) memory to search *p* parts
-with *k* reference faces; and O(*c n*) time to carry *c* cuts over to the mesh, less where they
-halve parts. Without simplification *m* is *n*, and nothing is carried over. The bounds leave out
-the shortest paths where a few edges are far longer than all others, and the minimum cuts: their
-worst cases are worse, but in practice they take hardly more than linear time. The mesh is not
-changed.
+with *k* reference faces; and O(*n* + *c b*) time to carry *c* cuts over to the mesh, of which *b*
+faces are near a cut, or count as such if `number_of_pieces` is 0: then *b* is *n*. Without
+simplification *m* is *n*, and nothing is carried over. To average bending and thickness over *m*
+faces, and bending over *b*, takes a direct solver O(*m*<sup>1.5</sup> + *b*<sup>1.5</sup>) time and
+O(*m* log *m* + *b* log *b*) memory besides. The bounds leave out the shortest paths where a few
+edges are far longer than all others, and the minimum cuts: their worst cases are worse, but in
+practice they take hardly more than linear time. The mesh is not changed.
 Faces without area, borders, and any number of connected components are welcome.
 
 \tparam ConcurrencyTag `CGAL::Sequential_tag`, `CGAL::Parallel_tag` or

@@ -30,8 +30,9 @@ class Diffusion
 
   double radius_;
   Eigen::VectorXd root_of_area_;
-  // Of the matrix of a step; symmetric, as it is for densities times the roots of the areas. Three
-  // to four times as fast as conjugate gradients, above all on the bands of cuts.
+  // Of the matrix of a step; symmetric, as it is for densities times the roots of the areas. In the
+  // bands of cuts it takes a quarter of the time of conjugate gradients, on a whole mesh of a
+  // million faces a little more.
   Eigen::SimplicialLDLT<Matrix> solver_;
 
 public:

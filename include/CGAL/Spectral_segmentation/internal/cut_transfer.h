@@ -90,7 +90,7 @@ class Cut_transfer
     return result;
   }
 
-  // The faces of the bands.
+  // Numbers the faces of the bands, and returns them.
   template <class ConcurrencyTag>
   std::vector<Index> number_bands()
   {

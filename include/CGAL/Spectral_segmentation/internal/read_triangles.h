@@ -48,8 +48,8 @@ inline double normalize(std::vector<Vector>& points, const std::vector<char>& is
 
 // Reads a mesh into arrays. Vertices are numbered in the order of `vertices(mesh)` and the first
 // corner of a face is its smallest vertex, so that every model of the same mesh gives the same
-// arrays. Coordinates are normalized. This is all that a run reads of the mesh, in one thread, as
-// property maps and number types need not stand several.
+// arrays. Coordinates are normalized. But for the list of its faces this is all that a run reads of
+// the mesh, in one thread, as property maps and number types need not stand several.
 //
 // Throws `std::invalid_argument` if a face is not a triangle or a coordinate is not finite.
 template <class TriangleMesh, class FaceDescriptor, class VertexPointMap, class GeomTraits>
