@@ -230,6 +230,8 @@ std::size_t compare_with_twin(const Face_dual_graph& part, const std::vector<Ind
   if (!cut)
     return 0;
 
+  BOOST_TEST((cut->side == line_search<CGAL::Parallel_if_available_tag>(
+    part, line, part_salience, minimum_area)->side));
   BOOST_TEST(cut->salience == observed[best].salience);
   BOOST_TEST(cut->salience > largest - 1e-5 * std::max(1., std::abs(largest)));
   BOOST_TEST(cut->factors.size == observed[best].factors.size);

@@ -129,7 +129,7 @@ inline Sides sides_of(const Growth& growth, std::size_t size)
 // The most salient cut along the line, if there is one. Of equally salient cuts the first is taken.
 // A cut of Q is one of the rest, too: the second half of the faces is taken from the end of the
 // line, in another thread. `observe(size of Q, factors, salience)` hears of each cut that is
-// compared, in each half from the end to the middle.
+// compared, in each half from the end to the middle and in its thread.
 template <class ConcurrencyTag, class PartSalience, class Observer = No_observer>
 std::optional<Cut> line_search(const Face_dual_graph& part, const std::vector<Index>& line,
                                const PartSalience& part_salience, double minimum_area,
