@@ -5,6 +5,7 @@
 #define CGAL_SPECTRAL_SEGMENTATION_INTERNAL_ORDER_OF_LOCALITY_H
 
 #include <CGAL/Spectral_segmentation/internal/Triangles.h>
+#include <CGAL/Spectral_segmentation/internal/prefetch.h>
 
 #include <algorithm>
 #include <array>
@@ -43,6 +44,7 @@ inline std::vector<Index> order_of_locality(const std::vector<Neighbors>& neighb
     }
     is_in_order[f] = 1;
     order.push_back(f);
+    prefetch(&neighbors[f]);
   };
   for (Index first = 0; first < neighbors.size(); ++first)
     for (outside.push_back(first); !outside.empty();) {
