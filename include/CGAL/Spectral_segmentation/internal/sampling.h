@@ -73,28 +73,29 @@ Shape_contexts shape_contexts(const Face_dual_graph& graph, Index first_referenc
   Shape_contexts contexts;
   k = (std::min)(k, n);
   contexts.values.resize(n, k);
+  const auto grow_tree = [&](std::size_t j, Index reference) {
+    Path_angles paths(n);
+    grow_paths(weighted, reference, paths);
+    for (Index f = 0; f < n; ++f)
+      contexts.values(f, j) = paths.angles(f);
+    return paths;
+  };
+  between_trees();
+  contexts.references.push_back(first_reference);
   Path_lengths to_nearest(n);
+  {
+    const Path_angles first_tree = grow_tree(0, first_reference);
+    for (Index f = 0; f < n; ++f)
+      to_nearest.lengths[f] = first_tree.length(f);
+  }
+
   Task_group<ConcurrencyTag> trees;
-  for (std::size_t j = 0; j < k; ++j) {
+  for (std::size_t j = 1; j < k; ++j) {
     between_trees();
-    const Index reference = contexts.references.empty() ? first_reference : static_cast<Index>(
-      std::max_element(to_nearest.lengths.begin(), to_nearest.lengths.end()) -
-      to_nearest.lengths.begin());
+    const auto farthest = std::max_element(to_nearest.lengths.begin(), to_nearest.lengths.end());
+    const Index reference = static_cast<Index>(farthest - to_nearest.lengths.begin());
     contexts.references.push_back(reference);
-    const auto grow_tree = [&, j, reference] {
-      Path_angles paths(n);
-      grow_paths(weighted, reference, paths);
-      for (Index f = 0; f < n; ++f)
-        contexts.values(f, j) = paths.angles(f);
-      if (j == 0) // which is no search more for the next reference
-        for (Index f = 0; f < n; ++f)
-          to_nearest.lengths[f] = paths.length(f);
-    };
-    if (j == 0) {
-      grow_tree();
-      continue;
-    }
-    trees.run(grow_tree);
+    trees.run([&, j, reference] { grow_tree(j, reference); });
     if (j + 1 < k)
       grow_paths(weighted, reference, to_nearest);
   }
