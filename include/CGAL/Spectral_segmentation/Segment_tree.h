@@ -35,7 +35,6 @@ class Recursion;
 template <class ConcurrencyTag, class Monitor, class Observer>
 class Cut_and_merge;
 class Cut_transfer;
-inline void set_faces(Segment_tree&, const std::vector<Index>&);
 inline void number_faces(Segment_tree&, const std::vector<Index>&, const std::vector<Neighbors>&);
 }
 /// \endcond
@@ -205,7 +204,6 @@ private:
   template <class ConcurrencyTag, class Monitor, class Observer>
   friend class internal::Cut_and_merge;
   friend class internal::Cut_transfer;
-  friend void internal::set_faces(Segment_tree&, const std::vector<internal::Index>&);
   friend void internal::number_faces(Segment_tree&, const std::vector<internal::Index>&,
                                      const std::vector<internal::Neighbors>&);
 
@@ -215,24 +213,46 @@ private:
   Segment_tree(const std::vector<internal::Index>& component, const std::vector<double>& areas,
                double unit, const internal::Options& options)
     : number_of_roots_(areas.size()), nodes_(areas.size()), first_face_(areas.size()),
-      smallest_face_(areas.size()), areas_(areas), unit_(unit),
-      faces_(component.size()),
+      areas_(areas), unit_(unit),
       maximum_number_of_segments_(options.maximum_number_of_segments),
       salience_threshold_(options.salience_threshold)
   {
-    for (internal::Index c : component)
-      ++nodes_[c].number_of_faces;
-    size_type first = 0;
-    for (size_type c = 0; c < areas.size(); ++c) {
-      nodes_[c].area = areas[c] * unit * unit;
-      first_face_[c] = first;
-      first += nodes_[c].number_of_faces;
-    }
-    std::vector<size_type> next = first_face_;
-    for (size_type f = 0; f < component.size(); ++f)
-      faces_[next[component[f]]++] = static_cast<internal::Index>(f);
     for (size_type c = 0; c < areas.size(); ++c)
-      smallest_face_[c] = faces_[first_face_[c]];
+      nodes_[c].area = areas[c] * unit * unit;
+    set_faces(component);
+  }
+
+  // Puts faces into the leaves, of which each gets one or more, in place of those that were there.
+  void set_faces(const std::vector<internal::Index>& leaf)
+  {
+    for (Node& n : nodes_)
+      n.number_of_faces = 0;
+    smallest_face_.assign(nodes_.size(), internal::null_index);
+    for (internal::Index f = 0; f < leaf.size(); ++f) {
+      ++nodes_[leaf[f]].number_of_faces;
+      smallest_face_[leaf[f]] = (std::min)(smallest_face_[leaf[f]], f);
+    }
+    for (size_type i = nodes_.size(); i-- > 0;)
+      if (!nodes_[i].is_leaf())
+        for (size_type child : nodes_[i].children) {
+          nodes_[i].number_of_faces += nodes_[child].number_of_faces;
+          smallest_face_[i] = (std::min)(smallest_face_[i], smallest_face_[child]);
+        }
+    size_type first = 0;
+    for (size_type i = 0; i < number_of_roots_; ++i) {
+      first_face_[i] = first;
+      first += nodes_[i].number_of_faces;
+    }
+    for (size_type i = 0; i < nodes_.size(); ++i)
+      if (!nodes_[i].is_leaf()) {
+        const auto& [a, b] = nodes_[i].children;
+        first_face_[a] = first_face_[i];
+        first_face_[b] = first_face_[i] + nodes_[a].number_of_faces;
+      }
+    faces_.resize(leaf.size());
+    std::vector<size_type> next(first_face_);
+    for (internal::Index f = 0; f < leaf.size(); ++f)
+      faces_[next[leaf[f]]++] = f;
   }
 
   // The order of the cuts: that in which they were made if the tree is whole, else large parts come
@@ -364,40 +384,6 @@ inline std::vector<Index> leaves(const Segment_tree& tree)
   return leaf;
 }
 
-// Puts other faces into the leaves, of which each gets one or more.
-inline void set_faces(Segment_tree& tree, const std::vector<Index>& leaf)
-{
-  std::vector<Segment_tree::Node>& nodes = tree.nodes_;
-  for (Segment_tree::Node& n : nodes)
-    n.number_of_faces = 0;
-  tree.smallest_face_.assign(nodes.size(), null_index);
-  for (Index f = 0; f < leaf.size(); ++f) {
-    ++nodes[leaf[f]].number_of_faces;
-    tree.smallest_face_[leaf[f]] = (std::min)(tree.smallest_face_[leaf[f]], f);
-  }
-  for (std::size_t i = nodes.size(); i-- > 0;)
-    if (!nodes[i].is_leaf())
-      for (std::size_t child : nodes[i].children) {
-        nodes[i].number_of_faces += nodes[child].number_of_faces;
-        tree.smallest_face_[i] = (std::min)(tree.smallest_face_[i], tree.smallest_face_[child]);
-      }
-  std::size_t first = 0;
-  for (std::size_t i = 0; i < tree.number_of_roots_; ++i) {
-    tree.first_face_[i] = first;
-    first += nodes[i].number_of_faces;
-  }
-  for (std::size_t i = 0; i < nodes.size(); ++i)
-    if (!nodes[i].is_leaf()) {
-      const auto& [a, b] = nodes[i].children;
-      tree.first_face_[a] = tree.first_face_[i];
-      tree.first_face_[b] = tree.first_face_[i] + nodes[a].number_of_faces;
-    }
-  tree.faces_.resize(leaf.size());
-  std::vector<std::size_t> next(tree.first_face_);
-  for (Index f = 0; f < leaf.size(); ++f)
-    tree.faces_[next[leaf[f]]++] = f;
-}
-
 // Numbers the faces of a run as the mesh does: f becomes `number[f]`. `neighbors` are those of the
 // faces of the run if boundaries shall be smoothed.
 inline void number_faces(Segment_tree& tree, const std::vector<Index>& number,
@@ -407,7 +393,7 @@ inline void number_faces(Segment_tree& tree, const std::vector<Index>& number,
   std::vector<Index> numbered(leaf.size());
   for (Index f = 0; f < leaf.size(); ++f)
     numbered[number[f]] = leaf[f];
-  set_faces(tree, numbered);
+  tree.set_faces(numbered);
   tree.neighbors_.resize(neighbors.size());
   for (Index f = 0; f < neighbors.size(); ++f)
     for (int i = 0; i < 3; ++i)

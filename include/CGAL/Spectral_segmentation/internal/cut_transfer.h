@@ -380,7 +380,7 @@ public:
     std::vector<Index> leaf(mesh_.number_of_faces());
     for (Index f = 0; f < leaf.size(); ++f)
       leaf[f] = leaf_of_cell[cell_[f]];
-    set_faces(tree, leaf);
+    tree.set_faces(leaf);
     return tree;
   }
 };
