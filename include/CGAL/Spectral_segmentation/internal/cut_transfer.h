@@ -17,11 +17,12 @@
 
 #include <CGAL/Iterator_range.h>
 
+#include <boost/graph/compressed_sparse_row_graph.hpp>
+
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstddef>
-#include <unordered_map>
 #include <utility>
 #include <vector>
 
@@ -35,32 +36,35 @@ namespace internal {
 // Where a side is not connected then, the smaller pieces go to the other side.
 //
 // The faces that may be between the sides of any cut, and those next to them, are the bands. What
-// is connected beyond them is divided by no cut. So cuts divide cells: a cell is a face of the
-// bands or such a core.
+// is connected beyond them is divided by no cut. So cuts divide cells: the faces of the bands, and
+// after them such cores.
 class Cut_transfer
 {
   enum Side : char { Q, REST, BETWEEN, OUTSIDE }; // OUTSIDE: not in the part that is cut
 
   typedef Iterator_range<std::vector<Index>::const_iterator> Cells; // of a node
+  typedef boost::no_property None;
+  typedef boost::compressed_sparse_row_graph<boost::directedS, None, None, None, Index, Index>
+    Cell_graph;
 
   const Segment_tree& cuts_;
   const Simplified_mesh& simplified_;
   const Face_dual_graph& mesh_;
 
+  std::vector<Index> faces_of_bands_;
   Face_dual_graph bands_;
-  std::vector<Index> number_in_bands_; // of each face; null_index if it is not there
 
   std::vector<Index> cell_;       // of each face
   std::vector<Index> first_face_; // of each cell
   std::vector<double> areas_;     // of each cell
-  std::unordered_map<Index, std::vector<Index> > neighbors_of_core_;
+  Cell_graph neighbors_;
 
-  std::vector<char> side_;     // of each cell
+  Sides side_;                 // of each cell
   std::vector<Index> reached_; // by the present flood
   std::vector<Index> flood_;   // the last one that reached each cell
   Index number_of_floods_ = 0;
 
-  bool is_in_bands(Index f) const { return number_in_bands_[f] != null_index; }
+  bool is_core(Index cell) const { return cell >= faces_of_bands_.size(); }
 
   std::array<Index, 3> values_at(const std::vector<Index>& of_vertex, Index f) const
   {
@@ -90,28 +94,26 @@ class Cut_transfer
     return result;
   }
 
-  // Numbers the faces of the bands, and returns them.
   template <class ConcurrencyTag>
-  std::vector<Index> number_bands()
+  void find_bands()
   {
     const std::vector<char> is_between = are_between<ConcurrencyTag>();
-    std::vector<Index> faces;
+    cell_.assign(mesh_.number_of_faces(), null_index);
     for (Index f = 0; f < mesh_.number_of_faces(); ++f) {
       bool is_needed = is_between[f];
       for (Index h = 3 * f; h < 3 * f + 3; ++h)
         is_needed = is_needed || is_between[mesh_.halfedges[h].neighbor];
       if (is_needed) {
-        number_in_bands_[f] = static_cast<Index>(faces.size());
-        faces.push_back(f);
+        cell_[f] = static_cast<Index>(faces_of_bands_.size());
+        faces_of_bands_.push_back(f);
       }
     }
-    return faces;
   }
 
   template <class ConcurrencyTag>
-  void set_bands(const std::vector<Index>& faces, const Options& options)
+  void set_bands(const Options& options)
   {
-    bands_ = Part_copier(mesh_)(faces);
+    bands_ = Part_copier(mesh_)(faces_of_bands_);
     const double area = total_area(bands_);
     const double radius = // which is relative to the area
       area > 0 ? options.concavity_radius * std::sqrt(total_area(mesh_) / area) : 0;
@@ -124,34 +126,36 @@ class Cut_transfer
   void set_cells()
   {
     std::size_t number;
-    cell_ = connected_components(mesh_, number, [&](Index f, Index g)
-      { return !is_in_bands(f) && !is_in_bands(g); });
-    first_face_.assign(number, null_index);
-    areas_.assign(number, 0);
-    side_.assign(number, OUTSIDE);
-    flood_.assign(number, 0);
+    const std::vector<Index> component = connected_components(mesh_, number, [&](Index f, Index g)
+      { return cell_[f] == null_index && cell_[g] == null_index; });
+    std::vector<Index> core(number, null_index); // of each component
+    first_face_ = faces_of_bands_;
     for (Index f = 0; f < cell_.size(); ++f) {
+      if (cell_[f] != null_index)
+        continue;
+      Index& cell = core[component[f]];
+      if (cell == null_index) {
+        cell = static_cast<Index>(first_face_.size());
+        first_face_.push_back(f);
+      }
+      cell_[f] = cell;
+    }
+    areas_.assign(first_face_.size(), 0);
+    for (Index f = 0; f < cell_.size(); ++f)
       areas_[cell_[f]] += mesh_.areas[f];
-      first_face_[cell_[f]] = (std::min)(first_face_[cell_[f]], f);
-      if (!is_in_bands(f))
-        for (Index h = 3 * f; h < 3 * f + 3; ++h)
-          if (is_in_bands(mesh_.halfedges[h].neighbor))
-            neighbors_of_core_[cell_[f]].push_back(cell_[mesh_.halfedges[h].neighbor]);
-    }
-  }
+    side_.assign(first_face_.size(), OUTSIDE);
+    flood_.assign(first_face_.size(), 0);
 
-  template <class Visit>
-  void for_each_neighbor(Index cell, const Visit& visit) const
-  {
-    const Index f = first_face_[cell];
-    if (is_in_bands(f)) {
-      for (Index h = 3 * f; h < 3 * f + 3; ++h)
-        visit(cell_[mesh_.halfedges[h].neighbor]);
-      return;
-    }
-    const auto core = neighbors_of_core_.find(cell);
-    if (core != neighbors_of_core_.end())
-      std::for_each(core->second.begin(), core->second.end(), visit);
+    std::vector<std::pair<Index, Index> > arcs;
+    for (Index cell = 0; cell < faces_of_bands_.size(); ++cell)
+      for (Index h = 3 * first_face_[cell]; h < 3 * first_face_[cell] + 3; ++h) {
+        const Index neighbor = cell_[mesh_.halfedges[h].neighbor];
+        arcs.emplace_back(cell, neighbor);
+        if (is_core(neighbor))
+          arcs.emplace_back(neighbor, cell);
+      }
+    neighbors_ = Cell_graph(boost::edges_are_unsorted_multi_pass, arcs.begin(), arcs.end(),
+                            static_cast<Index>(first_face_.size()));
   }
 
   // Tells whether there are cells on either side.
@@ -176,20 +180,16 @@ class Cut_transfer
 
   void divide_band(const Cells& cells)
   {
-    Sides in_bands(bands_.number_of_faces(), OUTSIDE);
+    Sides side(side_.begin(), side_.begin() + static_cast<std::ptrdiff_t>(faces_of_bands_.size()));
     std::vector<Index> band;
-    for (Index cell : cells) {
-      const Index b = number_in_bands_[first_face_[cell]];
-      if (b == null_index)
-        continue;
-      in_bands[b] = side_[cell] == BETWEEN ? char(Q) : side_[cell];
-      if (side_[cell] == BETWEEN)
-        band.push_back(b);
-    }
-    in_bands = minimum_cut_within(bands_, band, in_bands);
     for (Index cell : cells)
-      if (side_[cell] == BETWEEN)
-        side_[cell] = in_bands[number_in_bands_[first_face_[cell]]];
+      if (side_[cell] == BETWEEN) {
+        side[cell] = Q;
+        band.push_back(cell);
+      }
+    side = minimum_cut_within(bands_, band, side);
+    for (Index cell : band)
+      side_[cell] = side[cell];
   }
 
   // Where a side is so thin that all of it is between: the faces that are left in the simplified
@@ -210,12 +210,11 @@ class Cut_transfer
       }
     for (std::size_t i = 0; i < reached.size(); ++i) {
       const char side = side_[reached[i]];
-      for_each_neighbor(reached[i], [&](Index cell) {
+      for (Index cell : make_range(boost::adjacent_vertices(reached[i], neighbors_)))
         if (side_[cell] == BETWEEN) {
           side_[cell] = side;
           reached.push_back(cell);
         }
-      });
     }
     for (Index cell : cells)
       if (side_[cell] == BETWEEN) // nothing was reached
@@ -229,12 +228,11 @@ class Cut_transfer
     reached_.push_back(first);
     flood_[first] = number_of_floods_;
     for (; next < reached_.size(); ++next)
-      for_each_neighbor(reached_[next], [&](Index cell) {
+      for (Index cell : make_range(boost::adjacent_vertices(reached_[next], neighbors_)))
         if (side_[cell] == side_[first] && flood_[cell] != number_of_floods_) {
           flood_[cell] = number_of_floods_;
           reached_.push_back(cell);
         }
-      });
   }
 
   void start_flood()
@@ -357,19 +355,18 @@ class Cut_transfer
 public:
   Cut_transfer(const Segment_tree& cuts, const Simplified_mesh& simplified,
                const Face_dual_graph& mesh)
-    : cuts_(cuts), simplified_(simplified), mesh_(mesh),
-      number_in_bands_(mesh.number_of_faces(), null_index)
+    : cuts_(cuts), simplified_(simplified), mesh_(mesh)
   {}
 
   template <class ConcurrencyTag>
   Segment_tree operator()(const Options& options)
   {
-    const std::vector<Index> faces_of_bands = number_bands<ConcurrencyTag>();
+    find_bands<ConcurrencyTag>();
     std::size_t number_of_components;
     std::vector<Index> component;
     for_each_index<ConcurrencyTag>(3, [&](std::size_t task) {
       if (task == 0)
-        set_bands<ConcurrencyTag>(faces_of_bands, options);
+        set_bands<ConcurrencyTag>(options);
       else if (task == 1)
         set_cells();
       else
