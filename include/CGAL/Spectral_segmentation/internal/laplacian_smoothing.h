@@ -22,6 +22,8 @@ std::vector<Vector> smoothed_points(const Face_dual_graph& graph, std::size_t it
                                     const GoFurther& go_further)
 {
   std::vector<Vector> points = graph.points;
+  if (iterations == 0)
+    return points;
   std::vector<char> is_fixed(points.size(), 0);
   for (Index h = 0; h < graph.halfedges.size(); ++h)
     if (graph.is_border(h))

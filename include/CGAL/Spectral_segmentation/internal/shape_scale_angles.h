@@ -52,39 +52,41 @@ std::vector<double> shape_scale_angles(const Face_dual_graph& mesh,
     return angles;
   Eigen::Matrix<double, Eigen::Dynamic, 6> tensors;
   tensors.setZero(static_cast<Eigen::Index>(mesh.number_of_faces()), 6);
-  for (Index h = 0; h < mesh.halfedges.size(); ++h) {
-    const Index f = h / 3, g = mesh.halfedges[h].neighbor;
-    const Vector edge = edge_vector(h);
-    const double length = edge.norm();
-    const double area = mesh.areas[f] + mesh.areas[g];
-    if (mesh.is_border(h) || length == 0 || area == 0)
-      continue;
-    const double angle =
-      std::atan2(normals[f].cross(normals[g]).dot(edge) / length, normals[f].dot(normals[g]));
-    // By area, lest a sliver beside a sharp edge has nearly all of its density.
-    tensors.row(f) += angle * mesh.areas[f] / area / length * squared(edge);
-  }
-  const Diffusion diffusion(mesh, points, radius);
+  for_each_index<ConcurrencyTag>(mesh.number_of_faces(), [&](Index f) {
+    for (Index h = 3 * f; h < 3 * f + 3; ++h) {
+      const Index g = mesh.halfedges[h].neighbor;
+      const Vector edge = edge_vector(h);
+      const double length = edge.norm();
+      const double area = mesh.areas[f] + mesh.areas[g];
+      if (mesh.is_border(h) || length == 0 || area == 0)
+        continue;
+      const double angle =
+        std::atan2(normals[f].cross(normals[g]).dot(edge) / length, normals[f].dot(normals[g]));
+      // By area, lest a sliver beside a sharp edge has nearly all of its density.
+      tensors.row(f) += angle * mesh.areas[f] / area / length * squared(edge);
+    }
+  });
+  const Diffusion diffusion(mesh, points, radius, ConcurrencyTag());
   for_each_index<ConcurrencyTag>(6, [&](std::size_t i) {
     const Eigen::Index column = static_cast<Eigen::Index>(i);
     tensors.col(column) = diffusion(tensors.col(column));
   });
 
   const double way = 2 * diffusion.radius();
-  for (Index h = 0; h < angles.size(); ++h) {
+  for_each_index<ConcurrencyTag>(angles.size(), [&](Index h) {
     const Index f = h / 3, g = mesh.halfedges[h].neighbor;
     const Vector edge = edge_vector(h);
     const double area = mesh.areas[f] + mesh.areas[g];
     const double squared_length = edge.squaredNorm();
     if (mesh.is_border(h) || squared_length == 0 || area == 0)
-      continue;
+      return;
     const Symmetric_tensor tensor =
       (mesh.areas[f] * tensors.row(f) + mesh.areas[g] * tensors.row(g)) / area;
     const double curvature = tensor.dot(squared(edge)) / squared_length;
     const double angle = way * curvature;
     if (std::abs(angle) > 1e-6) // below, which is rounding, the surface is flat
       angles[h] = (std::min)((std::max)(angle, -CGAL_PI), CGAL_PI);
-  }
+  });
   return angles;
 }
 
