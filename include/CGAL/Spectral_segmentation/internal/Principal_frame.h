@@ -7,6 +7,8 @@
 #include <CGAL/Spectral_segmentation/internal/Face_dual_graph.h>
 #include <CGAL/Spectral_segmentation/internal/parts.h>
 
+#include <CGAL/tags.h>
+
 #include <Eigen/Core>
 #include <Eigen/Eigenvalues>
 #include <Eigen/Geometry>
@@ -23,24 +25,20 @@ class Principal_frame
   Eigen::Matrix3d axes_ = Eigen::Matrix3d::Identity(); // the rows
 
 public:
-  explicit Principal_frame(const Face_dual_graph& mesh)
+  template <class ConcurrencyTag = Sequential_tag>
+  explicit Principal_frame(const Face_dual_graph& mesh, ConcurrencyTag = ConcurrencyTag())
   {
     const double area = total_area(mesh);
     if (!(area > 0))
       return;
-    for (Index f = 0; f < mesh.number_of_faces(); ++f)
-      center_ += mesh.areas[f] / area * mesh.centroid(f);
-    Eigen::Matrix3d covariance = Eigen::Matrix3d::Zero();
-    for (Index f = 0; f < mesh.number_of_faces(); ++f) {
-      const Vector p = mesh.centroid(f) - center_;
-      covariance += mesh.areas[f] / area * p * p.transpose();
-    }
+    center_ = center_of<ConcurrencyTag>(mesh, area);
+    const Eigen::Matrix3d covariance =
+      mean_over_surface<ConcurrencyTag, Eigen::Matrix3d>(mesh, area, [&](const Vector& p)
+        { return ((p - center_) * (p - center_).transpose()).eval(); });
     axes_ = Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d>(covariance).eigenvectors().transpose();
-    Vector skewness = Vector::Zero();
-    for (Index f = 0; f < mesh.number_of_faces(); ++f) {
-      const Vector p = vector(mesh.centroid(f) - center_);
-      skewness += mesh.areas[f] / area * p.cwiseProduct(p).cwiseProduct(p);
-    }
+    const Vector skewness =
+      mean_over_surface<ConcurrencyTag, Vector>(mesh, area, [&](const Vector& p)
+        { return point(p).array().cube().matrix().eval(); });
     for (int i = 0; i < 2; ++i)
       if (skewness[i] < 0)
         axes_.row(i) *= -1;

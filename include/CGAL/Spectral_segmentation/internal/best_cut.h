@@ -41,7 +41,7 @@ Shape_contexts shape_contexts(const Part& part, const Options& options, Monitor&
 {
   const Index first = options.random_seed
     ? random_face(part.graph, *options.random_seed, part.faces.front())
-    : farthest_face_from_center(part.graph);
+    : farthest_face_from_center<ConcurrencyTag>(part.graph);
   return shape_contexts<ConcurrencyTag>(part.graph, first, options.number_of_reference_faces,
                                         [&] { monitor.check(); });
 }
@@ -171,7 +171,7 @@ std::optional<Cut> best_cut(const Part& part, const Judged_mesh& mesh, const Opt
   Shape_contexts contexts;
   const Sample_faces samples = monitor.stage(Stage::SAMPLING, part.node, [&] {
     contexts = shape_contexts<ConcurrencyTag>(part, options, monitor);
-    return sample_faces(contexts);
+    return sample_faces<ConcurrencyTag>(contexts);
   });
 
   // 2. distances from both; 3. to 5. the order of the faces on the line, for which neither kernel

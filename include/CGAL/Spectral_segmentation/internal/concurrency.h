@@ -12,8 +12,11 @@
 #include <tbb/task_group.h>
 #endif
 
+#include <algorithm>
 #include <cstddef>
+#include <numeric>
 #include <type_traits>
+#include <vector>
 
 namespace CGAL {
 namespace Spectral_segmentation {
@@ -49,6 +52,22 @@ void for_each_index(std::size_t n, const Function& f)
 #endif
   for (std::size_t i = 0; i < n; ++i)
     f(i);
+}
+
+// The sum of f(0) .. f(n - 1), which begins with a zero of its type. It is taken in blocks, so that
+// its rounding does not depend on the number of threads.
+template <class ConcurrencyTag, class Value, class Function>
+Value sum_of(std::size_t n, const Value& zero, const Function& f)
+{
+  constexpr std::size_t size_of_block = 4096;
+  std::vector<Value> sums((n + size_of_block - 1) / size_of_block, zero);
+  for_each_index<ConcurrencyTag>(sums.size(), [&](std::size_t block) {
+    Value sum = zero;
+    for (std::size_t i = block * size_of_block; i < (std::min)((block + 1) * size_of_block, n); ++i)
+      sum += f(i);
+    sums[block] = sum;
+  });
+  return std::accumulate(sums.begin(), sums.end(), zero);
 }
 
 // Functions that run beside the caller, who waits for them; without threads `run()` calls them.

@@ -130,11 +130,11 @@ class Cut_and_merge
       const std::optional<std::size_t> next = next_piece();
       if (!next)
         return;
-      const Piece whole = std::move(pieces_[*next]);
+      Piece whole = std::move(pieces_[*next]);
       std::vector<Index> faces[2];
       for (std::size_t i = 0; i < whole.part.faces.size(); ++i)
         faces[int(whole.cut->side[i])].push_back(whole.part.faces[i]);
-      std::vector<Face_dual_graph> sides = split(whole.part.graph, whole.cut->side, 2);
+      std::vector<Face_dual_graph> sides = split(std::move(whole.part.graph), whole.cut->side, 2);
       pieces_.erase(pieces_.begin() + static_cast<std::ptrdiff_t>(*next));
       for (int s = 0; s < 2; ++s)
         add_piece(std::move(sides[s]), std::move(faces[s]));

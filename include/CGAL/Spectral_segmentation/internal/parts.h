@@ -5,13 +5,16 @@
 #define CGAL_SPECTRAL_SEGMENTATION_INTERNAL_PARTS_H
 
 #include <CGAL/Spectral_segmentation/internal/Face_dual_graph.h>
+#include <CGAL/Spectral_segmentation/internal/concurrency.h>
 
 #include <boost/pending/disjoint_sets.hpp>
 #include <boost/property_map/property_map.hpp>
 
+#include <algorithm>
 #include <array>
 #include <cstddef>
 #include <numeric>
+#include <utility>
 #include <vector>
 
 namespace CGAL {
@@ -94,25 +97,19 @@ inline std::vector<double> component_areas(const Face_dual_graph& graph,
   return areas;
 }
 
-// Makes compact copies of sets of faces of a graph, each in time linear in the size of the set. It
+// Makes compact graphs of sets of faces of a graph, each in time linear in the size of the set. It
 // holds arrays of the size of the graph.
 class Part_copier
 {
   const Face_dual_graph& graph_;
   std::vector<Index> face_, vertex_; // their numbers in the part at hand, else null_index
 
-  void add_vertices(Index f, Face_dual_graph& part)
+  void resize(Face_dual_graph& part, std::size_t number_of_faces) const
   {
-    std::array<Index, 3> corners;
-    for (int i = 0; i < 3; ++i) {
-      const Index v = graph_.corners[f][i];
-      if (vertex_[v] == null_index) {
-        vertex_[v] = static_cast<Index>(part.points.size());
-        part.points.push_back(graph_.points[v]);
-      }
-      corners[i] = vertex_[v];
-    }
-    part.corners.push_back(corners);
+    part.corners.resize(number_of_faces);
+    part.areas.resize(number_of_faces);
+    part.thickness.resize(graph_.thickness.empty() ? 0 : number_of_faces);
+    part.halfedges.resize(3 * number_of_faces);
   }
 
 public:
@@ -120,49 +117,71 @@ public:
     : graph_(graph), face_(graph.number_of_faces(), null_index),
       vertex_(graph.points.size(), null_index) {}
 
-  // Faces keep the order in which they are given; edges to other faces become border.
-  Face_dual_graph operator()(const std::vector<Index>& faces)
+  // Faces keep the order in which they are given; edges to other faces become border. If they
+  // ascend, `part` may be the graph itself, which is what is left of it then.
+  void copy(const std::vector<Index>& faces, Face_dual_graph& part)
   {
+    if (part.number_of_faces() < faces.size())
+      resize(part, faces.size());
     for (Index i = 0; i < faces.size(); ++i)
       face_[faces[i]] = i;
-    Face_dual_graph part;
-    part.unit = graph_.unit;
-    part.corners.reserve(faces.size());
-    part.areas.reserve(faces.size());
-    part.halfedges.reserve(3 * faces.size());
-    for (Index f : faces) {
-      add_vertices(f, part);
-      part.areas.push_back(graph_.areas[f]);
-      if (!graph_.thickness.empty())
-        part.thickness.push_back(graph_.thickness[f]);
-      for (Index h = 3 * f; h < 3 * f + 3; ++h) {
-        Face_dual_graph::Halfedge halfedge = graph_.halfedges[h];
+    std::vector<Vector> points;
+    std::vector<Index> vertices; // of the graph
+    for (Index i = 0; i < faces.size(); ++i) {
+      const Index f = faces[i];
+      for (int j = 0; j < 3; ++j) {
+        const Index v = graph_.corners[f][j];
+        if (vertex_[v] == null_index) {
+          vertex_[v] = static_cast<Index>(vertices.size());
+          vertices.push_back(v);
+          points.push_back(graph_.points[v]);
+        }
+        part.corners[i][j] = vertex_[v];
+        Face_dual_graph::Halfedge halfedge = graph_.halfedges[3 * f + j];
         const Index neighbor = face_[halfedge.neighbor];
-        halfedge.neighbor = neighbor == null_index ? face_[f] : neighbor;
-        part.halfedges.push_back(halfedge);
+        halfedge.neighbor = neighbor == null_index ? i : neighbor;
+        part.halfedges[3 * i + j] = halfedge;
       }
+      part.areas[i] = graph_.areas[f];
+      if (!graph_.thickness.empty())
+        part.thickness[i] = graph_.thickness[f];
     }
-    for (Index f : faces) {
+    resize(part, faces.size());
+    part.points = std::move(points);
+    part.unit = graph_.unit;
+    for (Index f : faces)
       face_[f] = null_index;
-      for (Index v : graph_.corners[f])
-        vertex_[v] = null_index;
-    }
+    for (Index v : vertices)
+      vertex_[v] = null_index;
+  }
+
+  Face_dual_graph operator()(const std::vector<Index>& faces)
+  {
+    Face_dual_graph part;
+    copy(faces, part);
     return part;
   }
 };
 
 // The pieces of a graph. `piece` has the number of the piece of each face. Faces keep their order.
+// The largest piece stays in the memory of the graph.
 template <class Number>
-std::vector<Face_dual_graph> split(const Face_dual_graph& graph, const std::vector<Number>& piece,
+std::vector<Face_dual_graph> split(Face_dual_graph graph, const std::vector<Number>& piece,
                                    std::size_t number_of_pieces)
 {
   std::vector<std::vector<Index> > faces(number_of_pieces);
   for (Index f = 0; f < graph.number_of_faces(); ++f)
     faces[piece[f]].push_back(f);
-  Part_copier copy(graph);
-  std::vector<Face_dual_graph> result;
-  for (const std::vector<Index>& f : faces)
-    result.push_back(copy(f));
+  const auto has_less = [](const auto& a, const auto& b) { return a.size() < b.size(); };
+  const std::size_t largest =
+    std::max_element(faces.begin(), faces.end(), has_less) - faces.begin();
+  Part_copier copier(graph);
+  std::vector<Face_dual_graph> result(number_of_pieces);
+  for (std::size_t i = 0; i < number_of_pieces; ++i)
+    if (i != largest)
+      copier.copy(faces[i], result[i]);
+  copier.copy(faces[largest], graph);
+  result[largest] = std::move(graph);
   return result;
 }
 
@@ -176,6 +195,21 @@ inline std::vector<Neighbors> neighbors(const Face_dual_graph& graph)
 
 inline double total_area(const Face_dual_graph& graph)
 { return std::accumulate(graph.areas.begin(), graph.areas.end(), 0.); }
+
+// The mean of a function of the points of the surface, taken at the centroids of the faces. `area`
+// is that of the graph, and not 0.
+template <class ConcurrencyTag, class Value, class Function>
+Value mean_over_surface(const Face_dual_graph& graph, double area, const Function& of_point)
+{
+  return sum_of<ConcurrencyTag>(graph.number_of_faces(), Value(Value::Zero()), [&](Index f)
+    { return Value(graph.areas[f] / area * of_point(graph.centroid(f))); });
+}
+
+template <class ConcurrencyTag>
+Vector center_of(const Face_dual_graph& graph, double area)
+{
+  return mean_over_surface<ConcurrencyTag, Vector>(graph, area, [](const Vector& p) { return p; });
+}
 
 } // namespace internal
 } // namespace Spectral_segmentation

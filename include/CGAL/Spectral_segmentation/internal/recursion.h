@@ -76,7 +76,7 @@ class Recursion
   {
     const std::size_t node = *queue_.begin();
     queue_.erase(queue_.begin());
-    const Candidate candidate = std::move(candidates_[node]);
+    Candidate candidate = std::move(candidates_[node]);
     candidates_.erase(node);
     if (!candidate.cut) {
       tree_.set_cut(node, Segment_tree::Cut_state::NO_CUT, 0, Salience_factors());
@@ -90,7 +90,7 @@ class Recursion
     tree_.set_cut(node, Segment_tree::Cut_state::ACCEPTED, cut.salience, cut.factors);
     tree_.cut(node, cut.side, cut.area);
     if (tree_.number_of_segments() < options_.maximum_number_of_segments) {
-      std::vector<Face_dual_graph> sides = split(candidate.part.graph, cut.side, 2);
+      std::vector<Face_dual_graph> sides = split(std::move(candidate.part.graph), cut.side, 2);
       for (int i = 0; i < 2; ++i)
         add_candidate(tree_.node(node).children[i], std::move(sides[i]));
     }
@@ -111,7 +111,7 @@ public:
     if (number_of_components == 1)
       parts.push_back(std::move(mesh));
     else
-      parts = split(mesh, component, number_of_components);
+      parts = split(std::move(mesh), component, number_of_components);
     for (std::size_t i = 0; i < parts.size(); ++i)
       add_candidate(i, std::move(parts[i]));
   }

@@ -25,19 +25,14 @@ namespace internal {
 
 // The first reference face: the paper takes a random one. The face farthest from the center of the
 // part is as good, is at the end of a limb, and does not depend on the numbers of the faces.
-inline Index farthest_face_from_center(const Face_dual_graph& graph)
+template <class ConcurrencyTag = Sequential_tag>
+Index farthest_face_from_center(const Face_dual_graph& graph)
 {
-  Vector center = Vector::Zero();
-  double area = 0;
-  for (Index f = 0; f < graph.number_of_faces(); ++f) {
-    center += graph.areas[f] * graph.centroid(f);
-    area += graph.areas[f];
-  }
-  if (area > 0)
-    center /= area;
+  const double area = total_area(graph);
+  const Vector center = area > 0 ? center_of<ConcurrencyTag>(graph, area) : Vector(Vector::Zero());
   std::vector<double> distance(graph.number_of_faces());
-  for (Index f = 0; f < graph.number_of_faces(); ++f)
-    distance[f] = (graph.centroid(f) - center).squaredNorm();
+  for_each_index<ConcurrencyTag>(distance.size(), [&](Index f)
+    { distance[f] = (graph.centroid(f) - center).squaredNorm(); });
   const double largest = *std::max_element(distance.begin(), distance.end());
   // The first of those that are as far but for rounding.
   return static_cast<Index>(
@@ -110,15 +105,17 @@ struct Sample_faces
 };
 
 // The two samples (Section 4.2) of a part with two faces or more. Of equals the first is taken.
-inline Sample_faces sample_faces(const Shape_contexts& contexts)
+template <class ConcurrencyTag = Sequential_tag>
+Sample_faces sample_faces(const Shape_contexts& contexts)
 {
   const auto farthest = [&](const Eigen::RowVectorXf& from, Index except) {
     std::vector<double> squared(contexts.values.rows(), 0);
-    for (Eigen::Index j = 0; j < contexts.values.cols(); ++j)
-      for (Index f = 0; f < squared.size(); ++f) {
+    for_each_index<ConcurrencyTag>(squared.size(), [&](Index f) {
+      for (Eigen::Index j = 0; j < contexts.values.cols(); ++j) {
         const double difference = double(contexts.values(f, j)) - from[j];
         squared[f] += difference * difference;
       }
+    });
     if (except != null_index)
       squared[except] = -1;
     return static_cast<Index>(std::max_element(squared.begin(), squared.end()) - squared.begin());
