@@ -135,13 +135,21 @@ std::optional<Cut> line_search(const Face_dual_graph& part, const std::vector<In
                                const PartSalience& part_salience, double minimum_area,
                                const Observer& observe = Observer())
 {
-  const std::vector<Neighbors> neighbors_of_faces = neighbors(part);
-  const Growth growth = grow_along(neighbors_of_faces, line);
-  const Index n = static_cast<Index>(growth.faces.size());
+  const Index n = static_cast<Index>(part.number_of_faces());
+  Growth growth;
   std::vector<Index> sizes[2]; // of Q, and of the rest
-  for (Index size : sizes_of_cuts(neighbors_of_faces, growth))
-    sizes[size <= n / 2 ? 0 : 1].push_back(size <= n / 2 ? size : n - size);
-  std::reverse(sizes[1].begin(), sizes[1].end());
+  std::optional<Meta_patch> empty;
+  for_each_index<ConcurrencyTag>(2, [&](std::size_t task) {
+    if (task == 0) {
+      empty.emplace(part);
+      return;
+    }
+    const std::vector<Neighbors> neighbors_of_faces = neighbors(part);
+    growth = grow_along(neighbors_of_faces, line);
+    for (Index size : sizes_of_cuts(neighbors_of_faces, growth))
+      sizes[size <= n / 2 ? 0 : 1].push_back(size <= n / 2 ? size : n - size);
+    std::reverse(sizes[1].begin(), sizes[1].end());
+  });
 
   struct Best
   {
@@ -149,7 +157,6 @@ std::optional<Cut> line_search(const Face_dual_graph& part, const std::vector<In
     Cut cut;
     double on_grid = -std::numeric_limits<double>::infinity();
   } best[2];
-  const Meta_patch empty(part);
   for_each_index<ConcurrencyTag>(2, [&](std::size_t half) {
     const auto visit = [&, half](const Meta_patch& patch, Index size) {
       const Index size_of_q = half == 0 ? size : n - size;
@@ -167,9 +174,9 @@ std::optional<Cut> line_search(const Face_dual_graph& part, const std::vector<In
       return true;
     };
     if (half == 0)
-      visit_cuts(growth.faces.begin(), growth.faces.end(), sizes[0], minimum_area, empty, visit);
+      visit_cuts(growth.faces.begin(), growth.faces.end(), sizes[0], minimum_area, *empty, visit);
     else
-      visit_cuts(growth.faces.rbegin(), growth.faces.rend(), sizes[1], minimum_area, empty, visit);
+      visit_cuts(growth.faces.rbegin(), growth.faces.rend(), sizes[1], minimum_area, *empty, visit);
   });
   Best& b = best[best[1].on_grid > best[0].on_grid ? 1 : 0];
   if (b.size_of_q == 0)
