@@ -282,6 +282,19 @@ BOOST_AUTO_TEST_CASE(steps_lead_from_the_mesh_to_the_number)
   BOOST_TEST(steps[1].graph.number_of_faces() <= 100);
 }
 
+BOOST_AUTO_TEST_CASE(only_the_last_step_of_a_large_mesh_leaves_no_more_than_the_number)
+{
+  const Face_dual_graph mesh = dual_graph_of(sphere(7)); // 327680 faces
+  const std::vector<Simplified_mesh> steps = simplify_in_steps(mesh, 4000);
+  BOOST_TEST_REQUIRE(steps.size() == 2);
+  check(mesh, steps[0]);
+  check(steps[0].graph, steps[1]);
+  BOOST_TEST(steps[0].graph.number_of_faces() >= 64000);
+  BOOST_TEST(steps[0].graph.number_of_faces() <= 96000);
+  BOOST_TEST(steps[1].graph.number_of_faces() <= 4000);
+  BOOST_TEST(steps[1].graph.number_of_faces() >= 3998);
+}
+
 BOOST_AUTO_TEST_CASE(a_large_mesh_is_simplified_in_domains_and_shows_no_seam)
 {
   const Face_dual_graph mesh = dual_graph_of(sphere(7)); // 327680 faces

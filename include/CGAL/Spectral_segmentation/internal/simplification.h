@@ -54,14 +54,15 @@ public:
 
 private:
   // Of lengths that are equal in their exponent and the first bits of their mantissa.
-  static constexpr int bits_of_bucket = 14;
+  static constexpr int bits_of_bucket = 13;
   typedef std::priority_queue<Edge, std::vector<Edge>, std::greater<Edge> > Queue;
 
   std::vector<std::vector<Edge> > buckets_;
   std::size_t current_ = 0;
   Queue queue_; // of the current bucket and those before
 
-  static std::size_t bucket(std::uint64_t key) { return key >> (64 - bits_of_bucket); }
+  // Without the sign, which is 0.
+  static std::size_t bucket(std::uint64_t key) { return key >> (63 - bits_of_bucket); }
 
 public:
   Edges_by_length() : buckets_(std::size_t(1) << bits_of_bucket) {}
@@ -379,16 +380,18 @@ class Edge_collapse
   {
     const std::vector<std::vector<Index> > faces = domains();
     std::vector<double> areas(faces.size(), 0);
+    for_each_index<ConcurrencyTag>(faces.size(), [&](std::size_t d) {
+      for (Index f : faces[d])
+        areas[d] += normal(3 * f, points_[source(3 * f)]).norm();
+    });
     std::vector<Index> domain(points_.size(), null_index);
     is_on_seam_.assign(points_.size(), 0);
     for (Index d = 0; d < faces.size(); ++d)
-      for (Index f : faces[d]) {
-        areas[d] += normal(3 * f, points_[source(3 * f)]).norm();
+      for (Index f : faces[d])
         for (Index v : corners_[f]) {
           is_on_seam_[v] = is_on_seam_[v] || (domain[v] != null_index && domain[v] != d);
           domain[v] = d;
         }
-      }
     const double faces_per_area = shared_by_area(static_cast<double>(number), faces, areas);
     for_each_index<ConcurrencyTag>(faces.size(), [&](std::size_t d) {
       // Those with an edge on a seam are left besides.
@@ -408,7 +411,7 @@ public:
     : corners_(mesh.corners), opposite_(mesh.halfedges.size(), null_index),
       points_(mesh.points.size()), became_(mesh.points.size()), is_fixed_(mesh.points.size(), 0)
   {
-    const Principal_frame frame(mesh);
+    const Principal_frame frame(mesh, ConcurrencyTag());
     for_each_index<ConcurrencyTag>(points_.size(), [&](std::size_t v)
       { points_[v] = on_fine_grid(frame.point(mesh.points[v])); });
     std::iota(became_.begin(), became_.end(), Index(0));
@@ -430,14 +433,17 @@ public:
     });
   }
 
-  // Until at most `number_of_faces` are left, or no edge is left to try.
-  void collapse_edges(std::size_t number_of_faces)
+  // Until at most `number_of_faces` are left, or no edge is left to try; or, if some more will do,
+  // those that are left at the seams of domains besides.
+  void collapse_edges(std::size_t number_of_faces, bool more_will_do)
   {
-    if (corners_.size() >= 4 * faces_per_domain)
+    const bool is_large = corners_.size() >= 4 * faces_per_domain;
+    if (is_large)
       collapse_edges_by_domains(number_of_faces);
-    collapse_edges(make_range(boost::counting_iterator<Index>(0),
-                              boost::counting_iterator<Index>(Index(corners_.size()))),
-                   number_of_faces);
+    if (!is_large || !more_will_do)
+      collapse_edges(make_range(boost::counting_iterator<Index>(0),
+                                boost::counting_iterator<Index>(Index(corners_.size()))),
+                     number_of_faces);
   }
 
   Simplified_mesh result(double unit)
@@ -451,22 +457,22 @@ public:
         continue;
       new_face[f] = static_cast<Index>(result.faces.size());
       result.faces.push_back(f);
-      for (Index& v : corners_[f]) {
+      for (Index v : corners_[f])
         if (new_vertex[v] == null_index) {
           new_vertex[v] = static_cast<Index>(graph.points.size());
           graph.points.push_back(points_[v]);
         }
-      }
-      graph.corners.push_back({new_vertex[corners_[f][0]], new_vertex[corners_[f][1]],
-                               new_vertex[corners_[f][2]]});
     }
-    for (Index f : result.faces)
-      for (Index h = 3 * f; h < 3 * f + 3; ++h) {
-        const Index o = opposite_[h];
-        Face_dual_graph::Halfedge halfedge;
-        halfedge.neighbor = new_face[o == null_index ? f : o / 3];
-        graph.halfedges.push_back(halfedge);
+    graph.corners.resize(result.faces.size());
+    graph.halfedges.resize(3 * result.faces.size());
+    for_each_index<ConcurrencyTag>(result.faces.size(), [&](std::size_t i) {
+      const Index f = result.faces[i];
+      for (Index j = 0; j < 3; ++j) {
+        const Index o = opposite_[3 * f + j];
+        graph.corners[i][j] = new_vertex[corners_[f][j]];
+        graph.halfedges[3 * i + j].neighbor = new_face[o == null_index ? f : o / 3];
       }
+    });
     set_sizes<ConcurrencyTag>(graph);
     // A vertex became one of those before which it was joined, and so on.
     result.vertices.resize(points_.size());
@@ -481,10 +487,11 @@ public:
 };
 
 template <class ConcurrencyTag>
-Simplified_mesh simplify(const Face_dual_graph& mesh, std::size_t number_of_faces)
+Simplified_mesh simplify(const Face_dual_graph& mesh, std::size_t number_of_faces,
+                         bool more_will_do = false)
 {
   Edge_collapse<ConcurrencyTag> collapse(mesh);
-  collapse.collapse_edges(number_of_faces);
+  collapse.collapse_edges(number_of_faces, more_will_do);
   return collapse.result(mesh.unit);
 }
 
@@ -501,8 +508,8 @@ std::vector<Simplified_mesh> simplify_in_steps(const Face_dual_graph& mesh,
     numbers.push_back(step * numbers.back());
   std::vector<Simplified_mesh> result;
   for (; !numbers.empty(); numbers.pop_back())
-    result.push_back(
-      simplify<ConcurrencyTag>(result.empty() ? mesh : result.back().graph, numbers.back()));
+    result.push_back(simplify<ConcurrencyTag>(result.empty() ? mesh : result.back().graph,
+                                              numbers.back(), numbers.size() > 1));
   return result;
 }
 
