@@ -234,6 +234,20 @@ inline Soup connected_sum(const Soup& a, const Soup& b)
   return soup;
 }
 
+// Closed and open, connected and not.
+inline const std::vector<Soup>& small_soups()
+{
+  static const std::vector<Soup> result = {
+    plate(1, 1), plate(4, 3), sphere(0), sphere(2), torus(2, 0.7, 3, 3), torus(2, 0.7, 9, 5),
+    surface_of_revolution({{0, 0}, {1, 1}, {2, 1}}, 7), dumbbell(6, 4),
+    connected_sum(torus(2, 0.7, 5, 4), torus(3, 1, 4, 6)), disjoint_union(sphere(0), plate(2, 2))};
+  return result;
+}
+
+// Two triangles glued on all three edges.
+inline Soup pillow()
+{ return {{Point(0, 0, 0), Point(1, 0, 0), Point(0, 1, 0)}, {{0, 1, 2}, {2, 1, 0}}}; }
+
 typedef std::mt19937 Random;
 
 // Moves each coordinate by up to `amount`.
