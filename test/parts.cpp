@@ -109,4 +109,9 @@ BOOST_AUTO_TEST_CASE(pieces_keep_their_faces_and_the_edges_between_them)
   }
 }
 
+BOOST_AUTO_TEST_CASE(an_empty_graph_has_no_pieces)
+{
+  BOOST_TEST(split(Face_dual_graph(), std::vector<Index>(), 0).empty());
+}
+
 BOOST_AUTO_TEST_SUITE_END()

@@ -114,13 +114,12 @@ class Cut_transfer
   void set_bands(const Options& options)
   {
     bands_ = Part_copier(mesh_)(faces_of_bands_);
-    const double area = total_area(bands_);
-    const double radius = // which is relative to the area
-      area > 0 ? options.concavity_radius * std::sqrt(total_area(mesh_) / area) : 0;
+    Distance_weights weights = distance_weights(options);
+    const double area = total_area(bands_); // to which the radius is relative
+    weights.concavity_radius *= area > 0 ? std::sqrt(total_area(mesh_) / area) : 0;
     set_face_distances<ConcurrencyTag>(bands_, bands_.points,
                                        face_normals<ConcurrencyTag>(bands_, bands_.points),
-                                       {options.geodesic_weight, options.concave_angle_weight,
-                                        options.convex_angle_weight, radius});
+                                       weights);
   }
 
   void set_cells()

@@ -33,15 +33,19 @@ struct Initial_mesh
   Face_dual_graph& searched() { return simplified.empty() ? graph : simplified.back().graph; }
 };
 
+inline Distance_weights distance_weights(const Options& options)
+{
+  return {options.geodesic_weight, options.concave_angle_weight, options.convex_angle_weight,
+          options.concavity_radius};
+}
+
 template <class ConcurrencyTag>
 void measure(Face_dual_graph& graph, const std::vector<Vector>& points, const Options& options)
 {
   const std::vector<Vector> normals = face_normals<ConcurrencyTag>(graph, points);
   for_each_index<ConcurrencyTag>(options.needs_thickness() ? 2 : 1, [&](std::size_t task) {
     if (task == 0)
-      set_face_distances<ConcurrencyTag>(graph, points, normals,
-                                         {options.geodesic_weight, options.concave_angle_weight,
-                                          options.convex_angle_weight, options.concavity_radius});
+      set_face_distances<ConcurrencyTag>(graph, points, normals, distance_weights(options));
     else
       graph.thickness = thickness<ConcurrencyTag>(graph, points, normals, thickness_radius);
   });

@@ -169,6 +169,8 @@ template <class Number>
 std::vector<Face_dual_graph> split(Face_dual_graph graph, const std::vector<Number>& piece,
                                    std::size_t number_of_pieces)
 {
+  if (number_of_pieces == 0)
+    return {};
   std::vector<std::vector<Index> > faces(number_of_pieces);
   for (Index f = 0; f < graph.number_of_faces(); ++f)
     faces[piece[f]].push_back(f);
