@@ -93,9 +93,10 @@ std::vector<Vector> face_normals(const Face_dual_graph& graph, const std::vector
 
 // Histogram equalization: maps values to equally spaced ones in [0, 1] by their rank; equal values
 // share the mean of their ranks.
-inline std::vector<double> equalize(const std::vector<float>& values)
+template <class ConcurrencyTag = Sequential_tag>
+std::vector<double> equalize(const std::vector<float>& values)
 {
-  const std::vector<Index> order = sorted_indices(values);
+  const std::vector<Index> order = sorted_indices<ConcurrencyTag>(values);
   std::vector<double> result(values.size());
   for (std::size_t first = 0; first < order.size();) {
     std::size_t last = first;
@@ -111,10 +112,10 @@ inline std::vector<double> equalize(const std::vector<float>& values)
 
 // The same where a value takes as much of [0, 1] as its weight says, so that an edge counts by its
 // length and not by the number of edges into which the triangulation cuts it.
-inline std::vector<double> equalize(const std::vector<float>& values,
-                                    const std::vector<double>& weights)
+template <class ConcurrencyTag = Sequential_tag>
+std::vector<double> equalize(const std::vector<float>& values, const std::vector<double>& weights)
 {
-  const std::vector<Index> order = sorted_indices(values);
+  const std::vector<Index> order = sorted_indices<ConcurrencyTag>(values);
   const double total = std::accumulate(weights.begin(), weights.end(), 0.);
   std::vector<double> result(values.size(), 0.5);
   double below = 0;
@@ -187,7 +188,8 @@ Equalized_angles equalized_dihedrals(const Face_dual_graph& graph,
   normalize_by_mean(angles);
   // Single precision, so that angles that differ by rounding only tie.
   const std::vector<float> rounded(angles.begin(), angles.end());
-  Equalized_angles result{equalize(rounded), std::vector<double>(edges.size(), 0)};
+  Equalized_angles result{equalize<ConcurrencyTag>(rounded),
+                          std::vector<double>(edges.size(), 0)};
   for (std::size_t e = 0; e < edges.size(); ++e)
     if (is_concave[e])
       result.concave[e] = result.whole[e];
@@ -212,7 +214,8 @@ Equalized_angles equalized_bending(const Face_dual_graph& graph, const std::vect
     distances[e] = static_cast<float>((bending[h] < 0 ? weights.concave : weights.convex) *
                                       (2 * sine * sine));
   });
-  Equalized_angles result{equalize(distances, lengths), std::vector<double>(edges.size(), 0)};
+  Equalized_angles result{equalize<ConcurrencyTag>(distances, lengths),
+                          std::vector<double>(edges.size(), 0)};
   for (std::size_t e = 0; e < edges.size(); ++e)
     if (bending[edges[e]] < 0)
       result.concave[e] = result.whole[e];

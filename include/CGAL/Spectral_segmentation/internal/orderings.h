@@ -40,9 +40,9 @@ std::vector<Line> orderings(const Face_dual_graph& part, const std::vector<Index
     distances[i] = shortest_paths(part, sources[i], &Face_dual_graph::Halfedge::combined);
   });
 
-  std::vector<Line> lines = {spectral_order(distances[0], distances[1])};
+  std::vector<Line> lines = {spectral_order<ConcurrencyTag>(distances[0], distances[1])};
   if (options.number_of_candidates > 0)
-    lines.push_back(spectral_order(distances[1], distances[0]));
+    lines.push_back(spectral_order<ConcurrencyTag>(distances[1], distances[0]));
   if (options.single_source_orderings)
     for (const std::vector<double>& distance : distances)
       lines.push_back(sorted_by_distance(distance));

@@ -21,13 +21,14 @@ namespace internal {
 // monotone function of x / y, that is, of the distance from s minus that from t. Sorting by this
 // difference needs no kernel and does not underflow. Where it ties, as along a limb that leaves the
 // way from s to t, the face nearer to s comes first.
-inline std::vector<Index> spectral_order(const std::vector<double>& from_s,
+template <class ConcurrencyTag = Sequential_tag>
+std::vector<Index> spectral_order(const std::vector<double>& from_s,
                                          const std::vector<double>& from_t)
 {
   std::vector<double> difference(from_s.size());
   for (std::size_t f = 0; f < difference.size(); ++f)
     difference[f] = from_s[f] - from_t[f];
-  return sorted_by_distance(difference, [&](Index f, Index g)
+  return sorted_by_distance<ConcurrencyTag>(difference, [&](Index f, Index g)
     { return from_s[f] < from_s[g] || (from_s[f] == from_s[g] && f < g); });
 }
 
