@@ -174,6 +174,29 @@ BOOST_AUTO_TEST_CASE(nothing_passes_between_components)
   BOOST_TEST(density.tail(50).isZero(0));
 }
 
+BOOST_AUTO_TEST_CASE(components_of_any_size_are_averaged_as_if_alone)
+{
+  const std::vector<Soup> components = {sphere(0), sphere(3), sphere(1), sphere(1), sphere(3),
+                                        sphere(0)};
+  Soup all = components.front();
+  for (std::size_t i = 1; i < components.size(); ++i)
+    all = disjoint_union(all, components[i]);
+  const Face_dual_graph graph = dual_graph_of(all);
+  Random random(1);
+  const VectorXd start = random_amounts(graph, random).cwiseQuotient(areas_of(graph));
+  const VectorXd averages = averaged(graph, 0.02, start.cwiseProduct(areas_of(graph)));
+  Eigen::Index first = 0;
+  for (const Soup& component : components) {
+    const Face_dual_graph alone = dual_graph_of(component);
+    const Eigen::Index n = Eigen::Index(alone.number_of_faces());
+    const double share = areas_of(graph).segment(first, n).sum() / total_area(graph);
+    const VectorXd amounts = start.segment(first, n).cwiseProduct(areas_of(alone));
+    BOOST_TEST((averages.segment(first, n) - averaged(alone, 0.02 / std::sqrt(share), amounts))
+                 .cwiseAbs().maxCoeff() < 1e-9);
+    first += n;
+  }
+}
+
 BOOST_AUTO_TEST_CASE(it_solves_the_equations_of_two_steps)
 {
   for (unsigned seed = 1; seed <= 3; ++seed) {

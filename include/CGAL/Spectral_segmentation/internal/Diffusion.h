@@ -32,7 +32,7 @@ class Diffusion
 {
   typedef Eigen::SparseMatrix<double> Matrix;
 
-  // Of a connected component.
+  // Of a connected component, or of several small ones.
   struct System
   {
     std::vector<Index> faces;
@@ -45,6 +45,30 @@ class Diffusion
   double radius_;
   Eigen::VectorXd root_of_area_; // of each face
   std::vector<System> systems_;
+
+  // Returns the number of the system of each face.
+  std::vector<Index> divide_into_systems(const Face_dual_graph& mesh)
+  {
+    constexpr Index small = 1000;
+    std::size_t number_of_components;
+    std::vector<Index> result = connected_components(mesh, number_of_components);
+    std::vector<Index> size(number_of_components, 0), system(number_of_components);
+    for (Index of_face : result)
+      ++size[of_face];
+    Index number = 0, size_of_last = small;
+    for (std::size_t i = 0; i < number_of_components; ++i) {
+      if (size_of_last >= small) {
+        ++number;
+        size_of_last = 0;
+      }
+      system[i] = number - 1;
+      size_of_last += size[i];
+    }
+    for (Index& of_face : result)
+      of_face = system[of_face];
+    systems_ = std::vector<System>(number);
+    return result;
+  }
 
   // What flows over an edge in a step.
   static double flux(const Face_dual_graph& mesh, const std::vector<Vector>& points, Index h,
@@ -75,12 +99,10 @@ public:
       root_of_area_[f] = std::sqrt((std::max)(mesh.areas[f], 1e-9 * mean_area));
     const double smallest_distance = 1e-3 * std::sqrt(mean_area);
 
-    std::size_t number_of_components;
-    const std::vector<Index> component = connected_components(mesh, number_of_components);
-    systems_ = std::vector<System>(number_of_components);
+    const std::vector<Index> system_of_face = divide_into_systems(mesh);
     std::vector<int> row(mesh.number_of_faces());
     for (Index f = 0; f < mesh.number_of_faces(); ++f) {
-      std::vector<Index>& faces = systems_[component[f]].faces;
+      std::vector<Index>& faces = systems_[system_of_face[f]].faces;
       row[f] = static_cast<int>(faces.size());
       faces.push_back(f);
     }
