@@ -118,7 +118,7 @@ public:
       vertex_(graph.points.size(), null_index) {}
 
   // Faces keep the order in which they are given; edges to other faces become border. If they
-  // ascend, `part` may be the graph itself, which is what is left of it then.
+  // ascend, `part` may be the graph itself, which loses all others.
   void copy(const std::vector<Index>& faces, Face_dual_graph& part)
   {
     if (part.number_of_faces() < faces.size())
