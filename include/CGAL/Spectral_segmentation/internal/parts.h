@@ -169,8 +169,11 @@ template <class Number>
 std::vector<Face_dual_graph> split(Face_dual_graph graph, const std::vector<Number>& piece,
                                    std::size_t number_of_pieces)
 {
-  if (number_of_pieces == 0)
-    return {};
+  std::vector<Face_dual_graph> result(number_of_pieces);
+  if (number_of_pieces == 1)
+    result[0] = std::move(graph);
+  if (number_of_pieces < 2)
+    return result;
   std::vector<std::vector<Index> > faces(number_of_pieces);
   for (Index f = 0; f < graph.number_of_faces(); ++f)
     faces[piece[f]].push_back(f);
@@ -178,7 +181,6 @@ std::vector<Face_dual_graph> split(Face_dual_graph graph, const std::vector<Numb
   const std::size_t largest =
     std::max_element(faces.begin(), faces.end(), has_less) - faces.begin();
   Part_copier copier(graph);
-  std::vector<Face_dual_graph> result(number_of_pieces);
   for (std::size_t i = 0; i < number_of_pieces; ++i)
     if (i != largest)
       copier.copy(faces[i], result[i]);

@@ -107,11 +107,7 @@ public:
     const std::vector<Index> component = connected_components(mesh, number_of_components);
     tree_ = Segment_tree(component, component_areas(mesh, component, number_of_components),
                          mesh.unit, options);
-    std::vector<Face_dual_graph> parts;
-    if (number_of_components == 1)
-      parts.push_back(std::move(mesh));
-    else
-      parts = split(std::move(mesh), component, number_of_components);
+    std::vector<Face_dual_graph> parts = split(std::move(mesh), component, number_of_components);
     for (std::size_t i = 0; i < parts.size(); ++i)
       add_candidate(i, std::move(parts[i]));
   }

@@ -6,6 +6,7 @@
 
 #include <CGAL/Spectral_segmentation/internal/Face_dual_graph.h>
 #include <CGAL/Spectral_segmentation/internal/concurrency.h>
+#include <CGAL/Spectral_segmentation/internal/parts.h>
 #include <CGAL/Spectral_segmentation/internal/shortest_paths.h>
 
 #include <Eigen/Core>

@@ -23,7 +23,7 @@ namespace internal {
 // way from s to t, the face nearer to s comes first.
 template <class ConcurrencyTag = Sequential_tag>
 std::vector<Index> spectral_order(const std::vector<double>& from_s,
-                                         const std::vector<double>& from_t)
+                                  const std::vector<double>& from_t)
 {
   std::vector<double> difference(from_s.size());
   for (std::size_t f = 0; f < difference.size(); ++f)
