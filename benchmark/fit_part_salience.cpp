@@ -4,11 +4,12 @@
 /// \file
 /// Fits the numbers of `Calibrated_part_salience` to people's cuts on the Princeton Segmentation
 /// Benchmark, and reports the Rand errors of runs with them; also with each category judged by
-/// numbers that are fitted to the others.
+/// numbers that are fitted to the others, and with numbers that are fitted without single factors.
 ///
 /// The cuts are those that a run with the numbers in the source has to judge. So the program is run
 /// again with the new numbers in the source, until they stay.
 
+#include "evaluation.h"
 #include "for_each_mesh.h"
 #include "judged_cuts.h"
 #include "part_salience_fit.h"
@@ -19,6 +20,7 @@
 
 #include <nlohmann/json.hpp>
 
+#include <algorithm>
 #include <cstddef>
 #include <cstdio>
 #include <map>
@@ -37,7 +39,7 @@ struct Options
   std::size_t threads = 1, rounds = 3;
   std::size_t searched_faces =
     CGAL::Spectral_segmentation::internal::calibrated_options().number_of_searched_faces;
-  bool leaves_one_category_out = false;
+  bool leaves_one_category_out = false, leaves_factors_out = false;
 };
 
 void add_options(CLI::App& app, Options& o)
@@ -53,6 +55,8 @@ void add_options(CLI::App& app, Options& o)
     ->capture_default_str();
   app.add_flag("--leave-one-category-out", o.leaves_one_category_out,
                "also judges each category by a fit to the others");
+  app.add_flag("--leave-factors-out", o.leaves_factors_out,
+               "also fits without each factor, and without related ones together");
   app.add_option("--json", o.json, "writes all figures, of each mesh too")->type_name("OUT");
   app.add_option("--threads", o.threads,
                  "meshes at a time, each on one thread; with 1, a mesh may use all threads")
@@ -107,6 +111,68 @@ Saliences fits_to_others(const std::vector<Mesh_cuts>& meshes, std::size_t round
     result[left_out] = fit_part_salience(others, rounds).salience;
   }
   return result;
+}
+
+std::vector<Tree_errors> errors_with(const Options& o, const Calibrated_part_salience& salience)
+{
+  return of_each_mesh(o, [&](const Benchmark_mesh& mesh)
+    { return tree_errors(mesh, method_with(salience, o.searched_faces)); });
+}
+
+// Factors that are left out together.
+struct Factor_set
+{
+  std::string name;
+  Left_out_factors factors;
+};
+
+// Each factor alone, and those that are computed from the same data.
+std::vector<Factor_set> factor_sets()
+{
+  const auto set_of = [](const std::vector<std::string>& names) {
+    Factor_set set;
+    for (std::size_t i = 0; i < fitted_factors.size(); ++i)
+      set.factors[i] = std::count(names.begin(), names.end(), fitted_factors[i].name) > 0;
+    return set;
+  };
+  std::vector<Factor_set> result;
+  for (const Fitted_factor& f : fitted_factors) {
+    result.push_back(set_of({f.name}));
+    result.back().name = f.name;
+  }
+  result.push_back(set_of({"thickness_step", "thickness_variation"}));
+  result.back().name = "thickness, both";
+  result.push_back(set_of({"convexity_gain", "relative_convexity_gain"}));
+  result.back().name = "convexity, both";
+  return result;
+}
+
+// What each set of factors gains: the errors without it against those with all factors.
+void print_factors(const Options& o, const std::vector<Mesh_cuts>& cuts,
+                   const std::vector<Tree_errors>& with_all, Json& json)
+{
+  const std::size_t best_with_all = best_threshold(mean_tree_errors(with_all));
+  std::printf("\nLeft out; change of\nRand error%18s%21s%21s%21s\n", "default", "best threshold",
+              "k", "tree");
+  for (const Factor_set& set : factor_sets()) {
+    const std::vector<Tree_errors> without =
+      errors_with(o, fit_part_salience(cuts, o.rounds, set.factors).salience);
+    const std::size_t best = best_threshold(mean_tree_errors(without));
+    const auto change = [&](const auto& of_without, const auto& of_all) {
+      const Paired_difference d =
+        paired_difference(values_of(without, of_without), values_of(with_all, of_all));
+      std::printf("   %+.4f +- %.4f", d.mean, d.standard_error);
+    };
+    std::printf("%-24s", set.name.c_str());
+    change(&Tree_errors::by_default, &Tree_errors::by_default);
+    change([=](const Tree_errors& e) { return e.automatic[best]; },
+           [=](const Tree_errors& e) { return e.automatic[best_with_all]; });
+    change(&Tree_errors::k, &Tree_errors::k);
+    change(&Tree_errors::best, &Tree_errors::best);
+    std::printf("\n");
+    std::fflush(stdout);
+    json[set.name] = json_of(mean_tree_errors(without));
+  }
 }
 
 void print(const Part_salience_fit& fit)
@@ -194,6 +260,8 @@ void run(const Options& o)
     for (const auto& [category, salience] : saliences)
       left_out["salience"][category_names[category]] = json_of(salience);
   }
+  if (o.leaves_factors_out)
+    print_factors(o, cuts, errors, json["without_factors"]);
   write_json(o.json, json);
 }
 

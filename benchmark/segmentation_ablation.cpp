@@ -6,6 +6,7 @@
 /// on the Princeton Segmentation Benchmark: each is switched off alone in the calibrated method,
 /// and on alone in that of the paper.
 
+#include "evaluation.h"
 #include "for_each_mesh.h"
 #include "method_variants.h"
 #include "program.h"
@@ -39,7 +40,8 @@ struct Result
 // The columns of the table.
 struct Figures
 {
-  double by_default, best_automatic, best_threshold, k, best_of_tree, seconds;
+  double best_threshold, seconds;
+  std::vector<double> by_default, best_automatic, k, best_of_tree; // of each mesh
 };
 
 struct Result_block
@@ -80,27 +82,36 @@ std::vector<Result_block> results(const Options& o)
 
 Figures figures(const Result& result)
 {
-  const Tree_errors mean = mean_tree_errors(result.meshes);
-  const std::size_t best = best_threshold(mean);
-  std::vector<double> seconds;
-  for (const Tree_errors& mesh : result.meshes)
-    seconds.push_back(mesh.time.thread);
-  return {mean.by_default, mean.automatic[best], tried_thresholds()[best], mean.k, mean.best,
-          median(seconds)};
+  const std::size_t best = best_threshold(mean_tree_errors(result.meshes));
+  return {tried_thresholds()[best],
+          median(values_of(result.meshes, [](const Tree_errors& e) { return e.time.thread; })),
+          values_of(result.meshes, &Tree_errors::by_default),
+          values_of(result.meshes, [best](const Tree_errors& e) { return e.automatic[best]; }),
+          values_of(result.meshes, &Tree_errors::k),
+          values_of(result.meshes, &Tree_errors::best)};
+}
+
+// The mean, its change from the first line, and the standard error of the change.
+void print_error(const std::vector<double>& errors, const std::vector<double>& of_first)
+{
+  const Paired_difference change = paired_difference(errors, of_first);
+  std::printf(" %7.4f %+8.4f +- %.4f", mean_of(errors), change.mean, change.standard_error);
 }
 
 void print_line(const char* name, const Figures& f, const Figures& first)
 {
-  std::printf("%-28s %7.4f %+8.4f %7.4f %+8.4f %9.2f %7.4f %+8.4f %7.4f %+8.4f %7.3f %+8.3f\n",
-              name, f.by_default, f.by_default - first.by_default, f.best_automatic,
-              f.best_automatic - first.best_automatic, f.best_threshold, f.k, f.k - first.k,
-              f.best_of_tree, f.best_of_tree - first.best_of_tree, f.seconds,
-              f.seconds - first.seconds);
+  std::printf("%-28s", name);
+  print_error(f.by_default, first.by_default);
+  print_error(f.best_automatic, first.best_automatic);
+  std::printf(" %9.2f", f.best_threshold);
+  print_error(f.k, first.k);
+  print_error(f.best_of_tree, first.best_of_tree);
+  std::printf(" %7.3f %+8.3f\n", f.seconds, f.seconds - first.seconds);
 }
 
 void print(const Result_block& block)
 {
-  std::printf("%s\n%-28s %7s %8s %7s %8s %9s %7s %8s %7s %8s %7s %8s\n", block.title,
+  std::printf("%s\n%-28s %7s %18s %7s %18s %9s %7s %18s %7s %18s %7s %8s\n", block.title,
               "Rand error", "auto", "change", "best", "change", "threshold", "k", "change", "tree",
               "change", "seconds", "change");
   const Figures first = figures(block.results.front());
@@ -113,11 +124,11 @@ Json json_of(const Result& result)
 {
   const Figures f = figures(result);
   Json json = {{"name", result.name},
-               {"auto", f.by_default},
-               {"best_auto", f.best_automatic},
+               {"auto", mean_of(f.by_default)},
+               {"best_auto", mean_of(f.best_automatic)},
                {"best_threshold", f.best_threshold},
-               {"k", f.k},
-               {"tree", f.best_of_tree},
+               {"k", mean_of(f.k)},
+               {"tree", mean_of(f.best_of_tree)},
                {"median_seconds", f.seconds}};
   for (const Tree_errors& mesh : result.meshes)
     json["meshes"][std::to_string(mesh.id)] = json_of(mesh);
@@ -140,7 +151,8 @@ void run(const Options& o)
     print(block);
   std::printf("auto: at the default threshold; best: at the one threshold that is best for these "
               "meshes\nk: people's usual number of parts is given; tree: the best number of parts"
-              "\nseconds: of one thread for a whole tree, median; change: from the first line\n");
+              "\nseconds: of one thread for a whole tree, median; change: from the first line, with the standard "
+              "error over the meshes\n");
   std::fflush(stdout);
   write_json(o.json, json_of(blocks));
 }

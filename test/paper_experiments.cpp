@@ -6,7 +6,7 @@
 #include "test_meshes.h"
 
 #include "../benchmark/paper_experiments/cut_between_samples.h"
-#include "../benchmark/paper_experiments/evaluation.h"
+#include "../benchmark/evaluation.h"
 #include "../benchmark/paper_experiments/experiment.h"
 #include "../benchmark/paper_experiments/face_affinities.h"
 #include "../benchmark/paper_experiments/face_samples.h"

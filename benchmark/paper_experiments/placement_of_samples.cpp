@@ -1,10 +1,10 @@
 // Copyright (c) 2026  The Spectral_segmentation authors.
 // SPDX-License-Identifier: GPL-3.0-or-later
 
+#include "../evaluation.h"
 #include "../for_each_mesh.h"
 #include "../judged_cuts.h"
 #include "../princeton_benchmark.h"
-#include "evaluation.h"
 #include "experiment.h"
 #include "experiments.h"
 #include "face_samples.h"

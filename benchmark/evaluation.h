@@ -1,10 +1,10 @@
 // Copyright (c) 2026  The Spectral_segmentation authors.
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#ifndef SEGMENTATION_BENCHMARK_PAPER_EXPERIMENTS_EVALUATION_H
-#define SEGMENTATION_BENCHMARK_PAPER_EXPERIMENTS_EVALUATION_H
+#ifndef SEGMENTATION_BENCHMARK_EVALUATION_H
+#define SEGMENTATION_BENCHMARK_EVALUATION_H
 
-#include "../segmentation_metrics.h"
+#include "segmentation_metrics.h"
 
 #include <algorithm>
 #include <cmath>
@@ -65,4 +65,4 @@ inline const char* verdict(bool is_reproduced)
 
 } // namespace segmentation_benchmark
 
-#endif // SEGMENTATION_BENCHMARK_PAPER_EXPERIMENTS_EVALUATION_H
+#endif // SEGMENTATION_BENCHMARK_EVALUATION_H
