@@ -12,7 +12,6 @@
 
 #include <boost/container/small_vector.hpp>
 #include <boost/iterator/counting_iterator.hpp>
-#include <boost/container_hash/hash.hpp>
 
 #include <Eigen/Core>
 #include <Eigen/Geometry>
@@ -129,10 +128,11 @@ class Edge_collapse
   bool is_on_seam(Index v) const { return !is_on_seam_.empty() && is_on_seam_[v]; }
   bool must_stay(Index v) const { return is_fixed_[v] || is_on_seam(v); }
 
+  static constexpr double steps_per_unit = 1 << 30; // of the grid of coordinates
+
   static Vector on_fine_grid(const Vector& p)
   {
-    const double step = 1. / (1 << 30);
-    return ((p.array() / step + 0.5).floor() * step).matrix();
+    return ((p.array() * steps_per_unit + 0.5).floor() / steps_per_unit).matrix();
   }
 
   // The half-edges that leave the source of h, one for each face around it.
@@ -182,13 +182,25 @@ class Edge_collapse
     return result;
   }
 
+  // Of a point on the grid. The same on every machine, unlike the hashes of libraries: the finalizer
+  // of SplitMix64 (Steele, Lea, Flood 2014).
+  static std::uint32_t hash(const Vector& p)
+  {
+    std::uint64_t h = 0;
+    for (int i = 0; i < 3; ++i) {
+      h += static_cast<std::uint64_t>(static_cast<std::int64_t>(p[i] * steps_per_unit)) +
+           0x9e3779b97f4a7c15;
+      h = (h ^ (h >> 30)) * 0xbf58476d1ce4e5b9;
+      h = (h ^ (h >> 27)) * 0x94d049bb133111eb;
+      h ^= h >> 31;
+    }
+    return static_cast<std::uint32_t>(h);
+  }
+
   std::uint64_t key(Index h) const
   {
     const Vector &p = points_[source(h)], &q = points_[target(h)];
-    const Vector sum = p + q;
-    const std::size_t hash = boost::hash_range(sum.data(), sum.data() + 3);
-    return Edges_by_length::key(static_cast<float>((q - p).squaredNorm()),
-                                static_cast<std::uint32_t>(hash ^ (hash >> 31)));
+    return Edges_by_length::key(static_cast<float>((q - p).squaredNorm()), hash(p + q));
   }
 
   // Of the face of h if the source of h moves.
