@@ -19,7 +19,7 @@ constexpr std::size_t number_of_segments_of_tree = 20;
 
 struct Timed_tree
 {
-  Segment_tree tree;
+  Segmentation_hierarchy tree;
   Time time;
 };
 

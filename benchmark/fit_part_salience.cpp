@@ -81,7 +81,7 @@ Tree_method method_with(const Calibrated_part_salience& salience, std::size_t se
 {
   return {"fitted", CGAL::Spectral_segmentation::default_probability_threshold, true,
           [=](const Mesh& mesh, double threshold, std::size_t n) {
-            return segment_tree(mesh, params::part_salience(salience)
+            return hierarchy(mesh, params::part_salience(salience)
                                         .number_of_searched_faces(searched_faces)
                                         .salience_threshold(threshold)
                                         .maximum_number_of_segments(n));

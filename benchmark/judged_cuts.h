@@ -7,11 +7,11 @@
 #include "princeton_benchmark.h"
 
 #include <CGAL/Spectral_segmentation/Segmentation_visitor.h>
-#include <CGAL/Spectral_segmentation/internal/Monitor.h>
-#include <CGAL/Spectral_segmentation/internal/cut_and_merge.h>
-#include <CGAL/Spectral_segmentation/internal/initialization.h>
-#include <CGAL/Spectral_segmentation/internal/options.h>
-#include <CGAL/Spectral_segmentation/internal/read_triangles.h>
+#include <CGAL/Spectral_segmentation/internal/Run_control.h>
+#include <CGAL/Spectral_segmentation/internal/hierarchy/region_merging.h>
+#include <CGAL/Spectral_segmentation/internal/multilevel/coarsening.h>
+#include <CGAL/Spectral_segmentation/internal/Options.h>
+#include <CGAL/Spectral_segmentation/internal/door/read_triangle_mesh.h>
 
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 #include <CGAL/tags.h>
@@ -87,12 +87,12 @@ inline Mesh_cuts judged_cuts(const Benchmark_mesh& input, std::size_t number_of_
   internal::Options options = internal::calibrated_options();
   options.number_of_searched_faces = number_of_searched_faces;
   const std::vector<Mesh::Face_index> faces(input.mesh.faces().begin(), input.mesh.faces().end());
-  internal::Initial_mesh mesh = internal::initialize<CGAL::Sequential_tag>(
+  internal::Mesh_levels mesh = internal::initialize<CGAL::Sequential_tag>(
     internal::read_triangles(input.mesh, faces, input.mesh.points(),
                              CGAL::Exact_predicates_inexact_constructions_kernel()),
     options, [] { return true; });
   std::vector<Labels> people = input.people;
-  for (const internal::Simplified_mesh& simplified : mesh.simplified)
+  for (const internal::Coarse_mesh& simplified : mesh.simplified)
     for (Labels& person : people)
       person = labels_of(simplified.faces, person);
 

@@ -6,7 +6,7 @@
 
 #include "segmentation_methods.h"
 
-#include <CGAL/Spectral_segmentation/internal/options.h>
+#include <CGAL/Spectral_segmentation/internal/Options.h>
 
 #include <CGAL/tags.h>
 
@@ -38,7 +38,7 @@ inline const std::vector<Method_switch>& method_switches()
     {"number_of_candidates", take<&Method_options::number_of_candidates>},
     {"number_of_refined_candidates", take<&Method_options::number_of_refined_candidates>},
     {"number_of_searched_faces", take<&Method_options::number_of_searched_faces>},
-    {"number_of_pieces", take<&Method_options::number_of_pieces>},
+    {"number_of_regions", take<&Method_options::number_of_regions>},
     {"geodesic_weight", take<&Method_options::geodesic_weight>},
     {"minimum_segment_size", take<&Method_options::minimum_segment_size>},
   };
@@ -66,7 +66,7 @@ inline const Method_switch& salience_switch_with_candidates()
 inline Tree_method method_with(const char* name, const Method_options& o)
 {
   const auto segment = [o](const Mesh& mesh, double threshold, std::size_t n) {
-    return segment_tree<CGAL::Sequential_tag>(
+    return hierarchy<CGAL::Sequential_tag>(
       mesh, params::part_salience(o.part_salience)
               .salience_threshold(threshold)
               .maximum_number_of_segments(n)
@@ -75,12 +75,12 @@ inline Tree_method method_with(const char* name, const Method_options& o)
               .thickness_orderings(o.thickness_orderings)
               .number_of_candidates(o.number_of_candidates)
               .number_of_refined_candidates(o.number_of_refined_candidates)
-              .number_of_pieces(o.number_of_pieces)
+              .number_of_regions(o.number_of_regions)
               .number_of_searched_faces(o.number_of_searched_faces)
               .geodesic_weight(o.geodesic_weight)
               .minimum_segment_size(o.minimum_segment_size));
   };
-  return {name, o.salience_threshold, o.number_of_pieces > 0, segment};
+  return {name, o.salience_threshold, o.number_of_regions > 0, segment};
 }
 
 // A method, and the same with one switch at a time put to the value of the other method.

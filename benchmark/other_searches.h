@@ -6,7 +6,7 @@
 
 #include "princeton_benchmark.h"
 
-#include <CGAL/Spectral_segmentation/internal/Face_dual_graph.h>
+#include <CGAL/Spectral_segmentation/internal/mesh/Face_graph.h>
 
 #include <CGAL/boost/graph/Dual.h>
 
@@ -20,12 +20,12 @@
 // Searches of the faces of a mesh to compare with those of the library.
 namespace segmentation_benchmark {
 
-using CGAL::Spectral_segmentation::internal::Face_dual_graph;
+using CGAL::Spectral_segmentation::internal::Face_graph;
 using CGAL::Spectral_segmentation::internal::Index;
 using CGAL::Spectral_segmentation::internal::null_index;
 
 // Touches the graph and no more: the numbers of steps from the source.
-inline std::vector<Index> breadth_first_search(const Face_dual_graph& graph, Index source)
+inline std::vector<Index> breadth_first_search(const Face_graph& graph, Index source)
 {
   std::vector<Index> steps(graph.number_of_faces(), null_index);
   std::vector<Index> reached = {source};
@@ -43,7 +43,7 @@ inline std::vector<Index> breadth_first_search(const Face_dual_graph& graph, Ind
 }
 
 // The distances of `graph` by the edges of its mesh, which is closed.
-inline std::vector<double> weights_of_edges(const Mesh& mesh, const Face_dual_graph& graph)
+inline std::vector<double> weights_of_edges(const Mesh& mesh, const Face_graph& graph)
 {
   std::vector<double> weights;
   for (Mesh::Edge_index e : mesh.edges()) {

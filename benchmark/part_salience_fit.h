@@ -29,8 +29,8 @@ struct Fitted_factor
 };
 
 constexpr std::array<Fitted_factor, 10> fitted_factors = {{
-  {"logarithm_of_part", &Salience_factors::logarithm_of_part,
-   &Calibrated_part_salience::logarithm_of_part},
+  {"log_relative_part_area", &Salience_factors::log_relative_part_area,
+   &Calibrated_part_salience::log_relative_part_area},
   {"size", &Salience_factors::size, &Calibrated_part_salience::size},
   {"cut_strength", &Salience_factors::cut_strength, &Calibrated_part_salience::cut_strength},
   {"concavity_near_cut", &Salience_factors::concavity_near_cut,
@@ -39,8 +39,8 @@ constexpr std::array<Fitted_factor, 10> fitted_factors = {{
   {"convexity_gain", &Salience_factors::convexity_gain, &Calibrated_part_salience::convexity_gain},
   {"relative_convexity_gain", &Salience_factors::relative_convexity_gain,
    &Calibrated_part_salience::relative_convexity_gain},
-  {"widening_of_rest", &Salience_factors::widening_of_rest,
-   &Calibrated_part_salience::widening_of_rest},
+  {"expansion_behind_cut", &Salience_factors::expansion_behind_cut,
+   &Calibrated_part_salience::expansion_behind_cut},
   {"thickness_step", &Salience_factors::thickness_step, &Calibrated_part_salience::thickness_step},
   {"thickness_variation", &Salience_factors::thickness_variation,
    &Calibrated_part_salience::thickness_variation},
@@ -56,7 +56,7 @@ inline std::vector<double> group_weights(const std::vector<Mesh_cuts>& meshes)
     std::vector<double> lengths;
     double sum = 0;
     for (const Cut_group& group : mesh.groups) {
-      lengths.push_back(std::exp(group.cuts.front().factors.logarithm_of_part / 2));
+      lengths.push_back(std::exp(group.cuts.front().factors.log_relative_part_area / 2));
       sum += lengths.back();
     }
     for (std::size_t i = 0; i < lengths.size(); ++i) {

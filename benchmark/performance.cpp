@@ -50,7 +50,7 @@
 
 using namespace segmentation_benchmark;
 using CGAL::Spectral_segmentation::Method;
-using CGAL::Spectral_segmentation::Segment_tree;
+using CGAL::Spectral_segmentation::Segmentation_hierarchy;
 using CGAL::Spectral_segmentation::Stage;
 namespace internal = CGAL::Spectral_segmentation::internal;
 namespace params = CGAL::Spectral_segmentation::parameters;
@@ -95,7 +95,7 @@ struct Options
 };
 
 std::size_t segment(const Mesh& mesh, const Run& run, std::size_t threads,
-                    segment_mesh::Run_watch& watch, Segment_tree& tree)
+                    segment_mesh::Run_watch& watch, Segmentation_hierarchy& tree)
 {
   return with_threads(threads, [&](auto tag) {
     return CGAL::segment_spectral_recursive<decltype(tag)>(
@@ -104,7 +104,7 @@ std::size_t segment(const Mesh& mesh, const Run& run, std::size_t threads,
         .number_of_searched_faces(run.number_of_searched_faces)
         .maximum_number_of_segments(run.maximum_number_of_segments)
         .salience_threshold(run.salience_threshold)
-        .segment_tree(tree)
+        .hierarchy(tree)
         .visitor(std::ref(watch)));
   });
 }
@@ -113,15 +113,15 @@ std::size_t segment(const Mesh& mesh, const Run& run, std::size_t threads,
 class Input
 {
   Mesh mesh_;
-  std::optional<Segment_tree> tree_;
-  std::optional<Face_dual_graph> graph_;
+  std::optional<Segmentation_hierarchy> tree_;
+  std::optional<Face_graph> graph_;
 
 public:
   Input(const Mesh& original, std::size_t size) : mesh_(with_size(original, size)) {}
 
   const Mesh& mesh() const { return mesh_; }
 
-  const Segment_tree& tree()
+  const Segmentation_hierarchy& tree()
   {
     if (!tree_) {
       segment_mesh::Run_watch watch(false);
@@ -131,7 +131,7 @@ public:
   }
 
   // With the distances of the paper.
-  const Face_dual_graph& graph()
+  const Face_graph& graph()
   {
     if (!graph_) {
       const std::vector<Mesh::Face_index> faces(mesh_.faces().begin(), mesh_.faces().end());
@@ -180,7 +180,7 @@ void measure_run(benchmark::State& state, Input& input, const Run& run, std::siz
   const Peak_memory memory;
   for (auto _ : state) {
     segment_mesh::Run_watch watch(false);
-    Segment_tree tree;
+    Segmentation_hierarchy tree;
     number_of_segments = segment(input.mesh(), run, threads, watch, tree);
     for (const auto& stage : stages)
       seconds[stage.first] += watch.seconds(stage.first);
@@ -203,7 +203,7 @@ void measure_sdf(benchmark::State& state, Input& input)
 
 void measure_another_number(benchmark::State& state, Input& input)
 {
-  const Segment_tree& tree = input.tree();
+  const Segmentation_hierarchy& tree = input.tree();
   std::size_t number = 1;
   for (auto _ : state) {
     benchmark::DoNotOptimize(tree.labels(number, any_salience));
@@ -214,15 +214,15 @@ void measure_another_number(benchmark::State& state, Input& input)
 template <class Search>
 void measure_search(benchmark::State& state, Input& input)
 {
-  const Face_dual_graph& graph = input.graph();
+  const Face_graph& graph = input.graph();
   for (auto _ : state)
     benchmark::DoNotOptimize(
-      internal::shortest_paths<Search>(graph, 0, &Face_dual_graph::Halfedge::combined));
+      internal::shortest_paths<Search>(graph, 0, &Face_graph::Halfedge::combined));
 }
 
 void measure_breadth_first_search(benchmark::State& state, Input& input)
 {
-  const Face_dual_graph& graph = input.graph();
+  const Face_graph& graph = input.graph();
   for (auto _ : state)
     benchmark::DoNotOptimize(breadth_first_search(graph, 0));
 }

@@ -56,7 +56,7 @@ struct Scored_mesh
   std::vector<Score> scores; // one a row
 };
 
-inline Labels best_labels(const Segment_tree& tree, const std::vector<Labels>& people)
+inline Labels best_labels(const Segmentation_hierarchy& tree, const std::vector<Labels>& people)
 {
   Labels best;
   double least = std::numeric_limits<double>::infinity();

@@ -23,7 +23,7 @@
 namespace segmentation_benchmark {
 
 namespace params = CGAL::Spectral_segmentation::parameters;
-using CGAL::Spectral_segmentation::Segment_tree;
+using CGAL::Spectral_segmentation::Segmentation_hierarchy;
 
 // A method of this package, which cuts on down to a threshold or up to a number of segments.
 struct Tree_method
@@ -31,7 +31,7 @@ struct Tree_method
   const char* name;
   double default_threshold;
   bool has_whole_trees; // whatever the threshold
-  std::function<Segment_tree(const Mesh&, double threshold, std::size_t maximum_number_of_segments)>
+  std::function<Segmentation_hierarchy(const Mesh&, double threshold, std::size_t maximum_number_of_segments)>
     segment;
 };
 
@@ -43,11 +43,11 @@ struct Label_method
 };
 
 template <class ConcurrencyTag = CGAL::Parallel_if_available_tag, class NamedParameters>
-Segment_tree segment_tree(const Mesh& mesh, const NamedParameters& np)
+Segmentation_hierarchy hierarchy(const Mesh& mesh, const NamedParameters& np)
 {
-  Segment_tree tree;
+  Segmentation_hierarchy tree;
   CGAL::segment_spectral_recursive<ConcurrencyTag>(
-    mesh, boost::vector_property_map<std::size_t>(mesh.num_faces()), np.segment_tree(tree));
+    mesh, boost::vector_property_map<std::size_t>(mesh.num_faces()), np.hierarchy(tree));
   return tree;
 }
 
@@ -56,12 +56,12 @@ inline const std::vector<Tree_method>& tree_methods()
   static const std::vector<Tree_method> methods = {
     {"calibrated", CGAL::Spectral_segmentation::default_probability_threshold, true,
      [](const Mesh& mesh, double threshold, std::size_t n) {
-       return segment_tree(mesh,
+       return hierarchy(mesh,
                            params::salience_threshold(threshold).maximum_number_of_segments(n));
      }},
     {"paper", CGAL::Spectral_segmentation::default_salience_threshold, false,
      [](const Mesh& mesh, double threshold, std::size_t n) {
-       return segment_tree(mesh, params::zhang_liu_2005().salience_threshold(threshold)
+       return hierarchy(mesh, params::zhang_liu_2005().salience_threshold(threshold)
                                    .maximum_number_of_segments(n));
      }},
   };

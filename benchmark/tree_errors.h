@@ -44,7 +44,7 @@ inline Tree_errors tree_errors(const Benchmark_mesh& input, const Tree_method& m
   const double lowest = (std::min)(method.default_threshold, tried_thresholds().front());
   const std::size_t usual_number = usual_number_of_segments(input.people);
   Method_trees trees(method, input.mesh);
-  const Segment_tree& automatic = trees.down_to(lowest).tree;
+  const Segmentation_hierarchy& automatic = trees.down_to(lowest).tree;
   const auto& [whole, time] = trees.up_to(usual_number);
   const auto error = [&](const Labels& labels) { return mean_rand_error(labels, input.people); };
   Tree_errors result;

@@ -13,7 +13,7 @@
 #include <string>
 
 typedef CGAL::Surface_mesh<CGAL::Simple_cartesian<double>::Point_3> Mesh;
-typedef CGAL::Spectral_segmentation::Segment_tree Segment_tree;
+typedef CGAL::Spectral_segmentation::Segmentation_hierarchy Segmentation_hierarchy;
 namespace params = CGAL::Spectral_segmentation::parameters;
 
 int main(int argc, char* argv[])
@@ -27,11 +27,11 @@ int main(int argc, char* argv[])
   }
 
   // The search, which takes the time, is done once, and accepts every cut.
-  Segment_tree tree;
+  Segmentation_hierarchy tree;
   auto segment_ids = mesh.add_property_map<Mesh::Face_index, std::size_t>("f:segment").first;
   CGAL::segment_spectral_recursive(
     mesh, segment_ids,
-    params::salience_threshold(-std::numeric_limits<double>::infinity()).segment_tree(tree));
+    params::salience_threshold(-std::numeric_limits<double>::infinity()).hierarchy(tree));
 
   // The two sides of each cut follow each other, the most salient cut first.
   std::cout << "segments  probability that a person makes the last cut\n";

@@ -42,7 +42,7 @@
 
 namespace parameters = CGAL::Spectral_segmentation::parameters;
 using CGAL::Spectral_segmentation::Method;
-using CGAL::Spectral_segmentation::Segment_tree;
+using CGAL::Spectral_segmentation::Segmentation_hierarchy;
 using namespace segment_mesh;
 
 double default_threshold(Method method)
@@ -161,7 +161,7 @@ void check_options(const Options& o)
 }
 
 std::size_t segment(const Mesh& mesh, const Segment_map& segment_ids, const Options& o,
-                    Segment_tree& tree, Run_watch& watch)
+                    Segmentation_hierarchy& tree, Run_watch& watch)
 {
   const auto np = parameters::method(o.method())
                     .maximum_number_of_segments(o.maximum_number_of_segments())
@@ -169,7 +169,7 @@ std::size_t segment(const Mesh& mesh, const Segment_map& segment_ids, const Opti
                     .minimum_segment_size(o.minimum_segment_size())
                     .number_of_smoothing_iterations(o.smoothing_iterations)
                     .boundary_smoothing(o.boundary_smoothing)
-                    .segment_tree(tree)
+                    .hierarchy(tree)
                     .visitor(std::ref(watch));
   return o.seed ? CGAL::segment_spectral_recursive(mesh, segment_ids, np.random_seed(*o.seed))
                 : CGAL::segment_spectral_recursive(mesh, segment_ids, np);
@@ -181,7 +181,7 @@ Json json_or_null(const std::optional<T>& value)
 
 // A threshold without limit is null. Parameters without an option have the version's defaults.
 Json report(const Options& o, const Input_mesh& input, std::size_t number_of_segments,
-            const Segment_tree& tree, const Json& seconds)
+            const Segmentation_hierarchy& tree, const Json& seconds)
 {
   return {{"version", CGAL_SPECTRAL_SEGMENTATION_VERSION},
           {"input", o.input},
@@ -214,7 +214,7 @@ void run(const Options& o)
   Input_mesh input = read_mesh(o.input);
   const Segment_map segment_ids =
     input.mesh.add_property_map<Mesh::Face_index, int>("f:segment").first;
-  Segment_tree tree;
+  Segmentation_hierarchy tree;
   std::size_t number_of_segments;
   Json seconds;
   {

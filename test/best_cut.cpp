@@ -5,9 +5,9 @@
 
 #include "test_meshes.h"
 
-#include <CGAL/Spectral_segmentation/internal/Monitor.h>
-#include <CGAL/Spectral_segmentation/internal/best_cut.h>
-#include <CGAL/Spectral_segmentation/internal/Cut_judge.h>
+#include <CGAL/Spectral_segmentation/internal/Run_control.h>
+#include <CGAL/Spectral_segmentation/internal/bipartition/best_cut.h>
+#include <CGAL/Spectral_segmentation/internal/salience/Cut_evaluator.h>
 #include <CGAL/tags.h>
 
 #include <algorithm>
@@ -27,14 +27,14 @@ using internal::Sides;
 
 namespace {
 
-internal::Part whole(const Face_dual_graph& graph)
+internal::Part whole(const Face_graph& graph)
 {
   std::vector<Index> faces(graph.number_of_faces());
   std::iota(faces.begin(), faces.end(), Index(0));
   return {graph, 0, faces};
 }
 
-std::vector<Cut> judged_cuts(const Face_dual_graph& graph, const Options& options,
+std::vector<Cut> judged_cuts(const Face_graph& graph, const Options& options,
                              std::optional<Cut>& best)
 {
   Segmentation_visitor visitor;
@@ -70,12 +70,12 @@ BOOST_AUTO_TEST_CASE(sides_are_connected_if_each_is_one_component_by_itself)
   Random random(3);
   std::size_t number_connected = 0;
   for (int i = 0; i < 400; ++i) {
-    const Face_dual_graph graph = dual_graph_of(plate(1 + random() % 3, 1 + random() % 2));
+    const Face_graph graph = dual_graph_of(plate(1 + random() % 3, 1 + random() % 2));
     Sides side(graph.number_of_faces());
     for (char& s : side)
       s = random() % 2;
     bool expected = true;
-    for (const Face_dual_graph& part : internal::split(graph, side, 2)) {
+    for (const Face_graph& part : internal::split(graph, side, 2)) {
       std::size_t number;
       internal::connected_components(part, number);
       expected = expected && number == 1;
@@ -89,7 +89,7 @@ BOOST_AUTO_TEST_CASE(sides_are_connected_if_each_is_one_component_by_itself)
 
 BOOST_AUTO_TEST_CASE(every_judged_cut_has_two_connected_sides_that_are_not_too_small)
 {
-  const Face_dual_graph graph =
+  const Face_graph graph =
     graph_with_distances(dumbbell(20, 16), weights_of_calibrated_method);
   const double area = internal::total_area(graph);
   for (const Options& options : many_options()) {
@@ -102,14 +102,14 @@ BOOST_AUTO_TEST_CASE(every_judged_cut_has_two_connected_sides_that_are_not_too_s
       BOOST_TEST(cut.area[0] <= cut.area[1]);
       BOOST_TEST(cut.area[0] + cut.area[1] == area, boost::test_tools::tolerance(1e-9));
       BOOST_TEST(cut.salience == options.part_salience(cut.factors));
-      BOOST_TEST(internal::on_grid(cut.salience) <= internal::on_grid(best->salience));
+      BOOST_TEST(internal::quantized(cut.salience) <= internal::quantized(best->salience));
     }
   }
 }
 
 BOOST_AUTO_TEST_CASE(the_options_say_how_many_cuts_are_judged)
 {
-  const Face_dual_graph graph =
+  const Face_graph graph =
     graph_with_distances(dumbbell(20, 16), weights_of_calibrated_method);
   for (const Options& options : many_options()) {
     std::optional<Cut> best;
@@ -129,7 +129,7 @@ BOOST_AUTO_TEST_CASE(the_options_say_how_many_cuts_are_judged)
 BOOST_AUTO_TEST_CASE(more_cuts_to_choose_from_are_no_worse)
 {
   for (const Soup& soup : {dumbbell(20, 16), torus(3, 1, 30, 20)}) {
-    const Face_dual_graph graph = graph_with_distances(soup, weights_of_calibrated_method);
+    const Face_graph graph = graph_with_distances(soup, weights_of_calibrated_method);
     const auto salience = [&](bool single_source, std::size_t refined) {
       Options o;
       o.single_source_orderings = single_source;
@@ -137,7 +137,7 @@ BOOST_AUTO_TEST_CASE(more_cuts_to_choose_from_are_no_worse)
       std::optional<Cut> best;
       judged_cuts(graph, o, best);
       BOOST_TEST_REQUIRE(best.has_value());
-      return internal::on_grid(best->salience);
+      return internal::quantized(best->salience);
     };
     BOOST_TEST(salience(true, 0) >= salience(false, 0));
     BOOST_TEST(salience(false, 4) >= salience(false, 0));
@@ -147,7 +147,7 @@ BOOST_AUTO_TEST_CASE(more_cuts_to_choose_from_are_no_worse)
 
 BOOST_AUTO_TEST_CASE(a_part_without_room_for_two_segments_is_not_searched)
 {
-  const Face_dual_graph graph = graph_with_distances(dumbbell(12, 8));
+  const Face_graph graph = graph_with_distances(dumbbell(12, 8));
   struct Counter : Segmentation_visitor
   {
     std::size_t number_of_parts = 0;

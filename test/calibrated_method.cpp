@@ -6,7 +6,7 @@
 #include "test_labels.h"
 #include "test_meshes.h"
 
-#include <CGAL/Spectral_segmentation/internal/cut_and_merge.h>
+#include <CGAL/Spectral_segmentation/internal/hierarchy/region_merging.h>
 #include <CGAL/segment_spectral_recursive.h>
 
 #include <CGAL/Polygon_mesh_processing/polygon_soup_to_polygon_mesh.h>
@@ -31,7 +31,7 @@ using namespace test_meshes;
 namespace parameters = CGAL::Spectral_segmentation::parameters;
 namespace PMP = CGAL::Polygon_mesh_processing;
 namespace internal = CGAL::Spectral_segmentation::internal;
-using CGAL::Spectral_segmentation::Segment_tree;
+using CGAL::Spectral_segmentation::Segmentation_hierarchy;
 using CGAL::Spectral_segmentation::Segmentation_visitor;
 
 namespace {
@@ -93,11 +93,11 @@ const Soup& elephant()
   return soup;
 }
 
-const Segment_tree& tree_of_elephant()
+const Segmentation_hierarchy& tree_of_elephant()
 {
-  static const Segment_tree tree = [] {
-    Segment_tree t;
-    labels_of(elephant(), calibrated().segment_tree(t));
+  static const Segmentation_hierarchy tree = [] {
+    Segmentation_hierarchy t;
+    labels_of(elephant(), calibrated().hierarchy(t));
     return t;
   }();
   return tree;
@@ -141,8 +141,8 @@ BOOST_AUTO_TEST_CASE(labels_for_any_number_of_segments_are_those_of_a_fresh_run)
 BOOST_AUTO_TEST_CASE(labels_for_any_number_without_a_threshold_are_those_of_a_fresh_run)
 {
   const auto np = calibrated().salience_threshold(-infinity);
-  Segment_tree tree;
-  labels_of(elephant(), np.segment_tree(tree));
+  Segmentation_hierarchy tree;
+  labels_of(elephant(), np.hierarchy(tree));
   for (std::size_t n = 1; n <= 8; ++n) {
     const Labels fresh = labels_of(elephant(), np.maximum_number_of_segments(n));
     BOOST_TEST(number_of(fresh) == n);
@@ -160,21 +160,21 @@ BOOST_AUTO_TEST_CASE(as_many_segments_as_are_asked_for)
     check_numbering(mesh, labels);
   }
   BOOST_TEST(number_of(labels_of(elephant(), np)) == 20);
-  BOOST_TEST(number_of(labels_of(elephant(), np.number_of_pieces(7))) == 7);
+  BOOST_TEST(number_of(labels_of(elephant(), np.number_of_regions(7))) == 7);
   const Soup three = disjoint_union(dumbbell(16, 12), disjoint_union(sphere(2), sphere(1)));
-  BOOST_TEST(number_of(labels_of(three, np.number_of_pieces(6))) == 8);
-  BOOST_TEST(number_of(labels_of(three, np.number_of_pieces(6).maximum_number_of_segments(11))) ==
+  BOOST_TEST(number_of(labels_of(three, np.number_of_regions(6))) == 8);
+  BOOST_TEST(number_of(labels_of(three, np.number_of_regions(6).maximum_number_of_segments(11))) ==
              11);
   BOOST_TEST(number_of(labels_of(dumbbell(6, 4), np.minimum_segment_size(0)
-                                                   .number_of_pieces(unlimited))) > 20);
+                                                   .number_of_regions(unlimited))) > 20);
 }
 
 BOOST_AUTO_TEST_CASE(labels_depend_on_the_maximum_only_above_the_number_of_pieces)
 {
-  Segment_tree whole, up_to_10, up_to_30;
-  labels_of(elephant(), calibrated().segment_tree(whole));
-  labels_of(elephant(), calibrated().maximum_number_of_segments(10).segment_tree(up_to_10));
-  labels_of(elephant(), calibrated().maximum_number_of_segments(30).segment_tree(up_to_30));
+  Segmentation_hierarchy whole, up_to_10, up_to_30;
+  labels_of(elephant(), calibrated().hierarchy(whole));
+  labels_of(elephant(), calibrated().maximum_number_of_segments(10).hierarchy(up_to_10));
+  labels_of(elephant(), calibrated().maximum_number_of_segments(30).hierarchy(up_to_30));
   BOOST_TEST(whole.number_of_segments() == 20);
   BOOST_TEST(up_to_30.number_of_segments() == 30);
   for (std::size_t n = 1; n <= 20; ++n)
@@ -185,7 +185,7 @@ BOOST_AUTO_TEST_CASE(labels_depend_on_the_maximum_only_above_the_number_of_piece
 BOOST_AUTO_TEST_CASE(an_observer_hears_of_the_cuts_that_are_judged)
 {
   typedef internal::Judged_cut Judged_cut;
-  const internal::Face_dual_graph mesh =
+  const internal::Face_graph mesh =
     graph_with_distances(dumbbell(20, 16), weights_of_calibrated_method);
   const internal::Options options = internal::calibrated_options();
   Segmentation_visitor visitor;
@@ -193,7 +193,7 @@ BOOST_AUTO_TEST_CASE(an_observer_hears_of_the_cuts_that_are_judged)
   std::set<std::vector<internal::Index> > parts;
   std::size_t number_of[2] = {0, 0};
   std::set<double> saliences[2];
-  const Segment_tree tree = internal::cut_and_merge<CGAL::Sequential_tag>(
+  const Segmentation_hierarchy tree = internal::cut_and_merge<CGAL::Sequential_tag>(
     mesh, options, monitor, [&](const Judged_cut& cut) {
       ++number_of[cut.kind];
       saliences[cut.kind].insert(options.part_salience(cut.factors));
@@ -204,7 +204,7 @@ BOOST_AUTO_TEST_CASE(an_observer_hears_of_the_cuts_that_are_judged)
         area[int(cut.side[i])] += mesh.areas[cut.faces[i]];
       BOOST_TEST(cut.factors.size == area[0] / (area[0] + area[1]),
                  boost::test_tools::tolerance(1e-9));
-      BOOST_TEST(cut.factors.logarithm_of_part ==
+      BOOST_TEST(cut.factors.log_relative_part_area ==
                  std::log((area[0] + area[1]) / internal::total_area(mesh)),
                  boost::test_tools::tolerance(1e-9));
       if (cut.kind == Judged_cut::CANDIDATE)
@@ -234,27 +234,27 @@ BOOST_AUTO_TEST_CASE(labels_for_any_threshold_are_those_of_a_fresh_run)
 
 BOOST_AUTO_TEST_CASE(a_child_is_at_most_as_salient_as_its_parent)
 {
-  const Segment_tree& tree = tree_of_elephant();
+  const Segmentation_hierarchy& tree = tree_of_elephant();
   BOOST_TEST(tree.number_of_segments() > 5);
   for (std::size_t i = 0; i < tree.number_of_nodes(); ++i) {
-    const Segment_tree::Node& n = tree.node(i);
+    const Segmentation_hierarchy::Node& n = tree.node(i);
     BOOST_TEST(n.salience >= 0);
     BOOST_TEST(n.salience <= 1);
     if (i >= tree.number_of_roots())
       BOOST_TEST(n.salience <= tree.node(n.parent).salience);
     if (n.is_leaf())
       continue;
-    const Segment_tree::Node &small = tree.node(n.children[0]), &large = tree.node(n.children[1]);
+    const Segmentation_hierarchy::Node &small = tree.node(n.children[0]), &large = tree.node(n.children[1]);
     BOOST_TEST(small.area <= large.area);
   }
 }
 
 BOOST_AUTO_TEST_CASE(factors_are_those_of_the_mesh_that_is_searched)
 {
-  Segment_tree tree;
-  labels_of(elephant(), calibrated().number_of_searched_faces(0).segment_tree(tree));
+  Segmentation_hierarchy tree;
+  labels_of(elephant(), calibrated().number_of_searched_faces(0).hierarchy(tree));
   for (std::size_t i = 0; i < tree.number_of_nodes(); ++i) {
-    const Segment_tree::Node& n = tree.node(i);
+    const Segmentation_hierarchy::Node& n = tree.node(i);
     if (!n.is_leaf())
       BOOST_TEST(n.factors.size == tree.node(n.children[0]).area / n.area,
                  boost::test_tools::tolerance(1e-9));
@@ -264,7 +264,7 @@ BOOST_AUTO_TEST_CASE(factors_are_those_of_the_mesh_that_is_searched)
 BOOST_AUTO_TEST_CASE(labels_are_contiguous_and_segments_connected)
 {
   const Mesh mesh = mesh_of(elephant());
-  const Segment_tree& tree = tree_of_elephant();
+  const Segmentation_hierarchy& tree = tree_of_elephant();
   for (std::size_t n = 1; n <= number_of(tree.labels(unlimited, 0.3)); ++n) {
     const Labels labels = tree.labels(n, 0.3);
     check_numbering(mesh, labels);
@@ -423,9 +423,9 @@ BOOST_AUTO_TEST_CASE(a_run_that_is_stopped_has_labels_of_connected_segments)
   const Mesh mesh = mesh_of(soup);
   std::size_t largest_number = 0;
   for (std::size_t polls = 1; polls < 200; polls += 11) {
-    Segment_tree tree;
+    Segmentation_hierarchy tree;
     const Labels labels = labels_of(
-      soup, calibrated().visitor(Stop_after(polls)).segment_tree(tree));
+      soup, calibrated().visitor(Stop_after(polls)).hierarchy(tree));
     check_numbering(mesh, labels);
     BOOST_TEST(labels == tree.labels(), boost::test_tools::per_element());
     largest_number = (std::max)(largest_number, number_of(labels));

@@ -6,13 +6,13 @@
 #include "test_meshes.h"
 
 #include <CGAL/Spectral_segmentation/Part_salience.h>
-#include <CGAL/Spectral_segmentation/internal/Cut_judge.h>
-#include <CGAL/Spectral_segmentation/internal/Extreme_points.h>
-#include <CGAL/Spectral_segmentation/internal/Face_dual_graph.h>
-#include <CGAL/Spectral_segmentation/internal/Hollowness.h>
-#include <CGAL/Spectral_segmentation/internal/distances_from_cut.h>
-#include <CGAL/Spectral_segmentation/internal/face_distances.h>
-#include <CGAL/Spectral_segmentation/internal/parts.h>
+#include <CGAL/Spectral_segmentation/internal/salience/Cut_evaluator.h>
+#include <CGAL/Spectral_segmentation/internal/salience/Support_points.h>
+#include <CGAL/Spectral_segmentation/internal/mesh/Face_graph.h>
+#include <CGAL/Spectral_segmentation/internal/salience/Convexity_defect.h>
+#include <CGAL/Spectral_segmentation/internal/salience/faces_near_cut.h>
+#include <CGAL/Spectral_segmentation/internal/distances/face_distances.h>
+#include <CGAL/Spectral_segmentation/internal/mesh/extract_part.h>
 
 #include <algorithm>
 #include <cmath>
@@ -26,8 +26,8 @@ BOOST_AUTO_TEST_SUITE(cut_judge)
 using namespace test_meshes;
 namespace internal = CGAL::Spectral_segmentation::internal;
 using CGAL::Spectral_segmentation::Salience_factors;
-using internal::Cut_judge;
-using internal::Extreme_points;
+using internal::Cut_evaluator;
+using internal::Support_points;
 using internal::Judged_mesh;
 using internal::total_area;
 
@@ -37,7 +37,7 @@ typedef std::vector<char> Sides;
 
 auto tolerance(double t) { return boost::test_tools::tolerance(t); }
 
-Face_dual_graph graph_of(const Soup& soup)
+Face_graph graph_of(const Soup& soup)
 { return graph_with_distances(soup, weights_of_calibrated_method); }
 
 // z of the centroid of each face, in the coordinates of the soup.
@@ -65,12 +65,12 @@ Sides swapped(Sides side)
 }
 
 // Of a cut of the whole mesh, whose area is said to be so many times what it is.
-Salience_factors factors(const Face_dual_graph& graph, const Sides& side, double times = 1)
+Salience_factors factors(const Face_graph& graph, const Sides& side, double times = 1)
 {
   std::vector<Index> faces(graph.number_of_faces());
   std::iota(faces.begin(), faces.end(), Index(0));
-  const Judged_mesh mesh = {times * total_area(graph), Extreme_points(graph)};
-  return Cut_judge(graph, faces, mesh)(side);
+  const Judged_mesh mesh = {times * total_area(graph), Support_points(graph)};
+  return Cut_evaluator(graph, faces, mesh)(side);
 }
 
 // 1 x 1 x 2: two cubes on top of each other.
@@ -94,20 +94,20 @@ Soup tube(std::size_t length, std::size_t rings_per_unit, std::size_t n_around)
 BOOST_AUTO_TEST_CASE(a_box_of_two_cubes_is_cut_in_the_middle)
 {
   const Soup soup = box();
-  const Face_dual_graph graph = graph_of(soup);
+  const Face_graph graph = graph_of(soup);
   const Salience_factors f = factors(graph, below(soup, 1), 4);
   BOOST_TEST(f.size == 0.5, tolerance(1e-12));
   // The corners of the unit square have the variance 1/4 in each direction; a half has the area 5.
   BOOST_TEST(f.protrusiveness == 1 - 4 * 0.25 / 5, tolerance(1e-12));
   BOOST_TEST(f.cut_strength == 0);
-  BOOST_TEST(f.logarithm_of_part == -std::log(4.), tolerance(1e-12));
+  BOOST_TEST(f.log_relative_part_area == -std::log(4.), tolerance(1e-12));
   BOOST_TEST(f.thickness_step == 0);
   BOOST_TEST(f.thickness_variation == 0);
 }
 
 BOOST_AUTO_TEST_CASE(a_plate_cut_off_a_plate_has_a_base_without_width)
 {
-  const Face_dual_graph graph = graph_of(plate(4, 1));
+  const Face_graph graph = graph_of(plate(4, 1));
   const Salience_factors f = factors(graph, {0, 0, 1, 1, 1, 1, 1, 1});
   BOOST_TEST(f.size == 0.25, tolerance(1e-12));
   BOOST_TEST(f.protrusiveness == 1, tolerance(1e-7));
@@ -117,16 +117,16 @@ BOOST_AUTO_TEST_CASE(a_plate_cut_off_a_plate_has_a_base_without_width)
 BOOST_AUTO_TEST_CASE(the_size_of_the_whole_mesh_enters_three_factors)
 {
   const Soup soup = dumbbell(20, 15);
-  const Face_dual_graph graph = graph_of(soup);
+  const Face_graph graph = graph_of(soup);
   const Salience_factors a = factors(graph, below(soup, 0)),
                          b = factors(graph, below(soup, 0), 100);
-  BOOST_TEST(std::abs(a.logarithm_of_part) < 1e-12);
-  BOOST_TEST(b.logarithm_of_part == -std::log(100.), tolerance(1e-12));
+  BOOST_TEST(std::abs(a.log_relative_part_area) < 1e-12);
+  BOOST_TEST(b.log_relative_part_area == -std::log(100.), tolerance(1e-12));
   BOOST_TEST(a.convexity_gain == 10 * b.convexity_gain, tolerance(1e-12));
   // The sides are convex.
   for (const Salience_factors& f : {a, b})
     BOOST_TEST(f.relative_convexity_gain == std::log(1 + 200 * f.convexity_gain), tolerance(1e-3));
-  BOOST_TEST(a.widening_of_rest == b.widening_of_rest);
+  BOOST_TEST(a.expansion_behind_cut == b.expansion_behind_cut);
 }
 
 BOOST_AUTO_TEST_CASE(a_convex_body_does_not_get_more_convex)
@@ -150,7 +150,7 @@ BOOST_AUTO_TEST_CASE(two_spheres_are_convex_once_they_are_cut_apart)
 BOOST_AUTO_TEST_CASE(gains_of_convexity_are_those_of_the_hollowness)
 {
   const Soup soup = torus(2, 0.7, 16, 10);
-  const Face_dual_graph graph = graph_of(soup);
+  const Face_graph graph = graph_of(soup);
   const Sides side = below(soup, -0.5);
   std::vector<Index> all, faces[2];
   double area[2] = {0, 0};
@@ -159,11 +159,11 @@ BOOST_AUTO_TEST_CASE(gains_of_convexity_are_those_of_the_hollowness)
     faces[int(side[f])].push_back(f);
     area[int(side[f])] += graph.areas[f];
   }
-  const Extreme_points extreme_points(graph);
-  const internal::Hollowness hollowness(extreme_points, graph, all);
-  const double of_sides = (area[0] * hollowness(faces[0]) + area[1] * hollowness(faces[1])) /
+  const Support_points support_points(graph);
+  const internal::Convexity_defect convexity_defect(support_points, graph, all);
+  const double of_sides = (area[0] * convexity_defect(faces[0]) + area[1] * convexity_defect(faces[1])) /
                           (area[0] + area[1]);
-  const double unit = 5, whole = hollowness(all) / unit, sides = of_sides / unit;
+  const double unit = 5, whole = convexity_defect(all) / unit, sides = of_sides / unit;
   const Salience_factors f = factors(graph, side, 25 / total_area(graph));
   BOOST_TEST(sides > 0.01);
   BOOST_TEST(f.convexity_gain == whole - sides, tolerance(1e-9));
@@ -175,9 +175,9 @@ BOOST_AUTO_TEST_CASE(concavity_near_the_cut_is_a_mean_by_length)
 {
   // The faces near the cut are the 8 that have an edge of it, each with edges 1, 1, sqrt(2).
   const Soup soup = box();
-  Face_dual_graph graph = graph_of(soup);
+  Face_graph graph = graph_of(soup);
   const Sides side = below(soup, 1);
-  for (Face_dual_graph::Halfedge& h : graph.halfedges)
+  for (Face_graph::Halfedge& h : graph.halfedges)
     h.concavity = 0;
   for (Index h = 0; h < graph.halfedges.size(); ++h)
     if (side[h / 3] != side[graph.halfedges[h].neighbor])
@@ -190,7 +190,7 @@ BOOST_AUTO_TEST_CASE(concavity_near_the_cut_is_a_mean_by_length)
 BOOST_AUTO_TEST_CASE(concavity_near_the_cut_does_not_see_what_is_far_from_it)
 {
   const Soup soup = tube(12, 4, 24);
-  Face_dual_graph graph = graph_of(soup);
+  Face_graph graph = graph_of(soup);
   const Sides side = below(soup, 3);
   const double area_of_q = factors(graph, side).size * total_area(graph);
   std::vector<char> is_near(side.size(), 0);
@@ -208,7 +208,7 @@ BOOST_AUTO_TEST_CASE(concavity_near_the_cut_does_not_see_what_is_far_from_it)
 BOOST_AUTO_TEST_CASE(thickness_that_is_constant_on_the_sides_has_its_variation_between_them)
 {
   const Soup soup = tube(12, 4, 24);
-  Face_dual_graph graph = graph_of(soup);
+  Face_graph graph = graph_of(soup);
   const Sides side = below(soup, 3);
   for (char s : side)
     graph.thickness.push_back(s == 0 ? 1.f : 3.f);
@@ -221,7 +221,7 @@ BOOST_AUTO_TEST_CASE(thickness_that_is_constant_on_the_sides_has_its_variation_b
 BOOST_AUTO_TEST_CASE(the_step_of_thickness_sees_neither_the_cut_nor_what_is_far_from_it)
 {
   const Soup soup = tube(12, 4, 24);
-  Face_dual_graph graph = graph_of(soup);
+  Face_graph graph = graph_of(soup);
   const Sides side = below(soup, 3);
   double area = 0;
   for (Index f = 0; f < side.size(); ++f)
@@ -244,7 +244,7 @@ BOOST_AUTO_TEST_CASE(sides_without_a_face_at_some_distance_have_no_step_of_thick
   // Half a box has the area 5, which makes a radius of 0.78; the faces at the cut have their
   // centroids at 0.37, the others are beyond 0.78.
   const Soup soup = box();
-  Face_dual_graph graph = graph_of(soup);
+  Face_graph graph = graph_of(soup);
   const Sides side = below(soup, 1);
   for (char s : side)
     graph.thickness.push_back(s == 0 ? 1.f : 3.f);
@@ -252,18 +252,18 @@ BOOST_AUTO_TEST_CASE(sides_without_a_face_at_some_distance_have_no_step_of_thick
   BOOST_TEST(f.thickness_variation == 1, tolerance(1e-9));
   BOOST_TEST(f.thickness_step == 0);
   // Each of the 4 faces at the cut that belong to the rest has the area 1/2, the cut the length 4.
-  BOOST_TEST(f.widening_of_rest == 4 * 0.5 / (0.35 * std::sqrt(5.) * 4), tolerance(1e-9));
+  BOOST_TEST(f.expansion_behind_cut == 4 * 0.5 / (0.35 * std::sqrt(5.) * 4), tolerance(1e-9));
 }
 
 BOOST_AUTO_TEST_CASE(a_cylinder_does_not_widen_and_a_sphere_behind_a_neck_does)
 {
   const Soup cylinder = tube(20, 6, 36);
-  const double widening = factors(graph_of(cylinder), below(cylinder, 6)).widening_of_rest;
+  const double widening = factors(graph_of(cylinder), below(cylinder, 6)).expansion_behind_cut;
   BOOST_TEST(widening > 0.75); // ways over centroids are a bit longer than the straight ones
   BOOST_TEST(widening < 1.02);
 
   const Soup spheres = dumbbell(40, 30);
-  const double of_sphere = factors(graph_of(spheres), below(spheres, 0)).widening_of_rest;
+  const double of_sphere = factors(graph_of(spheres), below(spheres, 0)).expansion_behind_cut;
   // A zone of the sphere from the neck up to the radius.
   const double neck = std::asin(0.2), radius = 0.35 * std::sqrt(4 * pi);
   const double zone = 2 * pi * (std::cos(neck) - std::cos(neck + radius));
@@ -275,17 +275,17 @@ BOOST_AUTO_TEST_CASE(widening_ends_at_four)
 {
   const Soup soup = dumbbell(20, 15);
   const Sides side = below(soup, 0);
-  Face_dual_graph graph = graph_of(soup);
+  Face_graph graph = graph_of(soup);
   for (Index f = 0; f < side.size(); ++f)
     graph.areas[f] *= side[f] == 1 ? 100 : 1;
-  BOOST_TEST(factors(graph, side).widening_of_rest == 4);
+  BOOST_TEST(factors(graph, side).expansion_behind_cut == 4);
 }
 
 BOOST_AUTO_TEST_CASE(halves_of_equal_area_swap_their_factors_with_their_labels)
 {
   Random random(7);
   const Soup soup = displaced(dumbbell(20, 15), 0.01, random);
-  Face_dual_graph graph = graph_of(soup);
+  Face_graph graph = graph_of(soup);
   const Sides side = below(soup, 0);
   // The halves get the same area, each face its share.
   double area[2] = {0, 0};
@@ -300,7 +300,7 @@ BOOST_AUTO_TEST_CASE(halves_of_equal_area_swap_their_factors_with_their_labels)
   BOOST_TEST(a.size == b.size, same);
   BOOST_TEST(a.cut_strength == b.cut_strength, same);
   BOOST_TEST(a.protrusiveness == b.protrusiveness, same);
-  BOOST_TEST(a.logarithm_of_part == b.logarithm_of_part, same);
+  BOOST_TEST(a.log_relative_part_area == b.log_relative_part_area, same);
   BOOST_TEST(a.concavity_near_cut == b.concavity_near_cut, same);
   BOOST_TEST(a.convexity_gain == b.convexity_gain, same);
   BOOST_TEST(a.relative_convexity_gain == b.relative_convexity_gain, same);
@@ -318,7 +318,7 @@ BOOST_AUTO_TEST_CASE(cut_strength_is_the_mean_concavity_by_length)
                                         dumbbell(12, 8)};
       const Soup soup = displaced(shapes[seed % shapes.size()], 0.1, random);
       const Mesh mesh = mesh_of(soup);
-      const Face_dual_graph graph = graph_of(soup);
+      const Face_graph graph = graph_of(soup);
       Sides side(graph.number_of_faces());
       for (char& s : side)
         s = random() % 3 == 0 ? 0 : 1;
@@ -349,18 +349,18 @@ BOOST_AUTO_TEST_CASE(cut_strength_is_the_mean_concavity_by_length)
 BOOST_AUTO_TEST_CASE(a_judge_forgets_the_cuts_before)
 {
   const Soup soup = torus(2, 0.7, 16, 10);
-  const Face_dual_graph graph = graph_of(soup);
+  const Face_graph graph = graph_of(soup);
   std::vector<Index> faces(graph.number_of_faces());
   std::iota(faces.begin(), faces.end(), Index(0));
-  const Judged_mesh mesh = {total_area(graph), Extreme_points(graph)};
-  const Cut_judge judge(graph, faces, mesh);
+  const Judged_mesh mesh = {total_area(graph), Support_points(graph)};
+  const Cut_evaluator judge(graph, faces, mesh);
   for (double z : {-0.5, 0.3, -0.5}) {
     const Salience_factors a = judge(below(soup, z)), b = factors(graph, below(soup, z));
     BOOST_TEST(a.protrusiveness == b.protrusiveness);
     BOOST_TEST(a.cut_strength == b.cut_strength);
     BOOST_TEST(a.concavity_near_cut == b.concavity_near_cut);
     BOOST_TEST(a.relative_convexity_gain == b.relative_convexity_gain);
-    BOOST_TEST(a.widening_of_rest == b.widening_of_rest);
+    BOOST_TEST(a.expansion_behind_cut == b.expansion_behind_cut);
   }
 }
 

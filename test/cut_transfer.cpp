@@ -6,9 +6,9 @@
 #include "test_labels.h"
 #include "test_meshes.h"
 
-#include <CGAL/Spectral_segmentation/internal/cut_and_merge.h>
-#include <CGAL/Spectral_segmentation/internal/cut_transfer.h>
-#include <CGAL/Spectral_segmentation/internal/initialization.h>
+#include <CGAL/Spectral_segmentation/internal/hierarchy/region_merging.h>
+#include <CGAL/Spectral_segmentation/internal/multilevel/projection.h>
+#include <CGAL/Spectral_segmentation/internal/multilevel/coarsening.h>
 #include <CGAL/segment_spectral_recursive.h>
 
 #include <algorithm>
@@ -26,7 +26,7 @@ BOOST_AUTO_TEST_SUITE(cut_transfer)
 using namespace test_meshes;
 namespace internal = CGAL::Spectral_segmentation::internal;
 namespace parameters = CGAL::Spectral_segmentation::parameters;
-using CGAL::Spectral_segmentation::Segment_tree;
+using CGAL::Spectral_segmentation::Segmentation_hierarchy;
 using CGAL::Spectral_segmentation::Segmentation_visitor;
 using CGAL::Spectral_segmentation::Stage;
 
@@ -37,8 +37,8 @@ const double infinity = std::numeric_limits<double>::infinity();
 // A run, step by step.
 struct Run
 {
-  internal::Initial_mesh mesh;
-  Segment_tree searched, whole;
+  internal::Mesh_levels mesh;
+  Segmentation_hierarchy searched, whole;
 
   Run(const Soup& soup, std::size_t number_of_searched_faces)
   {
@@ -53,7 +53,7 @@ struct Run
   }
 };
 
-std::vector<std::size_t> leaves(const Segment_tree& tree)
+std::vector<std::size_t> leaves(const Segmentation_hierarchy& tree)
 {
   std::vector<std::size_t> result(tree.number_of_faces());
   for (std::size_t i = 0; i < tree.number_of_nodes(); ++i)
@@ -86,12 +86,12 @@ BOOST_AUTO_TEST_CASE(the_cuts_are_those_of_the_simplified_mesh)
        {fine_dumbbell(), disjoint_union(sphere(4), moved(dumbbell(60, 40), 5, 0, 0))}) {
     const Run run(soup, 1500);
     BOOST_TEST_REQUIRE(run.mesh.simplified.size() == 1);
-    const Segment_tree &few = run.searched, &all = run.whole;
+    const Segmentation_hierarchy &few = run.searched, &all = run.whole;
     BOOST_TEST(all.number_of_faces() == soup.triangles.size());
     BOOST_TEST(all.number_of_roots() == few.number_of_roots());
     BOOST_TEST_REQUIRE(all.number_of_nodes() == few.number_of_nodes());
     for (std::size_t i = few.number_of_roots(); i < few.number_of_nodes(); i += 2) {
-      const Segment_tree::Node &cut = few.node(few.node(i).parent),
+      const Segmentation_hierarchy::Node &cut = few.node(few.node(i).parent),
                                &same = all.node(all.node(i).parent);
       BOOST_TEST(cut.salience == same.salience);
       BOOST_TEST(same.factors.cut_strength == cut.factors.cut_strength);
@@ -105,7 +105,7 @@ BOOST_AUTO_TEST_CASE(the_cuts_are_those_of_the_simplified_mesh)
 BOOST_AUTO_TEST_CASE(faces_far_from_all_cuts_are_where_the_simplified_mesh_has_them)
 {
   const Run run(fine_dumbbell(), 1500);
-  const internal::Simplified_mesh& simplified = run.mesh.simplified.front();
+  const internal::Coarse_mesh& simplified = run.mesh.simplified.front();
   const std::vector<std::size_t> few = leaves(run.searched), all = leaves(run.whole);
   std::vector<std::set<std::size_t> > of_vertex(simplified.graph.points.size());
   for (std::size_t f = 0; f < few.size(); ++f)
@@ -205,10 +205,10 @@ BOOST_AUTO_TEST_CASE(a_tree_of_the_paper_is_read_off_in_the_order_of_its_run)
   const Mesh mesh = mesh_of(soup);
   const auto np = parameters::zhang_liu_2005().number_of_searched_faces(1000)
                     .salience_threshold(-infinity);
-  Segment_tree tree;
+  Segmentation_hierarchy tree;
   Labels labels;
   CGAL::segment_spectral_recursive(
-    mesh, map_to(labels, mesh), np.maximum_number_of_segments(12).segment_tree(tree));
+    mesh, map_to(labels, mesh), np.maximum_number_of_segments(12).hierarchy(tree));
   for (std::size_t n = 1; n <= 12; ++n) {
     CGAL::segment_spectral_recursive(mesh, map_to(labels, mesh), np.maximum_number_of_segments(n));
     BOOST_TEST(tree.labels(n, -infinity) == labels, boost::test_tools::per_element());
@@ -226,10 +226,10 @@ BOOST_AUTO_TEST_CASE(parts_of_a_few_searched_faces_are_neither_lost_nor_torn)
       const auto np = parameters::minimum_segment_size(0).number_of_searched_faces(
         limits[seed % 3]).salience_threshold(-infinity);
       const auto check = [&](const auto& method) {
-        Segment_tree tree;
+        Segmentation_hierarchy tree;
         Labels labels;
         const std::size_t n =
-          CGAL::segment_spectral_recursive(mesh, map_to(labels, mesh), method.segment_tree(tree));
+          CGAL::segment_spectral_recursive(mesh, map_to(labels, mesh), method.hierarchy(tree));
         BOOST_TEST(number_of_connected_pieces(mesh, labels) == n);
         for (std::size_t i = 1; i <= n; ++i)
           BOOST_TEST(number_of_connected_pieces(mesh, tree.labels(i, -infinity)) == i);

@@ -5,10 +5,10 @@
 
 #include "test_meshes.h"
 
-#include <CGAL/Spectral_segmentation/internal/Face_dual_graph.h>
-#include <CGAL/Spectral_segmentation/internal/embedding.h>
-#include <CGAL/Spectral_segmentation/internal/shortest_paths.h>
-#include <CGAL/Spectral_segmentation/internal/spectral_order.h>
+#include <CGAL/Spectral_segmentation/internal/mesh/Face_graph.h>
+#include "embedding.h"
+#include <CGAL/Spectral_segmentation/internal/bipartition/shortest_paths.h>
+#include <CGAL/Spectral_segmentation/internal/bipartition/face_orders.h>
 
 #include <cmath>
 #include <cstddef>
@@ -35,13 +35,13 @@ struct Two_samples
   explicit Two_samples(Random& random)
   {
     const std::vector<Soup> shapes = {plate(5, 4), sphere(1), torus(2, 0.7, 6, 5), dumbbell(5, 4)};
-    const Face_dual_graph graph =
+    const Face_graph graph =
       graph_with_distances(displaced(shapes[random() % shapes.size()], 0.2, random));
     const Index n = num_vertices(graph);
     s = Index(random() % n);
     t = Index((s + 1 + random() % (n - 1)) % n);
-    from_s = shortest_paths(graph, s, &Face_dual_graph::Halfedge::combined);
-    from_t = shortest_paths(graph, t, &Face_dual_graph::Halfedge::combined);
+    from_s = shortest_paths(graph, s, &Face_graph::Halfedge::combined);
+    from_t = shortest_paths(graph, t, &Face_graph::Halfedge::combined);
   }
 
   double difference(Index f) const { return from_s[f] - from_t[f]; }

@@ -23,7 +23,7 @@ BOOST_AUTO_TEST_SUITE(evident_cuts)
 
 using namespace test_meshes;
 namespace parameters = CGAL::Spectral_segmentation::parameters;
-using CGAL::Spectral_segmentation::Segment_tree;
+using CGAL::Spectral_segmentation::Segmentation_hierarchy;
 
 namespace {
 
@@ -33,23 +33,23 @@ typedef std::function<bool(const Point&)> Region;
 const double infinity = std::numeric_limits<double>::infinity();
 
 template <class NamedParameters>
-Segment_tree tree_of(const Mesh& mesh, const NamedParameters& np)
+Segmentation_hierarchy tree_of(const Mesh& mesh, const NamedParameters& np)
 {
-  Segment_tree tree;
+  Segmentation_hierarchy tree;
   std::vector<std::size_t> labels(num_faces(mesh));
   CGAL::segment_spectral_recursive(
     mesh, boost::make_iterator_property_map(labels.begin(), get(CGAL::face_index, mesh)),
-    np.segment_tree(tree));
+    np.hierarchy(tree));
   return tree;
 }
 
-Segment_tree tree_of_parts(const Mesh& mesh, std::size_t number_of_segments)
+Segmentation_hierarchy tree_of_parts(const Mesh& mesh, std::size_t number_of_segments)
 {
   return tree_of(mesh, parameters::zhang_liu_2005().salience_threshold(-infinity)
                          .maximum_number_of_segments(number_of_segments));
 }
 
-Segment_tree tree_of(const Mesh& mesh) { return tree_of(mesh, parameters::zhang_liu_2005()); }
+Segmentation_hierarchy tree_of(const Mesh& mesh) { return tree_of(mesh, parameters::zhang_liu_2005()); }
 
 // A limb, and the vertices at which it is joined to the rest.
 struct Limb
@@ -60,7 +60,7 @@ struct Limb
 
 // Whether the cut of a node runs within a ring of faces of the seam: of its faces that do not touch
 // the seam, those of the limb and no others are on the one side.
-bool is_cut_at_seam(const Mesh& mesh, const Segment_tree& tree, std::size_t node, const Limb& limb)
+bool is_cut_at_seam(const Mesh& mesh, const Segmentation_hierarchy& tree, std::size_t node, const Limb& limb)
 {
   if (tree.node(node).is_leaf())
     return false;
@@ -275,7 +275,7 @@ BOOST_AUTO_TEST_CASE(a_dumbbell_of_boxes)
       add_box(cells, {3 * k, 3 * k, 9 * k}, {6 * k, 6 * k, 15 * k});
       add_box(cells, {0, 0, 15 * k}, {9 * k, 9 * k, 24 * k});
       const Mesh mesh = boundary_of(cells);
-      const Segment_tree tree = tree_of(mesh);
+      const Segmentation_hierarchy tree = tree_of(mesh);
       BOOST_TEST(tree.number_of_segments() == 2);
       // The two ends of the bar are alike.
       const auto is_at_end = [k](const Point& p, int z) {
@@ -325,7 +325,7 @@ BOOST_AUTO_TEST_CASE(a_torus_with_a_handle)
   add_box(cells, {1, 1, 6}, {14, 2, 7});
   const Mesh mesh = boundary_of(cells);
 
-  const Segment_tree tree = tree_of_parts(mesh, 2);
+  const Segmentation_hierarchy tree = tree_of_parts(mesh, 2);
   const std::size_t handle = tree.node(0).children[0];
   const double area_of_handle = 2 * 3 * 4 + 4 * 13; // legs and bar
   BOOST_TEST_REQUIRE(!tree.node(0).is_leaf());
@@ -351,7 +351,7 @@ BOOST_AUTO_TEST_CASE(a_hand)
                                                  p.z() >= 3 && p.z() <= 4; }});
   const Mesh mesh = boundary_of(cells, true);
 
-  const Segment_tree tree = tree_of_parts(mesh, 6);
+  const Segmentation_hierarchy tree = tree_of_parts(mesh, 6);
   std::vector<std::size_t> number_of_cuts(fingers.size(), 0);
   for (std::size_t i = 0; i < tree.number_of_nodes(); ++i)
     for (std::size_t finger = 0; finger < fingers.size(); ++finger)

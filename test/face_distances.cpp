@@ -5,9 +5,9 @@
 
 #include "test_meshes.h"
 
-#include <CGAL/Spectral_segmentation/internal/Face_dual_graph.h>
-#include <CGAL/Spectral_segmentation/internal/face_distances.h>
-#include <CGAL/Spectral_segmentation/internal/shape_scale_angles.h>
+#include <CGAL/Spectral_segmentation/internal/mesh/Face_graph.h>
+#include <CGAL/Spectral_segmentation/internal/distances/face_distances.h>
+#include <CGAL/Spectral_segmentation/internal/distances/curvature_angles.h>
 #include <CGAL/tags.h>
 
 #include <boost/math/tools/minima.hpp>
@@ -27,7 +27,7 @@ using CGAL::Spectral_segmentation::internal::Vector;
 using CGAL::Spectral_segmentation::internal::dihedral;
 using CGAL::Spectral_segmentation::internal::equalize;
 using CGAL::Spectral_segmentation::internal::geodesic_distance;
-using CGAL::Spectral_segmentation::internal::shape_scale_angles;
+using CGAL::Spectral_segmentation::internal::curvature_angles;
 
 namespace {
 
@@ -56,7 +56,7 @@ Soup roof(double slope)
 // The dihedral of the only inner edge of a roof.
 Dihedral dihedral_of(const Soup& soup)
 {
-  const Face_dual_graph graph = dual_graph_of(soup);
+  const Face_graph graph = dual_graph_of(soup);
   const std::vector<Vector> normals = face_normals(graph, graph.points);
   Index h = 0;
   while (graph.is_border(h))
@@ -74,7 +74,7 @@ struct Expected_edge
 };
 
 // The inner edges of a mesh and their distances, by CGAL's geometry.
-std::vector<Expected_edge> expected_edges(const Soup& soup, const Face_dual_graph& graph,
+std::vector<Expected_edge> expected_edges(const Soup& soup, const Face_graph& graph,
                                           const Distance_weights& weights)
 {
   const auto corner = [&](Index h) { return soup.points[graph.source_vertex(h)]; };
@@ -200,7 +200,7 @@ BOOST_AUTO_TEST_CASE(distances_on_random_meshes_agree_with_the_definition)
                                         dumbbell(7, 4)};
       const Soup soup = displaced(shapes[seed % shapes.size()], 0.15, random);
       const Distance_weights weights = {0.25, 0.5 + seed % 3, 0.2 * (seed % 5)};
-      Face_dual_graph graph = dual_graph_of(soup);
+      Face_graph graph = dual_graph_of(soup);
       set_face_distances(graph, weights);
 
       const std::vector<Expected_edge> edges = expected_edges(soup, graph, weights);
@@ -208,7 +208,7 @@ BOOST_AUTO_TEST_CASE(distances_on_random_meshes_agree_with_the_definition)
       for (const Expected_edge& e : edges)
         angles.push_back(e.angle);
       for (std::size_t i = 0; i < edges.size(); ++i) {
-        const Face_dual_graph::Halfedge& h = graph.halfedges[edges[i].halfedge];
+        const Face_graph::Halfedge& h = graph.halfedges[edges[i].halfedge];
         const double angle = rank_by_counting(angles, i);
         BOOST_TEST(h.concavity == (edges[i].concave ? h.angle : 0));
         BOOST_TEST(std::abs(h.geodesic - edges[i].geodesic) < rounding);
@@ -222,15 +222,15 @@ BOOST_AUTO_TEST_CASE(distances_on_random_meshes_agree_with_the_definition)
 BOOST_AUTO_TEST_CASE(both_sides_of_an_edge_agree_and_the_border_has_no_distance)
 {
   Random random(1);
-  const Face_dual_graph graph = graph_with_distances(displaced(plate(4, 3), 0.2, random));
+  const Face_graph graph = graph_with_distances(displaced(plate(4, 3), 0.2, random));
   for (Index h = 0; h < graph.halfedges.size(); ++h) {
-    const Face_dual_graph::Halfedge& e = graph.halfedges[h];
+    const Face_graph::Halfedge& e = graph.halfedges[h];
     if (graph.is_border(h)) {
       BOOST_TEST(e.geodesic + e.angle + e.combined == 0);
       BOOST_TEST(e.concavity == 0);
       continue;
     }
-    const Face_dual_graph::Halfedge& o = graph.halfedges[graph.opposite(h)];
+    const Face_graph::Halfedge& o = graph.halfedges[graph.opposite(h)];
     BOOST_TEST(e.geodesic == o.geodesic);
     BOOST_TEST(e.angle == o.angle);
     BOOST_TEST(e.combined == o.combined);
@@ -241,7 +241,7 @@ BOOST_AUTO_TEST_CASE(both_sides_of_an_edge_agree_and_the_border_has_no_distance)
 BOOST_AUTO_TEST_CASE(the_mean_of_the_geodesic_distances_is_1)
 {
   for (const Soup& soup : {sphere(2), plate(9, 2), dumbbell(9, 9)}) {
-    const Face_dual_graph graph = graph_with_distances(soup);
+    const Face_graph graph = graph_with_distances(soup);
     double sum = 0, number = 0;
     for (Index h = 0; h < graph.halfedges.size(); ++h)
       if (!graph.is_border(h)) {
@@ -255,12 +255,12 @@ BOOST_AUTO_TEST_CASE(the_mean_of_the_geodesic_distances_is_1)
 BOOST_AUTO_TEST_CASE(a_geodesic_weight_of_0_or_1_leaves_one_distance)
 {
   Random random(2);
-  Face_dual_graph graph = dual_graph_of(displaced(sphere(1), 0.1, random));
+  Face_graph graph = dual_graph_of(displaced(sphere(1), 0.1, random));
   set_face_distances(graph, {0, 1, 0.1});
-  for (const Face_dual_graph::Halfedge& h : graph.halfedges)
+  for (const Face_graph::Halfedge& h : graph.halfedges)
     BOOST_TEST(h.combined == h.angle);
   set_face_distances(graph, {1, 1, 0.1});
-  for (const Face_dual_graph::Halfedge& h : graph.halfedges)
+  for (const Face_graph::Halfedge& h : graph.halfedges)
     BOOST_TEST(h.combined == h.geodesic);
 }
 
@@ -275,7 +275,7 @@ BOOST_AUTO_TEST_CASE(the_weight_of_concave_edges_decides_against_sharper_convex_
     soup.points[i] = profile[i];
     soup.points[4 + i] = Point(profile[i].x(), 1, profile[i].z());
   }
-  Face_dual_graph graph = dual_graph_of(soup);
+  Face_graph graph = dual_graph_of(soup);
   const auto angle_between = [&](Index f, Index g) {
     for (Index h = 3 * f; h < 3 * f + 3; ++h)
       if (graph.halfedges[h].neighbor == g)
@@ -301,7 +301,7 @@ BOOST_AUTO_TEST_CASE(turned_inside_out_concave_and_convex_edges_swap)
 {
   Random random(3);
   const Soup soup = displaced(torus(2, 0.7, 8, 6), 0.1, random);
-  const Face_dual_graph graph = graph_with_distances(soup),
+  const Face_graph graph = graph_with_distances(soup),
                         inverse = graph_with_distances(turned_inside_out(soup));
   std::size_t number_of_concave = 0;
   for (Index h = 0; h < graph.halfedges.size(); ++h) {
@@ -372,12 +372,12 @@ BOOST_AUTO_TEST_CASE(with_a_radius_bending_takes_the_place_of_the_dihedral_angle
       Random random(seed);
       const std::vector<Soup> shapes = {plate(9, 7), sphere(2), torus(2, 0.7, 16, 10),
                                         dumbbell(12, 8)};
-      Face_dual_graph graph = dual_graph_of(displaced(shapes[seed % shapes.size()], 0.1, random));
+      Face_graph graph = dual_graph_of(displaced(shapes[seed % shapes.size()], 0.1, random));
       const Distance_weights weights = {0.25, 1, 0.2, 0.04};
       set_face_distances(graph, weights);
       const std::vector<Vector> normals = face_normals(graph, graph.points);
       const std::vector<double> bending =
-        shape_scale_angles<CGAL::Sequential_tag>(graph, graph.points, normals, 0.04);
+        curvature_angles<CGAL::Sequential_tag>(graph, graph.points, normals, 0.04);
       std::vector<Index> edges;
       std::vector<float> values;
       std::vector<double> lengths;
@@ -389,7 +389,7 @@ BOOST_AUTO_TEST_CASE(with_a_radius_bending_takes_the_place_of_the_dihedral_angle
         }
       bool differs = false;
       for (std::size_t e = 0; e < edges.size(); ++e) {
-        const Face_dual_graph::Halfedge& h = graph.halfedges[edges[e]];
+        const Face_graph::Halfedge& h = graph.halfedges[edges[e]];
         const double angle = share_by_adding(values, lengths, e);
         BOOST_TEST(std::abs(h.angle - angle) < rounding);
         BOOST_TEST(h.concavity == (bending[edges[e]] < 0 ? h.angle : 0));
@@ -418,7 +418,7 @@ Soup roof_with_a_needle()
 
 BOOST_AUTO_TEST_CASE(a_face_without_area_takes_the_normal_across_its_longest_edge)
 {
-  const Face_dual_graph graph = graph_with_distances(roof_with_a_needle());
+  const Face_graph graph = graph_with_distances(roof_with_a_needle());
   const std::vector<Vector> normals = face_normals(graph, graph.points);
   BOOST_TEST(graph.areas[1] == 0);
   BOOST_TEST((normals[0] == Vector(0, 0, 1)));
@@ -437,7 +437,7 @@ BOOST_AUTO_TEST_CASE(faces_without_area_pass_a_normal_on)
   Soup soup = roof_with_a_needle();
   soup.points.emplace_back(1.5, 0, 0);
   soup.triangles.back() = {1, 2, 5};
-  const Face_dual_graph graph = dual_graph_of(soup);
+  const Face_graph graph = dual_graph_of(soup);
   const std::vector<Vector> normals = face_normals(graph, graph.points);
   BOOST_TEST((normals[1] == Vector(0, 0, 1)));
   BOOST_TEST((normals[3] == Vector(0, 0, 1)));
@@ -449,8 +449,8 @@ BOOST_AUTO_TEST_CASE(a_mesh_without_area_has_no_angles)
     Soup soup = sphere(1);
     for (Point& p : soup.points)
       p = Point(length * p.x(), 0, 0);
-    const Face_dual_graph graph = graph_with_distances(soup);
-    for (const Face_dual_graph::Halfedge& h : graph.halfedges) {
+    const Face_graph graph = graph_with_distances(soup);
+    for (const Face_graph::Halfedge& h : graph.halfedges) {
       BOOST_TEST(h.concavity == 0);
       BOOST_TEST(h.angle == 0.5f);
       BOOST_TEST(h.geodesic >= 0);
@@ -463,11 +463,11 @@ BOOST_AUTO_TEST_CASE(distances_are_computed_from_the_given_points)
 {
   Random random(4);
   const Soup soup = sphere(1), other = displaced(soup, 0.1, random);
-  Face_dual_graph graph = dual_graph_of(soup);
+  Face_graph graph = dual_graph_of(soup);
   const std::vector<Vector> points = dual_graph_of(other).points;
   CGAL::Spectral_segmentation::internal::set_face_distances<CGAL::Sequential_tag>(
     graph, points, face_normals(graph, points), weights_of_paper);
-  const Face_dual_graph expected = graph_with_distances(other);
+  const Face_graph expected = graph_with_distances(other);
   for (Index h = 0; h < graph.halfedges.size(); ++h)
     BOOST_TEST(graph.halfedges[h].combined == expected.halfedges[h].combined);
 }

@@ -5,7 +5,7 @@
 
 #include "test_meshes.h"
 
-#include <CGAL/Spectral_segmentation/internal/Face_dual_graph.h>
+#include <CGAL/Spectral_segmentation/internal/mesh/Face_graph.h>
 #include <boost/graph/graph_concepts.hpp>
 
 #include <cstddef>
@@ -20,7 +20,7 @@ using CGAL::Spectral_segmentation::internal::null_index;
 
 namespace {
 
-std::size_t number_of_border_edges(const Face_dual_graph& graph)
+std::size_t number_of_border_edges(const Face_graph& graph)
 {
   std::size_t n = 0;
   for (Index h = 0; h < graph.halfedges.size(); ++h)
@@ -33,7 +33,7 @@ std::size_t number_of_border_edges(const Face_dual_graph& graph)
 BOOST_AUTO_TEST_CASE(each_half_edge_leads_to_the_face_with_the_reverse_edge)
 {
   for (const Soup& soup : small_soups()) {
-    const Face_dual_graph graph = dual_graph_of(soup);
+    const Face_graph graph = dual_graph_of(soup);
     BOOST_REQUIRE(graph.number_of_faces() == soup.triangles.size());
     BOOST_REQUIRE(graph.halfedges.size() == 3 * soup.triangles.size());
     for (Index h = 0; h < graph.halfedges.size(); ++h) {
@@ -68,7 +68,7 @@ BOOST_AUTO_TEST_CASE(border_edges_are_counted)
 
 BOOST_AUTO_TEST_CASE(faces_that_are_glued_on_all_edges_have_three_pairs_of_half_edges)
 {
-  const Face_dual_graph graph = dual_graph_of(pillow());
+  const Face_graph graph = dual_graph_of(pillow());
   std::set<Index> opposites;
   for (Index h = 0; h < 3; ++h) {
     BOOST_TEST(graph.halfedges[h].neighbor == 1u);
@@ -81,9 +81,9 @@ BOOST_AUTO_TEST_CASE(faces_that_are_glued_on_all_edges_have_three_pairs_of_half_
 
 BOOST_AUTO_TEST_CASE(it_is_a_graph_of_the_boost_graph_library)
 {
-  BOOST_CONCEPT_ASSERT((boost::concepts::VertexListGraphConcept<Face_dual_graph>));
-  BOOST_CONCEPT_ASSERT((boost::concepts::IncidenceGraphConcept<Face_dual_graph>));
-  const Face_dual_graph graph = dual_graph_of(plate(4, 3));
+  BOOST_CONCEPT_ASSERT((boost::concepts::VertexListGraphConcept<Face_graph>));
+  BOOST_CONCEPT_ASSERT((boost::concepts::IncidenceGraphConcept<Face_graph>));
+  const Face_graph graph = dual_graph_of(plate(4, 3));
   BOOST_TEST(num_vertices(graph) == 24u);
   Index next = 0;
   for (auto [f, end] = vertices(graph); f != end; ++f) {

@@ -5,10 +5,10 @@
 
 #include "test_meshes.h"
 
-#include <CGAL/Spectral_segmentation/internal/Extreme_points.h>
-#include <CGAL/Spectral_segmentation/internal/Face_dual_graph.h>
-#include <CGAL/Spectral_segmentation/internal/Hollowness.h>
-#include <CGAL/Spectral_segmentation/internal/face_distances.h>
+#include <CGAL/Spectral_segmentation/internal/salience/Support_points.h>
+#include <CGAL/Spectral_segmentation/internal/mesh/Face_graph.h>
+#include <CGAL/Spectral_segmentation/internal/salience/Convexity_defect.h>
+#include <CGAL/Spectral_segmentation/internal/distances/face_distances.h>
 
 #include <Eigen/Core>
 #include <Eigen/Geometry>
@@ -22,12 +22,12 @@
 #include <utility>
 #include <vector>
 
-BOOST_AUTO_TEST_SUITE(hollowness)
+BOOST_AUTO_TEST_SUITE(convexity_defect)
 
 namespace tt = boost::test_tools;
 using namespace test_meshes;
-using CGAL::Spectral_segmentation::internal::Extreme_points;
-using CGAL::Spectral_segmentation::internal::Hollowness;
+using CGAL::Spectral_segmentation::internal::Support_points;
+using CGAL::Spectral_segmentation::internal::Convexity_defect;
 using CGAL::Spectral_segmentation::internal::Vector;
 
 namespace {
@@ -43,18 +43,18 @@ std::vector<Index> range(Index first, Index last)
   return faces;
 }
 
-std::vector<Index> all_faces(const Face_dual_graph& graph)
+std::vector<Index> all_faces(const Face_graph& graph)
 { return range(0, Index(graph.number_of_faces())); }
 
 // Of sets of faces of a whole mesh.
 class Hollowness_of_mesh
 {
-  const Extreme_points extreme_points_;
+  const Support_points extreme_points_;
   const std::vector<Index> all_faces_;
-  const Hollowness hollowness_;
+  const Convexity_defect hollowness_;
 
 public:
-  explicit Hollowness_of_mesh(const Face_dual_graph& graph)
+  explicit Hollowness_of_mesh(const Face_graph& graph)
     : extreme_points_(graph), all_faces_(all_faces(graph)),
       hollowness_(extreme_points_, graph, all_faces_) {}
 
@@ -64,12 +64,12 @@ public:
 // In the coordinates of the soup.
 double hollowness_of(const Soup& soup)
 {
-  const Face_dual_graph graph = dual_graph_of(soup);
+  const Face_graph graph = dual_graph_of(soup);
   return Hollowness_of_mesh(graph)(all_faces(graph)) * graph.unit;
 }
 
 // By the hull of all points.
-double exact_hollowness(const Face_dual_graph& graph, const std::vector<Index>& faces)
+double exact_hollowness(const Face_graph& graph, const std::vector<Index>& faces)
 {
   const std::vector<Vector> normals = face_normals(graph, graph.points);
   double sum = 0, area = 0;
@@ -109,7 +109,7 @@ Soup box(double a, double b, double c)
 }
 
 // The largest distance of two vertices of the faces.
-double diameter(const Face_dual_graph& graph, const std::vector<Index>& faces)
+double diameter(const Face_graph& graph, const std::vector<Index>& faces)
 {
   double result = 0;
   for (Index f : faces)
@@ -123,7 +123,7 @@ double diameter(const Face_dual_graph& graph, const std::vector<Index>& faces)
 
 BOOST_AUTO_TEST_CASE(nothing_is_not_hollow)
 {
-  const Face_dual_graph graph = dual_graph_of(sphere(0));
+  const Face_graph graph = dual_graph_of(sphere(0));
   BOOST_TEST(Hollowness_of_mesh(graph)({}) == 0);
 }
 
@@ -132,10 +132,10 @@ BOOST_AUTO_TEST_CASE(faces_without_area_are_not_hollow)
   Soup soup = turned_inside_out(sphere(1));
   for (std::size_t v : soup.triangles[4])
     soup.points[v] = Point(0, 0, 0);
-  const Face_dual_graph graph = dual_graph_of(soup);
-  const Hollowness_of_mesh hollowness(graph);
-  BOOST_TEST(hollowness({4}) == 0);
-  BOOST_TEST(hollowness(all_faces(graph)) > 0.1);
+  const Face_graph graph = dual_graph_of(soup);
+  const Hollowness_of_mesh convexity_defect(graph);
+  BOOST_TEST(convexity_defect({4}) == 0);
+  BOOST_TEST(convexity_defect(all_faces(graph)) > 0.1);
 }
 
 BOOST_AUTO_TEST_CASE(a_convex_body_is_not_hollow)
@@ -178,15 +178,15 @@ BOOST_AUTO_TEST_CASE(hardly_any_depth_is_out_of_sight)
       Random random(seed);
       const std::vector<Soup> shapes = {plate(5, 4), sphere(2), torus(2, 0.7, 12, 8),
                                         dumbbell(10, 6)};
-      const Face_dual_graph graph =
+      const Face_graph graph =
         dual_graph_of(displaced(shapes[seed % shapes.size()], 0.05, random));
       std::vector<Index> faces = all_faces(graph);
       std::shuffle(faces.begin(), faces.end(), random);
       faces.resize(faces.size() / (1 + seed % 3));
-      const double hollowness = Hollowness_of_mesh(graph)(faces);
+      const double convexity_defect = Hollowness_of_mesh(graph)(faces);
       const double exact = exact_hollowness(graph, faces);
-      BOOST_TEST(hollowness < exact + single_precision);
-      BOOST_TEST(hollowness > exact - out_of_sight * diameter(graph, faces));
+      BOOST_TEST(convexity_defect < exact + single_precision);
+      BOOST_TEST(convexity_defect > exact - out_of_sight * diameter(graph, faces));
       BOOST_TEST(exact > 0.01);
     }
   }
@@ -194,29 +194,29 @@ BOOST_AUTO_TEST_CASE(hardly_any_depth_is_out_of_sight)
 
 BOOST_AUTO_TEST_CASE(a_dumbbell_is_hollow_and_its_halves_are_less_so)
 {
-  const Face_dual_graph graph = dual_graph_of(dumbbell(24, 16));
+  const Face_graph graph = dual_graph_of(dumbbell(24, 16));
   std::vector<Index> low, high;
   for (Index f : all_faces(graph))
     (graph.centroid(f).z() < 0 ? low : high).push_back(f);
   BOOST_TEST(low.size() == high.size());
-  const Hollowness_of_mesh hollowness(graph);
-  const double whole = hollowness(all_faces(graph));
+  const Hollowness_of_mesh convexity_defect(graph);
+  const double whole = convexity_defect(all_faces(graph));
   BOOST_TEST(whole == exact_hollowness(graph, all_faces(graph)), tt::tolerance(0.004));
   BOOST_TEST(whole > 0.2);
-  BOOST_TEST(hollowness(low) < single_precision);
-  BOOST_TEST(hollowness(high) < single_precision);
+  BOOST_TEST(convexity_defect(low) < single_precision);
+  BOOST_TEST(convexity_defect(high) < single_precision);
 }
 
 BOOST_AUTO_TEST_CASE(only_the_vertices_of_the_set_make_its_hull)
 {
   const Soup soup = disjoint_union(moved(sphere(3), -5, 0, 0), moved(sphere(3), 5, 0, 0));
-  const Face_dual_graph graph = dual_graph_of(soup);
-  const Hollowness_of_mesh hollowness(graph);
-  const double both = hollowness(all_faces(graph));
+  const Face_graph graph = dual_graph_of(soup);
+  const Hollowness_of_mesh convexity_defect(graph);
+  const double both = convexity_defect(all_faces(graph));
   for (int i = 0; i < 2; ++i) {
-    BOOST_TEST(hollowness(range(0, 1280)) < single_precision);
-    BOOST_TEST(hollowness(range(1280, 2560)) < single_precision);
-    BOOST_TEST(hollowness(all_faces(graph)) == both);
+    BOOST_TEST(convexity_defect(range(0, 1280)) < single_precision);
+    BOOST_TEST(convexity_defect(range(1280, 2560)) < single_precision);
+    BOOST_TEST(convexity_defect(all_faces(graph)) == both);
   }
   BOOST_TEST(both > 0.1);
 }
@@ -225,30 +225,30 @@ BOOST_AUTO_TEST_CASE(a_flat_set_is_not_hollow)
 {
   Random random(3);
   for (int i = 0; i < 5; ++i) {
-    const Face_dual_graph graph = dual_graph_of(rotated(plate(30, 30), random_rotation(random)));
-    const Hollowness_of_mesh hollowness(graph);
-    BOOST_TEST(hollowness(all_faces(graph)) < single_precision);
-    BOOST_TEST(hollowness({17}) < single_precision);
+    const Face_graph graph = dual_graph_of(rotated(plate(30, 30), random_rotation(random)));
+    const Hollowness_of_mesh convexity_defect(graph);
+    BOOST_TEST(convexity_defect(all_faces(graph)) < single_precision);
+    BOOST_TEST(convexity_defect({17}) < single_precision);
   }
 }
 
 BOOST_AUTO_TEST_CASE(the_order_of_the_faces_does_not_matter)
 {
   Random random(2);
-  const Face_dual_graph graph = dual_graph_of(torus(2, 0.5, 40, 20)); // 800 vertices
+  const Face_graph graph = dual_graph_of(torus(2, 0.5, 40, 20)); // 800 vertices
   std::vector<Index> faces = all_faces(graph);
-  const Hollowness_of_mesh hollowness(graph);
-  const double in_order = hollowness(faces);
+  const Hollowness_of_mesh convexity_defect(graph);
+  const double in_order = convexity_defect(faces);
   std::shuffle(faces.begin(), faces.end(), random);
-  BOOST_TEST(hollowness(faces) == in_order, tt::tolerance(1e-12));
+  BOOST_TEST(convexity_defect(faces) == in_order, tt::tolerance(1e-12));
   BOOST_TEST(in_order == exact_hollowness(graph, faces), tt::tolerance(0.004));
 }
 
 BOOST_AUTO_TEST_CASE(moving_the_part_does_not_matter)
 {
-  const Face_dual_graph graph = dual_graph_of(dumbbell(12, 8));
+  const Face_graph graph = dual_graph_of(dumbbell(12, 8));
   const double in_place = Hollowness_of_mesh(graph)(all_faces(graph));
-  Face_dual_graph elsewhere = graph;
+  Face_graph elsewhere = graph;
   for (Vector& p : elsewhere.points)
     p += Vector(0.4, -0.3, 0.2);
   const double moved = Hollowness_of_mesh(elsewhere)(all_faces(graph));
@@ -280,9 +280,9 @@ BOOST_AUTO_TEST_CASE(a_part_without_symmetry_may_be_rotated)
 
 BOOST_AUTO_TEST_CASE(the_hollowness_grows_with_the_size)
 {
-  const double hollowness = hollowness_of(torus(2, 0.5, 24, 12));
+  const double convexity_defect = hollowness_of(torus(2, 0.5, 24, 12));
   for (double factor : {1e-3, 3., 1000.})
-    BOOST_TEST(hollowness_of(scaled(torus(2, 0.5, 24, 12), factor)) == factor * hollowness,
+    BOOST_TEST(hollowness_of(scaled(torus(2, 0.5, 24, 12), factor)) == factor * convexity_defect,
                tt::tolerance(1e-5));
 }
 

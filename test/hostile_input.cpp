@@ -25,7 +25,7 @@ using namespace test_meshes;
 namespace parameters = CGAL::Spectral_segmentation::parameters;
 using CGAL::Spectral_segmentation::Method;
 namespace PMP = CGAL::Polygon_mesh_processing;
-using CGAL::Spectral_segmentation::Segment_tree;
+using CGAL::Spectral_segmentation::Segmentation_hierarchy;
 
 namespace {
 
@@ -176,8 +176,8 @@ BOOST_AUTO_TEST_CASE(an_empty_mesh_has_no_segments)
   Mesh vertices_only;
   vertices_only.add_vertex(Point(1, 2, 3));
   BOOST_TEST(check_labels(vertices_only) == 0);
-  Segment_tree tree;
-  BOOST_TEST(check_labels(Mesh(), parameters::segment_tree(tree)) == 0);
+  Segmentation_hierarchy tree;
+  BOOST_TEST(check_labels(Mesh(), parameters::hierarchy(tree)) == 0);
   BOOST_TEST(tree.number_of_nodes() == 0);
 }
 
@@ -277,13 +277,13 @@ BOOST_AUTO_TEST_CASE(a_translation_without_rounding_changes_nothing)
   for (Method method : methods)
     for (const Soup& soup : soups()) {
       // On a grid of 2^-20, so that the sums below are exact.
-      const Soup on_grid = transformed(soup, [](const Point& p) {
+      const Soup quantized = transformed(soup, [](const Point& p) {
         const auto round = [](double x) { return std::ldexp(std::round(std::ldexp(x, 20)), -20); };
         return Point(round(p.x()), round(p.y()), round(p.z()));
       });
-      const Labels expected = labels_of(mesh_of(on_grid), method);
+      const Labels expected = labels_of(mesh_of(quantized), method);
       const double far = std::ldexp(1., 30);
-      const Soup moved = transformed(on_grid, [far](const Point& p)
+      const Soup moved = transformed(quantized, [far](const Point& p)
         { return Point(p.x() + far, p.y() - far, p.z() + far); });
       BOOST_TEST(labels_of(mesh_of(moved), method) == expected, boost::test_tools::per_element());
     }

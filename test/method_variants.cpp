@@ -39,7 +39,7 @@ Mesh two_bodies()
   return mesh;
 }
 
-std::vector<double> saliences(const Segment_tree& tree)
+std::vector<double> saliences(const Segmentation_hierarchy& tree)
 {
   std::vector<double> result;
   for (std::size_t i = 0; i < tree.number_of_nodes(); ++i)
@@ -47,10 +47,10 @@ std::vector<double> saliences(const Segment_tree& tree)
   return result;
 }
 
-bool are_equal(const Segment_tree& a, const Segment_tree& b)
+bool are_equal(const Segmentation_hierarchy& a, const Segmentation_hierarchy& b)
 { return a.labels() == b.labels() && saliences(a) == saliences(b); }
 
-Segment_tree default_tree(const Tree_method& method, const Mesh& mesh)
+Segmentation_hierarchy default_tree(const Tree_method& method, const Mesh& mesh)
 { return method.segment(mesh, method.default_threshold, any_number); }
 
 Method_options with_all_switches(Method_options to, const Method_options& from)
@@ -66,8 +66,8 @@ Method_options with_all_switches(Method_options to, const Method_options& from)
 BOOST_AUTO_TEST_CASE(switches_are_all_that_lies_between_the_methods)
 {
   const Mesh mesh = two_bodies();
-  const Segment_tree calibrated = segment_tree(mesh, params::default_values()),
-                     paper = segment_tree(mesh, params::zhang_liu_2005());
+  const Segmentation_hierarchy calibrated = hierarchy(mesh, params::default_values()),
+                     paper = hierarchy(mesh, params::zhang_liu_2005());
   BOOST_TEST(!are_equal(calibrated, paper));
   const auto tree_with = [&](const Method_options& options)
     { return default_tree(method_with("", options), mesh); };
@@ -83,7 +83,7 @@ BOOST_AUTO_TEST_CASE(each_switch_alone_changes_the_tree)
 {
   const Mesh mesh = two_bodies();
   for (const Method_block& block : method_blocks()) {
-    const Segment_tree whole = block.methods.front().segment(mesh, any_salience, 20);
+    const Segmentation_hierarchy whole = block.methods.front().segment(mesh, any_salience, 20);
     for (std::size_t i = 1; i < block.methods.size(); ++i)
       BOOST_TEST(!are_equal(block.methods[i].segment(mesh, any_salience, 20), whole),
                  block.title << ": " << block.methods[i].name);

@@ -29,7 +29,7 @@ namespace parameters = CGAL::Spectral_segmentation::parameters;
 using CGAL::Spectral_segmentation::Calibrated_part_salience;
 using CGAL::Spectral_segmentation::Method;
 using CGAL::Spectral_segmentation::Salience_factors;
-using CGAL::Spectral_segmentation::Segment_tree;
+using CGAL::Spectral_segmentation::Segmentation_hierarchy;
 using CGAL::Spectral_segmentation::Segmentation_visitor;
 using CGAL::Spectral_segmentation::Weighted_part_salience;
 
@@ -146,12 +146,12 @@ BOOST_AUTO_TEST_CASE(defaults_are_those_that_are_documented)
     common.salience_threshold(0.42).minimum_segment_size(0.003)
       .part_salience(Calibrated_part_salience()).geodesic_weight(0.03).concavity_radius(0.02)
       .single_source_orderings(true).thickness_orderings(true).number_of_candidates(14)
-      .number_of_refined_candidates(4).number_of_pieces(20).number_of_searched_faces(4000);
+      .number_of_refined_candidates(4).number_of_regions(20).number_of_searched_faces(4000);
   const auto of_paper =
     common.salience_threshold(0.54).minimum_segment_size(0.005)
       .part_salience(Weighted_part_salience()).geodesic_weight(0.01).concavity_radius(0)
       .single_source_orderings(false).thickness_orderings(false).number_of_candidates(0)
-      .number_of_refined_candidates(0).number_of_pieces(0).number_of_searched_faces(0);
+      .number_of_refined_candidates(0).number_of_regions(0).number_of_searched_faces(0);
   // With all parameters given, nothing is left to the method.
   for (Method method : {Method::CALIBRATED, Method::ZHANG_LIU_2005}) {
     BOOST_TEST(labels == labels_of_hand(calibrated.method(method)),
@@ -167,9 +167,9 @@ BOOST_AUTO_TEST_CASE(defaults_are_those_that_are_documented)
 BOOST_AUTO_TEST_CASE(each_of_the_defaults_is_the_one_that_is_documented)
 {
   const auto check = [](const auto& by_default, const auto& with_value) {
-    Segment_tree expected, tree;
-    labels_of_hand(by_default.segment_tree(expected));
-    labels_of_hand(with_value.segment_tree(tree));
+    Segmentation_hierarchy expected, tree;
+    labels_of_hand(by_default.hierarchy(expected));
+    labels_of_hand(with_value.hierarchy(tree));
     BOOST_TEST_REQUIRE(tree.number_of_nodes() == expected.number_of_nodes());
     BOOST_TEST(tree.salience_threshold() == expected.salience_threshold());
     for (std::size_t i = 0; i < tree.number_of_nodes(); ++i)
@@ -195,7 +195,7 @@ BOOST_AUTO_TEST_CASE(each_of_the_defaults_is_the_one_that_is_documented)
   check(calibrated, calibrated.thickness_orderings(true));
   check(calibrated, calibrated.number_of_candidates(14));
   check(calibrated, calibrated.number_of_refined_candidates(4));
-  check(calibrated, calibrated.number_of_pieces(20));
+  check(calibrated, calibrated.number_of_regions(20));
   check(calibrated, calibrated.number_of_searched_faces(4000));
   const auto paper = parameters::zhang_liu_2005();
   check_common(paper);
@@ -210,15 +210,15 @@ BOOST_AUTO_TEST_CASE(each_of_the_defaults_is_the_one_that_is_documented)
   check(paper, paper.thickness_orderings(false));
   check(paper, paper.number_of_candidates(0));
   check(paper, paper.number_of_refined_candidates(0));
-  check(paper, paper.number_of_pieces(0));
+  check(paper, paper.number_of_regions(0));
   check(paper, paper.number_of_searched_faces(0));
 }
 
 BOOST_AUTO_TEST_CASE(the_threshold_follows_the_salience)
 {
   const auto threshold = [](const auto& np) {
-    Segment_tree tree;
-    labels_of_hand(np.segment_tree(tree));
+    Segmentation_hierarchy tree;
+    labels_of_hand(np.hierarchy(tree));
     return tree.salience_threshold();
   };
   const auto own_salience = [](const Salience_factors& f) { return f.size; };
@@ -282,7 +282,7 @@ BOOST_AUTO_TEST_CASE(a_salience_hears_the_factors_that_are_documented)
     labels_of_hand(np.part_salience([&](const Salience_factors& f) {
       if (f.size > 0)
         result->any = true;
-      if (f.logarithm_of_part < 0 || f.widening_of_rest > 0)
+      if (f.log_relative_part_area < 0 || f.expansion_behind_cut > 0)
         result->beyond_the_paper = true;
       if (f.thickness_variation > 0)
         result->thickness = true;
@@ -297,7 +297,7 @@ BOOST_AUTO_TEST_CASE(a_salience_hears_the_factors_that_are_documented)
   BOOST_TEST((heard(paper.thickness_orderings(true)) == nothing));
   BOOST_TEST((heard(paper.number_of_refined_candidates(4)) == nothing));
   BOOST_TEST((heard(paper.number_of_candidates(3)) == everything));
-  BOOST_TEST((heard(paper.number_of_pieces(5)) == everything));
+  BOOST_TEST((heard(paper.number_of_regions(5)) == everything));
   BOOST_TEST((heard(parameters::default_values()) == everything));
 }
 
@@ -318,21 +318,21 @@ BOOST_AUTO_TEST_CASE(an_exception_of_a_salience_passes_through_and_leaves_the_la
 
 BOOST_AUTO_TEST_CASE(parameters_chain_in_any_order)
 {
-  Segment_tree tree_1, tree_2, tree_3;
+  Segmentation_hierarchy tree_1, tree_2, tree_3;
   const auto point = get(CGAL::vertex_point, hand());
   const Labels a = labels_of_hand(
     parameters::vertex_point_map(point).salience_threshold(0.4).random_seed(3)
-      .maximum_number_of_segments(5).segment_tree(tree_1).boundary_smoothing(true));
+      .maximum_number_of_segments(5).hierarchy(tree_1).boundary_smoothing(true));
   const Labels b = labels_of_hand(
-    parameters::boundary_smoothing(true).segment_tree(tree_2).maximum_number_of_segments(5)
+    parameters::boundary_smoothing(true).hierarchy(tree_2).maximum_number_of_segments(5)
       .random_seed(3).salience_threshold(0.4).vertex_point_map(point));
   const Labels c = labels_of_hand(
     parameters::from(CGAL::parameters::random_seed(3).vertex_point_map(point))
-      .segment_tree(tree_3).boundary_smoothing(true).salience_threshold(0.4)
+      .hierarchy(tree_3).boundary_smoothing(true).salience_threshold(0.4)
       .maximum_number_of_segments(5));
   BOOST_TEST(a == b, boost::test_tools::per_element());
   BOOST_TEST(a == c, boost::test_tools::per_element());
-  for (const Segment_tree* tree : {&tree_1, &tree_2, &tree_3})
+  for (const Segmentation_hierarchy* tree : {&tree_1, &tree_2, &tree_3})
     BOOST_TEST(tree->labels() == a, boost::test_tools::per_element());
 }
 
@@ -408,14 +408,14 @@ BOOST_AUTO_TEST_CASE(each_number_has_an_effect)
   BOOST_TEST(differ(calibrated, calibrated.single_source_orderings(false)));
   BOOST_TEST(differ(calibrated, calibrated.number_of_candidates(0)));
   BOOST_TEST(differ(calibrated, calibrated.number_of_refined_candidates(0)));
-  BOOST_TEST(differ(calibrated, calibrated.number_of_pieces(0)));
+  BOOST_TEST(differ(calibrated, calibrated.number_of_regions(0)));
   BOOST_TEST(differ(calibrated, calibrated.number_of_searched_faces(1000)));
   BOOST_TEST(differ(paper, paper.part_salience(Calibrated_part_salience())));
   BOOST_TEST(differ(paper, paper.concavity_radius(0.02)));
   BOOST_TEST(differ(paper, paper.single_source_orderings(true)));
   BOOST_TEST(differ(paper, paper.number_of_candidates(14)));
   BOOST_TEST(differ(paper, paper.number_of_refined_candidates(4)));
-  BOOST_TEST(differ(paper, paper.number_of_pieces(20)));
+  BOOST_TEST(differ(paper, paper.number_of_regions(20)));
   BOOST_TEST(differ(paper, paper.number_of_searched_faces(1000)));
   BOOST_TEST(number_of(labels_of_hand(paper.salience_threshold(0.3))) >
              number_of(labels_of_hand(paper.salience_threshold(0.7))));
@@ -567,8 +567,8 @@ BOOST_AUTO_TEST_CASE(numbers_out_of_range_are_refused_by_name)
   check_refused("concavity_radius", parameters::concavity_radius(not_a_number));
   check_refused("number_of_candidates", parameters::number_of_candidates(-1));
   check_refused("number_of_refined_candidates", parameters::number_of_refined_candidates(-1));
-  check_refused("number_of_pieces", parameters::number_of_pieces(-1));
-  check_refused("number_of_pieces", parameters::number_of_pieces(1));
+  check_refused("number_of_regions", parameters::number_of_regions(-1));
+  check_refused("number_of_regions", parameters::number_of_regions(1));
   check_refused("number_of_searched_faces", parameters::number_of_searched_faces(-1));
   check_refused("number_of_reference_faces", parameters::number_of_reference_faces(0));
   check_refused("number_of_reference_faces", parameters::number_of_reference_faces(-1));
@@ -597,8 +597,8 @@ BOOST_AUTO_TEST_CASE(the_ends_of_the_ranges_are_taken)
   BOOST_TEST(is_taken(parameters::number_of_candidates(0)));
   BOOST_TEST(is_taken(parameters::number_of_candidates(1).number_of_refined_candidates(0)));
   BOOST_TEST(is_taken(parameters::number_of_refined_candidates(1000)));
-  BOOST_TEST(is_taken(parameters::number_of_pieces(0)));
-  BOOST_TEST(is_taken(parameters::number_of_pieces(2)));
+  BOOST_TEST(is_taken(parameters::number_of_regions(0)));
+  BOOST_TEST(is_taken(parameters::number_of_regions(2)));
   BOOST_TEST(is_taken(parameters::number_of_searched_faces(0)));
   const Mesh small = mesh_of(dumbbell(8, 6));
   BOOST_TEST(labels_of(small, parameters::number_of_reference_faces(num_faces(small))) ==

@@ -3,8 +3,8 @@
 
 #include <boost/test/unit_test.hpp>
 
-#include <CGAL/Spectral_segmentation/internal/Face_dual_graph.h>
-#include <CGAL/Spectral_segmentation/internal/nystrom.h>
+#include <CGAL/Spectral_segmentation/internal/mesh/Face_graph.h>
+#include "nystrom.h"
 
 #include <Eigen/Core>
 #include <Eigen/Eigenvalues>

@@ -5,7 +5,7 @@
 
 #include "test_meshes.h"
 
-#include <CGAL/Spectral_segmentation/internal/order_of_locality.h>
+#include <CGAL/Spectral_segmentation/internal/mesh/locality_order.h>
 
 #include <algorithm>
 #include <cmath>
@@ -13,12 +13,12 @@
 #include <numeric>
 #include <vector>
 
-BOOST_AUTO_TEST_SUITE(order_of_locality)
+BOOST_AUTO_TEST_SUITE(locality_order)
 
 using namespace test_meshes;
 using CGAL::Spectral_segmentation::internal::in_order;
 using CGAL::Spectral_segmentation::internal::null_index;
-using CGAL::Spectral_segmentation::internal::order_of_locality;
+using CGAL::Spectral_segmentation::internal::locality_order;
 using CGAL::Spectral_segmentation::internal::Triangles;
 
 BOOST_AUTO_TEST_CASE(neighbors_are_near_in_the_order_of_locality_whatever_the_order_was)
@@ -27,13 +27,13 @@ BOOST_AUTO_TEST_CASE(neighbors_are_near_in_the_order_of_locality_whatever_the_or
   Soup soup = sphere(5);
   std::shuffle(soup.triangles.begin(), soup.triangles.end(), random);
   const Triangles triangles = triangles_of(mesh_of(soup));
-  const std::vector<Index> order = order_of_locality(triangles.neighbors);
+  const std::vector<Index> order = locality_order(triangles.neighbors);
   std::vector<Index> place(order.size(), null_index);
   for (Index i = 0; i < order.size(); ++i)
     place[order[i]] = i;
   BOOST_TEST(std::count(place.begin(), place.end(), null_index) == 0); // all are in it
 
-  const Face_dual_graph graph = dual_graph_of(soup);
+  const Face_graph graph = dual_graph_of(soup);
   std::size_t number_of_near = 0;
   for (Index h = 0; h < graph.halfedges.size(); ++h)
     number_of_near += std::abs(double(place[h / 3]) - place[graph.halfedges[h].neighbor]) < 1024;
@@ -44,7 +44,7 @@ BOOST_AUTO_TEST_CASE(neighbors_are_near_in_the_order_of_locality_whatever_the_or
 BOOST_AUTO_TEST_CASE(components_keep_their_order)
 {
   const Soup soup = disjoint_union(disjoint_union(sphere(1), plate(2, 2)), sphere(0));
-  const std::vector<Index> order = order_of_locality(triangles_of(mesh_of(soup)).neighbors);
+  const std::vector<Index> order = locality_order(triangles_of(mesh_of(soup)).neighbors);
   const std::size_t first = sphere(1).triangles.size(), second = plate(2, 2).triangles.size();
   for (std::size_t i = 0; i < order.size(); ++i) {
     BOOST_TEST((order[i] < first) == (i < first));

@@ -6,8 +6,8 @@
 #include "test_meshes.h"
 
 #include <CGAL/Spectral_segmentation/Part_salience.h>
-#include <CGAL/Spectral_segmentation/internal/Face_dual_graph.h>
-#include <CGAL/Spectral_segmentation/internal/Meta_patch.h>
+#include <CGAL/Spectral_segmentation/internal/mesh/Face_graph.h>
+#include <CGAL/Spectral_segmentation/internal/salience/Boundary_statistics.h>
 
 #include <algorithm>
 #include <cmath>
@@ -21,15 +21,15 @@ namespace tt = boost::test_tools;
 using namespace test_meshes;
 using CGAL::Spectral_segmentation::Salience_factors;
 using CGAL::Spectral_segmentation::Weighted_part_salience;
-using CGAL::Spectral_segmentation::internal::Meta_patch;
+using CGAL::Spectral_segmentation::internal::Boundary_statistics;
 
 namespace {
 
 typedef std::vector<Index> Faces;
 
-Salience_factors factors_of(const Face_dual_graph& graph, const Faces& faces)
+Salience_factors factors_of(const Face_graph& graph, const Faces& faces)
 {
-  Meta_patch q(graph);
+  Boundary_statistics q(graph);
   for (Index f : faces)
     q.add(f);
   return q.factors();
@@ -66,7 +66,7 @@ Soup cube_on_a_plate()
 
 const Faces cube = {16, 17, 18, 19, 20, 21, 22, 23, 24, 25};
 
-Faces all_but(const Face_dual_graph& graph, const Faces& faces)
+Faces all_but(const Face_graph& graph, const Faces& faces)
 {
   Faces rest;
   for (Index f = 0; f < graph.number_of_faces(); ++f)
@@ -76,7 +76,7 @@ Faces all_but(const Face_dual_graph& graph, const Faces& faces)
 }
 
 // A connected set of some faces of the graph, in the order of a walk.
-Faces random_patch(const Face_dual_graph& graph, Random& random)
+Faces random_patch(const Face_graph& graph, Random& random)
 {
   const std::size_t size = 1 + random() % (graph.number_of_faces() - 1);
   Faces patch(1, static_cast<Index>(random() % graph.number_of_faces()));
@@ -93,7 +93,7 @@ Faces random_patch(const Face_dual_graph& graph, Random& random)
 
 BOOST_AUTO_TEST_CASE(a_cube_on_a_plate)
 {
-  const Face_dual_graph graph = graph_with_distances(cube_on_a_plate());
+  const Face_graph graph = graph_with_distances(cube_on_a_plate());
   // The cut is a unit square, whose corners have variances 1/4, on the sharpest concave edges.
   const Salience_factors factors = factors_of(graph, cube);
   check_factors(factors, 5. / 13, 1, 4. / 5);
@@ -103,13 +103,13 @@ BOOST_AUTO_TEST_CASE(a_cube_on_a_plate)
 
 BOOST_AUTO_TEST_CASE(a_cut_along_convex_edges_has_no_strength)
 {
-  const Face_dual_graph graph = graph_with_distances(cube_on_a_plate());
+  const Face_graph graph = graph_with_distances(cube_on_a_plate());
   check_factors(factors_of(graph, {24, 25}), 1. / 13, 0, 0);
 }
 
 BOOST_AUTO_TEST_CASE(a_cut_that_is_neither_planar_nor_concave_all_along)
 {
-  const Face_dual_graph graph = graph_with_distances(cube_on_a_plate());
+  const Face_graph graph = graph_with_distances(cube_on_a_plate());
   // Without one wall: three concave edges of six; the six vertices have variance 1/4 along the wall
   // and across it the covariance matrix (2/9 1/9, 1/9 2/9) with eigenvalues 1/3 and 1/9.
   check_factors(factors_of(graph, Faces(cube.begin() + 2, cube.end())), 4. / 13, 1. / 2,
@@ -118,7 +118,7 @@ BOOST_AUTO_TEST_CASE(a_cut_that_is_neither_planar_nor_concave_all_along)
 
 BOOST_AUTO_TEST_CASE(a_square_loop_on_a_flat_plate)
 {
-  const Face_dual_graph graph = graph_with_distances(plate(6, 5));
+  const Face_graph graph = graph_with_distances(plate(6, 5));
   // Eight vertices around 2 x 2 squares, at -1, 0 and 1 three, two and three times in x and in y.
   Faces square;
   for (Index y : {1, 2})
@@ -130,7 +130,7 @@ BOOST_AUTO_TEST_CASE(a_square_loop_on_a_flat_plate)
 
 BOOST_AUTO_TEST_CASE(a_straight_cut_encloses_no_base_area)
 {
-  const Face_dual_graph graph = graph_with_distances(plate(6, 5));
+  const Face_graph graph = graph_with_distances(plate(6, 5));
   Faces rows(24);
   std::iota(rows.begin(), rows.end(), Index(0));
   const Salience_factors factors = factors_of(graph, rows);
@@ -140,8 +140,8 @@ BOOST_AUTO_TEST_CASE(a_straight_cut_encloses_no_base_area)
 
 BOOST_AUTO_TEST_CASE(strength_is_relative_to_the_largest_angle_of_the_part)
 {
-  Face_dual_graph graph = graph_with_distances(cube_on_a_plate());
-  for (Face_dual_graph::Halfedge& h : graph.halfedges) {
+  Face_graph graph = graph_with_distances(cube_on_a_plate());
+  for (Face_graph::Halfedge& h : graph.halfedges) {
     h.angle = h.concavity > 0 ? 0.25f : 0.125f;
     h.concavity = h.concavity > 0 ? 0.25f : 0;
   }
@@ -153,7 +153,7 @@ BOOST_AUTO_TEST_CASE(strength_is_relative_to_the_largest_angle_of_the_part)
   for (Index h = 72; h < 78; ++h)
     graph.halfedges[h].angle = 0.5f;
   BOOST_TEST(factors_of(graph, cube).cut_strength == 0.5);
-  for (Face_dual_graph::Halfedge& h : graph.halfedges)
+  for (Face_graph::Halfedge& h : graph.halfedges)
     h.angle = h.concavity = 0;
   BOOST_TEST(factors_of(graph, cube).cut_strength == 0);
 }
@@ -164,7 +164,7 @@ BOOST_AUTO_TEST_CASE(both_sides_of_a_cut_and_all_orders_of_faces_give_the_same_f
     BOOST_TEST_CONTEXT("seed " << seed) {
       Random random(seed);
       const Soup shape = seed % 2 ? sphere(1) : plate(5, 4);
-      const Face_dual_graph graph = graph_with_distances(displaced(shape, 0.2, random));
+      const Face_graph graph = graph_with_distances(displaced(shape, 0.2, random));
       Faces patch = random_patch(graph, random), rest = all_but(graph, patch);
       const Salience_factors factors = factors_of(graph, patch);
       for (Faces* side : {&patch, &rest}) {
@@ -180,12 +180,12 @@ BOOST_AUTO_TEST_CASE(factors_do_not_depend_on_scale_and_place)
 {
   Random random(1);
   const Soup soup = displaced(sphere(1), 0.2, random);
-  const Face_dual_graph graph = graph_with_distances(soup);
+  const Face_graph graph = graph_with_distances(soup);
   for (double scale : {1e-9, 0.3, 7., 1e6}) {
     Soup moved = soup;
     for (Point& p : moved.points)
       p = Point(scale * (p.x() + 5), scale * (p.y() - 3), scale * p.z());
-    const Face_dual_graph other = graph_with_distances(moved);
+    const Face_graph other = graph_with_distances(moved);
     for (int run = 0; run < 20; ++run) {
       const Faces patch = random_patch(graph, random);
       const Salience_factors expected = factors_of(graph, patch);
@@ -197,9 +197,9 @@ BOOST_AUTO_TEST_CASE(factors_do_not_depend_on_scale_and_place)
 
 BOOST_AUTO_TEST_CASE(a_patch_knows_its_faces_and_areas)
 {
-  const Face_dual_graph graph = graph_with_distances(cube_on_a_plate());
+  const Face_graph graph = graph_with_distances(cube_on_a_plate());
   const double unit_area = graph.unit * graph.unit;
-  Meta_patch q(graph);
+  Boundary_statistics q(graph);
   for (Index f : cube)
     q.add(f);
   for (Index f = 0; f < graph.number_of_faces(); ++f)

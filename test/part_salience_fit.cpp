@@ -42,7 +42,7 @@ Eigen::ArrayXd probabilities(const Eigen::ArrayXd& logits) { return 1 / (1 + (-l
 Cut_group group_of_size(Judged_cut::Kind kind, double share_of_area)
 {
   Cut_sample cut{{}, 0};
-  cut.factors.logarithm_of_part = std::log(share_of_area);
+  cut.factors.log_relative_part_area = std::log(share_of_area);
   return {kind, {cut}};
 }
 
@@ -96,17 +96,17 @@ BOOST_AUTO_TEST_CASE(judged_cuts_of_a_dumbbell)
     if (group.kind == Judged_cut::BOUNDARY)
       BOOST_TEST(group.cuts.size() == 1u);
     for (const Cut_sample& cut : group.cuts)
-      BOOST_TEST(std::abs(cut.factors.logarithm_of_part -
-                          group.cuts.front().factors.logarithm_of_part) < tolerance);
+      BOOST_TEST(std::abs(cut.factors.log_relative_part_area -
+                          group.cuts.front().factors.log_relative_part_area) < tolerance);
   }
   // To p pieces there are p - 1 cuts, so at most 2 p - 1 parts that are searched, and p - 1 merges.
-  const Segment_tree tree = segment_tree(input.mesh, params::default_values());
+  const Segmentation_hierarchy tree = hierarchy(input.mesh, params::default_values());
   BOOST_TEST(number[Judged_cut::CANDIDATE] >= tree.number_of_segments() - 1);
   BOOST_TEST(number[Judged_cut::CANDIDATE] <= 2 * tree.number_of_segments() - 1);
   BOOST_TEST(number[Judged_cut::BOUNDARY] >= tree.number_of_segments() - 1);
 
   const Cut_group& first = cuts.groups.front();
-  BOOST_TEST(std::abs(first.cuts.front().factors.logarithm_of_part) < tolerance);
+  BOOST_TEST(std::abs(first.cuts.front().factors.log_relative_part_area) < tolerance);
   const auto best = std::max_element(
     first.cuts.begin(), first.cuts.end(), [](const Cut_sample& a, const Cut_sample& b)
     { return Calibrated_part_salience()(a.factors) < Calibrated_part_salience()(b.factors); });
@@ -280,7 +280,7 @@ BOOST_AUTO_TEST_CASE(errors_of_a_dumbbell)
   BOOST_TEST(thresholds.front() == 0.3);
   BOOST_TEST(thresholds.back() == 0.7);
   for (std::size_t t = 0; t < thresholds.size(); ++t) {
-    const Segment_tree tree = segment_tree(input.mesh, params::salience_threshold(thresholds[t]));
+    const Segmentation_hierarchy tree = hierarchy(input.mesh, params::salience_threshold(thresholds[t]));
     BOOST_TEST(errors.automatic[t] == mean_rand_error(tree.labels(), input.people),
                tt::tolerance(tolerance));
   }

@@ -5,7 +5,7 @@
 
 #include "test_meshes.h"
 
-#include <CGAL/Spectral_segmentation/internal/parts.h>
+#include <CGAL/Spectral_segmentation/internal/mesh/extract_part.h>
 
 #include <algorithm>
 #include <cstddef>
@@ -50,14 +50,14 @@ BOOST_AUTO_TEST_CASE(components_are_numbered_by_their_first_faces)
 
 BOOST_AUTO_TEST_CASE(faces_that_share_only_a_vertex_are_not_connected)
 {
-  const Face_dual_graph graph = dual_graph_of(plate(2, 2));
+  const Face_graph graph = dual_graph_of(plate(2, 2));
   // The squares at two opposite corners touch in the middle.
   std::vector<std::size_t> piece(8, 1);
   piece[0] = piece[1] = piece[6] = piece[7] = 0;
   std::size_t number = 0;
   connected_components(split(graph, piece, 2)[0], number);
   BOOST_TEST(number == 2u);
-  BOOST_TEST(connected_components(Face_dual_graph(), number).empty());
+  BOOST_TEST(connected_components(Face_graph(), number).empty());
   BOOST_TEST(number == 0u);
 }
 
@@ -66,17 +66,17 @@ BOOST_AUTO_TEST_CASE(pieces_keep_their_faces_and_the_edges_between_them)
   for (unsigned seed = 1; seed <= 30; ++seed) {
     BOOST_TEST_CONTEXT("seed " << seed) {
       Random random(seed);
-      const Face_dual_graph graph =
+      const Face_graph graph =
         graph_with_distances(displaced(small_soups()[seed % small_soups().size()], 0.1, random));
-      const std::size_t n = graph.number_of_faces(), number_of_pieces = 1 + random() % 4;
+      const std::size_t n = graph.number_of_faces(), number_of_regions = 1 + random() % 4;
       std::vector<std::size_t> piece(n);
       for (std::size_t& p : piece)
-        p = random() % number_of_pieces;
+        p = random() % number_of_regions;
 
-      const std::vector<Face_dual_graph> parts = split(graph, piece, number_of_pieces);
-      BOOST_REQUIRE(parts.size() == number_of_pieces);
-      for (std::size_t p = 0; p < number_of_pieces; ++p) {
-        const Face_dual_graph& part = parts[p];
+      const std::vector<Face_graph> parts = split(graph, piece, number_of_regions);
+      BOOST_REQUIRE(parts.size() == number_of_regions);
+      for (std::size_t p = 0; p < number_of_regions; ++p) {
+        const Face_graph& part = parts[p];
         std::vector<Index> faces;
         std::set<Index> used_vertices;
         for (Index f = 0; f < n; ++f)
@@ -111,7 +111,7 @@ BOOST_AUTO_TEST_CASE(pieces_keep_their_faces_and_the_edges_between_them)
 
 BOOST_AUTO_TEST_CASE(an_empty_graph_has_no_pieces)
 {
-  BOOST_TEST(split(Face_dual_graph(), std::vector<Index>(), 0).empty());
+  BOOST_TEST(split(Face_graph(), std::vector<Index>(), 0).empty());
 }
 
 BOOST_AUTO_TEST_SUITE_END()

@@ -5,7 +5,7 @@
 
 #include "test_meshes.h"
 
-#include <CGAL/Spectral_segmentation/internal/read_triangles.h>
+#include <CGAL/Spectral_segmentation/internal/door/read_triangle_mesh.h>
 
 #include <algorithm>
 #include <cmath>
@@ -23,7 +23,7 @@ using CGAL::Spectral_segmentation::internal::total_area;
 BOOST_AUTO_TEST_CASE(the_first_corner_is_the_smallest_vertex_whatever_the_mesh_starts_with)
 {
   for (Soup soup : small_soups()) {
-    const Face_dual_graph graph = dual_graph_of(soup);
+    const Face_graph graph = dual_graph_of(soup);
     for (Index f = 0; f < graph.number_of_faces(); ++f) {
       std::vector<std::size_t> corners = soup.triangles[f];
       std::rotate(corners.begin(), std::min_element(corners.begin(), corners.end()), corners.end());
@@ -33,7 +33,7 @@ BOOST_AUTO_TEST_CASE(the_first_corner_is_the_smallest_vertex_whatever_the_mesh_s
       std::rotate(soup.triangles[f].begin(),
                   soup.triangles[f].begin() + static_cast<std::ptrdiff_t>(f % 3),
                   soup.triangles[f].end());
-    const Face_dual_graph rotated = dual_graph_of(soup);
+    const Face_graph rotated = dual_graph_of(soup);
     BOOST_TEST((rotated.corners == graph.corners));
     BOOST_TEST((neighbors(rotated) == neighbors(graph)));
     BOOST_TEST((rotated.areas == graph.areas));
@@ -43,7 +43,7 @@ BOOST_AUTO_TEST_CASE(the_first_corner_is_the_smallest_vertex_whatever_the_mesh_s
 BOOST_AUTO_TEST_CASE(points_are_normalized_by_a_power_of_two)
 {
   for (const Soup& soup : small_soups()) {
-    const Face_dual_graph graph = dual_graph_of(soup);
+    const Face_graph graph = dual_graph_of(soup);
     int exponent;
     BOOST_TEST(std::frexp(graph.unit, &exponent) == 0.5);
     double largest = 0;
@@ -70,13 +70,13 @@ BOOST_AUTO_TEST_CASE(points_are_normalized_by_a_power_of_two)
 BOOST_AUTO_TEST_CASE(a_mesh_scaled_by_a_power_of_two_gives_the_same_arrays)
 {
   const Soup soup = sphere(2);
-  const Face_dual_graph graph = dual_graph_of(soup);
+  const Face_graph graph = dual_graph_of(soup);
   for (int exponent : {-300, -40, -1, 1, 40, 300}) {
     Soup scaled = soup;
     for (Point& p : scaled.points)
       p = Point(std::ldexp(p.x(), exponent), std::ldexp(p.y(), exponent),
                 std::ldexp(p.z(), exponent));
-    const Face_dual_graph other = dual_graph_of(scaled);
+    const Face_graph other = dual_graph_of(scaled);
     BOOST_TEST((other.points == graph.points));
     BOOST_TEST((other.areas == graph.areas));
     BOOST_TEST(other.unit == std::ldexp(graph.unit, exponent));
@@ -86,11 +86,11 @@ BOOST_AUTO_TEST_CASE(a_mesh_scaled_by_a_power_of_two_gives_the_same_arrays)
 BOOST_AUTO_TEST_CASE(vertices_without_a_face_do_not_count)
 {
   const Soup soup = sphere(1);
-  const Face_dual_graph graph = dual_graph_of(soup);
+  const Face_graph graph = dual_graph_of(soup);
   for (double x : {1e6, std::numeric_limits<double>::quiet_NaN()}) {
     Mesh mesh = mesh_of(soup);
     mesh.add_vertex(Point(x, 0, 0));
-    const Face_dual_graph other = dual_graph_of(mesh);
+    const Face_graph other = dual_graph_of(mesh);
     BOOST_TEST(other.unit == graph.unit);
     BOOST_TEST((other.areas == graph.areas));
     BOOST_TEST((other.corners == graph.corners));
@@ -102,7 +102,7 @@ BOOST_AUTO_TEST_CASE(a_mesh_that_is_one_point_and_an_empty_mesh_are_read)
   Soup soup = plate(1, 1);
   for (Point& p : soup.points)
     p = Point(7, 7, 7);
-  const Face_dual_graph point = dual_graph_of(soup);
+  const Face_graph point = dual_graph_of(soup);
   BOOST_TEST(point.unit == 1);
   BOOST_TEST(total_area(point) == 0);
   BOOST_TEST(dual_graph_of(Soup()).number_of_faces() == 0u);

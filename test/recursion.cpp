@@ -25,12 +25,12 @@ BOOST_AUTO_TEST_SUITE(recursion)
 
 using namespace test_meshes;
 namespace parameters = CGAL::Spectral_segmentation::parameters;
-using CGAL::Spectral_segmentation::Segment_tree;
+using CGAL::Spectral_segmentation::Segmentation_hierarchy;
 
 namespace {
 
 typedef std::vector<std::size_t> Labels;
-typedef Segment_tree::Cut_state Cut_state;
+typedef Segmentation_hierarchy::Cut_state Cut_state;
 
 const double infinity = std::numeric_limits<double>::infinity();
 const std::size_t unlimited = (std::numeric_limits<std::size_t>::max)();
@@ -39,7 +39,7 @@ struct Result
 {
   std::size_t number_of_segments;
   Labels labels;
-  Segment_tree tree;
+  Segmentation_hierarchy tree;
 };
 
 template <class ConcurrencyTag = CGAL::Parallel_if_available_tag>
@@ -51,11 +51,11 @@ Result segment(const Mesh& mesh, double threshold, std::size_t maximum = unlimit
   r.number_of_segments = CGAL::segment_spectral_recursive<ConcurrencyTag>(
     mesh, boost::make_iterator_property_map(r.labels.begin(), get(CGAL::face_index, mesh)),
     parameters::zhang_liu_2005().salience_threshold(threshold).maximum_number_of_segments(maximum)
-      .minimum_segment_size(minimum_size).segment_tree(r.tree));
+      .minimum_segment_size(minimum_size).hierarchy(r.tree));
   return r;
 }
 
-bool is_accepted(const Segment_tree& tree, std::size_t i)
+bool is_accepted(const Segmentation_hierarchy& tree, std::size_t i)
 { return tree.node(i).cut_state == Cut_state::ACCEPTED; }
 
 // Triangles far from each other.
@@ -76,7 +76,7 @@ BOOST_AUTO_TEST_CASE(parts_are_cut_in_the_order_of_their_area)
 {
   for (const char* name : {"elephant.off", "hand.off", "bones.off", "head.off"}) {
     BOOST_TEST_CONTEXT(name) {
-      const Segment_tree tree = segment(mesh_of(read(name)), 0.4, 20).tree;
+      const Segmentation_hierarchy tree = segment(mesh_of(read(name)), 0.4, 20).tree;
       std::set<std::size_t> leaves;
       for (std::size_t i = 0; i < tree.number_of_roots(); ++i)
         leaves.insert(i);
@@ -99,9 +99,9 @@ BOOST_AUTO_TEST_CASE(the_threshold_decides)
   const Mesh mesh = mesh_of(read("elephant.off"));
   for (double threshold : {-infinity, 0.3, 0.5, 0.7, infinity}) {
     BOOST_TEST_CONTEXT("threshold " << threshold) {
-      const Segment_tree tree = segment(mesh, threshold).tree;
+      const Segmentation_hierarchy tree = segment(mesh, threshold).tree;
       for (std::size_t i = 0; i < tree.number_of_nodes(); ++i) {
-        const Segment_tree::Node& n = tree.node(i);
+        const Segmentation_hierarchy::Node& n = tree.node(i);
         BOOST_TEST(n.is_leaf() == !is_accepted(tree, i));
         BOOST_TEST((n.cut_state != Cut_state::NOT_SEARCHED));
         if (n.cut_state == Cut_state::ACCEPTED)
@@ -153,7 +153,7 @@ BOOST_AUTO_TEST_CASE(no_part_is_smaller_than_the_minimum)
   const Mesh mesh = mesh_of(read("elephant.off"));
   std::size_t number_before = num_faces(mesh);
   for (double minimum : {0.001, 0.01, 0.1, 0.5}) {
-    const Segment_tree tree = segment(mesh, -infinity, unlimited, minimum).tree;
+    const Segmentation_hierarchy tree = segment(mesh, -infinity, unlimited, minimum).tree;
     BOOST_TEST(tree.number_of_segments() < number_before);
     number_before = tree.number_of_segments();
     for (std::size_t i = 0; i < tree.number_of_nodes(); ++i)

@@ -4,7 +4,7 @@
 #define BOOST_TEST_MODULE same_labels
 #include <boost/test/unit_test.hpp>
 
-#include <CGAL/Spectral_segmentation/internal/shortest_paths.h>
+#include <CGAL/Spectral_segmentation/internal/bipartition/shortest_paths.h>
 
 #include <atomic>
 #include <cstddef>
@@ -59,7 +59,7 @@ void grow_paths<Bucket_search>(const Weighted_graph& graph, Index source, Path_a
 using namespace test_meshes;
 namespace parameters = CGAL::Spectral_segmentation::parameters;
 using CGAL::Spectral_segmentation::Method;
-using CGAL::Spectral_segmentation::Segment_tree;
+using CGAL::Spectral_segmentation::Segmentation_hierarchy;
 
 namespace {
 
@@ -81,14 +81,14 @@ std::size_t number_of_simplifications(const Run& run)
 {
   if (run.number_of_searched_faces == 0)
     return 0;
-  return CGAL::Spectral_segmentation::internal::simplify_in_steps<CGAL::Sequential_tag>(
+  return CGAL::Spectral_segmentation::internal::coarsen_in_steps<CGAL::Sequential_tag>(
            dual_graph_of(read(run.mesh)), run.number_of_searched_faces).size();
 }
 
 struct Result
 {
   Labels labels;
-  Segment_tree tree;
+  Segmentation_hierarchy tree;
 };
 
 template <class ConcurrencyTag>
@@ -98,7 +98,7 @@ Result segment(const Mesh& mesh, const Run& run)
   CGAL::segment_spectral_recursive<ConcurrencyTag>(
     mesh, map_to(r.labels, mesh),
     parameters::method(run.method).number_of_searched_faces(run.number_of_searched_faces)
-      .segment_tree(r.tree));
+      .hierarchy(r.tree));
   return r;
 }
 

@@ -5,9 +5,9 @@
 
 #include "test_meshes.h"
 
-#include <CGAL/Spectral_segmentation/internal/Face_dual_graph.h>
-#include <CGAL/Spectral_segmentation/internal/sampling.h>
-#include <CGAL/Spectral_segmentation/internal/shortest_paths.h>
+#include <CGAL/Spectral_segmentation/internal/mesh/Face_graph.h>
+#include <CGAL/Spectral_segmentation/internal/bipartition/shape_context_sampling.h>
+#include <CGAL/Spectral_segmentation/internal/bipartition/shortest_paths.h>
 
 #include <algorithm>
 #include <cmath>
@@ -34,29 +34,29 @@ using CGAL::Spectral_segmentation::internal::shortest_paths;
 
 namespace {
 
-Face_dual_graph random_graph(Random& random)
+Face_graph random_graph(Random& random)
 {
   const std::vector<Soup> shapes = {plate(5, 4), sphere(1), torus(2, 0.7, 6, 5), dumbbell(5, 4)};
   return graph_with_distances(displaced(shapes[random() % shapes.size()], 0.2, random));
 }
 
 // Gives each edge a random length and a random angle, so that no two ways have the same length.
-void randomize_distances(Face_dual_graph& graph, Random& random)
+void randomize_distances(Face_graph& graph, Random& random)
 {
   for (Index h = 0; h < graph.halfedges.size(); ++h) {
     if (graph.is_border(h) || graph.opposite(h) < h)
       continue;
-    Face_dual_graph::Halfedge &e = graph.halfedges[h], &o = graph.halfedges[graph.opposite(h)];
+    Face_graph::Halfedge &e = graph.halfedges[h], &o = graph.halfedges[graph.opposite(h)];
     e.geodesic = o.geodesic = std::ldexp(float(1 + random() % (1u << 20)), -20);
     e.angle = o.angle = std::ldexp(float(random() % 1025), -10);
   }
 }
 
-std::vector<double> geodesic_distances(const Face_dual_graph& graph, Index source)
-{ return shortest_paths(graph, source, &Face_dual_graph::Halfedge::geodesic); }
+std::vector<double> geodesic_distances(const Face_graph& graph, Index source)
+{ return shortest_paths(graph, source, &Face_graph::Halfedge::geodesic); }
 
 // The sum of the angles along the only shortest way from f to `reference`, walked backwards.
-double context_by_walking(const Face_dual_graph& graph, Index f, Index reference,
+double context_by_walking(const Face_graph& graph, Index f, Index reference,
                           const std::vector<double>& from_reference)
 {
   double sum = 0;
@@ -75,7 +75,7 @@ double context_by_walking(const Face_dual_graph& graph, Index f, Index reference
   return sum;
 }
 
-Shape_contexts contexts_of(const Face_dual_graph& graph, Index first, std::size_t k)
+Shape_contexts contexts_of(const Face_graph& graph, Index first, std::size_t k)
 { return shape_contexts<CGAL::Sequential_tag>(graph, first, k, [] {}); }
 
 double squared_distance(const Shape_contexts& contexts, Index f, const std::vector<double>& from)
@@ -94,7 +94,7 @@ BOOST_AUTO_TEST_CASE(the_first_reference_is_farthest_from_the_center_of_area)
     BOOST_TEST_CONTEXT("seed " << seed) {
       Random random(seed);
       const Soup soup = displaced(seed % 2 ? plate(6, 3) : sphere(1), 0.2, random);
-      const Face_dual_graph graph = dual_graph_of(soup);
+      const Face_graph graph = dual_graph_of(soup);
       const auto corner = [&](std::size_t f, std::size_t i)
       { return soup.points[soup.triangles[f][i]]; };
       CGAL::Vector_3<Kernel> moment(0, 0, 0);
@@ -127,7 +127,7 @@ BOOST_AUTO_TEST_CASE(references_are_mutually_farthest)
   for (unsigned seed = 1; seed <= 50; ++seed) {
     BOOST_TEST_CONTEXT("seed " << seed) {
       Random random(seed);
-      const Face_dual_graph graph = random_graph(random);
+      const Face_graph graph = random_graph(random);
       const Index first = static_cast<Index>(random() % graph.number_of_faces());
       const std::size_t k = 1 + random() % 10;
       const Shape_contexts contexts = contexts_of(graph, first, k);
@@ -155,7 +155,7 @@ BOOST_AUTO_TEST_CASE(contexts_are_sums_of_angles_along_the_shortest_geodesic_pat
   for (unsigned seed = 1; seed <= 50; ++seed) {
     BOOST_TEST_CONTEXT("seed " << seed) {
       Random random(seed);
-      Face_dual_graph graph = random_graph(random);
+      Face_graph graph = random_graph(random);
       randomize_distances(graph, random);
       const Shape_contexts contexts = contexts_of(graph, 0, 5);
       for (std::size_t j = 0; j < 5; ++j) {
@@ -171,7 +171,7 @@ BOOST_AUTO_TEST_CASE(contexts_are_sums_of_angles_along_the_shortest_geodesic_pat
 BOOST_AUTO_TEST_CASE(the_first_reference_does_not_depend_on_the_size_of_the_part)
 {
   Random random(3);
-  Face_dual_graph part = random_graph(random);
+  Face_graph part = random_graph(random);
   const Index farthest = farthest_face_from_center(part);
   BOOST_TEST(farthest != 0u);
   for (Vector& p : part.points)
@@ -182,7 +182,7 @@ BOOST_AUTO_TEST_CASE(the_first_reference_does_not_depend_on_the_size_of_the_part
 BOOST_AUTO_TEST_CASE(there_are_no_more_references_than_faces)
 {
   Random random(1);
-  const Face_dual_graph graph = random_graph(random);
+  const Face_graph graph = random_graph(random);
   const std::size_t n = graph.number_of_faces();
   const Shape_contexts all = contexts_of(graph, 3, n + 100);
   BOOST_TEST(all.references.size() == n);
@@ -191,7 +191,7 @@ BOOST_AUTO_TEST_CASE(there_are_no_more_references_than_faces)
 
 BOOST_AUTO_TEST_CASE(the_caller_hears_of_each_tree)
 {
-  const Face_dual_graph graph = graph_with_distances(sphere(1));
+  const Face_graph graph = graph_with_distances(sphere(1));
   for (std::size_t k : {1, 4, 10}) {
     std::size_t calls = 0;
     shape_contexts<CGAL::Sequential_tag>(graph, 0, k, [&] { ++calls; });
@@ -237,7 +237,7 @@ BOOST_AUTO_TEST_CASE(samples_have_the_largest_context_and_the_one_that_differs_m
 
 BOOST_AUTO_TEST_CASE(a_random_face_depends_on_seed_and_part_and_is_reproducible)
 {
-  const Face_dual_graph graph = dual_graph_of(sphere(3));
+  const Face_graph graph = dual_graph_of(sphere(3));
   std::set<Index> by_seed, by_part;
   for (Index i = 0; i < 100; ++i) {
     const Index f = random_face(graph, i, 0);

@@ -23,17 +23,17 @@
 #include <stdexcept>
 #include <vector>
 
-BOOST_AUTO_TEST_SUITE(segment_tree)
+BOOST_AUTO_TEST_SUITE(hierarchy)
 
 using namespace test_meshes;
 namespace parameters = CGAL::Spectral_segmentation::parameters;
 namespace PMP = CGAL::Polygon_mesh_processing;
 using CGAL::Spectral_segmentation::Method;
-using CGAL::Spectral_segmentation::Segment_tree;
+using CGAL::Spectral_segmentation::Segmentation_hierarchy;
 
 namespace {
 
-typedef Segment_tree::Cut_state Cut_state;
+typedef Segmentation_hierarchy::Cut_state Cut_state;
 typedef Mesh::Face_index Face;
 typedef Mesh::Halfedge_index Halfedge;
 
@@ -51,10 +51,10 @@ Labels labels_of(const Mesh& mesh, const NamedParameters& np)
 }
 
 template <class NamedParameters>
-Segment_tree tree_of(const Mesh& mesh, const NamedParameters& np)
+Segmentation_hierarchy tree_of(const Mesh& mesh, const NamedParameters& np)
 {
-  Segment_tree tree;
-  labels_of(mesh, np.segment_tree(tree));
+  Segmentation_hierarchy tree;
+  labels_of(mesh, np.hierarchy(tree));
   return tree;
 }
 
@@ -68,7 +68,7 @@ std::vector<Mesh> several_meshes()
 }
 
 // Some of the thresholds at which the labels change, values beside them, and others.
-std::set<double> interesting_thresholds(const Segment_tree& tree, double smallest)
+std::set<double> interesting_thresholds(const Segmentation_hierarchy& tree, double smallest)
 {
   std::set<double> result = {smallest, 0.5, 0.6, 0.9, 2, infinity};
   for (std::size_t i = 0; i < tree.number_of_nodes(); i += 3)
@@ -88,7 +88,7 @@ void check_numbering(const Mesh& mesh, const Labels& labels, std::size_t number_
   BOOST_TEST(number_of_connected_pieces(mesh, labels) == number_of_segments);
 }
 
-std::vector<Face> faces_of(const Segment_tree& tree, std::size_t i)
+std::vector<Face> faces_of(const Segmentation_hierarchy& tree, std::size_t i)
 {
   std::vector<Face> result;
   for (auto f : tree.faces(i))
@@ -129,7 +129,7 @@ double spread_of_cut(const Mesh& mesh, const std::vector<Face>& q, const std::ve
 
 BOOST_AUTO_TEST_CASE(a_tree_without_a_run_is_empty)
 {
-  const Segment_tree tree;
+  const Segmentation_hierarchy tree;
   BOOST_TEST(tree.number_of_nodes() == 0);
   BOOST_TEST(tree.number_of_segments() == 0);
   BOOST_TEST(tree.labels().empty());
@@ -140,22 +140,22 @@ BOOST_AUTO_TEST_CASE(parts_partition_their_parent)
   const auto tolerance = boost::test_tools::tolerance(1e-9);
   for (const Mesh& mesh : several_meshes())
     for (Method method : methods) {
-      const Segment_tree tree =
+      const Segmentation_hierarchy tree =
         tree_of(mesh, parameters::method(method).salience_threshold(0.3));
       BOOST_TEST(tree.number_of_faces() == num_faces(mesh));
       BOOST_TEST(tree.number_of_nodes() > tree.number_of_roots());
       std::multiset<Face> faces_of_roots;
       for (std::size_t i = 0; i < tree.number_of_nodes(); ++i) {
-        const Segment_tree::Node& n = tree.node(i);
+        const Segmentation_hierarchy::Node& n = tree.node(i);
         const std::vector<Face> part = faces_of(tree, i);
         BOOST_TEST(part.size() == n.number_of_faces);
         BOOST_TEST(n.area == PMP::area(part, mesh), tolerance);
-        BOOST_TEST((n.parent == Segment_tree::null_node) == (i < tree.number_of_roots()));
+        BOOST_TEST((n.parent == Segmentation_hierarchy::null_node) == (i < tree.number_of_roots()));
         if (i < tree.number_of_roots())
           faces_of_roots.insert(part.begin(), part.end());
         if (n.is_leaf()) {
-          BOOST_TEST(n.children[0] == Segment_tree::null_node);
-          BOOST_TEST(n.children[1] == Segment_tree::null_node);
+          BOOST_TEST(n.children[0] == Segmentation_hierarchy::null_node);
+          BOOST_TEST(n.children[1] == Segmentation_hierarchy::null_node);
           continue;
         }
         for (std::size_t child : n.children)
@@ -173,10 +173,10 @@ BOOST_AUTO_TEST_CASE(each_cut_has_the_factors_of_its_salience)
 {
   const auto tolerance = boost::test_tools::tolerance(1e-6);
   for (const Mesh& mesh : several_meshes()) {
-    const Segment_tree tree = tree_of(
+    const Segmentation_hierarchy tree = tree_of(
       mesh, parameters::zhang_liu_2005().salience_threshold(0.3).salience_weights(0.2, 0.3, 0.5));
     for (std::size_t i = 0; i < tree.number_of_nodes(); ++i) {
-      const Segment_tree::Node& n = tree.node(i);
+      const Segmentation_hierarchy::Node& n = tree.node(i);
       BOOST_TEST(n.salience == 0.2 * n.factors.size + 0.3 * n.factors.cut_strength +
                                  0.5 * n.factors.protrusiveness, tolerance);
       BOOST_TEST(n.factors.cut_strength >= 0);
@@ -198,7 +198,7 @@ BOOST_AUTO_TEST_CASE(labels_are_contiguous_and_segments_connected)
     for (Method method : methods)
       for (bool smoothing : {false, true}) {
         const double smallest = method == Method::CALIBRATED ? -infinity : 0.3;
-        const Segment_tree tree = tree_of(
+        const Segmentation_hierarchy tree = tree_of(
           mesh, parameters::method(method).salience_threshold(smallest)
                   .boundary_smoothing(smoothing));
         for (std::size_t n = tree.number_of_roots(); n <= tree.number_of_segments(); ++n)
@@ -212,9 +212,9 @@ BOOST_AUTO_TEST_CASE(labels_for_any_number_and_threshold_are_those_of_a_fresh_ru
   for (const Mesh& mesh : several_meshes())
     for (bool smoothing : {false, true}) {
       const auto np = parameters::zhang_liu_2005().boundary_smoothing(smoothing);
-      Segment_tree tree;
+      Segmentation_hierarchy tree;
       const Labels labels =
-        labels_of(mesh, np.salience_threshold(smallest).segment_tree(tree));
+        labels_of(mesh, np.salience_threshold(smallest).hierarchy(tree));
       BOOST_TEST(tree.labels() == labels, boost::test_tools::per_element());
 
       for (std::size_t n = 1; n <= tree.number_of_segments() + 1; ++n)
@@ -234,7 +234,7 @@ BOOST_AUTO_TEST_CASE(a_run_with_a_maximum_gives_labels_up_to_it)
 {
   const Mesh mesh = mesh_of(read("hand.off"));
   const auto np = parameters::zhang_liu_2005().salience_threshold(-infinity);
-  const Segment_tree tree = tree_of(mesh, np.maximum_number_of_segments(6));
+  const Segmentation_hierarchy tree = tree_of(mesh, np.maximum_number_of_segments(6));
   for (std::size_t n = 1; n <= 6; ++n)
     BOOST_TEST(tree.labels(n, -infinity) == labels_of(mesh, np.maximum_number_of_segments(n)),
                boost::test_tools::per_element());
@@ -248,7 +248,7 @@ BOOST_AUTO_TEST_CASE(a_run_with_a_maximum_gives_labels_up_to_it)
 BOOST_AUTO_TEST_CASE(a_run_with_a_threshold_gives_no_labels_below_it)
 {
   const Mesh mesh = mesh_of(read("hand.off"));
-  const Segment_tree tree =
+  const Segmentation_hierarchy tree =
     tree_of(mesh, parameters::zhang_liu_2005().salience_threshold(0.5));
   BOOST_CHECK_THROW(tree.labels(unlimited, 0.2), std::out_of_range);
   BOOST_CHECK_THROW(tree.labels(unlimited, -infinity), std::out_of_range);
@@ -260,7 +260,7 @@ BOOST_AUTO_TEST_CASE(labels_are_written_into_a_property_map)
 {
   const Mesh mesh = mesh_of(read("hand.off"));
   for (Method method : methods) {
-    const Segment_tree tree =
+    const Segmentation_hierarchy tree =
       tree_of(mesh, parameters::method(method).salience_threshold(0.1));
     Labels written;
     BOOST_TEST(tree.segment_by_number(mesh, map_to(written, mesh), 5) == 5);
@@ -281,8 +281,8 @@ BOOST_AUTO_TEST_CASE(labels_follow_the_face_index_map_of_the_run)
     [last](Face f) { return last - f; });
   const auto np = parameters::face_index_map(backwards);
   for (Method method : methods) {
-    Segment_tree tree;
-    const Labels expected = labels_of(mesh, np.method(method).segment_tree(tree));
+    Segmentation_hierarchy tree;
+    const Labels expected = labels_of(mesh, np.method(method).hierarchy(tree));
     Labels written;
     tree.segment_by_number(mesh, map_to(written, mesh), unlimited, np);
     BOOST_TEST(written == expected, boost::test_tools::per_element());
@@ -292,7 +292,7 @@ BOOST_AUTO_TEST_CASE(labels_follow_the_face_index_map_of_the_run)
 
 BOOST_AUTO_TEST_CASE(a_tree_of_another_mesh_is_refused)
 {
-  const Segment_tree tree = tree_of(mesh_of(sphere(1)), parameters::default_values());
+  const Segmentation_hierarchy tree = tree_of(mesh_of(sphere(1)), parameters::default_values());
   const Mesh other = mesh_of(sphere(2));
   Labels written;
   BOOST_CHECK_THROW(tree.segment_by_number(other, map_to(written, other), 1),

@@ -5,9 +5,9 @@
 
 #include "test_meshes.h"
 
-#include <CGAL/Spectral_segmentation/internal/Face_dual_graph.h>
-#include <CGAL/Spectral_segmentation/internal/face_distances.h>
-#include <CGAL/Spectral_segmentation/internal/shape_scale_angles.h>
+#include <CGAL/Spectral_segmentation/internal/mesh/Face_graph.h>
+#include <CGAL/Spectral_segmentation/internal/distances/face_distances.h>
+#include <CGAL/Spectral_segmentation/internal/distances/curvature_angles.h>
 #include <CGAL/tags.h>
 
 #include <algorithm>
@@ -17,26 +17,26 @@
 #include <utility>
 #include <vector>
 
-BOOST_AUTO_TEST_SUITE(shape_scale_angles)
+BOOST_AUTO_TEST_SUITE(curvature_angles)
 
 namespace tt = boost::test_tools;
 using namespace test_meshes;
 using CGAL::Spectral_segmentation::internal::Vector;
-using CGAL::Spectral_segmentation::internal::shape_scale_angles;
+using CGAL::Spectral_segmentation::internal::curvature_angles;
 
 namespace {
 
-std::vector<double> angles_of(const Face_dual_graph& graph, double radius)
+std::vector<double> angles_of(const Face_graph& graph, double radius)
 {
-  return shape_scale_angles<CGAL::Sequential_tag>(graph, graph.points,
+  return curvature_angles<CGAL::Sequential_tag>(graph, graph.points,
                                                   face_normals(graph, graph.points), radius);
 }
 
 // The length over which the surface bends by an angle, in the coordinates of the graph.
-double way(const Face_dual_graph& graph, double radius)
+double way(const Face_graph& graph, double radius)
 { return 2 * radius * std::sqrt(std::accumulate(graph.areas.begin(), graph.areas.end(), 0.)); }
 
-Vector edge_of(const Face_dual_graph& graph, Index h)
+Vector edge_of(const Face_graph& graph, Index h)
 { return graph.points[graph.target_vertex(h)] - graph.points[graph.source_vertex(h)]; }
 
 double mean(const std::vector<double>& values)
@@ -59,7 +59,7 @@ BOOST_AUTO_TEST_CASE(a_plate_does_not_bend_in_any_position)
   Soup soup = plate(20, 20);
   for (Point& p : soup.points)
     p = Point(p.x(), p.y(), p.x() / 3 + p.y() / 7);
-  const Face_dual_graph graph = dual_graph_of(soup);
+  const Face_graph graph = dual_graph_of(soup);
   for (double angle : angles_of(graph, 0.01))
     BOOST_TEST(angle == 0);
 }
@@ -97,7 +97,7 @@ BOOST_AUTO_TEST_CASE(a_cylinder_bends_across_its_axis_only)
 {
   for (std::size_t n : {5, 12, 40})
     for (double radius : {0.02, 0.1}) {
-      const Face_dual_graph graph = dual_graph_of(cylinder(n));
+      const Face_graph graph = dual_graph_of(cylinder(n));
       const double side = 2 * std::sin(pi / double(n)) / graph.unit;
       const double along = way(graph, radius) * 2 * pi / double(n) / side;
       const std::vector<double> angles = angles_of(graph, radius);
@@ -111,7 +111,7 @@ BOOST_AUTO_TEST_CASE(a_cylinder_bends_across_its_axis_only)
 BOOST_AUTO_TEST_CASE(a_torus_is_concave_around_its_hole_only)
 {
   const std::size_t n_tube = 24;
-  const Face_dual_graph graph = dual_graph_of(torus(3, 1, 72, n_tube));
+  const Face_graph graph = dual_graph_of(torus(3, 1, 72, n_tube));
   const double length = way(graph, 0.02) * graph.unit;
   const std::vector<double> angles = angles_of(graph, 0.02);
   for (Index h = 0; h < angles.size(); ++h) {
@@ -129,7 +129,7 @@ BOOST_AUTO_TEST_CASE(turned_inside_out_convex_is_concave)
 {
   for (const Soup& soup : {sphere(1), cylinder(9), torus(3, 1, 9, 8)}) {
     const std::vector<double> angles = angles_of(dual_graph_of(soup), 0.05);
-    const Face_dual_graph inside_out = dual_graph_of(turned_inside_out(soup));
+    const Face_graph inside_out = dual_graph_of(turned_inside_out(soup));
     const std::vector<double> reversed = angles_of(inside_out, 0.05);
     double sum = 0;
     for (Index h = 0; h < angles.size(); ++h) {
@@ -144,7 +144,7 @@ BOOST_AUTO_TEST_CASE(turned_inside_out_convex_is_concave)
 BOOST_AUTO_TEST_CASE(a_valley_is_negative_and_a_ridge_is_positive)
 {
   for (double rise : {-1., 1.}) {
-    const Face_dual_graph graph = dual_graph_of(
+    const Face_graph graph = dual_graph_of(
       {{Point(0, 0, 0), Point(1, 0, 0), Point(0, 1, rise), Point(1, -1, rise)},
        {{0, 1, 2}, {1, 0, 3}}});
     // Both slopes have 45 degrees: a right angle over the area of both, along an edge of length 1.
@@ -163,7 +163,7 @@ BOOST_AUTO_TEST_CASE(a_valley_is_negative_and_a_ridge_is_positive)
 BOOST_AUTO_TEST_CASE(both_sides_of_an_edge_have_the_same_angle)
 {
   Random random(3);
-  const Face_dual_graph graph = dual_graph_of(displaced(torus(2, 0.7, 12, 8), 0.2, random));
+  const Face_graph graph = dual_graph_of(displaced(torus(2, 0.7, 12, 8), 0.2, random));
   const std::vector<double> angles = angles_of(graph, 0.05);
   double largest = 0, smallest = 0;
   for (Index h = 0; h < angles.size(); ++h) {

@@ -5,9 +5,9 @@
 
 #include "test_meshes.h"
 
-#include <CGAL/Spectral_segmentation/internal/Face_dual_graph.h>
-#include <CGAL/Spectral_segmentation/internal/face_distances.h>
-#include <CGAL/Spectral_segmentation/internal/shortest_paths.h>
+#include <CGAL/Spectral_segmentation/internal/mesh/Face_graph.h>
+#include <CGAL/Spectral_segmentation/internal/distances/face_distances.h>
+#include <CGAL/Spectral_segmentation/internal/bipartition/shortest_paths.h>
 
 #include <algorithm>
 #include <cmath>
@@ -31,23 +31,23 @@ using CGAL::Spectral_segmentation::internal::shortest_paths;
 
 namespace {
 
-typedef Face_dual_graph::Halfedge Halfedge;
+typedef Face_graph::Halfedge Halfedge;
 
 const Weighting weightings[] = {&Halfedge::geodesic, &Halfedge::angle, &Halfedge::combined};
 const double infinity = std::numeric_limits<double>::infinity();
 
-Face_dual_graph random_graph(Random& random)
+Face_graph random_graph(Random& random)
 {
   const std::vector<Soup> shapes = {plate(5, 4), sphere(0), sphere(1), torus(2, 0.7, 6, 5),
                                     dumbbell(5, 4)};
-  const Face_dual_graph graph =
+  const Face_graph graph =
     graph_with_distances(displaced(shapes[random() % shapes.size()], 0.2, random));
   const std::size_t n = graph.number_of_faces();
   return random_part(graph, n / 2 + random() % (n / 2 + 1), random);
 }
 
 template <class Weight>
-void set_weights(Face_dual_graph& graph, Weighting weighting, const Weight& weight)
+void set_weights(Face_graph& graph, Weighting weighting, const Weight& weight)
 {
   for (Index h = 0; h < graph.halfedges.size(); ++h)
     if (!graph.is_border(h))
@@ -55,13 +55,13 @@ void set_weights(Face_dual_graph& graph, Weighting weighting, const Weight& weig
 }
 
 // Weights from 0 to 512, most of them small, and many equal.
-void make_uneven(Face_dual_graph& graph, Weighting weighting, Random& random)
+void make_uneven(Face_graph& graph, Weighting weighting, Random& random)
 {
   set_weights(graph, weighting, [&]
     { return random() % 4 == 0 ? 0.f : std::ldexp(1.f, 9 - int(random() % 30)); });
 }
 
-std::vector<std::vector<double> > floyd_warshall(const Face_dual_graph& graph, Weighting weighting)
+std::vector<std::vector<double> > floyd_warshall(const Face_graph& graph, Weighting weighting)
 {
   const std::size_t n = graph.number_of_faces();
   std::vector<std::vector<double> > d(n, std::vector<double>(n, infinity));
@@ -86,7 +86,7 @@ BOOST_AUTO_TEST_CASE(distances_equal_those_of_floyd_and_warshall)
   for (unsigned seed = 1; seed <= 40; ++seed) {
     BOOST_TEST_CONTEXT("seed " << seed) {
       Random random(seed);
-      Face_dual_graph graph = random_graph(random);
+      Face_graph graph = random_graph(random);
       if (seed > 30)
         for (Weighting weighting : weightings)
           make_uneven(graph, weighting, random);
@@ -106,7 +106,7 @@ BOOST_AUTO_TEST_CASE(distances_equal_those_of_floyd_and_warshall)
 BOOST_AUTO_TEST_CASE(both_searches_agree_on_real_meshes)
 {
   for (const char* name : {"elephant.off", "hand.off", "dino.off", "camel.off", "mushroom.off"}) {
-    Face_dual_graph graph = dual_graph_of(read(name));
+    Face_graph graph = dual_graph_of(read(name));
     for (double concavity_radius : {0., 0.01}) {
       set_face_distances(graph, {0.03, 1, 0.1, concavity_radius});
       for (Weighting weighting : weightings)
@@ -122,7 +122,7 @@ BOOST_AUTO_TEST_CASE(of_several_sources_the_nearest_counts)
   for (unsigned seed = 1; seed <= 40; ++seed) {
     BOOST_TEST_CONTEXT("seed " << seed) {
       Random random(seed);
-      Face_dual_graph graph = random_graph(random);
+      Face_graph graph = random_graph(random);
       const Weighting weighting = weightings[seed % 3];
       if (seed % 2 == 0)
         make_uneven(graph, weighting, random);
@@ -148,7 +148,7 @@ BOOST_AUTO_TEST_CASE(angles_are_summed_along_the_paths_over_the_nearest_neighbor
   for (unsigned seed = 1; seed <= 100; ++seed) {
     BOOST_TEST_CONTEXT("seed " << seed) {
       Random random(seed);
-      Face_dual_graph graph = random_graph(random);
+      Face_graph graph = random_graph(random);
       const Weighting weighting = weightings[seed % 3];
       // Few values, so that many paths are as short.
       set_weights(graph, weighting, [&] { return 1 + float(random() % 3); });
@@ -188,14 +188,14 @@ BOOST_AUTO_TEST_CASE(angles_are_summed_along_the_paths_over_the_nearest_neighbor
 BOOST_AUTO_TEST_CASE(a_single_face_is_at_distance_0)
 {
   Random random(1);
-  const Face_dual_graph graph = random_part(dual_graph_of(sphere(0)), 1, random);
+  const Face_graph graph = random_part(dual_graph_of(sphere(0)), 1, random);
   const std::vector<double> distance = shortest_paths(graph, 0, &Halfedge::geodesic);
   BOOST_TEST(distance == std::vector<double>({0}), tt::per_element());
 }
 
 BOOST_AUTO_TEST_CASE(ways_of_length_0_are_ways)
 {
-  Face_dual_graph graph = dual_graph_of(plate(3, 3)); // its distances are 0
+  Face_graph graph = dual_graph_of(plate(3, 3)); // its distances are 0
   BOOST_TEST(shortest_paths(graph, 4, &Halfedge::combined) ==
              std::vector<double>(graph.number_of_faces(), 0.), tt::per_element());
   Path_angles paths(graph.number_of_faces());

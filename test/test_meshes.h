@@ -4,10 +4,10 @@
 #ifndef SPECTRAL_SEGMENTATION_TEST_MESHES_H
 #define SPECTRAL_SEGMENTATION_TEST_MESHES_H
 
-#include <CGAL/Spectral_segmentation/internal/Face_dual_graph.h>
-#include <CGAL/Spectral_segmentation/internal/face_distances.h>
-#include <CGAL/Spectral_segmentation/internal/parts.h>
-#include <CGAL/Spectral_segmentation/internal/read_triangles.h>
+#include <CGAL/Spectral_segmentation/internal/mesh/Face_graph.h>
+#include <CGAL/Spectral_segmentation/internal/distances/face_distances.h>
+#include <CGAL/Spectral_segmentation/internal/mesh/extract_part.h>
+#include <CGAL/Spectral_segmentation/internal/door/read_triangle_mesh.h>
 
 #include <CGAL/IO/polygon_soup_io.h>
 #include <CGAL/Polygon_mesh_processing/orient_polygon_soup.h>
@@ -261,7 +261,7 @@ inline Soup displaced(Soup soup, double amount, Random& random)
   return soup;
 }
 
-typedef CGAL::Spectral_segmentation::internal::Face_dual_graph Face_dual_graph;
+typedef CGAL::Spectral_segmentation::internal::Face_graph Face_graph;
 typedef CGAL::Spectral_segmentation::internal::Index Index;
 
 inline CGAL::Spectral_segmentation::internal::Triangles triangles_of(const Mesh& mesh)
@@ -272,15 +272,15 @@ inline CGAL::Spectral_segmentation::internal::Triangles triangles_of(const Mesh&
 }
 
 // Faces and vertices have the numbers of the mesh; face distances are left open.
-inline Face_dual_graph dual_graph_of(const Mesh& mesh)
+inline Face_graph dual_graph_of(const Mesh& mesh)
 {
-  return CGAL::Spectral_segmentation::internal::dual_graph<CGAL::Sequential_tag>(
+  return CGAL::Spectral_segmentation::internal::face_graph<CGAL::Sequential_tag>(
     triangles_of(mesh));
 }
 
-inline Face_dual_graph dual_graph_of(const Soup& soup) { return dual_graph_of(mesh_of(soup)); }
+inline Face_graph dual_graph_of(const Soup& soup) { return dual_graph_of(mesh_of(soup)); }
 
-inline auto face_normals(const Face_dual_graph& graph,
+inline auto face_normals(const Face_graph& graph,
                          const std::vector<CGAL::Spectral_segmentation::internal::Vector>& points)
 {
   return CGAL::Spectral_segmentation::internal::face_normals<CGAL::Sequential_tag>(graph, points);
@@ -291,22 +291,22 @@ typedef CGAL::Spectral_segmentation::internal::Distance_weights Distance_weights
 constexpr Distance_weights weights_of_paper = {0.01, 1, 0.1};
 constexpr Distance_weights weights_of_calibrated_method = {0.03, 1, 0.1, 0.02};
 
-inline void set_face_distances(Face_dual_graph& graph, const Distance_weights& weights)
+inline void set_face_distances(Face_graph& graph, const Distance_weights& weights)
 {
   CGAL::Spectral_segmentation::internal::set_face_distances<CGAL::Sequential_tag>(
     graph, graph.points, face_normals(graph, graph.points), weights);
 }
 
-inline Face_dual_graph graph_with_distances(const Soup& soup,
+inline Face_graph graph_with_distances(const Soup& soup,
                                             const Distance_weights& weights = weights_of_paper)
 {
-  Face_dual_graph graph = dual_graph_of(soup);
+  Face_graph graph = dual_graph_of(soup);
   set_face_distances(graph, weights);
   return graph;
 }
 
 // A connected part of n random faces. It may touch itself at a vertex, as the parts of a cut can.
-inline Face_dual_graph random_part(const Face_dual_graph& graph, std::size_t n, Random& random)
+inline Face_graph random_part(const Face_graph& graph, std::size_t n, Random& random)
 {
   std::vector<std::size_t> piece(graph.number_of_faces(), 1);
   std::vector<Index> front(1, Index(random() % graph.number_of_faces()));

@@ -5,10 +5,10 @@
 
 #include "test_meshes.h"
 
-#include <CGAL/Spectral_segmentation/internal/Diffusion.h>
-#include <CGAL/Spectral_segmentation/internal/Face_dual_graph.h>
-#include <CGAL/Spectral_segmentation/internal/face_distances.h>
-#include <CGAL/Spectral_segmentation/internal/thickness.h>
+#include <CGAL/Spectral_segmentation/internal/distances/Heat_smoothing.h>
+#include <CGAL/Spectral_segmentation/internal/mesh/Face_graph.h>
+#include <CGAL/Spectral_segmentation/internal/distances/face_distances.h>
+#include <CGAL/Spectral_segmentation/internal/distances/local_thickness.h>
 #include <CGAL/tags.h>
 
 #include <Eigen/Core>
@@ -25,9 +25,9 @@ BOOST_AUTO_TEST_SUITE(thickness)
 
 namespace tt = boost::test_tools;
 using namespace test_meshes;
-using CGAL::Spectral_segmentation::internal::Diffusion;
+using CGAL::Spectral_segmentation::internal::Heat_smoothing;
 using CGAL::Spectral_segmentation::internal::Vector;
-using CGAL::Spectral_segmentation::internal::opposite_distances;
+using CGAL::Spectral_segmentation::internal::ray_thickness;
 using CGAL::Spectral_segmentation::internal::thickness;
 
 namespace {
@@ -59,9 +59,9 @@ Soup sandwich(std::size_t side, double distance)
 // In the coordinates of the soup.
 std::vector<double> distances_of(const Soup& soup)
 {
-  const Face_dual_graph graph = dual_graph_of(soup);
+  const Face_graph graph = dual_graph_of(soup);
   std::vector<double> distances =
-    opposite_distances<CGAL::Sequential_tag>(graph, graph.points,
+    ray_thickness<CGAL::Sequential_tag>(graph, graph.points,
                                              face_normals(graph, graph.points));
   for (double& d : distances)
     d *= graph.unit;
@@ -70,14 +70,14 @@ std::vector<double> distances_of(const Soup& soup)
 
 std::vector<float> thickness_of(const Soup& soup, double radius)
 {
-  const Face_dual_graph graph = dual_graph_of(soup);
+  const Face_graph graph = dual_graph_of(soup);
   return thickness<CGAL::Sequential_tag>(graph, graph.points, face_normals(graph, graph.points),
                                          radius);
 }
 
 double area_of(const Soup& soup)
 {
-  const Face_dual_graph graph = dual_graph_of(soup);
+  const Face_graph graph = dual_graph_of(soup);
   return std::accumulate(graph.areas.begin(), graph.areas.end(), 0.) * graph.unit * graph.unit;
 }
 
@@ -167,11 +167,11 @@ BOOST_AUTO_TEST_CASE(a_body_in_a_body_hides_the_other_side)
 
 BOOST_AUTO_TEST_CASE(a_face_without_normal_has_no_distance)
 {
-  const Face_dual_graph graph = dual_graph_of(box(1, 1, 1));
+  const Face_graph graph = dual_graph_of(box(1, 1, 1));
   std::vector<Vector> normals = face_normals(graph, graph.points);
   normals[5] = Vector::Zero();
   const std::vector<double> distances =
-    opposite_distances<CGAL::Sequential_tag>(graph, graph.points, normals);
+    ray_thickness<CGAL::Sequential_tag>(graph, graph.points, normals);
   BOOST_TEST(distances[5] == 0);
   BOOST_TEST(distances[0] * graph.unit == 1, tt::tolerance(1e-14));
 }
@@ -231,7 +231,7 @@ BOOST_AUTO_TEST_CASE(rays_are_joined_by_area)
 {
   // The cap is open: rays from below pass it.
   const Soup soup = surface_of_revolution({{0, 0}, {0.5, 1}, {1, 1.2}, {2, 0.6}, {3, 0.9}}, 24);
-  const Face_dual_graph graph = dual_graph_of(soup);
+  const Face_graph graph = dual_graph_of(soup);
   const std::vector<double> distances = distances_of(soup);
   const double unit = std::sqrt(area_of(soup));
   Eigen::VectorXd weights = Eigen::VectorXd::Zero(Eigen::Index(distances.size()));
@@ -243,7 +243,7 @@ BOOST_AUTO_TEST_CASE(rays_are_joined_by_area)
     }
   BOOST_TEST(weights.minCoeff() == 0);
   for (double radius : {0.02, 0.05}) {
-    const Diffusion diffusion(graph, graph.points, radius);
+    const Heat_smoothing diffusion(graph, graph.points, radius);
     const Eigen::VectorXd weight = diffusion(weights), sum = diffusion(sums);
     const std::vector<float> thicknesses = thickness_of(soup, radius);
     for (Index f = 0; f < distances.size(); ++f)

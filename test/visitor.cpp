@@ -24,7 +24,7 @@ using namespace test_meshes;
 namespace parameters = CGAL::Spectral_segmentation::parameters;
 using CGAL::Spectral_segmentation::Method;
 using CGAL::Spectral_segmentation::Salience_factors;
-using CGAL::Spectral_segmentation::Segment_tree;
+using CGAL::Spectral_segmentation::Segmentation_hierarchy;
 using CGAL::Spectral_segmentation::Segmentation_visitor;
 using CGAL::Spectral_segmentation::Stage;
 
@@ -136,10 +136,10 @@ template <class ConcurrencyTag>
 void check_events(const Mesh& mesh, bool smoothing)
 {
   Strict_visitor visitor;
-  Segment_tree tree;
+  Segmentation_hierarchy tree;
   labels_of<ConcurrencyTag>(
     mesh, parameters::zhang_liu_2005().visitor(std::ref(visitor)).salience_threshold(0.4)
-            .segment_tree(tree).boundary_smoothing(smoothing));
+            .hierarchy(tree).boundary_smoothing(smoothing));
 
   std::vector<std::pair<Stage, bool> > expected = {{Stage::INITIALIZATION, true},
                                                    {Stage::INITIALIZATION, false}};
@@ -274,7 +274,7 @@ BOOST_AUTO_TEST_CASE(pieces_are_merged_once_when_all_parts_have_been_searched)
   BOOST_TEST(std::count(visitor.stages.begin(), visitor.stages.end(), merging) == 1);
   BOOST_TEST((visitor.stages.back() == merging));
   visitor.stages.clear();
-  labels_of(mesh, parameters::visitor(std::ref(visitor)).number_of_pieces(0));
+  labels_of(mesh, parameters::visitor(std::ref(visitor)).number_of_regions(0));
   BOOST_TEST(std::count(visitor.stages.begin(), visitor.stages.end(), merging) == 0);
 }
 
@@ -311,19 +311,19 @@ BOOST_AUTO_TEST_CASE(a_stopped_run_gives_the_labels_of_the_cuts_made_so_far)
     const auto np =
       parameters::zhang_liu_2005().salience_threshold(0.3).boundary_smoothing(smoothing);
     Strict_visitor counter;
-    Segment_tree whole_tree;
+    Segmentation_hierarchy whole_tree;
     const Labels whole = labels_of<CGAL::Sequential_tag>(
-      mesh, np.visitor(std::ref(counter)).segment_tree(whole_tree));
+      mesh, np.visitor(std::ref(counter)).hierarchy(whole_tree));
     BOOST_TEST(whole_tree.number_of_segments() > 3);
 
     std::size_t segments_before = 0;
     for (std::size_t poll = 0; poll <= counter.number_of_polls; ++poll) {
       BOOST_TEST_CONTEXT("stopped at poll " << poll) {
-        Segment_tree tree;
+        Segmentation_hierarchy tree;
         Labels labels;
         Stop_at visitor(poll);
         const std::size_t n = CGAL::segment_spectral_recursive<CGAL::Sequential_tag>(
-          mesh, map_to(labels, mesh), np.visitor(std::ref(visitor)).segment_tree(tree));
+          mesh, map_to(labels, mesh), np.visitor(std::ref(visitor)).hierarchy(tree));
         BOOST_TEST(n >= segments_before);
         BOOST_TEST(n == tree.number_of_segments());
         BOOST_TEST(labels == tree.labels(), boost::test_tools::per_element());
@@ -339,8 +339,8 @@ BOOST_AUTO_TEST_CASE(a_stopped_run_gives_the_labels_of_the_cuts_made_so_far)
 BOOST_AUTO_TEST_CASE(a_stopped_tree_does_not_invent_labels)
 {
   const Mesh mesh = mesh_of(read("hand.off"));
-  Segment_tree tree;
-  labels_of(mesh, parameters::zhang_liu_2005().visitor(Stop_at(0)).segment_tree(tree));
+  Segmentation_hierarchy tree;
+  labels_of(mesh, parameters::zhang_liu_2005().visitor(Stop_at(0)).hierarchy(tree));
   BOOST_TEST(tree.number_of_segments() == 1);
   BOOST_CHECK_THROW(tree.labels(2, 0.5), std::out_of_range);
 }
@@ -351,10 +351,10 @@ BOOST_AUTO_TEST_CASE(a_run_in_threads_stops_too)
   const Mesh mesh = mesh_of(disjoint_union(read("hand.off"), dumbbell(20, 15)));
   const auto np = parameters::zhang_liu_2005().salience_threshold(0.3);
   for (std::size_t poll = 0; poll < 300; poll += 13) {
-    Segment_tree tree;
+    Segmentation_hierarchy tree;
     Labels labels;
     const std::size_t n = CGAL::segment_spectral_recursive<CGAL::Parallel_tag>(
-      mesh, map_to(labels, mesh), np.visitor(Stop_at(poll)).segment_tree(tree));
+      mesh, map_to(labels, mesh), np.visitor(Stop_at(poll)).hierarchy(tree));
     BOOST_TEST(n == tree.number_of_segments());
     BOOST_TEST(labels == labels_of(mesh, np.maximum_number_of_segments(n)),
                boost::test_tools::per_element());
@@ -382,11 +382,11 @@ BOOST_AUTO_TEST_CASE(an_exception_of_a_visitor_passes_through_and_leaves_the_lab
     std::size_t event = 0;
     for (bool has_thrown = true; has_thrown; ++event) {
       Labels labels;
-      Segment_tree tree;
+      Segmentation_hierarchy tree;
       try {
         CGAL::segment_spectral_recursive(
           mesh, map_to(labels, mesh),
-          parameters::method(method).visitor(Throwing_visitor(event)).segment_tree(tree)
+          parameters::method(method).visitor(Throwing_visitor(event)).hierarchy(tree)
             .boundary_smoothing(true));
         has_thrown = false;
       }

@@ -7,9 +7,9 @@
 #include "experiment.h"
 #include "face_samples.h"
 
-#include <CGAL/Spectral_segmentation/internal/line_search.h>
-#include <CGAL/Spectral_segmentation/internal/shortest_paths.h>
-#include <CGAL/Spectral_segmentation/internal/spectral_order.h>
+#include <CGAL/Spectral_segmentation/internal/bipartition/line_search.h>
+#include <CGAL/Spectral_segmentation/internal/bipartition/shortest_paths.h>
+#include <CGAL/Spectral_segmentation/internal/bipartition/face_orders.h>
 
 #include <CGAL/tags.h>
 
@@ -20,7 +20,7 @@ namespace segmentation_benchmark {
 
 // BESTCUT of the paper (Figure 2), with the two samples of any scheme.
 inline std::optional<Sides> cut_between_samples(const Sampling_scheme& scheme,
-                                                const Face_dual_graph& part, double minimum_area,
+                                                const Face_graph& part, double minimum_area,
                                                 Random_engine& random)
 {
   namespace internal = CGAL::Spectral_segmentation::internal;
@@ -28,7 +28,7 @@ inline std::optional<Sides> cut_between_samples(const Sampling_scheme& scheme,
     return std::nullopt;
   const std::vector<Index> samples = scheme.take(part, 2, random);
   const auto from = [&part](Index f)
-  { return internal::shortest_paths(part, f, &Face_dual_graph::Halfedge::combined); };
+  { return internal::shortest_paths(part, f, &Face_graph::Halfedge::combined); };
   const std::optional<internal::Cut> cut = internal::line_search<CGAL::Sequential_tag>(
     part, internal::spectral_order(from(samples[0]), from(samples[1])),
     CGAL::Spectral_segmentation::Weighted_part_salience(), minimum_area);

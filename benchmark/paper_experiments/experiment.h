@@ -6,12 +6,12 @@
 
 #include "../princeton_benchmark.h"
 
-#include <CGAL/Spectral_segmentation/internal/Face_dual_graph.h>
-#include <CGAL/Spectral_segmentation/internal/best_cut.h>
-#include <CGAL/Spectral_segmentation/internal/initialization.h>
-#include <CGAL/Spectral_segmentation/internal/options.h>
-#include <CGAL/Spectral_segmentation/internal/parts.h>
-#include <CGAL/Spectral_segmentation/internal/read_triangles.h>
+#include <CGAL/Spectral_segmentation/internal/mesh/Face_graph.h>
+#include <CGAL/Spectral_segmentation/internal/bipartition/best_cut.h>
+#include <CGAL/Spectral_segmentation/internal/multilevel/coarsening.h>
+#include <CGAL/Spectral_segmentation/internal/Options.h>
+#include <CGAL/Spectral_segmentation/internal/mesh/extract_part.h>
+#include <CGAL/Spectral_segmentation/internal/door/read_triangle_mesh.h>
 
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 #include <CGAL/tags.h>
@@ -26,7 +26,7 @@
 // What all experiments share.
 namespace segmentation_benchmark {
 
-using CGAL::Spectral_segmentation::internal::Face_dual_graph;
+using CGAL::Spectral_segmentation::internal::Face_graph;
 using CGAL::Spectral_segmentation::internal::Index;
 using CGAL::Spectral_segmentation::internal::Part;
 using CGAL::Spectral_segmentation::internal::Sides;
@@ -45,7 +45,7 @@ inline Index random_face(std::size_t number_of_faces, Random_engine& random)
 { return static_cast<Index>(random() % number_of_faces); }
 
 // The dual graph with the distances of the paper.
-inline Face_dual_graph paper_graph(const Mesh& mesh)
+inline Face_graph paper_graph(const Mesh& mesh)
 {
   const std::vector<Mesh::Face_index> faces(mesh.faces().begin(), mesh.faces().end());
   namespace internal = CGAL::Spectral_segmentation::internal;
@@ -56,7 +56,7 @@ inline Face_dual_graph paper_graph(const Mesh& mesh)
 }
 
 // Each connected component is a part.
-inline std::vector<Part> components(const Face_dual_graph& mesh)
+inline std::vector<Part> components(const Face_graph& mesh)
 {
   namespace internal = CGAL::Spectral_segmentation::internal;
   std::size_t number;
@@ -64,7 +64,7 @@ inline std::vector<Part> components(const Face_dual_graph& mesh)
   std::vector<Part> parts(number);
   for (Index f = 0; f < component.size(); ++f)
     parts[component[f]].faces.push_back(f);
-  std::vector<Face_dual_graph> graphs = internal::split(mesh, component, number);
+  std::vector<Face_graph> graphs = internal::split(mesh, component, number);
   for (std::size_t i = 0; i < number; ++i) {
     parts[i].graph = std::move(graphs[i]);
     parts[i].node = i;
@@ -73,7 +73,7 @@ inline std::vector<Part> components(const Face_dual_graph& mesh)
 }
 
 // The component with the most faces, which is the first part that is cut.
-inline Part whole_part(const Face_dual_graph& mesh)
+inline Part whole_part(const Face_graph& mesh)
 {
   std::vector<Part> parts = components(mesh);
   return std::move(*std::max_element(parts.begin(), parts.end(), [](const Part& a, const Part& b)
@@ -88,7 +88,7 @@ inline Labels labels_of_part(const Part& part, const Labels& labels)
   return contiguous(result);
 }
 
-inline double minimum_area(const Face_dual_graph& mesh)
+inline double minimum_area(const Face_graph& mesh)
 {
   namespace internal = CGAL::Spectral_segmentation::internal;
   return internal::Options().minimum_segment_size * internal::total_area(mesh);

@@ -6,8 +6,8 @@
 
 #include "experiment.h"
 
-#include <CGAL/Spectral_segmentation/internal/nystrom.h>
-#include <CGAL/Spectral_segmentation/internal/shortest_paths.h>
+#include "nystrom.h"
+#include <CGAL/Spectral_segmentation/internal/bipartition/shortest_paths.h>
 
 #include <Eigen/Core>
 
@@ -21,7 +21,7 @@ namespace segmentation_benchmark {
 
 using CGAL::Spectral_segmentation::internal::Eigenpairs;
 
-inline std::vector<Index> all_faces(const Face_dual_graph& part)
+inline std::vector<Index> all_faces(const Face_graph& part)
 {
   std::vector<Index> faces(part.number_of_faces());
   std::iota(faces.begin(), faces.end(), Index(0));
@@ -29,13 +29,13 @@ inline std::vector<Index> all_faces(const Face_dual_graph& part)
 }
 
 // Combined distances, one row a sample.
-inline Eigen::MatrixXd distances_from(const Face_dual_graph& part,
+inline Eigen::MatrixXd distances_from(const Face_graph& part,
                                       const std::vector<Index>& samples)
 {
   Eigen::MatrixXd rows(samples.size(), part.number_of_faces());
   for (std::size_t i = 0; i < samples.size(); ++i) {
     const std::vector<double> distance = CGAL::Spectral_segmentation::internal::shortest_paths(
-      part, samples[i], &Face_dual_graph::Halfedge::combined);
+      part, samples[i], &Face_graph::Halfedge::combined);
     rows.row(static_cast<Eigen::Index>(i)) =
       Eigen::Map<const Eigen::VectorXd>(distance.data(), rows.cols());
   }
@@ -61,7 +61,7 @@ inline Eigen::MatrixXd normalized(const Eigen::MatrixXd& affinities)
 
 // The eigenvectors of a part, approximated from the rows of some samples as in Section 5.2, or
 // exact if all faces are samples.
-inline Eigenpairs face_eigenpairs(const Face_dual_graph& part, const std::vector<Index>& samples)
+inline Eigenpairs face_eigenpairs(const Face_graph& part, const std::vector<Index>& samples)
 {
   namespace internal = CGAL::Spectral_segmentation::internal;
   const Eigen::MatrixXd rows = affinities(distances_from(part, samples));

@@ -6,9 +6,9 @@
 
 #include "experiment.h"
 
-#include <CGAL/Spectral_segmentation/internal/options.h>
-#include <CGAL/Spectral_segmentation/internal/sampling.h>
-#include <CGAL/Spectral_segmentation/internal/shortest_paths.h>
+#include <CGAL/Spectral_segmentation/internal/Options.h>
+#include <CGAL/Spectral_segmentation/internal/bipartition/shape_context_sampling.h>
+#include <CGAL/Spectral_segmentation/internal/bipartition/shortest_paths.h>
 
 #include <CGAL/tags.h>
 
@@ -25,10 +25,10 @@ namespace segmentation_benchmark {
 struct Sampling_scheme
 {
   const char* name;
-  std::vector<Index> (*take)(const Face_dual_graph& part, std::size_t m, Random_engine& random);
+  std::vector<Index> (*take)(const Face_graph& part, std::size_t m, Random_engine& random);
 };
 
-inline std::vector<Index> random_samples(const Face_dual_graph& part, std::size_t m,
+inline std::vector<Index> random_samples(const Face_graph& part, std::size_t m,
                                          Random_engine& random)
 {
   const std::size_t n = part.number_of_faces();
@@ -61,7 +61,7 @@ std::vector<Index> farthest_first(std::size_t n, Index first, std::size_t m,
 
 // The first is the one farthest from a random face.
 template <auto weighting>
-std::vector<Index> samples_by_paths(const Face_dual_graph& part, std::size_t m,
+std::vector<Index> samples_by_paths(const Face_graph& part, std::size_t m,
                                     Random_engine& random)
 {
   const auto distances_from = [&](Index f)
@@ -72,7 +72,7 @@ std::vector<Index> samples_by_paths(const Face_dual_graph& part, std::size_t m,
 }
 
 // The first two are those of the paper, with the first reference face of the package.
-inline std::vector<Index> samples_by_contexts(const Face_dual_graph& part, std::size_t m,
+inline std::vector<Index> samples_by_contexts(const Face_graph& part, std::size_t m,
                                               Random_engine&)
 {
   namespace internal = CGAL::Spectral_segmentation::internal;
@@ -94,9 +94,9 @@ inline std::vector<Index> samples_by_contexts(const Face_dual_graph& part, std::
 
 constexpr std::array<Sampling_scheme, 5> sampling_schemes = {{
   {"random", random_samples},
-  {"geodesic", samples_by_paths<&Face_dual_graph::Halfedge::geodesic>},
-  {"angle", samples_by_paths<&Face_dual_graph::Halfedge::angle>},
-  {"combined", samples_by_paths<&Face_dual_graph::Halfedge::combined>},
+  {"geodesic", samples_by_paths<&Face_graph::Halfedge::geodesic>},
+  {"angle", samples_by_paths<&Face_graph::Halfedge::angle>},
+  {"combined", samples_by_paths<&Face_graph::Halfedge::combined>},
   {"shape context", samples_by_contexts},
 }};
 

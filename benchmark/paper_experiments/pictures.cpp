@@ -6,7 +6,7 @@
 #include "../../examples/segment_mesh/write_meshes.h"
 #include "experiment.h"
 
-#include <CGAL/Spectral_segmentation/internal/parts.h>
+#include <CGAL/Spectral_segmentation/internal/mesh/extract_part.h>
 
 #include <algorithm>
 #include <cmath>
@@ -67,7 +67,7 @@ std::vector<CGAL::IO::Color> pale(std::vector<CGAL::IO::Color> colors)
   return colors;
 }
 
-void mark_sample(const Face_dual_graph& graph, Index sample, const CGAL::IO::Color& color,
+void mark_sample(const Face_graph& graph, Index sample, const CGAL::IO::Color& color,
                  std::vector<CGAL::IO::Color>& colors)
 {
   const double radius = 0.03 * std::sqrt(CGAL::Spectral_segmentation::internal::total_area(graph));

@@ -10,9 +10,9 @@
 #include "face_samples.h"
 #include "pictures.h"
 
-#include <CGAL/Spectral_segmentation/internal/line_search.h>
-#include <CGAL/Spectral_segmentation/internal/shortest_paths.h>
-#include <CGAL/Spectral_segmentation/internal/spectral_order.h>
+#include <CGAL/Spectral_segmentation/internal/bipartition/line_search.h>
+#include <CGAL/Spectral_segmentation/internal/bipartition/shortest_paths.h>
+#include <CGAL/Spectral_segmentation/internal/bipartition/face_orders.h>
 
 #include <CGAL/tags.h>
 
@@ -50,13 +50,13 @@ struct Searched_line
   std::optional<Cut> cut;
 };
 
-Searched_line search_line(const Face_dual_graph& part, const Sample_faces& samples,
+Searched_line search_line(const Face_graph& part, const Sample_faces& samples,
                           double minimum_area)
 {
   namespace internal = CGAL::Spectral_segmentation::internal;
   Searched_line result;
-  result.from_s = internal::shortest_paths(part, samples.s, &Face_dual_graph::Halfedge::combined);
-  result.from_t = internal::shortest_paths(part, samples.t, &Face_dual_graph::Halfedge::combined);
+  result.from_s = internal::shortest_paths(part, samples.s, &Face_graph::Halfedge::combined);
+  result.from_t = internal::shortest_paths(part, samples.t, &Face_graph::Halfedge::combined);
   std::map<std::size_t, double> saliences; // by size
   result.cut = internal::line_search<CGAL::Sequential_tag>(
     part, internal::spectral_order(result.from_s, result.from_t),
@@ -83,7 +83,7 @@ typedef std::array<std::vector<Trial>, NUMBER_OF_PLACEMENTS> Trials; // by Place
 class First_cut
 {
   const Benchmark_mesh& input_;
-  Face_dual_graph graph_;
+  Face_graph graph_;
   Part part_;
   double minimum_area_;
   Random_engine random_;

@@ -6,7 +6,7 @@
 
 #include "experiment.h"
 
-#include <CGAL/Spectral_segmentation/internal/parts.h>
+#include <CGAL/Spectral_segmentation/internal/mesh/extract_part.h>
 
 #include <algorithm>
 #include <cstddef>
@@ -20,7 +20,7 @@ namespace segmentation_benchmark {
 // are k parts or none can be cut. `sides_of(part)` are the sides of the faces of a part, if it has
 // a cut. Connected components of the mesh are parts from the start.
 template <class SidesOf>
-Labels recursive_cuts(const Face_dual_graph& mesh, std::size_t k, const SidesOf& sides_of)
+Labels recursive_cuts(const Face_graph& mesh, std::size_t k, const SidesOf& sides_of)
 {
   std::vector<Part> parts = components(mesh);
   std::vector<double> areas; // 0 if there is no cut
@@ -35,7 +35,7 @@ Labels recursive_cuts(const Face_dual_graph& mesh, std::size_t k, const SidesOf&
     *largest = 0;
     if (!sides)
       continue;
-    std::vector<Face_dual_graph> graphs =
+    std::vector<Face_graph> graphs =
       CGAL::Spectral_segmentation::internal::split(part.graph, *sides, 2);
     std::vector<Index> faces[2];
     for (std::size_t i = 0; i < part.faces.size(); ++i)

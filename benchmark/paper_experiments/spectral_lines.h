@@ -7,9 +7,9 @@
 #include "experiment.h"
 #include "face_affinities.h"
 
-#include <CGAL/Spectral_segmentation/internal/line_search.h>
-#include <CGAL/Spectral_segmentation/internal/orderings.h>
-#include <CGAL/Spectral_segmentation/internal/shortest_paths.h>
+#include <CGAL/Spectral_segmentation/internal/bipartition/line_search.h>
+#include <CGAL/Spectral_segmentation/internal/bipartition/face_orders.h>
+#include <CGAL/Spectral_segmentation/internal/bipartition/shortest_paths.h>
 
 #include <CGAL/tags.h>
 
@@ -29,7 +29,7 @@ using CGAL::Spectral_segmentation::internal::Line;
 
 // The faces in the order of the ratio of the second eigenvector to the first. Where it ties but for
 // rounding, those near the first sample on the line come first.
-inline Line spectral_line(const Face_dual_graph& part, const Eigenpairs& e,
+inline Line spectral_line(const Face_graph& part, const Eigenpairs& e,
                           const std::vector<Index>& samples, bool is_reversed)
 {
   Eigen::ArrayXd z = e.vectors.col(1).array() / e.vectors.col(0).array();
@@ -41,7 +41,7 @@ inline Line spectral_line(const Face_dual_graph& part, const Eigenpairs& e,
   const Index first = *std::min_element(samples.begin(), samples.end(),
                                         [&z](Index f, Index g) { return z[f] < z[g]; });
   const std::vector<double> distance = CGAL::Spectral_segmentation::internal::shortest_paths(
-    part, first, &Face_dual_graph::Halfedge::combined);
+    part, first, &Face_graph::Halfedge::combined);
   Line line = all_faces(part);
   std::sort(line.begin(), line.end(), [&](Index f, Index g) {
     return std::make_tuple(z[f], distance[f], f) < std::make_tuple(z[g], distance[g], g);
@@ -50,7 +50,7 @@ inline Line spectral_line(const Face_dual_graph& part, const Eigenpairs& e,
 }
 
 // The most salient cut along the line, searched from both its ends.
-inline std::optional<Cut> cut_by_eigenvectors(const Face_dual_graph& part, const Eigenpairs& e,
+inline std::optional<Cut> cut_by_eigenvectors(const Face_graph& part, const Eigenpairs& e,
                                               const std::vector<Index>& samples,
                                               double minimum_area)
 {

@@ -32,7 +32,7 @@ USUAL_VIEW = ("y", 30, 20)
 
 # Pictures in a row, and their size in pixels.
 LAYOUTS = {
-    "dual_graph": (2, (900, 500)),
+    "face_graph": (2, (900, 500)),
     "contexts": (2, (700, 560)),
     "samples": (2, (700, 560)),
     "line": (2, (700, 560)),
@@ -42,7 +42,7 @@ LAYOUTS = {
     "tree": (4, (480, 290)),
     "salience_threshold": (4, (480, 290)),
     "maximum_number_of_segments": (4, (480, 290)),
-    "number_of_pieces": (4, (480, 290)),
+    "number_of_regions": (4, (480, 290)),
 }
 USUAL_LAYOUT = (4, (480, 400))
 

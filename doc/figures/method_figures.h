@@ -7,14 +7,14 @@
 #include "Picture_book.h"
 #include "segmentations.h"
 
-#include <CGAL/Spectral_segmentation/internal/initialization.h>
-#include <CGAL/Spectral_segmentation/internal/line_search.h>
-#include <CGAL/Spectral_segmentation/internal/options.h>
-#include <CGAL/Spectral_segmentation/internal/parts.h>
-#include <CGAL/Spectral_segmentation/internal/read_triangles.h>
-#include <CGAL/Spectral_segmentation/internal/sampling.h>
-#include <CGAL/Spectral_segmentation/internal/shortest_paths.h>
-#include <CGAL/Spectral_segmentation/internal/spectral_order.h>
+#include <CGAL/Spectral_segmentation/internal/multilevel/coarsening.h>
+#include <CGAL/Spectral_segmentation/internal/bipartition/line_search.h>
+#include <CGAL/Spectral_segmentation/internal/Options.h>
+#include <CGAL/Spectral_segmentation/internal/mesh/extract_part.h>
+#include <CGAL/Spectral_segmentation/internal/door/read_triangle_mesh.h>
+#include <CGAL/Spectral_segmentation/internal/bipartition/shape_context_sampling.h>
+#include <CGAL/Spectral_segmentation/internal/bipartition/shortest_paths.h>
+#include <CGAL/Spectral_segmentation/internal/bipartition/face_orders.h>
 
 #include <CGAL/Kernel/global_functions.h>
 #include <CGAL/tags.h>
@@ -35,14 +35,14 @@
 namespace manual_figures {
 
 namespace internal = CGAL::Spectral_segmentation::internal;
-using internal::Face_dual_graph;
+using internal::Face_graph;
 using internal::Index;
 
 constexpr Rgb white = {245, 245, 245}, light = {205, 205, 205}, dark = {120, 120, 120},
               red = {200, 30, 30}, blue = {40, 90, 200}, orange = {250, 150, 20};
 
 // With the distances of the paper. Faces and vertices have the numbers of the mesh.
-inline Face_dual_graph graph_of(const Mesh& mesh)
+inline Face_graph graph_of(const Mesh& mesh)
 {
   const std::vector<Mesh::Face_index> faces(mesh.faces_begin(), mesh.faces_end());
   return internal::initialize<CGAL::Sequential_tag>(
@@ -75,7 +75,7 @@ inline Rgb blue_white_red(double x)
 // The dual graph of a small mesh: edges by the sign of their bending, arcs by their weight.
 inline void draw_dual_graph(Picture_book& book, const Named_mesh& shape)
 {
-  const Face_dual_graph graph = graph_of(shape.mesh);
+  const Face_graph graph = graph_of(shape.mesh);
   Picture edges{shape, "edges of the mesh: concave in red, convex in blue",
                 std::vector<Rgb>(graph.number_of_faces(), white)};
   Picture arcs{shape, "arcs of the dual graph: the darker and thicker, the longer",
@@ -83,7 +83,7 @@ inline void draw_dual_graph(Picture_book& book, const Named_mesh& shape)
   for (Index h = 0; h < graph.halfedges.size(); ++h) {
     if (graph.is_border(h) || h > graph.opposite(h))
       continue;
-    const Face_dual_graph::Halfedge& e = graph.halfedges[h];
+    const Face_graph::Halfedge& e = graph.halfedges[h];
     const Kernel::Point_3 a = point(shape.mesh, graph.source_vertex(h)),
                           b = point(shape.mesh, graph.target_vertex(h));
     const bool is_concave = e.concavity > 0;
@@ -93,8 +93,8 @@ inline void draw_dual_graph(Picture_book& book, const Named_mesh& shape)
     for (Index f : {h / 3, e.neighbor})
       arcs.add_tube(centroid(shape.mesh, f), middle, color, 0.4 + 1.6 * e.combined);
   }
-  book.add("dual_graph", edges);
-  book.add("dual_graph", arcs);
+  book.add("face_graph", edges);
+  book.add("face_graph", arcs);
 }
 
 // Each face's context as a color: its three principal components are red, green and blue.
@@ -132,7 +132,7 @@ inline void add_samples(Picture& picture, const internal::Sample_faces& samples)
   picture.add_ball(centroid(picture.shape.mesh, samples.t), orange);
 }
 
-inline internal::Shape_contexts contexts_of(const Face_dual_graph& graph)
+inline internal::Shape_contexts contexts_of(const Face_graph& graph)
 {
   return internal::shape_contexts<CGAL::Sequential_tag>(
     graph, internal::farthest_face_from_center(graph),
@@ -141,7 +141,7 @@ inline internal::Shape_contexts contexts_of(const Face_dual_graph& graph)
 
 inline void draw_contexts(Picture_book& book, const Named_mesh& shape)
 {
-  const Face_dual_graph graph = graph_of(shape.mesh);
+  const Face_graph graph = graph_of(shape.mesh);
   const internal::Shape_contexts contexts = contexts_of(graph);
   Picture colors{shape, "reference faces, and contexts: like colors are like contexts",
                  context_colors(contexts)};
@@ -163,10 +163,10 @@ struct Searched_line
   std::optional<internal::Cut> best;
   Json steps = Json::array();
 
-  Searched_line(const Face_dual_graph& graph, const internal::Sample_faces& given)
+  Searched_line(const Face_graph& graph, const internal::Sample_faces& given)
     : samples(given),
-      from_s(internal::shortest_paths(graph, samples.s, &Face_dual_graph::Halfedge::combined)),
-      from_t(internal::shortest_paths(graph, samples.t, &Face_dual_graph::Halfedge::combined)),
+      from_s(internal::shortest_paths(graph, samples.s, &Face_graph::Halfedge::combined)),
+      from_t(internal::shortest_paths(graph, samples.t, &Face_graph::Halfedge::combined)),
       order(internal::spectral_order(from_s, from_t))
   {
     const Options options = zhang_liu_options();
@@ -179,7 +179,7 @@ struct Searched_line
   }
 };
 
-inline void add_cut(Picture& picture, const Face_dual_graph& graph, const internal::Cut& cut)
+inline void add_cut(Picture& picture, const Face_graph& graph, const internal::Cut& cut)
 {
   const Mesh& mesh = picture.shape.mesh;
   for (Index h = 0; h < graph.halfedges.size(); ++h)
@@ -190,7 +190,7 @@ inline void add_cut(Picture& picture, const Face_dual_graph& graph, const intern
 
 // As Figure 1 of the paper: the regions of the two samples, and the best cut along their line.
 inline void draw_regions(Picture_book& book, const std::string& figure, const Named_mesh& shape,
-                         const Face_dual_graph& graph, const Searched_line& line,
+                         const Face_graph& graph, const Searched_line& line,
                          const std::string& caption)
 {
   std::vector<Rgb> colors;
@@ -219,7 +219,7 @@ inline Index face_at(const Mesh& mesh, const Kernel::Point_3& place)
 inline void draw_samples_and_line(Picture_book& book, const Named_mesh& shape,
                                   const std::array<Kernel::Point_3, 2>& same_part)
 {
-  const Face_dual_graph graph = graph_of(shape.mesh);
+  const Face_graph graph = graph_of(shape.mesh);
   const Searched_line good(graph, internal::sample_faces(contexts_of(graph)));
   const Searched_line bad(graph, {face_at(shape.mesh, same_part[0]),
                                   face_at(shape.mesh, same_part[1])});
@@ -244,7 +244,7 @@ inline void draw_samples_and_line(Picture_book& book, const Named_mesh& shape,
 // The tree of cuts, and what is read off it for some numbers of segments.
 inline void draw_tree(Picture_book& book, const Named_mesh& shape)
 {
-  const Segment_tree tree = segment_tree(shape.mesh, calibrated_options());
+  const Segmentation_hierarchy tree = hierarchy(shape.mesh, calibrated_options());
   Row_colors colors;
   const double none = -std::numeric_limits<double>::infinity();
   const Labels pieces = tree.labels(tree.number_of_segments(), none);
@@ -255,7 +255,7 @@ inline void draw_tree(Picture_book& book, const Named_mesh& shape)
 
   Json nodes = Json::array();
   for (std::size_t i = 0; i < tree.number_of_nodes(); ++i) {
-    const Segment_tree::Node& node = tree.node(i);
+    const Segmentation_hierarchy::Node& node = tree.node(i);
     Json entry = {{"salience", node.salience}, {"color", of_pieces[*tree.faces(i).begin()]}};
     if (!node.is_leaf())
       entry["children"] = {node.children[0], node.children[1]};

@@ -59,7 +59,7 @@ inline Named_mesh noisy(const Named_mesh& shape, double share)
 // The rows about the tree read one tree.
 inline void draw_rows_of_tree(Picture_book& book, const Named_mesh& shape)
 {
-  const Segment_tree tree = segment_tree(shape.mesh, calibrated_options());
+  const Segmentation_hierarchy tree = hierarchy(shape.mesh, calibrated_options());
   const std::size_t no_limit = (std::numeric_limits<std::size_t>::max)();
   const double infinity = std::numeric_limits<double>::infinity();
   Row_colors colors;
@@ -79,8 +79,8 @@ inline void draw_parameters(Picture_book& book, const Named_mesh& limbs, const N
   draw_rows_of_tree(book, limbs);
   draw_row(book, "minimum_segment_size", &Options::minimum_segment_size, calibrated, fine,
            {0.0, calibrated.minimum_segment_size, 0.02, 0.1});
-  draw_row(book, "number_of_pieces", &Options::number_of_pieces, calibrated, limbs,
-           {5, 10, calibrated.number_of_pieces, 40});
+  draw_row(book, "number_of_regions", &Options::number_of_regions, calibrated, limbs,
+           {5, 10, calibrated.number_of_regions, 40});
   draw_row(book, "number_of_searched_faces", &Options::number_of_searched_faces, calibrated, fine,
            {500, 1500, calibrated.number_of_searched_faces, 0});
   const Named_mesh noise = noisy(coarse, 0.004);

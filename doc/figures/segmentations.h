@@ -7,7 +7,7 @@
 #include "Picture_book.h"
 #include "Row_colors.h"
 
-#include <CGAL/Spectral_segmentation/internal/options.h>
+#include <CGAL/Spectral_segmentation/internal/Options.h>
 #include <CGAL/mesh_segmentation.h>
 #include <CGAL/segment_spectral_recursive.h>
 
@@ -21,7 +21,7 @@
 namespace manual_figures {
 
 namespace params = CGAL::Spectral_segmentation::parameters;
-using CGAL::Spectral_segmentation::Segment_tree;
+using CGAL::Spectral_segmentation::Segmentation_hierarchy;
 using CGAL::Spectral_segmentation::internal::Options;
 using CGAL::Spectral_segmentation::internal::calibrated_options;
 
@@ -32,9 +32,9 @@ inline std::string count(std::size_t n, const std::string& things)
 { return std::to_string(n) + " " + (n == 1 ? things.substr(0, things.size() - 1) : things); }
 
 // In one pack, as the whole method is compiled for each type of a pack.
-inline Segment_tree segment_tree(const Mesh& mesh, const Options& o)
+inline Segmentation_hierarchy hierarchy(const Mesh& mesh, const Options& o)
 {
-  Segment_tree tree;
+  Segmentation_hierarchy tree;
   CGAL::segment_spectral_recursive(
     mesh, boost::vector_property_map<std::size_t>(mesh.number_of_faces()),
     params::part_salience(o.part_salience)
@@ -47,16 +47,16 @@ inline Segment_tree segment_tree(const Mesh& mesh, const Options& o)
       .thickness_orderings(o.thickness_orderings)
       .number_of_candidates(o.number_of_candidates)
       .number_of_refined_candidates(o.number_of_refined_candidates)
-      .number_of_pieces(o.number_of_pieces)
+      .number_of_regions(o.number_of_regions)
       .number_of_searched_faces(o.number_of_searched_faces)
       .number_of_smoothing_iterations(o.number_of_smoothing_iterations)
       .boundary_smoothing(o.boundary_smoothing)
-      .segment_tree(tree));
+      .hierarchy(tree));
   return tree;
 }
 
 inline Labels segment(const Mesh& mesh, const Options& options)
-{ return segment_tree(mesh, options).labels(); }
+{ return hierarchy(mesh, options).labels(); }
 
 inline Options zhang_liu_options() { return Options(); }
 

@@ -6,7 +6,7 @@
 
 #include "Run_watch.h"
 
-#include <CGAL/Spectral_segmentation/Segment_tree.h>
+#include <CGAL/Spectral_segmentation/Segmentation_hierarchy.h>
 #include <CGAL/Spectral_segmentation/parameters.h>
 
 #include <nlohmann/json.hpp>
@@ -31,9 +31,9 @@ inline Json seconds_report(const Run_watch& watch)
           {"total", watch.seconds()}};
 }
 
-inline const char* name_of(CGAL::Spectral_segmentation::Segment_tree::Cut_state state)
+inline const char* name_of(CGAL::Spectral_segmentation::Segmentation_hierarchy::Cut_state state)
 {
-  typedef CGAL::Spectral_segmentation::Segment_tree::Cut_state Cut_state;
+  typedef CGAL::Spectral_segmentation::Segmentation_hierarchy::Cut_state Cut_state;
   switch (state) {
     case Cut_state::NO_CUT: return "no cut";
     case Cut_state::REJECTED: return "rejected";
@@ -49,11 +49,11 @@ inline Json factors_report(const CGAL::Spectral_segmentation::Salience_factors& 
                  {"cut_strength", f.cut_strength},
                  {"protrusiveness", f.protrusiveness}};
   if (method == CGAL::Spectral_segmentation::Method::CALIBRATED)
-    report.update({{"logarithm_of_part", f.logarithm_of_part},
+    report.update({{"log_relative_part_area", f.log_relative_part_area},
                    {"concavity_near_cut", f.concavity_near_cut},
                    {"convexity_gain", f.convexity_gain},
                    {"relative_convexity_gain", f.relative_convexity_gain},
-                   {"widening_of_rest", f.widening_of_rest},
+                   {"expansion_behind_cut", f.expansion_behind_cut},
                    {"thickness_step", f.thickness_step},
                    {"thickness_variation", f.thickness_variation}});
   return report;
@@ -61,20 +61,20 @@ inline Json factors_report(const CGAL::Spectral_segmentation::Salience_factors& 
 
 // The nodes by their index; salience and factors are those of the best cut, null if there is none.
 // The salience of the calibrated method goes by the name of what it is, a probability.
-inline Json tree_report(const CGAL::Spectral_segmentation::Segment_tree& tree,
+inline Json tree_report(const CGAL::Spectral_segmentation::Segmentation_hierarchy& tree,
                         CGAL::Spectral_segmentation::Method method)
 {
-  typedef CGAL::Spectral_segmentation::Segment_tree Segment_tree;
+  typedef CGAL::Spectral_segmentation::Segmentation_hierarchy Segmentation_hierarchy;
   const char* const salience =
     method == CGAL::Spectral_segmentation::Method::CALIBRATED ? "probability" : "salience";
   Json nodes = Json::array();
   for (std::size_t i = 0; i < tree.number_of_nodes(); ++i) {
-    const Segment_tree::Node& n = tree.node(i);
-    const bool has_cut = n.cut_state == Segment_tree::Cut_state::REJECTED ||
-                         n.cut_state == Segment_tree::Cut_state::ACCEPTED;
+    const Segmentation_hierarchy::Node& n = tree.node(i);
+    const bool has_cut = n.cut_state == Segmentation_hierarchy::Cut_state::REJECTED ||
+                         n.cut_state == Segmentation_hierarchy::Cut_state::ACCEPTED;
     Json node;
     node["id"] = i;
-    node["parent"] = n.parent == Segment_tree::null_node ? Json() : Json(n.parent);
+    node["parent"] = n.parent == Segmentation_hierarchy::null_node ? Json() : Json(n.parent);
     node["children"] = n.is_leaf() ? Json::array() : Json(n.children);
     node["faces"] = n.number_of_faces;
     node["area"] = n.area;

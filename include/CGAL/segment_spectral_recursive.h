@@ -4,38 +4,92 @@
 #ifndef CGAL_SEGMENT_SPECTRAL_RECURSIVE_H
 #define CGAL_SEGMENT_SPECTRAL_RECURSIVE_H
 
+// Where the sections of the paper are, below Spectral_segmentation/internal/:
+//
+//   2    overview, queue of parts        hierarchy/recursion.h
+//   2    smoothing before and after      distances/laplacian_smoothing.h,
+//                                        hierarchy/boundary_smoothing.h
+//   2    BESTCUT (Figure 2)              bipartition/best_cut.h
+//   3    distances of adjacent faces     distances/face_distances.h
+//   4    sampling by shape context       bipartition/shape_context_sampling.h
+//   5.2  spectral order of the faces     bipartition/face_orders.h
+//   5.3  line search                     bipartition/line_search.h
+//   6    salience of a part              salience/Boundary_statistics.h, Part_salience.h
+//
+// Beyond the paper: over-segmentation and merging (hierarchy/region_merging.h), more cuts to choose
+// from (bipartition/cut_proposals.h, min_cut_refinement.h) and more factors to judge them by
+// (salience/Cut_evaluator.h), bending at the scale of the shape (distances/curvature_angles.h), and
+// the search on a coarse mesh (multilevel/). engine.h is the line between these and the templates
+// here and in door/.
+
 #include <CGAL/Spectral_segmentation/Part_salience.h>
-#include <CGAL/Spectral_segmentation/Segment_tree.h>
+#include <CGAL/Spectral_segmentation/Segmentation_hierarchy.h>
 #include <CGAL/Spectral_segmentation/Segmentation_visitor.h>
 #include <CGAL/Spectral_segmentation/parameters.h>
 #include <CGAL/Spectral_segmentation/version.h>
 
-#include <CGAL/Spectral_segmentation/internal/Face_dual_graph.h>
-#include <CGAL/Spectral_segmentation/internal/Monitor.h>
-#include <CGAL/Spectral_segmentation/internal/Triangles.h>
-#include <CGAL/Spectral_segmentation/internal/concurrency.h>
-#include <CGAL/Spectral_segmentation/internal/cut_and_merge.h>
-#include <CGAL/Spectral_segmentation/internal/cut_transfer.h>
-#include <CGAL/Spectral_segmentation/internal/initialization.h>
-#include <CGAL/Spectral_segmentation/internal/mesh_numbering.h>
-#include <CGAL/Spectral_segmentation/internal/options.h>
-#include <CGAL/Spectral_segmentation/internal/order_of_locality.h>
-#include <CGAL/Spectral_segmentation/internal/parts.h>
-#include <CGAL/Spectral_segmentation/internal/read_triangles.h>
-#include <CGAL/Spectral_segmentation/internal/recursion.h>
+#include <CGAL/Spectral_segmentation/internal/door/Visitor_control.h>
+#include <CGAL/Spectral_segmentation/internal/door/numbered_descriptors.h>
+#include <CGAL/Spectral_segmentation/internal/door/read_options.h>
+#include <CGAL/Spectral_segmentation/internal/door/read_triangle_mesh.h>
+#include <CGAL/Spectral_segmentation/internal/door/read_triangle_soup.h>
+#include <CGAL/Spectral_segmentation/internal/engine.h>
 
 #include <CGAL/Named_function_parameters.h>
 #include <CGAL/boost/graph/named_params_helper.h>
 #include <CGAL/tags.h>
 
-#include <boost/graph/graph_traits.hpp>
-
 #include <cstddef>
+#include <numeric>
 #include <type_traits>
 #include <utility>
 #include <vector>
 
 namespace CGAL {
+
+/// \cond SKIP_IN_MANUAL
+namespace Spectral_segmentation {
+namespace internal {
+
+// Runs the engine and writes the labels of `faces`, which are numbered as the triangles are, and the
+// hierarchy of the caller. Returns the number of segments.
+template <class ConcurrencyTag, class Face, class SegmentIdMap, class CGALNamedParameters>
+std::size_t segment_and_write(Triangles triangles, const std::vector<Face>& faces,
+                              SegmentIdMap segment_ids, const Options& options,
+                              const CGALNamedParameters& np)
+{
+  using CGAL::parameters::choose_parameter;
+  using CGAL::parameters::get_parameter_reference;
+  constexpr bool is_parallel = std::is_convertible<ConcurrencyTag, Parallel_tag>::value;
+#ifndef CGAL_LINKED_WITH_TBB
+  static_assert(!is_parallel, "Parallel_tag is enabled but TBB is unavailable.");
+#endif
+
+  typedef typename CGAL::internal_np::Lookup_named_param_def<
+    CGAL::internal_np::visitor_t, CGALNamedParameters, Segmentation_visitor>::reference Visitor;
+  Segmentation_visitor no_visitor;
+  Visitor visitor =
+    choose_parameter(get_parameter_reference(np, CGAL::internal_np::visitor), no_visitor);
+  Visitor_control<std::remove_reference_t<Visitor> > control(visitor);
+
+  Segmentation_hierarchy hierarchy(
+    segment(std::move(triangles), options,
+            is_parallel ? Execution::PARALLEL : Execution::SEQUENTIAL, control), options);
+  if (options.boundary_smoothing)
+    control.start_stage(Stage::BOUNDARY_SMOOTHING, Segmentation_visitor::whole_mesh);
+  const std::vector<std::size_t> labels = hierarchy.labels();
+  if (options.boundary_smoothing)
+    control.end_stage(Stage::BOUNDARY_SMOOTHING, Segmentation_visitor::whole_mesh);
+  const std::size_t number_of_segments = write_labels(faces, labels, segment_ids);
+
+  if constexpr (is_given<CGALNamedParameters, internal_np::hierarchy_t>)
+    get_parameter_reference(np, internal_np::hierarchy) = std::move(hierarchy);
+  return number_of_segments;
+}
+
+} // namespace internal
+} // namespace Spectral_segmentation
+/// \endcond
 
 /*!
 \ingroup PkgSpectralSegmentationRef
@@ -49,32 +103,24 @@ are those of the paper. The faces are nodes of the dual graph of the mesh, and a
 its two faces far apart. In a part, two sample faces are found by shape context, the faces of the
 part are ordered by a spectral embedding with respect to these samples, and of all the cuts along
 this order the one with the most salient part is taken. Both sides are parts again. Each connected
-component of the mesh is a part of its own from the start.
+component of the mesh is a part from the start.
 
-In the paper the largest part is cut next, until no part has a cut whose salience reaches a
-threshold: this is `zhang_liu_2005()`. The default, `Method::CALIBRATED`, cuts where people cut: it
-also measures bending at the scale of the shape, searches along more orders of the faces, moves the
-best cuts to the minimum cut near them, and judges cuts by a salience that is the probability that
-a person would cut there. It first cuts the mesh into small pieces, then merges neighbors again, the
-least salient boundary first, up to the threshold. A mesh of many faces is simplified for the
-search, and the cuts are carried over to it. Each of these differences is a named parameter;
-`method` sets the defaults of them all.
+There are two methods. In the paper's, `zhang_liu_2005()`, the largest part is cut next, until no
+part has a cut whose salience reaches a threshold. The default cuts where people cut. It measures
+bending at the scale of the shape, searches along more orders of the faces, moves the best cuts to
+the minimum cut near them, and takes for salience the probability that a person would cut there. It
+over-segments the mesh into 20 regions, then merges neighbors, the least salient boundary first, up
+to the threshold. A mesh of many faces is coarsened for the search, and the cuts are projected back.
 
 The segment ids are contiguous and start at 0; segments are numbered by their face of smallest
 index: its position in `faces(mesh)`, or in the `face_index_map` if one is given. Every segment is
 connected. The same input gives the same ids on every run, with any number of threads (unless a
-visitor stops it), and for every data structure that holds the same mesh.
+visitor stops it), and for every data structure that holds the same mesh. The mesh is not changed.
+Degenerate faces, boundaries and several connected components are supported.
 
-The run takes O(*n* log *n*) time and O(*n*) memory to read a mesh of *n* faces and to simplify it
-to the *m* faces that are searched; O(*k p m* log *m*) time and O(*k m*) memory to search *p* parts
-with *k* reference faces; and O(*n* + *c b*) time to carry *c* cuts over to the mesh, of which *b*
-faces are near a cut, or count as such if `number_of_pieces` is 0: then *b* is *n*. Without
-simplification *m* is *n*, and nothing is carried over. To average bending and thickness over *m*
-faces, and bending over *b*, takes a direct solver O(*m*<sup>1.5</sup> + *b*<sup>1.5</sup>) time and
-O(*m* log *m* + *b* log *b*) memory besides. The bounds leave out the shortest paths where a few
-edges are far longer than all others, and the minimum cuts: their worst cases are worse, but in
-practice they take hardly more than linear time. The mesh is not changed.
-Faces without area, borders, and any number of connected components are welcome.
+The time is O(*n* log *n*) in the number *n* of faces, for reading and coarsening, plus a search on
+at most 4000 faces by default; the memory is O(*n*). The section
+\ref Spectral_segmentation_complexity has the terms.
 
 \tparam ConcurrencyTag `CGAL::Sequential_tag`, `CGAL::Parallel_tag` or
   `CGAL::Parallel_if_available_tag`, the default. Parallelism needs TBB, and the target
@@ -92,7 +138,38 @@ Faces without area, borders, and any number of connected components are welcome.
 \param segment_ids the ids of the segments are written here
 \param np an optional sequence of named parameters among the ones listed below
 
+Everyday parameters:
 \cgalNamedParamsBegin
+  \cgalParamNBegin{maximum_number_of_segments}
+    \cgalParamDescription{the largest number of segments, but a mesh with more connected components
+      has one for each}
+    \cgalParamType{an integer}
+    \cgalParamDefault{`std::numeric_limits<std::size_t>::max()`, which is no limit; the threshold
+      ends the run}
+    \cgalParamExtra{at least 1. In the default method merging ends there; a number above 20 makes
+      as many regions before, on a finer mesh in proportion.}
+  \cgalParamNEnd
+  \cgalParamNBegin{salience_threshold}
+    \cgalParamDescription{Cuts whose salience is below this value are not made (Section 2), or
+      undone by merging: a higher one gives fewer segments.}
+    \cgalParamType{a number}
+    \cgalParamDefault{`default_probability_threshold`, `0.42`; for a `Weighted_part_salience`, which
+      is that of `zhang_liu_2005()`, `default_salience_threshold`, `0.54`: lower values leave the
+      noise of flat regions in the result, higher ones lose limbs with a shallow seam}
+    \cgalParamExtra{`-infinity` accepts every cut, for use with `maximum_number_of_segments`. Not a
+      NaN.}
+  \cgalParamNEnd
+  \cgalParamNBegin{hierarchy}
+    \cgalParamDescription{receives all cuts with their salience}
+    \cgalParamType{`CGAL::Spectral_segmentation::Segmentation_hierarchy&`}
+    \cgalParamDefault{none}
+  \cgalParamNEnd
+  \cgalParamNBegin{visitor}
+    \cgalParamDescription{is notified of the progress and may stop the run}
+    \cgalParamType{a class derived from `CGAL::Spectral_segmentation::Segmentation_visitor`, or
+      `std::reference_wrapper` of one to be read afterwards}
+    \cgalParamDefault{`CGAL::Spectral_segmentation::Segmentation_visitor`, which does nothing}
+  \cgalParamNEnd
   \cgalParamNBegin{vertex_point_map}
     \cgalParamDescription{the points of the vertices of `mesh`}
     \cgalParamType{a model of `ReadablePropertyMap` with
@@ -115,36 +192,53 @@ Faces without area, borders, and any number of connected components are welcome.
       and the functions `compute_x_3_object()` etc. Coordinates are rounded to `double`.}
     \cgalParamDefault{a \cgal kernel deduced from the point type}
   \cgalParamNEnd
-  \cgalParamNBegin{method}
-    \cgalParamDescription{the method, which is the defaults of all other parameters;
-      `zhang_liu_2005()` is short for `method(Method::ZHANG_LIU_2005)`. Where two defaults are given
-      below, the first is that of `CALIBRATED`, the second that of `ZHANG_LIU_2005`.}
-    \cgalParamType{`CGAL::Spectral_segmentation::Method`}
-    \cgalParamDefault{`CALIBRATED`}
-  \cgalParamNEnd
-  \cgalParamNBegin{maximum_number_of_segments}
-    \cgalParamDescription{the largest number of segments, but a mesh with more connected components
-      has one for each. The paper's recursion ends there; among pieces it is where merging ends.}
-    \cgalParamType{an integer}
-    \cgalParamDefault{`std::numeric_limits<std::size_t>::max()`, which is no limit; the threshold
-      ends the run}
-    \cgalParamExtra{at least 1. See `number_of_pieces` for numbers above that one.}
-  \cgalParamNEnd
+\cgalNamedParamsEnd
+
+For experts:
+\cgalNamedParamsBegin
   \cgalParamNBegin{minimum_segment_size}
     \cgalParamDescription{the share of the area of the mesh that each side of a cut must have. The
       factors of the salience mean little for a handful of faces; the paper has no such limit.}
     \cgalParamType{a number}
-    \cgalParamDefault{`default_minimum_segment_size(method)`: `0.003`, `0.005`. A finger of a whole
-      figure is larger, a pit in its skin smaller.}
+    \cgalParamDefault{`0.003`; with `zhang_liu_2005()` `0.005`. A finger of a whole figure is larger,
+      a pit in its skin smaller.}
     \cgalParamExtra{in [0, 0.5]; 0 with `zhang_liu_2005()` is the paper's method to the letter}
   \cgalParamNEnd
   \cgalParamNBegin{part_salience}
     \cgalParamDescription{judges the cuts (Section 6)}
     \cgalParamType{a model of the concept `PartSalience`}
-    \cgalParamDefault{`Calibrated_part_salience()`, `Weighted_part_salience()`}
+    \cgalParamDefault{`Calibrated_part_salience()`; with `zhang_liu_2005()`
+      `Weighted_part_salience()`}
     \cgalParamExtra{Give `salience_threshold` with a salience of your own, on its scale. With
-      `number_of_candidates(0)` it is called at each step of each line, and the factors beyond the
-      paper are 0 there; the boundaries of pieces are always judged by all factors.}
+      `zhang_liu_2005()` it is called at each step of a line, and the factors beyond the paper are
+      0.}
+  \cgalParamNEnd
+  \cgalParamNBegin{number_of_searched_faces}
+    \cgalParamDescription{the number of faces on which cuts are searched. A mesh with more faces is
+      coarsened to so many, as far as its topology allows, by edge collapses, and the cuts are
+      projected back by minimum cuts through the faces that are on neither side for sure. So the
+      time of the search does not grow with the mesh. With 0 the mesh itself is searched.}
+    \cgalParamType{an integer}
+    \cgalParamDefault{`4000`, at which the agreement with people is that of the mesh itself; with
+      `zhang_liu_2005()` `0`}
+    \cgalParamExtra{at least 0. In the default method it grows in proportion if more than 20
+      segments are asked for. Factors and salience of cuts and the `minimum_segment_size` are those
+      of the mesh that is searched.}
+  \cgalParamNEnd
+  \cgalParamNBegin{boundary_smoothing}
+    \cgalParamDescription{whether the boundaries of the segments are smoothed by a morphological
+      opening of each segment with a ball of two steps over faces (Section 2). It moves a boundary
+      by a few faces at the most, and neither empties nor disconnects a segment.}
+    \cgalParamType{`bool`}
+    \cgalParamDefault{`false`: most cuts are smooth enough, as short ones are more salient}
+  \cgalParamNEnd
+\cgalNamedParamsEnd
+
+The paper's:
+\cgalNamedParamsBegin
+  \cgalParamNBegin{zhang_liu_2005}
+    \cgalParamDescription{the method of the paper, and its defaults; takes no argument}
+    \cgalParamDefault{not given: the default method}
   \cgalParamNEnd
   \cgalParamNBegin{salience_weights}
     \cgalParamDescription{the weights &alpha;, &beta;, &gamma; of the size, the cut strength and the
@@ -156,47 +250,15 @@ Faces without area, borders, and any number of connected components are welcome.
       generally well: the size must stay small, or halves of a body win over its limbs}
     \cgalParamExtra{not negative, with sum 1}
   \cgalParamNEnd
-  \cgalParamNBegin{salience_threshold}
-    \cgalParamDescription{Cuts whose salience is below this value are not made (Section 2), or
-      undone by merging.}
-    \cgalParamType{a number}
-    \cgalParamDefault{`default_salience_threshold`, `0.54`, for a `Weighted_part_salience`: lower
-      values leave the noise of flat regions in the result, higher ones lose limbs with a shallow
-      seam. Else `default_probability_threshold`, `0.42`.}
-    \cgalParamExtra{`-infinity` accepts every cut, for use with `maximum_number_of_segments`. Not a
-      NaN.}
-  \cgalParamNEnd
-  \cgalParamNBegin{geodesic_weight}
-    \cgalParamDescription{the weight &delta; of the geodesic distance in the distance of
-      adjacent faces; 1 - &delta; is that of the angle distance (Section 3, Equation 1)}
-    \cgalParamType{a number}
-    \cgalParamDefault{`0.03`, `0.01`: angles decide, and geodesic distance where there are none}
-    \cgalParamExtra{in [0, 1]}
-  \cgalParamNEnd
-  \cgalParamNBegin{concave_angle_weight}
-    \cgalParamDescription{the factor &eta; of the angle distance 1 - cos &theta; at concave
-      edges (Section 3)}
-    \cgalParamType{a number}
-    \cgalParamDefault{`1`; only its ratio to `convex_angle_weight` matters}
-    \cgalParamExtra{finite, not negative}
-  \cgalParamNEnd
-  \cgalParamNBegin{convex_angle_weight}
-    \cgalParamDescription{the same at convex edges}
-    \cgalParamType{a number}
-    \cgalParamDefault{`0.1`: by the minima rule people cut along concave creases}
-    \cgalParamExtra{finite, not negative}
-  \cgalParamNEnd
-  \cgalParamNBegin{concavity_radius}
-    \cgalParamDescription{the radius over which the bending of the surface is averaged, as the root
-      of the mean squared distance of the averaging kernel, relative to the square root of the area
-      of the mesh. The angle distance of two faces is that of the bending across their edge in place
-      of their dihedral angle, ranked by length of edge, so that it hardly depends on the
-      triangulation. The radius ends at 9 times the root of the mean area of the faces, as wide as
-      the bands in which cuts of a simplified mesh are carried over.}
-    \cgalParamType{a number}
-    \cgalParamDefault{`0.02`, about the width of a crease between two limbs; `0`, which is dihedral
-      angles}
-    \cgalParamExtra{in [0, 1]}
+  \cgalParamNBegin{distance_weights}
+    \cgalParamDescription{the weight &delta; of the geodesic distance in the distance of adjacent
+      faces, where 1 - &delta; is that of the angle distance (Section 3, Equation 1); then the
+      factors &eta; of the angle distance 1 - cos &theta; at concave and at convex edges, of which
+      only the ratio matters}
+    \cgalParamType{three numbers}
+    \cgalParamDefault{`0.03, 1, 0.1`; with `zhang_liu_2005()` `0.01, 1, 0.1`: angles decide, and
+      geodesic distance where there are none; by the minima rule people cut along concave creases}
+    \cgalParamExtra{the first in [0, 1], the others finite and not negative}
   \cgalParamNEnd
   \cgalParamNBegin{number_of_reference_faces}
     \cgalParamDescription{the dimension *k* of the context vector of a face (Section 4)}
@@ -204,96 +266,18 @@ Faces without area, borders, and any number of connected components are welcome.
     \cgalParamDefault{`10`; the result depends little on it, the time is linear in it}
     \cgalParamExtra{at least 1}
   \cgalParamNEnd
-  \cgalParamNBegin{single_source_orderings}
-    \cgalParamDescription{whether cuts are also searched along the orders of the faces by distance
-      from each sample and each reference face: such an order grows a single limb where the spectral
-      one, from one sample to the other, sees several at once}
-    \cgalParamType{`bool`}
-    \cgalParamDefault{`true`, `false`}
-  \cgalParamNEnd
-  \cgalParamNBegin{thickness_orderings}
-    \cgalParamDescription{whether cuts are also searched along the orders of the faces by the
-      thickness of the body under them, from the thinnest and from the thickest. The thickness is
-      measured once, by a ray for each face, O(*n* log *n*) on most meshes.}
-    \cgalParamType{`bool`}
-    \cgalParamDefault{`true`, `false`}
-    \cgalParamExtra{It is also measured if all factors of cuts are asked for by a part salience
-      other than `Weighted_part_salience`, which does not read it.}
-  \cgalParamNEnd
-  \cgalParamNBegin{number_of_candidates}
-    \cgalParamDescription{how many cuts of a part are judged by all factors of the salience. They
-      are found by the salience of the paper, and as cuts that are cheap in length and convexity,
-      along the first three quarters of each line; hence the spectral order is searched from both
-      its ends. With 0 every step of every line is judged by the factors of the paper, and the best
-      step of each line is a cut.}
+  \cgalParamNBegin{number_of_smoothing_iterations}
+    \cgalParamDescription{steps of Laplacian smoothing on a copy of the points, from which the face
+      distances are then computed (Section 2), and the coarse mesh if cuts are searched on one}
     \cgalParamType{an integer}
-    \cgalParamDefault{`14`, `0`}
+    \cgalParamDefault{`0`; a few steps help on noisy scans}
     \cgalParamExtra{at least 0}
-  \cgalParamNEnd
-  \cgalParamNBegin{number_of_refined_candidates}
-    \cgalParamDescription{how many of the most salient cuts of a part are moved to the minimum cut
-      within a distance of 0.35 sqrt(*area of the smaller side*) around them, and judged again; an
-      edge costs its length, and little if it is concave}
-    \cgalParamType{an integer}
-    \cgalParamDefault{`4`, `0`}
-    \cgalParamExtra{at least 0}
-  \cgalParamNEnd
-  \cgalParamNBegin{number_of_pieces}
-    \cgalParamDescription{the number of pieces into which a connected mesh is cut, the most salient
-      cut first, before neighbors are merged again, the least salient boundary first; one more for
-      each further component. With 0 nothing is merged: the paper's recursion cuts the largest part
-      next.}
-    \cgalParamType{an integer}
-    \cgalParamDefault{`20`, `0`}
-    \cgalParamExtra{0 or at least 2. If the `maximum_number_of_segments` is larger than the number
-      of pieces there are as many pieces as that, so that the threshold `-infinity` gives so many
-      segments; then labels depend on the maximum also where they have fewer segments. A
-      `Segment_tree` has all merges in reverse, whatever the threshold.}
-  \cgalParamNEnd
-  \cgalParamNBegin{number_of_searched_faces}
-    \cgalParamDescription{the number of faces on which cuts are searched. A mesh with more faces is
-      simplified to so many, as far as its topology allows, by edge collapses, and the cuts are
-      carried over to it, by minimum cuts through the faces that are on neither side of the
-      simplified mesh for sure. So the time of the search does not grow with the mesh. With 0 the
-      mesh itself is searched.}
-    \cgalParamType{an integer}
-    \cgalParamDefault{`4000`, at which the agreement with people is that of the mesh itself; `0`}
-    \cgalParamExtra{at least 0. If there are pieces, and more than 20 of them or of segments are
-      asked for by `number_of_pieces` or `maximum_number_of_segments`, it grows in proportion.
-      Factors and salience of cuts and the `minimum_segment_size` are those of the mesh that is
-      searched. The visitor is not asked whether to go further during simplification and transfer.}
   \cgalParamNEnd
   \cgalParamNBegin{random_seed}
     \cgalParamDescription{chooses the first reference face of each part at random, as in the paper}
     \cgalParamType{an integer}
     \cgalParamDefault{none: the first reference face is the one farthest from the center of the
       part}
-  \cgalParamNEnd
-  \cgalParamNBegin{number_of_smoothing_iterations}
-    \cgalParamDescription{steps of Laplacian smoothing on a copy of the points, from which the face
-      distances and the thickness are then computed (Section 2), and the simplified mesh if cuts are
-      searched on one}
-    \cgalParamType{an integer}
-    \cgalParamDefault{`0`; a few steps help on noisy scans}
-    \cgalParamExtra{at least 0}
-  \cgalParamNEnd
-  \cgalParamNBegin{boundary_smoothing}
-    \cgalParamDescription{whether the boundaries of the segments are smoothed by a morphological
-      opening of each segment with a ball of two steps over faces (Section 2). It moves a boundary
-      by a few faces at the most, and neither empties nor disconnects a segment.}
-    \cgalParamType{`bool`}
-    \cgalParamDefault{`false`: most cuts are smooth enough, as short ones are more salient}
-  \cgalParamNEnd
-  \cgalParamNBegin{segment_tree}
-    \cgalParamDescription{receives all cuts with their salience}
-    \cgalParamType{`CGAL::Spectral_segmentation::Segment_tree&`}
-    \cgalParamDefault{none}
-  \cgalParamNEnd
-  \cgalParamNBegin{visitor}
-    \cgalParamDescription{hears of the progress and may stop the run}
-    \cgalParamType{a class derived from `CGAL::Spectral_segmentation::Segmentation_visitor`, or
-      `std::reference_wrapper` of one to be read afterwards}
-    \cgalParamDefault{`CGAL::Spectral_segmentation::Segmentation_visitor`, which does nothing}
   \cgalParamNEnd
 \cgalNamedParamsEnd
 
@@ -308,77 +292,96 @@ If an exception is thrown, by the function, the visitor or the part salience, no
 */
 template <class ConcurrencyTag = Parallel_if_available_tag,
           class TriangleMesh, class SegmentIdMap,
-          class NamedParameters = parameters::Default_named_parameters>
+          class NamedParameters = parameters::Default_named_parameters
+#ifndef DOXYGEN_RUNNING
+          , std::enable_if_t<
+              !Spectral_segmentation::internal::is_triangle_range<SegmentIdMap>::value, int> = 0
+#endif
+          >
 std::size_t segment_spectral_recursive(const TriangleMesh& mesh, SegmentIdMap segment_ids,
                                        const NamedParameters& np = NamedParameters())
 {
   namespace internal = Spectral_segmentation::internal;
-  namespace tags = Spectral_segmentation::internal_np;
   using CGAL::parameters::choose_parameter;
   using CGAL::parameters::get_parameter;
-  using CGAL::parameters::get_parameter_reference;
-  using Spectral_segmentation::Segment_tree;
-  using Spectral_segmentation::Segmentation_visitor;
-  using Spectral_segmentation::Stage;
-
-#ifndef CGAL_LINKED_WITH_TBB
-  static_assert(!internal::is_parallel<ConcurrencyTag>,
-                "Parallel_tag is enabled but TBB is unavailable.");
-#endif
 
   const auto& pack = internal::cgal_pack(np);
   typedef std::decay_t<decltype(pack)> Pack;
   typedef typename GetGeomTraits<TriangleMesh, Pack>::type Geom_traits;
-  typedef typename internal_np::Lookup_named_param_def<
-    CGAL::internal_np::visitor_t, Pack, Segmentation_visitor>::reference Visitor_reference;
 
   const internal::Options options = internal::read_options(pack);
   const auto faces = internal::numbered_faces(mesh, pack);
-  Segmentation_visitor no_visitor;
-  Visitor_reference visitor =
-    choose_parameter(get_parameter_reference(pack, CGAL::internal_np::visitor), no_visitor);
-  typedef internal::Monitor<std::remove_reference_t<Visitor_reference> > Monitor;
-  Monitor monitor(visitor);
+  internal::Triangles triangles = internal::read_triangle_mesh(
+    mesh, faces,
+    choose_parameter(get_parameter(pack, internal_np::vertex_point),
+                     get_const_property_map(CGAL::vertex_point, mesh)),
+    choose_parameter<Geom_traits>(get_parameter(pack, internal_np::geom_traits)));
+  return internal::segment_and_write<ConcurrencyTag>(std::move(triangles), faces, segment_ids,
+                                                     options, pack);
+}
 
-  Segment_tree tree;
-  internal::call_isolated([&] {
-    std::vector<internal::Index> order;
-    internal::Initial_mesh initial = monitor.stage(
-      Stage::INITIALIZATION, Segmentation_visitor::whole_mesh, [&] {
-        internal::Triangles triangles = internal::read_triangles(
-          mesh, faces,
-          choose_parameter(get_parameter(pack, CGAL::internal_np::vertex_point),
-                           get_const_property_map(CGAL::vertex_point, mesh)),
-          choose_parameter<Geom_traits>(get_parameter(pack, CGAL::internal_np::geom_traits)));
-        order = internal::order_of_locality(triangles.neighbors);
-        triangles = internal::in_order(std::move(triangles), order);
-        return internal::initialize<ConcurrencyTag>(std::move(triangles), options,
-                                                    [&] { return monitor.go_further(); });
-      });
-    const bool is_simplified = !initial.simplified.empty();
-    std::vector<internal::Neighbors> neighbors;
-    if (options.boundary_smoothing)
-      neighbors = internal::neighbors(initial.graph);
-    internal::Face_dual_graph searched =
-      is_simplified ? initial.searched() : std::move(initial.graph);
-    tree = options.number_of_pieces > 0
-      ? internal::cut_and_merge<ConcurrencyTag>(std::move(searched), options, monitor)
-      : internal::Recursion<ConcurrencyTag, Monitor>(std::move(searched), options, monitor)();
-    if (is_simplified)
-      tree = monitor.stage(Stage::TRANSFER, Segmentation_visitor::whole_mesh, [&]
-        { return internal::transfer_cuts<ConcurrencyTag>(std::move(tree), initial, options); });
-    internal::number_faces(tree, order, neighbors);
-  });
+/*!
+\ingroup PkgSpectralSegmentationRef
 
-  const std::vector<std::size_t> labels = options.boundary_smoothing
-    ? monitor.stage(Stage::BOUNDARY_SMOOTHING, Segmentation_visitor::whole_mesh,
-                    [&] { return tree.labels(); })
-    : tree.labels();
-  const std::size_t number_of_segments = internal::write_labels(faces, labels, segment_ids);
+segments triangles that are no mesh yet, and writes for each the id of its segment.
 
-  if constexpr (!CGAL::parameters::is_default_parameter<Pack, tags::segment_tree_t>::value)
-    get_parameter_reference(pack, tags::segment_tree) = std::move(tree);
-  return number_of_segments;
+The triangles are made a surface first. Two at an edge are neighbors. At an edge of more those are
+paired that are oriented alike and bend the least. Connected triangles are oriented alike: as they
+are if they agree, else outwards if their surface is closed, else as most of its area is. Points at
+the same place stay different, as the vertices of a mesh do. For the triangles of a mesh the labels
+are those of the function for meshes.
+
+\tparam ConcurrencyTag as above
+\tparam PointRange a range of points, each with the coordinates `p[0]`, `p[1]` and `p[2]`, such as
+  `CGAL::Point_3` and `std::array<double, 3>`
+\tparam TriangleRange a range of ranges of three integers, such as `std::array<int, 3>`
+\tparam SegmentIdMap a model of `WritablePropertyMap` with `std::size_t` as key type and an integer
+  type as value type
+\tparam NamedParameters as above
+
+\param points the points
+\param triangles the corners of each triangle, as indices of points
+\param segment_ids the ids of the segments are written here, for the position of each triangle
+\param np an optional sequence of the named parameters above, but `vertex_point_map`,
+  `face_index_map` and `geom_traits`
+
+\return the number of segments; 0 if there is no triangle
+
+\throws std::invalid_argument if a triangle has not three corners, a corner is not the index of a
+  point, a coordinate of a corner is not finite, or a number is out of its range
+\throws std::overflow_error if there are more segments than the value type of `segment_ids` can
+  count
+
+If an exception is thrown, by the function, the visitor or the part salience, no id was written.
+*/
+template <class ConcurrencyTag = Parallel_if_available_tag,
+          class PointRange, class TriangleRange, class SegmentIdMap,
+          class NamedParameters = parameters::Default_named_parameters
+#ifndef DOXYGEN_RUNNING
+          , std::enable_if_t<
+              Spectral_segmentation::internal::is_triangle_range<TriangleRange>::value, int> = 0
+#endif
+          >
+std::size_t segment_spectral_recursive(const PointRange& points, const TriangleRange& triangles,
+                                       SegmentIdMap segment_ids,
+                                       const NamedParameters& np = NamedParameters())
+{
+  namespace internal = Spectral_segmentation::internal;
+  const auto& pack = internal::cgal_pack(np);
+  typedef std::decay_t<decltype(pack)> Pack;
+  static_assert(!internal::is_given<Pack, internal_np::vertex_point_t> &&
+                !internal::is_given<Pack, internal_np::face_index_t> &&
+                !internal::is_given<Pack, internal_np::geom_traits_t>,
+                "vertex_point_map, face_index_map and geom_traits are of meshes, not of points and "
+                "triangles");
+
+  const internal::Options options = internal::read_options(pack);
+  internal::Triangles soup = internal::read_triangle_soup(points, triangles);
+  internal::connect(soup);
+  std::vector<std::size_t> faces(soup.corners.size());
+  std::iota(faces.begin(), faces.end(), std::size_t(0));
+  return internal::segment_and_write<ConcurrencyTag>(std::move(soup), faces, segment_ids, options,
+                                                     pack);
 }
 
 } // namespace CGAL

@@ -20,7 +20,7 @@ struct Own_salience
   { return float(f.cut_strength); }
 };
 
-std::size_t run(const Mesh& mesh, Segment_ids ids, CGAL::Spectral_segmentation::Segment_tree& tree)
+std::size_t run(const Mesh& mesh, Segment_ids ids, CGAL::Spectral_segmentation::Segmentation_hierarchy& tree)
 {
   return CGAL::segment_spectral_recursive(mesh, ids) +
          CGAL::segment_spectral_recursive<CGAL::Sequential_tag>(
@@ -31,9 +31,9 @@ std::size_t run(const Mesh& mesh, Segment_ids ids, CGAL::Spectral_segmentation::
            mesh, ids, params::zhang_liu_2005().part_salience(Own_salience()).concavity_radius(0)
                         .single_source_orderings(true).thickness_orderings(true)
                         .number_of_candidates(14).number_of_refined_candidates(4)
-                        .number_of_pieces(20).number_of_searched_faces(4000)) +
+                        .number_of_regions(20).number_of_searched_faces(4000)) +
          CGAL::segment_spectral_recursive(
            mesh, ids, params::random_seed(1).salience_threshold(0.3).maximum_number_of_segments(2)
                         .boundary_smoothing(true).salience_weights(0.1, 0.6, 0.3)
-                        .segment_tree(tree));
+                        .hierarchy(tree));
 }

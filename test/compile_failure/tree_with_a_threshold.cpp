@@ -1,7 +1,7 @@
 // Copyright (c) 2026  The Spectral_segmentation authors.
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// Expected: the labels of a Segment_tree depend on no named parameter but face_index_map
+// Expected: the labels of a Segmentation_hierarchy depend on no named parameter but face_index_map
 
 #include <CGAL/segment_spectral_recursive.h>
 
@@ -15,5 +15,5 @@ typedef Mesh::Property_map<Mesh::Face_index, int> Segment_ids;
 namespace params = CGAL::Spectral_segmentation::parameters;
 
 std::size_t run(const Mesh& mesh, Segment_ids ids,
-                const CGAL::Spectral_segmentation::Segment_tree& tree)
+                const CGAL::Spectral_segmentation::Segmentation_hierarchy& tree)
 { return tree.segment_by_number(mesh, ids, 3, params::salience_threshold(0.9)); }

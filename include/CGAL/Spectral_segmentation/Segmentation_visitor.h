@@ -15,21 +15,22 @@ namespace Spectral_segmentation {
 /// The stages of a run, those of Table 1 in Zhang and Liu 2005.
 enum class Stage
 {
-  INITIALIZATION,    ///< face dual graph, simplification, face distances, thickness, once
+  INITIALIZATION,    ///< face dual graph, coarsening, face distances, once
   SAMPLING,          ///< the two sample faces of a part, by shape context
   EMBEDDING,         ///< distances from the samples, order of the faces on each line
   LINE_SEARCH,       ///< the most salient cut along the lines, and minimum cuts near the best
-  MERGING,           ///< pieces become segments again, once, if there are pieces
-  TRANSFER,          ///< the cuts of a simplified mesh are carried over to the mesh, once
+  MERGING,           ///< the regions of the default method become segments, once
+  PROJECTION,        ///< the cuts of a coarse mesh are projected onto the mesh, once
   BOUNDARY_SMOOTHING ///< morphological smoothing of the labels, once, if asked for
 };
 
 /// \ingroup PkgSpectralSegmentationRef
-/// What a run reports while it works; every function does nothing, so a visitor derives from this
-/// class and hides the functions that it needs.
+/// What a run reports while it works. Every function does nothing: a visitor derives from this class
+/// and hides the functions that it needs.
 ///
-/// Parts are named by the index of their node in the `Segment_tree` of the run; where pieces are
-/// merged again, which is after all these calls, by the number in which they were found.
+/// Parts are named by the index of their node in the `Segmentation_hierarchy` of the run; in the
+/// default method, which merges regions after all these calls, by the number in which they were
+/// found.
 /// No two functions are called at the same time, but with `CGAL::Parallel_tag` several parts
 /// are searched at once: their calls interleave and come from different threads.
 /// A run that is stopped, or ended by an exception, leaves starts without their ends, and with
@@ -54,14 +55,21 @@ struct Segmentation_visitor
   /// The search for the best cut of `part` has ended.
   void end_part(std::size_t /* part */) {}
 
-  /// `part` was cut in two; there are now `number_of_segments` segments, or pieces.
+  /// `part` was cut in two; there are now `number_of_segments` segments, or regions of the default
+  /// method before they are merged.
   void part_cut(std::size_t /* part */, const Salience_factors&, double /* salience */,
                 std::size_t /* number_of_segments */) {}
 
-  /// Asked before each stage of each part, between the shortest path trees of the sampling stage,
-  /// and between the iterations of smoothing.
-  /// As soon as it returns `false` the run stops; the labels are those of the cuts made so far, or
-  /// of the pieces after merging.
+  /// About this share of the run is done: from 0 to 1, which is reported at the end; never less than
+  /// before. It is called some dozens to some hundreds of times.
+  void progress(double /* share */) {}
+
+  /// Asked in every stage: between the shortest path trees and the other steps of the search, every
+  /// few milliseconds while the mesh is coarsened, and between passes over the mesh.
+  /// Once it returns `false` it is not asked again and the run ends. The labels are those of the
+  /// cuts made so far, with the regions found so far merged; the connected components if there is
+  /// no cut yet. What was cut on a coarse mesh is carried over without the minimum cuts, in a few
+  /// passes over the mesh.
   bool go_further() { return true; }
 };
 

@@ -11,6 +11,7 @@
 
 #include <boost/property_map/property_map.hpp>
 
+#include <array>
 #include <functional>
 #include <type_traits>
 #include <utility>
@@ -18,57 +19,45 @@
 namespace CGAL {
 namespace Spectral_segmentation {
 
-class Segment_tree;
-
-/// \ingroup PkgSpectralSegmentationRef
-/// The values of the named parameter `method`, which chooses the defaults of all others.
-enum class Method
-{
-  ZHANG_LIU_2005, ///< the method of the paper
-  CALIBRATED      ///< cuts whose salience is the probability that a person would cut there
-};
-
-/// \ingroup PkgSpectralSegmentationRef
-/// The default of the named parameter `salience_threshold` for a `Weighted_part_salience`: of the
-/// multiples of 0.02 the one value for all meshes with the smallest Rand error on the odd half of
-/// the Princeton benchmark.
-constexpr double default_salience_threshold = 0.54;
-
-/// \ingroup PkgSpectralSegmentationRef
-/// The default of the named parameter `salience_threshold` for any other part salience: amid the
-/// values from 0.40 to 0.46, among which the Rand error on the odd half of the Princeton benchmark
-/// hardly changes. It is below 1/2, as a cut too many costs less than one too few.
-constexpr double default_probability_threshold = 0.42;
-
-/// \ingroup PkgSpectralSegmentationRef
-/// The default of the named parameter `minimum_segment_size`.
-constexpr double default_minimum_segment_size(Method method)
-{ return method == Method::CALIBRATED ? 0.003 : 0.005; }
+class Segmentation_hierarchy;
 
 /// \cond SKIP_IN_MANUAL
 
+// The parameters with one value: f(name, tag, predicate of the value's type, what it takes).
+#define CGAL_SPECTRAL_SEGMENTATION_PARAMETERS_OF_CGAL(f)                                         \
+  f(vertex_point_map, vertex_point_t, is_property_map, "takes a property map")                  \
+  f(face_index_map, face_index_t, is_property_map, "takes a property map")                      \
+  f(geom_traits, geom_traits_t, has_coordinates, "takes a class with the functor Compute_x_3")  \
+  f(random_seed, random_seed_t, is_count, "takes an integer")                                   \
+  f(visitor, visitor_t, is_visitor,                                                             \
+    "takes a class derived from Segmentation_visitor, or std::ref to one")
+
+#define CGAL_SPECTRAL_SEGMENTATION_PARAMETERS(f)                                                 \
+  f(maximum_number_of_segments, maximum_number_of_segments_t, is_count, "takes an integer")     \
+  f(minimum_segment_size, minimum_segment_size_t, is_real, "takes a number")                    \
+  f(salience_threshold, salience_threshold_t, is_real, "takes a number")                        \
+  f(part_salience, part_salience_t, is_part_salience,                                           \
+    "takes a class that is called with Salience_factors, while const, and returns a number")    \
+  f(number_of_reference_faces, number_of_reference_faces_t, is_count, "takes an integer")       \
+  f(number_of_searched_faces, number_of_searched_faces_t, is_count, "takes an integer")         \
+  f(number_of_smoothing_iterations, number_of_smoothing_iterations_t, is_count,                 \
+    "takes an integer")                                                                         \
+  f(boundary_smoothing, boundary_smoothing_t, is_flag, "takes a bool")
+
 namespace internal_np {
 
-enum method_t { method };
+using CGAL::internal_np::vertex_point_t;
+using CGAL::internal_np::face_index_t;
+using CGAL::internal_np::geom_traits_t;
+using CGAL::internal_np::random_seed_t;
+using CGAL::internal_np::visitor_t;
 
-enum maximum_number_of_segments_t { maximum_number_of_segments };
-enum minimum_segment_size_t { minimum_segment_size };
-enum salience_threshold_t { salience_threshold };
-enum part_salience_t { part_salience };
-enum geodesic_weight_t { geodesic_weight };
-enum concave_angle_weight_t { concave_angle_weight };
-enum convex_angle_weight_t { convex_angle_weight };
-enum concavity_radius_t { concavity_radius };
-enum number_of_reference_faces_t { number_of_reference_faces };
-enum single_source_orderings_t { single_source_orderings };
-enum thickness_orderings_t { thickness_orderings };
-enum number_of_candidates_t { number_of_candidates };
-enum number_of_refined_candidates_t { number_of_refined_candidates };
-enum number_of_pieces_t { number_of_pieces };
-enum number_of_searched_faces_t { number_of_searched_faces };
-enum number_of_smoothing_iterations_t { number_of_smoothing_iterations };
-enum boundary_smoothing_t { boundary_smoothing };
-enum segment_tree_t { segment_tree };
+#define CGAL_SPECTRAL_SEGMENTATION_TAG(name, tag, predicate, what) enum tag { name };
+CGAL_SPECTRAL_SEGMENTATION_PARAMETERS(CGAL_SPECTRAL_SEGMENTATION_TAG)
+#undef CGAL_SPECTRAL_SEGMENTATION_TAG
+enum zhang_liu_2005_t { zhang_liu_2005 };
+enum distance_weights_t { distance_weights };
+enum hierarchy_t { hierarchy };
 
 template <class T>
 using is_flag = std::is_same<T, bool>;
@@ -87,14 +76,11 @@ struct is_part_salience<
   T, std::void_t<std::invoke_result_t<const T&, const Salience_factors&> > >
   : is_real<std::decay_t<std::invoke_result_t<const T&, const Salience_factors&> > > {};
 
-template <class Tag, class... Tags>
-using is_one_of = std::bool_constant<(std::is_same<Tag, Tags>::value || ...)>;
+template <class T>
+struct is_visitor : std::is_base_of<Segmentation_visitor, T> {};
 
 template <class T>
-struct unwrapped { typedef T type; };
-
-template <class T>
-struct unwrapped<std::reference_wrapper<T> > { typedef T type; };
+struct is_visitor<std::reference_wrapper<T> > : std::is_base_of<Segmentation_visitor, T> {};
 
 template <class T, class = void>
 struct is_property_map : std::false_type {};
@@ -110,6 +96,9 @@ template <class T>
 struct has_coordinates<T, std::void_t<decltype(std::declval<const T&>().compute_x_3_object())> >
   : std::true_type {};
 
+template <class Tag, class... Tags>
+using is_one_of = std::bool_constant<(std::is_same<Tag, Tags>::value || ...)>;
+
 template <class Pack, class... Tags>
 struct has_only : std::false_type {};
 
@@ -123,19 +112,15 @@ struct has_only<CGAL::Named_function_parameters<T, Tag, Base>, Tags...>
                        has_only<Base, Tags...>::value> {};
 
 template <class Pack>
-using has_only_face_index_map = has_only<Pack, CGAL::internal_np::face_index_t>;
+using has_only_face_index_map = has_only<Pack, face_index_t>;
 
+#define CGAL_SPECTRAL_SEGMENTATION_TAG(name, tag, predicate, what) tag,
 template <class Pack>
 using has_only_known_tags = has_only<Pack,
-  CGAL::internal_np::vertex_point_t, CGAL::internal_np::face_index_t,
-  CGAL::internal_np::geom_traits_t, CGAL::internal_np::random_seed_t,
-  CGAL::internal_np::visitor_t, method_t,
-  maximum_number_of_segments_t, minimum_segment_size_t, salience_threshold_t, part_salience_t,
-  geodesic_weight_t, concave_angle_weight_t, convex_angle_weight_t, concavity_radius_t,
-  number_of_reference_faces_t, single_source_orderings_t, thickness_orderings_t,
-  number_of_candidates_t, number_of_refined_candidates_t, number_of_pieces_t,
-  number_of_searched_faces_t, number_of_smoothing_iterations_t, boundary_smoothing_t,
-  segment_tree_t>;
+  CGAL_SPECTRAL_SEGMENTATION_PARAMETERS_OF_CGAL(CGAL_SPECTRAL_SEGMENTATION_TAG)
+  CGAL_SPECTRAL_SEGMENTATION_PARAMETERS(CGAL_SPECTRAL_SEGMENTATION_TAG)
+  zhang_liu_2005_t, distance_weights_t, hierarchy_t>;
+#undef CGAL_SPECTRAL_SEGMENTATION_TAG
 
 } // namespace internal_np
 
@@ -153,13 +138,10 @@ class Named_parameters
   CGALNamedParameters np_;
 
   template <class Tag, class T>
-  using With = Named_parameters<CGAL::Named_function_parameters<T, Tag, CGALNamedParameters> >;
-
-  template <class Tag, class T>
-  With<Tag, T> with(const T& value) const
+  auto with(const T& value) const
   {
-    return With<Tag, T>(
-      CGAL::Named_function_parameters<T, Tag, CGALNamedParameters>(value, np_));
+    typedef CGAL::Named_function_parameters<T, Tag, CGALNamedParameters> Pack;
+    return Named_parameters<Pack>(Pack(value, np_));
   }
 
 public:
@@ -175,95 +157,25 @@ public:
   const CGALNamedParameters& cgal_parameters() const { return np_; }
 
   /// \name Parameters
-  /// Each function returns a pack that has its parameter besides those of this pack; of a parameter
+  /// Each function returns a pack that has its parameter and those of this pack; of a parameter
   /// that is given twice the last value counts. An argument of a wrong type is an error at compile
   /// time, a value out of its range an exception of the function that is called with the pack.
   /// @{
 
-  template <class VertexPointMap>
-  auto vertex_point_map(const VertexPointMap& map) const
-  {
-    static_assert(internal_np::is_property_map<VertexPointMap>::value,
-                  "vertex_point_map takes a property map");
-    return with<CGAL::internal_np::vertex_point_t>(map);
+#define CGAL_SPECTRAL_SEGMENTATION_MEMBER(name, tag, predicate, what)               \
+  template <class T>                                                                \
+  auto name(const T& value) const                                                   \
+  {                                                                                 \
+    static_assert(internal_np::predicate<T>::value, #name " " what);                \
+    return with<internal_np::tag>(value);                                           \
   }
 
-  template <class FaceIndexMap>
-  auto face_index_map(const FaceIndexMap& map) const
-  {
-    static_assert(internal_np::is_property_map<FaceIndexMap>::value,
-                  "face_index_map takes a property map");
-    return with<CGAL::internal_np::face_index_t>(map);
-  }
+  CGAL_SPECTRAL_SEGMENTATION_PARAMETERS_OF_CGAL(CGAL_SPECTRAL_SEGMENTATION_MEMBER)
+  CGAL_SPECTRAL_SEGMENTATION_PARAMETERS(CGAL_SPECTRAL_SEGMENTATION_MEMBER)
+#undef CGAL_SPECTRAL_SEGMENTATION_MEMBER
 
-  template <class GeomTraits>
-  auto geom_traits(const GeomTraits& traits) const
-  {
-    static_assert(internal_np::has_coordinates<GeomTraits>::value,
-                  "geom_traits takes a class with the functor Compute_x_3");
-    return with<CGAL::internal_np::geom_traits_t>(traits);
-  }
-
-  template <class Integer>
-  auto random_seed(Integer seed) const
-  {
-    static_assert(internal_np::is_count<Integer>::value,
-                  "random_seed takes an integer");
-    return with<CGAL::internal_np::random_seed_t>(seed);
-  }
-
-  template <class Visitor>
-  auto visitor(const Visitor& v) const
-  {
-    static_assert(std::is_base_of<Segmentation_visitor,
-                                  typename internal_np::unwrapped<Visitor>::type>::value,
-                  "visitor takes a class derived from Segmentation_visitor, or std::ref to one");
-    return with<CGAL::internal_np::visitor_t>(v);
-  }
-
-  template <class T>
-  auto method(T m) const
-  {
-    static_assert(std::is_same<T, Method>::value,
-                  "method takes a CGAL::Spectral_segmentation::Method");
-    return with<internal_np::method_t>(m);
-  }
-
-  /// the method of the paper: short for `method(Method::ZHANG_LIU_2005)`
-  auto zhang_liu_2005() const { return method(Method::ZHANG_LIU_2005); }
-
-  template <class Integer>
-  auto maximum_number_of_segments(Integer n) const
-  {
-    static_assert(internal_np::is_count<Integer>::value,
-                  "maximum_number_of_segments takes an integer");
-    return with<internal_np::maximum_number_of_segments_t>(n);
-  }
-
-  template <class Number>
-  auto minimum_segment_size(Number share) const
-  {
-    static_assert(internal_np::is_real<Number>::value,
-                  "minimum_segment_size takes a number");
-    return with<internal_np::minimum_segment_size_t>(static_cast<double>(share));
-  }
-
-  template <class Number>
-  auto salience_threshold(Number threshold) const
-  {
-    static_assert(internal_np::is_real<Number>::value,
-                  "salience_threshold takes a number");
-    return with<internal_np::salience_threshold_t>(static_cast<double>(threshold));
-  }
-
-  template <class PartSalience>
-  auto part_salience(const PartSalience& model) const
-  {
-    static_assert(internal_np::is_part_salience<PartSalience>::value,
-                  "part_salience takes a class that is called with Salience_factors, while const, "
-                  "and returns a number");
-    return with<internal_np::part_salience_t>(model);
-  }
+  /// the method of the paper
+  auto zhang_liu_2005() const { return with<internal_np::zhang_liu_2005_t>(true); }
 
   /// short for `part_salience(Weighted_part_salience{alpha, beta, gamma})`
   template <class Number1, class Number2, class Number3>
@@ -276,116 +188,27 @@ public:
       static_cast<double>(alpha), static_cast<double>(beta), static_cast<double>(gamma)});
   }
 
-  template <class Number>
-  auto geodesic_weight(Number delta) const
+  /// of the geodesic distance, and of the angle distance at concave and at convex edges
+  template <class Number1, class Number2, class Number3>
+  auto distance_weights(Number1 delta, Number2 concave_eta, Number3 convex_eta) const
   {
-    static_assert(internal_np::is_real<Number>::value,
-                  "geodesic_weight takes a number");
-    return with<internal_np::geodesic_weight_t>(static_cast<double>(delta));
+    static_assert(internal_np::is_real<Number1>::value && internal_np::is_real<Number2>::value &&
+                  internal_np::is_real<Number3>::value,
+                  "distance_weights takes three numbers: delta, eta at concave edges, eta at "
+                  "convex edges");
+    return with<internal_np::distance_weights_t>(std::array<double, 3>{
+      static_cast<double>(delta), static_cast<double>(concave_eta),
+      static_cast<double>(convex_eta)});
   }
 
-  template <class Number>
-  auto concave_angle_weight(Number eta) const
+  /// receives all cuts with their salience
+  template <class Hierarchy>
+  auto hierarchy(Hierarchy& h) const
   {
-    static_assert(internal_np::is_real<Number>::value,
-                  "concave_angle_weight takes a number");
-    return with<internal_np::concave_angle_weight_t>(static_cast<double>(eta));
-  }
-
-  template <class Number>
-  auto convex_angle_weight(Number eta) const
-  {
-    static_assert(internal_np::is_real<Number>::value,
-                  "convex_angle_weight takes a number");
-    return with<internal_np::convex_angle_weight_t>(static_cast<double>(eta));
-  }
-
-  template <class Number>
-  auto concavity_radius(Number radius) const
-  {
-    static_assert(internal_np::is_real<Number>::value,
-                  "concavity_radius takes a number");
-    return with<internal_np::concavity_radius_t>(static_cast<double>(radius));
-  }
-
-  template <class Integer>
-  auto number_of_reference_faces(Integer k) const
-  {
-    static_assert(internal_np::is_count<Integer>::value,
-                  "number_of_reference_faces takes an integer");
-    return with<internal_np::number_of_reference_faces_t>(k);
-  }
-
-  template <class Bool>
-  auto single_source_orderings(Bool on) const
-  {
-    static_assert(internal_np::is_flag<Bool>::value,
-                  "single_source_orderings takes a bool");
-    return with<internal_np::single_source_orderings_t>(on);
-  }
-
-  template <class Bool>
-  auto thickness_orderings(Bool on) const
-  {
-    static_assert(internal_np::is_flag<Bool>::value,
-                  "thickness_orderings takes a bool");
-    return with<internal_np::thickness_orderings_t>(on);
-  }
-
-  template <class Integer>
-  auto number_of_candidates(Integer n) const
-  {
-    static_assert(internal_np::is_count<Integer>::value,
-                  "number_of_candidates takes an integer");
-    return with<internal_np::number_of_candidates_t>(n);
-  }
-
-  template <class Integer>
-  auto number_of_refined_candidates(Integer n) const
-  {
-    static_assert(internal_np::is_count<Integer>::value,
-                  "number_of_refined_candidates takes an integer");
-    return with<internal_np::number_of_refined_candidates_t>(n);
-  }
-
-  template <class Integer>
-  auto number_of_pieces(Integer n) const
-  {
-    static_assert(internal_np::is_count<Integer>::value,
-                  "number_of_pieces takes an integer");
-    return with<internal_np::number_of_pieces_t>(n);
-  }
-
-  template <class Integer>
-  auto number_of_searched_faces(Integer n) const
-  {
-    static_assert(internal_np::is_count<Integer>::value,
-                  "number_of_searched_faces takes an integer");
-    return with<internal_np::number_of_searched_faces_t>(n);
-  }
-
-  template <class Integer>
-  auto number_of_smoothing_iterations(Integer n) const
-  {
-    static_assert(internal_np::is_count<Integer>::value,
-                  "number_of_smoothing_iterations takes an integer");
-    return with<internal_np::number_of_smoothing_iterations_t>(n);
-  }
-
-  template <class Bool>
-  auto boundary_smoothing(Bool on) const
-  {
-    static_assert(internal_np::is_flag<Bool>::value,
-                  "boundary_smoothing takes a bool");
-    return with<internal_np::boundary_smoothing_t>(on);
-  }
-
-  template <class Tree>
-  auto segment_tree(Tree& tree) const
-  {
-    static_assert(std::is_same<Tree, Segment_tree>::value,
-                  "segment_tree takes a CGAL::Spectral_segmentation::Segment_tree, not const");
-    return with<internal_np::segment_tree_t>(std::ref(tree));
+    static_assert(std::is_same<Hierarchy, Segmentation_hierarchy>::value,
+                  "hierarchy takes a CGAL::Spectral_segmentation::Segmentation_hierarchy, not "
+                  "const");
+    return with<internal_np::hierarchy_t>(std::ref(h));
   }
 
   /// @}
@@ -407,46 +230,35 @@ auto from(const CGAL::Named_function_parameters<T, Tag, Base>& np)
 /// name in `Named_parameters` takes.
 /// @{
 
-#define CGAL_SPECTRAL_SEGMENTATION_START_PACK(NAME)               \
-  template <class... Values>                                      \
-  auto NAME(const Values&... values)                              \
-  { return default_values().NAME(values...); }
+#define CGAL_SPECTRAL_SEGMENTATION_START(name, tag, predicate, what)                \
+  template <class T>                                                                \
+  auto name(const T& value)                                                         \
+  { return default_values().name(value); }
 
-CGAL_SPECTRAL_SEGMENTATION_START_PACK(vertex_point_map)
-CGAL_SPECTRAL_SEGMENTATION_START_PACK(face_index_map)
-CGAL_SPECTRAL_SEGMENTATION_START_PACK(geom_traits)
-CGAL_SPECTRAL_SEGMENTATION_START_PACK(random_seed)
-CGAL_SPECTRAL_SEGMENTATION_START_PACK(visitor)
-CGAL_SPECTRAL_SEGMENTATION_START_PACK(method)
-CGAL_SPECTRAL_SEGMENTATION_START_PACK(zhang_liu_2005)
-CGAL_SPECTRAL_SEGMENTATION_START_PACK(maximum_number_of_segments)
-CGAL_SPECTRAL_SEGMENTATION_START_PACK(minimum_segment_size)
-CGAL_SPECTRAL_SEGMENTATION_START_PACK(salience_threshold)
-CGAL_SPECTRAL_SEGMENTATION_START_PACK(part_salience)
-CGAL_SPECTRAL_SEGMENTATION_START_PACK(salience_weights)
-CGAL_SPECTRAL_SEGMENTATION_START_PACK(geodesic_weight)
-CGAL_SPECTRAL_SEGMENTATION_START_PACK(concave_angle_weight)
-CGAL_SPECTRAL_SEGMENTATION_START_PACK(convex_angle_weight)
-CGAL_SPECTRAL_SEGMENTATION_START_PACK(concavity_radius)
-CGAL_SPECTRAL_SEGMENTATION_START_PACK(number_of_reference_faces)
-CGAL_SPECTRAL_SEGMENTATION_START_PACK(single_source_orderings)
-CGAL_SPECTRAL_SEGMENTATION_START_PACK(thickness_orderings)
-CGAL_SPECTRAL_SEGMENTATION_START_PACK(number_of_candidates)
-CGAL_SPECTRAL_SEGMENTATION_START_PACK(number_of_refined_candidates)
-CGAL_SPECTRAL_SEGMENTATION_START_PACK(number_of_pieces)
-CGAL_SPECTRAL_SEGMENTATION_START_PACK(number_of_searched_faces)
-CGAL_SPECTRAL_SEGMENTATION_START_PACK(number_of_smoothing_iterations)
-CGAL_SPECTRAL_SEGMENTATION_START_PACK(boundary_smoothing)
+CGAL_SPECTRAL_SEGMENTATION_PARAMETERS_OF_CGAL(CGAL_SPECTRAL_SEGMENTATION_START)
+CGAL_SPECTRAL_SEGMENTATION_PARAMETERS(CGAL_SPECTRAL_SEGMENTATION_START)
+#undef CGAL_SPECTRAL_SEGMENTATION_START
 
-#undef CGAL_SPECTRAL_SEGMENTATION_START_PACK
+inline auto zhang_liu_2005() { return default_values().zhang_liu_2005(); }
 
-template <class Tree>
-auto segment_tree(Tree& tree)
-{ return default_values().segment_tree(tree); }
+template <class... Numbers>
+auto salience_weights(Numbers... weights)
+{ return default_values().salience_weights(weights...); }
+
+template <class... Numbers>
+auto distance_weights(Numbers... weights)
+{ return default_values().distance_weights(weights...); }
+
+template <class Hierarchy>
+auto hierarchy(Hierarchy& h)
+{ return default_values().hierarchy(h); }
 
 /// @}
 
 } // namespace parameters
+
+#undef CGAL_SPECTRAL_SEGMENTATION_PARAMETERS_OF_CGAL
+#undef CGAL_SPECTRAL_SEGMENTATION_PARAMETERS
 
 /// \cond SKIP_IN_MANUAL
 

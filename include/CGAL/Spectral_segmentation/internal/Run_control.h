@@ -1,0 +1,42 @@
+// Copyright (c) 2026  The Spectral_segmentation authors.
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_SPECTRAL_SEGMENTATION_INTERNAL_RUN_CONTROL_H
+#define CGAL_SPECTRAL_SEGMENTATION_INTERNAL_RUN_CONTROL_H
+
+#include <CGAL/Spectral_segmentation/Segmentation_visitor.h>
+
+#include <cstddef>
+
+namespace CGAL {
+namespace Spectral_segmentation {
+namespace internal {
+
+struct Evaluated_cut;
+
+// What the engine tells its caller while it works, and asks. The functions mean what those of
+// `Segmentation_visitor` do. No two are called at the same time, but for `cut_evaluated()`, which
+// several threads may call at once.
+class Run_control
+{
+public:
+  virtual ~Run_control() = default;
+
+  virtual void start_stage(Stage, std::size_t /* part */) {}
+  virtual void end_stage(Stage, std::size_t /* part */) {}
+  virtual void start_part(std::size_t /* part */, std::size_t /* number_of_faces */) {}
+  virtual void end_part(std::size_t /* part */) {}
+  virtual void part_cut(std::size_t /* part */, const Salience_factors&, double /* salience */,
+                        std::size_t /* number_of_segments */) {}
+  virtual void progress(double /* share */) {}
+  virtual bool go_further() { return true; }
+
+  // For experiments: a cut whose factors were computed.
+  virtual void cut_evaluated(const Evaluated_cut&) {}
+};
+
+} // namespace internal
+} // namespace Spectral_segmentation
+} // namespace CGAL
+
+#endif // CGAL_SPECTRAL_SEGMENTATION_INTERNAL_RUN_CONTROL_H

@@ -1,0 +1,197 @@
+// Copyright (c) 2026  The Spectral_segmentation authors.
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_SPECTRAL_SEGMENTATION_INTERNAL_BIPARTITION_BEST_CUT_H
+#define CGAL_SPECTRAL_SEGMENTATION_INTERNAL_BIPARTITION_BEST_CUT_H
+
+#include <CGAL/Spectral_segmentation/internal/Options.h>
+#include <CGAL/Spectral_segmentation/internal/bipartition/cut_proposals.h>
+#include <CGAL/Spectral_segmentation/internal/bipartition/face_orders.h>
+#include <CGAL/Spectral_segmentation/internal/bipartition/line_search.h>
+#include <CGAL/Spectral_segmentation/internal/bipartition/min_cut_refinement.h>
+#include <CGAL/Spectral_segmentation/internal/bipartition/shape_context_sampling.h>
+#include <CGAL/Spectral_segmentation/internal/mesh/connected_components.h>
+#include <CGAL/Spectral_segmentation/internal/salience/Cut_evaluator.h>
+#include <CGAL/Spectral_segmentation/internal/utility/Run_monitor.h>
+
+#include <algorithm>
+#include <cstddef>
+#include <iterator>
+#include <optional>
+#include <utility>
+#include <vector>
+
+namespace CGAL {
+namespace Spectral_segmentation {
+namespace internal {
+
+// A connected part of the mesh that may be cut.
+struct Part
+{
+  Face_graph graph;
+  std::size_t node;         // in the hierarchy
+  std::vector<Index> faces; // their numbers in the mesh, ascending
+};
+
+inline bool both_sides_are_connected(const Face_graph& part, const Sides& side)
+{
+  std::size_t number;
+  connected_components(part, number, [&](Index f, Index g) { return side[f] == side[g]; });
+  return number == 2;
+}
+
+inline void put_most_salient_first(std::vector<Cut>& cuts)
+{
+  std::stable_sort(cuts.begin(), cuts.end(), [](const Cut& a, const Cut& b)
+                   { return quantized(a.salience) > quantized(b.salience); });
+}
+
+// BESTCUT (Figure 2): finds the most salient cut of a part of a mesh, if there is one. In the
+// paper's method that is the best cut along one order of the faces. In the calibrated method cuts
+// are proposed along several orders, evaluated by all factors, and the best are moved to the
+// minimum cuts near them.
+class Best_cut
+{
+  const Options& options_;
+  std::optional<Evaluation_context> context_;
+  std::size_t number_of_faces_; // of the mesh
+  double minimum_area_;         // of a side
+
+  // The first order of the paper's four steps, and its extensions.
+  std::vector<Face_order> orders(Execution execution, const Face_graph& part,
+                                 const std::vector<Index>& references,
+                                 const Sample_faces& samples) const
+  {
+    if (options_.method == Method::ZHANG_LIU_2005)
+      return {face_order(execution, part, samples)};
+    return face_orders(execution, part, references, samples, options_.single_source_orders,
+                       options_.thickness_orders);
+  }
+
+  // None if a side is too small.
+  std::optional<Cut> evaluated(const Face_graph& part, const Cut_evaluator& evaluator,
+                               Sides side) const
+  {
+    Cut cut{std::move(side), {0, 0}, {}, 0};
+    for (Index f = 0; f < cut.side.size(); ++f)
+      cut.area[int(cut.side[f])] += part.areas[f];
+    normalize_sides(cut.side, cut.area);
+    if (cut.area[0] < minimum_area_ || !(cut.area[0] > 0))
+      return std::nullopt;
+    cut.factors = evaluator(cut.side);
+    cut.salience = salience_of(options_.part_salience, cut.factors);
+    return cut;
+  }
+
+  // f(i) for each i < n, without those that are no cut.
+  template <class Function>
+  static void append(Execution execution, std::size_t n, const Function& f, std::vector<Cut>& cuts)
+  {
+    std::vector<std::optional<Cut> > more(n);
+    for_each_index(execution, n, [&](std::size_t i) { more[i] = f(i); });
+    for (std::optional<Cut>& cut : more)
+      if (cut)
+        cuts.push_back(std::move(*cut));
+  }
+
+  // The most salient first.
+  std::vector<Cut> calibrated_cuts(Execution execution, const Part& part,
+                                   const std::vector<Face_order>& orders) const
+  {
+    const Face_graph& graph = part.graph;
+    const Cut_evaluator evaluator(graph, part.faces, *context_);
+    std::vector<Sides> proposals = cut_proposals(execution, graph, orders, minimum_area_,
+                                                 options_.number_of_candidates);
+    std::vector<Cut> cuts;
+    append(execution, proposals.size(), [&](std::size_t i)
+      { return evaluated(graph, evaluator, std::move(proposals[i])); }, cuts);
+    put_most_salient_first(cuts);
+    std::vector<Cut> refined;
+    append(execution, (std::min)(options_.number_of_refined_candidates, cuts.size()),
+           [&](std::size_t i) -> std::optional<Cut> {
+             Sides sides = minimum_cut_around(graph, cuts[i].side, cuts[i].area[0]);
+             if (sides == cuts[i].side || !both_sides_are_connected(graph, sides))
+               return std::nullopt;
+             return evaluated(graph, evaluator, std::move(sides));
+           }, refined);
+    std::move(refined.begin(), refined.end(), std::back_inserter(cuts));
+    put_most_salient_first(cuts);
+    return cuts;
+  }
+
+  std::vector<Cut> cuts(Execution execution, const Part& part,
+                        const std::vector<Face_order>& orders) const
+  {
+    if (options_.method == Method::CALIBRATED)
+      return calibrated_cuts(execution, part, orders);
+    std::vector<Cut> result;
+    append(execution, 1, [&](std::size_t)
+      { return line_search(execution, part.graph, orders.front(), options_.part_salience,
+                           minimum_area_); }, result);
+    return result;
+  }
+
+public:
+  Best_cut(Execution execution, const Face_graph& mesh, const Options& options)
+    : options_(options), number_of_faces_(mesh.number_of_faces()),
+      minimum_area_(options.minimum_segment_size * total_area(mesh))
+  {
+    if (options.method == Method::CALIBRATED)
+      context_.emplace(execution, mesh);
+  }
+
+  // Only the calibrated method has one.
+  const Evaluation_context& context() const { return *context_; }
+
+  // Throws `Run_stopped` if the caller stops the run.
+  std::optional<Cut> operator()(Execution execution, const Part& part, Run_monitor& monitor) const
+  {
+    const Face_graph& m = part.graph;
+    if (m.number_of_faces() < 2 || total_area(m) < 2 * minimum_area_)
+      return std::nullopt;
+    // A part is a guessed half of its share of the search, to which later parts add.
+    const double step = 0.5 * static_cast<double>(m.number_of_faces()) /
+                        static_cast<double>(number_of_faces_) /
+                        static_cast<double>(options_.number_of_reference_faces + 3);
+    const auto check = [&] {
+      monitor.check();
+      monitor.approach(step);
+    };
+    check();
+    monitor.start_part(part.node, m.number_of_faces());
+
+    // 1. two sample faces
+    Shape_contexts contexts;
+    const Sample_faces samples = monitor.stage(Stage::SAMPLING, part.node, [&] {
+      const Index first = options_.random_seed
+        ? random_face(m, *options_.random_seed, part.faces.front())
+        : farthest_face_from_center(execution, m);
+      contexts = shape_contexts(execution, m, first, options_.number_of_reference_faces, check);
+      return sample_faces(execution, contexts);
+    });
+
+    // 2. distances from both; 3. to 5. the order of the faces on the line
+    check();
+    const std::vector<Face_order> lines = monitor.stage(Stage::EMBEDDING, part.node, [&]
+      { return orders(execution, m, contexts.references, samples); });
+
+    // 6. line search
+    check();
+    std::vector<Cut> found = monitor.stage(Stage::LINE_SEARCH, part.node, [&]
+      { return cuts(execution, part, lines); });
+
+    monitor.end_part(part.node);
+    for (const Cut& cut : found)
+      monitor.control().cut_evaluated({Evaluated_cut::CANDIDATE, part.faces, cut.side,
+                                       cut.factors});
+    if (found.empty())
+      return std::nullopt;
+    return std::move(found.front());
+  }
+};
+
+} // namespace internal
+} // namespace Spectral_segmentation
+} // namespace CGAL
+
+#endif // CGAL_SPECTRAL_SEGMENTATION_INTERNAL_BIPARTITION_BEST_CUT_H

@@ -1,0 +1,193 @@
+// Copyright (c) 2026  The Spectral_segmentation authors.
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_SPECTRAL_SEGMENTATION_INTERNAL_BIPARTITION_CUT_PROPOSALS_H
+#define CGAL_SPECTRAL_SEGMENTATION_INTERNAL_BIPARTITION_CUT_PROPOSALS_H
+
+#include <CGAL/Spectral_segmentation/Part_salience.h>
+#include <CGAL/Spectral_segmentation/internal/salience/Cut.h>
+#include <CGAL/Spectral_segmentation/internal/mesh/Face_graph.h>
+#include <CGAL/Spectral_segmentation/internal/salience/Boundary_statistics.h>
+#include <CGAL/Spectral_segmentation/internal/utility/concurrency.h>
+#include <CGAL/Spectral_segmentation/internal/bipartition/line_search.h>
+#include <CGAL/Spectral_segmentation/internal/bipartition/min_cut_refinement.h>
+#include <CGAL/Spectral_segmentation/internal/utility/constants.h>
+
+#include <boost/dynamic_bitset.hpp>
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <iterator>
+#include <utility>
+#include <vector>
+
+namespace CGAL {
+namespace Spectral_segmentation {
+namespace internal {
+
+// The few cuts of a part whose factors are all computed.
+
+// A patch that knows the capacity of its cut.
+class Patch_with_capacity : public Boundary_statistics
+{
+  const Face_graph& part_;
+  const std::vector<double>& capacities_;
+  double capacity_of_cut_ = 0;
+
+public:
+  // `capacities` are those of the half-edges.
+  Patch_with_capacity(const Face_graph& part, const std::vector<double>& capacities)
+    : Boundary_statistics(part), part_(part), capacities_(capacities) {}
+
+  void add(Index f)
+  {
+    for (Index h = 3 * f; h < 3 * f + 3; ++h)
+      if (!part_.is_border(h))
+        capacity_of_cut_ += (has_face(part_.neighbors[h]) ? -1 : 1) * capacities_[h];
+    Boundary_statistics::add(f);
+  }
+
+  double capacity_of_cut() const { return capacity_of_cut_; }
+};
+
+struct Proposal
+{
+  Sides side; // the larger one may be first
+  double score; // comparable among proposals by the same measure
+};
+
+// The proposals of an order, by two measures: the salience of the paper, and cheapness, which is
+// minus the capacity of the cut over the length scale of its smaller side.
+struct Proposals
+{
+  std::vector<Proposal> salient, cheap;
+};
+
+struct Sweep_step
+{
+  std::size_t size; // of the meta patch
+  double area;
+  double smaller_area;
+  double salience, cheapness;
+};
+
+inline std::vector<Sweep_step> sweep_steps(const Face_graph& part, const Growth& growth,
+                                           double minimum_area, Patch_with_capacity empty)
+{
+  const Weighted_part_salience part_salience;
+  std::vector<Sweep_step> steps;
+  for_each_cut(
+    growth.faces.begin(), growth.faces.end(), sizes_of_cuts(part, growth), minimum_area,
+    std::move(empty),
+    [&](const Patch_with_capacity& q, std::size_t size) {
+      if (q.area() > constants::largest_ratio_to_rest * q.area_of_rest())
+        return false;
+      steps.push_back({size, q.area(), q.smaller_area(), part_salience(q.factors()),
+                       -q.capacity_of_cut() / std::sqrt(q.smaller_area())});
+      return true;
+    });
+  return steps;
+}
+
+// The two best steps by a measure, the second not next to the first.
+template <class Measure>
+std::vector<Proposal> best_steps(const Growth& growth, const std::vector<Sweep_step>& steps,
+                                 const Measure& measure)
+{
+  const Sweep_step* best[2] = {nullptr, nullptr};
+  for (int i = 0; i < 2; ++i)
+    for (const Sweep_step& s : steps) {
+      const bool is_next_to_first =
+        i == 1 && std::abs(s.area - best[0]->area) < constants::distance_of_proposals * best[0]->smaller_area;
+      // On the grid, so that rounding does not choose between cuts that mirror each other.
+      if (!is_next_to_first && (!best[i] || quantized(measure(s)) > quantized(measure(*best[i]))))
+        best[i] = &s;
+    }
+  std::vector<Proposal> result;
+  for (const Sweep_step* s : best)
+    if (s)
+      result.push_back({sides_of(growth, s->size), measure(*s)});
+  return result;
+}
+
+inline Proposals propose_cuts(const Face_graph& part, const std::vector<Index>& order,
+                              double minimum_area, const Patch_with_capacity& empty)
+{
+  const Growth growth = grow_along(part, order);
+  const std::vector<Sweep_step> steps = sweep_steps(part, growth, minimum_area, empty);
+  return {best_steps(growth, steps, [](const Sweep_step& s) { return s.salience; }),
+          best_steps(growth, steps, [](const Sweep_step& s) { return s.cheapness; })};
+}
+
+// Tells whether a cut is new among those that it was given: the faces on which two cuts differ must
+// not be few against the smallest side of either.
+class Distinct_cuts
+{
+  typedef boost::dynamic_bitset<> Face_set;
+  std::vector<Face_set> cuts_; // one side of each
+
+  static std::size_t smaller(std::size_t number, const Face_set& faces)
+  { return (std::min)(number, faces.size() - number); }
+
+  static bool are_alike(const Face_set& a, const Face_set& b)
+  {
+    const std::size_t smallest = (std::min)(smaller(a.count(), a), smaller(b.count(), b));
+    return 100 * smaller((a ^ b).count(), a) < constants::percent_of_alike_proposals * smallest;
+  }
+
+public:
+  bool insert(const Sides& side)
+  {
+    Face_set faces(side.size());
+    for (std::size_t f = 0; f < side.size(); ++f)
+      faces[f] = side[f] != 0;
+    if (std::any_of(cuts_.begin(), cuts_.end(),
+                    [&](const Face_set& other) { return are_alike(faces, other); }))
+      return false;
+    cuts_.push_back(std::move(faces));
+    return true;
+  }
+};
+
+// At most `number` cuts, no two alike, the best by either measure in turns. The larger side may be
+// first.
+inline std::vector<Sides> cut_proposals(Execution execution, const Face_graph& part,
+                                        const std::vector<std::vector<Index> >& orders,
+                                        double minimum_area, std::size_t number)
+{
+  std::vector<double> capacities(part.number_of_halfedges());
+  for (Index h = 0; h < part.number_of_halfedges(); ++h)
+    capacities[h] = capacity(part, h);
+  const Patch_with_capacity empty(part, capacities);
+  std::vector<Proposals> of_order(orders.size());
+  for_each_index(execution, orders.size(), [&](std::size_t i)
+    { of_order[i] = propose_cuts(part, orders[i], minimum_area, empty); });
+  std::vector<Proposal> by_measure[2];
+  for (Proposals& p : of_order) {
+    std::move(p.salient.begin(), p.salient.end(), std::back_inserter(by_measure[0]));
+    std::move(p.cheap.begin(), p.cheap.end(), std::back_inserter(by_measure[1]));
+  }
+  for (std::vector<Proposal>& proposals : by_measure)
+    std::stable_sort(proposals.begin(), proposals.end(), [](const Proposal& a, const Proposal& b)
+                     { return quantized(a.score) > quantized(b.score); });
+
+  std::vector<Sides> result;
+  Distinct_cuts distinct;
+  std::size_t next[2] = {0, 0};
+  for (int m = 0; result.size() < number &&
+                  (next[0] < by_measure[0].size() || next[1] < by_measure[1].size()); m = 1 - m)
+    for (bool is_taken = false; !is_taken && next[m] < by_measure[m].size(); ++next[m]) {
+      Sides& side = by_measure[m][next[m]].side;
+      is_taken = distinct.insert(side);
+      if (is_taken)
+        result.push_back(std::move(side));
+    }
+  return result;
+}
+
+} // namespace internal
+} // namespace Spectral_segmentation
+} // namespace CGAL
+
+#endif // CGAL_SPECTRAL_SEGMENTATION_INTERNAL_BIPARTITION_CUT_PROPOSALS_H

@@ -1,0 +1,133 @@
+// Copyright (c) 2026  The Spectral_segmentation authors.
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_SPECTRAL_SEGMENTATION_INTERNAL_BIPARTITION_SHAPE_CONTEXT_SAMPLING_H
+#define CGAL_SPECTRAL_SEGMENTATION_INTERNAL_BIPARTITION_SHAPE_CONTEXT_SAMPLING_H
+
+#include <CGAL/Spectral_segmentation/internal/mesh/Face_graph.h>
+#include <CGAL/Spectral_segmentation/internal/utility/concurrency.h>
+#include <CGAL/Spectral_segmentation/internal/mesh/surface_integrals.h>
+#include <CGAL/Spectral_segmentation/internal/bipartition/shortest_paths.h>
+
+#include <Eigen/Core>
+
+#include <algorithm>
+#include <cstddef>
+#include <cstdint>
+#include <limits>
+#include <random>
+#include <vector>
+
+namespace CGAL {
+namespace Spectral_segmentation {
+namespace internal {
+
+// Sampling based on shape context (Section 4).
+
+// The first reference face: the paper takes a random one. The face farthest from the center of the
+// part is as good, is at the end of a limb, and does not depend on the numbers of the faces.
+inline Index farthest_face_from_center(Execution execution, const Face_graph& graph)
+{
+  const double area = total_area(graph);
+  const Vector center = area > 0 ? center_of(execution, graph, area) : Vector(Vector::Zero());
+  std::vector<double> distance(graph.number_of_faces());
+  for_each_index(execution, distance.size(), [&](std::size_t f)
+    { distance[f] = (graph.centroid(static_cast<Index>(f)) - center).squaredNorm(); });
+  const double largest = *std::max_element(distance.begin(), distance.end());
+  // The first of those that are as far but for rounding.
+  return static_cast<Index>(
+    std::find_if(distance.begin(), distance.end(),
+                 [&](double d) { return d >= (1 - 1e-9) * largest; }) - distance.begin());
+}
+
+// A random face. The part is told by its smallest face, so that the choice depends neither on the
+// order in which parts are searched nor on the thread. The engine is the same on every platform.
+inline Index random_face(const Face_graph& graph, std::uint64_t seed, Index smallest_face)
+{
+  std::seed_seq seeds{static_cast<std::uint32_t>(seed), static_cast<std::uint32_t>(seed >> 32),
+                      smallest_face, static_cast<Index>(graph.number_of_faces())};
+  std::mt19937_64 engine(seeds);
+  return static_cast<Index>(engine() % graph.number_of_faces());
+}
+
+struct Shape_contexts
+{
+  std::vector<Index> references;
+  Eigen::MatrixXf values; // a row for each face, a column for each reference
+};
+
+// Chooses k reference faces, or all of a part with fewer, mutually farthest apart in geodesic
+// distance, and sums the angle distances along the shortest geodesic paths to each, while the next
+// ones are chosen. `between_trees()` is called before each tree.
+template <class BetweenTrees>
+Shape_contexts shape_contexts(Execution execution, const Face_graph& graph, Index first_reference,
+                              std::size_t k, const BetweenTrees& between_trees)
+{
+  const std::size_t n = graph.number_of_faces();
+  const Weighted_graph weighted(graph, &Edge_weights::geodesic);
+  Shape_contexts contexts;
+  k = (std::min)(k, n);
+  contexts.values.resize(n, k);
+  const auto grow_tree = [&](std::size_t j, Index reference) {
+    Path_angles paths(n);
+    grow_paths(weighted, reference, paths);
+    for (Index f = 0; f < n; ++f)
+      contexts.values(f, j) = paths.angles(f);
+    return paths;
+  };
+  between_trees();
+  contexts.references.push_back(first_reference);
+  Path_lengths to_nearest(n);
+  {
+    const Path_angles first_tree = grow_tree(0, first_reference);
+    for (Index f = 0; f < n; ++f)
+      to_nearest.lengths[f] = first_tree.length(f);
+  }
+
+  Task_group trees(execution);
+  for (std::size_t j = 1; j < k; ++j) {
+    between_trees();
+    const auto farthest = std::max_element(to_nearest.lengths.begin(), to_nearest.lengths.end());
+    const Index reference = static_cast<Index>(farthest - to_nearest.lengths.begin());
+    contexts.references.push_back(reference);
+    trees.run([&, j, reference] { grow_tree(j, reference); });
+    if (j + 1 < k)
+      grow_paths(weighted, reference, to_nearest);
+  }
+  trees.wait();
+  return contexts;
+}
+
+struct Sample_faces
+{
+  Index s; // the face whose context has the largest norm
+  Index t; // the one whose context differs most from that of s
+};
+
+// The two samples (Section 4.2) of a part with two faces or more. Of equals the first is taken.
+inline Sample_faces sample_faces(Execution execution, const Shape_contexts& contexts)
+{
+  const auto farthest = [&](const Eigen::RowVectorXf& from, Index except) {
+    std::vector<double> squared(contexts.values.rows(), 0);
+    for_each_index(execution, squared.size(), [&](std::size_t f) {
+      for (Eigen::Index j = 0; j < contexts.values.cols(); ++j) {
+        const double difference =
+          double(contexts.values(static_cast<Eigen::Index>(f), j)) - from[j];
+        squared[f] += difference * difference;
+      }
+    });
+    if (except != null_index)
+      squared[except] = -1;
+    return static_cast<Index>(std::max_element(squared.begin(), squared.end()) - squared.begin());
+  };
+  Sample_faces samples;
+  samples.s = farthest(Eigen::RowVectorXf::Zero(contexts.values.cols()), null_index);
+  samples.t = farthest(contexts.values.row(samples.s), samples.s);
+  return samples;
+}
+
+} // namespace internal
+} // namespace Spectral_segmentation
+} // namespace CGAL
+
+#endif // CGAL_SPECTRAL_SEGMENTATION_INTERNAL_BIPARTITION_SHAPE_CONTEXT_SAMPLING_H

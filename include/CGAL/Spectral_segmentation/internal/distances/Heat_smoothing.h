@@ -1,0 +1,158 @@
+// Copyright (c) 2026  The Spectral_segmentation authors.
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_SPECTRAL_SEGMENTATION_INTERNAL_DISTANCES_HEAT_SMOOTHING_H
+#define CGAL_SPECTRAL_SEGMENTATION_INTERNAL_DISTANCES_HEAT_SMOOTHING_H
+
+#include <CGAL/Spectral_segmentation/internal/mesh/Face_graph.h>
+#include <CGAL/Spectral_segmentation/internal/utility/concurrency.h>
+#include <CGAL/Spectral_segmentation/internal/mesh/connected_components.h>
+#include <CGAL/Spectral_segmentation/internal/mesh/surface_integrals.h>
+#include <CGAL/Spectral_segmentation/internal/utility/constants.h>
+
+#include <Eigen/Core>
+#include <Eigen/SparseCholesky>
+#include <Eigen/SparseCore>
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <vector>
+
+namespace CGAL {
+namespace Spectral_segmentation {
+namespace internal {
+
+// Averages over the surface with a kernel of a given radius, the root of its mean squared distance:
+// the heat equation on the faces, by two steps of backward Euler. The flux over an edge is its
+// length over the distance of the two centroids (finite volumes), so that the average depends on
+// the shape and, unless faces are long and thin, not on the triangulation. No heat passes the
+// border.
+class Heat_smoothing
+{
+  typedef Eigen::SparseMatrix<double> Matrix;
+
+  // Of a connected component, or of several small ones.
+  struct System
+  {
+    std::vector<Index> faces;
+    // Of the matrix of a step; symmetric, as it is for densities times the roots of the areas. In
+    // the bands of cuts it takes a quarter of the time of conjugate gradients, on a whole mesh of a
+    // million faces a little more.
+    Eigen::SimplicialLDLT<Matrix> solver;
+  };
+
+  double radius_;
+  Eigen::VectorXd root_of_area_; // of each face
+  std::vector<System> systems_;
+
+  // Returns the number of the system of each face.
+  std::vector<Index> divide_into_systems(const Face_graph& mesh)
+  {
+    constexpr Index small = 1000;
+    std::size_t number_of_components;
+    std::vector<Index> result = connected_components(mesh, number_of_components);
+    std::vector<Index> size(number_of_components, 0), system(number_of_components);
+    for (Index of_face : result)
+      ++size[of_face];
+    Index number = 0, size_of_last = small;
+    for (std::size_t i = 0; i < number_of_components; ++i) {
+      if (size_of_last >= small) {
+        ++number;
+        size_of_last = 0;
+      }
+      system[i] = number - 1;
+      size_of_last += size[i];
+    }
+    for (Index& of_face : result)
+      of_face = system[of_face];
+    systems_ = std::vector<System>(number);
+    return result;
+  }
+
+  // What flows over an edge in a step.
+  static double flux(const Face_graph& mesh, const std::vector<Vector>& points, Index h,
+                     double step, double smallest_distance)
+  {
+    const Vector& a = points[mesh.source_vertex(h)];
+    const Vector& b = points[mesh.target_vertex(h)];
+    const Vector middle = (a + b) / 2;
+    const double distance =
+      (mesh.centroid(h / 3, points) - middle).norm() +
+      (mesh.centroid(mesh.neighbors[h], points) - middle).norm();
+    return step * (b - a).norm() / (std::max)(distance, smallest_distance);
+  }
+
+public:
+  // `radius` is relative to the square root of the area of the mesh, which must not be 0.
+  Heat_smoothing(Execution execution, const Face_graph& mesh, const std::vector<Vector>& points,
+                 double radius)
+    : root_of_area_(mesh.number_of_faces())
+  {
+    const double area = total_area(mesh);
+    const double mean_area = area / static_cast<double>(mesh.number_of_faces());
+    radius_ = (std::min)(radius * std::sqrt(area),
+                         std::sqrt(constants::largest_number_of_averaged_faces * mean_area));
+    const double step = radius_ * radius_ / 8;
+    for (Index f = 0; f < mesh.number_of_faces(); ++f)
+      root_of_area_[f] = std::sqrt((std::max)(mesh.areas[f], 1e-9 * mean_area));
+    const double smallest_distance = 1e-3 * std::sqrt(mean_area);
+
+    const std::vector<Index> system_of_face = divide_into_systems(mesh);
+    std::vector<int> row(mesh.number_of_faces());
+    for (Index f = 0; f < mesh.number_of_faces(); ++f) {
+      std::vector<Index>& faces = systems_[system_of_face[f]].faces;
+      row[f] = static_cast<int>(faces.size());
+      faces.push_back(f);
+    }
+    for_each_index(execution, systems_.size(), [&](std::size_t i) {
+      System& system = systems_[i];
+      std::vector<Eigen::Triplet<double> > entries;
+      entries.reserve(4 * system.faces.size());
+      for (Index f : system.faces) {
+        double sum = 0;
+        for (Index h = 3 * f; h < 3 * f + 3; ++h) {
+          if (mesh.is_border(h))
+            continue;
+          const Index g = mesh.neighbors[h];
+          const double root = root_of_area_[f] * root_of_area_[g];
+          // Clamped, to keep the matrix positive definite in double precision.
+          const double outward =
+            (std::min)(flux(mesh, points, h, step, smallest_distance), 1e14 * root);
+          sum += outward;
+          entries.emplace_back(row[f], row[g], -outward / root);
+        }
+        entries.emplace_back(row[f], row[f], 1 + sum / (root_of_area_[f] * root_of_area_[f]));
+      }
+      const Eigen::Index n = static_cast<Eigen::Index>(system.faces.size());
+      Matrix matrix(n, n);
+      matrix.setFromTriplets(entries.begin(), entries.end());
+      system.solver.compute(matrix);
+    });
+  }
+
+  // As it was bounded, in the unit of the points.
+  double radius() const { return radius_; }
+
+  // The averaged density of a quantity of which each face has some amount.
+  Eigen::VectorXd operator()(const Eigen::VectorXd& amounts) const
+  {
+    Eigen::VectorXd result(amounts.size());
+    for (const System& system : systems_) {
+      Eigen::VectorXd density(system.faces.size());
+      for (Index i = 0; i < system.faces.size(); ++i)
+        density[i] = amounts[system.faces[i]] / root_of_area_[system.faces[i]];
+      for (int step = 0; step < 2; ++step)
+        density = system.solver.solve(density).eval();
+      for (Index i = 0; i < system.faces.size(); ++i)
+        result[system.faces[i]] = density[i] / root_of_area_[system.faces[i]];
+    }
+    return result;
+  }
+};
+
+} // namespace internal
+} // namespace Spectral_segmentation
+} // namespace CGAL
+
+#endif // CGAL_SPECTRAL_SEGMENTATION_INTERNAL_DISTANCES_HEAT_SMOOTHING_H

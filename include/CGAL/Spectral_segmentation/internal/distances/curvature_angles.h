@@ -1,0 +1,97 @@
+// Copyright (c) 2026  The Spectral_segmentation authors.
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_SPECTRAL_SEGMENTATION_INTERNAL_DISTANCES_CURVATURE_ANGLES_H
+#define CGAL_SPECTRAL_SEGMENTATION_INTERNAL_DISTANCES_CURVATURE_ANGLES_H
+
+#include <CGAL/Spectral_segmentation/internal/distances/Heat_smoothing.h>
+#include <CGAL/Spectral_segmentation/internal/mesh/Face_graph.h>
+#include <CGAL/Spectral_segmentation/internal/utility/concurrency.h>
+#include <CGAL/Spectral_segmentation/internal/mesh/surface_integrals.h>
+
+#include <CGAL/number_type_config.h>
+
+#include <Eigen/Core>
+#include <Eigen/Geometry>
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <vector>
+
+namespace CGAL {
+namespace Spectral_segmentation {
+namespace internal {
+
+// Bending of the surface at the scale of the shape in place of that of the triangulation.
+
+// The tensor product of a vector with itself, as a vector: symmetric tensors have the same inner
+// product as such vectors.
+typedef Eigen::Matrix<double, 1, 6> Symmetric_tensor;
+
+inline Symmetric_tensor squared(const Vector& v)
+{
+  const Vector mixed = std::sqrt(2.) * Vector(v.x() * v.y(), v.y() * v.z(), v.z() * v.x());
+  return (Symmetric_tensor() << v.cwiseAbs2().transpose(), mixed.transpose()).finished();
+}
+
+// For each half-edge the angle by which the surface bends over a way of twice the radius across the
+// edge, negative where it is concave: the curvature tensor of Cohen-Steiner and Morvan (2003),
+// averaged over the radius by diffusion. `radius` is relative to the square root of the area of the
+// mesh.
+inline std::vector<double> curvature_angles(Execution execution, const Face_graph& mesh,
+                                       const std::vector<Vector>& points,
+                                       const std::vector<Vector>& normals, double radius)
+{
+  const auto edge_vector = [&](Index h) -> Vector
+  { return points[mesh.target_vertex(h)] - points[mesh.source_vertex(h)]; };
+
+  std::vector<double> angles(mesh.neighbors.size(), 0);
+  if (!(total_area(mesh) > 0))
+    return angles;
+  Eigen::Matrix<double, Eigen::Dynamic, 6> tensors;
+  tensors.setZero(static_cast<Eigen::Index>(mesh.number_of_faces()), 6);
+  for_each_index(execution, mesh.number_of_faces(), [&](std::size_t i) {
+    const Index f = static_cast<Index>(i);
+    for (Index h = 3 * f; h < 3 * f + 3; ++h) {
+      const Index g = mesh.neighbors[h];
+      const Vector edge = edge_vector(h);
+      const double length = edge.norm();
+      const double area = mesh.areas[f] + mesh.areas[g];
+      if (mesh.is_border(h) || length == 0 || area == 0)
+        continue;
+      const double angle =
+        std::atan2(normals[f].cross(normals[g]).dot(edge) / length, normals[f].dot(normals[g]));
+      // By area: or a sliver beside a sharp edge would have nearly all of its density.
+      tensors.row(f) += angle * mesh.areas[f] / area / length * squared(edge);
+    }
+  });
+  const Heat_smoothing smoothing(execution, mesh, points, radius);
+  for_each_index(execution, 6, [&](std::size_t i) {
+    const Eigen::Index column = static_cast<Eigen::Index>(i);
+    tensors.col(column) = smoothing(tensors.col(column));
+  });
+
+  const double way = 2 * smoothing.radius();
+  for_each_index(execution, angles.size(), [&](std::size_t i) {
+    const Index h = static_cast<Index>(i), f = h / 3, g = mesh.neighbors[h];
+    const Vector edge = edge_vector(h);
+    const double area = mesh.areas[f] + mesh.areas[g];
+    const double squared_length = edge.squaredNorm();
+    if (mesh.is_border(h) || squared_length == 0 || area == 0)
+      return;
+    const Symmetric_tensor tensor =
+      (mesh.areas[f] * tensors.row(f) + mesh.areas[g] * tensors.row(g)) / area;
+    const double curvature = tensor.dot(squared(edge)) / squared_length;
+    const double angle = way * curvature;
+    if (std::abs(angle) > 1e-6) // below, which is rounding, the surface is flat
+      angles[h] = (std::min)((std::max)(angle, -CGAL_PI), CGAL_PI);
+  });
+  return angles;
+}
+
+} // namespace internal
+} // namespace Spectral_segmentation
+} // namespace CGAL
+
+#endif // CGAL_SPECTRAL_SEGMENTATION_INTERNAL_DISTANCES_CURVATURE_ANGLES_H

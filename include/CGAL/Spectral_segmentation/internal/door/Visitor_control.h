@@ -1,0 +1,40 @@
+// Copyright (c) 2026  The Spectral_segmentation authors.
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_SPECTRAL_SEGMENTATION_INTERNAL_DOOR_VISITOR_CONTROL_H
+#define CGAL_SPECTRAL_SEGMENTATION_INTERNAL_DOOR_VISITOR_CONTROL_H
+
+#include <CGAL/Spectral_segmentation/internal/Run_control.h>
+
+#include <cstddef>
+
+namespace CGAL {
+namespace Spectral_segmentation {
+namespace internal {
+
+// Passes on what the engine tells and asks to the visitor of the caller, whose functions are not
+// virtual.
+template <class Visitor>
+class Visitor_control : public Run_control
+{
+  Visitor& visitor_;
+
+public:
+  explicit Visitor_control(Visitor& visitor) : visitor_(visitor) {}
+
+  void start_stage(Stage stage, std::size_t part) override { visitor_.start_stage(stage, part); }
+  void end_stage(Stage stage, std::size_t part) override { visitor_.end_stage(stage, part); }
+  void start_part(std::size_t part, std::size_t n) override { visitor_.start_part(part, n); }
+  void end_part(std::size_t part) override { visitor_.end_part(part); }
+  void part_cut(std::size_t part, const Salience_factors& factors, double salience,
+                std::size_t number_of_segments) override
+  { visitor_.part_cut(part, factors, salience, number_of_segments); }
+  void progress(double share) override { visitor_.progress(share); }
+  bool go_further() override { return visitor_.go_further(); }
+};
+
+} // namespace internal
+} // namespace Spectral_segmentation
+} // namespace CGAL
+
+#endif // CGAL_SPECTRAL_SEGMENTATION_INTERNAL_DOOR_VISITOR_CONTROL_H

@@ -1,0 +1,81 @@
+// Copyright (c) 2026  The Spectral_segmentation authors.
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_SPECTRAL_SEGMENTATION_INTERNAL_DOOR_READ_TRIANGLE_SOUP_H
+#define CGAL_SPECTRAL_SEGMENTATION_INTERNAL_DOOR_READ_TRIANGLE_SOUP_H
+
+#include <CGAL/Spectral_segmentation/internal/mesh/Triangles.h>
+
+#include <CGAL/number_utils.h>
+
+#include <cstddef>
+#include <iterator>
+#include <stdexcept>
+#include <string>
+#include <type_traits>
+#include <utility>
+#include <vector>
+
+namespace CGAL {
+namespace Spectral_segmentation {
+namespace internal {
+
+template <class Range>
+using Element = std::decay_t<decltype(*std::begin(std::declval<const Range&>()))>;
+
+// Ranges of ranges of integers.
+template <class Range, class = void>
+struct is_triangle_range : std::false_type {};
+
+template <class Range>
+struct is_triangle_range<Range, std::void_t<Element<Element<Range> > > >
+  : std::is_integral<Element<Element<Range> > > {};
+
+// Reads points, whose coordinates are `p[0]`, `p[1]`, `p[2]`, and triangles of their indices. Who is
+// a neighbor of whom is left open.
+//
+// Throws `std::invalid_argument` if a triangle has not three corners, one of them is no point, or a
+// coordinate that is used is not finite.
+template <class PointRange, class TriangleRange>
+Triangles read_triangle_soup(const PointRange& points, const TriangleRange& triangles)
+{
+  Triangles result;
+  for (const auto& p : points) {
+    if (result.points.size() + 1 >= null_index)
+      throw std::invalid_argument("segment_spectral_recursive: there are too many points");
+    result.points.push_back(
+      Vector(CGAL::to_double(p[0]), CGAL::to_double(p[1]), CGAL::to_double(p[2])));
+  }
+  const std::size_t number_of_points = result.points.size();
+  for (const auto& triangle : triangles) {
+    const std::size_t f = result.corners.size();
+    const auto fail = [&](const char* what) {
+      throw std::invalid_argument("segment_spectral_recursive: triangle " + std::to_string(f) +
+                                  what);
+    };
+    if (f + 1 >= null_index / 3)
+      throw std::invalid_argument("segment_spectral_recursive: there are too many triangles");
+    Corners corners;
+    std::size_t size = 0;
+    for (auto corner : triangle) {
+      if (size == 3)
+        fail(" has more than three corners");
+      if (corner < 0 || static_cast<std::size_t>(corner) >= number_of_points)
+        fail(" has a corner that is no index of a point");
+      corners[size++] = static_cast<Index>(corner);
+    }
+    if (size < 3)
+      fail(" has fewer than three corners");
+    for (Index v : corners)
+      if (!result.points[v].allFinite())
+        fail(" has a corner with a coordinate that is not finite");
+    result.corners.push_back(corners);
+  }
+  return result;
+}
+
+} // namespace internal
+} // namespace Spectral_segmentation
+} // namespace CGAL
+
+#endif // CGAL_SPECTRAL_SEGMENTATION_INTERNAL_DOOR_READ_TRIANGLE_SOUP_H

@@ -1,0 +1,49 @@
+// Copyright (c) 2026  The Spectral_segmentation authors.
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_SPECTRAL_SEGMENTATION_INTERNAL_ENGINE_H
+#define CGAL_SPECTRAL_SEGMENTATION_INTERNAL_ENGINE_H
+
+#include <CGAL/Spectral_segmentation/internal/Options.h>
+#include <CGAL/Spectral_segmentation/internal/Run_control.h>
+#include <CGAL/Spectral_segmentation/internal/hierarchy/Cut_hierarchy.h>
+#include <CGAL/Spectral_segmentation/internal/mesh/Triangles.h>
+
+#include <cstddef>
+#include <vector>
+
+// With CGAL_SPECTRAL_SEGMENTATION_COMPILED, which the CMake target `compiled` defines, the engine is
+// linked; else it is included here.
+#ifdef CGAL_SPECTRAL_SEGMENTATION_COMPILED
+#define CGAL_SPECTRAL_SEGMENTATION_INLINE
+#else
+#define CGAL_SPECTRAL_SEGMENTATION_INLINE inline
+#endif
+
+namespace CGAL {
+namespace Spectral_segmentation {
+namespace internal {
+
+// The engine: no template, as nothing in it depends on the caller. Arrays in, a hierarchy of cuts
+// out, whose faces are those of the triangles.
+CGAL_SPECTRAL_SEGMENTATION_INLINE
+Cut_hierarchy segment(Triangles triangles, const Options& options, Execution execution,
+                      Run_control& control);
+
+// Finds the neighbors of the triangles of a soup, and orients them.
+CGAL_SPECTRAL_SEGMENTATION_INLINE
+void connect(Triangles& triangles);
+
+// Smooths the boundaries between segments. `neighbors` are those of a hierarchy.
+CGAL_SPECTRAL_SEGMENTATION_INLINE
+void smooth_boundaries(const std::vector<Index>& neighbors, std::vector<std::size_t>& labels);
+
+} // namespace internal
+} // namespace Spectral_segmentation
+} // namespace CGAL
+
+#ifndef CGAL_SPECTRAL_SEGMENTATION_COMPILED
+#include <CGAL/Spectral_segmentation/internal/engine_impl.h>
+#endif
+
+#endif // CGAL_SPECTRAL_SEGMENTATION_INTERNAL_ENGINE_H

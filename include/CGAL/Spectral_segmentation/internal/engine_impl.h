@@ -1,0 +1,206 @@
+// Copyright (c) 2026  The Spectral_segmentation authors.
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_SPECTRAL_SEGMENTATION_INTERNAL_ENGINE_IMPL_H
+#define CGAL_SPECTRAL_SEGMENTATION_INTERNAL_ENGINE_IMPL_H
+
+#include <CGAL/Spectral_segmentation/internal/bipartition/best_cut.h>
+#include <CGAL/Spectral_segmentation/internal/distances/face_distances.h>
+#include <CGAL/Spectral_segmentation/internal/distances/laplacian_smoothing.h>
+#include <CGAL/Spectral_segmentation/internal/distances/local_thickness.h>
+#include <CGAL/Spectral_segmentation/internal/engine.h>
+#include <CGAL/Spectral_segmentation/internal/hierarchy/boundary_smoothing.h>
+#include <CGAL/Spectral_segmentation/internal/hierarchy/recursion.h>
+#include <CGAL/Spectral_segmentation/internal/hierarchy/region_merging.h>
+#include <CGAL/Spectral_segmentation/internal/mesh/connect_triangles.h>
+#include <CGAL/Spectral_segmentation/internal/mesh/reorder_faces.h>
+#include <CGAL/Spectral_segmentation/internal/multilevel/coarsening.h>
+#include <CGAL/Spectral_segmentation/internal/multilevel/projection.h>
+#include <CGAL/Spectral_segmentation/internal/utility/Run_monitor.h>
+
+#include <algorithm>
+#include <cstddef>
+#include <numeric>
+#include <utility>
+#include <vector>
+
+namespace CGAL {
+namespace Spectral_segmentation {
+namespace internal {
+
+// One run: the stages in their order, and the levels between them.
+class Run
+{
+  const Options& options_;
+  const Execution execution_;
+  Run_monitor monitor_;
+
+  double unit_ = 1;                 // the length of 1 in the coordinates of the caller
+  std::vector<Index> order_;        // the numbers that the caller's mesh gives the faces
+  Face_graph mesh_;
+  std::vector<Coarse_mesh> levels_; // each coarser than the one before
+  std::vector<Index> neighbors_;    // in the caller's numbers, if boundaries shall be smoothed
+
+  Distance_weights distance_weights() const
+  {
+    return {options_.geodesic_weight, options_.concave_angle_weight, options_.convex_angle_weight,
+            options_.concavity_radius};
+  }
+
+  // A run that is stopped on the way leaves the faces in the caller's order.
+  void read(Triangles triangles)
+  {
+    order_.resize(triangles.corners.size());
+    std::iota(order_.begin(), order_.end(), Index(0));
+    if (monitor_.go_further()) {
+      std::vector<Index> order = locality_order(triangles.neighbors);
+      if (monitor_.go_further()) {
+        triangles = in_order(std::move(triangles), order);
+        order_ = std::move(order);
+      }
+    }
+    unit_ = normalize(triangles.points);
+    mesh_ = face_graph(execution_, std::move(triangles));
+    if (options_.boundary_smoothing) {
+      neighbors_.resize(mesh_.neighbors.size());
+      for (Index h = 0; h < neighbors_.size(); ++h)
+        neighbors_[3 * order_[h / 3] + h % 3] = order_[mesh_.neighbors[h]];
+    }
+  }
+
+  void set_weights(Face_graph& graph, const std::vector<Vector>& points) const
+  {
+    const std::vector<Vector> normals = face_normals(execution_, graph, points);
+    call_all(execution_,
+      [&] { set_face_distances(execution_, graph, points, normals, distance_weights()); },
+      [&] {
+        if (options_.method == Method::CALIBRATED)
+          graph.thickness = local_thickness(execution_, graph, points, normals,
+                                            constants::thickness_radius);
+      });
+  }
+
+  // Returns the mesh on which cuts are searched.
+  Face_graph initialize(Triangles triangles)
+  {
+    read(std::move(triangles));
+    monitor_.check();
+    std::vector<Vector> points = smoothed_points(mesh_, options_.number_of_smoothing_iterations,
+                                                 [&] { monitor_.check(); return true; });
+    const std::size_t number_of_faces = options_.faces_to_search(mesh_.number_of_faces());
+    if (number_of_faces == mesh_.number_of_faces()) {
+      set_weights(mesh_, points);
+      return std::move(mesh_);
+    }
+    mesh_.points = std::move(points);
+    levels_ = coarsen_in_steps(execution_, mesh_, number_of_faces, monitor_);
+    Face_graph result = levels_.back().graph;
+    set_weights(result, result.points);
+    return result;
+  }
+
+  Cut_hierarchy search(Face_graph mesh)
+  {
+    const Best_cut best_cut(execution_, mesh, options_);
+    if (options_.method == Method::ZHANG_LIU_2005)
+      return Recursion(execution_, std::move(mesh), best_cut, options_, monitor_).by_area();
+    const Cut_hierarchy regions =
+      Recursion(execution_, mesh, best_cut, options_, monitor_).by_salience();
+    return monitor_.stage(Stage::MERGING, Segmentation_visitor::whole_mesh, [&] {
+      return Region_merging(execution_, mesh, best_cut.context(), options_.part_salience,
+                            monitor_)(regions);
+    });
+  }
+
+  Cut_hierarchy project(Cut_hierarchy hierarchy)
+  {
+    const Distance_weights weights = distance_weights();
+    for (std::size_t i = levels_.size(); i-- > 0; levels_.pop_back())
+      hierarchy = Cut_projection(execution_, hierarchy, levels_[i],
+                                 i > 0 ? levels_[i - 1].graph : mesh_, weights, monitor_)();
+    return hierarchy;
+  }
+
+  // The components of the mesh, if the run was stopped before there was more.
+  Cut_hierarchy components() const
+  {
+    std::size_t number;
+    std::vector<Index> component = connected_components(mesh_, number);
+    const std::vector<double> areas = component_areas(mesh_, component, number);
+    return uncut_hierarchy(std::move(component), areas);
+  }
+
+  // From the numbers and the unit of the run to those of the caller.
+  void convert(Cut_hierarchy& hierarchy) const
+  {
+    std::vector<Index> leaf(order_.size());
+    for (Index f = 0; f < leaf.size(); ++f)
+      leaf[order_[f]] = hierarchy.leaf[f];
+    hierarchy.leaf = std::move(leaf);
+    for (Cut_node& node : hierarchy.nodes)
+      node.area *= unit_ * unit_;
+  }
+
+public:
+  Run(const Options& options, Execution execution, Run_control& control)
+    : options_(options), execution_(execution), monitor_(control) {}
+
+  Cut_hierarchy operator()(Triangles triangles)
+  {
+    // About how long the phases take, in nanoseconds; only what is told of the progress depends on
+    // it.
+    const double n = static_cast<double>(triangles.corners.size());
+    const double m = static_cast<double>(options_.faces_to_search(triangles.corners.size()));
+    const double of_initialization = (m < n ? 1400 : 200) * n;
+    const double of_search = (options_.method == Method::CALIBRATED ? 50000 : 4000) * m;
+    const double of_projection = (m < n ? 250 : 0) * n;
+    const double all = (std::max)(of_initialization + of_search + of_projection, 1.);
+
+    Cut_hierarchy result;
+    monitor_.start_phase(of_initialization / all);
+    try {
+      Face_graph searched = monitor_.stage(Stage::INITIALIZATION, Segmentation_visitor::whole_mesh,
+                                           [&] { return initialize(std::move(triangles)); });
+      monitor_.start_phase(of_search / all);
+      result = search(std::move(searched));
+    }
+    catch (const Run_stopped&) { // before there was a cut
+      levels_.clear();
+      result = components();
+    }
+    monitor_.start_phase(1);
+    if (!levels_.empty())
+      result = monitor_.stage(Stage::PROJECTION, Segmentation_visitor::whole_mesh,
+                              [&] { return project(std::move(result)); });
+    convert(result);
+    result.neighbors = std::move(neighbors_);
+    monitor_.finish();
+    return result;
+  }
+};
+
+CGAL_SPECTRAL_SEGMENTATION_INLINE
+Cut_hierarchy segment(Triangles triangles, const Options& options, Execution execution,
+                      Run_control& control)
+{
+  Cut_hierarchy result;
+  call_isolated([&] { result = Run(options, execution, control)(std::move(triangles)); });
+  return result;
+}
+
+CGAL_SPECTRAL_SEGMENTATION_INLINE
+void connect(Triangles& triangles)
+{
+  Triangle_connection connection(triangles);
+  connection();
+}
+
+CGAL_SPECTRAL_SEGMENTATION_INLINE
+void smooth_boundaries(const std::vector<Index>& neighbors, std::vector<std::size_t>& labels)
+{ Boundary_smoothing(neighbors, labels)(); }
+
+} // namespace internal
+} // namespace Spectral_segmentation
+} // namespace CGAL
+
+#endif // CGAL_SPECTRAL_SEGMENTATION_INTERNAL_ENGINE_IMPL_H

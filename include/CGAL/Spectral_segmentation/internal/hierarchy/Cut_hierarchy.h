@@ -1,0 +1,87 @@
+// Copyright (c) 2026  The Spectral_segmentation authors.
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_SPECTRAL_SEGMENTATION_INTERNAL_HIERARCHY_CUT_HIERARCHY_H
+#define CGAL_SPECTRAL_SEGMENTATION_INTERNAL_HIERARCHY_CUT_HIERARCHY_H
+
+#include <CGAL/Spectral_segmentation/Part_salience.h>
+#include <CGAL/Spectral_segmentation/internal/utility/Index.h>
+
+#include <CGAL/assertions.h>
+
+#include <cstddef>
+#include <vector>
+
+namespace CGAL {
+namespace Spectral_segmentation {
+
+/// \cond SKIP_IN_MANUAL
+namespace internal {
+
+enum class Cut_state { NOT_SEARCHED, NO_CUT, REJECTED, ACCEPTED };
+
+constexpr std::size_t null_node = static_cast<std::size_t>(-1);
+
+// A set of faces: a connected component of the mesh, or one side of the cut of its parent.
+struct Cut_node
+{
+  std::size_t parent = null_node;
+  std::size_t children[2] = {null_node, null_node}; // that of smaller area first
+  double area = 0;
+  Cut_state cut_state = Cut_state::NOT_SEARCHED;
+  double salience = 0;
+  Salience_factors factors;
+
+  bool is_leaf() const { return children[0] == null_node; }
+};
+
+// The cuts of a run: what the engine makes. The children of the i-th cut are the nodes
+// number_of_roots + 2 i and the next one.
+struct Cut_hierarchy
+{
+  std::size_t number_of_roots = 0;   // one for each connected component, by their first faces
+  std::vector<Cut_node> nodes;
+  std::vector<Index> leaf;           // of each face: the node without children that holds it
+  std::vector<std::size_t> turns;    // the nodes in the order in which the run decided on them
+  bool is_ultrametric = false;       // no cut is less salient than those that follow
+  bool is_complete = true;           // false: some cuts are lost, as no face was left for a side
+  std::vector<Index> neighbors;      // of each half-edge, only if boundaries shall be smoothed
+
+  std::size_t number_of_segments() const
+  { return number_of_roots + (nodes.size() - number_of_roots) / 2; }
+
+  // Cuts a leaf. Its faces are still at the leaf that it was.
+  void cut(std::size_t i, double area_of_smaller, double area_of_larger)
+  {
+    CGAL_precondition(nodes[i].is_leaf());
+    CGAL_precondition(area_of_smaller <= area_of_larger);
+    for (int k = 0; k < 2; ++k) {
+      nodes[i].children[k] = nodes.size();
+      Cut_node child;
+      child.parent = i;
+      child.area = k == 0 ? area_of_smaller : area_of_larger;
+      nodes.push_back(child);
+    }
+  }
+};
+
+// A forest of roots only, from the component of each face and the areas of the components.
+inline Cut_hierarchy uncut_hierarchy(std::vector<Index> component,
+                                     const std::vector<double>& areas)
+{
+  Cut_hierarchy result;
+  result.number_of_roots = areas.size();
+  result.nodes.resize(areas.size());
+  for (std::size_t i = 0; i < areas.size(); ++i)
+    result.nodes[i].area = areas[i];
+  result.leaf = std::move(component);
+  return result;
+}
+
+} // namespace internal
+/// \endcond
+
+} // namespace Spectral_segmentation
+} // namespace CGAL
+
+#endif // CGAL_SPECTRAL_SEGMENTATION_INTERNAL_HIERARCHY_CUT_HIERARCHY_H

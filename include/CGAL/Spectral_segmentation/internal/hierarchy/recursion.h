@@ -1,0 +1,217 @@
+// Copyright (c) 2026  The Spectral_segmentation authors.
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_SPECTRAL_SEGMENTATION_INTERNAL_HIERARCHY_RECURSION_H
+#define CGAL_SPECTRAL_SEGMENTATION_INTERNAL_HIERARCHY_RECURSION_H
+
+#include <CGAL/Spectral_segmentation/internal/Options.h>
+#include <CGAL/Spectral_segmentation/internal/bipartition/best_cut.h>
+#include <CGAL/Spectral_segmentation/internal/hierarchy/Cut_hierarchy.h>
+#include <CGAL/Spectral_segmentation/internal/mesh/connected_components.h>
+#include <CGAL/Spectral_segmentation/internal/mesh/extract_part.h>
+#include <CGAL/Spectral_segmentation/internal/utility/Run_monitor.h>
+
+#include <cstddef>
+#include <map>
+#include <optional>
+#include <set>
+#include <utility>
+#include <vector>
+
+namespace CGAL {
+namespace Spectral_segmentation {
+namespace internal {
+
+// Recursive two-way cuts of a mesh (Section 2). Each connected component is a part from the start.
+class Recursion
+{
+  struct Pending_part
+  {
+    Part part;
+    bool is_searched = false;
+    std::optional<Cut> cut;
+  };
+
+  // Of a part: minus its priority, then its node; the part of highest priority is the first.
+  typedef std::pair<double, std::size_t> Key;
+
+  const Execution execution_;
+  const Options& options_;
+  Run_monitor& monitor_;
+  const Best_cut& best_cut_;
+
+  Cut_hierarchy hierarchy_;
+  std::map<std::size_t, Pending_part> pending_; // by node
+  std::set<Key> queue_;                         // of pending parts
+
+  void add(std::size_t node, Face_graph graph, std::vector<Index> faces)
+  {
+    for (Index f : faces)
+      hierarchy_.leaf[f] = static_cast<Index>(node);
+    pending_[node].part = Part{std::move(graph), node, std::move(faces)};
+  }
+
+  void search(const std::vector<Pending_part*>& parts)
+  {
+    for_each_index(execution_, parts.size(), [&](std::size_t i) {
+      Pending_part& p = *parts[i];
+      p.cut = best_cut_(execution_, p.part, monitor_);
+      p.is_searched = true;
+    });
+  }
+
+  Pending_part take(std::size_t node)
+  {
+    Pending_part result = std::move(pending_[node]);
+    pending_.erase(node);
+    hierarchy_.turns.push_back(node);
+    return result;
+  }
+
+  // Replaces a part, which has a cut, by its two sides, in the hierarchy and if they are to be cut
+  // in turn among the pending parts.
+  void cut(std::size_t node, Pending_part pending, bool is_last)
+  {
+    const Cut& cut = *pending.cut;
+    hierarchy_.cut(node, cut.area[0], cut.area[1]);
+    std::vector<Index> faces[2];
+    for (std::size_t i = 0; i < cut.side.size(); ++i)
+      faces[int(cut.side[i])].push_back(pending.part.faces[i]);
+    std::vector<Face_graph> sides(2);
+    if (!is_last)
+      sides = split(std::move(pending.part.graph), cut.side, 2);
+    for (int i = 0; i < 2; ++i)
+      add(hierarchy_.nodes[node].children[i], std::move(sides[i]), std::move(faces[i]));
+    monitor_.part_cut(node, cut.factors, cut.salience, hierarchy_.number_of_segments());
+  }
+
+  void search_all()
+  {
+    std::vector<Pending_part*> parts;
+    for (auto& [node, pending] : pending_)
+      if (!pending.is_searched)
+        parts.push_back(&pending);
+    search(parts);
+    for (const Pending_part* p : parts)
+      if (p->cut)
+        queue_.insert({-quantized(p->cut->salience), p->part.node});
+  }
+
+  void enqueue_by_area(std::size_t node)
+  { queue_.insert({-hierarchy_.nodes[node].area, node}); }
+
+  // Searches the largest part, and where threads can share the work the next ones with it: all that
+  // will come to their turn, unless the maximum number of segments is reached before.
+  void search_largest()
+  {
+    if (pending_[queue_.begin()->second].is_searched)
+      return;
+    const std::size_t most = execution_ == Execution::SEQUENTIAL
+      ? 1 : options_.maximum_number_of_segments - hierarchy_.number_of_segments();
+    std::vector<Pending_part*> parts;
+    for (auto key = queue_.begin(); key != queue_.end() && parts.size() < most; ++key)
+      if (!pending_[key->second].is_searched)
+        parts.push_back(&pending_[key->second]);
+    search(parts);
+  }
+
+  void cut_largest()
+  {
+    const std::size_t node = queue_.begin()->second;
+    queue_.erase(queue_.begin());
+    Pending_part pending = take(node);
+    Cut_node& n = hierarchy_.nodes[node];
+    if (!pending.cut) {
+      n.cut_state = Cut_state::NO_CUT;
+      return;
+    }
+    n.salience = pending.cut->salience;
+    n.factors = pending.cut->factors;
+    if (n.salience < options_.salience_threshold) {
+      n.cut_state = Cut_state::REJECTED;
+      return;
+    }
+    n.cut_state = Cut_state::ACCEPTED;
+    const std::size_t maximum = options_.maximum_number_of_segments;
+    const bool is_last = hierarchy_.number_of_segments() + 1 >= maximum;
+    cut(node, std::move(pending), is_last);
+    if (!is_last)
+      for (std::size_t child : hierarchy_.nodes[node].children)
+        enqueue_by_area(child);
+    if (maximum != unlimited)
+      monitor_.advance_to(static_cast<double>(hierarchy_.number_of_segments()) /
+                          static_cast<double>(maximum));
+  }
+
+public:
+  Recursion(Execution execution, Face_graph mesh, const Best_cut& best_cut, const Options& options,
+            Run_monitor& monitor)
+    : execution_(execution), options_(options), monitor_(monitor), best_cut_(best_cut)
+  {
+    std::size_t number;
+    const std::vector<Index> component = connected_components(mesh, number);
+    hierarchy_ = uncut_hierarchy(component, component_areas(mesh, component, number));
+    std::vector<std::vector<Index> > faces(number);
+    for (Index f = 0; f < component.size(); ++f)
+      faces[component[f]].push_back(f);
+    std::vector<Face_graph> graphs = split(std::move(mesh), component, number);
+    for (std::size_t i = 0; i < number; ++i)
+      add(i, std::move(graphs[i]), std::move(faces[i]));
+  }
+
+  // The paper's: the largest part is cut next, until no part has a salient cut or the maximum
+  // number of segments is reached.
+  Cut_hierarchy by_area()
+  {
+    try {
+      for (const auto& [node, pending] : pending_)
+        enqueue_by_area(node);
+      while (!queue_.empty() &&
+             hierarchy_.number_of_segments() < options_.maximum_number_of_segments) {
+        search_largest();
+        cut_largest();
+      }
+    }
+    catch (const Run_stopped&) {
+      // The hierarchy holds the cuts that were made.
+    }
+    return std::move(hierarchy_);
+  }
+
+  // An over-segmentation: the part with the most salient cut is cut next, until there are
+  // `options.regions()` regions, and one more for each further component.
+  Cut_hierarchy by_salience()
+  {
+    const std::size_t number_of_regions = options_.regions();
+    const std::size_t further = hierarchy_.number_of_roots == 0 ? 0 : hierarchy_.number_of_roots - 1;
+    const bool is_maximum_given = options_.maximum_number_of_segments != unlimited;
+    const auto has_enough = [&] {
+      const std::size_t regions = hierarchy_.number_of_segments();
+      return regions - further >= options_.number_of_regions &&
+             (!is_maximum_given || regions >= options_.maximum_number_of_segments);
+    };
+    try {
+      while (!has_enough()) {
+        search_all();
+        if (queue_.empty())
+          break;
+        const std::size_t node = queue_.begin()->second;
+        queue_.erase(queue_.begin());
+        Pending_part pending = take(node);
+        cut(node, std::move(pending), false);
+        monitor_.advance_to(static_cast<double>(hierarchy_.number_of_segments() - further) /
+                            static_cast<double>(number_of_regions));
+      }
+    }
+    catch (const Run_stopped&) {
+      // The regions are those of the cuts that were made.
+    }
+    return std::move(hierarchy_);
+  }
+};
+
+} // namespace internal
+} // namespace Spectral_segmentation
+} // namespace CGAL
+
+#endif // CGAL_SPECTRAL_SEGMENTATION_INTERNAL_HIERARCHY_RECURSION_H

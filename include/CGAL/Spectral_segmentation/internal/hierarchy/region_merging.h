@@ -1,0 +1,206 @@
+// Copyright (c) 2026  The Spectral_segmentation authors.
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_SPECTRAL_SEGMENTATION_INTERNAL_HIERARCHY_REGION_MERGING_H
+#define CGAL_SPECTRAL_SEGMENTATION_INTERNAL_HIERARCHY_REGION_MERGING_H
+
+#include <CGAL/Spectral_segmentation/internal/Options.h>
+#include <CGAL/Spectral_segmentation/internal/hierarchy/Cut_hierarchy.h>
+#include <CGAL/Spectral_segmentation/internal/mesh/extract_part.h>
+#include <CGAL/Spectral_segmentation/internal/salience/Cut_evaluator.h>
+#include <CGAL/Spectral_segmentation/internal/utility/Run_monitor.h>
+
+#include <algorithm>
+#include <cstddef>
+#include <iterator>
+#include <map>
+#include <numeric>
+#include <set>
+#include <utility>
+#include <vector>
+
+namespace CGAL {
+namespace Spectral_segmentation {
+namespace internal {
+
+// Merges the regions of an over-segmentation: the two neighbors whose common boundary is the least
+// salient become one, until each component of the mesh is whole again. A cut that was needed only
+// to reach others is undone on the way. The merges in reverse are a hierarchy of cuts.
+class Region_merging
+{
+  typedef std::pair<std::size_t, std::size_t> Pair; // of regions, the smaller number first
+
+  // The boundary of two regions as the cut of their union.
+  struct Boundary
+  {
+    double salience;
+    Salience_factors factors;
+    double area[2]; // of the smaller and the larger
+    bool first_is_smaller;
+  };
+
+  struct Merge
+  {
+    Pair regions; // which become the first of them
+    Boundary boundary;
+  };
+
+  const Execution execution_;
+  const Face_graph& mesh_;
+  const Evaluation_context& context_;
+  const Part_salience& part_salience_;
+  Run_monitor& monitor_;
+
+  std::vector<std::vector<Index> > faces_; // of each region, ascending
+  std::vector<std::size_t> region_;        // of each face
+  std::map<Pair, Boundary> boundaries_;    // of neighbors
+
+  Boundary evaluated(const Pair& regions) const
+  {
+    const std::vector<Index>& first = faces_[regions.first];
+    const std::vector<Index>& second = faces_[regions.second];
+    std::vector<Index> faces;
+    std::merge(first.begin(), first.end(), second.begin(), second.end(), std::back_inserter(faces));
+    Sides side;
+    double area[2] = {0, 0};
+    for (Index f : faces) {
+      side.push_back(region_[f] == regions.first ? 0 : 1);
+      area[int(side.back())] += mesh_.areas[f];
+    }
+    const bool first_is_smaller = area[0] <= area[1];
+    normalize_sides(side, area);
+    const Face_graph both = Part_extractor(mesh_)(faces);
+    const Salience_factors factors = Cut_evaluator(both, faces, context_)(side);
+    monitor_.control().cut_evaluated({Evaluated_cut::BOUNDARY, faces, side, factors});
+    return {salience_of(part_salience_, factors), factors, {area[0], area[1]}, first_is_smaller};
+  }
+
+  // Evaluates the boundaries of a region with its neighbors, or of all regions.
+  void evaluate_boundaries(const std::vector<Index>& faces)
+  {
+    std::set<Pair> neighbors;
+    for (Index f : faces)
+      for (Index h = 3 * f; h < 3 * f + 3; ++h) {
+        const auto [a, b] = std::minmax({region_[f], region_[mesh_.neighbors[h]]});
+        if (a != b)
+          neighbors.insert({a, b});
+      }
+    const std::vector<Pair> pairs(neighbors.begin(), neighbors.end());
+    std::vector<Boundary> evaluations(pairs.size());
+    for_each_index(execution_, pairs.size(),
+                   [&](std::size_t i) { evaluations[i] = evaluated(pairs[i]); });
+    for (std::size_t i = 0; i < pairs.size(); ++i)
+      boundaries_[pairs[i]] = evaluations[i];
+  }
+
+  void merge(const Pair& regions)
+  {
+    const auto [into, from] = regions;
+    for (auto b = boundaries_.begin(); b != boundaries_.end();) {
+      const auto [first, second] = b->first;
+      if (first == into || second == into || first == from || second == from)
+        b = boundaries_.erase(b);
+      else
+        ++b;
+    }
+    const std::ptrdiff_t size = static_cast<std::ptrdiff_t>(faces_[into].size());
+    faces_[into].insert(faces_[into].end(), faces_[from].begin(), faces_[from].end());
+    std::inplace_merge(faces_[into].begin(), faces_[into].begin() + size, faces_[into].end());
+    for (Index f : faces_[from])
+      region_[f] = into;
+    faces_[from].clear();
+    evaluate_boundaries(faces_[into]);
+  }
+
+  // Until no region has a neighbor.
+  std::vector<Merge> merge_all()
+  {
+    std::vector<Index> all(mesh_.number_of_faces());
+    std::iota(all.begin(), all.end(), Index(0));
+    evaluate_boundaries(all);
+    std::vector<Merge> merges;
+    while (!boundaries_.empty()) {
+      const auto least = std::min_element(
+        boundaries_.begin(), boundaries_.end(), [](const auto& a, const auto& b)
+        { return quantized(a.second.salience) < quantized(b.second.salience); });
+      merges.push_back({least->first, least->second});
+      merge(merges.back().regions);
+      monitor_.approach(1. / static_cast<double>(faces_.size()));
+    }
+    return merges;
+  }
+
+  // A boundary that outlives another is at least as salient.
+  static void make_ultrametric(std::vector<Merge>& merges)
+  {
+    for (std::size_t k = 1; k < merges.size(); ++k)
+      merges[k].boundary.salience =
+        (std::max)(merges[k].boundary.salience, merges[k - 1].boundary.salience);
+  }
+
+public:
+  Region_merging(Execution execution, const Face_graph& mesh, const Evaluation_context& context,
+                 const Part_salience& part_salience, Run_monitor& monitor)
+    : execution_(execution), mesh_(mesh), context_(context), part_salience_(part_salience),
+      monitor_(monitor) {}
+
+  // The hierarchy of all merges, whose leaves are the regions: the leaves of an over-segmentation.
+  Cut_hierarchy operator()(const Cut_hierarchy& regions)
+  {
+    // Regions are numbered by their first faces.
+    std::vector<std::size_t> number(regions.nodes.size(), null_node);
+    for (Index f = 0; f < mesh_.number_of_faces(); ++f) {
+      std::size_t& region = number[regions.leaf[f]];
+      if (region == null_node) {
+        region = faces_.size();
+        faces_.emplace_back();
+      }
+      region_.push_back(region);
+      faces_[region].push_back(f);
+    }
+    const std::vector<std::size_t> region_of_face = region_;
+    std::vector<Merge> merges = merge_all();
+    make_ultrametric(merges);
+
+    Cut_hierarchy result;
+    result.is_ultrametric = true;
+    result.number_of_roots = regions.number_of_roots;
+    result.nodes.assign(regions.nodes.begin(),
+                        regions.nodes.begin() + static_cast<std::ptrdiff_t>(result.number_of_roots));
+    for (Cut_node& root : result.nodes)
+      root = Cut_node{null_node, {null_node, null_node}, root.area, Cut_state::NO_CUT, 0, {}};
+    // A region that was not merged into another is a root, as components are numbered.
+    std::vector<std::size_t> node(faces_.size()); // of each region, with those merged into it
+    std::size_t next_root = 0;
+    for (std::size_t region = 0; region < faces_.size(); ++region)
+      if (!faces_[region].empty())
+        node[region] = next_root++;
+    CGAL_assertion(next_root == result.number_of_roots);
+    for (auto m = merges.rbegin(); m != merges.rend(); ++m) {
+      const auto [into, from] = m->regions;
+      const std::size_t parent = node[into];
+      Cut_node& n = result.nodes[parent];
+      n.cut_state = Cut_state::ACCEPTED;
+      n.salience = m->boundary.salience;
+      n.factors = m->boundary.factors;
+      result.turns.push_back(parent);
+      result.cut(parent, m->boundary.area[0], m->boundary.area[1]);
+      const std::size_t smaller = result.nodes.size() - 2;
+      node[into] = m->boundary.first_is_smaller ? smaller : smaller + 1;
+      node[from] = m->boundary.first_is_smaller ? smaller + 1 : smaller;
+    }
+    for (Cut_node& n : result.nodes)
+      if (n.is_leaf())
+        n.cut_state = Cut_state::NO_CUT;
+    result.leaf.reserve(region_of_face.size());
+    for (std::size_t region : region_of_face)
+      result.leaf.push_back(static_cast<Index>(node[region]));
+    return result;
+  }
+};
+
+} // namespace internal
+} // namespace Spectral_segmentation
+} // namespace CGAL
+
+#endif // CGAL_SPECTRAL_SEGMENTATION_INTERNAL_HIERARCHY_REGION_MERGING_H

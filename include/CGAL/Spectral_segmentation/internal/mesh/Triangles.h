@@ -1,0 +1,67 @@
+// Copyright (c) 2026  The Spectral_segmentation authors.
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_SPECTRAL_SEGMENTATION_INTERNAL_MESH_TRIANGLES_H
+#define CGAL_SPECTRAL_SEGMENTATION_INTERNAL_MESH_TRIANGLES_H
+
+#include <CGAL/Spectral_segmentation/internal/utility/Index.h>
+
+#include <Eigen/Core>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+#include <vector>
+
+namespace CGAL {
+namespace Spectral_segmentation {
+namespace internal {
+
+typedef Eigen::Vector3d Vector;
+
+// of a face: its vertices; and the faces across its edges, or the face itself where there is none.
+// The i-th edge of a face leaves its i-th corner.
+typedef std::array<Index, 3> Corners;
+typedef std::array<Index, 3> Neighbors;
+
+// The triangles of a mesh, as arrays: what the engine is given.
+struct Triangles
+{
+  std::vector<Corners> corners;     // of each face
+  std::vector<Neighbors> neighbors; // of each face; of both or of neither of two faces at an edge
+  std::vector<Vector> points;       // of each vertex, finite
+};
+
+// Of a face, from its smallest vertex on: so all models of the same mesh give the same arrays.
+inline void start_at_smallest_vertex(Corners& corners, Neighbors& neighbors)
+{
+  const auto first = std::min_element(corners.begin(), corners.end()) - corners.begin();
+  std::rotate(corners.begin(), corners.begin() + first, corners.end());
+  std::rotate(neighbors.begin(), neighbors.begin() + first, neighbors.end());
+}
+
+// Moves the points into [-1, 1]^3 and returns the length of 1 in the old unit, a power of two, so
+// that scaling rounds nothing.
+inline double normalize(std::vector<Vector>& points)
+{
+  Vector smallest = Vector::Constant(std::numeric_limits<double>::infinity());
+  Vector largest = -smallest;
+  for (const Vector& p : points) {
+    smallest = smallest.cwiseMin(p);
+    largest = largest.cwiseMax(p);
+  }
+  const Vector center = smallest / 2 + largest / 2;
+  const double half_extent = (largest / 2 - smallest / 2).maxCoeff();
+  const double unit =
+    half_extent > 0 ? std::ldexp(1., (std::min)(std::ilogb(half_extent) + 1, 1023)) : 1;
+  for (Vector& p : points)
+    p = (p - center) / unit;
+  return unit;
+}
+
+} // namespace internal
+} // namespace Spectral_segmentation
+} // namespace CGAL
+
+#endif // CGAL_SPECTRAL_SEGMENTATION_INTERNAL_MESH_TRIANGLES_H

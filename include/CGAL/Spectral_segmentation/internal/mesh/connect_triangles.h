@@ -1,0 +1,184 @@
+// Copyright (c) 2026  The Spectral_segmentation authors.
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_SPECTRAL_SEGMENTATION_INTERNAL_MESH_CONNECT_TRIANGLES_H
+#define CGAL_SPECTRAL_SEGMENTATION_INTERNAL_MESH_CONNECT_TRIANGLES_H
+
+#include <CGAL/Spectral_segmentation/internal/mesh/Triangles.h>
+
+#include <Eigen/Geometry>
+
+#include <algorithm>
+#include <cstddef>
+#include <utility>
+#include <vector>
+
+namespace CGAL {
+namespace Spectral_segmentation {
+namespace internal {
+
+// Makes a surface of the triangles of a soup: finds their neighbors and orients them.
+//
+// Two faces alone at an edge are neighbors. Of more, those pairs become neighbors, one after the
+// other, that are oriented alike and bend the least, then those that have to be turned; of equals
+// those of the smallest faces. At an edge of very many faces none are.
+//
+// Connected faces are oriented alike; where that is not possible, as on a Moebius strip, an edge
+// becomes border. Faces that are oriented alike already stay as they are. Others are oriented
+// outwards if their surface is closed, and else as most of its area is.
+class Triangle_connection
+{
+  static constexpr std::size_t most_faces_at_edge = 16;
+
+  Triangles& triangles_;
+  std::vector<Index> opposite_; // of each half-edge; null_index on the border
+  std::vector<char> is_turned_; // each face, against its orientation in the soup
+
+  Index source(Index h) const { return triangles_.corners[h / 3][h % 3]; }
+  Index target(Index h) const { return triangles_.corners[h / 3][(h + 1) % 3]; }
+  bool are_alike(Index h, Index g) const { return source(h) != source(g); }
+
+  Vector area_vector(Index f) const
+  {
+    const Corners& c = triangles_.corners[f];
+    const Vector& p = triangles_.points[c[0]];
+    return (triangles_.points[c[1]] - p).cross(triangles_.points[c[2]] - p) / 2;
+  }
+
+  void join(Index h, Index g)
+  {
+    opposite_[h] = g;
+    opposite_[g] = h;
+  }
+
+  // The half-edges of one edge, ascending.
+  void join_pairs(const std::vector<Index>& halfedges)
+  {
+    if (halfedges.size() < 2 || halfedges.size() > most_faces_at_edge)
+      return;
+    if (halfedges.size() == 2) {
+      join(halfedges[0], halfedges[1]);
+      return;
+    }
+    struct Pair
+    {
+      bool is_turned;
+      double bending;
+      Index h, g;
+    };
+    std::vector<Pair> pairs;
+    for (Index h : halfedges)
+      for (Index g : halfedges)
+        if (h < g) {
+          const double cosine =
+            area_vector(h / 3).stableNormalized().dot(area_vector(g / 3).stableNormalized());
+          const bool alike = are_alike(h, g);
+          pairs.push_back({!alike, quantized(alike ? -cosine : cosine), h, g});
+        }
+    std::stable_sort(pairs.begin(), pairs.end(), [](const Pair& a, const Pair& b) {
+      return std::make_pair(a.is_turned, a.bending) < std::make_pair(b.is_turned, b.bending);
+    });
+    for (const Pair& p : pairs)
+      if (opposite_[p.h] == null_index && opposite_[p.g] == null_index)
+        join(p.h, p.g);
+  }
+
+  void find_opposites()
+  {
+    const auto ends = [this](Index h) { return std::minmax({source(h), target(h)}); };
+    // The half-edges by the smaller of their vertices, then by the other one.
+    std::vector<Index> first(triangles_.points.size() + 1, 0);
+    for (Index h = 0; h < opposite_.size(); ++h)
+      ++first[ends(h).first + 1];
+    for (std::size_t v = 1; v < first.size(); ++v)
+      first[v] += first[v - 1];
+    std::vector<Index> sorted(opposite_.size()), next(first);
+    for (Index h = 0; h < opposite_.size(); ++h)
+      sorted[next[ends(h).first]++] = h;
+    std::vector<Index> of_edge;
+    for (std::size_t v = 0; v + 1 < first.size(); ++v) {
+      const auto begin = sorted.begin() + first[v], end = sorted.begin() + first[v + 1];
+      std::sort(begin, end, [&](Index g, Index h)
+        { return std::make_pair(ends(g).second, g) < std::make_pair(ends(h).second, h); });
+      for (auto i = begin; i != end;) {
+        const auto j = std::find_if(i, end, [&](Index h)
+          { return ends(h).second != ends(*i).second; });
+        of_edge.assign(i, j);
+        if (source(*i) != target(*i))
+          join_pairs(of_edge);
+        i = j;
+      }
+    }
+  }
+
+  void orient_component(Index seed, std::vector<char>& is_reached)
+  {
+    std::vector<Index> faces(1, seed);
+    is_reached[seed] = 1;
+    for (std::size_t i = 0; i < faces.size(); ++i)
+      for (Index h = 3 * faces[i]; h < 3 * faces[i] + 3; ++h) {
+        const Index g = opposite_[h];
+        if (g == null_index)
+          continue;
+        const char turned = is_turned_[h / 3] ^ char(!are_alike(h, g));
+        if (!is_reached[g / 3]) {
+          is_reached[g / 3] = 1;
+          is_turned_[g / 3] = turned;
+          faces.push_back(g / 3);
+        }
+        else if (is_turned_[g / 3] != turned)
+          opposite_[h] = opposite_[g] = null_index;
+      }
+    double area[2] = {0, 0}, volume = 0; // of the faces as they are and turned; six times the volume
+    bool is_closed = true;
+    const Vector origin = triangles_.points[source(3 * seed)];
+    for (Index f : faces) {
+      const Vector a = area_vector(f);
+      area[int(is_turned_[f])] += a.norm();
+      volume += (is_turned_[f] ? -1 : 1) * a.dot(triangles_.points[source(3 * f)] - origin);
+      for (Index h = 3 * f; h < 3 * f + 3; ++h)
+        is_closed = is_closed && opposite_[h] != null_index;
+    }
+    const bool is_mixed = std::any_of(faces.begin(), faces.end(),
+                                      [&](Index f) { return is_turned_[f] != 0; });
+    if (is_mixed && (is_closed && volume != 0 ? volume < 0 : area[1] > area[0]))
+      for (Index f : faces)
+        is_turned_[f] = !is_turned_[f];
+  }
+
+public:
+  explicit Triangle_connection(Triangles& triangles)
+    : triangles_(triangles), opposite_(3 * triangles.corners.size(), null_index),
+      is_turned_(triangles.corners.size(), 0) {}
+
+  void operator()()
+  {
+    find_opposites();
+    std::vector<char> is_reached(is_turned_.size(), 0);
+    for (Index f = 0; f < is_turned_.size(); ++f)
+      if (!is_reached[f])
+        orient_component(f, is_reached);
+
+    triangles_.neighbors.resize(is_turned_.size());
+    for (Index f = 0; f < is_turned_.size(); ++f) {
+      Neighbors& neighbors = triangles_.neighbors[f];
+      for (int i = 0; i < 3; ++i)
+        neighbors[i] = opposite_[3 * f + i] == null_index ? f : opposite_[3 * f + i] / 3;
+    }
+    for (Index f = 0; f < is_turned_.size(); ++f) {
+      Corners& corners = triangles_.corners[f];
+      Neighbors& neighbors = triangles_.neighbors[f];
+      if (is_turned_[f]) {
+        std::swap(corners[1], corners[2]);
+        std::swap(neighbors[0], neighbors[2]);
+      }
+      start_at_smallest_vertex(corners, neighbors);
+    }
+  }
+};
+
+} // namespace internal
+} // namespace Spectral_segmentation
+} // namespace CGAL
+
+#endif // CGAL_SPECTRAL_SEGMENTATION_INTERNAL_MESH_CONNECT_TRIANGLES_H

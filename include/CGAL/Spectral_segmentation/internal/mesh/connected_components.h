@@ -1,0 +1,100 @@
+// Copyright (c) 2026  The Spectral_segmentation authors.
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_SPECTRAL_SEGMENTATION_INTERNAL_MESH_CONNECTED_COMPONENTS_H
+#define CGAL_SPECTRAL_SEGMENTATION_INTERNAL_MESH_CONNECTED_COMPONENTS_H
+
+#include <CGAL/Spectral_segmentation/internal/mesh/Face_graph.h>
+
+#include <boost/pending/disjoint_sets.hpp>
+#include <boost/property_map/property_map.hpp>
+
+#include <cstddef>
+#include <vector>
+
+namespace CGAL {
+namespace Spectral_segmentation {
+namespace internal {
+
+// The components of faces that are added one by one, by union-find.
+class Face_components
+{
+  typedef boost::typed_identity_property_map<Index> Face_index;
+  typedef boost::iterator_property_map<std::vector<Index>::iterator, Face_index> Map;
+
+  std::vector<Index> rank_, parent_;
+  boost::disjoint_sets<Map, Map> sets_;
+  std::size_t number_ = 0;
+
+public:
+  explicit Face_components(std::size_t number_of_faces)
+    : rank_(number_of_faces), parent_(number_of_faces),
+      sets_(Map(rank_.begin(), Face_index()), Map(parent_.begin(), Face_index())) {}
+
+  Face_components(const Face_components&) = delete; // the sets look into the vectors
+  Face_components& operator=(const Face_components&) = delete;
+
+  void add(Index f)
+  {
+    sets_.make_set(f);
+    ++number_;
+  }
+
+  // Two faces that were added.
+  void join(Index f, Index g)
+  {
+    const Index a = sets_.find_set(f), b = sets_.find_set(g);
+    if (a == b)
+      return;
+    sets_.link(a, b);
+    --number_;
+  }
+
+  Index representative(Index f) { return sets_.find_set(f); }
+  std::size_t number() const { return number_; }
+};
+
+// The component of each face, numbered in the order of their first faces, where neighbors are
+// connected if `are_connected(f, g)`. A fifth of the time of BGL's depth-first search.
+template <class AreConnected>
+std::vector<Index> connected_components(const Face_graph& graph, std::size_t& number,
+                                        const AreConnected& are_connected)
+{
+  const Index n = static_cast<Index>(graph.number_of_faces());
+  Face_components components(n);
+  for (Index f = 0; f < n; ++f)
+    components.add(f);
+  for (Index h = 0; h < graph.number_of_halfedges(); ++h) {
+    const Index f = h / 3, g = graph.neighbors[h];
+    if (f < g && are_connected(f, g))
+      components.join(f, g);
+  }
+  number = 0;
+  std::vector<Index> result(n), number_of(n, null_index); // of the representative
+  for (Index f = 0; f < n; ++f) {
+    Index& component = number_of[components.representative(f)];
+    if (component == null_index)
+      component = static_cast<Index>(number++);
+    result[f] = component;
+  }
+  return result;
+}
+
+inline std::vector<Index> connected_components(const Face_graph& graph, std::size_t& number)
+{ return connected_components(graph, number, [](Index, Index) { return true; }); }
+
+inline std::vector<double> component_areas(const Face_graph& graph,
+                                           const std::vector<Index>& component, std::size_t number)
+{
+  std::vector<double> areas(number, 0);
+  for (Index f = 0; f < graph.number_of_faces(); ++f)
+    areas[component[f]] += graph.areas[f];
+  return areas;
+}
+
+
+} // namespace internal
+} // namespace Spectral_segmentation
+} // namespace CGAL
+
+#endif // CGAL_SPECTRAL_SEGMENTATION_INTERNAL_MESH_CONNECTED_COMPONENTS_H

@@ -1,0 +1,114 @@
+// Copyright (c) 2026  The Spectral_segmentation authors.
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_SPECTRAL_SEGMENTATION_INTERNAL_MESH_EXTRACT_PART_H
+#define CGAL_SPECTRAL_SEGMENTATION_INTERNAL_MESH_EXTRACT_PART_H
+
+#include <CGAL/Spectral_segmentation/internal/mesh/Face_graph.h>
+
+#include <algorithm>
+#include <cstddef>
+#include <utility>
+#include <vector>
+
+namespace CGAL {
+namespace Spectral_segmentation {
+namespace internal {
+
+// Extracts sets of faces of a graph as graphs of their own, each in time linear in the size of the
+// set. It holds arrays of the size of the graph.
+class Part_extractor
+{
+  const Face_graph& graph_;
+  std::vector<Index> face_, vertex_; // their numbers in the part at hand, else null_index
+
+  void resize(Face_graph& part, std::size_t number_of_faces) const
+  {
+    part.corners.resize(number_of_faces);
+    part.areas.resize(number_of_faces);
+    part.thickness.resize(graph_.thickness.empty() ? 0 : number_of_faces);
+    part.neighbors.resize(3 * number_of_faces);
+    part.weights.resize(graph_.weights.empty() ? 0 : 3 * number_of_faces);
+  }
+
+public:
+  explicit Part_extractor(const Face_graph& graph)
+    : graph_(graph), face_(graph.number_of_faces(), null_index),
+      vertex_(graph.points.size(), null_index) {}
+
+  // Faces keep the order in which they are given; edges to other faces become border. If they
+  // ascend, `part` may be the graph itself, which loses all others.
+  void extract(const std::vector<Index>& faces, Face_graph& part)
+  {
+    if (part.number_of_faces() < faces.size())
+      resize(part, faces.size());
+    for (Index i = 0; i < faces.size(); ++i)
+      face_[faces[i]] = i;
+    std::vector<Vector> points;
+    std::vector<Index> vertices; // of the graph
+    for (Index i = 0; i < faces.size(); ++i) {
+      const Index f = faces[i];
+      for (int j = 0; j < 3; ++j) {
+        const Index v = graph_.corners[f][j];
+        if (vertex_[v] == null_index) {
+          vertex_[v] = static_cast<Index>(vertices.size());
+          vertices.push_back(v);
+          points.push_back(graph_.points[v]);
+        }
+        part.corners[i][j] = vertex_[v];
+        const Index neighbor = face_[graph_.neighbors[3 * f + j]];
+        part.neighbors[3 * i + j] = neighbor == null_index ? i : neighbor;
+        if (!graph_.weights.empty())
+          part.weights[3 * i + j] = graph_.weights[3 * f + j];
+      }
+      part.areas[i] = graph_.areas[f];
+      if (!graph_.thickness.empty())
+        part.thickness[i] = graph_.thickness[f];
+    }
+    resize(part, faces.size());
+    part.points = std::move(points);
+    for (Index f : faces)
+      face_[f] = null_index;
+    for (Index v : vertices)
+      vertex_[v] = null_index;
+  }
+
+  Face_graph operator()(const std::vector<Index>& faces)
+  {
+    Face_graph part;
+    extract(faces, part);
+    return part;
+  }
+};
+
+// The parts of a graph. `part` has the number of the part of each face. Faces keep their order.
+// The largest part stays in the memory of the graph.
+template <class Number>
+std::vector<Face_graph> split(Face_graph graph, const std::vector<Number>& part,
+                              std::size_t number_of_parts)
+{
+  std::vector<Face_graph> result(number_of_parts);
+  if (number_of_parts == 1)
+    result[0] = std::move(graph);
+  if (number_of_parts < 2)
+    return result;
+  std::vector<std::vector<Index> > faces(number_of_parts);
+  for (Index f = 0; f < graph.number_of_faces(); ++f)
+    faces[static_cast<std::size_t>(part[f])].push_back(f);
+  const auto has_less = [](const auto& a, const auto& b) { return a.size() < b.size(); };
+  const std::size_t largest =
+    std::max_element(faces.begin(), faces.end(), has_less) - faces.begin();
+  Part_extractor extractor(graph);
+  for (std::size_t i = 0; i < number_of_parts; ++i)
+    if (i != largest)
+      extractor.extract(faces[i], result[i]);
+  extractor.extract(faces[largest], graph);
+  result[largest] = std::move(graph);
+  return result;
+}
+
+} // namespace internal
+} // namespace Spectral_segmentation
+} // namespace CGAL
+
+#endif // CGAL_SPECTRAL_SEGMENTATION_INTERNAL_MESH_EXTRACT_PART_H

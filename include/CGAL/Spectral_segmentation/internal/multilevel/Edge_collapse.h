@@ -1,0 +1,416 @@
+// Copyright (c) 2026  The Spectral_segmentation authors.
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_SPECTRAL_SEGMENTATION_INTERNAL_MULTILEVEL_EDGE_COLLAPSE_H
+#define CGAL_SPECTRAL_SEGMENTATION_INTERNAL_MULTILEVEL_EDGE_COLLAPSE_H
+
+#include <CGAL/Spectral_segmentation/internal/mesh/Face_graph.h>
+#include <CGAL/Spectral_segmentation/internal/mesh/Principal_frame.h>
+#include <CGAL/Spectral_segmentation/internal/multilevel/Edge_queue.h>
+#include <CGAL/Spectral_segmentation/internal/multilevel/domains.h>
+#include <CGAL/Spectral_segmentation/internal/utility/Run_monitor.h>
+#include <CGAL/Spectral_segmentation/internal/utility/concurrency.h>
+
+#include <CGAL/Iterator_range.h>
+
+#include <boost/container/small_vector.hpp>
+#include <boost/iterator/counting_iterator.hpp>
+
+#include <Eigen/Core>
+#include <Eigen/Geometry>
+#include <Eigen/LU>
+
+#include <algorithm>
+#include <cstddef>
+#include <cstdint>
+#include <iterator>
+#include <numeric>
+#include <optional>
+#include <utility>
+#include <vector>
+
+namespace CGAL {
+namespace Spectral_segmentation {
+namespace internal {
+
+// A mesh of the same shape and topology with fewer faces, all of about the same size.
+struct Coarse_mesh
+{
+  Face_graph graph;            // without weights
+  std::vector<Index> faces;    // of the mesh, ascending: what is left of them are the graph's
+  std::vector<Index> vertices; // of the graph: which one each vertex of the mesh became
+};
+
+// Collapses edges, the shortest first, until few faces are left. The vertex that is left goes where
+// it keeps the planes of the faces around, weighted by their squared areas, as Lindstrom and Turk
+// (1998) keep the volume. CGAL's edge_collapse() takes ten times as long (benchmark/performance,
+// coarsening).
+//
+// A large mesh is first divided into compact domains, which threads take one by one; edges with an
+// end on the seam, which are vertices of several domains, stay. So all faces around both ends of an
+// edge that collapses are of one domain. A collapse reads and writes the corners of these faces, and
+// `opposite_` of their half-edges and of those across edges at the two ends, which are of these
+// faces too; it writes the point of one end. Besides it reads points of neighboring vertices: of
+// this domain, or on the seam, which nobody moves. It does not walk around a third vertex that is on
+// the seam. So no thread reads what another one writes.
+//
+// Coordinates are in the principal frame, on a grid, and ties are broken by a hash of them, so that
+// the result moves with the mesh and does not depend on the numbers of its vertices and faces.
+class Edge_collapse
+{
+  typedef boost::container::small_vector<Index, 16> Index_list;
+
+  const Execution execution_;
+  Run_monitor& monitor_;
+  const double progress_per_face_;
+
+  std::vector<Corners> corners_;               // null_index for faces that are gone
+  std::vector<Index> opposite_;                // of each half-edge; null_index on the border
+  std::vector<Vector> points_;
+  std::vector<Index> became_;                  // what each vertex was joined to, or itself
+  std::vector<char> is_fixed_;                 // vertices that stay as they are
+  std::vector<char> is_on_seam_;               // of domains; empty without domains
+
+  static constexpr std::size_t faces_per_domain = 1 << 13;
+  static constexpr std::size_t tries_between_checks = 1 << 12; // a few milliseconds
+
+  static Index next(Index h) { return h % 3 == 2 ? h - 2 : h + 1; }
+  static Index previous(Index h) { return h % 3 == 0 ? h + 2 : h - 1; }
+  Index source(Index h) const { return corners_[h / 3][h % 3]; }
+  Index target(Index h) const { return source(next(h)); }
+  bool is_gone(Index f) const { return corners_[f][0] == null_index; }
+  bool is_on_seam(Index v) const { return !is_on_seam_.empty() && is_on_seam_[v]; }
+  bool must_stay(Index v) const { return is_fixed_[v] || is_on_seam(v); }
+
+  static constexpr double steps_per_unit = 1 << 30; // of the grid of coordinates
+  static constexpr double smallest_cosine = 0.3;    // between a normal before and after a collapse
+
+  static Vector on_grid(const Vector& p)
+  { return ((p.array() * steps_per_unit + 0.5).floor() / steps_per_unit).matrix(); }
+
+  // The half-edges that leave the source of h, one for each face around it.
+  Index_list around_source(Index h) const
+  {
+    Index_list result;
+    Index g = h;
+    do {
+      result.push_back(g);
+      g = opposite_[previous(g)];
+    } while (g != null_index && g != h);
+    if (g == null_index)
+      for (g = h; opposite_[g] != null_index;) {
+        g = next(opposite_[g]);
+        result.push_back(g);
+      }
+    return result;
+  }
+
+  // Whether there are at most three faces around the source of h, and no border.
+  bool has_few_faces_around(Index h) const
+  {
+    Index g = h;
+    for (int i = 0; i < 3; ++i) {
+      g = opposite_[previous(g)];
+      if (g == null_index || g == h)
+        return g == h;
+    }
+    return false;
+  }
+
+  bool is_on_border(const Index_list& around) const
+  {
+    return std::any_of(around.begin(), around.end(), [&](Index h)
+      { return opposite_[h] == null_index || opposite_[previous(h)] == null_index; });
+  }
+
+  Index_list neighbors(const Index_list& around) const
+  {
+    Index_list result;
+    for (Index h : around) {
+      result.push_back(target(h));
+      result.push_back(source(previous(h)));
+    }
+    std::sort(result.begin(), result.end());
+    result.erase(std::unique(result.begin(), result.end()), result.end());
+    return result;
+  }
+
+  // Of a point on the grid. The same on every machine, unlike the hashes of libraries: the finalizer
+  // of SplitMix64 (Steele, Lea, Flood 2014).
+  static std::uint32_t hash(const Vector& p)
+  {
+    std::uint64_t h = 0;
+    for (int i = 0; i < 3; ++i) {
+      h += static_cast<std::uint64_t>(static_cast<std::int64_t>(p[i] * steps_per_unit)) +
+           0x9e3779b97f4a7c15;
+      h = (h ^ (h >> 30)) * 0xbf58476d1ce4e5b9;
+      h = (h ^ (h >> 27)) * 0x94d049bb133111eb;
+      h ^= h >> 31;
+    }
+    return static_cast<std::uint32_t>(h);
+  }
+
+  std::uint64_t key(Index h) const
+  {
+    const Vector &p = points_[source(h)], &q = points_[target(h)];
+    return Edge_queue::key(static_cast<float>((q - p).squaredNorm()), hash(p + q));
+  }
+
+  // Of the face of h if the source of h moves.
+  Vector normal(Index h, const Vector& point) const
+  { return (points_[target(h)] - point).cross(points_[source(previous(h))] - point); }
+
+  static void add_plane(const Vector& normal, const Vector& offset, Eigen::Matrix3d& matrix,
+                        Vector& right)
+  {
+    matrix += normal * normal.transpose();
+    right += normal * normal.dot(offset);
+  }
+
+  // The point nearest to the planes around the two ends of an edge, and not far from its middle.
+  Vector best_point(Index h, const Index_list& around_u, const Index_list& around_v) const
+  {
+    const Vector &p = points_[source(h)], &q = points_[target(h)], middle = (p + q) / 2;
+    Eigen::Matrix3d matrix = Eigen::Matrix3d::Zero();
+    Vector right = Vector::Zero();
+    for (const Index_list* around : {&around_u, &around_v})
+      for (Index g : *around) {
+        const Vector &at = points_[source(g)], n = normal(g, at);
+        add_plane(n, at - middle, matrix, right);
+        // Planes along the border keep it where it is.
+        for (Index e : {g, previous(g)})
+          if (opposite_[e] == null_index)
+            add_plane((points_[target(e)] - points_[source(e)]).cross(n.stableNormalized()) *
+                        (q - p).norm(), at - middle, matrix, right);
+      }
+    // Regularized, so that the point stays near the middle along planes that are parallel.
+    matrix.diagonal().array() += 1e-3 * matrix.trace() + 1e-300;
+    const Vector step = matrix.inverse() * right;
+    const bool is_near = step.allFinite() && step.squaredNorm() <= (q - p).squaredNorm();
+    return is_near ? on_grid(middle + step) : on_grid(middle);
+  }
+
+  // The link condition (Dey et al. 1999), and no face must turn over.
+  bool can_collapse(Index h, const Index_list& around_u, const Index_list& around_v, Vector& point) const
+  {
+    const Index u = source(h), v = target(h), o = opposite_[h];
+    const bool u_on_border = is_on_border(around_u), v_on_border = is_on_border(around_v);
+    if (u_on_border && v_on_border && o != null_index)
+      return false;
+    const Index_list of_u = neighbors(around_u), of_v = neighbors(around_v);
+    Index_list common;
+    std::set_intersection(of_u.begin(), of_u.end(), of_v.begin(), of_v.end(),
+                          std::back_inserter(common));
+    if (common.size() != (o == null_index ? 1 : 2))
+      return false;
+    for (Index e : {h, o}) {
+      if (e == null_index)
+        continue;
+      if (opposite_[next(e)] == null_index && opposite_[previous(e)] == null_index)
+        return false;
+      // Not around a vertex on a seam: it has more faces, and other threads may be at work there.
+      if (is_on_seam(source(previous(e))))
+        continue;
+      if (has_few_faces_around(previous(e)))
+        return false;
+    }
+    if (o != null_index && (u_on_border || v_on_border))
+      point = points_[u_on_border ? u : v];
+    else
+      point = best_point(h, around_u, around_v);
+    for (const Index_list* around : {&around_u, &around_v})
+      for (Index g : *around) {
+        if (g / 3 == h / 3 || (o != null_index && g / 3 == o / 3))
+          continue;
+        const Vector before = normal(g, points_[source(g)]), after = normal(g, point);
+        if (!before.isZero(0) && !(after.dot(before) > smallest_cosine * after.norm() * before.norm()))
+          return false;
+      }
+    return true;
+  }
+
+  // Joins the two outer edges of the face of e, which goes.
+  void remove_face(Index e)
+  {
+    const Index a = opposite_[next(e)], b = opposite_[previous(e)];
+    if (a != null_index)
+      opposite_[a] = b;
+    if (b != null_index)
+      opposite_[b] = a;
+    corners_[e / 3][0] = null_index;
+  }
+
+  void collapse(Index h, const Index_list& around_u, const Index_list& around_v, const Vector& point,
+                Edge_queue& edges)
+  {
+    const Index u = source(h), v = target(h), o = opposite_[h];
+    for (Index g : around_v)
+      corners_[g / 3][g % 3] = u;
+    points_[u] = point;
+    became_[v] = u;
+    remove_face(h);
+    if (o != null_index)
+      remove_face(o);
+    for (const Index_list* around : {&around_u, &around_v})
+      for (Index g : *around)
+        if (!is_gone(g / 3)) {
+          edges.push({key(g), g});
+          if (opposite_[previous(g)] == null_index)
+            edges.push({key(previous(g)), previous(g)});
+        }
+  }
+
+  // Of some faces, until at most `number` of them are left or no edge is left to try.
+  template <class Faces>
+  void collapse_edges(const Faces& faces, std::size_t number)
+  {
+    Edge_queue edges; // those that changed since are there again
+    std::size_t left = 0, tries = 0, reported = 0;
+    for (Index f : faces) {
+      if (is_gone(f))
+        continue;
+      ++left;
+      for (Index h = 3 * f; h < 3 * f + 3; ++h)
+        if (opposite_[h] == null_index || h < opposite_[h])
+          edges.push({key(h), h});
+    }
+    reported = left;
+    while (left > number) {
+      if (++tries % tries_between_checks == 0) {
+        monitor_.check();
+        monitor_.advance(progress_per_face_ * static_cast<double>(reported - left));
+        reported = left;
+      }
+      const std::optional<Edge_queue::Edge> shortest = edges.pop();
+      if (!shortest)
+        return;
+      const auto [old_key, h] = *shortest;
+      if (is_gone(h / 3) || key(h) != old_key || must_stay(source(h)) || must_stay(target(h)))
+        continue;
+      const Index_list around_u = around_source(h), around_v = around_source(next(h));
+      Vector point;
+      if (can_collapse(h, around_u, around_v, point)) {
+        left -= opposite_[h] == null_index ? 1 : 2;
+        collapse(h, around_u, around_v, point, edges);
+      }
+    }
+  }
+
+  void collapse_edges_by_domains(std::size_t number)
+  {
+    const std::vector<std::vector<Index> > faces = domains(corners_, points_, faces_per_domain);
+    std::vector<double> areas(faces.size(), 0);
+    for_each_index(execution_, faces.size(), [&](std::size_t d) {
+      for (Index f : faces[d])
+        areas[d] += normal(3 * f, points_[source(3 * f)]).norm();
+    });
+    std::vector<Index> domain(points_.size(), null_index);
+    is_on_seam_.assign(points_.size(), 0);
+    for (Index d = 0; d < faces.size(); ++d)
+      for (Index f : faces[d])
+        for (Index v : corners_[f]) {
+          is_on_seam_[v] = is_on_seam_[v] || (domain[v] != null_index && domain[v] != d);
+          domain[v] = d;
+        }
+    const double faces_per_area = shared_by_area(static_cast<double>(number), faces, areas);
+    for_each_index(execution_, faces.size(), [&](std::size_t d) {
+      // Those with an edge on a seam are left besides.
+      const auto at_seam = std::count_if(faces[d].begin(), faces[d].end(), [&](Index f) {
+        const Corners& c = corners_[f];
+        return is_on_seam_[c[0]] + is_on_seam_[c[1]] + is_on_seam_[c[2]] >= 2;
+      });
+      const double all = static_cast<double>(faces[d].size());
+      collapse_edges(faces[d], static_cast<std::size_t>(
+        (std::min)(faces_per_area * areas[d] + static_cast<double>(at_seam), all)));
+    });
+    is_on_seam_.clear();
+  }
+
+public:
+  // `progress_per_face` is the share of the phase that one face less is.
+  Edge_collapse(Execution execution, const Face_graph& mesh, Run_monitor& monitor,
+                double progress_per_face)
+    : execution_(execution), monitor_(monitor), progress_per_face_(progress_per_face),
+      corners_(mesh.corners), opposite_(mesh.neighbors.size(), null_index),
+      points_(mesh.points.size()), became_(mesh.points.size()), is_fixed_(mesh.points.size(), 0)
+  {
+    const Principal_frame frame(execution, mesh);
+    for_each_index(execution_, points_.size(), [&](std::size_t v)
+      { points_[v] = on_grid(frame.point(mesh.points[v])); });
+    std::iota(became_.begin(), became_.end(), Index(0));
+    for_each_index(execution_, opposite_.size(), [&](std::size_t i) {
+      const Index h = static_cast<Index>(i);
+      if (!mesh.is_border(h))
+        opposite_[h] = mesh.opposite(h);
+    });
+
+    std::vector<Index> outgoing(points_.size(), null_index);
+    std::vector<Index> number_of_faces_around(points_.size(), 0);
+    for (Index h = 0; h < opposite_.size(); ++h) {
+      outgoing[source(h)] = h;
+      ++number_of_faces_around[source(h)];
+    }
+    // Where several fans of faces meet in a vertex, each knows nothing of the others.
+    for_each_index(execution_, outgoing.size(), [&](std::size_t v) {
+      is_fixed_[v] = outgoing[v] == null_index ||
+                     around_source(outgoing[v]).size() != number_of_faces_around[v];
+    });
+  }
+
+  // Until at most `number_of_faces` are left, or no edge is left to try; or, if some more will do,
+  // those that are left at the seams of domains besides.
+  void collapse_edges(std::size_t number_of_faces, bool more_will_do)
+  {
+    const bool is_large = corners_.size() >= 4 * faces_per_domain;
+    if (is_large)
+      collapse_edges_by_domains(number_of_faces);
+    if (!is_large || !more_will_do)
+      collapse_edges(make_range(boost::counting_iterator<Index>(0),
+                                boost::counting_iterator<Index>(Index(corners_.size()))),
+                     number_of_faces);
+  }
+
+  Coarse_mesh result()
+  {
+    Coarse_mesh result;
+    Face_graph& graph = result.graph;
+    std::vector<Index> new_vertex(points_.size(), null_index), new_face(corners_.size());
+    for (Index f = 0; f < corners_.size(); ++f) {
+      if (is_gone(f))
+        continue;
+      new_face[f] = static_cast<Index>(result.faces.size());
+      result.faces.push_back(f);
+      for (Index v : corners_[f])
+        if (new_vertex[v] == null_index) {
+          new_vertex[v] = static_cast<Index>(graph.points.size());
+          graph.points.push_back(points_[v]);
+        }
+    }
+    graph.corners.resize(result.faces.size());
+    graph.neighbors.resize(3 * result.faces.size());
+    for_each_index(execution_, result.faces.size(), [&](std::size_t i) {
+      const Index f = result.faces[i];
+      for (Index j = 0; j < 3; ++j) {
+        const Index o = opposite_[3 * f + j];
+        graph.corners[i][j] = new_vertex[corners_[f][j]];
+        graph.neighbors[3 * i + j] = new_face[o == null_index ? f : o / 3];
+      }
+    });
+    set_areas(execution_, graph);
+    // A vertex became one of those before which it was joined, and so on.
+    result.vertices.resize(points_.size());
+    for (Index v = 0; v < became_.size(); ++v) {
+      Index last = v;
+      while (became_[last] != last)
+        last = became_[last] = became_[became_[last]];
+      result.vertices[v] = new_vertex[last];
+    }
+    return result;
+  }
+};
+
+} // namespace internal
+} // namespace Spectral_segmentation
+} // namespace CGAL
+
+#endif // CGAL_SPECTRAL_SEGMENTATION_INTERNAL_MULTILEVEL_EDGE_COLLAPSE_H

@@ -1,0 +1,78 @@
+// Copyright (c) 2026  The Spectral_segmentation authors.
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_SPECTRAL_SEGMENTATION_INTERNAL_MULTILEVEL_DOMAINS_H
+#define CGAL_SPECTRAL_SEGMENTATION_INTERNAL_MULTILEVEL_DOMAINS_H
+
+#include <CGAL/Spectral_segmentation/internal/mesh/Triangles.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <limits>
+#include <utility>
+#include <vector>
+
+namespace CGAL {
+namespace Spectral_segmentation {
+namespace internal {
+
+// Compact sets of about so many faces: those in each cell of a grid. No set is empty.
+inline std::vector<std::vector<Index> > domains(const std::vector<Corners>& corners,
+                                                const std::vector<Vector>& points,
+                                                std::size_t faces_per_domain)
+{
+  // A surface meets about as many cells as there are in two layers of the grid.
+  const double width = std::ceil(
+    std::sqrt(static_cast<double>(corners.size()) / static_cast<double>(2 * faces_per_domain)));
+  Vector smallest = points.front(), largest = smallest;
+  for (const Vector& p : points) {
+    smallest = smallest.cwiseMin(p);
+    largest = largest.cwiseMax(p);
+  }
+  const double extent = (largest - smallest).maxCoeff();
+  const double cells_per_length = extent > 0 ? width / extent : 0;
+  const Index n = static_cast<Index>(width);
+  std::vector<std::vector<Index> > result(n * n * n);
+  for (Index f = 0; f < corners.size(); ++f) {
+    const Corners& c = corners[f];
+    const Vector place =
+      ((points[c[0]] + points[c[1]] + points[c[2]]) / 3 - smallest) * cells_per_length;
+    Index cell = 0;
+    for (int i = 0; i < 3; ++i)
+      cell = n * cell + (std::min)(static_cast<Index>((std::max)(place[i], 0.)), n - 1);
+    result[cell].push_back(f);
+  }
+  result.erase(std::remove_if(result.begin(), result.end(),
+                              [](const std::vector<Index>& faces) { return faces.empty(); }),
+               result.end());
+  return result;
+}
+
+// How many faces there are for a unit of area if so many are shared by all domains, of which none
+// takes more than it has.
+inline double shared_by_area(double number, const std::vector<std::vector<Index> >& faces,
+                             const std::vector<double>& areas)
+{
+  std::vector<std::pair<double, std::size_t> > full_at; // the faces per area that a domain has
+  double area = 0;
+  for (std::size_t d = 0; d < faces.size(); ++d)
+    if (areas[d] > 0) {
+      full_at.push_back({static_cast<double>(faces[d].size()) / areas[d], d});
+      area += areas[d];
+    }
+  std::sort(full_at.begin(), full_at.end());
+  for (const auto& [density, d] : full_at) {
+    if (density * area >= number)
+      return number / area;
+    number -= static_cast<double>(faces[d].size());
+    area -= areas[d];
+  }
+  return std::numeric_limits<double>::max();
+}
+
+} // namespace internal
+} // namespace Spectral_segmentation
+} // namespace CGAL
+
+#endif // CGAL_SPECTRAL_SEGMENTATION_INTERNAL_MULTILEVEL_DOMAINS_H

@@ -1,0 +1,143 @@
+// Copyright (c) 2026  The Spectral_segmentation authors.
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_SPECTRAL_SEGMENTATION_INTERNAL_SALIENCE_BOUNDARY_STATISTICS_H
+#define CGAL_SPECTRAL_SEGMENTATION_INTERNAL_SALIENCE_BOUNDARY_STATISTICS_H
+
+#include <CGAL/Spectral_segmentation/Part_salience.h>
+#include <CGAL/Spectral_segmentation/internal/mesh/Face_graph.h>
+#include <CGAL/Spectral_segmentation/internal/mesh/surface_integrals.h>
+#include <CGAL/Spectral_segmentation/internal/utility/prefetch.h>
+
+#include <Eigen/Core>
+#include <Eigen/Eigenvalues>
+#include <Eigen/Geometry>
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <vector>
+
+namespace CGAL {
+namespace Spectral_segmentation {
+namespace internal {
+
+// The patch Q of the line search (Section 5.3), to which faces are added one by one, and the
+// factors of the salience of the cut between Q and the rest (Section 6). Both take constant time.
+class Boundary_statistics
+{
+  const Face_graph& part_;
+  double area_of_part_;
+  double largest_angle_ = 0; // over the inner edges of the part
+  Vector origin_;            // near the points, so that their squares keep their digits
+
+  std::vector<char> has_face_;
+  double area_ = 0;
+
+  std::size_t number_of_edges_ = 0; // of the cut
+  double concavity_ = 0;            // sum of H over its concave edges; exact, as H is on a grid
+
+  std::vector<Index> valence_;         // of each vertex: the number of its edges in the cut
+  std::size_t number_of_vertices_ = 0; // along the cut, and the moments of their positions
+  Vector sum_ = Vector::Zero();
+  Eigen::Matrix3d sum_of_squares_ = Eigen::Matrix3d::Zero();
+
+  void add_vertex(Index v)
+  {
+    if (valence_[v]++ > 0)
+      return;
+    const Vector p = part_.points[v] - origin_;
+    ++number_of_vertices_;
+    sum_ += p;
+    sum_of_squares_ += p * p.transpose();
+  }
+
+  void remove_vertex(Index v)
+  {
+    if (--valence_[v] > 0)
+      return;
+    const Vector p = part_.points[v] - origin_;
+    --number_of_vertices_;
+    sum_ -= p;
+    sum_of_squares_ -= p * p.transpose();
+  }
+
+public:
+  explicit Boundary_statistics(const Face_graph& part)
+    : part_(part), area_of_part_(total_area(part)), origin_(part.centroid(0)),
+      has_face_(part.number_of_faces(), 0), valence_(part.points.size(), 0)
+  {
+    float largest = 0;
+    for (Index f = 0; f < part.number_of_faces(); ++f)
+      for (Index h = 3 * f; h < 3 * f + 3; ++h)
+        largest = (std::max)(largest, part.is_border(h) ? 0 : part.weights[h].angle);
+    largest_angle_ = largest;
+  }
+
+  void add(Index f)
+  {
+    has_face_[f] = 1;
+    area_ += part_.areas[f];
+    for (Index h = 3 * f; h < 3 * f + 3; ++h) {
+      if (part_.is_border(h))
+        continue;
+      const float concavity = part_.weights[h].concavity;
+      if (has_face_[part_.neighbors[h]]) {
+        --number_of_edges_;
+        concavity_ -= concavity;
+        remove_vertex(part_.source_vertex(h));
+        remove_vertex(part_.target_vertex(h));
+      }
+      else {
+        ++number_of_edges_;
+        concavity_ += concavity;
+        add_vertex(part_.source_vertex(h));
+        add_vertex(part_.target_vertex(h));
+      }
+    }
+  }
+
+  // Before it is added.
+  void prefetch_face(Index f) const
+  {
+    prefetch(&part_.areas[f]);
+    prefetch(&part_.corners[f]);
+    prefetch(&part_.neighbors[3 * f]);
+    prefetch(&part_.weights[3 * f]);
+    prefetch(&part_.weights[3 * f + 2]);
+  }
+
+  bool has_face(Index f) const { return has_face_[f] != 0; }
+  double area() const { return area_; }
+  double area_of_part() const { return area_of_part_; }
+  double area_of_rest() const { return area_of_part_ - area_; }
+  double smaller_area() const { return (std::min)(area(), area_of_rest()); }
+
+  // Defined while both sides have an area and the cut has an edge.
+  Salience_factors factors() const
+  {
+    Salience_factors result;
+    result.size = smaller_area() / area_of_part_;
+    if (largest_angle_ > 0)
+      result.cut_strength = concavity_ / (static_cast<double>(number_of_edges_) * largest_angle_);
+
+    const double n = static_cast<double>(number_of_vertices_);
+    const Vector mean = sum_ / n;
+    const Eigen::Matrix3d c = sum_of_squares_ / n - mean * mean.transpose();
+    // The product of the two largest eigenvalues is the largest eigenvalue of the adjugate; found
+    // as one root it is accurate also where the cut is nearly straight and the second one vanishes.
+    Eigen::Matrix3d adjugate; // c is symmetric
+    adjugate << c.col(1).cross(c.col(2)), c.col(2).cross(c.col(0)), c.col(0).cross(c.col(1));
+    Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> solver;
+    solver.computeDirect(adjugate, Eigen::EigenvaluesOnly);
+    const double product = (std::max)(solver.eigenvalues()[2], 0.);
+    result.protrusiveness = 1 - 4 * std::sqrt(product) / smaller_area();
+    return result;
+  }
+};
+
+} // namespace internal
+} // namespace Spectral_segmentation
+} // namespace CGAL
+
+#endif // CGAL_SPECTRAL_SEGMENTATION_INTERNAL_SALIENCE_BOUNDARY_STATISTICS_H

@@ -1,0 +1,65 @@
+// Copyright (c) 2026  The Spectral_segmentation authors.
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_SPECTRAL_SEGMENTATION_INTERNAL_SALIENCE_CUT_H
+#define CGAL_SPECTRAL_SEGMENTATION_INTERNAL_SALIENCE_CUT_H
+
+#include <CGAL/Spectral_segmentation/Part_salience.h>
+#include <CGAL/Spectral_segmentation/internal/utility/Index.h>
+
+#include <cmath>
+#include <limits>
+#include <utility>
+#include <vector>
+
+namespace CGAL {
+namespace Spectral_segmentation {
+namespace internal {
+
+// The side of each face: 0 for Q, of smaller area, 1 for the rest.
+typedef std::vector<char> Sides;
+
+// A two-way cut of a part.
+struct Cut
+{
+  Sides side;
+  double area[2];
+  Salience_factors factors;
+  double salience;
+};
+
+// Side 0 becomes the one of smaller area.
+inline void normalize_sides(Sides& side, double (&area)[2])
+{
+  if (area[0] <= area[1])
+    return;
+  for (char& s : side)
+    s = 1 - s;
+  std::swap(area[0], area[1]);
+}
+
+// Saliences are compared, so what is not a number counts as the least.
+template <class PartSalience>
+double salience_of(const PartSalience& part_salience, const Salience_factors& factors)
+{
+  const double salience = part_salience(factors);
+  return std::isnan(salience) ? -std::numeric_limits<double>::infinity() : salience;
+}
+
+// A cut whose factors were computed: a candidate for the best cut of a part, or the boundary of two
+// regions as the cut of their union.
+struct Evaluated_cut
+{
+  enum Kind { CANDIDATE, BOUNDARY };
+
+  Kind kind;
+  const std::vector<Index>& faces; // of the part, by their numbers in the mesh
+  const Sides& side;               // of each of these faces
+  const Salience_factors& factors;
+};
+
+} // namespace internal
+} // namespace Spectral_segmentation
+} // namespace CGAL
+
+#endif // CGAL_SPECTRAL_SEGMENTATION_INTERNAL_SALIENCE_CUT_H

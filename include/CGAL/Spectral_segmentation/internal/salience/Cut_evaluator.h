@@ -1,0 +1,160 @@
+// Copyright (c) 2026  The Spectral_segmentation authors.
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_SPECTRAL_SEGMENTATION_INTERNAL_SALIENCE_CUT_EVALUATOR_H
+#define CGAL_SPECTRAL_SEGMENTATION_INTERNAL_SALIENCE_CUT_EVALUATOR_H
+
+#include <CGAL/Spectral_segmentation/Part_salience.h>
+#include <CGAL/Spectral_segmentation/internal/salience/Cut.h>
+#include <CGAL/Spectral_segmentation/internal/salience/Support_points.h>
+#include <CGAL/Spectral_segmentation/internal/mesh/Face_graph.h>
+#include <CGAL/Spectral_segmentation/internal/salience/Convexity_defect.h>
+#include <CGAL/Spectral_segmentation/internal/salience/Boundary_statistics.h>
+#include <CGAL/Spectral_segmentation/internal/salience/faces_near_cut.h>
+#include <CGAL/Spectral_segmentation/internal/mesh/surface_integrals.h>
+#include <CGAL/Spectral_segmentation/internal/utility/constants.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <vector>
+
+namespace CGAL {
+namespace Spectral_segmentation {
+namespace internal {
+
+// What the factors of a cut need to know of the whole mesh.
+struct Evaluation_context
+{
+  double area;
+  Support_points support_points;
+
+  Evaluation_context(Execution execution, const Face_graph& mesh)
+    : area(total_area(mesh)), support_points(execution, mesh) {}
+};
+
+// All factors of cuts of a part, those beyond the paper too (Section 6 and `Salience_factors`). A
+// cut is given by the side of each face: 0 for Q, which has the smaller area, 1 for the rest.
+class Cut_evaluator
+{
+  // Sums over the faces of a set, by area.
+  struct Thickness_sums
+  {
+    double area = 0, sum = 0, sum_of_squares = 0;
+    void add(double a, double thickness)
+    {
+      area += a;
+      sum += a * thickness;
+      sum_of_squares += a * thickness * thickness;
+    }
+    double mean() const { return area > 0 ? sum / area : 0; }
+    double deviation() const
+    {
+      return area > 0
+        ? std::sqrt((std::max)(sum_of_squares / area - mean() * mean(), 0.)) : 0;
+    }
+  };
+
+  const Face_graph& part_;
+  double area_of_mesh_;
+  Convexity_defect convexity_defect_;
+  double defect_of_part_;
+  Thickness_sums thickness_of_part_;
+
+  double thickness(Index f) const { return part_.thickness.empty() ? 0 : part_.thickness[f]; }
+
+  // Size, cut strength by length, protrusiveness; returns the length of the cut.
+  double set_boundary_factors(const std::vector<Index>& faces_of_q, const std::vector<Index>& cut,
+                    Salience_factors& factors) const
+  {
+    Boundary_statistics q(part_);
+    for (Index f : faces_of_q)
+      q.add(f);
+    factors = q.factors();
+    double length = 0, concavity = 0;
+    for (Index h : cut) {
+      const double l = part_.length(h);
+      length += l;
+      concavity += l * part_.weights[h].concavity;
+    }
+    factors.cut_strength = length > 0 ? concavity / length : 0;
+    return length;
+  }
+
+  void set_neighborhood_factors(const Sides& side, const std::vector<Index>& cut,
+                                double area_of_q, double length, Salience_factors& factors) const
+  {
+    const double radius = constants::neighborhood_radius * std::sqrt(area_of_q);
+    Thickness_sums off_the_cut[2];
+    double area_of_near_rest = 0, length_of_edges = 0, concavity = 0;
+    for (const Face_at_distance& f : faces_near_cut(part_, side, cut, radius)) {
+      if (f.distance >= radius / 2)
+        off_the_cut[int(side[f.face])].add(part_.areas[f.face], thickness(f.face));
+      if (side[f.face] == 1)
+        area_of_near_rest += part_.areas[f.face];
+      for (Index h = 3 * f.face; h < 3 * f.face + 3; ++h)
+        if (!part_.is_border(h)) {
+          const double l = part_.length(h);
+          length_of_edges += l;
+          concavity += l * part_.weights[h].concavity;
+        }
+    }
+    factors.concavity_near_cut = length_of_edges > 0 ? concavity / length_of_edges : 0;
+    factors.expansion_behind_cut =
+      length > 0 ? (std::min)(area_of_near_rest / (radius * length), constants::largest_expansion)
+                 : constants::largest_expansion;
+    if (off_the_cut[0].area > 0 && off_the_cut[1].area > 0)
+      factors.thickness_step = off_the_cut[1].mean() - off_the_cut[0].mean();
+  }
+
+  void set_convexity_factors(const std::vector<Index> (&faces)[2], const double (&area)[2],
+                             Salience_factors& factors) const
+  {
+    const double unit = std::sqrt(area_of_mesh_), whole = defect_of_part_ / unit;
+    const double sides =
+      (area[0] * convexity_defect_(faces[0]) + area[1] * convexity_defect_(faces[1])) /
+      ((area[0] + area[1]) * unit);
+    const double offset = constants::smallest_convexity_defect;
+    factors.convexity_gain = whole - sides;
+    factors.relative_convexity_gain = std::log((whole + offset) / (sides + offset));
+  }
+
+public:
+  // `faces` are those of the part, by their numbers in the mesh.
+  Cut_evaluator(const Face_graph& part, const std::vector<Index>& faces,
+                const Evaluation_context& mesh)
+    : part_(part), area_of_mesh_(mesh.area), convexity_defect_(mesh.support_points, part, faces),
+      defect_of_part_(convexity_defect_.of_part())
+  {
+    for (Index f = 0; f < part.number_of_faces(); ++f)
+      thickness_of_part_.add(part.areas[f], thickness(f));
+  }
+
+  // Both sides must have an area.
+  Salience_factors operator()(const Sides& side) const
+  {
+    std::vector<Index> faces[2];
+    for (std::vector<Index>& f : faces)
+      f.reserve(side.size());
+    double area[2] = {0, 0};
+    for (Index f = 0; f < side.size(); ++f) {
+      faces[int(side[f])].push_back(f);
+      area[int(side[f])] += part_.areas[f];
+    }
+
+    Salience_factors factors;
+    const std::vector<Index> cut = halfedges_of_cut(part_, side);
+    const double length = set_boundary_factors(faces[0], cut, factors);
+    set_neighborhood_factors(side, cut, area[0], length, factors);
+    set_convexity_factors(faces, area, factors);
+    factors.log_relative_part_area = std::log((area[0] + area[1]) / area_of_mesh_);
+    factors.thickness_variation = thickness_of_part_.deviation();
+    return factors;
+  }
+};
+
+} // namespace internal
+} // namespace Spectral_segmentation
+} // namespace CGAL
+
+#endif // CGAL_SPECTRAL_SEGMENTATION_INTERNAL_SALIENCE_CUT_EVALUATOR_H

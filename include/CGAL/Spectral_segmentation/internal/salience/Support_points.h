@@ -1,0 +1,222 @@
+// Copyright (c) 2026  The Spectral_segmentation authors.
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_SPECTRAL_SEGMENTATION_INTERNAL_SALIENCE_SUPPORT_POINTS_H
+#define CGAL_SPECTRAL_SEGMENTATION_INTERNAL_SALIENCE_SUPPORT_POINTS_H
+
+#include <CGAL/Spectral_segmentation/internal/mesh/Face_graph.h>
+#include <CGAL/Spectral_segmentation/internal/mesh/Principal_frame.h>
+
+#include <CGAL/Simple_cartesian.h>
+#include <CGAL/Spatial_sort_traits_adapter_3.h>
+#include <CGAL/hilbert_sort.h>
+#include <CGAL/number_type_config.h>
+
+#include <boost/property_map/function_property_map.hpp>
+
+#include <Eigen/Core>
+#include <Eigen/Geometry>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <limits>
+#include <numeric>
+#include <vector>
+
+namespace CGAL {
+namespace Spectral_segmentation {
+namespace internal {
+
+// Directions that are spread over the sphere: a Fibonacci lattice, which descends in z.
+namespace directions {
+
+constexpr int number = 96;
+constexpr int number_of_neighbors = 10;
+typedef std::array<int, number_of_neighbors> Neighbors; // the direction itself is the first
+typedef Eigen::Array<float, number, 1> Distances;       // along each direction
+
+struct Coordinates
+{
+  Distances x, y, z;
+
+  Eigen::Vector3f operator[](int d) const { return {x[d], y[d], z[d]}; }
+};
+
+inline const Coordinates& coordinates()
+{
+  static const Coordinates result = [] {
+    const double golden_angle = CGAL_PI * (3 - std::sqrt(5.));
+    Coordinates c;
+    for (int i = 0; i < number; ++i) {
+      const double z = 1 - (2 * i + 1.) / number, r = std::sqrt(1 - z * z);
+      c.x[i] = static_cast<float>(r * std::cos(i * golden_angle));
+      c.y[i] = static_cast<float>(r * std::sin(i * golden_angle));
+      c.z[i] = static_cast<float>(z);
+    }
+    return c;
+  }();
+  return result;
+}
+
+inline const std::vector<Neighbors>& neighbors()
+{
+  static const std::vector<Neighbors> result = [] {
+    const Coordinates& c = coordinates();
+    std::vector<Neighbors> n(number);
+    std::vector<int> all(number);
+    for (int i = 0; i < number; ++i) {
+      std::iota(all.begin(), all.end(), 0);
+      std::partial_sort_copy(all.begin(), all.end(), n[i].begin(), n[i].end(), [&](int a, int b)
+                             { return c[i].dot(c[a]) > c[i].dot(c[b]); });
+    }
+    return n;
+  }();
+  return result;
+}
+
+// The one next to a unit vector. It is at most 11 places from the place of the vector's own z; as
+// observed.
+inline int nearest(const Eigen::Vector3f& v)
+{
+  const Coordinates& c = coordinates();
+  const int middle = static_cast<int>((1 - v.z()) * number / 2);
+  const int reach = number / 8;
+  const int first = (std::max)(middle - reach, 0), end = (std::min)(middle + reach + 1, number);
+  int best = first;
+  for (int d = first + 1; d < end; ++d)
+    if (v.dot(c[d]) > v.dot(c[best]))
+      best = d;
+  return best;
+}
+
+} // namespace directions
+
+// The points of some faces that are farthest in each direction.
+struct Support_set
+{
+  directions::Distances distances =
+    directions::Distances::Constant(-std::numeric_limits<float>::infinity());
+  std::array<Index, directions::number> points;
+
+  template <class PointAt>
+  void add(const directions::Distances& others, const PointAt& point_at)
+  {
+    if ((others - distances).maxCoeff() <= 0) // so it is nearly always
+      return;
+    for (int d = 0; d < directions::number; ++d)
+      if (others[d] > distances[d]) {
+        distances[d] = others[d];
+        points[d] = point_at(d);
+      }
+  }
+
+  void add(Index point, const Eigen::Vector3f& at)
+  {
+    const directions::Coordinates& c = directions::coordinates();
+    add(c.x * at.x() + c.y * at.y() + c.z * at.z(), [point](int) { return point; });
+  }
+
+  void add(const Support_set& other)
+  { add(other.distances, [&](int d) { return other.points[d]; }); }
+};
+
+// The plane of a face.
+struct Face_plane
+{
+  Eigen::Vector3f center, normal;
+  std::uint8_t direction; // next to the normal
+};
+
+// Finds the extreme points of sets of faces of a mesh, in its principal frame. Those of small
+// compact blocks of faces are kept, so that only the faces of the blocks that a set shares with
+// others are looked at.
+class Support_points
+{
+  static constexpr Index faces_per_block = 32;
+
+  std::vector<Eigen::Vector3f> points_;
+  std::vector<Corners> corners_;
+  std::vector<Face_plane> planes_;
+  std::vector<Index> block_; // of each face
+  std::vector<Index> size_of_block_;
+  std::vector<Support_set> of_block_;
+
+  void set_planes(const Face_graph& mesh, const Principal_frame& frame)
+  {
+    planes_.reserve(mesh.number_of_faces());
+    for (Index f = 0; f < mesh.number_of_faces(); ++f) {
+      const Corners& c = mesh.corners[f];
+      const Vector &p = mesh.points[c[0]], &q = mesh.points[c[1]], &r = mesh.points[c[2]];
+      const Eigen::Vector3f normal = frame.vector((q - p).cross(r - p).normalized()).cast<float>();
+      planes_.push_back({frame.point(mesh.centroid(f)).cast<float>(), normal,
+                         static_cast<std::uint8_t>(directions::nearest(normal))});
+    }
+  }
+
+  void set_blocks()
+  {
+    typedef CGAL::Simple_cartesian<float> Kernel;
+    const auto center = boost::make_function_property_map<Index>([this](Index f) {
+      const Eigen::Vector3f& c = planes_[f].center;
+      return Kernel::Point_3(c.x(), c.y(), c.z());
+    });
+    std::vector<Index> faces(planes_.size());
+    std::iota(faces.begin(), faces.end(), Index(0));
+    CGAL::hilbert_sort(faces.begin(), faces.end(),
+                       CGAL::Spatial_sort_traits_adapter_3<Kernel, decltype(center)>(center));
+    block_.resize(faces.size());
+    size_of_block_.resize((faces.size() + faces_per_block - 1) / faces_per_block, 0);
+    of_block_.resize(size_of_block_.size());
+    for (Index i = 0; i < faces.size(); ++i) {
+      const Index f = faces[i], block = i / faces_per_block;
+      block_[f] = block;
+      ++size_of_block_[block];
+      for (Index v : corners_[f])
+        of_block_[block].add(v, points_[v]);
+    }
+  }
+
+public:
+  Support_points(Execution execution, const Face_graph& mesh) : corners_(mesh.corners)
+  {
+    const Principal_frame frame(execution, mesh);
+    points_.reserve(mesh.points.size());
+    for (const Vector& p : mesh.points)
+      points_.push_back(frame.point(p).cast<float>());
+    set_planes(mesh, frame);
+    set_blocks();
+  }
+
+  const Eigen::Vector3f& point(Index v) const { return points_[v]; }
+  const Face_plane& plane(Index f) const { return planes_[f]; }
+
+  // Of faces without repetition.
+  Support_set operator()(const std::vector<Index>& faces) const
+  {
+    std::vector<Index> number(of_block_.size(), 0); // of the faces in each block
+    for (Index f : faces)
+      ++number[block_[f]];
+    Support_set result;
+    for (std::size_t b = 0; b < number.size(); ++b)
+      if (number[b] == size_of_block_[b])
+        result.add(of_block_[b]);
+    std::vector<char> is_met(points_.size(), 0);
+    for (Index f : faces)
+      if (number[block_[f]] < size_of_block_[block_[f]])
+        for (Index v : corners_[f])
+          if (!is_met[v]) {
+            is_met[v] = 1;
+            result.add(v, points_[v]);
+          }
+    return result;
+  }
+};
+
+} // namespace internal
+} // namespace Spectral_segmentation
+} // namespace CGAL
+
+#endif // CGAL_SPECTRAL_SEGMENTATION_INTERNAL_SALIENCE_SUPPORT_POINTS_H

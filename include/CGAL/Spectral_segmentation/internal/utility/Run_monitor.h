@@ -1,0 +1,137 @@
+// Copyright (c) 2026  The Spectral_segmentation authors.
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_SPECTRAL_SEGMENTATION_INTERNAL_UTILITY_RUN_MONITOR_H
+#define CGAL_SPECTRAL_SEGMENTATION_INTERNAL_UTILITY_RUN_MONITOR_H
+
+#include <CGAL/Spectral_segmentation/internal/Run_control.h>
+#include <CGAL/Spectral_segmentation/internal/utility/concurrency.h>
+
+#include <algorithm>
+#include <atomic>
+#include <cstddef>
+#include <mutex>
+
+namespace CGAL {
+namespace Spectral_segmentation {
+namespace internal {
+
+// Thrown to leave a stage when the caller does not want to go further.
+struct Run_stopped {};
+
+// Stands between the stages, which may run in several threads, and the control of the caller: one
+// call at a time. Keeps the share of the run that is done.
+class Run_monitor
+{
+  Run_control& control_;
+  std::mutex mutex_;
+  std::atomic<bool> is_stopped_{false};
+  double start_ = 0, end_ = 0; // of the phase at hand, as shares of the run
+  double done_ = 0;            // of the phase
+  double reported_ = 0;        // of the run
+
+  template <class Function>
+  void call(const Function& f)
+  {
+    const std::lock_guard<std::mutex> lock(mutex_);
+    call_isolated(f); // or this thread might take up a part that waits for the lock
+  }
+
+  void report()
+  {
+    constexpr double step = 0.002;
+    const double share = start_ + (end_ - start_) * done_;
+    if (share < reported_ + step)
+      return;
+    reported_ = share;
+    control_.progress(share);
+  }
+
+public:
+  explicit Run_monitor(Run_control& control) : control_(control) {}
+
+  Run_control& control() { return control_; }
+
+  void start_part(std::size_t part, std::size_t number_of_faces)
+  { call([&] { control_.start_part(part, number_of_faces); }); }
+
+  void end_part(std::size_t part)
+  { call([&] { control_.end_part(part); }); }
+
+  void part_cut(std::size_t part, const Salience_factors& factors, double salience,
+                std::size_t number_of_segments)
+  { call([&] { control_.part_cut(part, factors, salience, number_of_segments); }); }
+
+  bool is_stopped() const { return is_stopped_; }
+
+  // Once the caller said no, he is not asked again.
+  bool go_further()
+  {
+    if (!is_stopped_)
+      call([&] { is_stopped_ = !control_.go_further(); });
+    return !is_stopped_;
+  }
+
+  void check()
+  {
+    if (!go_further())
+      throw Run_stopped();
+  }
+
+  // The next phase takes this share of the run.
+  void start_phase(double share)
+  {
+    call([&] {
+      start_ = end_;
+      end_ = (std::min)(start_ + share, 1.);
+      done_ = 0;
+      report();
+    });
+  }
+
+  // Some more of the phase is done.
+  void advance(double share)
+  {
+    call([&] {
+      done_ = (std::min)(done_ + share, 1.);
+      report();
+    });
+  }
+
+  // A share of what is left of the phase is done, where nobody knows how long it takes.
+  void approach(double share)
+  {
+    call([&] {
+      done_ += (1 - done_) * share;
+      report();
+    });
+  }
+
+  // So much of the phase is done, if not more.
+  void advance_to(double share)
+  {
+    call([&] {
+      done_ = (std::max)(done_, (std::min)(share, 1.));
+      report();
+    });
+  }
+
+  void finish()
+  { call([&] { control_.progress(1); }); }
+
+  // The result of f(), which is the work of a stage.
+  template <class Function>
+  auto stage(Stage stage, std::size_t part, const Function& f)
+  {
+    call([&] { control_.start_stage(stage, part); });
+    auto result = f();
+    call([&] { control_.end_stage(stage, part); });
+    return result;
+  }
+};
+
+} // namespace internal
+} // namespace Spectral_segmentation
+} // namespace CGAL
+
+#endif // CGAL_SPECTRAL_SEGMENTATION_INTERNAL_UTILITY_RUN_MONITOR_H

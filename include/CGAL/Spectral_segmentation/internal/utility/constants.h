@@ -1,0 +1,56 @@
+// Copyright (c) 2026  The Spectral_segmentation authors.
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_SPECTRAL_SEGMENTATION_INTERNAL_UTILITY_CONSTANTS_H
+#define CGAL_SPECTRAL_SEGMENTATION_INTERNAL_UTILITY_CONSTANTS_H
+
+#include <cstddef>
+
+namespace CGAL {
+namespace Spectral_segmentation {
+namespace internal {
+
+// Numbers that the factors of cuts, and so the fit of `Calibrated_part_salience`, depend on besides
+// `calibrated_options()`. They were chosen by trials on a prototype of the method. After a change
+// of one of them the salience has to be fitted again (benchmark/fit_part_salience).
+namespace constants {
+
+// The neighborhood of a cut, in which factors are measured and minimum cuts are searched: its
+// radius relative to the square root of the area of the smaller side.
+constexpr double neighborhood_radius = 0.35;
+
+// What is added to convexity defects before their ratio is taken: defects well below it, relative
+// to the square root of the area of the mesh, make no difference.
+constexpr double smallest_convexity_defect = 0.005;
+
+// The largest value of the factor `expansion_behind_cut`.
+constexpr double largest_expansion = 4;
+
+// What a minimum cut pays for an edge of the strongest concavity, relative to a flat one.
+constexpr double cost_of_concave_edge = 0.05;
+
+// The second proposal of an order differs from the first by this share of the smaller area.
+constexpr double distance_of_proposals = 0.25;
+
+// Two proposals are alike if the faces on which they differ are less than so many percent of the
+// smallest side.
+constexpr std::size_t percent_of_alike_proposals = 15;
+
+// Proposals are taken while Q has at most so many times the area of the rest: there are orders from
+// the other end.
+constexpr double largest_ratio_to_rest = 3;
+
+// Bending is averaged over a radius of at most the root of this number of mean face areas, about 9
+// faces: the bands around the cuts of a coarsened mesh are not wider.
+constexpr double largest_number_of_averaged_faces = 80;
+
+// The disk over which rays are joined to a thickness: its radius relative to the square root of
+// the area of the mesh.
+constexpr double thickness_radius = 0.012;
+
+} // namespace constants
+} // namespace internal
+} // namespace Spectral_segmentation
+} // namespace CGAL
+
+#endif // CGAL_SPECTRAL_SEGMENTATION_INTERNAL_UTILITY_CONSTANTS_H
