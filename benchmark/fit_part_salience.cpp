@@ -10,8 +10,9 @@
 /// again with the new numbers in the source, until they stay.
 
 #include "evaluation.h"
+#include "evaluated_cuts.h"
 #include "for_each_mesh.h"
-#include "judged_cuts.h"
+#include "method_variants.h"
 #include "part_salience_fit.h"
 #include "program.h"
 #include "tree_errors.h"
@@ -77,16 +78,16 @@ auto of_each_mesh(const Options& o, const Function& f)
   return results;
 }
 
-Tree_method method_with(const Calibrated_part_salience& salience, std::size_t searched_faces)
+Engine_options options_with(const Calibrated_part_salience& salience, std::size_t searched_faces)
 {
-  return {"fitted", CGAL::Spectral_segmentation::default_probability_threshold, true,
-          [=](const Mesh& mesh, double threshold, std::size_t n) {
-            return hierarchy(mesh, params::part_salience(salience)
-                                        .number_of_searched_faces(searched_faces)
-                                        .salience_threshold(threshold)
-                                        .maximum_number_of_segments(n));
-          }};
+  Engine_options result = CGAL::Spectral_segmentation::internal::calibrated_options();
+  result.part_salience = salience;
+  result.number_of_searched_faces = searched_faces;
+  return result;
 }
+
+Tree_method method_with(const Calibrated_part_salience& salience, std::size_t searched_faces)
+{ return method_with("fitted", options_with(salience, searched_faces), Execution::PARALLEL); }
 
 std::vector<Tree_errors> errors_with(const Options& o, const Saliences& saliences)
 {
@@ -140,8 +141,6 @@ std::vector<Factor_set> factor_sets()
     result.push_back(set_of({f.name}));
     result.back().name = f.name;
   }
-  result.push_back(set_of({"thickness_step", "thickness_variation"}));
-  result.back().name = "thickness, both";
   result.push_back(set_of({"convexity_gain", "relative_convexity_gain"}));
   result.back().name = "convexity, both";
   return result;
@@ -236,7 +235,7 @@ Json json_of(const std::vector<Tree_errors>& meshes)
 void run(const Options& o)
 {
   const std::vector<Mesh_cuts> cuts = of_each_mesh(o, [&](const Benchmark_mesh& mesh)
-    { return judged_cuts(mesh, o.searched_faces); });
+    { return evaluated_cuts(mesh, options_with({}, o.searched_faces)); });
   const Part_salience_fit fit = fit_part_salience(cuts, o.rounds);
   std::printf("%zu cuts of %zu meshes, loss %.5f\n\n", number_of_cuts(cuts), cuts.size(),
               fit.loss);

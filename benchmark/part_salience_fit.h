@@ -5,7 +5,7 @@
 #define SEGMENTATION_BENCHMARK_PART_SALIENCE_FIT_H
 
 #include "Logistic_regression.h"
-#include "judged_cuts.h"
+#include "evaluated_cuts.h"
 
 #include <Eigen/Core>
 
@@ -28,7 +28,7 @@ struct Fitted_factor
   double Calibrated_part_salience::*coefficient;
 };
 
-constexpr std::array<Fitted_factor, 10> fitted_factors = {{
+constexpr std::array<Fitted_factor, 8> fitted_factors = {{
   {"log_relative_part_area", &Salience_factors::log_relative_part_area,
    &Calibrated_part_salience::log_relative_part_area},
   {"size", &Salience_factors::size, &Calibrated_part_salience::size},
@@ -41,9 +41,6 @@ constexpr std::array<Fitted_factor, 10> fitted_factors = {{
    &Calibrated_part_salience::relative_convexity_gain},
   {"expansion_behind_cut", &Salience_factors::expansion_behind_cut,
    &Calibrated_part_salience::expansion_behind_cut},
-  {"thickness_step", &Salience_factors::thickness_step, &Calibrated_part_salience::thickness_step},
-  {"thickness_variation", &Salience_factors::thickness_variation,
-   &Calibrated_part_salience::thickness_variation},
 }};
 
 // How much each group counts: the square root of its part's share of the area of the mesh, then
@@ -67,8 +64,8 @@ inline std::vector<double> group_weights(const std::vector<Mesh_cuts>& meshes)
   std::size_t group_number = 0;
   for (const Mesh_cuts& mesh : meshes)
     for (const Cut_group& group : mesh.groups) {
-      if (group.kind == Judged_cut::BOUNDARY)
-        weights[group_number] *= total[Judged_cut::CANDIDATE] / total[Judged_cut::BOUNDARY];
+      if (group.kind == Evaluated_cut::BOUNDARY)
+        weights[group_number] *= total[Evaluated_cut::CANDIDATE] / total[Evaluated_cut::BOUNDARY];
       ++group_number;
     }
   return weights;

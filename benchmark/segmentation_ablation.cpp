@@ -2,9 +2,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 /// \file
-/// What each difference between the two methods of the package gains in error, and costs in time,
-/// on the Princeton Segmentation Benchmark: each is switched off alone in the calibrated method,
-/// and on alone in that of the paper.
+/// What each of the things that the default method is made of gains in error, and costs in time, on
+/// the Princeton Segmentation Benchmark: each is left out alone.
 
 #include "evaluation.h"
 #include "for_each_mesh.h"
@@ -44,12 +43,6 @@ struct Figures
   std::vector<double> by_default, best_automatic, k, best_of_tree; // of each mesh
 };
 
-struct Result_block
-{
-  const char* title;
-  std::vector<Result> results; // of the method itself, then of its variants
-};
-
 void add_options(CLI::App& app, Options& o)
 {
   app.add_option("folder", o.folder, "holds off/N.off and seg/Benchmark/N/*.seg")
@@ -60,21 +53,18 @@ void add_options(CLI::App& app, Options& o)
     ->check(CLI::Range(1, 1024))->capture_default_str();
 }
 
-std::vector<Result_block> results(const Options& o)
+std::vector<Result> results(const Options& o)
 {
   const std::vector<int> ids = parse_ids(o.ids);
-  std::vector<Result_block> result;
-  for (const Method_block& block : method_blocks()) {
-    result.push_back({block.title, {}});
-    for (const Tree_method& method : block.methods)
-      result.back().results.push_back({method.name, std::vector<Tree_errors>(ids.size())});
-  }
+  const std::vector<Tree_method> methods = ablated_methods();
+  std::vector<Result> result;
+  for (const Tree_method& method : methods)
+    result.push_back({method.name, std::vector<Tree_errors>(ids.size())});
   Progress progress(ids.size());
   for_each_mesh(ids.size(), o.threads, [&](std::size_t i) {
     const Benchmark_mesh input = read_benchmark_mesh(o.folder, ids[i]);
-    for (std::size_t b = 0; b < result.size(); ++b)
-      for (std::size_t m = 0; m < result[b].results.size(); ++m)
-        result[b].results[m].meshes[i] = tree_errors(input, method_blocks()[b].methods[m]);
+    for (std::size_t m = 0; m < methods.size(); ++m)
+      result[m].meshes[i] = tree_errors(input, methods[m]);
     progress.step();
   });
   return result;
@@ -109,15 +99,14 @@ void print_line(const char* name, const Figures& f, const Figures& first)
   std::printf(" %7.3f %+8.3f\n", f.seconds, f.seconds - first.seconds);
 }
 
-void print(const Result_block& block)
+void print(const std::vector<Result>& results)
 {
-  std::printf("%s\n%-28s %7s %18s %7s %18s %9s %7s %18s %7s %18s %7s %8s\n", block.title,
-              "Rand error", "auto", "change", "best", "change", "threshold", "k", "change", "tree",
-              "change", "seconds", "change");
-  const Figures first = figures(block.results.front());
-  for (const Result& result : block.results)
+  std::printf("%-28s %7s %18s %7s %18s %9s %7s %18s %7s %18s %7s %8s\n", "Rand error", "auto",
+              "change", "best", "change", "threshold", "k", "change", "tree", "change", "seconds",
+              "change");
+  const Figures first = figures(results.front());
+  for (const Result& result : results)
     print_line(result.name, figures(result), first);
-  std::printf("\n");
 }
 
 Json json_of(const Result& result)
@@ -135,31 +124,24 @@ Json json_of(const Result& result)
   return json;
 }
 
-Json json_of(const std::vector<Result_block>& blocks)
-{
-  Json json = {{"thresholds", tried_thresholds()}};
-  for (const Result_block& block : blocks)
-    for (const Result& result : block.results)
-      json[block.title].push_back(json_of(result));
-  return json;
-}
-
 void run(const Options& o)
 {
-  const std::vector<Result_block> blocks = results(o);
-  for (const Result_block& block : blocks)
-    print(block);
+  const std::vector<Result> all = results(o);
+  print(all);
   std::printf("auto: at the default threshold; best: at the one threshold that is best for these "
               "meshes\nk: people's usual number of parts is given; tree: the best number of parts"
-              "\nseconds: of one thread for a whole tree, median; change: from the first line, with the standard "
-              "error over the meshes\n");
+              "\nseconds: of one thread for a whole tree, median; change: from the first line, with "
+              "the standard error over the meshes\n");
   std::fflush(stdout);
-  write_json(o.json, json_of(blocks));
+  Json json = {{"thresholds", tried_thresholds()}};
+  for (const Result& result : all)
+    json["methods"].push_back(json_of(result));
+  write_json(o.json, json);
 }
 
 int main(int argc, char** argv)
 {
   return run_program("segmentation_ablation",
-                     "The differences between the two methods, one at a time, on people's cuts.",
+                     "What the default method gains by each of its parts, on people's cuts.",
                      add_options, run, argc, argv);
 }

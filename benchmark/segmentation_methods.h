@@ -31,8 +31,8 @@ struct Tree_method
   const char* name;
   double default_threshold;
   bool has_whole_trees; // whatever the threshold
-  std::function<Segmentation_hierarchy(const Mesh&, double threshold, std::size_t maximum_number_of_segments)>
-    segment;
+  std::function<Segmentation_hierarchy(const Mesh&, double threshold,
+                                       std::size_t maximum_number_of_segments)> segment;
 };
 
 // A method that gives labels only.
@@ -45,10 +45,10 @@ struct Label_method
 template <class ConcurrencyTag = CGAL::Parallel_if_available_tag, class NamedParameters>
 Segmentation_hierarchy hierarchy(const Mesh& mesh, const NamedParameters& np)
 {
-  Segmentation_hierarchy tree;
+  Segmentation_hierarchy result;
   CGAL::segment_spectral_recursive<ConcurrencyTag>(
-    mesh, boost::vector_property_map<std::size_t>(mesh.num_faces()), np.hierarchy(tree));
-  return tree;
+    mesh, boost::vector_property_map<std::size_t>(mesh.num_faces()), np.hierarchy(result));
+  return result;
 }
 
 inline const std::vector<Tree_method>& tree_methods()
@@ -56,13 +56,12 @@ inline const std::vector<Tree_method>& tree_methods()
   static const std::vector<Tree_method> methods = {
     {"calibrated", CGAL::Spectral_segmentation::default_probability_threshold, true,
      [](const Mesh& mesh, double threshold, std::size_t n) {
-       return hierarchy(mesh,
-                           params::salience_threshold(threshold).maximum_number_of_segments(n));
+       return hierarchy(mesh, params::salience_threshold(threshold).maximum_number_of_segments(n));
      }},
     {"paper", CGAL::Spectral_segmentation::default_salience_threshold, false,
      [](const Mesh& mesh, double threshold, std::size_t n) {
        return hierarchy(mesh, params::zhang_liu_2005().salience_threshold(threshold)
-                                   .maximum_number_of_segments(n));
+                                .maximum_number_of_segments(n));
      }},
   };
   return methods;

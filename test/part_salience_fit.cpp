@@ -39,7 +39,7 @@ Eigen::MatrixXd random_matrix(Eigen::Index rows, Eigen::Index columns, Random& r
 
 Eigen::ArrayXd probabilities(const Eigen::ArrayXd& logits) { return 1 / (1 + (-logits).exp()); }
 
-Cut_group group_of_size(Judged_cut::Kind kind, double share_of_area)
+Cut_group group_of_size(Evaluated_cut::Kind kind, double share_of_area)
 {
   Cut_sample cut{{}, 0};
   cut.factors.log_relative_part_area = std::log(share_of_area);
@@ -71,7 +71,7 @@ BOOST_AUTO_TEST_CASE(agreement_by_hand)
   const std::vector<CGAL::Spectral_segmentation::internal::Index> faces = {2, 3, 4, 5, 6, 7};
   const std::vector<char> side = {0, 0, 1, 1, 1, 1};
   const Salience_factors factors;
-  const Judged_cut cut{Judged_cut::CANDIDATE, faces, side, factors};
+  const Evaluated_cut cut{Evaluated_cut::CANDIDATE, faces, side, factors};
   const Labels along_the_cut = {0, 0, 1, 1, 2, 2, 2, 2}, nowhere_else = {0, 0, 0, 0, 1, 1, 1, 1},
                everywhere = {0, 1, 2, 3, 4, 5, 6, 7}, whole(8, 0),
                one_face_early = {0, 0, 1, 2, 2, 2, 2, 2}, one_face_late = {0, 0, 0, 0, 0, 1, 1, 1};
@@ -93,7 +93,7 @@ BOOST_AUTO_TEST_CASE(judged_cuts_of_a_dumbbell)
   for (const Cut_group& group : cuts.groups) {
     ++number[group.kind];
     BOOST_TEST_REQUIRE(!group.cuts.empty());
-    if (group.kind == Judged_cut::BOUNDARY)
+    if (group.kind == Evaluated_cut::BOUNDARY)
       BOOST_TEST(group.cuts.size() == 1u);
     for (const Cut_sample& cut : group.cuts)
       BOOST_TEST(std::abs(cut.factors.log_relative_part_area -
@@ -101,9 +101,9 @@ BOOST_AUTO_TEST_CASE(judged_cuts_of_a_dumbbell)
   }
   // To p pieces there are p - 1 cuts, so at most 2 p - 1 parts that are searched, and p - 1 merges.
   const Segmentation_hierarchy tree = hierarchy(input.mesh, params::default_values());
-  BOOST_TEST(number[Judged_cut::CANDIDATE] >= tree.number_of_segments() - 1);
-  BOOST_TEST(number[Judged_cut::CANDIDATE] <= 2 * tree.number_of_segments() - 1);
-  BOOST_TEST(number[Judged_cut::BOUNDARY] >= tree.number_of_segments() - 1);
+  BOOST_TEST(number[Evaluated_cut::CANDIDATE] >= tree.number_of_segments() - 1);
+  BOOST_TEST(number[Evaluated_cut::CANDIDATE] <= 2 * tree.number_of_segments() - 1);
+  BOOST_TEST(number[Evaluated_cut::BOUNDARY] >= tree.number_of_segments() - 1);
 
   const Cut_group& first = cuts.groups.front();
   BOOST_TEST(std::abs(first.cuts.front().factors.log_relative_part_area) < tolerance);
@@ -196,9 +196,9 @@ BOOST_AUTO_TEST_CASE(regression_of_no_numbers_is_refused)
 BOOST_AUTO_TEST_CASE(weights_of_groups_by_hand)
 {
   const std::vector<double> weights = group_weights(
-    {{1, {group_of_size(Judged_cut::CANDIDATE, 1), group_of_size(Judged_cut::CANDIDATE, 0.25),
-          group_of_size(Judged_cut::BOUNDARY, 0.25)}},
-     {2, {group_of_size(Judged_cut::CANDIDATE, 1), group_of_size(Judged_cut::BOUNDARY, 1)}}});
+    {{1, {group_of_size(Evaluated_cut::CANDIDATE, 1), group_of_size(Evaluated_cut::CANDIDATE, 0.25),
+          group_of_size(Evaluated_cut::BOUNDARY, 0.25)}},
+     {2, {group_of_size(Evaluated_cut::CANDIDATE, 1), group_of_size(Evaluated_cut::BOUNDARY, 1)}}});
   BOOST_TEST(weights == (std::vector<double>{1. / 2, 1. / 4, 5. / 12, 1. / 2, 5. / 6}),
              tt::tolerance(tolerance) << tt::per_element());
 }
@@ -232,7 +232,7 @@ BOOST_AUTO_TEST_CASE(each_coefficient_is_found)
       for (const Fitted_factor& f : fitted_factors)
         cut.factors.*f.factor = number(random);
       cut.agreement = truth(cut.factors);
-      mesh.groups.push_back({i % 2 == 0 ? Judged_cut::CANDIDATE : Judged_cut::BOUNDARY, {cut}});
+      mesh.groups.push_back({i % 2 == 0 ? Evaluated_cut::CANDIDATE : Evaluated_cut::BOUNDARY, {cut}});
     }
     const Calibrated_part_salience found = fit_part_salience({mesh}, 1).salience;
     BOOST_TEST_INFO_SCOPE(fitted.name);
@@ -249,7 +249,7 @@ BOOST_AUTO_TEST_CASE(each_coefficient_is_found)
 // No line fits all three cuts of each part; later rounds mind the one that would be chosen.
 BOOST_AUTO_TEST_CASE(later_rounds_mind_the_chosen_cut)
 {
-  Cut_group group{Judged_cut::CANDIDATE, {}};
+  Cut_group group{Evaluated_cut::CANDIDATE, {}};
   for (double agreement : {0.3, 0., 0.8}) {
     Cut_sample cut{{}, agreement};
     cut.factors.cut_strength = static_cast<double>(group.cuts.size());

@@ -3,7 +3,7 @@
 
 #include "../evaluation.h"
 #include "../for_each_mesh.h"
-#include "../judged_cuts.h"
+#include "../evaluated_cuts.h"
 #include "../princeton_benchmark.h"
 #include "experiment.h"
 #include "experiments.h"
@@ -107,7 +107,7 @@ class First_cut
     if (cut) {
       trial.salience = cut->salience;
       trial.agreement = agreement(
-        Judged_cut{Judged_cut::CANDIDATE, part_.faces, cut->side, cut->factors}, person);
+        Evaluated_cut{Evaluated_cut::CANDIDATE, part_.faces, cut->side, cut->factors}, person);
     }
     trials.push_back(trial);
   }

@@ -55,13 +55,6 @@ struct Salience_factors
   /// by *r* and the length of the cut; about 1 on a cylinder, at most 4
   double expansion_behind_cut = 0;
 
-  /// mean logarithm of the thickness of the rest less that of *Q*, both at a distance from *r*/2 to
-  /// *r* of the cut
-  double thickness_step = 0;
-
-  /// standard deviation of the logarithm of the thickness over *M*
-  double thickness_variation = 0;
-
   /// @}
 };
 
@@ -88,8 +81,7 @@ struct Weighted_part_salience
 ///
 /// A part is more likely to be cut if it is a large share of the mesh; if the cut is concave, more
 /// than the surface around it, and its base small against the part that is cut off; if both sides
-/// are closer to convex than their union; if the rest widens behind the cut; and if the thickness
-/// changes at the cut.
+/// are closer to convex than their union; and if the rest widens behind the cut.
 /// \cgalModels{PartSalience}
 struct Calibrated_part_salience
 {
@@ -112,8 +104,6 @@ struct Calibrated_part_salience
   double convexity_gain = 10.099;
   double relative_convexity_gain = 1.179;
   double expansion_behind_cut = 1.208;
-  double thickness_step = 0.295;
-  double thickness_variation = 0.868;
 
   /// @}
 
@@ -124,8 +114,8 @@ struct Calibrated_part_salience
       constant + log_relative_part_area * f.log_relative_part_area + size * f.size +
       cut_strength * f.cut_strength + concavity_near_cut * f.concavity_near_cut +
       protrusiveness * f.protrusiveness + convexity_gain * f.convexity_gain +
-      relative_convexity_gain * f.relative_convexity_gain + expansion_behind_cut * f.expansion_behind_cut +
-      thickness_step * f.thickness_step + thickness_variation * f.thickness_variation;
+      relative_convexity_gain * f.relative_convexity_gain +
+      expansion_behind_cut * f.expansion_behind_cut;
     return 1 / (1 + std::exp(-logit));
   }
 };

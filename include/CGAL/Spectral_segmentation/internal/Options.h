@@ -51,7 +51,6 @@ struct Options
   Method method = Method::ZHANG_LIU_2005;
   double concavity_radius = 0;
   bool single_source_orders = false;
-  bool thickness_orders = false;
   std::size_t number_of_candidates = 0;
   std::size_t number_of_refined_candidates = 0;
   std::size_t number_of_regions = 0;
@@ -91,7 +90,6 @@ inline Options calibrated_options()
   o.geodesic_weight = 0.03;
   o.concavity_radius = 0.02;
   o.single_source_orders = true;
-  o.thickness_orders = true;
   o.number_of_candidates = 14;
   o.number_of_refined_candidates = 4;
   o.number_of_regions = 20;

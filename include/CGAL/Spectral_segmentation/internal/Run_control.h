@@ -5,8 +5,10 @@
 #define CGAL_SPECTRAL_SEGMENTATION_INTERNAL_RUN_CONTROL_H
 
 #include <CGAL/Spectral_segmentation/Segmentation_visitor.h>
+#include <CGAL/Spectral_segmentation/internal/utility/Index.h>
 
 #include <cstddef>
+#include <vector>
 
 namespace CGAL {
 namespace Spectral_segmentation {
@@ -31,7 +33,9 @@ public:
   virtual void progress(double /* share */) {}
   virtual bool go_further() { return true; }
 
-  // For experiments: a cut whose factors were computed.
+  // For experiments: the faces of the caller's mesh that are left in the mesh that is searched; and
+  // each cut whose factors were computed, which names faces by their positions among these.
+  virtual void start_search(const std::vector<Index>& /* faces */) {}
   virtual void cut_evaluated(const Evaluated_cut&) {}
 };
 

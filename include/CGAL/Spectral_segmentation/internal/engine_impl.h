@@ -7,7 +7,6 @@
 #include <CGAL/Spectral_segmentation/internal/bipartition/best_cut.h>
 #include <CGAL/Spectral_segmentation/internal/distances/face_distances.h>
 #include <CGAL/Spectral_segmentation/internal/distances/laplacian_smoothing.h>
-#include <CGAL/Spectral_segmentation/internal/distances/local_thickness.h>
 #include <CGAL/Spectral_segmentation/internal/engine.h>
 #include <CGAL/Spectral_segmentation/internal/hierarchy/boundary_smoothing.h>
 #include <CGAL/Spectral_segmentation/internal/hierarchy/recursion.h>
@@ -70,14 +69,8 @@ class Run
 
   void set_weights(Face_graph& graph, const std::vector<Vector>& points) const
   {
-    const std::vector<Vector> normals = face_normals(execution_, graph, points);
-    call_all(execution_,
-      [&] { set_face_distances(execution_, graph, points, normals, distance_weights()); },
-      [&] {
-        if (options_.method == Method::CALIBRATED)
-          graph.thickness = local_thickness(execution_, graph, points, normals,
-                                            constants::thickness_radius);
-      });
+    set_face_distances(execution_, graph, points, face_normals(execution_, graph, points),
+                       distance_weights());
   }
 
   // Returns the mesh on which cuts are searched.
@@ -99,8 +92,23 @@ class Run
     return result;
   }
 
+  // The numbers that the caller's mesh gives to the faces that are left in the coarsest mesh.
+  std::vector<Index> searched_faces() const
+  {
+    if (levels_.empty())
+      return order_;
+    std::vector<Index> result = levels_.back().faces;
+    for (std::size_t i = levels_.size() - 1; i-- > 0;)
+      for (Index& f : result)
+        f = levels_[i].faces[f];
+    for (Index& f : result)
+      f = order_[f];
+    return result;
+  }
+
   Cut_hierarchy search(Face_graph mesh)
   {
+    monitor_.control().start_search(searched_faces());
     const Best_cut best_cut(execution_, mesh, options_);
     if (options_.method == Method::ZHANG_LIU_2005)
       return Recursion(execution_, std::move(mesh), best_cut, options_, monitor_).by_area();

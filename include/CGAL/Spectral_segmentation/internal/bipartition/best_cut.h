@@ -64,8 +64,7 @@ class Best_cut
   {
     if (options_.method == Method::ZHANG_LIU_2005)
       return {face_order(execution, part, samples)};
-    return face_orders(execution, part, references, samples, options_.single_source_orders,
-                       options_.thickness_orders);
+    return face_orders(execution, part, references, samples, options_.single_source_orders);
   }
 
   // None if a side is too small.

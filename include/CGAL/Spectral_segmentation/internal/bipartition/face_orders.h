@@ -36,13 +36,12 @@ inline Face_order spectral_order(Execution execution, const std::vector<double>&
     { return from_s[f] < from_s[g] || (from_s[f] == from_s[g] && f < g); });
 }
 
-// The orders of the calibrated method: the spectral order from both ends; then, as they are asked
+// The orders of the calibrated method: the spectral order from both ends; then, if they are asked
 // for, the orders by distance from each sample and each reference face, which grow a single limb
-// where the pair sees several at once, and the orders from the thinnest face and from the thickest.
+// where the pair sees several at once.
 inline std::vector<Face_order> face_orders(Execution execution, const Face_graph& part,
                                            const std::vector<Index>& references,
-                                           const Sample_faces& samples, bool from_single_sources,
-                                           bool by_thickness)
+                                           const Sample_faces& samples, bool from_single_sources)
 {
   std::vector<Index> sources = {samples.s, samples.t};
   if (from_single_sources)
@@ -58,10 +57,6 @@ inline std::vector<Face_order> face_orders(Execution execution, const Face_graph
   if (from_single_sources)
     for (const std::vector<double>& distance : distances)
       orders.push_back(sorted_indices(execution, distance));
-  if (by_thickness) {
-    orders.push_back(sorted_indices(execution, part.thickness));
-    orders.emplace_back(orders.back().rbegin(), orders.back().rend());
-  }
   return orders;
 }
 

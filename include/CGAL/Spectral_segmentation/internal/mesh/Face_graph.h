@@ -44,9 +44,7 @@ struct Face_graph
   std::vector<Index> neighbors;      // of each half-edge: the face across it
   std::vector<double> areas;         // of each face
   std::vector<Vector> points;        // of each vertex
-
   std::vector<Edge_weights> weights; // of each half-edge; empty where no cut is searched
-  std::vector<float> thickness;      // of the body under each face; empty if it was not measured
 
   std::size_t number_of_faces() const { return corners.size(); }
   Index number_of_halfedges() const { return static_cast<Index>(neighbors.size()); }

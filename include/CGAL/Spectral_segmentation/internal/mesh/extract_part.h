@@ -26,7 +26,6 @@ class Part_extractor
   {
     part.corners.resize(number_of_faces);
     part.areas.resize(number_of_faces);
-    part.thickness.resize(graph_.thickness.empty() ? 0 : number_of_faces);
     part.neighbors.resize(3 * number_of_faces);
     part.weights.resize(graph_.weights.empty() ? 0 : 3 * number_of_faces);
   }
@@ -62,8 +61,6 @@ public:
           part.weights[3 * i + j] = graph_.weights[3 * f + j];
       }
       part.areas[i] = graph_.areas[f];
-      if (!graph_.thickness.empty())
-        part.thickness[i] = graph_.thickness[f];
     }
     resize(part, faces.size());
     part.points = std::move(points);

@@ -37,31 +37,10 @@ struct Evaluation_context
 // cut is given by the side of each face: 0 for Q, which has the smaller area, 1 for the rest.
 class Cut_evaluator
 {
-  // Sums over the faces of a set, by area.
-  struct Thickness_sums
-  {
-    double area = 0, sum = 0, sum_of_squares = 0;
-    void add(double a, double thickness)
-    {
-      area += a;
-      sum += a * thickness;
-      sum_of_squares += a * thickness * thickness;
-    }
-    double mean() const { return area > 0 ? sum / area : 0; }
-    double deviation() const
-    {
-      return area > 0
-        ? std::sqrt((std::max)(sum_of_squares / area - mean() * mean(), 0.)) : 0;
-    }
-  };
-
   const Face_graph& part_;
   double area_of_mesh_;
   Convexity_defect convexity_defect_;
   double defect_of_part_;
-  Thickness_sums thickness_of_part_;
-
-  double thickness(Index f) const { return part_.thickness.empty() ? 0 : part_.thickness[f]; }
 
   // Size, cut strength by length, protrusiveness; returns the length of the cut.
   double set_boundary_factors(const std::vector<Index>& faces_of_q, const std::vector<Index>& cut,
@@ -85,11 +64,8 @@ class Cut_evaluator
                                 double area_of_q, double length, Salience_factors& factors) const
   {
     const double radius = constants::neighborhood_radius * std::sqrt(area_of_q);
-    Thickness_sums off_the_cut[2];
     double area_of_near_rest = 0, length_of_edges = 0, concavity = 0;
     for (const Face_at_distance& f : faces_near_cut(part_, side, cut, radius)) {
-      if (f.distance >= radius / 2)
-        off_the_cut[int(side[f.face])].add(part_.areas[f.face], thickness(f.face));
       if (side[f.face] == 1)
         area_of_near_rest += part_.areas[f.face];
       for (Index h = 3 * f.face; h < 3 * f.face + 3; ++h)
@@ -103,8 +79,6 @@ class Cut_evaluator
     factors.expansion_behind_cut =
       length > 0 ? (std::min)(area_of_near_rest / (radius * length), constants::largest_expansion)
                  : constants::largest_expansion;
-    if (off_the_cut[0].area > 0 && off_the_cut[1].area > 0)
-      factors.thickness_step = off_the_cut[1].mean() - off_the_cut[0].mean();
   }
 
   void set_convexity_factors(const std::vector<Index> (&faces)[2], const double (&area)[2],
@@ -125,10 +99,7 @@ public:
                 const Evaluation_context& mesh)
     : part_(part), area_of_mesh_(mesh.area), convexity_defect_(mesh.support_points, part, faces),
       defect_of_part_(convexity_defect_.of_part())
-  {
-    for (Index f = 0; f < part.number_of_faces(); ++f)
-      thickness_of_part_.add(part.areas[f], thickness(f));
-  }
+  {}
 
   // Both sides must have an area.
   Salience_factors operator()(const Sides& side) const
@@ -148,7 +119,6 @@ public:
     set_neighborhood_factors(side, cut, area[0], length, factors);
     set_convexity_factors(faces, area, factors);
     factors.log_relative_part_area = std::log((area[0] + area[1]) / area_of_mesh_);
-    factors.thickness_variation = thickness_of_part_.deviation();
     return factors;
   }
 };

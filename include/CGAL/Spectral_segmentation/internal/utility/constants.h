@@ -44,10 +44,6 @@ constexpr double largest_ratio_to_rest = 3;
 // faces: the bands around the cuts of a coarsened mesh are not wider.
 constexpr double largest_number_of_averaged_faces = 80;
 
-// The disk over which rays are joined to a thickness: its radius relative to the square root of
-// the area of the mesh.
-constexpr double thickness_radius = 0.012;
-
 } // namespace constants
 } // namespace internal
 } // namespace Spectral_segmentation

@@ -1,0 +1,38 @@
+// Copyright (c) 2026  The Spectral_segmentation authors.
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef SEGMENTATION_BENCHMARK_RUN_ENGINE_H
+#define SEGMENTATION_BENCHMARK_RUN_ENGINE_H
+
+#include "princeton_benchmark.h"
+
+#include <CGAL/segment_spectral_recursive.h>
+
+#include <utility>
+#include <vector>
+
+// Runs with options that have no named parameters, and with a look at what the engine does.
+namespace segmentation_benchmark {
+
+typedef CGAL::Spectral_segmentation::internal::Options Engine_options;
+typedef CGAL::Spectral_segmentation::internal::Execution Execution;
+typedef CGAL::Spectral_segmentation::internal::Run_control Run_control;
+
+inline CGAL::Spectral_segmentation::internal::Triangles triangles_of(const Mesh& mesh)
+{
+  const std::vector<Mesh::Face_index> faces(mesh.faces().begin(), mesh.faces().end());
+  return CGAL::Spectral_segmentation::internal::read_triangle_mesh(
+    mesh, faces, mesh.points(), CGAL::Exact_predicates_inexact_constructions_kernel());
+}
+
+inline CGAL::Spectral_segmentation::Segmentation_hierarchy
+run_engine(const Mesh& mesh, const Engine_options& options, Execution execution,
+           Run_control&& control = Run_control())
+{
+  return {CGAL::Spectral_segmentation::internal::segment(triangles_of(mesh), options, execution,
+                                                         control), options};
+}
+
+} // namespace segmentation_benchmark
+
+#endif // SEGMENTATION_BENCHMARK_RUN_ENGINE_H
