@@ -4,10 +4,12 @@
 #ifndef SPECTRAL_SEGMENTATION_TEST_MESHES_H
 #define SPECTRAL_SEGMENTATION_TEST_MESHES_H
 
-#include <CGAL/Spectral_segmentation/internal/mesh/Face_graph.h>
+#include <CGAL/Spectral_segmentation/internal/Options.h>
 #include <CGAL/Spectral_segmentation/internal/distances/face_distances.h>
-#include <CGAL/Spectral_segmentation/internal/mesh/extract_part.h>
 #include <CGAL/Spectral_segmentation/internal/door/read_triangle_mesh.h>
+#include <CGAL/Spectral_segmentation/internal/mesh/Face_graph.h>
+#include <CGAL/Spectral_segmentation/internal/mesh/Triangles.h>
+#include <CGAL/Spectral_segmentation/internal/mesh/extract_part.h>
 
 #include <CGAL/IO/polygon_soup_io.h>
 #include <CGAL/Polygon_mesh_processing/orient_polygon_soup.h>
@@ -15,7 +17,6 @@
 #include <CGAL/Polygon_mesh_processing/repair_polygon_soup.h>
 #include <CGAL/Simple_cartesian.h>
 #include <CGAL/Surface_mesh.h>
-#include <CGAL/tags.h>
 
 #include <cmath>
 #include <cstddef>
@@ -263,44 +264,49 @@ inline Soup displaced(Soup soup, double amount, Random& random)
 
 typedef CGAL::Spectral_segmentation::internal::Face_graph Face_graph;
 typedef CGAL::Spectral_segmentation::internal::Index Index;
+typedef CGAL::Spectral_segmentation::internal::Triangles Triangles;
+constexpr CGAL::Spectral_segmentation::internal::Execution sequential =
+  CGAL::Spectral_segmentation::internal::Execution::SEQUENTIAL;
 
-inline CGAL::Spectral_segmentation::internal::Triangles triangles_of(const Mesh& mesh)
+// Faces and vertices have the numbers of the mesh, in its own unit.
+inline Triangles triangles_of(const Mesh& mesh)
 {
   const std::vector<Mesh::Face_index> faces(mesh.faces().begin(), mesh.faces().end());
-  return CGAL::Spectral_segmentation::internal::read_triangles(mesh, faces, mesh.points(),
-                                                               Kernel());
+  return CGAL::Spectral_segmentation::internal::read_triangle_mesh(mesh, faces, mesh.points(),
+                                                                   Kernel());
 }
 
-// Faces and vertices have the numbers of the mesh; face distances are left open.
-inline Face_graph dual_graph_of(const Mesh& mesh)
+inline Triangles triangles_of(const Soup& soup) { return triangles_of(mesh_of(soup)); }
+
+// Faces and vertices have the numbers of the mesh; points are normalized, as in a run. There are no
+// weights.
+inline Face_graph face_graph_of(const Mesh& mesh)
 {
-  return CGAL::Spectral_segmentation::internal::face_graph<CGAL::Sequential_tag>(
-    triangles_of(mesh));
+  Triangles triangles = triangles_of(mesh);
+  CGAL::Spectral_segmentation::internal::normalize(triangles.points);
+  return CGAL::Spectral_segmentation::internal::face_graph(sequential, std::move(triangles));
 }
 
-inline Face_graph dual_graph_of(const Soup& soup) { return dual_graph_of(mesh_of(soup)); }
+inline Face_graph face_graph_of(const Soup& soup) { return face_graph_of(mesh_of(soup)); }
 
 inline auto face_normals(const Face_graph& graph,
                          const std::vector<CGAL::Spectral_segmentation::internal::Vector>& points)
-{
-  return CGAL::Spectral_segmentation::internal::face_normals<CGAL::Sequential_tag>(graph, points);
-}
+{ return CGAL::Spectral_segmentation::internal::face_normals(sequential, graph, points); }
 
-// With the paper's distances between adjacent faces.
 typedef CGAL::Spectral_segmentation::internal::Distance_weights Distance_weights;
 constexpr Distance_weights weights_of_paper = {0.01, 1, 0.1};
 constexpr Distance_weights weights_of_calibrated_method = {0.03, 1, 0.1, 0.02};
 
 inline void set_face_distances(Face_graph& graph, const Distance_weights& weights)
 {
-  CGAL::Spectral_segmentation::internal::set_face_distances<CGAL::Sequential_tag>(
-    graph, graph.points, face_normals(graph, graph.points), weights);
+  CGAL::Spectral_segmentation::internal::set_face_distances(
+    sequential, graph, graph.points, face_normals(graph, graph.points), weights);
 }
 
 inline Face_graph graph_with_distances(const Soup& soup,
-                                            const Distance_weights& weights = weights_of_paper)
+                                       const Distance_weights& weights = weights_of_paper)
 {
-  Face_graph graph = dual_graph_of(soup);
+  Face_graph graph = face_graph_of(soup);
   set_face_distances(graph, weights);
   return graph;
 }
@@ -319,7 +325,7 @@ inline Face_graph random_part(const Face_graph& graph, std::size_t n, Random& ra
     piece[f] = 0;
     --n;
     for (Index h = 3 * f; h < 3 * f + 3; ++h)
-      front.push_back(graph.halfedges[h].neighbor);
+      front.push_back(graph.neighbors[h]);
   }
   return CGAL::Spectral_segmentation::internal::split(graph, piece, 2).front();
 }
