@@ -8,7 +8,6 @@
 #include <CGAL/Spectral_segmentation/internal/Run_control.h>
 #include <CGAL/Spectral_segmentation/internal/bipartition/best_cut.h>
 #include <CGAL/Spectral_segmentation/internal/salience/Cut_evaluator.h>
-#include <CGAL/tags.h>
 
 #include <algorithm>
 #include <cstddef>
@@ -40,8 +39,7 @@ std::vector<Cut> judged_cuts(const Face_graph& graph, const Options& options,
   Segmentation_visitor visitor;
   internal::Monitor<Segmentation_visitor> monitor(visitor);
   std::vector<Cut> cuts;
-  best = internal::best_cut<CGAL::Sequential_tag>(
-    whole(graph), internal::judged_mesh(graph, options), options, monitor,
+  best = internal::best_cut(sequential, whole(graph), internal::judged_mesh(graph, options), options, monitor,
     [&](const Cut& cut) { cuts.push_back(cut); });
   return cuts;
 }
@@ -70,7 +68,7 @@ BOOST_AUTO_TEST_CASE(sides_are_connected_if_each_is_one_component_by_itself)
   Random random(3);
   std::size_t number_connected = 0;
   for (int i = 0; i < 400; ++i) {
-    const Face_graph graph = dual_graph_of(plate(1 + random() % 3, 1 + random() % 2));
+    const Face_graph graph = face_graph_of(plate(1 + random() % 3, 1 + random() % 2));
     Sides side(graph.number_of_faces());
     for (char& s : side)
       s = random() % 2;
@@ -157,8 +155,7 @@ BOOST_AUTO_TEST_CASE(a_part_without_room_for_two_segments_is_not_searched)
   Options options;
   options.minimum_segment_size = 0.1;
   const auto search = [&](double area_of_mesh) {
-    return internal::best_cut<CGAL::Sequential_tag>(
-      whole(graph), {area_of_mesh, {}}, options, monitor);
+    return internal::best_cut(sequential, whole(graph), {area_of_mesh, {}}, options, monitor);
   };
   const double area = internal::total_area(graph);
   BOOST_TEST(!search(5.01 * area).has_value());

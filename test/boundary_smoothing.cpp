@@ -46,7 +46,7 @@ std::size_t face_of_square(std::size_t x, std::size_t y, std::size_t i)
 
 Labels smoothed(const Soup& soup, Labels labels)
 {
-  smooth_boundaries(neighbors(dual_graph_of(soup)), labels);
+  smooth_boundaries(neighbors(face_graph_of(soup)), labels);
   return labels;
 }
 
@@ -64,7 +64,7 @@ Labels random_segments(const Face_graph& graph, std::size_t number, Random& rand
   }
   while (std::count(labels.begin(), labels.end(), number) > 0) {
     const Index h = static_cast<Index>(random() % (3 * n));
-    std::size_t& label = labels[graph.halfedges[h].neighbor];
+    std::size_t& label = labels[graph.neighbors[h]];
     if (label == number)
       label = labels[h / 3];
   }
@@ -165,7 +165,7 @@ BOOST_AUTO_TEST_CASE(an_isthmus_stays)
   // Two lands of 5 x 12 squares, joined by two squares between two seas.
   const Labels labels = labels_of_squares([](std::size_t x, std::size_t y)
     { return std::size_t(x < 5 || x >= 7 || y == 6 ? 0 : 1 + (y > 6)); });
-  const Face_graph graph = dual_graph_of(plate(width, width));
+  const Face_graph graph = face_graph_of(plate(width, width));
   BOOST_REQUIRE(are_connected(graph, labels, 3));
   const Labels result = smoothed_on_plate(labels);
   BOOST_TEST(values(result) == values(labels), tt::per_element());
@@ -195,7 +195,7 @@ BOOST_AUTO_TEST_CASE(segments_are_neither_emptied_nor_disconnected)
     BOOST_TEST_CONTEXT("seed " << seed) {
       Random random(seed);
       const Face_graph graph =
-        random_part(dual_graph_of(shapes[seed % shapes.size()]), 50 + random() % 300, random);
+        random_part(face_graph_of(shapes[seed % shapes.size()]), 50 + random() % 300, random);
       const std::size_t number = 1 + random() % 8;
       const Labels labels = random_segments(graph, number, random);
       BOOST_REQUIRE(are_connected(graph, labels, number));

@@ -20,7 +20,7 @@
 #include <utility>
 #include <vector>
 
-BOOST_AUTO_TEST_SUITE(simplification)
+BOOST_AUTO_TEST_SUITE(coarsening)
 
 using namespace test_meshes;
 namespace internal = CGAL::Spectral_segmentation::internal;
@@ -31,11 +31,11 @@ using internal::Vector;
 namespace {
 
 Coarse_mesh coarsen(const Face_graph& mesh, std::size_t number_of_faces)
-{ return internal::coarsen<CGAL::Sequential_tag>(mesh, number_of_faces); }
+{ return internal::coarsen(sequential, mesh, number_of_faces); }
 
 std::vector<Coarse_mesh> coarsen_in_steps(const Face_graph& mesh,
                                                std::size_t number_of_faces)
-{ return internal::coarsen_in_steps<CGAL::Sequential_tag>(mesh, number_of_faces); }
+{ return internal::coarsen_in_steps(sequential, mesh, number_of_faces); }
 
 // In the unit of the mesh, whose coordinates are normalized.
 double volume(const Face_graph& graph)
@@ -60,7 +60,7 @@ std::size_t number_of_components(const Face_graph& graph)
 int euler_characteristic(const Face_graph& graph)
 {
   int half_edges_inside = 0, border = 0;
-  for (Index h = 0; h < graph.halfedges.size(); ++h)
+  for (Index h = 0; h < graph.number_of_halfedges(); ++h)
     ++(graph.is_border(h) ? border : half_edges_inside);
   return int(graph.points.size()) - (half_edges_inside / 2 + border) +
          int(graph.number_of_faces());
@@ -73,11 +73,11 @@ void check(const Face_graph& mesh, const Coarse_mesh& simplified)
   const std::size_t n = graph.number_of_faces();
   BOOST_TEST_REQUIRE(simplified.faces.size() == n);
   BOOST_TEST(std::is_sorted(simplified.faces.begin(), simplified.faces.end()));
-  BOOST_TEST(graph.halfedges.size() == 3 * n);
+  BOOST_TEST(graph.number_of_halfedges() == 3 * n);
   BOOST_TEST(graph.areas.size() == n);
   BOOST_TEST(graph.unit == mesh.unit);
   BOOST_TEST(number_of_components(graph) == number_of_components(mesh));
-  for (Index h = 0; h < graph.halfedges.size(); ++h)
+  for (Index h = 0; h < graph.number_of_halfedges(); ++h)
     if (!graph.is_border(h)) {
       BOOST_TEST_REQUIRE(graph.opposite(h) != null_index);
       BOOST_TEST(graph.opposite(graph.opposite(h)) == h);
@@ -130,7 +130,7 @@ BOOST_AUTO_TEST_CASE(surfaces_keep_their_topology)
                         disjoint_union(sphere(3), torus(2, 0.5, 40, 16)),
                         surface_of_revolution({{0, 1}, {1, 0.5}, {2, 0.8}, {3, 1}}, 100)};
   for (const Soup& soup : soups) {
-    const Face_graph mesh = dual_graph_of(soup);
+    const Face_graph mesh = face_graph_of(soup);
     for (std::size_t number : {mesh.number_of_faces() / 2, std::size_t(300), std::size_t(150)}) {
       const Coarse_mesh simplified = coarsen(mesh, number);
       check(mesh, simplified);
@@ -143,7 +143,7 @@ BOOST_AUTO_TEST_CASE(surfaces_keep_their_topology)
 
 BOOST_AUTO_TEST_CASE(a_sphere_keeps_its_volume_and_its_faces_are_alike)
 {
-  const Face_graph mesh = dual_graph_of(sphere(5));
+  const Face_graph mesh = face_graph_of(sphere(5));
   const Coarse_mesh simplified = coarsen(mesh, 1000);
   const Face_graph& graph = simplified.graph;
   // With its vertices on the sphere a mesh of 1000 faces lacks 1 % of the volume.
@@ -160,7 +160,7 @@ BOOST_AUTO_TEST_CASE(a_sphere_keeps_its_volume_and_its_faces_are_alike)
 
 BOOST_AUTO_TEST_CASE(a_plate_keeps_its_outline)
 {
-  const Face_graph mesh = dual_graph_of(plate(40, 30));
+  const Face_graph mesh = face_graph_of(plate(40, 30));
   const Coarse_mesh simplified = coarsen(mesh, 100);
   BOOST_TEST(area(simplified.graph) == 1200, boost::test_tools::tolerance(0.01));
 }
@@ -175,7 +175,7 @@ BOOST_AUTO_TEST_CASE(sharp_edges_stay)
     profile.emplace_back(0.1 * i, 1);
   for (int i = 9; i >= 0; --i)
     profile.emplace_back(3, 0.1 * i);
-  const Face_graph mesh = dual_graph_of(surface_of_revolution(profile, 60));
+  const Face_graph mesh = face_graph_of(surface_of_revolution(profile, 60));
   const Coarse_mesh simplified = coarsen(mesh, 800);
   BOOST_TEST(volume(simplified.graph) == volume(mesh), boost::test_tools::tolerance(0.01));
 }
@@ -184,8 +184,8 @@ BOOST_AUTO_TEST_CASE(it_moves_with_the_mesh)
 {
   for (unsigned seed : {1, 2, 3}) {
     const Soup soup = rough_dumbbell(seed);
-    const Coarse_mesh here = coarsen(dual_graph_of(soup), 400),
-                          there = coarsen(dual_graph_of(turned(soup)), 400);
+    const Coarse_mesh here = coarsen(face_graph_of(soup), 400),
+                          there = coarsen(face_graph_of(turned(soup)), 400);
     BOOST_TEST((here.faces == there.faces));
     BOOST_TEST((here.vertices == there.vertices));
   }
@@ -207,9 +207,9 @@ BOOST_AUTO_TEST_CASE(the_numbers_of_faces_and_vertices_do_not_matter)
     const std::vector<std::size_t>& t = soup.triangles[f];
     other.triangles[face[f]] = {vertex[t[1]], vertex[t[2]], vertex[t[0]]};
   }
-  const Coarse_mesh simplified = coarsen(dual_graph_of(other), 400);
+  const Coarse_mesh simplified = coarsen(face_graph_of(other), 400);
   std::set<Index> expected, left(simplified.faces.begin(), simplified.faces.end());
-  for (Index f : coarsen(dual_graph_of(soup), 400).faces)
+  for (Index f : coarsen(face_graph_of(soup), 400).faces)
     expected.insert(Index(face[f]));
   BOOST_TEST((left == expected));
 }
@@ -217,7 +217,7 @@ BOOST_AUTO_TEST_CASE(the_numbers_of_faces_and_vertices_do_not_matter)
 BOOST_AUTO_TEST_CASE(what_is_small_enough_stays)
 {
   const Soup soup = rough_dumbbell(6);
-  const Face_graph mesh = dual_graph_of(soup);
+  const Face_graph mesh = face_graph_of(soup);
   const Coarse_mesh simplified = coarsen(mesh, mesh.number_of_faces());
   check(mesh, simplified);
   BOOST_TEST(simplified.graph.number_of_faces() == mesh.number_of_faces());
@@ -229,7 +229,7 @@ BOOST_AUTO_TEST_CASE(no_component_vanishes)
   Soup soup = sphere(3);
   for (int i = 1; i <= 20; ++i)
     soup = disjoint_union(soup, moved(scaled(sphere(1), 0.01), 2. * i, 0, 0));
-  const Face_graph mesh = dual_graph_of(soup);
+  const Face_graph mesh = face_graph_of(soup);
   const Coarse_mesh simplified = coarsen(mesh, 1);
   check(mesh, simplified);
   BOOST_TEST(simplified.graph.number_of_faces() == 21 * 4); // tetrahedra
@@ -240,7 +240,7 @@ BOOST_AUTO_TEST_CASE(a_vertex_where_two_surfaces_meet_stays)
   // Two spheres that have one vertex in common.
   Soup soup = disjoint_union(sphere(3), moved(sphere(3), 5, 0, 0));
   const std::size_t half = soup.points.size() / 2;
-  Face_graph mesh = dual_graph_of(soup);
+  Face_graph mesh = face_graph_of(soup);
   for (std::array<Index, 3>& corners : mesh.corners)
     for (Index& v : corners)
       if (v == half)
@@ -261,18 +261,18 @@ BOOST_AUTO_TEST_CASE(faces_without_area_do_no_harm)
   Soup soup = sphere(3);
   for (std::size_t v : {10, 11, 12, 200, 201}) // many edges without length
     soup.points[v] = soup.points[v + 1];
-  const Face_graph mesh = dual_graph_of(soup);
+  const Face_graph mesh = face_graph_of(soup);
   const Coarse_mesh simplified = coarsen(mesh, 300);
   check(mesh, simplified);
   BOOST_TEST(simplified.graph.number_of_faces() <= 300);
-  const Face_graph flat = dual_graph_of({{Point(0, 0, 0), Point(1, 0, 0), Point(2, 0, 0),
+  const Face_graph flat = face_graph_of({{Point(0, 0, 0), Point(1, 0, 0), Point(2, 0, 0),
                                                Point(3, 0, 0)}, {{0, 1, 2}, {0, 2, 3}}});
   check(flat, coarsen(flat, 1));
 }
 
 BOOST_AUTO_TEST_CASE(steps_lead_from_the_mesh_to_the_number)
 {
-  const Face_graph mesh = dual_graph_of(sphere(5)); // 20480 faces
+  const Face_graph mesh = face_graph_of(sphere(5)); // 20480 faces
   BOOST_TEST(coarsen_in_steps(mesh, 4000).size() == 1);
   const std::vector<Coarse_mesh> steps = coarsen_in_steps(mesh, 100);
   BOOST_TEST_REQUIRE(steps.size() == 2);
@@ -284,7 +284,7 @@ BOOST_AUTO_TEST_CASE(steps_lead_from_the_mesh_to_the_number)
 
 BOOST_AUTO_TEST_CASE(only_the_last_step_of_a_large_mesh_leaves_no_more_than_the_number)
 {
-  const Face_graph mesh = dual_graph_of(sphere(7)); // 327680 faces
+  const Face_graph mesh = face_graph_of(sphere(7)); // 327680 faces
   const std::vector<Coarse_mesh> steps = coarsen_in_steps(mesh, 4000);
   BOOST_TEST_REQUIRE(steps.size() == 2);
   check(mesh, steps[0]);
@@ -297,7 +297,7 @@ BOOST_AUTO_TEST_CASE(only_the_last_step_of_a_large_mesh_leaves_no_more_than_the_
 
 BOOST_AUTO_TEST_CASE(a_large_mesh_is_simplified_in_domains_and_shows_no_seam)
 {
-  const Face_graph mesh = dual_graph_of(sphere(7)); // 327680 faces
+  const Face_graph mesh = face_graph_of(sphere(7)); // 327680 faces
   const Coarse_mesh simplified = coarsen(mesh, 20000);
   check(mesh, simplified);
   const Face_graph& graph = simplified.graph;
@@ -321,7 +321,7 @@ BOOST_AUTO_TEST_CASE(a_large_mesh_keeps_its_faces_where_it_has_many)
 {
   // A plate of two faces, far away and large, has hardly any faces to give.
   const Soup soup = disjoint_union(sphere(7), moved(scaled(plate(1, 1), 200), 0, 0, -300));
-  const Face_graph mesh = dual_graph_of(soup);
+  const Face_graph mesh = face_graph_of(soup);
   const Coarse_mesh simplified = coarsen(mesh, 20000);
   check(mesh, simplified);
   BOOST_TEST(simplified.graph.number_of_faces() <= 20000);

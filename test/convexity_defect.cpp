@@ -47,29 +47,29 @@ std::vector<Index> all_faces(const Face_graph& graph)
 { return range(0, Index(graph.number_of_faces())); }
 
 // Of sets of faces of a whole mesh.
-class Hollowness_of_mesh
+class Defect_of_mesh
 {
-  const Support_points extreme_points_;
+  const Support_points support_points_;
   const std::vector<Index> all_faces_;
-  const Convexity_defect hollowness_;
+  const Convexity_defect defect_;
 
 public:
-  explicit Hollowness_of_mesh(const Face_graph& graph)
-    : extreme_points_(graph), all_faces_(all_faces(graph)),
-      hollowness_(extreme_points_, graph, all_faces_) {}
+  explicit Defect_of_mesh(const Face_graph& graph)
+    : support_points_(sequential, graph), all_faces_(all_faces(graph)),
+      defect_(support_points_, graph, all_faces_) {}
 
-  double operator()(const std::vector<Index>& faces) const { return hollowness_(faces); }
+  double operator()(const std::vector<Index>& faces) const { return defect_(faces); }
 };
 
 // In the coordinates of the soup.
-double hollowness_of(const Soup& soup)
+double defect_of(const Soup& soup)
 {
-  const Face_graph graph = dual_graph_of(soup);
-  return Hollowness_of_mesh(graph)(all_faces(graph)) * graph.unit;
+  const Face_graph graph = face_graph_of(soup);
+  return Defect_of_mesh(graph)(all_faces(graph)) * unit_of(soup);
 }
 
 // By the hull of all points.
-double exact_hollowness(const Face_graph& graph, const std::vector<Index>& faces)
+double exact_defect(const Face_graph& graph, const std::vector<Index>& faces)
 {
   const std::vector<Vector> normals = face_normals(graph, graph.points);
   double sum = 0, area = 0;
@@ -121,38 +121,38 @@ double diameter(const Face_graph& graph, const std::vector<Index>& faces)
 
 } // namespace
 
-BOOST_AUTO_TEST_CASE(nothing_is_not_hollow)
+BOOST_AUTO_TEST_CASE(no_face_has_no_defect)
 {
-  const Face_graph graph = dual_graph_of(sphere(0));
-  BOOST_TEST(Hollowness_of_mesh(graph)({}) == 0);
+  const Face_graph graph = face_graph_of(sphere(0));
+  BOOST_TEST(Defect_of_mesh(graph)({}) == 0);
 }
 
-BOOST_AUTO_TEST_CASE(faces_without_area_are_not_hollow)
+BOOST_AUTO_TEST_CASE(faces_without_area_have_no_defect)
 {
   Soup soup = turned_inside_out(sphere(1));
   for (std::size_t v : soup.triangles[4])
     soup.points[v] = Point(0, 0, 0);
-  const Face_graph graph = dual_graph_of(soup);
-  const Hollowness_of_mesh convexity_defect(graph);
-  BOOST_TEST(convexity_defect({4}) == 0);
-  BOOST_TEST(convexity_defect(all_faces(graph)) > 0.1);
+  const Face_graph graph = face_graph_of(soup);
+  const Defect_of_mesh defect(graph);
+  BOOST_TEST(defect({4}) == 0);
+  BOOST_TEST(defect(all_faces(graph)) > 0.1);
 }
 
-BOOST_AUTO_TEST_CASE(a_convex_body_is_not_hollow)
+BOOST_AUTO_TEST_CASE(a_convex_body_has_no_defect)
 {
   for (std::size_t level : {0, 1, 3})
     for (double radius : {1., 30.})
-      BOOST_TEST(hollowness_of(scaled(sphere(level), radius)) < single_precision * radius);
+      BOOST_TEST(defect_of(scaled(sphere(level), radius)) < single_precision * radius);
   Random random(1);
   for (int i = 0; i < 20; ++i)
     for (const Soup& soup : {box(1, 1, 1), box(1, 3, 9), box(1, 0.1, 10)})
-      BOOST_TEST(hollowness_of(rotated(soup, random_rotation(random))) < 10 * single_precision);
+      BOOST_TEST(defect_of(rotated(soup, random_rotation(random))) < 10 * single_precision);
 }
 
 BOOST_AUTO_TEST_CASE(a_sphere_turned_inside_out_is_a_diameter_below_its_hull)
 {
   for (double radius : {1., 30.})
-    BOOST_TEST(hollowness_of(turned_inside_out(scaled(sphere(3), radius))) == 2 * radius,
+    BOOST_TEST(defect_of(turned_inside_out(scaled(sphere(3), radius))) == 2 * radius,
                tt::tolerance(0.01));
 }
 
@@ -160,14 +160,14 @@ BOOST_AUTO_TEST_CASE(a_cavity_counts_by_its_area)
 {
   const Soup soup = disjoint_union(scaled(sphere(3), 3), turned_inside_out(sphere(3)));
   // The shell is 0, the cavity 1 + 3 below the hull; their areas are 9 to 1.
-  BOOST_TEST(hollowness_of(soup) == 0.4, tt::tolerance(0.02));
+  BOOST_TEST(defect_of(soup) == 0.4, tt::tolerance(0.02));
 }
 
-BOOST_AUTO_TEST_CASE(two_spheres_are_hollow_between_each_other)
+BOOST_AUTO_TEST_CASE(two_spheres_have_a_defect_between_each_other)
 {
   // The halves that look at each other are 2d |x| below the hull, which is d on average.
   for (double d : {2., 5., 20.})
-    BOOST_TEST(hollowness_of(disjoint_union(moved(sphere(3), -d, 0, 0), moved(sphere(3), d, 0, 0)))
+    BOOST_TEST(defect_of(disjoint_union(moved(sphere(3), -d, 0, 0), moved(sphere(3), d, 0, 0)))
                == d / 2, tt::tolerance(0.006));
 }
 
@@ -179,79 +179,79 @@ BOOST_AUTO_TEST_CASE(hardly_any_depth_is_out_of_sight)
       const std::vector<Soup> shapes = {plate(5, 4), sphere(2), torus(2, 0.7, 12, 8),
                                         dumbbell(10, 6)};
       const Face_graph graph =
-        dual_graph_of(displaced(shapes[seed % shapes.size()], 0.05, random));
+        face_graph_of(displaced(shapes[seed % shapes.size()], 0.05, random));
       std::vector<Index> faces = all_faces(graph);
       std::shuffle(faces.begin(), faces.end(), random);
       faces.resize(faces.size() / (1 + seed % 3));
-      const double convexity_defect = Hollowness_of_mesh(graph)(faces);
-      const double exact = exact_hollowness(graph, faces);
-      BOOST_TEST(convexity_defect < exact + single_precision);
-      BOOST_TEST(convexity_defect > exact - out_of_sight * diameter(graph, faces));
+      const double defect = Defect_of_mesh(graph)(faces);
+      const double exact = exact_defect(graph, faces);
+      BOOST_TEST(defect < exact + single_precision);
+      BOOST_TEST(defect > exact - out_of_sight * diameter(graph, faces));
       BOOST_TEST(exact > 0.01);
     }
   }
 }
 
-BOOST_AUTO_TEST_CASE(a_dumbbell_is_hollow_and_its_halves_are_less_so)
+BOOST_AUTO_TEST_CASE(a_dumbbell_has_a_defect_and_its_halves_have_none)
 {
-  const Face_graph graph = dual_graph_of(dumbbell(24, 16));
+  const Face_graph graph = face_graph_of(dumbbell(24, 16));
   std::vector<Index> low, high;
   for (Index f : all_faces(graph))
     (graph.centroid(f).z() < 0 ? low : high).push_back(f);
   BOOST_TEST(low.size() == high.size());
-  const Hollowness_of_mesh convexity_defect(graph);
-  const double whole = convexity_defect(all_faces(graph));
-  BOOST_TEST(whole == exact_hollowness(graph, all_faces(graph)), tt::tolerance(0.004));
+  const Defect_of_mesh defect(graph);
+  const double whole = defect(all_faces(graph));
+  BOOST_TEST(whole == exact_defect(graph, all_faces(graph)), tt::tolerance(0.004));
   BOOST_TEST(whole > 0.2);
-  BOOST_TEST(convexity_defect(low) < single_precision);
-  BOOST_TEST(convexity_defect(high) < single_precision);
+  BOOST_TEST(defect(low) < single_precision);
+  BOOST_TEST(defect(high) < single_precision);
 }
 
 BOOST_AUTO_TEST_CASE(only_the_vertices_of_the_set_make_its_hull)
 {
   const Soup soup = disjoint_union(moved(sphere(3), -5, 0, 0), moved(sphere(3), 5, 0, 0));
-  const Face_graph graph = dual_graph_of(soup);
-  const Hollowness_of_mesh convexity_defect(graph);
-  const double both = convexity_defect(all_faces(graph));
+  const Face_graph graph = face_graph_of(soup);
+  const Defect_of_mesh defect(graph);
+  const double both = defect(all_faces(graph));
   for (int i = 0; i < 2; ++i) {
-    BOOST_TEST(convexity_defect(range(0, 1280)) < single_precision);
-    BOOST_TEST(convexity_defect(range(1280, 2560)) < single_precision);
-    BOOST_TEST(convexity_defect(all_faces(graph)) == both);
+    BOOST_TEST(defect(range(0, 1280)) < single_precision);
+    BOOST_TEST(defect(range(1280, 2560)) < single_precision);
+    BOOST_TEST(defect(all_faces(graph)) == both);
   }
   BOOST_TEST(both > 0.1);
 }
 
-BOOST_AUTO_TEST_CASE(a_flat_set_is_not_hollow)
+BOOST_AUTO_TEST_CASE(a_flat_set_has_no_defect)
 {
   Random random(3);
   for (int i = 0; i < 5; ++i) {
-    const Face_graph graph = dual_graph_of(rotated(plate(30, 30), random_rotation(random)));
-    const Hollowness_of_mesh convexity_defect(graph);
-    BOOST_TEST(convexity_defect(all_faces(graph)) < single_precision);
-    BOOST_TEST(convexity_defect({17}) < single_precision);
+    const Face_graph graph = face_graph_of(rotated(plate(30, 30), random_rotation(random)));
+    const Defect_of_mesh defect(graph);
+    BOOST_TEST(defect(all_faces(graph)) < single_precision);
+    BOOST_TEST(defect({17}) < single_precision);
   }
 }
 
 BOOST_AUTO_TEST_CASE(the_order_of_the_faces_does_not_matter)
 {
   Random random(2);
-  const Face_graph graph = dual_graph_of(torus(2, 0.5, 40, 20)); // 800 vertices
+  const Face_graph graph = face_graph_of(torus(2, 0.5, 40, 20)); // 800 vertices
   std::vector<Index> faces = all_faces(graph);
-  const Hollowness_of_mesh convexity_defect(graph);
-  const double in_order = convexity_defect(faces);
+  const Defect_of_mesh defect(graph);
+  const double in_order = defect(faces);
   std::shuffle(faces.begin(), faces.end(), random);
-  BOOST_TEST(convexity_defect(faces) == in_order, tt::tolerance(1e-12));
-  BOOST_TEST(in_order == exact_hollowness(graph, faces), tt::tolerance(0.004));
+  BOOST_TEST(defect(faces) == in_order, tt::tolerance(1e-12));
+  BOOST_TEST(in_order == exact_defect(graph, faces), tt::tolerance(0.004));
 }
 
 BOOST_AUTO_TEST_CASE(moving_the_part_does_not_matter)
 {
-  const Face_graph graph = dual_graph_of(dumbbell(12, 8));
-  const double in_place = Hollowness_of_mesh(graph)(all_faces(graph));
+  const Face_graph graph = face_graph_of(dumbbell(12, 8));
+  const double in_place = Defect_of_mesh(graph)(all_faces(graph));
   Face_graph elsewhere = graph;
   for (Vector& p : elsewhere.points)
     p += Vector(0.4, -0.3, 0.2);
-  const double moved = Hollowness_of_mesh(elsewhere)(all_faces(graph));
+  const double moved = Defect_of_mesh(elsewhere)(all_faces(graph));
   BOOST_TEST(std::abs(moved - in_place) < single_precision);
   BOOST_TEST(in_place > 0.01);
 }
@@ -260,9 +260,9 @@ BOOST_AUTO_TEST_CASE(rotating_the_part_hardly_matters)
 {
   Random random(4);
   for (const Soup& soup : {torus(2, 0.5, 24, 12), dumbbell(24, 16)}) {
-    const double unrotated = hollowness_of(soup);
+    const double unrotated = defect_of(soup);
     for (int i = 0; i < 10; ++i)
-      BOOST_TEST(hollowness_of(rotated(soup, random_rotation(random))) == unrotated,
+      BOOST_TEST(defect_of(rotated(soup, random_rotation(random))) == unrotated,
                  tt::tolerance(0.002));
     BOOST_TEST(unrotated > 0.4);
   }
@@ -272,17 +272,17 @@ BOOST_AUTO_TEST_CASE(a_part_without_symmetry_may_be_rotated)
 {
   Random random(5);
   const Soup soup = displaced(dumbbell(24, 16), 0.1, random);
-  const double unrotated = hollowness_of(soup);
+  const double unrotated = defect_of(soup);
   for (int i = 0; i < 10; ++i)
-    BOOST_TEST(hollowness_of(rotated(soup, random_rotation(random))) == unrotated,
+    BOOST_TEST(defect_of(rotated(soup, random_rotation(random))) == unrotated,
                tt::tolerance(1e-4));
 }
 
-BOOST_AUTO_TEST_CASE(the_hollowness_grows_with_the_size)
+BOOST_AUTO_TEST_CASE(the_defect_grows_with_the_size)
 {
-  const double convexity_defect = hollowness_of(torus(2, 0.5, 24, 12));
+  const double defect = defect_of(torus(2, 0.5, 24, 12));
   for (double factor : {1e-3, 3., 1000.})
-    BOOST_TEST(hollowness_of(scaled(torus(2, 0.5, 24, 12), factor)) == factor * convexity_defect,
+    BOOST_TEST(defect_of(scaled(torus(2, 0.5, 24, 12), factor)) == factor * defect,
                tt::tolerance(1e-5));
 }
 

@@ -8,7 +8,6 @@
 #include <CGAL/Spectral_segmentation/internal/mesh/Face_graph.h>
 #include <CGAL/Spectral_segmentation/internal/distances/face_distances.h>
 #include <CGAL/Spectral_segmentation/internal/distances/curvature_angles.h>
-#include <CGAL/tags.h>
 
 #include <algorithm>
 #include <cmath>
@@ -22,13 +21,12 @@ BOOST_AUTO_TEST_SUITE(curvature_angles)
 namespace tt = boost::test_tools;
 using namespace test_meshes;
 using CGAL::Spectral_segmentation::internal::Vector;
-using CGAL::Spectral_segmentation::internal::curvature_angles;
 
 namespace {
 
 std::vector<double> angles_of(const Face_graph& graph, double radius)
 {
-  return curvature_angles<CGAL::Sequential_tag>(graph, graph.points,
+  return CGAL::Spectral_segmentation::internal::curvature_angles(sequential, graph, graph.points,
                                                   face_normals(graph, graph.points), radius);
 }
 
@@ -50,7 +48,7 @@ Soup cylinder(std::size_t n_around)
 
 BOOST_AUTO_TEST_CASE(a_plate_does_not_bend)
 {
-  for (double angle : angles_of(dual_graph_of(plate(6, 5)), 0.1))
+  for (double angle : angles_of(face_graph_of(plate(6, 5)), 0.1))
     BOOST_TEST(angle == 0);
 }
 
@@ -59,7 +57,7 @@ BOOST_AUTO_TEST_CASE(a_plate_does_not_bend_in_any_position)
   Soup soup = plate(20, 20);
   for (Point& p : soup.points)
     p = Point(p.x(), p.y(), p.x() / 3 + p.y() / 7);
-  const Face_graph graph = dual_graph_of(soup);
+  const Face_graph graph = face_graph_of(soup);
   for (double angle : angles_of(graph, 0.01))
     BOOST_TEST(angle == 0);
 }
@@ -80,14 +78,14 @@ BOOST_AUTO_TEST_CASE(a_sphere_bends_by_the_way_over_its_radius_everywhere)
 {
   for (double size : {1., 7., 1000.})
     for (double radius : {0.02, 0.05, 0.1})
-      for (double angle : angles_of(dual_graph_of(scaled(sphere(3), size)), radius))
+      for (double angle : angles_of(face_graph_of(scaled(sphere(3), size)), radius))
         BOOST_TEST(angle == bending_of_sphere(radius), tt::tolerance(0.025));
 }
 
 BOOST_AUTO_TEST_CASE(the_angle_does_not_depend_on_the_triangulation)
 {
   for (std::size_t level : {2, 3, 4})
-    BOOST_TEST(mean(angles_of(dual_graph_of(sphere(level)), 0.1)) == bending_of_sphere(0.1),
+    BOOST_TEST(mean(angles_of(face_graph_of(sphere(level)), 0.1)) == bending_of_sphere(0.1),
                tt::tolerance(0.01));
 }
 
@@ -97,8 +95,8 @@ BOOST_AUTO_TEST_CASE(a_cylinder_bends_across_its_axis_only)
 {
   for (std::size_t n : {5, 12, 40})
     for (double radius : {0.02, 0.1}) {
-      const Face_graph graph = dual_graph_of(cylinder(n));
-      const double side = 2 * std::sin(pi / double(n)) / graph.unit;
+      const Face_graph graph = face_graph_of(cylinder(n));
+      const double side = 2 * std::sin(pi / double(n)) / unit_of(cylinder(n));
       const double along = way(graph, radius) * 2 * pi / double(n) / side;
       const std::vector<double> angles = angles_of(graph, radius);
       for (Index h = 0; h < angles.size(); ++h) {
@@ -111,12 +109,12 @@ BOOST_AUTO_TEST_CASE(a_cylinder_bends_across_its_axis_only)
 BOOST_AUTO_TEST_CASE(a_torus_is_concave_around_its_hole_only)
 {
   const std::size_t n_tube = 24;
-  const Face_graph graph = dual_graph_of(torus(3, 1, 72, n_tube));
-  const double length = way(graph, 0.02) * graph.unit;
+  const Face_graph graph = face_graph_of(torus(3, 1, 72, n_tube));
+  const double unit = unit_of(torus(3, 1, 72, n_tube)), length = way(graph, 0.02) * unit;
   const std::vector<double> angles = angles_of(graph, 0.02);
   for (Index h = 0; h < angles.size(); ++h) {
     const Index a = graph.source_vertex(h), b = graph.target_vertex(h);
-    const Vector middle = (graph.points[a] + graph.points[b]) / 2 * graph.unit;
+    const Vector middle = (graph.points[a] + graph.points[b]) / 2 * unit;
     const double from_axis = std::hypot(middle.x(), middle.y());
     if (a / n_tube == b / n_tube) // around the tube
       BOOST_TEST(std::abs(angles[h] - length * (from_axis - 3) / from_axis) < 0.05 * length);
@@ -128,8 +126,8 @@ BOOST_AUTO_TEST_CASE(a_torus_is_concave_around_its_hole_only)
 BOOST_AUTO_TEST_CASE(turned_inside_out_convex_is_concave)
 {
   for (const Soup& soup : {sphere(1), cylinder(9), torus(3, 1, 9, 8)}) {
-    const std::vector<double> angles = angles_of(dual_graph_of(soup), 0.05);
-    const Face_graph inside_out = dual_graph_of(turned_inside_out(soup));
+    const std::vector<double> angles = angles_of(face_graph_of(soup), 0.05);
+    const Face_graph inside_out = face_graph_of(turned_inside_out(soup));
     const std::vector<double> reversed = angles_of(inside_out, 0.05);
     double sum = 0;
     for (Index h = 0; h < angles.size(); ++h) {
@@ -144,7 +142,7 @@ BOOST_AUTO_TEST_CASE(turned_inside_out_convex_is_concave)
 BOOST_AUTO_TEST_CASE(a_valley_is_negative_and_a_ridge_is_positive)
 {
   for (double rise : {-1., 1.}) {
-    const Face_graph graph = dual_graph_of(
+    const Face_graph graph = face_graph_of(
       {{Point(0, 0, 0), Point(1, 0, 0), Point(0, 1, rise), Point(1, -1, rise)},
        {{0, 1, 2}, {1, 0, 3}}});
     // Both slopes have 45 degrees: a right angle over the area of both, along an edge of length 1.
@@ -163,7 +161,7 @@ BOOST_AUTO_TEST_CASE(a_valley_is_negative_and_a_ridge_is_positive)
 BOOST_AUTO_TEST_CASE(both_sides_of_an_edge_have_the_same_angle)
 {
   Random random(3);
-  const Face_graph graph = dual_graph_of(displaced(torus(2, 0.7, 12, 8), 0.2, random));
+  const Face_graph graph = face_graph_of(displaced(torus(2, 0.7, 12, 8), 0.2, random));
   const std::vector<double> angles = angles_of(graph, 0.05);
   double largest = 0, smallest = 0;
   for (Index h = 0; h < angles.size(); ++h) {
@@ -177,9 +175,9 @@ BOOST_AUTO_TEST_CASE(both_sides_of_an_edge_have_the_same_angle)
 
 BOOST_AUTO_TEST_CASE(no_angle_is_more_than_half_a_turn)
 {
-  for (double angle : angles_of(dual_graph_of(sphere(1)), 10))
+  for (double angle : angles_of(face_graph_of(sphere(1)), 10))
     BOOST_TEST(angle == pi);
-  for (double angle : angles_of(dual_graph_of(turned_inside_out(sphere(1))), 10))
+  for (double angle : angles_of(face_graph_of(turned_inside_out(sphere(1))), 10))
     BOOST_TEST(angle == -pi);
 }
 
@@ -187,7 +185,7 @@ BOOST_AUTO_TEST_CASE(faces_without_area_leave_the_angles_finite)
 {
   Soup soup = sphere(1);
   soup.points[soup.triangles[0][0]] = soup.points[soup.triangles[0][1]];
-  for (double angle : angles_of(dual_graph_of(soup), 0.05))
+  for (double angle : angles_of(face_graph_of(soup), 0.05))
     BOOST_TEST(std::isfinite(angle));
 }
 

@@ -21,7 +21,7 @@
 #include <utility>
 #include <vector>
 
-BOOST_AUTO_TEST_SUITE(cut_judge)
+BOOST_AUTO_TEST_SUITE(cut_evaluator)
 
 using namespace test_meshes;
 namespace internal = CGAL::Spectral_segmentation::internal;
@@ -177,11 +177,11 @@ BOOST_AUTO_TEST_CASE(concavity_near_the_cut_is_a_mean_by_length)
   const Soup soup = box();
   Face_graph graph = graph_of(soup);
   const Sides side = below(soup, 1);
-  for (Face_graph::Halfedge& h : graph.halfedges)
+  for (Edge_weights& h : graph.weights)
     h.concavity = 0;
-  for (Index h = 0; h < graph.halfedges.size(); ++h)
-    if (side[h / 3] != side[graph.halfedges[h].neighbor])
-      graph.halfedges[h].concavity = 0.5;
+  for (Index h = 0; h < graph.number_of_halfedges(); ++h)
+    if (side[h / 3] != side[graph.neighbors[h]])
+      graph.weights[h].concavity = 0.5;
   const Salience_factors f = factors(graph, side);
   BOOST_TEST(f.cut_strength == 0.5, tolerance(1e-12));
   BOOST_TEST(f.concavity_near_cut == 0.5 / (2 + std::sqrt(2.)), tolerance(1e-12));
@@ -198,9 +198,9 @@ BOOST_AUTO_TEST_CASE(concavity_near_the_cut_does_not_see_what_is_far_from_it)
        internal::faces_near_cut(graph, side, internal::halfedges_of_cut(graph, side),
                                 0.35 * std::sqrt(area_of_q)))
     is_near[f.face] = 1;
-  for (Index h = 0; h < graph.halfedges.size(); ++h)
-    graph.halfedges[h].concavity =
-      is_near[h / 3] || is_near[graph.halfedges[h].neighbor] ? 0.25f : 1.f;
+  for (Index h = 0; h < graph.number_of_halfedges(); ++h)
+    graph.weights[h].concavity =
+      is_near[h / 3] || is_near[graph.neighbors[h]] ? 0.25f : 1.f;
   BOOST_TEST(std::count(is_near.begin(), is_near.end(), 0) > 0);
   BOOST_TEST(factors(graph, side).concavity_near_cut == 0.25, tolerance(1e-9));
 }
@@ -337,8 +337,8 @@ BOOST_AUTO_TEST_CASE(cut_strength_is_the_mean_concavity_by_length)
                                                           mesh.point(mesh.vertex(e, 1))));
         length += l;
         for (Index h = 3 * Index(f); h < 3 * Index(f) + 3; ++h)
-          if (graph.halfedges[h].neighbor == Index(g))
-            sum += l * graph.halfedges[h].concavity;
+          if (graph.neighbors[h] == Index(g))
+            sum += l * graph.weights[h].concavity;
       }
       BOOST_TEST(factors(graph, side).cut_strength == sum / length, tolerance(1e-9));
       BOOST_TEST(sum > 0);

@@ -8,7 +8,6 @@
 #include <CGAL/Spectral_segmentation/internal/mesh/Face_graph.h>
 #include <CGAL/Spectral_segmentation/internal/distances/face_distances.h>
 #include <CGAL/Spectral_segmentation/internal/distances/curvature_angles.h>
-#include <CGAL/tags.h>
 
 #include <boost/math/tools/minima.hpp>
 
@@ -23,6 +22,7 @@ BOOST_AUTO_TEST_SUITE(face_distances)
 namespace tt = boost::test_tools;
 using namespace test_meshes;
 using CGAL::Spectral_segmentation::internal::Dihedral;
+using CGAL::Spectral_segmentation::internal::Edge_weights;
 using CGAL::Spectral_segmentation::internal::Vector;
 using CGAL::Spectral_segmentation::internal::dihedral;
 using CGAL::Spectral_segmentation::internal::equalize;
@@ -56,7 +56,7 @@ Soup roof(double slope)
 // The dihedral of the only inner edge of a roof.
 Dihedral dihedral_of(const Soup& soup)
 {
-  const Face_graph graph = dual_graph_of(soup);
+  const Face_graph graph = face_graph_of(soup);
   const std::vector<Vector> normals = face_normals(graph, graph.points);
   Index h = 0;
   while (graph.is_border(h))
@@ -82,7 +82,7 @@ std::vector<Expected_edge> expected_edges(const Soup& soup, const Face_graph& gr
   { return soup.points[graph.corners[h / 3][(h + 2) % 3]]; };
   const auto vector = [](const Point& p) { return Vector(p.x(), p.y(), p.z()); };
   std::vector<Expected_edge> edges;
-  for (Index h = 0; h < graph.halfedges.size(); ++h) {
+  for (Index h = 0; h < graph.number_of_halfedges(); ++h) {
     if (graph.is_border(h) || graph.opposite(h) < h)
       continue;
     const Point a = corner(h), b = corner(graph.opposite(h));
@@ -200,7 +200,7 @@ BOOST_AUTO_TEST_CASE(distances_on_random_meshes_agree_with_the_definition)
                                         dumbbell(7, 4)};
       const Soup soup = displaced(shapes[seed % shapes.size()], 0.15, random);
       const Distance_weights weights = {0.25, 0.5 + seed % 3, 0.2 * (seed % 5)};
-      Face_graph graph = dual_graph_of(soup);
+      Face_graph graph = face_graph_of(soup);
       set_face_distances(graph, weights);
 
       const std::vector<Expected_edge> edges = expected_edges(soup, graph, weights);
@@ -208,7 +208,7 @@ BOOST_AUTO_TEST_CASE(distances_on_random_meshes_agree_with_the_definition)
       for (const Expected_edge& e : edges)
         angles.push_back(e.angle);
       for (std::size_t i = 0; i < edges.size(); ++i) {
-        const Face_graph::Halfedge& h = graph.halfedges[edges[i].halfedge];
+        const Edge_weights& h = graph.weights[edges[i].halfedge];
         const double angle = rank_by_counting(angles, i);
         BOOST_TEST(h.concavity == (edges[i].concave ? h.angle : 0));
         BOOST_TEST(std::abs(h.geodesic - edges[i].geodesic) < rounding);
@@ -223,14 +223,14 @@ BOOST_AUTO_TEST_CASE(both_sides_of_an_edge_agree_and_the_border_has_no_distance)
 {
   Random random(1);
   const Face_graph graph = graph_with_distances(displaced(plate(4, 3), 0.2, random));
-  for (Index h = 0; h < graph.halfedges.size(); ++h) {
-    const Face_graph::Halfedge& e = graph.halfedges[h];
+  for (Index h = 0; h < graph.number_of_halfedges(); ++h) {
+    const Edge_weights& e = graph.weights[h];
     if (graph.is_border(h)) {
       BOOST_TEST(e.geodesic + e.angle + e.combined == 0);
       BOOST_TEST(e.concavity == 0);
       continue;
     }
-    const Face_graph::Halfedge& o = graph.halfedges[graph.opposite(h)];
+    const Edge_weights& o = graph.weights[graph.opposite(h)];
     BOOST_TEST(e.geodesic == o.geodesic);
     BOOST_TEST(e.angle == o.angle);
     BOOST_TEST(e.combined == o.combined);
@@ -243,9 +243,9 @@ BOOST_AUTO_TEST_CASE(the_mean_of_the_geodesic_distances_is_1)
   for (const Soup& soup : {sphere(2), plate(9, 2), dumbbell(9, 9)}) {
     const Face_graph graph = graph_with_distances(soup);
     double sum = 0, number = 0;
-    for (Index h = 0; h < graph.halfedges.size(); ++h)
+    for (Index h = 0; h < graph.number_of_halfedges(); ++h)
       if (!graph.is_border(h)) {
-        sum += graph.halfedges[h].geodesic;
+        sum += graph.weights[h].geodesic;
         ++number;
       }
     BOOST_TEST(std::abs(sum / number - 1) < rounding);
@@ -255,12 +255,12 @@ BOOST_AUTO_TEST_CASE(the_mean_of_the_geodesic_distances_is_1)
 BOOST_AUTO_TEST_CASE(a_geodesic_weight_of_0_or_1_leaves_one_distance)
 {
   Random random(2);
-  Face_graph graph = dual_graph_of(displaced(sphere(1), 0.1, random));
+  Face_graph graph = face_graph_of(displaced(sphere(1), 0.1, random));
   set_face_distances(graph, {0, 1, 0.1});
-  for (const Face_graph::Halfedge& h : graph.halfedges)
+  for (const Edge_weights& h : graph.weights)
     BOOST_TEST(h.combined == h.angle);
   set_face_distances(graph, {1, 1, 0.1});
-  for (const Face_graph::Halfedge& h : graph.halfedges)
+  for (const Edge_weights& h : graph.weights)
     BOOST_TEST(h.combined == h.geodesic);
 }
 
@@ -275,11 +275,11 @@ BOOST_AUTO_TEST_CASE(the_weight_of_concave_edges_decides_against_sharper_convex_
     soup.points[i] = profile[i];
     soup.points[4 + i] = Point(profile[i].x(), 1, profile[i].z());
   }
-  Face_graph graph = dual_graph_of(soup);
+  Face_graph graph = face_graph_of(soup);
   const auto angle_between = [&](Index f, Index g) {
     for (Index h = 3 * f; h < 3 * f + 3; ++h)
-      if (graph.halfedges[h].neighbor == g)
-        return graph.halfedges[h].angle;
+      if (graph.neighbors[h] == g)
+        return graph.weights[h].angle;
     return -1.f;
   };
   // Of the five inner edges three are flat and share the lowest ranks.
@@ -304,28 +304,28 @@ BOOST_AUTO_TEST_CASE(turned_inside_out_concave_and_convex_edges_swap)
   const Face_graph graph = graph_with_distances(soup),
                         inverse = graph_with_distances(turned_inside_out(soup));
   std::size_t number_of_concave = 0;
-  for (Index h = 0; h < graph.halfedges.size(); ++h) {
+  for (Index h = 0; h < graph.number_of_halfedges(); ++h) {
     Index same = 3 * (h / 3);
     while (inverse.source_vertex(same) != graph.target_vertex(h) ||
            inverse.target_vertex(same) != graph.source_vertex(h))
       ++same;
-    const bool is_concave = graph.halfedges[h].concavity > 0;
-    BOOST_TEST(is_concave != (inverse.halfedges[same].concavity > 0));
-    BOOST_TEST(graph.halfedges[h].geodesic == inverse.halfedges[same].geodesic);
+    const bool is_concave = graph.weights[h].concavity > 0;
+    BOOST_TEST(is_concave != (inverse.weights[same].concavity > 0));
+    BOOST_TEST(graph.weights[h].geodesic == inverse.weights[same].geodesic);
     number_of_concave += is_concave;
   }
   BOOST_TEST(number_of_concave > 0u);
-  BOOST_TEST(number_of_concave < graph.halfedges.size());
+  BOOST_TEST(number_of_concave < graph.number_of_halfedges());
 }
 
 BOOST_AUTO_TEST_CASE(equalized_values_are_mean_ranks)
 {
-  BOOST_TEST(equalize({}).empty());
-  BOOST_TEST(equalize({7.f}) == std::vector<double>({0.5}), tt::per_element());
-  BOOST_TEST(equalize({3.f, 1.f, 2.f}) == std::vector<double>({1, 0, 0.5}), tt::per_element());
-  BOOST_TEST(equalize({2.f, 1.f, 2.f, 5.f, 2.f}) == std::vector<double>({0.5, 0, 0.5, 1, 0.5}),
+  BOOST_TEST(equalize(sequential, {}).empty());
+  BOOST_TEST(equalize(sequential, {7.f}) == std::vector<double>({0.5}), tt::per_element());
+  BOOST_TEST(equalize(sequential, {3.f, 1.f, 2.f}) == std::vector<double>({1, 0, 0.5}), tt::per_element());
+  BOOST_TEST(equalize(sequential, {2.f, 1.f, 2.f, 5.f, 2.f}) == std::vector<double>({0.5, 0, 0.5, 1, 0.5}),
              tt::per_element());
-  BOOST_TEST(equalize({4.f, 4.f, 4.f}) == std::vector<double>({0.5, 0.5, 0.5}), tt::per_element());
+  BOOST_TEST(equalize(sequential, {4.f, 4.f, 4.f}) == std::vector<double>({0.5, 0.5, 0.5}), tt::per_element());
   for (unsigned seed = 1; seed <= 50; ++seed) {
     BOOST_TEST_CONTEXT("seed " << seed) {
       Random random(seed);
@@ -333,7 +333,7 @@ BOOST_AUTO_TEST_CASE(equalized_values_are_mean_ranks)
       const unsigned number_of_values = 1 + random() % 300; // the fewer the more ties
       for (float& value : values)
         value = static_cast<float>(random() % number_of_values) / 7;
-      const std::vector<double> result = equalize(values);
+      const std::vector<double> result = equalize(sequential, values);
       for (std::size_t i = 0; i < values.size(); ++i)
         BOOST_TEST(result[i] == rank_by_counting(values, i));
     }
@@ -342,13 +342,13 @@ BOOST_AUTO_TEST_CASE(equalized_values_are_mean_ranks)
 
 BOOST_AUTO_TEST_CASE(with_weights_a_value_takes_as_much_room_as_its_weight)
 {
-  BOOST_TEST(equalize({}, {}).empty());
-  BOOST_TEST(equalize({7.f}, {3}) == std::vector<double>({0.5}), tt::per_element());
-  BOOST_TEST(equalize({3.f, 1.f, 2.f}, {2, 1, 1}) == std::vector<double>({0.75, 0.125, 0.375}),
+  BOOST_TEST(equalize(sequential, {}, {}).empty());
+  BOOST_TEST(equalize(sequential, {7.f}, {3}) == std::vector<double>({0.5}), tt::per_element());
+  BOOST_TEST(equalize(sequential, {3.f, 1.f, 2.f}, {2, 1, 1}) == std::vector<double>({0.75, 0.125, 0.375}),
              tt::per_element());
-  BOOST_TEST(equalize({5.f, 1.f, 5.f}, {1, 2, 5}) == std::vector<double>({0.625, 0.125, 0.625}),
+  BOOST_TEST(equalize(sequential, {5.f, 1.f, 5.f}, {1, 2, 5}) == std::vector<double>({0.625, 0.125, 0.625}),
              tt::per_element());
-  BOOST_TEST(equalize({2.f, 1.f}, {0, 0}) == std::vector<double>({0.5, 0.5}), tt::per_element());
+  BOOST_TEST(equalize(sequential, {2.f, 1.f}, {0, 0}) == std::vector<double>({0.5, 0.5}), tt::per_element());
   for (unsigned seed = 1; seed <= 20; ++seed) {
     BOOST_TEST_CONTEXT("seed " << seed) {
       Random random(seed);
@@ -358,7 +358,7 @@ BOOST_AUTO_TEST_CASE(with_weights_a_value_takes_as_much_room_as_its_weight)
         values[i] = static_cast<float>(random() % 50) / 7;
         weights[i] = 0.1 * (1 + random() % 100);
       }
-      const std::vector<double> result = equalize(values, weights);
+      const std::vector<double> result = equalize(sequential, values, weights);
       for (std::size_t i = 0; i < values.size(); ++i)
         BOOST_TEST(result[i] == share_by_adding(values, weights, i), tt::tolerance(1e-12));
     }
@@ -372,16 +372,16 @@ BOOST_AUTO_TEST_CASE(with_a_radius_bending_takes_the_place_of_the_dihedral_angle
       Random random(seed);
       const std::vector<Soup> shapes = {plate(9, 7), sphere(2), torus(2, 0.7, 16, 10),
                                         dumbbell(12, 8)};
-      Face_graph graph = dual_graph_of(displaced(shapes[seed % shapes.size()], 0.1, random));
+      Face_graph graph = face_graph_of(displaced(shapes[seed % shapes.size()], 0.1, random));
       const Distance_weights weights = {0.25, 1, 0.2, 0.04};
       set_face_distances(graph, weights);
       const std::vector<Vector> normals = face_normals(graph, graph.points);
       const std::vector<double> bending =
-        curvature_angles<CGAL::Sequential_tag>(graph, graph.points, normals, 0.04);
+        curvature_angles(sequential, graph, graph.points, normals, 0.04);
       std::vector<Index> edges;
       std::vector<float> values;
       std::vector<double> lengths;
-      for (Index h = 0; h < graph.halfedges.size(); ++h)
+      for (Index h = 0; h < graph.number_of_halfedges(); ++h)
         if (!graph.is_border(h) && h < graph.opposite(h)) {
           edges.push_back(h);
           values.push_back(float((bending[h] < 0 ? 1 : 0.2) * (1 - std::cos(bending[h]))));
@@ -389,13 +389,13 @@ BOOST_AUTO_TEST_CASE(with_a_radius_bending_takes_the_place_of_the_dihedral_angle
         }
       bool differs = false;
       for (std::size_t e = 0; e < edges.size(); ++e) {
-        const Face_graph::Halfedge& h = graph.halfedges[edges[e]];
+        const Edge_weights& h = graph.weights[edges[e]];
         const double angle = share_by_adding(values, lengths, e);
         BOOST_TEST(std::abs(h.angle - angle) < rounding);
         BOOST_TEST(h.concavity == (bending[edges[e]] < 0 ? h.angle : 0));
         BOOST_TEST(std::abs(h.combined - (0.75 * angle + 0.25 * h.geodesic)) < 2 * rounding);
         const Index i = edges[e];
-        const Dihedral d = dihedral(normals[i / 3], normals[h.neighbor],
+        const Dihedral d = dihedral(normals[i / 3], normals[graph.neighbors[i]],
                                     graph.points[graph.target_vertex(i)] -
                                       graph.points[graph.source_vertex(i)]);
         differs = differs || (bending[i] < 0) != d.is_concave;
@@ -427,7 +427,7 @@ BOOST_AUTO_TEST_CASE(a_face_without_area_takes_the_normal_across_its_longest_edg
   BOOST_TEST((normals[3] == Vector(0, -1, 0)));
   // So the fold lies between the needle and the lower faces.
   for (Index h = 3; h < 6; ++h)
-    BOOST_TEST(graph.halfedges[h].angle == (graph.halfedges[h].neighbor == 0 ? 1 / 6.f : 5 / 6.f),
+    BOOST_TEST(graph.weights[h].angle == (graph.neighbors[h] == 0 ? 1 / 6.f : 5 / 6.f),
                tt::tolerance(1e-5f));
 }
 
@@ -437,7 +437,7 @@ BOOST_AUTO_TEST_CASE(faces_without_area_pass_a_normal_on)
   Soup soup = roof_with_a_needle();
   soup.points.emplace_back(1.5, 0, 0);
   soup.triangles.back() = {1, 2, 5};
-  const Face_graph graph = dual_graph_of(soup);
+  const Face_graph graph = face_graph_of(soup);
   const std::vector<Vector> normals = face_normals(graph, graph.points);
   BOOST_TEST((normals[1] == Vector(0, 0, 1)));
   BOOST_TEST((normals[3] == Vector(0, 0, 1)));
@@ -450,7 +450,7 @@ BOOST_AUTO_TEST_CASE(a_mesh_without_area_has_no_angles)
     for (Point& p : soup.points)
       p = Point(length * p.x(), 0, 0);
     const Face_graph graph = graph_with_distances(soup);
-    for (const Face_graph::Halfedge& h : graph.halfedges) {
+    for (const Edge_weights& h : graph.weights) {
       BOOST_TEST(h.concavity == 0);
       BOOST_TEST(h.angle == 0.5f);
       BOOST_TEST(h.geodesic >= 0);
@@ -463,13 +463,12 @@ BOOST_AUTO_TEST_CASE(distances_are_computed_from_the_given_points)
 {
   Random random(4);
   const Soup soup = sphere(1), other = displaced(soup, 0.1, random);
-  Face_graph graph = dual_graph_of(soup);
-  const std::vector<Vector> points = dual_graph_of(other).points;
-  CGAL::Spectral_segmentation::internal::set_face_distances<CGAL::Sequential_tag>(
-    graph, points, face_normals(graph, points), weights_of_paper);
+  Face_graph graph = face_graph_of(soup);
+  const std::vector<Vector> points = face_graph_of(other).points;
+  CGAL::Spectral_segmentation::internal::set_face_distances(sequential, graph, points, face_normals(graph, points), weights_of_paper);
   const Face_graph expected = graph_with_distances(other);
-  for (Index h = 0; h < graph.halfedges.size(); ++h)
-    BOOST_TEST(graph.halfedges[h].combined == expected.halfedges[h].combined);
+  for (Index h = 0; h < graph.number_of_halfedges(); ++h)
+    BOOST_TEST(graph.weights[h].combined == expected.weights[h].combined);
 }
 
 BOOST_AUTO_TEST_SUITE_END()

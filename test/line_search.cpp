@@ -12,7 +12,6 @@
 #include <CGAL/Spectral_segmentation/internal/bipartition/shortest_paths.h>
 #include <CGAL/Spectral_segmentation/internal/bipartition/face_orders.h>
 
-#include <CGAL/tags.h>
 
 #include <Eigen/Core>
 #include <Eigen/Eigenvalues>
@@ -103,11 +102,11 @@ public:
 
   explicit Twin(const Face_graph& part) : part_(part)
   {
-    for (Index h = 0; h < part.halfedges.size(); ++h) {
+    for (Index h = 0; h < part.number_of_halfedges(); ++h) {
       Edge& e = edges_[std::minmax(part.source_vertex(h), part.target_vertex(h))];
       e.faces.insert(h / 3);
-      e.angle = part.halfedges[h].angle;
-      e.concavity = part.halfedges[h].concavity;
+      e.angle = part.weights[h].angle;
+      e.concavity = part.weights[h].concavity;
     }
     for (Index f = 0; f < part.number_of_faces(); ++f)
       neighbors_[f];
@@ -199,8 +198,7 @@ std::size_t compare_with_twin(const Face_graph& part, const std::vector<Index>& 
                               const Weighted_part_salience& part_salience, double minimum_area)
 {
   std::vector<Observed> observed;
-  const std::optional<Cut> cut = line_search<Sequential_tag>(
-    part, line, part_salience, minimum_area,
+  const std::optional<Cut> cut = line_search(sequential, part, line, part_salience, minimum_area,
     [&](std::size_t size, const Salience_factors& factors, double salience) {
       observed.push_back({size, factors, salience});
     });
@@ -259,8 +257,8 @@ std::vector<Index> random_line(const Face_graph& part, Random& random)
 
 std::vector<Index> line_between(const Face_graph& part, Index s, Index t)
 {
-  return spectral_order(shortest_paths(part, s, &Face_graph::Halfedge::combined),
-                        shortest_paths(part, t, &Face_graph::Halfedge::combined));
+  return spectral_order(shortest_paths(part, s, &Edge_weights::combined),
+                        shortest_paths(part, t, &Edge_weights::combined));
 }
 
 // A spectral line, of which some faces are visited at another time.
@@ -335,7 +333,7 @@ BOOST_AUTO_TEST_CASE(it_agrees_with_its_twin_on_meshes_of_genus_2)
 BOOST_AUTO_TEST_CASE(faces_that_do_not_touch_the_patch_wait)
 {
   // A strip of six faces, 0 to 5 in this order.
-  const Face_graph strip = dual_graph_of(
+  const Face_graph strip = face_graph_of(
     {{Point(0, 0, 0), Point(1, 0, 0), Point(0, 1, 0), Point(1, 1, 0), Point(0, 2, 0),
       Point(1, 2, 0), Point(0, 3, 0), Point(1, 3, 0)},
      {{0, 1, 2}, {2, 1, 3}, {2, 3, 4}, {4, 3, 5}, {4, 5, 6}, {6, 5, 7}}});
@@ -359,8 +357,7 @@ BOOST_AUTO_TEST_CASE(a_patch_that_is_closed_around_a_hole_is_no_cut)
   line.erase(line.begin() + 24);
   line.push_back(24);
   std::vector<std::size_t> sizes;
-  line_search<Sequential_tag>(
-    part, line, Weighted_part_salience(), 0,
+  line_search(sequential, part, line, Weighted_part_salience(), 0,
     [&](std::size_t size, const Salience_factors&, double) { sizes.push_back(size); });
   BOOST_REQUIRE(sizes.size() > 2u);
   std::sort(sizes.begin(), sizes.end());
@@ -374,8 +371,7 @@ BOOST_AUTO_TEST_CASE(of_equally_salient_cuts_the_first_is_taken)
   std::vector<Index> line(40);
   std::iota(line.begin(), line.end(), Index(0));
   std::size_t first = line.size();
-  const std::optional<Cut> cut = line_search<Sequential_tag>(
-    part, line, [](const Salience_factors&) { return 0.5; }, 0.1 * total_area(part),
+  const std::optional<Cut> cut = line_search(sequential, part, line, [](const Salience_factors&) { return 0.5; }, 0.1 * total_area(part),
     [&](std::size_t size, const Salience_factors&, double) { first = std::min(first, size); });
   BOOST_REQUIRE(cut.has_value());
   BOOST_TEST(static_cast<std::size_t>(std::count(cut->side.begin(), cut->side.end(), 0)) == first);
@@ -387,7 +383,7 @@ BOOST_AUTO_TEST_CASE(the_side_of_smaller_area_is_side_0_whichever_end_the_line_s
   const Index last = static_cast<Index>(part.number_of_faces() - 1);
   for (const auto& [s, t] : {std::pair(Index(0), last), std::pair(last, Index(0))}) {
     const std::optional<Cut> cut =
-      line_search<Sequential_tag>(part, line_between(part, s, t), Weighted_part_salience(), 0);
+      line_search(sequential, part, line_between(part, s, t), Weighted_part_salience(), 0);
     BOOST_REQUIRE(cut.has_value());
     double area[2] = {0, 0};
     for (Index f = 0; f <= last; ++f)
@@ -401,9 +397,9 @@ BOOST_AUTO_TEST_CASE(a_part_without_a_cut_has_none)
 {
   Random random(1);
   const Face_graph face = random_part(graph_with_distances(sphere(0)), 1, random);
-  BOOST_TEST(!line_search<Sequential_tag>(face, {0}, Weighted_part_salience(), 0).has_value());
+  BOOST_TEST(!line_search(sequential, face, {0}, Weighted_part_salience(), 0).has_value());
   const Face_graph part = graph_with_distances(sphere(1));
-  BOOST_TEST(!line_search<Sequential_tag>(part, random_line(part, random), Weighted_part_salience(),
+  BOOST_TEST(!line_search(sequential, part, random_line(part, random), Weighted_part_salience(),
                           0.51 * total_area(part)).has_value());
 }
 

@@ -18,7 +18,7 @@
 #include <set>
 #include <vector>
 
-BOOST_AUTO_TEST_SUITE(minimum_cut)
+BOOST_AUTO_TEST_SUITE(min_cut_refinement)
 
 using namespace test_meshes;
 namespace internal = CGAL::Spectral_segmentation::internal;
@@ -71,7 +71,7 @@ Sides random_sides(const Face_graph& graph, Random& random)
     side[f] = 0;
     --n;
     for (Index h = 3 * f; h < 3 * f + 3; ++h)
-      front.push_back(graph.halfedges[h].neighbor);
+      front.push_back(graph.neighbors[h]);
   }
   if (area_of_side(graph, side, 0) > area_of_side(graph, side, 1))
     for (char& s : side)
@@ -85,8 +85,8 @@ std::vector<double> distances_by_relaxation(const Face_graph& graph, const Sides
   std::vector<double> distance(graph.number_of_faces(), infinity);
   for (bool has_changed = true; has_changed;) {
     has_changed = false;
-    for (Index h = 0; h < graph.halfedges.size(); ++h) {
-      const Index f = h / 3, g = graph.halfedges[h].neighbor;
+    for (Index h = 0; h < graph.number_of_halfedges(); ++h) {
+      const Index f = h / 3, g = graph.neighbors[h];
       const Vector from = side[f] == side[g]
         ? graph.centroid(g)
         : (graph.points[graph.source_vertex(h)] + graph.points[graph.target_vertex(h)]) / 2;
@@ -108,8 +108,8 @@ std::vector<Face_at_distance> near_cut(const Face_graph& graph, const Sides& sid
 double capacity_of_cut(const Face_graph& graph, const Sides& side)
 {
   double sum = 0;
-  for (Index h = 0; h < graph.halfedges.size(); ++h)
-    if (side[h / 3] == 0 && side[graph.halfedges[h].neighbor] == 1)
+  for (Index h = 0; h < graph.number_of_halfedges(); ++h)
+    if (side[h / 3] == 0 && side[graph.neighbors[h]] == 1)
       sum += capacity(graph, h);
   return sum;
 }
@@ -176,7 +176,7 @@ struct Random_network
 
 BOOST_AUTO_TEST_CASE(distances_run_from_the_middle_of_the_cut_over_the_centroids)
 {
-  const Face_graph graph = dual_graph_of(plate(4, 1));
+  const Face_graph graph = face_graph_of(plate(4, 1));
   const Sides side = {0, 0, 0, 0, 1, 1, 1, 1}; // cut at x = 2
   const double first = std::sqrt(5.) / 6, step = std::sqrt(2.) / 3;
   const double next = first + step, third = next + std::sqrt(5.) / 3;
@@ -217,19 +217,19 @@ BOOST_AUTO_TEST_CASE(faces_near_a_cut_are_those_within_the_radius_nearest_first)
 
 BOOST_AUTO_TEST_CASE(no_face_is_near_where_there_is_no_cut)
 {
-  const Face_graph graph = dual_graph_of(sphere(1));
+  const Face_graph graph = face_graph_of(sphere(1));
   BOOST_TEST(near_cut(graph, Sides(graph.number_of_faces(), 1), infinity).empty());
 }
 
 BOOST_AUTO_TEST_CASE(an_edge_costs_its_length_and_little_of_it_where_it_is_concave)
 {
-  Face_graph graph = dual_graph_of(plate(1, 1));
+  Face_graph graph = face_graph_of(plate(1, 1));
   const auto tolerance = boost::test_tools::tolerance(1e-5);
   for (Index h = 0; h < 6; ++h)
     BOOST_TEST(capacity(graph, h) == graph.length(h) * 1.05, tolerance);
-  graph.halfedges[1].concavity = 1;
+  graph.weights[1].concavity = 1;
   BOOST_TEST(capacity(graph, 1) == graph.length(1) * 0.05, tolerance);
-  graph.halfedges[1].concavity = 0.5;
+  graph.weights[1].concavity = 0.5;
   BOOST_TEST(capacity(graph, 1) == graph.length(1) * 0.3, tolerance);
 }
 

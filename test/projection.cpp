@@ -21,7 +21,7 @@
 #include <utility>
 #include <vector>
 
-BOOST_AUTO_TEST_SUITE(cut_transfer)
+BOOST_AUTO_TEST_SUITE(projection)
 
 using namespace test_meshes;
 namespace internal = CGAL::Spectral_segmentation::internal;
@@ -44,12 +44,12 @@ struct Run
   {
     internal::Options options = internal::calibrated_options();
     options.number_of_searched_faces = number_of_searched_faces;
-    mesh = internal::initialize<CGAL::Sequential_tag>(triangles_of(mesh_of(soup)), options,
+    mesh = internal::initialize(sequential, triangles_of(mesh_of(soup)), options,
                                                       [] { return true; });
     Segmentation_visitor visitor;
     internal::Monitor<Segmentation_visitor> monitor(visitor);
-    searched = internal::cut_and_merge<CGAL::Sequential_tag>(mesh.searched(), options, monitor);
-    whole = internal::transfer_cuts<CGAL::Sequential_tag>(searched, mesh, options);
+    searched = internal::cut_and_merge(sequential, mesh.searched(), options, monitor);
+    whole = internal::transfer_cuts(sequential, searched, mesh, options);
   }
 };
 

@@ -18,10 +18,11 @@
 #include <stdexcept>
 #include <vector>
 
-BOOST_AUTO_TEST_SUITE(sampling)
+BOOST_AUTO_TEST_SUITE(shape_context_sampling)
 
 namespace tt = boost::test_tools;
 using namespace test_meshes;
+using CGAL::Spectral_segmentation::internal::Edge_weights;
 using CGAL::Spectral_segmentation::internal::Sample_faces;
 using CGAL::Spectral_segmentation::internal::Shape_contexts;
 using CGAL::Spectral_segmentation::internal::Vector;
@@ -43,17 +44,17 @@ Face_graph random_graph(Random& random)
 // Gives each edge a random length and a random angle, so that no two ways have the same length.
 void randomize_distances(Face_graph& graph, Random& random)
 {
-  for (Index h = 0; h < graph.halfedges.size(); ++h) {
+  for (Index h = 0; h < graph.number_of_halfedges(); ++h) {
     if (graph.is_border(h) || graph.opposite(h) < h)
       continue;
-    Face_graph::Halfedge &e = graph.halfedges[h], &o = graph.halfedges[graph.opposite(h)];
+    Edge_weights &e = graph.weights[h], &o = graph.weights[graph.opposite(h)];
     e.geodesic = o.geodesic = std::ldexp(float(1 + random() % (1u << 20)), -20);
     e.angle = o.angle = std::ldexp(float(random() % 1025), -10);
   }
 }
 
 std::vector<double> geodesic_distances(const Face_graph& graph, Index source)
-{ return shortest_paths(graph, source, &Face_graph::Halfedge::geodesic); }
+{ return shortest_paths(graph, source, &Edge_weights::geodesic); }
 
 // The sum of the angles along the only shortest way from f to `reference`, walked backwards.
 double context_by_walking(const Face_graph& graph, Index f, Index reference,
@@ -63,20 +64,20 @@ double context_by_walking(const Face_graph& graph, Index f, Index reference,
   while (f != reference) {
     Index way = null_index;
     for (Index h = 3 * f; h < 3 * f + 3; ++h)
-      if (!graph.is_border(h) && from_reference[graph.halfedges[h].neighbor] +
-                                   graph.halfedges[h].geodesic == from_reference[f]) {
+      if (!graph.is_border(h) && from_reference[graph.neighbors[h]] +
+                                   graph.weights[h].geodesic == from_reference[f]) {
         BOOST_REQUIRE(way == null_index);
         way = h;
       }
     BOOST_REQUIRE(way != null_index);
-    sum += graph.halfedges[way].angle;
-    f = graph.halfedges[way].neighbor;
+    sum += graph.weights[way].angle;
+    f = graph.neighbors[way];
   }
   return sum;
 }
 
 Shape_contexts contexts_of(const Face_graph& graph, Index first, std::size_t k)
-{ return shape_contexts<CGAL::Sequential_tag>(graph, first, k, [] {}); }
+{ return shape_contexts(sequential, graph, first, k, [] {}); }
 
 double squared_distance(const Shape_contexts& contexts, Index f, const std::vector<double>& from)
 {
@@ -94,7 +95,7 @@ BOOST_AUTO_TEST_CASE(the_first_reference_is_farthest_from_the_center_of_area)
     BOOST_TEST_CONTEXT("seed " << seed) {
       Random random(seed);
       const Soup soup = displaced(seed % 2 ? plate(6, 3) : sphere(1), 0.2, random);
-      const Face_graph graph = dual_graph_of(soup);
+      const Face_graph graph = face_graph_of(soup);
       const auto corner = [&](std::size_t f, std::size_t i)
       { return soup.points[soup.triangles[f][i]]; };
       CGAL::Vector_3<Kernel> moment(0, 0, 0);
@@ -111,7 +112,7 @@ BOOST_AUTO_TEST_CASE(the_first_reference_is_farthest_from_the_center_of_area)
       double largest = 0;
       for (const Point& p : centroids)
         largest = std::max(largest, CGAL::squared_distance(p, center));
-      BOOST_TEST(CGAL::squared_distance(centroids[farthest_face_from_center(graph)], center) ==
+      BOOST_TEST(CGAL::squared_distance(centroids[farthest_face_from_center(sequential, graph)], center) ==
                  largest, tt::tolerance(1e-5));
     }
   }
@@ -119,7 +120,7 @@ BOOST_AUTO_TEST_CASE(the_first_reference_is_farthest_from_the_center_of_area)
 
 BOOST_AUTO_TEST_CASE(of_equally_far_faces_the_first_is_taken)
 {
-  BOOST_TEST(farthest_face_from_center(dual_graph_of(sphere(0))) == 0u);
+  BOOST_TEST(farthest_face_from_center(sequential, face_graph_of(sphere(0))) == 0u);
 }
 
 BOOST_AUTO_TEST_CASE(references_are_mutually_farthest)
@@ -172,11 +173,11 @@ BOOST_AUTO_TEST_CASE(the_first_reference_does_not_depend_on_the_size_of_the_part
 {
   Random random(3);
   Face_graph part = random_graph(random);
-  const Index farthest = farthest_face_from_center(part);
+  const Index farthest = farthest_face_from_center(sequential, part);
   BOOST_TEST(farthest != 0u);
   for (Vector& p : part.points)
     p = p / 65536 + Vector(0.5, 0.25, -0.5);
-  BOOST_TEST(farthest_face_from_center(part) == farthest);
+  BOOST_TEST(farthest_face_from_center(sequential, part) == farthest);
 }
 
 BOOST_AUTO_TEST_CASE(there_are_no_more_references_than_faces)
@@ -189,16 +190,16 @@ BOOST_AUTO_TEST_CASE(there_are_no_more_references_than_faces)
   BOOST_TEST(std::set<Index>(all.references.begin(), all.references.end()).size() == n);
 }
 
-BOOST_AUTO_TEST_CASE(the_caller_hears_of_each_tree)
+BOOST_AUTO_TEST_CASE(the_caller_is_asked_before_each_tree)
 {
   const Face_graph graph = graph_with_distances(sphere(1));
   for (std::size_t k : {1, 4, 10}) {
     std::size_t calls = 0;
-    shape_contexts<CGAL::Sequential_tag>(graph, 0, k, [&] { ++calls; });
+    shape_contexts(sequential, graph, 0, k, [&] { ++calls; });
     BOOST_TEST(calls == k);
   }
   const auto stop = [] { throw std::runtime_error("stop"); };
-  BOOST_CHECK_THROW(shape_contexts<CGAL::Sequential_tag>(graph, 0, 3, stop), std::runtime_error);
+  BOOST_CHECK_THROW(shape_contexts(sequential, graph, 0, 3, stop), std::runtime_error);
 }
 
 BOOST_AUTO_TEST_CASE(samples_have_the_largest_context_and_the_one_that_differs_most)
@@ -214,7 +215,7 @@ BOOST_AUTO_TEST_CASE(samples_have_the_largest_context_and_the_one_that_differs_m
       contexts.values = Eigen::MatrixXf::NullaryExpr(n, k, [&]
         { return static_cast<float>(random() % number_of_values); });
 
-      const Sample_faces samples = sample_faces(contexts);
+      const Sample_faces samples = sample_faces(sequential, contexts);
       BOOST_REQUIRE(samples.s < n);
       BOOST_REQUIRE(samples.t < n);
       BOOST_TEST(samples.s != samples.t);
@@ -237,7 +238,7 @@ BOOST_AUTO_TEST_CASE(samples_have_the_largest_context_and_the_one_that_differs_m
 
 BOOST_AUTO_TEST_CASE(a_random_face_depends_on_seed_and_part_and_is_reproducible)
 {
-  const Face_graph graph = dual_graph_of(sphere(3));
+  const Face_graph graph = face_graph_of(sphere(3));
   std::set<Index> by_seed, by_part;
   for (Index i = 0; i < 100; ++i) {
     const Index f = random_face(graph, i, 0);

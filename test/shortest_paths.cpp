@@ -31,7 +31,7 @@ using CGAL::Spectral_segmentation::internal::shortest_paths;
 
 namespace {
 
-typedef Face_graph::Halfedge Halfedge;
+typedef Edge_weights Halfedge;
 
 const Weighting weightings[] = {&Halfedge::geodesic, &Halfedge::angle, &Halfedge::combined};
 const double infinity = std::numeric_limits<double>::infinity();
@@ -49,9 +49,9 @@ Face_graph random_graph(Random& random)
 template <class Weight>
 void set_weights(Face_graph& graph, Weighting weighting, const Weight& weight)
 {
-  for (Index h = 0; h < graph.halfedges.size(); ++h)
+  for (Index h = 0; h < graph.number_of_halfedges(); ++h)
     if (!graph.is_border(h))
-      graph.halfedges[h].*weighting = graph.halfedges[graph.opposite(h)].*weighting = weight();
+      graph.weights[h].*weighting = graph.weights[graph.opposite(h)].*weighting = weight();
 }
 
 // Weights from 0 to 512, most of them small, and many equal.
@@ -65,9 +65,9 @@ std::vector<std::vector<double> > floyd_warshall(const Face_graph& graph, Weight
 {
   const std::size_t n = graph.number_of_faces();
   std::vector<std::vector<double> > d(n, std::vector<double>(n, infinity));
-  for (Index h = 0; h < graph.halfedges.size(); ++h) {
-    double& distance = d[h / 3][graph.halfedges[h].neighbor];
-    distance = std::min(distance, double(graph.halfedges[h].*weighting));
+  for (Index h = 0; h < graph.number_of_halfedges(); ++h) {
+    double& distance = d[h / 3][graph.neighbors[h]];
+    distance = std::min(distance, double(graph.weights[h].*weighting));
   }
   for (std::size_t f = 0; f < n; ++f)
     d[f][f] = 0;
@@ -106,7 +106,7 @@ BOOST_AUTO_TEST_CASE(distances_equal_those_of_floyd_and_warshall)
 BOOST_AUTO_TEST_CASE(both_searches_agree_on_real_meshes)
 {
   for (const char* name : {"elephant.off", "hand.off", "dino.off", "camel.off", "mushroom.off"}) {
-    Face_graph graph = dual_graph_of(read(name));
+    Face_graph graph = face_graph_of(read(name));
     for (double concavity_radius : {0., 0.01}) {
       set_face_distances(graph, {0.03, 1, 0.1, concavity_radius});
       for (Weighting weighting : weightings)
@@ -164,11 +164,11 @@ BOOST_AUTO_TEST_CASE(angles_are_summed_along_the_paths_over_the_nearest_neighbor
       for (Index f : faces) {
         std::pair<double, Index> nearest(infinity, 0);
         for (Index h = 3 * f; h < 3 * f + 3; ++h) {
-          const Index g = graph.halfedges[h].neighbor;
+          const Index g = graph.neighbors[h];
           const std::pair<double, Index> candidate(distance[g], g);
-          if (distance[g] + graph.halfedges[h].*weighting == distance[f] && candidate < nearest) {
+          if (distance[g] + graph.weights[h].*weighting == distance[f] && candidate < nearest) {
             nearest = candidate;
-            expected[f] = expected[g] + graph.halfedges[h].angle;
+            expected[f] = expected[g] + graph.weights[h].angle;
           }
         }
       }
@@ -188,14 +188,14 @@ BOOST_AUTO_TEST_CASE(angles_are_summed_along_the_paths_over_the_nearest_neighbor
 BOOST_AUTO_TEST_CASE(a_single_face_is_at_distance_0)
 {
   Random random(1);
-  const Face_graph graph = random_part(dual_graph_of(sphere(0)), 1, random);
+  const Face_graph graph = random_part(face_graph_of(sphere(0)), 1, random);
   const std::vector<double> distance = shortest_paths(graph, 0, &Halfedge::geodesic);
   BOOST_TEST(distance == std::vector<double>({0}), tt::per_element());
 }
 
 BOOST_AUTO_TEST_CASE(ways_of_length_0_are_ways)
 {
-  Face_graph graph = dual_graph_of(plate(3, 3)); // its distances are 0
+  Face_graph graph = face_graph_of(plate(3, 3)); // its distances are 0
   BOOST_TEST(shortest_paths(graph, 4, &Halfedge::combined) ==
              std::vector<double>(graph.number_of_faces(), 0.), tt::per_element());
   Path_angles paths(graph.number_of_faces());

@@ -289,6 +289,13 @@ inline Face_graph face_graph_of(const Mesh& mesh)
 
 inline Face_graph face_graph_of(const Soup& soup) { return face_graph_of(mesh_of(soup)); }
 
+// The length of 1 in the coordinates of the face graph, in those of the soup.
+inline double unit_of(const Soup& soup)
+{
+  Triangles triangles = triangles_of(soup);
+  return CGAL::Spectral_segmentation::internal::normalize(triangles.points);
+}
+
 inline auto face_normals(const Face_graph& graph,
                          const std::vector<CGAL::Spectral_segmentation::internal::Vector>& points)
 { return CGAL::Spectral_segmentation::internal::face_normals(sequential, graph, points); }

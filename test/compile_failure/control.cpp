@@ -8,9 +8,15 @@
 #include <CGAL/Simple_cartesian.h>
 #include <CGAL/Surface_mesh.h>
 
-#include <cstddef>
+#include <boost/property_map/property_map.hpp>
 
-typedef CGAL::Surface_mesh<CGAL::Simple_cartesian<double>::Point_3> Mesh;
+#include <array>
+#include <cstddef>
+#include <functional>
+#include <vector>
+
+typedef CGAL::Simple_cartesian<double> Kernel;
+typedef CGAL::Surface_mesh<Kernel::Point_3> Mesh;
 typedef Mesh::Property_map<Mesh::Face_index, int> Segment_ids;
 namespace params = CGAL::Spectral_segmentation::parameters;
 
@@ -20,20 +26,59 @@ struct Own_salience
   { return float(f.cut_strength); }
 };
 
-std::size_t run(const Mesh& mesh, Segment_ids ids, CGAL::Spectral_segmentation::Segmentation_hierarchy& tree)
+auto in_a_chain(const Mesh& mesh, CGAL::Spectral_segmentation::Segmentation_hierarchy& hierarchy)
+{
+  CGAL::Spectral_segmentation::Segmentation_visitor visitor;
+  return params::vertex_point_map(mesh.points()).face_index_map(get(CGAL::face_index, mesh))
+    .geom_traits(Kernel()).random_seed(1).visitor(visitor).maximum_number_of_segments(2)
+    .minimum_segment_size(0.1f).salience_threshold(1).part_salience(Own_salience())
+    .salience_weights(0.1, 0.6f, 0).distance_weights(0.1, 1, 0.1f).number_of_reference_faces(3u)
+    .number_of_searched_faces(0).number_of_smoothing_iterations(std::size_t(1))
+    .boundary_smoothing(true).hierarchy(hierarchy).zhang_liu_2005();
+}
+
+auto at_the_start(const Mesh& mesh, CGAL::Spectral_segmentation::Segmentation_hierarchy& hierarchy,
+                  CGAL::Spectral_segmentation::Segmentation_visitor& visitor)
+{
+  params::vertex_point_map(mesh.points());
+  params::face_index_map(get(CGAL::face_index, mesh));
+  params::geom_traits(Kernel());
+  params::random_seed(1);
+  params::visitor(std::ref(visitor));
+  params::maximum_number_of_segments(2);
+  params::minimum_segment_size(0.1);
+  params::salience_threshold(1);
+  params::part_salience(Own_salience());
+  params::salience_weights(0.1, 0.6, 0.3);
+  params::distance_weights(0.1, 1, 0.1);
+  params::number_of_reference_faces(3);
+  params::number_of_searched_faces(0);
+  params::number_of_smoothing_iterations(1);
+  params::boundary_smoothing(true);
+  params::hierarchy(hierarchy);
+  return params::zhang_liu_2005();
+}
+
+std::size_t of_a_mesh(const Mesh& mesh, Segment_ids ids,
+                      CGAL::Spectral_segmentation::Segmentation_hierarchy& hierarchy)
 {
   return CGAL::segment_spectral_recursive(mesh, ids) +
          CGAL::segment_spectral_recursive<CGAL::Sequential_tag>(
            mesh, ids, CGAL::parameters::random_seed(1)) +
          CGAL::segment_spectral_recursive(
            mesh, ids, params::from(CGAL::parameters::random_seed(1)).salience_threshold(0.3)) +
-         CGAL::segment_spectral_recursive(
-           mesh, ids, params::zhang_liu_2005().part_salience(Own_salience()).concavity_radius(0)
-                        .single_source_orderings(true).thickness_orderings(true)
-                        .number_of_candidates(14).number_of_refined_candidates(4)
-                        .number_of_regions(20).number_of_searched_faces(4000)) +
-         CGAL::segment_spectral_recursive(
-           mesh, ids, params::random_seed(1).salience_threshold(0.3).maximum_number_of_segments(2)
-                        .boundary_smoothing(true).salience_weights(0.1, 0.6, 0.3)
-                        .hierarchy(tree));
+         CGAL::segment_spectral_recursive(mesh, ids, in_a_chain(mesh, hierarchy)) +
+         hierarchy.segment_by_number(mesh, ids, 3) +
+         hierarchy.segment_by_threshold(mesh, ids, 0.9,
+                                        params::face_index_map(get(CGAL::face_index, mesh)));
+}
+
+std::size_t of_a_soup(const std::vector<std::array<double, 3> >& points,
+                      const std::vector<std::array<int, 3> >& triangles, std::vector<int>& ids)
+{
+  const auto map = boost::make_iterator_property_map(
+    ids.begin(), boost::typed_identity_property_map<std::size_t>());
+  return CGAL::segment_spectral_recursive(points, triangles, map) +
+         CGAL::segment_spectral_recursive<CGAL::Sequential_tag>(
+           points, triangles, map, params::zhang_liu_2005().salience_threshold(0.3));
 }

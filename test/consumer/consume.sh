@@ -2,9 +2,9 @@
 # Copyright (c) 2026  The Spectral_segmentation authors.
 # SPDX-License-Identifier: GPL-3.0-or-later
 
-# consume.sh find_package|debian_package BUILD_DIR CMAKE_OPTION ...
+# consume.sh find_package|debian_package BUILD_DIR PROGRAM CMAKE_OPTION ...
 # consume.sh add_subdirectory|fetch_content CMAKE_OPTION ...
-# Builds and runs the program of this folder, which gets the package in the way that is named, in a
+# Builds and runs a program of this folder, which gets the package in the way that is named, in a
 # temporary folder. For find_package the package is first installed there from its build; for
 # debian_package, which is find_package too, the Debian package is made and unpacked there.
 set -e
@@ -17,16 +17,18 @@ case $1 in
     cmake --install "$2" --prefix "$work/installed"
     mkdir "$work/root"
     mv "$work/installed" "$work/root/usr"
-    shift ;;
+    program=$3
+    shift 2 ;;
   debian_package)
     project=find_package
     cpack --config "$2/CPackConfig.cmake" -B "$work/package"
     dpkg-deb --info "$work"/package/*.deb
     dpkg-deb --extract "$work"/package/*.deb "$work/root"
-    shift ;;
+    program=$3
+    shift 2 ;;
 esac
 shift
 cmake -S "$(dirname "$0")/$project" -B "$work/build" \
   -DSpectral_segmentation_ROOT="$work/root/usr" "$@"
-cmake --build "$work/build"
-"$work/build/consumer"
+cmake --build "$work/build" --target "${program:=version}"
+"$work/build/$program"
