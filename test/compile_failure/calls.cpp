@@ -1,0 +1,52 @@
+// Copyright (c) 2026  The Spectral_segmentation authors.
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+// Calls that the functions refuse.
+
+#include <CGAL/segment_spectral_recursive.h>
+
+#include <CGAL/Simple_cartesian.h>
+#include <CGAL/Surface_mesh.h>
+
+#include <array>
+#include <cstddef>
+#include <string>
+#include <vector>
+
+typedef CGAL::Simple_cartesian<double> Kernel;
+typedef CGAL::Surface_mesh<Kernel::Point_3> Mesh;
+namespace params = CGAL::Spectral_segmentation::parameters;
+
+const Mesh& mesh();
+const CGAL::Spectral_segmentation::Segmentation_hierarchy& hierarchy();
+Mesh::Property_map<Mesh::Face_index, int> ids();
+Mesh::Property_map<Mesh::Face_index, double> fractions();
+Mesh::Property_map<Mesh::Face_index, bool> flags();
+
+std::size_t n_01 = CGAL::segment_spectral_recursive(mesh(), fractions()); // error: the values of the segment id map must be of an integer type
+std::size_t n_02 = CGAL::segment_spectral_recursive(mesh(), flags());     // error: the values of the segment id map must be of an integer type
+std::size_t n_03 = CGAL::segment_spectral_recursive(mesh(), ids(), 0.3);  // error: the last argument is not a pack of named parameters
+std::size_t n_04 = CGAL::segment_spectral_recursive<CGAL::Parallel_tag>(mesh(), ids()); // error: Parallel_tag is enabled but TBB is unavailable
+std::size_t n_05 = CGAL::segment_spectral_recursive(mesh(), ids(), CGAL::parameters::number_of_iterations(3)); // error: this pack holds a CGAL named parameter that the package does not use
+
+std::size_t n_06 = hierarchy().segment_by_number(mesh(), ids(), 3, params::salience_threshold(0.9)); // error: the labels of a Segmentation_hierarchy depend on no named parameter but face_index_map
+
+// Points and triangles.
+
+typedef std::vector<std::array<double, 3> > Points;
+typedef std::vector<std::array<int, 3> > Triangles;
+
+struct Ids_of_positions
+{
+  typedef std::size_t key_type;
+  typedef int value_type;
+  typedef void reference;
+  typedef boost::writable_property_map_tag category;
+  friend void put(const Ids_of_positions&, std::size_t, int) {}
+};
+
+std::size_t n_07 = CGAL::segment_spectral_recursive(Points(), Triangles(), Ids_of_positions()); // compiles
+std::size_t n_08 = CGAL::segment_spectral_recursive(Points(), Triangles(), Ids_of_positions(), params::vertex_point_map(mesh().points())); // error: vertex_point_map, face_index_map and geom_traits are of meshes
+std::size_t n_09 = CGAL::segment_spectral_recursive(Points(), Triangles(), Ids_of_positions(), params::face_index_map(ids())); // error: vertex_point_map, face_index_map and geom_traits are of meshes
+std::size_t n_10 = CGAL::segment_spectral_recursive(Points(), Triangles(), Ids_of_positions(), params::geom_traits(Kernel())); // error: vertex_point_map, face_index_map and geom_traits are of meshes
+std::size_t n_11 = CGAL::segment_spectral_recursive(Points(), Triangles(), Ids_of_positions(), 0.3f); // error: the last argument is not a pack of named parameters

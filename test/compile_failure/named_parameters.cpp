@@ -1,0 +1,50 @@
+// Copyright (c) 2026  The Spectral_segmentation authors.
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+// Names and arguments that parameters.h refuses.
+
+#include <CGAL/Spectral_segmentation/parameters.h>
+
+#include <CGAL/Named_function_parameters.h>
+
+namespace params = CGAL::Spectral_segmentation::parameters;
+
+typedef CGAL::Spectral_segmentation::Salience_factors Salience_factors;
+
+auto pack_01 = params::vertex_point_map(5);              // error: vertex_point_map takes a property map
+auto pack_02 = params::face_index_map(5);                // error: face_index_map takes a property map
+auto pack_03 = params::geom_traits(3);                   // error: geom_traits takes a class with the functor Compute_x_3
+auto pack_04 = params::random_seed(1.5);                 // error: random_seed takes an integer
+auto pack_05 = params::visitor(3);                       // error: visitor takes a class derived from Segmentation_visitor
+auto pack_06 = params::maximum_number_of_segments(true); // error: maximum_number_of_segments takes an integer
+auto pack_07 = params::maximum_number_of_segments(2.5);  // error: maximum_number_of_segments takes an integer
+auto pack_08 = params::minimum_segment_size("small");    // error: minimum_segment_size takes a number
+auto pack_09 = params::minimum_segment_size(true);       // error: minimum_segment_size takes a number
+auto pack_10 = params::salience_threshold("high");       // error: salience_threshold takes a number
+auto pack_11 = params::part_salience(0.5);               // error: part_salience takes a class that is called with Salience_factors
+auto pack_12 = params::number_of_reference_faces(0.5);   // error: number_of_reference_faces takes an integer
+auto pack_13 = params::number_of_searched_faces(0.5);    // error: number_of_searched_faces takes an integer
+auto pack_14 = params::number_of_smoothing_iterations("3"); // error: number_of_smoothing_iterations takes an integer
+auto pack_15 = params::boundary_smoothing(1);            // error: boundary_smoothing takes a bool
+
+// A test of a threshold is no salience.
+auto pack_16 = params::part_salience([](const Salience_factors& f) { return f.size > 0.1; }); // error: part_salience takes a class that is called with Salience_factors
+
+auto pack_17 = params::salience_weights("0.1", "0.6", "0.3"); // error: salience_weights takes three numbers: alpha, beta, gamma
+auto pack_18 = params::salience_weights(0.1, 0.9);            // error: no matching (member )?function for call to .*salience_weights
+auto pack_19 = params::distance_weights(0.03, "1", 0.1);      // error: distance_weights takes three numbers: delta, eta at concave edges
+auto pack_20 = params::distance_weights(0.03, 1);             // error: no matching (member )?function for call to .*distance_weights
+auto pack_21 = params::random_seed(1).distance_weights(0.03); // error: no matching (member )?function for call to .*distance_weights
+auto pack_22 = params::zhang_liu_2005(true);                  // error: too many arguments to function
+
+CGAL::Spectral_segmentation::Segmentation_hierarchy& a_hierarchy();
+const CGAL::Spectral_segmentation::Segmentation_hierarchy& a_const_hierarchy();
+auto pack_23 = params::hierarchy(a_hierarchy()).zhang_liu_2005(); // compiles
+auto pack_24 = params::hierarchy(a_const_hierarchy());            // error: hierarchy takes a CGAL::Spectral_segmentation::Segmentation_hierarchy, not const
+
+auto pack_25 = params::salience_treshold(0.3);                // error: did you mean 'salience_threshold'
+auto pack_26 = params::random_seed(1).salience_treshold(0.3); // error: did you mean 'salience_threshold'
+auto pack_27 = params::method(1);                             // error: 'method'
+auto pack_28 = params::number_of_regions(7);                  // error: 'number_of_regions'
+
+auto pack_29 = params::from(CGAL::parameters::number_of_iterations(3)); // error: this pack holds a CGAL named parameter that the package does not use
