@@ -4,13 +4,13 @@
 #ifndef SEGMENTATION_BENCHMARK_FOR_EACH_MESH_H
 #define SEGMENTATION_BENCHMARK_FOR_EACH_MESH_H
 
+#include "../examples/segment_mesh/is_terminal.h"
+
 #ifdef CGAL_LINKED_WITH_TBB
 #include <tbb/global_control.h>
 #include <tbb/parallel_for.h>
 #include <tbb/task_arena.h>
 #endif
-
-#include <unistd.h>
 
 #include <cstddef>
 #include <iostream>
@@ -44,7 +44,7 @@ class Progress
 {
   std::mutex mutex_;
   std::size_t all_, done_ = 0;
-  bool is_shown_ = isatty(STDERR_FILENO);
+  bool is_shown_ = segment_mesh::standard_error_is_terminal();
 
 public:
   explicit Progress(std::size_t all) : all_(all) {}

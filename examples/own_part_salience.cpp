@@ -15,14 +15,17 @@ typedef CGAL::Surface_mesh<CGAL::Simple_cartesian<double>::Point_3> Mesh;
 typedef CGAL::Spectral_segmentation::Salience_factors Salience_factors;
 namespace params = CGAL::Spectral_segmentation::parameters;
 
-// How many times thicker the rest is, next to the cut, than the part that is cut off, if a person
-// would cut there.
-struct Thin_limb_salience
+// The probability that a person would cut, but only for limbs: parts of at most a quarter of the
+// mesh.
+struct Limb_salience
 {
   CGAL::Spectral_segmentation::Calibrated_part_salience probability;
 
   double operator()(const Salience_factors& factors) const
-  { return probability(factors) < 0.2 ? 0 : std::exp(factors.thickness_step); }
+  {
+    const double share_of_mesh = factors.size * std::exp(factors.log_relative_part_area);
+    return share_of_mesh <= 0.25 ? probability(factors) : 0;
+  }
 };
 
 int main(int argc, char* argv[])
@@ -37,7 +40,7 @@ int main(int argc, char* argv[])
   auto segment_ids = mesh.add_property_map<Mesh::Face_index, int>("f:segment").first;
   std::cout << CGAL::segment_spectral_recursive(
                  mesh, segment_ids,
-                 params::part_salience(Thin_limb_salience()).salience_threshold(2))
-            << " segments, the body and limbs that are at most half as thick" << std::endl;
+                 params::part_salience(Limb_salience()).salience_threshold(0.5))
+            << " segments, the body and its limbs" << std::endl;
   return CGAL::IO::write_polygon_mesh("segments.ply", mesh) ? EXIT_SUCCESS : EXIT_FAILURE;
 }

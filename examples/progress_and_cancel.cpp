@@ -14,14 +14,14 @@
 #include <string>
 
 typedef CGAL::Surface_mesh<CGAL::Simple_cartesian<double>::Point_3> Mesh;
-typedef CGAL::Spectral_segmentation::Salience_factors Salience_factors;
 namespace params = CGAL::Spectral_segmentation::parameters;
 
-// Prints each cut, and stops the run when its time is over.
+// Prints how much of the run is done, and stops it when its time is over.
 class Time_limit : public CGAL::Spectral_segmentation::Segmentation_visitor
 {
   typedef std::chrono::steady_clock Clock;
   Clock::time_point end_;
+  int percent_ = -1;
   bool is_over_ = false;
 
 public:
@@ -29,8 +29,13 @@ public:
     : end_(Clock::now() +
            std::chrono::duration_cast<Clock::duration>(std::chrono::duration<double>(seconds))) {}
 
-  void part_cut(std::size_t, const Salience_factors&, double salience, std::size_t number_of_parts)
-  { std::cout << number_of_parts << " parts by a cut of salience " << salience << std::endl; }
+  void progress(double share)
+  {
+    const int percent = static_cast<int>(100 * share);
+    if (percent > percent_)
+      std::cout << percent << " %" << std::endl;
+    percent_ = percent;
+  }
 
   bool go_further()
   {

@@ -7,6 +7,7 @@
 
 #include "segment_mesh/Output_files.h"
 #include "segment_mesh/Run_watch.h"
+#include "segment_mesh/is_terminal.h"
 #include "segment_mesh/read_mesh.h"
 #include "segment_mesh/report.h"
 #include "segment_mesh/write_meshes.h"
@@ -19,8 +20,6 @@
 #ifdef CGAL_LINKED_WITH_TBB
 #include <tbb/global_control.h>
 #endif
-
-#include <unistd.h>
 
 #include <algorithm>
 #include <cstddef>
@@ -41,24 +40,23 @@
 #include <vector>
 
 namespace parameters = CGAL::Spectral_segmentation::parameters;
-using CGAL::Spectral_segmentation::Method;
 using CGAL::Spectral_segmentation::Segmentation_hierarchy;
 using namespace segment_mesh;
 
-double default_threshold(Method method)
+// The numbers that follow the method.
+typedef CGAL::Spectral_segmentation::internal::Options Defaults;
+
+Defaults defaults(bool is_of_paper)
 {
-  return method == Method::CALIBRATED
-    ? CGAL::Spectral_segmentation::default_probability_threshold
-    : CGAL::Spectral_segmentation::default_salience_threshold;
+  return is_of_paper ? CGAL::Spectral_segmentation::internal::zhang_liu_2005_options()
+                     : CGAL::Spectral_segmentation::internal::calibrated_options();
 }
 
-// The defaults of a number that follow the method, for the help.
-template <class Default>
-std::string defaults(const Default& default_of)
+// For the help.
+std::string both_defaults(double Defaults::*number)
 {
   std::ostringstream out;
-  out << " [" << default_of(Method::CALIBRATED) << ", paper "
-      << default_of(Method::ZHANG_LIU_2005) << ']';
+  out << " [" << defaults(false).*number << ", paper " << defaults(true).*number << ']';
   return out.str();
 }
 
@@ -74,14 +72,10 @@ struct Options
   bool boundary_smoothing = false;
   bool quiet = false;
 
-  Method method() const
-  { return method_name == "paper" ? Method::ZHANG_LIU_2005 : Method::CALIBRATED; }
+  bool is_of_paper() const { return method_name == "paper"; }
 
   double minimum_segment_size() const
-  {
-    return minimum_size.value_or(
-      CGAL::Spectral_segmentation::default_minimum_segment_size(method()));
-  }
+  { return minimum_size.value_or(defaults(is_of_paper()).minimum_segment_size); }
 
   std::size_t maximum_number_of_segments() const
   { return segments.value_or((std::numeric_limits<std::size_t>::max)()); }
@@ -90,7 +84,7 @@ struct Options
   double salience_threshold() const
   {
     return threshold.value_or(segments ? -std::numeric_limits<double>::infinity()
-                                       : default_threshold(method()));
+                                       : defaults(is_of_paper()).salience_threshold);
   }
 };
 
@@ -121,10 +115,10 @@ void add_options(CLI::App& app, Options& o)
     ->type_name("N")->check(CLI::Range(std::int64_t(1), largest));
   app.add_option("--salience-threshold", o.threshold,
                  "no cut has a salience below this, which is a probability if the method is "
-                 "calibrated" + defaults(default_threshold))->type_name("T");
+                 "calibrated" + both_defaults(&Defaults::salience_threshold))->type_name("T");
   app.add_option("--minimum-segment-size", o.minimum_size,
                  "smallest share of the area of the mesh that a cut leaves on a side, up to 0.5" +
-                   defaults(CGAL::Spectral_segmentation::default_minimum_segment_size))
+                   both_defaults(&Defaults::minimum_segment_size))
     ->type_name("S")->check(CLI::Range(0., 0.5));
   app.add_option("--seed", o.seed, "seed of the random first reference faces [none is random]")
     ->type_name("S")->check(CLI::Range(std::int64_t(0), largest));
@@ -163,16 +157,18 @@ void check_options(const Options& o)
 std::size_t segment(const Mesh& mesh, const Segment_map& segment_ids, const Options& o,
                     Segmentation_hierarchy& tree, Run_watch& watch)
 {
-  const auto np = parameters::method(o.method())
-                    .maximum_number_of_segments(o.maximum_number_of_segments())
+  const auto np = parameters::maximum_number_of_segments(o.maximum_number_of_segments())
                     .salience_threshold(o.salience_threshold())
                     .minimum_segment_size(o.minimum_segment_size())
                     .number_of_smoothing_iterations(o.smoothing_iterations)
                     .boundary_smoothing(o.boundary_smoothing)
                     .hierarchy(tree)
                     .visitor(std::ref(watch));
-  return o.seed ? CGAL::segment_spectral_recursive(mesh, segment_ids, np.random_seed(*o.seed))
-                : CGAL::segment_spectral_recursive(mesh, segment_ids, np);
+  const auto segment_with = [&](const auto& all)
+  { return CGAL::segment_spectral_recursive(mesh, segment_ids, all); };
+  const auto segment_with_seed = [&](const auto& others)
+  { return o.seed ? segment_with(others.random_seed(*o.seed)) : segment_with(others); };
+  return o.is_of_paper() ? segment_with_seed(np.zhang_liu_2005()) : segment_with_seed(np);
 }
 
 template <class T>
@@ -199,7 +195,7 @@ Json report(const Options& o, const Input_mesh& input, std::size_t number_of_seg
             {"threads", json_or_null(o.threads)},
             {"number_of_smoothing_iterations", o.smoothing_iterations},
             {"boundary_smoothing", o.boundary_smoothing}}},
-          {"tree", tree_report(tree, o.method())}};
+          {"tree", tree_report(tree, o.is_of_paper())}};
 }
 
 void run(const Options& o)
@@ -218,7 +214,7 @@ void run(const Options& o)
   std::size_t number_of_segments;
   Json seconds;
   {
-    Run_watch watch(!o.quiet && isatty(STDERR_FILENO));
+    Run_watch watch(!o.quiet && standard_error_is_terminal());
     number_of_segments = segment(input.mesh, segment_ids, o, tree, watch);
     seconds = seconds_report(watch);
   }

@@ -8,8 +8,10 @@
 
 #include <chrono>
 #include <cstddef>
+#include <iomanip>
 #include <iostream>
 #include <map>
+#include <string>
 
 namespace segment_mesh {
 
@@ -31,7 +33,7 @@ private:
   std::map<Stage, double> seconds_;
   bool shows_progress_;
   double last_shown_ = 0;
-  std::size_t number_of_cuts_ = 0;
+  double share_ = 0; // of the run that is done
 
   void show_progress()
   {
@@ -39,8 +41,8 @@ private:
     if (!shows_progress_ || seconds < 1 || seconds < last_shown_ + 0.2)
       return;
     last_shown_ = seconds;
-    std::cerr << "\r" << number_of_cuts_ << " cuts, " << static_cast<long>(seconds) << " s"
-              << std::flush;
+    std::cerr << "\r" << std::setw(3) << static_cast<int>(100 * share_) << " %, "
+              << static_cast<long>(seconds) << " s" << std::flush;
   }
 
 public:
@@ -49,7 +51,7 @@ public:
   ~Run_watch()
   {
     if (last_shown_ > 0)
-      std::cerr << "\r\33[K" << std::flush;
+      std::cerr << "\r" << std::string(20, ' ') << "\r" << std::flush;
   }
 
   Run_watch(const Run_watch&) = delete;
@@ -69,9 +71,7 @@ public:
   void end_stage(Stage stage, std::size_t part)
   { seconds_[stage] += seconds_since(start_of_stage_[part]); }
 
-  void part_cut(std::size_t, const CGAL::Spectral_segmentation::Salience_factors&, double,
-                std::size_t)
-  { ++number_of_cuts_; }
+  void progress(double share) { share_ = share; }
 
   bool go_further()
   {

@@ -7,7 +7,6 @@
 #include "Run_watch.h"
 
 #include <CGAL/Spectral_segmentation/Segmentation_hierarchy.h>
-#include <CGAL/Spectral_segmentation/parameters.h>
 
 #include <nlohmann/json.hpp>
 
@@ -26,7 +25,7 @@ inline Json seconds_report(const Run_watch& watch)
           {"embedding", watch.seconds(Run_watch::Stage::EMBEDDING)},
           {"line_search", watch.seconds(Run_watch::Stage::LINE_SEARCH)},
           {"merging", watch.seconds(Run_watch::Stage::MERGING)},
-          {"transfer", watch.seconds(Run_watch::Stage::TRANSFER)},
+          {"projection", watch.seconds(Run_watch::Stage::PROJECTION)},
           {"boundary_smoothing", watch.seconds(Run_watch::Stage::BOUNDARY_SMOOTHING)},
           {"total", watch.seconds()}};
 }
@@ -42,31 +41,29 @@ inline const char* name_of(CGAL::Spectral_segmentation::Segmentation_hierarchy::
   }
 }
 
+// The method of the paper has three factors.
 inline Json factors_report(const CGAL::Spectral_segmentation::Salience_factors& f,
-                           CGAL::Spectral_segmentation::Method method)
+                           bool is_of_paper)
 {
   Json report = {{"size", f.size},
                  {"cut_strength", f.cut_strength},
                  {"protrusiveness", f.protrusiveness}};
-  if (method == CGAL::Spectral_segmentation::Method::CALIBRATED)
+  if (!is_of_paper)
     report.update({{"log_relative_part_area", f.log_relative_part_area},
                    {"concavity_near_cut", f.concavity_near_cut},
                    {"convexity_gain", f.convexity_gain},
                    {"relative_convexity_gain", f.relative_convexity_gain},
-                   {"expansion_behind_cut", f.expansion_behind_cut},
-                   {"thickness_step", f.thickness_step},
-                   {"thickness_variation", f.thickness_variation}});
+                   {"expansion_behind_cut", f.expansion_behind_cut}});
   return report;
 }
 
 // The nodes by their index; salience and factors are those of the best cut, null if there is none.
 // The salience of the calibrated method goes by the name of what it is, a probability.
 inline Json tree_report(const CGAL::Spectral_segmentation::Segmentation_hierarchy& tree,
-                        CGAL::Spectral_segmentation::Method method)
+                        bool is_of_paper)
 {
   typedef CGAL::Spectral_segmentation::Segmentation_hierarchy Segmentation_hierarchy;
-  const char* const salience =
-    method == CGAL::Spectral_segmentation::Method::CALIBRATED ? "probability" : "salience";
+  const char* const salience = is_of_paper ? "salience" : "probability";
   Json nodes = Json::array();
   for (std::size_t i = 0; i < tree.number_of_nodes(); ++i) {
     const Segmentation_hierarchy::Node& n = tree.node(i);
@@ -76,11 +73,11 @@ inline Json tree_report(const CGAL::Spectral_segmentation::Segmentation_hierarch
     node["id"] = i;
     node["parent"] = n.parent == Segmentation_hierarchy::null_node ? Json() : Json(n.parent);
     node["children"] = n.is_leaf() ? Json::array() : Json(n.children);
-    node["faces"] = n.number_of_faces;
+    node["faces"] = tree.number_of_faces(i);
     node["area"] = n.area;
     node["cut"] = name_of(n.cut_state);
     node[salience] = has_cut ? Json(n.salience) : Json();
-    node["factors"] = has_cut ? factors_report(n.factors, method) : Json();
+    node["factors"] = has_cut ? factors_report(n.factors, is_of_paper) : Json();
     nodes.push_back(node);
   }
   return nodes;
