@@ -3,6 +3,8 @@
 
 #include <boost/test/unit_test.hpp>
 
+#include "box_figures.h"
+#include "test_labels.h"
 #include "test_meshes.h"
 
 #include <CGAL/segment_spectral_recursive.h>
@@ -33,23 +35,12 @@ typedef std::function<bool(const Point&)> Region;
 const double infinity = std::numeric_limits<double>::infinity();
 
 template <class NamedParameters>
-Segmentation_hierarchy tree_of(const Mesh& mesh, const NamedParameters& np)
+Segmentation_hierarchy hierarchy_of_parts(const Mesh& mesh, const NamedParameters& np,
+                                          std::size_t number_of_segments)
 {
-  Segmentation_hierarchy tree;
-  std::vector<std::size_t> labels(num_faces(mesh));
-  CGAL::segment_spectral_recursive(
-    mesh, boost::make_iterator_property_map(labels.begin(), get(CGAL::face_index, mesh)),
-    np.hierarchy(tree));
-  return tree;
+  return hierarchy_of(mesh, np.salience_threshold(-infinity)
+                              .maximum_number_of_segments(number_of_segments));
 }
-
-Segmentation_hierarchy tree_of_parts(const Mesh& mesh, std::size_t number_of_segments)
-{
-  return tree_of(mesh, parameters::zhang_liu_2005().salience_threshold(-infinity)
-                         .maximum_number_of_segments(number_of_segments));
-}
-
-Segmentation_hierarchy tree_of(const Mesh& mesh) { return tree_of(mesh, parameters::zhang_liu_2005()); }
 
 // A limb, and the vertices at which it is joined to the rest.
 struct Limb
@@ -60,13 +51,14 @@ struct Limb
 
 // Whether the cut of a node runs within a ring of faces of the seam: of its faces that do not touch
 // the seam, those of the limb and no others are on the one side.
-bool is_cut_at_seam(const Mesh& mesh, const Segmentation_hierarchy& tree, std::size_t node, const Limb& limb)
+bool is_cut_at_seam(const Mesh& mesh, const Segmentation_hierarchy& hierarchy, std::size_t node,
+                    const Limb& limb)
 {
-  if (tree.node(node).is_leaf())
+  if (hierarchy.node(node).is_leaf())
     return false;
   std::size_t faces_of_limb[2] = {0, 0}, other_faces[2] = {0, 0};
   for (int side = 0; side < 2; ++side)
-    for (auto number : tree.faces(tree.node(node).children[side])) {
+    for (auto number : hierarchy.faces(hierarchy.node(node).children[side])) {
       const auto around = vertices_around_face(mesh.halfedge(Face(number)), mesh);
       const auto all = [&](const Region& region) {
         return std::all_of(around.begin(), around.end(),
@@ -156,51 +148,6 @@ Mesh two_balls(const Ball_with_bar& ball, double length, int n_around)
   return mesh_of(surface_of_revolution(p, n_around));
 }
 
-typedef std::array<int, 3> Cell;
-typedef std::set<Cell> Cells;
-
-void add_box(Cells& cells, const Cell& low, const Cell& high)
-{
-  for (int x = low[0]; x < high[0]; ++x)
-    for (int y = low[1]; y < high[1]; ++y)
-      for (int z = low[2]; z < high[2]; ++z)
-        cells.insert({x, y, z});
-}
-
-// The boundary of a set of unit cubes, each square cut in two; on demand open in the plane z = 0.
-Mesh boundary_of(const Cells& cells, bool is_open = false)
-{
-  Soup soup;
-  std::map<Cell, std::size_t> number;
-  const auto vertex = [&](const Cell& c) {
-    const auto [entry, is_new] = number.emplace(c, soup.points.size());
-    if (is_new)
-      soup.points.emplace_back(c[0], c[1], c[2]);
-    return entry->second;
-  };
-  for (const Cell& cell : cells)
-    for (int axis = 0; axis < 3; ++axis)
-      for (int end = 0; end < 2; ++end) {
-        Cell across = cell;
-        across[axis] += 2 * end - 1;
-        if (cells.count(across) || (is_open && across[2] < 0))
-          continue;
-        Cell corners[4] = {cell, cell, cell, cell};
-        for (Cell& c : corners)
-          c[axis] += end;
-        const int u = (axis + 1) % 3, v = (axis + 2) % 3;
-        ++corners[end == 1 ? 1 : 3][u];
-        ++corners[2][u];
-        ++corners[2][v];
-        ++corners[end == 1 ? 3 : 1][v];
-        const std::size_t a = vertex(corners[0]), b = vertex(corners[1]), c = vertex(corners[2]),
-                          d = vertex(corners[3]);
-        soup.triangles.push_back({a, b, c});
-        soup.triangles.push_back({a, c, d});
-      }
-  return mesh_of(soup);
-}
-
 // A ring of square section 3, in a square of the given side.
 Cells square_torus(int side)
 {
@@ -236,14 +183,47 @@ Mesh jittered(const Soup& soup, double amount, unsigned seed,
   return mesh_of(result);
 }
 
+// The paper's method makes two parts of two ends and a bar between them; by default the bar
+// may be a part, too, or two. Faces whose vertices are all in an end belong to it.
+void check_ends_are_two_parts(const Mesh& mesh, const Region& is_first, const Region& is_second)
+{
+  for_both_methods([&](const auto& np) {
+    const Labels labels = labels_of(mesh, np);
+    std::set<std::size_t> first, second;
+    for (Face f : faces(mesh)) {
+      const auto around = vertices_around_face(mesh.halfedge(f), mesh);
+      const auto is_in = [&](const Region& region) {
+        return std::all_of(around.begin(), around.end(),
+                           [&](Mesh::Vertex_index v) { return region(mesh.point(v)); });
+      };
+      if (is_in(is_first))
+        first.insert(labels[f]);
+      if (is_in(is_second))
+        second.insert(labels[f]);
+    }
+    BOOST_TEST(first.size() == 1);
+    BOOST_TEST(second.size() == 1);
+    BOOST_TEST((first != second));
+    BOOST_TEST(number_of(labels) <= 4);
+  });
+  BOOST_TEST(number_of(labels_of(mesh, parameters::zhang_liu_2005())) == 2);
+}
+
+void check_one_part(const Mesh& mesh)
+{
+  for_both_methods([&](const auto& np) { BOOST_TEST(number_of(labels_of(mesh, np)) == 1); });
+}
+
 } // namespace
 
 BOOST_AUTO_TEST_CASE(spheres_that_meet_in_a_crease)
 {
   for (const auto& [n_around, n_along] : {std::make_pair(12, 8), std::make_pair(16, 12)}) {
     const Mesh mesh = mesh_of(dumbbell(n_around, n_along));
-    BOOST_TEST(is_cut_at_seam(mesh, tree_of_parts(mesh, 2), 0, above(0, 0)));
-    BOOST_TEST(is_cut_at_seam(mesh, tree_of(mesh), 0, above(0, 0)));
+    for_both_methods([&](const auto& np) {
+      BOOST_TEST(is_cut_at_seam(mesh, hierarchy_of_parts(mesh, np, 2), 0, above(0, 0)));
+      BOOST_TEST(is_cut_at_seam(mesh, hierarchy_of(mesh, np), 0, above(0, 0)));
+    });
   }
 }
 
@@ -255,15 +235,23 @@ BOOST_AUTO_TEST_CASE(spheres_that_are_joined_by_a_neck)
     BOOST_TEST_CONTEXT(n_around << " faces around") {
       const Mesh mesh = two_balls(ball, 0.2, n_around);
       const Limb upper = above(-half_neck, half_neck);
-      BOOST_TEST(is_cut_at_seam(mesh, tree_of_parts(mesh, 2), 0, upper));
-      BOOST_TEST(is_cut_at_seam(mesh, tree_of(mesh), 0, upper));
+      for_both_methods([&](const auto& np) {
+        BOOST_TEST(is_cut_at_seam(mesh, hierarchy_of_parts(mesh, np, 2), 0, upper));
+        BOOST_TEST(is_cut_at_seam(mesh, hierarchy_of(mesh, np), 0, upper));
+      });
     }
 }
 
 BOOST_AUTO_TEST_CASE(two_balls_are_two_parts)
 {
+  const Ball_with_bar ball = {0.25, 0.3};
+  const double half_neck = 0.1 + ball.end_of_fillet() - ball.start_of_fillet();
   for (int n_around : {12, 20})
-    BOOST_TEST(tree_of(two_balls({0.25, 0.3}, 0.2, n_around)).number_of_segments() == 2);
+    BOOST_TEST_CONTEXT(n_around << " faces around") {
+      const Mesh mesh = two_balls(ball, 0.2, n_around);
+      check_ends_are_two_parts(mesh, [=](const Point& p) { return p.z() < -half_neck + 1e-9; },
+                               [=](const Point& p) { return p.z() > half_neck - 1e-9; });
+    }
 }
 
 BOOST_AUTO_TEST_CASE(a_dumbbell_of_boxes)
@@ -274,9 +262,7 @@ BOOST_AUTO_TEST_CASE(a_dumbbell_of_boxes)
       add_box(cells, {0, 0, 0}, {9 * k, 9 * k, 9 * k});
       add_box(cells, {3 * k, 3 * k, 9 * k}, {6 * k, 6 * k, 15 * k});
       add_box(cells, {0, 0, 15 * k}, {9 * k, 9 * k, 24 * k});
-      const Mesh mesh = boundary_of(cells);
-      const Segmentation_hierarchy tree = tree_of(mesh);
-      BOOST_TEST(tree.number_of_segments() == 2);
+      const Mesh mesh = mesh_of(boundary_of(cells));
       // The two ends of the bar are alike.
       const auto is_at_end = [k](const Point& p, int z) {
         return p.z() == z && p.x() >= 3 * k && p.x() <= 6 * k && p.y() >= 3 * k && p.y() <= 6 * k;
@@ -285,7 +271,12 @@ BOOST_AUTO_TEST_CASE(a_dumbbell_of_boxes)
                           [=](const Point& p) { return is_at_end(p, 9 * k); }};
       const Limb upper = {[=](const Point& p) { return p.z() >= 15 * k; },
                           [=](const Point& p) { return is_at_end(p, 15 * k); }};
-      BOOST_TEST((is_cut_at_seam(mesh, tree, 0, lower) || is_cut_at_seam(mesh, tree, 0, upper)));
+      for_both_methods([&](const auto& np) {
+        const Segmentation_hierarchy hierarchy = hierarchy_of(mesh, np);
+        BOOST_TEST((is_cut_at_seam(mesh, hierarchy, 0, lower) ||
+                    is_cut_at_seam(mesh, hierarchy, 0, upper)));
+      });
+      check_ends_are_two_parts(mesh, lower.is_inside, upper.is_inside);
     }
 }
 
@@ -297,8 +288,10 @@ BOOST_AUTO_TEST_CASE(a_capped_cylinder_with_a_ball)
         const Ball_with_bar ball = {0.35, radius_of_fillet};
         const Mesh mesh = ball_with_cylinder(ball, 2, n_around);
         const Limb cylinder = above(ball.start_of_fillet(), ball.end_of_fillet());
-        BOOST_TEST(is_cut_at_seam(mesh, tree_of_parts(mesh, 2), 0, cylinder));
-        BOOST_TEST(is_cut_at_seam(mesh, tree_of(mesh), 0, cylinder));
+        for_both_methods([&](const auto& np) {
+          BOOST_TEST(is_cut_at_seam(mesh, hierarchy_of_parts(mesh, np, 2), 0, cylinder));
+          BOOST_TEST(is_cut_at_seam(mesh, hierarchy_of(mesh, np), 0, cylinder));
+        });
       }
 }
 
@@ -310,8 +303,9 @@ BOOST_AUTO_TEST_CASE(a_torus_with_a_knob)
       const int x = side / 2;
       Cells cells = square_torus(side);
       add_box(cells, {x, 1, 3}, {x + 1, 2, 3 + length});
-      const Mesh mesh = boundary_of(cells);
-      BOOST_TEST(is_cut_at_seam(mesh, tree_of(mesh), 0, finger_along_z(x, 3)));
+      const Mesh mesh = mesh_of(boundary_of(cells));
+      for_both_methods([&](const auto& np)
+        { BOOST_TEST(is_cut_at_seam(mesh, hierarchy_of(mesh, np), 0, finger_along_z(x, 3))); });
     }
 }
 
@@ -323,16 +317,18 @@ BOOST_AUTO_TEST_CASE(a_torus_with_a_handle)
   add_box(cells, {1, 1, 3}, {2, 2, 6});
   add_box(cells, {13, 1, 3}, {14, 2, 6});
   add_box(cells, {1, 1, 6}, {14, 2, 7});
-  const Mesh mesh = boundary_of(cells);
+  const Mesh mesh = mesh_of(boundary_of(cells));
 
-  const Segmentation_hierarchy tree = tree_of_parts(mesh, 2);
-  const std::size_t handle = tree.node(0).children[0];
   const double area_of_handle = 2 * 3 * 4 + 4 * 13; // legs and bar
-  BOOST_TEST_REQUIRE(!tree.node(0).is_leaf());
-  BOOST_TEST(tree.node(handle).area > 0.8 * area_of_handle);
-  for (auto f : tree.faces(handle))
-    for (Mesh::Vertex_index v : vertices_around_face(mesh.halfedge(Face(f)), mesh))
-      BOOST_TEST(mesh.point(v).z() >= 3);
+  for_both_methods([&](const auto& np) {
+    const Segmentation_hierarchy hierarchy = hierarchy_of_parts(mesh, np, 2);
+    BOOST_TEST_REQUIRE(!hierarchy.node(0).is_leaf());
+    const std::size_t handle = hierarchy.node(0).children[0];
+    BOOST_TEST(hierarchy.node(handle).area > 0.8 * area_of_handle);
+    for (auto f : hierarchy.faces(handle))
+      for (Mesh::Vertex_index v : vertices_around_face(mesh.halfedge(Face(f)), mesh))
+        BOOST_TEST(mesh.point(v).z() >= 3);
+  });
 }
 
 // A palm that is open at the wrist, four fingers along z and a thumb along x.
@@ -349,14 +345,17 @@ BOOST_AUTO_TEST_CASE(a_hand)
   fingers.push_back({[](const Point& p) { return p.x() > 13; },
                      [](const Point& p) { return p.x() == 13 && p.y() >= 1 && p.y() <= 2 &&
                                                  p.z() >= 3 && p.z() <= 4; }});
-  const Mesh mesh = boundary_of(cells, true);
+  const Mesh mesh = mesh_of(boundary_of(cells, true));
 
-  const Segmentation_hierarchy tree = tree_of_parts(mesh, 6);
-  std::vector<std::size_t> number_of_cuts(fingers.size(), 0);
-  for (std::size_t i = 0; i < tree.number_of_nodes(); ++i)
-    for (std::size_t finger = 0; finger < fingers.size(); ++finger)
-      number_of_cuts[finger] += is_cut_at_seam(mesh, tree, i, fingers[finger]);
-  BOOST_TEST(number_of_cuts == std::vector<std::size_t>(5, 1), boost::test_tools::per_element());
+  for_both_methods([&](const auto& np) {
+    const Segmentation_hierarchy hierarchy = hierarchy_of_parts(mesh, np, 6);
+    std::vector<std::size_t> number_of_cuts(fingers.size(), 0);
+    for (std::size_t cut = 0; cut < fingers.size(); ++cut) // the first ones that were made
+      for (std::size_t finger = 0; finger < fingers.size(); ++finger)
+        number_of_cuts[finger] +=
+          is_cut_at_seam(mesh, hierarchy, hierarchy.node(1 + 2 * cut).parent, fingers[finger]);
+    BOOST_TEST(number_of_cuts == std::vector<std::size_t>(5, 1), boost::test_tools::per_element());
+  });
 }
 
 BOOST_AUTO_TEST_CASE(a_sphere_is_one_part)
@@ -365,12 +364,12 @@ BOOST_AUTO_TEST_CASE(a_sphere_is_one_part)
   { return CGAL::ORIGIN + (p - CGAL::ORIGIN) / std::sqrt((p - CGAL::ORIGIN).squared_length()); };
   for (std::size_t level = 0; level <= 4; ++level)
     BOOST_TEST_CONTEXT("level " << level) {
-      BOOST_TEST(tree_of(mesh_of(sphere(level))).number_of_segments() == 1);
-      for (unsigned seed : {1, 2, 3}) {
-        const double edge = std::ldexp(1., -int(level));
-        const Mesh mesh = jittered(sphere(level), 0.1 * edge, seed, to_sphere);
-        BOOST_TEST(tree_of(mesh).number_of_segments() == 1, "seed " << seed);
-      }
+      check_one_part(mesh_of(sphere(level)));
+      for (unsigned seed : {1, 2, 3})
+        BOOST_TEST_CONTEXT("seed " << seed) {
+          const double edge = std::ldexp(1., -int(level));
+          check_one_part(jittered(sphere(level), 0.1 * edge, seed, to_sphere));
+        }
     }
 }
 
@@ -380,11 +379,10 @@ BOOST_AUTO_TEST_CASE(a_flat_plate_is_one_part)
   const std::pair<int, int> sizes[] = {{1, 1}, {2, 2}, {10, 10}, {30, 10}, {50, 2}, {40, 40}};
   for (const auto& [nx, ny] : sizes)
     BOOST_TEST_CONTEXT(nx << " x " << ny) {
-      BOOST_TEST(tree_of(mesh_of(plate(nx, ny))).number_of_segments() == 1);
-      for (unsigned seed : {1, 2, 3}) {
-        const Mesh mesh = jittered(plate(nx, ny), 0.2, seed, to_plane);
-        BOOST_TEST(tree_of(mesh).number_of_segments() == 1, "seed " << seed);
-      }
+      check_one_part(mesh_of(plate(nx, ny)));
+      for (unsigned seed : {1, 2, 3})
+        BOOST_TEST_CONTEXT("seed " << seed)
+          check_one_part(jittered(plate(nx, ny), 0.2, seed, to_plane));
     }
 }
 
