@@ -3,12 +3,12 @@
 
 /*!
 \ingroup PkgSpectralSegmentationConcepts
-judges a cut by its factors.
+computes the salience of a cut from its factors.
 
 \cgalConcept
 
-`CGAL::segment_spectral_recursive()` copies it, and calls the copy from
-several threads at a time with `CGAL::Parallel_tag`.
+`CGAL::segment_spectral_recursive()` copies it. With `CGAL::Parallel_tag` several threads may call the
+copy at the same time.
 
 \cgalHasModels{`CGAL::Spectral_segmentation::Weighted_part_salience`,
 `CGAL::Spectral_segmentation::Calibrated_part_salience`}
@@ -16,7 +16,7 @@ several threads at a time with `CGAL::Parallel_tag`.
 class PartSalience
 {
 public:
-  /// returns a number that is the larger the more salient the cut is; never a NaN. The same factors
+  /// returns the salience: a larger number for a more salient cut, and not a NaN. The same factors
   /// must give the same number. Differences below a millionth do not count.
   double operator()(const CGAL::Spectral_segmentation::Salience_factors& factors) const;
 };
