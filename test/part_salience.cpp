@@ -22,6 +22,7 @@ using namespace test_meshes;
 using CGAL::Spectral_segmentation::Salience_factors;
 using CGAL::Spectral_segmentation::Weighted_part_salience;
 using CGAL::Spectral_segmentation::internal::Boundary_statistics;
+using CGAL::Spectral_segmentation::internal::Edge_weights;
 
 namespace {
 
@@ -82,7 +83,7 @@ Faces random_patch(const Face_graph& graph, Random& random)
   Faces patch(1, static_cast<Index>(random() % graph.number_of_faces()));
   while (patch.size() < size) {
     const Index h = static_cast<Index>(3 * patch[random() % patch.size()] + random() % 3);
-    const Index f = graph.halfedges[h].neighbor;
+    const Index f = graph.neighbors[h];
     if (std::find(patch.begin(), patch.end(), f) == patch.end())
       patch.push_back(f);
   }
@@ -141,20 +142,20 @@ BOOST_AUTO_TEST_CASE(a_straight_cut_encloses_no_base_area)
 BOOST_AUTO_TEST_CASE(strength_is_relative_to_the_largest_angle_of_the_part)
 {
   Face_graph graph = graph_with_distances(cube_on_a_plate());
-  for (Face_graph::Halfedge& h : graph.halfedges) {
-    h.angle = h.concavity > 0 ? 0.25f : 0.125f;
-    h.concavity = h.concavity > 0 ? 0.25f : 0;
+  for (Edge_weights& w : graph.weights) {
+    w.angle = w.concavity > 0 ? 0.25f : 0.125f;
+    w.concavity = w.concavity > 0 ? 0.25f : 0;
   }
   // An edge at the border of the part does not count.
-  for (Index h = 0; h < graph.halfedges.size(); ++h)
+  for (Index h = 0; h < graph.weights.size(); ++h)
     if (graph.is_border(h))
-      graph.halfedges[h].angle = 1;
+      graph.weights[h].angle = 1;
   BOOST_TEST(factors_of(graph, cube).cut_strength == 1);
   for (Index h = 72; h < 78; ++h)
-    graph.halfedges[h].angle = 0.5f;
+    graph.weights[h].angle = 0.5f;
   BOOST_TEST(factors_of(graph, cube).cut_strength == 0.5);
-  for (Face_graph::Halfedge& h : graph.halfedges)
-    h.angle = h.concavity = 0;
+  for (Edge_weights& w : graph.weights)
+    w.angle = w.concavity = 0;
   BOOST_TEST(factors_of(graph, cube).cut_strength == 0);
 }
 
@@ -195,10 +196,10 @@ BOOST_AUTO_TEST_CASE(factors_do_not_depend_on_scale_and_place)
   }
 }
 
-BOOST_AUTO_TEST_CASE(a_patch_knows_its_faces_and_areas)
+BOOST_AUTO_TEST_CASE(a_side_knows_its_faces_and_areas)
 {
   const Face_graph graph = graph_with_distances(cube_on_a_plate());
-  const double unit_area = graph.unit * graph.unit;
+  const double unit_area = 13 / std::accumulate(graph.areas.begin(), graph.areas.end(), 0.);
   Boundary_statistics q(graph);
   for (Index f : cube)
     q.add(f);
