@@ -97,6 +97,12 @@ std::size_t segment_and_write(Triangles triangles, const std::vector<Face>& face
 cuts a triangle mesh into the parts that a person would name, by recursive and visually salient
 spectral cuts, and writes for each face the id of its segment.
 
+The segment ids are contiguous and start at 0; segments are numbered by their face of smallest
+index: its position in `faces(mesh)`, or in the `face_index_map` if one is given. Every segment is
+connected. The same input gives the same ids on every run, with any number of threads (unless a
+visitor stops it), and for every data structure that holds the same mesh. The mesh is not changed.
+Degenerate faces, boundaries and several connected components are supported.
+
 The method is built on that of Hao Zhang and Rong Liu, <em>Mesh Segmentation via Recursive and
 Visually Salient Spectral Cuts</em>, Vision, Modeling, and Visualization 2005. Sections named below
 are those of the paper. The faces are nodes of the dual graph of the mesh, and a concave edge puts
@@ -111,12 +117,6 @@ bending at the scale of the shape, searches along more orders of the faces, move
 the minimum cut near them, and takes for salience the probability that a person would cut there. It
 over-segments the mesh into 20 regions, then merges neighbors, the least salient boundary first, up
 to the threshold. A mesh of many faces is coarsened for the search, and the cuts are projected back.
-
-The segment ids are contiguous and start at 0; segments are numbered by their face of smallest
-index: its position in `faces(mesh)`, or in the `face_index_map` if one is given. Every segment is
-connected. The same input gives the same ids on every run, with any number of threads (unless a
-visitor stops it), and for every data structure that holds the same mesh. The mesh is not changed.
-Degenerate faces, boundaries and several connected components are supported.
 
 The time is O(*n* log *n*) in the number *n* of faces, for reading and coarsening, plus a search on
 at most 4000 faces by default; the memory is O(*n*). The section
@@ -141,17 +141,17 @@ at most 4000 faces by default; the memory is O(*n*). The section
 Everyday parameters:
 \cgalNamedParamsBegin
   \cgalParamNBegin{maximum_number_of_segments}
-    \cgalParamDescription{the largest number of segments, but a mesh with more connected components
-      has one for each}
+    \cgalParamDescription{an upper bound on the number of segments. It is exceeded only if the mesh
+      has more connected components.}
     \cgalParamType{an integer}
     \cgalParamDefault{`std::numeric_limits<std::size_t>::max()`, which is no limit; the threshold
       ends the run}
-    \cgalParamExtra{at least 1. In the default method merging ends there; a number above 20 makes
-      as many regions before, on a finer mesh in proportion.}
+    \cgalParamExtra{at least 1. With a number above 20 the default method makes as many regions, on
+      a finer coarse mesh in proportion.}
   \cgalParamNEnd
   \cgalParamNBegin{salience_threshold}
-    \cgalParamDescription{Cuts whose salience is below this value are not made (Section 2), or
-      undone by merging: a higher one gives fewer segments.}
+    \cgalParamDescription{Cuts whose salience is below this value are not made (Section 2), or are
+      undone by merging. A higher value gives fewer segments.}
     \cgalParamType{a number}
     \cgalParamDefault{`default_probability_threshold`, `0.42`; for a `Weighted_part_salience`, which
       is that of `zhang_liu_2005()`, `default_salience_threshold`, `0.54`: lower values leave the
@@ -205,7 +205,7 @@ For experts:
     \cgalParamExtra{in [0, 0.5]; 0 with `zhang_liu_2005()` is the paper's method to the letter}
   \cgalParamNEnd
   \cgalParamNBegin{part_salience}
-    \cgalParamDescription{judges the cuts (Section 6)}
+    \cgalParamDescription{computes the salience of a cut (Section 6)}
     \cgalParamType{a model of the concept `PartSalience`}
     \cgalParamDefault{`Calibrated_part_salience()`; with `zhang_liu_2005()`
       `Weighted_part_salience()`}
@@ -215,9 +215,9 @@ For experts:
   \cgalParamNEnd
   \cgalParamNBegin{number_of_searched_faces}
     \cgalParamDescription{the number of faces on which cuts are searched. A mesh with more faces is
-      coarsened to so many, as far as its topology allows, by edge collapses, and the cuts are
-      projected back by minimum cuts through the faces that are on neither side for sure. So the
-      time of the search does not grow with the mesh. With 0 the mesh itself is searched.}
+      coarsened to this number, as far as its topology allows, by edge collapses, and the cuts are
+      projected back, by minimum cuts through the faces whose side is not certain. So the time of
+      the search does not grow with the mesh. With 0 the mesh itself is searched.}
     \cgalParamType{an integer}
     \cgalParamDefault{`4000`, at which the agreement with people is that of the mesh itself; with
       `zhang_liu_2005()` `0`}
@@ -228,7 +228,7 @@ For experts:
   \cgalParamNBegin{boundary_smoothing}
     \cgalParamDescription{whether the boundaries of the segments are smoothed by a morphological
       opening of each segment with a ball of two steps over faces (Section 2). It moves a boundary
-      by a few faces at the most, and neither empties nor disconnects a segment.}
+      by a few faces at most, and neither empties nor disconnects a segment.}
     \cgalParamType{`bool`}
     \cgalParamDefault{`false`: most cuts are smooth enough, as short ones are more salient}
   \cgalParamNEnd
@@ -323,13 +323,14 @@ std::size_t segment_spectral_recursive(const TriangleMesh& mesh, SegmentIdMap se
 /*!
 \ingroup PkgSpectralSegmentationRef
 
-segments triangles that are no mesh yet, and writes for each the id of its segment.
+segments a range of triangles, which need not be a mesh, and writes for each the id of its segment.
 
-The triangles are made a surface first. Two at an edge are neighbors. At an edge of more those are
-paired that are oriented alike and bend the least. Connected triangles are oriented alike: as they
-are if they agree, else outwards if their surface is closed, else as most of its area is. Points at
-the same place stay different, as the vertices of a mesh do. For the triangles of a mesh the labels
-are those of the function for meshes.
+First a surface is made of the triangles. Two triangles at an edge are neighbors. Of more triangles
+at an edge, those become pairs of neighbors that are oriented alike and bend the least. Connected
+triangles are oriented alike. They keep their orientation if they agree; otherwise they are oriented
+outwards if their surface is closed, and like most of their area if not. Different points at the same
+place stay different, as the vertices of a mesh do. For the triangles of a mesh the ids are those of
+the function for meshes.
 
 \tparam ConcurrencyTag as above
 \tparam PointRange a range of points, each with the coordinates `p[0]`, `p[1]` and `p[2]`, such as
@@ -347,7 +348,7 @@ are those of the function for meshes.
 
 \return the number of segments; 0 if there is no triangle
 
-\throws std::invalid_argument if a triangle has not three corners, a corner is not the index of a
+\throws std::invalid_argument if a triangle does not have three corners, a corner is not the index of a
   point, a coordinate of a corner is not finite, or a number is out of its range
 \throws std::overflow_error if there are more segments than the value type of `segment_ids` can
   count

@@ -10,9 +10,8 @@ namespace CGAL {
 namespace Spectral_segmentation {
 
 /// \ingroup PkgSpectralSegmentationRef
-/// The factors by which the cut of a part *Q* from a part *M* is judged: the three of the paper
-/// (Hoffman and Singh 1997; Zhang and Liu 2005, Section 6), and more.
-/// *Q* is the one of the two sides that has the smaller area.
+/// The factors of a cut of a part *M* into two sides: the three of the paper (Hoffman and Singh
+/// 1997; Zhang and Liu 2005, Section 6), and more. *Q* is the side of smaller area.
 struct Salience_factors
 {
   /// <em>V<sub>s</sub></em> = Area(*Q*) / Area(*M*), in [0, 1/2].
@@ -67,7 +66,7 @@ struct Weighted_part_salience
   double beta = 0.6;  ///< weight of `Salience_factors::cut_strength`
   double gamma = 0.3; ///< weight of `Salience_factors::protrusiveness`
 
-  /// the weighted sum; in [0, 1] but for a negative protrusiveness
+  /// the weighted sum; in [0, 1] unless the protrusiveness is negative
   double operator()(const Salience_factors& f) const
   {
     return alpha * f.size + beta * f.cut_strength + gamma * f.protrusiveness;
@@ -129,7 +128,8 @@ constexpr double default_salience_threshold = 0.54;
 /// \ingroup PkgSpectralSegmentationRef
 /// The default of the named parameter `salience_threshold` for any other part salience: amid the
 /// values from 0.40 to 0.46, among which the Rand error on the odd half of the Princeton benchmark
-/// hardly changes. It is below 1/2, as a cut too many costs less than one too few.
+/// hardly changes. It is below 1/2 because a superfluous cut increases the error less than a
+/// missing one.
 constexpr double default_probability_threshold = 0.42;
 
 } // namespace Spectral_segmentation

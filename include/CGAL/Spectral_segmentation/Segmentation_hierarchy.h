@@ -31,8 +31,8 @@ namespace Spectral_segmentation {
 ///
 /// The default method merges the regions of an over-segmentation, and the cuts are its merges in
 /// reverse: the hierarchy has them all, whatever the threshold and the maximum number of segments of
-/// the run. A run that is asked for more than 20 segments makes more regions, so that its labels
-/// differ from those of a run with the default maximum also where it has fewer segments.
+/// the run. A run with a maximum above 20 makes more regions. Its labels may then differ from those
+/// of a run with the default maximum, even for fewer segments.
 ///
 /// Faces are named by their number: their position in `faces(mesh)`, or the value of the
 /// `face_index_map` if the run was given one; or their position in the range of triangles.
@@ -63,16 +63,16 @@ public:
   {
     size_type parent;      ///< the node that was cut; `null_node` for a root
 
-    /// The part that the salience judges, which is the one of smaller area, then the rest;
-    /// `null_node` twice for a leaf.
+    /// the side of smaller area, to which the factors belong, then the rest; `null_node` twice for
+    /// a leaf
     size_type children[2];
 
     double area;           ///< in the square of the unit of the mesh's coordinates
     Cut_state cut_state;   ///< what became of the search for its cut
 
     /// the salience of the best cut; 0 if there is none or it was not searched.
-    /// In the default method no cut is less salient than those that follow: its salience is raised
-    /// to theirs, while its factors are its own.
+    /// In the default method it is raised to the largest salience of the cuts that follow, so that
+    /// saliences never grow from cut to cut. The factors are not changed.
     double salience;
 
     /// the factors of that cut, on the mesh on which it was searched (`number_of_searched_faces`)
@@ -125,9 +125,8 @@ public:
   /// A label is a number from 0 to the number of segments - 1. Segments are numbered by their
   /// face of smallest number. All functions take time linear in the number of faces and of cuts.
   ///
-  /// They throw `std::out_of_range` if the run did not go so far: it ended, at its maximum number
-  /// of segments or stopped by its visitor, before a cut that is needed here, or had a higher
-  /// threshold.
+  /// They throw `std::out_of_range` if a cut that is needed is not known: the run ended before it,
+  /// at its maximum number of segments or stopped by its visitor, or had a higher threshold.
   /// @{
 
   /// the labels that the run gave

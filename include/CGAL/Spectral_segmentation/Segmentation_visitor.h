@@ -29,10 +29,10 @@ enum class Stage
 /// and hides the functions that it needs.
 ///
 /// Parts are named by the index of their node in the `Segmentation_hierarchy` of the run; in the
-/// default method, which merges regions after all these calls, by the number in which they were
+/// default method, which merges regions after all these calls, by the order in which they were
 /// found.
-/// No two functions are called at the same time, but with `CGAL::Parallel_tag` several parts
-/// are searched at once: their calls interleave and come from different threads.
+/// No two functions are called at the same time. With `CGAL::Parallel_tag` several parts are
+/// searched at once, so their calls interleave and come from different threads.
 /// A run that is stopped, or ended by an exception, leaves starts without their ends, and with
 /// `CGAL::Parallel_tag` other parts may call once more after that.
 /// An exception that leaves a visitor ends the run, passes through the caller's function, and
@@ -66,10 +66,10 @@ struct Segmentation_visitor
 
   /// Asked in every stage: between the shortest path trees and the other steps of the search, every
   /// few milliseconds while the mesh is coarsened, and between passes over the mesh.
-  /// Once it returns `false` it is not asked again and the run ends. The labels are those of the
+  /// Once it returns `false` it is not called again, and the run ends. The labels are those of the
   /// cuts made so far, with the regions found so far merged; the connected components if there is
-  /// no cut yet. What was cut on a coarse mesh is carried over without the minimum cuts, in a few
-  /// passes over the mesh.
+  /// no cut yet. Cuts of a coarse mesh are projected without minimum cuts then, in a few passes
+  /// over the mesh.
   bool go_further() { return true; }
 };
 

@@ -188,7 +188,8 @@ public:
       static_cast<double>(alpha), static_cast<double>(beta), static_cast<double>(gamma)});
   }
 
-  /// of the geodesic distance, and of the angle distance at concave and at convex edges
+  /// the weight of the geodesic distance, and the factors of the angle distance at concave and at
+  /// convex edges
   template <class Number1, class Number2, class Number3>
   auto distance_weights(Number1 delta, Number2 concave_eta, Number3 convex_eta) const
   {
@@ -220,7 +221,7 @@ namespace parameters {
 /// the empty pack: every parameter has its default
 inline Named_parameters<> default_values() { return Named_parameters<>(); }
 
-/// takes over a pack of CGAL, e.g. one that the caller was handed
+/// a pack with the parameters of a pack of CGAL, to which others can be added
 template <class T, class Tag, class Base>
 auto from(const CGAL::Named_function_parameters<T, Tag, Base>& np)
 { return Named_parameters<CGAL::Named_function_parameters<T, Tag, Base> >(np); }
