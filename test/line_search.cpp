@@ -30,16 +30,16 @@
 BOOST_AUTO_TEST_SUITE(line_search)
 
 namespace tt = boost::test_tools;
+namespace internal = CGAL::Spectral_segmentation::internal;
 using namespace test_meshes;
-using CGAL::Sequential_tag;
 using CGAL::Spectral_segmentation::Salience_factors;
 using CGAL::Spectral_segmentation::Weighted_part_salience;
 using CGAL::Spectral_segmentation::internal::Cut;
 using CGAL::Spectral_segmentation::internal::Growth;
 using CGAL::Spectral_segmentation::internal::Vector;
 using CGAL::Spectral_segmentation::internal::grow_along;
-using CGAL::Spectral_segmentation::internal::line_search;
-using CGAL::Spectral_segmentation::internal::neighbors;
+using CGAL::Spectral_segmentation::internal::Edge_weights;
+using CGAL::Spectral_segmentation::internal::Execution;
 using CGAL::Spectral_segmentation::internal::quantized;
 using CGAL::Spectral_segmentation::internal::rest_is_connected;
 using CGAL::Spectral_segmentation::internal::shortest_paths;
@@ -198,7 +198,7 @@ std::size_t compare_with_twin(const Face_graph& part, const std::vector<Index>& 
                               const Weighted_part_salience& part_salience, double minimum_area)
 {
   std::vector<Observed> observed;
-  const std::optional<Cut> cut = line_search(sequential, part, line, part_salience, minimum_area,
+  const std::optional<Cut> cut = internal::line_search(sequential, part, line, part_salience, minimum_area,
     [&](std::size_t size, const Salience_factors& factors, double salience) {
       observed.push_back({size, factors, salience});
     });
@@ -228,8 +228,8 @@ std::size_t compare_with_twin(const Face_graph& part, const std::vector<Index>& 
   if (!cut)
     return 0;
 
-  BOOST_TEST((cut->side == line_search<CGAL::Parallel_if_available_tag>(
-    part, line, part_salience, minimum_area)->side));
+  BOOST_TEST((cut->side == internal::line_search(
+    Execution::PARALLEL, part, line, part_salience, minimum_area)->side));
   BOOST_TEST(cut->salience == observed[best].salience);
   BOOST_TEST(cut->salience > largest - 1e-5 * std::max(1., std::abs(largest)));
   BOOST_TEST(cut->factors.size == observed[best].factors.size);
@@ -257,7 +257,7 @@ std::vector<Index> random_line(const Face_graph& part, Random& random)
 
 std::vector<Index> line_between(const Face_graph& part, Index s, Index t)
 {
-  return spectral_order(shortest_paths(part, s, &Edge_weights::combined),
+  return spectral_order(sequential, shortest_paths(part, s, &Edge_weights::combined),
                         shortest_paths(part, t, &Edge_weights::combined));
 }
 
@@ -337,13 +337,13 @@ BOOST_AUTO_TEST_CASE(faces_that_do_not_touch_the_patch_wait)
     {{Point(0, 0, 0), Point(1, 0, 0), Point(0, 1, 0), Point(1, 1, 0), Point(0, 2, 0),
       Point(1, 2, 0), Point(0, 3, 0), Point(1, 3, 0)},
      {{0, 1, 2}, {2, 1, 3}, {2, 3, 4}, {4, 3, 5}, {4, 5, 6}, {6, 5, 7}}});
-  const Growth growth = grow_along(neighbors(strip), {0, 3, 5, 2, 1, 4});
+  const Growth growth = grow_along(strip, {0, 3, 5, 2, 1, 4});
   BOOST_TEST(growth.faces == std::vector<Index>({0, 1, 2, 3, 4, 5}), tt::per_element());
   BOOST_TEST(growth.sizes == std::vector<Index>({1, 4, 6}), tt::per_element());
-  const Growth from_the_middle = grow_along(neighbors(strip), {2, 0, 3, 1, 5, 4});
+  const Growth from_the_middle = grow_along(strip, {2, 0, 3, 1, 5, 4});
   BOOST_TEST(from_the_middle.faces == std::vector<Index>({2, 3, 1, 0, 4, 5}), tt::per_element());
   BOOST_TEST(from_the_middle.sizes == std::vector<Index>({1, 2, 4, 6}), tt::per_element());
-  BOOST_TEST(rest_is_connected(neighbors(strip), from_the_middle.faces) ==
+  BOOST_TEST(rest_is_connected(strip, from_the_middle.faces) ==
              std::vector<bool>({true, false, false, false, true, true, false}),
              tt::per_element());
 }
@@ -357,7 +357,7 @@ BOOST_AUTO_TEST_CASE(a_patch_that_is_closed_around_a_hole_is_no_cut)
   line.erase(line.begin() + 24);
   line.push_back(24);
   std::vector<std::size_t> sizes;
-  line_search(sequential, part, line, Weighted_part_salience(), 0,
+  internal::line_search(sequential, part, line, Weighted_part_salience(), 0,
     [&](std::size_t size, const Salience_factors&, double) { sizes.push_back(size); });
   BOOST_REQUIRE(sizes.size() > 2u);
   std::sort(sizes.begin(), sizes.end());
@@ -371,7 +371,7 @@ BOOST_AUTO_TEST_CASE(of_equally_salient_cuts_the_first_is_taken)
   std::vector<Index> line(40);
   std::iota(line.begin(), line.end(), Index(0));
   std::size_t first = line.size();
-  const std::optional<Cut> cut = line_search(sequential, part, line, [](const Salience_factors&) { return 0.5; }, 0.1 * total_area(part),
+  const std::optional<Cut> cut = internal::line_search(sequential, part, line, [](const Salience_factors&) { return 0.5; }, 0.1 * total_area(part),
     [&](std::size_t size, const Salience_factors&, double) { first = std::min(first, size); });
   BOOST_REQUIRE(cut.has_value());
   BOOST_TEST(static_cast<std::size_t>(std::count(cut->side.begin(), cut->side.end(), 0)) == first);
@@ -383,7 +383,7 @@ BOOST_AUTO_TEST_CASE(the_side_of_smaller_area_is_side_0_whichever_end_the_line_s
   const Index last = static_cast<Index>(part.number_of_faces() - 1);
   for (const auto& [s, t] : {std::pair(Index(0), last), std::pair(last, Index(0))}) {
     const std::optional<Cut> cut =
-      line_search(sequential, part, line_between(part, s, t), Weighted_part_salience(), 0);
+      internal::line_search(sequential, part, line_between(part, s, t), Weighted_part_salience(), 0);
     BOOST_REQUIRE(cut.has_value());
     double area[2] = {0, 0};
     for (Index f = 0; f <= last; ++f)
@@ -397,9 +397,9 @@ BOOST_AUTO_TEST_CASE(a_part_without_a_cut_has_none)
 {
   Random random(1);
   const Face_graph face = random_part(graph_with_distances(sphere(0)), 1, random);
-  BOOST_TEST(!line_search(sequential, face, {0}, Weighted_part_salience(), 0).has_value());
+  BOOST_TEST(!internal::line_search(sequential, face, {0}, Weighted_part_salience(), 0).has_value());
   const Face_graph part = graph_with_distances(sphere(1));
-  BOOST_TEST(!line_search(sequential, part, random_line(part, random), Weighted_part_salience(),
+  BOOST_TEST(!internal::line_search(sequential, part, random_line(part, random), Weighted_part_salience(),
                           0.51 * total_area(part)).has_value());
 }
 

@@ -114,11 +114,12 @@ double capacity_of_cut(const Face_graph& graph, const Sides& side)
   return sum;
 }
 
-Sides above(const Face_graph& graph, double z)
+// Of a dumbbell, whose center is the origin.
+Sides above(const Face_graph& graph, double unit, double z)
 {
   Sides side(graph.number_of_faces());
   for (Index f = 0; f < side.size(); ++f)
-    side[f] = graph.centroid(f).z() * graph.unit > z ? 0 : 1;
+    side[f] = graph.centroid(f).z() * unit > z ? 0 : 1;
   return side;
 }
 
@@ -176,7 +177,8 @@ struct Random_network
 
 BOOST_AUTO_TEST_CASE(distances_run_from_the_middle_of_the_cut_over_the_centroids)
 {
-  const Face_graph graph = face_graph_of(plate(4, 1));
+  const Face_graph graph = graph_of(plate(4, 1));
+  const double unit = unit_of(plate(4, 1));
   const Sides side = {0, 0, 0, 0, 1, 1, 1, 1}; // cut at x = 2
   const double first = std::sqrt(5.) / 6, step = std::sqrt(2.) / 3;
   const double next = first + step, third = next + std::sqrt(5.) / 3;
@@ -185,7 +187,7 @@ BOOST_AUTO_TEST_CASE(distances_run_from_the_middle_of_the_cut_over_the_centroids
   const std::vector<Face_at_distance> all = near_cut(graph, side, 100);
   BOOST_TEST(all.size() == 8);
   for (const Face_at_distance& f : all)
-    BOOST_TEST(f.distance * graph.unit == expected[f.face], single_precision);
+    BOOST_TEST(f.distance * unit == expected[f.face], single_precision);
 }
 
 BOOST_AUTO_TEST_CASE(faces_near_a_cut_are_those_within_the_radius_nearest_first)
@@ -217,13 +219,13 @@ BOOST_AUTO_TEST_CASE(faces_near_a_cut_are_those_within_the_radius_nearest_first)
 
 BOOST_AUTO_TEST_CASE(no_face_is_near_where_there_is_no_cut)
 {
-  const Face_graph graph = face_graph_of(sphere(1));
+  const Face_graph graph = graph_of(sphere(1));
   BOOST_TEST(near_cut(graph, Sides(graph.number_of_faces(), 1), infinity).empty());
 }
 
 BOOST_AUTO_TEST_CASE(an_edge_costs_its_length_and_little_of_it_where_it_is_concave)
 {
-  Face_graph graph = face_graph_of(plate(1, 1));
+  Face_graph graph = graph_of(plate(1, 1));
   const auto tolerance = boost::test_tools::tolerance(1e-5);
   for (Index h = 0; h < 6; ++h)
     BOOST_TEST(capacity(graph, h) == graph.length(h) * 1.05, tolerance);
@@ -261,11 +263,12 @@ BOOST_AUTO_TEST_CASE(a_cut_some_rings_from_the_neck_moves_to_the_neck)
 {
   const Soup soup = dumbbell(20, 15);
   const Face_graph graph = graph_of(soup);
-  const Sides top = above(graph, 0);
+  const double unit = unit_of(soup);
+  const Sides top = above(graph, unit, 0);
   for (std::size_t ring : {0, 1, 2, 3}) {
     // Vertex 0 is the pole, ring 14 the neck.
     const double z = soup.points[1 + 20 * (14 + ring)].z();
-    const Sides before = above(graph, z);
+    const Sides before = above(graph, unit, z);
     const Sides after = minimum_cut_around(graph, before, area_of_side(graph, before, 0));
     BOOST_TEST(after == top, boost::test_tools::per_element());
     if (ring > 0)
@@ -275,8 +278,9 @@ BOOST_AUTO_TEST_CASE(a_cut_some_rings_from_the_neck_moves_to_the_neck)
 
 BOOST_AUTO_TEST_CASE(a_cut_out_of_reach_of_the_neck_stays_away_from_it)
 {
-  const Face_graph graph = graph_of(dumbbell(20, 15));
-  const Sides before = above(graph, 1.5);
+  const Soup soup = dumbbell(20, 15);
+  const Face_graph graph = graph_of(soup);
+  const Sides before = above(graph, unit_of(soup), 1.5);
   const double area = area_of_side(graph, before, 0);
   const Sides after = minimum_cut_around(graph, before, area);
   BOOST_TEST(area_of_side(graph, after, 0) < 2 * area);

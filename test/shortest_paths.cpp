@@ -4,10 +4,12 @@
 #include <boost/test/unit_test.hpp>
 
 #include "test_meshes.h"
+#include "../benchmark/dijkstra_search.h"
 
 #include <CGAL/Spectral_segmentation/internal/mesh/Face_graph.h>
 #include <CGAL/Spectral_segmentation/internal/distances/face_distances.h>
 #include <CGAL/Spectral_segmentation/internal/bipartition/shortest_paths.h>
+#include <CGAL/Spectral_segmentation/internal/multilevel/coarsening.h>
 
 #include <algorithm>
 #include <cmath>
@@ -20,20 +22,21 @@
 BOOST_AUTO_TEST_SUITE(shortest_paths)
 
 namespace tt = boost::test_tools;
+namespace internal = CGAL::Spectral_segmentation::internal;
 using namespace test_meshes;
-using CGAL::Spectral_segmentation::internal::Dijkstra_search;
+using CGAL::Spectral_segmentation::internal::Edge_weights;
 using CGAL::Spectral_segmentation::internal::Path_angles;
 using CGAL::Spectral_segmentation::internal::Path_lengths;
 using CGAL::Spectral_segmentation::internal::Weighted_graph;
 using CGAL::Spectral_segmentation::internal::Weighting;
 using CGAL::Spectral_segmentation::internal::grow_paths;
-using CGAL::Spectral_segmentation::internal::shortest_paths;
+using segmentation_benchmark::grow_paths_by_dijkstra;
+using segmentation_benchmark::shortest_paths_by_dijkstra;
 
 namespace {
 
-typedef Edge_weights Halfedge;
-
-const Weighting weightings[] = {&Halfedge::geodesic, &Halfedge::angle, &Halfedge::combined};
+const Weighting weightings[] = {&Edge_weights::geodesic, &Edge_weights::angle,
+                                &Edge_weights::combined};
 const double infinity = std::numeric_limits<double>::infinity();
 
 Face_graph random_graph(Random& random)
@@ -93,9 +96,9 @@ BOOST_AUTO_TEST_CASE(distances_equal_those_of_floyd_and_warshall)
       for (Weighting weighting : weightings) {
         const std::vector<std::vector<double> > expected = floyd_warshall(graph, weighting);
         for (Index source = 0; source < graph.number_of_faces(); ++source) {
-          BOOST_TEST(shortest_paths(graph, source, weighting) == expected[source],
+          BOOST_TEST(internal::shortest_paths(graph, source, weighting) == expected[source],
                      tt::per_element());
-          BOOST_TEST(shortest_paths<Dijkstra_search>(graph, source, weighting) == expected[source],
+          BOOST_TEST(shortest_paths_by_dijkstra(graph, source, weighting) == expected[source],
                      tt::per_element());
         }
       }
@@ -103,18 +106,55 @@ BOOST_AUTO_TEST_CASE(distances_equal_those_of_floyd_and_warshall)
   }
 }
 
-BOOST_AUTO_TEST_CASE(both_searches_agree_on_real_meshes)
+namespace {
+
+// In every bit, for all that a run asks of a search: distances by any weighting, and the angles
+// along the shortest geodesic paths.
+void check_that_both_searches_agree(const Face_graph& graph, Index source)
 {
-  for (const char* name : {"elephant.off", "hand.off", "dino.off", "camel.off", "mushroom.off"}) {
-    Face_graph graph = face_graph_of(read(name));
-    for (double concavity_radius : {0., 0.01}) {
-      set_face_distances(graph, {0.03, 1, 0.1, concavity_radius});
-      for (Weighting weighting : weightings)
+  const std::size_t n = graph.number_of_faces();
+  for (Weighting weighting : weightings)
+    BOOST_TEST((internal::shortest_paths(graph, source, weighting) ==
+                shortest_paths_by_dijkstra(graph, source, weighting)));
+  const Weighted_graph weighted(graph, &Edge_weights::geodesic);
+  Path_angles by_buckets(n), by_dijkstra(n);
+  grow_paths(weighted, source, by_buckets);
+  grow_paths_by_dijkstra(weighted, source, by_dijkstra);
+  Index number_of_differences = 0;
+  for (Index f = 0; f < n; ++f)
+    number_of_differences += by_buckets.length(f) != by_dijkstra.length(f) ||
+                             by_buckets.angles(f) != by_dijkstra.angles(f);
+  BOOST_TEST(number_of_differences == 0u);
+}
+
+} // namespace
+
+BOOST_AUTO_TEST_CASE(both_searches_agree_on_real_meshes_and_their_parts)
+{
+  Random random(1);
+  for (const char* name : {"elephant.off", "hand.off", "dino.off", "camel.off", "mushroom.off"})
+    BOOST_TEST_CONTEXT(name) {
+      Face_graph graph = face_graph_of(read(name));
+      for (double concavity_radius : {0., 0.01}) {
+        set_face_distances(graph, {0.03, 1, 0.1, concavity_radius});
         for (Index source : {Index(0), Index(graph.number_of_faces() / 2)})
-          BOOST_TEST((shortest_paths(graph, source, weighting) ==
-                      shortest_paths<Dijkstra_search>(graph, source, weighting)), name);
+          check_that_both_searches_agree(graph, source);
+      }
+      for (int i = 0; i < 3; ++i)
+        check_that_both_searches_agree(
+          random_part(graph, 100 + random() % (graph.number_of_faces() / 2), random), 0);
     }
-  }
+}
+
+BOOST_AUTO_TEST_CASE(both_searches_agree_on_a_coarse_mesh)
+{
+  internal::Run_control control;
+  internal::Run_monitor monitor(control);
+  Face_graph graph = internal::coarsen(sequential, face_graph_of(read("elephant.off")), 800, false,
+                                       monitor, 0).graph;
+  set_face_distances(graph, weights_of_calibrated_method);
+  for (Index source = 0; source < graph.number_of_faces(); source += 100)
+    check_that_both_searches_agree(graph, source);
 }
 
 BOOST_AUTO_TEST_CASE(of_several_sources_the_nearest_counts)
@@ -132,7 +172,7 @@ BOOST_AUTO_TEST_CASE(of_several_sources_the_nearest_counts)
       for (int i = 0; i < 4; ++i) {
         const Index source = static_cast<Index>(random() % n);
         grow_paths(Weighted_graph(graph, weighting), source, by_buckets);
-        grow_paths<Dijkstra_search>(Weighted_graph(graph, weighting), source, by_dijkstra);
+        grow_paths_by_dijkstra(Weighted_graph(graph, weighting), source, by_dijkstra);
         const std::vector<double> distance = floyd_warshall(graph, weighting)[source];
         for (Index f = 0; f < n; ++f)
           expected[f] = std::min(expected[f], distance[f]);
@@ -175,7 +215,7 @@ BOOST_AUTO_TEST_CASE(angles_are_summed_along_the_paths_over_the_nearest_neighbor
 
       Path_angles by_buckets(n), by_dijkstra(n);
       grow_paths(Weighted_graph(graph, weighting), source, by_buckets);
-      grow_paths<Dijkstra_search>(Weighted_graph(graph, weighting), source, by_dijkstra);
+      grow_paths_by_dijkstra(Weighted_graph(graph, weighting), source, by_dijkstra);
       for (Index f = 0; f < n; ++f) {
         BOOST_TEST(by_buckets.length(f) == distance[f]);
         BOOST_TEST(by_buckets.angles(f) == expected[f]);
@@ -188,18 +228,19 @@ BOOST_AUTO_TEST_CASE(angles_are_summed_along_the_paths_over_the_nearest_neighbor
 BOOST_AUTO_TEST_CASE(a_single_face_is_at_distance_0)
 {
   Random random(1);
-  const Face_graph graph = random_part(face_graph_of(sphere(0)), 1, random);
-  const std::vector<double> distance = shortest_paths(graph, 0, &Halfedge::geodesic);
+  const Face_graph graph = random_part(graph_with_distances(sphere(0)), 1, random);
+  const std::vector<double> distance = internal::shortest_paths(graph, 0, &Edge_weights::geodesic);
   BOOST_TEST(distance == std::vector<double>({0}), tt::per_element());
 }
 
 BOOST_AUTO_TEST_CASE(ways_of_length_0_are_ways)
 {
-  Face_graph graph = face_graph_of(plate(3, 3)); // its distances are 0
-  BOOST_TEST(shortest_paths(graph, 4, &Halfedge::combined) ==
+  Face_graph graph = face_graph_of(plate(3, 3));
+  graph.weights.resize(graph.number_of_halfedges());
+  BOOST_TEST(internal::shortest_paths(graph, 4, &Edge_weights::combined) ==
              std::vector<double>(graph.number_of_faces(), 0.), tt::per_element());
   Path_angles paths(graph.number_of_faces());
-  grow_paths(Weighted_graph(graph, &Halfedge::combined), 4, paths);
+  grow_paths(Weighted_graph(graph, &Edge_weights::combined), 4, paths);
   for (Index f = 0; f < graph.number_of_faces(); ++f)
     BOOST_TEST(paths.length(f) == 0);
 }
