@@ -51,8 +51,8 @@ namespace CGAL {
 namespace Spectral_segmentation {
 namespace internal {
 
-// Runs the engine and writes the labels of `faces`, which are numbered as the triangles are, and the
-// hierarchy of the caller. Returns the number of segments.
+// Runs the engine and writes the labels of `faces`, which are numbered as the triangles are, and
+// the hierarchy of the caller. Returns the number of segments.
 template <class ConcurrencyTag, class Face, class SegmentIdMap, class CGALNamedParameters>
 std::size_t segment_and_write(Triangles triangles, const std::vector<Face>& faces,
                               SegmentIdMap segment_ids, const Options& options,
@@ -200,8 +200,8 @@ For experts:
     \cgalParamDescription{the share of the area of the mesh that each side of a cut must have. The
       factors of the salience mean little for a handful of faces; the paper has no such limit.}
     \cgalParamType{a number}
-    \cgalParamDefault{`0.003`; with `zhang_liu_2005()` `0.005`. A finger of a whole figure is larger,
-      a pit in its skin smaller.}
+    \cgalParamDefault{`0.003`; with `zhang_liu_2005()` `0.005`. A finger of a whole figure is
+      larger, a pit in its skin smaller.}
     \cgalParamExtra{in [0, 0.5]; 0 with `zhang_liu_2005()` is the paper's method to the letter}
   \cgalParamNEnd
   \cgalParamNBegin{part_salience}
@@ -328,9 +328,9 @@ segments a range of triangles, which need not be a mesh, and writes for each the
 First a surface is made of the triangles. Two triangles at an edge are neighbors. Of more triangles
 at an edge, those become pairs of neighbors that are oriented alike and bend the least. Connected
 triangles are oriented alike. They keep their orientation if they agree; otherwise they are oriented
-outwards if their surface is closed, and like most of their area if not. Different points at the same
-place stay different, as the vertices of a mesh do. For the triangles of a mesh the ids are those of
-the function for meshes.
+outwards if their surface is closed, and like most of their area if not. Different points at the
+same place stay different, as the vertices of a mesh do. For the triangles of a mesh the ids are
+those of the function for meshes.
 
 \tparam ConcurrencyTag as above
 \tparam PointRange a range of points, each with the coordinates `p[0]`, `p[1]` and `p[2]`, such as
@@ -348,8 +348,8 @@ the function for meshes.
 
 \return the number of segments; 0 if there is no triangle
 
-\throws std::invalid_argument if a triangle does not have three corners, a corner is not the index of a
-  point, a coordinate of a corner is not finite, or a number is out of its range
+\throws std::invalid_argument if a triangle does not have three corners, a corner is not the index of
+  a point, a coordinate of a corner is not finite, or a number is out of its range
 \throws std::overflow_error if there are more segments than the value type of `segment_ids` can
   count
 

@@ -30,9 +30,9 @@ namespace Spectral_segmentation {
 /// searching again; they are the labels that a run with these values would give.
 ///
 /// The default method merges the regions of an over-segmentation, and the cuts are its merges in
-/// reverse: the hierarchy has them all, whatever the threshold and the maximum number of segments of
-/// the run. A run with a maximum above 20 makes more regions. Its labels may then differ from those
-/// of a run with the default maximum, even for fewer segments.
+/// reverse: the hierarchy has them all, whatever the threshold and the maximum number of segments
+/// of the run. A run with a maximum above 20 makes more regions. Its labels may then differ from
+/// those of a run with the default maximum, even for fewer segments.
 ///
 /// Faces are named by their number: their position in `faces(mesh)`, or the value of the
 /// `face_index_map` if the run was given one; or their position in the range of triangles.

@@ -25,8 +25,8 @@ enum class Stage
 };
 
 /// \ingroup PkgSpectralSegmentationRef
-/// What a run reports while it works. Every function does nothing: a visitor derives from this class
-/// and hides the functions that it needs.
+/// What a run reports while it works. Every function does nothing: a visitor derives from this
+/// class and hides the functions that it needs.
 ///
 /// Parts are named by the index of their node in the `Segmentation_hierarchy` of the run; in the
 /// default method, which merges regions after all these calls, by the order in which they were
@@ -60,8 +60,8 @@ struct Segmentation_visitor
   void part_cut(std::size_t /* part */, const Salience_factors&, double /* salience */,
                 std::size_t /* number_of_segments */) {}
 
-  /// About this share of the run is done: from 0 to 1, which is reported at the end; never less than
-  /// before. It is called some dozens to some hundreds of times.
+  /// About this share of the run is done: from 0 to 1, which is reported at the end; never less
+  /// than before. It is called some dozens to some hundreds of times.
   void progress(double /* share */) {}
 
   /// Asked in every stage: between the shortest path trees and the other steps of the search, every
