@@ -3,6 +3,8 @@
 
 #include <boost/test/unit_test.hpp>
 
+#include "box_figures.h"
+#include "test_labels.h"
 #include "test_meshes.h"
 
 #include <CGAL/segment_spectral_recursive.h>
@@ -27,7 +29,6 @@ BOOST_AUTO_TEST_SUITE(named_parameters)
 using namespace test_meshes;
 namespace parameters = CGAL::Spectral_segmentation::parameters;
 using CGAL::Spectral_segmentation::Calibrated_part_salience;
-using CGAL::Spectral_segmentation::Method;
 using CGAL::Spectral_segmentation::Salience_factors;
 using CGAL::Spectral_segmentation::Segmentation_hierarchy;
 using CGAL::Spectral_segmentation::Segmentation_visitor;
@@ -35,41 +36,24 @@ using CGAL::Spectral_segmentation::Weighted_part_salience;
 
 namespace {
 
-typedef std::vector<std::size_t> Labels;
 typedef Mesh::Face_index Face;
 typedef Mesh::Vertex_index Vertex;
 
 const double infinity = std::numeric_limits<double>::infinity();
 const double not_a_number = std::numeric_limits<double>::quiet_NaN();
 
-const Mesh& hand()
+// A mesh on which each parameter makes a difference.
+const Mesh& doll_mesh()
 {
-  static const Mesh mesh = mesh_of(read("hand.off"));
+  static const Mesh mesh = mesh_of(doll());
   return mesh;
 }
 
-auto map_to(Labels& labels, const Mesh& mesh)
-{
-  labels.resize(num_faces(mesh), 77);
-  return boost::make_iterator_property_map(labels.begin(), get(CGAL::face_index, mesh));
-}
-
 template <class NamedParameters>
-Labels labels_of(const Mesh& mesh, const NamedParameters& np)
-{
-  Labels labels;
-  CGAL::segment_spectral_recursive(mesh, map_to(labels, mesh), np);
-  return labels;
-}
+Labels labels_of_doll(const NamedParameters& np)
+{ return labels_of(doll_mesh(), np); }
 
-template <class NamedParameters>
-Labels labels_of_hand(const NamedParameters& np)
-{ return labels_of(hand(), np); }
-
-Labels labels_of_hand() { return labels_of_hand(parameters::default_values()); }
-
-std::size_t number_of(const Labels& labels)
-{ return 1 + *std::max_element(labels.begin(), labels.end()); }
+Labels labels_of_doll() { return labels_of_doll(parameters::default_values()); }
 
 // The run throws an exception that names the parameter, and writes nothing.
 template <class NamedParameters>
@@ -77,9 +61,9 @@ void check_refused(const std::string& name, const NamedParameters& np)
 {
   BOOST_TEST_CONTEXT(name) {
     Labels labels;
-    const auto map = map_to(labels, hand());
+    const auto map = map_to(labels, doll_mesh());
     const Labels before = labels;
-    BOOST_CHECK_EXCEPTION(CGAL::segment_spectral_recursive(hand(), map, np),
+    BOOST_CHECK_EXCEPTION(CGAL::segment_spectral_recursive(doll_mesh(), map, np),
                           std::invalid_argument, [&](const std::invalid_argument& e)
                           { return std::string(e.what()).find(name) != std::string::npos; });
     BOOST_TEST(labels == before, boost::test_tools::per_element());
@@ -134,96 +118,91 @@ struct Scaling_traits
 BOOST_AUTO_TEST_CASE(defaults_are_those_that_are_documented)
 {
   Segmentation_visitor visitor;
-  const Labels labels = labels_of_hand();
+  const Labels labels = labels_of_doll();
   BOOST_TEST(number_of(labels) > 1);
   const auto common =
-    parameters::vertex_point_map(get(CGAL::vertex_point, hand()))
-      .face_index_map(get(CGAL::face_index, hand())).geom_traits(Kernel())
+    parameters::vertex_point_map(get(CGAL::vertex_point, doll_mesh()))
+      .face_index_map(get(CGAL::face_index, doll_mesh())).geom_traits(Kernel())
       .maximum_number_of_segments((std::numeric_limits<std::size_t>::max)())
-      .concave_angle_weight(1).convex_angle_weight(0.1).number_of_reference_faces(10)
-      .number_of_smoothing_iterations(0).boundary_smoothing(false).visitor(visitor);
-  const auto calibrated =
-    common.salience_threshold(0.42).minimum_segment_size(0.003)
-      .part_salience(Calibrated_part_salience()).geodesic_weight(0.03).concavity_radius(0.02)
-      .single_source_orderings(true).thickness_orderings(true).number_of_candidates(14)
-      .number_of_refined_candidates(4).number_of_regions(20).number_of_searched_faces(4000);
-  const auto of_paper =
-    common.salience_threshold(0.54).minimum_segment_size(0.005)
-      .part_salience(Weighted_part_salience()).geodesic_weight(0.01).concavity_radius(0)
-      .single_source_orderings(false).thickness_orderings(false).number_of_candidates(0)
-      .number_of_refined_candidates(0).number_of_regions(0).number_of_searched_faces(0);
-  // With all parameters given, nothing is left to the method.
-  for (Method method : {Method::CALIBRATED, Method::ZHANG_LIU_2005}) {
-    BOOST_TEST(labels == labels_of_hand(calibrated.method(method)),
-               boost::test_tools::per_element());
-    BOOST_TEST(labels_of_hand(parameters::zhang_liu_2005()) ==
-               labels_of_hand(of_paper.method(method)), boost::test_tools::per_element());
-  }
+      .number_of_reference_faces(10).number_of_smoothing_iterations(0).boundary_smoothing(false)
+      .visitor(visitor);
+  BOOST_TEST(labels == labels_of_doll(
+    common.salience_threshold(CGAL::Spectral_segmentation::default_probability_threshold)
+      .minimum_segment_size(0.003).part_salience(Calibrated_part_salience())
+      .distance_weights(0.03, 1, 0.1).number_of_searched_faces(4000)),
+    boost::test_tools::per_element());
+  BOOST_TEST(labels_of_doll(parameters::zhang_liu_2005()) == labels_of_doll(
+    common.zhang_liu_2005().salience_threshold(0.54).minimum_segment_size(0.005)
+      .salience_weights(0.1, 0.6, 0.3).distance_weights(0.01, 1, 0.1)
+      .number_of_searched_faces(0)), boost::test_tools::per_element());
   Labels without_pack;
-  CGAL::segment_spectral_recursive(hand(), map_to(without_pack, hand()));
+  CGAL::segment_spectral_recursive(doll_mesh(), map_to(without_pack, doll_mesh()));
   BOOST_TEST(labels == without_pack, boost::test_tools::per_element());
 }
 
 BOOST_AUTO_TEST_CASE(each_of_the_defaults_is_the_one_that_is_documented)
 {
   const auto check = [](const auto& by_default, const auto& with_value) {
-    Segmentation_hierarchy expected, tree;
-    labels_of_hand(by_default.hierarchy(expected));
-    labels_of_hand(with_value.hierarchy(tree));
-    BOOST_TEST_REQUIRE(tree.number_of_nodes() == expected.number_of_nodes());
-    BOOST_TEST(tree.salience_threshold() == expected.salience_threshold());
-    for (std::size_t i = 0; i < tree.number_of_nodes(); ++i)
-      BOOST_TEST(tree.node(i).salience == expected.node(i).salience);
+    const Segmentation_hierarchy expected = hierarchy_of(doll_mesh(), by_default);
+    const Segmentation_hierarchy hierarchy = hierarchy_of(doll_mesh(), with_value);
+    BOOST_TEST_REQUIRE(hierarchy.number_of_nodes() == expected.number_of_nodes());
+    BOOST_TEST(hierarchy.salience_threshold() == expected.salience_threshold());
+    for (std::size_t i = 0; i < hierarchy.number_of_nodes(); ++i)
+      BOOST_TEST(hierarchy.node(i).salience == expected.node(i).salience);
   };
-  const auto check_common = [&](const auto& np) {
-    check(np, np.concave_angle_weight(1));
-    check(np, np.convex_angle_weight(0.1));
+  for_both_methods([&](const auto& np) {
+    check(np, np.maximum_number_of_segments((std::numeric_limits<std::size_t>::max)()));
     check(np, np.number_of_reference_faces(10));
     check(np, np.number_of_smoothing_iterations(0));
     check(np, np.boundary_smoothing(false));
-  };
-  const auto calibrated = parameters::default_values();
-  check_common(calibrated);
-  check(calibrated, calibrated.method(Method::CALIBRATED));
-  check(calibrated, calibrated.salience_threshold(
+  });
+  const auto by_default = parameters::default_values();
+  check(by_default, by_default.salience_threshold(
                       CGAL::Spectral_segmentation::default_probability_threshold));
-  check(calibrated, calibrated.minimum_segment_size(0.003));
-  check(calibrated, calibrated.part_salience(Calibrated_part_salience()));
-  check(calibrated, calibrated.geodesic_weight(0.03));
-  check(calibrated, calibrated.concavity_radius(0.02));
-  check(calibrated, calibrated.single_source_orderings(true));
-  check(calibrated, calibrated.thickness_orderings(true));
-  check(calibrated, calibrated.number_of_candidates(14));
-  check(calibrated, calibrated.number_of_refined_candidates(4));
-  check(calibrated, calibrated.number_of_regions(20));
-  check(calibrated, calibrated.number_of_searched_faces(4000));
+  check(by_default, by_default.minimum_segment_size(0.003));
+  check(by_default, by_default.part_salience(Calibrated_part_salience()));
+  check(by_default, by_default.distance_weights(0.03, 1, 0.1));
   const auto paper = parameters::zhang_liu_2005();
-  check_common(paper);
-  check(paper, parameters::method(Method::ZHANG_LIU_2005));
   check(paper, parameters::boundary_smoothing(false).zhang_liu_2005());
   check(paper, paper.salience_threshold(0.54));
   check(paper, paper.minimum_segment_size(0.005));
   check(paper, paper.salience_weights(0.1, 0.6, 0.3));
-  check(paper, paper.geodesic_weight(0.01));
-  check(paper, paper.concavity_radius(0));
-  check(paper, paper.single_source_orderings(false));
-  check(paper, paper.thickness_orderings(false));
-  check(paper, paper.number_of_candidates(0));
-  check(paper, paper.number_of_refined_candidates(0));
-  check(paper, paper.number_of_regions(0));
+  check(paper, paper.distance_weights(0.01, 1, 0.1));
   check(paper, paper.number_of_searched_faces(0));
+}
+
+// The search on a coarse mesh begins above the default.
+BOOST_AUTO_TEST_CASE(the_default_number_of_searched_faces)
+{
+  const auto has_projection = [](const Soup& soup, const auto& np) {
+    struct Visitor : Segmentation_visitor
+    {
+      bool has_projection = false;
+      void start_stage(CGAL::Spectral_segmentation::Stage stage, std::size_t)
+      {
+        has_projection =
+          has_projection || stage == CGAL::Spectral_segmentation::Stage::PROJECTION;
+      }
+    } visitor;
+    labels_of(soup, np.visitor(std::ref(visitor)));
+    return visitor.has_projection;
+  };
+  const Soup of_4000_faces = plate(50, 40), of_4080_faces = plate(51, 40);
+  const auto by_default = parameters::default_values();
+  BOOST_TEST(!has_projection(of_4000_faces, by_default));
+  BOOST_TEST(has_projection(of_4080_faces, by_default));
+  BOOST_TEST(!has_projection(of_4080_faces, by_default.number_of_searched_faces(0)));
+  BOOST_TEST(!has_projection(of_4080_faces, parameters::zhang_liu_2005()));
+  // In proportion with more than 20 segments
+  BOOST_TEST(!has_projection(of_4080_faces, by_default.maximum_number_of_segments(21)));
 }
 
 BOOST_AUTO_TEST_CASE(the_threshold_follows_the_salience)
 {
-  const auto threshold = [](const auto& np) {
-    Segmentation_hierarchy tree;
-    labels_of_hand(np.hierarchy(tree));
-    return tree.salience_threshold();
-  };
+  const auto threshold = [](const auto& np)
+  { return hierarchy_of(doll_mesh(), np).salience_threshold(); };
   const auto own_salience = [](const Salience_factors& f) { return f.size; };
-  for (Method method : {Method::CALIBRATED, Method::ZHANG_LIU_2005}) {
-    const auto np = parameters::method(method);
+  for_both_methods([&](const auto& np) {
     BOOST_TEST(threshold(np.salience_weights(0.2, 0.3, 0.5)) == 0.54);
     BOOST_TEST(threshold(np.part_salience(Weighted_part_salience())) == 0.54);
     BOOST_TEST(threshold(np.part_salience(Calibrated_part_salience())) ==
@@ -231,24 +210,24 @@ BOOST_AUTO_TEST_CASE(the_threshold_follows_the_salience)
     BOOST_TEST(threshold(np.part_salience(own_salience)) ==
                CGAL::Spectral_segmentation::default_probability_threshold);
     BOOST_TEST(threshold(np.salience_threshold(0.7).salience_weights(0.2, 0.3, 0.5)) == 0.7);
-  }
+  });
+  BOOST_TEST(threshold(parameters::zhang_liu_2005()) == 0.54);
 }
 
 BOOST_AUTO_TEST_CASE(weights_are_a_part_salience)
 {
-  for (Method method : {Method::CALIBRATED, Method::ZHANG_LIU_2005}) {
-    const auto np = parameters::method(method);
-    const Labels expected = labels_of_hand(np.salience_weights(0.5, 0.4, 0.1));
+  for_both_methods([](const auto& np) {
+    const Labels expected = labels_of_doll(np.salience_weights(0.5, 0.4, 0.1));
     BOOST_TEST(expected ==
-               labels_of_hand(np.part_salience(Weighted_part_salience{0.5, 0.4, 0.1})),
+               labels_of_doll(np.part_salience(Weighted_part_salience{0.5, 0.4, 0.1})),
                boost::test_tools::per_element());
     // The last one counts.
-    BOOST_TEST(expected == labels_of_hand(np.part_salience(Calibrated_part_salience())
+    BOOST_TEST(expected == labels_of_doll(np.part_salience(Calibrated_part_salience())
                                             .salience_weights(0.5, 0.4, 0.1)),
                boost::test_tools::per_element());
-  }
-  BOOST_TEST(labels_of_hand() ==
-             labels_of_hand(parameters::salience_weights(0.5, 0.4, 0.1)
+  });
+  BOOST_TEST(labels_of_doll() ==
+             labels_of_doll(parameters::salience_weights(0.5, 0.4, 0.1)
                               .part_salience(Calibrated_part_salience())),
              boost::test_tools::per_element());
 }
@@ -260,93 +239,82 @@ BOOST_AUTO_TEST_CASE(a_salience_may_have_any_scale)
     const double p = probability(f);
     return std::log(p / (1 - p));
   };
-  BOOST_TEST(labels_of_hand(parameters::salience_threshold(0.3)) ==
-             labels_of_hand(parameters::part_salience(logit)
+  BOOST_TEST(labels_of_doll(parameters::salience_threshold(0.3)) ==
+             labels_of_doll(parameters::part_salience(logit)
                               .salience_threshold(std::log(0.3 / 0.7))),
              boost::test_tools::per_element());
   const auto eight_times = [](const Salience_factors& f) -> float
   { return float(8 * Weighted_part_salience()(f)); };
-  BOOST_TEST(labels_of_hand(parameters::zhang_liu_2005()) ==
-             labels_of_hand(parameters::zhang_liu_2005().part_salience(eight_times)
+  BOOST_TEST(labels_of_doll(parameters::zhang_liu_2005()) ==
+             labels_of_doll(parameters::zhang_liu_2005().part_salience(eight_times)
                               .salience_threshold(8 * 0.54)), boost::test_tools::per_element());
 }
 
-BOOST_AUTO_TEST_CASE(a_salience_hears_the_factors_that_are_documented)
+BOOST_AUTO_TEST_CASE(a_salience_is_given_the_factors_that_are_documented)
 {
-  struct Heard
-  {
-    std::atomic<bool> any{false}, beyond_the_paper{false}, thickness{false};
-  };
-  const auto heard = [](auto np) {
-    const auto result = std::make_unique<Heard>();
-    labels_of_hand(np.part_salience([&](const Salience_factors& f) {
+  const auto is_given_more_than_the_paper = [](const auto& np) {
+    std::atomic<bool> is_called{false}, result{false};
+    labels_of_doll(np.part_salience([&](const Salience_factors& f) {
       if (f.size > 0)
-        result->any = true;
-      if (f.log_relative_part_area < 0 || f.expansion_behind_cut > 0)
-        result->beyond_the_paper = true;
-      if (f.thickness_variation > 0)
-        result->thickness = true;
+        is_called = true;
+      if (f.log_relative_part_area < 0 || f.concavity_near_cut > 0 || f.convexity_gain != 0 ||
+          f.relative_convexity_gain != 0 || f.expansion_behind_cut > 0)
+        result = true;
       return Weighted_part_salience()(f);
     }));
-    BOOST_TEST(result->any);
-    return std::make_pair(bool(result->beyond_the_paper), bool(result->thickness));
+    BOOST_TEST(is_called);
+    return bool(result);
   };
-  const auto nothing = std::make_pair(false, false), everything = std::make_pair(true, true);
-  const auto paper = parameters::zhang_liu_2005();
-  BOOST_TEST((heard(paper) == nothing));
-  BOOST_TEST((heard(paper.thickness_orderings(true)) == nothing));
-  BOOST_TEST((heard(paper.number_of_refined_candidates(4)) == nothing));
-  BOOST_TEST((heard(paper.number_of_candidates(3)) == everything));
-  BOOST_TEST((heard(paper.number_of_regions(5)) == everything));
-  BOOST_TEST((heard(parameters::default_values()) == everything));
+  BOOST_TEST(is_given_more_than_the_paper(parameters::default_values()));
+  BOOST_TEST(!is_given_more_than_the_paper(parameters::zhang_liu_2005()));
 }
 
 BOOST_AUTO_TEST_CASE(an_exception_of_a_salience_passes_through_and_leaves_the_labels)
 {
   const auto failing = [](const Salience_factors&) -> double
   { throw std::runtime_error("failure of a salience"); };
-  for (Method method : {Method::CALIBRATED, Method::ZHANG_LIU_2005}) {
+  for_both_methods([&](const auto& np) {
     Labels labels;
-    const auto map = map_to(labels, hand());
+    const auto map = map_to(labels, doll_mesh());
     const Labels before = labels;
-    BOOST_CHECK_THROW(CGAL::segment_spectral_recursive(
-                        hand(), map, parameters::method(method).part_salience(failing)),
-                      std::runtime_error);
+    BOOST_CHECK_THROW(
+      CGAL::segment_spectral_recursive(doll_mesh(), map, np.part_salience(failing)),
+      std::runtime_error);
     BOOST_TEST(labels == before, boost::test_tools::per_element());
-  }
+  });
 }
 
 BOOST_AUTO_TEST_CASE(parameters_chain_in_any_order)
 {
-  Segmentation_hierarchy tree_1, tree_2, tree_3;
-  const auto point = get(CGAL::vertex_point, hand());
-  const Labels a = labels_of_hand(
+  Segmentation_hierarchy hierarchy_1, hierarchy_2, hierarchy_3;
+  const auto point = get(CGAL::vertex_point, doll_mesh());
+  const Labels a = labels_of_doll(
     parameters::vertex_point_map(point).salience_threshold(0.4).random_seed(3)
-      .maximum_number_of_segments(5).hierarchy(tree_1).boundary_smoothing(true));
-  const Labels b = labels_of_hand(
-    parameters::boundary_smoothing(true).hierarchy(tree_2).maximum_number_of_segments(5)
+      .maximum_number_of_segments(5).hierarchy(hierarchy_1).boundary_smoothing(true));
+  const Labels b = labels_of_doll(
+    parameters::boundary_smoothing(true).hierarchy(hierarchy_2).maximum_number_of_segments(5)
       .random_seed(3).salience_threshold(0.4).vertex_point_map(point));
-  const Labels c = labels_of_hand(
+  const Labels c = labels_of_doll(
     parameters::from(CGAL::parameters::random_seed(3).vertex_point_map(point))
-      .hierarchy(tree_3).boundary_smoothing(true).salience_threshold(0.4)
+      .hierarchy(hierarchy_3).boundary_smoothing(true).salience_threshold(0.4)
       .maximum_number_of_segments(5));
   BOOST_TEST(a == b, boost::test_tools::per_element());
   BOOST_TEST(a == c, boost::test_tools::per_element());
-  for (const Segmentation_hierarchy* tree : {&tree_1, &tree_2, &tree_3})
-    BOOST_TEST(tree->labels() == a, boost::test_tools::per_element());
+  for (const Segmentation_hierarchy* hierarchy : {&hierarchy_1, &hierarchy_2, &hierarchy_3})
+    BOOST_TEST(hierarchy->labels() == a, boost::test_tools::per_element());
 }
 
 BOOST_AUTO_TEST_CASE(a_pack_of_CGAL_is_taken_as_it_is)
 {
   std::vector<Point> stretched;
-  for (Vertex v : vertices(hand()))
-    stretched.emplace_back(hand().point(v).x(), 3 * hand().point(v).y(), hand().point(v).z());
+  for (Vertex v : vertices(doll_mesh()))
+    stretched.emplace_back(doll_mesh().point(v).x(), 3 * doll_mesh().point(v).y(), doll_mesh().point(v).z());
   const auto map = boost::make_iterator_property_map(stretched.begin(),
-                                                     get(CGAL::vertex_index, hand()));
-  BOOST_TEST(labels_of_hand(CGAL::parameters::vertex_point_map(map).random_seed(5)) ==
-             labels_of_hand(parameters::random_seed(5).vertex_point_map(map)),
+                                                     get(CGAL::vertex_index, doll_mesh()));
+  BOOST_TEST(labels_of_doll(CGAL::parameters::vertex_point_map(map).random_seed(5)) ==
+             labels_of_doll(parameters::random_seed(5).vertex_point_map(map)),
              boost::test_tools::per_element());
-  BOOST_TEST(labels_of_hand(CGAL::parameters::all_default()) == labels_of_hand(),
+  BOOST_TEST(labels_of_doll(CGAL::parameters::all_default()) == labels_of_doll(),
              boost::test_tools::per_element());
 }
 
@@ -359,23 +327,23 @@ BOOST_AUTO_TEST_CASE(the_pack_goes_back_to_CGAL)
 
 BOOST_AUTO_TEST_CASE(the_last_value_wins)
 {
-  BOOST_TEST(number_of(labels_of_hand(
+  BOOST_TEST(number_of(labels_of_doll(
     parameters::maximum_number_of_segments(2).salience_threshold(-infinity)
       .maximum_number_of_segments(std::size_t(4)))) == 4);
-  BOOST_TEST(number_of(labels_of_hand(
+  BOOST_TEST(number_of(labels_of_doll(
     parameters::salience_threshold(-infinity).salience_threshold(2))) == 1);
-  BOOST_TEST(number_of(labels_of_hand(
+  BOOST_TEST(number_of(labels_of_doll(
     parameters::from(CGAL::parameters::random_seed(1)).maximum_number_of_segments(0)
       .maximum_number_of_segments(1))) == 1);
 }
 
 BOOST_AUTO_TEST_CASE(numbers_of_any_type_are_taken)
 {
-  const Labels labels = labels_of_hand(
+  const Labels labels = labels_of_doll(
     parameters::maximum_number_of_segments(3).salience_threshold(0));
-  BOOST_TEST(labels == labels_of_hand(
+  BOOST_TEST(labels == labels_of_doll(
     parameters::maximum_number_of_segments(3ull).salience_threshold(0.f)));
-  BOOST_TEST(labels == labels_of_hand(
+  BOOST_TEST(labels == labels_of_doll(
     parameters::maximum_number_of_segments(short(3)).salience_threshold(0u)));
 }
 
@@ -384,57 +352,40 @@ BOOST_AUTO_TEST_CASE(each_number_has_an_effect)
   // Whether the labels are others than those of `by_default`, alike for all thresholds.
   const auto differ = [](const auto& by_default, const auto& np) {
     const auto labels = [](const auto& pack)
-    { return labels_of_hand(pack.salience_threshold(-infinity).maximum_number_of_segments(12)); };
+    { return labels_of_doll(pack.salience_threshold(-infinity).maximum_number_of_segments(12)); };
     return labels(np) != labels(by_default);
   };
-  const auto check_common = [&](const auto& np) {
-    BOOST_TEST(differ(np, np.salience_weights(0.5, 0.4, 0.1)));
+  for_both_methods([&](const auto& np) {
+    BOOST_TEST(differ(np, np.part_salience([](const Salience_factors& f) { return -f.size; })));
+    BOOST_TEST(differ(np, np.salience_weights(0.8, 0.1, 0.1)));
     BOOST_TEST(differ(np, np.minimum_segment_size(0.3)));
-    BOOST_TEST(differ(np, np.geodesic_weight(1)));
-    BOOST_TEST(differ(np, np.concave_angle_weight(0)));
-    BOOST_TEST(differ(np, np.convex_angle_weight(5)));
+    BOOST_TEST(differ(np, np.distance_weights(1, 1, 0.1)));
+    BOOST_TEST(differ(np, np.distance_weights(0.01, 0, 1)));
+    BOOST_TEST(differ(np, np.distance_weights(0.01, 1, 5)));
     BOOST_TEST(differ(np, np.number_of_reference_faces(1)));
+    BOOST_TEST(differ(np, np.number_of_searched_faces(100)));
     BOOST_TEST(differ(np, np.number_of_smoothing_iterations(5)));
     BOOST_TEST(differ(np, np.boundary_smoothing(true)));
-  };
-  const auto calibrated = parameters::default_values();
-  const auto paper = parameters::zhang_liu_2005();
-  check_common(calibrated);
-  check_common(paper);
-  // Every difference between the two methods can be switched on and off by itself. Orders by
-  // thickness find no better cut of the hand: they are tested with the variants of the methods.
-  BOOST_TEST(differ(calibrated, calibrated.part_salience(Weighted_part_salience())));
-  BOOST_TEST(differ(calibrated, calibrated.concavity_radius(0)));
-  BOOST_TEST(differ(calibrated, calibrated.single_source_orderings(false)));
-  BOOST_TEST(differ(calibrated, calibrated.number_of_candidates(0)));
-  BOOST_TEST(differ(calibrated, calibrated.number_of_refined_candidates(0)));
-  BOOST_TEST(differ(calibrated, calibrated.number_of_regions(0)));
-  BOOST_TEST(differ(calibrated, calibrated.number_of_searched_faces(1000)));
-  BOOST_TEST(differ(paper, paper.part_salience(Calibrated_part_salience())));
-  BOOST_TEST(differ(paper, paper.concavity_radius(0.02)));
-  BOOST_TEST(differ(paper, paper.single_source_orderings(true)));
-  BOOST_TEST(differ(paper, paper.number_of_candidates(14)));
-  BOOST_TEST(differ(paper, paper.number_of_refined_candidates(4)));
-  BOOST_TEST(differ(paper, paper.number_of_regions(20)));
-  BOOST_TEST(differ(paper, paper.number_of_searched_faces(1000)));
-  BOOST_TEST(number_of(labels_of_hand(paper.salience_threshold(0.3))) >
-             number_of(labels_of_hand(paper.salience_threshold(0.7))));
-  BOOST_TEST(number_of(labels_of_hand(parameters::salience_threshold(0.3))) >
-             number_of(labels_of_hand(parameters::salience_threshold(0.7))));
-  BOOST_TEST(number_of(labels_of_hand(parameters::maximum_number_of_segments(1))) == 1);
+    BOOST_TEST(number_of(labels_of_doll(np.salience_threshold(0.3))) >
+               number_of(labels_of_doll(np.salience_threshold(0.9))));
+    BOOST_TEST(number_of(labels_of_doll(np.maximum_number_of_segments(1))) == 1);
+  });
+  BOOST_TEST(differ(parameters::default_values(), parameters::zhang_liu_2005()));
 }
 
 BOOST_AUTO_TEST_CASE(only_the_ratio_of_the_angle_weights_matters)
 {
-  BOOST_TEST(labels_of_hand(parameters::concave_angle_weight(8).convex_angle_weight(0.5)) ==
-             labels_of_hand(parameters::concave_angle_weight(1).convex_angle_weight(0.0625)),
-             boost::test_tools::per_element());
+  for_both_methods([](const auto& np) {
+    BOOST_TEST(labels_of_doll(np.distance_weights(0.03, 8, 0.5)) ==
+               labels_of_doll(np.distance_weights(0.03, 1, 0.0625)),
+               boost::test_tools::per_element());
+  });
 }
 
 BOOST_AUTO_TEST_CASE(a_seed_repeats_its_run_and_different_seeds_differ)
 {
   const auto with_seed = [](auto seed)
-  { return labels_of_hand(parameters::random_seed(seed).number_of_reference_faces(1)); };
+  { return labels_of_doll(parameters::random_seed(seed).number_of_reference_faces(1)); };
   std::set<Labels> results;
   for (int seed = 0; seed < 8; ++seed) {
     const Labels labels = with_seed(seed);
@@ -464,14 +415,14 @@ BOOST_AUTO_TEST_CASE(points_come_from_the_vertex_point_map)
 BOOST_AUTO_TEST_CASE(a_point_map_may_return_by_value)
 {
   const auto by_value = boost::make_function_property_map<Vertex, Point>(
-    [](Vertex v) { return hand().point(v); });
-  BOOST_TEST(labels_of_hand(parameters::vertex_point_map(by_value)) == labels_of_hand(),
+    [](Vertex v) { return doll_mesh().point(v); });
+  BOOST_TEST(labels_of_doll(parameters::vertex_point_map(by_value)) == labels_of_doll(),
              boost::test_tools::per_element());
 }
 
 BOOST_AUTO_TEST_CASE(a_minimal_traits_class_is_enough)
 {
-  Mesh rounded = hand();
+  Mesh rounded = doll_mesh();
   std::vector<Own_point> points;
   for (Vertex v : vertices(rounded)) {
     Point& p = rounded.point(v);
@@ -486,7 +437,7 @@ BOOST_AUTO_TEST_CASE(a_minimal_traits_class_is_enough)
 
 BOOST_AUTO_TEST_CASE(the_instance_of_the_traits_class_is_used)
 {
-  Mesh stretched = hand();
+  Mesh stretched = doll_mesh();
   for (Vertex v : vertices(stretched)) {
     Point& p = stretched.point(v);
     p = Point(p.x(), 4 * p.y(), p.z());
@@ -494,18 +445,18 @@ BOOST_AUTO_TEST_CASE(the_instance_of_the_traits_class_is_used)
   Scaling_traits traits;
   traits.scale[1] = 4;
   const Labels expected = labels_of(stretched, parameters::default_values());
-  BOOST_TEST(labels_of_hand(parameters::geom_traits(traits)) == expected,
+  BOOST_TEST(labels_of_doll(parameters::geom_traits(traits)) == expected,
              boost::test_tools::per_element());
-  BOOST_TEST((expected != labels_of_hand()));
+  BOOST_TEST((expected != labels_of_doll()));
 }
 
 BOOST_AUTO_TEST_CASE(segments_are_numbered_by_the_face_index_map)
 {
-  const Labels by_position = labels_of_hand();
-  const std::size_t n = num_faces(hand());
+  const Labels by_position = labels_of_doll();
+  const std::size_t n = num_faces(doll_mesh());
   const auto reversed = boost::make_function_property_map<Face, std::size_t>(
     [n](Face f) { return n - 1 - f; });
-  const Labels by_map = labels_of_hand(parameters::face_index_map(reversed));
+  const Labels by_map = labels_of_doll(parameters::face_index_map(reversed));
   std::size_t next = 0;
   for (std::size_t f = n; f-- > 0;) {
     BOOST_TEST_REQUIRE(by_map[f] <= next);
@@ -517,7 +468,7 @@ BOOST_AUTO_TEST_CASE(segments_are_numbered_by_the_face_index_map)
 BOOST_AUTO_TEST_CASE(a_face_index_map_is_as_good_as_the_order_of_the_faces)
 {
   // The same mesh with its faces stored in another order, and told the old one.
-  Soup shuffled = read("hand.off");
+  Soup shuffled = doll();
   const std::size_t n = shuffled.triangles.size();
   std::vector<std::size_t> old_number(n);
   for (std::size_t i = 0; i < n; ++i)
@@ -528,7 +479,7 @@ BOOST_AUTO_TEST_CASE(a_face_index_map_is_as_good_as_the_order_of_the_faces)
   BOOST_TEST_REQUIRE(std::set<std::size_t>(old_number.begin(), old_number.end()).size() == n);
   shuffled.triangles = triangles;
 
-  const Labels expected = labels_of_hand();
+  const Labels expected = labels_of_doll();
   const Labels labels = labels_of(
     mesh_of(shuffled), parameters::face_index_map(
       boost::make_function_property_map<Face, std::size_t>([&](Face f) { return old_number[f]; })));
@@ -552,23 +503,15 @@ BOOST_AUTO_TEST_CASE(numbers_out_of_range_are_refused_by_name)
   check_refused("salience_weights", parameters::salience_weights(0.5, 0.75, -0.25));
   check_refused("salience_weights", parameters::salience_weights(not_a_number, 0.5, 0.5));
   check_refused("salience_weights", parameters::salience_weights(infinity, 0, 0));
-  check_refused("geodesic_weight", parameters::geodesic_weight(1.5));
-  check_refused("geodesic_weight", parameters::geodesic_weight(-0.01));
-  check_refused("geodesic_weight", parameters::geodesic_weight(not_a_number));
-  check_refused("concave_angle_weight", parameters::concave_angle_weight(-1));
-  check_refused("concave_angle_weight", parameters::concave_angle_weight(infinity));
-  check_refused("concave_angle_weight", parameters::concave_angle_weight(not_a_number));
-  check_refused("convex_angle_weight", parameters::convex_angle_weight(-1));
-  check_refused("convex_angle_weight", parameters::convex_angle_weight(infinity));
-  check_refused("convex_angle_weight", parameters::convex_angle_weight(not_a_number));
+  for (double bad : {1.5, -0.01, infinity, not_a_number})
+    check_refused("the first of distance_weights", parameters::distance_weights(bad, 1, 0.1));
+  for (double bad : {-1., infinity, not_a_number}) {
+    check_refused("second and third of distance_weights",
+                  parameters::distance_weights(0.03, bad, 0.1));
+    check_refused("second and third of distance_weights",
+                  parameters::distance_weights(0.03, 1, bad));
+  }
   check_refused("salience_weights", parameters::part_salience(Weighted_part_salience{1, 1, 1}));
-  check_refused("concavity_radius", parameters::concavity_radius(-0.01));
-  check_refused("concavity_radius", parameters::concavity_radius(1.01));
-  check_refused("concavity_radius", parameters::concavity_radius(not_a_number));
-  check_refused("number_of_candidates", parameters::number_of_candidates(-1));
-  check_refused("number_of_refined_candidates", parameters::number_of_refined_candidates(-1));
-  check_refused("number_of_regions", parameters::number_of_regions(-1));
-  check_refused("number_of_regions", parameters::number_of_regions(1));
   check_refused("number_of_searched_faces", parameters::number_of_searched_faces(-1));
   check_refused("number_of_reference_faces", parameters::number_of_reference_faces(0));
   check_refused("number_of_reference_faces", parameters::number_of_reference_faces(-1));
@@ -577,8 +520,8 @@ BOOST_AUTO_TEST_CASE(numbers_out_of_range_are_refused_by_name)
 
 BOOST_AUTO_TEST_CASE(the_ends_of_the_ranges_are_taken)
 {
-  const std::size_t n = num_faces(hand());
-  const auto is_taken = [&](const auto& np) { return number_of(labels_of_hand(np)) <= n; };
+  const std::size_t n = num_faces(doll_mesh());
+  const auto is_taken = [&](const auto& np) { return number_of(labels_of_doll(np)) <= n; };
   BOOST_TEST(is_taken(parameters::salience_threshold(-infinity).maximum_number_of_segments(2)));
   BOOST_TEST(is_taken(parameters::salience_threshold(infinity)));
   BOOST_TEST(is_taken(parameters::minimum_segment_size(0)));
@@ -586,19 +529,12 @@ BOOST_AUTO_TEST_CASE(the_ends_of_the_ranges_are_taken)
   BOOST_TEST(is_taken(parameters::salience_weights(1, 0, 0)));
   BOOST_TEST(is_taken(parameters::salience_weights(0, 1, 0)));
   BOOST_TEST(is_taken(parameters::salience_weights(0, 0, 1)));
-  BOOST_TEST(is_taken(parameters::geodesic_weight(0)));
-  BOOST_TEST(is_taken(parameters::geodesic_weight(1)));
-  BOOST_TEST(is_taken(parameters::concave_angle_weight(0).convex_angle_weight(0)));
-  BOOST_TEST(is_taken(parameters::concave_angle_weight(1e300).convex_angle_weight(1e300)));
-  BOOST_TEST(is_taken(parameters::concave_angle_weight(1e-300).convex_angle_weight(1e-300)));
+  BOOST_TEST(is_taken(parameters::distance_weights(0, 1, 0.1)));
+  BOOST_TEST(is_taken(parameters::distance_weights(1, 1, 0.1)));
+  BOOST_TEST(is_taken(parameters::distance_weights(0.03, 0, 0)));
+  BOOST_TEST(is_taken(parameters::distance_weights(0.03, 1e300, 1e300)));
+  BOOST_TEST(is_taken(parameters::distance_weights(0.03, 1e-300, 1e-300)));
   BOOST_TEST(is_taken(parameters::number_of_reference_faces(1)));
-  BOOST_TEST(is_taken(parameters::concavity_radius(0)));
-  BOOST_TEST(is_taken(parameters::concavity_radius(1)));
-  BOOST_TEST(is_taken(parameters::number_of_candidates(0)));
-  BOOST_TEST(is_taken(parameters::number_of_candidates(1).number_of_refined_candidates(0)));
-  BOOST_TEST(is_taken(parameters::number_of_refined_candidates(1000)));
-  BOOST_TEST(is_taken(parameters::number_of_regions(0)));
-  BOOST_TEST(is_taken(parameters::number_of_regions(2)));
   BOOST_TEST(is_taken(parameters::number_of_searched_faces(0)));
   const Mesh small = mesh_of(dumbbell(8, 6));
   BOOST_TEST(labels_of(small, parameters::number_of_reference_faces(num_faces(small))) ==
@@ -608,7 +544,7 @@ BOOST_AUTO_TEST_CASE(the_ends_of_the_ranges_are_taken)
 
 BOOST_AUTO_TEST_CASE(a_face_index_map_that_does_not_number_the_faces_is_refused)
 {
-  const int last = int(num_faces(hand())) - 1;
+  const int last = int(num_faces(doll_mesh())) - 1;
   const auto refuse = [](const auto& function) {
     check_refused("face_index_map", parameters::face_index_map(
       boost::make_function_property_map<Face, int>(function)));
