@@ -119,6 +119,7 @@ public:
       return;
     }
 #endif
+    static_cast<void>(execution_);
     f();
   }
 
