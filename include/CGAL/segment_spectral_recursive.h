@@ -138,7 +138,7 @@ at most 4000 faces by default; the memory is O(*n*). The section
 \param segment_ids the ids of the segments are written here
 \param np an optional sequence of named parameters among the ones listed below
 
-Everyday parameters:
+<b>Everyday parameters.</b> All named parameters are optional.
 \cgalNamedParamsBegin
   \cgalParamNBegin{maximum_number_of_segments}
     \cgalParamDescription{an upper bound on the number of segments. It is exceeded only if the mesh
@@ -153,9 +153,9 @@ Everyday parameters:
     \cgalParamDescription{Cuts whose salience is below this value are not made (Section 2), or are
       undone by merging. A higher value gives fewer segments.}
     \cgalParamType{a number}
-    \cgalParamDefault{`default_probability_threshold`, `0.42`; for a `Weighted_part_salience`, which
-      is that of `zhang_liu_2005()`, `default_salience_threshold`, `0.54`: lower values leave the
-      noise of flat regions in the result, higher ones lose limbs with a shallow seam}
+    \cgalParamDefault{`default_probability_threshold`, `0.42`, or `default_salience_threshold`,
+      `0.54`, for a `Weighted_part_salience`, as with `zhang_liu_2005()`. Lower values cut flat parts
+      by their noise, higher ones lose limbs with a shallow seam.}
     \cgalParamExtra{`-infinity` accepts every cut, for use with `maximum_number_of_segments`. Not a
       NaN.}
   \cgalParamNEnd
@@ -194,21 +194,21 @@ Everyday parameters:
   \cgalParamNEnd
 \cgalNamedParamsEnd
 
-For experts:
+<b>Parameters for experts.</b>
 \cgalNamedParamsBegin
   \cgalParamNBegin{minimum_segment_size}
     \cgalParamDescription{the share of the area of the mesh that each side of a cut must have. The
       factors of the salience mean little for a handful of faces; the paper has no such limit.}
     \cgalParamType{a number}
-    \cgalParamDefault{`0.003`; with `zhang_liu_2005()` `0.005`. A finger of a whole figure is
+    \cgalParamDefault{`0.003`, or `0.005` with `zhang_liu_2005()`. A finger of a whole figure is
       larger, a pit in its skin smaller.}
     \cgalParamExtra{in [0, 0.5]; 0 with `zhang_liu_2005()` is the paper's method to the letter}
   \cgalParamNEnd
   \cgalParamNBegin{part_salience}
     \cgalParamDescription{computes the salience of a cut (Section 6)}
     \cgalParamType{a model of the concept `PartSalience`}
-    \cgalParamDefault{`Calibrated_part_salience()`; with `zhang_liu_2005()`
-      `Weighted_part_salience()`}
+    \cgalParamDefault{`Calibrated_part_salience()`, or `Weighted_part_salience()` with
+      `zhang_liu_2005()`}
     \cgalParamExtra{Give `salience_threshold` with a salience of your own, on its scale. With
       `zhang_liu_2005()` it is called at each step of a line, and the factors beyond the paper are
       0.}
@@ -219,8 +219,8 @@ For experts:
       projected back, by minimum cuts through the faces whose side is not certain. So the time of
       the search does not grow with the mesh. With 0 the mesh itself is searched.}
     \cgalParamType{an integer}
-    \cgalParamDefault{`4000`, at which the agreement with people is that of the mesh itself; with
-      `zhang_liu_2005()` `0`}
+    \cgalParamDefault{`4000`, at which the agreement with people is that of the mesh itself, or `0`
+      with `zhang_liu_2005()`}
     \cgalParamExtra{at least 0. In the default method it grows in proportion if more than 20
       segments are asked for. Factors and salience of cuts and the `minimum_segment_size` are those
       of the mesh that is searched.}
@@ -234,7 +234,7 @@ For experts:
   \cgalParamNEnd
 \cgalNamedParamsEnd
 
-The paper's:
+<b>The paper's parameters.</b>
 \cgalNamedParamsBegin
   \cgalParamNBegin{zhang_liu_2005}
     \cgalParamDescription{the method of the paper, and its defaults; takes no argument}
@@ -256,8 +256,8 @@ The paper's:
       factors &eta; of the angle distance 1 - cos &theta; at concave and at convex edges, of which
       only the ratio matters}
     \cgalParamType{three numbers}
-    \cgalParamDefault{`0.03, 1, 0.1`; with `zhang_liu_2005()` `0.01, 1, 0.1`: angles decide, and
-      geodesic distance where there are none; by the minima rule people cut along concave creases}
+    \cgalParamDefault{`0.03, 1, 0.1`, or `0.01, 1, 0.1` with `zhang_liu_2005()`: angles decide, and
+      geodesic distance where there are none. By the minima rule people cut along concave creases.}
     \cgalParamExtra{the first in [0, 1], the others finite and not negative}
   \cgalParamNEnd
   \cgalParamNBegin{number_of_reference_faces}
