@@ -123,8 +123,9 @@ at most 4000 faces by default; the memory is O(*n*). The section
 \ref Spectral_segmentation_complexity has the terms.
 
 \tparam ConcurrencyTag `CGAL::Sequential_tag`, `CGAL::Parallel_tag` or
-  `CGAL::Parallel_if_available_tag`, the default. Parallelism needs TBB, and the target
-  `CGAL::TBB_support` of CMake.
+  `CGAL::Parallel_if_available_tag`, the default. Parallelism needs TBB. The target
+  `Spectral_segmentation::compiled` links it if it is found; without this target link
+  `CGAL::TBB_support`.
 \tparam TriangleMesh a model of `FaceListGraph` and `VertexListGraph`, with descriptors that
   `std::hash` takes, as those of \cgal's models. Several threads may segment one mesh at a time,
   except a `Face_filtered_graph`, which fills its indices when it is first asked for them.
@@ -154,8 +155,8 @@ at most 4000 faces by default; the memory is O(*n*). The section
       undone by merging. A higher value gives fewer segments.}
     \cgalParamType{a number}
     \cgalParamDefault{`default_probability_threshold`, `0.42`, or `default_salience_threshold`,
-      `0.54`, for a `Weighted_part_salience`, as with `zhang_liu_2005()`. Lower values cut flat parts
-      by their noise, higher ones lose limbs with a shallow seam.}
+      `0.54`, for a `Weighted_part_salience`, as with `zhang_liu_2005()`. Lower values cut flat
+      parts by their noise, higher ones lose limbs with a shallow seam.}
     \cgalParamExtra{`-infinity` accepts every cut, for use with `maximum_number_of_segments`. Not a
       NaN.}
   \cgalParamNEnd
@@ -348,8 +349,8 @@ those of the function for meshes.
 
 \return the number of segments; 0 if there is no triangle
 
-\throws std::invalid_argument if a triangle does not have three corners, a corner is not the index of
-  a point, a coordinate of a corner is not finite, or a number is out of its range
+\throws std::invalid_argument if a triangle does not have three corners, a corner is not the index
+  of a point, a coordinate of a corner is not finite, or a number is out of its range
 \throws std::overflow_error if there are more segments than the value type of `segment_ids` can
   count
 
