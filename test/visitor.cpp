@@ -3,12 +3,15 @@
 
 #include <boost/test/unit_test.hpp>
 
+#include "box_figures.h"
+#include "test_labels.h"
 #include "test_meshes.h"
 
 #include <CGAL/segment_spectral_recursive.h>
 
 #include <CGAL/tags.h>
 
+#include <algorithm>
 #include <atomic>
 #include <cstddef>
 #include <functional>
@@ -22,7 +25,6 @@ BOOST_AUTO_TEST_SUITE(visitor)
 
 using namespace test_meshes;
 namespace parameters = CGAL::Spectral_segmentation::parameters;
-using CGAL::Spectral_segmentation::Method;
 using CGAL::Spectral_segmentation::Salience_factors;
 using CGAL::Spectral_segmentation::Segmentation_hierarchy;
 using CGAL::Spectral_segmentation::Segmentation_visitor;
@@ -30,27 +32,7 @@ using CGAL::Spectral_segmentation::Stage;
 
 namespace {
 
-typedef std::vector<std::size_t> Labels;
-
 const std::size_t unlimited = (std::numeric_limits<std::size_t>::max)();
-const std::size_t untouched = 1234567;
-
-auto map_to(Labels& labels, const Mesh& mesh)
-{
-  labels.resize(num_faces(mesh), untouched);
-  return boost::make_iterator_property_map(labels.begin(), get(CGAL::face_index, mesh));
-}
-
-template <class ConcurrencyTag = CGAL::Parallel_if_available_tag, class NamedParameters>
-Labels labels_of(const Mesh& mesh, const NamedParameters& np)
-{
-  Labels labels;
-  CGAL::segment_spectral_recursive<ConcurrencyTag>(mesh, map_to(labels, mesh), np);
-  return labels;
-}
-
-const Method methods[] = {Method::ZHANG_LIU_2005, Method::CALIBRATED};
-
 const Stage stages_of_part[] = {Stage::SAMPLING, Stage::EMBEDDING, Stage::LINE_SEARCH};
 
 // Checks that the events of each part are balanced and in order, in whatever way parts interleave.
@@ -136,10 +118,10 @@ template <class ConcurrencyTag>
 void check_events(const Mesh& mesh, bool smoothing)
 {
   Strict_visitor visitor;
-  Segmentation_hierarchy tree;
+  Segmentation_hierarchy hierarchy;
   labels_of<ConcurrencyTag>(
     mesh, parameters::zhang_liu_2005().visitor(std::ref(visitor)).salience_threshold(0.4)
-            .hierarchy(tree).boundary_smoothing(smoothing));
+            .hierarchy(hierarchy).boundary_smoothing(smoothing));
 
   std::vector<std::pair<Stage, bool> > expected = {{Stage::INITIALIZATION, true},
                                                    {Stage::INITIALIZATION, false}};
@@ -150,25 +132,25 @@ void check_events(const Mesh& mesh, bool smoothing)
 
   for (const auto& [part, state] : visitor.parts) {
     BOOST_TEST(state.has_ended);
-    BOOST_TEST_REQUIRE(part < tree.number_of_nodes());
-    BOOST_TEST(state.number_of_faces == tree.node(part).number_of_faces);
-    BOOST_TEST(state.is_cut == !tree.node(part).is_leaf());
+    BOOST_TEST_REQUIRE(part < hierarchy.number_of_nodes());
+    BOOST_TEST(state.number_of_faces == hierarchy.number_of_faces(part));
+    BOOST_TEST(state.is_cut == !hierarchy.node(part).is_leaf());
     if (state.is_cut)
-      BOOST_TEST(state.salience == tree.node(part).salience);
+      BOOST_TEST(state.salience == hierarchy.node(part).salience);
   }
   // A part of one face, or without room for two segments, is not searched.
   double area_of_mesh = 0;
-  for (std::size_t i = 0; i < tree.number_of_roots(); ++i)
-    area_of_mesh += tree.node(i).area;
-  for (std::size_t i = 0; i < tree.number_of_nodes(); ++i) {
-    const bool has_room = tree.node(i).area > 2 * 0.005 * area_of_mesh;
-    BOOST_TEST(visitor.parts.count(i) == (tree.node(i).number_of_faces > 1 && has_room ? 1 : 0));
+  for (std::size_t i = 0; i < hierarchy.number_of_roots(); ++i)
+    area_of_mesh += hierarchy.node(i).area;
+  for (std::size_t i = 0; i < hierarchy.number_of_nodes(); ++i) {
+    const bool has_room = hierarchy.node(i).area > 2 * 0.005 * area_of_mesh;
+    BOOST_TEST(visitor.parts.count(i) == (hierarchy.number_of_faces(i) > 1 && has_room ? 1 : 0));
   }
 
-  BOOST_TEST(visitor.cuts.size() == tree.number_of_segments() - tree.number_of_roots());
+  BOOST_TEST(visitor.cuts.size() == hierarchy.number_of_segments() - hierarchy.number_of_roots());
   for (std::size_t i = 0; i < visitor.cuts.size(); ++i) {
-    BOOST_TEST(tree.node(tree.number_of_roots() + 2 * i).parent == visitor.cuts[i]);
-    BOOST_TEST(visitor.numbers_of_segments[i] == tree.number_of_roots() + i + 1);
+    BOOST_TEST(hierarchy.node(hierarchy.number_of_roots() + 2 * i).parent == visitor.cuts[i]);
+    BOOST_TEST(visitor.numbers_of_segments[i] == hierarchy.number_of_roots() + i + 1);
   }
   BOOST_TEST(visitor.number_of_polls > 3 * visitor.parts.size());
 }
@@ -201,6 +183,7 @@ struct Throwing_visitor : Segmentation_visitor
   void start_part(std::size_t, std::size_t) { count(); }
   void end_part(std::size_t) { count(); }
   void part_cut(std::size_t, const Salience_factors&, double, std::size_t) { count(); }
+  void progress(double) { count(); }
   bool go_further() { count(); return true; }
 };
 
@@ -224,6 +207,7 @@ struct Lonely_visitor : Segmentation_visitor
   void start_part(std::size_t, std::size_t) { call(); }
   void end_part(std::size_t) { call(); }
   void part_cut(std::size_t, const Salience_factors&, double, std::size_t) { call(); }
+  void progress(double) { call(); }
   bool go_further() { call(); return true; }
 };
 
@@ -232,8 +216,7 @@ struct Lonely_visitor : Segmentation_visitor
 BOOST_AUTO_TEST_CASE(events_are_balanced_and_in_order)
 {
   const Soup triangle = {{Point(0, 0, 9), Point(1, 0, 9), Point(0, 1, 9)}, {{0, 1, 2}}};
-  for (const Mesh& mesh : {mesh_of(read("hand.off")), mesh_of(disjoint_union(dumbbell(16, 12),
-                                                                             triangle))})
+  for (const Mesh& mesh : {mesh_of(doll()), mesh_of(disjoint_union(dumbbell(16, 12), triangle))})
     for (bool smoothing : {false, true}) {
       check_events<CGAL::Sequential_tag>(mesh, smoothing);
 #ifdef CGAL_LINKED_WITH_TBB
@@ -256,37 +239,59 @@ BOOST_AUTO_TEST_CASE(parts_do_not_interleave_in_one_thread)
     void part_cut(std::size_t, const Salience_factors&, double, std::size_t)
     { BOOST_TEST(!is_in_part); }
   };
-  const Mesh mesh = mesh_of(read("hand.off"));
-  for (Method method : methods)
-    labels_of<CGAL::Sequential_tag>(mesh, parameters::method(method).visitor(Visitor()));
+  for_both_methods([](const auto& np)
+    { labels_of<CGAL::Sequential_tag>(doll(), np.visitor(Visitor())); });
 }
 
-BOOST_AUTO_TEST_CASE(pieces_are_merged_once_when_all_parts_have_been_searched)
+BOOST_AUTO_TEST_CASE(regions_are_merged_once_when_all_parts_have_been_searched)
 {
-  struct Last_stage : Segmentation_visitor
+  struct Stages : Segmentation_visitor
   {
     std::vector<std::pair<Stage, std::size_t> > stages;
     void start_stage(Stage stage, std::size_t part) { stages.push_back({stage, part}); }
-  } visitor;
+  };
   const Mesh mesh = mesh_of(dumbbell(12, 8));
-  labels_of(mesh, parameters::visitor(std::ref(visitor)));
   const std::pair<Stage, std::size_t> merging(Stage::MERGING, Segmentation_visitor::whole_mesh);
-  BOOST_TEST(std::count(visitor.stages.begin(), visitor.stages.end(), merging) == 1);
-  BOOST_TEST((visitor.stages.back() == merging));
-  visitor.stages.clear();
-  labels_of(mesh, parameters::visitor(std::ref(visitor)).number_of_regions(0));
-  BOOST_TEST(std::count(visitor.stages.begin(), visitor.stages.end(), merging) == 0);
+  Stages by_default;
+  labels_of(mesh, parameters::visitor(std::ref(by_default)));
+  BOOST_TEST(std::count(by_default.stages.begin(), by_default.stages.end(), merging) == 1);
+  BOOST_TEST((by_default.stages.back() == merging));
+  Stages of_paper;
+  labels_of(mesh, parameters::zhang_liu_2005().visitor(std::ref(of_paper)));
+  BOOST_TEST(std::count(of_paper.stages.begin(), of_paper.stages.end(), merging) == 0);
+}
+
+BOOST_AUTO_TEST_CASE(cuts_of_a_coarse_mesh_are_projected_once_after_the_search)
+{
+  struct Stages : Segmentation_visitor
+  {
+    std::vector<Stage> stages;
+    void start_stage(Stage stage, std::size_t part)
+    {
+      if (part == whole_mesh)
+        stages.push_back(stage);
+    }
+  };
+  const Mesh mesh = mesh_of(doll());
+  Stages by_default;
+  labels_of(mesh, parameters::number_of_searched_faces(100).visitor(std::ref(by_default)));
+  BOOST_TEST((by_default.stages ==
+              std::vector<Stage>{Stage::INITIALIZATION, Stage::MERGING, Stage::PROJECTION}));
+  Stages of_paper;
+  labels_of(mesh, parameters::number_of_searched_faces(100).zhang_liu_2005()
+                    .visitor(std::ref(of_paper)));
+  BOOST_TEST((of_paper.stages == std::vector<Stage>{Stage::INITIALIZATION, Stage::PROJECTION}));
 }
 
 BOOST_AUTO_TEST_CASE(a_visitor_that_listens_changes_nothing)
 {
-  const Mesh mesh = mesh_of(read("hand.off"));
-  for (Method method : methods) {
+  const Mesh mesh = mesh_of(doll());
+  for_both_methods([&](const auto& np) {
     Strict_visitor visitor;
-    BOOST_TEST(labels_of(mesh, parameters::method(method).visitor(std::ref(visitor))) ==
-               labels_of(mesh, parameters::method(method)), boost::test_tools::per_element());
+    BOOST_TEST(labels_of(mesh, np.visitor(std::ref(visitor))) == labels_of(mesh, np),
+               boost::test_tools::per_element());
     BOOST_TEST(visitor.cuts.size() > 1);
-  }
+  });
 }
 
 BOOST_AUTO_TEST_CASE(a_visitor_is_taken_by_value_and_by_reference)
@@ -306,56 +311,57 @@ BOOST_AUTO_TEST_CASE(a_visitor_is_taken_by_value_and_by_reference)
 
 BOOST_AUTO_TEST_CASE(a_stopped_run_gives_the_labels_of_the_cuts_made_so_far)
 {
-  const Mesh mesh = mesh_of(disjoint_union(dumbbell(12, 8), read("tripod.off")));
+  const Mesh mesh = mesh_of(disjoint_union(dumbbell(8, 6), doll()));
   for (bool smoothing : {false, true}) {
     const auto np =
       parameters::zhang_liu_2005().salience_threshold(0.3).boundary_smoothing(smoothing);
     Strict_visitor counter;
-    Segmentation_hierarchy whole_tree;
+    Segmentation_hierarchy whole_hierarchy;
     const Labels whole = labels_of<CGAL::Sequential_tag>(
-      mesh, np.visitor(std::ref(counter)).hierarchy(whole_tree));
-    BOOST_TEST(whole_tree.number_of_segments() > 3);
+      mesh, np.visitor(std::ref(counter)).hierarchy(whole_hierarchy));
+    BOOST_TEST(whole_hierarchy.number_of_segments() > 3);
 
+    std::map<std::size_t, Labels> labels_of_run; // by the number of segments
+    for (std::size_t n = 2; n <= whole_hierarchy.number_of_segments(); ++n)
+      labels_of_run[n] = labels_of(mesh, np.maximum_number_of_segments(n));
     std::size_t segments_before = 0;
-    for (std::size_t poll = 0; poll <= counter.number_of_polls; ++poll) {
+    for (std::size_t poll = 0; poll < counter.number_of_polls + 7; poll += 7) {
       BOOST_TEST_CONTEXT("stopped at poll " << poll) {
-        Segmentation_hierarchy tree;
-        Labels labels;
+        Segmentation_hierarchy hierarchy;
         Stop_at visitor(poll);
-        const std::size_t n = CGAL::segment_spectral_recursive<CGAL::Sequential_tag>(
-          mesh, map_to(labels, mesh), np.visitor(std::ref(visitor)).hierarchy(tree));
+        const Labels labels =
+          labels_of<CGAL::Sequential_tag>(mesh, np.visitor(std::ref(visitor)).hierarchy(hierarchy));
+        const std::size_t n = number_of(labels);
         BOOST_TEST(n >= segments_before);
-        BOOST_TEST(n == tree.number_of_segments());
-        BOOST_TEST(labels == tree.labels(), boost::test_tools::per_element());
-        BOOST_TEST(labels == labels_of(mesh, np.maximum_number_of_segments(n)),
-                   boost::test_tools::per_element());
+        BOOST_TEST(n == hierarchy.number_of_segments());
+        BOOST_TEST((labels == hierarchy.labels()));
+        BOOST_TEST((labels == labels_of_run.at(n)));
         segments_before = n;
       }
     }
-    BOOST_TEST(segments_before == whole_tree.number_of_segments());
+    BOOST_TEST(segments_before == whole_hierarchy.number_of_segments());
   }
 }
 
-BOOST_AUTO_TEST_CASE(a_stopped_tree_does_not_invent_labels)
+BOOST_AUTO_TEST_CASE(a_stopped_hierarchy_does_not_invent_labels)
 {
-  const Mesh mesh = mesh_of(read("hand.off"));
-  Segmentation_hierarchy tree;
-  labels_of(mesh, parameters::zhang_liu_2005().visitor(Stop_at(0)).hierarchy(tree));
-  BOOST_TEST(tree.number_of_segments() == 1);
-  BOOST_CHECK_THROW(tree.labels(2, 0.5), std::out_of_range);
+  Segmentation_hierarchy hierarchy;
+  labels_of(doll(), parameters::zhang_liu_2005().visitor(Stop_at(0)).hierarchy(hierarchy));
+  BOOST_TEST(hierarchy.number_of_segments() == 1);
+  BOOST_CHECK_THROW(hierarchy.labels(2, 0.5), std::out_of_range);
 }
 
 #ifdef CGAL_LINKED_WITH_TBB
 BOOST_AUTO_TEST_CASE(a_run_in_threads_stops_too)
 {
-  const Mesh mesh = mesh_of(disjoint_union(read("hand.off"), dumbbell(20, 15)));
+  const Mesh mesh = mesh_of(disjoint_union(doll(), dumbbell(20, 15)));
   const auto np = parameters::zhang_liu_2005().salience_threshold(0.3);
   for (std::size_t poll = 0; poll < 300; poll += 13) {
-    Segmentation_hierarchy tree;
-    Labels labels;
-    const std::size_t n = CGAL::segment_spectral_recursive<CGAL::Parallel_tag>(
-      mesh, map_to(labels, mesh), np.visitor(Stop_at(poll)).hierarchy(tree));
-    BOOST_TEST(n == tree.number_of_segments());
+    Segmentation_hierarchy hierarchy;
+    const Labels labels =
+      labels_of<CGAL::Parallel_tag>(mesh, np.visitor(Stop_at(poll)).hierarchy(hierarchy));
+    const std::size_t n = number_of(labels);
+    BOOST_TEST(n == hierarchy.number_of_segments());
     BOOST_TEST(labels == labels_of(mesh, np.maximum_number_of_segments(n)),
                boost::test_tools::per_element());
   }
@@ -363,40 +369,40 @@ BOOST_AUTO_TEST_CASE(a_run_in_threads_stops_too)
 
 BOOST_AUTO_TEST_CASE(calls_from_threads_come_one_at_a_time)
 {
-  const Mesh mesh = mesh_of(disjoint_union(read("hand.off"), read("pig.off")));
-  for (Method method : methods) {
+  const Mesh mesh = mesh_of(disjoint_union(doll(), dumbbell(20, 15)));
+  for_both_methods([&](const auto& np) {
     Lonely_visitor visitor;
     labels_of<CGAL::Parallel_tag>(
-      mesh, parameters::method(method).visitor(std::ref(visitor)).salience_threshold(0.3));
+      mesh, np.visitor(std::ref(visitor)).salience_threshold(0.3).number_of_searched_faces(700));
     BOOST_TEST(visitor.number_of_calls > 0);
     BOOST_TEST(!visitor.met_another);
-  }
+  });
 }
 #endif
 
 BOOST_AUTO_TEST_CASE(an_exception_of_a_visitor_passes_through_and_leaves_the_labels)
 {
-  const Mesh mesh = mesh_of(dumbbell(12, 8));
+  const Mesh mesh = mesh_of(dumbbell(8, 5));
   const Labels before(num_faces(mesh), untouched);
-  for (Method method : methods) {
+  for_both_methods([&](const auto& np) {
     std::size_t event = 0;
     for (bool has_thrown = true; has_thrown; ++event) {
       Labels labels;
-      Segmentation_hierarchy tree;
+      Segmentation_hierarchy hierarchy;
       try {
         CGAL::segment_spectral_recursive(
           mesh, map_to(labels, mesh),
-          parameters::method(method).visitor(Throwing_visitor(event)).hierarchy(tree)
-            .boundary_smoothing(true));
+          np.visitor(Throwing_visitor(event)).hierarchy(hierarchy).boundary_smoothing(true)
+            .number_of_searched_faces(80));
         has_thrown = false;
       }
       catch (const Failure&) {
-        BOOST_TEST(labels == before, boost::test_tools::per_element());
-        BOOST_TEST(tree.number_of_nodes() == 0);
+        BOOST_TEST((labels == before));
+        BOOST_TEST(hierarchy.number_of_nodes() == 0);
       }
     }
     BOOST_TEST(event > 20);
-  }
+  });
 }
 
 BOOST_AUTO_TEST_SUITE_END()
