@@ -131,6 +131,7 @@ void add_options(CLI::App& app, Options& o)
   app.add_flag("--boundary-smoothing", o.boundary_smoothing,
                "smooth the boundaries between segments");
   app.add_flag("--quiet", o.quiet, "print neither progress nor summary");
+  app.allow_windows_style_options(false); // a name may begin with a slash
   app.set_version_flag("--version", "segment_mesh " CGAL_SPECTRAL_SEGMENTATION_VERSION);
 }
 
