@@ -13,6 +13,7 @@
 #include <CGAL/Spectral_segmentation/internal/mesh/connected_components.h>
 #include <CGAL/Spectral_segmentation/internal/salience/Cut_evaluator.h>
 #include <CGAL/Spectral_segmentation/internal/utility/Run_monitor.h>
+#include <CGAL/Spectral_segmentation/internal/utility/sorted_indices.h>
 
 #include <algorithm>
 #include <cstddef>
@@ -40,10 +41,16 @@ inline bool both_sides_are_connected(const Face_graph& part, const Sides& side)
   return number == 2;
 }
 
-inline void put_most_salient_first(std::vector<Cut>& cuts)
+// Of equally salient cuts the first stays the first.
+inline std::vector<Cut> most_salient_first(std::vector<Cut> cuts)
 {
-  std::stable_sort(cuts.begin(), cuts.end(), [](const Cut& a, const Cut& b)
-                   { return quantized(a.salience) > quantized(b.salience); });
+  std::vector<double> keys;
+  for (const Cut& cut : cuts)
+    keys.push_back(-quantized(cut.salience));
+  std::vector<Cut> result;
+  for (Index i : sorted_indices(Execution::SEQUENTIAL, keys))
+    result.push_back(std::move(cuts[i]));
+  return result;
 }
 
 // BESTCUT (Figure 2): finds the most salient cut of a part of a mesh, if there is one. In the
@@ -104,7 +111,7 @@ class Best_cut
     std::vector<Cut> cuts;
     append(execution, proposals.size(), [&](std::size_t i)
       { return evaluated(graph, evaluator, std::move(proposals[i])); }, cuts);
-    put_most_salient_first(cuts);
+    cuts = most_salient_first(std::move(cuts));
     std::vector<Cut> refined;
     append(execution, (std::min)(options_.number_of_refined_candidates, cuts.size()),
            [&](std::size_t i) -> std::optional<Cut> {
@@ -114,8 +121,7 @@ class Best_cut
              return evaluated(graph, evaluator, std::move(sides));
            }, refined);
     std::move(refined.begin(), refined.end(), std::back_inserter(cuts));
-    put_most_salient_first(cuts);
-    return cuts;
+    return most_salient_first(std::move(cuts));
   }
 
   std::vector<Cut> cuts(Execution execution, const Part& part,

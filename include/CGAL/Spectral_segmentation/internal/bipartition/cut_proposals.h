@@ -12,8 +12,7 @@
 #include <CGAL/Spectral_segmentation/internal/bipartition/line_search.h>
 #include <CGAL/Spectral_segmentation/internal/bipartition/min_cut_refinement.h>
 #include <CGAL/Spectral_segmentation/internal/utility/constants.h>
-
-#include <boost/dynamic_bitset.hpp>
+#include <CGAL/Spectral_segmentation/internal/utility/sorted_indices.h>
 
 #include <algorithm>
 #include <cmath>
@@ -78,7 +77,7 @@ inline std::vector<Sweep_step> sweep_steps(const Face_graph& part, const Growth&
   const Weighted_part_salience part_salience;
   std::vector<Sweep_step> steps;
   for_each_cut(
-    growth.faces.begin(), growth.faces.end(), sizes_of_cuts(part, growth), minimum_area,
+    growth.faces, sizes_of_cuts(part, growth), minimum_area,
     std::move(empty),
     [&](const Patch_with_capacity& q, std::size_t size) {
       if (q.area() > constants::largest_ratio_to_rest * q.area_of_rest())
@@ -91,23 +90,24 @@ inline std::vector<Sweep_step> sweep_steps(const Face_graph& part, const Growth&
 }
 
 // The two best steps by a measure, the second not next to the first.
-template <class Measure>
-std::vector<Proposal> best_steps(const Growth& growth, const std::vector<Sweep_step>& steps,
-                                 const Measure& measure)
+inline std::vector<Proposal> best_steps(const Growth& growth, const std::vector<Sweep_step>& steps,
+                                        double Sweep_step::*measure)
 {
   const Sweep_step* best[2] = {nullptr, nullptr};
   for (int i = 0; i < 2; ++i)
     for (const Sweep_step& s : steps) {
       const bool is_next_to_first =
-        i == 1 && std::abs(s.area - best[0]->area) < constants::distance_of_proposals * best[0]->smaller_area;
-      // On the grid, so that rounding does not choose between cuts that mirror each other.
-      if (!is_next_to_first && (!best[i] || quantized(measure(s)) > quantized(measure(*best[i]))))
+        i == 1 && std::abs(s.area - best[0]->area) <
+                    constants::distance_of_proposals * best[0]->smaller_area;
+      // Quantized, so that rounding does not choose between cuts that mirror each other.
+      if (!is_next_to_first &&
+          (!best[i] || quantized(s.*measure) > quantized(best[i]->*measure)))
         best[i] = &s;
     }
   std::vector<Proposal> result;
   for (const Sweep_step* s : best)
     if (s)
-      result.push_back({sides_of(growth, s->size), measure(*s)});
+      result.push_back({sides_of(growth, s->size), s->*measure});
   return result;
 }
 
@@ -116,36 +116,45 @@ inline Proposals propose_cuts(const Face_graph& part, const std::vector<Index>& 
 {
   const Growth growth = grow_along(part, order);
   const std::vector<Sweep_step> steps = sweep_steps(part, growth, minimum_area, empty);
-  return {best_steps(growth, steps, [](const Sweep_step& s) { return s.salience; }),
-          best_steps(growth, steps, [](const Sweep_step& s) { return s.cheapness; })};
+  return {best_steps(growth, steps, &Sweep_step::salience),
+          best_steps(growth, steps, &Sweep_step::cheapness)};
 }
 
 // Tells whether a cut is new among those that it was given: the faces on which two cuts differ must
 // not be few against the smallest side of either.
 class Distinct_cuts
 {
-  typedef boost::dynamic_bitset<> Face_set;
-  std::vector<Face_set> cuts_; // one side of each
-
-  static std::size_t smaller(std::size_t number, const Face_set& faces)
-  { return (std::min)(number, faces.size() - number); }
-
-  static bool are_alike(const Face_set& a, const Face_set& b)
+  struct Sized_cut
   {
-    const std::size_t smallest = (std::min)(smaller(a.count(), a), smaller(b.count(), b));
-    return 100 * smaller((a ^ b).count(), a) < constants::percent_of_alike_proposals * smallest;
+    Sides side;
+    std::size_t smaller; // number of faces
+  };
+
+  std::vector<Sized_cut> cuts_;
+
+  // Of n faces, of which some are on one side.
+  static std::size_t smaller(std::size_t number, std::size_t n)
+  { return (std::min)(number, n - number); }
+
+  static bool are_alike(const Sized_cut& a, const Sized_cut& b)
+  {
+    const std::size_t n = a.side.size();
+    std::size_t different = 0;
+    for (std::size_t f = 0; f < n; ++f)
+      different += a.side[f] != b.side[f];
+    return 100 * smaller(different, n) <
+           constants::percent_of_alike_proposals * (std::min)(a.smaller, b.smaller);
   }
 
 public:
   bool insert(const Sides& side)
   {
-    Face_set faces(side.size());
-    for (std::size_t f = 0; f < side.size(); ++f)
-      faces[f] = side[f] != 0;
-    if (std::any_of(cuts_.begin(), cuts_.end(),
-                    [&](const Face_set& other) { return are_alike(faces, other); }))
-      return false;
-    cuts_.push_back(std::move(faces));
+    const std::size_t number = std::count(side.begin(), side.end(), 1);
+    const Sized_cut cut{side, smaller(number, side.size())};
+    for (const Sized_cut& other : cuts_)
+      if (are_alike(cut, other))
+        return false;
+    cuts_.push_back(cut);
     return true;
   }
 };
@@ -168,17 +177,21 @@ inline std::vector<Sides> cut_proposals(Execution execution, const Face_graph& p
     std::move(p.salient.begin(), p.salient.end(), std::back_inserter(by_measure[0]));
     std::move(p.cheap.begin(), p.cheap.end(), std::back_inserter(by_measure[1]));
   }
-  for (std::vector<Proposal>& proposals : by_measure)
-    std::stable_sort(proposals.begin(), proposals.end(), [](const Proposal& a, const Proposal& b)
-                     { return quantized(a.score) > quantized(b.score); });
+  std::vector<Index> ranks[2]; // the best first
+  for (int m = 0; m < 2; ++m) {
+    std::vector<double> keys;
+    for (const Proposal& p : by_measure[m])
+      keys.push_back(-quantized(p.score));
+    ranks[m] = sorted_indices(Execution::SEQUENTIAL, keys);
+  }
 
   std::vector<Sides> result;
   Distinct_cuts distinct;
   std::size_t next[2] = {0, 0};
   for (int m = 0; result.size() < number &&
-                  (next[0] < by_measure[0].size() || next[1] < by_measure[1].size()); m = 1 - m)
-    for (bool is_taken = false; !is_taken && next[m] < by_measure[m].size(); ++next[m]) {
-      Sides& side = by_measure[m][next[m]].side;
+                  (next[0] < ranks[0].size() || next[1] < ranks[1].size()); m = 1 - m)
+    for (bool is_taken = false; !is_taken && next[m] < ranks[m].size(); ++next[m]) {
+      Sides& side = by_measure[m][ranks[m][next[m]]].side;
       is_taken = distinct.insert(side);
       if (is_taken)
         result.push_back(std::move(side));

@@ -99,8 +99,8 @@ inline std::vector<Index> sizes_of_cuts(const Face_graph& part, const Growth& gr
 
 // Adds faces to the empty patch Q, and calls `visit(q, size of q)` at each of the sizes, which
 // ascend, where both sides have an area, and not below `minimum_area`. Ends once it returns false.
-template <class FaceIterator, class Patch, class Visit>
-void for_each_cut(FaceIterator first_face, FaceIterator end, const std::vector<Index>& sizes,
+template <class Patch, class Visit>
+void for_each_cut(const std::vector<Index>& faces, const std::vector<Index>& sizes,
                   double minimum_area, Patch q, const Visit& visit)
 {
   // What the subtraction of areas leaves where the rest has none.
@@ -108,9 +108,9 @@ void for_each_cut(FaceIterator first_face, FaceIterator end, const std::vector<I
   Index size = 0;
   for (Index size_of_cut : sizes) {
     for (; size < size_of_cut; ++size) {
-      if (end - first_face > size + 8)
-        q.prefetch_face(first_face[size + 8]);
-      q.add(first_face[size]);
+      if (size + 8 < faces.size())
+        q.prefetch_face(faces[size + 8]);
+      q.add(faces[size]);
     }
     if (q.smaller_area() > rounding && q.smaller_area() >= minimum_area &&
         !visit(std::as_const(q), size))
@@ -138,15 +138,15 @@ struct Swept_cut
 
 // Of equally salient cuts the first or the last that the sweep meets. Saliences are compared as
 // quantized, so that rounding does not choose between cuts that mirror each other.
-template <class FaceIterator, class PartSalience, class Observer>
-Swept_cut sweep(FaceIterator first_face, FaceIterator end, const std::vector<Index>& sizes,
+template <class PartSalience, class Observer>
+Swept_cut sweep(const std::vector<Index>& faces, const std::vector<Index>& sizes,
                 double minimum_area, const Boundary_statistics& empty,
                 const PartSalience& part_salience, bool takes_last, const Observer& observe)
 {
   Swept_cut best;
   double best_key = best.salience;
   for_each_cut(
-    first_face, end, sizes, minimum_area, empty, [&](const Boundary_statistics& patch, Index size) {
+    faces, sizes, minimum_area, empty, [&](const Boundary_statistics& patch, Index size) {
       const Salience_factors factors = patch.factors();
       const double salience = salience_of(part_salience, factors);
       observe(size, factors, salience);
@@ -187,14 +187,13 @@ std::optional<Cut> line_search(Execution execution, const Face_graph& part,
   });
 
   Swept_cut of_q, of_rest;
-  call_all(execution, [&] {
-    of_q = sweep(growth.faces.begin(), growth.faces.end(), sizes[0], minimum_area, *empty,
-                 part_salience, false, observe);
-  }, [&] {
-    of_rest = sweep(growth.faces.rbegin(), growth.faces.rend(), sizes[1], minimum_area, *empty,
-                    part_salience, true,
-                    [&](Index size, const Salience_factors& factors, double salience)
-                      { observe(n - size, factors, salience); });
+  const std::vector<Index> from_end(growth.faces.rbegin(), growth.faces.rend());
+  for_each_index(execution, 2, [&](std::size_t half) {
+    const auto observe_half = [&](Index size, const Salience_factors& factors, double salience)
+    { observe(half == 0 ? size : n - size, factors, salience); };
+    (half == 0 ? of_q : of_rest) =
+      sweep(half == 0 ? growth.faces : from_end, sizes[half], minimum_area, *empty, part_salience,
+            half == 1, observe_half);
   });
   const bool is_of_rest = quantized(of_rest.salience) > quantized(of_q.salience);
   const Swept_cut& best = is_of_rest ? of_rest : of_q;

@@ -32,7 +32,9 @@ public:
     const Eigen::Matrix3d covariance =
       mean_over_surface<Eigen::Matrix3d>(execution, mesh, area, [&](const Vector& p)
         { return ((p - center_) * (p - center_).transpose()).eval(); });
-    axes_ = Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d>(covariance).eigenvectors().transpose();
+    Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> solver;
+    solver.computeDirect(covariance);
+    axes_ = solver.eigenvectors().transpose();
     const Vector skewness =
       mean_over_surface<Vector>(execution, mesh, area, [&](const Vector& p)
         { return point(p).array().cube().matrix().eval(); });

@@ -5,6 +5,7 @@
 #define CGAL_SPECTRAL_SEGMENTATION_INTERNAL_MESH_CONNECT_TRIANGLES_H
 
 #include <CGAL/Spectral_segmentation/internal/mesh/Triangles.h>
+#include <CGAL/Spectral_segmentation/internal/utility/sorted_indices.h>
 
 #include <Eigen/Geometry>
 
@@ -60,27 +61,21 @@ class Triangle_connection
       join(halfedges[0], halfedges[1]);
       return;
     }
-    struct Pair
-    {
-      bool is_turned;
-      double bending;
-      Index h, g;
-    };
-    std::vector<Pair> pairs;
+    std::vector<std::pair<Index, Index> > pairs;
+    std::vector<double> keys; // the bending, and those that have to be turned after the others
     for (Index h : halfedges)
       for (Index g : halfedges)
         if (h < g) {
           const double cosine =
             area_vector(h / 3).stableNormalized().dot(area_vector(g / 3).stableNormalized());
-          const bool alike = are_alike(h, g);
-          pairs.push_back({!alike, quantized(alike ? -cosine : cosine), h, g});
+          pairs.emplace_back(h, g);
+          keys.push_back(quantized(are_alike(h, g) ? -cosine : cosine + 4));
         }
-    std::stable_sort(pairs.begin(), pairs.end(), [](const Pair& a, const Pair& b) {
-      return std::make_pair(a.is_turned, a.bending) < std::make_pair(b.is_turned, b.bending);
-    });
-    for (const Pair& p : pairs)
-      if (opposite_[p.h] == null_index && opposite_[p.g] == null_index)
-        join(p.h, p.g);
+    for (Index i : sorted_indices(Execution::SEQUENTIAL, keys)) {
+      const auto [h, g] = pairs[i];
+      if (opposite_[h] == null_index && opposite_[g] == null_index)
+        join(h, g);
+    }
   }
 
   void find_opposites()

@@ -11,10 +11,7 @@
 #include <CGAL/Spectral_segmentation/internal/utility/Run_monitor.h>
 #include <CGAL/Spectral_segmentation/internal/utility/concurrency.h>
 
-#include <CGAL/Iterator_range.h>
-
 #include <boost/container/small_vector.hpp>
-#include <boost/iterator/counting_iterator.hpp>
 
 #include <Eigen/Core>
 #include <Eigen/Geometry>
@@ -261,8 +258,7 @@ class Edge_collapse
   }
 
   // Of some faces, until at most `number` of them are left or no edge is left to try.
-  template <class Faces>
-  void collapse_edges(const Faces& faces, std::size_t number)
+  void collapse_edges(const std::vector<Index>& faces, std::size_t number)
   {
     Edge_queue edges; // those that changed since are there again
     std::size_t left = 0, tries = 0, reported = 0;
@@ -364,10 +360,11 @@ public:
     const bool is_large = corners_.size() >= 4 * faces_per_domain;
     if (is_large)
       collapse_edges_by_domains(number_of_faces);
-    if (!is_large || !more_will_do)
-      collapse_edges(make_range(boost::counting_iterator<Index>(0),
-                                boost::counting_iterator<Index>(Index(corners_.size()))),
-                     number_of_faces);
+    if (is_large && more_will_do)
+      return;
+    std::vector<Index> all(corners_.size());
+    std::iota(all.begin(), all.end(), Index(0));
+    collapse_edges(all, number_of_faces);
   }
 
   Coarse_mesh result()

@@ -45,7 +45,7 @@ class Cut_projection
   typedef Nested_ranges::Range Cells; // of a node
   typedef boost::no_property No_property;
   typedef boost::compressed_sparse_row_graph<boost::directedS, No_property, No_property,
-                                             No_property, Index, Index> Cell_graph;
+                                             No_property, int, int> Cell_graph;
 
   const Execution execution_;
   const Cut_hierarchy& cuts_; // of the coarse mesh
@@ -69,6 +69,9 @@ class Cut_projection
   std::vector<Index> flood_;      // the last one that reached each cell
   Index number_of_floods_ = 0;
   std::vector<char> sides_around_; // of each coarse vertex, as bits; 0 between cuts
+
+  auto neighbors_of(Index cell) const
+  { return make_range(boost::adjacent_vertices(static_cast<int>(cell), neighbors_)); }
 
   bool is_core(Index cell) const { return cell >= faces_of_bands_.size(); }
 
@@ -160,7 +163,7 @@ class Cut_projection
           arcs.emplace_back(neighbor, cell);
       }
     neighbors_ = Cell_graph(boost::edges_are_unsorted_multi_pass, arcs.begin(), arcs.end(),
-                            static_cast<Index>(first_face_.size()));
+                            static_cast<int>(first_face_.size()));
   }
 
   // Gives each cell of a part its side or BETWEEN. Tells whether there are sure cells on either
@@ -222,7 +225,7 @@ class Cut_projection
       }
     for (std::size_t i = 0; i < reached.size(); ++i) {
       const char side = side_[reached[i]];
-      for (Index cell : make_range(boost::adjacent_vertices(reached[i], neighbors_)))
+      for (Index cell : neighbors_of(reached[i]))
         if (side_[cell] == BETWEEN) {
           side_[cell] = side;
           reached.push_back(cell);
@@ -240,7 +243,7 @@ class Cut_projection
     reached_.push_back(first);
     flood_[first] = number_of_floods_;
     for (; next < reached_.size(); ++next)
-      for (Index cell : make_range(boost::adjacent_vertices(reached_[next], neighbors_)))
+      for (Index cell : neighbors_of(reached_[next]))
         if (side_[cell] == side_[first] && flood_[cell] != number_of_floods_) {
           flood_[cell] = number_of_floods_;
           reached_.push_back(cell);

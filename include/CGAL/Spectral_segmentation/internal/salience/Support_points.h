@@ -7,12 +7,7 @@
 #include <CGAL/Spectral_segmentation/internal/mesh/Face_graph.h>
 #include <CGAL/Spectral_segmentation/internal/mesh/Principal_frame.h>
 
-#include <CGAL/Simple_cartesian.h>
-#include <CGAL/Spatial_sort_traits_adapter_3.h>
-#include <CGAL/hilbert_sort.h>
 #include <CGAL/number_type_config.h>
-
-#include <boost/property_map/function_property_map.hpp>
 
 #include <Eigen/Core>
 #include <Eigen/Geometry>
@@ -130,9 +125,9 @@ struct Face_plane
   std::uint8_t direction; // next to the normal
 };
 
-// Finds the extreme points of sets of faces of a mesh, in its principal frame. Those of small
-// compact blocks of faces are kept, so that only the faces of the blocks that a set shares with
-// others are looked at.
+// Finds the support points of sets of faces of a mesh, in its principal frame. Those of blocks of
+// successive faces, which are near each other in a mesh in order of locality, are kept, so that only
+// the faces of the blocks that a set shares with others are looked at.
 class Support_points
 {
   static constexpr Index faces_per_block = 32;
@@ -140,9 +135,10 @@ class Support_points
   std::vector<Eigen::Vector3f> points_;
   std::vector<Corners> corners_;
   std::vector<Face_plane> planes_;
-  std::vector<Index> block_; // of each face
   std::vector<Index> size_of_block_;
   std::vector<Support_set> of_block_;
+
+  static Index block(Index f) { return f / faces_per_block; }
 
   void set_planes(const Face_graph& mesh, const Principal_frame& frame)
   {
@@ -158,24 +154,13 @@ class Support_points
 
   void set_blocks()
   {
-    typedef CGAL::Simple_cartesian<float> Kernel;
-    const auto center = boost::make_function_property_map<Index>([this](Index f) {
-      const Eigen::Vector3f& c = planes_[f].center;
-      return Kernel::Point_3(c.x(), c.y(), c.z());
-    });
-    std::vector<Index> faces(planes_.size());
-    std::iota(faces.begin(), faces.end(), Index(0));
-    CGAL::hilbert_sort(faces.begin(), faces.end(),
-                       CGAL::Spatial_sort_traits_adapter_3<Kernel, decltype(center)>(center));
-    block_.resize(faces.size());
-    size_of_block_.resize((faces.size() + faces_per_block - 1) / faces_per_block, 0);
-    of_block_.resize(size_of_block_.size());
-    for (Index i = 0; i < faces.size(); ++i) {
-      const Index f = faces[i], block = i / faces_per_block;
-      block_[f] = block;
-      ++size_of_block_[block];
+    const std::size_t number = (corners_.size() + faces_per_block - 1) / faces_per_block;
+    size_of_block_.resize(number, 0);
+    of_block_.resize(number);
+    for (Index f = 0; f < corners_.size(); ++f) {
+      ++size_of_block_[block(f)];
       for (Index v : corners_[f])
-        of_block_[block].add(v, points_[v]);
+        of_block_[block(f)].add(v, points_[v]);
     }
   }
 
@@ -198,14 +183,14 @@ public:
   {
     std::vector<Index> number(of_block_.size(), 0); // of the faces in each block
     for (Index f : faces)
-      ++number[block_[f]];
+      ++number[block(f)];
     Support_set result;
     for (std::size_t b = 0; b < number.size(); ++b)
       if (number[b] == size_of_block_[b])
         result.add(of_block_[b]);
     std::vector<char> is_met(points_.size(), 0);
     for (Index f : faces)
-      if (number[block_[f]] < size_of_block_[block_[f]])
+      if (number[block(f)] < size_of_block_[block(f)])
         for (Index v : corners_[f])
           if (!is_met[v]) {
             is_met[v] = 1;
