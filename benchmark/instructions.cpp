@@ -26,7 +26,7 @@
 #include <string>
 
 using namespace segmentation_benchmark;
-using CGAL::Spectral_segmentation::Method;
+namespace params = CGAL::Spectral_segmentation::parameters;
 
 struct Options
 {
@@ -35,11 +35,14 @@ struct Options
 };
 
 // Instructions are counted from the call of this function to its end.
-extern "C" __attribute__((noinline)) void counted_run(const Mesh& mesh, Method method)
+extern "C" __attribute__((noinline)) void counted_run(const Mesh& mesh, bool is_by_paper)
 {
-  CGAL::segment_spectral_recursive<CGAL::Sequential_tag>(
-    mesh, boost::vector_property_map<std::size_t>(mesh.number_of_faces()),
-    CGAL::Spectral_segmentation::parameters::method(method));
+  const boost::vector_property_map<std::size_t> segment_ids(mesh.number_of_faces());
+  if (is_by_paper)
+    CGAL::segment_spectral_recursive<CGAL::Sequential_tag>(mesh, segment_ids,
+                                                           params::zhang_liu_2005());
+  else
+    CGAL::segment_spectral_recursive<CGAL::Sequential_tag>(mesh, segment_ids);
 }
 
 void print_environment()
@@ -67,8 +70,7 @@ void run(const Options& o)
   if (o.mesh_file.empty())
     print_environment();
   else
-    counted_run(read_mesh(o.mesh_file),
-                o.method == "paper" ? Method::ZHANG_LIU_2005 : Method::CALIBRATED);
+    counted_run(read_mesh(o.mesh_file), o.method == "paper");
 }
 
 int main(int argc, char** argv)

@@ -4,9 +4,8 @@
 #ifndef SEGMENTATION_BENCHMARK_OTHER_SEARCHES_H
 #define SEGMENTATION_BENCHMARK_OTHER_SEARCHES_H
 
+#include "paper_graph.h"
 #include "princeton_benchmark.h"
-
-#include <CGAL/Spectral_segmentation/internal/mesh/Face_graph.h>
 
 #include <CGAL/boost/graph/Dual.h>
 
@@ -20,8 +19,6 @@
 // Searches of the faces of a mesh to compare with those of the library.
 namespace segmentation_benchmark {
 
-using CGAL::Spectral_segmentation::internal::Face_graph;
-using CGAL::Spectral_segmentation::internal::Index;
 using CGAL::Spectral_segmentation::internal::null_index;
 
 // Touches the graph and no more: the numbers of steps from the source.
@@ -33,7 +30,7 @@ inline std::vector<Index> breadth_first_search(const Face_graph& graph, Index so
   steps[source] = 0;
   for (std::size_t i = 0; i < reached.size(); ++i)
     for (Index h = 3 * reached[i]; h < 3 * reached[i] + 3; ++h) {
-      const Index g = graph.halfedges[h].neighbor;
+      const Index g = graph.neighbors[h];
       if (steps[g] == null_index) {
         steps[g] = steps[reached[i]] + 1;
         reached.push_back(g);
@@ -49,9 +46,9 @@ inline std::vector<double> weights_of_edges(const Mesh& mesh, const Face_graph& 
   for (Mesh::Edge_index e : mesh.edges()) {
     const Index f = mesh.face(mesh.halfedge(e, 0)), g = mesh.face(mesh.halfedge(e, 1));
     Index h = 3 * f;
-    while (graph.halfedges[h].neighbor != g)
+    while (graph.neighbors[h] != g)
       ++h;
-    weights.push_back(graph.halfedges[h].combined);
+    weights.push_back(graph.weights[h].combined);
   }
   return weights;
 }

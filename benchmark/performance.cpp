@@ -3,8 +3,10 @@
 
 /// \file
 /// Time and peak memory against the size of the mesh: whole runs and their stages, beside CGAL's
-/// SDF segmentation; another number of segments of a finished tree; and searches for shortest
-/// paths, beside a breadth-first search, which does no more than touch the graph.
+/// SDF segmentation; another number of segments of a finished tree; searches for shortest paths,
+/// beside a breadth-first search, which does no more than touch the graph; and the coarsening to as
+/// many faces as are searched, beside CGAL's edge collapse, with its default strategy and with its
+/// cheapest.
 ///
 /// A row is RUN/threads:N/FACES or WHAT/FACES. Runs have counters: the milliseconds of each stage,
 /// summed over the parts, and the bytes a face at the peak, beyond the mesh.
@@ -16,18 +18,23 @@
 ///     scripts/plot_performance.py performance.json
 
 #include "Peak_memory.h"
+#include "dijkstra_search.h"
 #include "other_searches.h"
+#include "paper_graph.h"
 #include "program.h"
+#include "run_engine.h"
 #include "segment_by_sdf.h"
 #include "sized_mesh.h"
 #include "with_threads.h"
 
 #include "../examples/segment_mesh/Run_watch.h"
 
+#include <CGAL/Spectral_segmentation/internal/multilevel/coarsening.h>
 #include <CGAL/segment_spectral_recursive.h>
 
+#include <CGAL/Surface_mesh_simplification/Policies/Edge_collapse/Edge_length_cost.h>
+#include <CGAL/Surface_mesh_simplification/Policies/Edge_collapse/Midpoint_placement.h>
 #include <CGAL/boost/graph/helpers.h>
-#include <CGAL/tags.h>
 
 #include <benchmark/benchmark.h>
 
@@ -49,7 +56,6 @@
 #include <vector>
 
 using namespace segmentation_benchmark;
-using CGAL::Spectral_segmentation::Method;
 using CGAL::Spectral_segmentation::Segmentation_hierarchy;
 using CGAL::Spectral_segmentation::Stage;
 namespace internal = CGAL::Spectral_segmentation::internal;
@@ -61,7 +67,7 @@ const std::size_t sizes[] = {1000, 3000, 12500, 20000, 50000, 75000, 200000, 350
 const std::pair<Stage, const char*> stages[] = {
   {Stage::INITIALIZATION, "initialization"}, {Stage::SAMPLING, "sampling"},
   {Stage::EMBEDDING, "embedding"},           {Stage::LINE_SEARCH, "line_search"},
-  {Stage::MERGING, "merging"},               {Stage::TRANSFER, "transfer"}};
+  {Stage::MERGING, "merging"},               {Stage::PROJECTION, "projection"}};
 
 constexpr std::size_t unlimited = internal::unlimited;
 constexpr double any_salience = -std::numeric_limits<double>::infinity();
@@ -70,7 +76,7 @@ struct Run
 {
   const char* name;
   std::size_t largest; // the number of faces up to which its time is bearable
-  Method method;
+  bool is_of_paper;
   std::size_t number_of_searched_faces;
   std::size_t maximum_number_of_segments;
   double salience_threshold;
@@ -79,11 +85,9 @@ struct Run
 const std::size_t searched_faces = internal::calibrated_options().number_of_searched_faces;
 constexpr double threshold = CGAL::Spectral_segmentation::default_probability_threshold;
 
-const Run calibrated = {"calibrated", unlimited, Method::CALIBRATED, searched_faces, unlimited,
-                        threshold};
-const Run unsimplified = {"calibrated_unsimplified", 75000, Method::CALIBRATED, 0, unlimited,
-                          threshold};
-const Run paper = {"paper", unlimited, Method::ZHANG_LIU_2005, 0, 5, any_salience};
+const Run calibrated = {"calibrated", unlimited, false, searched_faces, unlimited, threshold};
+const Run unsimplified = {"calibrated_unsimplified", 75000, false, 0, unlimited, threshold};
+const Run paper = {"paper", unlimited, true, 0, 5, any_salience};
 
 constexpr std::size_t largest_for_sdf = 350000;
 
@@ -98,14 +102,16 @@ std::size_t segment(const Mesh& mesh, const Run& run, std::size_t threads,
                     segment_mesh::Run_watch& watch, Segmentation_hierarchy& tree)
 {
   return with_threads(threads, [&](auto tag) {
-    return CGAL::segment_spectral_recursive<decltype(tag)>(
-      mesh, boost::vector_property_map<std::size_t>(mesh.number_of_faces()),
-      params::method(run.method)
-        .number_of_searched_faces(run.number_of_searched_faces)
-        .maximum_number_of_segments(run.maximum_number_of_segments)
-        .salience_threshold(run.salience_threshold)
-        .hierarchy(tree)
-        .visitor(std::ref(watch)));
+    const auto segment_with = [&](const auto& np) {
+      return CGAL::segment_spectral_recursive<decltype(tag)>(
+        mesh, boost::vector_property_map<std::size_t>(mesh.number_of_faces()), np);
+    };
+    const auto np = params::number_of_searched_faces(run.number_of_searched_faces)
+                      .maximum_number_of_segments(run.maximum_number_of_segments)
+                      .salience_threshold(run.salience_threshold)
+                      .hierarchy(tree)
+                      .visitor(std::ref(watch));
+    return run.is_of_paper ? segment_with(np.zhang_liu_2005()) : segment_with(np);
   });
 }
 
@@ -133,13 +139,8 @@ public:
   // With the distances of the paper.
   const Face_graph& graph()
   {
-    if (!graph_) {
-      const std::vector<Mesh::Face_index> faces(mesh_.faces().begin(), mesh_.faces().end());
-      graph_ = internal::initialize<CGAL::Sequential_tag>(
-        internal::read_triangles(mesh_, faces, mesh_.points(),
-                                 CGAL::Exact_predicates_inexact_constructions_kernel()),
-        internal::Options(), [] { return true; }).graph;
-    }
+    if (!graph_)
+      graph_ = paper_graph(mesh_);
     return *graph_;
   }
 };
@@ -211,13 +212,14 @@ void measure_another_number(benchmark::State& state, Input& input)
   }
 }
 
-template <class Search>
+typedef std::vector<double> (*Search)(const Face_graph&, Index, internal::Weighting);
+
+template <Search search>
 void measure_search(benchmark::State& state, Input& input)
 {
   const Face_graph& graph = input.graph();
   for (auto _ : state)
-    benchmark::DoNotOptimize(
-      internal::shortest_paths<Search>(graph, 0, &Face_graph::Halfedge::combined));
+    benchmark::DoNotOptimize(search(graph, 0, &Edge_weights::combined));
 }
 
 void measure_breadth_first_search(benchmark::State& state, Input& input)
@@ -236,6 +238,36 @@ void measure_dijkstra_on_dual(benchmark::State& state, Input& input)
   const std::vector<double> weights = weights_of_edges(input.mesh(), input.graph());
   for (auto _ : state)
     benchmark::DoNotOptimize(dijkstra_on_dual(input.mesh(), weights, Mesh::Face_index(0)));
+}
+
+void measure_coarsening(benchmark::State& state, Input& input)
+{
+  const Face_graph& graph = input.graph();
+  for (auto _ : state) {
+    Run_control control;
+    internal::Run_monitor monitor(control);
+    benchmark::DoNotOptimize(
+      internal::coarsen_in_steps(Execution::SEQUENTIAL, graph, searched_faces, monitor));
+  }
+}
+
+// A copy of the mesh each time, which takes a percent of it.
+template <class... Strategies>
+void measure_coarsening_of_cgal(benchmark::State& state, Input& input, const Strategies&... np)
+{
+  for (auto _ : state) {
+    Mesh mesh = input.mesh();
+    collapse_edges(mesh, searched_faces, np...);
+    benchmark::DoNotOptimize(mesh);
+  }
+}
+
+void measure_cheapest_coarsening_of_cgal(benchmark::State& state, Input& input)
+{
+  namespace SMS = CGAL::Surface_mesh_simplification;
+  measure_coarsening_of_cgal(state, input,
+                             CGAL::parameters::get_cost(SMS::Edge_length_cost<Mesh>())
+                               .get_placement(SMS::Midpoint_placement<Mesh>()));
 }
 
 // The rows of a size.
@@ -277,9 +309,14 @@ public:
       add("sdf/threads:1", measure_sdf);
     add("another_number_of_segments", measure_another_number);
     add("shortest_path_tree/bgl_on_cgal_dual", measure_dijkstra_on_dual);
-    add("shortest_path_tree/bgl_on_our_graph", measure_search<internal::Dijkstra_search>);
-    add("shortest_path_tree/buckets", measure_search<internal::Bucket_search>);
+    add("shortest_path_tree/bgl_on_our_graph", measure_search<shortest_paths_by_dijkstra>);
+    add("shortest_path_tree/buckets", measure_search<internal::shortest_paths>);
     add("shortest_path_tree/breadth_first", measure_breadth_first_search);
+    if (size_ > searched_faces) {
+      add("coarsening/ours", measure_coarsening);
+      add("coarsening/cgal", measure_coarsening_of_cgal<>);
+      add("coarsening/cgal_edge_length", measure_cheapest_coarsening_of_cgal);
+    }
   }
 };
 

@@ -23,7 +23,7 @@ import matplotlib.pyplot as plt
 import numpy as np
 
 MILLISECONDS = {"ns": 1e-6, "us": 1e-3, "ms": 1, "s": 1e3}
-STAGES = ("initialization", "sampling", "embedding", "line_search", "merging", "transfer")
+STAGES = ("initialization", "sampling", "embedding", "line_search", "merging", "projection")
 RATIOS = (("sdf/threads:1", "calibrated/threads:1"),
           ("calibrated_unsimplified/threads:1", "calibrated/threads:1"),
           ("calibrated/threads:1", "calibrated/threads:2"),

@@ -3,12 +3,11 @@
 
 #include <boost/test/unit_test.hpp>
 
+#include "../benchmark/paper_experiments/embedding.h"
 #include "test_meshes.h"
 
-#include <CGAL/Spectral_segmentation/internal/mesh/Face_graph.h>
-#include "embedding.h"
-#include <CGAL/Spectral_segmentation/internal/bipartition/shortest_paths.h>
 #include <CGAL/Spectral_segmentation/internal/bipartition/face_orders.h>
+#include <CGAL/Spectral_segmentation/internal/bipartition/shortest_paths.h>
 
 #include <cmath>
 #include <cstddef>
@@ -19,10 +18,11 @@ BOOST_AUTO_TEST_SUITE(embedding)
 
 namespace tt = boost::test_tools;
 using namespace test_meshes;
-using CGAL::Spectral_segmentation::internal::Spectral_embedding;
+using CGAL::Spectral_segmentation::internal::Edge_weights;
 using CGAL::Spectral_segmentation::internal::shortest_paths;
-using CGAL::Spectral_segmentation::internal::spectral_embedding;
 using CGAL::Spectral_segmentation::internal::spectral_order;
+using segmentation_benchmark::Spectral_embedding;
+using segmentation_benchmark::spectral_embedding;
 
 namespace {
 
@@ -40,8 +40,8 @@ struct Two_samples
     const Index n = num_vertices(graph);
     s = Index(random() % n);
     t = Index((s + 1 + random() % (n - 1)) % n);
-    from_s = shortest_paths(graph, s, &Face_graph::Halfedge::combined);
-    from_t = shortest_paths(graph, t, &Face_graph::Halfedge::combined);
+    from_s = shortest_paths(graph, s, &Edge_weights::combined);
+    from_t = shortest_paths(graph, t, &Edge_weights::combined);
   }
 
   double difference(Index f) const { return from_s[f] - from_t[f]; }
@@ -64,9 +64,9 @@ BOOST_AUTO_TEST_CASE(a_path_of_three_faces_worked_by_hand)
   BOOST_TEST(e.ratio[0] == -1, tt::tolerance(1e-12));
   BOOST_TEST(std::abs(e.ratio[1]) < 1e-12);
   BOOST_TEST(e.ratio[2] == 1, tt::tolerance(1e-12));
-  BOOST_TEST(spectral_order({0, 1, 2}, {2, 1, 0}) == std::vector<Index>({0, 1, 2}),
+  BOOST_TEST(spectral_order(sequential, {0, 1, 2}, {2, 1, 0}) == std::vector<Index>({0, 1, 2}),
              tt::per_element());
-  BOOST_TEST(spectral_order({2, 1, 0}, {0, 1, 2}) == std::vector<Index>({2, 1, 0}),
+  BOOST_TEST(spectral_order(sequential, {2, 1, 0}, {0, 1, 2}) == std::vector<Index>({2, 1, 0}),
              tt::per_element());
 }
 
@@ -104,7 +104,7 @@ BOOST_AUTO_TEST_CASE(the_ratio_of_the_eigenvectors_grows_with_the_difference_of_
       const Two_samples samples(random);
       const Spectral_embedding e =
         spectral_embedding(samples.from_s, samples.from_t, samples.s, samples.t);
-      const std::vector<Index> order = spectral_order(samples.from_s, samples.from_t);
+      const std::vector<Index> order = spectral_order(sequential, samples.from_s, samples.from_t);
       const double rounding = 1e-10 * e.ratio.cwiseAbs().maxCoeff();
       for (std::size_t i = 0; i + 1 < order.size(); ++i) {
         const Index f = order[i], g = order[i + 1];
@@ -136,7 +136,7 @@ BOOST_AUTO_TEST_CASE(ties_go_to_the_face_nearer_to_s_and_then_to_the_smaller_num
           return difference < 0;
         return from_s[f] != from_s[g] ? from_s[f] < from_s[g] : f < g;
       };
-      const std::vector<Index> order = spectral_order(from_s, from_t);
+      const std::vector<Index> order = spectral_order(sequential, from_s, from_t);
       BOOST_REQUIRE(order.size() == n);
       // The place of a face is the number of faces that precede it.
       for (Index place = 0; place < n; ++place) {

@@ -19,6 +19,7 @@ BOOST_AUTO_TEST_SUITE(method_variants)
 
 using namespace segmentation_benchmark;
 using CGAL::Spectral_segmentation::internal::calibrated_options;
+using CGAL::Spectral_segmentation::internal::zhang_liu_2005_options;
 using test_meshes::Random;
 
 namespace {
@@ -53,48 +54,38 @@ bool are_equal(const Segmentation_hierarchy& a, const Segmentation_hierarchy& b)
 Segmentation_hierarchy default_tree(const Tree_method& method, const Mesh& mesh)
 { return method.segment(mesh, method.default_threshold, any_number); }
 
-Method_options with_all_switches(Method_options to, const Method_options& from)
-{
-  for (const Method_switch& s : method_switches())
-    s.take(to, from);
-  salience_switch().take(to, from);
-  return to;
-}
-
 } // namespace
 
-BOOST_AUTO_TEST_CASE(switches_are_all_that_lies_between_the_methods)
+BOOST_AUTO_TEST_CASE(options_of_the_engine_are_those_of_the_named_parameters)
 {
   const Mesh mesh = two_bodies();
   const Segmentation_hierarchy calibrated = hierarchy(mesh, params::default_values()),
-                     paper = hierarchy(mesh, params::zhang_liu_2005());
+                               paper = hierarchy(mesh, params::zhang_liu_2005());
   BOOST_TEST(!are_equal(calibrated, paper));
-  const auto tree_with = [&](const Method_options& options)
-    { return default_tree(method_with("", options), mesh); };
-  BOOST_TEST(are_equal(tree_with(calibrated_options()), calibrated));
-  BOOST_TEST(are_equal(tree_with(Method_options()), paper));
-  BOOST_TEST(are_equal(tree_with(with_all_switches(Method_options(), calibrated_options())),
-                       calibrated));
-  BOOST_TEST(are_equal(tree_with(with_all_switches(calibrated_options(), Method_options())),
-                       paper));
+  for (Execution execution : {Execution::SEQUENTIAL, Execution::PARALLEL}) {
+    const auto tree_with = [&](const Engine_options& options)
+    { return default_tree(method_with("", options, execution), mesh); };
+    BOOST_TEST(are_equal(tree_with(calibrated_options()), calibrated));
+    BOOST_TEST(are_equal(tree_with(zhang_liu_2005_options()), paper));
+  }
 }
 
-BOOST_AUTO_TEST_CASE(each_switch_alone_changes_the_tree)
+BOOST_AUTO_TEST_CASE(each_variant_changes_the_tree)
 {
   const Mesh mesh = two_bodies();
-  for (const Method_block& block : method_blocks()) {
-    const Segmentation_hierarchy whole = block.methods.front().segment(mesh, any_salience, 20);
-    for (std::size_t i = 1; i < block.methods.size(); ++i)
-      BOOST_TEST(!are_equal(block.methods[i].segment(mesh, any_salience, 20), whole),
-                 block.title << ": " << block.methods[i].name);
-  }
+  const std::vector<Tree_method> methods = ablated_methods();
+  const auto tree_of = [&](const Tree_method& method)
+  { return method.segment(mesh, any_salience, 20); };
+  const Segmentation_hierarchy whole = tree_of(methods.front());
+  BOOST_TEST(are_equal(whole, tree_of(tree_methods().front())));
+  for (std::size_t i = 1; i < methods.size(); ++i)
+    BOOST_TEST(!are_equal(tree_of(methods[i]), whole), methods[i].name);
 }
 
 BOOST_AUTO_TEST_CASE(kept_trees_give_the_labels_of_runs)
 {
   const Mesh mesh = two_bodies();
-  for (const Method_block& block : method_blocks()) {
-    const Tree_method& method = block.methods.front();
+  for (const Tree_method& method : tree_methods()) {
     std::size_t runs = 0;
     const Tree_method counted = {
       method.name, method.default_threshold, method.has_whole_trees,

@@ -1,10 +1,9 @@
 // Copyright (c) 2026  The Spectral_segmentation authors.
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#include <boost/test/unit_test.hpp>
+#include "../benchmark/paper_experiments/nystrom.h"
 
-#include <CGAL/Spectral_segmentation/internal/mesh/Face_graph.h>
-#include "nystrom.h"
+#include <boost/test/unit_test.hpp>
 
 #include <Eigen/Core>
 #include <Eigen/Eigenvalues>
@@ -19,11 +18,11 @@
 
 BOOST_AUTO_TEST_SUITE(nystrom)
 
-using CGAL::Spectral_segmentation::internal::Eigenpairs;
-using CGAL::Spectral_segmentation::internal::Index;
-using CGAL::Spectral_segmentation::internal::normalized_rows;
-using CGAL::Spectral_segmentation::internal::nystrom_eigenvectors;
-using CGAL::Spectral_segmentation::internal::nystrom_extrapolation;
+using segmentation_benchmark::Eigenpairs;
+using segmentation_benchmark::Index;
+using segmentation_benchmark::normalized_rows;
+using segmentation_benchmark::nystrom_eigenvectors;
+using segmentation_benchmark::nystrom_extrapolation;
 using Eigen::MatrixXd;
 using Eigen::VectorXd;
 

@@ -11,20 +11,18 @@
 #include "../benchmark/paper_experiments/face_affinities.h"
 #include "../benchmark/paper_experiments/face_samples.h"
 #include "../benchmark/paper_experiments/k_means.h"
+#include "../benchmark/paper_experiments/nystrom.h"
 #include "../benchmark/paper_experiments/recursive_cuts.h"
 #include "../benchmark/paper_experiments/spectral_clusters.h"
 #include "../benchmark/paper_experiments/spectral_lines.h"
 
+#include <CGAL/Spectral_segmentation/internal/bipartition/face_orders.h>
 #include <CGAL/Spectral_segmentation/internal/bipartition/line_search.h>
-#include "nystrom.h"
 #include <CGAL/Spectral_segmentation/internal/bipartition/shape_context_sampling.h>
 #include <CGAL/Spectral_segmentation/internal/bipartition/shortest_paths.h>
-#include <CGAL/Spectral_segmentation/internal/bipartition/face_orders.h>
 
 #include <CGAL/boost/graph/copy_face_graph.h>
 #include <CGAL/segment_spectral_recursive.h>
-
-#include <CGAL/tags.h>
 
 #include <Eigen/Core>
 
@@ -119,7 +117,7 @@ BOOST_AUTO_TEST_CASE(eigenvalues_of_a_normalized_circle)
   Eigen::MatrixXd circle = Eigen::MatrixXd::Identity(4, 4);
   for (int i = 0; i < 4; ++i)
     circle(i, (i + 1) % 4) = circle((i + 1) % 4, i) = a;
-  const Eigen::VectorXd values = internal::descending_eigenpairs(normalized(circle)).values;
+  const Eigen::VectorXd values = descending_eigenpairs(normalized(circle)).values;
   const double sum = 1 + 2 * a;
   const std::array<double, 4> expected = {1, 1 / sum, 1 / sum, (1 - 2 * a) / sum};
   for (int i = 0; i < 4; ++i)
@@ -131,7 +129,7 @@ BOOST_AUTO_TEST_CASE(first_eigenvector_of_a_normalized_matrix)
 {
   Eigen::MatrixXd a(3, 3);
   a << 1, 0.5, 0.1, 0.5, 1, 0.2, 0.1, 0.2, 1;
-  const Eigenpairs e = internal::descending_eigenpairs(normalized(a));
+  const Eigenpairs e = descending_eigenpairs(normalized(a));
   BOOST_TEST(e.values[0] == 1, tt::tolerance(tolerance));
   BOOST_TEST(direction_error(e.vectors.col(0), a.rowwise().sum().cwiseSqrt()) < 1e-7);
 }
@@ -151,7 +149,7 @@ BOOST_AUTO_TEST_CASE(no_error_if_all_faces_are_samples)
   std::reverse(samples.begin(), samples.end());
   const Eigen::MatrixXd rows = affinities(distances_from(graph, samples));
   const Eigenpairs approximate =
-    internal::nystrom_extrapolation(internal::normalized_rows(rows, samples), samples);
+    nystrom_extrapolation(normalized_rows(rows, samples), samples);
   const Eigenpairs exact = face_eigenpairs(graph, all_faces(graph));
   for (int e : {0, 1})
     BOOST_TEST(direction_error(approximate.vectors.col(e), exact.vectors.col(e)) < 1e-6);
@@ -165,7 +163,7 @@ BOOST_AUTO_TEST_CASE(line_of_two_samples)
   const std::vector<Index> samples = samples_by_contexts(graph, 2, random);
   const Eigenpairs e = face_eigenpairs(graph, samples);
   const auto from = [&](Index f)
-  { return internal::shortest_paths(graph, f, &Face_graph::Halfedge::combined); };
+  { return internal::shortest_paths(graph, f, &Edge_weights::combined); };
   const std::vector<double> from_s = from(samples[0]), from_t = from(samples[1]);
   std::vector<double> differences;
   for (Index f : spectral_line(graph, e, samples, false))
@@ -183,14 +181,15 @@ BOOST_AUTO_TEST_CASE(cut_by_two_samples)
   Random_engine random = random_engine(1, 0);
   const std::vector<Index> samples = samples_by_contexts(graph, 2, random);
   const auto from = [&](Index f)
-  { return internal::shortest_paths(graph, f, &Face_graph::Halfedge::combined); };
+  { return internal::shortest_paths(graph, f, &Edge_weights::combined); };
   const std::vector<double> from_s = from(samples[0]), from_t = from(samples[1]);
-  const auto salience = [&](const Line& line) {
-    return internal::line_search<CGAL::Sequential_tag>(
-      graph, line, CGAL::Spectral_segmentation::Weighted_part_salience(), 0)->salience;
+  const auto salience = [&](const std::vector<Index>& line) {
+    return internal::line_search(
+      Execution::SEQUENTIAL, graph, line, CGAL::Spectral_segmentation::Weighted_part_salience(), 0)->salience;
   };
-  const double expected = std::max(salience(internal::spectral_order(from_s, from_t)),
-                                   salience(internal::spectral_order(from_t, from_s)));
+  const auto order = [&](const std::vector<double>& from, const std::vector<double>& to)
+  { return internal::spectral_order(Execution::SEQUENTIAL, from, to); };
+  const double expected = std::max(salience(order(from_s, from_t)), salience(order(from_t, from_s)));
   const auto cut = cut_by_eigenvectors(graph, face_eigenpairs(graph, samples), samples, 0);
   BOOST_TEST_REQUIRE(cut.has_value());
   BOOST_TEST(cut->salience == expected, tt::tolerance(tolerance));
@@ -245,8 +244,9 @@ BOOST_AUTO_TEST_CASE(first_two_samples_by_contexts_are_those_of_the_package)
 {
   const Face_graph graph = irregular_dumbbell();
   const internal::Sample_faces expected =
-    internal::sample_faces(internal::shape_contexts<CGAL::Sequential_tag>(
-      graph, internal::farthest_face_from_center(graph), 10, [] {}));
+    internal::sample_faces(Execution::SEQUENTIAL, internal::shape_contexts(
+      Execution::SEQUENTIAL, graph,
+      internal::farthest_face_from_center(Execution::SEQUENTIAL, graph), 10, [] {}));
   Random_engine random = random_engine(1, 0);
   BOOST_TEST(samples_by_contexts(graph, 2, random) == (std::vector<Index>{expected.s, expected.t}),
              tt::per_element());

@@ -47,7 +47,7 @@ Cut_group group_of_size(Evaluated_cut::Kind kind, double share_of_area)
 }
 
 Calibrated_part_salience zero_salience()
-{ return {0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0}; }
+{ return {0, 0, 0, 0, 0, 0, 0, 0, 0}; }
 
 // A mesh that one person cuts, at its neck.
 Benchmark_mesh dumbbell()
@@ -83,10 +83,11 @@ BOOST_AUTO_TEST_CASE(agreement_by_hand)
   BOOST_TEST(mean_agreement(cut, {whole, one_face_early}) == 0.25, tt::tolerance(tolerance));
 }
 
-BOOST_AUTO_TEST_CASE(judged_cuts_of_a_dumbbell)
+BOOST_AUTO_TEST_CASE(evaluated_cuts_of_a_dumbbell)
 {
   const Benchmark_mesh input = dumbbell();
-  const Mesh_cuts cuts = judged_cuts(input, 0);
+  const Mesh_cuts cuts =
+    evaluated_cuts(input, CGAL::Spectral_segmentation::internal::calibrated_options());
   BOOST_TEST(cuts.id == 7);
 
   std::size_t number[2] = {0, 0};
@@ -111,6 +112,20 @@ BOOST_AUTO_TEST_CASE(judged_cuts_of_a_dumbbell)
     first.cuts.begin(), first.cuts.end(), [](const Cut_sample& a, const Cut_sample& b)
     { return Calibrated_part_salience()(a.factors) < Calibrated_part_salience()(b.factors); });
   BOOST_TEST(best->agreement == 1);
+}
+
+// People's labels follow the faces that are left.
+BOOST_AUTO_TEST_CASE(evaluated_cuts_on_a_coarse_mesh)
+{
+  const Benchmark_mesh input = dumbbell();
+  Engine_options options = CGAL::Spectral_segmentation::internal::calibrated_options();
+  options.number_of_searched_faces = 300;
+  BOOST_TEST_REQUIRE(input.mesh.number_of_faces() > 300u);
+  const Mesh_cuts cuts = evaluated_cuts(input, options);
+  double best = 0;
+  for (const Cut_sample& cut : cuts.groups.front().cuts)
+    best = (std::max)(best, cut.agreement);
+  BOOST_TEST(best > 0.9);
 }
 
 BOOST_AUTO_TEST_CASE(regression_without_penalty_recovers_the_model)
@@ -280,7 +295,8 @@ BOOST_AUTO_TEST_CASE(errors_of_a_dumbbell)
   BOOST_TEST(thresholds.front() == 0.3);
   BOOST_TEST(thresholds.back() == 0.7);
   for (std::size_t t = 0; t < thresholds.size(); ++t) {
-    const Segmentation_hierarchy tree = hierarchy(input.mesh, params::salience_threshold(thresholds[t]));
+    const Segmentation_hierarchy tree =
+      hierarchy(input.mesh, params::salience_threshold(thresholds[t]));
     BOOST_TEST(errors.automatic[t] == mean_rand_error(tree.labels(), input.people),
                tt::tolerance(tolerance));
   }

@@ -8,10 +8,7 @@
 #include "face_samples.h"
 
 #include <CGAL/Spectral_segmentation/internal/bipartition/line_search.h>
-#include <CGAL/Spectral_segmentation/internal/bipartition/shortest_paths.h>
 #include <CGAL/Spectral_segmentation/internal/bipartition/face_orders.h>
-
-#include <CGAL/tags.h>
 
 #include <optional>
 #include <vector>
@@ -27,10 +24,9 @@ inline std::optional<Sides> cut_between_samples(const Sampling_scheme& scheme,
   if (part.number_of_faces() < 2)
     return std::nullopt;
   const std::vector<Index> samples = scheme.take(part, 2, random);
-  const auto from = [&part](Index f)
-  { return internal::shortest_paths(part, f, &Face_graph::Halfedge::combined); };
-  const std::optional<internal::Cut> cut = internal::line_search<CGAL::Sequential_tag>(
-    part, internal::spectral_order(from(samples[0]), from(samples[1])),
+  const std::optional<internal::Cut> cut = internal::line_search(
+    Execution::SEQUENTIAL, part,
+    internal::face_order(Execution::SEQUENTIAL, part, {samples[0], samples[1]}),
     CGAL::Spectral_segmentation::Weighted_part_salience(), minimum_area);
   return cut ? std::optional<Sides>(cut->side) : std::nullopt;
 }

@@ -1,19 +1,16 @@
 // Copyright (c) 2026  The Spectral_segmentation authors.
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#ifndef CGAL_SPECTRAL_SEGMENTATION_INTERNAL_EMBEDDING_H
-#define CGAL_SPECTRAL_SEGMENTATION_INTERNAL_EMBEDDING_H
+#ifndef SEGMENTATION_BENCHMARK_PAPER_EXPERIMENTS_EMBEDDING_H
+#define SEGMENTATION_BENCHMARK_PAPER_EXPERIMENTS_EMBEDDING_H
 
-#include <CGAL/Spectral_segmentation/internal/mesh/Face_graph.h>
 #include "nystrom.h"
 
 #include <cmath>
 #include <cstddef>
 #include <vector>
 
-namespace CGAL {
-namespace Spectral_segmentation {
-namespace internal {
+namespace segmentation_benchmark {
 
 // The 1-D spectral embedding of the faces of a part (Section 5.3). A run needs their order only,
 // `spectral_order()`; the eigenvectors are for those who want to look at them.
@@ -52,8 +49,6 @@ inline Spectral_embedding spectral_embedding(const std::vector<double>& from_s,
   return result;
 }
 
-} // namespace internal
-} // namespace Spectral_segmentation
-} // namespace CGAL
+} // namespace segmentation_benchmark
 
-#endif // CGAL_SPECTRAL_SEGMENTATION_INTERNAL_EMBEDDING_H
+#endif // SEGMENTATION_BENCHMARK_PAPER_EXPERIMENTS_EMBEDDING_H

@@ -5,8 +5,8 @@
 #define SEGMENTATION_BENCHMARK_PAPER_EXPERIMENTS_FACE_AFFINITIES_H
 
 #include "experiment.h"
-
 #include "nystrom.h"
+
 #include <CGAL/Spectral_segmentation/internal/bipartition/shortest_paths.h>
 
 #include <Eigen/Core>
@@ -18,8 +18,6 @@
 
 // Affinities of faces and the eigenvectors of their matrix, whole or approximated (Section 5).
 namespace segmentation_benchmark {
-
-using CGAL::Spectral_segmentation::internal::Eigenpairs;
 
 inline std::vector<Index> all_faces(const Face_graph& part)
 {
@@ -35,7 +33,7 @@ inline Eigen::MatrixXd distances_from(const Face_graph& part,
   Eigen::MatrixXd rows(samples.size(), part.number_of_faces());
   for (std::size_t i = 0; i < samples.size(); ++i) {
     const std::vector<double> distance = CGAL::Spectral_segmentation::internal::shortest_paths(
-      part, samples[i], &Face_graph::Halfedge::combined);
+      part, samples[i], &Edge_weights::combined);
     rows.row(static_cast<Eigen::Index>(i)) =
       Eigen::Map<const Eigen::VectorXd>(distance.data(), rows.cols());
   }
@@ -63,11 +61,10 @@ inline Eigen::MatrixXd normalized(const Eigen::MatrixXd& affinities)
 // exact if all faces are samples.
 inline Eigenpairs face_eigenpairs(const Face_graph& part, const std::vector<Index>& samples)
 {
-  namespace internal = CGAL::Spectral_segmentation::internal;
   const Eigen::MatrixXd rows = affinities(distances_from(part, samples));
   return samples.size() == part.number_of_faces()
-    ? internal::descending_eigenpairs(normalized(rows))
-    : internal::nystrom_extrapolation(internal::normalized_rows(rows, samples), samples);
+    ? descending_eigenpairs(normalized(rows))
+    : nystrom_extrapolation(normalized_rows(rows, samples), samples);
 }
 
 // The distance between two vectors after scaling to unit length and choice of the sign: from 0, for

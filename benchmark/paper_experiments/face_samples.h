@@ -6,11 +6,7 @@
 
 #include "experiment.h"
 
-#include <CGAL/Spectral_segmentation/internal/Options.h>
 #include <CGAL/Spectral_segmentation/internal/bipartition/shape_context_sampling.h>
-#include <CGAL/Spectral_segmentation/internal/bipartition/shortest_paths.h>
-
-#include <CGAL/tags.h>
 
 #include <algorithm>
 #include <array>
@@ -76,9 +72,10 @@ inline std::vector<Index> samples_by_contexts(const Face_graph& part, std::size_
                                               Random_engine&)
 {
   namespace internal = CGAL::Spectral_segmentation::internal;
-  const internal::Shape_contexts contexts = internal::shape_contexts<CGAL::Sequential_tag>(
-    part, internal::farthest_face_from_center(part),
-    internal::Options().number_of_reference_faces, [] {});
+  const internal::Shape_contexts contexts = internal::shape_contexts(
+    Execution::SEQUENTIAL, part,
+    internal::farthest_face_from_center(Execution::SEQUENTIAL, part),
+    Engine_options().number_of_reference_faces, [] {});
   const auto distances_from = [&](Index from) {
     std::vector<double> squared(part.number_of_faces(), 0);
     for (Index f = 0; f < squared.size(); ++f)
@@ -88,15 +85,16 @@ inline std::vector<Index> samples_by_contexts(const Face_graph& part, std::size_
       }
     return squared;
   };
-  return farthest_first(part.number_of_faces(), internal::sample_faces(contexts).s, m,
+  return farthest_first(part.number_of_faces(),
+                        internal::sample_faces(Execution::SEQUENTIAL, contexts).s, m,
                         distances_from);
 }
 
 constexpr std::array<Sampling_scheme, 5> sampling_schemes = {{
   {"random", random_samples},
-  {"geodesic", samples_by_paths<&Face_graph::Halfedge::geodesic>},
-  {"angle", samples_by_paths<&Face_graph::Halfedge::angle>},
-  {"combined", samples_by_paths<&Face_graph::Halfedge::combined>},
+  {"geodesic", samples_by_paths<&Edge_weights::geodesic>},
+  {"angle", samples_by_paths<&Edge_weights::angle>},
+  {"combined", samples_by_paths<&Edge_weights::combined>},
   {"shape context", samples_by_contexts},
 }};
 

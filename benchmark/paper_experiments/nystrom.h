@@ -1,10 +1,10 @@
 // Copyright (c) 2026  The Spectral_segmentation authors.
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#ifndef CGAL_SPECTRAL_SEGMENTATION_INTERNAL_NYSTROM_H
-#define CGAL_SPECTRAL_SEGMENTATION_INTERNAL_NYSTROM_H
+#ifndef SEGMENTATION_BENCHMARK_PAPER_EXPERIMENTS_NYSTROM_H
+#define SEGMENTATION_BENCHMARK_PAPER_EXPERIMENTS_NYSTROM_H
 
-#include <CGAL/Spectral_segmentation/internal/mesh/Face_graph.h>
+#include <CGAL/Spectral_segmentation/internal/utility/Index.h>
 
 #include <Eigen/Core>
 #include <Eigen/Eigenvalues>
@@ -14,9 +14,9 @@
 #include <cstddef>
 #include <vector>
 
-namespace CGAL {
-namespace Spectral_segmentation {
-namespace internal {
+namespace segmentation_benchmark {
+
+using CGAL::Spectral_segmentation::internal::Index;
 
 // The Nystrom approximation of the eigenvectors of a symmetric n x n matrix of affinities, of which
 // only the m rows of some samples are known (Section 5.2; Fowlkes et al., PAMI 26(2), 2004).
@@ -98,8 +98,6 @@ inline Eigenpairs nystrom_eigenvectors(const Eigen::MatrixXd& rows,
     on_nonzero(gram.values, [](double v) { return v > 0 ? 1 / std::sqrt(v) : 0.; }).asDiagonal()};
 }
 
-} // namespace internal
-} // namespace Spectral_segmentation
-} // namespace CGAL
+} // namespace segmentation_benchmark
 
-#endif // CGAL_SPECTRAL_SEGMENTATION_INTERNAL_NYSTROM_H
+#endif // SEGMENTATION_BENCHMARK_PAPER_EXPERIMENTS_NYSTROM_H

@@ -6,8 +6,6 @@
 #include "../../examples/segment_mesh/write_meshes.h"
 #include "experiment.h"
 
-#include <CGAL/Spectral_segmentation/internal/mesh/extract_part.h>
-
 #include <algorithm>
 #include <cmath>
 #include <fstream>

@@ -11,10 +11,7 @@
 #include "pictures.h"
 
 #include <CGAL/Spectral_segmentation/internal/bipartition/line_search.h>
-#include <CGAL/Spectral_segmentation/internal/bipartition/shortest_paths.h>
 #include <CGAL/Spectral_segmentation/internal/bipartition/face_orders.h>
-
-#include <CGAL/tags.h>
 
 #include <algorithm>
 #include <array>
@@ -55,11 +52,12 @@ Searched_line search_line(const Face_graph& part, const Sample_faces& samples,
 {
   namespace internal = CGAL::Spectral_segmentation::internal;
   Searched_line result;
-  result.from_s = internal::shortest_paths(part, samples.s, &Face_graph::Halfedge::combined);
-  result.from_t = internal::shortest_paths(part, samples.t, &Face_graph::Halfedge::combined);
+  result.from_s = internal::shortest_paths(part, samples.s, &Edge_weights::combined);
+  result.from_t = internal::shortest_paths(part, samples.t, &Edge_weights::combined);
   std::map<std::size_t, double> saliences; // by size
-  result.cut = internal::line_search<CGAL::Sequential_tag>(
-    part, internal::spectral_order(result.from_s, result.from_t),
+  result.cut = internal::line_search(
+    Execution::SEQUENTIAL, part,
+    internal::spectral_order(Execution::SEQUENTIAL, result.from_s, result.from_t),
     CGAL::Spectral_segmentation::Weighted_part_salience(), minimum_area,
     [&](std::size_t size, const Salience_factors&, double salience) { saliences[size] = salience; });
   for (const auto& [size, salience] : saliences) {

@@ -6,8 +6,6 @@
 
 #include "experiment.h"
 
-#include <CGAL/Spectral_segmentation/internal/mesh/extract_part.h>
-
 #include <algorithm>
 #include <cstddef>
 #include <optional>
@@ -25,7 +23,7 @@ Labels recursive_cuts(const Face_graph& mesh, std::size_t k, const SidesOf& side
   std::vector<Part> parts = components(mesh);
   std::vector<double> areas; // 0 if there is no cut
   for (const Part& part : parts)
-    areas.push_back(CGAL::Spectral_segmentation::internal::total_area(part.graph));
+    areas.push_back(total_area(part.graph));
   while (parts.size() < k) {
     const auto largest = std::max_element(areas.begin(), areas.end());
     if (!(*largest > 0))
@@ -35,17 +33,14 @@ Labels recursive_cuts(const Face_graph& mesh, std::size_t k, const SidesOf& side
     *largest = 0;
     if (!sides)
       continue;
-    std::vector<Face_graph> graphs =
-      CGAL::Spectral_segmentation::internal::split(part.graph, *sides, 2);
+    std::vector<Face_graph> graphs = split(part.graph, *sides, 2);
     std::vector<Index> faces[2];
     for (std::size_t i = 0; i < part.faces.size(); ++i)
       faces[int((*sides)[i])].push_back(part.faces[i]);
-    const double areas_of_sides[] = {
-      CGAL::Spectral_segmentation::internal::total_area(graphs[0]),
-      CGAL::Spectral_segmentation::internal::total_area(graphs[1])};
-    part = {std::move(graphs[0]), part.node, std::move(faces[0])};
+    const double areas_of_sides[] = {total_area(graphs[0]), total_area(graphs[1])};
+    part = {std::move(graphs[0]), std::move(faces[0])};
     *largest = areas_of_sides[0];
-    parts.push_back({std::move(graphs[1]), parts.size(), std::move(faces[1])});
+    parts.push_back({std::move(graphs[1]), std::move(faces[1])});
     areas.push_back(areas_of_sides[1]);
   }
 

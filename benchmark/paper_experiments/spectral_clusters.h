@@ -29,7 +29,7 @@ inline Eigen::MatrixXd spectral_coordinates(const Face_graph& part, std::size_t 
 {
   const std::vector<Index> samples = m >= part.number_of_faces()
     ? all_faces(part)
-    : samples_by_paths<&Face_graph::Halfedge::combined>(part, m, random);
+    : samples_by_paths<&Edge_weights::combined>(part, m, random);
   const Eigenpairs e = face_eigenpairs(part, samples);
   const Eigen::Index dimensions =
     (std::min)(static_cast<Eigen::Index>(k), e.vectors.cols());

@@ -8,10 +8,6 @@
 #include "face_affinities.h"
 
 #include <CGAL/Spectral_segmentation/internal/bipartition/line_search.h>
-#include <CGAL/Spectral_segmentation/internal/bipartition/face_orders.h>
-#include <CGAL/Spectral_segmentation/internal/bipartition/shortest_paths.h>
-
-#include <CGAL/tags.h>
 
 #include <Eigen/Core>
 
@@ -25,12 +21,11 @@
 namespace segmentation_benchmark {
 
 using CGAL::Spectral_segmentation::internal::Cut;
-using CGAL::Spectral_segmentation::internal::Line;
 
 // The faces in the order of the ratio of the second eigenvector to the first. Where it ties but for
 // rounding, those near the first sample on the line come first.
-inline Line spectral_line(const Face_graph& part, const Eigenpairs& e,
-                          const std::vector<Index>& samples, bool is_reversed)
+inline std::vector<Index> spectral_line(const Face_graph& part, const Eigenpairs& e,
+                                                      const std::vector<Index>& samples, bool is_reversed)
 {
   Eigen::ArrayXd z = e.vectors.col(1).array() / e.vectors.col(0).array();
   if (is_reversed)
@@ -41,8 +36,8 @@ inline Line spectral_line(const Face_graph& part, const Eigenpairs& e,
   const Index first = *std::min_element(samples.begin(), samples.end(),
                                         [&z](Index f, Index g) { return z[f] < z[g]; });
   const std::vector<double> distance = CGAL::Spectral_segmentation::internal::shortest_paths(
-    part, first, &Face_graph::Halfedge::combined);
-  Line line = all_faces(part);
+    part, first, &Edge_weights::combined);
+  std::vector<Index> line = all_faces(part);
   std::sort(line.begin(), line.end(), [&](Index f, Index g) {
     return std::make_tuple(z[f], distance[f], f) < std::make_tuple(z[g], distance[g], g);
   });
@@ -57,8 +52,8 @@ inline std::optional<Cut> cut_by_eigenvectors(const Face_graph& part, const Eige
   std::optional<Cut> best;
   for (bool is_reversed : {false, true}) {
     std::optional<Cut> cut =
-      CGAL::Spectral_segmentation::internal::line_search<CGAL::Sequential_tag>(
-        part, spectral_line(part, e, samples, is_reversed),
+      CGAL::Spectral_segmentation::internal::line_search(
+        Execution::SEQUENTIAL, part, spectral_line(part, e, samples, is_reversed),
         CGAL::Spectral_segmentation::Weighted_part_salience(), minimum_area);
     if (cut && (!best || cut->salience > best->salience))
       best = std::move(cut);

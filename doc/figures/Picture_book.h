@@ -4,11 +4,11 @@
 #ifndef MANUAL_FIGURES_PICTURE_BOOK_H
 #define MANUAL_FIGURES_PICTURE_BOOK_H
 
+#include "../../benchmark/princeton_benchmark.h"
 #include "segment_mesh/segment_colors.h"
 
 #include <CGAL/IO/Color.h>
-#include <CGAL/Simple_cartesian.h>
-#include <CGAL/Surface_mesh.h>
+#include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 #include <CGAL/Surface_mesh/IO/PLY.h>
 
 #include <nlohmann/json.hpp>
@@ -25,8 +25,8 @@
 // draw_figures.py draws.
 namespace manual_figures {
 
-typedef CGAL::Simple_cartesian<double> Kernel;
-typedef CGAL::Surface_mesh<Kernel::Point_3> Mesh;
+typedef CGAL::Exact_predicates_inexact_constructions_kernel Kernel;
+using segmentation_benchmark::Mesh;
 typedef nlohmann::json Json;
 using segment_mesh::Rgb;
 

@@ -4,20 +4,16 @@
 #ifndef MANUAL_FIGURES_METHOD_FIGURES_H
 #define MANUAL_FIGURES_METHOD_FIGURES_H
 
+#include "../../benchmark/paper_graph.h"
 #include "Picture_book.h"
 #include "segmentations.h"
 
-#include <CGAL/Spectral_segmentation/internal/multilevel/coarsening.h>
-#include <CGAL/Spectral_segmentation/internal/bipartition/line_search.h>
-#include <CGAL/Spectral_segmentation/internal/Options.h>
-#include <CGAL/Spectral_segmentation/internal/mesh/extract_part.h>
-#include <CGAL/Spectral_segmentation/internal/door/read_triangle_mesh.h>
-#include <CGAL/Spectral_segmentation/internal/bipartition/shape_context_sampling.h>
-#include <CGAL/Spectral_segmentation/internal/bipartition/shortest_paths.h>
 #include <CGAL/Spectral_segmentation/internal/bipartition/face_orders.h>
+#include <CGAL/Spectral_segmentation/internal/bipartition/line_search.h>
+#include <CGAL/Spectral_segmentation/internal/bipartition/shape_context_sampling.h>
+#include <CGAL/Spectral_segmentation/internal/mesh/surface_integrals.h>
 
 #include <CGAL/Kernel/global_functions.h>
-#include <CGAL/tags.h>
 
 #include <Eigen/Core>
 #include <Eigen/Eigenvalues>
@@ -35,20 +31,14 @@
 namespace manual_figures {
 
 namespace internal = CGAL::Spectral_segmentation::internal;
-using internal::Face_graph;
-using internal::Index;
+using segmentation_benchmark::Edge_weights;
+using segmentation_benchmark::Execution;
+using segmentation_benchmark::Face_graph;
+using segmentation_benchmark::Index;
+using segmentation_benchmark::paper_graph;
 
 constexpr Rgb white = {245, 245, 245}, light = {205, 205, 205}, dark = {120, 120, 120},
               red = {200, 30, 30}, blue = {40, 90, 200}, orange = {250, 150, 20};
-
-// With the distances of the paper. Faces and vertices have the numbers of the mesh.
-inline Face_graph graph_of(const Mesh& mesh)
-{
-  const std::vector<Mesh::Face_index> faces(mesh.faces_begin(), mesh.faces_end());
-  return internal::initialize<CGAL::Sequential_tag>(
-    internal::read_triangles(mesh, faces, mesh.points(), Kernel()), zhang_liu_options(),
-    [] { return true; }).graph;
-}
 
 inline Kernel::Point_3 centroid(const Mesh& mesh, Index f)
 {
@@ -75,22 +65,22 @@ inline Rgb blue_white_red(double x)
 // The dual graph of a small mesh: edges by the sign of their bending, arcs by their weight.
 inline void draw_dual_graph(Picture_book& book, const Named_mesh& shape)
 {
-  const Face_graph graph = graph_of(shape.mesh);
+  const Face_graph graph = paper_graph(shape.mesh);
   Picture edges{shape, "edges of the mesh: concave in red, convex in blue",
                 std::vector<Rgb>(graph.number_of_faces(), white)};
   Picture arcs{shape, "arcs of the dual graph: the darker and thicker, the longer",
                std::vector<Rgb>(graph.number_of_faces(), white)};
-  for (Index h = 0; h < graph.halfedges.size(); ++h) {
+  for (Index h = 0; h < graph.neighbors.size(); ++h) {
     if (graph.is_border(h) || h > graph.opposite(h))
       continue;
-    const Face_graph::Halfedge& e = graph.halfedges[h];
+    const Edge_weights& e = graph.weights[h];
     const Kernel::Point_3 a = point(shape.mesh, graph.source_vertex(h)),
                           b = point(shape.mesh, graph.target_vertex(h));
     const bool is_concave = e.concavity > 0;
     edges.add_tube(a, b, is_concave ? red : blue, is_concave ? 1.5 : 0.7);
     const Rgb color = mixed({190, 190, 190}, is_concave ? red : Rgb{0, 0, 0}, e.combined);
     const Kernel::Point_3 middle = CGAL::midpoint(a, b);
-    for (Index f : {h / 3, e.neighbor})
+    for (Index f : {h / 3, graph.neighbors[h]})
       arcs.add_tube(centroid(shape.mesh, f), middle, color, 0.4 + 1.6 * e.combined);
   }
   book.add("face_graph", edges);
@@ -134,14 +124,15 @@ inline void add_samples(Picture& picture, const internal::Sample_faces& samples)
 
 inline internal::Shape_contexts contexts_of(const Face_graph& graph)
 {
-  return internal::shape_contexts<CGAL::Sequential_tag>(
-    graph, internal::farthest_face_from_center(graph),
-    zhang_liu_options().number_of_reference_faces, [] {});
+  return internal::shape_contexts(
+    Execution::SEQUENTIAL, graph,
+    internal::farthest_face_from_center(Execution::SEQUENTIAL, graph),
+    zhang_liu_2005_options().number_of_reference_faces, [] {});
 }
 
 inline void draw_contexts(Picture_book& book, const Named_mesh& shape)
 {
-  const Face_graph graph = graph_of(shape.mesh);
+  const Face_graph graph = paper_graph(shape.mesh);
   const internal::Shape_contexts contexts = contexts_of(graph);
   Picture colors{shape, "reference faces, and contexts: like colors are like contexts",
                  context_colors(contexts)};
@@ -150,7 +141,7 @@ inline void draw_contexts(Picture_book& book, const Named_mesh& shape)
   book.add("contexts", colors);
   Picture norms{shape, "norm of the context, from blue to red, and the two samples",
                 context_norm_colors(contexts)};
-  add_samples(norms, internal::sample_faces(contexts));
+  add_samples(norms, internal::sample_faces(Execution::SEQUENTIAL, contexts));
   book.add("contexts", norms);
 }
 
@@ -165,14 +156,14 @@ struct Searched_line
 
   Searched_line(const Face_graph& graph, const internal::Sample_faces& given)
     : samples(given),
-      from_s(internal::shortest_paths(graph, samples.s, &Face_graph::Halfedge::combined)),
-      from_t(internal::shortest_paths(graph, samples.t, &Face_graph::Halfedge::combined)),
-      order(internal::spectral_order(from_s, from_t))
+      from_s(internal::shortest_paths(graph, samples.s, &Edge_weights::combined)),
+      from_t(internal::shortest_paths(graph, samples.t, &Edge_weights::combined)),
+      order(internal::spectral_order(Execution::SEQUENTIAL, from_s, from_t))
   {
-    const Options options = zhang_liu_options();
+    const Engine_options options = zhang_liu_2005_options();
     const double area = internal::total_area(graph);
-    best = internal::line_search<CGAL::Sequential_tag>(
-      graph, order, options.part_salience, options.minimum_segment_size * area,
+    best = internal::line_search(
+      Execution::SEQUENTIAL, graph, order, options.part_salience, options.minimum_segment_size * area,
       [&](std::size_t size, const CGAL::Spectral_segmentation::Salience_factors& f, double salience)
       { steps.push_back({size, f.size, f.cut_strength, f.protrusiveness, salience}); });
     std::sort(steps.begin(), steps.end()); // by size
@@ -182,8 +173,8 @@ struct Searched_line
 inline void add_cut(Picture& picture, const Face_graph& graph, const internal::Cut& cut)
 {
   const Mesh& mesh = picture.shape.mesh;
-  for (Index h = 0; h < graph.halfedges.size(); ++h)
-    if (cut.side[h / 3] == 0 && cut.side[graph.halfedges[h].neighbor] == 1)
+  for (Index h = 0; h < graph.neighbors.size(); ++h)
+    if (cut.side[h / 3] == 0 && cut.side[graph.neighbors[h]] == 1)
       picture.add_tube(point(mesh, graph.source_vertex(h)), point(mesh, graph.target_vertex(h)),
                        red, 3);
 }
@@ -219,8 +210,8 @@ inline Index face_at(const Mesh& mesh, const Kernel::Point_3& place)
 inline void draw_samples_and_line(Picture_book& book, const Named_mesh& shape,
                                   const std::array<Kernel::Point_3, 2>& same_part)
 {
-  const Face_graph graph = graph_of(shape.mesh);
-  const Searched_line good(graph, internal::sample_faces(contexts_of(graph)));
+  const Face_graph graph = paper_graph(shape.mesh);
+  const Searched_line good(graph, internal::sample_faces(Execution::SEQUENTIAL, contexts_of(graph)));
   const Searched_line bad(graph, {face_at(shape.mesh, same_part[0]),
                                   face_at(shape.mesh, same_part[1])});
   draw_regions(book, "samples", shape, graph, good, "(a) samples by shape context");
@@ -238,7 +229,7 @@ inline void draw_samples_and_line(Picture_book& book, const Named_mesh& shape,
   book.add("line", {shape, "best cut: Q in orange, the rest in grey", sides});
   book.add_chart("line_search", {{"good", good.steps}, {"bad", bad.steps},
                                  {"number_of_faces", graph.number_of_faces()},
-                                 {"threshold", zhang_liu_options().salience_threshold}});
+                                 {"threshold", zhang_liu_2005_options().salience_threshold}});
 }
 
 // The tree of cuts, and what is read off it for some numbers of segments.

@@ -32,12 +32,13 @@ std::string caption_of(const char* parameter, const Value& value, const Value& d
 
 // A row of runs of `method`, with values of the option `member`; the default is that of the method.
 template <class Value>
-void draw_row(Picture_book& book, const char* parameter, Value Options::*member,
-              const Options& method, const Named_mesh& shape, const std::vector<Value>& values)
+void draw_row(Picture_book& book, const char* parameter, Value Engine_options::*member,
+              const Engine_options& method, const Named_mesh& shape,
+              const std::vector<Value>& values)
 {
   Row_colors colors;
   for (const Value& value : values) {
-    Options options = method;
+    Engine_options options = method;
     options.*member = value;
     add_segments(book, parameter, shape, colors, segment(shape.mesh, options),
                  caption_of(parameter, value, method.*member));
@@ -75,24 +76,22 @@ inline void draw_rows_of_tree(Picture_book& book, const Named_mesh& shape)
 inline void draw_parameters(Picture_book& book, const Named_mesh& limbs, const Named_mesh& coarse,
                             const Named_mesh& fine)
 {
-  const Options calibrated = calibrated_options(), paper = zhang_liu_options();
+  const Engine_options calibrated = calibrated_options(), paper = zhang_liu_2005_options();
   draw_rows_of_tree(book, limbs);
-  draw_row(book, "minimum_segment_size", &Options::minimum_segment_size, calibrated, fine,
+  draw_row(book, "minimum_segment_size", &Engine_options::minimum_segment_size, calibrated, fine,
            {0.0, calibrated.minimum_segment_size, 0.02, 0.1});
-  draw_row(book, "number_of_regions", &Options::number_of_regions, calibrated, limbs,
-           {5, 10, calibrated.number_of_regions, 40});
-  draw_row(book, "number_of_searched_faces", &Options::number_of_searched_faces, calibrated, fine,
-           {500, 1500, calibrated.number_of_searched_faces, 0});
+  draw_row(book, "number_of_searched_faces", &Engine_options::number_of_searched_faces, calibrated,
+           fine, {500, 1500, calibrated.number_of_searched_faces, 0});
   const Named_mesh noise = noisy(coarse, 0.004);
-  draw_row(book, "concavity_radius", &Options::concavity_radius, calibrated, noise,
+  draw_row(book, "concavity_radius", &Engine_options::concavity_radius, calibrated, noise,
            {0.0, 0.01, calibrated.concavity_radius, 0.06});
-  draw_row(book, "number_of_smoothing_iterations", &Options::number_of_smoothing_iterations, paper,
-           noise, {0, 1, 3, 10});
-  Options few_segments = paper;
+  draw_row(book, "number_of_smoothing_iterations",
+           &Engine_options::number_of_smoothing_iterations, paper, noise, {0, 1, 3, 10});
+  Engine_options few_segments = paper;
   few_segments.maximum_number_of_segments = 8;
   few_segments.salience_threshold = -std::numeric_limits<double>::infinity();
-  draw_row(book, "boundary_smoothing", &Options::boundary_smoothing, few_segments, noise,
-           {false, true});
+  draw_row(book, "boundary_smoothing", &Engine_options::boundary_smoothing, few_segments,
+           noise, {false, true});
 }
 
 inline void draw_methods(Picture_book& book, const std::vector<const Named_mesh*>& shapes)
@@ -100,9 +99,9 @@ inline void draw_methods(Picture_book& book, const std::vector<const Named_mesh*
   for (const Named_mesh* shape : shapes) {
     Row_colors colors;
     add_segments(book, "methods", *shape, colors, segment(shape->mesh, calibrated_options()),
-                 "CALIBRATED");
-    add_segments(book, "methods", *shape, colors, segment(shape->mesh, zhang_liu_options()),
-                 "ZHANG_LIU_2005");
+                 "default");
+    add_segments(book, "methods", *shape, colors, segment(shape->mesh, zhang_liu_2005_options()),
+                 "zhang_liu_2005()");
   }
 }
 

@@ -4,12 +4,11 @@
 #ifndef MANUAL_FIGURES_SEGMENTATIONS_H
 #define MANUAL_FIGURES_SEGMENTATIONS_H
 
+#include "../../benchmark/run_engine.h"
 #include "Picture_book.h"
 #include "Row_colors.h"
 
-#include <CGAL/Spectral_segmentation/internal/Options.h>
 #include <CGAL/mesh_segmentation.h>
-#include <CGAL/segment_spectral_recursive.h>
 
 #include <boost/property_map/vector_property_map.hpp>
 
@@ -20,10 +19,11 @@
 
 namespace manual_figures {
 
-namespace params = CGAL::Spectral_segmentation::parameters;
 using CGAL::Spectral_segmentation::Segmentation_hierarchy;
-using CGAL::Spectral_segmentation::internal::Options;
 using CGAL::Spectral_segmentation::internal::calibrated_options;
+using CGAL::Spectral_segmentation::internal::zhang_liu_2005_options;
+using segmentation_benchmark::Engine_options;
+using segmentation_benchmark::Execution;
 
 inline std::size_t number_of_segments(const Labels& labels)
 { return 1 + *std::max_element(labels.begin(), labels.end()); }
@@ -31,34 +31,11 @@ inline std::size_t number_of_segments(const Labels& labels)
 inline std::string count(std::size_t n, const std::string& things)
 { return std::to_string(n) + " " + (n == 1 ? things.substr(0, things.size() - 1) : things); }
 
-// In one pack, as the whole method is compiled for each type of a pack.
-inline Segmentation_hierarchy hierarchy(const Mesh& mesh, const Options& o)
-{
-  Segmentation_hierarchy tree;
-  CGAL::segment_spectral_recursive(
-    mesh, boost::vector_property_map<std::size_t>(mesh.number_of_faces()),
-    params::part_salience(o.part_salience)
-      .maximum_number_of_segments(o.maximum_number_of_segments)
-      .minimum_segment_size(o.minimum_segment_size)
-      .salience_threshold(o.salience_threshold)
-      .geodesic_weight(o.geodesic_weight)
-      .concavity_radius(o.concavity_radius)
-      .single_source_orderings(o.single_source_orderings)
-      .thickness_orderings(o.thickness_orderings)
-      .number_of_candidates(o.number_of_candidates)
-      .number_of_refined_candidates(o.number_of_refined_candidates)
-      .number_of_regions(o.number_of_regions)
-      .number_of_searched_faces(o.number_of_searched_faces)
-      .number_of_smoothing_iterations(o.number_of_smoothing_iterations)
-      .boundary_smoothing(o.boundary_smoothing)
-      .hierarchy(tree));
-  return tree;
-}
+inline Segmentation_hierarchy hierarchy(const Mesh& mesh, const Engine_options& options)
+{ return segmentation_benchmark::run_engine(mesh, options, Execution::PARALLEL); }
 
-inline Labels segment(const Mesh& mesh, const Options& options)
+inline Labels segment(const Mesh& mesh, const Engine_options& options)
 { return hierarchy(mesh, options).labels(); }
-
-inline Options zhang_liu_options() { return Options(); }
 
 // Segmentations by the shape diameter function, from values that are computed once.
 class Sdf_segmentation
