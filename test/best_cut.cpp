@@ -19,8 +19,9 @@ BOOST_AUTO_TEST_SUITE(best_cut)
 
 using namespace test_meshes;
 namespace internal = CGAL::Spectral_segmentation::internal;
-using CGAL::Spectral_segmentation::Segmentation_visitor;
+using CGAL::Spectral_segmentation::Salience_factors;
 using internal::Cut;
+using internal::Execution;
 using internal::Options;
 using internal::Sides;
 
@@ -33,31 +34,50 @@ internal::Part whole(const Face_graph& graph)
   return {graph, 0, faces};
 }
 
-std::vector<Cut> judged_cuts(const Face_graph& graph, const Options& options,
-                             std::optional<Cut>& best)
+// Notes the candidates.
+struct Candidates : internal::Run_control
 {
-  Segmentation_visitor visitor;
-  internal::Monitor<Segmentation_visitor> monitor(visitor);
-  std::vector<Cut> cuts;
-  best = internal::best_cut(sequential, whole(graph), internal::judged_mesh(graph, options), options, monitor,
-    [&](const Cut& cut) { cuts.push_back(cut); });
-  return cuts;
+  struct Candidate
+  {
+    std::vector<Index> faces;
+    Sides side;
+    Salience_factors factors;
+  };
+
+  std::vector<Candidate> candidates;
+
+  void cut_evaluated(const internal::Evaluated_cut& cut) override
+  {
+    BOOST_TEST(cut.kind == internal::Evaluated_cut::CANDIDATE);
+    candidates.push_back({cut.faces, cut.side, cut.factors});
+  }
+};
+
+std::vector<Candidates::Candidate> evaluated_cuts(const Face_graph& graph, const Options& options,
+                                                  std::optional<Cut>& best)
+{
+  Candidates control;
+  internal::Run_monitor monitor(control);
+  const internal::Best_cut best_cut(sequential, graph, options);
+  best = best_cut(sequential, whole(graph), monitor);
+  return control.candidates;
 }
 
-// All values of the options that best_cut() looks at.
+// The paper's method, and all values of the options of the other that Best_cut looks at.
 std::vector<Options> many_options()
 {
-  std::vector<Options> result;
+  std::vector<Options> result(1, internal::zhang_liu_2005_options());
   for (bool single_source : {false, true})
-    for (std::size_t candidates : {0, 5})
-      for (std::size_t refined : {0, 1, 3}) {
-        Options o;
-        o.minimum_segment_size = 0.02;
-        o.single_source_orderings = single_source;
+    for (std::size_t candidates : {1, 5, 14})
+      for (std::size_t refined : {0, 1, 4}) {
+        Options o = internal::calibrated_options();
+        o.single_source_orders = single_source;
         o.number_of_candidates = candidates;
         o.number_of_refined_candidates = refined;
         result.push_back(o);
       }
+  for (Options& o : result)
+    o.minimum_segment_size = 0.02;
   return result;
 }
 
@@ -85,83 +105,149 @@ BOOST_AUTO_TEST_CASE(sides_are_connected_if_each_is_one_component_by_itself)
   BOOST_TEST(number_connected < 350);
 }
 
-BOOST_AUTO_TEST_CASE(every_judged_cut_has_two_connected_sides_that_are_not_too_small)
+BOOST_AUTO_TEST_CASE(every_evaluated_cut_has_two_connected_sides_that_are_not_too_small)
 {
-  const Face_graph graph =
-    graph_with_distances(dumbbell(20, 16), weights_of_calibrated_method);
+  const Face_graph graph = graph_with_distances(dumbbell(20, 16), weights_of_calibrated_method);
   const double area = internal::total_area(graph);
   for (const Options& options : many_options()) {
     std::optional<Cut> best;
-    const std::vector<Cut> cuts = judged_cuts(graph, options, best);
+    const auto cuts = evaluated_cuts(graph, options, best);
     BOOST_TEST_REQUIRE(best.has_value());
-    for (const Cut& cut : cuts) {
+    BOOST_TEST(best->area[0] + best->area[1] == area, boost::test_tools::tolerance(1e-9));
+    BOOST_TEST(best->salience == options.part_salience(best->factors));
+    bool is_best_among_them = false;
+    for (const auto& cut : cuts) {
       BOOST_TEST(internal::both_sides_are_connected(graph, cut.side));
-      BOOST_TEST(cut.area[0] >= 0.02 * area);
-      BOOST_TEST(cut.area[0] <= cut.area[1]);
-      BOOST_TEST(cut.area[0] + cut.area[1] == area, boost::test_tools::tolerance(1e-9));
-      BOOST_TEST(cut.salience == options.part_salience(cut.factors));
-      BOOST_TEST(internal::quantized(cut.salience) <= internal::quantized(best->salience));
+      BOOST_TEST(cut.faces.size() == cut.side.size());
+      double areas[2] = {0, 0};
+      for (Index f = 0; f < cut.side.size(); ++f)
+        areas[int(cut.side[f])] += graph.areas[f];
+      BOOST_TEST(areas[0] >= 0.02 * area * (1 - 1e-9));
+      BOOST_TEST(areas[0] <= areas[1] * (1 + 1e-9));
+      BOOST_TEST(internal::quantized(options.part_salience(cut.factors)) <=
+                 internal::quantized(best->salience));
+      is_best_among_them = is_best_among_them || cut.side == best->side;
     }
+    BOOST_TEST(is_best_among_them);
   }
 }
 
-BOOST_AUTO_TEST_CASE(the_options_say_how_many_cuts_are_judged)
+BOOST_AUTO_TEST_CASE(the_options_say_how_many_cuts_are_evaluated)
 {
-  const Face_graph graph =
-    graph_with_distances(dumbbell(20, 16), weights_of_calibrated_method);
+  const Face_graph graph = graph_with_distances(dumbbell(20, 16), weights_of_calibrated_method);
   for (const Options& options : many_options()) {
     std::optional<Cut> best;
-    const std::size_t number = judged_cuts(graph, options, best).size();
-    const std::size_t lines = options.single_source_orderings
-      ? 1 + 2 + options.number_of_reference_faces : 1;
-    const std::size_t unrefined =
-      options.number_of_candidates > 0 ? options.number_of_candidates : lines;
-    BOOST_TEST(number >= 1);
-    BOOST_TEST(number <= unrefined + options.number_of_refined_candidates);
-    if (!options.single_source_orderings && options.number_of_candidates == 0 &&
-        options.number_of_refined_candidates == 0)
-      BOOST_TEST(number == 1); // the paper
+    const std::size_t number = evaluated_cuts(graph, options, best).size();
+    BOOST_TEST(number >= 1u);
+    if (options.method == internal::Method::ZHANG_LIU_2005)
+      BOOST_TEST(number == 1u);
+    else
+      BOOST_TEST(number <= options.number_of_candidates + options.number_of_refined_candidates);
   }
+}
+
+BOOST_AUTO_TEST_CASE(the_cut_of_the_paper_is_the_best_along_its_one_order)
+{
+  const Face_graph graph = graph_with_distances(dumbbell(20, 16));
+  const Options options = internal::zhang_liu_2005_options();
+  std::optional<Cut> best;
+  evaluated_cuts(graph, options, best);
+  BOOST_TEST_REQUIRE(best.has_value());
+  const internal::Shape_contexts contexts =
+    internal::shape_contexts(sequential, graph,
+                             internal::farthest_face_from_center(sequential, graph),
+                             options.number_of_reference_faces, [] {});
+  const auto order =
+    internal::face_order(sequential, graph, internal::sample_faces(sequential, contexts));
+  const std::optional<Cut> expected =
+    internal::line_search(sequential, graph, order, options.part_salience,
+                          options.minimum_segment_size * internal::total_area(graph));
+  BOOST_TEST_REQUIRE(expected.has_value());
+  BOOST_TEST((best->side == expected->side));
+  BOOST_TEST(best->salience == expected->salience);
 }
 
 BOOST_AUTO_TEST_CASE(more_cuts_to_choose_from_are_no_worse)
 {
   for (const Soup& soup : {dumbbell(20, 16), torus(3, 1, 30, 20)}) {
     const Face_graph graph = graph_with_distances(soup, weights_of_calibrated_method);
-    const auto salience = [&](bool single_source, std::size_t refined) {
-      Options o;
-      o.single_source_orderings = single_source;
+    const auto salience = [&](std::size_t candidates, std::size_t refined) {
+      Options o = internal::calibrated_options();
+      o.number_of_candidates = candidates;
       o.number_of_refined_candidates = refined;
       std::optional<Cut> best;
-      judged_cuts(graph, o, best);
+      evaluated_cuts(graph, o, best);
       BOOST_TEST_REQUIRE(best.has_value());
       return internal::quantized(best->salience);
     };
-    BOOST_TEST(salience(true, 0) >= salience(false, 0));
-    BOOST_TEST(salience(false, 4) >= salience(false, 0));
-    BOOST_TEST(salience(true, 4) >= salience(true, 0));
+    BOOST_TEST(salience(14, 0) >= salience(3, 0));
+    BOOST_TEST(salience(14, 4) >= salience(14, 0));
+    BOOST_TEST(salience(3, 3) >= salience(3, 0));
+  }
+}
+
+BOOST_AUTO_TEST_CASE(the_number_of_threads_changes_nothing)
+{
+  Random random(2);
+  const Face_graph graph = graph_with_distances(displaced(dumbbell(20, 16), 0.02, random),
+                                                weights_of_calibrated_method);
+  for (const Options& options : many_options()) {
+    std::optional<Cut> expected;
+    evaluated_cuts(graph, options, expected);
+    internal::Run_control control;
+    internal::Run_monitor monitor(control);
+    const internal::Best_cut best_cut(Execution::PARALLEL, graph, options);
+    const std::optional<Cut> cut = best_cut(Execution::PARALLEL, whole(graph), monitor);
+    BOOST_TEST_REQUIRE(cut.has_value());
+    BOOST_TEST((cut->side == expected->side));
+    BOOST_TEST(cut->salience == expected->salience);
   }
 }
 
 BOOST_AUTO_TEST_CASE(a_part_without_room_for_two_segments_is_not_searched)
 {
-  const Face_graph graph = graph_with_distances(dumbbell(12, 8));
-  struct Counter : Segmentation_visitor
+  const Face_graph part = graph_with_distances(dumbbell(12, 8));
+  struct Counter : internal::Run_control
   {
     std::size_t number_of_parts = 0;
-    void start_part(std::size_t, std::size_t) { ++number_of_parts; }
-  } visitor;
-  internal::Monitor<Counter> monitor(visitor);
+    void start_part(std::size_t, std::size_t) override { ++number_of_parts; }
+  } counter;
+  internal::Run_monitor monitor(counter);
   Options options;
-  options.minimum_segment_size = 0.1;
-  const auto search = [&](double area_of_mesh) {
-    return internal::best_cut(sequential, whole(graph), {area_of_mesh, {}}, options, monitor);
+  const auto search = [&](double minimum_share_of_part) {
+    options.minimum_segment_size = minimum_share_of_part;
+    return internal::Best_cut(sequential, part, options)(sequential, whole(part), monitor);
   };
-  const double area = internal::total_area(graph);
-  BOOST_TEST(!search(5.01 * area).has_value());
-  BOOST_TEST(visitor.number_of_parts == 0);
-  BOOST_TEST(search(area).has_value());
-  BOOST_TEST(visitor.number_of_parts == 1);
+  BOOST_TEST(!search(0.501).has_value());
+  BOOST_TEST(counter.number_of_parts == 0u);
+  BOOST_TEST(search(0.1).has_value());
+  BOOST_TEST(counter.number_of_parts == 1u);
+
+  // The minimum is a share of the whole mesh, not of the part.
+  Face_graph mesh = part;
+  for (double& area : mesh.areas)
+    area *= 5.01;
+  options.minimum_segment_size = 0.1;
+  const internal::Best_cut best_cut(sequential, mesh, options);
+  BOOST_TEST(!best_cut(sequential, whole(part), monitor).has_value());
+  BOOST_TEST(counter.number_of_parts == 1u);
+}
+
+BOOST_AUTO_TEST_CASE(a_stopped_search_throws)
+{
+  const Face_graph graph = graph_with_distances(dumbbell(12, 8));
+  struct Stopper : internal::Run_control
+  {
+    int left = 0;
+    bool go_further() override { return left-- > 0; }
+  } stopper;
+  const Options options = internal::zhang_liu_2005_options();
+  const internal::Best_cut best_cut(sequential, graph, options);
+  for (int questions : {0, 1, 4}) {
+    stopper.left = questions;
+    internal::Run_monitor monitor(stopper);
+    BOOST_CHECK_THROW(best_cut(sequential, whole(graph), monitor), internal::Run_stopped);
+  }
 }
 
 BOOST_AUTO_TEST_SUITE_END()

@@ -271,8 +271,8 @@ BOOST_AUTO_TEST_CASE(the_numbers_of_faces_and_vertices_do_not_matter)
   }
 }
 
-// So the hash decides. The mesh has no symmetry, as the principal frame of one that has some depends
-// on the rounding of sums.
+// So the hash decides. The mesh has no symmetry, as the principal frame of one that has some
+// depends on the rounding of sums.
 BOOST_AUTO_TEST_CASE(the_numbers_do_not_matter_where_most_edges_are_of_equal_length)
 {
   const Soup soup = folded_plate();

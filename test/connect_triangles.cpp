@@ -409,7 +409,8 @@ BOOST_AUTO_TEST_CASE(a_closed_surface_with_one_side_is_opened)
   soup.triangles = {{0, 1, 2}, {0, 2, 3}, {0, 3, 4}, {0, 4, 5}, {0, 5, 1},
                     {1, 2, 4}, {2, 3, 5}, {3, 4, 1}, {4, 5, 2}, {5, 1, 3}};
   for (int i = 0; i < 6; ++i)
-    soup.points.emplace_back(double(random() % 100), double(random() % 100), double(random() % 100));
+    soup.points.emplace_back(double(random() % 100), double(random() % 100),
+                             double(random() % 100));
   for (const std::set<Index>& neighbors : neighbors_by_comparing_pairs(soup))
     BOOST_TEST(neighbors.size() == 3u); // it is closed
   Triangles triangles;
@@ -427,8 +428,8 @@ BOOST_AUTO_TEST_CASE(two_cubes_that_share_an_edge_stay_two)
   BOOST_TEST(std::count(is_turned.begin(), is_turned.end(), 1) == 0);
   BOOST_TEST(number_of_components(triangles) == 2u);
   BOOST_TEST(number_of_inner_edges(triangles) == 36u);
-  // Whatever the order and the orientation of their triangles, all edges are inside: two spheres that
-  // are slit along an edge and sewn together crosswise are one sphere.
+  // Whatever the order and the orientation of their triangles, all edges are inside: two spheres
+  // that are slit along an edge and sewn together crosswise are one sphere.
   Random random(5);
   for (int run = 0; run < 30; ++run) {
     Soup other = turned_at_random(soup, random);

@@ -36,7 +36,8 @@ BOOST_AUTO_TEST_CASE(components_are_numbered_by_their_first_faces)
       std::swap(soup.triangles[f], soup.triangles[other]);
     }
     std::size_t number = 0;
-    const std::vector<Index> component = internal::connected_components(face_graph_of(soup), number);
+    const std::vector<Index> component =
+      internal::connected_components(face_graph_of(soup), number);
     BOOST_TEST(number == pieces.size());
     std::vector<std::size_t> order; // of the pieces, by their first faces
     for (std::size_t f = 0; f < piece.size(); ++f) {

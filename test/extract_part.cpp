@@ -73,7 +73,8 @@ BOOST_AUTO_TEST_CASE(an_empty_graph_has_no_parts)
 BOOST_AUTO_TEST_CASE(parts_of_a_graph_without_weights_have_none)
 {
   const Face_graph graph = face_graph_of(plate(3, 2));
-  for (const Face_graph& part : split(graph, std::vector<int>({0, 0, 0, 1, 1, 1, 0, 0, 0, 1, 1, 1}), 2)) {
+  for (const Face_graph& part :
+       split(graph, std::vector<int>({0, 0, 0, 1, 1, 1, 0, 0, 0, 1, 1, 1}), 2)) {
     BOOST_TEST(part.number_of_faces() == 6u);
     BOOST_TEST(part.weights.empty());
   }

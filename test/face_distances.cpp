@@ -322,10 +322,13 @@ BOOST_AUTO_TEST_CASE(equalized_values_are_mean_ranks)
 {
   BOOST_TEST(equalize(sequential, {}).empty());
   BOOST_TEST(equalize(sequential, {7.f}) == std::vector<double>({0.5}), tt::per_element());
-  BOOST_TEST(equalize(sequential, {3.f, 1.f, 2.f}) == std::vector<double>({1, 0, 0.5}), tt::per_element());
-  BOOST_TEST(equalize(sequential, {2.f, 1.f, 2.f, 5.f, 2.f}) == std::vector<double>({0.5, 0, 0.5, 1, 0.5}),
+  BOOST_TEST(equalize(sequential, {3.f, 1.f, 2.f}) == std::vector<double>({1, 0, 0.5}),
              tt::per_element());
-  BOOST_TEST(equalize(sequential, {4.f, 4.f, 4.f}) == std::vector<double>({0.5, 0.5, 0.5}), tt::per_element());
+  BOOST_TEST(equalize(sequential, {2.f, 1.f, 2.f, 5.f, 2.f}) ==
+               std::vector<double>({0.5, 0, 0.5, 1, 0.5}),
+             tt::per_element());
+  BOOST_TEST(equalize(sequential, {4.f, 4.f, 4.f}) == std::vector<double>({0.5, 0.5, 0.5}),
+             tt::per_element());
   for (unsigned seed = 1; seed <= 50; ++seed) {
     BOOST_TEST_CONTEXT("seed " << seed) {
       Random random(seed);
@@ -344,11 +347,14 @@ BOOST_AUTO_TEST_CASE(with_weights_a_value_takes_as_much_room_as_its_weight)
 {
   BOOST_TEST(equalize(sequential, {}, {}).empty());
   BOOST_TEST(equalize(sequential, {7.f}, {3}) == std::vector<double>({0.5}), tt::per_element());
-  BOOST_TEST(equalize(sequential, {3.f, 1.f, 2.f}, {2, 1, 1}) == std::vector<double>({0.75, 0.125, 0.375}),
+  BOOST_TEST(equalize(sequential, {3.f, 1.f, 2.f}, {2, 1, 1}) ==
+               std::vector<double>({0.75, 0.125, 0.375}),
              tt::per_element());
-  BOOST_TEST(equalize(sequential, {5.f, 1.f, 5.f}, {1, 2, 5}) == std::vector<double>({0.625, 0.125, 0.625}),
+  BOOST_TEST(equalize(sequential, {5.f, 1.f, 5.f}, {1, 2, 5}) ==
+               std::vector<double>({0.625, 0.125, 0.625}),
              tt::per_element());
-  BOOST_TEST(equalize(sequential, {2.f, 1.f}, {0, 0}) == std::vector<double>({0.5, 0.5}), tt::per_element());
+  BOOST_TEST(equalize(sequential, {2.f, 1.f}, {0, 0}) == std::vector<double>({0.5, 0.5}),
+             tt::per_element());
   for (unsigned seed = 1; seed <= 20; ++seed) {
     BOOST_TEST_CONTEXT("seed " << seed) {
       Random random(seed);
@@ -465,7 +471,8 @@ BOOST_AUTO_TEST_CASE(distances_are_computed_from_the_given_points)
   const Soup soup = sphere(1), other = displaced(soup, 0.1, random);
   Face_graph graph = face_graph_of(soup);
   const std::vector<Vector> points = face_graph_of(other).points;
-  CGAL::Spectral_segmentation::internal::set_face_distances(sequential, graph, points, face_normals(graph, points), weights_of_paper);
+  CGAL::Spectral_segmentation::internal::set_face_distances(
+    sequential, graph, points, face_normals(graph, points), weights_of_paper);
   const Face_graph expected = graph_with_distances(other);
   for (Index h = 0; h < graph.number_of_halfedges(); ++h)
     BOOST_TEST(graph.weights[h].combined == expected.weights[h].combined);

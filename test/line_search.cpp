@@ -198,10 +198,11 @@ std::size_t compare_with_twin(const Face_graph& part, const std::vector<Index>& 
                               const Weighted_part_salience& part_salience, double minimum_area)
 {
   std::vector<Observed> observed;
-  const std::optional<Cut> cut = internal::line_search(sequential, part, line, part_salience, minimum_area,
-    [&](std::size_t size, const Salience_factors& factors, double salience) {
-      observed.push_back({size, factors, salience});
-    });
+  const std::optional<Cut> cut =
+    internal::line_search(sequential, part, line, part_salience, minimum_area,
+                          [&](std::size_t size, const Salience_factors& factors, double salience) {
+                            observed.push_back({size, factors, salience});
+                          });
   std::sort(observed.begin(), observed.end(), [](const Observed& a, const Observed& b)
             { return a.size_of_q < b.size_of_q; });
   const std::vector<Twin::Step> expected = Twin(part).steps(line, minimum_area);
@@ -371,7 +372,8 @@ BOOST_AUTO_TEST_CASE(of_equally_salient_cuts_the_first_is_taken)
   std::vector<Index> line(40);
   std::iota(line.begin(), line.end(), Index(0));
   std::size_t first = line.size();
-  const std::optional<Cut> cut = internal::line_search(sequential, part, line, [](const Salience_factors&) { return 0.5; }, 0.1 * total_area(part),
+  const std::optional<Cut> cut = internal::line_search(
+    sequential, part, line, [](const Salience_factors&) { return 0.5; }, 0.1 * total_area(part),
     [&](std::size_t size, const Salience_factors&, double) { first = std::min(first, size); });
   BOOST_REQUIRE(cut.has_value());
   BOOST_TEST(static_cast<std::size_t>(std::count(cut->side.begin(), cut->side.end(), 0)) == first);
@@ -382,8 +384,8 @@ BOOST_AUTO_TEST_CASE(the_side_of_smaller_area_is_side_0_whichever_end_the_line_s
   const Face_graph part = graph_with_distances(dumbbell(8, 6));
   const Index last = static_cast<Index>(part.number_of_faces() - 1);
   for (const auto& [s, t] : {std::pair(Index(0), last), std::pair(last, Index(0))}) {
-    const std::optional<Cut> cut =
-      internal::line_search(sequential, part, line_between(part, s, t), Weighted_part_salience(), 0);
+    const std::optional<Cut> cut = internal::line_search(sequential, part, line_between(part, s, t),
+                                                         Weighted_part_salience(), 0);
     BOOST_REQUIRE(cut.has_value());
     double area[2] = {0, 0};
     for (Index f = 0; f <= last; ++f)
@@ -397,10 +399,12 @@ BOOST_AUTO_TEST_CASE(a_part_without_a_cut_has_none)
 {
   Random random(1);
   const Face_graph face = random_part(graph_with_distances(sphere(0)), 1, random);
-  BOOST_TEST(!internal::line_search(sequential, face, {0}, Weighted_part_salience(), 0).has_value());
+  BOOST_TEST(
+    !internal::line_search(sequential, face, {0}, Weighted_part_salience(), 0).has_value());
   const Face_graph part = graph_with_distances(sphere(1));
-  BOOST_TEST(!internal::line_search(sequential, part, random_line(part, random), Weighted_part_salience(),
-                          0.51 * total_area(part)).has_value());
+  BOOST_TEST(!internal::line_search(sequential, part, random_line(part, random),
+                                    Weighted_part_salience(), 0.51 * total_area(part))
+                .has_value());
 }
 
 BOOST_AUTO_TEST_SUITE_END()

@@ -337,7 +337,8 @@ BOOST_AUTO_TEST_CASE(a_salience_that_is_no_number_counts_as_the_least)
     Execution::SEQUENTIAL, graph, regions,
     [](const Salience_factors& f) { return f.size < 0.3 ? std::sqrt(-1.) : f.size; }, count);
   check_hierarchy(graph, regions, result);
-  BOOST_TEST(result.nodes[result.turns.back()].salience == -std::numeric_limits<double>::infinity());
+  BOOST_TEST(result.nodes[result.turns.back()].salience ==
+             -std::numeric_limits<double>::infinity());
 }
 
 // The whole search of the calibrated method on a small mesh.

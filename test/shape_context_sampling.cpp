@@ -112,8 +112,9 @@ BOOST_AUTO_TEST_CASE(the_first_reference_is_farthest_from_the_center_of_area)
       double largest = 0;
       for (const Point& p : centroids)
         largest = std::max(largest, CGAL::squared_distance(p, center));
-      BOOST_TEST(CGAL::squared_distance(centroids[farthest_face_from_center(sequential, graph)], center) ==
-                 largest, tt::tolerance(1e-5));
+      BOOST_TEST(CGAL::squared_distance(centroids[farthest_face_from_center(sequential, graph)],
+                                        center) == largest,
+                 tt::tolerance(1e-5));
     }
   }
 }
