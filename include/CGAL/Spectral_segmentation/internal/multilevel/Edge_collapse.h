@@ -7,11 +7,10 @@
 #include <CGAL/Spectral_segmentation/internal/mesh/Face_graph.h>
 #include <CGAL/Spectral_segmentation/internal/mesh/Principal_frame.h>
 #include <CGAL/Spectral_segmentation/internal/multilevel/Edge_queue.h>
+#include <CGAL/Spectral_segmentation/internal/multilevel/Halfedge_mesh.h>
 #include <CGAL/Spectral_segmentation/internal/multilevel/domains.h>
 #include <CGAL/Spectral_segmentation/internal/utility/Run_monitor.h>
 #include <CGAL/Spectral_segmentation/internal/utility/concurrency.h>
-
-#include <boost/container/small_vector.hpp>
 
 #include <Eigen/Core>
 #include <Eigen/Geometry>
@@ -45,37 +44,27 @@ struct Coarse_mesh
 //
 // A large mesh is first divided into compact domains, which threads take one by one; edges with an
 // end on the seam, which are vertices of several domains, stay. So all faces around both ends of an
-// edge that collapses are of one domain. A collapse reads and writes the corners of these faces, and
-// `opposite_` of their half-edges and of those across edges at the two ends, which are of these
-// faces too; it writes the point of one end. Besides it reads points of neighboring vertices: of
-// this domain, or on the seam, which nobody moves. It does not walk around a third vertex that is on
+// edge that collapses are of one domain. A collapse reads and writes the corners of these faces,
+// and `opposite` of their half-edges and of those across edges at the two ends, which are of these
+// faces too; it writes the point of one end. It also reads points of neighboring vertices: of this
+// domain, or on the seam, which no thread moves. It does not walk around a third vertex that is on
 // the seam. So no thread reads what another one writes.
 //
 // Coordinates are in the principal frame, on a grid, and ties are broken by a hash of them, so that
 // the result moves with the mesh and does not depend on the numbers of its vertices and faces.
-class Edge_collapse
+class Edge_collapse : private Halfedge_mesh
 {
-  typedef boost::container::small_vector<Index, 16> Index_list;
-
   const Execution execution_;
   Run_monitor& monitor_;
   const double progress_per_face_;
 
-  std::vector<Corners> corners_;               // null_index for faces that are gone
-  std::vector<Index> opposite_;                // of each half-edge; null_index on the border
-  std::vector<Vector> points_;
-  std::vector<Index> became_;                  // what each vertex was joined to, or itself
-  std::vector<char> is_fixed_;                 // vertices that stay as they are
-  std::vector<char> is_on_seam_;               // of domains; empty without domains
+  std::vector<Index> became_;    // what each vertex was joined to, or itself
+  std::vector<char> is_fixed_;   // vertices that stay as they are
+  std::vector<char> is_on_seam_; // of domains; empty without domains
 
   static constexpr std::size_t faces_per_domain = 1 << 13;
   static constexpr std::size_t tries_between_checks = 1 << 12; // a few milliseconds
 
-  static Index next(Index h) { return h % 3 == 2 ? h - 2 : h + 1; }
-  static Index previous(Index h) { return h % 3 == 0 ? h + 2 : h - 1; }
-  Index source(Index h) const { return corners_[h / 3][h % 3]; }
-  Index target(Index h) const { return source(next(h)); }
-  bool is_gone(Index f) const { return corners_[f][0] == null_index; }
   bool is_on_seam(Index v) const { return !is_on_seam_.empty() && is_on_seam_[v]; }
   bool must_stay(Index v) const { return is_fixed_[v] || is_on_seam(v); }
 
@@ -85,55 +74,8 @@ class Edge_collapse
   static Vector on_grid(const Vector& p)
   { return ((p.array() * steps_per_unit + 0.5).floor() / steps_per_unit).matrix(); }
 
-  // The half-edges that leave the source of h, one for each face around it.
-  Index_list around_source(Index h) const
-  {
-    Index_list result;
-    Index g = h;
-    do {
-      result.push_back(g);
-      g = opposite_[previous(g)];
-    } while (g != null_index && g != h);
-    if (g == null_index)
-      for (g = h; opposite_[g] != null_index;) {
-        g = next(opposite_[g]);
-        result.push_back(g);
-      }
-    return result;
-  }
-
-  // Whether there are at most three faces around the source of h, and no border.
-  bool has_few_faces_around(Index h) const
-  {
-    Index g = h;
-    for (int i = 0; i < 3; ++i) {
-      g = opposite_[previous(g)];
-      if (g == null_index || g == h)
-        return g == h;
-    }
-    return false;
-  }
-
-  bool is_on_border(const Index_list& around) const
-  {
-    return std::any_of(around.begin(), around.end(), [&](Index h)
-      { return opposite_[h] == null_index || opposite_[previous(h)] == null_index; });
-  }
-
-  Index_list neighbors(const Index_list& around) const
-  {
-    Index_list result;
-    for (Index h : around) {
-      result.push_back(target(h));
-      result.push_back(source(previous(h)));
-    }
-    std::sort(result.begin(), result.end());
-    result.erase(std::unique(result.begin(), result.end()), result.end());
-    return result;
-  }
-
-  // Of a point on the grid. The same on every machine, unlike the hashes of libraries: the finalizer
-  // of SplitMix64 (Steele, Lea, Flood 2014).
+  // Of a point on the grid. The same on every machine, unlike the hashes of libraries: the
+  // finalizer of SplitMix64 (Steele, Lea, Flood 2014).
   static std::uint32_t hash(const Vector& p)
   {
     std::uint64_t h = 0;
@@ -149,13 +91,13 @@ class Edge_collapse
 
   std::uint64_t key(Index h) const
   {
-    const Vector &p = points_[source(h)], &q = points_[target(h)];
+    const Vector &p = points[source(h)], &q = points[target(h)];
     return Edge_queue::key(static_cast<float>((q - p).squaredNorm()), hash(p + q));
   }
 
   // Of the face of h if the source of h moves.
   Vector normal(Index h, const Vector& point) const
-  { return (points_[target(h)] - point).cross(points_[source(previous(h))] - point); }
+  { return (points[target(h)] - point).cross(points[source(previous(h))] - point); }
 
   static void add_plane(const Vector& normal, const Vector& offset, Eigen::Matrix3d& matrix,
                         Vector& right)
@@ -167,17 +109,17 @@ class Edge_collapse
   // The point nearest to the planes around the two ends of an edge, and not far from its middle.
   Vector best_point(Index h, const Index_list& around_u, const Index_list& around_v) const
   {
-    const Vector &p = points_[source(h)], &q = points_[target(h)], middle = (p + q) / 2;
+    const Vector &p = points[source(h)], &q = points[target(h)], middle = (p + q) / 2;
     Eigen::Matrix3d matrix = Eigen::Matrix3d::Zero();
     Vector right = Vector::Zero();
     for (const Index_list* around : {&around_u, &around_v})
       for (Index g : *around) {
-        const Vector &at = points_[source(g)], n = normal(g, at);
+        const Vector &at = points[source(g)], n = normal(g, at);
         add_plane(n, at - middle, matrix, right);
         // Planes along the border keep it where it is.
         for (Index e : {g, previous(g)})
-          if (opposite_[e] == null_index)
-            add_plane((points_[target(e)] - points_[source(e)]).cross(n.stableNormalized()) *
+          if (opposite[e] == null_index)
+            add_plane((points[target(e)] - points[source(e)]).cross(n.stableNormalized()) *
                         (q - p).norm(), at - middle, matrix, right);
       }
     // Regularized, so that the point stays near the middle along planes that are parallel.
@@ -188,9 +130,10 @@ class Edge_collapse
   }
 
   // The link condition (Dey et al. 1999), and no face must turn over.
-  bool can_collapse(Index h, const Index_list& around_u, const Index_list& around_v, Vector& point) const
+  bool can_collapse(Index h, const Index_list& around_u, const Index_list& around_v,
+                    Vector& point) const
   {
-    const Index u = source(h), v = target(h), o = opposite_[h];
+    const Index u = source(h), v = target(h), o = opposite[h];
     const bool u_on_border = is_on_border(around_u), v_on_border = is_on_border(around_v);
     if (u_on_border && v_on_border && o != null_index)
       return false;
@@ -203,7 +146,7 @@ class Edge_collapse
     for (Index e : {h, o}) {
       if (e == null_index)
         continue;
-      if (opposite_[next(e)] == null_index && opposite_[previous(e)] == null_index)
+      if (opposite[next(e)] == null_index && opposite[previous(e)] == null_index)
         return false;
       // Not around a vertex on a seam: it has more faces, and other threads may be at work there.
       if (is_on_seam(source(previous(e))))
@@ -212,15 +155,16 @@ class Edge_collapse
         return false;
     }
     if (o != null_index && (u_on_border || v_on_border))
-      point = points_[u_on_border ? u : v];
+      point = points[u_on_border ? u : v];
     else
       point = best_point(h, around_u, around_v);
     for (const Index_list* around : {&around_u, &around_v})
       for (Index g : *around) {
         if (g / 3 == h / 3 || (o != null_index && g / 3 == o / 3))
           continue;
-        const Vector before = normal(g, points_[source(g)]), after = normal(g, point);
-        if (!before.isZero(0) && !(after.dot(before) > smallest_cosine * after.norm() * before.norm()))
+        const Vector before = normal(g, points[source(g)]), after = normal(g, point);
+        if (!before.isZero(0) &&
+            !(after.dot(before) > smallest_cosine * after.norm() * before.norm()))
           return false;
       }
     return true;
@@ -229,21 +173,21 @@ class Edge_collapse
   // Joins the two outer edges of the face of e, which goes.
   void remove_face(Index e)
   {
-    const Index a = opposite_[next(e)], b = opposite_[previous(e)];
+    const Index a = opposite[next(e)], b = opposite[previous(e)];
     if (a != null_index)
-      opposite_[a] = b;
+      opposite[a] = b;
     if (b != null_index)
-      opposite_[b] = a;
-    corners_[e / 3][0] = null_index;
+      opposite[b] = a;
+    corners[e / 3][0] = null_index;
   }
 
-  void collapse(Index h, const Index_list& around_u, const Index_list& around_v, const Vector& point,
-                Edge_queue& edges)
+  void collapse(Index h, const Index_list& around_u, const Index_list& around_v,
+                const Vector& point, Edge_queue& edges)
   {
-    const Index u = source(h), v = target(h), o = opposite_[h];
+    const Index u = source(h), v = target(h), o = opposite[h];
     for (Index g : around_v)
-      corners_[g / 3][g % 3] = u;
-    points_[u] = point;
+      corners[g / 3][g % 3] = u;
+    points[u] = point;
     became_[v] = u;
     remove_face(h);
     if (o != null_index)
@@ -252,7 +196,7 @@ class Edge_collapse
       for (Index g : *around)
         if (!is_gone(g / 3)) {
           edges.push({key(g), g});
-          if (opposite_[previous(g)] == null_index)
+          if (opposite[previous(g)] == null_index)
             edges.push({key(previous(g)), previous(g)});
         }
   }
@@ -267,7 +211,7 @@ class Edge_collapse
         continue;
       ++left;
       for (Index h = 3 * f; h < 3 * f + 3; ++h)
-        if (opposite_[h] == null_index || h < opposite_[h])
+        if (opposite[h] == null_index || h < opposite[h])
           edges.push({key(h), h});
     }
     reported = left;
@@ -286,7 +230,7 @@ class Edge_collapse
       const Index_list around_u = around_source(h), around_v = around_source(next(h));
       Vector point;
       if (can_collapse(h, around_u, around_v, point)) {
-        left -= opposite_[h] == null_index ? 1 : 2;
+        left -= opposite[h] == null_index ? 1 : 2;
         collapse(h, around_u, around_v, point, edges);
       }
     }
@@ -294,17 +238,17 @@ class Edge_collapse
 
   void collapse_edges_by_domains(std::size_t number)
   {
-    const std::vector<std::vector<Index> > faces = domains(corners_, points_, faces_per_domain);
+    const std::vector<std::vector<Index> > faces = domains(corners, points, faces_per_domain);
     std::vector<double> areas(faces.size(), 0);
     for_each_index(execution_, faces.size(), [&](std::size_t d) {
       for (Index f : faces[d])
-        areas[d] += normal(3 * f, points_[source(3 * f)]).norm();
+        areas[d] += normal(3 * f, points[source(3 * f)]).norm();
     });
-    std::vector<Index> domain(points_.size(), null_index);
-    is_on_seam_.assign(points_.size(), 0);
+    std::vector<Index> domain(points.size(), null_index);
+    is_on_seam_.assign(points.size(), 0);
     for (Index d = 0; d < faces.size(); ++d)
       for (Index f : faces[d])
-        for (Index v : corners_[f]) {
+        for (Index v : corners[f]) {
           is_on_seam_[v] = is_on_seam_[v] || (domain[v] != null_index && domain[v] != d);
           domain[v] = d;
         }
@@ -312,7 +256,7 @@ class Edge_collapse
     for_each_index(execution_, faces.size(), [&](std::size_t d) {
       // Those with an edge on a seam are left besides.
       const auto at_seam = std::count_if(faces[d].begin(), faces[d].end(), [&](Index f) {
-        const Corners& c = corners_[f];
+        const Corners& c = corners[f];
         return is_on_seam_[c[0]] + is_on_seam_[c[1]] + is_on_seam_[c[2]] >= 2;
       });
       const double all = static_cast<double>(faces[d].size());
@@ -326,23 +270,24 @@ public:
   // `progress_per_face` is the share of the phase that one face less is.
   Edge_collapse(Execution execution, const Face_graph& mesh, Run_monitor& monitor,
                 double progress_per_face)
-    : execution_(execution), monitor_(monitor), progress_per_face_(progress_per_face),
-      corners_(mesh.corners), opposite_(mesh.neighbors.size(), null_index),
-      points_(mesh.points.size()), became_(mesh.points.size()), is_fixed_(mesh.points.size(), 0)
+    : Halfedge_mesh{mesh.corners, std::vector<Index>(mesh.neighbors.size(), null_index),
+                    std::vector<Vector>(mesh.points.size())},
+      execution_(execution), monitor_(monitor), progress_per_face_(progress_per_face),
+      became_(mesh.points.size()), is_fixed_(mesh.points.size(), 0)
   {
     const Principal_frame frame(execution, mesh);
-    for_each_index(execution_, points_.size(), [&](std::size_t v)
-      { points_[v] = on_grid(frame.point(mesh.points[v])); });
+    for_each_index(execution_, points.size(), [&](std::size_t v)
+      { points[v] = on_grid(frame.point(mesh.points[v])); });
     std::iota(became_.begin(), became_.end(), Index(0));
-    for_each_index(execution_, opposite_.size(), [&](std::size_t i) {
+    for_each_index(execution_, opposite.size(), [&](std::size_t i) {
       const Index h = static_cast<Index>(i);
       if (!mesh.is_border(h))
-        opposite_[h] = mesh.opposite(h);
+        opposite[h] = mesh.opposite(h);
     });
 
-    std::vector<Index> outgoing(points_.size(), null_index);
-    std::vector<Index> number_of_faces_around(points_.size(), 0);
-    for (Index h = 0; h < opposite_.size(); ++h) {
+    std::vector<Index> outgoing(points.size(), null_index);
+    std::vector<Index> number_of_faces_around(points.size(), 0);
+    for (Index h = 0; h < opposite.size(); ++h) {
       outgoing[source(h)] = h;
       ++number_of_faces_around[source(h)];
     }
@@ -354,15 +299,15 @@ public:
   }
 
   // Until at most `number_of_faces` are left, or no edge is left to try; or, if some more will do,
-  // those that are left at the seams of domains besides.
+  // those that are left at the seams of domains as well.
   void collapse_edges(std::size_t number_of_faces, bool more_will_do)
   {
-    const bool is_large = corners_.size() >= 4 * faces_per_domain;
+    const bool is_large = corners.size() >= 4 * faces_per_domain;
     if (is_large)
       collapse_edges_by_domains(number_of_faces);
     if (is_large && more_will_do)
       return;
-    std::vector<Index> all(corners_.size());
+    std::vector<Index> all(corners.size());
     std::iota(all.begin(), all.end(), Index(0));
     collapse_edges(all, number_of_faces);
   }
@@ -371,16 +316,16 @@ public:
   {
     Coarse_mesh result;
     Face_graph& graph = result.graph;
-    std::vector<Index> new_vertex(points_.size(), null_index), new_face(corners_.size());
-    for (Index f = 0; f < corners_.size(); ++f) {
+    std::vector<Index> new_vertex(points.size(), null_index), new_face(corners.size());
+    for (Index f = 0; f < corners.size(); ++f) {
       if (is_gone(f))
         continue;
       new_face[f] = static_cast<Index>(result.faces.size());
       result.faces.push_back(f);
-      for (Index v : corners_[f])
+      for (Index v : corners[f])
         if (new_vertex[v] == null_index) {
           new_vertex[v] = static_cast<Index>(graph.points.size());
-          graph.points.push_back(points_[v]);
+          graph.points.push_back(points[v]);
         }
     }
     graph.corners.resize(result.faces.size());
@@ -388,14 +333,14 @@ public:
     for_each_index(execution_, result.faces.size(), [&](std::size_t i) {
       const Index f = result.faces[i];
       for (Index j = 0; j < 3; ++j) {
-        const Index o = opposite_[3 * f + j];
-        graph.corners[i][j] = new_vertex[corners_[f][j]];
+        const Index o = opposite[3 * f + j];
+        graph.corners[i][j] = new_vertex[corners[f][j]];
         graph.neighbors[3 * i + j] = new_face[o == null_index ? f : o / 3];
       }
     });
     set_areas(execution_, graph);
     // A vertex became one of those before which it was joined, and so on.
-    result.vertices.resize(points_.size());
+    result.vertices.resize(points.size());
     for (Index v = 0; v < became_.size(); ++v) {
       Index last = v;
       while (became_[last] != last)

@@ -11,12 +11,9 @@
 #include <CGAL/Spectral_segmentation/internal/mesh/connected_components.h>
 #include <CGAL/Spectral_segmentation/internal/mesh/extract_part.h>
 #include <CGAL/Spectral_segmentation/internal/mesh/surface_integrals.h>
+#include <CGAL/Spectral_segmentation/internal/multilevel/Band_cells.h>
 #include <CGAL/Spectral_segmentation/internal/multilevel/coarsening.h>
 #include <CGAL/Spectral_segmentation/internal/utility/Run_monitor.h>
-
-#include <CGAL/Iterator_range.h>
-
-#include <boost/graph/compressed_sparse_row_graph.hpp>
 
 #include <algorithm>
 #include <array>
@@ -29,24 +26,16 @@ namespace CGAL {
 namespace Spectral_segmentation {
 namespace internal {
 
-// Projects the cuts of a coarse mesh onto the mesh that was coarsened. A face gets the side shared by
-// all coarse faces around the images of its vertices. The faces between, which have no unique side,
-// are a band around the cut; it is split by a minimum cut or, if no face of a side is sure, by region
-// growing from the faces that survived the coarsening. Where a side is not connected then, all but
-// its largest part goes to the other side.
-//
-// The faces that may be between the sides of any cut, and those next to them, are the bands. What is
-// connected beyond them is divided by no cut. So cuts divide cells: the faces of the bands, and after
-// them such cores.
+// Projects the cuts of a coarse mesh onto the mesh that was coarsened. A face gets the side shared
+// by all coarse faces around the images of its vertices. The faces between, which have no unique
+// side, are a band around the cut; it is split by a minimum cut or, if no face of a side is sure,
+// by region growing from the faces that survived the coarsening. Where a side is not connected then,
+// all but its largest part goes to the other side.
 class Cut_projection
 {
   enum Side : char { Q, REST, BETWEEN, OUTSIDE }; // OUTSIDE: not in the part that is cut
 
   typedef Nested_ranges::Range Cells; // of a node
-  typedef boost::no_property No_property;
-  typedef boost::compressed_sparse_row_graph<boost::directedS, No_property, No_property,
-                                             No_property, int, int> Cell_graph;
-
   const Execution execution_;
   const Cut_hierarchy& cuts_; // of the coarse mesh
   const Coarse_mesh& coarse_;
@@ -55,13 +44,8 @@ class Cut_projection
   Run_monitor& monitor_;
   const Nested_ranges coarse_faces_;
 
-  std::vector<Index> faces_of_bands_;
+  const Band_cells cells_;
   Face_graph bands_;
-
-  std::vector<Index> cell_;       // of each face
-  std::vector<Index> first_face_; // of each cell
-  std::vector<double> areas_;     // of each cell
-  Cell_graph neighbors_;
 
   // Of the cut at hand. Between cuts all cells are OUTSIDE.
   Sides side_;                    // of each cell
@@ -69,11 +53,6 @@ class Cut_projection
   std::vector<Index> flood_;      // the last one that reached each cell
   Index number_of_floods_ = 0;
   std::vector<char> sides_around_; // of each coarse vertex, as bits; 0 between cuts
-
-  auto neighbors_of(Index cell) const
-  { return make_range(boost::adjacent_vertices(static_cast<int>(cell), neighbors_)); }
-
-  bool is_core(Index cell) const { return cell >= faces_of_bands_.size(); }
 
   template <class Value>
   std::array<Value, 3> values_at(const std::vector<Value>& of_vertex, Index f) const
@@ -103,24 +82,9 @@ class Cut_projection
     return result;
   }
 
-  void find_bands()
-  {
-    const std::vector<char> is_between = are_between();
-    cell_.assign(mesh_.number_of_faces(), null_index);
-    for (Index f = 0; f < mesh_.number_of_faces(); ++f) {
-      bool is_needed = is_between[f];
-      for (Index h = 3 * f; h < 3 * f + 3; ++h)
-        is_needed = is_needed || is_between[mesh_.neighbors[h]];
-      if (is_needed) {
-        cell_[f] = static_cast<Index>(faces_of_bands_.size());
-        faces_of_bands_.push_back(f);
-      }
-    }
-  }
-
   void set_bands()
   {
-    bands_ = Part_extractor(mesh_)(faces_of_bands_);
+    bands_ = Part_extractor(mesh_)(cells_.faces_of_bands());
     if (monitor_.is_stopped()) // sides grow then, for which no distances are needed
       return;
     Distance_weights weights = weights_;
@@ -128,42 +92,6 @@ class Cut_projection
     weights.concavity_radius *= area > 0 ? std::sqrt(total_area(mesh_) / area) : 0;
     set_face_distances(execution_, bands_, bands_.points,
                        face_normals(execution_, bands_, bands_.points), weights);
-  }
-
-  void set_cells()
-  {
-    std::size_t number;
-    const std::vector<Index> component = connected_components(mesh_, number, [&](Index f, Index g)
-      { return cell_[f] == null_index && cell_[g] == null_index; });
-    std::vector<Index> core(number, null_index); // of each component
-    first_face_ = faces_of_bands_;
-    for (Index f = 0; f < cell_.size(); ++f) {
-      if (cell_[f] != null_index)
-        continue;
-      Index& cell = core[component[f]];
-      if (cell == null_index) {
-        cell = static_cast<Index>(first_face_.size());
-        first_face_.push_back(f);
-      }
-      cell_[f] = cell;
-    }
-    areas_.assign(first_face_.size(), 0);
-    for (Index f = 0; f < cell_.size(); ++f)
-      areas_[cell_[f]] += mesh_.areas[f];
-    side_.assign(first_face_.size(), OUTSIDE);
-    flood_.assign(first_face_.size(), 0);
-    sides_around_.assign(coarse_.graph.points.size(), 0);
-
-    std::vector<std::pair<Index, Index> > arcs;
-    for (Index cell = 0; cell < faces_of_bands_.size(); ++cell)
-      for (Index h = 3 * first_face_[cell]; h < 3 * first_face_[cell] + 3; ++h) {
-        const Index neighbor = cell_[mesh_.neighbors[h]];
-        arcs.emplace_back(cell, neighbor);
-        if (is_core(neighbor))
-          arcs.emplace_back(neighbor, cell);
-      }
-    neighbors_ = Cell_graph(boost::edges_are_unsorted_multi_pass, arcs.begin(), arcs.end(),
-                            static_cast<int>(first_face_.size()));
   }
 
   // Gives each cell of a part its side or BETWEEN. Tells whether there are sure cells on either
@@ -179,7 +107,7 @@ class Cut_projection
     add_sides(true);
     int all = 0;
     for (Index cell : cells) {
-      const auto [a, b, c] = values_at(sides_around_, first_face_[cell]);
+      const auto [a, b, c] = values_at(sides_around_, cells_.first_face(cell));
       const int sides = a | b | c;
       // A cell that an earlier cut moved to keep a part connected may touch no coarse face of this
       // node (0). Any side will do: keep_largest() corrects it.
@@ -194,11 +122,12 @@ class Cut_projection
   // Splits what is BETWEEN by the minimum cut. Needs sure cells on both sides.
   void divide_band(const Cells& cells)
   {
-    Sides side(side_.begin(), side_.begin() + static_cast<std::ptrdiff_t>(faces_of_bands_.size()));
+    const std::size_t number = cells_.faces_of_bands().size();
+    Sides side(side_.begin(), side_.begin() + static_cast<std::ptrdiff_t>(number));
     std::vector<Index> band;
     for (Index cell : cells)
       if (side_[cell] == BETWEEN) {
-        CGAL_assertion(!is_core(cell));
+        CGAL_assertion(!cells_.is_core(cell));
         side[cell] = Q;
         band.push_back(cell);
       }
@@ -217,7 +146,7 @@ class Cut_projection
         reached.push_back(cell);
     for (char s : {Q, REST})
       for (Index f : coarse_faces_[cuts_.nodes[node].children[int(s)]]) {
-        const Index left = cell_[coarse_.faces[f]];
+        const Index left = cells_.of_face(coarse_.faces[f]);
         if (side_[left] == BETWEEN) {
           side_[left] = s;
           reached.push_back(left);
@@ -225,7 +154,7 @@ class Cut_projection
       }
     for (std::size_t i = 0; i < reached.size(); ++i) {
       const char side = side_[reached[i]];
-      for (Index cell : neighbors_of(reached[i]))
+      for (Index cell : cells_.neighbors(reached[i]))
         if (side_[cell] == BETWEEN) {
           side_[cell] = side;
           reached.push_back(cell);
@@ -243,7 +172,7 @@ class Cut_projection
     reached_.push_back(first);
     flood_[first] = number_of_floods_;
     for (; next < reached_.size(); ++next)
-      for (Index cell : neighbors_of(reached_[next]))
+      for (Index cell : cells_.neighbors(reached_[next]))
         if (side_[cell] == side_[first] && flood_[cell] != number_of_floods_) {
           flood_[cell] = number_of_floods_;
           reached_.push_back(cell);
@@ -270,7 +199,7 @@ class Cut_projection
       flood(cell);
       areas.push_back(0);
       for (std::size_t i = first_of_set.back(); i < reached_.size(); ++i)
-        areas.back() += areas_[reached_[i]];
+        areas.back() += cells_.area(reached_[i]);
     }
     if (areas.size() < 2)
       return;
@@ -322,7 +251,7 @@ class Cut_projection
     double area[2] = {0, 0};
     std::size_t number[2] = {0, 0};
     for (std::size_t i = 0; i < side.size(); ++i) {
-      area[int(side[i])] += areas_[cells[node].begin()[static_cast<std::ptrdiff_t>(i)]];
+      area[int(side[i])] += cells_.area(cells[node].begin()[static_cast<std::ptrdiff_t>(i)]);
       ++number[int(side[i])];
     }
     if (number[0] == 0 || number[1] == 0) { // of one cell
@@ -342,24 +271,24 @@ public:
   Cut_projection(Execution execution, const Cut_hierarchy& cuts, const Coarse_mesh& coarse,
                  const Face_graph& mesh, const Distance_weights& weights, Run_monitor& monitor)
     : execution_(execution), cuts_(cuts), coarse_(coarse), mesh_(mesh), weights_(weights),
-      monitor_(monitor), coarse_faces_(cuts, cuts.leaf)
+      monitor_(monitor), coarse_faces_(cuts, cuts.leaf),
+      cells_(mesh, are_between()), side_(cells_.number(), OUTSIDE),
+      flood_(cells_.number(), 0), sides_around_(coarse.graph.points.size(), 0)
   {}
 
   // The hierarchy on the mesh. Once the caller has stopped the run, sides grow in place of minimum
   // cuts.
   Cut_hierarchy operator()()
   {
-    find_bands();
     std::size_t number_of_components;
     std::vector<Index> component;
     call_all(execution_,
       [&] { set_bands(); },
-      [&] { set_cells(); },
       [&] { component = connected_components(mesh_, number_of_components); });
 
     std::vector<Index> component_of_cell;
-    for (Index f : first_face_)
-      component_of_cell.push_back(component[f]);
+    for (Index cell = 0; cell < cells_.number(); ++cell)
+      component_of_cell.push_back(component[cells_.first_face(cell)]);
     Cut_hierarchy result = uncut_hierarchy(
       std::move(component_of_cell), component_areas(mesh_, component, number_of_components));
     result.is_ultrametric = cuts_.is_ultrametric;
@@ -395,8 +324,8 @@ public:
         for (Index cell : cells[i])
           result.leaf[cell] = static_cast<Index>(i);
     std::vector<Index> leaf(mesh_.number_of_faces());
-    for_each_index(execution_, leaf.size(),
-                   [&](std::size_t f) { leaf[f] = result.leaf[cell_[f]]; });
+    for_each_index(execution_, leaf.size(), [&](std::size_t f)
+      { leaf[f] = result.leaf[cells_.of_face(static_cast<Index>(f))]; });
     result.leaf = std::move(leaf);
     return result;
   }

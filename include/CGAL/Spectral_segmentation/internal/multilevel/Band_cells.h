@@ -1,0 +1,107 @@
+// Copyright (c) 2026  The Spectral_segmentation authors.
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_SPECTRAL_SEGMENTATION_INTERNAL_MULTILEVEL_BAND_CELLS_H
+#define CGAL_SPECTRAL_SEGMENTATION_INTERNAL_MULTILEVEL_BAND_CELLS_H
+
+#include <CGAL/Spectral_segmentation/internal/mesh/connected_components.h>
+
+#include <CGAL/Iterator_range.h>
+
+#include <boost/graph/compressed_sparse_row_graph.hpp>
+
+#include <cstddef>
+#include <utility>
+#include <vector>
+
+namespace CGAL {
+namespace Spectral_segmentation {
+namespace internal {
+
+// The faces that may be between the sides of any cut, and those next to them, are the bands. What
+// is connected beyond them is divided by no cut. So cuts divide cells: the faces of the bands, and
+// after them such cores.
+class Band_cells
+{
+  typedef boost::no_property No_property;
+  typedef boost::compressed_sparse_row_graph<boost::directedS, No_property, No_property,
+                                             No_property, int, int> Graph;
+
+  std::vector<Index> faces_of_bands_;
+  std::vector<Index> cell_;       // of each face
+  std::vector<Index> first_face_; // of each cell
+  std::vector<double> areas_;     // of each cell
+  Graph graph_;
+
+  void find_bands(const Face_graph& mesh, const std::vector<char>& is_between)
+  {
+    cell_.assign(mesh.number_of_faces(), null_index);
+    for (Index f = 0; f < mesh.number_of_faces(); ++f) {
+      bool is_needed = is_between[f];
+      for (Index h = 3 * f; h < 3 * f + 3; ++h)
+        is_needed = is_needed || is_between[mesh.neighbors[h]];
+      if (is_needed) {
+        cell_[f] = static_cast<Index>(faces_of_bands_.size());
+        faces_of_bands_.push_back(f);
+      }
+    }
+  }
+
+  void find_cores(const Face_graph& mesh)
+  {
+    std::size_t number;
+    const std::vector<Index> component = connected_components(mesh, number, [&](Index f, Index g)
+      { return cell_[f] == null_index && cell_[g] == null_index; });
+    std::vector<Index> core(number, null_index); // of each component
+    first_face_ = faces_of_bands_;
+    for (Index f = 0; f < cell_.size(); ++f) {
+      if (cell_[f] != null_index)
+        continue;
+      Index& cell = core[component[f]];
+      if (cell == null_index) {
+        cell = static_cast<Index>(first_face_.size());
+        first_face_.push_back(f);
+      }
+      cell_[f] = cell;
+    }
+  }
+
+public:
+  // `is_between` tells of each face whether it may be between the sides of a cut.
+  Band_cells(const Face_graph& mesh, const std::vector<char>& is_between)
+  {
+    find_bands(mesh, is_between);
+    find_cores(mesh);
+    areas_.assign(first_face_.size(), 0);
+    for (Index f = 0; f < cell_.size(); ++f)
+      areas_[cell_[f]] += mesh.areas[f];
+
+    std::vector<std::pair<int, int> > arcs;
+    for (Index cell = 0; cell < faces_of_bands_.size(); ++cell)
+      for (Index h = 3 * first_face_[cell]; h < 3 * first_face_[cell] + 3; ++h) {
+        const Index neighbor = cell_[mesh.neighbors[h]];
+        arcs.emplace_back(cell, neighbor);
+        if (is_core(neighbor))
+          arcs.emplace_back(neighbor, cell);
+      }
+    graph_ = Graph(boost::edges_are_unsorted_multi_pass, arcs.begin(), arcs.end(),
+                   static_cast<int>(number()));
+  }
+
+  std::size_t number() const { return first_face_.size(); }
+  const std::vector<Index>& faces_of_bands() const { return faces_of_bands_; } // ascending
+  bool is_core(Index cell) const { return cell >= faces_of_bands_.size(); }
+  Index of_face(Index f) const { return cell_[f]; }
+  Index first_face(Index cell) const { return first_face_[cell]; }
+  double area(Index cell) const { return areas_[cell]; }
+
+  // Ranges over int.
+  auto neighbors(Index cell) const
+  { return make_range(boost::adjacent_vertices(static_cast<int>(cell), graph_)); }
+};
+
+} // namespace internal
+} // namespace Spectral_segmentation
+} // namespace CGAL
+
+#endif // CGAL_SPECTRAL_SEGMENTATION_INTERNAL_MULTILEVEL_BAND_CELLS_H
