@@ -68,7 +68,10 @@ public:
   bool go_further()
   {
     if (!is_stopped_)
-      call([&] { is_stopped_ = !control_.go_further(); });
+      call([&] {
+        if (!is_stopped_) // by another thread, while this one waited
+          is_stopped_ = !control_.go_further();
+      });
     return !is_stopped_;
   }
 
