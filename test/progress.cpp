@@ -12,8 +12,11 @@
 #include <CGAL/tags.h>
 
 #include <algorithm>
+#include <chrono>
 #include <cstddef>
 #include <functional>
+#include <thread>
+#include <type_traits>
 #include <vector>
 
 // What a visitor is told of the progress, and runs that it stops.
@@ -55,12 +58,22 @@ void check_progress(const Mesh& mesh, const NamedParameters& np, std::size_t lea
 #endif
 }
 
-// Says no at the poll of a number; it must not be asked again.
+// Says no at the poll of a number; it must not be asked again, not even by a thread that waits to
+// ask.
 struct Stop_at : Segmentation_visitor
 {
   std::size_t poll, number_of_polls = 0;
-  explicit Stop_at(std::size_t number) : poll(number) {}
-  bool go_further() { return number_of_polls++ != poll; }
+  bool lets_threads_wait;
+
+  Stop_at(std::size_t number, bool with_threads)
+    : poll(number), lets_threads_wait(with_threads) {}
+
+  bool go_further()
+  {
+    if (number_of_polls == poll && lets_threads_wait)
+      std::this_thread::sleep_for(std::chrono::milliseconds(5));
+    return number_of_polls++ != poll;
+  }
 };
 
 const std::size_t never = static_cast<std::size_t>(-1);
@@ -68,7 +81,7 @@ const std::size_t never = static_cast<std::size_t>(-1);
 template <class NamedParameters>
 std::size_t number_of_polls(const Mesh& mesh, const NamedParameters& np)
 {
-  Stop_at visitor(never);
+  Stop_at visitor(never, false);
   labels_of<CGAL::Sequential_tag>(mesh, np.visitor(std::ref(visitor)));
   return visitor.number_of_polls;
 }
@@ -77,7 +90,7 @@ template <class ConcurrencyTag, class NamedParameters>
 void check_stop(const Mesh& mesh, std::size_t poll, const NamedParameters& np)
 {
   BOOST_TEST_CONTEXT("stopped at poll " << poll) {
-    Stop_at visitor(poll);
+    Stop_at visitor(poll, !std::is_same<ConcurrencyTag, CGAL::Sequential_tag>());
     Segmentation_hierarchy hierarchy;
     const Labels labels =
       labels_of<ConcurrencyTag>(mesh, np.hierarchy(hierarchy).visitor(std::ref(visitor)));
