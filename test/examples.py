@@ -209,12 +209,28 @@ class Example(unittest.TestCase):
         _, faces, properties = self.ply()
         self.check_segments(faces, properties["segment"], n)
 
+    def test_segment_points_and_triangles(self):
+        pattern = r"(\d+) points, (\d+) triangles, (\d+) segments"
+        points, faces = dumbbell()
+        output = self.run_example(self.write(points, faces))
+        self.assertEqual(self.numbers(pattern, output), [len(points), len(faces), 2])
+        half = [0] * (len(faces) // 2)
+        labels = self.labels_in_text()
+        self.assertLessEqual(sum(a != b for a, b in zip(labels, half + [1 for _ in half])), 32)
+        *_, n = self.numbers(pattern, self.run_example())
+        self.assertGreater(n, 6)
+        self.check_segments(read_off(MESHES / "elephant.off")[1], self.labels_in_text(), n)
+
     def test_progress_and_cancel(self):
-        *cuts, last = self.run_example().splitlines()
+        *shares, last = self.run_example(MESHES / "elephant.off", 200).splitlines()
         self.assertRegex(last, r"^\d+ segments, finished$")
-        numbers = [int(line.split(" parts by a cut of salience ")[0]) for line in cuts]
-        self.assertEqual(numbers, list(range(2, len(cuts) + 2)))
-        self.assertEqual(self.run_example(MESHES / "elephant.off", 0), "1 segments, stopped\n")
+        numbers = [int(line.split(" %")[0]) for line in shares]
+        self.assertGreater(len(numbers), 20)
+        self.assertEqual(numbers, sorted(set(numbers)))
+        self.assertEqual(numbers[-1], 100)
+        *shares, last = self.run_example(MESHES / "elephant.off", 0).splitlines()
+        self.assertEqual(last, "1 segments, stopped")
+        self.assertEqual(shares[-1], "100 %")
         self.assertEqual(set(self.ply()[2]["segment"]), {0})
 
     def volumes_of_parts(self, output):

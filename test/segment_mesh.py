@@ -9,6 +9,7 @@ import math
 import os
 import pathlib
 import random
+import re
 import resource
 import struct
 import subprocess
@@ -222,14 +223,19 @@ class Real_meshes(Tool_test):
         for node in cuts:
             self.assertTrue(0 <= node["probability"] <= 1)
             self.assertNotIn("salience", node)
-            self.assertGreater(node["factors"]["thickness_variation"], 0)
+            self.assertGreater(node["factors"]["expansion_behind_cut"], 0)
         made = [n for n in cuts
                 if n["probability"] >= report["parameters"]["salience_threshold"]]
         self.assertEqual(len(made), max(labels))
         self.assertEqual(self.segment(MESHES / "elephant.off", "--method", "calibrated"), labels)
 
     def test_defaults_follow_the_method(self):
-        for method, threshold, size in (("calibrated", 0.42, 0.003), ("paper", 0.54, 0.005)):
+        manual = (pathlib.Path(__file__).parent.parent / "include" / "CGAL" /
+                  "segment_spectral_recursive.h").read_text()
+        probability = float(re.search(r"default_probability_threshold`, `([\d.]+)`",
+                                      manual).group(1))
+        for method, threshold, size in (("calibrated", probability, 0.003),
+                                        ("paper", 0.54, 0.005)):
             self.segment(MESHES / "hand.off", "--method", method)
             parameters = self.report()["parameters"]
             self.assertEqual(parameters["method"], method)
@@ -243,7 +249,7 @@ class Real_meshes(Tool_test):
         seconds = self.report()["seconds"]
         total = seconds.pop("total")
         self.assertEqual(set(seconds), {"initialization", "sampling", "embedding",
-                                        "line_search", "merging", "transfer",
+                                        "line_search", "merging", "projection",
                                         "boundary_smoothing"})
         self.assertEqual(seconds["boundary_smoothing"], 0)
         self.assertTrue(all(s >= 0 for s in seconds.values()))
