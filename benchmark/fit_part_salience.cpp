@@ -6,8 +6,8 @@
 /// Benchmark, and reports the Rand errors of runs with them; also with each category judged by
 /// numbers that are fitted to the others, and with numbers that are fitted without single factors.
 ///
-/// The cuts are those that a run with the numbers in the source has to judge. So the program is run
-/// again with the new numbers in the source, until they stay.
+/// The cuts are those that a run with the numbers in the source evaluates; in further passes those of
+/// runs with the numbers of the pass before.
 
 #include "evaluation.h"
 #include "evaluated_cuts.h"
@@ -37,7 +37,7 @@ typedef std::map<std::size_t, Calibrated_part_salience> Saliences; // by categor
 struct Options
 {
   std::string folder, ids = "odd", json;
-  std::size_t threads = 1, rounds = 3;
+  std::size_t threads = 1, rounds = 3, passes = 1;
   std::size_t searched_faces =
     CGAL::Spectral_segmentation::internal::calibrated_options().number_of_searched_faces;
   bool leaves_one_category_out = false, leaves_factors_out = false;
@@ -51,6 +51,8 @@ void add_options(CLI::App& app, Options& o)
   app.add_option("--rounds", o.rounds,
                  "of fitting again, each with more weight on the cuts that the last one prefers")
     ->capture_default_str();
+  app.add_option("--passes", o.passes, "of runs, each with the numbers fitted to those before")
+    ->check(CLI::Range(1, 100))->capture_default_str();
   app.add_option("--searched-faces", o.searched_faces,
                  "the number_of_searched_faces of all runs; 0: the meshes themselves")
     ->capture_default_str();
@@ -234,9 +236,18 @@ Json json_of(const std::vector<Tree_errors>& meshes)
 
 void run(const Options& o)
 {
-  const std::vector<Mesh_cuts> cuts = of_each_mesh(o, [&](const Benchmark_mesh& mesh)
-    { return evaluated_cuts(mesh, options_with({}, o.searched_faces)); });
-  const Part_salience_fit fit = fit_part_salience(cuts, o.rounds);
+  std::vector<Mesh_cuts> cuts;
+  Part_salience_fit fit;
+  for (std::size_t pass = 0; pass < o.passes; ++pass) {
+    cuts = of_each_mesh(o, [&](const Benchmark_mesh& mesh)
+      { return evaluated_cuts(mesh, options_with(fit.salience, o.searched_faces)); });
+    fit = fit_part_salience(cuts, o.rounds);
+    std::printf("pass %zu:", pass + 1);
+    for (const Fitted_factor& f : fitted_factors)
+      std::printf(" %.3f", fit.salience.*f.coefficient);
+    std::printf("\n");
+    std::fflush(stdout);
+  }
   std::printf("%zu cuts of %zu meshes, loss %.5f\n\n", number_of_cuts(cuts), cuts.size(),
               fit.loss);
   print(fit);

@@ -154,7 +154,7 @@ at most 4000 faces by default; the memory is O(*n*). The section
     \cgalParamDescription{Cuts whose salience is below this value are not made (Section 2), or are
       undone by merging. A higher value gives fewer segments.}
     \cgalParamType{a number}
-    \cgalParamDefault{`default_probability_threshold`, `0.42`, or `default_salience_threshold`,
+    \cgalParamDefault{`default_probability_threshold`, `0.40`, or `default_salience_threshold`,
       `0.54`, for a `Weighted_part_salience`, as with `zhang_liu_2005()`. Lower values cut flat
       parts by their noise, higher ones lose limbs with a shallow seam.}
     \cgalParamExtra{`-infinity` accepts every cut, for use with `maximum_number_of_segments`. Not a
