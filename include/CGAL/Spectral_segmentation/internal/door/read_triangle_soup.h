@@ -32,7 +32,7 @@ struct is_triangle_range<Range, std::void_t<Element<Element<Range> > > >
   : std::is_integral<Element<Element<Range> > > {};
 
 // Reads points, whose coordinates are `p[0]`, `p[1]`, `p[2]`, and triangles of their indices. Who is
-// a neighbor of whom is left open.
+// a neighbor of whom is left open. Points that no triangle uses may be anything.
 //
 // Throws `std::invalid_argument` if a triangle has not three corners, one of them is no point, or a
 // coordinate that is used is not finite.
@@ -47,6 +47,7 @@ Triangles read_triangle_soup(const PointRange& points, const TriangleRange& tria
       Vector(CGAL::to_double(p[0]), CGAL::to_double(p[1]), CGAL::to_double(p[2])));
   }
   const std::size_t number_of_points = result.points.size();
+  std::vector<char> is_used(number_of_points, 0);
   for (const auto& triangle : triangles) {
     const std::size_t f = result.corners.size();
     const auto fail = [&](const char* what) {
@@ -66,11 +67,16 @@ Triangles read_triangle_soup(const PointRange& points, const TriangleRange& tria
     }
     if (size < 3)
       fail(" has fewer than three corners");
-    for (Index v : corners)
+    for (Index v : corners) {
       if (!result.points[v].allFinite())
         fail(" has a corner with a coordinate that is not finite");
+      is_used[v] = 1;
+    }
     result.corners.push_back(corners);
   }
+  for (std::size_t v = 0; v < number_of_points; ++v)
+    if (!is_used[v])
+      result.points[v] = Vector::Zero();
   return result;
 }
 
