@@ -32,8 +32,8 @@ struct Salience_factors
   /// They are 0 in the method of the paper.
   /// *L* is the square root of the area of the mesh, *r* = 0.35 sqrt(Area(*Q*)). The convexity
   /// defect of a set of faces is the mean depth of its faces below its own convex hull (compare
-  /// Lien and Amato 2007); *h* is that of *M*, *h'* the mean, by area, of those of *Q* and the rest,
-  /// both divided by *L*.
+  /// Lien and Amato 2007); *h* is that of *M*, *h'* the mean, by area, of those of *Q* and the
+  /// rest, both divided by *L*.
   /// @{
 
   /// ln(Area(*M*) / Area(mesh)), at most 0

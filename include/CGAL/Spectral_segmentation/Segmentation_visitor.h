@@ -60,8 +60,8 @@ struct Segmentation_visitor
   void part_cut(std::size_t /* part */, const Salience_factors&, double /* salience */,
                 std::size_t /* number_of_segments */) {}
 
-  /// About this share of the run is done: from 0 to 1, which is reported at the end; never less
-  /// than before. It is called some dozens to some hundreds of times.
+  /// About this share of the run is done: from 0 to 1, never less than before; 1 is reported at the
+  /// end of a run that was not stopped. It is called some dozens to some hundreds of times.
   void progress(double /* share */) {}
 
   /// Asked in every stage: between the shortest path trees and the other steps of the search, every

@@ -13,9 +13,7 @@
 #include <limits>
 #include <optional>
 
-namespace CGAL {
-namespace Spectral_segmentation {
-namespace internal {
+namespace CGAL::Spectral_segmentation::internal {
 
 enum class Execution { SEQUENTIAL, PARALLEL }; // on one thread; on all that TBB has
 
@@ -62,8 +60,8 @@ struct Options
       ? number_of_regions : (std::max)(number_of_regions, maximum_number_of_segments);
   }
 
-  // The number of faces on which the cuts of a mesh are searched: `number_of_searched_faces`, and in
-  // proportion if more regions are needed than by default. In the paper's recursion it must not
+  // The number of faces on which the cuts of a mesh are searched: `number_of_searched_faces`, and
+  // in proportion if more regions are needed than by default. In the paper's recursion it must not
   // depend on the number of segments, as a hierarchy gives the labels of runs with fewer.
   std::size_t faces_to_search(std::size_t number_of_faces) const
   {
@@ -97,8 +95,6 @@ inline Options calibrated_options()
   return o;
 }
 
-} // namespace internal
-} // namespace Spectral_segmentation
-} // namespace CGAL
+} // namespace CGAL::Spectral_segmentation::internal
 
 #endif // CGAL_SPECTRAL_SEGMENTATION_INTERNAL_OPTIONS_H

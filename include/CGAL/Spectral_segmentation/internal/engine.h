@@ -12,17 +12,15 @@
 #include <cstddef>
 #include <vector>
 
-// With CGAL_SPECTRAL_SEGMENTATION_COMPILED, which the CMake target `compiled` defines, the engine is
-// linked; else it is included here.
+// With CGAL_SPECTRAL_SEGMENTATION_COMPILED, which the CMake target `compiled` defines, the engine
+// is linked; else it is included here.
 #ifdef CGAL_SPECTRAL_SEGMENTATION_COMPILED
 #define CGAL_SPECTRAL_SEGMENTATION_INLINE
 #else
 #define CGAL_SPECTRAL_SEGMENTATION_INLINE inline
 #endif
 
-namespace CGAL {
-namespace Spectral_segmentation {
-namespace internal {
+namespace CGAL::Spectral_segmentation::internal {
 
 // The engine: no template, as nothing in it depends on the caller. Arrays in, a hierarchy of cuts
 // out, whose faces are those of the triangles.
@@ -38,9 +36,7 @@ void connect(Triangles& triangles);
 CGAL_SPECTRAL_SEGMENTATION_INLINE
 void smooth_boundaries(const std::vector<Index>& neighbors, std::vector<std::size_t>& labels);
 
-} // namespace internal
-} // namespace Spectral_segmentation
-} // namespace CGAL
+} // namespace CGAL::Spectral_segmentation::internal
 
 #ifndef CGAL_SPECTRAL_SEGMENTATION_COMPILED
 #include <CGAL/Spectral_segmentation/internal/engine_impl.h>

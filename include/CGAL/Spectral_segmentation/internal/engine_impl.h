@@ -23,9 +23,7 @@
 #include <utility>
 #include <vector>
 
-namespace CGAL {
-namespace Spectral_segmentation {
-namespace internal {
+namespace CGAL::Spectral_segmentation::internal {
 
 // One run: the stages in their order, and the levels between them.
 class Run
@@ -207,8 +205,6 @@ CGAL_SPECTRAL_SEGMENTATION_INLINE
 void smooth_boundaries(const std::vector<Index>& neighbors, std::vector<std::size_t>& labels)
 { Boundary_smoothing(neighbors, labels)(); }
 
-} // namespace internal
-} // namespace Spectral_segmentation
-} // namespace CGAL
+} // namespace CGAL::Spectral_segmentation::internal
 
 #endif // CGAL_SPECTRAL_SEGMENTATION_INTERNAL_ENGINE_IMPL_H

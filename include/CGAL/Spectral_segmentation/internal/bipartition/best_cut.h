@@ -22,9 +22,7 @@
 #include <utility>
 #include <vector>
 
-namespace CGAL {
-namespace Spectral_segmentation {
-namespace internal {
+namespace CGAL::Spectral_segmentation::internal {
 
 // A connected part of the mesh that may be cut.
 struct Part
@@ -64,7 +62,7 @@ class Best_cut
   std::size_t number_of_faces_; // of the mesh
   double minimum_area_;         // of a side
 
-  // The first order of the paper's four steps, and its extensions.
+  // Along which cuts are searched.
   std::vector<Face_order> orders(Execution execution, const Face_graph& part,
                                  const std::vector<Index>& references,
                                  const Sample_faces& samples) const
@@ -195,8 +193,6 @@ public:
   }
 };
 
-} // namespace internal
-} // namespace Spectral_segmentation
-} // namespace CGAL
+} // namespace CGAL::Spectral_segmentation::internal
 
 #endif // CGAL_SPECTRAL_SEGMENTATION_INTERNAL_BIPARTITION_BEST_CUT_H

@@ -21,9 +21,7 @@
 #include <utility>
 #include <vector>
 
-namespace CGAL {
-namespace Spectral_segmentation {
-namespace internal {
+namespace CGAL::Spectral_segmentation::internal {
 
 // The few cuts of a part whose factors are all computed.
 
@@ -199,8 +197,6 @@ inline std::vector<Sides> cut_proposals(Execution execution, const Face_graph& p
   return result;
 }
 
-} // namespace internal
-} // namespace Spectral_segmentation
-} // namespace CGAL
+} // namespace CGAL::Spectral_segmentation::internal
 
 #endif // CGAL_SPECTRAL_SEGMENTATION_INTERNAL_BIPARTITION_CUT_PROPOSALS_H

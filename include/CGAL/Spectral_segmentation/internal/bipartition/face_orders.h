@@ -11,9 +11,7 @@
 #include <cstddef>
 #include <vector>
 
-namespace CGAL {
-namespace Spectral_segmentation {
-namespace internal {
+namespace CGAL::Spectral_segmentation::internal {
 
 // The faces of a part in an order along which cuts are searched: a cut is between the faces up to
 // one of them and the rest.
@@ -71,8 +69,6 @@ inline Face_order face_order(Execution execution, const Face_graph& part,
   return spectral_order(execution, from_s, from_t);
 }
 
-} // namespace internal
-} // namespace Spectral_segmentation
-} // namespace CGAL
+} // namespace CGAL::Spectral_segmentation::internal
 
 #endif // CGAL_SPECTRAL_SEGMENTATION_INTERNAL_BIPARTITION_FACE_ORDERS_H

@@ -20,9 +20,7 @@
 #include <utility>
 #include <vector>
 
-namespace CGAL {
-namespace Spectral_segmentation {
-namespace internal {
+namespace CGAL::Spectral_segmentation::internal {
 
 // What a cut pays for an edge: its length, and far less where the edge is concave.
 inline double capacity(const Face_graph& part, Index h)
@@ -36,8 +34,8 @@ inline double capacity(const Face_graph& part, Index h)
 class Band_network
 {
   typedef boost::no_property No_property;
-  typedef boost::compressed_sparse_row_graph<boost::directedS, No_property, No_property, No_property,
-                                             int, int> Graph;
+  typedef boost::compressed_sparse_row_graph<boost::directedS, No_property, No_property,
+                                             No_property, int, int> Graph;
   typedef boost::graph_traits<Graph>::edge_descriptor Edge;
 
   struct Arc
@@ -170,8 +168,6 @@ inline Sides minimum_cut_around(const Face_graph& part, const Sides& side, doubl
   return minimum_cut_within(part, band, side);
 }
 
-} // namespace internal
-} // namespace Spectral_segmentation
-} // namespace CGAL
+} // namespace CGAL::Spectral_segmentation::internal
 
 #endif // CGAL_SPECTRAL_SEGMENTATION_INTERNAL_BIPARTITION_MIN_CUT_REFINEMENT_H

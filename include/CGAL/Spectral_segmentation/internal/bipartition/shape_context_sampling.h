@@ -18,9 +18,7 @@
 #include <random>
 #include <vector>
 
-namespace CGAL {
-namespace Spectral_segmentation {
-namespace internal {
+namespace CGAL::Spectral_segmentation::internal {
 
 // Sampling based on shape context (Section 4).
 
@@ -126,8 +124,6 @@ inline Sample_faces sample_faces(Execution execution, const Shape_contexts& cont
   return samples;
 }
 
-} // namespace internal
-} // namespace Spectral_segmentation
-} // namespace CGAL
+} // namespace CGAL::Spectral_segmentation::internal
 
 #endif // CGAL_SPECTRAL_SEGMENTATION_INTERNAL_BIPARTITION_SHAPE_CONTEXT_SAMPLING_H

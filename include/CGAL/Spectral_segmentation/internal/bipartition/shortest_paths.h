@@ -13,9 +13,7 @@
 #include <utility>
 #include <vector>
 
-namespace CGAL {
-namespace Spectral_segmentation {
-namespace internal {
+namespace CGAL::Spectral_segmentation::internal {
 
 // The three weightings of Section 3: geodesic, angle and combined.
 typedef float Edge_weights::* Weighting;
@@ -182,8 +180,6 @@ inline std::vector<double> shortest_paths(const Face_graph& graph, Index source,
   return std::move(paths.lengths);
 }
 
-} // namespace internal
-} // namespace Spectral_segmentation
-} // namespace CGAL
+} // namespace CGAL::Spectral_segmentation::internal
 
 #endif // CGAL_SPECTRAL_SEGMENTATION_INTERNAL_BIPARTITION_SHORTEST_PATHS_H

@@ -19,9 +19,7 @@
 #include <cstddef>
 #include <vector>
 
-namespace CGAL {
-namespace Spectral_segmentation {
-namespace internal {
+namespace CGAL::Spectral_segmentation::internal {
 
 // Averages over the surface with a kernel of a given radius, the root of its mean squared distance:
 // the heat equation on the faces, by two steps of backward Euler. The flux over an edge is its
@@ -151,8 +149,6 @@ public:
   }
 };
 
-} // namespace internal
-} // namespace Spectral_segmentation
-} // namespace CGAL
+} // namespace CGAL::Spectral_segmentation::internal
 
 #endif // CGAL_SPECTRAL_SEGMENTATION_INTERNAL_DISTANCES_HEAT_SMOOTHING_H

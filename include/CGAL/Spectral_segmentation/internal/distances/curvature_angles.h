@@ -19,9 +19,7 @@
 #include <cstddef>
 #include <vector>
 
-namespace CGAL {
-namespace Spectral_segmentation {
-namespace internal {
+namespace CGAL::Spectral_segmentation::internal {
 
 // Bending of the surface at the scale of the shape in place of that of the triangulation.
 
@@ -31,8 +29,10 @@ typedef Eigen::Matrix<double, 1, 6> Symmetric_tensor;
 
 inline Symmetric_tensor squared(const Vector& v)
 {
+  const Vector pure = v.cwiseAbs2(); // single numbers below, as GCC warns of blocks under AVX
   const Vector mixed = std::sqrt(2.) * Vector(v.x() * v.y(), v.y() * v.z(), v.z() * v.x());
-  return (Symmetric_tensor() << v.cwiseAbs2().transpose(), mixed.transpose()).finished();
+  return (Symmetric_tensor() << pure.x(), pure.y(), pure.z(), mixed.x(), mixed.y(), mixed.z())
+    .finished();
 }
 
 // For each half-edge the angle by which the surface bends over a way of twice the radius across the
@@ -90,8 +90,6 @@ inline std::vector<double> curvature_angles(Execution execution, const Face_grap
   return angles;
 }
 
-} // namespace internal
-} // namespace Spectral_segmentation
-} // namespace CGAL
+} // namespace CGAL::Spectral_segmentation::internal
 
 #endif // CGAL_SPECTRAL_SEGMENTATION_INTERNAL_DISTANCES_CURVATURE_ANGLES_H

@@ -17,9 +17,7 @@
 #include <numeric>
 #include <vector>
 
-namespace CGAL {
-namespace Spectral_segmentation {
-namespace internal {
+namespace CGAL::Spectral_segmentation::internal {
 
 // Distances between adjacent faces (Section 3).
 
@@ -57,7 +55,8 @@ inline Dihedral dihedral(const Vector& f, const Vector& g, const Vector& edge)
 
 // Unit normals. A face without area takes that of the neighbor across its longest edge, so that it
 // does not hide the angle between the faces on its two sides; (0, 0, 0) where that fails.
-inline std::vector<Vector> face_normals(Execution execution, const Face_graph& graph, const std::vector<Vector>& points)
+inline std::vector<Vector> face_normals(Execution execution, const Face_graph& graph,
+                                        const std::vector<Vector>& points)
 {
   std::vector<Vector> normals(graph.number_of_faces(), Vector::Zero());
   const auto edge_vector = [&](Index h) -> Vector
@@ -110,7 +109,8 @@ inline std::vector<double> equalize(Execution execution, const std::vector<float
 
 // The same where a value takes as much of [0, 1] as its weight says, so that an edge counts by its
 // length and not by the number of edges into which the triangulation cuts it.
-inline std::vector<double> equalize(Execution execution, const std::vector<float>& values, const std::vector<double>& weights)
+inline std::vector<double> equalize(Execution execution, const std::vector<float>& values,
+                                    const std::vector<double>& weights)
 {
   const std::vector<Index> order = sorted_indices(execution, values);
   const double total = std::accumulate(weights.begin(), weights.end(), 0.);
@@ -165,10 +165,10 @@ struct Equalized_angles
 
 // `edges` has one half-edge an edge. Faces without a normal bend nowhere.
 inline Equalized_angles equalized_dihedrals(Execution execution, const Face_graph& graph,
-                                     const std::vector<Vector>& points,
-                                     const std::vector<Vector>& normals,
-                                     const Distance_weights& weights,
-                                     const std::vector<Index>& edges)
+                                            const std::vector<Vector>& points,
+                                            const std::vector<Vector>& normals,
+                                            const Distance_weights& weights,
+                                            const std::vector<Index>& edges)
 {
   std::vector<double> angles(edges.size(), 0);
   std::vector<char> is_concave(edges.size(), 0);
@@ -184,8 +184,7 @@ inline Equalized_angles equalized_dihedrals(Execution execution, const Face_grap
   normalize_by_mean(angles);
   // Single precision, so that angles that differ by rounding only tie.
   const std::vector<float> rounded(angles.begin(), angles.end());
-  Equalized_angles result{equalize(execution, rounded),
-                          std::vector<double>(edges.size(), 0)};
+  Equalized_angles result{equalize(execution, rounded), std::vector<double>(edges.size(), 0)};
   for (std::size_t e = 0; e < edges.size(); ++e)
     if (is_concave[e])
       result.concave[e] = result.whole[e];
@@ -193,9 +192,11 @@ inline Equalized_angles equalized_dihedrals(Execution execution, const Face_grap
 }
 
 // The same by bending at the scale of the shape, which does not depend on the triangulation.
-inline Equalized_angles equalized_bending(Execution execution, const Face_graph& graph, const std::vector<Vector>& points,
-                                   const std::vector<Vector>& normals,
-                                   const Distance_weights& weights, const std::vector<Index>& edges)
+inline Equalized_angles equalized_bending(Execution execution, const Face_graph& graph,
+                                          const std::vector<Vector>& points,
+                                          const std::vector<Vector>& normals,
+                                          const Distance_weights& weights,
+                                          const std::vector<Index>& edges)
 {
   const std::vector<double> bending =
     curvature_angles(execution, graph, points, normals, weights.concavity_radius);
@@ -217,9 +218,10 @@ inline Equalized_angles equalized_bending(Execution execution, const Face_graph&
   return result;
 }
 
-inline std::vector<double> normalized_geodesic_distances(Execution execution, const Face_graph& graph,
-                                                  const std::vector<Vector>& points,
-                                                  const std::vector<Index>& edges)
+inline std::vector<double> normalized_geodesic_distances(Execution execution,
+                                                         const Face_graph& graph,
+                                                         const std::vector<Vector>& points,
+                                                         const std::vector<Index>& edges)
 {
   std::vector<double> result(edges.size());
   for_each_index(execution, edges.size(), [&](std::size_t e) {
@@ -234,8 +236,10 @@ inline std::vector<double> normalized_geodesic_distances(Execution execution, co
 
 // Fills in the distances of adjacent faces, computed from `points` in place of the graph's own, and
 // from the normals of the faces there.
-inline void set_face_distances(Execution execution, Face_graph& graph, const std::vector<Vector>& points,
-                        const std::vector<Vector>& normals, const Distance_weights& given_weights)
+inline void set_face_distances(Execution execution, Face_graph& graph,
+                               const std::vector<Vector>& points,
+                               const std::vector<Vector>& normals,
+                               const Distance_weights& given_weights)
 {
   const Distance_weights weights = with_relative_angle_weights(given_weights);
   std::vector<Index> edges; // one half-edge each
@@ -268,8 +272,6 @@ inline void set_face_distances(Execution execution, Face_graph& graph, const std
   });
 }
 
-} // namespace internal
-} // namespace Spectral_segmentation
-} // namespace CGAL
+} // namespace CGAL::Spectral_segmentation::internal
 
 #endif // CGAL_SPECTRAL_SEGMENTATION_INTERNAL_DISTANCES_FACE_DISTANCES_H

@@ -10,9 +10,7 @@
 #include <cstddef>
 #include <vector>
 
-namespace CGAL {
-namespace Spectral_segmentation {
-namespace internal {
+namespace CGAL::Spectral_segmentation::internal {
 
 // The points after some steps of uniform Laplacian smoothing (Section 2): each moves half the way
 // to the mean of its neighbors; vertices on the border of the mesh stay. Ends early if
@@ -49,8 +47,6 @@ std::vector<Vector> smoothed_points(const Face_graph& graph, std::size_t iterati
 inline std::vector<Vector> smoothed_points(const Face_graph& graph, std::size_t iterations)
 { return smoothed_points(graph, iterations, [] { return true; }); }
 
-} // namespace internal
-} // namespace Spectral_segmentation
-} // namespace CGAL
+} // namespace CGAL::Spectral_segmentation::internal
 
 #endif // CGAL_SPECTRAL_SEGMENTATION_INTERNAL_DISTANCES_LAPLACIAN_SMOOTHING_H

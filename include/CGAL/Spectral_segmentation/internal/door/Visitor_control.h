@@ -8,9 +8,7 @@
 
 #include <cstddef>
 
-namespace CGAL {
-namespace Spectral_segmentation {
-namespace internal {
+namespace CGAL::Spectral_segmentation::internal {
 
 // Passes on what the engine tells and asks to the visitor of the caller, whose functions are not
 // virtual.
@@ -33,8 +31,6 @@ public:
   bool go_further() override { return visitor_.go_further(); }
 };
 
-} // namespace internal
-} // namespace Spectral_segmentation
-} // namespace CGAL
+} // namespace CGAL::Spectral_segmentation::internal
 
 #endif // CGAL_SPECTRAL_SEGMENTATION_INTERNAL_DOOR_VISITOR_CONTROL_H

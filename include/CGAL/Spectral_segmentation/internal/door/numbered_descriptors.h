@@ -22,9 +22,7 @@
 #include <utility>
 #include <vector>
 
-namespace CGAL {
-namespace Spectral_segmentation {
-namespace internal {
+namespace CGAL::Spectral_segmentation::internal {
 
 // Numbers the elements of a vector of descriptors by their position. Looks a descriptor up by the
 // mesh's own index map if that is sound (ids may be unset, or have gaps after a removal), else by
@@ -143,8 +141,6 @@ std::size_t write_labels(const std::vector<FaceDescriptor>& faces,
   return n;
 }
 
-} // namespace internal
-} // namespace Spectral_segmentation
-} // namespace CGAL
+} // namespace CGAL::Spectral_segmentation::internal
 
 #endif // CGAL_SPECTRAL_SEGMENTATION_INTERNAL_DOOR_NUMBERED_DESCRIPTORS_H

@@ -16,9 +16,7 @@
 #include <string>
 #include <type_traits>
 
-namespace CGAL {
-namespace Spectral_segmentation {
-namespace internal {
+namespace CGAL::Spectral_segmentation::internal {
 
 inline void require(bool condition, const char* parameter, const char* range)
 {
@@ -115,8 +113,6 @@ Options read_options(const NamedParameters& np)
   return o;
 }
 
-} // namespace internal
-} // namespace Spectral_segmentation
-} // namespace CGAL
+} // namespace CGAL::Spectral_segmentation::internal
 
 #endif // CGAL_SPECTRAL_SEGMENTATION_INTERNAL_DOOR_READ_OPTIONS_H

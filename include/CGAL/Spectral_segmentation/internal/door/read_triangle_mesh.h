@@ -18,9 +18,7 @@
 #include <string>
 #include <vector>
 
-namespace CGAL {
-namespace Spectral_segmentation {
-namespace internal {
+namespace CGAL::Spectral_segmentation::internal {
 
 // Reads a mesh into arrays. Vertices are numbered in the order of `vertices(mesh)` and the first
 // corner of a face is its smallest vertex, so that every model of the same mesh gives the same
@@ -85,8 +83,6 @@ Triangles read_triangle_mesh(const TriangleMesh& mesh, const std::vector<FaceDes
   return triangles;
 }
 
-} // namespace internal
-} // namespace Spectral_segmentation
-} // namespace CGAL
+} // namespace CGAL::Spectral_segmentation::internal
 
 #endif // CGAL_SPECTRAL_SEGMENTATION_INTERNAL_DOOR_READ_TRIANGLE_MESH_H

@@ -16,9 +16,7 @@
 #include <utility>
 #include <vector>
 
-namespace CGAL {
-namespace Spectral_segmentation {
-namespace internal {
+namespace CGAL::Spectral_segmentation::internal {
 
 template <class Range>
 using Element = std::decay_t<decltype(*std::begin(std::declval<const Range&>()))>;
@@ -31,8 +29,8 @@ template <class Range>
 struct is_triangle_range<Range, std::void_t<Element<Element<Range> > > >
   : std::is_integral<Element<Element<Range> > > {};
 
-// Reads points, whose coordinates are `p[0]`, `p[1]`, `p[2]`, and triangles of their indices. Who is
-// a neighbor of whom is left open. Points that no triangle uses may be anything.
+// Reads points, whose coordinates are `p[0]`, `p[1]`, `p[2]`, and triangles of their indices. Which
+// triangles are neighbors is left open. Points that no triangle uses may be anything.
 //
 // Throws `std::invalid_argument` if a triangle has not three corners, one of them is no point, or a
 // coordinate that is used is not finite.
@@ -80,8 +78,6 @@ Triangles read_triangle_soup(const PointRange& points, const TriangleRange& tria
   return result;
 }
 
-} // namespace internal
-} // namespace Spectral_segmentation
-} // namespace CGAL
+} // namespace CGAL::Spectral_segmentation::internal
 
 #endif // CGAL_SPECTRAL_SEGMENTATION_INTERNAL_DOOR_READ_TRIANGLE_SOUP_H

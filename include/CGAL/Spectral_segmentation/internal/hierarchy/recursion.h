@@ -18,9 +18,7 @@
 #include <utility>
 #include <vector>
 
-namespace CGAL {
-namespace Spectral_segmentation {
-namespace internal {
+namespace CGAL::Spectral_segmentation::internal {
 
 // Recursive two-way cuts of a mesh (Section 2). Each connected component is a part from the start.
 class Recursion
@@ -183,7 +181,8 @@ public:
   Cut_hierarchy by_salience()
   {
     const std::size_t number_of_regions = options_.regions();
-    const std::size_t further = hierarchy_.number_of_roots == 0 ? 0 : hierarchy_.number_of_roots - 1;
+    const std::size_t roots = hierarchy_.number_of_roots;
+    const std::size_t further = roots == 0 ? 0 : roots - 1;
     const bool is_maximum_given = options_.maximum_number_of_segments != unlimited;
     const auto has_enough = [&] {
       const std::size_t regions = hierarchy_.number_of_segments();
@@ -210,8 +209,6 @@ public:
   }
 };
 
-} // namespace internal
-} // namespace Spectral_segmentation
-} // namespace CGAL
+} // namespace CGAL::Spectral_segmentation::internal
 
 #endif // CGAL_SPECTRAL_SEGMENTATION_INTERNAL_HIERARCHY_RECURSION_H

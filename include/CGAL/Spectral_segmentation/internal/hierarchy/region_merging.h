@@ -19,9 +19,7 @@
 #include <utility>
 #include <vector>
 
-namespace CGAL {
-namespace Spectral_segmentation {
-namespace internal {
+namespace CGAL::Spectral_segmentation::internal {
 
 // Merges the regions of an over-segmentation: the two neighbors whose common boundary is the least
 // salient become one, until each component of the mesh is whole again. A cut that was needed only
@@ -165,10 +163,9 @@ public:
     Cut_hierarchy result;
     result.is_ultrametric = true;
     result.number_of_roots = regions.number_of_roots;
-    result.nodes.assign(regions.nodes.begin(),
-                        regions.nodes.begin() + static_cast<std::ptrdiff_t>(result.number_of_roots));
-    for (Cut_node& root : result.nodes)
-      root = Cut_node{null_node, {null_node, null_node}, root.area, Cut_state::NO_CUT, 0, {}};
+    result.nodes.resize(result.number_of_roots);
+    for (std::size_t i = 0; i < result.number_of_roots; ++i)
+      result.nodes[i].area = regions.nodes[i].area;
     // A region that was not merged into another is a root, as components are numbered.
     std::vector<std::size_t> node(faces_.size()); // of each region, with those merged into it
     std::size_t next_root = 0;
@@ -199,8 +196,6 @@ public:
   }
 };
 
-} // namespace internal
-} // namespace Spectral_segmentation
-} // namespace CGAL
+} // namespace CGAL::Spectral_segmentation::internal
 
 #endif // CGAL_SPECTRAL_SEGMENTATION_INTERNAL_HIERARCHY_REGION_MERGING_H

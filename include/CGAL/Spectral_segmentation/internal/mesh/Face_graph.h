@@ -19,9 +19,7 @@
 #include <utility>
 #include <vector>
 
-namespace CGAL {
-namespace Spectral_segmentation {
-namespace internal {
+namespace CGAL::Spectral_segmentation::internal {
 
 // What the search knows of an edge (Section 3).
 struct Edge_weights
@@ -139,8 +137,6 @@ inline Index out_degree(Index, const Face_graph&) { return 3; }
 inline Index source(Index h, const Face_graph&) { return h / 3; }
 inline Index target(Index h, const Face_graph& g) { return g.neighbors[h]; }
 
-} // namespace internal
-} // namespace Spectral_segmentation
-} // namespace CGAL
+} // namespace CGAL::Spectral_segmentation::internal
 
 #endif // CGAL_SPECTRAL_SEGMENTATION_INTERNAL_MESH_FACE_GRAPH_H

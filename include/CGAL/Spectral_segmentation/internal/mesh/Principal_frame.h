@@ -11,9 +11,7 @@
 #include <Eigen/Eigenvalues>
 #include <Eigen/Geometry>
 
-namespace CGAL {
-namespace Spectral_segmentation {
-namespace internal {
+namespace CGAL::Spectral_segmentation::internal {
 
 // A frame of coordinates that moves with the mesh: its center and its principal axes, the first two
 // to the sides on which the points are spread farther, the third so that they are right-handed.
@@ -48,8 +46,6 @@ public:
   Vector vector(const Vector& v) const { return axes_ * v; }
 };
 
-} // namespace internal
-} // namespace Spectral_segmentation
-} // namespace CGAL
+} // namespace CGAL::Spectral_segmentation::internal
 
 #endif // CGAL_SPECTRAL_SEGMENTATION_INTERNAL_MESH_PRINCIPAL_FRAME_H

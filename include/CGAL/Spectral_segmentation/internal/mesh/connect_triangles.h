@@ -14,9 +14,7 @@
 #include <utility>
 #include <vector>
 
-namespace CGAL {
-namespace Spectral_segmentation {
-namespace internal {
+namespace CGAL::Spectral_segmentation::internal {
 
 // Makes a surface of the triangles of a soup: finds their neighbors and orients them.
 //
@@ -124,7 +122,8 @@ class Triangle_connection
         else if (is_turned_[g / 3] != turned)
           opposite_[h] = opposite_[g] = null_index;
       }
-    double area[2] = {0, 0}, volume = 0; // of the faces as they are and turned; six times the volume
+    double area[2] = {0, 0}; // of the faces as they are, and of those that are turned
+    double volume = 0;       // of the surface, three times
     bool is_closed = true;
     const Vector origin = triangles_.points[source(3 * seed)];
     for (Index f : faces) {
@@ -172,8 +171,6 @@ public:
   }
 };
 
-} // namespace internal
-} // namespace Spectral_segmentation
-} // namespace CGAL
+} // namespace CGAL::Spectral_segmentation::internal
 
 #endif // CGAL_SPECTRAL_SEGMENTATION_INTERNAL_MESH_CONNECT_TRIANGLES_H

@@ -11,9 +11,7 @@
 #include <utility>
 #include <vector>
 
-namespace CGAL {
-namespace Spectral_segmentation {
-namespace internal {
+namespace CGAL::Spectral_segmentation::internal {
 
 // Extracts sets of faces of a graph as graphs of their own, each in time linear in the size of the
 // set. It holds arrays of the size of the graph.
@@ -104,8 +102,6 @@ std::vector<Face_graph> split(Face_graph graph, const std::vector<Number>& part,
   return result;
 }
 
-} // namespace internal
-} // namespace Spectral_segmentation
-} // namespace CGAL
+} // namespace CGAL::Spectral_segmentation::internal
 
 #endif // CGAL_SPECTRAL_SEGMENTATION_INTERNAL_MESH_EXTRACT_PART_H

@@ -13,9 +13,7 @@
 #include <utility>
 #include <vector>
 
-namespace CGAL {
-namespace Spectral_segmentation {
-namespace internal {
+namespace CGAL::Spectral_segmentation::internal {
 
 // Without branches, which nobody could predict.
 inline Neighbors ascending(Neighbors faces)
@@ -97,8 +95,6 @@ inline Triangles in_order(Triangles triangles, const std::vector<Index>& order)
   return triangles;
 }
 
-} // namespace internal
-} // namespace Spectral_segmentation
-} // namespace CGAL
+} // namespace CGAL::Spectral_segmentation::internal
 
 #endif // CGAL_SPECTRAL_SEGMENTATION_INTERNAL_MESH_REORDER_FACES_H

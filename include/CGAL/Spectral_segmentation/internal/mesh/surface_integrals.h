@@ -9,9 +9,7 @@
 
 #include <numeric>
 
-namespace CGAL {
-namespace Spectral_segmentation {
-namespace internal {
+namespace CGAL::Spectral_segmentation::internal {
 
 inline double total_area(const Face_graph& graph)
 { return std::accumulate(graph.areas.begin(), graph.areas.end(), 0.); }
@@ -29,8 +27,6 @@ Value mean_over_surface(Execution execution, const Face_graph& graph, double are
 inline Vector center_of(Execution execution, const Face_graph& graph, double area)
 { return mean_over_surface<Vector>(execution, graph, area, [](const Vector& p) { return p; }); }
 
-} // namespace internal
-} // namespace Spectral_segmentation
-} // namespace CGAL
+} // namespace CGAL::Spectral_segmentation::internal
 
 #endif // CGAL_SPECTRAL_SEGMENTATION_INTERNAL_MESH_SURFACE_INTEGRALS_H

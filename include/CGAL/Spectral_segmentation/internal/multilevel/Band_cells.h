@@ -14,9 +14,7 @@
 #include <utility>
 #include <vector>
 
-namespace CGAL {
-namespace Spectral_segmentation {
-namespace internal {
+namespace CGAL::Spectral_segmentation::internal {
 
 // The faces that may be between the sides of any cut, and those next to them, are the bands. What
 // is connected beyond them is divided by no cut. So cuts divide cells: the faces of the bands, and
@@ -100,8 +98,6 @@ public:
   { return make_range(boost::adjacent_vertices(static_cast<int>(cell), graph_)); }
 };
 
-} // namespace internal
-} // namespace Spectral_segmentation
-} // namespace CGAL
+} // namespace CGAL::Spectral_segmentation::internal
 
 #endif // CGAL_SPECTRAL_SEGMENTATION_INTERNAL_MULTILEVEL_BAND_CELLS_H

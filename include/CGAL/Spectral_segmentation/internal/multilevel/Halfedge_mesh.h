@@ -11,9 +11,7 @@
 #include <algorithm>
 #include <vector>
 
-namespace CGAL {
-namespace Spectral_segmentation {
-namespace internal {
+namespace CGAL::Spectral_segmentation::internal {
 
 // The half-edges of a mesh as arrays. Half-edge 3f+i belongs to face f and leaves its corner i.
 struct Halfedge_mesh
@@ -78,8 +76,6 @@ struct Halfedge_mesh
   }
 };
 
-} // namespace internal
-} // namespace Spectral_segmentation
-} // namespace CGAL
+} // namespace CGAL::Spectral_segmentation::internal
 
 #endif // CGAL_SPECTRAL_SEGMENTATION_INTERNAL_MULTILEVEL_HALFEDGE_MESH_H

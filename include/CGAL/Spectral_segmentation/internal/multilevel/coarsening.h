@@ -9,9 +9,7 @@
 #include <cstddef>
 #include <vector>
 
-namespace CGAL {
-namespace Spectral_segmentation {
-namespace internal {
+namespace CGAL::Spectral_segmentation::internal {
 
 // At most `number_of_faces` faces, as far as the topology allows; or, if some more will do, those
 // that are left at the seams of domains as well. `progress_per_face` is the share of the phase that
@@ -45,8 +43,6 @@ inline std::vector<Coarse_mesh> coarsen_in_steps(Execution execution, const Face
   return result;
 }
 
-} // namespace internal
-} // namespace Spectral_segmentation
-} // namespace CGAL
+} // namespace CGAL::Spectral_segmentation::internal
 
 #endif // CGAL_SPECTRAL_SEGMENTATION_INTERNAL_MULTILEVEL_COARSENING_H

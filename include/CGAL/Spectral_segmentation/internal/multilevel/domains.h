@@ -13,9 +13,7 @@
 #include <utility>
 #include <vector>
 
-namespace CGAL {
-namespace Spectral_segmentation {
-namespace internal {
+namespace CGAL::Spectral_segmentation::internal {
 
 // Compact sets of about so many faces: those in each cell of a grid. No set is empty.
 inline std::vector<std::vector<Index> > domains(const std::vector<Corners>& corners,
@@ -71,8 +69,6 @@ inline double shared_by_area(double number, const std::vector<std::vector<Index>
   return std::numeric_limits<double>::max();
 }
 
-} // namespace internal
-} // namespace Spectral_segmentation
-} // namespace CGAL
+} // namespace CGAL::Spectral_segmentation::internal
 
 #endif // CGAL_SPECTRAL_SEGMENTATION_INTERNAL_MULTILEVEL_DOMAINS_H

@@ -22,15 +22,13 @@
 #include <utility>
 #include <vector>
 
-namespace CGAL {
-namespace Spectral_segmentation {
-namespace internal {
+namespace CGAL::Spectral_segmentation::internal {
 
 // Projects the cuts of a coarse mesh onto the mesh that was coarsened. A face gets the side shared
 // by all coarse faces around the images of its vertices. The faces between, which have no unique
 // side, are a band around the cut; it is split by a minimum cut or, if no face of a side is sure,
-// by region growing from the faces that survived the coarsening. Where a side is not connected then,
-// all but its largest part goes to the other side.
+// by region growing from the faces that survived the coarsening. Where a side is not connected
+// then, all but its largest part goes to the other side.
 class Cut_projection
 {
   enum Side : char { Q, REST, BETWEEN, OUTSIDE }; // OUTSIDE: not in the part that is cut
@@ -331,8 +329,6 @@ public:
   }
 };
 
-} // namespace internal
-} // namespace Spectral_segmentation
-} // namespace CGAL
+} // namespace CGAL::Spectral_segmentation::internal
 
 #endif // CGAL_SPECTRAL_SEGMENTATION_INTERNAL_MULTILEVEL_PROJECTION_H

@@ -11,9 +11,7 @@
 #include <bitset>
 #include <vector>
 
-namespace CGAL {
-namespace Spectral_segmentation {
-namespace internal {
+namespace CGAL::Spectral_segmentation::internal {
 
 // How far sets of faces of a part are from convex: the mean depth, by area, of their faces below
 // their own convex hull, each along its normal. The hull is that of the extreme points in some
@@ -87,8 +85,6 @@ public:
   }
 };
 
-} // namespace internal
-} // namespace Spectral_segmentation
-} // namespace CGAL
+} // namespace CGAL::Spectral_segmentation::internal
 
 #endif // CGAL_SPECTRAL_SEGMENTATION_INTERNAL_SALIENCE_CONVEXITY_DEFECT_H

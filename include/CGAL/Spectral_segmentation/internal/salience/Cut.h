@@ -12,9 +12,7 @@
 #include <utility>
 #include <vector>
 
-namespace CGAL {
-namespace Spectral_segmentation {
-namespace internal {
+namespace CGAL::Spectral_segmentation::internal {
 
 // The side of each face: 0 for Q, of smaller area, 1 for the rest.
 typedef std::vector<char> Sides;
@@ -58,8 +56,6 @@ struct Evaluated_cut
   const Salience_factors& factors;
 };
 
-} // namespace internal
-} // namespace Spectral_segmentation
-} // namespace CGAL
+} // namespace CGAL::Spectral_segmentation::internal
 
 #endif // CGAL_SPECTRAL_SEGMENTATION_INTERNAL_SALIENCE_CUT_H

@@ -21,9 +21,7 @@
 #include <numeric>
 #include <vector>
 
-namespace CGAL {
-namespace Spectral_segmentation {
-namespace internal {
+namespace CGAL::Spectral_segmentation::internal {
 
 // Directions that are spread over the sphere: a Fibonacci lattice, which descends in z.
 namespace directions {
@@ -126,8 +124,8 @@ struct Face_plane
 };
 
 // Finds the support points of sets of faces of a mesh, in its principal frame. Those of blocks of
-// successive faces, which are near each other in a mesh in order of locality, are kept, so that only
-// the faces of the blocks that a set shares with others are looked at.
+// successive faces, which are near each other in a mesh in order of locality, are kept: only the
+// faces of blocks that a set shares with others are looked at.
 class Support_points
 {
   static constexpr Index faces_per_block = 32;
@@ -200,8 +198,6 @@ public:
   }
 };
 
-} // namespace internal
-} // namespace Spectral_segmentation
-} // namespace CGAL
+} // namespace CGAL::Spectral_segmentation::internal
 
 #endif // CGAL_SPECTRAL_SEGMENTATION_INTERNAL_SALIENCE_SUPPORT_POINTS_H

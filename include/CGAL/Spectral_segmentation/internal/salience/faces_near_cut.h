@@ -13,9 +13,7 @@
 #include <utility>
 #include <vector>
 
-namespace CGAL {
-namespace Spectral_segmentation {
-namespace internal {
+namespace CGAL::Spectral_segmentation::internal {
 
 struct Face_at_distance
 {
@@ -72,8 +70,6 @@ inline std::vector<Face_at_distance> faces_near_cut(const Face_graph& part, cons
   return result;
 }
 
-} // namespace internal
-} // namespace Spectral_segmentation
-} // namespace CGAL
+} // namespace CGAL::Spectral_segmentation::internal
 
 #endif // CGAL_SPECTRAL_SEGMENTATION_INTERNAL_SALIENCE_FACES_NEAR_CUT_H

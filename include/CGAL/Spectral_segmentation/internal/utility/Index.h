@@ -7,9 +7,7 @@
 #include <cmath>
 #include <cstdint>
 
-namespace CGAL {
-namespace Spectral_segmentation {
-namespace internal {
+namespace CGAL::Spectral_segmentation::internal {
 
 // Of a face (f, g), a half-edge (h), a vertex (v), or what else the name says.
 typedef std::uint32_t Index;
@@ -21,8 +19,6 @@ constexpr Index null_index = static_cast<Index>(-1);
 constexpr double quantum = 1. / (1 << 20);
 inline double quantized(double x) { return std::floor(x / quantum + 0.5) * quantum; }
 
-} // namespace internal
-} // namespace Spectral_segmentation
-} // namespace CGAL
+} // namespace CGAL::Spectral_segmentation::internal
 
 #endif // CGAL_SPECTRAL_SEGMENTATION_INTERNAL_UTILITY_INDEX_H

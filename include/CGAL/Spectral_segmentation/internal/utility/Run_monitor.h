@@ -12,9 +12,7 @@
 #include <cstddef>
 #include <mutex>
 
-namespace CGAL {
-namespace Spectral_segmentation {
-namespace internal {
+namespace CGAL::Spectral_segmentation::internal {
 
 // Thrown to leave a stage when the caller does not want to go further.
 struct Run_stopped {};
@@ -41,7 +39,7 @@ class Run_monitor
   {
     constexpr double step = 0.002;
     const double share = start_ + (end_ - start_) * done_;
-    if (share < reported_ + step)
+    if (is_stopped_ || share < reported_ + step)
       return;
     reported_ = share;
     control_.progress(share);
@@ -120,7 +118,10 @@ public:
   }
 
   void finish()
-  { call([&] { control_.progress(1); }); }
+  {
+    if (!is_stopped_)
+      call([&] { control_.progress(1); });
+  }
 
   // The result of f(), which is the work of a stage.
   template <class Function>
@@ -133,8 +134,6 @@ public:
   }
 };
 
-} // namespace internal
-} // namespace Spectral_segmentation
-} // namespace CGAL
+} // namespace CGAL::Spectral_segmentation::internal
 
 #endif // CGAL_SPECTRAL_SEGMENTATION_INTERNAL_UTILITY_RUN_MONITOR_H

@@ -19,9 +19,7 @@
 #include <numeric>
 #include <vector>
 
-namespace CGAL {
-namespace Spectral_segmentation {
-namespace internal {
+namespace CGAL::Spectral_segmentation::internal {
 
 // All functions fall back to one thread where the program is built without TBB. Each has a task
 // context of its own, so that a caller who cancels tasks cannot skip some of a run.
@@ -131,8 +129,6 @@ public:
   }
 };
 
-} // namespace internal
-} // namespace Spectral_segmentation
-} // namespace CGAL
+} // namespace CGAL::Spectral_segmentation::internal
 
 #endif // CGAL_SPECTRAL_SEGMENTATION_INTERNAL_UTILITY_CONCURRENCY_H

@@ -6,9 +6,7 @@
 
 #include <cstddef>
 
-namespace CGAL {
-namespace Spectral_segmentation {
-namespace internal {
+namespace CGAL::Spectral_segmentation::internal {
 
 // Numbers that the factors of cuts, and so the fit of `Calibrated_part_salience`, depend on besides
 // `calibrated_options()`. They were chosen by trials on a prototype of the method. After a change
@@ -45,8 +43,6 @@ constexpr double largest_ratio_to_rest = 3;
 constexpr double largest_number_of_averaged_faces = 80;
 
 } // namespace constants
-} // namespace internal
-} // namespace Spectral_segmentation
-} // namespace CGAL
+} // namespace CGAL::Spectral_segmentation::internal
 
 #endif // CGAL_SPECTRAL_SEGMENTATION_INTERNAL_UTILITY_CONSTANTS_H

@@ -4,9 +4,7 @@
 #ifndef CGAL_SPECTRAL_SEGMENTATION_INTERNAL_UTILITY_PREFETCH_H
 #define CGAL_SPECTRAL_SEGMENTATION_INTERNAL_UTILITY_PREFETCH_H
 
-namespace CGAL {
-namespace Spectral_segmentation {
-namespace internal {
+namespace CGAL::Spectral_segmentation::internal {
 
 // Asks for memory that will be read soon, if the compiler has a way to. Loops that go over faces in
 // an order of their own else wait for memory half of the time.
@@ -19,8 +17,6 @@ inline void prefetch(const void* address)
 #endif
 }
 
-} // namespace internal
-} // namespace Spectral_segmentation
-} // namespace CGAL
+} // namespace CGAL::Spectral_segmentation::internal
 
 #endif // CGAL_SPECTRAL_SEGMENTATION_INTERNAL_UTILITY_PREFETCH_H

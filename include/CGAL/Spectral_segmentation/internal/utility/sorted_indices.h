@@ -11,9 +11,7 @@
 #include <functional>
 #include <vector>
 
-namespace CGAL {
-namespace Spectral_segmentation {
-namespace internal {
+namespace CGAL::Spectral_segmentation::internal {
 
 // The indices of the values, the smallest value first; of equal ones those first that
 // `is_first(i, j)` says. No NaN.
@@ -37,8 +35,6 @@ std::vector<Index> sorted_indices(Execution execution, const std::vector<Value>&
   return result;
 }
 
-} // namespace internal
-} // namespace Spectral_segmentation
-} // namespace CGAL
+} // namespace CGAL::Spectral_segmentation::internal
 
 #endif // CGAL_SPECTRAL_SEGMENTATION_INTERNAL_UTILITY_SORTED_INDICES_H
