@@ -4,9 +4,10 @@
 #
 # check_all.sh [--cgal DIR] [--build DIR]
 # All programs and tests under g++ and clang++, each in Release with warnings as errors and in Debug
-# with sanitizers, each header alone, and the number of instructions of a run. With --cgal,
-# Release once more against the CGAL whose CGALConfig.cmake is in DIR. Takes long; builds in
-# build-check/ or the --build folder. Needs the packages of `setup.sh build test performance`.
+# with sanitizers, each header alone, the number of instructions of a run, and the labels on other
+# machines. With --cgal, Release once more against the CGAL whose CGALConfig.cmake is in DIR. Takes
+# long; builds in build-check/ or the --build folder. Needs the packages of
+# `setup.sh build test performance machines`.
 
 set -euo pipefail
 cd "$(dirname "$0")/.."
@@ -52,6 +53,9 @@ done
 
 echo "=== instructions of a run"
 cmake --build "$build/g++-release" --target check_instructions || failed+=(instructions)
+
+echo "=== other machines"
+scripts/check_machines.sh --build "$build/machines" || failed+=(machines)
 
 echo "failed: ${failed[*]:-none}"
 [[ ${#failed[@]} -eq 0 ]]

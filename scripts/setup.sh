@@ -3,8 +3,8 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 #
 # setup.sh GROUP ...
-# Installs the Debian packages that are missing of the groups build, test, pictures, manual and
-# performance.
+# Installs the Debian packages that are missing of the groups build, test, pictures, manual,
+# performance and machines.
 
 set -euo pipefail
 
@@ -18,7 +18,11 @@ for group in "$@"; do
     pictures) packages+=(python3-vtk9 xvfb xauth) ;;
     manual) packages+=(doxygen python3-vtk9 xvfb xauth) ;;
     performance) packages+=(libbenchmark-dev valgrind python3 python3-matplotlib) ;;
-    *) echo "setup.sh: no such group: $group (build, test, pictures, manual, performance)" >&2
+    machines)
+      packages+=(g++-aarch64-linux-gnu qemu-user g++-mingw-w64-x86-64-posix wine wine64
+                 emscripten) ;;
+    *) echo "setup.sh: no such group: $group (build, test, pictures, manual, performance," \
+            "machines)" >&2
        exit 1 ;;
   esac
 done
