@@ -2,9 +2,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 /// \file
-/// How soon a run of a large mesh ends that is to stop, at 5 %, 10 % ... 95 % of its processor time:
-/// until `go_further()` is asked next and says no, and from then until the function returns. Where
-/// nothing is asked any more, all counts as the second.
+/// How soon a run of a large mesh ends that is to stop, at 5 %, 10 % ... 95 % of its processor
+/// time: until `go_further()` is asked next and says no, and from then until the function returns.
+/// Where nothing is asked any more, all counts as the second.
 
 #include "princeton_benchmark.h"
 #include "program.h"
@@ -43,20 +43,29 @@ struct Options
 const char* name_of(Stage stage)
 {
   switch (stage) {
-    case Stage::INITIALIZATION: return "initialization";
-    case Stage::SAMPLING: return "sampling";
-    case Stage::EMBEDDING: return "embedding";
-    case Stage::LINE_SEARCH: return "line search";
-    case Stage::MERGING: return "merging";
-    case Stage::PROJECTION: return "projection";
-    default: return "boundary smoothing";
+  case Stage::INITIALIZATION:
+    return "initialization";
+  case Stage::SAMPLING:
+    return "sampling";
+  case Stage::EMBEDDING:
+    return "embedding";
+  case Stage::LINE_SEARCH:
+    return "line search";
+  case Stage::MERGING:
+    return "merging";
+  case Stage::PROJECTION:
+    return "projection";
+  default:
+    return "boundary smoothing";
   }
 }
 
 typedef std::chrono::steady_clock Clock;
 
 double milliseconds(Clock::time_point from, Clock::time_point to)
-{ return std::chrono::duration<double, std::milli>(to - from).count(); }
+{
+  return std::chrono::duration<double, std::milli>(to - from).count();
+}
 
 // Processor time of all threads, which other work on the machine does not change.
 double processor_seconds() { return static_cast<double>(std::clock()) / CLOCKS_PER_SEC; }
@@ -79,7 +88,8 @@ public:
         where_of_wish_ = where_;
         is_wished_ = true;
       })
-  {}
+  {
+  }
 
   ~Stopper()
   {
@@ -154,7 +164,8 @@ void add_options(CLI::App& app, Options& o)
     ->check(CLI::ExistingFile);
   app.add_option("--faces", o.faces, "to which it is subdivided")->capture_default_str();
   app.add_option("--threads", o.threads, "several numbers")
-    ->check(CLI::Range(1, 1024))->capture_default_str();
+    ->check(CLI::Range(1, 1024))
+    ->capture_default_str();
 }
 
 void run(const Options& o)

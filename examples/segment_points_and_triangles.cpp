@@ -19,7 +19,7 @@ int main(int argc, char* argv[])
 {
   const std::string filename = argc > 1 ? argv[1] : CGAL::data_file_path("meshes/elephant.off");
   std::vector<CGAL::Simple_cartesian<double>::Point_3> points;
-  std::vector<std::array<std::size_t, 3> > triangles;
+  std::vector<std::array<std::size_t, 3>> triangles;
   if (!CGAL::IO::read_polygon_soup(filename, points, triangles)) {
     std::cerr << "Cannot read " << filename << std::endl;
     return EXIT_FAILURE;
@@ -27,8 +27,9 @@ int main(int argc, char* argv[])
 
   std::vector<std::size_t> segment_ids(triangles.size());
   const std::size_t n = CGAL::segment_spectral_recursive(
-    points, triangles, boost::make_iterator_property_map(
-                         segment_ids.begin(), boost::typed_identity_property_map<std::size_t>()));
+    points, triangles,
+    boost::make_iterator_property_map(segment_ids.begin(),
+                                      boost::typed_identity_property_map<std::size_t>()));
   std::cout << points.size() << " points, " << triangles.size() << " triangles, " << n
             << " segments" << std::endl;
 

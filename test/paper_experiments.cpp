@@ -183,13 +183,14 @@ BOOST_AUTO_TEST_CASE(cut_by_two_samples)
   const auto from = [&](Index f)
   { return internal::shortest_paths(graph, f, &Edge_weights::combined); };
   const std::vector<double> from_s = from(samples[0]), from_t = from(samples[1]);
+  const CGAL::Spectral_segmentation::Weighted_part_salience part_salience;
   const auto salience = [&](const std::vector<Index>& line) {
-    return internal::line_search(
-      Execution::SEQUENTIAL, graph, line, CGAL::Spectral_segmentation::Weighted_part_salience(), 0)->salience;
+    return internal::line_search(Execution::SEQUENTIAL, graph, line, part_salience, 0)->salience;
   };
   const auto order = [&](const std::vector<double>& from, const std::vector<double>& to)
   { return internal::spectral_order(Execution::SEQUENTIAL, from, to); };
-  const double expected = std::max(salience(order(from_s, from_t)), salience(order(from_t, from_s)));
+  const double expected =
+    std::max(salience(order(from_s, from_t)), salience(order(from_t, from_s)));
   const auto cut = cut_by_eigenvectors(graph, face_eigenpairs(graph, samples), samples, 0);
   BOOST_TEST_REQUIRE(cut.has_value());
   BOOST_TEST(cut->salience == expected, tt::tolerance(tolerance));

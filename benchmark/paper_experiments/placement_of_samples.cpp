@@ -59,7 +59,8 @@ Searched_line search_line(const Face_graph& part, const Sample_faces& samples,
     Execution::SEQUENTIAL, part,
     internal::spectral_order(Execution::SEQUENTIAL, result.from_s, result.from_t),
     CGAL::Spectral_segmentation::Weighted_part_salience(), minimum_area,
-    [&](std::size_t size, const Salience_factors&, double salience) { saliences[size] = salience; });
+    [&](std::size_t size, const Salience_factors&, double salience)
+    { saliences[size] = salience; });
   for (const auto& [size, salience] : saliences) {
     result.sizes.push_back(static_cast<double>(size) /
                            static_cast<double>(part.number_of_faces()));

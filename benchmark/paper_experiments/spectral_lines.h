@@ -25,7 +25,7 @@ using CGAL::Spectral_segmentation::internal::Cut;
 // The faces in the order of the ratio of the second eigenvector to the first. Where it ties but for
 // rounding, those near the first sample on the line come first.
 inline std::vector<Index> spectral_line(const Face_graph& part, const Eigenpairs& e,
-                                                      const std::vector<Index>& samples, bool is_reversed)
+                                        const std::vector<Index>& samples, bool is_reversed)
 {
   Eigen::ArrayXd z = e.vectors.col(1).array() / e.vectors.col(0).array();
   if (is_reversed)

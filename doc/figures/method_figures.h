@@ -163,7 +163,8 @@ struct Searched_line
     const Engine_options options = zhang_liu_2005_options();
     const double area = internal::total_area(graph);
     best = internal::line_search(
-      Execution::SEQUENTIAL, graph, order, options.part_salience, options.minimum_segment_size * area,
+      Execution::SEQUENTIAL, graph, order, options.part_salience,
+      options.minimum_segment_size * area,
       [&](std::size_t size, const CGAL::Spectral_segmentation::Salience_factors& f, double salience)
       { steps.push_back({size, f.size, f.cut_strength, f.protrusiveness, salience}); });
     std::sort(steps.begin(), steps.end()); // by size
@@ -211,7 +212,8 @@ inline void draw_samples_and_line(Picture_book& book, const Named_mesh& shape,
                                   const std::array<Kernel::Point_3, 2>& same_part)
 {
   const Face_graph graph = paper_graph(shape.mesh);
-  const Searched_line good(graph, internal::sample_faces(Execution::SEQUENTIAL, contexts_of(graph)));
+  const Searched_line good(graph,
+                           internal::sample_faces(Execution::SEQUENTIAL, contexts_of(graph)));
   const Searched_line bad(graph, {face_at(shape.mesh, same_part[0]),
                                   face_at(shape.mesh, same_part[1])});
   draw_regions(book, "samples", shape, graph, good, "(a) samples by shape context");
