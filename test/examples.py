@@ -230,7 +230,7 @@ class Example(unittest.TestCase):
         self.assertEqual(numbers[-1], 100)
         *shares, last = self.run_example(MESHES / "elephant.off", 0).splitlines()
         self.assertEqual(last, "1 segments, stopped")
-        self.assertEqual(shares[-1], "100 %")
+        self.assertNotIn("100 %", shares)
         self.assertEqual(set(self.ply()[2]["segment"]), {0})
 
     def volumes_of_parts(self, output):

@@ -247,7 +247,8 @@ BOOST_AUTO_TEST_CASE(each_coefficient_is_found)
       for (const Fitted_factor& f : fitted_factors)
         cut.factors.*f.factor = number(random);
       cut.agreement = truth(cut.factors);
-      mesh.groups.push_back({i % 2 == 0 ? Evaluated_cut::CANDIDATE : Evaluated_cut::BOUNDARY, {cut}});
+      mesh.groups.push_back(
+        {i % 2 == 0 ? Evaluated_cut::CANDIDATE : Evaluated_cut::BOUNDARY, {cut}});
     }
     const Calibrated_part_salience found = fit_part_salience({mesh}, 1).salience;
     BOOST_TEST_INFO_SCOPE(fitted.name);
