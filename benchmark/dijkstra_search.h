@@ -58,13 +58,11 @@ void grow_paths_by_dijkstra(const CGAL::Spectral_segmentation::internal::Weighte
 
 // The twin of the library's `shortest_paths()`.
 inline std::vector<double>
-shortest_paths_by_dijkstra(const CGAL::Spectral_segmentation::internal::Face_graph& graph,
-                           CGAL::Spectral_segmentation::internal::Index source,
-                           CGAL::Spectral_segmentation::internal::Weighting weighting)
+shortest_paths_by_dijkstra(const CGAL::Spectral_segmentation::internal::Weighted_graph& graph,
+                           CGAL::Spectral_segmentation::internal::Index source)
 {
-  CGAL::Spectral_segmentation::internal::Path_lengths paths(graph.number_of_faces());
-  grow_paths_by_dijkstra(
-    CGAL::Spectral_segmentation::internal::Weighted_graph(graph, weighting), source, paths);
+  CGAL::Spectral_segmentation::internal::Path_lengths paths(graph.faces().number_of_faces());
+  grow_paths_by_dijkstra(graph, source, paths);
   return std::move(paths.lengths);
 }
 

@@ -212,14 +212,14 @@ void measure_another_number(benchmark::State& state, Input& input)
   }
 }
 
-typedef std::vector<double> (*Search)(const Face_graph&, Index, internal::Weighting);
+typedef std::vector<double> (*Search)(const internal::Weighted_graph&, Index);
 
 template <Search search>
 void measure_search(benchmark::State& state, Input& input)
 {
-  const Face_graph& graph = input.graph();
+  const internal::Weighted_graph graph(input.graph(), &Edge_weights::combined);
   for (auto _ : state)
-    benchmark::DoNotOptimize(search(graph, 0, &Edge_weights::combined));
+    benchmark::DoNotOptimize(search(graph, 0));
 }
 
 void measure_breadth_first_search(benchmark::State& state, Input& input)

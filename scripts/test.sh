@@ -15,7 +15,8 @@ cmake -S . -B build-test -DCMAKE_BUILD_TYPE=Release \
   -DSPECTRAL_SEGMENTATION_BUILD_TESTS=ON -DSPECTRAL_SEGMENTATION_BUILD_EXAMPLES=ON \
   -DSPECTRAL_SEGMENTATION_BUILD_BENCHMARKS=OFF \
   -DCMAKE_CXX_FLAGS_RELEASE='-O2 -DNDEBUG' \
-  -DSPECTRAL_SEGMENTATION_PROGRAM_OPTIONS=-O1
+  -DSPECTRAL_SEGMENTATION_PROGRAM_OPTIONS=-O1 \
+  -DCMAKE_UNITY_BUILD=ON
 cmake --build build-test --parallel "$(nproc)"
 cd build-test
 exec ctest --output-on-failure --parallel "$(nproc)" --label-exclude long

@@ -5,12 +5,8 @@
 
 #include <CGAL/Spectral_segmentation/internal/utility/concurrency.h>
 
-#include <algorithm>
 #include <cmath>
 #include <cstddef>
-#include <functional>
-#include <numeric>
-#include <random>
 #include <stdexcept>
 #include <vector>
 
@@ -85,20 +81,6 @@ BOOST_AUTO_TEST_CASE(an_exception_reaches_the_caller)
     BOOST_CHECK_THROW(for_each_index(execution, 1000, fail), std::runtime_error);
     BOOST_CHECK_THROW(call_all(execution, [] {}, [&] { fail(700); }), std::runtime_error);
     BOOST_CHECK_THROW(call_isolated([&] { fail(700); }), std::runtime_error);
-  }
-}
-
-BOOST_AUTO_TEST_CASE(sorting_by_an_order_without_ties_does_not_depend_on_the_threads)
-{
-  std::mt19937 random(1);
-  std::vector<unsigned> values(100000);
-  std::iota(values.begin(), values.end(), 0u);
-  const std::vector<unsigned> expected(values.rbegin(), values.rend());
-  for (Execution execution : executions) {
-    std::shuffle(values.begin(), values.end(), random);
-    CGAL::Spectral_segmentation::internal::sort(execution, values.begin(), values.end(),
-                                                std::greater<unsigned>());
-    BOOST_TEST(values == expected);
   }
 }
 

@@ -40,8 +40,8 @@ struct Two_samples
     const Index n = num_vertices(graph);
     s = Index(random() % n);
     t = Index((s + 1 + random() % (n - 1)) % n);
-    from_s = shortest_paths(graph, s, &Edge_weights::combined);
-    from_t = shortest_paths(graph, t, &Edge_weights::combined);
+    from_s = shortest_paths({graph, &Edge_weights::combined}, s);
+    from_t = shortest_paths({graph, &Edge_weights::combined}, t);
   }
 
   double difference(Index f) const { return from_s[f] - from_t[f]; }

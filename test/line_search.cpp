@@ -258,8 +258,8 @@ std::vector<Index> random_line(const Face_graph& part, Random& random)
 
 std::vector<Index> line_between(const Face_graph& part, Index s, Index t)
 {
-  return spectral_order(sequential, shortest_paths(part, s, &Edge_weights::combined),
-                        shortest_paths(part, t, &Edge_weights::combined));
+  return spectral_order(sequential, shortest_paths({part, &Edge_weights::combined}, s),
+                        shortest_paths({part, &Edge_weights::combined}, t));
 }
 
 // A spectral line, of which some faces are visited at another time.

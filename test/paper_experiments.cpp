@@ -163,7 +163,7 @@ BOOST_AUTO_TEST_CASE(line_of_two_samples)
   const std::vector<Index> samples = samples_by_contexts(graph, 2, random);
   const Eigenpairs e = face_eigenpairs(graph, samples);
   const auto from = [&](Index f)
-  { return internal::shortest_paths(graph, f, &Edge_weights::combined); };
+  { return internal::shortest_paths({graph, &Edge_weights::combined}, f); };
   const std::vector<double> from_s = from(samples[0]), from_t = from(samples[1]);
   std::vector<double> differences;
   for (Index f : spectral_line(graph, e, samples, false))
@@ -181,7 +181,7 @@ BOOST_AUTO_TEST_CASE(cut_by_two_samples)
   Random_engine random = random_engine(1, 0);
   const std::vector<Index> samples = samples_by_contexts(graph, 2, random);
   const auto from = [&](Index f)
-  { return internal::shortest_paths(graph, f, &Edge_weights::combined); };
+  { return internal::shortest_paths({graph, &Edge_weights::combined}, f); };
   const std::vector<double> from_s = from(samples[0]), from_t = from(samples[1]);
   const CGAL::Spectral_segmentation::Weighted_part_salience part_salience;
   const auto salience = [&](const std::vector<Index>& line) {

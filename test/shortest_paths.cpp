@@ -96,9 +96,9 @@ BOOST_AUTO_TEST_CASE(distances_equal_those_of_floyd_and_warshall)
       for (Weighting weighting : weightings) {
         const std::vector<std::vector<double> > expected = floyd_warshall(graph, weighting);
         for (Index source = 0; source < graph.number_of_faces(); ++source) {
-          BOOST_TEST(internal::shortest_paths(graph, source, weighting) == expected[source],
+          BOOST_TEST(internal::shortest_paths({graph, weighting}, source) == expected[source],
                      tt::per_element());
-          BOOST_TEST(shortest_paths_by_dijkstra(graph, source, weighting) == expected[source],
+          BOOST_TEST(shortest_paths_by_dijkstra({graph, weighting}, source) == expected[source],
                      tt::per_element());
         }
       }
@@ -114,8 +114,8 @@ void check_that_both_searches_agree(const Face_graph& graph, Index source)
 {
   const std::size_t n = graph.number_of_faces();
   for (Weighting weighting : weightings)
-    BOOST_TEST((internal::shortest_paths(graph, source, weighting) ==
-                shortest_paths_by_dijkstra(graph, source, weighting)));
+    BOOST_TEST((internal::shortest_paths({graph, weighting}, source) ==
+                shortest_paths_by_dijkstra({graph, weighting}, source)));
   const Weighted_graph weighted(graph, &Edge_weights::geodesic);
   Path_angles by_buckets(n), by_dijkstra(n);
   grow_paths(weighted, source, by_buckets);
@@ -229,7 +229,7 @@ BOOST_AUTO_TEST_CASE(a_single_face_is_at_distance_0)
 {
   Random random(1);
   const Face_graph graph = random_part(graph_with_distances(sphere(0)), 1, random);
-  const std::vector<double> distance = internal::shortest_paths(graph, 0, &Edge_weights::geodesic);
+  const std::vector<double> distance = internal::shortest_paths({graph, &Edge_weights::geodesic}, 0);
   BOOST_TEST(distance == std::vector<double>({0}), tt::per_element());
 }
 
@@ -237,7 +237,7 @@ BOOST_AUTO_TEST_CASE(ways_of_length_0_are_ways)
 {
   Face_graph graph = face_graph_of(plate(3, 3));
   graph.weights.resize(graph.number_of_halfedges());
-  BOOST_TEST(internal::shortest_paths(graph, 4, &Edge_weights::combined) ==
+  BOOST_TEST(internal::shortest_paths({graph, &Edge_weights::combined}, 4) ==
              std::vector<double>(graph.number_of_faces(), 0.), tt::per_element());
   Path_angles paths(graph.number_of_faces());
   grow_paths(Weighted_graph(graph, &Edge_weights::combined), 4, paths);

@@ -61,7 +61,7 @@ std::vector<Index> samples_by_paths(const Face_graph& part, std::size_t m,
                                     Random_engine& random)
 {
   const auto distances_from = [&](Index f)
-  { return CGAL::Spectral_segmentation::internal::shortest_paths(part, f, weighting); };
+  { return CGAL::Spectral_segmentation::internal::shortest_paths({part, weighting}, f); };
   const std::size_t n = part.number_of_faces();
   const Index first = farthest_first(n, random_face(n, random), 2, distances_from).back();
   return farthest_first(n, first, m, distances_from);

@@ -51,11 +51,13 @@ class Run
     std::iota(order_.begin(), order_.end(), Index(0));
     if (monitor_.go_further()) {
       std::vector<Index> order = locality_order(triangles.neighbors);
+      monitor_.advance(0.3);
       if (monitor_.go_further()) {
         triangles = in_order(std::move(triangles), order);
         order_ = std::move(order);
       }
     }
+    monitor_.advance(0.3);
     unit_ = normalize(triangles.points);
     mesh_ = face_graph(execution_, std::move(triangles));
     if (options_.boundary_smoothing) {
@@ -71,10 +73,9 @@ class Run
                        distance_weights());
   }
 
-  // Returns the mesh on which cuts are searched.
-  Face_graph initialize(Triangles triangles)
+  // The mesh on which cuts are searched.
+  Face_graph coarse_mesh()
   {
-    read(std::move(triangles));
     monitor_.check();
     std::vector<Vector> points = smoothed_points(mesh_, options_.number_of_smoothing_iterations,
                                                  [&] { monitor_.check(); return true; });
@@ -157,16 +158,21 @@ public:
     // it.
     const double n = static_cast<double>(triangles.corners.size());
     const double m = static_cast<double>(options_.faces_to_search(triangles.corners.size()));
-    const double of_initialization = (m < n ? 1400 : 200) * n;
+    const double of_reading = 150 * n;
+    const double of_coarsening = (m < n ? 1250 : 100) * n;
     const double of_search = (options_.method == Method::CALIBRATED ? 50000 : 4000) * m;
     const double of_projection = (m < n ? 250 : 0) * n;
-    const double all = (std::max)(of_initialization + of_search + of_projection, 1.);
+    const double all = (std::max)(of_reading + of_coarsening + of_search + of_projection, 1.);
 
     Cut_hierarchy result;
-    monitor_.start_phase(of_initialization / all);
+    monitor_.start_phase(of_reading / all);
     try {
-      Face_graph searched = monitor_.stage(Stage::INITIALIZATION, Segmentation_visitor::whole_mesh,
-                                           [&] { return initialize(std::move(triangles)); });
+      Face_graph searched =
+        monitor_.stage(Stage::INITIALIZATION, Segmentation_visitor::whole_mesh, [&] {
+          read(std::move(triangles));
+          monitor_.start_phase(of_coarsening / all);
+          return coarse_mesh();
+        });
       monitor_.start_phase(of_search / all);
       result = search(std::move(searched));
     }

@@ -155,7 +155,7 @@ public:
     // A part is a guessed half of its share of the search, to which later parts add.
     const double step = 0.5 * static_cast<double>(m.number_of_faces()) /
                         static_cast<double>(number_of_faces_) /
-                        static_cast<double>(options_.number_of_reference_faces + 3);
+                        static_cast<double>(2 * options_.number_of_reference_faces + 1);
     const auto check = [&] {
       monitor.check();
       monitor.approach(step);

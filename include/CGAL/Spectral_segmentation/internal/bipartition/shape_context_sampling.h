@@ -56,10 +56,10 @@ struct Shape_contexts
 
 // Chooses k reference faces, or all of a part with fewer, mutually farthest apart in geodesic
 // distance, and sums the angle distances along the shortest geodesic paths to each, while the next
-// ones are chosen. `between_trees()` is called before each tree.
-template <class BetweenTrees>
+// ones are chosen. `before_search()` is called before each search for paths.
+template <class BeforeSearch>
 Shape_contexts shape_contexts(Execution execution, const Face_graph& graph, Index first_reference,
-                              std::size_t k, const BetweenTrees& between_trees)
+                              std::size_t k, const BeforeSearch& before_search)
 {
   const std::size_t n = graph.number_of_faces();
   const Weighted_graph weighted(graph, &Edge_weights::geodesic);
@@ -73,7 +73,7 @@ Shape_contexts shape_contexts(Execution execution, const Face_graph& graph, Inde
       contexts.values(f, j) = paths.angles(f);
     return paths;
   };
-  between_trees();
+  before_search();
   contexts.references.push_back(first_reference);
   Path_lengths to_nearest(n);
   {
@@ -84,13 +84,15 @@ Shape_contexts shape_contexts(Execution execution, const Face_graph& graph, Inde
 
   Task_group trees(execution);
   for (std::size_t j = 1; j < k; ++j) {
-    between_trees();
+    before_search();
     const auto farthest = std::max_element(to_nearest.lengths.begin(), to_nearest.lengths.end());
     const Index reference = static_cast<Index>(farthest - to_nearest.lengths.begin());
     contexts.references.push_back(reference);
     trees.run([&, j, reference] { grow_tree(j, reference); });
-    if (j + 1 < k)
+    if (j + 1 < k) {
+      before_search();
       grow_paths(weighted, reference, to_nearest);
+    }
   }
   trees.wait();
   return contexts;

@@ -172,11 +172,10 @@ void grow_paths(const Weighted_graph& graph, Index source, Paths& paths)
 }
 
 // The distances of all faces from `source`.
-inline std::vector<double> shortest_paths(const Face_graph& graph, Index source,
-                                          Weighting weighting)
+inline std::vector<double> shortest_paths(const Weighted_graph& graph, Index source)
 {
-  Path_lengths paths(graph.number_of_faces());
-  grow_paths(Weighted_graph(graph, weighting), source, paths);
+  Path_lengths paths(graph.faces().number_of_faces());
+  grow_paths(graph, source, paths);
   return std::move(paths.lengths);
 }
 

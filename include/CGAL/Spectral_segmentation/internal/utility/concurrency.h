@@ -9,7 +9,6 @@
 #ifdef CGAL_LINKED_WITH_TBB
 #include <tbb/parallel_for.h>
 #include <tbb/parallel_invoke.h>
-#include <tbb/parallel_sort.h>
 #include <tbb/task_arena.h>
 #include <tbb/task_group.h>
 #endif
@@ -64,20 +63,6 @@ void call_all(Execution execution, const Functions&... f)
 #endif
   static_cast<void>(execution);
   (f(), ...);
-}
-
-// Sorts by an order in which no two elements are equal.
-template <class Iterator, class Less>
-void sort(Execution execution, Iterator first, Iterator end, const Less& less)
-{
-#ifdef CGAL_LINKED_WITH_TBB
-  if (execution == Execution::PARALLEL) {
-    tbb::parallel_sort(first, end, less);
-    return;
-  }
-#endif
-  static_cast<void>(execution);
-  std::sort(first, end, less);
 }
 
 // The sum of f(0) .. f(n - 1), which begins with a zero of its type. It is taken in blocks, so that
