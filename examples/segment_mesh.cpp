@@ -110,23 +110,23 @@ void add_options(CLI::App& app, Options& o)
                  "calibrated: cuts where people cut; paper: Zhang and Liu 2005")
     ->type_name("M")->check(CLI::IsMember({"calibrated", "paper"}))->capture_default_str();
   app.add_option("--segments", o.segments,
-                 "largest number of segments, but one for each connected component at least; "
-                 "without --salience-threshold as many as that if the mesh can be cut so often")
+                 "number of segments; with --salience-threshold the largest number; each "
+                 "connected component has at least one")
     ->type_name("N")->check(CLI::Range(std::int64_t(1), largest));
   app.add_option("--salience-threshold", o.threshold,
-                 "no cut has a salience below this, which is a probability if the method is "
-                 "calibrated" + both_defaults(&Defaults::salience_threshold))->type_name("T");
+                 "smallest salience of a cut; with the method 'calibrated' the "
+                 "probability that people cut there" + both_defaults(&Defaults::salience_threshold))->type_name("T");
   app.add_option("--minimum-segment-size", o.minimum_size,
-                 "smallest share of the area of the mesh that a cut leaves on a side, up to 0.5" +
+                 "smallest area of a side of a cut, as a share of the area of the mesh" +
                    both_defaults(&Defaults::minimum_segment_size))
     ->type_name("S")->check(CLI::Range(0., 0.5));
-  app.add_option("--seed", o.seed, "seed of the random first reference faces [none is random]")
+  app.add_option("--seed", o.seed, "seed of random first reference faces; without it they are not random")
     ->type_name("S")->check(CLI::Range(std::int64_t(0), largest));
   app.add_option("--threads", o.threads,
-                 "number of threads, on which the result does not depend [all]")
+                 "number of threads; the result does not depend on it [all]")
     ->type_name("N")->check(CLI::Range(1, 1024));
   app.add_option("--smooth", o.smoothing_iterations,
-                 "steps of Laplacian smoothing before the faces are compared [0]")
+                 "steps of Laplacian smoothing before distances are computed [0]")
     ->type_name("N")->check(CLI::Range(std::int64_t(0), largest));
   app.add_flag("--boundary-smoothing", o.boundary_smoothing,
                "smooth the boundaries between segments");

@@ -127,9 +127,9 @@ def tree_of_cuts(charts):
     svg.polyline([(-0.5, data["threshold"]), (leaves - 0.5, data["threshold"])], "#c81e1e", 1.5,
                  "6 4")
     svg.text(svg.x(leaves - 0.5) - 4, svg.y(data["threshold"]) - 6, "threshold", "end", "#c81e1e")
-    svg.x_axis("pieces", [])
+    svg.x_axis("regions", [])
     return ("tree of cuts: the higher a cut, the more salient; those below the threshold are grey; "
-            "the squares have the colors of the pieces above", str(svg))
+            "the squares have the colors of the regions above", str(svg))
 
 
 CHARTS = {"line_search": line_search, "tree_of_cuts": tree_of_cuts}

@@ -240,16 +240,17 @@ inline void draw_tree(Picture_book& book, const Named_mesh& shape)
   const Segmentation_hierarchy tree = hierarchy(shape.mesh, calibrated_options());
   Row_colors colors;
   const double none = -std::numeric_limits<double>::infinity();
-  const Labels pieces = tree.labels(tree.number_of_segments(), none);
+  const Labels regions = tree.labels(tree.number_of_segments(), none);
   for (std::size_t n : {std::size_t(2), std::size_t(4), std::size_t(8)})
     add_segments(book, "tree", shape, colors, tree.labels(n, none), "at most " + std::to_string(n));
-  const std::vector<Rgb> of_pieces = colors(pieces);
-  book.add("tree", {shape, "all leaves: " + count(tree.number_of_segments(), "pieces"), of_pieces});
+  const std::vector<Rgb> of_regions = colors(regions);
+  book.add("tree",
+           {shape, "all leaves: " + count(tree.number_of_segments(), "regions"), of_regions});
 
   Json nodes = Json::array();
   for (std::size_t i = 0; i < tree.number_of_nodes(); ++i) {
     const Segmentation_hierarchy::Node& node = tree.node(i);
-    Json entry = {{"salience", node.salience}, {"color", of_pieces[*tree.faces(i).begin()]}};
+    Json entry = {{"salience", node.salience}, {"color", of_regions[*tree.faces(i).begin()]}};
     if (!node.is_leaf())
       entry["children"] = {node.children[0], node.children[1]};
     nodes.push_back(std::move(entry));

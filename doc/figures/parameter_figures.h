@@ -83,7 +83,7 @@ inline void draw_parameters(Picture_book& book, const Named_mesh& limbs, const N
   draw_row(book, "number_of_searched_faces", &Engine_options::number_of_searched_faces, calibrated,
            fine, {500, 1500, calibrated.number_of_searched_faces, 0});
   const Named_mesh noise = noisy(coarse, 0.004);
-  draw_row(book, "concavity_radius", &Engine_options::concavity_radius, calibrated, noise,
+  draw_row(book, "radius", &Engine_options::concavity_radius, calibrated, noise,
            {0.0, 0.01, calibrated.concavity_radius, 0.06});
   draw_row(book, "number_of_smoothing_iterations",
            &Engine_options::number_of_smoothing_iterations, paper, noise, {0, 1, 3, 10});
