@@ -23,19 +23,15 @@ inline std::vector<std::vector<Index> > domains(const std::vector<Corners>& corn
   // A surface meets about as many cells as there are in two layers of the grid.
   const double width = std::ceil(
     std::sqrt(static_cast<double>(corners.size()) / static_cast<double>(2 * faces_per_domain)));
-  Vector smallest = points.front(), largest = smallest;
-  for (const Vector& p : points) {
-    smallest = smallest.cwiseMin(p);
-    largest = largest.cwiseMax(p);
-  }
-  const double extent = (largest - smallest).maxCoeff();
+  const Bounding_box box(points);
+  const double extent = (box.largest - box.smallest).largest_coordinate();
   const double cells_per_length = extent > 0 ? width / extent : 0;
   const Index n = static_cast<Index>(width);
   std::vector<std::vector<Index> > result(n * n * n);
   for (Index f = 0; f < corners.size(); ++f) {
     const Corners& c = corners[f];
     const Vector place =
-      ((points[c[0]] + points[c[1]] + points[c[2]]) / 3 - smallest) * cells_per_length;
+      ((points[c[0]] + points[c[1]] + points[c[2]]) / 3 - box.smallest) * cells_per_length;
     Index cell = 0;
     for (int i = 0; i < 3; ++i)
       cell = n * cell + (std::min)(static_cast<Index>((std::max)(place[i], 0.)), n - 1);
