@@ -5,12 +5,12 @@
 #define CGAL_SPECTRAL_SEGMENTATION_INTERNAL_MULTILEVEL_DOMAINS_H
 
 #include <CGAL/Spectral_segmentation/internal/mesh/Triangles.h>
+#include <CGAL/Spectral_segmentation/internal/utility/sorted_indices.h>
 
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
 #include <limits>
-#include <utility>
 #include <vector>
 
 namespace CGAL::Spectral_segmentation::internal {
@@ -48,16 +48,17 @@ inline std::vector<std::vector<Index> > domains(const std::vector<Corners>& corn
 inline double shared_by_area(double number, const std::vector<std::vector<Index> >& faces,
                              const std::vector<double>& areas)
 {
-  std::vector<std::pair<double, std::size_t> > full_at; // the faces per area that a domain has
+  std::vector<double> density(faces.size(), 0); // the faces per area that a domain has
   double area = 0;
   for (std::size_t d = 0; d < faces.size(); ++d)
     if (areas[d] > 0) {
-      full_at.push_back({static_cast<double>(faces[d].size()) / areas[d], d});
+      density[d] = static_cast<double>(faces[d].size()) / areas[d];
       area += areas[d];
     }
-  std::sort(full_at.begin(), full_at.end());
-  for (const auto& [density, d] : full_at) {
-    if (density * area >= number)
+  for (Index d : sorted_indices(Execution::SEQUENTIAL, density)) {
+    if (density[d] == 0)
+      continue;
+    if (density[d] * area >= number)
       return number / area;
     number -= static_cast<double>(faces[d].size());
     area -= areas[d];
