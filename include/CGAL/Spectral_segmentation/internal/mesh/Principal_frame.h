@@ -27,9 +27,7 @@ public:
     const Symmetric_matrix covariance =
       mean_over_surface<Symmetric_matrix>(execution, mesh, area, [&](const Vector& p)
         { return Symmetric_matrix::square(p - center_); });
-    const Eigen::Matrix3d vectors = covariance.eigen(Eigen::ComputeEigenvectors).eigenvectors();
-    for (int i = 0; i < 3; ++i)
-      axes_[i] = Vector(vectors(0, i), vectors(1, i), vectors(2, i));
+    Eigen_solver(covariance).set_eigenvectors(axes_[0], axes_[1]);
     const Vector skewness =
       mean_over_surface<Vector>(execution, mesh, area, [&](const Vector& p) {
         const Vector q = point(p);

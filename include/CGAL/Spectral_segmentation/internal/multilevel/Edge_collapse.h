@@ -122,7 +122,7 @@ class Edge_collapse : private Halfedge_mesh
                         (q - p).norm(), at - middle, matrix, right);
       }
     // Regularized, so that the point stays near the middle along planes that are parallel.
-    const double share = 1e-3 * (matrix.xx + (matrix.yy + matrix.zz)) + 1e-300;
+    const double share = 1e-3 * matrix.trace() + 1e-300;
     matrix += {share, share, share};
     const Vector step = matrix.inverse() * right;
     const bool is_near = step.squared_norm() <= (q - p).squared_norm(); // also if it is a number

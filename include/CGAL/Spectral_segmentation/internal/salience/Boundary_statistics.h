@@ -121,7 +121,7 @@ public:
     // The product of the two largest eigenvalues is the largest eigenvalue of the adjugate; found
     // as one root it is accurate also where the cut is nearly straight and the second one vanishes.
     const double product =
-      (std::max)(covariance.adjugate().eigen(Eigen::EigenvaluesOnly).eigenvalues()[2], 0.);
+      (std::max)(Eigen_solver(covariance.adjugate()).largest_eigenvalue(), 0.);
     result.protrusiveness = 1 - 4 * std::sqrt(product) / smaller_area();
     return result;
   }
