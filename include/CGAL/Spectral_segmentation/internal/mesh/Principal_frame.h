@@ -40,7 +40,8 @@ public:
   }
 
   Vector point(const Vector& p) const { return vector(p - center_); }
-  Vector vector(const Vector& v) const { return {axes_[0].dot(v), axes_[1].dot(v), axes_[2].dot(v)}; }
+  Vector vector(const Vector& v) const
+  { return {axes_[0].dot(v), axes_[1].dot(v), axes_[2].dot(v)}; }
 };
 
 } // namespace CGAL::Spectral_segmentation::internal
