@@ -68,7 +68,7 @@ struct Symmetric_matrix
 };
 
 // The eigenvalues and eigenvectors in closed form. With Eigen's computeDirect(), whose steps and
-// roundings these are, a program that includes the engine took a tenth longer to compile.
+// roundings these are, a program that includes the engine took 5 % longer to compile.
 class Eigen_solver
 {
   double shift_, scale_;
