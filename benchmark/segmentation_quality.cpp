@@ -5,7 +5,8 @@
 /// Compares methods with people's cuts on the Princeton Segmentation Benchmark (Chen, Golovinskiy,
 /// Funkhouser, SIGGRAPH 2009): all metrics of the benchmark, by category and overall, and the
 /// distance from the least Rand error that one segmentation can have with respect to all people,
-/// of which an upper bound is computed.
+/// of which an upper bound is computed. The meshes may also be segmented in other triangulations,
+/// which should give the same parts.
 
 #include "Contact_sheet.h"
 #include "for_each_mesh.h"
@@ -27,9 +28,10 @@ using namespace segmentation_benchmark;
 
 struct Options
 {
-  std::string folder, ids = "odd", json, sheet;
+  std::string folder, ids = "odd", json, sheet, cache;
   std::vector<std::string> methods = method_names();
   std::vector<std::string> protocols = {"auto", "k", "tree"};
+  std::vector<std::string> triangulations = {triangulation_names().front()};
   std::optional<double> threshold;
   std::size_t threads = 1;
 
@@ -47,6 +49,14 @@ void add_options(CLI::App& app, Options& o)
                  "auto: nothing is given; k: people's usual number of parts is; tree: the best "
                  "number of parts of the tree [all]")
     ->check(CLI::IsMember(o.protocols));
+  app.add_option("--triangulation", o.triangulations,
+                 "in which the meshes are segmented, several for a comparison: as_is; decimated to "
+                 "1500 faces; remeshed to about 8000 like ones; subdivided, each face in four "
+                 "[as_is]")
+    ->check(CLI::IsMember(triangulation_names()));
+  app.add_option("--cache", o.cache,
+                 "where meshes that are decimated or remeshed are kept for further runs")
+    ->type_name("DIR");
   app.add_option("--threshold", o.threshold,
                  "of the protocol auto, in place of each method's default");
   app.add_option("--json", o.json, "writes all figures, of each mesh too")->type_name("OUT");
@@ -74,7 +84,8 @@ std::vector<Row> selected_rows(const Options& o)
       for (Protocol protocol : {Protocol::AUTO, Protocol::K, Protocol::TREE})
         if (std::count(o.protocols.begin(), o.protocols.end(), name(protocol)) != 0 &&
             (protocol == Protocol::AUTO || is_tree_method(method)))
-          rows.push_back({method, protocol});
+          for (const std::string& triangulation : o.triangulations)
+            rows.push_back({method, protocol, triangulation});
   if (rows.empty())
     throw std::invalid_argument("none of the methods has such a protocol");
   return rows;
@@ -96,7 +107,7 @@ std::vector<Scored_mesh> score_meshes(const Options& o, const std::vector<Row>& 
   Progress progress(ids.size());
   for_each_mesh(ids.size(), o.threads, [&](std::size_t i) {
     const Benchmark_mesh input = read_benchmark_mesh(o.folder, ids[i]);
-    meshes[i] = Mesh_scorer(input, o.threshold)(rows);
+    meshes[i] = Mesh_scorer(input, o.threshold, o.cache)(rows);
     const Score& first = meshes[i].scores.front();
     if (sheet)
       sheet->add(caption(ids[i], first), input.mesh, first.labels);
@@ -119,6 +130,10 @@ void run(const Options& o)
   print_metrics(summaries);
   std::printf("\n");
   print_categories(summaries);
+  if (o.triangulations.size() > 1) {
+    std::printf("\n");
+    print_triangulations(summaries, meshes);
+  }
   std::fflush(stdout);
   write_json(o.json, json_report(summaries, meshes));
   if (sheet)
