@@ -6,13 +6,15 @@
 /// Funkhouser, SIGGRAPH 2009): all metrics of the benchmark, by category and overall, and the
 /// distance from the least Rand error that one segmentation can have with respect to all people,
 /// of which an upper bound is computed. The meshes may also be segmented in other triangulations,
-/// which should give the same parts.
+/// which should give the same parts. Unions of primitives, whose parts are known, stand for
+/// mechanical parts.
 
 #include "Contact_sheet.h"
 #include "for_each_mesh.h"
 #include "program.h"
 #include "score_mesh.h"
 #include "score_report.h"
+#include "score_unions.h"
 
 #include <CLI/CLI.hpp>
 
@@ -28,20 +30,21 @@ using namespace segmentation_benchmark;
 
 struct Options
 {
-  std::string folder, ids = "odd", json, sheet, cache;
+  std::string folder, ids = "odd", json, sheet, cache, sheet_of_unions;
   std::vector<std::string> methods = method_names();
   std::vector<std::string> protocols = {"auto", "k", "tree"};
   std::vector<std::string> triangulations = {triangulation_names().front()};
   std::optional<double> threshold;
-  std::size_t threads = 1;
+  std::size_t threads = 1, unions = 0;
 
   Options() { methods.push_back(people_method); }
 };
 
 void add_options(CLI::App& app, Options& o)
 {
-  app.add_option("folder", o.folder, "holds off/N.off and seg/Benchmark/N/*.seg")
-    ->required()->check(CLI::ExistingDirectory);
+  app.add_option("folder", o.folder, "holds off/N.off and seg/Benchmark/N/*.seg; may be left out with "
+                 "--primitive-unions")
+    ->check(CLI::ExistingDirectory);
   app.add_option("--ids", o.ids, "odd, even, all, or a list as 1-20,33")->capture_default_str();
   app.add_option("--method", o.methods, "rows of the tables [all]")
     ->check(CLI::IsMember(o.methods));
@@ -61,6 +64,12 @@ void add_options(CLI::App& app, Options& o)
                  "of the protocol auto, in place of each method's default");
   app.add_option("--json", o.json, "writes all figures, of each mesh too")->type_name("OUT");
   app.add_option("--sheet", o.sheet, "writes a picture of all meshes as the first row cuts them")
+    ->type_name("OUT.png");
+  app.add_option("--primitive-unions", o.unions,
+                 "also segments so many mechanical parts, made by the seeds from 1 on")
+    ->check(CLI::Range(1, 1000000));
+  app.add_option("--unions-sheet", o.sheet_of_unions,
+                 "writes a picture of each with its true parts, and as the first row cuts it")
     ->type_name("OUT.png");
   app.add_option("--threads", o.threads,
                  "meshes at a time, each on one thread; with 1, a mesh may use all threads")
@@ -118,9 +127,8 @@ std::vector<Scored_mesh> score_meshes(const Options& o, const std::vector<Row>& 
   return meshes;
 }
 
-void run(const Options& o)
+void report_on_benchmark(const Options& o, const std::vector<Row>& rows, Json& json)
 {
-  const std::vector<Row> rows = selected_rows(o);
   std::optional<Contact_sheet> sheet;
   if (!o.sheet.empty())
     sheet.emplace();
@@ -135,9 +143,70 @@ void run(const Options& o)
     print_triangulations(summaries, meshes);
   }
   std::fflush(stdout);
-  write_json(o.json, json_report(summaries, meshes));
+  json = json_report(summaries, meshes);
   if (sheet)
     sheet->write(o.sheet);
+}
+
+void add_to_sheet(Contact_sheet& sheet, const Primitive_union& input, const Scored_union& scored)
+{
+  char text[40];
+  std::snprintf(text, sizeof text, "%03d", static_cast<int>(scored.seed));
+  sheet.add(text + std::string(" known"), input.mesh, input.truth);
+  const Union_score& first = scored.scores.front();
+  std::snprintf(text, sizeof text, "%03d result %.3f", static_cast<int>(scored.seed),
+                first.by_area);
+  sheet.add(text, input.mesh, first.labels);
+}
+
+void report_on_unions(const Options& o, const std::vector<Row>& rows, Json& json)
+{
+  std::optional<Contact_sheet> sheet;
+  if (!o.sheet_of_unions.empty())
+    sheet.emplace();
+  std::vector<Scored_union> unions(o.unions);
+  {
+    Progress progress(o.unions);
+    for_each_mesh(o.unions, o.threads, [&](std::size_t i) {
+      Scored_union& scored = unions[i];
+      scored.seed = i + 1;
+      const Primitive_union input = primitive_union(scored.seed);
+      scored.faces = input.mesh.number_of_faces();
+      scored.pieces = number_of_segments(input.truth);
+      for (const Row& row : rows)
+        scored.scores.push_back(Union_scorer(input)(row));
+      if (sheet)
+        add_to_sheet(*sheet, input, scored);
+      for (Union_score& score : scored.scores)
+        Labels().swap(score.labels);
+      progress.step();
+    });
+  }
+  print_unions(rows, unions);
+  std::fflush(stdout);
+  json["primitive_unions"] = json_of_unions(rows, unions);
+  if (sheet)
+    sheet->write(o.sheet_of_unions);
+}
+
+void run(const Options& o)
+{
+  if (o.folder.empty() && o.unions == 0)
+    throw std::invalid_argument("there is nothing to segment: give the folder of the benchmark, or "
+                                "--primitive-unions");
+  const std::vector<Row> rows = selected_rows(o);
+  Json json;
+  if (!o.folder.empty())
+    report_on_benchmark(o, rows, json);
+  const std::vector<Row> of_unions = rows_of_unions(rows);
+  if (o.unions > 0) {
+    if (of_unions.empty())
+      throw std::invalid_argument("none of the rows can be of unions of primitives");
+    if (!o.folder.empty())
+      std::printf("\n");
+    report_on_unions(o, of_unions, json);
+  }
+  write_json(o.json, json);
 }
 
 int main(int argc, char** argv)
