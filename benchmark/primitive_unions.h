@@ -119,7 +119,7 @@ class Primitive_composer
     primitives_.push_back(std::move(result));
   }
 
-  // A seat on each flat end, and one on the side. At the ends others may also stand around the axis.
+  // A seat on each flat end, and one on the side. The ends know the shaft, if it is one.
   void add_frustum(const Eigen::Isometry3d& frame, double r0, double r1, double z0, double z1,
                    std::size_t n)
   {

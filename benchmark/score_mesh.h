@@ -177,7 +177,8 @@ public:
   // folder of changed meshes, or empty.
   Mesh_scorer(const Benchmark_mesh& input, std::optional<double> threshold,
               std::filesystem::path cache = {})
-    : input_(input), threshold_(threshold), cache_(std::move(cache)), facts_(mesh_facts(input.mesh)),
+    : input_(input), threshold_(threshold), cache_(std::move(cache)),
+      facts_(mesh_facts(input.mesh)),
       usual_number_(segmentation_benchmark::usual_number_of_segments(input.people)),
       floor_(consensus_floor(input.people))
   {

@@ -42,7 +42,8 @@ struct Options
 
 void add_options(CLI::App& app, Options& o)
 {
-  app.add_option("folder", o.folder, "holds off/N.off and seg/Benchmark/N/*.seg; may be left out with "
+  app.add_option("folder", o.folder,
+                 "holds off/N.off and seg/Benchmark/N/*.seg; may be left out with "
                  "--primitive-unions")
     ->check(CLI::ExistingDirectory);
   app.add_option("--ids", o.ids, "odd, even, all, or a list as 1-20,33")->capture_default_str();

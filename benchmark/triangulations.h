@@ -13,7 +13,7 @@
 #include <CGAL/Polygon_mesh_processing/remesh.h>
 #include <CGAL/Polygon_mesh_processing/shape_predicates.h>
 #include <CGAL/boost/graph/IO/polygon_mesh_io.h>
-#include <CGAL/boost/graph/properties.h>
+#include <CGAL/property_map.h>
 
 #include <algorithm>
 #include <cmath>
@@ -51,9 +51,10 @@ inline Mesh decimated_mesh(Mesh mesh)
 constexpr double faces_of_remeshed = 8000;
 constexpr double sharp_angle = 60;
 
-// The edges that are sharp stay in the mesh, but not their vertices: if these were protected, many
-// meshes would keep short edges wherever a scanned surface has noise. The remesher leaves edges
-// that are a little shorter than its target.
+// The edges that are sharp stay in the mesh, but not their vertices: if these were protected, short
+// edges would stay along them. The remesher leaves edges that are a little shorter than its target.
+// All faces are of one patch: patches that sharp edges enclose vanish when they are smaller than a
+// face, which the remesher of CGAL 5.5 does not expect.
 inline Mesh remeshed_mesh(Mesh mesh)
 {
   namespace PMP = CGAL::Polygon_mesh_processing;
@@ -63,7 +64,8 @@ inline Mesh remeshed_mesh(Mesh mesh)
   PMP::detect_sharp_edges(mesh, sharp_angle, is_sharp);
   PMP::isotropic_remeshing(
     mesh.faces(), length, mesh,
-    CGAL::parameters::edge_is_constrained_map(is_sharp).number_of_iterations(5));
+    CGAL::parameters::edge_is_constrained_map(is_sharp).number_of_iterations(5)
+      .face_patch_map(CGAL::Constant_property_map<Mesh::Face_index, std::size_t>(0)));
   mesh.remove_property_map(is_sharp);
   mesh.collect_garbage();
   return mesh;

@@ -122,17 +122,19 @@ inline std::vector<Twin_class> twin_classes(const std::vector<Part_shape>& parts
 
 // Of each part, in the rows of the areas in common, with the segment that is most like it: the area
 // of the intersection over that of the union.
-inline Eigen::ArrayXd best_overlaps(const Eigen::ArrayXXd& area)
+inline std::vector<double> best_overlaps(const Eigen::ArrayXXd& area)
 {
   const Eigen::ArrayXd of_parts = area.rowwise().sum();
   const Eigen::ArrayXd of_segments = area.colwise().sum();
-  Eigen::ArrayXd best = Eigen::ArrayXd::Zero(area.rows());
-  for (Eigen::Index p = 0; p < area.rows(); ++p)
+  std::vector<double> result;
+  for (Eigen::Index p = 0; p < area.rows(); ++p) {
+    double best = 0;
     for (Eigen::Index s = 0; s < area.cols(); ++s)
       if (area(p, s) > 0)
-        best[p] =
-          (std::max)(best[p], area(p, s) / (of_parts[p] + of_segments[s] - area(p, s)));
-  return best;
+        best = (std::max)(best, area(p, s) / (of_parts[p] + of_segments[s] - area(p, s)));
+    result.push_back(best);
+  }
+  return result;
 }
 
 // Twins are treated alike if their best overlaps differ by at most this: a leg that is cut off at
@@ -144,14 +146,13 @@ constexpr double overlap_of_alike = 0.25;
 inline double share_treated_alike(const std::vector<Twin_class>& classes,
                                   const Eigen::ArrayXXd& area)
 {
-  const Eigen::ArrayXd overlaps = best_overlaps(area);
+  const std::vector<double> overlaps = best_overlaps(area);
   Mean share;
   for (const Twin_class& twins : classes) {
     const auto [least, largest] =
       std::minmax_element(twins.begin(), twins.end(), [&](std::size_t a, std::size_t b)
-        { return overlaps[static_cast<Eigen::Index>(a)] < overlaps[static_cast<Eigen::Index>(b)]; });
-    share.add(overlaps[static_cast<Eigen::Index>(*largest)] -
-                overlaps[static_cast<Eigen::Index>(*least)] <= overlap_of_alike);
+                          { return overlaps[a] < overlaps[b]; });
+    share.add(overlaps[*largest] - overlaps[*least] <= overlap_of_alike);
   }
   return share();
 }
