@@ -13,11 +13,13 @@
 #include <CGAL/Polygon_mesh_processing/measure.h>
 #include <CGAL/Polygon_mesh_processing/self_intersections.h>
 #include <CGAL/boost/graph/helpers.h>
+#include <CGAL/boost/graph/iterator.h>
 
 #include <Eigen/Core>
 #include <Eigen/Geometry>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
@@ -312,27 +314,56 @@ public:
   { origins(other)[to] = origins(mesh)[from]; }
 };
 
+// The same mesh with its vertices and faces in the order of their coordinates: in CGAL's result their
+// order depends on addresses.
+inline Mesh in_order(const Mesh& mesh, const Face_origins& origins)
+{
+  std::vector<Mesh::Vertex_index> vertices(mesh.vertices().begin(), mesh.vertices().end());
+  std::sort(vertices.begin(), vertices.end(), [&](Mesh::Vertex_index a, Mesh::Vertex_index b)
+            { return mesh.point(a) < mesh.point(b); });
+  Mesh result;
+  std::vector<Mesh::Vertex_index> new_vertex(mesh.num_vertices()); // also of those removed
+  for (Mesh::Vertex_index v : vertices)
+    new_vertex[v] = result.add_vertex(mesh.point(v));
+
+  std::vector<std::pair<std::array<Mesh::Vertex_index, 3>, std::size_t> > faces;
+  for (Mesh::Face_index f : mesh.faces()) {
+    std::array<Mesh::Vertex_index, 3> corners;
+    auto corner = corners.begin();
+    for (Mesh::Vertex_index v : CGAL::vertices_around_face(mesh.halfedge(f), mesh))
+      *corner++ = new_vertex[v];
+    std::rotate(corners.begin(), std::min_element(corners.begin(), corners.end()), corners.end());
+    faces.emplace_back(corners, origins[f]);
+  }
+  std::sort(faces.begin(), faces.end());
+  const Face_origins of_result = face_origins(result, 0);
+  for (const auto& [corners, origin] : faces)
+    of_result[result.add_face(corners[0], corners[1], corners[2])] = origin;
+  return result;
+}
+
 // Nothing if CGAL finds none, which rounded points of intersection can cause.
 inline std::optional<Mesh> united(const std::vector<Primitive>& primitives)
 {
   namespace PMP = CGAL::Polygon_mesh_processing;
-  Mesh all = primitives.front().mesh;
-  const Face_origins of_all = face_origins(all, 0);
+  Mesh result = primitives.front().mesh;
+  face_origins(result, 0);
   for (std::size_t i = 1; i < primitives.size(); ++i) {
     Mesh next = primitives[i].mesh;
-    const Origin_visitor visitor(all, of_all, face_origins(next, i));
+    const Face_origins origins = face_origins(result, 0); // those that it has
+    const Origin_visitor visitor(result, origins, face_origins(next, i));
     try {
       if (!PMP::corefine_and_compute_union(
-            all, next, all,
+            result, next, result,
             CGAL::parameters::visitor(visitor).throw_on_self_intersection(true)))
         return std::nullopt;
     }
     catch (const std::exception&) {
       return std::nullopt;
     }
+    result = in_order(result, origins);
   }
-  all.collect_garbage();
-  return all;
+  return result;
 }
 
 // One piece, closed, without self-intersections.

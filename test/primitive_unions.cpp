@@ -63,7 +63,9 @@ BOOST_AUTO_TEST_CASE(primitives_are_solids)
 // A pin through a plate: its two ends are pieces of their own.
 BOOST_AUTO_TEST_CASE(faces_know_their_primitives)
 {
-  std::vector<Primitive> primitives = {{box(4, 4, 1), {}}, {frustum(1, 1, -2, 3, 4), {}}};
+  const std::vector<Primitive> primitives = {
+    {box(4, 4, 1), {}},
+    {placed(frustum(1, 1, -2, 3, 4), Eigen::Isometry3d::Identity()), {}}};
   std::optional<Mesh> mesh = united(primitives);
   BOOST_TEST_REQUIRE(mesh.has_value());
   BOOST_TEST(is_solid(*mesh));
