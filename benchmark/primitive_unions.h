@@ -314,7 +314,7 @@ public:
   { origins(other)[to] = origins(mesh)[from]; }
 };
 
-// The same mesh with its vertices and faces in the order of their coordinates: in CGAL's result their
+// The same mesh with its vertices and faces in the order of their coordinates: in CGAL's result the
 // order depends on addresses.
 inline Mesh in_order(const Mesh& mesh, const Face_origins& origins)
 {
