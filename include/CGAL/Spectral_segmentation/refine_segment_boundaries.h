@@ -212,7 +212,7 @@ than a thousandth of the mean area of the faces of the mesh, unless it is part o
 than a hundredth. Degenerate faces and mesh boundaries are supported. The same input gives the same
 result on every run and for every data structure that holds the same mesh.
 
-The time is O(*n* + *i* *b*) for *n* faces, *i* iterations and *b* faces within four edges of the
+The time is O(*n* + *i* *b*) for *n* faces, *i* iterations and *b* faces within three edges of the
 boundaries, and O(*n*) more for each round in which a segment has to be kept from vanishing or
 falling apart; there is rarely more than one. The memory is O(*n*).
 

@@ -56,10 +56,11 @@ struct Refinement
 // boundary there follows their edges. In the end all faces are frozen at worst.
 class Boundary_refinement
 {
-  static constexpr int band_width = 4;               // in rings of vertices around the boundary
-  static constexpr double snapping_distance = 0.12;   // from a vertex, in lengths of the edge
+  static constexpr int band_width = 3;                // in rings of vertices around the boundary
+  static constexpr double snapping_distance = 0.05;  // from a vertex, in lengths of the edge
   static constexpr double smallest_area = 1e-3;      // of a new face, in mean areas of faces
   static constexpr double smallest_split_area = 1e-2; // of a face that is held to the smallest area
+  static constexpr double smallest_rest = 0.5;        // of the area of a segment
   static constexpr int number_of_slides = 10;
   static constexpr int number_of_local_rounds = 4;
 
@@ -597,16 +598,71 @@ class Boundary_refinement
         freeze(cut);
   }
 
+  // The share of the area of a face that has the label.
+  double share_of(const Cut& cut, Index label) const
+  {
+    const Index h = 3 * cut.face;
+    std::array<double, 3> positions, center_of_face = {0, 0, 0};
+    for (int i = 0; i < 3; ++i)
+      positions[i] = crossing_of_halfedge_[h + i] == null_index ? 0.5 : position(h + i);
+    if (cut.has_center)
+      center_of_face = center(cut.face);
+
+    double share = 0;
+    bool is_uniform = true;
+    for (int i = 0; i < 3; ++i) {
+      const int j = (i + 1) % 3, k = (i + 2) % 3;
+      const Index before = cut.labels[2 * i], after = cut.labels[2 * i + 1];
+      if (cut.has_center) {
+        share += center_of_face[k] * (before == label ? positions[i] : 0);
+        share += center_of_face[k] * (after == label ? 1 - positions[i] : 0);
+      }
+      else if (before != after && cut.labels[2 * k] != cut.labels[2 * k + 1]) {
+        const double corner = positions[i] * (1 - positions[k]);
+        return before == label ? corner : after == label ? 1 - corner : 0;
+      }
+      else if (before != after && cut.labels[2 * j] == cut.labels[2 * j + 1])
+        return before == label ? positions[i] : after == label ? 1 - positions[i] : 0;
+      is_uniform &= before == after;
+    }
+    return is_uniform && !cut.has_center ? double(cut.labels[0] == label) : share;
+  }
+
+  std::vector<char> segments_that_lose_much(const std::vector<double>& old_areas) const
+  {
+    std::vector<double> areas = old_areas;
+    for (const Cut& cut : cuts_) {
+      areas[labels_[cut.face]] -= graph_.areas[cut.face];
+      std::array<Index, 6> labels = cut.labels;
+      std::sort(labels.begin(), labels.end());
+      for (auto l = labels.begin(); l != labels.end(); l = std::upper_bound(l, labels.end(), *l))
+        areas[*l] += share_of(cut, *l) * graph_.areas[cut.face];
+    }
+    std::vector<char> result(number_of_segments_, 0);
+    for (std::size_t s = 0; s < number_of_segments_; ++s)
+      result[s] = areas[s] < smallest_rest * old_areas[s];
+    return result;
+  }
+
   void keep_segments()
   {
+    const auto has_any = [](const std::vector<char>& v)
+    { return std::find(v.begin(), v.end(), 1) != v.end(); };
     const std::vector<std::size_t> old_numbers = numbers_of_old_components();
+    std::vector<double> old_areas(number_of_segments_, 0);
+    for (Index f = 0; f < size(); ++f)
+      old_areas[labels_[f]] += graph_.areas[f];
     for (int round = 0;; ++round) {
+      std::vector<char> is_bad = segments_that_lose_much(old_areas);
+      if (has_any(is_bad)) {
+        freeze_segments(is_bad);
+        continue;
+      }
       Pieces pieces(*this);
       const std::vector<std::size_t> numbers = pieces.numbers_of_components();
-      std::vector<char> is_bad(number_of_segments_, 0);
       for (std::size_t s = 0; s < number_of_segments_; ++s)
         is_bad[s] = numbers[s] == 0 || numbers[s] > old_numbers[s];
-      if (std::find(is_bad.begin(), is_bad.end(), 1) == is_bad.end())
+      if (!has_any(is_bad))
         return;
       if (round >= number_of_local_rounds || !freeze_locally(is_bad, pieces))
         freeze_segments(is_bad);
