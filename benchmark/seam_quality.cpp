@@ -15,15 +15,7 @@
 #include <CGAL/Spectral_segmentation/refine_segment_boundaries.h>
 #include <CGAL/segment_spectral_recursive.h>
 
-#include <CGAL/AABB_face_graph_triangle_primitive.h>
-#include <CGAL/AABB_tree.h>
 #include <CGAL/Polygon_mesh_processing/measure.h>
-#include <CGAL/version.h>
-#if CGAL_VERSION_NR < CGAL_VERSION_NUMBER(6, 0, 0)
-#include <CGAL/AABB_traits.h>
-#else
-#include <CGAL/AABB_traits_3.h>
-#endif
 
 #include <CLI/CLI.hpp>
 
@@ -85,34 +77,41 @@ Seams seams_of(const Mesh& mesh, const Segment_map& segment)
   return result;
 }
 
-// Of faces that are no faces of the old mesh, in mean areas of those.
+CGAL::Exact_predicates_inexact_constructions_kernel::Triangle_3 triangle(const Mesh& mesh,
+                                                                       Mesh::Face_index f)
+{
+  const Mesh::Halfedge_index h = mesh.halfedge(f);
+  return {mesh.point(mesh.source(h)), mesh.point(mesh.target(h)),
+          mesh.point(mesh.target(mesh.next(h)))};
+}
+
+// The smallest area of a face that is no face of the old mesh, nor in a face of it smaller than a
+// hundredth of the mean area; in mean areas.
 double smallest_new_area(const Mesh& old_mesh, const Mesh& mesh)
 {
-  typedef CGAL::Exact_predicates_inexact_constructions_kernel Kernel;
-  typedef CGAL::AABB_face_graph_triangle_primitive<Mesh> Primitive;
-#if CGAL_VERSION_NR < CGAL_VERSION_NUMBER(6, 0, 0)
-  typedef CGAL::AABB_tree<CGAL::AABB_traits<Kernel, Primitive> > Tree;
-#else
-  typedef CGAL::AABB_tree<CGAL::AABB_traits_3<Kernel, Primitive> > Tree;
-#endif
   const double mean = PMP::area(old_mesh) / static_cast<double>(old_mesh.number_of_faces());
-  std::optional<Tree> tree; // of the old mesh, if there is a face to look for
+  std::vector<Mesh::Face_index> small;
+  for (Mesh::Face_index f : old_mesh.faces())
+    if (PMP::face_area(f, old_mesh) < 1e-2 * mean)
+      small.push_back(f);
+  const auto is_in_small_face = [&](Mesh::Face_index f) {
+    const auto t = triangle(mesh, f);
+    return std::any_of(small.begin(), small.end(), [&](Mesh::Face_index g) {
+      const auto parent = triangle(old_mesh, g);
+      for (int i = 0; i < 3; ++i)
+        if (CGAL::squared_distance(t[i], parent) > 1e-16 * mean)
+          return false;
+      return true;
+    });
+  };
   double smallest = std::numeric_limits<double>::infinity();
   for (Mesh::Face_index f : mesh.faces()) {
     const double area = PMP::face_area(f, mesh) / mean;
-    if (area >= smallest || (old_mesh.has_valid_index(f) &&
-                             PMP::face_area(f, old_mesh) == PMP::face_area(f, mesh)))
+    if (area >= smallest || (area < 1e-3 && is_in_small_face(f)))
       continue;
-    if (area < 1e-3) {
-      if (!tree)
-        tree.emplace(faces(old_mesh).first, faces(old_mesh).second, old_mesh);
-      const Mesh::Halfedge_index h = mesh.halfedge(f);
-      const auto center = CGAL::centroid(mesh.point(mesh.source(h)), mesh.point(mesh.target(h)),
-                                         mesh.point(mesh.target(mesh.next(h))));
-      const Mesh::Face_index parent = tree->closest_point_and_primitive(center).second;
-      if (PMP::face_area(parent, old_mesh) < 1e-2 * mean)
-        continue;
-    }
+    if (old_mesh.has_valid_index(f) &&
+        std::abs(PMP::face_area(f, old_mesh) / mean - area) <= 1e-9 * area)
+      continue;
     smallest = area;
   }
   return smallest;

@@ -302,10 +302,28 @@ BOOST_AUTO_TEST_CASE(a_zigzag_becomes_nearly_straight)
 BOOST_AUTO_TEST_CASE(a_straight_boundary_along_edges_stays)
 {
   const Soup soup = plate(16, 16);
-  const Segmented_mesh before(soup, labels_by_place(soup, [](const Point& p) { return p.x() > 8; }));
-  const Segmented_mesh after = refined(before);
-  BOOST_TEST(after.boundary_length() == before.boundary_length(), tt::tolerance(1e-2));
-  BOOST_TEST(after.area(1) == before.area(1), tt::tolerance(1e-2));
+  const Labels straight = labels_by_place(soup, [](const Point& p) { return p.x() > 8; });
+  const Segmented_mesh after = refined(soup, straight);
+  BOOST_TEST(after.labels() == straight, tt::per_element());
+
+  // Of a boundary with a step only what is near the step is split.
+  const Segmented_mesh before(
+    soup, labels_by_place(soup, [](const Point& p) { return p.x() > (p.y() > 8 ? 8 : 9); }));
+  const Segmented_mesh stepped = refined(before);
+  BOOST_TEST(stepped.boundary_length() < 16.2);
+  BOOST_TEST(stepped.boundary_length() > 16.);
+  for (Mesh::Vertex_index v : stepped.mesh.vertices())
+    if (v >= Mesh::Vertex_index(before.mesh.number_of_vertices()))
+      BOOST_TEST(std::abs(stepped.mesh.point(v).y() - 8) <= 4.);
+}
+
+BOOST_AUTO_TEST_CASE(a_crease_around_a_limb_stays)
+{
+  // A tube on a disk: the boundary between them is a polygon of 36 vertices.
+  const Soup soup = surface_of_revolution(
+    {{0, 3}, {0, 2.5}, {0, 2}, {0, 1.5}, {0, 1}, {0.5, 1}, {1, 1}, {1.5, 1}, {2, 1}}, 36);
+  const Labels labels = labels_by_place(soup, [](const Point& p) { return p.z() > 0; });
+  BOOST_TEST(refined(soup, labels).labels() == labels, tt::per_element());
 }
 
 BOOST_AUTO_TEST_CASE(a_tube_is_cut_around)

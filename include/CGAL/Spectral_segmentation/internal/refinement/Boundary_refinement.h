@@ -57,8 +57,10 @@ struct Refinement
 class Boundary_refinement
 {
   static constexpr int band_width = 3;                // in rings of vertices around the boundary
-  static constexpr double snapping_distance = 0.05;  // from a vertex, in lengths of the edge
-  static constexpr double smallest_area = 1e-3;      // of a new face, in mean areas of faces
+  static constexpr double smooth_turn = 0.25;         // of a boundary that is smooth at a vertex
+  static constexpr int smooth_distance = 3;           // in edges to a vertex where it is not smooth
+  static constexpr double snapping_distance = 0.05;   // from a vertex, in lengths of the edge
+  static constexpr double smallest_area = 1e-3;       // of a new face, in mean areas of faces
   static constexpr double smallest_split_area = 1e-2; // of a face that is held to the smallest area
   static constexpr double smallest_rest = 0.5;        // of the area of a segment
   static constexpr int number_of_slides = 10;
@@ -196,6 +198,59 @@ class Boundary_refinement
     }
   }
 
+  // Of the edges of the boundary at a vertex.
+  struct Boundary_vertex
+  {
+    int number_of_edges = 0;
+    std::array<Index, 2> neighbors = {null_index, null_index}; // along the first two of them
+    std::array<Index, 2> labels = {null_index, null_index};    // beside the last
+  };
+
+  double turn_at(Index v, const Boundary_vertex& b) const
+  {
+    const Vector before = graph_.points[v] - graph_.points[b.neighbors[0]];
+    const Vector after = graph_.points[b.neighbors[1]] - graph_.points[v];
+    return std::atan2(before.cross(after).norm(), before.dot(after));
+  }
+
+  // The vertices from which the boundary is smooth for some edges in both directions.
+  std::map<Index, Boundary_vertex> vertices_of_smooth_boundaries() const
+  {
+    std::map<Index, Boundary_vertex> result;
+    for (Index h = 0; h < graph_.number_of_halfedges(); ++h) {
+      const Index a = labels_[h / 3], b = labels_[graph_.neighbors[h]];
+      if (a >= b)
+        continue;
+      const std::array<Index, 2> ends = {graph_.source_vertex(h), graph_.target_vertex(h)};
+      for (int i : {0, 1}) {
+        Boundary_vertex& v = result[ends[i]];
+        if (v.number_of_edges < 2)
+          v.neighbors[v.number_of_edges] = ends[1 - i];
+        ++v.number_of_edges;
+        v.labels = {a, b};
+      }
+    }
+    std::vector<Index> rough; // a boundary that ends at a border goes on smoothly
+    for (const auto& [v, b] : result)
+      if (b.number_of_edges > 2 || (b.number_of_edges == 2 && turn_at(v, b) > smooth_turn))
+        rough.push_back(v);
+    for (int distance = 0; distance < smooth_distance; ++distance) {
+      std::vector<Index> next;
+      for (Index v : rough) {
+        const auto found = result.find(v);
+        if (found == result.end())
+          continue;
+        const Boundary_vertex b = found->second;
+        result.erase(found);
+        for (int i = 0; i < 2; ++i)
+          if (b.neighbors[i] != null_index)
+            next.push_back(b.neighbors[i]);
+      }
+      rough.swap(next);
+    }
+    return result;
+  }
+
   double angle_at(Index h) const
   {
     const Vector& p = graph_.points[graph_.source_vertex(h)];
@@ -258,12 +313,20 @@ class Boundary_refinement
         sum.add(label, angle);
       shares_[i] = sum.mean();
     }
+    std::vector<char> is_fixed(band.size(), 0);
+    for (const auto& [v, b] : vertices_of_smooth_boundaries()) {
+      const Index i = share_of_vertex_[v];
+      shares_[i].size = 2;
+      shares_[i].entries[0] = {b.labels[0], 0.5};
+      shares_[i].entries[1] = {b.labels[1], 0.5};
+      is_fixed[i] = 1;
+    }
 
     std::vector<Shares> old_shares;
     for (std::size_t iteration = 0; iteration < number_of_iterations; ++iteration) {
       old_shares = shares_;
       for (std::size_t i = 0; i < band.size(); ++i) {
-        if (ring_[band[i]] >= band_width)
+        if (is_fixed[i] || ring_[band[i]] >= band_width)
           continue;
         double weights = 0;
         sum.clear();
