@@ -3,9 +3,10 @@
 
 /// \file
 /// What `refine_segment_boundaries()` does to the seams between the segments of meshes: their mean
-/// turning angle, from one edge to the next, and their length, before and after; the smallest new
-/// face in mean areas of the faces of the mesh, but for those within faces smaller than a hundredth
-/// of it; and the time.
+/// turning angle, from one edge to the next, the sum of these angles, and their length, before and
+/// after; the smallest new face in mean areas of the faces of the mesh, but for those within faces
+/// smaller than a hundredth of it; and the time. The edges of a closed seam turn by 360 degrees or
+/// more in all, so the sum cannot come to nothing.
 
 #include "princeton_benchmark.h"
 #include "program.h"
@@ -121,6 +122,7 @@ struct Sums
 {
   std::size_t meshes = 0;
   double turning_before = 0, turning_after = 0, length_ratio = 0, seconds = 0;
+  double sum_before = 0, sum_after = 0; // of all angles
   double worst_turning_ratio = 0, smallest_area = std::numeric_limits<double>::infinity();
 };
 
@@ -155,6 +157,8 @@ void measure(const std::string& file, const Options& o, Sums& sums)
   ++sums.meshes;
   sums.turning_before += before.mean_turning();
   sums.turning_after += after.mean_turning();
+  sums.sum_before += before.turning;
+  sums.sum_after += after.turning;
   sums.length_ratio += after.length / before.length;
   sums.seconds += time.thread;
   sums.worst_turning_ratio =
@@ -185,10 +189,11 @@ void run(const Options& o)
   }
   const double n = static_cast<double>(sums.meshes);
   std::printf("%zu meshes: mean angle %.1f, after %.1f degrees, at most %.2f of that before; "
+              "sum of all angles after %.2f, "
               "length after %.3f of that before; smallest new face %.2g; %.1f ms\n",
               sums.meshes, sums.turning_before / n, sums.turning_after / n,
-              sums.worst_turning_ratio, sums.length_ratio / n, sums.smallest_area,
-              1000 * sums.seconds / n);
+              sums.worst_turning_ratio, sums.sum_after / sums.sum_before, sums.length_ratio / n,
+              sums.smallest_area, 1000 * sums.seconds / n);
 }
 
 int main(int argc, char** argv)

@@ -545,7 +545,8 @@ BOOST_AUTO_TEST_CASE(more_iterations_are_smoother)
 BOOST_AUTO_TEST_CASE(bad_input_is_refused)
 {
   const Soup soup = plate(4, 4);
-  const Segmented_mesh good(soup, labels_by_place(soup, [](const Point& p) { return p.x() > p.y(); }));
+  const Segmented_mesh good(
+    soup, labels_by_place(soup, [](const Point& p) { return p.x() > p.y(); }));
   const auto check_refused = [](Segmented_mesh bad, int number_of_iterations) {
     const Labels labels = bad.labels();
     const std::size_t number_of_vertices = bad.mesh.number_of_vertices();

@@ -202,20 +202,22 @@ curves run through. Each new face gets the id of the segment on its side.
 
 The boundaries of a segmentation run along edges of the mesh, and so in zigzag. Here they move, but
 by a few edges at most, to where a smoothed indicator function of the segments has its jump; where
-three segments meet, so do the curves. A boundary that is smooth already stays where it is. The surface stays the same set of points up to rounding: new
-vertices lie on edges and in faces of the mesh. All old vertices stay, with their points, and a face
-that is split becomes one of its parts. The topology of the mesh does not change.
+three segments meet, so do the curves. A boundary that is smooth already stays where it is. The
+surface stays the same set of points up to rounding: new vertices lie on edges and in faces of the
+mesh. All old vertices stay, with their points, and a face that is split becomes one of its parts.
+The topology of the mesh does not change.
 
 No segment vanishes or loses more than half of its area, and none falls into more connected
 components than it had. Where a curve would do that, as across a segment of a few faces, the
-boundary keeps to the edges. No new face is smaller
-than a thousandth of the mean area of the faces of the mesh, unless it is part of a face smaller
-than a hundredth. Degenerate faces and mesh boundaries are supported. The same input gives the same
-result on every run and for every data structure that holds the same mesh.
+boundary keeps to the edges. No new face is smaller than a thousandth of the mean area of the faces
+of the mesh, unless it is part of a face smaller than a hundredth. Degenerate faces and mesh
+boundaries are supported. The same input gives the same result on every run and for every data
+structure that holds the same mesh.
 
 The time is O(*n* + *b* (*i* + log *b*)) for *n* faces, *i* iterations and *b* faces within three
-edges of the boundaries, and O(*n*) more for each round in which a segment has to be kept from vanishing or
-falling apart; there is rarely more than one. The memory is O(*n*).
+edges of the boundaries, and O(*n*) more for each round in which a segment has to be kept from
+vanishing or falling apart; there is rarely more than one, and never more than the number of
+segments and a few. The memory is O(*n*).
 
 \tparam TriangleMesh a model of `MutableFaceGraph`, `FaceListGraph` and `VertexListGraph`, with
   descriptors that `std::hash` takes, as those of \cgal's models
