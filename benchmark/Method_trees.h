@@ -9,8 +9,10 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <limits>
 #include <map>
 #include <utility>
+#include <vector>
 
 namespace segmentation_benchmark {
 
@@ -52,6 +54,26 @@ public:
   const Timed_tree& up_to(std::size_t number_of_segments)
   { return run(any_salience, (std::max)(number_of_segments, number_of_segments_of_tree)); }
 };
+
+// Those with the least error(labels) of all numbers of segments.
+template <class Error>
+Labels best_labels(const Segmentation_hierarchy& tree, const Error& error_of)
+{
+  Labels best;
+  double least = std::numeric_limits<double>::infinity();
+  for (std::size_t n = tree.number_of_roots(); n <= tree.number_of_segments(); ++n) {
+    Labels labels = tree.labels(n, any_salience);
+    const double error = error_of(labels);
+    if (error < least) {
+      least = error;
+      best.swap(labels);
+    }
+  }
+  return best;
+}
+
+inline Labels best_labels(const Segmentation_hierarchy& tree, const std::vector<Labels>& people)
+{ return best_labels(tree, [&](const Labels& labels) { return mean_rand_error(labels, people); }); }
 
 } // namespace segmentation_benchmark
 

@@ -8,13 +8,19 @@
 #include "consensus_floor.h"
 #include "segmentation_methods.h"
 #include "timed.h"
+#include "triangulations.h"
+#include "twin_classes.h"
+
+#include <Eigen/Core>
 
 #include <array>
 #include <cstddef>
+#include <filesystem>
 #include <limits>
 #include <map>
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace segmentation_benchmark {
@@ -33,6 +39,7 @@ struct Row
 {
   std::string method;
   Protocol protocol;
+  std::string triangulation = triangulation_names().front(); // in which the mesh is segmented
 };
 
 // How a row does on a mesh.
@@ -41,6 +48,7 @@ struct Score
   Errors errors{};
   double segments = 0;
   double excess = 0; // of the Rand error over the consensus floor
+  double twins = 0;  // share of people's twin classes that are treated alike
   double seconds = 0;
   Labels labels;
 };
@@ -56,38 +64,37 @@ struct Scored_mesh
   std::vector<Score> scores; // one a row
 };
 
-inline Labels best_labels(const Segmentation_hierarchy& tree, const std::vector<Labels>& people)
-{
-  Labels best;
-  double least = std::numeric_limits<double>::infinity();
-  for (std::size_t n = tree.number_of_roots(); n <= tree.number_of_segments(); ++n) {
-    Labels labels = tree.labels(n, any_salience);
-    const double error = mean_rand_error(labels, people);
-    if (error < least) {
-      least = error;
-      best.swap(labels);
-    }
-  }
-  return best;
-}
-
 class Mesh_scorer
 {
   const Benchmark_mesh& input_;
   std::optional<double> threshold_;
+  std::filesystem::path cache_;
   Mesh_facts facts_;
   std::vector<Segmentation> people_;
+  std::vector<std::vector<Twin_class> > twins_; // of each person
   std::size_t usual_number_;
   double floor_;
-  std::map<std::string, Method_trees> trees_; // by the name of the method
+  std::map<std::string, Retriangulated_mesh> meshes_; // by the name of the triangulation
+  std::map<std::pair<std::string, std::string>, Method_trees> trees_; // method, triangulation
+
+  // Undefined if the person has made no twins.
+  double share_of_twins(std::size_t person, const Labels& labels) const
+  {
+    return share_treated_alike(twins_[person],
+                               overlap(people_[person].labels, labels, facts_.face_areas));
+  }
 
   Score score(const Labels& labels, const Time& time) const
   {
     const Segmentation result = segmentation(facts_, labels);
     std::vector<Errors> all;
-    for (const Segmentation& person : people_)
-      all.push_back(errors(facts_, result, person));
+    Mean twins;
+    for (std::size_t person = 0; person < people_.size(); ++person) {
+      all.push_back(errors(facts_, result, people_[person]));
+      twins.add(share_of_twins(person, labels));
+    }
     Score s;
+    s.twins = twins();
     s.errors = mean_errors(all);
     s.segments = static_cast<double>(number_of_segments(labels));
     s.excess = s.errors[RAND_ERROR] - floor_;
@@ -100,14 +107,16 @@ class Mesh_scorer
   Score score_of_people() const
   {
     std::vector<Errors> all;
-    Mean segments;
+    Mean segments, twins;
     double least = std::numeric_limits<double>::infinity();
     Score s;
     for (const Segmentation& person : people_) {
       std::vector<Errors> of_person;
-      for (const Segmentation& other : people_)
-        if (&other != &person)
-          of_person.push_back(errors(facts_, person, other));
+      for (std::size_t other = 0; other < people_.size(); ++other)
+        if (&people_[other] != &person) {
+          of_person.push_back(errors(facts_, person, people_[other]));
+          twins.add(share_of_twins(other, person.labels));
+        }
       all.insert(all.end(), of_person.begin(), of_person.end());
       segments.add(static_cast<double>(number_of_segments(person.labels)));
       const double error = mean_errors(of_person)[RAND_ERROR];
@@ -118,44 +127,66 @@ class Mesh_scorer
     }
     s.errors = mean_errors(all);
     s.segments = segments();
+    s.twins = twins();
     s.excess = s.errors[RAND_ERROR] - floor_;
     return s;
   }
 
-  Score score(const Tree_method& method, Protocol protocol)
+  const Retriangulated_mesh& mesh(const std::string& triangulation)
   {
-    Method_trees& trees = trees_.try_emplace(method.name, method, input_.mesh).first->second;
-    if (protocol == Protocol::AUTO) {
+    const auto found = meshes_.find(triangulation);
+    if (found != meshes_.end())
+      return found->second;
+    return meshes_.emplace(triangulation, retriangulated(triangulation, input_.mesh, cache_,
+                                                         std::to_string(input_.id))).first->second;
+  }
+
+  Score score(const Tree_method& method, const Row& row)
+  {
+    const Retriangulated_mesh& of_row = mesh(row.triangulation);
+    Method_trees& trees =
+      trees_.try_emplace({row.method, row.triangulation}, method, of_row.mesh).first->second;
+    if (row.protocol == Protocol::AUTO) {
       const double threshold = threshold_.value_or(method.default_threshold);
       const Timed_tree& automatic = trees.down_to(threshold);
-      return score(automatic.tree.labels(any_number, threshold), automatic.time);
+      return score(carried_back(of_row, automatic.tree.labels(any_number, threshold)),
+                   automatic.time);
     }
     const Timed_tree& whole = trees.up_to(usual_number_);
-    return score(protocol == Protocol::K ? whole.tree.labels(usual_number_, any_salience)
-                                         : best_labels(whole.tree, input_.people),
-                 whole.time);
+    const Labels labels = row.protocol == Protocol::K
+      ? whole.tree.labels(usual_number_, any_salience)
+      : best_labels(whole.tree, [&](const Labels& of_tree)
+          { return mean_rand_error(carried_back(of_row, of_tree), input_.people); });
+    return score(carried_back(of_row, labels), whole.time);
   }
 
   Score score(const Row& row)
   {
     for (const Tree_method& method : tree_methods())
       if (method.name == row.method)
-        return score(method, row.protocol);
+        return score(method, row);
     if (row.method == people_method)
       return score_of_people();
-    const auto [labels, time] = timed([&] { return default_labels(row.method, input_.mesh); });
-    return score(labels, time);
+    const Retriangulated_mesh& of_row = mesh(row.triangulation);
+    const auto [labels, time] = timed([&] { return default_labels(row.method, of_row.mesh); });
+    return score(carried_back(of_row, labels), time);
   }
 
 public:
-  // The threshold, if any, is used in place of the default one of each method.
-  Mesh_scorer(const Benchmark_mesh& input, std::optional<double> threshold)
-    : input_(input), threshold_(threshold), facts_(mesh_facts(input.mesh)),
+  // The threshold, if any, is used in place of the default one of each method. The cache is a
+  // folder of changed meshes, or empty.
+  Mesh_scorer(const Benchmark_mesh& input, std::optional<double> threshold,
+              std::filesystem::path cache = {})
+    : input_(input), threshold_(threshold), cache_(std::move(cache)),
+      facts_(mesh_facts(input.mesh)),
       usual_number_(segmentation_benchmark::usual_number_of_segments(input.people)),
       floor_(consensus_floor(input.people))
   {
-    for (const Labels& labels : input.people)
+    const std::vector<Moments> moments = face_moments(input.mesh, facts_.face_areas);
+    for (const Labels& labels : input.people) {
       people_.push_back(segmentation(facts_, labels));
+      twins_.push_back(twin_classes(part_shapes(moments, labels)));
+    }
   }
 
   Scored_mesh operator()(const std::vector<Row>& rows)

@@ -4,6 +4,7 @@
 #ifndef SEGMENTATION_BENCHMARK_SCORE_REPORT_H
 #define SEGMENTATION_BENCHMARK_SCORE_REPORT_H
 
+#include "evaluation.h"
 #include "score_mesh.h"
 
 #include <nlohmann/json.hpp>
@@ -69,6 +70,7 @@ inline Summary mean_summary(const std::vector<Summary>& all)
   result.mean.errors = mean_errors(errors);
   result.mean.segments = mean([](const Summary& s) { return s.mean.segments; });
   result.mean.excess = mean([](const Summary& s) { return s.mean.excess; });
+  result.mean.twins = mean([](const Summary& s) { return s.mean.twins; });
   result.mean.seconds = mean([](const Summary& s) { return s.mean.seconds; });
   result.median_seconds = median(seconds);
   result.floor = mean([](const Summary& s) { return s.floor; });
@@ -104,7 +106,10 @@ inline std::vector<Row_summary> row_summaries(const std::vector<Row>& rows,
 }
 
 inline std::string title(const Row& row)
-{ return row.method + " " + name(row.protocol); }
+{
+  return row.method + " " + name(row.protocol) +
+         (is_as_is(row.triangulation) ? "" : " " + row.triangulation);
+}
 
 inline int width_of_titles(const std::vector<Row_summary>& rows)
 {
@@ -130,18 +135,57 @@ inline void print_metrics(const std::vector<Row_summary>& rows)
   std::printf("%-*s", width, "method");
   for (const char* metric : metric_names)
     std::printf(" %7s", metric);
-  std::printf(" %7s %7s %9s %9s %11s\n", "parts", "excess", "median s", "mean s", "categories");
+  std::printf(" %7s %7s %7s %9s %9s %11s\n", "parts", "excess", "twins", "median s", "mean s",
+              "categories");
   for (const Row_summary& r : rows) {
     const Score& mean = r.over_meshes.mean;
     std::printf("%-*s", width, title(r.row).c_str());
     for (double error : mean.errors)
       print_value(7, error);
-    std::printf(" %7.2f %7.4f %9.3f %9.3f %8ld/%zu\n", mean.segments, mean.excess,
-                r.over_meshes.median_seconds, mean.seconds, r.categories_at_or_below_people(),
-                r.categories.size());
+    std::printf(" %7.2f %7.4f", mean.segments, mean.excess);
+    print_value(7, mean.twins);
+    std::printf(" %9.3f %9.3f %8ld/%zu\n", r.over_meshes.median_seconds, mean.seconds,
+                r.categories_at_or_below_people(), r.categories.size());
   }
   std::printf("excess: Rand error less the consensus floor, for which an upper bound stands\n"
+              "twins: share of the classes of congruent parts that people made which are treated "
+              "alike\n"
               "categories: in how many the Rand error is at most people's own\n");
+}
+
+// Of the row with the same method and protocol on the meshes as they are; or the number of rows.
+inline std::size_t row_as_is(const std::vector<Row_summary>& rows, const Row& row)
+{
+  const auto found = std::find_if(rows.begin(), rows.end(), [&](const Row_summary& r) {
+    return r.row.method == row.method && r.row.protocol == row.protocol &&
+           is_as_is(r.row.triangulation);
+  });
+  return static_cast<std::size_t>(found - rows.begin());
+}
+
+// How much the Rand error of each mesh changes with its triangulation.
+inline void print_triangulations(const std::vector<Row_summary>& rows,
+                                 const std::vector<Scored_mesh>& meshes)
+{
+  const int width = width_of_titles(rows);
+  std::printf("%-*s %7s  %18s %7s\n", width, "Rand error", "mean", "more than as_is", "parts");
+  const auto errors_of = [&](std::size_t row) {
+    return values_of(meshes, [row](const Scored_mesh& mesh)
+                     { return mesh.scores[row].errors[RAND_ERROR]; });
+  };
+  for (std::size_t i = 0; i < rows.size(); ++i) {
+    const Summary& summary = rows[i].over_meshes;
+    std::printf("%-*s %7.4f", width, title(rows[i].row).c_str(), summary.mean.errors[RAND_ERROR]);
+    const std::size_t as_is = row_as_is(rows, rows[i].row);
+    if (as_is == i || as_is == rows.size())
+      std::printf("  %18s", "-");
+    else {
+      const Paired_difference d = paired_difference(errors_of(i), errors_of(as_is));
+      std::printf("  %+8.4f +- %6.4f", d.mean, d.standard_error);
+    }
+    std::printf(" %7.2f\n", summary.mean.segments);
+  }
+  std::printf("more than as_is: mean of the differences on each mesh, with its standard error\n");
 }
 
 inline std::string marked_error(const Summary& s)
@@ -196,6 +240,7 @@ inline Json json_of(const Score& score)
     json[metric_names[metric]] = score.errors[metric];
   json["k"] = score.segments;
   json["excess"] = score.excess;
+  json["twins"] = score.twins;
   json["seconds"] = score.seconds;
   return json;
 }
@@ -242,7 +287,9 @@ inline Json json_report(const std::vector<Row_summary>& rows,
     Json row = json_of(rows[i]);
     for (const Scored_mesh& mesh : meshes)
       row["meshes"][std::to_string(mesh.id)] = json_of(mesh.scores[i]);
-    json["methods"][rows[i].row.method][name(rows[i].row.protocol)] = row;
+    Json& methods = is_as_is(rows[i].row.triangulation)
+      ? json["methods"] : json["triangulations"][rows[i].row.triangulation];
+    methods[rows[i].row.method][name(rows[i].row.protocol)] = row;
   }
   return json;
 }

@@ -151,6 +151,14 @@ inline double rand_error(const Eigen::ArrayXXd& faces)
 inline double rand_error(const Labels& a, const Labels& b)
 { return rand_error(overlap(a, b)); }
 
+// The same of pairs of points of the surface, whatever its triangles; no metric of the benchmark.
+inline double rand_error_by_area(const Eigen::ArrayXXd& area)
+{
+  const double total = area.sum();
+  return (area.rowwise().sum().square().sum() + area.colwise().sum().square().sum() -
+          2 * area.square().sum()) / (total * total);
+}
+
 inline void set_hamming_errors(const Eigen::ArrayXXd& area, Errors& errors)
 {
   const double total = area.sum();

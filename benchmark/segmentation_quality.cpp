@@ -5,13 +5,16 @@
 /// Compares methods with people's cuts on the Princeton Segmentation Benchmark (Chen, Golovinskiy,
 /// Funkhouser, SIGGRAPH 2009): all metrics of the benchmark, by category and overall, and the
 /// distance from the least Rand error that one segmentation can have with respect to all people,
-/// of which an upper bound is computed.
+/// of which an upper bound is computed. The meshes may also be segmented in other triangulations,
+/// which should give the same parts. Unions of primitives, whose parts are known, stand for
+/// mechanical parts.
 
 #include "Contact_sheet.h"
 #include "for_each_mesh.h"
 #include "program.h"
 #include "score_mesh.h"
 #include "score_report.h"
+#include "score_unions.h"
 
 #include <CLI/CLI.hpp>
 
@@ -27,19 +30,22 @@ using namespace segmentation_benchmark;
 
 struct Options
 {
-  std::string folder, ids = "odd", json, sheet;
+  std::string folder, ids = "odd", json, sheet, cache, sheet_of_unions;
   std::vector<std::string> methods = method_names();
   std::vector<std::string> protocols = {"auto", "k", "tree"};
+  std::vector<std::string> triangulations = {triangulation_names().front()};
   std::optional<double> threshold;
-  std::size_t threads = 1;
+  std::size_t threads = 1, unions = 0;
 
   Options() { methods.push_back(people_method); }
 };
 
 void add_options(CLI::App& app, Options& o)
 {
-  app.add_option("folder", o.folder, "holds off/N.off and seg/Benchmark/N/*.seg")
-    ->required()->check(CLI::ExistingDirectory);
+  app.add_option("folder", o.folder,
+                 "holds off/N.off and seg/Benchmark/N/*.seg; may be left out with "
+                 "--primitive-unions")
+    ->check(CLI::ExistingDirectory);
   app.add_option("--ids", o.ids, "odd, even, all, or a list as 1-20,33")->capture_default_str();
   app.add_option("--method", o.methods, "rows of the tables [all]")
     ->check(CLI::IsMember(o.methods));
@@ -47,10 +53,24 @@ void add_options(CLI::App& app, Options& o)
                  "auto: nothing is given; k: people's usual number of parts is; tree: the best "
                  "number of parts of the tree [all]")
     ->check(CLI::IsMember(o.protocols));
+  app.add_option("--triangulation", o.triangulations,
+                 "in which the meshes are segmented, several for a comparison: as_is; decimated to "
+                 "1500 faces; remeshed to about 8000 like ones; subdivided, each face in four "
+                 "[as_is]")
+    ->check(CLI::IsMember(triangulation_names()));
+  app.add_option("--cache", o.cache,
+                 "where meshes that are decimated or remeshed are kept for further runs")
+    ->type_name("DIR");
   app.add_option("--threshold", o.threshold,
                  "of the protocol auto, in place of each method's default");
   app.add_option("--json", o.json, "writes all figures, of each mesh too")->type_name("OUT");
   app.add_option("--sheet", o.sheet, "writes a picture of all meshes as the first row cuts them")
+    ->type_name("OUT.png");
+  app.add_option("--primitive-unions", o.unions,
+                 "also segments so many mechanical parts, made by the seeds from 1 on")
+    ->check(CLI::Range(1, 1000000));
+  app.add_option("--unions-sheet", o.sheet_of_unions,
+                 "writes a picture of each with its true parts, and as the first row cuts it")
     ->type_name("OUT.png");
   app.add_option("--threads", o.threads,
                  "meshes at a time, each on one thread; with 1, a mesh may use all threads")
@@ -74,7 +94,8 @@ std::vector<Row> selected_rows(const Options& o)
       for (Protocol protocol : {Protocol::AUTO, Protocol::K, Protocol::TREE})
         if (std::count(o.protocols.begin(), o.protocols.end(), name(protocol)) != 0 &&
             (protocol == Protocol::AUTO || is_tree_method(method)))
-          rows.push_back({method, protocol});
+          for (const std::string& triangulation : o.triangulations)
+            rows.push_back({method, protocol, triangulation});
   if (rows.empty())
     throw std::invalid_argument("none of the methods has such a protocol");
   return rows;
@@ -96,7 +117,7 @@ std::vector<Scored_mesh> score_meshes(const Options& o, const std::vector<Row>& 
   Progress progress(ids.size());
   for_each_mesh(ids.size(), o.threads, [&](std::size_t i) {
     const Benchmark_mesh input = read_benchmark_mesh(o.folder, ids[i]);
-    meshes[i] = Mesh_scorer(input, o.threshold)(rows);
+    meshes[i] = Mesh_scorer(input, o.threshold, o.cache)(rows);
     const Score& first = meshes[i].scores.front();
     if (sheet)
       sheet->add(caption(ids[i], first), input.mesh, first.labels);
@@ -107,9 +128,8 @@ std::vector<Scored_mesh> score_meshes(const Options& o, const std::vector<Row>& 
   return meshes;
 }
 
-void run(const Options& o)
+void report_on_benchmark(const Options& o, const std::vector<Row>& rows, Json& json)
 {
-  const std::vector<Row> rows = selected_rows(o);
   std::optional<Contact_sheet> sheet;
   if (!o.sheet.empty())
     sheet.emplace();
@@ -119,10 +139,75 @@ void run(const Options& o)
   print_metrics(summaries);
   std::printf("\n");
   print_categories(summaries);
+  if (o.triangulations.size() > 1) {
+    std::printf("\n");
+    print_triangulations(summaries, meshes);
+  }
   std::fflush(stdout);
-  write_json(o.json, json_report(summaries, meshes));
+  json = json_report(summaries, meshes);
   if (sheet)
     sheet->write(o.sheet);
+}
+
+void add_to_sheet(Contact_sheet& sheet, const Primitive_union& input, const Scored_union& scored)
+{
+  char text[40];
+  std::snprintf(text, sizeof text, "%03d", static_cast<int>(scored.seed));
+  sheet.add(text + std::string(" known"), input.mesh, input.truth);
+  const Union_score& first = scored.scores.front();
+  std::snprintf(text, sizeof text, "%03d result %.3f", static_cast<int>(scored.seed),
+                first.by_area);
+  sheet.add(text, input.mesh, first.labels);
+}
+
+void report_on_unions(const Options& o, const std::vector<Row>& rows, Json& json)
+{
+  std::optional<Contact_sheet> sheet;
+  if (!o.sheet_of_unions.empty())
+    sheet.emplace();
+  std::vector<Scored_union> unions(o.unions);
+  {
+    Progress progress(o.unions);
+    for_each_mesh(o.unions, o.threads, [&](std::size_t i) {
+      Scored_union& scored = unions[i];
+      scored.seed = i + 1;
+      const Primitive_union input = primitive_union(scored.seed);
+      scored.faces = input.mesh.number_of_faces();
+      scored.pieces = number_of_segments(input.truth);
+      for (const Row& row : rows)
+        scored.scores.push_back(Union_scorer(input)(row));
+      if (sheet)
+        add_to_sheet(*sheet, input, scored);
+      for (Union_score& score : scored.scores)
+        Labels().swap(score.labels);
+      progress.step();
+    });
+  }
+  print_unions(rows, unions);
+  std::fflush(stdout);
+  json["primitive_unions"] = json_of_unions(rows, unions);
+  if (sheet)
+    sheet->write(o.sheet_of_unions);
+}
+
+void run(const Options& o)
+{
+  if (o.folder.empty() && o.unions == 0)
+    throw std::invalid_argument("there is nothing to segment: give the folder of the benchmark, or "
+                                "--primitive-unions");
+  const std::vector<Row> rows = selected_rows(o);
+  Json json;
+  if (!o.folder.empty())
+    report_on_benchmark(o, rows, json);
+  const std::vector<Row> of_unions = rows_of_unions(rows);
+  if (o.unions > 0) {
+    if (of_unions.empty())
+      throw std::invalid_argument("none of the rows can be of unions of primitives");
+    if (!o.folder.empty())
+      std::printf("\n");
+    report_on_unions(o, of_unions, json);
+  }
+  write_json(o.json, json);
 }
 
 int main(int argc, char** argv)

@@ -5,7 +5,6 @@
 #define SEGMENTATION_BENCHMARK_TREE_ERRORS_H
 
 #include "Method_trees.h"
-#include "score_mesh.h"
 
 #include <nlohmann/json.hpp>
 

@@ -94,7 +94,7 @@ Eigen::Quaterniond random_rotation(Random& random)
 Soup rotated(Soup soup, const Eigen::Quaterniond& rotation)
 {
   for (Point& p : soup.points) {
-    const Vector q = rotation * Vector(p.x(), p.y(), p.z());
+    const Eigen::Vector3d q = rotation * Eigen::Vector3d(p.x(), p.y(), p.z());
     p = Point(q.x(), q.y(), q.z());
   }
   return soup;

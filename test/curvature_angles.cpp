@@ -101,7 +101,7 @@ BOOST_AUTO_TEST_CASE(a_cylinder_bends_across_its_axis_only)
       const std::vector<double> angles = angles_of(graph, radius);
       for (Index h = 0; h < angles.size(); ++h) {
         const Vector edge = edge_of(graph, h);
-        BOOST_TEST(std::abs(angles[h] - along * edge.z() * edge.z() / edge.squaredNorm()) < 1e-12);
+        BOOST_TEST(std::abs(angles[h] - along * edge.z() * edge.z() / edge.squared_norm()) < 1e-12);
       }
     }
 }

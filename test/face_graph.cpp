@@ -86,7 +86,7 @@ BOOST_AUTO_TEST_CASE(an_edge_whose_sides_do_not_match_counts_as_border)
   Triangles triangles;
   triangles.corners = {{0, 1, 2}, {0, 1, 3}};
   triangles.neighbors = {{1, 0, 0}, {0, 1, 1}};
-  triangles.points.resize(4, CGAL::Spectral_segmentation::internal::Vector::Zero());
+  triangles.points.resize(4);
   const Face_graph graph =
     CGAL::Spectral_segmentation::internal::face_graph(sequential, std::move(triangles));
   BOOST_TEST(number_of_border_edges(graph) == 6u);

@@ -119,7 +119,7 @@ double mean_squared_distance(const Soup& soup, double radius)
 {
   const Face_graph graph = face_graph_of(soup);
   const Vector center = std::accumulate(graph.points.begin(), graph.points.end(),
-                                        Vector(Vector::Zero())) / double(graph.points.size());
+                                        Vector()) / double(graph.points.size());
   Index source = 0;
   for (Index f = 0; f < graph.number_of_faces(); ++f)
     if ((graph.centroid(f) - center).norm() < (graph.centroid(source) - center).norm())
@@ -130,7 +130,7 @@ double mean_squared_distance(const Soup& soup, double radius)
   double sum = 0;
   for (Index f = 0; f < graph.number_of_faces(); ++f)
     sum += density[f] * graph.areas[f] *
-           (graph.centroid(f) - graph.centroid(source)).squaredNorm();
+           (graph.centroid(f) - graph.centroid(source)).squared_norm();
   return sum / total_area(graph);
 }
 

@@ -29,7 +29,7 @@ std::vector<Vector> smoothed_by_vertex(const Soup& soup, std::vector<Vector> poi
     for (Mesh::Vertex_index v : mesh.vertices()) {
       if (mesh.is_border(v))
         continue;
-      Vector sum = Vector::Zero();
+      Vector sum;
       for (Mesh::Vertex_index w : vertices_around_target(mesh.halfedge(v), mesh))
         sum += old[w];
       points[v] = (old[v] + sum / mesh.degree(v)) / 2;

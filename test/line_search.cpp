@@ -141,12 +141,13 @@ public:
         vertices.insert({ends.first, ends.second});
       }
     step.cut_strength = strength / number_of_edges;
-    Vector mean = Vector::Zero();
+    Vector mean;
     for (Index v : vertices)
       mean += part_.points[v] / static_cast<double>(vertices.size());
     Eigen::Matrix3d covariance = Eigen::Matrix3d::Zero();
     for (Index v : vertices) {
-      const Vector d = part_.points[v] - mean;
+      const Vector from_mean = part_.points[v] - mean;
+      const Eigen::Vector3d d(from_mean.x(), from_mean.y(), from_mean.z());
       covariance += d * d.transpose() / static_cast<double>(vertices.size());
     }
     const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> solver(covariance, Eigen::EigenvaluesOnly);

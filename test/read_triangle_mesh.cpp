@@ -60,7 +60,7 @@ BOOST_AUTO_TEST_CASE(vertices_without_a_face_do_not_count)
     BOOST_TEST((other.neighbors == triangles.neighbors));
     BOOST_TEST_REQUIRE(other.points.size() == triangles.points.size() + 1);
     BOOST_TEST(std::equal(triangles.points.begin(), triangles.points.end(), other.points.begin()));
-    BOOST_TEST(other.points.back().allFinite());
+    BOOST_TEST(other.points.back().is_finite());
   }
 }
 

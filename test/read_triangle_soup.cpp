@@ -49,7 +49,7 @@ BOOST_AUTO_TEST_CASE(points_that_no_triangle_uses_may_be_anything)
     soup.points.emplace_back(0, bad, 0);
     const Triangles triangles = read_triangle_soup(soup.points, soup.triangles);
     BOOST_TEST_REQUIRE(triangles.points.size() == soup.points.size());
-    BOOST_TEST(triangles.points.back().isZero(0));
+    BOOST_TEST(triangles.points.back().is_zero());
   }
 }
 

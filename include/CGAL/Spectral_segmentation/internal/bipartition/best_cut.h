@@ -35,7 +35,7 @@ struct Part
 inline bool both_sides_are_connected(const Face_graph& part, const Sides& side)
 {
   std::size_t number;
-  connected_components(part, number, [&](Index f, Index g) { return side[f] == side[g]; });
+  connected_components(part, number, side);
   return number == 2;
 }
 

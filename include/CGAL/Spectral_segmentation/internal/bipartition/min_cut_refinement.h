@@ -7,16 +7,18 @@
 #include <CGAL/Spectral_segmentation/internal/salience/Cut.h>
 #include <CGAL/Spectral_segmentation/internal/mesh/Face_graph.h>
 #include <CGAL/Spectral_segmentation/internal/salience/faces_near_cut.h>
+#include <CGAL/Spectral_segmentation/internal/utility/Packed_graph.h>
 #include <CGAL/Spectral_segmentation/internal/utility/constants.h>
 
 #include <boost/graph/boykov_kolmogorov_max_flow.hpp>
-#include <boost/graph/compressed_sparse_row_graph.hpp>
+#include <boost/graph/graph_traits.hpp>
+#include <boost/graph/properties.hpp>
+#include <boost/iterator/counting_iterator.hpp>
 #include <boost/property_map/property_map.hpp>
 
 #include <cmath>
 #include <cstddef>
 #include <limits>
-#include <numeric>
 #include <utility>
 #include <vector>
 
@@ -29,86 +31,106 @@ inline double capacity(const Face_graph& part, Index h)
   return quantized(part.length(h) * (constants::cost_of_concave_edge + convexity * convexity));
 }
 
+// A model of the concepts of BGL that its search for a maximum flow needs: each arc has a reverse.
+struct Flow_graph : Packed_graph
+{
+  std::vector<Index> reverse; // of each arc
+
+  typedef Index vertex_descriptor;
+  typedef Index edge_descriptor;
+  typedef boost::directed_tag directed_category;
+  typedef boost::allow_parallel_edge_tag edge_parallel_category;
+  struct traversal_category : boost::vertex_list_graph_tag, boost::edge_list_graph_tag,
+                              boost::incidence_graph_tag {};
+  typedef boost::counting_iterator<Index> vertex_iterator;
+  typedef boost::counting_iterator<Index> edge_iterator;
+  typedef boost::counting_iterator<Index> out_edge_iterator;
+  typedef Index vertices_size_type;
+  typedef Index edges_size_type;
+  typedef Index degree_size_type;
+  typedef std::pair<vertex_iterator, vertex_iterator> Range;
+  static Index null_vertex() { return null_index; }
+
+  friend Index num_vertices(const Flow_graph& g) { return g.number_of_nodes(); }
+  friend Index num_edges(const Flow_graph& g) { return g.number_of_arcs(); }
+  friend Index source(Index a, const Flow_graph& g) { return g.targets[g.reverse[a]]; }
+  friend Index target(Index a, const Flow_graph& g) { return g.targets[a]; }
+  friend Index out_degree(Index v, const Flow_graph& g)
+  { return g.first_arc[v + 1] - g.first_arc[v]; }
+  friend Range vertices(const Flow_graph& g)
+  { return {vertex_iterator(0), vertex_iterator(g.number_of_nodes())}; }
+  friend Range edges(const Flow_graph& g)
+  { return {edge_iterator(0), edge_iterator(g.number_of_arcs())}; }
+  friend Range out_edges(Index v, const Flow_graph& g)
+  { return {out_edge_iterator(g.first_arc[v]), out_edge_iterator(g.first_arc[v + 1])}; }
+};
+
 // The flow network of a band of faces around a cut: node i is the i-th face of the band; the faces
 // beyond it on the side of Q are the source, those on the other side the sink.
 class Band_network
 {
-  typedef boost::no_property No_property;
-  typedef boost::compressed_sparse_row_graph<boost::directedS, No_property, No_property,
-                                             No_property, int, int> Graph;
-  typedef boost::graph_traits<Graph>::edge_descriptor Edge;
-
-  struct Arc
+  struct Arcs
   {
-    int from, to;
-    double capacity;
+    std::vector<Packed_graph::Ends> ends; // of arc i; arc i ^ 1 is its reverse
+    std::vector<double> capacities;
+
+    void add_both(Index a, Index b, double there, double back)
+    {
+      ends.push_back({a, b});
+      ends.push_back({b, a});
+      capacities.push_back(there);
+      capacities.push_back(back);
+    }
   };
 
-  int source_, sink_;
-  std::vector<Arc> arcs_; // between faces; arc i ^ 1 is the reverse of arc i
+  Index source_, sink_;
+  Arcs arcs_; // between faces
   std::vector<double> from_source_, to_sink_; // capacities of each face
-
-  static void add_both(std::vector<Arc>& arcs, int a, int b, double there, double back)
-  {
-    arcs.push_back({a, b, there});
-    arcs.push_back({b, a, back});
-  }
 
 public:
   explicit Band_network(std::size_t number_of_faces)
-    : source_(static_cast<int>(number_of_faces)), sink_(source_ + 1),
+    : source_(static_cast<Index>(number_of_faces)), sink_(source_ + 1),
       from_source_(number_of_faces, 0), to_sink_(number_of_faces, 0)
   {}
 
-  void join(int a, int b, double capacity) { add_both(arcs_, a, b, capacity, capacity); }
-  void join_to_source(int a, double capacity) { from_source_[a] += capacity; }
-  void join_to_sink(int a, double capacity) { to_sink_[a] += capacity; }
+  void join(Index a, Index b, double capacity) { arcs_.add_both(a, b, capacity, capacity); }
+  void join_to_source(Index a, double capacity) { from_source_[a] += capacity; }
+  void join_to_sink(Index a, double capacity) { to_sink_[a] += capacity; }
 
   // For each face of the band: whether it is on the side of the source. Of several minimum cuts it
   // is the one nearest to the source, whatever the order of the arcs.
   std::vector<bool> minimum_cut() const
   {
     // One arc for each terminal and face, which BGL asks for.
-    std::vector<Arc> arcs = arcs_;
-    for (int i = 0; i < source_; ++i) {
+    Arcs arcs = arcs_;
+    for (Index i = 0; i < source_; ++i) {
       if (from_source_[i] > 0)
-        add_both(arcs, source_, i, from_source_[i], 0);
+        arcs.add_both(source_, i, from_source_[i], 0);
       if (to_sink_[i] > 0)
-        add_both(arcs, i, sink_, to_sink_[i], 0);
+        arcs.add_both(i, sink_, to_sink_[i], 0);
     }
-    const int n = sink_ + 1;
-    std::vector<std::size_t> next(n + 1, 0), place(arcs.size()); // in the order of the nodes
-    for (const Arc& a : arcs)
-      ++next[a.from + 1];
-    std::partial_sum(next.begin(), next.end(), next.begin());
-    std::vector<std::pair<int, int> > ends(arcs.size());
-    std::vector<double> capacities(arcs.size()), residuals(arcs.size());
-    for (std::size_t i = 0; i < arcs.size(); ++i) {
-      place[i] = next[arcs[i].from]++;
-      ends[place[i]] = {arcs[i].from, arcs[i].to};
-      capacities[place[i]] = arcs[i].capacity;
+    const std::size_t n = sink_ + 1, m = arcs.ends.size();
+    std::vector<Index> place;
+    Flow_graph graph{Packed_graph(n, arcs.ends, place), std::vector<Index>(m)};
+    std::vector<double> capacities(m), residuals(m);
+    for (std::size_t i = 0; i < m; ++i) {
+      graph.reverse[place[i]] = place[i ^ 1];
+      capacities[place[i]] = arcs.capacities[i];
     }
-    const Graph graph(boost::edges_are_sorted, ends.begin(), ends.end(), n);
-    const std::vector<Edge> edge(edges(graph).first, edges(graph).second);
-    std::vector<Edge> reverse(arcs.size());
-    for (std::size_t i = 0; i < arcs.size(); ++i)
-      reverse[place[i]] = edge[place[i ^ 1]];
 
-    std::vector<Edge> predecessors(n);
+    std::vector<Index> predecessors(n);
     std::vector<boost::default_color_type> colors(n);
     std::vector<long> distances(n);
-    const auto edge_index = get(boost::edge_index, graph);
-    const auto vertex_index = get(boost::vertex_index, graph);
+    const boost::typed_identity_property_map<Index> index;
     boost::boykov_kolmogorov_max_flow(
-      graph, boost::make_iterator_property_map(capacities.begin(), edge_index),
-      boost::make_iterator_property_map(residuals.begin(), edge_index),
-      boost::make_iterator_property_map(reverse.begin(), edge_index),
-      boost::make_iterator_property_map(predecessors.begin(), vertex_index),
-      boost::make_iterator_property_map(colors.begin(), vertex_index),
-      boost::make_iterator_property_map(distances.begin(), vertex_index), vertex_index, source_,
-      sink_);
+      std::as_const(graph), boost::make_iterator_property_map(capacities.begin(), index),
+      boost::make_iterator_property_map(residuals.begin(), index),
+      boost::make_iterator_property_map(graph.reverse.cbegin(), index),
+      boost::make_iterator_property_map(predecessors.begin(), index),
+      boost::make_iterator_property_map(colors.begin(), index),
+      boost::make_iterator_property_map(distances.begin(), index), index, source_, sink_);
     std::vector<bool> result(source_);
-    for (int i = 0; i < source_; ++i)
+    for (Index i = 0; i < source_; ++i)
       result[i] = colors[i] == boost::black_color;
     return result;
   }
@@ -120,34 +142,34 @@ public:
 inline Sides minimum_cut_within(const Face_graph& part, const std::vector<Index>& band,
                                 const Sides& side)
 {
-  std::vector<int> node(part.number_of_faces(), -1);
-  int last_of_side[2] = {-1, -1};
-  for (std::size_t i = 0; i < band.size(); ++i) {
-    node[band[i]] = static_cast<int>(i);
-    last_of_side[int(side[band[i]])] = static_cast<int>(i);
+  std::vector<Index> node(part.number_of_faces(), null_index);
+  Index last_of_side[2] = {null_index, null_index};
+  for (Index i = 0; i < band.size(); ++i) {
+    node[band[i]] = i;
+    last_of_side[int(side[band[i]])] = i;
   }
 
   Band_network network(band.size());
   bool has_terminal[2] = {false, false};
-  const auto join_to_terminal = [&](int i, char s, double c) {
+  const auto join_to_terminal = [&](Index i, char s, double c) {
     has_terminal[int(s)] = true;
     if (s == 0)
       network.join_to_source(i, c);
     else
       network.join_to_sink(i, c);
   };
-  for (std::size_t i = 0; i < band.size(); ++i) {
+  for (Index i = 0; i < band.size(); ++i) {
     const Index f = band[i];
     for (Index h = 3 * f; h < 3 * f + 3; ++h) {
       const Index g = part.neighbors[h];
-      if (node[g] >= 0 && f < g)
-        network.join(static_cast<int>(i), node[g], capacity(part, h));
-      else if (node[g] < 0 && (side[g] == 0 || side[g] == 1))
-        join_to_terminal(static_cast<int>(i), side[g], capacity(part, h));
+      if (node[g] != null_index && f < g)
+        network.join(i, node[g], capacity(part, h));
+      else if (node[g] == null_index && (side[g] == 0 || side[g] == 1))
+        join_to_terminal(i, side[g], capacity(part, h));
     }
   }
   for (char s : {char(0), char(1)})
-    if (!has_terminal[int(s)] && last_of_side[int(s)] >= 0)
+    if (!has_terminal[int(s)] && last_of_side[int(s)] != null_index)
       join_to_terminal(last_of_side[int(s)], s, (std::numeric_limits<float>::max)());
 
   Sides result = side;

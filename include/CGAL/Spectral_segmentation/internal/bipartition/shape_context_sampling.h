@@ -27,10 +27,10 @@ namespace CGAL::Spectral_segmentation::internal {
 inline Index farthest_face_from_center(Execution execution, const Face_graph& graph)
 {
   const double area = total_area(graph);
-  const Vector center = area > 0 ? center_of(execution, graph, area) : Vector(Vector::Zero());
+  const Vector center = area > 0 ? center_of(execution, graph, area) : Vector();
   std::vector<double> distance(graph.number_of_faces());
   for_each_index(execution, distance.size(), [&](std::size_t f)
-    { distance[f] = (graph.centroid(static_cast<Index>(f)) - center).squaredNorm(); });
+    { distance[f] = (graph.centroid(static_cast<Index>(f)) - center).squared_norm(); });
   const double largest = *std::max_element(distance.begin(), distance.end());
   // The first of those that are as far but for rounding.
   return static_cast<Index>(
@@ -107,22 +107,22 @@ struct Sample_faces
 // The two samples (Section 4.2) of a part with two faces or more. Of equals the first is taken.
 inline Sample_faces sample_faces(Execution execution, const Shape_contexts& contexts)
 {
-  const auto farthest = [&](const Eigen::RowVectorXf& from, Index except) {
+  const auto farthest = [&](Index from) { // null_index: from 0
     std::vector<double> squared(contexts.values.rows(), 0);
     for_each_index(execution, squared.size(), [&](std::size_t f) {
       for (Eigen::Index j = 0; j < contexts.values.cols(); ++j) {
-        const double difference =
-          double(contexts.values(static_cast<Eigen::Index>(f), j)) - from[j];
+        const double difference = double(contexts.values(static_cast<Eigen::Index>(f), j)) -
+                                  (from == null_index ? 0 : contexts.values(from, j));
         squared[f] += difference * difference;
       }
     });
-    if (except != null_index)
-      squared[except] = -1;
+    if (from != null_index)
+      squared[from] = -1;
     return static_cast<Index>(std::max_element(squared.begin(), squared.end()) - squared.begin());
   };
   Sample_faces samples;
-  samples.s = farthest(Eigen::RowVectorXf::Zero(contexts.values.cols()), null_index);
-  samples.t = farthest(contexts.values.row(samples.s), samples.s);
+  samples.s = farthest(null_index);
+  samples.t = farthest(samples.s);
   return samples;
 }
 

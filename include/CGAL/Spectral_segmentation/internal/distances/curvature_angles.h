@@ -12,9 +12,9 @@
 #include <CGAL/number_type_config.h>
 
 #include <Eigen/Core>
-#include <Eigen/Geometry>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstddef>
 #include <vector>
@@ -25,14 +25,13 @@ namespace CGAL::Spectral_segmentation::internal {
 
 // The tensor product of a vector with itself, as a vector: symmetric tensors have the same inner
 // product as such vectors.
-typedef Eigen::Matrix<double, 1, 6> Symmetric_tensor;
+typedef std::array<double, 6> Symmetric_tensor;
 
 inline Symmetric_tensor squared(const Vector& v)
 {
-  const Vector pure = v.cwiseAbs2(); // single numbers below, as GCC warns of blocks under AVX
-  const Vector mixed = std::sqrt(2.) * Vector(v.x() * v.y(), v.y() * v.z(), v.z() * v.x());
-  return (Symmetric_tensor() << pure.x(), pure.y(), pure.z(), mixed.x(), mixed.y(), mixed.z())
-    .finished();
+  const double root = std::sqrt(2.);
+  return {v.x() * v.x(), v.y() * v.y(), v.z() * v.z(),
+          root * (v.x() * v.y()), root * (v.y() * v.z()), root * (v.z() * v.x())};
 }
 
 // For each half-edge the angle by which the surface bends over a way of twice the radius across the
@@ -49,8 +48,9 @@ inline std::vector<double> curvature_angles(Execution execution, const Face_grap
   std::vector<double> angles(mesh.neighbors.size(), 0);
   if (!(total_area(mesh) > 0))
     return angles;
-  Eigen::Matrix<double, Eigen::Dynamic, 6> tensors;
-  tensors.setZero(static_cast<Eigen::Index>(mesh.number_of_faces()), 6);
+  std::array<Eigen::VectorXd, 6> tensors; // one number of each face
+  for (Eigen::VectorXd& t : tensors)
+    t.setZero(static_cast<Eigen::Index>(mesh.number_of_faces()));
   for_each_index(execution, mesh.number_of_faces(), [&](std::size_t i) {
     const Index f = static_cast<Index>(i);
     for (Index h = 3 * f; h < 3 * f + 3; ++h) {
@@ -63,26 +63,29 @@ inline std::vector<double> curvature_angles(Execution execution, const Face_grap
       const double angle =
         std::atan2(normals[f].cross(normals[g]).dot(edge) / length, normals[f].dot(normals[g]));
       // By area: or a sliver beside a sharp edge would have nearly all of its density.
-      tensors.row(f) += angle * mesh.areas[f] / area / length * squared(edge);
+      const double density = angle * mesh.areas[f] / area / length;
+      const Symmetric_tensor tensor = squared(edge);
+      for (std::size_t k = 0; k < 6; ++k)
+        tensors[k][f] += density * tensor[k];
     }
   });
   const Heat_smoothing smoothing(execution, mesh, points, radius);
-  for_each_index(execution, 6, [&](std::size_t i) {
-    const Eigen::Index column = static_cast<Eigen::Index>(i);
-    tensors.col(column) = smoothing(tensors.col(column));
-  });
+  for_each_index(execution, 6, [&](std::size_t k) { tensors[k] = smoothing(tensors[k]); });
 
   const double way = 2 * smoothing.radius();
   for_each_index(execution, angles.size(), [&](std::size_t i) {
     const Index h = static_cast<Index>(i), f = h / 3, g = mesh.neighbors[h];
     const Vector edge = edge_vector(h);
     const double area = mesh.areas[f] + mesh.areas[g];
-    const double squared_length = edge.squaredNorm();
+    const double squared_length = edge.squared_norm();
     if (mesh.is_border(h) || squared_length == 0 || area == 0)
       return;
-    const Symmetric_tensor tensor =
-      (mesh.areas[f] * tensors.row(f) + mesh.areas[g] * tensors.row(g)) / area;
-    const double curvature = tensor.dot(squared(edge)) / squared_length;
+    const Symmetric_tensor across = squared(edge);
+    double sums[2] = {0, 0}; // of every other term
+    for (std::size_t k : {4, 5, 2, 3, 0, 1})
+      sums[k % 2] +=
+        (mesh.areas[f] * tensors[k][f] + mesh.areas[g] * tensors[k][g]) / area * across[k];
+    const double curvature = (sums[0] + sums[1]) / squared_length;
     const double angle = way * curvature;
     if (std::abs(angle) > 1e-6) // below, which is rounding, the surface is flat
       angles[h] = (std::min)((std::max)(angle, -CGAL_PI), CGAL_PI);

@@ -9,8 +9,6 @@
 #include <CGAL/Spectral_segmentation/internal/distances/curvature_angles.h>
 #include <CGAL/Spectral_segmentation/internal/utility/sorted_indices.h>
 
-#include <Eigen/Geometry>
-
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
@@ -46,7 +44,7 @@ struct Dihedral
 inline Dihedral dihedral(const Vector& f, const Vector& g, const Vector& edge)
 {
   // Half the squared chord keeps its digits where the cosine is near 1.
-  const double one_minus_cosine = (f - g).squaredNorm() / 2;
+  const double one_minus_cosine = (f - g).squared_norm() / 2;
   // Below 1e-6 rad, which is rounding, an edge is flat.
   if (one_minus_cosine < 5e-13)
     return {0, false};
@@ -58,19 +56,19 @@ inline Dihedral dihedral(const Vector& f, const Vector& g, const Vector& edge)
 inline std::vector<Vector> face_normals(Execution execution, const Face_graph& graph,
                                         const std::vector<Vector>& points)
 {
-  std::vector<Vector> normals(graph.number_of_faces(), Vector::Zero());
+  std::vector<Vector> normals(graph.number_of_faces());
   const auto edge_vector = [&](Index h) -> Vector
   { return points[graph.target_vertex(h)] - points[graph.source_vertex(h)]; };
   const auto longest_edge = [&](Index f) {
     Index longest = 3 * f;
     for (Index h = 3 * f + 1; h < 3 * f + 3; ++h)
-      if (edge_vector(h).squaredNorm() > edge_vector(longest).squaredNorm())
+      if (edge_vector(h).squared_norm() > edge_vector(longest).squared_norm())
         longest = h;
     return longest;
   };
   for_each_index(execution, normals.size(), [&](Index f) {
     const Vector cross = edge_vector(3 * f).cross(edge_vector(3 * f + 1));
-    if (cross.norm() > 1e-12 * edge_vector(longest_edge(f)).squaredNorm())
+    if (cross.norm() > 1e-12 * edge_vector(longest_edge(f)).squared_norm())
       normals[f] = cross.normalized();
   });
   // A neighbor may be without area too: follow the longest edges to the first face with a normal.
@@ -79,7 +77,7 @@ inline std::vector<Vector> face_normals(Execution execution, const Face_graph& g
   for (Index first = 0; first < normals.size(); ++first) {
     Index f = first;
     path.clear();
-    for (; normals[f].isZero(0) && !is_visited[f]; f = graph.neighbors[longest_edge(f)]) {
+    for (; normals[f].is_zero() && !is_visited[f]; f = graph.neighbors[longest_edge(f)]) {
       is_visited[f] = 1;
       path.push_back(f);
     }
@@ -174,7 +172,7 @@ inline Equalized_angles equalized_dihedrals(Execution execution, const Face_grap
   std::vector<char> is_concave(edges.size(), 0);
   for_each_index(execution, edges.size(), [&](std::size_t e) {
     const Index h = edges[e], f = h / 3, g = graph.neighbors[h];
-    if (normals[f].isZero(0) || normals[g].isZero(0))
+    if (normals[f].is_zero() || normals[g].is_zero())
       return;
     const Dihedral d = dihedral(normals[f], normals[g],
                                 points[graph.target_vertex(h)] - points[graph.source_vertex(h)]);

@@ -30,7 +30,7 @@ std::vector<Vector> smoothed_points(const Face_graph& graph, std::size_t iterati
   std::vector<Vector> sum(points.size());
   std::vector<unsigned> degree(points.size());
   for (; iterations > 0 && go_further(); --iterations) {
-    std::fill(sum.begin(), sum.end(), Vector::Zero());
+    std::fill(sum.begin(), sum.end(), Vector());
     std::fill(degree.begin(), degree.end(), 0u);
     // One half-edge of each edge starts at an inner vertex, so the mean is unweighted.
     for (Index h = 0; h < graph.neighbors.size(); ++h) {

@@ -71,14 +71,14 @@ Triangles read_triangle_mesh(const TriangleMesh& mesh, const std::vector<FaceDes
   const auto x = traits.compute_x_3_object();
   const auto y = traits.compute_y_3_object();
   const auto z = traits.compute_z_3_object();
-  triangles.points.resize(vertices_of_mesh.size(), Vector::Zero());
+  triangles.points.resize(vertices_of_mesh.size());
   for (Index v = 0; v < vertices_of_mesh.size(); ++v) {
     if (!is_used[v])
       continue;
     const auto& p = get(vertex_point_map, vertices_of_mesh[v]);
     Vector& point = triangles.points[v];
     point = Vector(CGAL::to_double(x(p)), CGAL::to_double(y(p)), CGAL::to_double(z(p)));
-    if (!point.allFinite())
+    if (!point.is_finite())
       throw std::invalid_argument(function + ": vertex " + std::to_string(v) +
                                   " has a coordinate that is not finite");
   }

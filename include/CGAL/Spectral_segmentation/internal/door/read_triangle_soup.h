@@ -66,7 +66,7 @@ Triangles read_triangle_soup(const PointRange& points, const TriangleRange& tria
     if (size < 3)
       fail(" has fewer than three corners");
     for (Index v : corners) {
-      if (!result.points[v].allFinite())
+      if (!result.points[v].is_finite())
         fail(" has a corner with a coordinate that is not finite");
       is_used[v] = 1;
     }
@@ -74,7 +74,7 @@ Triangles read_triangle_soup(const PointRange& points, const TriangleRange& tria
   }
   for (std::size_t v = 0; v < number_of_points; ++v)
     if (!is_used[v])
-      result.points[v] = Vector::Zero();
+      result.points[v] = Vector();
   return result;
 }
 

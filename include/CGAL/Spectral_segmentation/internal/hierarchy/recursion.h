@@ -12,7 +12,6 @@
 #include <CGAL/Spectral_segmentation/internal/utility/Run_monitor.h>
 
 #include <cstddef>
-#include <map>
 #include <optional>
 #include <set>
 #include <utility>
@@ -39,13 +38,14 @@ class Recursion
   const Best_cut& best_cut_;
 
   Cut_hierarchy hierarchy_;
-  std::map<std::size_t, Pending_part> pending_; // by node
-  std::set<Key> queue_;                         // of pending parts
+  std::vector<Pending_part> pending_; // of each node; without faces if it is not pending
+  std::set<Key> queue_;               // of pending parts
 
   void add(std::size_t node, Face_graph graph, std::vector<Index> faces)
   {
     for (Index f : faces)
       hierarchy_.leaf[f] = static_cast<Index>(node);
+    pending_.resize(hierarchy_.nodes.size());
     pending_[node].part = Part{std::move(graph), node, std::move(faces)};
   }
 
@@ -60,10 +60,8 @@ class Recursion
 
   Pending_part take(std::size_t node)
   {
-    Pending_part result = std::move(pending_[node]);
-    pending_.erase(node);
     hierarchy_.turns.push_back(node);
-    return result;
+    return std::exchange(pending_[node], Pending_part());
   }
 
   // Replaces a part, which has a cut, by its two sides, in the hierarchy and if they are to be cut
@@ -86,8 +84,8 @@ class Recursion
   void search_all()
   {
     std::vector<Pending_part*> parts;
-    for (auto& [node, pending] : pending_)
-      if (!pending.is_searched)
+    for (Pending_part& pending : pending_)
+      if (!pending.part.faces.empty() && !pending.is_searched)
         parts.push_back(&pending);
     search(parts);
     for (const Pending_part* p : parts)
@@ -162,8 +160,8 @@ public:
   Cut_hierarchy by_area()
   {
     try {
-      for (const auto& [node, pending] : pending_)
-        enqueue_by_area(node);
+      for (std::size_t root = 0; root < hierarchy_.number_of_roots; ++root)
+        enqueue_by_area(root);
       while (!queue_.empty() &&
              hierarchy_.number_of_segments() < options_.maximum_number_of_segments) {
         search_largest();

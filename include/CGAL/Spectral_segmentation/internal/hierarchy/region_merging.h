@@ -13,7 +13,6 @@
 #include <algorithm>
 #include <cstddef>
 #include <iterator>
-#include <map>
 #include <numeric>
 #include <set>
 #include <utility>
@@ -51,7 +50,7 @@ class Region_merging
 
   std::vector<std::vector<Index> > faces_; // of each region, ascending
   std::vector<std::size_t> region_;        // of each face
-  std::map<Pair, Boundary> boundaries_;    // of neighbors
+  std::vector<Merge> merges_;              // of neighbors, which are possible
 
   Boundary evaluated(const Pair& regions) const
   {
@@ -73,6 +72,13 @@ class Region_merging
     return {salience_of(part_salience_, factors), factors, {area[0], area[1]}, first_is_smaller};
   }
 
+  // Of equals that of the first regions.
+  static bool is_less_salient(const Merge& a, const Merge& b)
+  {
+    const double of_a = quantized(a.boundary.salience), of_b = quantized(b.boundary.salience);
+    return of_a < of_b || (of_a == of_b && a.regions < b.regions);
+  }
+
   // Evaluates the boundaries of a region with its neighbors, or of all regions.
   void evaluate_boundaries(const std::vector<Index>& faces)
   {
@@ -83,24 +89,23 @@ class Region_merging
         if (a != b)
           neighbors.insert({a, b});
       }
-    const std::vector<Pair> pairs(neighbors.begin(), neighbors.end());
-    std::vector<Boundary> evaluations(pairs.size());
-    for_each_index(execution_, pairs.size(),
-                   [&](std::size_t i) { evaluations[i] = evaluated(pairs[i]); });
-    for (std::size_t i = 0; i < pairs.size(); ++i)
-      boundaries_[pairs[i]] = evaluations[i];
+    const std::size_t first = merges_.size();
+    for (const Pair& regions : neighbors)
+      merges_.push_back({regions, {}});
+    for_each_index(execution_, neighbors.size(), [&](std::size_t i) {
+      Merge& m = merges_[first + i];
+      m.boundary = evaluated(m.regions);
+    });
   }
 
   void merge(const Pair& regions)
   {
     const auto [into, from] = regions;
-    for (auto b = boundaries_.begin(); b != boundaries_.end();) {
-      const auto [first, second] = b->first;
-      if (first == into || second == into || first == from || second == from)
-        b = boundaries_.erase(b);
-      else
-        ++b;
-    }
+    const auto touches = [into = into, from = from](const Merge& m) {
+      const auto [first, second] = m.regions;
+      return first == into || second == into || first == from || second == from;
+    };
+    merges_.erase(std::remove_if(merges_.begin(), merges_.end(), touches), merges_.end());
     const std::ptrdiff_t size = static_cast<std::ptrdiff_t>(faces_[into].size());
     faces_[into].insert(faces_[into].end(), faces_[from].begin(), faces_[from].end());
     std::inplace_merge(faces_[into].begin(), faces_[into].begin() + size, faces_[into].end());
@@ -117,11 +122,8 @@ class Region_merging
     std::iota(all.begin(), all.end(), Index(0));
     evaluate_boundaries(all);
     std::vector<Merge> merges;
-    while (!boundaries_.empty()) {
-      const auto least = std::min_element(
-        boundaries_.begin(), boundaries_.end(), [](const auto& a, const auto& b)
-        { return quantized(a.second.salience) < quantized(b.second.salience); });
-      merges.push_back({least->first, least->second});
+    while (!merges_.empty()) {
+      merges.push_back(*std::min_element(merges_.begin(), merges_.end(), is_less_salient));
       merge(merges.back().regions);
       monitor_.approach(1. / static_cast<double>(faces_.size()));
     }

@@ -9,8 +9,6 @@
 
 #include <CGAL/assertions.h>
 
-#include <Eigen/Geometry>
-
 #include <boost/graph/graph_traits.hpp>
 #include <boost/graph/properties.hpp>
 #include <boost/iterator/counting_iterator.hpp>

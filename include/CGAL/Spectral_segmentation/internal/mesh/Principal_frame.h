@@ -5,11 +5,8 @@
 #define CGAL_SPECTRAL_SEGMENTATION_INTERNAL_MESH_PRINCIPAL_FRAME_H
 
 #include <CGAL/Spectral_segmentation/internal/mesh/Face_graph.h>
+#include <CGAL/Spectral_segmentation/internal/mesh/Symmetric_matrix.h>
 #include <CGAL/Spectral_segmentation/internal/mesh/surface_integrals.h>
-
-#include <Eigen/Core>
-#include <Eigen/Eigenvalues>
-#include <Eigen/Geometry>
 
 namespace CGAL::Spectral_segmentation::internal {
 
@@ -17,8 +14,8 @@ namespace CGAL::Spectral_segmentation::internal {
 // to the sides on which the points are spread farther, the third so that they are right-handed.
 class Principal_frame
 {
-  Vector center_ = Vector::Zero();
-  Eigen::Matrix3d axes_ = Eigen::Matrix3d::Identity(); // the rows
+  Vector center_;
+  Vector axes_[3] = {{1, 0, 0}, {0, 1, 0}, {0, 0, 1}};
 
 public:
   Principal_frame(Execution execution, const Face_graph& mesh)
@@ -27,23 +24,24 @@ public:
     if (!(area > 0))
       return;
     center_ = center_of(execution, mesh, area);
-    const Eigen::Matrix3d covariance =
-      mean_over_surface<Eigen::Matrix3d>(execution, mesh, area, [&](const Vector& p)
-        { return ((p - center_) * (p - center_).transpose()).eval(); });
-    Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> solver;
-    solver.computeDirect(covariance);
-    axes_ = solver.eigenvectors().transpose();
+    const Symmetric_matrix covariance =
+      mean_over_surface<Symmetric_matrix>(execution, mesh, area, [&](const Vector& p)
+        { return Symmetric_matrix::square(p - center_); });
+    Eigen_solver(covariance).set_eigenvectors(axes_[0], axes_[1]);
     const Vector skewness =
-      mean_over_surface<Vector>(execution, mesh, area, [&](const Vector& p)
-        { return point(p).array().cube().matrix().eval(); });
+      mean_over_surface<Vector>(execution, mesh, area, [&](const Vector& p) {
+        const Vector q = point(p);
+        return Vector(q.x() * q.x() * q.x(), q.y() * q.y() * q.y(), q.z() * q.z() * q.z());
+      });
     for (int i = 0; i < 2; ++i)
       if (skewness[i] < 0)
-        axes_.row(i) *= -1;
-    axes_.row(2) = axes_.row(0).cross(axes_.row(1));
+        axes_[i] = -axes_[i];
+    axes_[2] = axes_[0].cross(axes_[1]);
   }
 
   Vector point(const Vector& p) const { return vector(p - center_); }
-  Vector vector(const Vector& v) const { return axes_ * v; }
+  Vector vector(const Vector& v) const
+  { return {axes_[0].dot(v), axes_[1].dot(v), axes_[2].dot(v)}; }
 };
 
 } // namespace CGAL::Spectral_segmentation::internal

@@ -4,19 +4,15 @@
 #ifndef CGAL_SPECTRAL_SEGMENTATION_INTERNAL_MESH_TRIANGLES_H
 #define CGAL_SPECTRAL_SEGMENTATION_INTERNAL_MESH_TRIANGLES_H
 
+#include <CGAL/Spectral_segmentation/internal/mesh/Vector.h>
 #include <CGAL/Spectral_segmentation/internal/utility/Index.h>
-
-#include <Eigen/Core>
 
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <limits>
 #include <vector>
 
 namespace CGAL::Spectral_segmentation::internal {
-
-typedef Eigen::Vector3d Vector;
 
 // of a face: its vertices; and the faces across its edges, or the face itself where there is none.
 // The i-th edge of a face leaves its i-th corner.
@@ -43,14 +39,9 @@ inline void start_at_smallest_vertex(Corners& corners, Neighbors& neighbors)
 // that scaling rounds nothing.
 inline double normalize(std::vector<Vector>& points)
 {
-  Vector smallest = Vector::Constant(std::numeric_limits<double>::infinity());
-  Vector largest = -smallest;
-  for (const Vector& p : points) {
-    smallest = smallest.cwiseMin(p);
-    largest = largest.cwiseMax(p);
-  }
-  const Vector center = smallest / 2 + largest / 2;
-  const double half_extent = (largest / 2 - smallest / 2).maxCoeff();
+  const Bounding_box box(points);
+  const Vector center = box.smallest / 2 + box.largest / 2;
+  const double half_extent = (box.largest / 2 - box.smallest / 2).largest_coordinate();
   const double unit =
     half_extent > 0 ? std::ldexp(1., (std::min)(std::ilogb(half_extent) + 1, 1023)) : 1;
   for (Vector& p : points)

@@ -7,8 +7,6 @@
 #include <CGAL/Spectral_segmentation/internal/mesh/Triangles.h>
 #include <CGAL/Spectral_segmentation/internal/utility/sorted_indices.h>
 
-#include <Eigen/Geometry>
-
 #include <algorithm>
 #include <cstddef>
 #include <utility>
@@ -65,7 +63,7 @@ class Triangle_connection
       for (Index g : halfedges)
         if (h < g) {
           const double cosine =
-            area_vector(h / 3).stableNormalized().dot(area_vector(g / 3).stableNormalized());
+            area_vector(h / 3).stably_normalized().dot(area_vector(g / 3).stably_normalized());
           pairs.emplace_back(h, g);
           keys.push_back(quantized(are_alike(h, g) ? -cosine : cosine + 4));
         }

@@ -52,11 +52,11 @@ public:
   std::size_t number() const { return number_; }
 };
 
-// The component of each face, numbered in the order of their first faces, where neighbors are
-// connected if `are_connected(f, g)`. A fifth of the time of BGL's depth-first search.
-template <class AreConnected>
-std::vector<Index> connected_components(const Face_graph& graph, std::size_t& number,
-                                        const AreConnected& are_connected)
+// The component of each face, numbered in the order of their first faces. If there are sides,
+// neighbors are connected only where they are on one. A fifth of the time of BGL's depth-first
+// search.
+inline std::vector<Index> connected_components(const Face_graph& graph, std::size_t& number,
+                                               const std::vector<char>& side = {})
 {
   const Index n = static_cast<Index>(graph.number_of_faces());
   Face_components components(n);
@@ -64,7 +64,7 @@ std::vector<Index> connected_components(const Face_graph& graph, std::size_t& nu
     components.add(f);
   for (Index h = 0; h < graph.number_of_halfedges(); ++h) {
     const Index f = h / 3, g = graph.neighbors[h];
-    if (f < g && are_connected(f, g))
+    if (f < g && (side.empty() || side[f] == side[g]))
       components.join(f, g);
   }
   number = 0;
@@ -78,9 +78,6 @@ std::vector<Index> connected_components(const Face_graph& graph, std::size_t& nu
   return result;
 }
 
-inline std::vector<Index> connected_components(const Face_graph& graph, std::size_t& number)
-{ return connected_components(graph, number, [](Index, Index) { return true; }); }
-
 inline std::vector<double> component_areas(const Face_graph& graph,
                                            const std::vector<Index>& component, std::size_t number)
 {
@@ -89,7 +86,6 @@ inline std::vector<double> component_areas(const Face_graph& graph,
     areas[component[f]] += graph.areas[f];
   return areas;
 }
-
 
 } // namespace CGAL::Spectral_segmentation::internal
 

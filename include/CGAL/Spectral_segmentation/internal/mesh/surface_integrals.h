@@ -20,7 +20,7 @@ template <class Value, class Function>
 Value mean_over_surface(Execution execution, const Face_graph& graph, double area,
                         const Function& of_point)
 {
-  return sum_of(execution, graph.number_of_faces(), Value(Value::Zero()), [&](std::size_t f)
+  return sum_of(execution, graph.number_of_faces(), Value(), [&](std::size_t f)
     { return Value(graph.areas[f] / area * of_point(graph.centroid(static_cast<Index>(f)))); });
 }
 

@@ -5,13 +5,12 @@
 #define CGAL_SPECTRAL_SEGMENTATION_INTERNAL_MULTILEVEL_BAND_CELLS_H
 
 #include <CGAL/Spectral_segmentation/internal/mesh/connected_components.h>
+#include <CGAL/Spectral_segmentation/internal/utility/Packed_graph.h>
 
 #include <CGAL/Iterator_range.h>
 
-#include <boost/graph/compressed_sparse_row_graph.hpp>
-
 #include <cstddef>
-#include <utility>
+#include <optional>
 #include <vector>
 
 namespace CGAL::Spectral_segmentation::internal {
@@ -21,15 +20,11 @@ namespace CGAL::Spectral_segmentation::internal {
 // after them such cores.
 class Band_cells
 {
-  typedef boost::no_property No_property;
-  typedef boost::compressed_sparse_row_graph<boost::directedS, No_property, No_property,
-                                             No_property, int, int> Graph;
-
   std::vector<Index> faces_of_bands_;
   std::vector<Index> cell_;       // of each face
   std::vector<Index> first_face_; // of each cell
   std::vector<double> areas_;     // of each cell
-  Graph graph_;
+  std::optional<Packed_graph> graph_;
 
   void find_bands(const Face_graph& mesh, const std::vector<char>& is_between)
   {
@@ -47,9 +42,11 @@ class Band_cells
 
   void find_cores(const Face_graph& mesh)
   {
+    std::vector<char> is_in_band(cell_.size());
+    for (Index f = 0; f < cell_.size(); ++f)
+      is_in_band[f] = cell_[f] != null_index;
     std::size_t number;
-    const std::vector<Index> component = connected_components(mesh, number, [&](Index f, Index g)
-      { return cell_[f] == null_index && cell_[g] == null_index; });
+    const std::vector<Index> component = connected_components(mesh, number, is_in_band);
     std::vector<Index> core(number, null_index); // of each component
     first_face_ = faces_of_bands_;
     for (Index f = 0; f < cell_.size(); ++f) {
@@ -74,7 +71,7 @@ public:
     for (Index f = 0; f < cell_.size(); ++f)
       areas_[cell_[f]] += mesh.areas[f];
 
-    std::vector<std::pair<int, int> > arcs;
+    std::vector<Packed_graph::Ends> arcs;
     for (Index cell = 0; cell < faces_of_bands_.size(); ++cell)
       for (Index h = 3 * first_face_[cell]; h < 3 * first_face_[cell] + 3; ++h) {
         const Index neighbor = cell_[mesh.neighbors[h]];
@@ -82,8 +79,8 @@ public:
         if (is_core(neighbor))
           arcs.emplace_back(neighbor, cell);
       }
-    graph_ = Graph(boost::edges_are_unsorted_multi_pass, arcs.begin(), arcs.end(),
-                   static_cast<int>(number()));
+    std::vector<Index> place;
+    graph_.emplace(number(), arcs, place);
   }
 
   std::size_t number() const { return first_face_.size(); }
@@ -93,9 +90,11 @@ public:
   Index first_face(Index cell) const { return first_face_[cell]; }
   double area(Index cell) const { return areas_[cell]; }
 
-  // Ranges over int.
-  auto neighbors(Index cell) const
-  { return make_range(boost::adjacent_vertices(static_cast<int>(cell), graph_)); }
+  Iterator_range<const Index*> neighbors(Index cell) const
+  {
+    const Index* targets = graph_->targets.data();
+    return make_range(targets + graph_->first_arc[cell], targets + graph_->first_arc[cell + 1]);
+  }
 };
 
 } // namespace CGAL::Spectral_segmentation::internal

@@ -6,17 +6,15 @@
 
 #include <CGAL/Spectral_segmentation/internal/mesh/Face_graph.h>
 #include <CGAL/Spectral_segmentation/internal/mesh/Principal_frame.h>
+#include <CGAL/Spectral_segmentation/internal/mesh/Symmetric_matrix.h>
 #include <CGAL/Spectral_segmentation/internal/multilevel/Edge_queue.h>
 #include <CGAL/Spectral_segmentation/internal/multilevel/Halfedge_mesh.h>
 #include <CGAL/Spectral_segmentation/internal/multilevel/domains.h>
 #include <CGAL/Spectral_segmentation/internal/utility/Run_monitor.h>
 #include <CGAL/Spectral_segmentation/internal/utility/concurrency.h>
 
-#include <Eigen/Core>
-#include <Eigen/Geometry>
-#include <Eigen/LU>
-
 #include <algorithm>
+#include <cmath>
 #include <cstddef>
 #include <cstdint>
 #include <iterator>
@@ -70,7 +68,10 @@ class Edge_collapse : private Halfedge_mesh
   static constexpr double smallest_cosine = 0.3;    // between a normal before and after a collapse
 
   static Vector on_grid(const Vector& p)
-  { return ((p.array() * steps_per_unit + 0.5).floor() / steps_per_unit).matrix(); }
+  {
+    const auto rounded = [](double x) { return std::floor(x * steps_per_unit + 0.5); };
+    return Vector(rounded(p.x()), rounded(p.y()), rounded(p.z())) / steps_per_unit;
+  }
 
   // Of a point on the grid. The same on every machine, unlike the hashes of libraries: the
   // finalizer of SplitMix64 (Steele, Lea, Flood 2014).
@@ -90,17 +91,17 @@ class Edge_collapse : private Halfedge_mesh
   std::uint64_t key(Index h) const
   {
     const Vector &p = points[source(h)], &q = points[target(h)];
-    return Edge_queue::key(static_cast<float>((q - p).squaredNorm()), hash(p + q));
+    return Edge_queue::key(static_cast<float>((q - p).squared_norm()), hash(p + q));
   }
 
   // Of the face of h if the source of h moves.
   Vector normal(Index h, const Vector& point) const
   { return (points[target(h)] - point).cross(points[source(previous(h))] - point); }
 
-  static void add_plane(const Vector& normal, const Vector& offset, Eigen::Matrix3d& matrix,
+  static void add_plane(const Vector& normal, const Vector& offset, Symmetric_matrix& matrix,
                         Vector& right)
   {
-    matrix += normal * normal.transpose();
+    matrix += Symmetric_matrix::square(normal);
     right += normal * normal.dot(offset);
   }
 
@@ -108,8 +109,8 @@ class Edge_collapse : private Halfedge_mesh
   Vector best_point(Index h, const Index_list& around_u, const Index_list& around_v) const
   {
     const Vector &p = points[source(h)], &q = points[target(h)], middle = (p + q) / 2;
-    Eigen::Matrix3d matrix = Eigen::Matrix3d::Zero();
-    Vector right = Vector::Zero();
+    Symmetric_matrix matrix;
+    Vector right;
     for (const Index_list* around : {&around_u, &around_v})
       for (Index g : *around) {
         const Vector &at = points[source(g)], n = normal(g, at);
@@ -117,13 +118,14 @@ class Edge_collapse : private Halfedge_mesh
         // Planes along the border keep it where it is.
         for (Index e : {g, previous(g)})
           if (opposite[e] == null_index)
-            add_plane((points[target(e)] - points[source(e)]).cross(n.stableNormalized()) *
+            add_plane((points[target(e)] - points[source(e)]).cross(n.stably_normalized()) *
                         (q - p).norm(), at - middle, matrix, right);
       }
     // Regularized, so that the point stays near the middle along planes that are parallel.
-    matrix.diagonal().array() += 1e-3 * matrix.trace() + 1e-300;
+    const double share = 1e-3 * matrix.trace() + 1e-300;
+    matrix += {share, share, share};
     const Vector step = matrix.inverse() * right;
-    const bool is_near = step.allFinite() && step.squaredNorm() <= (q - p).squaredNorm();
+    const bool is_near = step.squared_norm() <= (q - p).squared_norm(); // also if it is a number
     return is_near ? on_grid(middle + step) : on_grid(middle);
   }
 
@@ -161,7 +163,7 @@ class Edge_collapse : private Halfedge_mesh
         if (g / 3 == h / 3 || (o != null_index && g / 3 == o / 3))
           continue;
         const Vector before = normal(g, points[source(g)]), after = normal(g, point);
-        if (!before.isZero(0) &&
+        if (!before.is_zero() &&
             !(after.dot(before) > smallest_cosine * after.norm() * before.norm()))
           return false;
       }

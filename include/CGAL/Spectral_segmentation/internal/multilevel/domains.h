@@ -5,12 +5,12 @@
 #define CGAL_SPECTRAL_SEGMENTATION_INTERNAL_MULTILEVEL_DOMAINS_H
 
 #include <CGAL/Spectral_segmentation/internal/mesh/Triangles.h>
+#include <CGAL/Spectral_segmentation/internal/utility/sorted_indices.h>
 
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
 #include <limits>
-#include <utility>
 #include <vector>
 
 namespace CGAL::Spectral_segmentation::internal {
@@ -23,19 +23,15 @@ inline std::vector<std::vector<Index> > domains(const std::vector<Corners>& corn
   // A surface meets about as many cells as there are in two layers of the grid.
   const double width = std::ceil(
     std::sqrt(static_cast<double>(corners.size()) / static_cast<double>(2 * faces_per_domain)));
-  Vector smallest = points.front(), largest = smallest;
-  for (const Vector& p : points) {
-    smallest = smallest.cwiseMin(p);
-    largest = largest.cwiseMax(p);
-  }
-  const double extent = (largest - smallest).maxCoeff();
+  const Bounding_box box(points);
+  const double extent = (box.largest - box.smallest).largest_coordinate();
   const double cells_per_length = extent > 0 ? width / extent : 0;
   const Index n = static_cast<Index>(width);
   std::vector<std::vector<Index> > result(n * n * n);
   for (Index f = 0; f < corners.size(); ++f) {
     const Corners& c = corners[f];
     const Vector place =
-      ((points[c[0]] + points[c[1]] + points[c[2]]) / 3 - smallest) * cells_per_length;
+      ((points[c[0]] + points[c[1]] + points[c[2]]) / 3 - box.smallest) * cells_per_length;
     Index cell = 0;
     for (int i = 0; i < 3; ++i)
       cell = n * cell + (std::min)(static_cast<Index>((std::max)(place[i], 0.)), n - 1);
@@ -52,16 +48,17 @@ inline std::vector<std::vector<Index> > domains(const std::vector<Corners>& corn
 inline double shared_by_area(double number, const std::vector<std::vector<Index> >& faces,
                              const std::vector<double>& areas)
 {
-  std::vector<std::pair<double, std::size_t> > full_at; // the faces per area that a domain has
+  std::vector<double> density(faces.size(), 0); // the faces per area that a domain has
   double area = 0;
   for (std::size_t d = 0; d < faces.size(); ++d)
     if (areas[d] > 0) {
-      full_at.push_back({static_cast<double>(faces[d].size()) / areas[d], d});
+      density[d] = static_cast<double>(faces[d].size()) / areas[d];
       area += areas[d];
     }
-  std::sort(full_at.begin(), full_at.end());
-  for (const auto& [density, d] : full_at) {
-    if (density * area >= number)
+  for (Index d : sorted_indices(Execution::SEQUENTIAL, density)) {
+    if (density[d] == 0)
+      continue;
+    if (density[d] * area >= number)
       return number / area;
     number -= static_cast<double>(faces[d].size());
     area -= areas[d];

@@ -265,7 +265,7 @@ class Boundary_refinement
   {
     const double squared_length =
       (graph_.points[graph_.target_vertex(h)] - graph_.points[graph_.source_vertex(h)])
-        .squaredNorm();
+        .squared_norm();
     const double area = graph_.areas[h / 3], largest = 4;
     return squared_length * largest <= area ? largest : area / squared_length + 0.02;
   }
@@ -828,7 +828,7 @@ class Boundary_refinement
         const Vector here = point(h), start = graph_.points[graph_.source_vertex(h)];
         const Vector edge = graph_.points[graph_.target_vertex(h)] - start;
         const double to_p = (p - here).norm(), to_q = (q - here).norm();
-        const double squared_length = edge.squaredNorm();
+        const double squared_length = edge.squared_norm();
         if (!(to_p > 0) || !(to_q > 0) || !(squared_length > 0))
           continue;
         const Vector middle = (p * to_q + q * to_p) / (to_p + to_q);
@@ -844,7 +844,7 @@ class Boundary_refinement
                  &k = graph_.points[graph_.source_vertex(before)];
     const auto quality = [](const Vector& a, const Vector& b, const Vector& c) {
       const double longest = (std::max)(
-        {(b - a).squaredNorm(), (c - b).squaredNorm(), (a - c).squaredNorm()});
+        {(b - a).squared_norm(), (c - b).squared_norm(), (a - c).squared_norm()});
       return longest > 0 ? (b - a).cross(c - a).norm() / longest : 0;
     };
     const double of_first = (std::min)(quality(p, j, k), quality(p, k, q));

@@ -6,12 +6,9 @@
 
 #include <CGAL/Spectral_segmentation/Part_salience.h>
 #include <CGAL/Spectral_segmentation/internal/mesh/Face_graph.h>
+#include <CGAL/Spectral_segmentation/internal/mesh/Symmetric_matrix.h>
 #include <CGAL/Spectral_segmentation/internal/mesh/surface_integrals.h>
 #include <CGAL/Spectral_segmentation/internal/utility/prefetch.h>
-
-#include <Eigen/Core>
-#include <Eigen/Eigenvalues>
-#include <Eigen/Geometry>
 
 #include <algorithm>
 #include <cmath>
@@ -37,8 +34,8 @@ class Boundary_statistics
 
   std::vector<Index> valence_;         // of each vertex: the number of its edges in the cut
   std::size_t number_of_vertices_ = 0; // along the cut, and the moments of their positions
-  Vector sum_ = Vector::Zero();
-  Eigen::Matrix3d sum_of_squares_ = Eigen::Matrix3d::Zero();
+  Vector sum_;
+  Symmetric_matrix sum_of_squares_;
 
   void add_vertex(Index v)
   {
@@ -47,7 +44,7 @@ class Boundary_statistics
     const Vector p = part_.points[v] - origin_;
     ++number_of_vertices_;
     sum_ += p;
-    sum_of_squares_ += p * p.transpose();
+    sum_of_squares_ += Symmetric_matrix::square(p);
   }
 
   void remove_vertex(Index v)
@@ -57,7 +54,7 @@ class Boundary_statistics
     const Vector p = part_.points[v] - origin_;
     --number_of_vertices_;
     sum_ -= p;
-    sum_of_squares_ -= p * p.transpose();
+    sum_of_squares_ -= Symmetric_matrix::square(p);
   }
 
 public:
@@ -120,15 +117,11 @@ public:
       result.cut_strength = concavity_ / (static_cast<double>(number_of_edges_) * largest_angle_);
 
     const double n = static_cast<double>(number_of_vertices_);
-    const Vector mean = sum_ / n;
-    const Eigen::Matrix3d c = sum_of_squares_ / n - mean * mean.transpose();
+    const Symmetric_matrix covariance = sum_of_squares_ / n - Symmetric_matrix::square(sum_ / n);
     // The product of the two largest eigenvalues is the largest eigenvalue of the adjugate; found
     // as one root it is accurate also where the cut is nearly straight and the second one vanishes.
-    Eigen::Matrix3d adjugate; // c is symmetric
-    adjugate << c.col(1).cross(c.col(2)), c.col(2).cross(c.col(0)), c.col(0).cross(c.col(1));
-    Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> solver;
-    solver.computeDirect(adjugate, Eigen::EigenvaluesOnly);
-    const double product = (std::max)(solver.eigenvalues()[2], 0.);
+    const double product =
+      (std::max)(Eigen_solver(covariance.adjugate()).largest_eigenvalue(), 0.);
     result.protrusiveness = 1 - 4 * std::sqrt(product) / smaller_area();
     return result;
   }

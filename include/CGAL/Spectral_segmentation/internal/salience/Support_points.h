@@ -9,9 +9,6 @@
 
 #include <CGAL/number_type_config.h>
 
-#include <Eigen/Core>
-#include <Eigen/Geometry>
-
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -23,19 +20,33 @@
 
 namespace CGAL::Spectral_segmentation::internal {
 
+// In single precision, which is half the memory and exact enough for depths.
+struct Vector_of_floats
+{
+  float x, y, z;
+
+  Vector_of_floats(float x, float y, float z) : x(x), y(y), z(z) {}
+  explicit Vector_of_floats(const Vector& v)
+    : x(static_cast<float>(v.x())), y(static_cast<float>(v.y())), z(static_cast<float>(v.z())) {}
+
+  Vector_of_floats operator-(const Vector_of_floats& v) const
+  { return {x - v.x, y - v.y, z - v.z}; }
+  float dot(const Vector_of_floats& v) const { return x * v.x + (y * v.y + z * v.z); }
+};
+
 // Directions that are spread over the sphere: a Fibonacci lattice, which descends in z.
 namespace directions {
 
 constexpr int number = 96;
 constexpr int number_of_neighbors = 10;
 typedef std::array<int, number_of_neighbors> Neighbors; // the direction itself is the first
-typedef Eigen::Array<float, number, 1> Distances;       // along each direction
+typedef std::array<float, number> Distances;            // along each direction
 
 struct Coordinates
 {
   Distances x, y, z;
 
-  Eigen::Vector3f operator[](int d) const { return {x[d], y[d], z[d]}; }
+  Vector_of_floats operator[](int d) const { return {x[d], y[d], z[d]}; }
 };
 
 inline const Coordinates& coordinates()
@@ -72,10 +83,10 @@ inline const std::vector<Neighbors>& neighbors()
 
 // The one next to a unit vector. It is at most 11 places from the place of the vector's own z; as
 // observed.
-inline int nearest(const Eigen::Vector3f& v)
+inline int nearest(const Vector_of_floats& v)
 {
   const Coordinates& c = coordinates();
-  const int middle = static_cast<int>((1 - v.z()) * number / 2);
+  const int middle = static_cast<int>((1 - v.z) * number / 2);
   const int reach = number / 8;
   const int first = (std::max)(middle - reach, 0), end = (std::min)(middle + reach + 1, number);
   int best = first;
@@ -90,14 +101,18 @@ inline int nearest(const Eigen::Vector3f& v)
 // The points of some faces that are farthest in each direction.
 struct Support_set
 {
-  directions::Distances distances =
-    directions::Distances::Constant(-std::numeric_limits<float>::infinity());
+  directions::Distances distances;
   std::array<Index, directions::number> points;
+
+  Support_set() { distances.fill(-std::numeric_limits<float>::infinity()); }
 
   template <class PointAt>
   void add(const directions::Distances& others, const PointAt& point_at)
   {
-    if ((others - distances).maxCoeff() <= 0) // so it is nearly always
+    int number_of_farther = 0;
+    for (int d = 0; d < directions::number; ++d)
+      number_of_farther += others[d] > distances[d];
+    if (number_of_farther == 0) // so it is nearly always
       return;
     for (int d = 0; d < directions::number; ++d)
       if (others[d] > distances[d]) {
@@ -106,10 +121,13 @@ struct Support_set
       }
   }
 
-  void add(Index point, const Eigen::Vector3f& at)
+  void add(Index point, const Vector_of_floats& at)
   {
     const directions::Coordinates& c = directions::coordinates();
-    add(c.x * at.x() + c.y * at.y() + c.z * at.z(), [point](int) { return point; });
+    directions::Distances others;
+    for (int d = 0; d < directions::number; ++d)
+      others[d] = c.x[d] * at.x + c.y[d] * at.y + c.z[d] * at.z;
+    add(others, [point](int) { return point; });
   }
 
   void add(const Support_set& other)
@@ -119,7 +137,7 @@ struct Support_set
 // The plane of a face.
 struct Face_plane
 {
-  Eigen::Vector3f center, normal;
+  Vector_of_floats center, normal;
   std::uint8_t direction; // next to the normal
 };
 
@@ -130,7 +148,7 @@ class Support_points
 {
   static constexpr Index faces_per_block = 32;
 
-  std::vector<Eigen::Vector3f> points_;
+  std::vector<Vector_of_floats> points_;
   std::vector<Corners> corners_;
   std::vector<Face_plane> planes_;
   std::vector<Index> size_of_block_;
@@ -144,8 +162,8 @@ class Support_points
     for (Index f = 0; f < mesh.number_of_faces(); ++f) {
       const Corners& c = mesh.corners[f];
       const Vector &p = mesh.points[c[0]], &q = mesh.points[c[1]], &r = mesh.points[c[2]];
-      const Eigen::Vector3f normal = frame.vector((q - p).cross(r - p).normalized()).cast<float>();
-      planes_.push_back({frame.point(mesh.centroid(f)).cast<float>(), normal,
+      const Vector_of_floats normal(frame.vector((q - p).cross(r - p).normalized()));
+      planes_.push_back({Vector_of_floats(frame.point(mesh.centroid(f))), normal,
                          static_cast<std::uint8_t>(directions::nearest(normal))});
     }
   }
@@ -168,12 +186,12 @@ public:
     const Principal_frame frame(execution, mesh);
     points_.reserve(mesh.points.size());
     for (const Vector& p : mesh.points)
-      points_.push_back(frame.point(p).cast<float>());
+      points_.emplace_back(frame.point(p));
     set_planes(mesh, frame);
     set_blocks();
   }
 
-  const Eigen::Vector3f& point(Index v) const { return points_[v]; }
+  const Vector_of_floats& point(Index v) const { return points_[v]; }
   const Face_plane& plane(Index f) const { return planes_[f]; }
 
   // Of faces without repetition.
