@@ -4,20 +4,18 @@
 #ifndef CGAL_SPECTRAL_SEGMENTATION_REFINE_SEGMENT_BOUNDARIES_H
 #define CGAL_SPECTRAL_SEGMENTATION_REFINE_SEGMENT_BOUNDARIES_H
 
-#include <CGAL/Spectral_segmentation/internal/door/numbered_descriptors.h>
+#include <CGAL/Spectral_segmentation/internal/door/Face_splitter.h>
 #include <CGAL/Spectral_segmentation/internal/door/read_triangle_mesh.h>
-#include <CGAL/Spectral_segmentation/internal/refinement/Boundary_refinement.h>
+#include <CGAL/Spectral_segmentation/internal/refinement/refined_boundaries.h>
 #include <CGAL/Spectral_segmentation/parameters.h>
 
 #include <CGAL/Named_function_parameters.h>
-#include <CGAL/boost/graph/Euler_operations.h>
 #include <CGAL/boost/graph/named_params_helper.h>
 
 #include <boost/graph/graph_traits.hpp>
 #include <boost/property_map/property_map.hpp>
 
 #include <algorithm>
-#include <array>
 #include <cstddef>
 #include <stdexcept>
 #include <type_traits>
@@ -75,121 +73,6 @@ read_segments(const std::vector<FaceDescriptor>& faces, SegmentIdMap segment_ids
   return ids;
 }
 
-// Splits the faces of a mesh by Euler operations. What can be computed before is computed by the
-// constructor.
-template <class TriangleMesh, class VertexPointMap, class GeomTraits>
-class Mesh_refiner
-{
-  typedef boost::graph_traits<TriangleMesh> Graph_traits;
-  typedef typename Graph_traits::vertex_descriptor vertex_descriptor;
-  typedef typename Graph_traits::halfedge_descriptor halfedge_descriptor;
-  typedef typename Graph_traits::face_descriptor face_descriptor;
-  typedef typename boost::property_traits<VertexPointMap>::value_type Point;
-
-  TriangleMesh& mesh_;
-  VertexPointMap points_;
-  const Refinement& refinement_;
-  std::vector<halfedge_descriptor> edges_; // that get a point
-  std::vector<std::pair<face_descriptor, vertex_descriptor> > faces_; // with their corner 0
-  std::vector<Point> edge_points_, centers_;
-
-  halfedge_descriptor halfedge_from(vertex_descriptor v, face_descriptor f) const
-  {
-    halfedge_descriptor h = halfedge(f, mesh_);
-    while (source(h, mesh_) != v)
-      h = next(h, mesh_);
-    return h;
-  }
-
-  // Cuts off the triangle at the source of a half-edge. Returns a half-edge of what remains.
-  halfedge_descriptor cut_corner(halfedge_descriptor h)
-  {
-    return opposite(Euler::split_face(h, prev(prev(h, mesh_), mesh_), mesh_), mesh_);
-  }
-
-  template <class SetLabel>
-  void split(halfedge_descriptor start, const Refinement::Split_face& s, const Point* center,
-             const SetLabel& set_label)
-  {
-    std::array<halfedge_descriptor, 6> sides; // halves of the edges
-    std::array<bool, 3> has_point;
-    halfedge_descriptor h = start;
-    for (int i = 0; i < 3; ++i) {
-      has_point[i] = s.points[i] != null_index;
-      sides[2 * i] = h;
-      if (has_point[i])
-        h = next(h, mesh_);
-      sides[2 * i + 1] = h;
-      h = next(h, mesh_);
-    }
-
-    const int number_of_points = has_point[0] + has_point[1] + has_point[2];
-    if (center != nullptr) {
-      h = Euler::add_center_vertex(start, mesh_);
-      put(points_, target(h, mesh_), *center);
-    }
-    else if (number_of_points == 3) {
-      for (int i = 0; i < 3; ++i)
-        h = cut_corner(sides[2 * i]);
-      set_label(face(h, mesh_), s.labels[0]);
-    }
-    else {
-      for (int i = 0; i < 3; ++i) {
-        const int j = (i + 1) % 3, k = (i + 2) % 3;
-        if (has_point[i] && (number_of_points == 1 || has_point[k])) {
-          cut_corner(sides[2 * i]);
-          if (number_of_points == 2)
-            cut_corner(sides[2 * (s.diagonal == 0 ? j : k)]);
-        }
-      }
-    }
-    for (int i = 0; i < 6; ++i)
-      set_label(face(sides[i], mesh_), s.labels[i]);
-  }
-
-public:
-  Mesh_refiner(TriangleMesh& mesh, VertexPointMap points, const GeomTraits& traits,
-               const Refinement& refinement, const std::vector<face_descriptor>& faces,
-               const std::vector<Corners>& corners)
-    : mesh_(mesh), points_(points), refinement_(refinement)
-  {
-    typedef typename GeomTraits::FT FT;
-    std::vector<vertex_descriptor> vertices_of_mesh;
-    for (vertex_descriptor v : vertices(mesh))
-      vertices_of_mesh.push_back(v);
-    const auto corner = [&](Index h) { return vertices_of_mesh[corners[h / 3][h % 3]]; };
-    const auto barycenter = traits.construct_barycenter_3_object();
-    for (const Refinement::Edge_point& p : refinement.points) {
-      const halfedge_descriptor h = halfedge_from(corner(p.halfedge), faces[p.halfedge / 3]);
-      edges_.push_back(h);
-      edge_points_.push_back(barycenter(get(points, source(h, mesh)), FT(1 - p.position),
-                                        get(points, target(h, mesh))));
-    }
-    for (const Refinement::Split_face& s : refinement.split_faces) {
-      const Index h = 3 * s.face;
-      faces_.emplace_back(faces[s.face], corner(h));
-      if (s.has_center)
-        centers_.push_back(barycenter(get(points, corner(h)), FT(s.center[0]),
-                                      get(points, corner(h + 1)), FT(s.center[1]),
-                                      get(points, corner(h + 2))));
-    }
-  }
-
-  // Calls set_label(f, label) for the faces that were split and for the new ones.
-  template <class SetLabel>
-  void operator()(const SetLabel& set_label)
-  {
-    for (std::size_t i = 0; i < edges_.size(); ++i)
-      put(points_, target(Euler::split_edge(edges_[i], mesh_), mesh_), edge_points_[i]);
-    auto center = centers_.begin();
-    for (std::size_t i = 0; i < faces_.size(); ++i) {
-      const Refinement::Split_face& s = refinement_.split_faces[i];
-      split(halfedge_from(faces_[i].second, faces_[i].first), s,
-            s.has_center ? &*center++ : nullptr, set_label);
-    }
-  }
-};
-
 } // namespace internal
 } // namespace Spectral_segmentation
 /// \endcond
@@ -208,16 +91,16 @@ mesh. All old vertices stay, with their points, and a face that is split becomes
 The topology of the mesh does not change.
 
 No segment vanishes or loses more than half of its area, and none falls into more connected
-components than it had. Where a curve would do that, as across a segment of a few faces, the
-boundary keeps to the edges. No new face is smaller than a thousandth of the mean area of the faces
+components than it had: if curves would do that, as around a segment of a few faces, the boundary of
+the segment stays as it is. No new face is smaller than a thousandth of the mean area of the faces
 of the mesh, unless it is part of a face smaller than a hundredth. Degenerate faces and mesh
 boundaries are supported. The same input gives the same result on every run and for every data
 structure that holds the same mesh.
 
-The time is O(*n* + *b* (*i* + log *b*)) for *n* faces, *i* iterations and *b* faces within three
-edges of the boundaries, and O(*n*) more for each round in which a segment has to be kept from
-vanishing or falling apart; there is rarely more than one, and never more than the number of
-segments and a few. The memory is O(*n*).
+The time is O(*n* + *b* *i*) for *n* faces, *i* iterations and *b* faces within three edges of the
+boundaries, and O(*n*) more each time that segments have to be kept from vanishing or falling apart:
+rarely more than twice, and never more often than there are segments and two more. The memory is
+O(*n*).
 
 \tparam TriangleMesh a model of `MutableFaceGraph`, `FaceListGraph` and `VertexListGraph`, with
   descriptors that `std::hash` takes, as those of \cgal's models
@@ -251,9 +134,10 @@ segments and a few. The memory is O(*n*).
   \cgalParamNEnd
   \cgalParamNBegin{geom_traits}
     \cgalParamDescription{an instance of a geometric traits class}
-    \cgalParamType{a class with the functors `Compute_x_3`, `Compute_y_3`, `Compute_z_3` and
-      `Construct_barycenter_3` of `Kernel`, the functions `compute_x_3_object()` etc., and the type
-      `FT`. Where a point comes to lie on its edge is computed with `double`.}
+    \cgalParamType{a class with the functors `Compute_x_3`, `Compute_y_3`, `Compute_z_3`,
+      `Construct_barycenter_3` and `Construct_centroid_3` of `Kernel`, the functions
+      `compute_x_3_object()` etc., and the type `FT`. Where a point comes to lie on its edge is
+      computed with `double`.}
     \cgalParamDefault{a \cgal kernel deduced from the point type}
   \cgalParamNEnd
 \cgalNamedParamsEnd
@@ -302,14 +186,14 @@ std::size_t refine_segment_boundaries(TriangleMesh& mesh, SegmentIdMap segment_i
 
   const internal::Face_graph graph =
     internal::face_graph(internal::Execution::SEQUENTIAL, std::move(triangles));
-  const internal::Refinement refinement = internal::Boundary_refinement(graph, labels, ids.size())(
-    static_cast<std::size_t>(iterations));
-  internal::Mesh_refiner<TriangleMesh, Vertex_point_map, Geom_traits> refine(
+  const internal::Refinement refinement = internal::refined_boundaries(
+    graph, labels, ids.size(), static_cast<std::size_t>(iterations));
+  internal::Face_splitter<TriangleMesh, Vertex_point_map, Geom_traits> split_faces(
     mesh, points, traits, refinement, faces_of_mesh, graph.corners);
 
   const auto set_label = [&](face_descriptor f, internal::Index label)
   { put(segment_ids, f, ids[label]); };
-  refine(set_label);
+  split_faces(set_label);
   for (const auto& [f, label] : refinement.other_labels)
     set_label(faces_of_mesh[f], label);
   return refinement.split_faces.size();
