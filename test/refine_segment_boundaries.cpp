@@ -54,7 +54,7 @@ struct Segmented_mesh
   }
 
   Segmented_mesh(const Segmented_mesh& other) : mesh(other.mesh)
-  { segment = mesh.property_map<Mesh::Face_index, int>("f:segment").first; }
+  { segment = mesh.add_property_map<Mesh::Face_index, int>("f:segment").first; }
 
   std::size_t refine() { return CGAL::refine_segment_boundaries(mesh, segment); }
 
@@ -567,7 +567,7 @@ BOOST_AUTO_TEST_CASE(bad_input_is_refused)
   CGAL::Euler::join_face(h, quadrangle.mesh);
   quadrangle.mesh.collect_garbage();
   quadrangle.segment =
-    quadrangle.mesh.property_map<Mesh::Face_index, int>("f:segment").first;
+    quadrangle.mesh.add_property_map<Mesh::Face_index, int>("f:segment").first;
   check_refused(quadrangle, 1);
   Segmented_mesh infinite(good);
   infinite.mesh.point(Mesh::Vertex_index(7)) =

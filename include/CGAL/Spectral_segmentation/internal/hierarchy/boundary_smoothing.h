@@ -28,8 +28,8 @@ inline std::size_t segment_around_tooth(const std::vector<Index>& neighbors,
 }
 
 // Smooths the boundaries between segments (Section 2, post-smoothing). A tooth goes to the segment
-// into which it sticks, so that two edges of the boundary become one; then the face behind it may be
-// a tooth. As a tooth touches its own segment along one edge only, no segment is emptied or
+// into which it sticks, so that two edges of the boundary become one; then the face behind it may
+// be a tooth. As a tooth touches its own segment along one edge only, no segment is emptied or
 // disconnected. A morphological opening with the ball of radius two made boundaries longer, and
 // they turned more from edge to edge.
 inline void remove_teeth(const std::vector<Index>& neighbors, std::vector<std::size_t>& labels)

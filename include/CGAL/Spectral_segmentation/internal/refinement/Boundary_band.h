@@ -6,7 +6,7 @@
 
 #include <CGAL/Spectral_segmentation/internal/mesh/Face_graph.h>
 
-#include <algorithm>
+#include <cstddef>
 #include <utility>
 #include <vector>
 

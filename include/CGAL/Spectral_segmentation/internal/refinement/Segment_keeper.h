@@ -23,8 +23,8 @@ class Segment_keeper
   const Face_graph& graph_;
   const std::vector<Index>& labels_; // of the faces
   const Boundary_band& band_;
-  std::vector<double> areas_;         // of each segment before
-  std::vector<std::size_t> numbers_;  // of components of each segment before
+  std::vector<double> areas_;        // of each segment before
+  std::vector<std::size_t> numbers_; // of components of each segment before
 
   // Of the components of each segment, by the labels of the halves of the edges of faces.
   template <class Label>
