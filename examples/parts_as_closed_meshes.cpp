@@ -8,6 +8,7 @@
 #include <CGAL/Polygon_mesh_processing/polygon_mesh_to_polygon_soup.h>
 #include <CGAL/Polygon_mesh_processing/polygon_soup_to_polygon_mesh.h>
 #include <CGAL/Polygon_mesh_processing/triangulate_hole.h>
+#include <CGAL/Spectral_segmentation/refine_segment_boundaries.h>
 #include <CGAL/Surface_mesh.h>
 #include <CGAL/boost/graph/Face_filtered_graph.h>
 #include <CGAL/boost/graph/IO/polygon_mesh_io.h>
@@ -59,6 +60,7 @@ int main(int argc, char* argv[])
 
   auto segment_ids = mesh.add_property_map<Mesh::Face_index, std::size_t>("f:segment").first;
   const std::size_t n = CGAL::segment_spectral_recursive(mesh, segment_ids);
+  CGAL::refine_segment_boundaries(mesh, segment_ids); // smooth seams, not along the edges
   for (std::size_t i = 0; i < n; ++i) {
     Mesh part = copy_of(CGAL::Face_filtered_graph<Mesh>(mesh, i, segment_ids));
     fill_holes(part);

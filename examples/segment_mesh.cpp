@@ -12,6 +12,7 @@
 #include "segment_mesh/report.h"
 #include "segment_mesh/write_meshes.h"
 
+#include <CGAL/Spectral_segmentation/refine_segment_boundaries.h>
 #include <CGAL/assertions_behaviour.h>
 #include <CGAL/segment_spectral_recursive.h>
 
@@ -70,6 +71,7 @@ struct Options
   std::optional<std::size_t> threads;
   std::size_t smoothing_iterations = 0;
   bool boundary_smoothing = false;
+  bool refine_boundaries = false;
   bool quiet = false;
 
   bool is_of_paper() const { return method_name == "paper"; }
@@ -130,6 +132,9 @@ void add_options(CLI::App& app, Options& o)
     ->type_name("N")->check(CLI::Range(std::int64_t(0), largest));
   app.add_flag("--boundary-smoothing", o.boundary_smoothing,
                "smooth the boundaries between segments");
+  app.add_flag("--refine-boundaries", o.refine_boundaries,
+               "split faces of the written meshes along smooth boundaries; labels stay those of "
+               "the faces of IN");
   app.add_flag("--quiet", o.quiet, "print neither progress nor summary");
   app.allow_windows_style_options(false); // a name may begin with a slash
   app.set_version_flag("--version", "segment_mesh " CGAL_SPECTRAL_SEGMENTATION_VERSION);
@@ -195,7 +200,8 @@ Json report(const Options& o, const Input_mesh& input, std::size_t number_of_seg
             {"random_seed", json_or_null(o.seed)},
             {"threads", json_or_null(o.threads)},
             {"number_of_smoothing_iterations", o.smoothing_iterations},
-            {"boundary_smoothing", o.boundary_smoothing}}},
+            {"boundary_smoothing", o.boundary_smoothing},
+            {"refine_boundaries", o.refine_boundaries}}},
           {"tree", tree_report(tree, o.is_of_paper())}};
 }
 
@@ -221,10 +227,6 @@ void run(const Options& o)
   }
 
   Output_files files;
-  if (!o.mesh_file.empty()) {
-    color_segments(input.mesh, segment_ids, number_of_segments);
-    files.write(o.mesh_file, [&](std::ostream& out) { write_ply(out, input.mesh); });
-  }
   if (!o.label_file.empty())
     files.write(o.label_file, [&](std::ostream& out) {
       for (int label : labels_of_polygons(input, segment_ids))
@@ -235,6 +237,12 @@ void run(const Options& o)
       out << report(o, input, number_of_segments, tree, seconds)
                .dump(1, ' ', false, Json::error_handler_t::replace) << "\n";
     });
+  if (o.refine_boundaries) // after what is about the faces of the input
+    CGAL::refine_segment_boundaries(input.mesh, segment_ids);
+  if (!o.mesh_file.empty()) {
+    color_segments(input.mesh, segment_ids, number_of_segments);
+    files.write(o.mesh_file, [&](std::ostream& out) { write_ply(out, input.mesh); });
+  }
   if (!o.split_directory.empty())
     write_segments(files, o.split_directory, input.mesh, segment_ids, number_of_segments);
   files.commit();

@@ -19,7 +19,7 @@ BOOST_AUTO_TEST_SUITE(boundary_smoothing)
 namespace tt = boost::test_tools;
 using namespace test_meshes;
 using CGAL::Spectral_segmentation::internal::connected_components;
-using CGAL::Spectral_segmentation::internal::Boundary_smoothing;
+using CGAL::Spectral_segmentation::internal::remove_teeth;
 using CGAL::Spectral_segmentation::internal::split;
 
 namespace {
@@ -46,7 +46,7 @@ std::size_t face_of_square(std::size_t x, std::size_t y, std::size_t i)
 Labels smoothed(const Soup& soup, Labels labels)
 {
   const Face_graph graph = face_graph_of(soup);
-  Boundary_smoothing(graph.neighbors, labels)();
+  remove_teeth(graph.neighbors, labels);
   return labels;
 }
 
@@ -200,7 +200,7 @@ BOOST_AUTO_TEST_CASE(segments_are_neither_emptied_nor_disconnected)
       const Labels labels = random_segments(graph, number, random);
       BOOST_REQUIRE(are_connected(graph, labels, number));
       Labels result = labels;
-      Boundary_smoothing(graph.neighbors, result)();
+      remove_teeth(graph.neighbors, result);
       BOOST_TEST(values(result) == values(labels), tt::per_element());
       BOOST_TEST(are_connected(graph, result, number));
       changes += result != labels;

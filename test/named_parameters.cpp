@@ -365,12 +365,13 @@ BOOST_AUTO_TEST_CASE(each_number_has_an_effect)
     BOOST_TEST(differ(np, np.number_of_reference_faces(1)));
     BOOST_TEST(differ(np, np.number_of_searched_faces(100)));
     BOOST_TEST(differ(np, np.number_of_smoothing_iterations(5)));
-    BOOST_TEST(differ(np, np.boundary_smoothing(true)));
     BOOST_TEST(number_of(labels_of_doll(np.salience_threshold(0.3))) >
                number_of(labels_of_doll(np.salience_threshold(0.9))));
     BOOST_TEST(number_of(labels_of_doll(np.maximum_number_of_segments(1))) == 1);
   });
-  BOOST_TEST(differ(parameters::default_values(), parameters::zhang_liu_2005()));
+  const auto paper = parameters::zhang_liu_2005();
+  BOOST_TEST(differ(parameters::default_values(), paper));
+  BOOST_TEST(differ(paper, paper.boundary_smoothing(true))); // by default no tooth is left here
 }
 
 BOOST_AUTO_TEST_CASE(only_the_ratio_of_the_angle_weights_matters)

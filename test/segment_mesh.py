@@ -286,6 +286,26 @@ class Real_meshes(Tool_test):
         for options in (("--seed", 5), ("--smooth", 10), ("--boundary-smoothing",)):
             self.assertNotEqual(self.segment(MESHES / "elephant.off", *options), plain, options)
 
+    def test_refined_boundaries(self):
+        plain = self.segment(MESHES / "elephant.off")
+        faces = len(self.ply().faces)
+        self.assertIs(self.report()["parameters"]["refine_boundaries"], False)
+        done = self.run_tool(MESHES / "elephant.off", "--refine-boundaries", "-o", "refined.ply",
+                             "--labels", "refined.seg", "--json", "refined.json", "--split-dir",
+                             "refined")
+        self.assertEqual((done.returncode, done.stderr), (0, ""))
+        labels = [int(line) for line in (self.directory / "refined.seg").read_text().split()]
+        self.assertEqual(labels, plain) # of the faces of the input
+        refined = read_ply(self.directory / "refined.ply")
+        self.assertGreater(len(refined.faces), faces)
+        self.assertEqual(set(refined.segments), set(plain))
+        parts = [read_ply(file) for file in sorted((self.directory / "refined").iterdir())]
+        self.assertEqual([len(part.faces) for part in parts],
+                         [refined.segments.count(i) for i in range(max(plain) + 1)])
+        report = json.loads((self.directory / "refined.json").read_text())
+        self.assertIs(report["parameters"]["refine_boundaries"], True)
+        self.assertEqual(report["faces"], faces)
+
     def test_split_files_have_all_faces(self):
         labels = self.segment(MESHES / "elephant.off", "--split-dir", "parts")
         ply = self.ply()
@@ -555,7 +575,7 @@ class Printing(Tool_test):
         self.assertEqual(done.returncode, 0)
         for option in ("-o", "--labels", "--json", "--split-dir", "--segments", "--seed",
                        "--method", "--salience-threshold", "--threads", "--smooth",
-                       "--boundary-smoothing", "--quiet", "--version"):
+                       "--boundary-smoothing", "--refine-boundaries", "--quiet", "--version"):
             self.assertIn(option, done.stdout)
 
     def test_existing_files_are_replaced(self):

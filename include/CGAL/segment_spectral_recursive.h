@@ -227,9 +227,9 @@ at most 4000 faces by default; the memory is O(*n*). The section
       of the mesh that is searched.}
   \cgalParamNEnd
   \cgalParamNBegin{boundary_smoothing}
-    \cgalParamDescription{whether the boundaries of the segments are smoothed by a morphological
-      opening of each segment with a ball of two steps over faces (Section 2). It moves a boundary
-      by a few faces at most, and neither empties nor disconnects a segment.}
+    \cgalParamDescription{whether the boundaries of the segments are smoothed (Section 2): a face
+      with two edges in the boundary to one other segment goes to it, until there is none. Each step
+      makes the boundary shorter, and neither empties nor disconnects a segment.}
     \cgalParamType{`bool`}
     \cgalParamDefault{`false`: most cuts are smooth enough, as short ones are more salient}
   \cgalParamNEnd

@@ -209,7 +209,7 @@ void connect(Triangles& triangles)
 
 CGAL_SPECTRAL_SEGMENTATION_INLINE
 void smooth_boundaries(const std::vector<Index>& neighbors, std::vector<std::size_t>& labels)
-{ Boundary_smoothing(neighbors, labels)(); }
+{ remove_teeth(neighbors, labels); }
 
 } // namespace CGAL::Spectral_segmentation::internal
 

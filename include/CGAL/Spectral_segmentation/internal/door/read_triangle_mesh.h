@@ -25,10 +25,12 @@ namespace CGAL::Spectral_segmentation::internal {
 // arrays. But for the list of its faces, the mesh is read here only, by a single thread, because
 // property maps and number types may not be thread safe.
 //
-// Throws `std::invalid_argument` if a face is not a triangle or a coordinate is not finite.
+// Throws `std::invalid_argument` if a face is not a triangle or a coordinate is not finite, in the
+// name of the function that the caller knows.
 template <class TriangleMesh, class FaceDescriptor, class VertexPointMap, class GeomTraits>
 Triangles read_triangle_mesh(const TriangleMesh& mesh, const std::vector<FaceDescriptor>& faces,
-                         VertexPointMap vertex_point_map, const GeomTraits& traits)
+                             VertexPointMap vertex_point_map, const GeomTraits& traits,
+                             const std::string& function = "segment_spectral_recursive")
 {
   typedef boost::graph_traits<TriangleMesh> Graph_traits;
   typedef typename Graph_traits::vertex_descriptor vertex_descriptor;
@@ -38,7 +40,7 @@ Triangles read_triangle_mesh(const TriangleMesh& mesh, const std::vector<FaceDes
   for (vertex_descriptor v : vertices(mesh))
     vertices_of_mesh.push_back(v);
   if (vertices_of_mesh.size() >= null_index)
-    throw std::invalid_argument("segment_spectral_recursive: the mesh has too many vertices");
+    throw std::invalid_argument(function + ": the mesh has too many vertices");
   const Descriptor_numbers<TriangleMesh, boost::vertex_index_t, vertex_descriptor>
     vertex_number(mesh, vertices_of_mesh);
   const Descriptor_numbers<TriangleMesh, boost::face_index_t, FaceDescriptor>
@@ -51,7 +53,7 @@ Triangles read_triangle_mesh(const TriangleMesh& mesh, const std::vector<FaceDes
   for (Index f = 0; f < faces.size(); ++f) {
     halfedge_descriptor h = halfedge(faces[f], mesh);
     if (!CGAL::is_triangle(h, mesh))
-      throw std::invalid_argument("segment_spectral_recursive: face " + std::to_string(f) +
+      throw std::invalid_argument(function + ": face " + std::to_string(f) +
                                   " is not a triangle");
     Corners& corners = triangles.corners[f];
     Neighbors& neighbors = triangles.neighbors[f];
@@ -77,7 +79,7 @@ Triangles read_triangle_mesh(const TriangleMesh& mesh, const std::vector<FaceDes
     Vector& point = triangles.points[v];
     point = Vector(CGAL::to_double(x(p)), CGAL::to_double(y(p)), CGAL::to_double(z(p)));
     if (!point.is_finite())
-      throw std::invalid_argument("segment_spectral_recursive: vertex " + std::to_string(v) +
+      throw std::invalid_argument(function + ": vertex " + std::to_string(v) +
                                   " has a coordinate that is not finite");
   }
   return triangles;

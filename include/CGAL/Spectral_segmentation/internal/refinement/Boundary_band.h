@@ -1,0 +1,91 @@
+// Copyright (c) 2026  The Spectral_segmentation authors.
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_SPECTRAL_SEGMENTATION_INTERNAL_REFINEMENT_BOUNDARY_BAND_H
+#define CGAL_SPECTRAL_SEGMENTATION_INTERNAL_REFINEMENT_BOUNDARY_BAND_H
+
+#include <CGAL/Spectral_segmentation/internal/mesh/Face_graph.h>
+
+#include <cstddef>
+#include <utility>
+#include <vector>
+
+namespace CGAL::Spectral_segmentation::internal {
+
+// The neighborhood of the boundaries between segments, in which they may move.
+class Boundary_band
+{
+  static constexpr int width = 3;             // in rings of vertices around the boundary
+  static constexpr double smooth_turn = 0.25; // of a boundary that is smooth at a vertex
+  static constexpr int number_of_spreads = 3; // of what is not smooth, by an edge each
+
+  typedef std::pair<Index, Index> Ends;
+
+  std::vector<Ends> boundary_;  // its edges
+  std::vector<char> is_inside_; // of each vertex
+  std::vector<char> is_smooth_; // of each vertex
+
+  // Marks the vertices around marked ones.
+  void grow(const Face_graph& graph, std::vector<char>& is_near) const
+  {
+    const std::vector<char> was_near = is_near;
+    for (const Corners& c : graph.corners)
+      if (was_near[c[0]] || was_near[c[1]] || was_near[c[2]])
+        is_near[c[0]] = is_near[c[1]] = is_near[c[2]] = 1;
+  }
+
+  // A boundary that ends at a border goes on smoothly.
+  void find_smooth_vertices(const Face_graph& graph)
+  {
+    const std::size_t n = graph.points.size();
+    std::vector<Index> degree(n, 0);
+    std::vector<Vector> directions(n); // the sum of those to the neighbors in the boundary
+    for (const auto& [v, w] : boundary_) {
+      const Vector direction = (graph.points[w] - graph.points[v]).normalized();
+      directions[v] += direction;
+      directions[w] -= direction;
+      ++degree[v];
+      ++degree[w];
+    }
+    is_smooth_.assign(n, 0);
+    for (Index v = 0; v < n; ++v)
+      is_smooth_[v] = degree[v] == 1 || (degree[v] == 2 && directions[v].norm() <= smooth_turn);
+    for (int i = 0; i < number_of_spreads; ++i) {
+      const std::vector<char> was_smooth = is_smooth_;
+      for (const auto& [v, w] : boundary_) {
+        is_smooth_[v] &= was_smooth[w];
+        is_smooth_[w] &= was_smooth[v];
+      }
+    }
+  }
+
+public:
+  std::vector<Index> faces; // with a vertex inside
+
+  Boundary_band(const Face_graph& graph, const std::vector<Index>& labels)
+  {
+    for (Index h = 0; h < graph.number_of_halfedges(); ++h)
+      if (labels[h / 3] < labels[graph.neighbors[h]])
+        boundary_.emplace_back(graph.source_vertex(h), graph.target_vertex(h));
+    find_smooth_vertices(graph);
+    is_inside_.assign(graph.points.size(), 0);
+    for (const auto& [v, w] : boundary_)
+      is_inside_[v] = is_inside_[w] = 1;
+    for (int ring = 1; ring < width; ++ring)
+      grow(graph, is_inside_);
+    for (Index f = 0; f < graph.number_of_faces(); ++f) {
+      const Corners& c = graph.corners[f];
+      if (is_inside_[c[0]] || is_inside_[c[1]] || is_inside_[c[2]])
+        faces.push_back(f);
+    }
+  }
+
+  bool is_inside(Index v) const { return is_inside_[v] != 0; }
+
+  // Whether the boundary is smooth at the vertex and for some edges in both directions.
+  bool is_on_smooth_boundary(Index v) const { return is_smooth_[v] != 0; }
+};
+
+} // namespace CGAL::Spectral_segmentation::internal
+
+#endif // CGAL_SPECTRAL_SEGMENTATION_INTERNAL_REFINEMENT_BOUNDARY_BAND_H
