@@ -7,6 +7,7 @@
 #include <CGAL/Spectral_segmentation/internal/mesh/Face_graph.h>
 #include <CGAL/Spectral_segmentation/internal/mesh/Principal_frame.h>
 #include <CGAL/Spectral_segmentation/internal/mesh/Symmetric_matrix.h>
+#include <CGAL/Spectral_segmentation/internal/mesh/surface_integrals.h>
 #include <CGAL/Spectral_segmentation/internal/multilevel/Edge_queue.h>
 #include <CGAL/Spectral_segmentation/internal/multilevel/Halfedge_mesh.h>
 #include <CGAL/Spectral_segmentation/internal/multilevel/domains.h>
@@ -46,8 +47,9 @@ struct Coarse_mesh
 // domain, or on the seam, which no thread moves. It does not walk around a third vertex that is on
 // the seam. So no thread reads what another one writes.
 //
-// Coordinates are in the principal frame, on a grid, and ties are broken by a hash of them, so that
-// the result moves with the mesh and does not depend on the numbers of its vertices and faces.
+// Coordinates are whole numbers, in the principal frame and in a unit that depends on the area, and
+// ties are broken by a hash of them: the result moves and grows with the mesh and does not depend on
+// the numbers of its vertices and faces.
 class Edge_collapse : private Halfedge_mesh
 {
   const Execution execution_;
@@ -64,14 +66,16 @@ class Edge_collapse : private Halfedge_mesh
   bool is_on_seam(Index v) const { return !is_on_seam_.empty() && is_on_seam_[v]; }
   bool must_stay(Index v) const { return is_fixed_[v] || is_on_seam(v); }
 
-  static constexpr double steps_per_unit = 1 << 30; // of the grid of coordinates
-  static constexpr double smallest_cosine = 0.3;    // between a normal before and after a collapse
+  static constexpr double smallest_cosine = 0.3; // between a normal before and after a collapse
 
+  const double steps_per_unit_; // of the grid on which the points are
+
+  static double steps_per_unit(double area)
+  { return (1 << 24) / (std::max)(std::sqrt(area), 1e-6); }
+
+  // Midpoints of points on the grid stay clear of where the last bit of a number decides.
   static Vector on_grid(const Vector& p)
-  {
-    const auto rounded = [](double x) { return std::floor(x * steps_per_unit + 0.5); };
-    return Vector(rounded(p.x()), rounded(p.y()), rounded(p.z())) / steps_per_unit;
-  }
+  { return Vector(std::floor(p.x() + 0.25), std::floor(p.y() + 0.25), std::floor(p.z() + 0.25)); }
 
   // Of a point on the grid. The same on every machine, unlike the hashes of libraries: the
   // finalizer of SplitMix64 (Steele, Lea, Flood 2014).
@@ -79,7 +83,7 @@ class Edge_collapse : private Halfedge_mesh
   {
     std::uint64_t h = 0;
     for (int i = 0; i < 3; ++i) {
-      h += static_cast<std::uint64_t>(static_cast<std::int64_t>(p[i] * steps_per_unit)) +
+      h += static_cast<std::uint64_t>(static_cast<std::int64_t>(p[i])) +
            0x9e3779b97f4a7c15;
       h = (h ^ (h >> 30)) * 0xbf58476d1ce4e5b9;
       h = (h ^ (h >> 27)) * 0x94d049bb133111eb;
@@ -273,11 +277,12 @@ public:
     : Halfedge_mesh{mesh.corners, std::vector<Index>(mesh.neighbors.size(), null_index),
                     std::vector<Vector>(mesh.points.size())},
       execution_(execution), monitor_(monitor), progress_per_face_(progress_per_face),
-      became_(mesh.points.size()), is_fixed_(mesh.points.size(), 0)
+      became_(mesh.points.size()), is_fixed_(mesh.points.size(), 0),
+      steps_per_unit_(steps_per_unit(total_area(mesh)))
   {
     const Principal_frame frame(execution, mesh);
     for_each_index(execution_, points.size(), [&](std::size_t v)
-      { points[v] = on_grid(frame.point(mesh.points[v])); });
+      { points[v] = on_grid(steps_per_unit_ * frame.point(mesh.points[v])); });
     std::iota(became_.begin(), became_.end(), Index(0));
     for_each_index(execution_, opposite.size(), [&](std::size_t i) {
       const Index h = static_cast<Index>(i);
@@ -325,7 +330,7 @@ public:
       for (Index v : corners[f])
         if (new_vertex[v] == null_index) {
           new_vertex[v] = static_cast<Index>(graph.points.size());
-          graph.points.push_back(points[v]);
+          graph.points.push_back(points[v] / steps_per_unit_);
         }
     }
     graph.corners.resize(result.faces.size());
