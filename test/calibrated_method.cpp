@@ -98,7 +98,7 @@ BOOST_AUTO_TEST_CASE(as_many_segments_as_are_asked_for)
     BOOST_TEST(check_labels(mesh, labels_of(mesh, np.maximum_number_of_segments(n))) == n);
   BOOST_TEST(number_of(labels_of(mesh, np)) == 20);
   // One region more for each further component
-  const Soup three = disjoint_union(dumbbell(16, 12), disjoint_union(sphere(2), sphere(1)));
+  const Soup three = disjoint_union(dumbbell(16, 12), disjoint_union(sphere(3), sphere(2)));
   BOOST_TEST(number_of(labels_of(three, np)) == 22);
   BOOST_TEST(number_of(labels_of(three, np.maximum_number_of_segments(25))) == 25);
   BOOST_TEST(number_of(labels_of(three, np.maximum_number_of_segments(2))) == 3);
@@ -122,7 +122,8 @@ BOOST_AUTO_TEST_CASE(the_maximum_changes_the_hierarchy_only_above_the_number_of_
 BOOST_AUTO_TEST_CASE(the_cuts_that_are_evaluated_are_told)
 {
   typedef internal::Evaluated_cut Evaluated_cut;
-  const internal::Options options = internal::calibrated_options();
+  internal::Options options = internal::calibrated_options();
+  options.number_of_searched_faces = 0; // so that the mesh itself is searched
   struct Observer : internal::Run_control
   {
     const internal::Options& options;
@@ -164,7 +165,7 @@ BOOST_AUTO_TEST_CASE(the_cuts_that_are_evaluated_are_told)
   const internal::Cut_hierarchy hierarchy =
     internal::segment(triangles_of(dumbbell(20, 16)), options, sequential, observer);
 
-  std::vector<internal::Index> all = observer.searched_faces; // as the mesh is not coarsened
+  std::vector<internal::Index> all = observer.searched_faces;
   std::sort(all.begin(), all.end());
   BOOST_TEST_REQUIRE(all.size() == hierarchy.leaf.size());
   for (std::size_t f = 0; f < all.size(); ++f)
@@ -211,7 +212,8 @@ BOOST_AUTO_TEST_CASE(a_child_is_at_most_as_salient_as_its_parent)
 
 BOOST_AUTO_TEST_CASE(factors_are_those_of_the_mesh_that_is_searched)
 {
-  const Segmentation_hierarchy& hierarchy = hierarchy_of_doll(); // of so few faces, the mesh itself
+  const Segmentation_hierarchy hierarchy =
+    hierarchy_of(mesh_of(doll()), calibrated().number_of_searched_faces(0));
   for (std::size_t i = 0; i < hierarchy.number_of_nodes(); ++i) {
     const Segmentation_hierarchy::Node& n = hierarchy.node(i);
     if (!n.is_leaf())

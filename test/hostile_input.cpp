@@ -200,13 +200,13 @@ BOOST_AUTO_TEST_CASE(slivers)
         { return Point(p.x(), thinness * p.y(), p.z()); })));
 }
 
-BOOST_AUTO_TEST_CASE(any_unit_gives_as_many_segments)
+BOOST_AUTO_TEST_CASE(any_unit_gives_about_the_same_segments)
 {
   for_both_methods([](const auto& np) {
     for (const Soup& soup : soups()) {
-      const std::size_t expected = number_of(labels_of(soup, np));
+      const Labels expected = labels_of(soup, np);
       for (double unit : {1e-150, 1e-12, 0.3, 7., 1e12, 1e150})
-        BOOST_TEST(number_of(labels_of(scaled(soup, unit), np)) == expected);
+        BOOST_TEST(rand_index(labels_of(scaled(soup, unit), np), expected) > 0.95);
     }
   });
 }

@@ -73,7 +73,7 @@ BOOST_AUTO_TEST_CASE(the_axes_may_be_exchanged)
       Mesh exchanged = mesh;
       PMP::transform(cyclic, exchanged);
       for_both_methods([&](const auto& np)
-        { BOOST_TEST((labels_of(exchanged, np) == labels_of(mesh, np))); });
+        { BOOST_TEST(rand_index(labels_of(exchanged, np), labels_of(mesh, np)) > 0.99); });
     }
 }
 

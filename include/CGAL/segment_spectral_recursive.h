@@ -215,10 +215,12 @@ at most 4000 faces by default; the memory is O(*n*). The section
       0.}
   \cgalParamNEnd
   \cgalParamNBegin{number_of_searched_faces}
-    \cgalParamDescription{the number of faces on which cuts are searched. A mesh with more faces is
-      coarsened to this number, as far as its topology allows, by edge collapses, and the cuts are
-      projected back, by minimum cuts through the faces whose side is not certain. So the time of
-      the search does not grow with the mesh. With 0 the mesh itself is searched.}
+    \cgalParamDescription{the number of faces on which cuts are searched. Faces that are larger than
+      those of an even mesh with this number are bisected (not with `zhang_liu_2005()`); then the
+      mesh is coarsened to this number, as far as its topology allows, by edge collapses. The cuts
+      are projected back, by minimum cuts through the faces whose side is not certain; a face that
+      was bisected goes to the side that has most of it. So neither the time of the search nor the
+      result depends much on the triangles. With 0 the mesh itself is searched.}
     \cgalParamType{an integer}
     \cgalParamDefault{`4000`, at which the agreement with people is that of the mesh itself, or `0`
       with `zhang_liu_2005()`}

@@ -48,6 +48,7 @@ struct Options
 
   Method method = Method::ZHANG_LIU_2005;
   double concavity_radius = 0;
+  bool refinement = false; // faces are bisected that are larger than the searched ones shall be
   bool single_source_orders = false;
   std::size_t number_of_candidates = 0;
   std::size_t number_of_refined_candidates = 0;
@@ -92,6 +93,7 @@ inline Options calibrated_options()
   o.number_of_refined_candidates = 4;
   o.number_of_regions = 20;
   o.number_of_searched_faces = 4000;
+  o.refinement = true;
   return o;
 }
 

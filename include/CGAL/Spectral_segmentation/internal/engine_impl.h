@@ -13,6 +13,8 @@
 #include <CGAL/Spectral_segmentation/internal/hierarchy/region_merging.h>
 #include <CGAL/Spectral_segmentation/internal/mesh/connect_triangles.h>
 #include <CGAL/Spectral_segmentation/internal/mesh/reorder_faces.h>
+#include <CGAL/Spectral_segmentation/internal/multilevel/Cut_restriction.h>
+#include <CGAL/Spectral_segmentation/internal/multilevel/Longest_edge_bisection.h>
 #include <CGAL/Spectral_segmentation/internal/multilevel/coarsening.h>
 #include <CGAL/Spectral_segmentation/internal/multilevel/projection.h>
 #include <CGAL/Spectral_segmentation/internal/utility/Run_monitor.h>
@@ -35,6 +37,7 @@ class Run
   double unit_ = 1;                 // the length of 1 in the coordinates of the caller
   std::vector<Index> order_;        // the numbers that the caller's mesh gives the faces
   Face_graph mesh_;
+  Refined_mesh refined_;            // empty if the edges of the mesh are short enough
   std::vector<Coarse_mesh> levels_; // each coarser than the one before
   std::vector<Index> neighbors_;    // in the caller's numbers, if boundaries shall be smoothed
 
@@ -73,20 +76,36 @@ class Run
                        distance_weights());
   }
 
+  // Bisects the faces that are larger than those of an even mesh with the number of faces on which
+  // cuts are searched, so that a cut can run anywhere.
+  void refine()
+  {
+    if (!options_.refinement || !(total_area(mesh_) > 0))
+      return;
+    const double number_of_faces = static_cast<double>(options_.number_of_searched_faces);
+    const double bound = bound_of_edges(mesh_, number_of_faces, 16 * number_of_faces);
+    if (number_of_added_faces(mesh_, bound) > 0)
+      refined_ = Longest_edge_bisection(mesh_, bound)(execution_);
+  }
+
+  const Face_graph& finest() const { return refined_.faces.empty() ? mesh_ : refined_.graph; }
+
   // The mesh on which cuts are searched.
   Face_graph coarse_mesh()
   {
     monitor_.check();
     std::vector<Vector> points = smoothed_points(mesh_, options_.number_of_smoothing_iterations,
                                                  [&] { monitor_.check(); return true; });
-    const std::size_t number_of_faces = options_.faces_to_search(mesh_.number_of_faces());
-    if (number_of_faces == mesh_.number_of_faces()) {
+    if (options_.number_of_searched_faces == 0) {
       set_weights(mesh_, points);
       return std::move(mesh_);
     }
     mesh_.points = std::move(points);
-    levels_ = coarsen_in_steps(execution_, mesh_, number_of_faces, monitor_);
-    Face_graph result = levels_.back().graph;
+    refine();
+    const std::size_t number_of_faces = options_.faces_to_search(finest().number_of_faces());
+    if (number_of_faces < finest().number_of_faces())
+      levels_ = coarsen_in_steps(execution_, finest(), number_of_faces, monitor_);
+    Face_graph result = levels_.empty() ? finest() : levels_.back().graph;
     set_weights(result, result.points);
     return result;
   }
@@ -94,12 +113,15 @@ class Run
   // The numbers that the caller's mesh gives to the faces that are left in the coarsest mesh.
   std::vector<Index> searched_faces() const
   {
-    if (levels_.empty())
+    std::vector<Index> result = levels_.empty() ? refined_.faces : levels_.back().faces;
+    if (levels_.empty() && refined_.faces.empty())
       return order_;
-    std::vector<Index> result = levels_.back().faces;
-    for (std::size_t i = levels_.size() - 1; i-- > 0;)
+    for (std::size_t i = levels_.size(); i-- > 1;)
       for (Index& f : result)
-        f = levels_[i].faces[f];
+        f = levels_[i - 1].faces[f];
+    if (!levels_.empty() && !refined_.faces.empty())
+      for (Index& f : result)
+        f = refined_.faces[f];
     for (Index& f : result)
       f = order_[f];
     return result;
@@ -124,8 +146,9 @@ class Run
     const Distance_weights weights = distance_weights();
     for (std::size_t i = levels_.size(); i-- > 0; levels_.pop_back())
       hierarchy = Cut_projection(execution_, hierarchy, levels_[i],
-                                 i > 0 ? levels_[i - 1].graph : mesh_, weights, monitor_)();
-    return hierarchy;
+                                 i > 0 ? levels_[i - 1].graph : finest(), weights, monitor_)();
+    return refined_.faces.empty()
+      ? hierarchy : Cut_restriction(execution_, hierarchy, refined_, mesh_, monitor_)();
   }
 
   // The components of the mesh, if the run was stopped before there was more.
@@ -178,10 +201,11 @@ public:
     }
     catch (const Run_stopped&) { // before there was a cut
       levels_.clear();
+      refined_ = Refined_mesh();
       result = components();
     }
     monitor_.start_phase(1);
-    if (!levels_.empty())
+    if (!levels_.empty() || !refined_.faces.empty())
       result = monitor_.stage(Stage::PROJECTION, Segmentation_visitor::whole_mesh,
                               [&] { return project(std::move(result)); });
     convert(result);

@@ -1,0 +1,191 @@
+// Copyright (c) 2026  The Spectral_segmentation authors.
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_SPECTRAL_SEGMENTATION_INTERNAL_MULTILEVEL_LONGEST_EDGE_BISECTION_H
+#define CGAL_SPECTRAL_SEGMENTATION_INTERNAL_MULTILEVEL_LONGEST_EDGE_BISECTION_H
+
+#include <CGAL/Spectral_segmentation/internal/mesh/Face_graph.h>
+#include <CGAL/Spectral_segmentation/internal/mesh/connected_components.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <tuple>
+#include <utility>
+#include <vector>
+
+namespace CGAL::Spectral_segmentation::internal {
+
+// The length of the edges of an even mesh of this area with this number of faces.
+inline double edge_length(double area, double number_of_faces)
+{ return std::sqrt(4 / std::sqrt(3.) * area / number_of_faces); }
+
+inline double longest_edge(const Face_graph& mesh, Index f)
+{ return (std::max)({mesh.length(3 * f), mesh.length(3 * f + 1), mesh.length(3 * f + 2)}); }
+
+// About how many faces more there are once no edge is longer than a bound. A face becomes a strip
+// if it is narrow, an even mesh if it isn't.
+inline double number_of_added_faces(const Face_graph& mesh, double bound)
+{
+  double result = 0;
+  for (Index f = 0; f < mesh.number_of_faces(); ++f) {
+    const double length = longest_edge(mesh, f);
+    if (length > bound)
+      result += 2 * length / bound + 4 * mesh.areas[f] / (bound * bound);
+  }
+  return result;
+}
+
+// The length of the edges of an even mesh with the number of faces and the area of the largest
+// component, or one of which fewer faces come, as of many needles.
+inline double bound_of_edges(const Face_graph& mesh, double number_of_faces,
+                             double largest_number_of_added_faces)
+{
+  std::size_t number_of_components;
+  const std::vector<Index> component = connected_components(mesh, number_of_components);
+  double area = 0, longest = 0;
+  for (double a : component_areas(mesh, component, number_of_components))
+    area = (std::max)(area, a);
+  for (Index f = 0; f < mesh.number_of_faces(); ++f)
+    longest = (std::max)(longest, longest_edge(mesh, f));
+  double result =
+    (std::max)(edge_length(area, number_of_faces), 2 * longest / largest_number_of_added_faces);
+  while (number_of_added_faces(mesh, result) > largest_number_of_added_faces)
+    result *= 1.25;
+  return result;
+}
+
+// The same surface with more faces.
+struct Refined_mesh
+{
+  Face_graph graph;         // without weights
+  std::vector<Index> faces; // the face of the mesh that holds each face of the graph, ascending
+};
+
+// Bisects faces at their longest edges until no edge is longer than a bound (Rivara 1984). An edge
+// is only ever cut in halves, and by its own length alone, so the faces on its two sides cut it
+// alike, whichever comes first.
+class Longest_edge_bisection
+{
+  struct Edge
+  {
+    float squared_length; // rounded, so that equal lengths are equal wherever the mesh lies
+    Index source, target;
+    Index halves = null_index;   // the first of two edges, that at the source
+    Index halfedge = null_index; // of the result, once a face has it
+
+    bool operator<(const Edge& other) const
+    {
+      return std::tie(squared_length, source, target) <
+             std::tie(other.squared_length, other.source, other.target);
+    }
+  };
+
+  struct Side
+  {
+    Index edge;
+    bool is_reversed;
+  };
+
+  typedef std::array<Side, 3> Sides_of_face; // each begins where the one before ends
+
+  const Face_graph& mesh_;
+  const float bound_; // squared
+  std::vector<Edge> edges_;
+  Refined_mesh result_;
+
+  std::vector<Vector>& points() { return result_.graph.points; }
+
+  Index add_edge(Index source, Index target)
+  {
+    const Vector &p = points()[source], &q = points()[target];
+    edges_.push_back({static_cast<float>((q - p).squared_norm()), source, target});
+    return static_cast<Index>(edges_.size() - 1);
+  }
+
+  Index source(const Side& side) const
+  { return side.is_reversed ? edges_[side.edge].target : edges_[side.edge].source; }
+
+  // The vertex between the two halves.
+  Index bisect(Index edge)
+  {
+    if (edges_[edge].halves == null_index) {
+      const Index source = edges_[edge].source, target = edges_[edge].target;
+      const Index middle = static_cast<Index>(points().size());
+      points().push_back((points()[source] + points()[target]) / 2);
+      const Index first = add_edge(source, middle);
+      add_edge(middle, target);
+      edges_[edge].halves = first;
+    }
+    return edges_[edges_[edge].halves].target;
+  }
+
+  // The half of a side at its source, or that at its target.
+  Side half(const Side& side, bool is_at_target) const
+  {
+    return {edges_[side.edge].halves + Index(is_at_target != side.is_reversed), side.is_reversed};
+  }
+
+  void add_face(const Sides_of_face& sides, Index face_of_mesh)
+  {
+    Face_graph& graph = result_.graph;
+    const Index f = static_cast<Index>(graph.corners.size());
+    graph.corners.push_back({source(sides[0]), source(sides[1]), source(sides[2])});
+    graph.neighbors.insert(graph.neighbors.end(), 3, f);
+    result_.faces.push_back(face_of_mesh);
+    for (Index i = 0; i < 3; ++i) {
+      Index& other = edges_[sides[i].edge].halfedge;
+      if (other == null_index)
+        other = 3 * f + i;
+      else {
+        graph.neighbors[3 * f + i] = other / 3;
+        graph.neighbors[other] = f;
+      }
+    }
+  }
+
+  void add_parts(const Sides_of_face& sides_of_face, Index face_of_mesh)
+  {
+    std::vector<Sides_of_face> left = {sides_of_face};
+    while (!left.empty()) {
+      const Sides_of_face sides = left.back();
+      left.pop_back();
+      int i = 0;
+      for (int k : {1, 2})
+        if (edges_[sides[i].edge] < edges_[sides[k].edge])
+          i = k;
+      if (edges_[sides[i].edge].squared_length <= bound_) {
+        add_face(sides, face_of_mesh);
+        continue;
+      }
+      const Side &longest = sides[i], &next = sides[(i + 1) % 3], &previous = sides[(i + 2) % 3];
+      const Index between = add_edge(bisect(longest.edge), source(previous));
+      left.push_back({half(longest, false), Side{between, false}, previous});
+      left.push_back({half(longest, true), next, Side{between, true}});
+    }
+  }
+
+public:
+  Longest_edge_bisection(const Face_graph& mesh, double largest_length)
+    : mesh_(mesh), bound_(static_cast<float>(largest_length * largest_length))
+  { points() = mesh.points; }
+
+  Refined_mesh operator()(Execution execution)
+  {
+    std::vector<Side> sides; // of each half-edge
+    for (Index h = 0; h < mesh_.number_of_halfedges(); ++h)
+      if (mesh_.is_border(h) || h < mesh_.opposite(h))
+        sides.push_back({add_edge(mesh_.source_vertex(h), mesh_.target_vertex(h)), false});
+      else
+        sides.push_back({sides[mesh_.opposite(h)].edge, true});
+    for (Index f = 0; f < mesh_.number_of_faces(); ++f)
+      add_parts({sides[3 * f], sides[3 * f + 1], sides[3 * f + 2]}, f);
+    set_areas(execution, result_.graph);
+    return std::move(result_);
+  }
+};
+
+} // namespace CGAL::Spectral_segmentation::internal
+
+#endif // CGAL_SPECTRAL_SEGMENTATION_INTERNAL_MULTILEVEL_LONGEST_EDGE_BISECTION_H
