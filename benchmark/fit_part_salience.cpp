@@ -6,6 +6,9 @@
 /// Benchmark, and reports the Rand errors of runs with them; also with each category judged by
 /// numbers that are fitted to the others, and with numbers that are fitted without single factors.
 ///
+/// Cuts of each mesh in several triangulations count, so that the numbers fit all of them; the Rand
+/// errors are those of the meshes as they are.
+///
 /// The cuts are those that a run with the numbers in the source evaluates; in further passes those of
 /// runs with the numbers of the pass before.
 
@@ -16,6 +19,7 @@
 #include "part_salience_fit.h"
 #include "program.h"
 #include "tree_errors.h"
+#include "triangulations.h"
 
 #include <CLI/CLI.hpp>
 
@@ -24,9 +28,11 @@
 #include <algorithm>
 #include <cstddef>
 #include <cstdio>
+#include <filesystem>
 #include <map>
 #include <stdexcept>
 #include <string>
+#include <utility>
 #include <vector>
 
 using namespace segmentation_benchmark;
@@ -36,7 +42,8 @@ typedef std::map<std::size_t, Calibrated_part_salience> Saliences; // by categor
 
 struct Options
 {
-  std::string folder, ids = "odd", json;
+  std::string folder, ids = "odd", json, cache;
+  std::vector<std::string> triangulations = triangulation_names();
   std::size_t threads = 1, rounds = 3, passes = 1;
   std::size_t searched_faces =
     CGAL::Spectral_segmentation::internal::calibrated_options().number_of_searched_faces;
@@ -53,6 +60,9 @@ void add_options(CLI::App& app, Options& o)
     ->capture_default_str();
   app.add_option("--passes", o.passes, "of runs, each with the numbers fitted to those before")
     ->check(CLI::Range(1, 100))->capture_default_str();
+  app.add_option("--triangulation", o.triangulations, "in which the cuts are made")
+    ->capture_default_str()->check(CLI::IsMember(triangulation_names()));
+  app.add_option("--cache", o.cache, "folder that keeps the triangulations for other runs");
   app.add_option("--searched-faces", o.searched_faces,
                  "the number_of_searched_faces of all runs; 0: the meshes themselves")
     ->capture_default_str();
@@ -85,6 +95,38 @@ Engine_options options_with(const Calibrated_part_salience& salience, std::size_
   Engine_options result = CGAL::Spectral_segmentation::internal::calibrated_options();
   result.part_salience = salience;
   result.number_of_searched_faces = searched_faces;
+  return result;
+}
+
+// The mesh in another triangulation, with people's segmentations of it.
+Benchmark_mesh triangulated_as(const std::string& triangulation, const Benchmark_mesh& original,
+                               const std::filesystem::path& cache)
+{
+  if (is_as_is(triangulation))
+    return original;
+  Mesh mesh =
+    retriangulated(triangulation, original.mesh, cache, std::to_string(original.id)).mesh;
+  const Retriangulated_mesh back{original.mesh, nearest_faces(mesh, original.mesh)};
+  Benchmark_mesh result{original.id, std::move(mesh), {}};
+  for (const Labels& person : original.people)
+    result.people.push_back(carried_back(back, person));
+  return result;
+}
+
+// The cuts of each mesh in each triangulation.
+std::vector<Mesh_cuts> evaluated_cuts(const Options& o, const Calibrated_part_salience& salience)
+{
+  const std::vector<std::vector<Mesh_cuts> > of_meshes =
+    of_each_mesh(o, [&](const Benchmark_mesh& mesh) {
+      std::vector<Mesh_cuts> cuts;
+      for (const std::string& triangulation : o.triangulations)
+        cuts.push_back(evaluated_cuts(triangulated_as(triangulation, mesh, o.cache),
+                                      options_with(salience, o.searched_faces)));
+      return cuts;
+    });
+  std::vector<Mesh_cuts> result;
+  for (const std::vector<Mesh_cuts>& cuts : of_meshes)
+    result.insert(result.end(), cuts.begin(), cuts.end());
   return result;
 }
 
@@ -239,8 +281,7 @@ void run(const Options& o)
   std::vector<Mesh_cuts> cuts;
   Part_salience_fit fit;
   for (std::size_t pass = 0; pass < o.passes; ++pass) {
-    cuts = of_each_mesh(o, [&](const Benchmark_mesh& mesh)
-      { return evaluated_cuts(mesh, options_with(fit.salience, o.searched_faces)); });
+    cuts = evaluated_cuts(o, fit.salience);
     fit = fit_part_salience(cuts, o.rounds);
     std::printf("pass %zu:", pass + 1);
     for (const Fitted_factor& f : fitted_factors)
@@ -248,7 +289,7 @@ void run(const Options& o)
     std::printf("\n");
     std::fflush(stdout);
   }
-  std::printf("%zu cuts of %zu meshes, loss %.5f\n\n", number_of_cuts(cuts), cuts.size(),
+  std::printf("%zu cuts of %zu triangulations, loss %.5f\n\n", number_of_cuts(cuts), cuts.size(),
               fit.loss);
   print(fit);
   Saliences saliences;

@@ -42,6 +42,7 @@ inline const std::vector<Method_variant>& method_variants()
     {"one candidate", [](Engine_options& o) { o.number_of_candidates = 1; }},
     {"no minimum cuts", [](Engine_options& o) { o.number_of_refined_candidates = 0; }},
     {"no coarsening", [](Engine_options& o) { o.number_of_searched_faces = 0; }},
+    {"no refinement", [](Engine_options& o) { o.refinement = false; }},
     {"paper's geodesic weight", [](Engine_options& o) { o.geodesic_weight = 0.01; }},
     {"paper's part salience", [](Engine_options& o) {
       o.part_salience = CGAL::Spectral_segmentation::Weighted_part_salience();
