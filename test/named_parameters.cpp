@@ -187,14 +187,18 @@ BOOST_AUTO_TEST_CASE(the_default_number_of_searched_faces)
     labels_of(soup, np.visitor(std::ref(visitor)));
     return visitor.has_projection;
   };
-  const Soup of_4000_faces = plate(50, 40), of_4080_faces = plate(51, 40);
+  // Of the first, faces are bisected; of the second, which is even, edges are collapsed.
+  const Soup coarse = plate(4, 4), fine = sphere(4);
   const auto by_default = parameters::default_values();
-  BOOST_TEST(!has_projection(of_4000_faces, by_default));
-  BOOST_TEST(has_projection(of_4080_faces, by_default));
-  BOOST_TEST(!has_projection(of_4080_faces, by_default.number_of_searched_faces(0)));
-  BOOST_TEST(!has_projection(of_4080_faces, parameters::zhang_liu_2005()));
-  // In proportion with more than 20 segments
-  BOOST_TEST(!has_projection(of_4080_faces, by_default.maximum_number_of_segments(21)));
+  for (const Soup& soup : {coarse, fine}) {
+    BOOST_TEST(has_projection(soup, by_default));
+    BOOST_TEST(!has_projection(soup, by_default.number_of_searched_faces(0)));
+    BOOST_TEST(!has_projection(soup, parameters::zhang_liu_2005()));
+  }
+  // In proportion with more than 20 segments: the sphere has 5120 faces.
+  const auto of_2500 = by_default.number_of_searched_faces(2500);
+  BOOST_TEST(has_projection(fine, of_2500.maximum_number_of_segments(40)));
+  BOOST_TEST(!has_projection(fine, of_2500.maximum_number_of_segments(41)));
 }
 
 BOOST_AUTO_TEST_CASE(the_threshold_follows_the_salience)

@@ -239,7 +239,7 @@ BOOST_AUTO_TEST_CASE(the_number_of_threads_changes_nothing_in_one_step_or_two)
 }
 #endif
 
-BOOST_AUTO_TEST_CASE(small_meshes_are_searched_themselves)
+BOOST_AUTO_TEST_CASE(small_meshes_are_searched_themselves_by_the_method_of_the_paper)
 {
   struct Stages : Segmentation_visitor
   {
@@ -253,7 +253,7 @@ BOOST_AUTO_TEST_CASE(small_meshes_are_searched_themselves)
     Labels labels;
     CGAL::segment_spectral_recursive(
       mesh, map_to(labels, mesh),
-      parameters::number_of_searched_faces(number).visitor(std::ref(stages)));
+      parameters::number_of_searched_faces(number).zhang_liu_2005().visitor(std::ref(stages)));
     BOOST_TEST((stages.stages.count(Stage::PROJECTION) == 1) == (number == n - 1));
   }
 }

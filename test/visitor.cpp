@@ -253,7 +253,7 @@ BOOST_AUTO_TEST_CASE(regions_are_merged_once_when_all_parts_have_been_searched)
   const Mesh mesh = mesh_of(dumbbell(12, 8));
   const std::pair<Stage, std::size_t> merging(Stage::MERGING, Segmentation_visitor::whole_mesh);
   Stages by_default;
-  labels_of(mesh, parameters::visitor(std::ref(by_default)));
+  labels_of(mesh, parameters::number_of_searched_faces(0).visitor(std::ref(by_default)));
   BOOST_TEST(std::count(by_default.stages.begin(), by_default.stages.end(), merging) == 1);
   BOOST_TEST((by_default.stages.back() == merging));
   Stages of_paper;
