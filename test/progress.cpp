@@ -137,7 +137,7 @@ BOOST_AUTO_TEST_CASE(a_run_may_be_stopped_at_any_poll)
       for (std::size_t poll = 0; poll < polls; ++poll)
         check_stop<CGAL::Sequential_tag>(mesh, poll, pack);
     };
-    check(np.maximum_number_of_segments(6));
+    check(np.maximum_number_of_segments(6).number_of_searched_faces(0));
     BOOST_TEST_CONTEXT("on a coarse mesh")
       check(np.maximum_number_of_segments(6).number_of_searched_faces(60)
               .number_of_smoothing_iterations(3).boundary_smoothing(true));
