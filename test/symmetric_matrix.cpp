@@ -45,6 +45,8 @@ BOOST_AUTO_TEST_CASE(eigenvalues_and_vectors_are_those_of_a_dense_solver)
       Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d>(dense).eigenvalues();
     const Eigen_solver solver(m);
     BOOST_TEST(std::abs(solver.largest_eigenvalue() - values[2]) < 1e-12);
+    for (int k = 0; k < 3; ++k)
+      BOOST_TEST(std::abs(solver.eigenvalue(k) - values[k]) < 1e-12);
     Vector smallest, middle;
     solver.set_eigenvectors(smallest, middle);
     BOOST_TEST(is_eigenvector(m, smallest, values[0]));

@@ -109,7 +109,8 @@ public:
     roots_[2] = mean + 2 * radius * x;
   }
 
-  double largest_eigenvalue() const { return roots_[2] * scale_ + shift_; }
+  double eigenvalue(int i) const { return roots_[i] * scale_ + shift_; } // they ascend
+  double largest_eigenvalue() const { return eigenvalue(2); }
 
   // Sets the unit eigenvectors of the smallest and of the middle eigenvalue.
   void set_eigenvectors(Vector& smallest, Vector& middle) const
