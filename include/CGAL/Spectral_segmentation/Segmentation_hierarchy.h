@@ -71,8 +71,9 @@ public:
     Cut_state cut_state;   ///< what became of the search for its cut
 
     /// the salience of the best cut; 0 if there is none or it was not searched.
-    /// In the default method it is raised to the largest salience of the cuts that follow, so that
-    /// saliences never grow from cut to cut. The factors are not changed.
+    /// In the default method cuts that make congruent parts have the mean of their saliences, which
+    /// is raised to the largest salience of the cuts that follow, so that saliences never grow from
+    /// cut to cut. The factors are not changed.
     double salience;
 
     /// the factors of that cut, on the mesh on which it was searched (`number_of_searched_faces`)

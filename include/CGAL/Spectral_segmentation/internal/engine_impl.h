@@ -9,6 +9,7 @@
 #include <CGAL/Spectral_segmentation/internal/distances/laplacian_smoothing.h>
 #include <CGAL/Spectral_segmentation/internal/engine.h>
 #include <CGAL/Spectral_segmentation/internal/hierarchy/boundary_smoothing.h>
+#include <CGAL/Spectral_segmentation/internal/hierarchy/congruent_cuts.h>
 #include <CGAL/Spectral_segmentation/internal/hierarchy/recursion.h>
 #include <CGAL/Spectral_segmentation/internal/hierarchy/region_merging.h>
 #include <CGAL/Spectral_segmentation/internal/mesh/connect_triangles.h>
@@ -136,8 +137,9 @@ class Run
     const Cut_hierarchy regions =
       Recursion(execution_, mesh, best_cut, options_, monitor_).by_salience();
     return monitor_.stage(Stage::MERGING, Segmentation_visitor::whole_mesh, [&] {
-      return Region_merging(execution_, mesh, best_cut.context(), options_.part_salience,
-                            monitor_)(regions);
+      const Cut_hierarchy merges = Region_merging(execution_, mesh, best_cut.context(),
+                                                  options_.part_salience, monitor_)(regions);
+      return Congruent_cuts(mesh, merges)();
     });
   }
 

@@ -1,0 +1,209 @@
+// Copyright (c) 2026  The Spectral_segmentation authors.
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_SPECTRAL_SEGMENTATION_INTERNAL_HIERARCHY_CONGRUENT_CUTS_H
+#define CGAL_SPECTRAL_SEGMENTATION_INTERNAL_HIERARCHY_CONGRUENT_CUTS_H
+
+#include <CGAL/Spectral_segmentation/internal/hierarchy/Cut_hierarchy.h>
+#include <CGAL/Spectral_segmentation/internal/hierarchy/Nested_ranges.h>
+#include <CGAL/Spectral_segmentation/internal/mesh/Face_graph.h>
+#include <CGAL/Spectral_segmentation/internal/mesh/Symmetric_matrix.h>
+#include <CGAL/Spectral_segmentation/internal/mesh/surface_integrals.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <numeric>
+#include <utility>
+#include <vector>
+
+namespace CGAL::Spectral_segmentation::internal {
+
+// What a cut has in common with that of a twin limb. The unit is the root of the mesh's area.
+struct Cut_shape
+{
+  double area = 0;                  // of Q, the smaller side
+  double length = 0;                // of the cut
+  double distance = 0;              // of the centroid of Q from that of its component
+  double deviations[3] = {0, 0, 0}; // standard ones of Q along its principal axes
+};
+
+// The tolerances were chosen by measurement. No cut that is searched depends on them.
+inline bool are_congruent(const Cut_shape& a, const Cut_shape& b)
+{
+  const auto are_near = [](double x, double y, double tolerance)
+  { return std::abs(x - y) <= tolerance * (std::max)(x, y); };
+  constexpr double of_shape = 0.15, of_length = 0.2, of_place = 0.1;
+  constexpr double thickness = 0.001; // below it, flat parts have one of rounding errors
+  bool result = are_near(a.area, b.area, of_shape) && are_near(a.length, b.length, of_length) &&
+                std::abs(a.distance - b.distance) <= of_place;
+  for (int i = 0; i < 3; ++i)
+    result = result &&
+             are_near(a.deviations[i] + thickness, b.deviations[i] + thickness, of_shape);
+  return result;
+}
+
+// Gives cuts that make congruent parts, such as the legs of a horse, a common salience, the mean of
+// theirs, so that a threshold treats them alike. For a hierarchy of merges.
+class Congruent_cuts
+{
+  typedef std::vector<std::size_t> Class; // of cuts, each by its turn
+
+  const Face_graph& mesh_;
+  const Cut_hierarchy& cuts_;
+  std::vector<Cut_shape> shapes_; // of each cut
+  std::vector<double> saliences_; // of each cut
+  std::vector<Class> classes_;
+
+  std::size_t turn(std::size_t node) const
+  { return (cuts_.nodes[node].children[0] - cuts_.number_of_roots) / 2; }
+
+  void set_shapes()
+  {
+    const double area_of_mesh = total_area(mesh_), unit = std::sqrt(area_of_mesh);
+    const Nested_ranges faces(cuts_, cuts_.leaf);
+    std::vector<Vector> centers; // of the components, that of each node
+    for (std::size_t node = 0; node < cuts_.nodes.size(); ++node) {
+      centers.push_back(node < cuts_.number_of_roots ? Vector()
+                                                     : centers[cuts_.nodes[node].parent]);
+      if (node < cuts_.number_of_roots)
+        for (Index f : faces[node])
+          centers[node] += mesh_.areas[f] / cuts_.nodes[node].area * mesh_.centroid(f);
+    }
+    std::vector<std::size_t> cut_with_rest(mesh_.number_of_faces(), null_node);
+    for (std::size_t i = 0; i < shapes_.size(); ++i) {
+      const std::size_t (&sides)[2] = cuts_.nodes[cuts_.turns[i]].children;
+      const Vector& center = centers[cuts_.turns[i]];
+      for (Index f : faces[sides[1]])
+        cut_with_rest[f] = i;
+      double area = 0, length = 0;
+      Vector first; // moments of Q
+      Symmetric_matrix second;
+      for (Index f : faces[sides[0]]) {
+        Vector sum;
+        Symmetric_matrix squares;
+        for (Index v : mesh_.corners[f]) {
+          const Vector p = (mesh_.points[v] - center) / unit;
+          sum += p;
+          squares += Symmetric_matrix::square(p);
+        }
+        const double of_face = mesh_.areas[f] / area_of_mesh;
+        area += of_face;
+        first += of_face / 3 * sum;
+        second += of_face / 12 * (squares + Symmetric_matrix::square(sum));
+        for (Index h = 3 * f; h < 3 * f + 3; ++h)
+          if (cut_with_rest[mesh_.neighbors[h]] == i)
+            length += mesh_.length(h) / unit;
+      }
+      const Vector centroid = first / area;
+      const Eigen_solver variances(second / area - Symmetric_matrix::square(centroid));
+      shapes_[i] = {area, length, centroid.norm(), {}};
+      for (int k = 0; k < 3; ++k)
+        shapes_[i].deviations[k] = std::sqrt((std::max)(variances.eigenvalue(k), 0.));
+    }
+  }
+
+  // Salient cuts come first, and each joins the first class that it fits.
+  void set_classes()
+  {
+    for (std::size_t i = 0; i < shapes_.size(); ++i) {
+      const auto fits = [&](const Class& congruent) {
+        return std::all_of(congruent.begin(), congruent.end(), [&](std::size_t j)
+                           { return are_congruent(shapes_[i], shapes_[j]); });
+      };
+      const auto found = std::find_if(classes_.begin(), classes_.end(), fits);
+      if (found != classes_.end())
+        found->push_back(i);
+      else
+        classes_.push_back({i});
+    }
+  }
+
+  // The first cut is the most salient, the last the least. A caller's saliences may be infinite.
+  double mean_salience(const Class& congruent) const
+  {
+    double sum = 0;
+    for (std::size_t i : congruent)
+      sum += saliences_[i];
+    const double mean = sum / static_cast<double>(congruent.size());
+    const double least = saliences_[congruent.back()], largest = saliences_[congruent.front()];
+    return std::isnan(mean) ? least : std::clamp(mean, least, largest);
+  }
+
+  // To the least ones with which no cut is less salient than those that follow on its sides, and
+  // congruent ones are equally salient.
+  void raise_saliences()
+  {
+    bool is_raised = true;
+    const auto raise = [&](std::size_t i, double salience) {
+      is_raised |= saliences_[i] < salience;
+      saliences_[i] = (std::max)(saliences_[i], salience);
+    };
+    while (std::exchange(is_raised, false)) {
+      for (std::size_t i = saliences_.size(); i-- > 0;) // children before their parents
+        if (cuts_.turns[i] >= cuts_.number_of_roots)
+          raise(turn(cuts_.nodes[cuts_.turns[i]].parent), saliences_[i]);
+      for (const Class& congruent : classes_)
+        for (std::size_t i : congruent)
+          for (std::size_t j : congruent)
+            raise(j, saliences_[i]);
+    }
+  }
+
+  Cut_hierarchy in_order_of_saliences() const
+  {
+    std::vector<std::size_t> order(saliences_.size()); // a parent stays before its children
+    std::iota(order.begin(), order.end(), std::size_t(0));
+    std::stable_sort(order.begin(), order.end(), [&](std::size_t i, std::size_t j)
+                     { return saliences_[i] > saliences_[j]; });
+    std::vector<std::size_t> number(cuts_.nodes.size()); // of each node
+    std::iota(number.begin(), number.end(), std::size_t(0));
+    for (std::size_t i = 0; i < order.size(); ++i)
+      for (std::size_t k = 0; k < 2; ++k)
+        number[cuts_.nodes[cuts_.turns[order[i]]].children[k]] = cuts_.number_of_roots + 2 * i + k;
+
+    Cut_hierarchy result = cuts_;
+    for (std::size_t i = 0; i < cuts_.nodes.size(); ++i) {
+      Cut_node& n = result.nodes[number[i]];
+      n = cuts_.nodes[i];
+      if (n.parent != null_node)
+        n.parent = number[n.parent];
+      if (n.is_leaf())
+        continue;
+      n.salience = saliences_[turn(i)];
+      for (std::size_t& child : n.children)
+        child = number[child];
+    }
+    for (std::size_t i = 0; i < order.size(); ++i)
+      result.turns[i] = number[cuts_.turns[order[i]]];
+    for (Index& leaf : result.leaf)
+      leaf = static_cast<Index>(number[leaf]);
+    return result;
+  }
+
+public:
+  Congruent_cuts(const Face_graph& mesh, const Cut_hierarchy& cuts)
+    : mesh_(mesh), cuts_(cuts), shapes_(cuts.turns.size())
+  {
+    for (std::size_t node : cuts.turns)
+      saliences_.push_back(cuts.nodes[node].salience);
+  }
+
+  // The same cuts, the most salient first.
+  Cut_hierarchy operator()()
+  {
+    set_shapes();
+    set_classes();
+    for (const Class& congruent : classes_) {
+      const double mean = mean_salience(congruent);
+      for (std::size_t i : congruent)
+        saliences_[i] = mean;
+    }
+    raise_saliences();
+    return in_order_of_saliences();
+  }
+};
+
+} // namespace CGAL::Spectral_segmentation::internal
+
+#endif // CGAL_SPECTRAL_SEGMENTATION_INTERNAL_HIERARCHY_CONGRUENT_CUTS_H
