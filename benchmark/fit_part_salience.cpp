@@ -9,8 +9,8 @@
 /// Cuts of each mesh in several triangulations count, so that the numbers fit all of them; the Rand
 /// errors are those of the meshes as they are.
 ///
-/// The cuts are those that a run with the numbers in the source evaluates; in further passes those of
-/// runs with the numbers of the pass before.
+/// The cuts are those that a run with the numbers in the source evaluates; in further passes those
+/// of runs with the numbers of the pass before.
 
 #include "evaluation.h"
 #include "evaluated_cuts.h"

@@ -20,8 +20,8 @@ namespace tt = boost::test_tools;
 using namespace test_meshes;
 using CGAL::Spectral_segmentation::internal::Longest_edge_bisection;
 using CGAL::Spectral_segmentation::internal::Refined_mesh;
+using CGAL::Spectral_segmentation::internal::bound_of_edges;
 using CGAL::Spectral_segmentation::internal::edge_length;
-using CGAL::Spectral_segmentation::internal::number_of_added_faces;
 
 namespace {
 
@@ -67,7 +67,6 @@ BOOST_AUTO_TEST_CASE(the_surface_stays_and_no_edge_is_longer_than_the_bound)
       const Face_graph graph = face_graph_of(soup);
       const double length = share * longest_edge(graph);
       const Refined_mesh result = refined(graph, length);
-      BOOST_TEST(number_of_added_faces(graph, length) > 0);
       BOOST_TEST(longest_edge(result.graph) <= length * (1 + 1e-6));
       BOOST_TEST(euler_characteristic(result.graph) == euler_characteristic(graph));
       BOOST_TEST(length_of_border(result.graph) == length_of_border(graph), tt::tolerance(1e-12));
@@ -107,7 +106,8 @@ BOOST_AUTO_TEST_CASE(a_right_triangle_is_halved_at_its_hypotenuse)
 BOOST_AUTO_TEST_CASE(a_mesh_without_long_edges_stays_as_it_is)
 {
   const Face_graph graph = face_graph_of(sphere(2));
-  BOOST_TEST(number_of_added_faces(graph, longest_edge(graph)) == 0);
+  const double number_of_faces = static_cast<double>(graph.number_of_faces());
+  BOOST_TEST(!bound_of_edges(sequential, graph, number_of_faces / 2, 16 * number_of_faces));
   const Refined_mesh result = refined(graph, longest_edge(graph) * (1 + 1e-6));
   BOOST_TEST((result.graph.corners == graph.corners));
   BOOST_TEST(result.graph.neighbors == graph.neighbors, tt::per_element());
@@ -118,6 +118,37 @@ BOOST_AUTO_TEST_CASE(an_even_mesh_has_edges_of_the_length_of_its_number_of_faces
   // Equilateral triangles: 20 of an icosahedron
   const Face_graph graph = face_graph_of(sphere(0));
   BOOST_TEST(edge_length(20 * graph.areas[0], 20) == graph.length(0), tt::tolerance(1e-9));
+}
+
+// Halves of longest edges differ in length, so there are up to four times the faces of an even mesh.
+BOOST_AUTO_TEST_CASE(the_bound_gives_about_the_number_of_faces)
+{
+  for (const Soup& soup : {sphere(0), sphere(1), torus(3, 1, 8, 5), plate(2, 1)})
+    for (double number_of_faces : {500., 4000.}) {
+      const Face_graph graph = face_graph_of(soup);
+      const auto bound = bound_of_edges(sequential, graph, number_of_faces, 16 * number_of_faces);
+      BOOST_REQUIRE(bound.has_value());
+      const double result = static_cast<double>(refined(graph, *bound).faces.size());
+      BOOST_TEST(result >= number_of_faces);
+      BOOST_TEST(result <= 4 * number_of_faces);
+    }
+}
+
+BOOST_AUTO_TEST_CASE(many_needles_raise_the_bound)
+{
+  Soup soup; // 1000 needles side by side, each of which would become hundreds of faces
+  for (int i = 0; i <= 1000; ++i)
+    for (int side : {0, 1})
+      soup.points.push_back(Point(0.001 * i, side, 0));
+  for (std::size_t i = 0; i < 2000; i += 2) {
+    soup.triangles.push_back({i, i + 2, i + 1});
+    soup.triangles.push_back({i + 1, i + 2, i + 3});
+  }
+  const Face_graph graph = face_graph_of(soup);
+  const auto bound = bound_of_edges(sequential, graph, 4000, 16 * 4000);
+  BOOST_REQUIRE(bound.has_value());
+  BOOST_TEST(*bound > edge_length(1, 4000));
+  BOOST_TEST(refined(graph, *bound).faces.size() <= 4u * 16 * 4000);
 }
 
 BOOST_AUTO_TEST_SUITE_END()

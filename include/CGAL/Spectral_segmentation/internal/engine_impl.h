@@ -84,9 +84,9 @@ class Run
     if (!options_.refinement || !(total_area(mesh_) > 0))
       return;
     const double number_of_faces = static_cast<double>(options_.number_of_searched_faces);
-    const double bound = bound_of_edges(mesh_, number_of_faces, 16 * number_of_faces);
-    if (number_of_added_faces(mesh_, bound) > 0)
-      refined_ = Longest_edge_bisection(mesh_, bound)(execution_);
+    const auto bound = bound_of_edges(execution_, mesh_, number_of_faces, 16 * number_of_faces);
+    if (bound)
+      refined_ = Longest_edge_bisection(mesh_, *bound)(execution_);
   }
 
   const Face_graph& finest() const { return refined_.faces.empty() ? mesh_ : refined_.graph; }
@@ -114,17 +114,18 @@ class Run
   // The numbers that the caller's mesh gives to the faces that are left in the coarsest mesh.
   std::vector<Index> searched_faces() const
   {
-    std::vector<Index> result = levels_.empty() ? refined_.faces : levels_.back().faces;
-    if (levels_.empty() && refined_.faces.empty())
-      return order_;
-    for (std::size_t i = levels_.size(); i-- > 1;)
-      for (Index& f : result)
-        f = levels_[i - 1].faces[f];
-    if (!levels_.empty() && !refined_.faces.empty())
-      for (Index& f : result)
-        f = refined_.faces[f];
-    for (Index& f : result)
-      f = order_[f];
+    std::vector<Index> result = order_;
+    const auto compose = [&](const std::vector<Index>& faces) {
+      std::vector<Index> composed;
+      composed.reserve(faces.size());
+      for (Index f : faces)
+        composed.push_back(result[f]);
+      result = std::move(composed);
+    };
+    if (!refined_.faces.empty())
+      compose(refined_.faces);
+    for (const Coarse_mesh& level : levels_)
+      compose(level.faces);
     return result;
   }
 
@@ -149,8 +150,9 @@ class Run
     for (std::size_t i = levels_.size(); i-- > 0; levels_.pop_back())
       hierarchy = Cut_projection(execution_, hierarchy, levels_[i],
                                  i > 0 ? levels_[i - 1].graph : finest(), weights, monitor_)();
-    return refined_.faces.empty()
-      ? hierarchy : Cut_restriction(execution_, hierarchy, refined_, mesh_, monitor_)();
+    if (!refined_.faces.empty())
+      hierarchy = Cut_restriction(execution_, hierarchy, refined_, mesh_, monitor_)();
+    return hierarchy;
   }
 
   // The components of the mesh, if the run was stopped before there was more.

@@ -43,7 +43,7 @@ public:
       refined_(refined), areas_(mesh.number_of_faces())
   {}
 
-  Cut_hierarchy operator()() { return transfer(); }
+  Cut_hierarchy operator()() { return transfer([] {}); }
 };
 
 } // namespace CGAL::Spectral_segmentation::internal

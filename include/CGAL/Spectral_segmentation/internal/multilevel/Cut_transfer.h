@@ -155,11 +155,14 @@ private:
   }
 
 protected:
-  // The hierarchy on the mesh.
-  Cut_hierarchy transfer()
+  // The hierarchy on the mesh. First calls what prepares the derived class.
+  template <class Prepare>
+  Cut_hierarchy transfer(const Prepare& prepare)
   {
     std::size_t number_of_components;
-    const std::vector<Index> component = connected_components(mesh_, number_of_components);
+    std::vector<Index> component;
+    call_all(execution_, prepare, [&]
+             { component = connected_components(mesh_, number_of_components); });
     std::vector<Index> component_of_cell;
     for (Index cell = 0; cell < cells_.number(); ++cell)
       component_of_cell.push_back(component[cells_.first_face(cell)]);

@@ -48,8 +48,8 @@ struct Coarse_mesh
 // the seam. So no thread reads what another one writes.
 //
 // Coordinates are whole numbers, in the principal frame and in a unit that depends on the area, and
-// ties are broken by a hash of them: the result moves and grows with the mesh and does not depend on
-// the numbers of its vertices and faces.
+// ties are broken by a hash of them: the result moves and grows with the mesh and does not depend
+// on the numbers of its vertices and faces.
 class Edge_collapse : private Halfedge_mesh
 {
   const Execution execution_;

@@ -6,11 +6,13 @@
 
 #include <CGAL/Spectral_segmentation/internal/mesh/Face_graph.h>
 #include <CGAL/Spectral_segmentation/internal/mesh/connected_components.h>
+#include <CGAL/Spectral_segmentation/internal/utility/concurrency.h>
 
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstddef>
+#include <optional>
 #include <tuple>
 #include <utility>
 #include <vector>
@@ -21,39 +23,46 @@ namespace CGAL::Spectral_segmentation::internal {
 inline double edge_length(double area, double number_of_faces)
 { return std::sqrt(4 / std::sqrt(3.) * area / number_of_faces); }
 
-inline double longest_edge(const Face_graph& mesh, Index f)
-{ return (std::max)({mesh.length(3 * f), mesh.length(3 * f + 1), mesh.length(3 * f + 2)}); }
+inline std::vector<double> longest_edges_of_faces(Execution execution, const Face_graph& mesh)
+{
+  std::vector<double> result(mesh.number_of_faces());
+  for_each_index(execution, result.size(), [&](std::size_t f) {
+    const Index h = static_cast<Index>(3 * f);
+    result[f] = (std::max)({mesh.length(h), mesh.length(h + 1), mesh.length(h + 2)});
+  });
+  return result;
+}
 
 // About how many faces more there are once no edge is longer than a bound. A face becomes a strip
 // if it is narrow, an even mesh if it isn't.
-inline double number_of_added_faces(const Face_graph& mesh, double bound)
+inline double number_of_added_faces(const Face_graph& mesh,
+                                    const std::vector<double>& longest_edges, double bound)
 {
   double result = 0;
-  for (Index f = 0; f < mesh.number_of_faces(); ++f) {
-    const double length = longest_edge(mesh, f);
-    if (length > bound)
-      result += 2 * length / bound + 4 * mesh.areas[f] / (bound * bound);
-  }
+  for (std::size_t f = 0; f < longest_edges.size(); ++f)
+    if (longest_edges[f] > bound)
+      result += 2 * longest_edges[f] / bound + 4 * mesh.areas[f] / (bound * bound);
   return result;
 }
 
 // The length of the edges of an even mesh with the number of faces and the area of the largest
-// component, or one of which fewer faces come, as of many needles.
-inline double bound_of_edges(const Face_graph& mesh, double number_of_faces,
-                             double largest_number_of_added_faces)
+// component, or, so that of many needles there do not come more faces than about the largest number,
+// a larger one. None if no edge is longer.
+inline std::optional<double> bound_of_edges(Execution execution, const Face_graph& mesh,
+                                            double number_of_faces,
+                                            double largest_number_of_added_faces)
 {
+  const std::vector<double> longest_edges = longest_edges_of_faces(execution, mesh);
+  const double longest = *std::max_element(longest_edges.begin(), longest_edges.end());
   std::size_t number_of_components;
   const std::vector<Index> component = connected_components(mesh, number_of_components);
-  double area = 0, longest = 0;
-  for (double a : component_areas(mesh, component, number_of_components))
-    area = (std::max)(area, a);
-  for (Index f = 0; f < mesh.number_of_faces(); ++f)
-    longest = (std::max)(longest, longest_edge(mesh, f));
+  const std::vector<double> areas = component_areas(mesh, component, number_of_components);
   double result =
-    (std::max)(edge_length(area, number_of_faces), 2 * longest / largest_number_of_added_faces);
-  while (number_of_added_faces(mesh, result) > largest_number_of_added_faces)
+    (std::max)(edge_length(*std::max_element(areas.begin(), areas.end()), number_of_faces),
+               2 * longest / largest_number_of_added_faces);
+  while (number_of_added_faces(mesh, longest_edges, result) > largest_number_of_added_faces)
     result *= 1.25;
-  return result;
+  return longest > result ? std::make_optional(result) : std::nullopt;
 }
 
 // The same surface with more faces.

@@ -29,12 +29,13 @@ class Cut_projection : private Cut_transfer
   Face_graph bands_;
   std::vector<char> sides_around_; // of each coarse vertex, as bits; 0 between cuts
 
+  // What the images of the corners have.
   template <class Value>
   static std::array<Value, 3> values_at(const std::vector<Value>& of_vertex,
-                                        const Coarse_mesh& coarse, const Corners& c)
+                                        const Coarse_mesh& coarse, const Corners& corners)
   {
-    const std::vector<Index>& vertices = coarse.vertices;
-    return {of_vertex[vertices[c[0]]], of_vertex[vertices[c[1]]], of_vertex[vertices[c[2]]]};
+    const auto value = [&](Index v) { return of_vertex[coarse.vertices[v]]; };
+    return {value(corners[0]), value(corners[1]), value(corners[2])};
   }
 
   // Whether a face may be between the sides of any cut. All may if there might be more cuts: a cut
@@ -83,7 +84,8 @@ class Cut_projection : private Cut_transfer
     add_sides(true);
     int all = 0;
     for (Index cell : cells) {
-      const auto [a, b, c] = values_at(sides_around_, coarse_, mesh_.corners[cells_.first_face(cell)]);
+      const Corners& corners = mesh_.corners[cells_.first_face(cell)];
+      const auto [a, b, c] = values_at(sides_around_, coarse_, corners);
       const int sides = a | b | c;
       // A cell that an earlier cut moved to keep a part connected may touch no coarse face of this
       // node (0). Any side will do: keep_largest() corrects it.
@@ -160,11 +162,7 @@ public:
 
   // The hierarchy on the mesh. Once the caller has stopped the run, sides grow in place of minimum
   // cuts.
-  Cut_hierarchy operator()()
-  {
-    set_bands();
-    return transfer();
-  }
+  Cut_hierarchy operator()() { return transfer([this] { set_bands(); }); }
 };
 
 } // namespace CGAL::Spectral_segmentation::internal
