@@ -71,6 +71,7 @@ struct Options
   std::optional<std::size_t> threads;
   std::size_t smoothing_iterations = 0;
   bool boundary_smoothing = false;
+  bool components_apart = false;
   bool refine_boundaries = false;
   bool quiet = false;
 
@@ -79,14 +80,16 @@ struct Options
   double minimum_segment_size() const
   { return minimum_size.value_or(defaults(is_of_paper()).minimum_segment_size); }
 
+  // A number of segments alone means so many, however shallow the last cuts are.
+  bool is_number_exact() const { return segments && !threshold; }
+
   std::size_t maximum_number_of_segments() const
   { return segments.value_or((std::numeric_limits<std::size_t>::max)()); }
 
-  // A number of segments alone means so many, however shallow the last cuts are.
   double salience_threshold() const
   {
-    return threshold.value_or(segments ? -std::numeric_limits<double>::infinity()
-                                       : defaults(is_of_paper()).salience_threshold);
+    return is_number_exact() ? -std::numeric_limits<double>::infinity()
+                             : threshold.value_or(defaults(is_of_paper()).salience_threshold);
   }
 };
 
@@ -112,17 +115,18 @@ void add_options(CLI::App& app, Options& o)
                  "calibrated: cuts where people cut; paper: Zhang and Liu 2005")
     ->type_name("M")->check(CLI::IsMember({"calibrated", "paper"}))->capture_default_str();
   app.add_option("--segments", o.segments,
-                 "number of segments; with --salience-threshold the largest number; each "
-                 "connected component has at least one")
+                 "number of segments; with --salience-threshold the largest number")
     ->type_name("N")->check(CLI::Range(std::int64_t(1), largest));
   app.add_option("--salience-threshold", o.threshold,
                  "smallest salience of a cut; with the method 'calibrated' the "
-                 "probability that people cut there" + both_defaults(&Defaults::salience_threshold))->type_name("T");
+                 "probability that people cut there" + both_defaults(&Defaults::salience_threshold))
+    ->type_name("T");
   app.add_option("--minimum-segment-size", o.minimum_size,
                  "smallest area of a side of a cut, as a share of the area of the mesh" +
                    both_defaults(&Defaults::minimum_segment_size))
     ->type_name("S")->check(CLI::Range(0., 0.5));
-  app.add_option("--seed", o.seed, "seed of random first reference faces; without it they are not random")
+  app.add_option("--seed", o.seed,
+                 "seed of random first reference faces; without it they are not random")
     ->type_name("S")->check(CLI::Range(std::int64_t(0), largest));
   app.add_option("--threads", o.threads,
                  "number of threads; the result does not depend on it [all]")
@@ -132,6 +136,9 @@ void add_options(CLI::App& app, Options& o)
     ->type_name("N")->check(CLI::Range(std::int64_t(0), largest));
   app.add_flag("--boundary-smoothing", o.boundary_smoothing,
                "smooth the boundaries between segments");
+  app.add_flag("--components-apart", o.components_apart,
+               "each connected component is a part from the start, as with the method 'paper'; "
+               "else components that touch may be of one part");
   app.add_flag("--refine-boundaries", o.refine_boundaries,
                "split faces of the written meshes along smooth boundaries; labels stay those of "
                "the faces of IN");
@@ -163,17 +170,24 @@ void check_options(const Options& o)
 std::size_t segment(const Mesh& mesh, const Segment_map& segment_ids, const Options& o,
                     Segmentation_hierarchy& tree, Run_watch& watch)
 {
-  const auto np = parameters::maximum_number_of_segments(o.maximum_number_of_segments())
-                    .salience_threshold(o.salience_threshold())
-                    .minimum_segment_size(o.minimum_segment_size())
+  const auto np = parameters::minimum_segment_size(o.minimum_segment_size())
                     .number_of_smoothing_iterations(o.smoothing_iterations)
                     .boundary_smoothing(o.boundary_smoothing)
+                    .components_apart(o.components_apart || o.is_of_paper())
                     .hierarchy(tree)
                     .visitor(std::ref(watch));
   const auto segment_with = [&](const auto& all)
   { return CGAL::segment_spectral_recursive(mesh, segment_ids, all); };
-  const auto segment_with_seed = [&](const auto& others)
-  { return o.seed ? segment_with(others.random_seed(*o.seed)) : segment_with(others); };
+  const auto segment_with_number = [&](const auto& others) {
+    if (o.is_number_exact())
+      return segment_with(others.number_of_segments(*o.segments));
+    return segment_with(others.maximum_number_of_segments(o.maximum_number_of_segments())
+                          .salience_threshold(o.salience_threshold()));
+  };
+  const auto segment_with_seed = [&](const auto& others) {
+    return o.seed ? segment_with_number(others.random_seed(*o.seed))
+                  : segment_with_number(others);
+  };
   return o.is_of_paper() ? segment_with_seed(np.zhang_liu_2005()) : segment_with_seed(np);
 }
 
@@ -195,6 +209,7 @@ Json report(const Options& o, const Input_mesh& input, std::size_t number_of_seg
           {"parameters",
            {{"method", o.method_name},
             {"maximum_number_of_segments", json_or_null(o.segments)},
+            {"components_apart", o.components_apart || o.is_of_paper()},
             {"salience_threshold", o.salience_threshold()},
             {"minimum_segment_size", o.minimum_segment_size()},
             {"random_seed", json_or_null(o.seed)},

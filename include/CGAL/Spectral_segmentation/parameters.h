@@ -33,6 +33,7 @@ class Segmentation_hierarchy;
     "takes a class derived from Segmentation_visitor, or std::ref to one")
 
 #define CGAL_SPECTRAL_SEGMENTATION_PARAMETERS(f)                                                 \
+  f(number_of_segments, number_of_segments_t, is_count, "takes an integer")                     \
   f(maximum_number_of_segments, maximum_number_of_segments_t, is_count, "takes an integer")     \
   f(minimum_segment_size, minimum_segment_size_t, is_real, "takes a number")                    \
   f(salience_threshold, salience_threshold_t, is_real, "takes a number")                        \
@@ -42,7 +43,8 @@ class Segmentation_hierarchy;
   f(number_of_searched_faces, number_of_searched_faces_t, is_count, "takes an integer")         \
   f(number_of_smoothing_iterations, number_of_smoothing_iterations_t, is_count,                 \
     "takes an integer")                                                                         \
-  f(boundary_smoothing, boundary_smoothing_t, is_flag, "takes a bool")
+  f(boundary_smoothing, boundary_smoothing_t, is_flag, "takes a bool")                          \
+  f(components_apart, components_apart_t, is_flag, "takes a bool")
 
 namespace internal_np {
 

@@ -34,6 +34,8 @@ constexpr std::size_t unlimited = (std::numeric_limits<std::size_t>::max)();
 struct Options
 {
   std::size_t maximum_number_of_segments = unlimited;
+  bool is_number_exact = false;    // the maximum number is the number, whatever the saliences
+  bool components_apart = true;    // components of the mesh have no part in common
   double minimum_segment_size = 0.005;
   double salience_threshold = default_salience_threshold;
   Part_salience part_salience = Weighted_part_salience();
@@ -94,6 +96,7 @@ inline Options calibrated_options()
   o.number_of_regions = 20;
   o.number_of_searched_faces = 4000;
   o.refinement = true;
+  o.components_apart = false;
   return o;
 }
 

@@ -10,19 +10,27 @@
 #include <CGAL/Spectral_segmentation/internal/engine.h>
 #include <CGAL/Spectral_segmentation/internal/hierarchy/boundary_smoothing.h>
 #include <CGAL/Spectral_segmentation/internal/hierarchy/congruent_cuts.h>
+#include <CGAL/Spectral_segmentation/internal/hierarchy/further_cuts.h>
+#include <CGAL/Spectral_segmentation/internal/hierarchy/joined_roots.h>
 #include <CGAL/Spectral_segmentation/internal/hierarchy/recursion.h>
 #include <CGAL/Spectral_segmentation/internal/hierarchy/region_merging.h>
 #include <CGAL/Spectral_segmentation/internal/mesh/connect_triangles.h>
+#include <CGAL/Spectral_segmentation/internal/mesh/distinct_faces.h>
 #include <CGAL/Spectral_segmentation/internal/mesh/reorder_faces.h>
 #include <CGAL/Spectral_segmentation/internal/multilevel/Cut_restriction.h>
 #include <CGAL/Spectral_segmentation/internal/multilevel/Longest_edge_bisection.h>
 #include <CGAL/Spectral_segmentation/internal/multilevel/coarsening.h>
+#include <CGAL/Spectral_segmentation/internal/multilevel/Grid_wrap.h>
+#include <CGAL/Spectral_segmentation/internal/multilevel/Wrap_restriction.h>
 #include <CGAL/Spectral_segmentation/internal/multilevel/projection.h>
 #include <CGAL/Spectral_segmentation/internal/utility/Run_monitor.h>
 
 #include <algorithm>
 #include <cstddef>
 #include <numeric>
+#include <optional>
+#include <stdexcept>
+#include <string>
 #include <utility>
 #include <vector>
 
@@ -36,9 +44,11 @@ class Run
   Run_monitor monitor_;
 
   double unit_ = 1;                 // the length of 1 in the coordinates of the caller
+  std::vector<Index> first_twin_;   // of each of the caller's faces, where there are twins
   std::vector<Index> order_;        // the numbers that the caller's mesh gives the faces
   Face_graph mesh_;
   Refined_mesh refined_;            // empty if the edges of the mesh are short enough
+  std::optional<Grid_wrap> wrap_;   // of a mesh of several components
   std::vector<Coarse_mesh> levels_; // each coarser than the one before
   std::vector<Index> neighbors_;    // in the caller's numbers, if boundaries shall be smoothed
 
@@ -48,27 +58,69 @@ class Run
             options_.concavity_radius};
   }
 
+  // Leaves out the faces that are there already.
+  Triangles without_twins(Triangles triangles)
+  {
+    std::vector<Index> first_twin = Face_twins(triangles)();
+    order_.clear();
+    for (Index f = 0; f < first_twin.size(); ++f)
+      if (first_twin[f] == f)
+        order_.push_back(f);
+    if (order_.size() == first_twin.size())
+      return triangles;
+    first_twin_ = std::move(first_twin);
+    return distinct_triangles(triangles, first_twin_);
+  }
+
   // A run that is stopped on the way leaves the faces in the caller's order.
   void read(Triangles triangles)
   {
-    order_.resize(triangles.corners.size());
-    std::iota(order_.begin(), order_.end(), Index(0));
+    triangles = without_twins(std::move(triangles));
     if (monitor_.go_further()) {
-      std::vector<Index> order = locality_order(triangles.neighbors);
+      const std::vector<Index> order = locality_order(triangles.neighbors);
       monitor_.advance(0.3);
       if (monitor_.go_further()) {
         triangles = in_order(std::move(triangles), order);
-        order_ = std::move(order);
+        const std::vector<Index> number = std::exchange(order_, {});
+        for (Index f : order)
+          order_.push_back(number[f]);
       }
     }
     monitor_.advance(0.3);
     unit_ = normalize(triangles.points);
     mesh_ = face_graph(execution_, std::move(triangles));
-    if (options_.boundary_smoothing) {
-      neighbors_.resize(mesh_.neighbors.size());
-      for (Index h = 0; h < neighbors_.size(); ++h)
-        neighbors_[3 * order_[h / 3] + h % 3] = order_[mesh_.neighbors[h]];
-    }
+    if (options_.boundary_smoothing)
+      set_neighbors();
+    check_number();
+  }
+
+  // Twins have the same neighbors.
+  void set_neighbors()
+  {
+    neighbors_.resize(3 * number_of_callers_faces());
+    for (Index h = 0; h < mesh_.neighbors.size(); ++h)
+      neighbors_[3 * order_[h / 3] + h % 3] = order_[mesh_.neighbors[h]];
+    for (Index f = 0; f < first_twin_.size(); ++f)
+      for (Index i = 0; i < 3; ++i)
+        neighbors_[3 * f + i] = neighbors_[3 * first_twin_[f] + i];
+  }
+
+  std::size_t number_of_callers_faces() const
+  { return first_twin_.empty() ? order_.size() : first_twin_.size(); }
+
+  void check_number() const
+  {
+    if (!options_.is_number_exact)
+      return;
+    const std::size_t number = options_.maximum_number_of_segments;
+    std::size_t least = 1;
+    if (options_.components_apart)
+      connected_components(mesh_, least);
+    if (number < least || number > mesh_.number_of_faces())
+      throw std::invalid_argument(
+        "segment_spectral_recursive: number_of_segments is " + std::to_string(number) +
+        ", but the mesh can have " + std::to_string(least) + " to " +
+        std::to_string(mesh_.number_of_faces()) + " segments");
   }
 
   void set_weights(Face_graph& graph, const std::vector<Vector>& points) const
@@ -89,7 +141,24 @@ class Run
       refined_ = Longest_edge_bisection(mesh_, *bound)(execution_);
   }
 
-  const Face_graph& finest() const { return refined_.faces.empty() ? mesh_ : refined_.graph; }
+  // Around components that touch: where none does, the mesh itself is searched.
+  void wrap()
+  {
+    std::size_t number_of_components, number_in_wrap;
+    connected_components(mesh_, number_of_components);
+    if (number_of_components < 2 || !(total_area(mesh_) > 0))
+      return;
+    wrap_.emplace(execution_, mesh_);
+    connected_components(wrap_->surface(), number_in_wrap);
+    if (number_in_wrap == number_of_components)
+      wrap_.reset();
+  }
+
+  const Face_graph& finest() const
+  { return wrap_ ? wrap_->surface() : refined_.faces.empty() ? mesh_ : refined_.graph; }
+
+  // Whether something is done with the mesh after the search.
+  bool is_mesh_needed() const { return options_.is_number_exact || !options_.components_apart; }
 
   // The mesh on which cuts are searched.
   Face_graph coarse_mesh()
@@ -98,11 +167,15 @@ class Run
     std::vector<Vector> points = smoothed_points(mesh_, options_.number_of_smoothing_iterations,
                                                  [&] { monitor_.check(); return true; });
     if (options_.number_of_searched_faces == 0) {
-      set_weights(mesh_, points);
-      return std::move(mesh_);
+      Face_graph result = is_mesh_needed() ? mesh_ : std::move(mesh_);
+      set_weights(result, points);
+      return result;
     }
     mesh_.points = std::move(points);
-    refine();
+    if (!options_.components_apart)
+      wrap();
+    if (!wrap_)
+      refine();
     const std::size_t number_of_faces = options_.faces_to_search(finest().number_of_faces());
     if (number_of_faces < finest().number_of_faces())
       levels_ = coarsen_in_steps(execution_, finest(), number_of_faces, monitor_);
@@ -122,6 +195,8 @@ class Run
         composed.push_back(result[f]);
       result = std::move(composed);
     };
+    if (wrap_)
+      compose(wrap_->nearest_faces());
     if (!refined_.faces.empty())
       compose(refined_.faces);
     for (const Coarse_mesh& level : levels_)
@@ -150,8 +225,10 @@ class Run
     for (std::size_t i = levels_.size(); i-- > 0; levels_.pop_back())
       hierarchy = Cut_projection(execution_, hierarchy, levels_[i],
                                  i > 0 ? levels_[i - 1].graph : finest(), weights, monitor_)();
+    if (wrap_)
+      hierarchy = Wrap_restriction(hierarchy, *wrap_, mesh_, monitor_)();
     if (!refined_.faces.empty())
-      hierarchy = Cut_restriction(execution_, hierarchy, refined_, mesh_, monitor_)();
+      hierarchy = Cut_restriction(execution_, hierarchy, refined_, mesh_, weights, monitor_)();
     return hierarchy;
   }
 
@@ -164,12 +241,23 @@ class Run
     return uncut_hierarchy(std::move(component), areas);
   }
 
+  // As many cuts as were asked for.
+  void complete(Cut_hierarchy& hierarchy) const
+  {
+    if (!options_.components_apart)
+      hierarchy = joined_roots(hierarchy, mesh_);
+    if (options_.is_number_exact && !monitor_.is_stopped())
+      Further_cuts(mesh_, hierarchy)(options_.maximum_number_of_segments);
+  }
+
   // From the numbers and the unit of the run to those of the caller.
   void convert(Cut_hierarchy& hierarchy) const
   {
-    std::vector<Index> leaf(order_.size());
-    for (Index f = 0; f < leaf.size(); ++f)
+    std::vector<Index> leaf(number_of_callers_faces());
+    for (Index f = 0; f < order_.size(); ++f)
       leaf[order_[f]] = hierarchy.leaf[f];
+    for (Index f = 0; f < first_twin_.size(); ++f)
+      leaf[f] = leaf[first_twin_[f]];
     hierarchy.leaf = std::move(leaf);
     for (Cut_node& node : hierarchy.nodes)
       node.area *= unit_ * unit_;
@@ -206,12 +294,14 @@ public:
     catch (const Run_stopped&) { // before there was a cut
       levels_.clear();
       refined_ = Refined_mesh();
+      wrap_.reset();
       result = components();
     }
     monitor_.start_phase(1);
-    if (!levels_.empty() || !refined_.faces.empty())
+    if (&finest() != &mesh_ || !levels_.empty())
       result = monitor_.stage(Stage::PROJECTION, Segmentation_visitor::whole_mesh,
                               [&] { return project(std::move(result)); });
+    complete(result);
     convert(result);
     result.neighbors = std::move(neighbors_);
     monitor_.finish();

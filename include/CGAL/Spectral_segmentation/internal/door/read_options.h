@@ -12,6 +12,7 @@
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
+#include <limits>
 #include <stdexcept>
 #include <string>
 #include <type_traits>
@@ -92,6 +93,19 @@ Options read_options(const NamedParameters& np)
   read_distance_weights(np, o);
   read_count(np, tags::maximum_number_of_segments, "maximum_number_of_segments", 1, "at least 1",
              o.maximum_number_of_segments);
+  static_assert(!(is_given<NamedParameters, tags::number_of_segments_t> &&
+                  (is_given<NamedParameters, tags::maximum_number_of_segments_t> ||
+                   is_given<NamedParameters, tags::salience_threshold_t>)),
+                "number_of_segments goes neither with maximum_number_of_segments nor with "
+                "salience_threshold");
+  if constexpr (is_given<NamedParameters, tags::number_of_segments_t>) {
+    read_count(np, tags::number_of_segments, "number_of_segments", 1, "at least 1",
+               o.maximum_number_of_segments);
+    o.is_number_exact = true;
+  }
+  read_parameter(np, tags::components_apart, o.components_apart);
+  require(o.components_apart || o.method == Method::CALIBRATED, "components_apart",
+          "true with zhang_liu_2005()");
   read_parameter(np, tags::minimum_segment_size, o.minimum_segment_size);
   require(o.minimum_segment_size >= 0 && o.minimum_segment_size <= 0.5, "minimum_segment_size",
           "in [0, 0.5]");
@@ -104,6 +118,8 @@ Options read_options(const NamedParameters& np)
   read_count(np, tags::number_of_smoothing_iterations, "number_of_smoothing_iterations", 0,
              "at least 0", o.number_of_smoothing_iterations);
   read_parameter(np, tags::boundary_smoothing, o.boundary_smoothing);
+  if (o.is_number_exact)
+    o.salience_threshold = -std::numeric_limits<double>::infinity();
   if constexpr (is_given<NamedParameters, tags::random_seed_t>) {
     const auto seed = CGAL::parameters::get_parameter(np, CGAL::internal_np::random_seed);
     static_assert(tags::is_count<std::decay_t<decltype(seed)> >::value,

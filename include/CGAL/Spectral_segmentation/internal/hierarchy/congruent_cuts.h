@@ -130,24 +130,14 @@ class Congruent_cuts
     return std::isnan(mean) ? least : std::clamp(mean, least, largest);
   }
 
-  // To the least ones with which no cut is less salient than those that follow on its sides, and
-  // congruent ones are equally salient.
+  // To the least ones with which no cut is less salient than those that follow on its sides.
   void raise_saliences()
   {
-    bool is_raised = true;
-    const auto raise = [&](std::size_t i, double salience) {
-      is_raised |= saliences_[i] < salience;
-      saliences_[i] = (std::max)(saliences_[i], salience);
-    };
-    while (std::exchange(is_raised, false)) {
-      for (std::size_t i = saliences_.size(); i-- > 0;) // children before their parents
-        if (cuts_.turns[i] >= cuts_.number_of_roots)
-          raise(turn(cuts_.nodes[cuts_.turns[i]].parent), saliences_[i]);
-      for (const Class& congruent : classes_)
-        for (std::size_t i : congruent)
-          for (std::size_t j : congruent)
-            raise(j, saliences_[i]);
-    }
+    for (std::size_t i = saliences_.size(); i-- > 0;) // children before their parents
+      if (cuts_.turns[i] >= cuts_.number_of_roots) {
+        double& of_parent = saliences_[turn(cuts_.nodes[cuts_.turns[i]].parent)];
+        of_parent = (std::max)(of_parent, saliences_[i]);
+      }
   }
 
   Cut_hierarchy in_order_of_saliences() const

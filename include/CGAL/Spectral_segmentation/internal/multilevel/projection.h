@@ -4,29 +4,20 @@
 #ifndef CGAL_SPECTRAL_SEGMENTATION_INTERNAL_MULTILEVEL_PROJECTION_H
 #define CGAL_SPECTRAL_SEGMENTATION_INTERNAL_MULTILEVEL_PROJECTION_H
 
-#include <CGAL/Spectral_segmentation/internal/bipartition/min_cut_refinement.h>
-#include <CGAL/Spectral_segmentation/internal/distances/face_distances.h>
-#include <CGAL/Spectral_segmentation/internal/mesh/extract_part.h>
-#include <CGAL/Spectral_segmentation/internal/mesh/surface_integrals.h>
-#include <CGAL/Spectral_segmentation/internal/multilevel/Cut_transfer.h>
+#include <CGAL/Spectral_segmentation/internal/multilevel/Connected_cut_transfer.h>
 #include <CGAL/Spectral_segmentation/internal/multilevel/coarsening.h>
 
 #include <array>
-#include <cmath>
 #include <cstddef>
 #include <vector>
 
 namespace CGAL::Spectral_segmentation::internal {
 
 // Projects the cuts of a coarse mesh onto the mesh that was coarsened. A face gets the side shared
-// by all coarse faces around the images of its vertices. The faces between, which have no unique
-// side, are a band around the cut; it is split by a minimum cut or, if no face of a side is sure,
-// by region growing from the faces that survived the coarsening.
-class Cut_projection : private Cut_transfer
+// by all coarse faces around the images of its vertices; others have no sure side.
+class Cut_projection : private Connected_cut_transfer
 {
   const Coarse_mesh& coarse_;
-  const Distance_weights& weights_;
-  Face_graph bands_;
   std::vector<char> sides_around_; // of each coarse vertex, as bits; 0 between cuts
 
   // What the images of the corners have.
@@ -59,21 +50,7 @@ class Cut_projection : private Cut_transfer
     return result;
   }
 
-  void set_bands()
-  {
-    bands_ = Part_extractor(mesh_)(cells_.faces_of_bands());
-    if (monitor_.is_stopped()) // sides grow then, for which no distances are needed
-      return;
-    Distance_weights weights = weights_;
-    const double area = total_area(bands_); // to which the radius is relative
-    weights.concavity_radius *= area > 0 ? std::sqrt(total_area(mesh_) / area) : 0;
-    set_face_distances(execution_, bands_, bands_.points,
-                       face_normals(execution_, bands_, bands_.points), weights);
-  }
-
-  // Gives each cell of a part its side or BETWEEN. Tells whether there are sure cells on either
-  // side.
-  bool set_sure_sides(std::size_t node, const Cells& cells)
+  bool set_sure_sides(std::size_t node, const Cells& cells) override
   {
     const auto add_sides = [&](bool are_set) {
       for (Index s : {Q, REST})
@@ -97,26 +74,9 @@ class Cut_projection : private Cut_transfer
     return all == 3;
   }
 
-  // Splits what is BETWEEN by the minimum cut. Needs sure cells on both sides.
-  void divide_band(const Cells& cells)
-  {
-    const std::size_t number = cells_.faces_of_bands().size();
-    Sides side(side_.begin(), side_.begin() + static_cast<std::ptrdiff_t>(number));
-    std::vector<Index> band;
-    for (Index cell : cells)
-      if (side_[cell] == BETWEEN) {
-        CGAL_assertion(!cells_.is_core(cell));
-        side[cell] = Q;
-        band.push_back(cell);
-      }
-    side = minimum_cut_within(bands_, band, side);
-    for (Index cell : band)
-      side_[cell] = side[cell];
-  }
-
-  // Splits what is BETWEEN by region growing, from the sure cells and from the faces that survived
-  // the coarsening, which have the side of what is left of them.
-  void grow_sides(std::size_t node, const Cells& cells)
+  // By region growing, from the sure cells and from the faces that survived the coarsening, which
+  // have the side of what is left of them.
+  void set_other_sides(std::size_t node, const Cells& cells) override
   {
     std::vector<Index> reached;
     for (Index cell : cells)
@@ -143,26 +103,17 @@ class Cut_projection : private Cut_transfer
         side_[cell] = REST;
   }
 
-  void set_sides(std::size_t node, const Cells& cells) override
-  {
-    if (set_sure_sides(node, cells) && !bands_.weights.empty())
-      divide_band(cells);
-    else
-      grow_sides(node, cells);
-  }
-
   Index face_of(Index coarse_face) const override { return coarse_.faces[coarse_face]; }
 
 public:
   Cut_projection(Execution execution, const Cut_hierarchy& cuts, const Coarse_mesh& coarse,
                  const Face_graph& mesh, const Distance_weights& weights, Run_monitor& monitor)
-    : Cut_transfer(execution, cuts, mesh, are_between(execution, cuts, coarse, mesh), monitor),
-      coarse_(coarse), weights_(weights), sides_around_(coarse.graph.points.size(), 0)
+    : Connected_cut_transfer(execution, cuts, mesh, are_between(execution, cuts, coarse, mesh),
+                             weights, monitor),
+      coarse_(coarse), sides_around_(coarse.graph.points.size(), 0)
   {}
 
-  // The hierarchy on the mesh. Once the caller has stopped the run, sides grow in place of minimum
-  // cuts.
-  Cut_hierarchy operator()() { return transfer([this] { set_bands(); }); }
+  using Connected_cut_transfer::operator();
 };
 
 } // namespace CGAL::Spectral_segmentation::internal

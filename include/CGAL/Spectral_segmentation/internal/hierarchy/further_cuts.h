@@ -1,0 +1,153 @@
+// Copyright (c) 2026  The Spectral_segmentation authors.
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_SPECTRAL_SEGMENTATION_INTERNAL_HIERARCHY_FURTHER_CUTS_H
+#define CGAL_SPECTRAL_SEGMENTATION_INTERNAL_HIERARCHY_FURTHER_CUTS_H
+
+#include <CGAL/Spectral_segmentation/internal/hierarchy/Cut_hierarchy.h>
+#include <CGAL/Spectral_segmentation/internal/hierarchy/Nested_ranges.h>
+#include <CGAL/Spectral_segmentation/internal/mesh/Face_graph.h>
+
+#include <algorithm>
+#include <cstddef>
+#include <queue>
+#include <utility>
+#include <vector>
+
+namespace CGAL::Spectral_segmentation::internal {
+
+// Cuts leaves of a hierarchy further, where the search found fewer cuts than are asked for: the
+// largest leaf in two, between its components if it has several, else in halves of about the same
+// area.
+class Further_cuts
+{
+  typedef std::pair<double, std::size_t> Key; // of a leaf: its area, then its node
+
+  const Face_graph& mesh_;
+  Cut_hierarchy& cuts_;
+  Nested_ranges faces_;         // of each node
+  std::vector<char> is_in_leaf_; // of each face, of the leaf at hand that is not reached yet
+  std::priority_queue<Key> queue_;
+
+  void enqueue(std::size_t leaf)
+  {
+    if (faces_.size(leaf) > 1)
+      queue_.push({quantized(cuts_.nodes[leaf].area), leaf});
+  }
+
+  // The faces of the leaf that are connected with one, by a breadth-first search, until they have
+  // this area. They are reached then.
+  std::vector<Index> reached_from(Index first, double area)
+  {
+    std::vector<Index> result(1, first);
+    is_in_leaf_[first] = 0;
+    double sum = mesh_.areas[first];
+    for (std::size_t i = 0; i < result.size(); ++i)
+      for (Index h = 3 * result[i]; h < 3 * result[i] + 3; ++h) {
+        const Index f = mesh_.neighbors[h];
+        if (!is_in_leaf_[f])
+          continue;
+        if (sum + mesh_.areas[f] > area)
+          return result;
+        sum += mesh_.areas[f];
+        is_in_leaf_[f] = 0;
+        result.push_back(f);
+      }
+    return result;
+  }
+
+  void set_in_leaf(const std::vector<Index>& faces, bool value)
+  {
+    for (Index f : faces)
+      is_in_leaf_[f] = value;
+  }
+
+  // Of the faces of a leaf those on one side, neither none nor all. If the leaf is connected, so
+  // are both sides.
+  std::vector<Index> side(std::size_t leaf)
+  {
+    const std::vector<Index> faces(faces_[leaf].begin(), faces_[leaf].end());
+    const double all = cuts_.nodes[leaf].area * 2 + 1; // more than there is
+    set_in_leaf(faces, true);
+    const std::vector<Index> component = reached_from(faces.front(), all);
+    if (component.size() < faces.size()) {
+      set_in_leaf(faces, false);
+      return component;
+    }
+    // From the face reached last, which is at an end; what it separates from the largest rest
+    // goes with it.
+    set_in_leaf(faces, true);
+    std::vector<Index> result = reached_from(component.back(), cuts_.nodes[leaf].area / 2);
+    if (result.size() == faces.size()) { // without area
+      result.resize(1);
+      set_in_leaf(faces, true);
+      is_in_leaf_[result.front()] = 0;
+    }
+    std::vector<std::vector<Index> > rests;
+    for (Index f : faces)
+      if (is_in_leaf_[f])
+        rests.push_back(reached_from(f, all));
+    const auto largest = std::max_element(rests.begin(), rests.end(),
+      [](const auto& a, const auto& b) { return a.size() < b.size(); });
+    for (auto rest = rests.begin(); rest != rests.end(); ++rest)
+      if (rest != largest)
+        result.insert(result.end(), rest->begin(), rest->end());
+    set_in_leaf(faces, false);
+    return result;
+  }
+
+  void cut(std::size_t leaf, double salience)
+  {
+    const std::vector<Index> q = side(leaf);
+    double area[2] = {0, cuts_.nodes[leaf].area};
+    set_in_leaf(q, true);
+    for (Index f : q)
+      area[0] += mesh_.areas[f];
+    area[1] = (std::max)(area[1] - area[0], 0.);
+    const bool is_swapped = area[0] > area[1];
+    std::vector<char> sides;
+    for (Index f : faces_[leaf])
+      sides.push_back((is_in_leaf_[f] != 0) == is_swapped);
+    set_in_leaf(q, false);
+    if (is_swapped)
+      std::swap(area[0], area[1]);
+    cuts_.cut(leaf, area[0], area[1]);
+    faces_.cut(leaf, sides);
+    Cut_node& n = cuts_.nodes[leaf];
+    n.cut_state = Cut_state::ACCEPTED;
+    n.salience = salience;
+    cuts_.turns.push_back(leaf);
+    for (std::size_t child : n.children) {
+      cuts_.nodes[child].cut_state = Cut_state::NO_CUT;
+      enqueue(child);
+    }
+  }
+
+public:
+  Further_cuts(const Face_graph& mesh, Cut_hierarchy& cuts)
+    : mesh_(mesh), cuts_(cuts), faces_(cuts, cuts.leaf), is_in_leaf_(mesh.number_of_faces(), 0) {}
+
+  // Until there are this many leaves, or every leaf is a face.
+  void operator()(std::size_t number_of_segments)
+  {
+    double salience = 0; // no larger than that of any cut
+    for (std::size_t turn : cuts_.turns)
+      salience = (std::min)(salience, cuts_.nodes[turn].salience);
+    for (std::size_t i = 0; i < cuts_.nodes.size(); ++i)
+      if (cuts_.nodes[i].is_leaf())
+        enqueue(i);
+    while (cuts_.number_of_segments() < number_of_segments && !queue_.empty()) {
+      const std::size_t leaf = queue_.top().second;
+      queue_.pop();
+      cut(leaf, salience);
+    }
+    for (std::size_t i = 0; i < cuts_.nodes.size(); ++i)
+      if (cuts_.nodes[i].is_leaf())
+        for (Index f : faces_[i])
+          cuts_.leaf[f] = static_cast<Index>(i);
+  }
+};
+
+} // namespace CGAL::Spectral_segmentation::internal
+
+#endif // CGAL_SPECTRAL_SEGMENTATION_INTERNAL_HIERARCHY_FURTHER_CUTS_H

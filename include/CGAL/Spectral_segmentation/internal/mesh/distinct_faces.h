@@ -1,0 +1,117 @@
+// Copyright (c) 2026  The Spectral_segmentation authors.
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_SPECTRAL_SEGMENTATION_INTERNAL_MESH_DISTINCT_FACES_H
+#define CGAL_SPECTRAL_SEGMENTATION_INTERNAL_MESH_DISTINCT_FACES_H
+
+#include <CGAL/Spectral_segmentation/internal/mesh/Triangles.h>
+#include <CGAL/Spectral_segmentation/internal/mesh/connect_triangles.h>
+
+#include <algorithm>
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <cstring>
+#include <tuple>
+#include <utility>
+#include <vector>
+
+namespace CGAL::Spectral_segmentation::internal {
+
+// Finds faces with the same three points, in any order: a hash table of the faces.
+class Face_twins
+{
+  const Triangles& triangles_;
+  std::vector<std::uint64_t> hash_; // of each vertex
+
+  static std::uint64_t hash(const Vector& p)
+  {
+    std::uint64_t h = 0;
+    for (int i = 0; i < 3; ++i) {
+      const double coordinate = p[i] + 0.; // no negative zero
+      std::uint64_t bits;
+      std::memcpy(&bits, &coordinate, sizeof bits);
+      h = (h ^ bits) * 0x9e3779b97f4a7c15;
+      h ^= h >> 29;
+    }
+    return h;
+  }
+
+  std::array<Vector, 3> sorted_points(Index f) const
+  {
+    const Corners& c = triangles_.corners[f];
+    std::array<Vector, 3> result = {triangles_.points[c[0]], triangles_.points[c[1]],
+                                    triangles_.points[c[2]]};
+    std::sort(result.begin(), result.end(), [](const Vector& p, const Vector& q)
+      { return std::make_tuple(p.x(), p.y(), p.z()) < std::make_tuple(q.x(), q.y(), q.z()); });
+    return result;
+  }
+
+public:
+  explicit Face_twins(const Triangles& triangles) : triangles_(triangles)
+  {
+    hash_.reserve(triangles.points.size());
+    for (const Vector& p : triangles.points)
+      hash_.push_back(hash(p));
+  }
+
+  // Of each face the first one with its points, which may be itself.
+  std::vector<Index> operator()() const
+  {
+    const std::size_t n = triangles_.corners.size();
+    std::size_t size = 1;
+    while (size < 2 * n)
+      size *= 2;
+    std::vector<Index> table(size, null_index), result;
+    result.reserve(n);
+    const auto face_hash = [&](Index f) {
+      const Corners& c = triangles_.corners[f];
+      const std::uint64_t h = (hash_[c[0]] + hash_[c[1]] + hash_[c[2]]) * 0xbf58476d1ce4e5b9;
+      return static_cast<std::size_t>(h ^ (h >> 31));
+    };
+    for (Index f = 0; f < n; ++f) {
+      std::size_t place = face_hash(f) & (size - 1);
+      while (table[place] != null_index && face_hash(table[place]) != face_hash(f))
+        place = (place + 1) & (size - 1);
+      while (table[place] != null_index && sorted_points(table[place]) != sorted_points(f))
+        place = (place + 1) & (size - 1);
+      if (table[place] == null_index)
+        table[place] = f;
+      result.push_back(table[place]);
+    }
+    return result;
+  }
+};
+
+// The faces that `first_twin` maps to themselves, connected as a soup whose points at one place are
+// one: what several faces at one place separated may be a surface.
+inline Triangles distinct_triangles(const Triangles& triangles,
+                                    const std::vector<Index>& first_twin)
+{
+  Triangles result;
+  result.points = triangles.points;
+  const auto coordinates = [&](Index v) {
+    const Vector& p = triangles.points[v];
+    return std::make_tuple(p.x(), p.y(), p.z());
+  };
+  std::vector<Index> order(triangles.points.size()), number(order.size());
+  for (Index v = 0; v < order.size(); ++v)
+    order[v] = v;
+  std::sort(order.begin(), order.end(), [&](Index v, Index w)
+    { return std::make_pair(coordinates(v), v) < std::make_pair(coordinates(w), w); });
+  for (std::size_t i = 0; i < order.size(); ++i)
+    number[order[i]] = i > 0 && coordinates(order[i - 1]) == coordinates(order[i])
+      ? number[order[i - 1]] : order[i];
+  for (Index f = 0; f < first_twin.size(); ++f)
+    if (first_twin[f] == f) {
+      const Corners& c = triangles.corners[f];
+      result.corners.push_back({number[c[0]], number[c[1]], number[c[2]]});
+    }
+  Triangle_connection connection(result);
+  connection();
+  return result;
+}
+
+} // namespace CGAL::Spectral_segmentation::internal
+
+#endif // CGAL_SPECTRAL_SEGMENTATION_INTERNAL_MESH_DISTINCT_FACES_H
