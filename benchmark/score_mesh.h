@@ -5,6 +5,7 @@
 #define SEGMENTATION_BENCHMARK_SCORE_MESH_H
 
 #include "Method_trees.h"
+#include "assembled_meshes.h"
 #include "consensus_floor.h"
 #include "segmentation_methods.h"
 #include "timed.h"
@@ -15,6 +16,7 @@
 
 #include <array>
 #include <cstddef>
+#include <cstdint>
 #include <filesystem>
 #include <limits>
 #include <map>
@@ -132,13 +134,21 @@ class Mesh_scorer
     return s;
   }
 
+  Retriangulated_mesh retriangulated(const std::string& triangulation) const
+  {
+    if (is_assembly(triangulation))
+      return assembled(triangulation, input_.mesh, input_.people.front(),
+                       static_cast<std::uint64_t>(input_.id));
+    return segmentation_benchmark::retriangulated(triangulation, input_.mesh, cache_,
+                                                  std::to_string(input_.id));
+  }
+
   const Retriangulated_mesh& mesh(const std::string& triangulation)
   {
     const auto found = meshes_.find(triangulation);
     if (found != meshes_.end())
       return found->second;
-    return meshes_.emplace(triangulation, retriangulated(triangulation, input_.mesh, cache_,
-                                                         std::to_string(input_.id))).first->second;
+    return meshes_.emplace(triangulation, retriangulated(triangulation)).first->second;
   }
 
   Score score(const Tree_method& method, const Row& row)

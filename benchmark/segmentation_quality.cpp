@@ -6,10 +6,11 @@
 /// Funkhouser, SIGGRAPH 2009): all metrics of the benchmark, by category and overall, and the
 /// distance from the least Rand error that one segmentation can have with respect to all people,
 /// of which an upper bound is computed. The meshes may also be segmented in other triangulations,
-/// which should give the same parts. Unions of primitives, whose parts are known, stand for
-/// mechanical parts.
+/// or put together from many closed components, which should give the same parts. Unions of
+/// primitives, whose parts are known, stand for mechanical parts.
 
 #include "Contact_sheet.h"
+#include "assembled_meshes.h"
 #include "for_each_mesh.h"
 #include "program.h"
 #include "score_mesh.h"
@@ -40,6 +41,13 @@ struct Options
   Options() { methods.push_back(people_method); }
 };
 
+std::vector<std::string> names_of_triangulations()
+{
+  std::vector<std::string> names = triangulation_names();
+  names.insert(names.end(), assembly_names().begin(), assembly_names().end());
+  return names;
+}
+
 void add_options(CLI::App& app, Options& o)
 {
   app.add_option("folder", o.folder,
@@ -55,9 +63,10 @@ void add_options(CLI::App& app, Options& o)
     ->check(CLI::IsMember(o.protocols));
   app.add_option("--triangulation", o.triangulations,
                  "in which the meshes are segmented, several for a comparison: as_is; decimated to "
-                 "1500 faces; remeshed to about 8000 like ones; subdivided, each face in four "
-                 "[as_is]")
-    ->check(CLI::IsMember(triangulation_names()));
+                 "1500 faces; remeshed to about 8000 like ones; subdivided, each face in four; or "
+                 "put together from closed components with gaps or intersecting, which are the "
+                 "first person's parts cut by random cells [as_is]")
+    ->check(CLI::IsMember(names_of_triangulations()));
   app.add_option("--cache", o.cache,
                  "where meshes that are decimated or remeshed are kept for further runs")
     ->type_name("DIR");
