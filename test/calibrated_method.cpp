@@ -97,11 +97,12 @@ BOOST_AUTO_TEST_CASE(as_many_segments_as_are_asked_for)
   for (std::size_t n : {20, 21, 40})
     BOOST_TEST(check_labels(mesh, labels_of(mesh, np.maximum_number_of_segments(n))) == n);
   BOOST_TEST(number_of(labels_of(mesh, np)) == 20);
-  // One region more for each further component
-  const Soup three = disjoint_union(dumbbell(16, 12), disjoint_union(sphere(3), sphere(2)));
+  // One region more for each further component that nothing touches
+  const Soup three = disjoint_union(
+    dumbbell(16, 12), disjoint_union(moved(sphere(3), 20, 0, 0), moved(sphere(2), 0, 20, 0)));
   BOOST_TEST(number_of(labels_of(three, np)) == 22);
   BOOST_TEST(number_of(labels_of(three, np.maximum_number_of_segments(25))) == 25);
-  BOOST_TEST(number_of(labels_of(three, np.maximum_number_of_segments(2))) == 3);
+  BOOST_TEST(number_of(labels_of(three, np.maximum_number_of_segments(2))) == 2);
 }
 
 BOOST_AUTO_TEST_CASE(the_maximum_changes_the_hierarchy_only_above_the_number_of_regions)
@@ -233,12 +234,12 @@ BOOST_AUTO_TEST_CASE(smoothed_boundaries_leave_segments_connected_and_few_faces_
   BOOST_TEST(rand_index(smoothed, labels) < 1);
 }
 
-BOOST_AUTO_TEST_CASE(components_are_never_merged)
+BOOST_AUTO_TEST_CASE(components_that_shall_stay_apart_are_never_merged)
 {
-  const Soup soup = disjoint_union(dumbbell(16, 12), dumbbell(16, 12));
+  const Soup soup = disjoint_union(dumbbell(16, 12), moved(dumbbell(16, 12), 0, 0, 0.1));
   const std::size_t half = soup.triangles.size() / 2;
   for (std::size_t maximum : {std::size_t(1), std::size_t(3), unlimited}) {
-    const Labels labels = labels_of(soup, calibrated().maximum_number_of_segments(maximum));
+    const Labels labels = labels_of(soup, calibrated().components_apart(true).maximum_number_of_segments(maximum));
     const std::set<std::size_t> first(labels.begin(), labels.begin() + std::ptrdiff_t(half)),
                                 second(labels.begin() + std::ptrdiff_t(half), labels.end());
     for (std::size_t label : first)
@@ -257,7 +258,8 @@ BOOST_AUTO_TEST_CASE(meshes_of_up_to_two_faces_stay_whole)
   BOOST_TEST(labels_of_default(Soup()).empty());
   BOOST_TEST((labels_of_default(triangle) == Labels{0}));
   BOOST_TEST((labels_of_default(plate(1, 1)) == Labels{0, 0}));
-  BOOST_TEST((labels_of_default(disjoint_union(triangle, triangle)) == Labels{0, 1}));
+  const Soup far = moved(triangle, 10, 0, 0);
+  BOOST_TEST((labels_of_default(disjoint_union(triangle, far)) == Labels{0, 1}));
 }
 
 BOOST_AUTO_TEST_CASE(faces_without_area_do_no_harm)

@@ -195,14 +195,16 @@ void check_capacity(std::size_t capacity)
   std::vector<Id> ids(capacity, Id(7));
   const auto map = boost::make_iterator_property_map(ids.begin(),
                                                      get(CGAL::face_index, just_enough));
-  BOOST_TEST(CGAL::segment_spectral_recursive(just_enough, map) == capacity);
+  const auto apart = parameters::components_apart(true);
+  BOOST_TEST(CGAL::segment_spectral_recursive(just_enough, map, apart) == capacity);
   BOOST_TEST(ids.back() == static_cast<Id>(capacity - 1));
 
   const Mesh too_many = mesh_of(many_components(capacity + 1));
   ids.assign(capacity + 1, Id(7));
   BOOST_CHECK_THROW(
     CGAL::segment_spectral_recursive(
-      too_many, boost::make_iterator_property_map(ids.begin(), get(CGAL::face_index, too_many))),
+      too_many, boost::make_iterator_property_map(ids.begin(), get(CGAL::face_index, too_many)),
+      apart),
     std::overflow_error);
   BOOST_TEST(std::count(ids.begin(), ids.end(), Id(7)) == std::ptrdiff_t(capacity + 1));
 }

@@ -220,7 +220,9 @@ BOOST_AUTO_TEST_CASE(segments_of_fewer_or_more_salient_cuts_are_unions)
         BOOST_TEST(is_union_of(labels, finer));
         finer = labels;
       }
-      BOOST_TEST(number_of(finer) == hierarchy.number_of_roots());
+      // No threshold joins what does not touch.
+      BOOST_TEST(number_of(finer) == number_of(hierarchy.labels(unlimited, infinity)));
+      BOOST_TEST(number_of(hierarchy.labels(1, smallest)) == hierarchy.number_of_roots());
       for (std::size_t n = 1; n < number_of(hierarchy.labels()); ++n)
         BOOST_TEST(is_union_of(hierarchy.labels(n, smallest), hierarchy.labels(n + 1, smallest)));
     });

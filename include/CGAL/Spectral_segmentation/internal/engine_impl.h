@@ -58,16 +58,18 @@ class Run
             options_.concavity_radius};
   }
 
-  // Leaves out the faces that are there already.
+  // Leaves out the faces that are there already. A connected mesh is taken as it is.
   Triangles without_twins(Triangles triangles)
   {
-    std::vector<Index> first_twin = Face_twins(triangles)();
-    order_.clear();
-    for (Index f = 0; f < first_twin.size(); ++f)
-      if (first_twin[f] == f)
-        order_.push_back(f);
-    if (order_.size() == first_twin.size())
+    order_.resize(triangles.corners.size());
+    std::iota(order_.begin(), order_.end(), Index(0));
+    if (is_connected(triangles.neighbors))
       return triangles;
+    std::vector<Index> first_twin = Face_twins(triangles)();
+    const auto is_first = [&](Index f) { return first_twin[f] == f; };
+    if (std::all_of(order_.begin(), order_.end(), is_first))
+      return triangles;
+    order_.erase(std::stable_partition(order_.begin(), order_.end(), is_first), order_.end());
     first_twin_ = std::move(first_twin);
     return distinct_triangles(triangles, first_twin_);
   }

@@ -20,34 +20,46 @@ namespace CGAL::Spectral_segmentation::internal {
 class Grid
 {
   Vector origin_;
-  Index size_[3];   // the number of nodes along each axis
-  Index stride_[3]; // from a node to the next one along each axis
+  Index size_[3];                // the number of nodes along each axis, the first two powers of 2
+  unsigned shift_[3] = {0, 0, 0}; // of the bits of a node that are its coordinates
 
-public:
-  // Around a box, with so many cells beside it on each side.
-  Grid(const Bounding_box& box, int margin)
+  static std::array<double, 3> sizes(const Bounding_box& box, int margin)
   {
-    Index stride = 1;
+    std::array<double, 3> result;
     for (int i = 0; i < 3; ++i) {
-      origin_[i] = std::floor(box.smallest[i]) - margin;
-      size_[i] = static_cast<Index>(std::ceil(box.largest[i]) - origin_[i]) + margin + 1;
-      stride_[i] = stride;
-      stride *= size_[i];
+      result[i] = std::ceil(box.largest[i]) - std::floor(box.smallest[i]) + 2 * margin + 1;
+      if (i < 2)
+        result[i] = std::exp2(std::ceil(std::log2(result[i])));
     }
-  }
-
-  static double number_of_nodes(const Bounding_box& box, int margin)
-  {
-    double result = 1;
-    for (int i = 0; i < 3; ++i)
-      result *= std::ceil(box.largest[i]) - std::floor(box.smallest[i]) + 2 * margin + 1;
     return result;
   }
 
-  Index number_of_nodes() const { return size_[2] * stride_[2]; }
-  Index stride(int axis) const { return stride_[axis]; }
+public:
+  // Around a box, with at least so many cells beside it on each side.
+  Grid(const Bounding_box& box, int margin)
+  {
+    const std::array<double, 3> size = sizes(box, margin);
+    for (int i = 0; i < 3; ++i) {
+      origin_[i] = std::floor(box.smallest[i]) - margin;
+      size_[i] = static_cast<Index>(size[i]);
+      if (i > 0)
+        shift_[i] = shift_[i - 1] + static_cast<unsigned>(std::ilogb(size[i - 1]));
+    }
+  }
+
+  // What it would have.
+  static double number_of_nodes(const Bounding_box& box, int margin)
+  {
+    const std::array<double, 3> size = sizes(box, margin);
+    return size[0] * size[1] * size[2];
+  }
+
+  Index number_of_nodes() const { return size_[2] << shift_[2]; }
+  Index stride(int axis) const { return Index(1) << shift_[axis]; }
   Index size(int axis) const { return size_[axis]; }
-  Index coordinate(Index node, int axis) const { return node / stride_[axis] % size_[axis]; }
+
+  Index coordinate(Index node, int axis) const
+  { return axis == 2 ? node >> shift_[2] : node >> shift_[axis] & (size_[axis] - 1); }
 
   Vector point(Index node) const
   {
@@ -58,8 +70,8 @@ public:
   Index cell(const Vector& p) const
   {
     const Vector q = p - origin_;
-    return static_cast<Index>(q.x()) + stride_[1] * static_cast<Index>(q.y()) +
-           stride_[2] * static_cast<Index>(q.z());
+    return static_cast<Index>(q.x()) + (static_cast<Index>(q.y()) << shift_[1]) +
+           (static_cast<Index>(q.z()) << shift_[2]);
   }
 
   // The corners of a cell.
@@ -67,7 +79,7 @@ public:
   {
     std::array<Index, 8> result;
     for (Index i = 0; i < 8; ++i)
-      result[i] = cell + (i & 1) * stride_[0] + (i >> 1 & 1) * stride_[1] + (i >> 2) * stride_[2];
+      result[i] = cell + (i & 1) + ((i >> 1 & 1) << shift_[1]) + ((i >> 2) << shift_[2]);
     return result;
   }
 
@@ -78,9 +90,9 @@ public:
     for (int axis = 0; axis < 3; ++axis) {
       const Index i = coordinate(node, axis);
       if (i > 0)
-        f(node - stride_[axis]);
+        f(node - stride(axis));
       if (i + 1 < size_[axis])
-        f(node + stride_[axis]);
+        f(node + stride(axis));
     }
   }
 };

@@ -14,28 +14,29 @@
 namespace CGAL::Spectral_segmentation::internal {
 
 // For each node of a grid the nearest of some elements. Elements are offered to nodes near them; a
-// node that has one offers it to its neighbors, up to a distance (a closest point transform by
-// propagation, Danielsson 1980).
-template <class SquaredDistance>
+// node that has one offers it to its neighbors, as far as a predicate says of a node and a squared
+// distance (a closest point transform by propagation, Danielsson 1980).
+template <class SquaredDistance, class Reaches>
 class Nearest_elements
 {
   const Grid& grid_;
   const SquaredDistance squared_distance_of_; // of an element and a point
-  const float limit_;
+  const Reaches reaches_;
   std::vector<Index> element_;         // of each node
   std::vector<float> squared_distance_;
   std::vector<Index> improved_;        // nodes
 
 public:
-  Nearest_elements(const Grid& grid, const SquaredDistance& squared_distance, double limit)
-    : grid_(grid), squared_distance_of_(squared_distance), limit_(static_cast<float>(limit * limit)),
+  Nearest_elements(const Grid& grid, const SquaredDistance& squared_distance,
+                   const Reaches& reaches)
+    : grid_(grid), squared_distance_of_(squared_distance), reaches_(reaches),
       element_(grid.number_of_nodes(), null_index),
       squared_distance_(grid.number_of_nodes(), (std::numeric_limits<float>::max)()) {}
 
   void offer(Index node, Index element)
   {
     const float d = static_cast<float>(squared_distance_of_(element, grid_.point(node)));
-    if (d < squared_distance_[node] && d <= limit_) {
+    if (d < squared_distance_[node] && reaches_(node, d)) {
       squared_distance_[node] = d;
       element_[node] = element;
       improved_.push_back(node);

@@ -19,12 +19,14 @@
 namespace CGAL::Spectral_segmentation::internal {
 
 // The pairs of sets of faces that a minimum spanning tree of the sets joins, the nearest first. The
-// distances are those of pieces of faces, on a grid of about a hundred cells along the mesh.
+// distances are those of pieces of faces, on a grid of at most a hundred cells along the mesh.
 inline std::vector<std::pair<Index, Index> >
 nearest_sets_of_faces(const Face_graph& mesh, const std::vector<Index>& set_of_face,
                       std::size_t number_of_sets)
 {
-  constexpr double number_of_cells = 100; // along the longest side of the bounding box
+  // Along the longest side of the bounding box; few for few faces.
+  const double number_of_cells =
+    (std::min)(100., 4 * std::sqrt(static_cast<double>(mesh.number_of_faces())));
   std::vector<std::pair<Index, Index> > result;
   if (number_of_sets < 2)
     return result;
@@ -44,7 +46,9 @@ nearest_sets_of_faces(const Face_graph& mesh, const std::vector<Index>& set_of_f
   const Grid grid(Bounding_box(points), 1);
   const auto squared_distance = [&](Index i, const Vector& p)
   { return (points[i] - p).squared_norm(); };
-  Nearest_elements<decltype(squared_distance)> nearest(grid, squared_distance, 1e9);
+  const auto reaches = [](Index, float) { return true; };
+  Nearest_elements<decltype(squared_distance), decltype(reaches)>
+    nearest(grid, squared_distance, reaches);
   for (Index i = 0; i < points.size(); ++i)
     for (Index node : grid.corners(grid.cell(points[i])))
       nearest.offer(node, i);

@@ -18,7 +18,25 @@
 
 namespace CGAL::Spectral_segmentation::internal {
 
-// Finds faces with the same three points, in any order: a hash table of the faces.
+inline bool is_connected(const std::vector<Neighbors>& neighbors)
+{
+  std::vector<char> is_reached(neighbors.size(), 0);
+  std::vector<Index> reached;
+  reached.reserve(neighbors.size());
+  const auto reach = [&](Index f) {
+    if (!std::exchange(is_reached[f], char(1)))
+      reached.push_back(f);
+  };
+  if (!neighbors.empty())
+    reach(0);
+  for (std::size_t i = 0; i < reached.size(); ++i)
+    for (Index f : neighbors[reached[i]])
+      reach(f);
+  return reached.size() == neighbors.size();
+}
+
+// Finds faces with the same three points, in any order, by a hash table of the faces. Points must
+// differ: faces in one point or line are no twins.
 class Face_twins
 {
   const Triangles& triangles_;
@@ -70,10 +88,13 @@ public:
       return static_cast<std::size_t>(h ^ (h >> 31));
     };
     for (Index f = 0; f < n; ++f) {
+      const std::array<Vector, 3> points = sorted_points(f);
+      if (points[0] == points[1] || points[1] == points[2]) {
+        result.push_back(f);
+        continue;
+      }
       std::size_t place = face_hash(f) & (size - 1);
-      while (table[place] != null_index && face_hash(table[place]) != face_hash(f))
-        place = (place + 1) & (size - 1);
-      while (table[place] != null_index && sorted_points(table[place]) != sorted_points(f))
+      while (table[place] != null_index && !(sorted_points(table[place]) == points))
         place = (place + 1) & (size - 1);
       if (table[place] == null_index)
         table[place] = f;

@@ -39,6 +39,7 @@ class Grid_wrap
   double cell_; // its length
   std::vector<Vector> points_; // of the mesh, in cells
   std::optional<Grid> grid_;
+  std::vector<char> is_near_; // each node, to the mesh, or inside of the surface
   Face_graph surface_;
   std::vector<Index> nearest_face_; // of the mesh, to each face of the surface
   std::vector<Vector> vertices_; // of the surface, in cells
@@ -94,7 +95,10 @@ class Grid_wrap
   {
     const auto squared_distance = [this](Index f, const Vector& p)
     { return squared_distance_to_triangle(p, triangle(f)); };
-    Nearest_elements<decltype(squared_distance)> nearest(*grid_, squared_distance, offset + 2);
+    // As far as the values of nodes next to the surface need it
+    const auto reaches = [](Index, float d) { return d < (offset + 1.1) * (offset + 1.1); };
+    Nearest_elements<decltype(squared_distance), decltype(reaches)>
+      nearest(*grid_, squared_distance, reaches);
     for (Index f = 0; f < mesh_.number_of_faces(); ++f)
       for_each_piece(triangle(f), length_of_pieces, [&](const Triangle& piece, double)
         { for_each_node_around(piece, [&](Index node) { nearest.offer(node, f); }); });
@@ -114,6 +118,9 @@ class Grid_wrap
           reached.push_back(node);
         }
       });
+    is_near_.resize(n);
+    for (Index node = 0; node < n; ++node)
+      is_near_[node] = !is_outside[node] || nearest.element(node) != null_index;
     Grid_function values(n);
     for (Index node = 0; node < n; ++node) {
       constexpr float smallest = 0.02f;
@@ -157,7 +164,9 @@ public:
   {
     const auto squared_distance = [this](Index v, const Vector& p)
     { return (p - vertices_[v]).squared_norm(); };
-    Nearest_elements<decltype(squared_distance)> nearest(*grid_, squared_distance, 1e9);
+    const auto reaches = [this](Index node, float) { return is_near_[node] != 0; };
+    Nearest_elements<decltype(squared_distance), decltype(reaches)>
+      nearest(*grid_, squared_distance, reaches);
     for (Index v = 0; v < vertices_.size(); ++v)
       for (Index node : grid_->corners(grid_->cell(vertices_[v])))
         nearest.offer(node, v);
