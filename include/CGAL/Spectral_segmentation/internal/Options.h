@@ -56,11 +56,14 @@ struct Options
   std::size_t number_of_refined_candidates = 0;
   std::size_t number_of_regions = 0;
 
-  // The number of regions of the over-segmentation of a connected mesh.
+  // The number of regions of the over-segmentation of a connected mesh. What an exact number needs
+  // beyond 200 are cuts without a search.
   std::size_t regions() const
   {
-    return maximum_number_of_segments == unlimited
-      ? number_of_regions : (std::max)(number_of_regions, maximum_number_of_segments);
+    if (maximum_number_of_segments == unlimited)
+      return number_of_regions;
+    const std::size_t most = is_number_exact ? 10 * number_of_regions : unlimited;
+    return (std::max)(number_of_regions, (std::min)(maximum_number_of_segments, most));
   }
 
   // The number of faces on which the cuts of a mesh are searched: `number_of_searched_faces`, and

@@ -185,7 +185,7 @@ public:
     const auto has_enough = [&] {
       const std::size_t regions = hierarchy_.number_of_segments();
       return regions - further >= options_.number_of_regions &&
-             (!is_maximum_given || regions >= options_.maximum_number_of_segments);
+             (!is_maximum_given || regions >= number_of_regions);
     };
     try {
       while (!has_enough()) {

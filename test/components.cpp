@@ -1,0 +1,290 @@
+// Copyright (c) 2026  The Spectral_segmentation authors.
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#include <boost/test/unit_test.hpp>
+
+#include "box_figures.h"
+#include "test_labels.h"
+#include "test_meshes.h"
+
+#include <CGAL/segment_spectral_recursive.h>
+
+#include <algorithm>
+#include <cstddef>
+#include <functional>
+#include <limits>
+#include <set>
+#include <stdexcept>
+#include <utility>
+#include <vector>
+
+// Meshes of several components, soups, and a number of segments that is met exactly.
+BOOST_AUTO_TEST_SUITE(components)
+
+using namespace test_meshes;
+namespace parameters = CGAL::Spectral_segmentation::parameters;
+using CGAL::Spectral_segmentation::Segmentation_hierarchy;
+
+namespace {
+
+const double infinity = std::numeric_limits<double>::infinity();
+
+template <class NamedParameters>
+Labels labels_of_soup(const Soup& soup, const NamedParameters& np)
+{
+  Labels labels(soup.triangles.size(), untouched);
+  const std::size_t n =
+    CGAL::segment_spectral_recursive(soup.points, soup.triangles, labels.data(), np);
+  BOOST_TEST(n == number_of(labels));
+  check_numbering(labels);
+  return labels;
+}
+
+Labels labels_of_soup(const Soup& soup)
+{ return labels_of_soup(soup, parameters::default_values()); }
+
+// Each triangle on vertices of its own.
+Soup loose_triangles(const Soup& soup)
+{
+  Soup result;
+  for (const auto& t : soup.triangles) {
+    result.triangles.emplace_back();
+    for (std::size_t v : t) {
+      result.triangles.back().push_back(result.points.size());
+      result.points.push_back(soup.points[v]);
+    }
+  }
+  return result;
+}
+
+Soup double_sided(Soup soup)
+{
+  const std::size_t n = soup.triangles.size();
+  for (std::size_t f = 0; f < n; ++f) {
+    const auto t = soup.triangles[f];
+    soup.triangles.push_back({t[2], t[1], t[0]});
+  }
+  return soup;
+}
+
+Labels first_half(const Labels& labels)
+{ return Labels(labels.begin(), labels.begin() + std::ptrdiff_t(labels.size() / 2)); }
+
+Labels second_half(const Labels& labels)
+{ return Labels(labels.begin() + std::ptrdiff_t(labels.size() / 2), labels.end()); }
+
+Soup union_of(const std::vector<Soup>& soups)
+{
+  Soup result;
+  for (const Soup& soup : soups)
+    result = disjoint_union(result, soup);
+  return result;
+}
+
+// Soups that no surface is made of.
+std::vector<std::pair<const char*, Soup> > adversarial_soups()
+{
+  std::vector<std::pair<const char*, Soup> > result;
+  Soup fan; // around one edge
+  fan.points = {Point(0, 0, -1), Point(0, 0, 1)};
+  for (std::size_t i = 0; i < 300; ++i) {
+    fan.points.push_back(Point(std::cos(double(i)), std::sin(double(i)), 0));
+    fan.triangles.push_back({0, 1, i + 2});
+  }
+  result.emplace_back("fan", fan);
+  Soup triples; // all triples of some points
+  Random random(1);
+  for (std::size_t i = 0; i < 12; ++i)
+    triples.points.push_back(Point(double(random() % 100), double(random() % 100),
+                                   double(random() % 100)));
+  for (std::size_t i = 0; i < 12; ++i)
+    for (std::size_t j = 0; j < i; ++j)
+      for (std::size_t k = 0; k < j; ++k)
+        triples.triangles.push_back({i, j, k});
+  result.emplace_back("all triples", triples);
+  result.emplace_back("spheres in one place", union_of(std::vector<Soup>(20, sphere(2))));
+  std::vector<Soup> shells;
+  for (int i = 1; i <= 10; ++i)
+    shells.push_back(scaled(sphere(2), 0.1 * i));
+  result.emplace_back("nested shells", union_of(shells));
+  Cells sponge;
+  for (int x = 0; x < 9; ++x)
+    for (int y = 0; y < 9; ++y)
+      for (int z = 0; z < 9; ++z) {
+        const auto is_hole = [](int a, int b) {
+          return (a % 3 == 1 && b % 3 == 1) || (a / 3 == 1 && b / 3 == 1);
+        };
+        if (!is_hole(x, y) && !is_hole(y, z) && !is_hole(z, x))
+          sponge.insert({x, y, z});
+      }
+  result.emplace_back("Menger sponge", loose_triangles(boundary_of(sponge)));
+  result.emplace_back("needle among spheres",
+                      union_of({sphere(2), moved(sphere(2), 1e6, 0, 0),
+                                {{Point(0, 0, 0), Point(1e6, 0, 0), Point(0, 1e-9, 0)},
+                                 {{0, 1, 2}}}}));
+  result.emplace_back("specks far away",
+                      union_of({dumbbell(16, 12), moved(scaled(sphere(0), 1e-6), 1e5, 0, 0),
+                                moved(scaled(sphere(0), 1e-6), 0, 1e5, 1e5)}));
+  return result;
+}
+
+} // namespace
+
+BOOST_AUTO_TEST_CASE(loose_triangles_have_the_parts_of_their_surface)
+{
+  const Soup soup = dumbbell(24, 20);
+  const Labels whole = labels_of_soup(soup), loose = labels_of_soup(loose_triangles(soup));
+  BOOST_TEST(number_of(whole) >= 2u);
+  BOOST_TEST(number_of(loose) == number_of(whole));
+  BOOST_TEST(rand_index(whole, loose) > 0.9);
+}
+
+BOOST_AUTO_TEST_CASE(a_ball_on_a_ball_is_two_parts_however_its_halves_are_joined)
+{
+  // Two balls that touch, the second of which comes in eight components.
+  Soup soup = sphere(3);
+  std::vector<Soup> octants(8);
+  const Soup small = moved(scaled(sphere(3), 0.7), 1.6, 0, 0);
+  for (const auto& t : small.triangles) {
+    const Point c = CGAL::centroid(small.points[t[0]], small.points[t[1]], small.points[t[2]]);
+    Soup& octant = octants[(c.x() > 1.6) + 2 * (c.y() > 0) + 4 * (c.z() > 0)];
+    octant = disjoint_union(octant, {{small.points[t[0]], small.points[t[1]], small.points[t[2]]},
+                                     {{0, 1, 2}}});
+  }
+  const Labels labels = labels_of_soup(disjoint_union(soup, union_of(octants)));
+  BOOST_TEST(number_of(labels) == 2u);
+  Labels expected(soup.triangles.size(), 0);
+  expected.resize(labels.size(), 1);
+  BOOST_TEST(rand_index(labels, expected) > 0.9);
+}
+
+BOOST_AUTO_TEST_CASE(a_face_that_is_there_twice_counts_once)
+{
+  for (const Soup& soup : {dumbbell(24, 20), plate(8, 3)}) {
+    const Labels one_sided = labels_of_soup(soup);
+    const Labels labels = labels_of_soup(double_sided(soup));
+    BOOST_TEST(first_half(labels) == one_sided, boost::test_tools::per_element());
+    BOOST_TEST(second_half(labels) == one_sided, boost::test_tools::per_element());
+    const Labels of_mesh = labels_of(mesh_of(disjoint_union(soup, turned_inside_out(soup))),
+                                     parameters::default_values());
+    BOOST_TEST(first_half(of_mesh) == second_half(of_mesh), boost::test_tools::per_element());
+  }
+}
+
+BOOST_AUTO_TEST_CASE(what_is_inside_has_the_part_around_it)
+{
+  const Soup soup = dumbbell(24, 20);
+  double left = infinity, right = -infinity;
+  for (const Point& p : soup.points) {
+    left = (std::min)(left, p.z());
+    right = (std::max)(right, p.z());
+  }
+  const double radius = 0.05 * (right - left);
+  const Soup inner = scaled(sphere(1), radius);
+  const Soup all = union_of({soup, moved(inner, 0, 0, right - 3 * radius),
+                             moved(inner, 0, 0, left + 3 * radius)});
+  const Labels labels = labels_of_soup(all);
+  const std::size_t n = soup.triangles.size(), m = inner.triangles.size();
+  const auto face_at = [&](double z) {
+    const auto height = [&](std::size_t f) { return soup.points[soup.triangles[f][0]].z(); };
+    std::size_t result = 0;
+    for (std::size_t f = 0; f < n; ++f)
+      if (std::abs(height(f) - z) < std::abs(height(result) - z))
+        result = f;
+    return result;
+  };
+  BOOST_TEST(number_of(labels) == number_of(labels_of_soup(soup)));
+  BOOST_TEST(labels[face_at(right)] != labels[face_at(left)]);
+  for (std::size_t f = 0; f < m; ++f) {
+    BOOST_TEST(labels[n + f] == labels[face_at(right)]);
+    BOOST_TEST(labels[n + m + f] == labels[face_at(left)]);
+  }
+}
+
+BOOST_AUTO_TEST_CASE(what_nothing_touches_stays_apart_and_is_joined_nearest_first)
+{
+  const Soup soup = union_of({sphere(2), moved(sphere(2), 10, 0, 0), moved(sphere(2), 14, 0, 0)});
+  const Mesh mesh = mesh_of(soup);
+  const std::size_t n = sphere(2).triangles.size();
+  for (double threshold : {0.4, 0.99, infinity})
+    BOOST_TEST(number_of(labels_of(mesh, parameters::salience_threshold(threshold))) == 3u);
+  const Labels two = labels_of(mesh, parameters::number_of_segments(2));
+  BOOST_TEST(two[0] == 0u);
+  BOOST_TEST(two[n] == 1u);
+  BOOST_TEST(two[2 * n] == 1u);
+  const Segmentation_hierarchy hierarchy = hierarchy_of(mesh, parameters::default_values());
+  BOOST_TEST(hierarchy.number_of_roots() == 1u);
+  BOOST_TEST(hierarchy.node(0).salience == infinity);
+  BOOST_TEST((hierarchy.labels(2, 0.4) == two));
+  const auto apart = parameters::components_apart(true);
+  BOOST_TEST(hierarchy_of(mesh, apart).number_of_roots() == 3u);
+}
+
+BOOST_AUTO_TEST_CASE(components_apart_are_parts_from_the_start)
+{
+  const Soup soup = disjoint_union(sphere(3), moved(sphere(3), 1.9, 0, 0));
+  BOOST_TEST(number_of(labels_of_soup(soup, parameters::components_apart(true)
+                                              .maximum_number_of_segments(1))) == 2u);
+  BOOST_TEST(number_of(labels_of_soup(soup, parameters::zhang_liu_2005()
+                                              .maximum_number_of_segments(1))) == 2u);
+  BOOST_TEST(number_of(labels_of_soup(soup, parameters::maximum_number_of_segments(1))) == 1u);
+  BOOST_CHECK_THROW(labels_of(soup, parameters::zhang_liu_2005().components_apart(false)),
+                    std::invalid_argument);
+}
+
+BOOST_AUTO_TEST_CASE(the_number_asked_for_is_the_number_given)
+{
+  for (const Soup& soup : {dumbbell(6, 4), plate(5, 2),
+                           disjoint_union(sphere(1), moved(sphere(0), 1.9, 0, 0)),
+                           disjoint_union(sphere(0), moved(sphere(0), 9, 0, 0)),
+                           loose_triangles(sphere(0))}) {
+    const Mesh mesh = mesh_of(soup);
+    const std::size_t n = soup.triangles.size();
+    for_both_methods([&](const auto& np) {
+      const std::size_t least = hierarchy_of(mesh, np).number_of_roots();
+      for (std::size_t number : {least, (std::min)(least + 4, n), n})
+        BOOST_TEST(check_labels(mesh, labels_of(mesh, np.number_of_segments(number))) == number);
+      for (std::size_t number : {std::size_t(0), least - 1, n + 1}) {
+        Labels labels;
+        const auto map = map_to(labels, mesh);
+        BOOST_CHECK_THROW(
+          CGAL::segment_spectral_recursive(mesh, map, np.number_of_segments(number)),
+          std::invalid_argument);
+        BOOST_TEST(labels == Labels(n, untouched), boost::test_tools::per_element());
+      }
+    });
+  }
+  BOOST_CHECK_THROW(labels_of(Mesh(), parameters::number_of_segments(1)), std::invalid_argument);
+}
+
+BOOST_AUTO_TEST_CASE(a_number_of_segments_refines_the_parts)
+{
+  const Mesh mesh = mesh_of(dumbbell(16, 12));
+  const Segmentation_hierarchy hierarchy =
+    hierarchy_of(mesh, parameters::number_of_segments(60));
+  Labels fine = labels_of(mesh, parameters::number_of_segments(60));
+  for (std::size_t number : {59, 30, 7, 2, 1}) {
+    const Labels coarse = hierarchy.labels(number, -infinity);
+    BOOST_TEST(number_of(coarse) == number);
+    std::set<std::pair<std::size_t, std::size_t> > pairs;
+    for (std::size_t f = 0; f < fine.size(); ++f)
+      pairs.insert({fine[f], coarse[f]});
+    BOOST_TEST(pairs.size() == number_of(fine));
+    fine = coarse;
+  }
+}
+
+BOOST_AUTO_TEST_CASE(no_soup_is_too_wild)
+{
+  for (const auto& [name, soup] : adversarial_soups())
+    BOOST_TEST_CONTEXT(name) {
+      const Labels labels = labels_of_soup(soup);
+      BOOST_TEST(labels == labels_of_soup(soup), boost::test_tools::per_element());
+      for (std::size_t number : {1, 50})
+        BOOST_TEST(number_of(labels_of_soup(soup, parameters::number_of_segments(number))) ==
+                   number);
+      labels_of_soup(soup, parameters::zhang_liu_2005());
+    }
+}
+
+BOOST_AUTO_TEST_SUITE_END()
