@@ -98,18 +98,18 @@ cuts a triangle mesh into the parts that a person would name, by recursive and v
 spectral cuts, and writes for each face the id of its segment.
 
 The segment ids are contiguous and start at 0; segments are numbered by their face of smallest
-index: its position in `faces(mesh)`, or in the `face_index_map` if one is given. Every segment is
-connected. The same input gives the same ids on every run, with any number of threads (unless a
+index: its position in `faces(mesh)`, or in the `face_index_map` if one is given. Every segment of a
+connected mesh is connected. The same input gives the same ids on every run, with any number of threads (unless a
 visitor stops it), and for every data structure that holds the same mesh. The mesh is not changed.
-Degenerate faces, boundaries and several connected components are supported.
+Degenerate faces, boundaries and several connected components are supported: components that touch
+may be of one part.
 
 The method is built on that of Hao Zhang and Rong Liu, <em>Mesh Segmentation via Recursive and
 Visually Salient Spectral Cuts</em>, Vision, Modeling, and Visualization 2005. Sections named below
 are those of the paper. The faces are nodes of the dual graph of the mesh, and a concave edge puts
 its two faces far apart. In a part, two sample faces are found by shape context, the faces of the
 part are ordered by a spectral embedding with respect to these samples, and of all the cuts along
-this order the one with the most salient part is taken. Both sides are parts again. Each connected
-component of the mesh is a part from the start.
+this order the one with the most salient part is taken. Both sides are parts again.
 
 There are two methods. In the paper's, `zhang_liu_2005()`, the largest part is cut next, until no
 part has a cut whose salience reaches a threshold. The default cuts where people cut. It measures
@@ -117,6 +117,11 @@ bending at the scale of the shape, searches along more orders of the faces, move
 the minimum cut near them, and takes for salience the probability that a person would cut there. It
 over-segments the mesh into 20 regions, then merges neighbors, the least salient boundary first, up
 to the threshold. A mesh of many faces is coarsened for the search, and the cuts are projected back.
+If the mesh has several components of which some nearly touch, a closed surface that wraps them all
+is searched in its place, and each face gets the side of the surface near it. Components that are
+farther from each other than about a hundredth of the extent of the mesh are never of one part,
+unless a number of segments asks for it. In the paper's method each component is a part from the
+start.
 
 The time is O(*n* log *n*) in the number *n* of faces, for reading and coarsening, plus a search on
 at most 4000 faces by default; the memory is O(*n*). The section
@@ -141,9 +146,26 @@ at most 4000 faces by default; the memory is O(*n*). The section
 
 <b>Everyday parameters.</b> All named parameters are optional.
 \cgalNamedParamsBegin
+  \cgalParamNBegin{number_of_segments}
+    \cgalParamDescription{the number of segments, exactly, whatever the saliences and the
+      `minimum_segment_size` say. What nothing joins is joined last, the nearest first. Where the
+      search finds too few cuts, the largest segment is halved.}
+    \cgalParamType{an integer}
+    \cgalParamDefault{none; the threshold ends the run}
+    \cgalParamExtra{from 1, or from the number of components if these are kept apart, to the number
+      of faces, where faces with the same points count once. Not together with
+      `maximum_number_of_segments` or `salience_threshold`. Above 20 the default method searches as
+      many regions, up to 200, on a finer coarse mesh in proportion.}
+  \cgalParamNEnd
+  \cgalParamNBegin{components_apart}
+    \cgalParamDescription{whether each connected component of the mesh is a part from the start. By
+      default components that touch may be of one part.}
+    \cgalParamType{`bool`}
+    \cgalParamDefault{`false`, or `true` with `zhang_liu_2005()`, which has no other}
+  \cgalParamNEnd
   \cgalParamNBegin{maximum_number_of_segments}
-    \cgalParamDescription{an upper bound on the number of segments. It is exceeded only if the mesh
-      has more connected components.}
+    \cgalParamDescription{an upper bound on the number of segments. It is exceeded only if
+      components are kept apart, and there are more of them.}
     \cgalParamType{an integer}
     \cgalParamDefault{`std::numeric_limits<std::size_t>::max()`, which is no limit; the threshold
       ends the run}
@@ -218,8 +240,7 @@ at most 4000 faces by default; the memory is O(*n*). The section
     \cgalParamDescription{the number of faces on which cuts are searched. Faces that are larger than
       those of an even mesh with this number are bisected (not with `zhang_liu_2005()`); then the
       mesh is coarsened to this number, as far as its topology allows, by edge collapses. The cuts
-      are projected back, by minimum cuts through the faces whose side is not certain; a face that
-      was bisected goes to the side that has most of it. So neither the time of the search nor the
+      are projected back, by minimum cuts through the faces whose side is not certain. So neither the time of the search nor the
       result depends much on the triangles. With 0 the mesh itself is searched.}
     \cgalParamType{an integer}
     \cgalParamDefault{`4000`, at which the agreement with people is that of the mesh itself, or `0`

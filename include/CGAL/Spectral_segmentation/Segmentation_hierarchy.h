@@ -25,7 +25,8 @@ namespace Spectral_segmentation {
 /// \ingroup PkgSpectralSegmentationRef
 /// The cuts that a run of `segment_spectral_recursive()` made, as a forest of binary trees.
 ///
-/// The roots are the connected components of the mesh, the children of a node its two parts.
+/// The children of a node are its two parts. The root is the whole mesh; if components are kept
+/// apart, as with `zhang_liu_2005()`, each connected component is a root.
 /// From a hierarchy the labels for fewer segments, or for a higher threshold, are read off without
 /// searching again; they are the labels that a run with these values would give.
 ///
@@ -58,7 +59,7 @@ public:
     ACCEPTED      ///< the part has two children; in the default method whatever the threshold
   };
 
-  /// A set of faces: a connected component of the mesh, or one side of the cut of its parent.
+  /// A set of faces: a root, or one side of the cut of its parent.
   struct Node
   {
     size_type parent;      ///< the node that was cut; `null_node` for a root
@@ -70,7 +71,8 @@ public:
     double area;           ///< in the square of the unit of the mesh's coordinates
     Cut_state cut_state;   ///< what became of the search for its cut
 
-    /// the salience of the best cut; 0 if there is none or it was not searched.
+    /// the salience of the best cut; 0 if there is none or it was not searched, infinite between
+    /// components that do not touch.
     /// In the default method cuts that make congruent parts have the mean of their saliences, which
     /// is raised to the largest salience of the cuts that follow, so that saliences never grow from
     /// cut to cut. The factors are not changed.
@@ -97,7 +99,7 @@ public:
   /// the number of nodes, leaves too
   size_type number_of_nodes() const { return cuts_.nodes.size(); }
 
-  /// Connected components of the mesh: the nodes from 0 to `number_of_roots() - 1`.
+  /// The roots are the nodes from 0 to `number_of_roots() - 1`.
   /// The children of the i-th cut that was made follow at `number_of_roots() + 2 * i`.
   size_type number_of_roots() const { return cuts_.number_of_roots; }
 
@@ -138,7 +140,7 @@ public:
   }
 
   /// the label of each face, by its number, for at most `maximum_number_of_segments` segments
-  /// (never fewer than the mesh has connected components) and cuts of at least `salience_threshold`
+  /// (never fewer than there are roots) and cuts of at least `salience_threshold`
   std::vector<size_type> labels(size_type maximum_number_of_segments,
                                 double salience_threshold) const
   {

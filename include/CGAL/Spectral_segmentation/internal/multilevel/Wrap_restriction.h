@@ -128,41 +128,42 @@ class Wrap_restriction : private Cut_transfer
     return area;
   }
 
-  void move_small_pieces(const Elements& faces)
+  // The pieces of a component on both sides are small if they are less than this share of what the
+  // part has of the component, and of their side.
+  static constexpr double share_of_small_piece = 0.3;
+
+  // The small pieces of the component of a face, one after the other.
+  std::vector<Index> small_pieces(Index first, const double (&area_of_side)[2])
   {
-    static const double t1 = getenv("T1") ? atof(getenv("T1")) : 0, t2 = getenv("T2") ? atof(getenv("T2")) : 0;
-    double of_side[2] = {0, 0};
-    for (Index f : faces)
-      of_side[int(side_[f])] += mesh_.areas[f];
-    struct Piece { std::size_t first, end; double area; };
-    std::vector<std::pair<Piece, char> > small;
-    for (Index seed : faces) {
+    reached_.clear();
+    const double area = flood(first, [](Index) { return true; });
+    const std::vector<Index> component = reached_;
+    for (Index f : component)
+      is_reached_[f] = 0;
+    reached_.clear();
+    std::vector<Index> result;
+    for (Index seed : component) {
       if (is_reached_[seed])
         continue;
-      reached_.clear();
-      const double of_component = flood(seed, [](Index) { return true; });
-      const std::vector<Index> component = reached_;
-      for (Index f : component)
-        is_reached_[f] = 0;
-      reached_.clear();
-      std::vector<Piece> pieces;
-      for (Index f : component)
-        if (!is_reached_[f]) {
-          const std::size_t first = reached_.size();
-          const double area = flood(f, [&](Index g) { return side_[g] == side_[f]; });
-          pieces.push_back({first, reached_.size(), area});
-        }
-      if (pieces.size() < 2)
-        continue;
-      std::vector<Index> moved;
-      for (const Piece& piece : pieces) {
-        const Index f = reached_[piece.first];
-        if (piece.area < t1 * of_component && piece.area < t2 * of_side[int(side_[f])])
-          moved.insert(moved.end(), reached_.begin() + piece.first, reached_.begin() + piece.end);
-      }
-      for (Index f : moved)
-        side_[f] = side_[f] == Q ? REST : Q;
+      const std::size_t begin = reached_.size();
+      const double of_piece = flood(seed, [&](Index f) { return side_[f] == side_[seed]; });
+      if (of_piece < share_of_small_piece * area &&
+          of_piece < share_of_small_piece * area_of_side[int(side_[seed])])
+        result.insert(result.end(), reached_.begin() + static_cast<std::ptrdiff_t>(begin),
+                      reached_.end());
     }
+    return result;
+  }
+
+  void move_small_pieces(const Elements& faces)
+  {
+    double area_of_side[2] = {0, 0};
+    for (Index f : faces)
+      area_of_side[int(side_[f])] += mesh_.areas[f];
+    for (Index first : faces)
+      if (!is_reached_[first])
+        for (Index f : small_pieces(first, area_of_side))
+          side_[f] = side_[f] == Q ? REST : Q;
     for (Index f : faces)
       is_reached_[f] = 0;
   }
@@ -184,7 +185,8 @@ class Wrap_restriction : private Cut_transfer
 public:
   Wrap_restriction(const Cut_hierarchy& cuts, const Grid_wrap& wrap, const Face_graph& mesh,
                    Run_monitor& monitor)
-    : Cut_transfer(cuts, monitor), mesh_(mesh), wrap_(wrap), is_reached_(mesh.number_of_faces(), 0), side_(mesh.number_of_faces(), OUTSIDE)
+    : Cut_transfer(cuts, monitor), mesh_(mesh), wrap_(wrap),
+      is_reached_(mesh.number_of_faces(), 0), side_(mesh.number_of_faces(), OUTSIDE)
   {}
 
   Cut_hierarchy operator()()
