@@ -102,10 +102,10 @@ std::vector<std::pair<const char*, Soup> > adversarial_soups()
       for (std::size_t k = 0; k < j; ++k)
         triples.triangles.push_back({i, j, k});
   result.emplace_back("all triples", triples);
-  result.emplace_back("spheres in one place", union_of(std::vector<Soup>(20, sphere(2))));
+  result.emplace_back("spheres in one place", union_of(std::vector<Soup>(20, sphere(1))));
   std::vector<Soup> shells;
   for (int i = 1; i <= 10; ++i)
-    shells.push_back(scaled(sphere(2), 0.1 * i));
+    shells.push_back(scaled(sphere(1), 0.1 * i));
   result.emplace_back("nested shells", union_of(shells));
   Cells sponge;
   for (int x = 0; x < 9; ++x)
@@ -122,6 +122,9 @@ std::vector<std::pair<const char*, Soup> > adversarial_soups()
                       union_of({sphere(2), moved(sphere(2), 1e6, 0, 0),
                                 {{Point(0, 0, 0), Point(1e6, 0, 0), Point(0, 1e-9, 0)},
                                  {{0, 1, 2}}}}));
+  result.emplace_back("triangles with one centroid",
+                      Soup{{Point(-1, -1, 0), Point(1, -1, 0), Point(0, 2, 0), Point(-1, 0, -1),
+                            Point(1, 0, -1), Point(0, 0, 2)}, {{0, 1, 2}, {3, 4, 5}}});
   result.emplace_back("specks far away",
                       union_of({dumbbell(16, 12), moved(scaled(sphere(0), 1e-6), 1e5, 0, 0),
                                 moved(scaled(sphere(0), 1e-6), 0, 1e5, 1e5)}));
@@ -280,7 +283,8 @@ BOOST_AUTO_TEST_CASE(no_soup_is_too_wild)
     BOOST_TEST_CONTEXT(name) {
       const Labels labels = labels_of_soup(soup);
       BOOST_TEST(labels == labels_of_soup(soup), boost::test_tools::per_element());
-      for (std::size_t number : {1, 50})
+      const std::size_t most = (std::min)(soup.triangles.size(), std::size_t(22));
+      for (std::size_t number : {std::size_t(1), most})
         BOOST_TEST(number_of(labels_of_soup(soup, parameters::number_of_segments(number))) ==
                    number);
       labels_of_soup(soup, parameters::zhang_liu_2005());

@@ -164,7 +164,7 @@ BOOST_AUTO_TEST_CASE(arms_of_one_shape_and_place_get_the_mean_of_their_saliences
              std::vector<double>({0.875, 0.75, 0.375, 0.375}), tt::per_element());
 }
 
-BOOST_AUTO_TEST_CASE(a_cut_is_as_salient_as_those_that_follow_and_so_are_the_congruent_ones)
+BOOST_AUTO_TEST_CASE(a_cut_is_as_salient_as_those_that_follow)
 {
   const Figure& f = figure();
   Cut_hierarchy cuts = uncut(f.graph);
@@ -173,7 +173,7 @@ BOOST_AUTO_TEST_CASE(a_cut_is_as_salient_as_those_that_follow_and_so_are_the_con
   cut(f.graph, cuts, 4, 0.25, f.right());
   cut(f.graph, cuts, 6, 0.125, f.bottom());
   BOOST_TEST(saliences(with_common_saliences(f.graph, cuts)) ==
-             std::vector<double>({0.75, 0.75, 0.75, 0.125}), tt::per_element());
+             std::vector<double>({0.75, 0.75, 0.5625, 0.125}), tt::per_element());
 }
 
 BOOST_AUTO_TEST_CASE(cuts_change_their_order_with_their_saliences)
@@ -240,10 +240,17 @@ BOOST_AUTO_TEST_CASE(random_hierarchies_stay_in_order)
       BOOST_TEST(result.nodes[result.turns.front()].salience <= 1);
       BOOST_TEST(result.nodes[result.turns.back()].salience >= salience);
       changed += saliences(result) != saliences(cuts);
-      const Cut_hierarchy again = with_common_saliences(graph, result);
-      BOOST_TEST(saliences(again) == saliences(result), tt::per_element());
-      BOOST_TEST(again.turns == result.turns, tt::per_element());
-      BOOST_TEST(again.leaf == result.leaf, tt::per_element());
+      const std::vector<double> in_order = saliences(result);
+      BOOST_TEST(std::is_sorted(in_order.rbegin(), in_order.rend()));
+      std::set<std::size_t> cut_before;
+      for (std::size_t node : result.turns) { // parents come first
+        BOOST_TEST((node < result.number_of_roots ||
+                    cut_before.count(result.nodes[node].parent) == 1));
+        cut_before.insert(node);
+      }
+      std::map<Index, Index> leaf; // the same sets of faces
+      for (std::size_t f = 0; f < cuts.leaf.size(); ++f)
+        BOOST_TEST(leaf.emplace(cuts.leaf[f], result.leaf[f]).first->second == result.leaf[f]);
     }
   BOOST_TEST(changed >= 5u);
 }

@@ -282,7 +282,7 @@ struct Checker
 
   template <class NamedParameters>
   void operator()(const Soup& soup, bool boundary_smoothing, std::size_t maximum,
-                  std::size_t random, const NamedParameters& np)
+                  bool components_apart, std::size_t random, const NamedParameters& np)
   {
     const Mesh mesh = mesh_of(soup);
     Labels labels, components(num_faces(mesh), 0);
@@ -295,15 +295,18 @@ struct Checker
       check(label <= next, "segments are not numbered by their first face");
       next += label == next;
     }
-    check(number_of_connected_pieces(mesh, labels) == n, "a segment is not connected");
     const std::size_t number_of_components = number_of_connected_pieces(mesh, components);
-    check(n >= number_of_components, "fewer segments than components");
-    check(n <= (std::max)(maximum, number_of_components), "more segments than the maximum");
+    const bool is_apart = components_apart || number_of_components <= 1;
+    check(!is_apart || number_of_connected_pieces(mesh, labels) == n,
+          "a segment is not connected");
+    const std::size_t number_of_roots = is_apart ? number_of_components : 1;
+    check(n >= number_of_roots, "fewer segments than roots");
+    check(n <= (std::max)(maximum, number_of_roots), "more segments than the maximum");
 
     check(labels_of(mesh, np) == labels, "other labels with threads");
     check(labels_of(mesh, np) == labels, "other labels in another run");
     check(labels_of_polyhedron(soup, np) == labels, "other labels for a polyhedron");
-    check(hierarchy.number_of_roots() == number_of_components, "number of roots");
+    check(hierarchy.number_of_roots() == number_of_roots, "number of roots");
     check(hierarchy.labels() == labels, "other labels of the hierarchy");
     check_hierarchy(hierarchy, mesh);
     check_nesting(hierarchy, n, boundary_smoothing, n >= maximum);
@@ -315,11 +318,11 @@ struct Checker
 // On failure the soup is saved to the working directory.
 template <class NamedParameters>
 void check(unsigned seed, const Soup& soup, bool boundary_smoothing, std::size_t maximum,
-           const NamedParameters& np)
+           bool components_apart, const NamedParameters& np)
 {
   Checker checker;
   try {
-    checker(soup, boundary_smoothing, maximum, seed, np);
+    checker(soup, boundary_smoothing, maximum, components_apart, seed, np);
   }
   catch (const std::exception& e) {
     checker.failures << e.what();
@@ -339,13 +342,17 @@ BOOST_AUTO_TEST_CASE(with_the_parameters_of_either_method)
   for (unsigned seed = 0; seed < 60; ++seed) {
     Random random(seed);
     const Soup soup = random_soup(random);
-    for_both_methods([&](const auto& np) { check(seed, soup, false, unlimited, np); });
+    check(seed, soup, false, unlimited, true, parameters::zhang_liu_2005());
+    if (seed % 3 == 0)
+      check(seed, soup, false, unlimited, false, parameters::default_values());
+    if (seed % 3 == 1)
+      check(seed, soup, false, unlimited, true, parameters::components_apart(true));
   }
 }
 
 BOOST_AUTO_TEST_CASE(with_parameters_at_random)
 {
-  for (unsigned seed = 1000; seed < 1150; ++seed) {
+  for (unsigned seed = 1000; seed < 1100; ++seed) {
     Random random(seed);
     const Soup soup = random_soup(random);
     const auto np = random_parameters(random);
@@ -354,8 +361,9 @@ BOOST_AUTO_TEST_CASE(with_parameters_at_random)
     const bool boundary_smoothing = CGAL::parameters::get_parameter(pack, tags::boundary_smoothing);
     const std::size_t maximum =
       CGAL::parameters::get_parameter(pack, tags::maximum_number_of_segments);
-    check(seed, soup, boundary_smoothing, maximum, np);
-    check(seed, soup, boundary_smoothing, maximum, np.zhang_liu_2005());
+    const bool apart = seed % 2 == 0;
+    check(seed, soup, boundary_smoothing, maximum, apart, np.components_apart(apart));
+    check(seed, soup, boundary_smoothing, maximum, true, np.zhang_liu_2005());
   }
 }
 

@@ -202,7 +202,7 @@ BOOST_AUTO_TEST_CASE(an_edge_of_three_faces)
   const Points points = {{0, 0, 0}, {1, 0, 0}, {0.5, 1, 0.1}, {0.5, -1, 0.1}, {0.5, 0, 1}};
   const Triples triangles = {{0, 1, 2}, {1, 0, 3}, {0, 1, 4}};
   for_both_methods([&](const auto& np) {
-    const auto components = np.maximum_number_of_segments(1);
+    const auto components = np.components_apart(true).maximum_number_of_segments(1);
     BOOST_TEST((labels_of_triangles(points, triangles, components) == Labels{0, 0, 1}));
   });
 }
@@ -218,7 +218,7 @@ BOOST_AUTO_TEST_CASE(an_edge_of_four_faces)
   for (std::size_t v = 4; v < 8; ++v)
     two.points[v] = Point(two.points[v].x(), -two.points[v].y(), -two.points[v].z());
   for_both_methods([&](const auto& np) {
-    const auto components = np.maximum_number_of_segments(1);
+    const auto components = np.components_apart(true).maximum_number_of_segments(1);
     BOOST_TEST((labels_of_triangles(two, components) == Labels{0, 0, 0, 0, 1, 1, 1, 1}));
     Soup at_edge = two;
     for (std::vector<std::size_t>& t : at_edge.triangles)
@@ -238,7 +238,10 @@ BOOST_AUTO_TEST_CASE(points_at_the_same_place_stay_different)
       soup.points.push_back(sphere(1).points[v]);
   }
   for_both_methods([&](const auto& np)
-    { BOOST_TEST(number_of(labels_of_triangles(soup, np)) == soup.triangles.size()); });
+    {
+      const Labels labels = labels_of_triangles(soup, np.components_apart(true));
+      BOOST_TEST(number_of(labels) == soup.triangles.size());
+    });
 }
 
 BOOST_AUTO_TEST_CASE(no_triangles)
@@ -278,8 +281,9 @@ BOOST_AUTO_TEST_CASE(an_id_type_that_is_too_small_is_refused)
 {
   Points points;
   Triples triangles;
-  for (int i = 0; i < 129; ++i) {
-    points.insert(points.end(), {{10. * i, 0, 0}, {10. * i + 1, 0, 0}, {10. * i, 1, 0}});
+  for (int i = 0; i < 129; ++i) { // far from each other, in a square
+    const double x = 100. * (i % 12), y = 100. * (i / 12);
+    points.insert(points.end(), {{x, y, 0}, {x + 1, y, 0}, {x, y + 1, 0}});
     triangles.push_back({3 * i, 3 * i + 1, 3 * i + 2});
   }
   check_refused<std::overflow_error, signed char>(points, triangles, "too small");

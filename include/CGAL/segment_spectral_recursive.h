@@ -153,9 +153,9 @@ at most 4000 faces by default; the memory is O(*n*). The section
     \cgalParamType{an integer}
     \cgalParamDefault{none; the threshold ends the run}
     \cgalParamExtra{from 1, or from the number of components if these are kept apart, to the number
-      of faces, where faces with the same points count once. Not together with
-      `maximum_number_of_segments` or `salience_threshold`. Above 20 the default method searches as
-      many regions, up to 200, on a finer coarse mesh in proportion.}
+      of faces, where faces with the same points count once if components are not kept apart. Not
+      together with `maximum_number_of_segments` or `salience_threshold`. Above 20 the default
+      method searches as many regions, up to 200, on a finer coarse mesh in proportion.}
   \cgalParamNEnd
   \cgalParamNBegin{components_apart}
     \cgalParamDescription{whether each connected component of the mesh is a part from the start. By

@@ -63,7 +63,7 @@ class Run
   {
     order_.resize(triangles.corners.size());
     std::iota(order_.begin(), order_.end(), Index(0));
-    if (is_connected(triangles.neighbors))
+    if (options_.components_apart || is_connected(triangles.neighbors))
       return triangles;
     std::vector<Index> first_twin = Face_twins(triangles)();
     const auto is_first = [&](Index f) { return first_twin[f] == f; };
@@ -151,6 +151,7 @@ class Run
     if (number_of_components < 2 || !(total_area(mesh_) > 0))
       return;
     wrap_.emplace(execution_, mesh_);
+    monitor_.check();
     connected_components(wrap_->surface(), number_in_wrap);
     if (number_in_wrap == number_of_components)
       wrap_.reset();

@@ -6,12 +6,12 @@
 
 #include <CGAL/Spectral_segmentation/internal/distances/laplacian_smoothing.h>
 #include <CGAL/Spectral_segmentation/internal/mesh/Face_graph.h>
-#include <CGAL/Spectral_segmentation/internal/mesh/Principal_frame.h>
-#include <CGAL/Spectral_segmentation/internal/mesh/surface_integrals.h>
 #include <CGAL/Spectral_segmentation/internal/mesh/Grid.h>
 #include <CGAL/Spectral_segmentation/internal/mesh/Nearest_elements.h>
-#include <CGAL/Spectral_segmentation/internal/multilevel/surface_nets.h>
+#include <CGAL/Spectral_segmentation/internal/mesh/Principal_frame.h>
+#include <CGAL/Spectral_segmentation/internal/mesh/surface_integrals.h>
 #include <CGAL/Spectral_segmentation/internal/mesh/triangle_geometry.h>
+#include <CGAL/Spectral_segmentation/internal/multilevel/surface_nets.h>
 #include <CGAL/Spectral_segmentation/internal/utility/concurrency.h>
 
 #include <algorithm>
@@ -23,12 +23,13 @@
 
 namespace CGAL::Spectral_segmentation::internal {
 
-// A closed surface around any set of triangles: the boundary of what is within a distance of them or
-// enclosed by that, on a grid in their principal frame. Components that are nearer to each other
+// A closed surface around any set of triangles: the boundary of what is within a distance of them
+// or enclosed by that, on a grid in their principal frame. Components that are nearer to each other
 // than twice this distance become one; cracks, holes, orientations and what is inside vanish.
 class Grid_wrap
 {
   static constexpr double cells_per_deviation = 46; // about 150 along the diagonal of the shape
+  static constexpr double most_cells = 400;         // along it, if few large faces deviate little
   static constexpr double offset = 1.2;             // in cells
   static constexpr int margin = 5;                  // cells beside the shape, where all is outside
   static constexpr double largest_number_of_nodes = 1 << 23;
@@ -39,10 +40,10 @@ class Grid_wrap
   double cell_; // its length
   std::vector<Vector> points_; // of the mesh, in cells
   std::optional<Grid> grid_;
-  std::vector<char> is_near_; // each node, to the mesh, or inside of the surface
+  std::vector<char> is_near_;       // each node, to the mesh, or inside of the surface
   Face_graph surface_;
   std::vector<Index> nearest_face_; // of the mesh, to each face of the surface
-  std::vector<Vector> vertices_; // of the surface, in cells
+  std::vector<Vector> vertices_;    // of the surface, in cells
 
   void set_points(Execution execution)
   {
@@ -53,8 +54,9 @@ class Grid_wrap
     const double area = total_area(mesh_);
     const double variance = mean_over_surface<double>(execution, mesh_, area, [&](const Vector& p)
       { return frame.point(p).squared_norm(); });
-    cell_ = std::sqrt(variance) / cells_per_deviation;
     const Bounding_box box(points_);
+    cell_ = (std::max)(std::sqrt(variance) / cells_per_deviation,
+                       (box.largest - box.smallest).norm() / most_cells);
     const auto number_of_nodes = [&] {
       Bounding_box in_cells = box;
       in_cells.smallest = box.smallest / cell_;
