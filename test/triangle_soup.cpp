@@ -207,7 +207,8 @@ BOOST_AUTO_TEST_CASE(an_edge_of_three_faces)
   });
 }
 
-// Two closed surfaces that share an edge: each of its faces bends less with one of the other surface.
+// Two closed surfaces that share an edge: each of its faces bends less with one of the other
+// surface.
 BOOST_AUTO_TEST_CASE(an_edge_of_four_faces)
 {
   // A dihedral angle of 45 degrees at the edge, and another that is opposite

@@ -99,10 +99,10 @@ spectral cuts, and writes for each face the id of its segment.
 
 The segment ids are contiguous and start at 0; segments are numbered by their face of smallest
 index: its position in `faces(mesh)`, or in the `face_index_map` if one is given. Every segment of a
-connected mesh is connected. The same input gives the same ids on every run, with any number of threads (unless a
-visitor stops it), and for every data structure that holds the same mesh. The mesh is not changed.
-Degenerate faces, boundaries and several connected components are supported: components that touch
-may be of one part.
+connected mesh is connected. The same input gives the same ids on every run, with any number of
+threads (unless a visitor stops it), and for every data structure that holds the same mesh. The mesh
+is not changed. Degenerate faces, boundaries and several connected components are supported:
+components that touch may be of one part.
 
 The method is built on that of Hao Zhang and Rong Liu, <em>Mesh Segmentation via Recursive and
 Visually Salient Spectral Cuts</em>, Vision, Modeling, and Visualization 2005. Sections named below
@@ -237,11 +237,12 @@ at most 4000 faces by default; the memory is O(*n*). The section
       0.}
   \cgalParamNEnd
   \cgalParamNBegin{number_of_searched_faces}
-    \cgalParamDescription{the number of faces on which cuts are searched. Faces that are larger than
-      those of an even mesh with this number are bisected (not with `zhang_liu_2005()`); then the
-      mesh is coarsened to this number, as far as its topology allows, by edge collapses. The cuts
-      are projected back, by minimum cuts through the faces whose side is not certain. So neither the time of the search nor the
-      result depends much on the triangles. With 0 the mesh itself is searched.}
+    \cgalParamDescription{the number of faces on which cuts are searched. Faces that are larger
+      than those of an even mesh with this number are bisected (not with `zhang_liu_2005()`); then
+      the mesh is coarsened to this number, as far as its topology allows, by edge collapses. The
+      cuts are projected back, by minimum cuts through the faces whose side is not certain. So
+      neither the time of the search nor the result depends much on the triangles. With 0 the mesh
+      itself is searched.}
     \cgalParamType{an integer}
     \cgalParamDefault{`4000`, at which the agreement with people is that of the mesh itself, or `0`
       with `zhang_liu_2005()`}
