@@ -6,6 +6,7 @@
 
 #include "segmentation_metrics.h"
 
+#include <CGAL/Spectral_segmentation/internal/utility/first_fit_classes.h>
 #include <CGAL/boost/graph/iterator.h>
 
 #include <Eigen/Core>
@@ -96,25 +97,15 @@ inline bool are_congruent(const Part_shape& a, const Part_shape& b)
 // The labels of parts that are all congruent with each other, two at least.
 typedef std::vector<std::size_t> Twin_class;
 
-// Large parts come first, and each part joins the first class that it fits.
+// Large parts come first.
 inline std::vector<Twin_class> twin_classes(const std::vector<Part_shape>& parts)
 {
   std::vector<std::size_t> order(parts.size());
   std::iota(order.begin(), order.end(), std::size_t(0));
   std::stable_sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b)
                    { return parts[a].area > parts[b].area; });
-  std::vector<Twin_class> classes;
-  for (std::size_t part : order) {
-    const auto fits = [&](const Twin_class& twins) {
-      return std::all_of(twins.begin(), twins.end(), [&](std::size_t twin)
-                         { return are_congruent(parts[part], parts[twin]); });
-    };
-    const auto found = std::find_if(classes.begin(), classes.end(), fits);
-    if (found != classes.end())
-      found->push_back(part);
-    else
-      classes.push_back({part});
-  }
+  std::vector<Twin_class> classes = CGAL::Spectral_segmentation::internal::first_fit_classes(
+    order, [&](std::size_t a, std::size_t b) { return are_congruent(parts[a], parts[b]); });
   classes.erase(std::remove_if(classes.begin(), classes.end(), [](const Twin_class& twins)
                                { return twins.size() < 2; }), classes.end());
   return classes;

@@ -43,20 +43,6 @@ Labels labels_of_soup(const Soup& soup, const NamedParameters& np)
 Labels labels_of_soup(const Soup& soup)
 { return labels_of_soup(soup, parameters::default_values()); }
 
-// Each triangle on vertices of its own.
-Soup loose_triangles(const Soup& soup)
-{
-  Soup result;
-  for (const auto& t : soup.triangles) {
-    result.triangles.emplace_back();
-    for (std::size_t v : t) {
-      result.triangles.back().push_back(result.points.size());
-      result.points.push_back(soup.points[v]);
-    }
-  }
-  return result;
-}
-
 Soup double_sided(Soup soup)
 {
   const std::size_t n = soup.triangles.size();

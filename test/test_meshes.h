@@ -183,6 +183,20 @@ inline Soup dumbbell(std::size_t n_around, std::size_t n_along)
   return surface_of_revolution(profile, n_around);
 }
 
+// Each triangle on vertices of its own, at the same places.
+inline Soup loose_triangles(const Soup& soup)
+{
+  Soup result;
+  for (const auto& t : soup.triangles) {
+    result.triangles.emplace_back();
+    for (std::size_t v : t) {
+      result.triangles.back().push_back(result.points.size());
+      result.points.push_back(soup.points[v]);
+    }
+  }
+  return result;
+}
+
 inline Soup scaled(Soup soup, double factor)
 {
   for (Point& p : soup.points)

@@ -232,12 +232,7 @@ BOOST_AUTO_TEST_CASE(an_edge_of_four_faces)
 
 BOOST_AUTO_TEST_CASE(points_at_the_same_place_stay_different)
 {
-  Soup soup;
-  for (const std::vector<std::size_t>& t : sphere(1).triangles) {
-    soup.triangles.push_back({soup.points.size(), soup.points.size() + 1, soup.points.size() + 2});
-    for (std::size_t v : t)
-      soup.points.push_back(sphere(1).points[v]);
-  }
+  const Soup soup = loose_triangles(sphere(1));
   for_both_methods([&](const auto& np)
     {
       const Labels labels = labels_of_triangles(soup, np.components_apart(true));

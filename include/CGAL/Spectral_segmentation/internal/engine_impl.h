@@ -18,10 +18,10 @@
 #include <CGAL/Spectral_segmentation/internal/mesh/distinct_faces.h>
 #include <CGAL/Spectral_segmentation/internal/mesh/reorder_faces.h>
 #include <CGAL/Spectral_segmentation/internal/multilevel/Cut_restriction.h>
-#include <CGAL/Spectral_segmentation/internal/multilevel/Longest_edge_bisection.h>
-#include <CGAL/Spectral_segmentation/internal/multilevel/coarsening.h>
 #include <CGAL/Spectral_segmentation/internal/multilevel/Grid_wrap.h>
+#include <CGAL/Spectral_segmentation/internal/multilevel/Longest_edge_bisection.h>
 #include <CGAL/Spectral_segmentation/internal/multilevel/Wrap_restriction.h>
+#include <CGAL/Spectral_segmentation/internal/multilevel/coarsening.h>
 #include <CGAL/Spectral_segmentation/internal/multilevel/projection.h>
 #include <CGAL/Spectral_segmentation/internal/utility/Run_monitor.h>
 
@@ -248,7 +248,7 @@ class Run
   void complete(Cut_hierarchy& hierarchy) const
   {
     if (!options_.components_apart)
-      hierarchy = joined_roots(hierarchy, mesh_);
+      hierarchy = joined_roots(std::move(hierarchy), mesh_);
     if (options_.is_number_exact && !monitor_.is_stopped())
       Further_cuts(mesh_, hierarchy)(options_.maximum_number_of_segments);
   }

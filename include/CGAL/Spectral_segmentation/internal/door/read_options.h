@@ -102,6 +102,7 @@ Options read_options(const NamedParameters& np)
     read_count(np, tags::number_of_segments, "number_of_segments", 1, "at least 1",
                o.maximum_number_of_segments);
     o.is_number_exact = true;
+    o.salience_threshold = -std::numeric_limits<double>::infinity();
   }
   read_parameter(np, tags::components_apart, o.components_apart);
   require(o.components_apart || o.method == Method::CALIBRATED, "components_apart",
@@ -118,8 +119,6 @@ Options read_options(const NamedParameters& np)
   read_count(np, tags::number_of_smoothing_iterations, "number_of_smoothing_iterations", 0,
              "at least 0", o.number_of_smoothing_iterations);
   read_parameter(np, tags::boundary_smoothing, o.boundary_smoothing);
-  if (o.is_number_exact)
-    o.salience_threshold = -std::numeric_limits<double>::infinity();
   if constexpr (is_given<NamedParameters, tags::random_seed_t>) {
     const auto seed = CGAL::parameters::get_parameter(np, CGAL::internal_np::random_seed);
     static_assert(tags::is_count<std::decay_t<decltype(seed)> >::value,

@@ -58,6 +58,7 @@ public:
 
   std::size_t size() const { return elements_.size(); }
   std::size_t size(std::size_t node) const { return end_[node] - first_[node]; }
+  std::size_t first(std::size_t node) const { return first_[node]; } // its place in the permutation
 
   Range operator[](std::size_t node) const
   {

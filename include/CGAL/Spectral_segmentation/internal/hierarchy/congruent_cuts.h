@@ -9,6 +9,7 @@
 #include <CGAL/Spectral_segmentation/internal/mesh/Face_graph.h>
 #include <CGAL/Spectral_segmentation/internal/mesh/Symmetric_matrix.h>
 #include <CGAL/Spectral_segmentation/internal/mesh/surface_integrals.h>
+#include <CGAL/Spectral_segmentation/internal/utility/first_fit_classes.h>
 
 #include <algorithm>
 #include <cmath>
@@ -103,20 +104,13 @@ class Congruent_cuts
     }
   }
 
-  // Salient cuts come first, and each joins the first class that it fits.
+  // Salient cuts come first.
   void set_classes()
   {
-    for (std::size_t i = 0; i < shapes_.size(); ++i) {
-      const auto fits = [&](const Class& congruent) {
-        return std::all_of(congruent.begin(), congruent.end(), [&](std::size_t j)
-                           { return are_congruent(shapes_[i], shapes_[j]); });
-      };
-      const auto found = std::find_if(classes_.begin(), classes_.end(), fits);
-      if (found != classes_.end())
-        found->push_back(i);
-      else
-        classes_.push_back({i});
-    }
+    std::vector<std::size_t> order(shapes_.size());
+    std::iota(order.begin(), order.end(), std::size_t(0));
+    classes_ = first_fit_classes(order, [this](std::size_t i, std::size_t j)
+                                 { return are_congruent(shapes_[i], shapes_[j]); });
   }
 
   // The first cut is the most salient, the last the least. A caller's saliences may be infinite.

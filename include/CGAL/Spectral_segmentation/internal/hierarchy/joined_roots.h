@@ -17,7 +17,7 @@ namespace CGAL::Spectral_segmentation::internal {
 
 // The same hierarchy below a single root: what nothing joins is cut first, the farthest gap before
 // the others, with an infinite salience, so that it comes apart at every threshold.
-inline Cut_hierarchy joined_roots(const Cut_hierarchy& cuts, const Face_graph& mesh)
+inline Cut_hierarchy joined_roots(Cut_hierarchy cuts, const Face_graph& mesh)
 {
   const std::size_t roots = cuts.number_of_roots;
   if (roots < 2)

@@ -181,11 +181,9 @@ public:
     const std::size_t number_of_regions = options_.regions();
     const std::size_t roots = hierarchy_.number_of_roots;
     const std::size_t further = roots == 0 ? 0 : roots - 1;
-    const bool is_maximum_given = options_.maximum_number_of_segments != unlimited;
     const auto has_enough = [&] {
       const std::size_t regions = hierarchy_.number_of_segments();
-      return regions - further >= options_.number_of_regions &&
-             (!is_maximum_given || regions >= number_of_regions);
+      return regions - further >= options_.number_of_regions && regions >= number_of_regions;
     };
     try {
       while (!has_enough()) {

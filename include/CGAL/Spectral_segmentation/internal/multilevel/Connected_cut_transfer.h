@@ -45,6 +45,11 @@ protected:
 
   ~Connected_cut_transfer() = default;
 
+  // The leaf of all that an element has of the other mesh, or `several`.
+  static constexpr Index several = null_index - 1;
+  static void add_leaf(Index leaf, Index& of_element)
+  { of_element = of_element == null_index || of_element == leaf ? leaf : several; }
+
   // Gives each cell of a part that is cut as a node of the other mesh its side or BETWEEN. Tells
   // whether there are sure cells on either side.
   virtual bool set_sure_sides(std::size_t node, const Cells& cells) = 0;

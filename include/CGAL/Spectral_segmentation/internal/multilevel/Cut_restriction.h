@@ -29,12 +29,9 @@ class Cut_restriction : private Connected_cut_transfer
     std::vector<char> result(mesh.number_of_faces(), 1);
     if (!cuts.is_ultrametric)
       return result;
-    constexpr Index several = null_index - 1;
     std::vector<Index> leaf(mesh.number_of_faces(), null_index);
-    for (Index f = 0; f < refined.faces.size(); ++f) {
-      Index& of_face = leaf[refined.faces[f]];
-      of_face = of_face == null_index || of_face == cuts.leaf[f] ? cuts.leaf[f] : several;
-    }
+    for (Index f = 0; f < refined.faces.size(); ++f)
+      add_leaf(cuts.leaf[f], leaf[refined.faces[f]]);
     for (Index f = 0; f < leaf.size(); ++f) {
       result[f] = leaf[f] == several;
       for (Index h = 3 * f; h < 3 * f + 3; ++h)

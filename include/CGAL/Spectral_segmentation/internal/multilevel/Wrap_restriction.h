@@ -4,7 +4,7 @@
 #ifndef CGAL_SPECTRAL_SEGMENTATION_INTERNAL_MULTILEVEL_WRAP_RESTRICTION_H
 #define CGAL_SPECTRAL_SEGMENTATION_INTERNAL_MULTILEVEL_WRAP_RESTRICTION_H
 
-#include <CGAL/Spectral_segmentation/internal/mesh/connected_components.h>
+#include <CGAL/Spectral_segmentation/internal/hierarchy/Nested_ranges.h>
 #include <CGAL/Spectral_segmentation/internal/multilevel/Cut_transfer.h>
 #include <CGAL/Spectral_segmentation/internal/multilevel/Grid_wrap.h>
 
@@ -30,34 +30,22 @@ class Wrap_restriction : private Cut_transfer
 
   const Face_graph& mesh_;
   const Grid_wrap& wrap_;
-  std::vector<std::size_t> first_leaf_, end_of_leaves_; // positions, of each node
-  std::vector<Share> shares_;                           // of the faces, one after the other
-  std::vector<std::size_t> first_share_;                // of each face, and the end
-  std::vector<Index> reached_; // by the present flood
+  const Nested_ranges leaves_;           // of each node
+  std::vector<std::size_t> root_of_leaf_;
+  std::vector<Share> shares_;            // of the faces, one after the other
+  std::vector<std::size_t> first_share_; // of each face, and the end
+  std::vector<Index> reached_;           // by the present flood
   std::vector<char> is_reached_;
-  std::vector<char> side_;                              // of each face, by the cut at hand
+  Sides side_;                           // of each face, by the cut at hand
 
-  void set_leaves()
+  // The leaves themselves as elements, so that those of each node follow each other.
+  static Nested_ranges ranges_of_leaves(const Cut_hierarchy& cuts)
   {
-    const std::size_t n = cuts_.nodes.size();
-    std::vector<std::size_t> size(n, 0);
-    for (std::size_t i = n; i-- > 0;) {
-      if (cuts_.nodes[i].is_leaf())
-        size[i] = 1;
-      if (cuts_.nodes[i].parent != null_node)
-        size[cuts_.nodes[i].parent] += size[i];
-    }
-    std::size_t next = 0;
-    for (std::size_t i = 0; i < n; ++i) {
-      const std::size_t parent = cuts_.nodes[i].parent;
-      if (parent == null_node)
-        first_leaf_.push_back(std::exchange(next, next + size[i]));
-      else if (i == cuts_.nodes[parent].children[0])
-        first_leaf_.push_back(first_leaf_[parent]);
-      else
-        first_leaf_.push_back(first_leaf_[parent] + size[cuts_.nodes[parent].children[0]]);
-      end_of_leaves_.push_back(first_leaf_[i] + size[i]);
-    }
+    std::vector<Index> leaves;
+    for (Index i = 0; i < cuts.nodes.size(); ++i)
+      if (cuts.nodes[i].is_leaf())
+        leaves.push_back(i);
+    return Nested_ranges(cuts, leaves);
   }
 
   void set_shares()
@@ -65,7 +53,7 @@ class Wrap_restriction : private Cut_transfer
     std::vector<Index> leaf_of_vertex(wrap_.surface().points.size());
     for (Index f = 0; f < cuts_.leaf.size(); ++f)
       for (Index v : wrap_.surface().corners[f])
-        leaf_of_vertex[v] = static_cast<Index>(first_leaf_[cuts_.leaf[f]]);
+        leaf_of_vertex[v] = static_cast<Index>(leaves_.first(cuts_.leaf[f]));
     first_share_.assign(1, 0);
     wrap_.for_each_piece_and_vertex([&](Index f, double share, Index vertex) {
       while (first_share_.size() <= f)
@@ -90,16 +78,16 @@ class Wrap_restriction : private Cut_transfer
       begin + static_cast<std::ptrdiff_t>(first_share_[f]),
       begin + static_cast<std::ptrdiff_t>(first_share_[f + 1]),
       [](const Share& a, const Share& b) { return a.share < b.share; });
-    const auto roots = first_leaf_.begin();
-    return std::upper_bound(roots, roots + static_cast<std::ptrdiff_t>(cuts_.number_of_roots),
-                            largest->leaf) - roots - 1;
+    return root_of_leaf_[largest->leaf];
   }
 
   double share_in(std::size_t node, Index f) const
   {
+    const std::size_t first = leaves_.first(node);
+    const std::size_t end = first + leaves_.size(node);
     double result = 0;
     for (std::size_t i = first_share_[f]; i < first_share_[f + 1]; ++i)
-      if (shares_[i].leaf >= first_leaf_[node] && shares_[i].leaf < end_of_leaves_[node])
+      if (shares_[i].leaf >= first && shares_[i].leaf < end)
         result += shares_[i].share;
     return result;
   }
@@ -176,9 +164,7 @@ class Wrap_restriction : private Cut_transfer
     move_small_pieces(faces);
     Sides result;
     for (Index f : faces)
-      result.push_back(side_[f]);
-    for (Index f : faces)
-      side_[f] = OUTSIDE;
+      result.push_back(std::exchange(side_[f], char(OUTSIDE)));
     return result;
   }
 
@@ -186,12 +172,14 @@ public:
   Wrap_restriction(const Cut_hierarchy& cuts, const Grid_wrap& wrap, const Face_graph& mesh,
                    Run_monitor& monitor)
     : Cut_transfer(cuts, monitor), mesh_(mesh), wrap_(wrap),
-      is_reached_(mesh.number_of_faces(), 0), side_(mesh.number_of_faces(), OUTSIDE)
+      leaves_(ranges_of_leaves(cuts)), is_reached_(mesh.number_of_faces(), 0),
+      side_(mesh.number_of_faces(), OUTSIDE)
   {}
 
   Cut_hierarchy operator()()
   {
-    set_leaves();
+    for (std::size_t root = 0; root < cuts_.number_of_roots; ++root)
+      root_of_leaf_.insert(root_of_leaf_.end(), leaves_.size(root), root);
     set_shares();
     // The roots are those of the wrap that have a face.
     std::vector<Index> root_of_face;

@@ -37,12 +37,10 @@ class Cut_projection : private Connected_cut_transfer
     std::vector<char> result(mesh.number_of_faces(), 1);
     if (!cuts.is_ultrametric)
       return result;
-    constexpr Index several = null_index - 1;
-    const std::vector<Index>& leaf = cuts.leaf;
     std::vector<Index> of_vertex(coarse.graph.points.size(), null_index);
-    for (Index f = 0; f < leaf.size(); ++f)
+    for (Index f = 0; f < cuts.leaf.size(); ++f)
       for (Index v : coarse.graph.corners[f])
-        of_vertex[v] = of_vertex[v] == null_index || of_vertex[v] == leaf[f] ? leaf[f] : several;
+        add_leaf(cuts.leaf[f], of_vertex[v]);
     for_each_index(execution, result.size(), [&](std::size_t f) {
       const auto [a, b, c] = values_at(of_vertex, coarse, mesh.corners[f]);
       result[f] = a == several || a != b || a != c;
