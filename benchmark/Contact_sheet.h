@@ -4,9 +4,8 @@
 #ifndef SEGMENTATION_BENCHMARK_CONTACT_SHEET_H
 #define SEGMENTATION_BENCHMARK_CONTACT_SHEET_H
 
+#include "colored_mesh.h"
 #include "princeton_benchmark.h"
-
-#include "../examples/segment_mesh/write_meshes.h"
 
 #include <cstdlib>
 #include <filesystem>
@@ -55,9 +54,9 @@ public:
     const auto ids = mesh.add_property_map<Mesh::Face_index, int>("f:segment").first;
     for (Mesh::Face_index f : mesh.faces())
       ids[f] = static_cast<int>(labels[f]);
-    segment_mesh::color_segments(mesh, ids, number_of_segments(labels));
+    color_segments(mesh, ids, number_of_segments(labels));
     std::ofstream out(folder_ / (caption + ".ply"), std::ios::binary);
-    segment_mesh::write_ply(out, mesh);
+    write_ply(out, mesh);
     if (!out.flush())
       throw std::runtime_error("cannot write into " + folder_.string());
   }

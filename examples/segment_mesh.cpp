@@ -8,12 +8,14 @@
 #include "segment_mesh/Output_files.h"
 #include "segment_mesh/Run_watch.h"
 #include "segment_mesh/is_terminal.h"
-#include "segment_mesh/read_mesh.h"
+#include "segment_mesh/peak_memory.h"
+#include "segment_mesh/read_input.h"
+#include "segment_mesh/refined_soup.h"
 #include "segment_mesh/report.h"
 #include "segment_mesh/write_meshes.h"
 
-#include <CGAL/Spectral_segmentation/refine_segment_boundaries.h>
 #include <CGAL/assertions_behaviour.h>
+#include <CGAL/property_map.h>
 #include <CGAL/segment_spectral_recursive.h>
 
 #include <CLI/CLI.hpp>
@@ -34,10 +36,10 @@
 #include <limits>
 #include <new>
 #include <optional>
-#include <set>
 #include <sstream>
 #include <stdexcept>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace parameters = CGAL::Spectral_segmentation::parameters;
@@ -77,6 +79,12 @@ struct Options
 
   bool is_of_paper() const { return method_name == "paper"; }
 
+  bool writes_to_standard_output() const
+  {
+    return is_standard_output(mesh_file) || is_standard_output(label_file) ||
+           is_standard_output(report_file);
+  }
+
   double minimum_segment_size() const
   { return minimum_size.value_or(defaults(is_of_paper()).minimum_segment_size); }
 
@@ -102,14 +110,19 @@ void add_options(CLI::App& app, Options& o)
   const auto add_file = [&](const char* name, std::string& file, const char* description) {
     return app.add_option(name, file, description)->type_name("FILE")->check(not_empty);
   };
-  add_file("IN", o.input, "mesh or polygon soup: .off, .obj, .ply or .stl")->required();
+  add_file("IN", o.input, "mesh or polygon soup: .off, .obj, .ply, .stl"
+#ifdef SEGMENT_MESH_WITH_ASSIMP
+           ", .glb, .fbx and others that Assimp reads"
+#endif
+           "; - for standard input")->required();
   add_file("-o", o.mesh_file,
-           "colored triangle mesh with the property 'segment' of its faces: .ply");
+           "mesh with a color and the property 'segment' of each face: .ply");
   add_file("--labels", o.label_file,
            "segment of each face of IN, one a line; a polygon cut by a boundary counts to the "
-           "segment that has most of it");
+           "segment that has most of it; - for standard output");
   add_file("--json", o.report_file,
-           "counts, seconds by stage summed over all parts, parameters, tree of cuts");
+           "counts, seconds by stage summed over all parts, parameters, tree of cuts; - for standard "
+           "output");
   add_file("--split-dir", o.split_directory, "directory for one .ply file a segment");
   app.add_option("--method", o.method_name,
                  "calibrated: cuts where people cut; paper: Zhang and Liu 2005")
@@ -156,18 +169,10 @@ void check_options(const Options& o)
 #endif
   if (!o.mesh_file.empty() && std::filesystem::path(o.mesh_file).extension() != ".ply")
     throw std::runtime_error("cannot write " + o.mesh_file + ": the name must end in .ply");
-  std::set<std::filesystem::path> names;
-  for (const std::string& name : {o.mesh_file, o.label_file, o.report_file, o.split_directory}) {
-    if (name.empty())
-      continue;
-    if (name != o.split_directory || !std::filesystem::is_directory(name))
-      check_output_name(name);
-    if (!names.insert(std::filesystem::weakly_canonical(std::filesystem::absolute(name))).second)
-      throw std::runtime_error("two outputs have the name " + name);
-  }
+  check_outputs({o.input}, {o.mesh_file, o.label_file, o.report_file}, o.split_directory);
 }
 
-std::size_t segment(const Mesh& mesh, const Segment_map& segment_ids, const Options& o,
+std::size_t segment(const Input& input, std::vector<Index>& labels, const Options& o,
                     Segmentation_hierarchy& tree, Run_watch& watch)
 {
   const auto np = parameters::minimum_segment_size(o.minimum_segment_size())
@@ -176,8 +181,10 @@ std::size_t segment(const Mesh& mesh, const Segment_map& segment_ids, const Opti
                     .components_apart(o.components_apart || o.is_of_paper())
                     .hierarchy(tree)
                     .visitor(std::ref(watch));
-  const auto segment_with = [&](const auto& all)
-  { return CGAL::segment_spectral_recursive(mesh, segment_ids, all); };
+  const auto segment_with = [&](const auto& all) {
+    return CGAL::segment_spectral_recursive(input.soup.points, input.triangles,
+                                            CGAL::make_property_map(labels), all);
+  };
   const auto segment_with_number = [&](const auto& others) {
     if (o.is_number_exact())
       return segment_with(others.number_of_segments(*o.segments));
@@ -196,16 +203,19 @@ Json json_or_null(const std::optional<T>& value)
 { return value ? Json(*value) : Json(); }
 
 // A threshold without limit is null. Parameters without an option have the version's defaults.
-Json report(const Options& o, const Input_mesh& input, std::size_t number_of_segments,
-            const Segmentation_hierarchy& tree, const Json& seconds)
+Json report(const Options& o, const Input& input, std::size_t number_of_segments,
+            const Segmentation_hierarchy& tree, const Run_watch& watch)
 {
   return {{"version", CGAL_SPECTRAL_SEGMENTATION_VERSION},
           {"input", o.input},
-          {"input_faces", input.polygons.size()},
-          {"faces", input.mesh.number_of_faces()},
-          {"vertices", input.mesh.number_of_vertices()},
+          {"input_faces", input.soup.number_of_polygons()},
+          {"faces", input.triangles.size()},
+          {"vertices", number_of_vertices(input)},
+          {"node_names", input.node_names},
+          {"mesh_names", input.mesh_names},
           {"segments", number_of_segments},
-          {"seconds", seconds},
+          {"seconds", seconds_report(watch)},
+          {"peak_memory", peak_memory()},
           {"parameters",
            {{"method", o.method_name},
             {"maximum_number_of_segments", json_or_null(o.segments)},
@@ -220,6 +230,43 @@ Json report(const Options& o, const Input_mesh& input, std::size_t number_of_seg
           {"tree", tree_report(tree, o.is_of_paper())}};
 }
 
+// Of the input, or of its triangles with refined boundaries.
+void write_meshes(const Options& o, const Input& input, const std::vector<Index>& label_of_triangle,
+                  const std::vector<Index>& label_of_polygon, std::size_t number_of_segments,
+                  Output_files& files)
+{
+  std::pair<Polygon_soup, std::vector<Index> > refined;
+  if (o.refine_boundaries)
+    refined = refined_soup(input, label_of_triangle);
+  const std::vector<Rgb> colors =
+    segment_colors(segment_neighbors(input, label_of_triangle, number_of_segments));
+  const mesh_file::Segmented_mesh mesh{o.refine_boundaries ? refined.first : input.soup,
+                                       o.refine_boundaries ? refined.second : label_of_polygon,
+                                       colors};
+  if (!o.mesh_file.empty())
+    files.write(o.mesh_file, [&](std::ostream& out) { mesh_file::write_ply(out, mesh); });
+  if (!o.split_directory.empty())
+    write_segments(files, o.split_directory, mesh);
+}
+
+void print_summary(std::ostream& out, const Options& o, const Input& input,
+                   std::size_t number_of_segments, double seconds)
+{
+  out << o.input << ": " << input.soup.number_of_polygons() << " faces, " << number_of_segments
+      << (number_of_segments == 1 ? " segment, " : " segments, ") << std::setprecision(3) << seconds
+      << " s, " << peak_memory() / 1000000 << " MB" << std::endl;
+}
+
+// About how long the phases take. Only what is told of the progress depends on it.
+struct Expected_seconds
+{
+  double reading, joining, segmenting, writing;
+
+  Expected_seconds(double bytes, double faces, bool writes_meshes)
+    : reading(4e-9 * bytes), joining(1e-7 * faces), segmenting(0.2 + 1.5e-6 * faces),
+      writing((writes_meshes ? 3e-7 : 5e-8) * faces) {}
+};
+
 void run(const Options& o)
 {
   check_options(o);
@@ -228,44 +275,43 @@ void run(const Options& o)
   if (o.threads)
     limit.emplace(tbb::global_control::max_allowed_parallelism, *o.threads);
 #endif
+  Run_watch watch(!o.quiet && standard_error_is_terminal());
+  const bool writes_meshes = !o.mesh_file.empty() || !o.split_directory.empty();
+  const double bytes = size_of_file(o.input);
+  const Expected_seconds first_guess(bytes, bytes / 20, writes_meshes);
+  watch.start_phase("reading", first_guess.reading, first_guess.joining + first_guess.segmenting +
+                                                      first_guess.writing);
+  Scene scene = read_scene(o.input, writes_meshes);
+  const Expected_seconds expected(bytes, static_cast<double>(scene.soup.number_of_polygons()),
+                                  writes_meshes);
+  watch.start_phase("joining", expected.joining, expected.segmenting + expected.writing);
+  Input input = triangulated(std::move(scene));
+  if (input.triangles.empty())
+    throw std::runtime_error(o.input + " has no face with three different corners");
 
-  Input_mesh input = read_mesh(o.input);
-  const Segment_map segment_ids =
-    input.mesh.add_property_map<Mesh::Face_index, int>("f:segment").first;
+  watch.start_phase("segmentation", expected.segmenting, expected.writing);
+  std::vector<Index> labels(input.triangles.size());
   Segmentation_hierarchy tree;
-  std::size_t number_of_segments;
-  Json seconds;
-  {
-    Run_watch watch(!o.quiet && standard_error_is_terminal());
-    number_of_segments = segment(input.mesh, segment_ids, o, tree, watch);
-    seconds = seconds_report(watch);
-  }
+  const std::size_t number_of_segments = segment(input, labels, o, tree, watch);
 
+  watch.start_phase("writing", expected.writing, 0);
+  const std::vector<Index> label_of_polygon = labels_of_polygons(input, labels);
   Output_files files;
   if (!o.label_file.empty())
-    files.write(o.label_file, [&](std::ostream& out) {
-      for (int label : labels_of_polygons(input, segment_ids))
-        out << label << "\n";
-    });
-  if (!o.report_file.empty())
+    files.write(o.label_file, [&](std::ostream& out) { write_labels(out, label_of_polygon); });
+  if (writes_meshes)
+    write_meshes(o, input, labels, label_of_polygon, number_of_segments, files);
+  watch.end_phase();
+  if (!o.report_file.empty()) // the last, as it has the time of the others
     files.write(o.report_file, [&](std::ostream& out) {
-      out << report(o, input, number_of_segments, tree, seconds)
+      out << report(o, input, number_of_segments, tree, watch)
                .dump(1, ' ', false, Json::error_handler_t::replace) << "\n";
     });
-  if (o.refine_boundaries) // after what is about the faces of the input
-    CGAL::refine_segment_boundaries(input.mesh, segment_ids);
-  if (!o.mesh_file.empty()) {
-    color_segments(input.mesh, segment_ids, number_of_segments);
-    files.write(o.mesh_file, [&](std::ostream& out) { write_ply(out, input.mesh); });
-  }
-  if (!o.split_directory.empty())
-    write_segments(files, o.split_directory, input.mesh, segment_ids, number_of_segments);
   files.commit();
-
+  watch.hide();
   if (!o.quiet)
-    std::cout << o.input << ": " << input.polygons.size() << " faces, " << number_of_segments
-              << " segments, " << std::setprecision(3) << seconds["total"].get<double>() << " s"
-              << std::endl;
+    print_summary(o.writes_to_standard_output() ? std::cerr : std::cout, o, input,
+                  number_of_segments, watch.seconds());
 }
 
 int fail(std::string sentence)

@@ -3,7 +3,7 @@
 
 #include "pictures.h"
 
-#include "../../examples/segment_mesh/write_meshes.h"
+#include "../colored_mesh.h"
 #include "experiment.h"
 
 #include <algorithm>
@@ -31,7 +31,7 @@ void Pictures::write_mesh(const std::string& name, Mesh mesh,
   for (Mesh::Face_index f : mesh.faces())
     color[f] = colors[f];
   std::ofstream out(path(name, ".ply"), std::ios::binary);
-  segment_mesh::write_ply(out, mesh);
+  write_ply(out, mesh);
   if (!out.flush())
     throw std::runtime_error("cannot write into " + folder_.string());
 }
@@ -47,7 +47,7 @@ std::vector<CGAL::IO::Color> segment_colors(Mesh mesh, const Labels& labels)
   const auto ids = mesh.add_property_map<Mesh::Face_index, int>("f:segment").first;
   for (Mesh::Face_index f : mesh.faces())
     ids[f] = static_cast<int>(labels[f]);
-  segment_mesh::color_segments(mesh, ids, number_of_segments(labels));
+  color_segments(mesh, ids, number_of_segments(labels));
   const auto color =
     mesh.add_property_map<Mesh::Face_index, CGAL::IO::Color>("f:color").first;
   std::vector<CGAL::IO::Color> result;

@@ -4,9 +4,23 @@
 #ifndef SEGMENT_MESH_OUTPUT_FILES_H
 #define SEGMENT_MESH_OUTPUT_FILES_H
 
+#include "Signal_handlers.h"
+#include "check_outputs.h"
+
+#ifndef _WIN32
+#include <sys/stat.h>
+#include <unistd.h>
+#endif
+
+#include <algorithm>
+#include <cstddef>
+#include <cstdio>
 #include <filesystem>
 #include <fstream>
+#include <iostream>
 #include <random>
+#include <set>
+#include <sstream>
 #include <stdexcept>
 #include <string>
 #include <system_error>
@@ -15,84 +29,159 @@
 
 namespace segment_mesh {
 
-// Throws `std::runtime_error` if no file of this name can be made or replaced.
-inline void check_output_name(const std::filesystem::path& name)
-{
-  const std::filesystem::path directory = name.has_parent_path() ? name.parent_path() : ".";
-  if (!std::filesystem::is_directory(directory))
-    throw std::runtime_error("cannot write " + name.string() + ": there is no directory " +
-                             directory.string());
-  if (std::filesystem::exists(name) && !std::filesystem::is_regular_file(name))
-    throw std::runtime_error("cannot write " + name.string() + ": it is not a file");
-}
-
-// The files that a run leaves. Each is written under a temporary name next to its own; all get
-// their names in `commit()`, when they are complete. What was not committed is removed.
+// The files that a run leaves. Each is written under a temporary name in the directory of its own;
+// all get their names in `commit()`, when they are complete. What was not committed is removed, by
+// a signal too. To be used by one thread.
 class Output_files
 {
-  typedef std::filesystem::path Path;
+  struct File
+  {
+    Path name, temporary, target; // the target is behind the links of the name
+  };
 
-  std::string suffix_;
-  std::vector<std::pair<Path, Path> > files_; // temporary and final name
-  std::vector<Path> new_directories_;
+  // Changed under `Signal_block` only, for `remove_temporaries()` is called by a signal.
+  std::vector<File> files_;
+  Path new_directory_;
 
-  static std::string random_suffix()
+  std::vector<std::pair<Path, std::string> > streams_; // their names and contents
+  Path split_directory_;
+  std::set<std::string> segment_files_, earlier_segment_files_;
+  Signal_handlers handlers_;
+
+  // Only what signal handlers may do.
+  static void remove(const Path& name)
+  {
+#ifdef _WIN32
+    std::error_code ignored;
+    std::filesystem::remove(name, ignored);
+#else
+    if (unlink(name.c_str()) != 0)
+      rmdir(name.c_str());
+#endif
+  }
+
+  static void remove_temporaries(void* of)
+  {
+    const Output_files& files = *static_cast<const Output_files*>(of);
+    for (std::size_t i = 0; i < files.files_.size(); ++i)
+      remove(files.files_[i].temporary);
+    remove(files.new_directory_);
+  }
+
+  // Short, so that a target may have the longest name that there is.
+  static std::string temporary_name()
   {
     std::random_device random;
-    return "." + std::to_string(random()) + ".tmp";
+    char name[32];
+    std::snprintf(name, sizeof name, ".%08x%08x.tmp", random(), random());
+    return name;
+  }
+
+  // As far as it is permitted.
+  static void take_owner_and_mode([[maybe_unused]] const Path& temporary,
+                                  [[maybe_unused]] const Path& target)
+  {
+#ifndef _WIN32
+    struct stat status;
+    if (stat(target.c_str(), &status) != 0)
+      return;
+    [[maybe_unused]] const int ignored =
+      chown(temporary.c_str(), status.st_uid, status.st_gid);
+    chmod(temporary.c_str(), status.st_mode & 0777);
+#endif
+  }
+
+  static void write_stream(const Path& name, const std::string& content)
+  {
+    if (is_standard_output(name)) {
+      if (!(std::cout << content << std::flush))
+        throw std::runtime_error("cannot write to standard output");
+      return;
+    }
+    std::ofstream out(name, std::ios::binary);
+    out << content;
+    out.close();
+    if (!out)
+      throw_cannot_write(name);
   }
 
 public:
-  Output_files() : suffix_(random_suffix()) {}
+  Output_files() : handlers_(remove_temporaries, this) {}
   Output_files(const Output_files&) = delete;
   Output_files& operator=(const Output_files&) = delete;
 
-  ~Output_files()
-  {
-    std::error_code ignored;
-    for (const auto& file : files_)
-      std::filesystem::remove(file.first, ignored);
-    for (const Path& directory : new_directories_)
-      std::filesystem::remove(directory, ignored);
-  }
-
-  void make_directory(const Path& name)
-  {
-    if (std::filesystem::is_directory(name))
-      return;
-    std::error_code error;
-    if (!std::filesystem::create_directory(name, error))
-      throw std::runtime_error("cannot make the directory " + name.string());
-    new_directories_.push_back(name);
-  }
+  ~Output_files() { remove_temporaries(this); }
 
   // `writer` writes the content to a stream.
   template <class Writer>
   void write(const Path& name, const Writer& writer)
   {
     check_output_name(name);
-    const Path target = std::filesystem::weakly_canonical(name); // the file behind a link
-    Path temporary = target;
-    temporary += suffix_;
+    if (is_stream(name)) {
+      std::ostringstream out;
+      writer(out);
+      streams_.emplace_back(name, out.str());
+      return;
+    }
+    const Path target = behind_links(name);
+    const Path temporary = target.parent_path() / temporary_name();
+    {
+      const Signal_block block;
+      files_.push_back({name, temporary, target});
+    }
     std::ofstream out(temporary, std::ios::binary);
-    if (out)
-      files_.emplace_back(temporary, target);
+    take_owner_and_mode(temporary, target);
     writer(out);
     out.close();
     if (!out)
-      throw std::runtime_error("cannot write " + name.string());
+      throw_cannot_write(name);
   }
 
+  // What an earlier run wrote to the directory is removed in `commit()`.
+  void start_segments(const Path& directory)
+  {
+    split_directory_ = split_directory_of(directory);
+    earlier_segment_files_ = earlier_segment_files(split_directory_);
+    if (std::filesystem::is_directory(split_directory_))
+      return;
+    const Signal_block block;
+    std::error_code error;
+    if (!std::filesystem::create_directory(split_directory_, error))
+      throw std::runtime_error("cannot make the directory " + split_directory_.string());
+    new_directory_ = split_directory_;
+  }
+
+  // Into the files segment_000, segment_001 ... with the extension.
+  template <class Writer>
+  void write_segment(std::size_t i, const std::string& extension, const Writer& writer)
+  {
+    std::string number = std::to_string(i);
+    number.insert(0, 3 - (std::min)(number.size(), std::size_t(3)), '0');
+    const std::string name = "segment_" + number + extension;
+    write(split_directory_ / name, writer);
+    segment_files_.insert(name);
+  }
+
+  // A signal comes before or after it, but for what streams have got. The index of segments gets
+  // its name first, so that a later run knows the files even if this one is killed.
   void commit()
   {
-    while (!files_.empty()) {
+    if (!split_directory_.empty())
+      write(split_directory_ / segment_index_name,
+            [&](std::ostream& out) { out << segment_index(segment_files_); });
+    for (const auto& stream : streams_)
+      write_stream(stream.first, stream.second);
+    const Signal_block block;
+    for (const std::string& name : earlier_segment_files_)
+      if (segment_files_.count(name) == 0)
+        remove(split_directory_ / name);
+    for (; !files_.empty(); files_.pop_back()) {
       std::error_code error;
-      std::filesystem::rename(files_.back().first, files_.back().second, error);
+      std::filesystem::rename(files_.back().temporary, files_.back().target, error);
       if (error)
-        throw std::runtime_error("cannot write " + files_.back().second.string());
-      files_.pop_back();
+        throw_cannot_write(files_.back().name);
     }
-    new_directories_.clear();
+    new_directory_.clear();
   }
 };
 

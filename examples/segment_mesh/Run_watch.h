@@ -6,17 +6,17 @@
 
 #include <CGAL/Spectral_segmentation/Segmentation_visitor.h>
 
+#include <algorithm>
 #include <chrono>
 #include <cstddef>
-#include <iomanip>
 #include <iostream>
 #include <map>
 #include <string>
 
 namespace segment_mesh {
 
-// Takes the time of each stage, and shows a line of progress on standard error once a run has
-// lasted for a second.
+// Takes the time of each phase of the program and of each stage of the segmentation, and shows a
+// line of progress on standard error once a run has lasted, or will last, for a second.
 class Run_watch : public CGAL::Spectral_segmentation::Segmentation_visitor
 {
 public:
@@ -30,52 +30,107 @@ private:
 
   Clock::time_point start_ = Clock::now();
   std::map<std::size_t, Clock::time_point> start_of_stage_; // of each part
-  std::map<Stage, double> seconds_;
-  bool shows_progress_;
+  std::map<Stage, double> seconds_of_stage_;
+  std::map<std::string, double> seconds_of_phase_;
+  std::string phase_, shown_name_;
+  Clock::time_point start_of_phase_ = start_;
+  double begin_ = 0, end_ = 0; // of the phase, as shares of the run
+  double share_ = 0;           // of the run that is done
+  const bool shows_progress_;
+  std::size_t shown_length_ = 0;
   double last_shown_ = 0;
-  double share_ = 0; // of the run that is done
+
+  static const char* name_of(Stage stage)
+  {
+    return stage == Stage::INITIALIZATION ? "simplifying" :
+           stage == Stage::PROJECTION ? "carrying cuts over" : "cutting";
+  }
+
+  void show(std::string line)
+  {
+    const std::size_t length = line.size();
+    line.resize((std::max)(length, shown_length_), ' ');
+    shown_length_ = length;
+    std::cerr << '\r' << line << std::flush;
+  }
 
   void show_progress()
   {
-    const double seconds = this->seconds();
-    if (!shows_progress_ || seconds < 1 || seconds < last_shown_ + 0.2)
-      return;
-    last_shown_ = seconds;
-    std::cerr << "\r" << std::setw(3) << static_cast<int>(100 * share_) << " %, "
-              << static_cast<long>(seconds) << " s" << std::flush;
+    last_shown_ = seconds();
+    std::string line = std::to_string(static_cast<int>(100 * share_)) + " %, " + shown_name_ + ", " +
+                       std::to_string(static_cast<long>(last_shown_)) + " s";
+    if (share_ > 0.05)
+      line += ", " + std::to_string(static_cast<long>(last_shown_ * (1 - share_) / share_ + 1)) +
+              " s to go";
+    show(line);
   }
 
 public:
   explicit Run_watch(bool shows_progress) : shows_progress_(shows_progress) {}
 
-  ~Run_watch()
-  {
-    if (last_shown_ > 0)
-      std::cerr << "\r" << std::string(20, ' ') << "\r" << std::flush;
-  }
+  ~Run_watch() { hide(); }
 
   Run_watch(const Run_watch&) = delete;
   Run_watch& operator=(const Run_watch&) = delete;
+
+  void hide()
+  {
+    if (shown_length_ == 0)
+      return;
+    show("");
+    std::cerr << '\r' << std::flush;
+  }
 
   double seconds() const { return seconds_since(start_); }
 
   // Summed over the parts, some of which are searched at the same time by several threads.
   double seconds(Stage stage) const
   {
-    const auto found = seconds_.find(stage);
-    return found == seconds_.end() ? 0 : found->second;
+    const auto found = seconds_of_stage_.find(stage);
+    return found == seconds_of_stage_.end() ? 0 : found->second;
   }
 
-  void start_stage(Stage, std::size_t part) { start_of_stage_[part] = Clock::now(); }
+  double seconds(const std::string& phase) const
+  {
+    const auto found = seconds_of_phase_.find(phase);
+    return found == seconds_of_phase_.end() ? 0 : found->second;
+  }
+
+  // Ends the phase before. The expected seconds of this one and of all after it give its share.
+  void start_phase(const std::string& name, double seconds_expected, double seconds_after)
+  {
+    end_phase();
+    phase_ = shown_name_ = name;
+    start_of_phase_ = Clock::now();
+    begin_ = share_ = end_;
+    end_ += (1 - begin_) * seconds_expected / (seconds_expected + seconds_after);
+    if (shows_progress_ && (seconds() > 1 || seconds_expected + seconds_after > 5))
+      show_progress();
+  }
+
+  void end_phase()
+  {
+    if (!phase_.empty())
+      seconds_of_phase_[phase_] += seconds_since(start_of_phase_);
+    phase_.clear();
+  }
+
+  void start_stage(Stage stage, std::size_t part)
+  {
+    start_of_stage_[part] = Clock::now();
+    shown_name_ = name_of(stage);
+  }
 
   void end_stage(Stage stage, std::size_t part)
-  { seconds_[stage] += seconds_since(start_of_stage_[part]); }
+  { seconds_of_stage_[stage] += seconds_since(start_of_stage_[part]); }
 
-  void progress(double share) { share_ = share; }
+  // Of the segmentation.
+  void progress(double share) { share_ = begin_ + share * (end_ - begin_); }
 
   bool go_further()
   {
-    show_progress();
+    if (shows_progress_ && seconds() > 1 && seconds() > last_shown_ + 0.2)
+      show_progress();
     return true;
   }
 };

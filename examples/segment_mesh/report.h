@@ -16,17 +16,22 @@ namespace segment_mesh {
 
 typedef nlohmann::ordered_json Json;
 
-// Seconds by stage, as in Table 1 of Zhang and Liu 2005. The stages are sums over all parts; with
-// several threads parts are searched at the same time, and the sums may exceed the total.
+// Seconds of the program by phase, and of the segmentation by stage, as in Table 1 of Zhang and Liu
+// 2005. The stages are sums over all parts; with several threads parts are searched at the same
+// time, and the sums may exceed the segmentation.
 inline Json seconds_report(const Run_watch& watch)
 {
-  return {{"initialization", watch.seconds(Run_watch::Stage::INITIALIZATION)},
+  return {{"reading", watch.seconds("reading")},
+          {"joining", watch.seconds("joining")},
+          {"initialization", watch.seconds(Run_watch::Stage::INITIALIZATION)},
           {"sampling", watch.seconds(Run_watch::Stage::SAMPLING)},
           {"embedding", watch.seconds(Run_watch::Stage::EMBEDDING)},
           {"line_search", watch.seconds(Run_watch::Stage::LINE_SEARCH)},
           {"merging", watch.seconds(Run_watch::Stage::MERGING)},
           {"projection", watch.seconds(Run_watch::Stage::PROJECTION)},
           {"boundary_smoothing", watch.seconds(Run_watch::Stage::BOUNDARY_SMOOTHING)},
+          {"segmentation", watch.seconds("segmentation")},
+          {"writing", watch.seconds("writing")},
           {"total", watch.seconds()}};
 }
 

@@ -4,6 +4,8 @@
 #ifndef SEGMENT_MESH_SEGMENT_COLORS_H
 #define SEGMENT_MESH_SEGMENT_COLORS_H
 
+#include "mesh_file/Segmented_mesh.h"
+
 #include <boost/gil.hpp>
 #include <boost/gil/extension/toolbox/color_spaces/hsv.hpp>
 #include <boost/gil/extension/toolbox/color_spaces/lab.hpp>
@@ -20,7 +22,7 @@
 
 namespace segment_mesh {
 
-typedef std::array<std::uint8_t, 3> Rgb;
+using mesh_file::Rgb;
 
 // A color, and where it lies in CIELAB, in which distance is difference for the eye.
 struct Color

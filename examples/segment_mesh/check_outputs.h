@@ -1,0 +1,220 @@
+// Copyright (c) 2026  The Spectral_segmentation authors.
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef SEGMENT_MESH_CHECK_OUTPUTS_H
+#define SEGMENT_MESH_CHECK_OUTPUTS_H
+
+#include <nlohmann/json.hpp>
+
+#ifndef _WIN32
+#include <unistd.h>
+#endif
+
+#include <filesystem>
+#include <fstream>
+#include <set>
+#include <stdexcept>
+#include <string>
+#include <system_error>
+#include <vector>
+
+namespace segment_mesh {
+
+typedef std::filesystem::path Path;
+
+[[noreturn]] inline void throw_cannot_write(const Path& name, const std::string& reason = "")
+{
+  throw std::runtime_error("cannot write " + name.string() + (reason.empty() ? "" : ": ") + reason);
+}
+
+inline bool is_standard_output(const Path& name) { return name == "-" || name == "/dev/stdout"; }
+
+inline std::filesystem::file_status status_of(const Path& name)
+{
+  std::error_code error;
+  const std::filesystem::file_status result = std::filesystem::status(name, error);
+  if (!status_known(result))
+    throw_cannot_write(name, error.message());
+  return result;
+}
+
+// Whether the content goes to a reader or a device, and not to a file.
+inline bool is_stream(const Path& name)
+{
+  return is_standard_output(name) || is_character_file(status_of(name)) ||
+         is_fifo(status_of(name));
+}
+
+// The file that a name means, which a link may name before it exists.
+inline Path behind_links(Path name)
+{
+  std::error_code ignored;
+  const int most_links = 40; // as Linux has it
+  for (int i = 0; i < most_links && std::filesystem::is_symlink(name, ignored); ++i)
+    name = name.parent_path() / std::filesystem::read_symlink(name, ignored);
+  return name;
+}
+
+inline Path directory_of(const Path& name)
+{ return name.has_parent_path() ? name.parent_path() : "."; }
+
+inline bool is_writable([[maybe_unused]] const Path& name)
+{
+#ifdef _WIN32
+  return true;
+#else
+  return access(name.c_str(), W_OK) == 0;
+#endif
+}
+
+// The superuser may write to all files, but means those not that nobody may write to.
+inline bool is_write_protected(const Path& file)
+{
+  using std::filesystem::perms;
+  const perms write = perms::owner_write | perms::group_write | perms::others_write;
+  return !is_writable(file) ||
+         (std::filesystem::status(file).permissions() & write) == perms::none;
+}
+
+inline void check_directory(const Path& name, const Path& directory)
+{
+  std::error_code ignored;
+  if (!std::filesystem::is_directory(directory, ignored))
+    throw_cannot_write(name, "there is no directory " + directory.string());
+  if (!is_writable(directory))
+    throw_cannot_write(name, "there is no permission to write to the directory " +
+                               directory.string());
+}
+
+// Throws `std::runtime_error` if no file of this name can be made or replaced.
+inline void check_output_name(const Path& name)
+{
+  if (is_standard_output(name))
+    return;
+  const std::filesystem::file_status status = status_of(name);
+  const Path file = behind_links(name);
+  if (exists(status) ? !is_regular_file(status) && !is_stream(name) : !file.has_filename())
+    throw_cannot_write(name, "it is not a file");
+  if (exists(status) && is_write_protected(name))
+    throw_cannot_write(name, "it is write-protected");
+  if (!is_stream(name))
+    check_directory(name, directory_of(file));
+}
+
+inline bool is_same_place(const Path& a, const Path& b)
+{
+  std::error_code ignored;
+  return a.filename() == b.filename() &&
+         std::filesystem::equivalent(directory_of(a), directory_of(b), ignored);
+}
+
+// Through links of any kind.
+inline bool is_same_file(const Path& a, const Path& b)
+{
+  std::error_code ignored;
+  return std::filesystem::is_regular_file(a, ignored) &&
+         std::filesystem::equivalent(a, b, ignored);
+}
+
+inline bool is_same_output(const Path& a, const Path& b)
+{
+  const auto file = [](const Path& name) { return name == "-" ? Path("/dev/stdout") : name; };
+  return (is_standard_output(a) && is_standard_output(b)) || is_same_file(file(a), file(b)) ||
+         (!is_stream(a) && is_same_place(behind_links(a), behind_links(b)));
+}
+
+// A directory of segments has an index of them, by which a later run knows what it may remove.
+const char* const segment_index_name = "segments.json";
+
+// segment_000.ply, segment_1000.obj ...
+inline bool is_segment_file(const std::string& name)
+{
+  const std::string start = "segment_";
+  const std::size_t dot = name.find_first_not_of("0123456789", start.size());
+  return name.compare(0, start.size(), start) == 0 && dot != std::string::npos &&
+         dot >= start.size() + 3 && name[dot] == '.' &&
+         name.find_first_of("./\\", dot + 1) == std::string::npos;
+}
+
+inline std::string segment_index(const std::set<std::string>& files)
+{
+  return nlohmann::ordered_json({{"writer", "segment_mesh"}, {"files", files}}).dump(1) + "\n";
+}
+
+// The files of segments that an earlier run wrote, none if the directory is not there yet. Throws
+// if the directory cannot be written to or may be of another use.
+inline std::set<std::string> earlier_segment_files(const Path& directory)
+{
+  const std::filesystem::file_status status = status_of(directory);
+  if (exists(status) && !is_directory(status))
+    throw_cannot_write(directory, "it is not a directory");
+  check_directory(directory, exists(status) ? directory : directory_of(directory));
+  std::set<std::string> result;
+  if (!exists(status))
+    return result;
+  bool has_index = false;
+  try {
+    std::ifstream in(directory / segment_index_name);
+    const nlohmann::json index = nlohmann::json::parse(in);
+    for (const std::string& name : index.at("files").get<std::vector<std::string> >())
+      if (is_segment_file(name))
+        result.insert(name);
+    has_index = index.at("writer") == "segment_mesh";
+  }
+  catch (const nlohmann::json::exception&) {
+  }
+  std::error_code error;
+  for (const auto& entry : std::filesystem::directory_iterator(directory, error)) {
+    const std::string name = entry.path().filename().string();
+    if (!has_index || (is_segment_file(name) && result.count(name) == 0))
+      throw_cannot_write(directory, "its file " + name + " is not of an earlier run; name a new "
+                                      "or an empty directory");
+  }
+  if (error)
+    throw_cannot_write(directory, error.message());
+  return result;
+}
+
+inline Path split_directory_of(const Path& name)
+{ return behind_links(name.has_filename() ? name : name.parent_path()); }
+
+// Finds before a long run what cannot be written after it. An input or output may be "-"; an output
+// and the directory of segments may be empty for none.
+inline void check_outputs(const std::vector<Path>& inputs, const std::vector<Path>& outputs,
+                          const Path& split_directory)
+{
+  const auto check_inputs = [&](const Path& name) {
+    for (const Path& input : inputs)
+      if (is_same_file(name, input == "-" ? "/dev/stdin" : input))
+        throw std::runtime_error(name.string() + " is the input");
+  };
+  std::vector<Path> checked;
+  const auto check_clash = [&](const Path& name) {
+    for (const Path& other : checked)
+      if (is_same_output(other, name))
+        throw std::runtime_error("two outputs have the name " + name.string());
+  };
+  for (const Path& name : outputs) {
+    if (name.empty())
+      continue;
+    check_output_name(name);
+    check_inputs(name);
+    check_clash(name);
+    checked.push_back(name);
+  }
+  if (split_directory.empty())
+    return;
+  const Path directory = split_directory_of(split_directory);
+  check_clash(directory);
+  for (const std::string& name : earlier_segment_files(directory))
+    check_inputs(directory / name);
+  for (const Path& other : checked) {
+    const std::string name = behind_links(other).filename().string();
+    if (is_segment_file(name) || name == segment_index_name)
+      check_clash(directory / name);
+  }
+}
+
+} // namespace segment_mesh
+
+#endif // SEGMENT_MESH_CHECK_OUTPUTS_H

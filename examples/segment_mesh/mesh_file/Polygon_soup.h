@@ -1,0 +1,92 @@
+// Copyright (c) 2026  The Spectral_segmentation authors.
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef SEGMENT_MESH_MESH_FILE_POLYGON_SOUP_H
+#define SEGMENT_MESH_MESH_FILE_POLYGON_SOUP_H
+
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <limits>
+#include <string>
+#include <vector>
+
+// Files of meshes, read and written. Nothing of CGAL is used here, so that this folder serves any
+// program.
+namespace mesh_file {
+
+typedef std::array<double, 3> Point;
+typedef std::uint32_t Index;
+
+constexpr Index null_index = (std::numeric_limits<Index>::max)();
+
+// The points of one polygon, as indices.
+class Polygon
+{
+  const Index* begin_;
+  const Index* end_;
+
+public:
+  Polygon(const Index* begin, const Index* end) : begin_(begin), end_(end) {}
+
+  const Index* begin() const { return begin_; }
+  const Index* end() const { return end_; }
+  std::size_t size() const { return static_cast<std::size_t>(end_ - begin_); }
+  Index operator[](std::size_t i) const { return begin_[i]; }
+};
+
+// The number types of PLY. All their values are exact as `double`.
+enum class Number_type { INT8, UINT8, INT16, UINT16, INT32, UINT32, FLOAT32, FLOAT64 };
+
+// Whether a value of that type can be this number.
+inline bool has_type(double value, Number_type type)
+{
+  static const struct { double smallest, largest; } ranges[] = {
+    {-128., 127.}, {0., 255.}, {-32768., 32767.}, {0., 65535.}, {-2147483648., 2147483647.},
+    {0., 4294967295.}};
+  if (type == Number_type::FLOAT64 || (type == Number_type::FLOAT32 && !std::isfinite(value)))
+    return true;
+  if (type == Number_type::FLOAT32)
+    return std::abs(value) <= static_cast<double>((std::numeric_limits<float>::max)());
+  const auto range = ranges[static_cast<std::size_t>(type)];
+  return value >= range.smallest && value <= range.largest && value == std::floor(value);
+}
+
+// One number of each point, or of each polygon, by the name that PLY has for it.
+struct Property
+{
+  std::string name;
+  Number_type type;
+  std::vector<double> values;
+};
+
+// Points and polygons in the order of a file. A polygon may have any number of corners, also none.
+// The points are finite, if a polygon uses them, and the corners are points.
+struct Polygon_soup
+{
+  std::vector<Point> points;
+  Number_type coordinate_type = Number_type::FLOAT64; // FLOAT32 if the file has no better
+  std::vector<Index> corners;         // of all polygons, one after the other
+  std::vector<Index> first_corner{0}; // of each polygon, and the number of corners
+
+  // What a file has beside them, if it is asked for
+  std::vector<Property> point_properties, polygon_properties;
+  // Of OBJ: for each corner one of the texture coordinates and normals, or null_index; or nothing
+  std::vector<std::array<double, 2> > texture_coordinates;
+  std::vector<Index> texture_of_corner;
+  std::vector<Point> normals;
+  std::vector<Index> normal_of_corner;
+
+  std::size_t number_of_polygons() const { return first_corner.size() - 1; }
+
+  Polygon polygon(std::size_t i) const
+  { return {corners.data() + first_corner[i], corners.data() + first_corner[i + 1]}; }
+
+  // Ends the polygon that has the last corners.
+  void end_polygon() { first_corner.push_back(static_cast<Index>(corners.size())); }
+};
+
+} // namespace mesh_file
+
+#endif // SEGMENT_MESH_MESH_FILE_POLYGON_SOUP_H

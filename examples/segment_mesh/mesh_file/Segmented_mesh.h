@@ -1,0 +1,287 @@
+// Copyright (c) 2026  The Spectral_segmentation authors.
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef SEGMENT_MESH_MESH_FILE_SEGMENTED_MESH_H
+#define SEGMENT_MESH_MESH_FILE_SEGMENTED_MESH_H
+
+#include "Polygon_soup.h"
+#include "Polygon_triangulation.h"
+
+#include <algorithm>
+#include <array>
+#include <charconv>
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <cstring>
+#include <limits>
+#include <ostream>
+#include <stdexcept>
+#include <string>
+#include <string_view>
+#include <type_traits>
+#include <vector>
+
+namespace mesh_file {
+
+typedef std::array<std::uint8_t, 3> Rgb;
+
+// What is written: polygons that belong to segments.
+struct Segmented_mesh
+{
+  const Polygon_soup& soup;
+  const std::vector<Index>& segment; // of each polygon
+  const std::vector<Rgb>& colors;    // of each segment
+};
+
+// segment_000, segment_001 ... segment_1000
+inline std::string segment_name(std::size_t segment)
+{
+  const std::string number = std::to_string(segment);
+  return "segment_" + std::string(3 - (std::min)(number.size(), std::size_t(3)), '0') + number;
+}
+
+// Those that have polygons, in ascending order.
+inline std::vector<Index> present_segments(const Segmented_mesh& mesh)
+{
+  std::vector<Index> result;
+  for (Index s : mesh.segment)
+    if (result.empty() || s != result.back())
+      result.push_back(s);
+  std::sort(result.begin(), result.end());
+  result.erase(std::unique(result.begin(), result.end()), result.end());
+  return result;
+}
+
+// Those of one segment are in ascending order.
+inline std::vector<Index> polygons_sorted_by_segment(const Segmented_mesh& mesh)
+{
+  std::vector<Index> result(mesh.segment.size());
+  if (result.empty())
+    return result;
+  const auto [first, last] = std::minmax_element(mesh.segment.begin(), mesh.segment.end());
+  const Index smallest = *first;
+  std::vector<Index> next(std::size_t(*last) - smallest + 2, 0);
+  for (Index s : mesh.segment)
+    ++next[s - smallest + 1];
+  for (std::size_t s = 1; s < next.size(); ++s)
+    next[s] += next[s - 1];
+  for (Index i = 0; i < mesh.segment.size(); ++i)
+    result[next[mesh.segment[i] - smallest]++] = i;
+  return result;
+}
+
+// The points that polygons have, in their order. The others need not be finite.
+struct Used_points
+{
+  std::vector<Index> number; // of each point among those that are used, or null_index
+  std::size_t size = 0;
+
+  explicit Used_points(const Polygon_soup& soup) : number(soup.points.size(), null_index)
+  {
+    for (Index v : soup.corners)
+      number[v] = 0;
+    for (Index& n : number)
+      if (n != null_index)
+        n = static_cast<Index>(size++);
+  }
+};
+
+inline std::vector<Triangle> triangles_of(const Polygon_soup& soup)
+{
+  std::vector<Triangle> result;
+  result.reserve(soup.number_of_polygons());
+  Polygon_triangulation triangulate(soup.points);
+  for (std::size_t i = 0; i < soup.number_of_polygons(); ++i)
+    triangulate(soup.polygon(i), result);
+  return result;
+}
+
+// For formats that have no better numbers.
+inline std::array<float, 3> float_point(const Point& point, const char* format)
+{
+  std::array<float, 3> result;
+  for (std::size_t k = 0; k < 3; ++k) {
+    if (std::abs(point[k]) > (std::numeric_limits<float>::max)())
+      throw std::runtime_error(std::string("a coordinate is too large for the numbers of ") +
+                               format);
+    result[k] = static_cast<float>(point[k]);
+  }
+  return result;
+}
+
+// Gives a stream large blocks, as a call of it for each number would take most of the time.
+class Block_output
+{
+  static constexpr std::size_t size_of_block = 1 << 16;
+
+  std::ostream& out_;
+  std::string block_;
+
+public:
+  explicit Block_output(std::ostream& out) : out_(out) {}
+
+  // To be called at the end.
+  void flush()
+  {
+    out_.write(block_.data(), static_cast<std::streamsize>(block_.size()));
+    block_.clear();
+  }
+
+  void text(std::string_view text)
+  {
+    block_ += text;
+    if (block_.size() >= size_of_block)
+      flush();
+  }
+
+  // As few digits as tell the number from all others of its type.
+  template <class Number>
+  void decimal(Number number)
+  {
+    char digits[32];
+    const char* const end = std::to_chars(digits, digits + sizeof digits, number).ptr;
+    text({digits, static_cast<std::size_t>(end - digits)});
+  }
+
+  // With a space before each but the first.
+  void decimal(const Point& point, Number_type type)
+  {
+    for (std::size_t k = 0; k < 3; ++k) {
+      if (k > 0)
+        text(" ");
+      if (type == Number_type::FLOAT32)
+        decimal(static_cast<float>(point[k]));
+      else
+        decimal(point[k]);
+    }
+  }
+
+  // The lowest byte first.
+  template <class Number>
+  void binary(Number number)
+  {
+    typedef std::conditional_t<sizeof(Number) == 8, std::uint64_t, std::uint32_t> Bits;
+    Bits bits;
+    if constexpr (std::is_floating_point_v<Number>)
+      std::memcpy(&bits, &number, sizeof bits);
+    else
+      bits = static_cast<Bits>(number);
+    char bytes[sizeof(Number)];
+    for (std::size_t i = 0; i < sizeof(Number); ++i)
+      bytes[i] = static_cast<char>(bits >> 8 * i);
+    text({bytes, sizeof(Number)});
+  }
+
+  template <class Number>
+  void binary(const std::array<Number, 3>& numbers)
+  {
+    for (Number n : numbers)
+      binary(n);
+  }
+};
+
+// Numbers elements in the order in which they are asked for.
+class Renumbering
+{
+  std::vector<Index> number_; // of each element, or null_index
+  std::vector<Index> elements_;
+
+public:
+  explicit Renumbering(std::size_t number_of_elements)
+    : number_(number_of_elements, null_index) {}
+
+  Index operator()(Index element)
+  {
+    if (element == null_index)
+      return null_index;
+    if (number_[element] == null_index) {
+      number_[element] = static_cast<Index>(elements_.size());
+      elements_.push_back(element);
+    }
+    return number_[element];
+  }
+
+  const std::vector<Index>& elements() const { return elements_; }
+
+  // In a time that depends on the elements that were asked for only.
+  void clear()
+  {
+    for (Index i : elements_)
+      number_[i] = null_index;
+    elements_.clear();
+  }
+};
+
+// Takes segments out of a mesh, one after the other, as meshes of their own.
+class Segment_extraction
+{
+  const Segmented_mesh mesh_;
+  const std::vector<Index> sorted_; // the polygons
+  Renumbering points_, textures_, normals_;
+
+  template <class T>
+  static std::vector<T> taken(const std::vector<T>& values, const std::vector<Index>& elements)
+  {
+    std::vector<T> result;
+    result.reserve(elements.size());
+    for (Index i : elements)
+      result.push_back(values[i]);
+    return result;
+  }
+
+  static void append_taken(const std::vector<Property>& properties,
+                           const std::vector<Index>& elements, std::vector<Property>& result)
+  {
+    for (const Property& p : properties)
+      result.push_back({p.name, p.type, taken(p.values, elements)});
+  }
+
+  std::vector<Index> polygons_of(std::size_t segment) const
+  {
+    const auto is_before = [this](Index i, std::size_t s) { return mesh_.segment[i] < s; };
+    const auto begin = std::lower_bound(sorted_.begin(), sorted_.end(), segment, is_before);
+    return {begin, std::lower_bound(begin, sorted_.end(), segment + 1, is_before)};
+  }
+
+public:
+  explicit Segment_extraction(const Segmented_mesh& mesh)
+    : mesh_(mesh), sorted_(polygons_sorted_by_segment(mesh)), points_(mesh.soup.points.size()),
+      textures_(mesh.soup.texture_coordinates.size()), normals_(mesh.soup.normals.size()) {}
+
+  std::size_t number_of_segments() const { return mesh_.colors.size(); }
+
+  // Its polygons have the further property `face`: their numbers in the mesh.
+  Polygon_soup operator()(std::size_t segment)
+  {
+    const Polygon_soup& soup = mesh_.soup;
+    const std::vector<Index> polygons = polygons_of(segment);
+    Polygon_soup result;
+    result.coordinate_type = soup.coordinate_type;
+    for (Index i : polygons) {
+      for (std::size_t c = soup.first_corner[i]; c < soup.first_corner[i + 1]; ++c) {
+        result.corners.push_back(points_(soup.corners[c]));
+        if (!soup.texture_of_corner.empty())
+          result.texture_of_corner.push_back(textures_(soup.texture_of_corner[c]));
+        if (!soup.normal_of_corner.empty())
+          result.normal_of_corner.push_back(normals_(soup.normal_of_corner[c]));
+      }
+      result.end_polygon();
+    }
+    result.points = taken(soup.points, points_.elements());
+    result.texture_coordinates = taken(soup.texture_coordinates, textures_.elements());
+    result.normals = taken(soup.normals, normals_.elements());
+    append_taken(soup.point_properties, points_.elements(), result.point_properties);
+    // Of two properties with one name the first is written.
+    result.polygon_properties.push_back(
+      {"face", Number_type::INT32, std::vector<double>(polygons.begin(), polygons.end())});
+    append_taken(soup.polygon_properties, polygons, result.polygon_properties);
+    for (Renumbering* r : {&points_, &textures_, &normals_})
+      r->clear();
+    return result;
+  }
+};
+
+} // namespace mesh_file
+
+#endif // SEGMENT_MESH_MESH_FILE_SEGMENTED_MESH_H

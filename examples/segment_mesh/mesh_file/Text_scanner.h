@@ -1,0 +1,253 @@
+// Copyright (c) 2026  The Spectral_segmentation authors.
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef SEGMENT_MESH_MESH_FILE_TEXT_SCANNER_H
+#define SEGMENT_MESH_MESH_FILE_TEXT_SCANNER_H
+
+#include <algorithm>
+#include <charconv>
+#include <cmath>
+#include <cstddef>
+#include <cstdlib>
+#include <stdexcept>
+#include <string>
+#include <string_view>
+#include <system_error>
+
+namespace mesh_file {
+
+// A word of a file for an error sentence: short and printable.
+inline std::string in_quotes(std::string_view word)
+{
+  const std::size_t longest = 24;
+  std::string result(word.substr(0, longest));
+  for (char& c : result)
+    if (c < ' ' || c > '~')
+      c = '?';
+  return "'" + result + (word.size() > longest ? "...'" : "'");
+}
+
+// Words and numbers of a text. A line ends with LF, CR LF or CR, and a backslash before its end
+// continues it. A comment goes from # to the end of the line. All functions throw
+// `std::runtime_error` with the line and the word at fault.
+class Text_scanner
+{
+  const char* begin_;
+  const char* position_;
+  const char* end_;
+
+  static bool is_end_of_line(char c) { return c == '\n' || c == '\r'; }
+  static bool is_blank(char c) { return c == ' ' || c == '\t' || c == '\v' || c == '\f'; }
+  static bool is_space(char c) { return is_blank(c) || is_end_of_line(c); }
+
+  bool is_continuation(const char* p) const
+  { return *p == '\\' && end_ - p > 1 && is_end_of_line(p[1]); }
+
+  void skip_end_of_line()
+  {
+    if (*position_++ == '\r' && position_ != end_ && *position_ == '\n')
+      ++position_;
+  }
+
+  void skip_to_end_of_line()
+  {
+    while (position_ != end_ && !is_end_of_line(*position_))
+      ++position_;
+  }
+
+  bool is_after_word(const char* p) const
+  { return p == end_ || is_space(*p) || *p == '#' || is_continuation(p); }
+
+  // A number may begin with one sign. What stands here after two is none.
+  const char* after_plus() const
+  {
+    const bool is_plus = end_ - position_ > 1 && *position_ == '+' && position_[1] != '-';
+    return position_ + is_plus;
+  }
+
+  std::size_t line() const
+  {
+    std::size_t result = 1;
+    for (const char* p = begin_; p != position_; ++p)
+      result += *p == '\n' || (*p == '\r' && (p + 1 == end_ || p[1] != '\n'));
+    return result;
+  }
+
+  // from_chars leaves a number too large or too small for double as it was.
+  static double rounded(std::string_view word)
+  { return std::strtod(std::string(word).c_str(), nullptr); }
+
+public:
+  explicit Text_scanner(std::string_view text)
+    : begin_(text.data()), position_(begin_), end_(begin_ + text.size())
+  {
+    if (text.substr(0, 3) == "\xEF\xBB\xBF") // byte order mark of UTF-8
+      position_ += 3;
+  }
+
+  // Stays before the end of the line.
+  void skip_blanks()
+  {
+    for (; position_ != end_; ++position_) {
+      if (*position_ == '#') {
+        skip_to_end_of_line();
+        return;
+      }
+      if (is_continuation(position_)) {
+        ++position_;
+        if (*position_ == '\r' && end_ - position_ > 1 && position_[1] == '\n')
+          ++position_;
+      }
+      else if (!is_blank(*position_))
+        return;
+    }
+  }
+
+  void skip_space()
+  {
+    for (skip_blanks(); position_ != end_ && is_end_of_line(*position_); skip_blanks())
+      skip_end_of_line();
+  }
+
+  bool is_at_end_of_line()
+  {
+    skip_blanks();
+    return position_ == end_ || is_end_of_line(*position_);
+  }
+
+  bool is_at_end()
+  {
+    skip_space();
+    return position_ == end_;
+  }
+
+  // Whatever they say.
+  void skip_rest_of_line()
+  {
+    while (!is_at_end_of_line())
+      skip_word();
+  }
+
+  // Also what looks like a comment. Takes the end of the line with it.
+  std::string_view rest_of_line()
+  {
+    const char* const first = position_;
+    skip_to_end_of_line();
+    const std::string_view result(first, static_cast<std::size_t>(position_ - first));
+    if (position_ != end_)
+      skip_end_of_line();
+    return result;
+  }
+
+  // The next word, which stays; empty at the end of the text.
+  std::string_view peek_word() const
+  {
+    const char* p = position_;
+    while (!is_after_word(p))
+      ++p;
+    return {position_, static_cast<std::size_t>(p - position_)};
+  }
+
+  void skip_word() { position_ += peek_word().size(); }
+
+  std::string_view word()
+  {
+    skip_space();
+    const std::string_view result = peek_word();
+    position_ += result.size();
+    return result;
+  }
+
+  std::string_view all() const { return {begin_, static_cast<std::size_t>(end_ - begin_)}; }
+
+  // The bytes from here on.
+  std::string_view rest() const
+  { return {position_, static_cast<std::size_t>(end_ - position_)}; }
+
+  // The word at the position, if there is one, is not `expected`.
+  [[noreturn]] void fail(const std::string& expected) const
+  {
+    const std::string_view word = peek_word();
+    fail_with(word.empty() ? (position_ == end_ ? "the file ends where " : "the line ends where ") +
+                               expected + " should be"
+                           : in_quotes(word) + " is not " + expected);
+  }
+
+  [[noreturn]] void fail_with(const std::string& sentence) const
+  { throw std::runtime_error("line " + std::to_string(line()) + ": " + sentence); }
+
+  // On this line or a later one, as the next function. This one also takes inf and nan.
+  double any_number()
+  {
+    skip_space();
+    const char* const first = after_plus();
+    double result = 0;
+    const auto [last, error] = std::from_chars(first, end_, result);
+    if (error == std::errc::result_out_of_range)
+      result = rounded({first, static_cast<std::size_t>(last - first)});
+    if (error == std::errc::invalid_argument || !is_after_word(last))
+      fail("a number");
+    position_ = last;
+    return result;
+  }
+
+  // A finite number.
+  double number()
+  {
+    skip_space();
+    const Text_scanner where = *this;
+    const double result = any_number();
+    if (!std::isfinite(result))
+      where.fail("a finite number");
+    return result;
+  }
+
+  // The next characters as a number from `smallest` to `largest`, and no more of the word.
+  long long digits(long long smallest, long long largest, const char* expected)
+  {
+    long long result = 0;
+    const char* const first = after_plus();
+    const auto [last, error] = std::from_chars(first, end_, result);
+    if (error != std::errc() || result < smallest || result > largest)
+      fail(expected);
+    position_ = last;
+    return result;
+  }
+
+  // A whole word, on this line or a later one.
+  long long integer(long long smallest, long long largest, const char* expected)
+  {
+    skip_space();
+    const char* const first = position_;
+    const long long result = digits(smallest, largest, expected);
+    if (!is_after_word(position_)) {
+      position_ = first;
+      fail(expected);
+    }
+    return result;
+  }
+
+  bool is_at(char c) const { return position_ != end_ && *position_ == c; }
+
+  // Moves over a character, if it is the next.
+  bool skip(char c)
+  {
+    const bool result = is_at(c);
+    position_ += result;
+    return result;
+  }
+
+  bool is_after_word() const { return is_after_word(position_); }
+};
+
+inline std::string lower_case(std::string_view word)
+{
+  std::string result(word);
+  std::transform(result.begin(), result.end(), result.begin(),
+                 [](char c) { return c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c; });
+  return result;
+}
+
+} // namespace mesh_file
+
+#endif // SEGMENT_MESH_MESH_FILE_TEXT_SCANNER_H

@@ -1,0 +1,178 @@
+// Copyright (c) 2026  The Spectral_segmentation authors.
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef SEGMENT_MESH_MESH_FILE_READ_OBJ_H
+#define SEGMENT_MESH_MESH_FILE_READ_OBJ_H
+
+#include "Polygon_soup.h"
+#include "Text_scanner.h"
+
+#include <algorithm>
+#include <array>
+#include <cstddef>
+#include <iterator>
+#include <string>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+namespace mesh_file {
+
+// The format of Wavefront. Of its statements those of points and faces are read; lines, points,
+// curves, groups, materials and settings are skipped.
+class Obj_reader
+{
+  static constexpr long long most = null_index - 1;
+
+  Text_scanner text_;
+  const bool keeps_properties_;
+  Polygon_soup soup_;
+  // Points may follow the faces that use them.
+  long long largest_corner_ = 0;
+  Text_scanner largest_at_;
+
+  static bool is_skipped(std::string_view statement)
+  {
+    static const std::string_view known[] = {
+      "vp", "deg", "bmat", "step", "cstype", "p", "l", "curv", "curv2", "surf", "parm", "trim",
+      "hole", "scrv", "sp", "end", "con", "g", "s", "mg", "o", "bevel", "c_interp", "d_interp",
+      "lod", "usemtl", "mtllib", "shadow_obj", "trace_obj", "ctech", "stech", "call", "csh",
+      "maplib", "usemap", "bsp", "bzp", "cdc", "cdp", "res"};
+    return std::find(std::begin(known), std::end(known), statement) != std::end(known);
+  }
+
+  double number()
+  {
+    if (text_.is_at_end_of_line())
+      text_.fail("a number");
+    return text_.number();
+  }
+
+  // A weight, colors, or a third texture coordinate.
+  void skip_numbers()
+  {
+    while (!text_.is_at_end_of_line())
+      text_.number();
+  }
+
+  Point point()
+  {
+    const double x = number();
+    const double y = number();
+    return {x, y, number()};
+  }
+
+  void read_texture_coordinates()
+  {
+    const double u = number();
+    const double v = text_.is_at_end_of_line() ? 0 : number();
+    if (keeps_properties_)
+      soup_.texture_coordinates.push_back({u, v});
+  }
+
+  void read_normal()
+  {
+    const Point normal = point();
+    if (keeps_properties_)
+      soup_.normals.push_back(normal);
+  }
+
+  // Numbers count from 1, or back from the last element that was read. 0 if there is no such
+  // element.
+  long long absolute_number(std::size_t number_of_elements)
+  {
+    const long long number = text_.digits(-most, most, "the corner of a face");
+    return (std::max)(number < 0 ? static_cast<long long>(number_of_elements) + 1 + number : number,
+                      0LL);
+  }
+
+  // point, point/texture, point//normal or point/texture/normal.
+  void read_corner()
+  {
+    const Text_scanner where = text_;
+    long long texture = 0, normal = 0;
+    const long long point = absolute_number(soup_.points.size());
+    if (text_.skip('/')) {
+      if (!text_.is_at('/') && !text_.is_after_word())
+        texture = absolute_number(soup_.texture_coordinates.size());
+      if (text_.skip('/') && !text_.is_after_word())
+        normal = absolute_number(soup_.normals.size());
+    }
+    if (point == 0 || !text_.is_after_word())
+      where.fail("the corner of a face");
+    if (point > largest_corner_) {
+      largest_corner_ = point;
+      largest_at_ = where;
+    }
+    soup_.corners.push_back(static_cast<Index>(point - 1));
+    if (keeps_properties_) {
+      soup_.texture_of_corner.push_back(static_cast<Index>(texture - 1));
+      soup_.normal_of_corner.push_back(static_cast<Index>(normal - 1));
+    }
+  }
+
+  void read_face()
+  {
+    while (!text_.is_at_end_of_line())
+      read_corner();
+    if (soup_.corners.size() > most)
+      text_.fail_with("there are too many corners");
+    soup_.end_polygon();
+  }
+
+  void read_statement()
+  {
+    const std::string_view statement = text_.peek_word();
+    const bool is_read = statement == "v" || statement == "vn" || statement == "vt" ||
+                         statement == "f" || statement == "fo";
+    if (is_read)
+      text_.skip_word();
+    else if (!is_skipped(statement))
+      text_.fail("a statement of OBJ");
+    if (!is_read)
+      text_.skip_rest_of_line();
+    else if (statement == "v")
+      soup_.points.push_back(point());
+    else if (statement == "vn")
+      read_normal();
+    else if (statement == "vt")
+      read_texture_coordinates();
+    else
+      read_face();
+    skip_numbers();
+  }
+
+  // Nothing is left of those that no corner has, and of numbers without an element.
+  static void clean(std::vector<Index>& of_corner, std::size_t number_of_elements)
+  {
+    for (Index& i : of_corner)
+      if (i >= number_of_elements)
+        i = null_index;
+    if (std::all_of(of_corner.begin(), of_corner.end(), [](Index i) { return i == null_index; }))
+      of_corner.clear();
+  }
+
+public:
+  Obj_reader(std::string_view file, bool keeps_properties)
+    : text_(file), keeps_properties_(keeps_properties), largest_at_(file) {}
+
+  Polygon_soup operator()()
+  {
+    while (!text_.is_at_end())
+      read_statement();
+    if (soup_.points.size() > static_cast<std::size_t>(most))
+      throw std::runtime_error("there are too many points");
+    if (largest_corner_ > static_cast<long long>(soup_.points.size()))
+      largest_at_.fail("a corner: there are " + std::to_string(soup_.points.size()) + " points");
+    clean(soup_.texture_of_corner, soup_.texture_coordinates.size());
+    clean(soup_.normal_of_corner, soup_.normals.size());
+    return std::move(soup_);
+  }
+};
+
+inline Polygon_soup read_obj(std::string_view file, bool keeps_properties)
+{ return Obj_reader(file, keeps_properties)(); }
+
+} // namespace mesh_file
+
+#endif // SEGMENT_MESH_MESH_FILE_READ_OBJ_H

@@ -1,0 +1,116 @@
+// Copyright (c) 2026  The Spectral_segmentation authors.
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef SEGMENT_MESH_MESH_FILE_WRITE_OBJ_H
+#define SEGMENT_MESH_MESH_FILE_WRITE_OBJ_H
+
+#include "Segmented_mesh.h"
+
+#include <cstddef>
+#include <cstdint>
+#include <ostream>
+#include <string>
+#include <vector>
+
+namespace mesh_file {
+
+// The materials for `write_obj()`, one for each segment that has polygons.
+inline void write_mtl(std::ostream& out, const Segmented_mesh& mesh)
+{
+  Block_output block(out);
+  for (Index s : present_segments(mesh)) {
+    block.text("newmtl " + segment_name(s) + "\nKd");
+    for (std::uint8_t c : mesh.colors[s]) {
+      block.text(" ");
+      block.decimal(static_cast<float>(c) / 255);
+    }
+    block.text("\n");
+  }
+  block.flush();
+}
+
+class Obj_writer
+{
+  const Segmented_mesh& mesh_;
+  Block_output out_;
+  const Used_points used_;
+
+  static Index of_corner(const std::vector<Index>& numbers, std::size_t corner)
+  { return numbers.empty() ? null_index : numbers[corner]; }
+
+  void put_points()
+  {
+    const Polygon_soup& soup = mesh_.soup;
+    for (std::size_t v = 0; v < soup.points.size(); ++v)
+      if (used_.number[v] != null_index) {
+        out_.text("v ");
+        out_.decimal(soup.points[v], soup.coordinate_type);
+        out_.text("\n");
+      }
+    for (const auto& [u, v] : soup.texture_coordinates) {
+      out_.text("vt ");
+      out_.decimal(u);
+      out_.text(" ");
+      out_.decimal(v);
+      out_.text("\n");
+    }
+    for (const Point& normal : soup.normals) {
+      out_.text("vn ");
+      out_.decimal(normal, Number_type::FLOAT64);
+      out_.text("\n");
+    }
+  }
+
+  // point, point/texture, point//normal or point/texture/normal, counted from 1.
+  void put_corner(std::size_t corner)
+  {
+    const Index texture = of_corner(mesh_.soup.texture_of_corner, corner);
+    const Index normal = of_corner(mesh_.soup.normal_of_corner, corner);
+    out_.text(" ");
+    out_.decimal(used_.number[mesh_.soup.corners[corner]] + 1);
+    if (texture != null_index || normal != null_index)
+      out_.text("/");
+    if (texture != null_index)
+      out_.decimal(texture + 1);
+    if (normal != null_index) {
+      out_.text("/");
+      out_.decimal(normal + 1);
+    }
+  }
+
+public:
+  Obj_writer(std::ostream& out, const Segmented_mesh& mesh)
+    : mesh_(mesh), out_(out), used_(mesh.soup) {}
+
+  void operator()(const std::string& materials)
+  {
+    const Polygon_soup& soup = mesh_.soup;
+    if (!materials.empty())
+      out_.text("mtllib " + materials + "\n");
+    put_points();
+    Index segment = null_index;
+    for (Index i : polygons_sorted_by_segment(mesh_)) {
+      if (soup.polygon(i).size() < 3)
+        continue;
+      if (segment != mesh_.segment[i]) {
+        segment = mesh_.segment[i];
+        const std::string name = segment_name(segment);
+        out_.text("g " + name + "\nusemtl " + name + "\n");
+      }
+      out_.text("f");
+      for (std::size_t c = soup.first_corner[i]; c < soup.first_corner[i + 1]; ++c)
+        put_corner(c);
+      out_.text("\n");
+    }
+    out_.flush();
+  }
+};
+
+// Writes a mesh in OBJ, the polygons of each segment as a group. The file of their materials is only
+// named. A face has three corners at least: what has fewer is left out.
+inline void write_obj(std::ostream& out, const Segmented_mesh& mesh, const std::string& materials)
+{ Obj_writer(out, mesh)(materials); }
+
+} // namespace mesh_file
+
+#endif // SEGMENT_MESH_MESH_FILE_WRITE_OBJ_H

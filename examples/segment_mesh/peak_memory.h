@@ -1,0 +1,34 @@
+// Copyright (c) 2026  The Spectral_segmentation authors.
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef SEGMENT_MESH_PEAK_MEMORY_H
+#define SEGMENT_MESH_PEAK_MEMORY_H
+
+#include <cstddef>
+
+#if defined(__unix__) || defined(__APPLE__)
+#include <sys/resource.h>
+#endif
+
+namespace segment_mesh {
+
+// The largest memory of the process so far, in bytes; 0 where the system does not tell it.
+inline std::size_t peak_memory()
+{
+#if defined(__unix__) || defined(__APPLE__)
+  rusage usage;
+  if (getrusage(RUSAGE_SELF, &usage) != 0)
+    return 0;
+#ifdef __APPLE__
+  return static_cast<std::size_t>(usage.ru_maxrss);
+#else
+  return 1024 * static_cast<std::size_t>(usage.ru_maxrss);
+#endif
+#else
+  return 0;
+#endif
+}
+
+} // namespace segment_mesh
+
+#endif // SEGMENT_MESH_PEAK_MEMORY_H
