@@ -66,6 +66,7 @@ std::string both_defaults(double Defaults::*number)
 struct Options
 {
   std::string input, mesh_file, label_file, report_file, split_directory;
+  std::string split_format = "ply";
   std::string method_name = "calibrated";
   std::optional<std::size_t> segments;
   std::optional<double> threshold, minimum_size;
@@ -81,8 +82,7 @@ struct Options
 
   bool writes_to_standard_output() const
   {
-    return is_standard_output(mesh_file) || is_standard_output(label_file) ||
-           is_standard_output(report_file);
+    return is_standard_output(label_file) || is_standard_output(report_file);
   }
 
   double minimum_segment_size() const
@@ -116,14 +116,19 @@ void add_options(CLI::App& app, Options& o)
 #endif
            "; - for standard input")->required();
   add_file("-o", o.mesh_file,
-           "mesh with a color and the property 'segment' of each face: .ply");
+           "mesh with a color for each segment: .ply, which also has the property 'segment' of "
+           "faces, .obj with groups and materials, .off, or .glb with nodes");
   add_file("--labels", o.label_file,
            "segment of each face of IN, one a line; a polygon cut by a boundary counts to the "
            "segment that has most of it; - for standard output");
   add_file("--json", o.report_file,
-           "counts, seconds by stage summed over all parts, parameters, tree of cuts; - for standard "
-           "output");
-  add_file("--split-dir", o.split_directory, "directory for one .ply file a segment");
+           "counts, seconds by stage summed over all parts, parameters, tree of cuts; - for "
+           "standard output");
+  add_file("--split-dir", o.split_directory,
+           "directory for one file a segment; what an earlier run wrote there is replaced");
+  app.add_option("--split-format", o.split_format, "format of these files")
+    ->type_name("F")->check(CLI::IsMember({"ply", "obj", "off", "stl", "glb"}))
+    ->capture_default_str();
   app.add_option("--method", o.method_name,
                  "calibrated: cuts where people cut; paper: Zhang and Liu 2005")
     ->type_name("M")->check(CLI::IsMember({"calibrated", "paper"}))->capture_default_str();
@@ -167,9 +172,12 @@ void check_options(const Options& o)
   if (o.threads && *o.threads > 1)
     throw std::runtime_error("this build has no threads, as it is without TBB");
 #endif
-  if (!o.mesh_file.empty() && std::filesystem::path(o.mesh_file).extension() != ".ply")
-    throw std::runtime_error("cannot write " + o.mesh_file + ": the name must end in .ply");
-  check_outputs({o.input}, {o.mesh_file, o.label_file, o.report_file}, o.split_directory);
+  std::vector<std::filesystem::path> outputs = {o.mesh_file, o.label_file, o.report_file};
+  if (!o.mesh_file.empty())
+    mesh_file::check_output_format(o.mesh_file, false);
+  if (mesh_file::output_extension(o.mesh_file) == ".obj")
+    outputs.push_back(mesh_file::name_of_materials(o.mesh_file));
+  check_outputs({o.input}, outputs, o.split_directory);
 }
 
 std::size_t segment(const Input& input, std::vector<Index>& labels, const Options& o,
@@ -244,9 +252,9 @@ void write_meshes(const Options& o, const Input& input, const std::vector<Index>
                                        o.refine_boundaries ? refined.second : label_of_polygon,
                                        colors};
   if (!o.mesh_file.empty())
-    files.write(o.mesh_file, [&](std::ostream& out) { mesh_file::write_ply(out, mesh); });
+    write_mesh(files, o.mesh_file, mesh);
   if (!o.split_directory.empty())
-    write_segments(files, o.split_directory, mesh);
+    write_segments(files, o.split_directory, '.' + o.split_format, mesh);
 }
 
 void print_summary(std::ostream& out, const Options& o, const Input& input,

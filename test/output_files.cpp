@@ -12,6 +12,7 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <atomic>
 #include <chrono>
 #include <csignal>
@@ -273,6 +274,36 @@ BOOST_AUTO_TEST_CASE(missing_permission)
   }) == EXIT_SUCCESS);
 }
 
+BOOST_AUTO_TEST_CASE(files_of_other_users)
+{
+  if (getuid() != 0)
+    return; // only the superuser can make them
+  const In_directory directory;
+  const gid_t shared_group = 4242;
+  chmod(".", 0755);
+  for (const char* name : {"shared", "sticky"}) {
+    std::filesystem::create_directory(name);
+    const Path file = Path(name) / "x";
+    make(file, old_content);
+    chmod(file.c_str(), 0666);
+    BOOST_REQUIRE(chown(file.c_str(), 1234, shared_group) == 0);
+  }
+  chmod("shared", 0777);
+  chmod("sticky", 01777); // as /tmp
+  BOOST_TEST(exit_status([&] {
+    if (setgroups(1, &shared_group) != 0 || setgid(65534) != 0 || setuid(65534) != 0)
+      throw std::logic_error("no other user");
+    write("shared/x", "new");
+    if (checked({"sticky/x"}) != "cannot write sticky/x: only its owner may replace it" ||
+        checked({"sticky/y"}) != "")
+      throw std::logic_error("no sentence");
+  }) == EXIT_SUCCESS);
+  struct stat status;
+  BOOST_REQUIRE(stat("shared/x", &status) == 0);
+  BOOST_TEST(status.st_gid == shared_group);
+  BOOST_TEST((status.st_mode & 07777) == 0666u);
+}
+
 BOOST_AUTO_TEST_CASE(long_names)
 {
   const In_directory directory;
@@ -372,6 +403,33 @@ BOOST_AUTO_TEST_CASE(segments_of_an_earlier_run)
   BOOST_TEST(std::filesystem::exists("parts/segment_1199.ply"));
   write_segments("parts", 0);
   BOOST_TEST(names_in("parts").size() == 2);
+}
+
+BOOST_AUTO_TEST_CASE(files_of_an_earlier_run_that_stay)
+{
+  const In_directory directory;
+  write_segments("parts", 3);
+  chmod("parts/segment_002.ply", 0444);
+  const std::string sentence = "cannot write parts/segment_002.ply: it is ";
+  BOOST_TEST(checked({}, "parts") == sentence + "write-protected");
+  BOOST_CHECK_THROW(write_segments("parts", 1), std::runtime_error);
+  BOOST_TEST(content("parts/segment_002.ply") == "new");
+  std::filesystem::remove("parts/segment_002.ply");
+  std::filesystem::create_directory("parts/segment_002.ply"); // an empty one of the user
+  BOOST_TEST(checked({}, "parts") == sentence + "not a file");
+  BOOST_CHECK_THROW(write_segments("parts", 1), std::runtime_error);
+  BOOST_TEST(std::filesystem::is_directory("parts/segment_002.ply"));
+  std::filesystem::remove("parts/segment_002.ply");
+  BOOST_TEST(checked({}, "parts") == "");
+  make("other", old_content);
+  std::filesystem::remove("parts/segment_001.ply");
+  std::filesystem::create_symlink("../other", "parts/segment_001.ply");
+  BOOST_TEST(checked({"other"}, "parts") == "two outputs have the name parts/segment_001.ply");
+  chmod("parts/segments.json", 0444);
+  BOOST_TEST(checked({}, "parts") == "cannot write parts/segments.json: it is write-protected");
+  std::filesystem::remove("parts/segments.json");
+  BOOST_REQUIRE(mkfifo("parts/segments.json", 0600) == 0);
+  BOOST_TEST(checked({}, "parts") == "cannot write parts/segments.json: it is not a file");
 }
 
 BOOST_AUTO_TEST_CASE(directories_of_other_use)
@@ -551,9 +609,12 @@ BOOST_AUTO_TEST_CASE(signals_at_random_times)
     files.commit();
   };
   typedef std::chrono::steady_clock Clock;
-  const Clock::time_point start = Clock::now();
-  BOOST_TEST(exit_status(run) == EXIT_SUCCESS);
-  const std::chrono::duration<double, std::micro> whole = Clock::now() - start;
+  std::chrono::duration<double, std::micro> whole(1e9);
+  for (int i = 0; i < 3; ++i) { // the first may be much slower
+    const Clock::time_point start = Clock::now();
+    BOOST_TEST(exit_status(run) == EXIT_SUCCESS);
+    whole = (std::min)(whole, std::chrono::duration<double, std::micro>(Clock::now() - start));
+  }
 
   int number_of_commits = 0, number_of_ends = 0;
   for (int i = 0; i < 200; ++i) {

@@ -74,7 +74,8 @@ def read_ply(path):
     for vertex in rows["vertex"]:
         color(vertex)
     return Ply([(v["x"], v["y"], v["z"]) for v in rows["vertex"]],
-               [f["vertex_indices"] for f in faces], [f["segment"] for f in faces if "segment" in f],
+               [f["vertex_indices"] for f in faces],
+               [f["segment"] for f in faces if "segment" in f],
                [color(f) for f in faces if "red" in f])
 
 
@@ -362,6 +363,136 @@ class Real_meshes(Tool_test):
         self.assertEqual(self.segment("hand.ply"), expected)
 
 
+def ply_dialects(points, faces):
+    """The same mesh in PLY as different programs write it, by a name."""
+    def binary(order):
+        return (b"".join(struct.pack(order + "3d", *p) for p in points) +
+                b"".join(struct.pack(order + "B3i", 3, *f) for f in faces))
+
+    def header(encoding, further="", list_type="uchar int", name="vertex_indices"):
+        return ("ply\nformat %s 1.0\ncomment made by hand\nelement vertex %d\nproperty double x\n"
+                "property double y\nproperty double z\n%selement face %d\nproperty list %s %s\n"
+                "end_header\n" % (encoding, len(points), further, len(faces), list_type,
+                                  name)).encode()
+
+    text = "".join("%r %r %r\n" % p for p in points) + "".join("3 %d %d %d\n" % f for f in faces)
+    with_normals = ("".join("%r %r %r 0 0 1\n" % p for p in points) +
+                    "".join("3 %d %d %d\n" % f for f in faces))
+    normals = "property float nx\nproperty float ny\nproperty float nz\n"
+    return {
+        "text": header("ascii") + text.encode(),
+        "windows": (header("ascii") + text.encode()).replace(b"\n", b"\r\n"),
+        "normals": header("ascii", normals, name="vertex_index") + with_normals.encode(),
+        "little": header("binary_little_endian") + binary("<"),
+        "big": header("binary_big_endian") + binary(">"),
+        "uint": header("binary_little_endian", list_type="uint uint") +
+                b"".join(struct.pack("<3d", *p) for p in points) +
+                b"".join(struct.pack("<I3I", 3, *f) for f in faces),
+    }
+
+
+class Formats(Tool_test):
+
+    def setUp(self):
+        super().setUp()
+        points, self.faces = read_off(MESHES / "hand.off")
+        # Numbers that float has too, so that all formats mean the same points.
+        self.points = [struct.unpack("3f", struct.pack("3f", *p)) for p in points]
+        self.expected = self.segment(self.write_off(self.points, self.faces))
+        self.assertGreater(max(self.expected), 1)
+
+    def test_text_of_off_and_obj(self):
+        colored = ["COFF\n# a comment", "%d %d 0" % (len(self.points), len(self.faces))]
+        colored += ["%r %r %r 255 0 0 255" % p for p in self.points]
+        colored += ["3\t%d %d %d  0.5 0.5 0.5" % f for f in self.faces]
+        (self.directory / "colored.off").write_text("\r\n".join(colored))
+        obj = ["\ufeff# Blender", "mtllib hand.mtl", "o Hand"]
+        obj += ["v %r %r %r 0.8 0.8 0.8" % p for p in self.points]
+        obj += ["vt 0.5 0.5", "vn 0 0 1", "g fingers", "usemtl skin", "s off", "l 1 2 \\\n3", "p 1"]
+        obj += ["f\t%d/1/1 %d//1\t%d" % tuple(v + 1 for v in f) for f in self.faces]
+        (self.directory / "all.obj").write_text("\n".join(obj), encoding="utf-8")
+        for name in ("colored.off", "all.obj"):
+            self.assertEqual(self.segment(name), self.expected, name)
+
+    def test_ply(self):
+        for name, content in ply_dialects(self.points, self.faces).items():
+            (self.directory / "in.ply").write_bytes(content)
+            self.assertEqual(self.segment("in.ply"), self.expected, name)
+
+    def test_stl(self):
+        write_binary_stl(self.directory / "in.stl", self.points, self.faces)
+        expected = self.segment("in.stl") # whose points come in the order of the faces
+        write_ascii_stl(self.directory / "text.stl", self.points, self.faces)
+        text = (self.directory / "text.stl").read_text()
+        for name, changed in (("text", text), ("mark", "\ufeff" + text),
+                              ("capitals", text.upper()),
+                              ("tab", text.replace("solid ", "solid\t"))):
+            (self.directory / "in.stl").write_text(changed, encoding="utf-8")
+            self.assertEqual(self.segment("in.stl"), expected, name)
+
+    def test_standard_input_and_output(self):
+        for name, content in {**ply_dialects(self.points, self.faces),
+                              "off": (self.directory / "in.off").read_bytes()}.items():
+            done = subprocess.run([TOOL, "-", "--labels", "-"], input=content, cwd=self.directory,
+                                  capture_output=True, timeout=300, check=False)
+            self.assertEqual(done.returncode, 0, name)
+            self.assertEqual([int(line) for line in done.stdout.split()], self.expected)
+
+    def test_written_formats(self):
+        number = max(self.expected) + 1
+        for extension in ("ply", "obj", "off", "GLB"):
+            done = self.run_tool("in.off", "-o", "out." + extension)
+            self.assertEqual((done.returncode, done.stderr), (0, ""))
+        obj = (self.directory / "out.obj").read_text().splitlines()
+        self.assertEqual(obj[0], "mtllib out.mtl")
+        self.assertEqual(len([line for line in obj if line.startswith("g ")]), number)
+        self.assertEqual(len([line for line in obj if line.startswith("f ")]), len(self.faces))
+        materials = (self.directory / "out.mtl").read_text()
+        self.assertEqual(materials.count("newmtl"), number)
+        off = (self.directory / "out.off").read_text().splitlines()[-len(self.faces):]
+        colors = [tuple(line.split()[4:7]) for line in off]
+        self.assert_same_parts(colors, self.expected)
+        glb = (self.directory / "out.GLB").read_bytes()
+        size = struct.unpack_from("<I", glb, 12)[0]
+        self.assertEqual(len(json.loads(glb[20:20 + size])["meshes"]), number)
+        self.assert_same_parts(self.segment("out.off"), self.expected)
+
+    def test_formats_of_parts(self):
+        for form in ("ply", "obj", "off", "stl", "glb"):
+            done = self.run_tool("in.off", "--split-dir", "parts", "--split-format", form)
+            self.assertEqual((done.returncode, done.stderr), (0, ""))
+            names = sorted(p.name for p in (self.directory / "parts").iterdir())
+            self.assertEqual(names, ["segment_%03d.%s" % (i, form)
+                                     for i in range(max(self.expected) + 1)] + ["segments.json"])
+        sizes = collections.Counter(self.expected)
+        self.run_tool("in.off", "--split-dir", "parts", "--split-format", "stl")
+        for i in range(max(self.expected) + 1):
+            part = (self.directory / "parts" / ("segment_%03d.stl" % i)).read_bytes()
+            self.assertEqual(len(part), 84 + 50 * sizes[i])
+
+    def test_further_properties_are_kept(self):
+        header = ("ply\nformat ascii 1.0\nelement vertex %d\nproperty float x\nproperty float y\n"
+                  "property float z\nproperty uchar quality\nelement face %d\n"
+                  "property list uchar int vertex_indices\nproperty short id\nend_header\n" %
+                  (len(self.points), len(self.faces)))
+        (self.directory / "in.ply").write_text(
+            header + "".join("%r %r %r 7\n" % p for p in self.points) +
+            "".join("3 %d %d %d %d\n" % (*f, i - 9) for i, f in enumerate(self.faces)))
+        self.assertEqual(self.segment("in.ply"), self.expected)
+        header = (self.directory / "out.ply").read_bytes().split(b"end_header")[0]
+        self.assertIn(b"property float z\n", header)
+        self.assertIn(b"property uchar quality\n", header)
+        self.assertIn(b"property short id\n", header)
+
+    def test_other_formats_need_assimp(self):
+        self.run_tool("in.off", "-o", "in.glb")
+        done = self.run_tool("in.glb", "--labels", "out.seg")
+        if done.returncode == 1:
+            self.assertIn("Assimp", done.stderr)
+            self.skipTest("the tool was built without Assimp")
+        self.assertEqual(len(self.labels()), len(self.faces))
+
+
 class Soups(Tool_test):
 
     def setUp(self):
@@ -548,7 +679,7 @@ class Failures(Tool_test):
                           (self.mesh, "--seed", "-1"), (self.mesh, "--threads", "0"),
                           (self.mesh, "--smooth", "-1"), (self.mesh, "-o"),
                           (self.mesh, "-o", "", "--labels", "out.seg"),
-                          (self.mesh, "-o", "out.obj"), ("",)):
+                          (self.mesh, "-o", "out.stl"), (self.mesh, "-o", "out"), ("",)):
             self.assert_failure(*arguments)
 
     def test_output_that_cannot_be_written(self):
@@ -560,6 +691,9 @@ class Failures(Tool_test):
                              ("--split-dir", "file"), ("--split-dir", "missing/parts")):
             self.assert_failure(self.mesh, option, name, sentence="cannot")
         self.assert_failure(self.mesh, "--labels", "x", "--json", "./x", sentence="two outputs")
+        self.assert_failure(self.mesh, "--labels", "-", "--json", "-", sentence="two outputs")
+        (self.directory / "in.off").write_bytes(self.mesh.read_bytes())
+        self.assert_failure("in.off", "--labels", "./in.off", sentence="is the input")
         self.assertEqual((self.directory / "file").read_text(), "kept")
 
     def test_full_disk(self):

@@ -85,8 +85,10 @@ class Output_files
     struct stat status;
     if (stat(target.c_str(), &status) != 0)
       return;
-    [[maybe_unused]] const int ignored =
-      chown(temporary.c_str(), status.st_uid, status.st_gid);
+    const uid_t same_user = static_cast<uid_t>(-1);
+    [[maybe_unused]] const bool is_group_kept =
+      chown(temporary.c_str(), status.st_uid, status.st_gid) == 0 ||
+      chown(temporary.c_str(), same_user, status.st_gid) == 0;
     chmod(temporary.c_str(), status.st_mode & 0777);
 #endif
   }

@@ -57,8 +57,8 @@ private:
   void show_progress()
   {
     last_shown_ = seconds();
-    std::string line = std::to_string(static_cast<int>(100 * share_)) + " %, " + shown_name_ + ", " +
-                       std::to_string(static_cast<long>(last_shown_)) + " s";
+    std::string line = std::to_string(static_cast<int>(100 * share_)) + " %, " + shown_name_ +
+                       ", " + std::to_string(static_cast<long>(last_shown_)) + " s";
     if (share_ > 0.05)
       line += ", " + std::to_string(static_cast<long>(last_shown_ * (1 - share_) / share_ + 1)) +
               " s to go";

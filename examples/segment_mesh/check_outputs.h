@@ -7,9 +7,11 @@
 #include <nlohmann/json.hpp>
 
 #ifndef _WIN32
+#include <sys/stat.h>
 #include <unistd.h>
 #endif
 
+#include <cstddef>
 #include <filesystem>
 #include <fstream>
 #include <set>
@@ -76,6 +78,21 @@ inline bool is_write_protected(const Path& file)
          (std::filesystem::status(file).permissions() & write) == perms::none;
 }
 
+// In a directory such as /tmp only the owner of a file, or of the directory, may replace the file.
+inline bool is_kept_by_sticky_bit([[maybe_unused]] const Path& file)
+{
+#ifdef _WIN32
+  return false;
+#else
+  struct stat status, status_of_directory;
+  const uid_t user = geteuid();
+  return user != 0 && lstat(file.c_str(), &status) == 0 &&
+         stat(directory_of(file).c_str(), &status_of_directory) == 0 &&
+         (status_of_directory.st_mode & S_ISVTX) != 0 && status.st_uid != user &&
+         status_of_directory.st_uid != user;
+#endif
+}
+
 inline void check_directory(const Path& name, const Path& directory)
 {
   std::error_code ignored;
@@ -97,8 +114,11 @@ inline void check_output_name(const Path& name)
     throw_cannot_write(name, "it is not a file");
   if (exists(status) && is_write_protected(name))
     throw_cannot_write(name, "it is write-protected");
-  if (!is_stream(name))
-    check_directory(name, directory_of(file));
+  if (is_stream(name))
+    return;
+  check_directory(name, directory_of(file));
+  if (is_kept_by_sticky_bit(file))
+    throw_cannot_write(name, "only its owner may replace it");
 }
 
 inline bool is_same_place(const Path& a, const Path& b)
@@ -142,7 +162,8 @@ inline std::string segment_index(const std::set<std::string>& files)
 }
 
 // The files of segments that an earlier run wrote, none if the directory is not there yet. Throws
-// if the directory cannot be written to or may be of another use.
+// if the directory or one of these files cannot be written to, or the directory may be of another
+// use.
 inline std::set<std::string> earlier_segment_files(const Path& directory)
 {
   const std::filesystem::file_status status = status_of(directory);
@@ -153,8 +174,12 @@ inline std::set<std::string> earlier_segment_files(const Path& directory)
   if (!exists(status))
     return result;
   bool has_index = false;
+  const Path index_file = directory / segment_index_name;
+  if (exists(status_of(index_file)) && !is_regular_file(status_of(index_file)))
+    throw_cannot_write(index_file, "it is not a file");
+  check_output_name(index_file);
   try {
-    std::ifstream in(directory / segment_index_name);
+    std::ifstream in(index_file);
     const nlohmann::json index = nlohmann::json::parse(in);
     for (const std::string& name : index.at("files").get<std::vector<std::string> >())
       if (is_segment_file(name))
@@ -172,6 +197,8 @@ inline std::set<std::string> earlier_segment_files(const Path& directory)
   }
   if (error)
     throw_cannot_write(directory, error.message());
+  for (const std::string& name : result)
+    check_output_name(directory / name);
   return result;
 }
 
@@ -206,8 +233,10 @@ inline void check_outputs(const std::vector<Path>& inputs, const std::vector<Pat
     return;
   const Path directory = split_directory_of(split_directory);
   check_clash(directory);
-  for (const std::string& name : earlier_segment_files(directory))
+  for (const std::string& name : earlier_segment_files(directory)) {
     check_inputs(directory / name);
+    check_clash(directory / name);
+  }
   for (const Path& other : checked) {
     const std::string name = behind_links(other).filename().string();
     if (is_segment_file(name) || name == segment_index_name)

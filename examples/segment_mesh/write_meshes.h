@@ -6,7 +6,7 @@
 
 #include "Output_files.h"
 #include "mesh_file/Segmented_mesh.h"
-#include "mesh_file/write_ply.h"
+#include "mesh_file/write_mesh_file.h"
 #include "read_input.h"
 #include "segment_colors.h"
 
@@ -19,13 +19,13 @@
 
 namespace segment_mesh {
 
-// For each segment those that it touches; some that touch nowhere but beside a third may be missing.
+// For each segment those that it touches. Some that touch only beside a third may be missing.
 inline std::vector<std::vector<std::size_t> >
 segment_neighbors(const Input& input, const std::vector<Index>& segment_of_triangle,
                   std::size_t number_of_segments)
 {
   std::vector<std::vector<std::size_t> > neighbors(number_of_segments);
-  std::vector<Index> first_segment(input.soup.points.size(), mesh_file::null_index); // at each point
+  std::vector<Index> first_segment(input.soup.points.size(), mesh_file::null_index); // at a point
   for (std::size_t t = 0; t < input.triangles.size(); ++t)
     for (Index v : input.triangles[t]) {
       const Index b = segment_of_triangle[t];
@@ -44,17 +44,31 @@ segment_neighbors(const Input& input, const std::vector<Index>& segment_of_trian
   return neighbors;
 }
 
-// One mesh a segment, in the files segment_000.ply, segment_001.ply ...
+// In the format that the name tells. OBJ has its colors in a file beside it.
+inline void write_mesh(Output_files& files, const std::filesystem::path& name,
+                       const mesh_file::Segmented_mesh& mesh)
+{
+  const std::string extension = mesh_file::output_extension(name);
+  const std::filesystem::path materials = mesh_file::name_of_materials(name);
+  files.write(name, [&](std::ostream& out) {
+    mesh_file::write_mesh_file(out, extension, mesh, materials.filename().string());
+  });
+  if (extension == ".obj")
+    files.write(materials, [&](std::ostream& out) { mesh_file::write_mtl(out, mesh); });
+}
+
+// One mesh a segment, in the files segment_000, segment_001 ... with the extension.
 inline void write_segments(Output_files& files, const std::filesystem::path& directory,
-                           const mesh_file::Segmented_mesh& mesh)
+                           const std::string& extension, const mesh_file::Segmented_mesh& mesh)
 {
   files.start_segments(directory);
   mesh_file::Segment_extraction extract(mesh);
   for (std::size_t s = 0; s < extract.number_of_segments(); ++s) {
     const Polygon_soup part = extract(s);
     const std::vector<Index> segment(part.number_of_polygons(), static_cast<Index>(s));
-    files.write_segment(s, ".ply", [&](std::ostream& out)
-                        { mesh_file::write_ply(out, {part, segment, mesh.colors}); });
+    const mesh_file::Segmented_mesh written{part, segment, mesh.colors};
+    files.write_segment(s, extension, [&](std::ostream& out)
+                        { mesh_file::write_mesh_file(out, extension, written); });
   }
 }
 

@@ -15,8 +15,8 @@
 
 namespace mesh_file {
 
-// Numbers of binary data in either order of bytes. All functions throw `std::runtime_error` with the
-// byte at fault, counted from 0.
+// Numbers of binary data in either order of bytes. All functions throw `std::runtime_error` with
+// the byte at fault, counted from 0.
 class Byte_scanner
 {
   std::string_view bytes_;

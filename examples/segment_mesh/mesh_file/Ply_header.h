@@ -54,6 +54,7 @@ class Ply_header_reader
 
   void read_format()
   {
+    text_.skip_blanks();
     const Text_scanner where = text_;
     const std::string_view format = word("a format");
     if (format == "ascii")

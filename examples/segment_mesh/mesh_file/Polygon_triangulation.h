@@ -21,11 +21,12 @@ namespace mesh_file {
 typedef std::array<Index, 3> Triangle;
 
 // Cuts polygons into triangles with the same orientation, each edge of a polygon being one of a
-// triangle. Ears are clipped in the coordinate plane in which the polygon has the largest area, that
-// with the shortest new edge first: of a convex quadrilateral this is the shorter diagonal.
+// triangle. Ears are clipped in the coordinate plane in which the polygon has the largest area,
+// that with the shortest new edge first: of a convex quadrilateral this is the shorter diagonal.
 //
-// The time is O(n log n + n r) for n corners of which r are reflex. What has no ear, such as corners
-// on a line, becomes a fan, and so does the rest of a polygon that takes more than 2000 n steps.
+// The time is O(n log n + n r) for n corners of which r are reflex. What has no ear, such as
+// corners on a line, becomes a fan, and so does the rest of a polygon that takes more than 2000 n
+// steps.
 class Polygon_triangulation
 {
   // A corner of what is left, and its neighbors there.

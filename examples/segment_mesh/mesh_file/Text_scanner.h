@@ -244,7 +244,8 @@ inline std::string lower_case(std::string_view word)
 {
   std::string result(word);
   std::transform(result.begin(), result.end(), result.begin(),
-                 [](char c) { return c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c; });
+                 [](char c)
+                 { return static_cast<char>(c >= 'A' && c <= 'Z' ? c - 'A' + 'a' : c); });
   return result;
 }
 

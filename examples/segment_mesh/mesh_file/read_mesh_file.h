@@ -22,7 +22,9 @@ enum class Format { OFF, OBJ, PLY, STL, UNKNOWN };
 inline Format format_of_extension(const std::string& extension)
 {
   const std::string name = lower_case(extension);
-  return name == ".off" ? Format::OFF : name == ".obj" ? Format::OBJ : name == ".ply" ? Format::PLY :
+  return name == ".off" ? Format::OFF :
+         name == ".obj" ? Format::OBJ :
+         name == ".ply" ? Format::PLY :
          name == ".stl" ? Format::STL : Format::UNKNOWN;
 }
 
@@ -36,9 +38,9 @@ inline Format format_of_contents(std::string_view file)
          is_stl(file) ? Format::STL : Format::OBJ;
 }
 
-// Reads the contents of a file. Properties besides points and polygons are kept on demand.
-// Throws `std::runtime_error` with the line or byte and the word at fault if the contents contradict
-// the format. Asks for no more memory than a small multiple of the size of the file.
+// Reads the contents of a file. Properties besides points and polygons are kept on demand. Throws
+// `std::runtime_error` with the line or byte and the word at fault if the contents contradict the
+// format. Asks for no more memory than a small multiple of the size of the file.
 inline Polygon_soup read_mesh_file(std::string_view file, Format format, bool keeps_properties)
 {
   switch (format) {

@@ -38,7 +38,10 @@ struct Off_header
     has_normals = take("N");
     is_homogeneous = take("4");
     has_dimension = take("n");
-    return word == "OFF";
+    if (word == "OFF")
+      return true;
+    *this = Off_header();
+    return false;
   }
 };
 

@@ -77,7 +77,8 @@ class Border_stitching
     std::vector<char> result(points_.size(), 0);
     const std::vector<Edge> all = edges();
     std::vector<Edge> border;
-    const auto places = [](const Edge& e) { return std::make_pair(std::get<0>(e), std::get<1>(e)); };
+    const auto places = [](const Edge& e)
+    { return std::make_pair(std::get<0>(e), std::get<1>(e)); };
     for_each_group(all.begin(), all.end(), [](const Edge& e) { return e; },
                    [&](Iterator begin, Iterator end) {
                      if (end - begin == 1 && std::get<0>(*begin) != std::get<1>(*begin))

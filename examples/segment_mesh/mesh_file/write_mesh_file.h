@@ -40,13 +40,13 @@ inline void check_output_format(const std::filesystem::path& name, bool is_part)
 inline std::filesystem::path name_of_materials(std::filesystem::path name)
 { return name.replace_extension(".mtl"); }
 
-// Writes a mesh in the format that the name tells, which `check_output_format()` lets pass.
-inline void write_mesh_file(std::ostream& out, const std::filesystem::path& name,
-                            const Segmented_mesh& mesh)
+// Writes a mesh in the format of an extension that `output_extension()` gave and
+// `check_output_format()` let pass. `materials` is the name of their file for OBJ, if there is one.
+inline void write_mesh_file(std::ostream& out, const std::string& extension,
+                            const Segmented_mesh& mesh, const std::string& materials = "")
 {
-  const std::string extension = output_extension(name);
   if (extension == ".obj")
-    write_obj(out, mesh, name_of_materials(name).filename().string());
+    write_obj(out, mesh, materials);
   else if (extension == ".off")
     write_off(out, mesh);
   else if (extension == ".glb")

@@ -106,8 +106,8 @@ public:
   }
 };
 
-// Writes a mesh in OBJ, the polygons of each segment as a group. The file of their materials is only
-// named. A face has three corners at least: what has fewer is left out.
+// Writes a mesh in OBJ, the polygons of each segment as a group. The file of their materials is
+// only named. A face has three corners at least: what has fewer is left out.
 inline void write_obj(std::ostream& out, const Segmented_mesh& mesh, const std::string& materials)
 { Obj_writer(out, mesh)(materials); }
 

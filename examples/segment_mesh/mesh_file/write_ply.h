@@ -16,10 +16,10 @@
 
 namespace mesh_file {
 
-// Writes a mesh in binary PLY. Programs that show colors look for those of the points, so a point at
-// which segments meet is written once for each. The polygons come in their order, each with its
-// `segment` and its color. Further properties of points and polygons follow, but those that have the
-// name of another.
+// Writes a mesh in binary PLY. Programs that show colors look for those of the points, so a point
+// at which segments meet is written once for each. The polygons come in their order, each with its
+// `segment` and its color. Further properties of points and polygons follow, but those that have
+// the name of another.
 class Ply_writer
 {
   typedef std::vector<const Property*> Properties;

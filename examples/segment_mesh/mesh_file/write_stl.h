@@ -35,8 +35,8 @@ inline std::array<float, 3> unit_normal(const std::array<std::array<float, 3>, 3
   return result;
 }
 
-// Writes the triangles of a mesh in binary STL, which has neither segments nor colors. Throws if the
-// coordinates are too large for it.
+// Writes the triangles of a mesh in binary STL, which has neither segments nor colors. Throws if
+// the coordinates are too large for it.
 inline void write_stl(std::ostream& out, const Segmented_mesh& mesh)
 {
   const std::vector<Triangle> triangles = triangles_of(mesh.soup);

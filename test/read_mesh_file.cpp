@@ -1,0 +1,646 @@
+// Copyright (c) 2026  The Spectral_segmentation authors.
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#include "../examples/segment_mesh/mesh_file/read_mesh_file.h"
+
+#include <boost/test/unit_test.hpp>
+
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <cstring>
+#include <stdexcept>
+#include <string>
+#include <vector>
+
+BOOST_AUTO_TEST_SUITE(read_mesh_file)
+
+using mesh_file::Format;
+using mesh_file::Index;
+using mesh_file::null_index;
+using mesh_file::Number_type;
+using mesh_file::Point;
+using mesh_file::Polygon;
+using mesh_file::Polygon_soup;
+
+typedef std::vector<Point> Points;
+typedef std::vector<std::vector<Index> > Polygons;
+
+namespace {
+
+const Points corner_points{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}};
+const Points square_points{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {1, 1, 0}};
+
+void check(const Polygon_soup& soup, const Points& points, const Polygons& polygons)
+{
+  BOOST_TEST((soup.points == points));
+  Polygons read;
+  for (std::size_t i = 0; i < soup.number_of_polygons(); ++i) {
+    const Polygon polygon = soup.polygon(i);
+    read.emplace_back(polygon.begin(), polygon.end());
+  }
+  BOOST_TEST((read == polygons));
+}
+
+// With and without further properties.
+void check(Format format, const std::string& file, const Points& points, const Polygons& polygons)
+{
+  BOOST_TEST_INFO_SCOPE(file.substr(0, 300));
+  for (bool keeps_properties : {false, true})
+    check(mesh_file::read_mesh_file(file, format, keeps_properties), points, polygons);
+}
+
+void check_failure(Format format, const std::string& file, const std::string& sentence)
+{
+  BOOST_TEST_INFO_SCOPE(file.substr(0, 300));
+  for (bool keeps_properties : {false, true})
+    BOOST_CHECK_EXCEPTION(mesh_file::read_mesh_file(file, format, keeps_properties),
+                          std::runtime_error, [&](const std::runtime_error& e) {
+                            BOOST_TEST(e.what() == sentence);
+                            return true;
+                          });
+}
+
+std::string with_line_ends(const std::string& text, const std::string& line_end)
+{
+  std::string result;
+  for (char c : text)
+    result += c == '\n' ? line_end : std::string(1, c);
+  return result;
+}
+
+// Numbers in either order of bytes.
+class Bytes
+{
+  std::string bytes_;
+  bool is_big_endian_;
+
+public:
+  explicit Bytes(bool is_big_endian, const std::string& begin = "")
+    : bytes_(begin), is_big_endian_(is_big_endian) {}
+
+  template <class Number>
+  Bytes& put(const std::vector<Number>& numbers)
+  {
+    for (Number number : numbers) {
+      char bytes[sizeof(Number)];
+      std::memcpy(bytes, &number, sizeof number);
+      const std::uint16_t one = 1;
+      const bool is_this_big_endian = *reinterpret_cast<const unsigned char*>(&one) == 0;
+      const std::string in_order(bytes, sizeof bytes);
+      bytes_ += is_this_big_endian == is_big_endian_
+                  ? in_order : std::string(in_order.rbegin(), in_order.rend());
+    }
+    return *this;
+  }
+
+  Bytes& floats(const std::vector<float>& numbers) { return put(numbers); }
+  Bytes& ints(const std::vector<std::int32_t>& numbers) { return put(numbers); }
+  Bytes& uchars(const std::vector<std::uint8_t>& numbers) { return put(numbers); }
+
+  const std::string& operator()() const { return bytes_; }
+};
+
+const std::vector<float> corner_floats{0, 0, 0, 1, 0, 0, 0, 1, 0};
+
+std::string ply_header(const std::string& format, const std::string& lines)
+{ return "ply\nformat " + format + " 1.0\n" + lines + "end_header\n"; }
+
+const std::string ply_points = "element vertex 3\nproperty float x\nproperty float y\n"
+                               "property float z\n";
+const std::string ply_faces = "element face 1\nproperty list uchar int vertex_indices\n";
+const std::string ply_body = "0 0 0\n1 0 0\n0 1 0\n3 0 1 2\n";
+
+std::string stl_facet(const std::string& normal, const std::string& third = "0 1 0")
+{
+  return "facet normal " + normal + "\n outer loop\n  vertex 0 0 0\n  vertex 1 0 0\n  vertex " +
+         third + "\n endloop\nendfacet\n";
+}
+
+const Points stl_points{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}};
+
+std::string binary_stl(std::string header)
+{
+  header.resize(80, header.find('\0') == std::string::npos ? ' ' : '\0');
+  Bytes bytes(false, header);
+  bytes.put<std::uint32_t>({2});
+  for (float z : {0.f, 1.f})
+    bytes.floats({0, 0, 1, 0, 0, 0, 1, 0, 0, 0, 1 - z, z}).uchars({0, 0});
+  return bytes();
+}
+
+} // namespace
+
+// OFF
+
+BOOST_AUTO_TEST_CASE(off)
+{
+  const std::string text = "OFF\n4 2 0\n0 0 0\n1 0 0\n0 1 0\n1 1 0\n3 0 1 2\n4 0 1 3 2\n";
+  const Polygons polygons{{0, 1, 2}, {0, 1, 3, 2}};
+  for (const char* line_end : {"\n", "\r\n", "\r", " \t\n", "\n\n", " # a comment 1 2\n"})
+    check(Format::OFF, with_line_ends(text, line_end), square_points, polygons);
+  check(Format::OFF, text.substr(4), square_points, polygons); // without keyword
+  check(Format::OFF, "\xEF\xBB\xBF# first\n" + text, square_points, polygons);
+  check(Format::OFF, text.substr(0, text.size() - 1), square_points, polygons);
+  BOOST_TEST((mesh_file::read_off(text).coordinate_type == Number_type::FLOAT64));
+}
+
+BOOST_AUTO_TEST_CASE(off_counts)
+{
+  const std::string body = "0 0 0\n1 0 0\n0 1 0\n3 0 1 2\n";
+  for (const char* header : {"OFF 3 1 0\n", "OFF 3 1\n", "OFF\n3 1\n", "OFF\n3 1 # no edges\n",
+                             "OFF\n3\n1\n0\n", "OFF\n3 1 -1\n", "nOFF\n3\n3 1 0\n", "nOFF 3 3 1 0\n"})
+    check(Format::OFF, header + body, corner_points, {{0, 1, 2}});
+  check(Format::OFF, "OFF\n0 0 0\n", {}, {});
+  check(Format::OFF, "OFF\n1 2 0\n0 0 0\n0\n1 0\n", {{0, 0, 0}}, {{}, {0}});
+}
+
+BOOST_AUTO_TEST_CASE(off_numbers)
+{
+  check(Format::OFF, "OFF 2 0 0\n+1.5 -2e3 .5\n1e-400 7 -0.25E+1\n", {{1.5, -2000, 0.5}, {0, 7, -2.5}},
+        {});
+}
+
+BOOST_AUTO_TEST_CASE(off_with_colors_normals_and_texture)
+{
+  check(Format::OFF, "COFF\n3 1 0\n0 0 0 255 0 0 255\n1 0 0 0 1 0 1\n0 1 0 7\n3 0 1 2 0.5 0.5 1\n",
+        corner_points, {{0, 1, 2}});
+  check(Format::OFF, "NOFF\n3 1 0\n0 0 0 0 0 1\n1 0 0 0 0 1\n0 1 0 0 0 1\n3 0 1 2 # red\n",
+        corner_points, {{0, 1, 2}});
+  check(Format::OFF, "STOFF\n3 1 0\n0 0 0 .5 .5\n1 0 0 1 0\n0 1 0 0 1\n3 0 1 2 9\n", corner_points,
+        {{0, 1, 2}});
+  check(Format::OFF, "STCNOFF\n1 1 0\n0 0 0 1 0 0 1 0 0 1 5 5\n1 0\n", {{0, 0, 0}}, {{0}});
+  // An index of a color, out of any range
+  check(Format::OFF, "COFF\n3 1 0\n0 0 0 -70000000\n1 0 0 -70000000\n0 1 0 -70000000\n3 0 1 2\n",
+        corner_points, {{0, 1, 2}});
+}
+
+BOOST_AUTO_TEST_CASE(off_binary)
+{
+  Bytes plain(true, "OFF BINARY\n");
+  plain.ints({3, 2, 0}).floats(corner_floats).ints({3, 0, 1, 2, 0, 2, 2, 1, 3}).floats({1, 0, 0});
+  check(Format::OFF, plain(), corner_points, {{0, 1, 2}, {2, 1}});
+  BOOST_TEST((mesh_file::read_off(plain()).coordinate_type == Number_type::FLOAT32));
+  for (std::size_t size = 11; size < plain().size(); ++size)
+    BOOST_CHECK_THROW(mesh_file::read_off(plain().substr(0, size)), std::runtime_error);
+
+  Bytes further(true, "STCNOFF BINARY\n");
+  further.ints({2, 1, 0});
+  for (float x : {0.f, 1.f})
+    further.floats({x, 2, 3}).floats({0, 0, 1}).floats({1, 0, 0, 1}).floats({0.5, 0.5});
+  further.ints({2, 1, 0, 0});
+  check(Format::OFF, further(), {{0, 2, 3}, {1, 2, 3}}, {{1, 0}});
+
+  Bytes dimension(true, "nOFF BINARY\n");
+  dimension.ints({3, 1, 0, 0}).floats({4, 5, 6});
+  check(Format::OFF, dimension(), {{4, 5, 6}}, {});
+}
+
+BOOST_AUTO_TEST_CASE(off_contradictions)
+{
+  const std::string points = "OFF\n3 1 0\n0 0 0\n1 0 0\n0 1 0\n";
+  const auto fails = [](const std::string& file, const std::string& sentence)
+  { check_failure(Format::OFF, file, sentence); };
+  fails("", "line 1: the file ends where a number of points should be");
+  fails("OOF\n3 1 0\n", "line 1: 'OOF' is not OFF");
+  fails("OFF\n-3 1 0\n", "line 2: '-3' is not a number of points");
+  fails("OFF\n3 1.5 0\n", "line 2: '1.5' is not a number of faces");
+  fails("OFF\n3 1 0 7\n", "line 2: '7' is not the end of the line");
+  fails("OFF\n3 99999999999 0\n", "line 2: '99999999999' is not a number of faces");
+  fails("OFF\n4000000000 1 0\n0 0 0\n",
+        "line 2: the file is too short for 4000000000 points and 1 faces");
+  fails("4OFF\n3 1 0\n", "line 1: the points do not have three coordinates");
+  fails("nOFF\n4\n3 1 0\n", "line 2: the points do not have three coordinates");
+  fails("STCN4nOFF\n11 7 0 255 0 0\n-1.0 -1.0 1.0 255 0 0\n",
+        "line 2: the points do not have three coordinates");
+  fails("OFF\n2 0 0\n0 0 0\n0 x 0\n", "line 4: 'x' is not a number");
+  fails("OFF\n2 0 0\n0 0 0\n0 1e 0\n", "line 4: '1e' is not a number");
+  fails("OFF\n2 0 0\n0 0 0\n0 +-1 0\n", "line 4: '+-1' is not a number");
+  fails("OFF\n2 0 0\n0 0 0\n0 0x10 0\n", "line 4: '0x10' is not a number");
+  fails("OFF\n2 0 0\n0 0 0\n0 nan 0\n", "line 4: 'nan' is not a finite number");
+  fails("OFF\n2 0 0\n0 0 0\n0 -1e400 0\n", "line 4: '-1e400' is not a finite number");
+  fails("OFF\n2 0 0\n0 0 0\n0", "line 4: the file ends where a number should be");
+  fails(points + "-3 0 1 2\n", "line 6: '-3' is not a number of corners");
+  fails(points + "400000000 0 1 2\n",
+        "line 6: '400000000' is not a number of corners that the file has room for");
+  fails(points + "3 0 1 3\n", "line 6: '3' is not the number of a point");
+  fails(points + "3 0 1 -1\n", "line 6: '-1' is not the number of a point");
+  fails(points + "3 0 1   \n", "line 7: the file ends where the number of a point should be");
+  fails(points + "3 0 1 2 red\n", "line 6: 'red' is not a number");
+  fails(points + "3 0 1 2\n3 0 1 2\n", "line 7: there is more after the last face");
+  fails(with_line_ends(points, "\r\n") + "3 0 1 \x01\x80\r\n",
+        "line 6: '?\?' is not the number of a point");
+  fails(points + "3 0 1 a-word-that-is-longer-than-a-sentence-should-be\n",
+        "line 6: 'a-word-that-is-longer-th...' is not the number of a point");
+}
+
+BOOST_AUTO_TEST_CASE(off_binary_contradictions)
+{
+  const auto fails = [](const std::vector<std::int32_t>& faces, const std::string& sentence) {
+    Bytes bytes(true, "OFF BINARY\n");
+    bytes.ints({3, 1, 0}).floats(corner_floats).ints(faces);
+    check_failure(Format::OFF, bytes(), sentence); // the faces begin at byte 59
+  };
+  fails({3, 0, 1, 3, 0}, "byte 71: 3 is not the number of a point");
+  fails({3, 0, -1, 2, 0}, "byte 67: -1 is not the number of a point");
+  fails({-3, 0, 1, 2, 0}, "byte 59: -3 is not a number of corners");
+  fails({400000000, 0, 1, 2, 0}, "byte 79: the file ends where the corners of a face should be");
+  fails({3, 0, 1, 2, 5}, "byte 75: 5 is not a number of color components");
+  fails({3, 0, 1, 2, 1}, "byte 79: the file ends where a color should be");
+  fails({3, 0, 1, 2, 0, 65}, "byte 82: there is more after the last face");
+  check_failure(Format::OFF, Bytes(true, "OFF BINARY\n").ints({-1, 0, 0})(),
+                "byte 11: -1 is not a number of points");
+  check_failure(Format::OFF, Bytes(true, "OFF BINARY\n").ints({2000000000, 0, 0})(),
+                "line 2: the file is too short for 2000000000 points and 0 faces");
+  const float nan = std::nanf("");
+  check_failure(Format::OFF, Bytes(true, "OFF BINARY\n").ints({1, 0, 0}).floats({0, nan, 0})(),
+                "byte 27: the number here is not finite");
+}
+
+// OBJ
+
+BOOST_AUTO_TEST_CASE(obj)
+{
+  const std::string text = "# a comment\nv 0 0 0\nv 1 0 0 1.0\nv 0 1 0 1 0 0\nv 1 1 0\n\nf 1 2 3\n"
+                           "f\t1\t2  4 3\n";
+  const Polygons polygons{{0, 1, 2}, {0, 1, 3, 2}};
+  for (const char* line_end : {"\n", "\r\n", "\r", " \t\n", " # more\n", "\n\n"})
+    check(Format::OBJ, with_line_ends(text, line_end), square_points, polygons);
+  check(Format::OBJ, "\xEF\xBB\xBF" + text.substr(12), square_points, polygons);
+  check(Format::OBJ, "", {}, {});
+}
+
+BOOST_AUTO_TEST_CASE(obj_corners)
+{
+  const std::string points = "v 0 0 0\nv 1 0 0\nv 0 1 0\n";
+  const std::string more = "vt 0\nvt 0.5 1 0\nvn 0 0 1\n";
+  for (const char* face : {"f 1 2 3", "f 1/1 2/2 3/1", "f 1//1 2//1 3//1", "f 1/1/1 2/1/1 3/2/1",
+                           "f -3 -2 -1", "f -3/-2/-1 -2/-1/-1 -1/-1/-1", "fo 1 2 3", "f +1 2 3#",
+                           "f 1 \\\n 2 \\\r\n 3", "f 1 2\\\n 3", "f 1/7/9 2/7/9 3/7/9"})
+    check(Format::OBJ, points + more + face + "\n", corner_points, {{0, 1, 2}});
+  check(Format::OBJ, "f 1 2 3\n" + points, corner_points, {{0, 1, 2}});
+  check(Format::OBJ, points + "f -1 -2 -3\nv 5 5 5\nf -1 -2 -3\n",
+        {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {5, 5, 5}}, {{2, 1, 0}, {3, 2, 1}});
+  check(Format::OBJ, points + "f\nf 2\nf 1 3\n", corner_points, {{}, {1}, {0, 2}});
+}
+
+BOOST_AUTO_TEST_CASE(obj_further_statements)
+{
+  check(Format::OBJ, "mtllib a b.mtl\no name\ng a b\ns off\nv 0 0 0\nvp 1 2\nv 1 0 0\nv 0 1 0\n"
+                     "usemtl a/b \\\n c\np 1 2\nl 1/1 2/2\ncstype bezier\nf 1 2 3\ng\n",
+        corner_points, {{0, 1, 2}});
+}
+
+BOOST_AUTO_TEST_CASE(obj_texture_and_normals)
+{
+  const Polygon_soup soup = mesh_file::read_obj(
+    "v 0 0 0\nv 1 0 0\nv 0 1 0\nvt 0.25\nvt 0.5 1 9\nvn 0 0 1\nvn 1 0 0\n"
+    "f 1/2/1 2/1/2 3/-1/-1\nf 1//2 2/1 3\nf 1/3/3 2/0/0 3\n", true);
+  const std::vector<std::array<double, 2> > coordinates{{0.25, 0}, {0.5, 1}};
+  const Points normals{{0, 0, 1}, {1, 0, 0}};
+  const Index no = null_index;
+  const std::vector<Index> textures{1, 0, 1, no, 0, no, no, no, no};
+  const std::vector<Index> normal_of_corner{0, 1, 1, 1, no, no, no, no, no};
+  BOOST_TEST((soup.texture_coordinates == coordinates));
+  BOOST_TEST((soup.texture_of_corner == textures));
+  BOOST_TEST((soup.normals == normals));
+  BOOST_TEST((soup.normal_of_corner == normal_of_corner));
+
+  const Polygon_soup unused = mesh_file::read_obj("v 0 0 0\nvt 0 0\nvn 0 0 1\nf 1 1 1\n", true);
+  BOOST_TEST(unused.texture_of_corner.empty());
+  BOOST_TEST(unused.normal_of_corner.empty());
+}
+
+BOOST_AUTO_TEST_CASE(obj_contradictions)
+{
+  const std::string points = "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 1 1 0\n";
+  const auto fails = [](const std::string& file, const std::string& sentence)
+  { check_failure(Format::OBJ, file, sentence); };
+  fails(points + "f 1 2 3\nf 3 2 x4\n", "line 6: 'x4' is not the corner of a face");
+  fails(points + "f 1 2 99999999999\n", "line 5: '99999999999' is not the corner of a face");
+  fails(points + "f 1 2 3.5\n", "line 5: '3.5' is not the corner of a face");
+  fails(points + "f 1 2 0\n", "line 5: '0' is not the corner of a face");
+  fails(points + "f 1 2 -5\n", "line 5: '-5' is not the corner of a face");
+  fails(points + "f 1/a 2 3\n", "line 5: 'a' is not the corner of a face");
+  fails(points + "f 1/1/1/1 2 3\n", "line 5: '1/1/1/1' is not the corner of a face");
+  fails("f 1 2\nf 1 5 \\\n 7 2\n" + points, "line 3: '7' is not a corner: there are 4 points");
+  fails("v 0 0 0\nv 1 0\nv 0 1 0\n", "line 2: the line ends where a number should be");
+  fails("v 0 0 0\nv 1 0", "line 2: the file ends where a number should be");
+  fails("v 0 0,5 0\n", "line 1: '0,5' is not a number");
+  fails("v 0 inf 0\n", "line 1: 'inf' is not a finite number");
+  fails("v 0 0 0 red\n", "line 1: 'red' is not a number");
+  fails("v 0 0 0\r\nvn 0 0\r\n", "line 2: the line ends where a number should be");
+  fails("vt\n", "line 1: the line ends where a number should be");
+  fails("v 0 0 0\nface 1 1 1\n", "line 2: 'face' is not a statement of OBJ");
+  fails(std::string("\0\1\2", 3), "line 1: '?\?\?' is not a statement of OBJ");
+}
+
+// PLY
+
+BOOST_AUTO_TEST_CASE(ply_text)
+{
+  const std::string text = ply_header("ascii", "comment any # words\nobj_info more\n" + ply_points +
+                                                 ply_faces) + ply_body;
+  for (const char* line_end : {"\n", "\r\n", "\r"})
+    check(Format::PLY, with_line_ends(text, line_end), corner_points, {{0, 1, 2}});
+  check(Format::PLY, text.substr(0, text.size() - 1), corner_points, {{0, 1, 2}});
+  check(Format::PLY, ply_header("ascii", ply_faces + ply_points) + "3 2 1 0 0 0 0 1 0 0 0 1 0\n",
+        corner_points, {{2, 1, 0}}); // faces first, all on one line
+  check(Format::PLY, ply_header("ascii", ""), {}, {});
+}
+
+BOOST_AUTO_TEST_CASE(ply_coordinates_of_all_types)
+{
+  const auto header = [](const std::string& type) {
+    std::string lines = "element vertex 3\n";
+    for (const char* c : {"x", "y", "z"})
+      lines += "property " + type + " " + c + "\n";
+    return lines + ply_faces;
+  };
+  for (const char* type : {"char", "uchar", "short", "ushort", "int", "uint", "float", "double",
+                           "int8", "uint8", "int16", "uint16", "int32", "uint32", "float32",
+                           "float64"}) {
+    BOOST_TEST_CONTEXT(type) {
+      const std::string file = ply_header("ascii", header(type)) + ply_body;
+      check(Format::PLY, file, corner_points, {{0, 1, 2}});
+      const bool is_float = std::string(type).substr(0, 5) == "float" && type[5] != '6';
+      BOOST_TEST((mesh_file::read_ply(file, false).coordinate_type ==
+                  (is_float ? Number_type::FLOAT32 : Number_type::FLOAT64)));
+    }
+  }
+  check(Format::PLY, ply_header("ascii", "element vertex 1\nproperty double z\nproperty float x\n"
+                                         "property int y\n") + "1 2 3\n", {{2, 3, 1}}, {});
+}
+
+// All number types, before and after what is read.
+BOOST_AUTO_TEST_CASE(ply_binary)
+{
+  for (bool is_big_endian : {false, true}) {
+    Bytes bytes(is_big_endian, ply_header(
+      is_big_endian ? "binary_big_endian" : "binary_little_endian",
+      "element first 2\nproperty list ushort double values\nproperty short s\n"
+      "element vertex 3\nproperty char a\nproperty float x\nproperty uchar b\nproperty float y\n"
+      "property ushort c\nproperty float z\nproperty double d\nproperty list uint short e\n"
+      "element face 2\nproperty int f\nproperty list uint ushort vertex_index\nproperty uint g\n"
+      "element last 1\nproperty list char char h\n"));
+    bytes.put<std::uint16_t>({2}).put<double>({1.5, 2.5}).put<std::int16_t>({-7})
+      .put<std::uint16_t>({0}).put<std::int16_t>({300});
+    for (int i = 0; i < 3; ++i)
+      bytes.put<std::int8_t>({static_cast<std::int8_t>(-1 - i)}).floats({i == 1 ? 1.f : 0.f})
+        .uchars({static_cast<std::uint8_t>(200 + i)}).floats({i == 2 ? 1.f : 0.f})
+        .put<std::uint16_t>({static_cast<std::uint16_t>(60000 + i)}).floats({0})
+        .put<double>({0.1 * i}).put<std::uint32_t>({1}).put<std::int16_t>({5});
+    bytes.ints({-70000}).put<std::uint32_t>({3}).put<std::uint16_t>({0, 1, 2})
+      .put<std::uint32_t>({4000000000u});
+    bytes.ints({70000}).put<std::uint32_t>({2}).put<std::uint16_t>({2, 0}).put<std::uint32_t>({1});
+    bytes.uchars({2, 9, 9});
+    check(Format::PLY, bytes(), corner_points, {{0, 1, 2}, {2, 0}});
+
+    const Polygon_soup soup = mesh_file::read_ply(bytes(), true);
+    BOOST_TEST((soup.coordinate_type == Number_type::FLOAT32));
+    const std::vector<double> expected[] = {{-1, -2, -3}, {200, 201, 202}, {60000, 60001, 60002},
+                                            {0.1 * 0, 0.1 * 1, 0.1 * 2}};
+    BOOST_REQUIRE(soup.point_properties.size() == 4u);
+    for (std::size_t i = 0; i < 4; ++i) {
+      BOOST_TEST(soup.point_properties[i].name == std::string(1, "abcd"[i]));
+      BOOST_TEST((soup.point_properties[i].values == expected[i]));
+    }
+    BOOST_REQUIRE(soup.polygon_properties.size() == 2u);
+    BOOST_TEST(soup.polygon_properties[0].name == "f");
+    BOOST_TEST((soup.polygon_properties[0].type == Number_type::INT32));
+    BOOST_TEST((soup.polygon_properties[0].values == std::vector<double>{-70000, 70000}));
+    BOOST_TEST((soup.polygon_properties[1].values == std::vector<double>{4000000000., 1}));
+
+    const std::size_t size_of_body = bytes().size() - (bytes().find("end_header\n") + 11);
+    for (std::size_t less = 1; less <= size_of_body; ++less)
+      BOOST_CHECK_THROW(mesh_file::read_ply(bytes().substr(0, bytes().size() - less), false),
+                        std::runtime_error);
+  }
+}
+
+BOOST_AUTO_TEST_CASE(ply_further_properties_and_elements)
+{
+  const std::string file =
+    ply_header("ascii", "element nothing 9000000000000000000\n" + ply_points +
+                          "property float quality\nproperty list uchar int owners\n" + ply_faces +
+                          "property uchar red\nelement edge 2\nproperty int vertex1\n") +
+    "0 0 0 nan 0\n1 0 0 -inf 2 7 8\n0 1 0 0.5 1 7\n3 0 1 2 255\n0\n1\n";
+  check(Format::PLY, file, corner_points, {{0, 1, 2}});
+  const Polygon_soup soup = mesh_file::read_ply(file, true);
+  BOOST_REQUIRE(soup.point_properties.size() == 1u);
+  BOOST_TEST(std::isnan(soup.point_properties[0].values[0]));
+  BOOST_TEST(std::isinf(soup.point_properties[0].values[1]));
+  BOOST_TEST(soup.point_properties[0].values[2] == 0.5);
+  BOOST_REQUIRE(soup.polygon_properties.size() == 1u); // edges are no polygons
+  BOOST_TEST(soup.polygon_properties[0].name == "red");
+  BOOST_TEST((soup.polygon_properties[0].type == Number_type::UINT8));
+  BOOST_TEST((soup.polygon_properties[0].values == std::vector<double>{255}));
+  const Polygon_soup bare = mesh_file::read_ply(file, false);
+  BOOST_TEST(bare.point_properties.empty());
+  BOOST_TEST(bare.polygon_properties.empty());
+}
+
+BOOST_AUTO_TEST_CASE(ply_strips_of_triangles)
+{
+  const std::string points = "element vertex 4\nproperty float x\nproperty float y\n"
+                             "property float z\n";
+  const std::string strips = "element tristrips 1\nproperty list int int vertex_indices\n";
+  const std::string body = "0 0 0\n1 0 0\n0 1 0\n1 1 0\n";
+  const Polygons triangles{{0, 1, 2}, {2, 1, 3}, {3, 2, 1}};
+  check(Format::PLY, ply_header("ascii", points + strips) + body + "8 0 1 2 3 -1 3 2 1\n",
+        square_points, triangles);
+  // Properties of faces are no properties of these triangles.
+  const std::string with_faces = ply_header("ascii", points + ply_faces + "property uchar red\n" +
+                                                       strips) + body + "3 0 1 2 7\n3 1 2 3\n";
+  check(Format::PLY, with_faces, square_points, {{0, 1, 2}, {1, 2, 3}});
+  BOOST_TEST(mesh_file::read_ply(with_faces, true).polygon_properties.empty());
+}
+
+BOOST_AUTO_TEST_CASE(ply_header_contradictions)
+{
+  const auto fails = [](const std::string& file, const std::string& sentence)
+  { check_failure(Format::PLY, file, sentence); };
+  fails("", "line 1: the file ends where 'ply' should be");
+  fails("plx\n", "line 1: 'plx' is not 'ply'");
+  fails("ply\nformat ascii 1.0\nproperty float x\n",
+        "line 3: a property comes before the first element");
+  fails("ply\nformat acsii 1.0\n", "line 2: 'acsii' is not a format of PLY");
+  fails("ply\nformat\n", "line 2: the line ends where a format should be");
+  fails("ply\nelement vertex 3\nend_header\n", "line 4: the header does not name its format");
+  fails("ply\nformat ascii 1.0\nelement vertex -3\n", "line 3: '-3' is not a number of elements");
+  fails("ply\nformat ascii 1.0\nelement vertex 3 4\n", "line 3: '4' is not the end of the line");
+  fails("ply\nformat ascii 1.0\nelement a 1\nelement a 1\n",
+        "line 4: there is an element 'a' already");
+  fails("ply\nformat ascii 1.0\nelement a 1\nproperty half x\n",
+        "line 4: 'half' is not a number type of PLY");
+  fails("ply\nformat ascii 1.0\nelement a 1\nproperty int x\nproperty int x\n",
+        "line 5: there is a property 'x' already");
+  fails("ply\nformat ascii 1.0\nelement a 1\nproperty list int x\n",
+        "line 4: 'x' is not a number type of PLY");
+  fails("ply\nformat ascii 1.0\nlement a 1\n", "line 3: 'lement' is not a line of a PLY header");
+  fails("ply\nformat ascii 1.0\n", "line 3: the file ends where a line of a PLY header should be");
+  fails(ply_header("ascii", "element vertex 1\nproperty float x\nproperty float y\n") + "0 0\n",
+        "line 7: the points have no properties x, y and z");
+  fails(ply_header("ascii", ply_points + "element face 1\nproperty int a\n") + ply_body,
+        "line 12: the elements 'face' have no list 'vertex_indices'");
+}
+
+BOOST_AUTO_TEST_CASE(ply_body_contradictions)
+{
+  const std::string header = ply_header("ascii", ply_points + ply_faces);
+  const auto fails = [&](const std::string& body, const std::string& sentence)
+  { check_failure(Format::PLY, header + body, sentence); }; // the body begins in line 10
+  fails("0 0 0\n1 x 0\n0 1 0\n3 0 1 2\n", "line 11: 'x' is not a number");
+  fails("0 0 0\n1 nan 0\n0 1 0\n3 0 1 2\n", "line 11: 'nan' is not a finite number");
+  fails("0 0 0\n1 1e39 0\n0 1 0\n3 0 1 2\n",
+        "line 11: '1e39' is not a number of the type of its property");
+  fails("0 0 0\n1 0 0\n0 1 0\n3 0 1 3\n", "line 13: '3' is not the number of a point");
+  fails("0 0 0\n1 0 0\n0 1 0\n3 0 1 -1\n", "line 13: '-1' is not the number of a point");
+  fails("0 0 0\n1 0 0\n0 1 0\n3 0 1 1.5\n",
+        "line 13: '1.5' is not a number of the type of its property");
+  fails("0 0 0\n1 0 0\n0 1 0\n-3 0 1 2\n",
+        "line 13: '-3' is not a number of the type of its property");
+  fails("0 0 0\n1 0 0\n0 1 0\n3 0 1", "line 13: the file ends where a number should be");
+  fails("0 0 0\n1 0 0\n0 1 0\n3 0 1 2\n7\n", "line 14: there is more after the last element");
+  check_failure(Format::PLY, ply_header("ascii", ply_points + "element face 1\n"
+                                        "property list int int vertex_indices\n") +
+                               "0 0 0\n1 0 0\n0 1 0\n400000000 0 1 2\n",
+                "line 13: '400000000' is not the size of a list that the file has room for");
+  check_failure(Format::PLY, ply_header("ascii", "element vertex 3000000000\nproperty float x\n"
+                                        "property float y\nproperty float z\n") + "0 0 0\n",
+                "line 8: the file is too short for 3000000000 elements 'vertex'");
+  check_failure(Format::PLY, ply_header("ascii", "element other 3000000000\nproperty float x\n"),
+                "line 6: the file is too short for 3000000000 elements 'other'");
+}
+
+BOOST_AUTO_TEST_CASE(ply_binary_contradictions)
+{
+  const std::string header = ply_header("binary_little_endian", ply_points + "element face 1\n"
+                                        "property list int int vertex_indices\n");
+  const std::size_t begin = header.size(), faces = begin + 36;
+  const auto fails = [&](const std::vector<float>& points, const std::vector<std::int32_t>& face,
+                         std::size_t byte, const std::string& sentence) {
+    check_failure(Format::PLY, Bytes(false, header).floats(points).ints(face)(),
+                  "byte " + std::to_string(byte) + ": " + sentence);
+  };
+  const std::vector<float> infinite{0, 0, 0, 1, 0, INFINITY, 0, 1, 0};
+  fails(infinite, {3, 0, 1, 2}, begin + 20, "the number here is not a finite number");
+  fails(corner_floats, {3, 0, 1, 3}, faces + 12, "the number here is not the number of a point");
+  fails(corner_floats, {3, 0, -1, 2}, faces + 8, "the number here is not the number of a point");
+  fails(corner_floats, {4, 0, 1, 2}, faces + 16, "the file ends where a number should be");
+  fails(corner_floats, {400000000, 0, 1, 2}, faces,
+        "the number here is not the size of a list that the file has room for");
+  fails(corner_floats, {-3, 0, 1, 2}, faces,
+        "the number here is not the size of a list that the file has room for");
+  fails(corner_floats, {3, 0, 1, 2, 8}, faces + 16, "there is more after the last element");
+  fails(corner_floats, {}, faces, "the file is too short for 1 elements 'face'");
+}
+
+// STL
+
+BOOST_AUTO_TEST_CASE(stl_text)
+{
+  const std::string facets = stl_facet("0 0 1") + stl_facet("0 -1 0", "0 0 1");
+  const Polygons triangles{{0, 1, 2}, {0, 1, 3}};
+  for (const char* name : {"", " a", "\ta", " a b", " solid", " facet normal 0", "  "}) {
+    const std::string text = std::string("solid") + name + "\n" + facets + "endsolid" + name + "\n";
+    for (const char* line_end : {"\n", "\r\n", "\r"})
+      check(Format::STL, with_line_ends(text, line_end), stl_points, triangles);
+    check(Format::STL, "\xEF\xBB\xBF" + text, stl_points, triangles);
+    check(Format::STL, "\n " + text + "\n", stl_points, triangles);
+    check(Format::STL, text.substr(0, text.size() - 1), stl_points, triangles);
+  }
+  for (const char* solid : {"SOLID m", "Solid m"})
+    check(Format::STL, solid + ("\n" + facets) + "endsolid m\n", stl_points, triangles);
+  std::string upper_case;
+  for (char c : "solid\n" + facets + "endsolid\n")
+    upper_case += c >= 'a' && c <= 'z' ? static_cast<char>(c - 'a' + 'A') : c;
+  check(Format::STL, upper_case, stl_points, triangles);
+  check(Format::STL, "solid\nendsolid\n", {}, {});
+  BOOST_TEST((mesh_file::read_stl("solid\nendsolid\n").coordinate_type == Number_type::FLOAT64));
+}
+
+BOOST_AUTO_TEST_CASE(stl_text_of_two_solids)
+{
+  check(Format::STL, "solid a\n" + stl_facet("0 0 1") + "endsolid a\n\nsolid b\n" +
+                       stl_facet("0 0 1", "0 0 1") + "endsolid b\n", stl_points,
+        {{0, 1, 2}, {0, 1, 3}});
+}
+
+BOOST_AUTO_TEST_CASE(stl_text_with_other_normals_and_polygons)
+{
+  for (const char* normal : {"nan nan nan", "-nan(ind) 0 0", "-1.#IND -1.#IND -1.#IND", ""})
+    check(Format::STL, "solid\n" + stl_facet(normal) + "endsolid\n", corner_points, {{0, 1, 2}});
+  check(Format::STL, "solid\n" + stl_facet("0 0 1", "0 -0 -0.0\n vertex 0 1 0") + "endsolid\n",
+        corner_points, {{0, 1, 0, 2}}); // both zeros are one place
+}
+
+BOOST_AUTO_TEST_CASE(stl_binary)
+{
+  const Polygons triangles{{0, 1, 2}, {0, 1, 3}};
+  for (const std::string& header : {std::string("solid a"), std::string("solid a\n facet normal"),
+                                    std::string(80, ' '), std::string(80, '\0'),
+                                    std::string("\xEF\xBB\xBFsolid")}) {
+    const std::string file = binary_stl(header);
+    check(Format::STL, file, stl_points, triangles);
+    check(Format::STL, file + std::string(7, '\0'), stl_points, triangles);
+  }
+  BOOST_TEST((mesh_file::read_stl(binary_stl("a")).coordinate_type == Number_type::FLOAT32));
+}
+
+BOOST_AUTO_TEST_CASE(stl_contradictions)
+{
+  const auto fails = [](const std::string& file, const std::string& sentence)
+  { check_failure(Format::STL, file, sentence); };
+  const std::string facet = stl_facet("0 0 1");
+  const auto changed = [&](const std::string& word, const std::string& by)
+  { return "solid\n" + std::string(facet).replace(facet.find(word), word.size(), by) + "endsolid\n"; };
+  fails("sold\n", "line 1: 'sold' is not 'solid'");
+  fails(changed("facet", "facit"), "line 2: 'facit' is not 'endsolid'");
+  fails(changed("normal", "normel"), "line 2: 'normel' is not 'normal'");
+  fails(changed("0 0 1", "0 0 1 2"), "line 2: '2' is not 'outer'");
+  fails(changed("outer", "oter"), "line 3: 'oter' is not 'outer'");
+  fails(changed("loop", "lop"), "line 3: 'lop' is not 'loop'");
+  fails(changed("  vertex 0 0 0\n", ""), "line 6: 'endloop' is not 'vertex'");
+  fails(changed("vertex 1", "vortex 1"), "line 5: 'vortex' is not 'vertex'");
+  fails(changed("1 0 0", "1 0"), "line 6: 'vertex' is not a number");
+  fails(changed("1 0 0", "1 0 inf"), "line 5: 'inf' is not a finite number");
+  fails(changed("1 0 0", "1 0 0 0"), "line 5: '0' is not 'vertex'");
+  fails(changed("endloop", "endlop"), "line 7: 'endlop' is not 'endloop'");
+  fails(changed("endfacet", "end"), "line 8: 'end' is not 'endfacet'");
+  fails("solid\n" + facet, "line 9: the file ends where 'endsolid' should be");
+  fails("solid\n" + facet + "endsolid\nx", "line 10: 'x' is not 'solid'");
+
+  const std::string binary = binary_stl("a");
+  check_failure(Format::STL, binary_stl(std::string(80, '\0')).substr(0, 183),
+                "byte 80: the file is too short for 2 faces");
+  fails(binary + "more", "byte 184: there is more after the last face");
+  std::string infinite = binary;
+  infinite.replace(84 + 12 + 8, 4, std::string("\x00\x00\x80\x7F", 4)); // z of the first corner
+  fails(infinite, "byte 104: the number here is not finite");
+}
+
+// The format
+
+BOOST_AUTO_TEST_CASE(formats)
+{
+  using mesh_file::format_of_extension;
+  BOOST_TEST((format_of_extension(".off") == Format::OFF));
+  BOOST_TEST((format_of_extension(".OBJ") == Format::OBJ));
+  BOOST_TEST((format_of_extension(".Ply") == Format::PLY));
+  BOOST_TEST((format_of_extension(".stl") == Format::STL));
+  BOOST_TEST((format_of_extension(".stp") == Format::UNKNOWN));
+  BOOST_TEST((format_of_extension("") == Format::UNKNOWN));
+  check_failure(Format::UNKNOWN, "", "the format is unknown");
+
+  using mesh_file::format_of_contents;
+  BOOST_TEST((format_of_contents("# a comment\nOFF\n") == Format::OFF));
+  BOOST_TEST((format_of_contents("\xEF\xBB\xBF" "STCN4nOFF BINARY\n") == Format::OFF));
+  BOOST_TEST((format_of_contents("ply\r\n") == Format::PLY));
+  BOOST_TEST((format_of_contents("SOLID\ta\n") == Format::STL));
+  BOOST_TEST((format_of_contents(binary_stl("x")) == Format::STL));
+  BOOST_TEST((format_of_contents("# a comment\nv 0 0 0\n") == Format::OBJ));
+}
+
+BOOST_AUTO_TEST_SUITE_END()
