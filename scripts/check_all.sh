@@ -4,10 +4,10 @@
 #
 # check_all.sh [--cgal DIR] [--build DIR]
 # All programs and tests under g++ and clang++, each in Release with warnings as errors and in Debug
-# with sanitizers, each header alone, the number of instructions of a run, and the labels on other
-# machines. With --cgal, Release once more against the CGAL whose CGALConfig.cmake is in DIR. Takes
-# long; builds in build-check/ or the --build folder. Needs the packages of
-# `setup.sh build test performance machines`.
+# with sanitizers, each header alone, the readers under a fuzzer, the number of instructions of a
+# run, and the labels on other machines. With --cgal, Release once more against the CGAL whose
+# CGALConfig.cmake is in DIR. Takes long; builds in build-check/ or the --build folder. Needs the
+# packages of `setup.sh build test performance machines`, and clang.
 
 set -euo pipefail
 cd "$(dirname "$0")/.."
@@ -53,6 +53,9 @@ for compiler in g++ clang++; do
     check "$compiler-cgal" release "$warnings" $quick -DCMAKE_CXX_COMPILER="$compiler" -DCGAL_DIR="$cgal"
   fi
 done
+
+echo "=== files that a fuzzer makes up"
+cmake --build "$build/g++-release" --target fuzz || failed+=(fuzz)
 
 echo "=== instructions of a run"
 cmake --build "$build/g++-release" --target check_instructions || failed+=(instructions)

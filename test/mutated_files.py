@@ -4,8 +4,8 @@
 """Runs the command line tool on damaged files: mutated_files.py TOOL MESHES [--count N] [--seed S].
 
 MESHES is the directory of CGAL's meshes. Each run has to end in time with exit code 0 and a label
-for each face, or with exit code 1 and a sentence of its own, and to take no more memory than a small
-multiple of the file. What fails is kept in --keep, if it is given.
+for each face, or with exit code 1 and a sentence of its own, and to take no more memory than a
+small multiple of the file. What fails is kept in --keep, if it is given.
 """
 
 import argparse
@@ -25,13 +25,15 @@ SECONDS = 10
 LIBRARY_WORDS = ["std::", "vector", "basic_string", "bad_alloc", "terminate", "CGAL", "filesystem",
                  "runtime error", "Sanitizer", "stoi", "stod"]
 EXTREMES = ["0", "-0", "-1", "1", "255", "256", "65536", "2147483647", "-2147483648", "4294967295",
-            "4294967296", "9000000000000000000", "18446744073709551616", "1e308", "-1e309", "1e-320",
+            "4294967296", "9000000000000000000", "18446744073709551616", "1e308", "-1e309",
+            "1e-320",
             "nan", "inf", "-inf", "0x10", "1.5", "+3", "1e", "", "x"]
 BINARY_EXTREMES = [struct.pack(order + code, number) for order in "<>" for code, number in [
     ("i", 0), ("i", -1), ("i", 2 ** 31 - 1), ("i", -2 ** 31), ("i", 4 * 10 ** 8), ("H", 65535),
     ("f", float("nan")), ("f", float("inf")), ("f", 3e38), ("d", 1e308), ("d", float("nan"))]]
-WORDS = ["OFF", "COFF", "NOFF", "STOFF", "nOFF", "BINARY", "#", "\\", "v", "vn", "vt", "f", "l", "g",
-         "//", "ply", "ascii", "binary_little_endian", "binary_big_endian", "element", "property",
+WORDS = ["OFF", "COFF", "NOFF", "STOFF", "nOFF", "BINARY", "#", "\\", "v", "vn", "vt", "f", "l",
+         "g", "//", "ply", "ascii", "binary_little_endian", "binary_big_endian", "element",
+         "property",
          "vertex", "face", "tristrips", "list", "char", "uchar", "int", "uint", "float", "double",
          "vertex_indices", "x", "end_header", "solid", "facet", "outer", "loop", "endloop",
          "endfacet", "endsolid"]
@@ -192,8 +194,8 @@ def change_line_ends(data, rng):
     return data.replace(b"\n", rng.choice([b"\r\n", b"\r", b"\n\n", b" ", b" # \n", b"\\\n"]))
 
 
-MUTATORS = [flip_bits, delete, double, insert, truncate, put_extreme, put_binary_extreme, change_count,
-            swap_lines, exchange_word, change_line_ends]
+MUTATORS = [flip_bits, delete, double, insert, truncate, put_extreme, put_binary_extreme,
+            change_count, swap_lines, exchange_word, change_line_ends]
 
 
 def cases(bases, count, seed):
@@ -242,7 +244,8 @@ def run(tool, folder, number, case, number_of_faces):
     path, labels = folder / ("%d.%s" % (number, name)), folder / ("%d.labels" % number)
     path.write_bytes(data)
     try:
-        done = subprocess.run([tool, path, "--labels", labels, "--quiet", "--threads", "1"],
+        done = subprocess.run([tool, path, "--labels", labels, "--quiet", "--threads", "1",
+                               "--method", "paper"],
                               stdout=subprocess.PIPE, stderr=subprocess.PIPE, timeout=SECONDS,
                               preexec_fn=lambda: limit_memory(len(data)), check=False)
     except subprocess.TimeoutExpired:

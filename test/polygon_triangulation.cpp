@@ -122,6 +122,8 @@ BOOST_AUTO_TEST_CASE(nonconvex)
   check({{0, 0}, {4, 0}, {1, 1}, {0, 4}});                                   // an arrow head
   check({{0, 0}, {3, 0}, {3, 1}, {1, 1}, {1, 3}, {0, 3}});                   // L
   check({{0, 0}, {3, 0}, {3, 3}, {2, 3}, {2, 1}, {1, 1}, {1, 3}, {0, 3}});   // U
+  // A notch into a corner, whose ear would have the shortest new edge
+  check({{0, 0}, {1, 1}, {1, 10}, {0.5, 10}, {0, 0.5}, {-0.5, 10}, {-1, 10}, {-1, 1}});
   check(regular(24, 1, 0.2));                                                // a star
 }
 

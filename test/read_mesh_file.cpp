@@ -150,7 +150,8 @@ BOOST_AUTO_TEST_CASE(off_counts)
 {
   const std::string body = "0 0 0\n1 0 0\n0 1 0\n3 0 1 2\n";
   for (const char* header : {"OFF 3 1 0\n", "OFF 3 1\n", "OFF\n3 1\n", "OFF\n3 1 # no edges\n",
-                             "OFF\n3\n1\n0\n", "OFF\n3 1 -1\n", "nOFF\n3\n3 1 0\n", "nOFF 3 3 1 0\n"})
+                             "OFF\n3\n1\n0\n", "OFF\n3 1 -1\n", "nOFF\n3\n3 1 0\n",
+                             "nOFF 3 3 1 0\n"})
     check(Format::OFF, header + body, corner_points, {{0, 1, 2}});
   check(Format::OFF, "OFF\n0 0 0\n", {}, {});
   check(Format::OFF, "OFF\n1 2 0\n0 0 0\n0\n1 0\n", {{0, 0, 0}}, {{}, {0}});
@@ -158,8 +159,8 @@ BOOST_AUTO_TEST_CASE(off_counts)
 
 BOOST_AUTO_TEST_CASE(off_numbers)
 {
-  check(Format::OFF, "OFF 2 0 0\n+1.5 -2e3 .5\n1e-400 7 -0.25E+1\n", {{1.5, -2000, 0.5}, {0, 7, -2.5}},
-        {});
+  check(Format::OFF, "OFF 2 0 0\n+1.5 -2e3 .5\n1e-400 7 -0.25E+1\n",
+        {{1.5, -2000, 0.5}, {0, 7, -2.5}}, {});
 }
 
 BOOST_AUTO_TEST_CASE(off_with_colors_normals_and_texture)
@@ -595,7 +596,10 @@ BOOST_AUTO_TEST_CASE(stl_contradictions)
   { check_failure(Format::STL, file, sentence); };
   const std::string facet = stl_facet("0 0 1");
   const auto changed = [&](const std::string& word, const std::string& by)
-  { return "solid\n" + std::string(facet).replace(facet.find(word), word.size(), by) + "endsolid\n"; };
+  {
+    std::string text = "solid\n" + facet + "endsolid\n";
+    return text.replace(text.find(facet) + facet.find(word), word.size(), by);
+  };
   fails("sold\n", "line 1: 'sold' is not 'solid'");
   fails(changed("facet", "facit"), "line 2: 'facit' is not 'endsolid'");
   fails(changed("normal", "normel"), "line 2: 'normel' is not 'normal'");

@@ -108,7 +108,8 @@ BOOST_AUTO_TEST_CASE(both_zeros_are_one_place)
 
 BOOST_AUTO_TEST_CASE(triangles_that_touch_at_a_point_stay)
 {
-  const std::vector<Point> points{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 0}, {-1, 0, 0}, {0, -1, 0}};
+  const std::vector<Point> points{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 0},
+                                  {-1, 0, 0}, {0, -1, 0}};
   const std::vector<Triangle> triangles{{0, 1, 2}, {3, 4, 5}};
   BOOST_TEST((stitched(points, triangles) == triangles));
 }
@@ -131,7 +132,8 @@ BOOST_AUTO_TEST_CASE(a_seam_that_ends)
 {
   const std::vector<Point> points{{-1, 0, 0}, {0, 0, 0}, {1, 0, 0}, {-1, 1, 0}, {0, 1, 0},
                                   {1, 1, 0}, {0, 2, 0}, {0, 0, 0}};
-  const std::vector<Triangle> sheet{{0, 1, 4}, {0, 4, 3}, {7, 2, 4}, {2, 5, 4}, {3, 4, 6}, {4, 5, 6}};
+  const std::vector<Triangle> sheet{{0, 1, 4}, {0, 4, 3}, {7, 2, 4}, {2, 5, 4},
+                                    {3, 4, 6}, {4, 5, 6}};
   std::vector<Triangle> expected = sheet;
   expected[2] = {1, 2, 4};
   BOOST_TEST((stitched(points, sheet) == expected));

@@ -35,8 +35,10 @@ def off_binary(keyword="OFF", more=0):
 def off_files():
     return [off_text(), off_text(colors=(255, 0, 0)), off_text("COFF", (1, 0, 0, 1), end="\r\n"),
             off_text("STNOFF", (0, 0, 1, 0.5, 0.5)), off_text("nOFF", header="%s 3\n%d %d 0\n"),
-            off_text(header="# a comment\n%s %d %d # no edges\n"), off_text("", header="%s%d %d 0\n"),
-            off_binary(), off_binary("NCOFF", 7), b"OFF\n3 1 0\n0 0 0\n1 0 0\n0 1 0\n400000000 0 1 2\n",
+            off_text(header="# a comment\n%s %d %d # no edges\n"),
+            off_text("", header="%s%d %d 0\n"),
+            off_binary(), off_binary("NCOFF", 7),
+            b"OFF\n3 1 0\n0 0 0\n1 0 0\n0 1 0\n400000000 0 1 2\n",
             b"COFF\n3 1 0\n0 0 0 -7\n1 0 0 -7\n0 1 0 -7\n3 0 1 2\n"]
 
 
@@ -47,7 +49,8 @@ def obj_files():
     faces = [lines([["f"] + [c % (v + 1) for v in f] for f in FACES]) for c in corners]
     backwards = lines([["f"] + [v - len(POINTS) for v in f] for f in FACES], "\t", "\r\n")
     texts = [points + normals + f for f in faces] + [faces[0] + points, points + backwards,
-             "\ufeffmtllib a.mtl\no a b\ng c\nusemtl d\ns off\n" + points + "l 1 2\np 1\nf 1 2 \\\n 3\n"]
+             "\ufeffmtllib a.mtl\no a b\ng c\nusemtl d\ns off\n" + points +
+             "l 1 2\np 1\nf 1 2 \\\n 3\n"]
     return [text.encode() for text in texts]
 
 

@@ -95,7 +95,7 @@ public:
       if (segment != mesh_.segment[i]) {
         segment = mesh_.segment[i];
         const std::string name = segment_name(segment);
-        out_.text("g " + name + "\nusemtl " + name + "\n");
+        out_.text("g " + name + (materials.empty() ? "\n" : "\nusemtl " + name + "\n"));
       }
       out_.text("f");
       for (std::size_t c = soup.first_corner[i]; c < soup.first_corner[i + 1]; ++c)
@@ -107,7 +107,7 @@ public:
 };
 
 // Writes a mesh in OBJ, the polygons of each segment as a group. The file of their materials is
-// only named. A face has three corners at least: what has fewer is left out.
+// only named, if there is one. A face has three corners at least: what has fewer is left out.
 inline void write_obj(std::ostream& out, const Segmented_mesh& mesh, const std::string& materials)
 { Obj_writer(out, mesh)(materials); }
 
