@@ -22,6 +22,7 @@ import tempfile
 
 MESH = "octahedron.off"  # small, so that most of a file is structure
 SECONDS = 10
+IS_SANITIZED = False  # the tool
 LIBRARY_WORDS = ["std::", "vector", "basic_string", "bad_alloc", "terminate", "CGAL", "filesystem",
                  "runtime error", "Sanitizer", "stoi", "stod"]
 EXTREMES = ["0", "-0", "-1", "1", "255", "256", "65536", "2147483647", "-2147483648", "4294967295",
@@ -214,9 +215,10 @@ def cases(bases, count, seed):
 
 # Runs
 
-def limit_memory(size):
-    limit = 64 * size + 600 * 10 ** 6
-    resource.setrlimit(resource.RLIMIT_AS, (limit, limit))
+def limit_memory(size, is_sanitized):
+    if not is_sanitized: # AddressSanitizer reserves terabytes
+        limit = 64 * size + 600 * 10 ** 6
+        resource.setrlimit(resource.RLIMIT_AS, (limit, limit))
     resource.setrlimit(resource.RLIMIT_CORE, (0, 0))
 
 
@@ -247,7 +249,7 @@ def run(tool, folder, number, case, number_of_faces):
         done = subprocess.run([tool, path, "--labels", labels, "--quiet", "--threads", "1",
                                "--method", "paper"],
                               stdout=subprocess.PIPE, stderr=subprocess.PIPE, timeout=SECONDS,
-                              preexec_fn=lambda: limit_memory(len(data)), check=False)
+                              preexec_fn=lambda: limit_memory(len(data), IS_SANITIZED), check=False)
     except subprocess.TimeoutExpired:
         return "over %d seconds" % SECONDS, None
     error = done.stderr.decode(errors="replace").replace(str(path), "FILE")
@@ -271,6 +273,9 @@ def main():
     parser.add_argument("--seed", type=int, default=0)
     parser.add_argument("--keep", type=pathlib.Path)
     options = parser.parse_args()
+
+    global IS_SANITIZED
+    IS_SANITIZED = b"__asan_init" in pathlib.Path(options.tool).read_bytes()
 
     points, faces = read_off(options.meshes / MESH)
     bases = base_files(points, faces)
