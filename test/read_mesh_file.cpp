@@ -647,4 +647,12 @@ BOOST_AUTO_TEST_CASE(formats)
   BOOST_TEST((format_of_contents("# a comment\nv 0 0 0\n") == Format::OBJ));
 }
 
+BOOST_AUTO_TEST_CASE(further_numbers_need_not_be_finite)
+{
+  const std::string obj = "v 0 0 0\nv 1 0 0\nv 0 1 0\nvn nan -nan(ind) inf\nvt nan\nf 1//1 2 3\n";
+  BOOST_TEST(mesh_file::read_mesh_file(obj, Format::OBJ, false).number_of_polygons() == 1u);
+  const std::string off = "OFF\n3 1 0\n0 0 0 nan\n1 0 0\n0 1 0\n3 0 1 2 inf\n";
+  BOOST_TEST(mesh_file::read_mesh_file(off, Format::OFF, false).number_of_polygons() == 1u);
+}
+
 BOOST_AUTO_TEST_SUITE_END()

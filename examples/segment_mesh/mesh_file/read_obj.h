@@ -48,11 +48,19 @@ class Obj_reader
     return text_.number();
   }
 
+  // Some programs write normals that are not a number.
+  double any_number()
+  {
+    if (text_.is_at_end_of_line())
+      text_.fail("a number");
+    return text_.any_number();
+  }
+
   // A weight, colors, or a third texture coordinate.
   void skip_numbers()
   {
     while (!text_.is_at_end_of_line())
-      text_.number();
+      text_.any_number();
   }
 
   Point point()
@@ -64,15 +72,17 @@ class Obj_reader
 
   void read_texture_coordinates()
   {
-    const double u = number();
-    const double v = text_.is_at_end_of_line() ? 0 : number();
+    const double u = any_number();
+    const double v = text_.is_at_end_of_line() ? 0 : any_number();
     if (keeps_properties_)
       soup_.texture_coordinates.push_back({u, v});
   }
 
   void read_normal()
   {
-    const Point normal = point();
+    const double x = any_number();
+    const double y = any_number();
+    const Point normal{x, y, any_number()};
     if (keeps_properties_)
       soup_.normals.push_back(normal);
   }
