@@ -28,7 +28,7 @@ int main(int argc, char* argv[])
 
   // The search, which takes the time, is done once, and accepts every cut.
   Segmentation_hierarchy tree;
-  auto segment_ids = mesh.add_property_map<Mesh::Face_index, std::size_t>("f:segment").first;
+  auto segment_ids = mesh.add_property_map<Mesh::Face_index, int>("f:segment").first;
   CGAL::segment_spectral_recursive(
     mesh, segment_ids,
     params::salience_threshold(-std::numeric_limits<double>::infinity()).hierarchy(tree));

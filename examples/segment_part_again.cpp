@@ -27,7 +27,7 @@ int main(int argc, char* argv[])
     return EXIT_FAILURE;
   }
 
-  auto segment_ids = mesh.add_property_map<Face, std::size_t>("f:segment").first;
+  auto segment_ids = mesh.add_property_map<Face, int>("f:segment").first;
   const std::size_t n = CGAL::segment_spectral_recursive(mesh, segment_ids);
 
   std::vector<std::size_t> sizes(n);
@@ -37,7 +37,7 @@ int main(int argc, char* argv[])
 
   // Only the segment with the most faces is cut again, into up to four, by less salient cuts.
   const CGAL::Face_filtered_graph<Mesh> region(mesh, largest, segment_ids);
-  auto region_ids = mesh.add_property_map<Face, std::size_t>("f:segment_of_region").first;
+  auto region_ids = mesh.add_property_map<Face, int>("f:segment_of_region").first;
   const std::size_t m = CGAL::segment_spectral_recursive(
     region, region_ids, params::salience_threshold(0.1).maximum_number_of_segments(4));
   std::cout << n << " segments; segment " << largest << " is cut in " << m << " again" << std::endl;
