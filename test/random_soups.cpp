@@ -187,9 +187,9 @@ struct Checker
 
   // Segments for fewer or more salient cuts are unions, without the smoothing of boundaries. By the
   // method of the paper, a run that ended at its maximum may not know the labels for a higher
-  // threshold.
+  // threshold. It may have fewer segments then, as a cut can be lost when it is carried back.
   void check_nesting(const Segmentation_hierarchy& h, std::size_t number_of_segments,
-                     bool boundary_smoothing, bool ended_at_maximum)
+                     bool boundary_smoothing, bool has_maximum)
   {
     Labels finer = h.labels(), last = finer;
     check(number_of(finer) == number_of_segments, "labels of the hierarchy");
@@ -208,7 +208,7 @@ struct Checker
           labels = h.labels(number_of_segments, threshold);
         }
         catch (const std::out_of_range&) {
-          check(ended_at_maximum, "labels for a threshold are not known");
+          check(has_maximum, "labels for a threshold are not known");
           continue;
         }
         check(boundary_smoothing || is_union_of(labels, finer), "nesting by the threshold");
@@ -309,7 +309,7 @@ struct Checker
     check(hierarchy.number_of_roots() == number_of_roots, "number of roots");
     check(hierarchy.labels() == labels, "other labels of the hierarchy");
     check_hierarchy(hierarchy, mesh);
-    check_nesting(hierarchy, n, boundary_smoothing, n >= maximum);
+    check_nesting(hierarchy, n, boundary_smoothing, maximum != unlimited);
     if (!soup.triangles.empty())
       check_exceptions(mesh, n, random, np);
   }
