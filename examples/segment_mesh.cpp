@@ -7,10 +7,11 @@
 
 #include "segment_mesh/Output_files.h"
 #include "segment_mesh/Run_watch.h"
+#include "segment_mesh/closed_soup.h"
 #include "segment_mesh/is_terminal.h"
 #include "segment_mesh/peak_memory.h"
 #include "segment_mesh/read_input.h"
-#include "segment_mesh/refined_soup.h"
+#include "segment_mesh/refined_input.h"
 #include "segment_mesh/report.h"
 #include "segment_mesh/write_meshes.h"
 
@@ -76,6 +77,7 @@ struct Options
   bool boundary_smoothing = false;
   bool components_apart = false;
   bool refine_boundaries = false;
+  bool close = false;
   bool quiet = false;
 
   bool is_of_paper() const { return method_name == "paper"; }
@@ -160,10 +162,17 @@ void add_options(CLI::App& app, Options& o)
   app.add_flag("--refine-boundaries", o.refine_boundaries,
                "split faces of the written meshes along smooth boundaries; labels stay those of "
                "the faces of IN");
+  app.add_flag("--close", o.close,
+               "close the segments of --split-dir, and of -o with .glb, as for printing: with caps "
+               "that they share, and where the mesh has holes");
   app.add_flag("--quiet", o.quiet, "print neither progress nor summary");
   app.allow_windows_style_options(false); // a name may begin with a slash
   app.set_version_flag("--version", "segment_mesh " CGAL_SPECTRAL_SEGMENTATION_VERSION);
 }
+
+// Only files in which each segment is an object of its own have caps.
+bool closes_mesh_file(const Options& o)
+{ return o.close && mesh_file::output_extension(o.mesh_file) == ".glb"; }
 
 // Finds what can be found before a long run.
 void check_options(const Options& o)
@@ -177,6 +186,9 @@ void check_options(const Options& o)
     mesh_file::check_output_format(o.mesh_file, false);
   if (mesh_file::output_extension(o.mesh_file) == ".obj")
     outputs.push_back(mesh_file::name_of_materials(o.mesh_file));
+  if (o.close && !closes_mesh_file(o) && o.split_directory.empty())
+    throw std::runtime_error("--close needs an output of separate segments: --split-dir, or -o "
+                             "with .glb");
   check_outputs({o.input}, outputs, o.split_directory);
 }
 
@@ -234,7 +246,8 @@ Json report(const Options& o, const Input& input, std::size_t number_of_segments
             {"threads", json_or_null(o.threads)},
             {"number_of_smoothing_iterations", o.smoothing_iterations},
             {"boundary_smoothing", o.boundary_smoothing},
-            {"refine_boundaries", o.refine_boundaries}}},
+            {"refine_boundaries", o.refine_boundaries},
+            {"close", o.close}}},
           {"tree", tree_report(tree, o.is_of_paper())}};
 }
 
@@ -243,18 +256,23 @@ void write_meshes(const Options& o, const Input& input, const std::vector<Index>
                   const std::vector<Index>& label_of_polygon, std::size_t number_of_segments,
                   Output_files& files)
 {
-  std::pair<Polygon_soup, std::vector<Index> > refined;
-  if (o.refine_boundaries)
-    refined = refined_soup(input, label_of_triangle);
   const std::vector<Rgb> colors =
     segment_colors(segment_neighbors(input, label_of_triangle, number_of_segments));
-  const mesh_file::Segmented_mesh mesh{o.refine_boundaries ? refined.first : input.soup,
-                                       o.refine_boundaries ? refined.second : label_of_polygon,
-                                       colors};
+  Labeled_input refined;
+  if (o.refine_boundaries)
+    refined = refined_input(input, label_of_triangle);
+  const Input& written = o.refine_boundaries ? refined.first : input;
+  const std::vector<Index>& labels = o.refine_boundaries ? refined.second : label_of_polygon;
+  const mesh_file::Segmented_mesh mesh{written.soup, labels, colors};
+  std::pair<Polygon_soup, std::vector<Index> > closed;
+  if (o.close)
+    closed = closed_soup(written, labels);
+  const mesh_file::Segmented_mesh closed_mesh{closed.first, closed.second, colors,
+                                              written.soup.number_of_polygons()};
   if (!o.mesh_file.empty())
-    write_mesh(files, o.mesh_file, mesh);
+    write_mesh(files, o.mesh_file, closes_mesh_file(o) ? closed_mesh : mesh);
   if (!o.split_directory.empty())
-    write_segments(files, o.split_directory, '.' + o.split_format, mesh);
+    write_segments(files, o.split_directory, '.' + o.split_format, o.close ? closed_mesh : mesh);
 }
 
 void print_summary(std::ostream& out, const Options& o, const Input& input,

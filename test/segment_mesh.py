@@ -41,8 +41,8 @@ def write_off(path, points, faces):
     path.write_text("\n".join(lines) + "\n")
 
 
-def read_ply(path):
-    """A binary PLY as the tool writes it; segments and colors are empty if it has none."""
+def read_ply_rows(path):
+    """The elements of a binary PLY as the tool writes it, by name; each a list of dictionaries."""
     header, body = path.read_bytes().split(b"end_header\n", 1)
     codes = {"char": "b", "uchar": "B", "short": "h", "ushort": "H", "int": "i", "uint": "I",
              "float": "f", "double": "d"}
@@ -69,6 +69,12 @@ def read_ply(path):
                 row[words[-1]] = values if words[1] == "list" else values[0]
             rows[name].append(row)
     assert position == len(body)
+    return rows
+
+
+def read_ply(path):
+    """A binary PLY as the tool writes it; segments and colors are empty if it has none."""
+    rows = read_ply_rows(path)
     color = operator.itemgetter("red", "green", "blue")
     faces = rows["face"]
     for vertex in rows["vertex"]:
@@ -325,6 +331,33 @@ class Real_meshes(Tool_test):
         self.assertIs(report["parameters"]["refine_boundaries"], True)
         self.assertEqual(report["faces"], faces)
 
+    def test_closed_parts_fill_the_mesh(self):
+        def volume(points, faces):
+            return sum(
+                x[0] * (y[1] * z[2] - y[2] * z[1]) + x[1] * (y[2] * z[0] - y[0] * z[2]) +
+                x[2] * (y[0] * z[1] - y[1] * z[0])
+                for x, y, z in ([points[v] for v in face] for face in faces)) / 6
+
+        points, faces = read_off(MESHES / "elephant.off")
+        for options in ((), ("--refine-boundaries",)):
+            done = self.run_tool(MESHES / "elephant.off", "--close", "--split-dir", "parts",
+                                 "--labels", "labels", *options)
+            self.assertEqual((done.returncode, done.stderr), (0, ""))
+            labels = (self.directory / "labels").read_text().split()
+            self.assertEqual(len(labels), len(faces))
+            volumes = []
+            for file in sorted((self.directory / "parts").glob("*.ply")):
+                part = read_ply(file)
+                edges = collections.Counter()
+                for a, b, c in part.faces:
+                    edges.update([(a, b), (b, c), (c, a)])
+                self.assertEqual(set(edges.values()), {1})
+                self.assertTrue(all((b, a) in edges for a, b in edges), file)
+                volumes.append(volume(part.points, part.faces))
+                self.assertGreater(volumes[-1], 0)
+            self.assertEqual(len(volumes), len(set(labels)))
+            self.assertAlmostEqual(sum(volumes) / volume(points, faces), 1, places=9)
+
     def test_split_files_have_all_faces(self):
         labels = self.segment(MESHES / "elephant.off", "--split-dir", "parts")
         ply = self.ply()
@@ -456,6 +489,26 @@ class Formats(Tool_test):
         size = struct.unpack_from("<I", glb, 12)[0]
         self.assertEqual(len(json.loads(glb[20:20 + size])["meshes"]), number)
         self.assert_same_parts(self.segment("out.off"), self.expected)
+
+    def test_caps_have_no_face_of_the_input(self):
+        done = self.run_tool("in.off", "--close", "--split-dir", "parts", "-o", "plain.ply")
+        self.assertEqual((done.returncode, done.stderr), (0, ""))
+        self.assertEqual(len(read_ply(self.directory / "plain.ply").faces), len(self.faces))
+        numbers = []
+        for i in range(max(self.expected) + 1):
+            rows = read_ply_rows(self.directory / "parts" / ("segment_%03d.ply" % i))["face"]
+            numbers += [row["face"] for row in rows if row["face"] >= 0]
+            is_cap = [row["face"] == -1 for row in rows]
+            self.assertEqual(is_cap, sorted(is_cap)) # they come last
+            self.assertIn(True, is_cap)
+        self.assertEqual(sorted(numbers), list(range(len(self.faces))))
+
+    def test_closing_needs_separate_segments(self):
+        for options in ((), ("-o", "out.ply")):
+            self.assert_failure("in.off", "--close", *options,
+                                sentence="--close needs an output of separate segments")
+        done = self.run_tool("in.off", "--close", "-o", "out.glb")
+        self.assertEqual((done.returncode, done.stderr), (0, ""))
 
     def test_formats_of_parts(self):
         for form in ("ply", "obj", "off", "stl", "glb"):

@@ -46,6 +46,10 @@ class Segmentation_hierarchy;
   f(boundary_smoothing, boundary_smoothing_t, is_flag, "takes a bool")                          \
   f(components_apart, components_apart_t, is_flag, "takes a bool")
 
+// Those of the functions for what comes after.
+#define CGAL_SPECTRAL_SEGMENTATION_PARAMETERS_OF_RESULTS(f)                                      \
+  f(closed, closed_t, is_flag, "takes a bool")
+
 namespace internal_np {
 
 using CGAL::internal_np::vertex_point_t;
@@ -56,10 +60,12 @@ using CGAL::internal_np::visitor_t;
 
 #define CGAL_SPECTRAL_SEGMENTATION_TAG(name, tag, predicate, what) enum tag { name };
 CGAL_SPECTRAL_SEGMENTATION_PARAMETERS(CGAL_SPECTRAL_SEGMENTATION_TAG)
+CGAL_SPECTRAL_SEGMENTATION_PARAMETERS_OF_RESULTS(CGAL_SPECTRAL_SEGMENTATION_TAG)
 #undef CGAL_SPECTRAL_SEGMENTATION_TAG
 enum zhang_liu_2005_t { zhang_liu_2005 };
 enum distance_weights_t { distance_weights };
 enum hierarchy_t { hierarchy };
+enum faces_of_parts_t { faces_of_parts };
 
 template <class T>
 using is_flag = std::is_same<T, bool>;
@@ -122,6 +128,14 @@ using has_only_known_tags = has_only<Pack,
   CGAL_SPECTRAL_SEGMENTATION_PARAMETERS_OF_CGAL(CGAL_SPECTRAL_SEGMENTATION_TAG)
   CGAL_SPECTRAL_SEGMENTATION_PARAMETERS(CGAL_SPECTRAL_SEGMENTATION_TAG)
   zhang_liu_2005_t, distance_weights_t, hierarchy_t>;
+
+template <class Pack>
+using has_only_tags_of_package = has_only<Pack,
+  CGAL_SPECTRAL_SEGMENTATION_PARAMETERS_OF_CGAL(CGAL_SPECTRAL_SEGMENTATION_TAG)
+  CGAL_SPECTRAL_SEGMENTATION_PARAMETERS(CGAL_SPECTRAL_SEGMENTATION_TAG)
+  CGAL_SPECTRAL_SEGMENTATION_PARAMETERS_OF_RESULTS(CGAL_SPECTRAL_SEGMENTATION_TAG)
+  zhang_liu_2005_t, distance_weights_t, hierarchy_t, faces_of_parts_t,
+  CGAL::internal_np::number_of_iterations_t>;
 #undef CGAL_SPECTRAL_SEGMENTATION_TAG
 
 } // namespace internal_np
@@ -151,7 +165,7 @@ public:
   /// package do not read
   explicit Named_parameters(const CGALNamedParameters& np = CGALNamedParameters()) : np_(np)
   {
-    static_assert(internal_np::has_only_known_tags<CGALNamedParameters>::value,
+    static_assert(internal_np::has_only_tags_of_package<CGALNamedParameters>::value,
                   "this pack holds a CGAL named parameter that the package does not use");
   }
 
@@ -174,6 +188,7 @@ public:
 
   CGAL_SPECTRAL_SEGMENTATION_PARAMETERS_OF_CGAL(CGAL_SPECTRAL_SEGMENTATION_MEMBER)
   CGAL_SPECTRAL_SEGMENTATION_PARAMETERS(CGAL_SPECTRAL_SEGMENTATION_MEMBER)
+  CGAL_SPECTRAL_SEGMENTATION_PARAMETERS_OF_RESULTS(CGAL_SPECTRAL_SEGMENTATION_MEMBER)
 #undef CGAL_SPECTRAL_SEGMENTATION_MEMBER
 
   /// the method of the paper
@@ -214,6 +229,11 @@ public:
     return with<internal_np::hierarchy_t>(std::ref(h));
   }
 
+  /// receives the faces that those of parts come from
+  template <class FaceDescriptor>
+  auto faces_of_parts(std::vector<std::vector<FaceDescriptor> >& faces) const
+  { return with<internal_np::faces_of_parts_t>(std::ref(faces)); }
+
   /// @}
 };
 
@@ -240,6 +260,7 @@ auto from(const CGAL::Named_function_parameters<T, Tag, Base>& np)
 
 CGAL_SPECTRAL_SEGMENTATION_PARAMETERS_OF_CGAL(CGAL_SPECTRAL_SEGMENTATION_START)
 CGAL_SPECTRAL_SEGMENTATION_PARAMETERS(CGAL_SPECTRAL_SEGMENTATION_START)
+CGAL_SPECTRAL_SEGMENTATION_PARAMETERS_OF_RESULTS(CGAL_SPECTRAL_SEGMENTATION_START)
 #undef CGAL_SPECTRAL_SEGMENTATION_START
 
 inline auto zhang_liu_2005() { return default_values().zhang_liu_2005(); }
@@ -256,20 +277,43 @@ template <class Hierarchy>
 auto hierarchy(Hierarchy& h)
 { return default_values().hierarchy(h); }
 
+template <class FaceDescriptor>
+auto faces_of_parts(std::vector<std::vector<FaceDescriptor> >& faces)
+{ return default_values().faces_of_parts(faces); }
+
 /// @}
 
 } // namespace parameters
 
 #undef CGAL_SPECTRAL_SEGMENTATION_PARAMETERS_OF_CGAL
 #undef CGAL_SPECTRAL_SEGMENTATION_PARAMETERS
+#undef CGAL_SPECTRAL_SEGMENTATION_PARAMETERS_OF_RESULTS
 
 /// \cond SKIP_IN_MANUAL
 
 namespace internal {
 
+template <class NamedParameters, class Tag>
+constexpr bool is_given =
+  !CGAL::parameters::is_default_parameter<NamedParameters, Tag>::value;
+
+template <template <class> class Has_only_known_tags, class T, class Tag, class Base>
+const CGAL::Named_function_parameters<T, Tag, Base>&
+checked_pack(const CGAL::Named_function_parameters<T, Tag, Base>& np)
+{
+  static_assert(Has_only_known_tags<CGAL::Named_function_parameters<T, Tag, Base> >::value,
+                "this pack holds a named parameter that the function does not use");
+  return np;
+}
+
+template <template <class> class Has_only_known_tags, class CGALNamedParameters>
+const CGALNamedParameters& checked_pack(const Named_parameters<CGALNamedParameters>& np)
+{ return checked_pack<Has_only_known_tags>(np.cgal_parameters()); }
+
+// Of the functions that segment.
 template <class CGALNamedParameters>
 const CGALNamedParameters& cgal_pack(const Named_parameters<CGALNamedParameters>& np)
-{ return np.cgal_parameters(); }
+{ return checked_pack<internal_np::has_only_known_tags>(np); }
 
 template <class T, class Tag, class Base>
 const CGAL::Named_function_parameters<T, Tag, Base>&

@@ -5,6 +5,7 @@
 #define CGAL_SPECTRAL_SEGMENTATION_REFINE_SEGMENT_BOUNDARIES_H
 
 #include <CGAL/Spectral_segmentation/internal/door/Face_splitter.h>
+#include <CGAL/Spectral_segmentation/internal/door/read_segments.h>
 #include <CGAL/Spectral_segmentation/internal/door/read_triangle_mesh.h>
 #include <CGAL/Spectral_segmentation/internal/refinement/refined_boundaries.h>
 #include <CGAL/Spectral_segmentation/parameters.h>
@@ -13,9 +14,7 @@
 #include <CGAL/boost/graph/named_params_helper.h>
 
 #include <boost/graph/graph_traits.hpp>
-#include <boost/property_map/property_map.hpp>
 
-#include <algorithm>
 #include <cstddef>
 #include <stdexcept>
 #include <type_traits>
@@ -32,46 +31,6 @@ template <class Pack>
 using has_only_refinement_tags =
   internal_np::has_only<Pack, CGAL::internal_np::vertex_point_t, CGAL::internal_np::geom_traits_t,
                         CGAL::internal_np::number_of_iterations_t>;
-
-template <class CGALNamedParameters>
-const CGALNamedParameters& cgal_refinement_pack(const Named_parameters<CGALNamedParameters>& np)
-{
-  static_assert(has_only_refinement_tags<CGALNamedParameters>::value,
-                "this pack holds a named parameter that refine_segment_boundaries does not use");
-  return np.cgal_parameters();
-}
-
-template <class T, class Tag, class Base>
-const CGAL::Named_function_parameters<T, Tag, Base>&
-cgal_refinement_pack(const CGAL::Named_function_parameters<T, Tag, Base>& np)
-{
-  static_assert(has_only_refinement_tags<CGAL::Named_function_parameters<T, Tag, Base> >::value,
-                "this pack holds a named parameter that refine_segment_boundaries does not use");
-  return np;
-}
-
-// The ids of the faces as labels from 0 on, in the order of the ids, which are returned.
-template <class FaceDescriptor, class SegmentIdMap>
-std::vector<typename boost::property_traits<SegmentIdMap>::value_type>
-read_segments(const std::vector<FaceDescriptor>& faces, SegmentIdMap segment_ids,
-              std::vector<Index>& labels)
-{
-  typedef typename boost::property_traits<SegmentIdMap>::value_type Id;
-  static_assert(std::is_integral<Id>::value && !std::is_same<Id, bool>::value,
-                "the values of the segment id map must be of an integer type");
-  std::vector<Id> id_of_face;
-  id_of_face.reserve(faces.size());
-  for (const FaceDescriptor& f : faces)
-    id_of_face.push_back(get(segment_ids, f));
-  std::vector<Id> ids = id_of_face;
-  std::sort(ids.begin(), ids.end());
-  ids.erase(std::unique(ids.begin(), ids.end()), ids.end());
-  labels.reserve(faces.size());
-  for (Id id : id_of_face)
-    labels.push_back(
-      static_cast<Index>(std::lower_bound(ids.begin(), ids.end(), id) - ids.begin()));
-  return ids;
-}
 
 } // namespace internal
 } // namespace Spectral_segmentation
@@ -160,7 +119,7 @@ std::size_t refine_segment_boundaries(TriangleMesh& mesh, SegmentIdMap segment_i
   using CGAL::parameters::get_parameter;
   typedef typename boost::graph_traits<TriangleMesh>::face_descriptor face_descriptor;
 
-  const auto& pack = internal::cgal_refinement_pack(np);
+  const auto& pack = internal::checked_pack<internal::has_only_refinement_tags>(np);
   typedef std::decay_t<decltype(pack)> Pack;
   typedef typename GetGeomTraits<TriangleMesh, Pack>::type Geom_traits;
   typedef typename GetVertexPointMap<TriangleMesh, Pack>::type Vertex_point_map;

@@ -26,10 +26,6 @@ inline void require(bool condition, const char* parameter, const char* range)
                                 " must be " + range);
 }
 
-template <class NamedParameters, class Tag>
-constexpr bool is_given =
-  !CGAL::parameters::is_default_parameter<NamedParameters, Tag>::value;
-
 // Leaves `value` as it is where the caller did not give the parameter.
 template <class Tag, class NamedParameters, class Value>
 void read_parameter(const NamedParameters& np, Tag tag, Value& value)

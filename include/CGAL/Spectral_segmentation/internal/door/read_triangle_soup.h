@@ -33,14 +33,15 @@ struct is_triangle_range<Range, std::void_t<Element<Element<Range> > > >
 // triangles are neighbors is left open. Points that no triangle uses may be anything.
 //
 // Throws `std::invalid_argument` if a triangle has not three corners, one of them is no point, or a
-// coordinate that is used is not finite.
+// coordinate that is used is not finite, in the name of the function that the caller knows.
 template <class PointRange, class TriangleRange>
-Triangles read_triangle_soup(const PointRange& points, const TriangleRange& triangles)
+Triangles read_triangle_soup(const PointRange& points, const TriangleRange& triangles,
+                             const std::string& function = "segment_spectral_recursive")
 {
   Triangles result;
   for (const auto& p : points) {
     if (result.points.size() + 1 >= null_index)
-      throw std::invalid_argument("segment_spectral_recursive: there are too many points");
+      throw std::invalid_argument(function + ": there are too many points");
     result.points.push_back(
       Vector(CGAL::to_double(p[0]), CGAL::to_double(p[1]), CGAL::to_double(p[2])));
   }
@@ -49,11 +50,10 @@ Triangles read_triangle_soup(const PointRange& points, const TriangleRange& tria
   for (const auto& triangle : triangles) {
     const std::size_t f = result.corners.size();
     const auto fail = [&](const char* what) {
-      throw std::invalid_argument("segment_spectral_recursive: triangle " + std::to_string(f) +
-                                  what);
+      throw std::invalid_argument(function + ": triangle " + std::to_string(f) + what);
     };
     if (f + 1 >= null_index / 3)
-      throw std::invalid_argument("segment_spectral_recursive: there are too many triangles");
+      throw std::invalid_argument(function + ": there are too many triangles");
     Corners corners;
     std::size_t size = 0;
     for (auto corner : triangle) {

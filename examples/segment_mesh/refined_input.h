@@ -1,8 +1,8 @@
 // Copyright (c) 2026  The Spectral_segmentation authors.
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#ifndef SEGMENT_MESH_REFINED_SOUP_H
-#define SEGMENT_MESH_REFINED_SOUP_H
+#ifndef SEGMENT_MESH_REFINED_INPUT_H
+#define SEGMENT_MESH_REFINED_INPUT_H
 
 #include "read_input.h"
 
@@ -38,9 +38,11 @@ inline Mesh mesh_of(const Input& input)
   return mesh;
 }
 
+typedef std::pair<Input, std::vector<Index> > Labeled_input;
+
 // The triangles after their boundaries were refined, and the segment of each.
-inline std::pair<Polygon_soup, std::vector<Index> >
-refined_soup(const Input& input, const std::vector<Index>& segment_of_triangle)
+inline Labeled_input refined_input(const Input& input,
+                                   const std::vector<Index>& segment_of_triangle)
 {
   Mesh mesh = mesh_of(input);
   const auto segment_ids = mesh.add_property_map<Mesh::Face_index, Index>("f:segment").first;
@@ -48,19 +50,20 @@ refined_soup(const Input& input, const std::vector<Index>& segment_of_triangle)
     segment_ids[f] = segment_of_triangle[f];
   CGAL::refine_segment_boundaries(mesh, segment_ids);
 
-  std::pair<Polygon_soup, std::vector<Index> > result;
-  Polygon_soup& soup = result.first;
+  Scene scene;
+  Polygon_soup& soup = scene.soup;
+  std::vector<Index> segment;
   for (Mesh::Vertex_index v : mesh.vertices())
     soup.points.push_back({mesh.point(v).x(), mesh.point(v).y(), mesh.point(v).z()});
   for (Mesh::Face_index f : mesh.faces()) {
     for (Mesh::Vertex_index v : CGAL::vertices_around_face(mesh.halfedge(f), mesh))
       soup.corners.push_back(v);
     soup.end_polygon();
-    result.second.push_back(segment_ids[f]);
+    segment.push_back(segment_ids[f]);
   }
-  return result;
+  return {triangulated(std::move(scene)), std::move(segment)};
 }
 
 } // namespace segment_mesh
 
-#endif // SEGMENT_MESH_REFINED_SOUP_H
+#endif // SEGMENT_MESH_REFINED_INPUT_H

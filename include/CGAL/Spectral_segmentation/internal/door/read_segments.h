@@ -1,0 +1,48 @@
+// Copyright (c) 2026  The Spectral_segmentation authors.
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_SPECTRAL_SEGMENTATION_INTERNAL_DOOR_READ_SEGMENTS_H
+#define CGAL_SPECTRAL_SEGMENTATION_INTERNAL_DOOR_READ_SEGMENTS_H
+
+#include <CGAL/Spectral_segmentation/internal/utility/Index.h>
+
+#include <boost/property_map/property_map.hpp>
+
+#include <algorithm>
+#include <type_traits>
+#include <vector>
+
+namespace CGAL::Spectral_segmentation::internal {
+
+// Any numbers as labels from 0 on, in the order of the numbers, which are returned.
+template <class Id>
+std::vector<Id> labels_of_ids(const std::vector<Id>& id_of_face, std::vector<Index>& labels)
+{
+  static_assert(std::is_integral<Id>::value && !std::is_same<Id, bool>::value,
+                "the ids of segments must be of an integer type");
+  std::vector<Id> ids = id_of_face;
+  std::sort(ids.begin(), ids.end());
+  ids.erase(std::unique(ids.begin(), ids.end()), ids.end());
+  labels.reserve(id_of_face.size());
+  for (Id id : id_of_face)
+    labels.push_back(
+      static_cast<Index>(std::lower_bound(ids.begin(), ids.end(), id) - ids.begin()));
+  return ids;
+}
+
+// The same of the faces of a mesh.
+template <class FaceDescriptor, class SegmentIdMap>
+std::vector<typename boost::property_traits<SegmentIdMap>::value_type>
+read_segments(const std::vector<FaceDescriptor>& faces, SegmentIdMap segment_ids,
+              std::vector<Index>& labels)
+{
+  std::vector<typename boost::property_traits<SegmentIdMap>::value_type> id_of_face;
+  id_of_face.reserve(faces.size());
+  for (const FaceDescriptor& f : faces)
+    id_of_face.push_back(get(segment_ids, f));
+  return labels_of_ids(id_of_face, labels);
+}
+
+} // namespace CGAL::Spectral_segmentation::internal
+
+#endif // CGAL_SPECTRAL_SEGMENTATION_INTERNAL_DOOR_READ_SEGMENTS_H
