@@ -17,6 +17,7 @@
 #include <cstddef>
 #include <limits>
 #include <stdexcept>
+#include <string>
 #include <type_traits>
 #include <unordered_map>
 #include <utility>
@@ -90,17 +91,19 @@ public:
 };
 
 // The faces in the order of their numbers: that of `faces(mesh)`, or of the caller's index map.
-// Throws `std::invalid_argument` if the map is not one to one onto 0 .. n-1.
+// Throws `std::invalid_argument`, in the name of the function that the caller knows, if the map is not
+// one to one onto 0 .. n-1.
 template <class TriangleMesh, class CGALNamedParameters>
 std::vector<typename boost::graph_traits<TriangleMesh>::face_descriptor>
-numbered_faces(const TriangleMesh& mesh, const CGALNamedParameters& np)
+numbered_faces(const TriangleMesh& mesh, const CGALNamedParameters& np,
+               const std::string& function = "segment_spectral_recursive")
 {
   typedef typename boost::graph_traits<TriangleMesh>::face_descriptor face_descriptor;
   std::vector<face_descriptor> result;
   for (face_descriptor f : faces(mesh))
     result.push_back(f);
   if (result.size() >= null_index / 3)
-    throw std::invalid_argument("segment_spectral_recursive: the mesh has too many faces");
+    throw std::invalid_argument(function + ": the mesh has too many faces");
 
   if constexpr (!CGAL::parameters::is_default_parameter<
                   CGALNamedParameters, CGAL::internal_np::face_index_t>::value) {
@@ -110,8 +113,8 @@ numbered_faces(const TriangleMesh& mesh, const CGALNamedParameters& np)
     for (face_descriptor f : result) {
       const auto i = static_cast<std::size_t>(get(map, f));
       if (i >= result.size() || is_set[i])
-        throw std::invalid_argument("segment_spectral_recursive: face_index_map must give each "
-                                    "face its own index from 0 to the number of faces - 1");
+        throw std::invalid_argument(function + ": face_index_map must give each face its own "
+                                    "index from 0 to the number of faces - 1");
       by_index[i] = f;
       is_set[i] = 1;
     }

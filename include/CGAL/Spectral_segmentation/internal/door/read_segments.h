@@ -14,12 +14,18 @@
 
 namespace CGAL::Spectral_segmentation::internal {
 
+template <class Id>
+constexpr void check_type_of_ids()
+{
+  static_assert(std::is_integral<Id>::value && !std::is_same<Id, bool>::value,
+                "the ids of segments must be of an integer type");
+}
+
 // Any numbers as labels from 0 on, in the order of the numbers, which are returned.
 template <class Id>
 std::vector<Id> labels_of_ids(const std::vector<Id>& id_of_face, std::vector<Index>& labels)
 {
-  static_assert(std::is_integral<Id>::value && !std::is_same<Id, bool>::value,
-                "the ids of segments must be of an integer type");
+  check_type_of_ids<Id>();
   std::vector<Id> ids = id_of_face;
   std::sort(ids.begin(), ids.end());
   ids.erase(std::unique(ids.begin(), ids.end()), ids.end());

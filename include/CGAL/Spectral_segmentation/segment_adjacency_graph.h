@@ -1,0 +1,247 @@
+// Copyright (c) 2026  The Spectral_segmentation authors.
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_SPECTRAL_SEGMENTATION_SEGMENT_ADJACENCY_GRAPH_H
+#define CGAL_SPECTRAL_SEGMENTATION_SEGMENT_ADJACENCY_GRAPH_H
+
+#include <CGAL/Spectral_segmentation/internal/door/numbered_descriptors.h>
+#include <CGAL/Spectral_segmentation/internal/door/read_segments.h>
+#include <CGAL/Spectral_segmentation/internal/door/read_triangle_mesh.h>
+#include <CGAL/Spectral_segmentation/parameters.h>
+
+#include <CGAL/boost/graph/named_params_helper.h>
+
+#include <boost/graph/adjacency_list.hpp>
+#include <boost/property_map/property_map.hpp>
+
+#include <cstddef>
+#include <limits>
+#include <map>
+#include <stdexcept>
+#include <type_traits>
+#include <utility>
+#include <vector>
+
+namespace CGAL {
+namespace Spectral_segmentation {
+
+/// \ingroup PkgSpectralSegmentationRef
+/// What a vertex of a `Segment_adjacency_graph` holds.
+template <class Id = std::size_t>
+struct Segment_properties
+{
+  Id id = 0;                       ///< the id of the segment
+  std::size_t number_of_faces = 0; ///< at least 1
+  double area = 0;                 ///< in the square of the unit of the mesh's coordinates
+};
+
+/// \ingroup PkgSpectralSegmentationRef
+/// What an edge of a `Segment_adjacency_graph` holds: all edges of the mesh between two segments.
+struct Segment_adjacency_properties
+{
+  double length = 0;   ///< the sum of their lengths, in the unit of the mesh's coordinates
+  double salience = 0; ///< of the cut that separates the two; 0 if no hierarchy was given
+};
+
+/// \ingroup PkgSpectralSegmentationRef
+/// A graph of segments, as `CGAL::segment_adjacency_graph()` makes it. It is a model of the graph
+/// concepts of the Boost Graph Library but `AdjacencyMatrix`; vertices are numbers.
+template <class Id = std::size_t>
+using Segment_adjacency_graph =
+  boost::adjacency_list<boost::vecS, boost::vecS, boost::undirectedS, Segment_properties<Id>,
+                        Segment_adjacency_properties>;
+
+/// \cond SKIP_IN_MANUAL
+namespace internal {
+
+template <class Pack>
+using has_only_adjacency_tags =
+  internal_np::has_only<Pack, internal_np::vertex_point_t, internal_np::geom_traits_t,
+                        internal_np::face_index_t, internal_np::hierarchy_t>;
+
+// Of each segment: the leaf of a hierarchy that holds most of it.
+template <class Hierarchy>
+std::vector<std::size_t> largest_leaves(const Hierarchy& hierarchy,
+                                        const std::vector<Index>& labels,
+                                        const std::vector<double>& area_of_face,
+                                        std::size_t number_of_segments)
+{
+  if (hierarchy.number_of_faces() != labels.size())
+    throw std::invalid_argument("segment_adjacency_graph: the hierarchy is that of a mesh with "
+                                "another number of faces");
+  std::vector<std::size_t> result(number_of_segments, Hierarchy::null_node);
+  std::vector<double> largest_area(number_of_segments, -1);
+  for (std::size_t i = 0; i < hierarchy.number_of_nodes(); ++i) {
+    if (!hierarchy.node(i).is_leaf())
+      continue;
+    std::map<Index, double> area_of_segment; // in the leaf
+    for (std::size_t f : hierarchy.faces(i))
+      area_of_segment[labels[f]] += area_of_face[f];
+    for (const auto& [label, area] : area_of_segment)
+      if (area > largest_area[label]) {
+        largest_area[label] = area;
+        result[label] = i;
+      }
+  }
+  return result;
+}
+
+// Of the cut that separates two leaves: that of their lowest common ancestor.
+template <class Hierarchy>
+double salience_between(const Hierarchy& hierarchy, std::size_t a, std::size_t b)
+{
+  if (a == b)
+    return 0;
+  while (a != b) {
+    std::size_t& later = a > b ? a : b; // parents come before their children
+    later = hierarchy.node(later).parent;
+    if (later == Hierarchy::null_node)
+      return std::numeric_limits<double>::infinity();
+  }
+  return hierarchy.node(a).salience;
+}
+
+} // namespace internal
+/// \endcond
+
+} // namespace Spectral_segmentation
+
+/*!
+\ingroup PkgSpectralSegmentationRef
+
+returns the graph of the segments of a triangle mesh: two segments are adjacent if faces of them
+have an edge in common.
+
+Vertex *i* of the graph is the segment of the *i*-th smallest id; for the ids of
+`segment_spectral_recursive()` it is segment *i*. The edges are sorted by their vertices, the
+smaller one of an edge first. There are no parallel edges and no loops.
+
+With the hierarchy of the run, each edge of the graph gets the salience of the cut that separates
+the two segments: that of the smallest node which holds both. With the default salience of the
+default method it is a probability, and at any higher threshold the two are one segment. All
+segments on one side of this cut have it in common with all on the other side, so it tells nothing
+of a single boundary. Segments that are not nodes of the hierarchy, as their boundaries were
+smoothed, or their ids changed, count as the leaf that has the largest share of their area. The
+salience is then 0 between two that count as one leaf, and infinite between two roots.
+
+The time is O(*n* log *s*) for *n* faces and *s* segments, and with a hierarchy O(*d*) more for each
+edge of the graph, for a depth *d* of the hierarchy.
+
+\tparam TriangleMesh a model of `FaceListGraph` and `VertexListGraph`
+\tparam SegmentIdMap a model of `ReadablePropertyMap` with
+  `boost::graph_traits<TriangleMesh>::%face_descriptor` as key type and an integer type as value
+  type
+\tparam NamedParameters a sequence of named parameters, of the namespace
+  `CGAL::Spectral_segmentation::parameters` or of `CGAL::parameters`
+
+\param mesh the triangle mesh
+\param segment_ids the id of the segment of each face: any numbers, as those of
+  `segment_spectral_recursive()` or of another segmentation
+\param np an optional sequence of named parameters among the ones listed below
+
+\cgalNamedParamsBegin
+  \cgalParamNBegin{hierarchy}
+    \cgalParamDescription{the hierarchy of the run that made the ids, for the saliences; it is only
+      read}
+    \cgalParamType{`CGAL::Spectral_segmentation::Segmentation_hierarchy&`}
+    \cgalParamDefault{none: all saliences are 0}
+  \cgalParamNEnd
+  \cgalParamNBegin{face_index_map}
+    \cgalParamDescription{the numbers of the faces in `hierarchy`, if that run was given a map}
+    \cgalParamType{a model of `ReadablePropertyMap` with
+      `boost::graph_traits<TriangleMesh>::%face_descriptor` as key type and an integer type as value
+      type}
+    \cgalParamDefault{the position of the face in `faces(mesh)`}
+  \cgalParamNEnd
+  \cgalParamNBegin{vertex_point_map}
+    \cgalParamDescription{the points of the vertices of `mesh`}
+    \cgalParamType{a model of `ReadablePropertyMap` with
+      `boost::graph_traits<TriangleMesh>::%vertex_descriptor` as key type and a point type of
+      `geom_traits` as value type}
+    \cgalParamDefault{`boost::get(CGAL::vertex_point, mesh)`}
+  \cgalParamNEnd
+  \cgalParamNBegin{geom_traits}
+    \cgalParamDescription{an instance of a geometric traits class}
+    \cgalParamType{a class with the functors `Compute_x_3`, `Compute_y_3`, `Compute_z_3` of `Kernel`
+      and the functions `compute_x_3_object()` etc.}
+    \cgalParamDefault{a \cgal kernel deduced from the point type}
+  \cgalParamNEnd
+\cgalNamedParamsEnd
+
+\return a `CGAL::Spectral_segmentation::Segment_adjacency_graph` with the value type of
+  `SegmentIdMap`
+
+\throws std::invalid_argument if a face is not a triangle, a coordinate is not finite, the hierarchy
+  has another number of faces, or the numbers of `face_index_map` are not those from 0 to the number
+  of faces - 1
+*/
+template <class TriangleMesh, class SegmentIdMap,
+          class NamedParameters = parameters::Default_named_parameters>
+#ifdef DOXYGEN_RUNNING
+Spectral_segmentation::Segment_adjacency_graph<Id>
+#else
+Spectral_segmentation::Segment_adjacency_graph<
+  typename boost::property_traits<SegmentIdMap>::value_type>
+#endif
+segment_adjacency_graph(const TriangleMesh& mesh, SegmentIdMap segment_ids,
+                        const NamedParameters& np = NamedParameters())
+{
+  namespace internal = Spectral_segmentation::internal;
+  namespace tags = Spectral_segmentation::internal_np;
+  using CGAL::parameters::choose_parameter;
+  using CGAL::parameters::get_parameter;
+  typedef typename boost::property_traits<SegmentIdMap>::value_type Id;
+
+  const auto& pack = internal::checked_pack<internal::has_only_adjacency_tags>(np);
+  typedef std::decay_t<decltype(pack)> Pack;
+  typedef typename GetGeomTraits<TriangleMesh, Pack>::type Geom_traits;
+  const auto point_map = choose_parameter(get_parameter(pack, tags::vertex_point_t()),
+                                          get_const_property_map(CGAL::vertex_point, mesh));
+
+  const auto faces_of_mesh = internal::numbered_faces(mesh, pack, "segment_adjacency_graph");
+  internal::Triangles triangles = internal::read_triangle_mesh(
+    mesh, faces_of_mesh, point_map,
+    choose_parameter<Geom_traits>(get_parameter(pack, tags::geom_traits_t())),
+    "segment_adjacency_graph");
+  const double unit = internal::normalize(triangles.points);
+  std::vector<internal::Index> labels;
+  const std::vector<Id> ids = internal::read_segments(faces_of_mesh, segment_ids, labels);
+
+  Spectral_segmentation::Segment_adjacency_graph<Id> graph(ids.size());
+  for (std::size_t i = 0; i < ids.size(); ++i)
+    graph[i].id = ids[i];
+  std::vector<double> area_of_face;
+  std::map<std::pair<internal::Index, internal::Index>, double> lengths; // of each boundary
+  for (internal::Index f = 0; f < labels.size(); ++f) {
+    const internal::Corners& corners = triangles.corners[f];
+    const auto side = [&](int i) {
+      return triangles.points[corners[(i + 1) % 3]] - triangles.points[corners[i]];
+    };
+    area_of_face.push_back(side(0).cross(side(1)).norm() / 2 * unit * unit);
+    ++graph[labels[f]].number_of_faces;
+    graph[labels[f]].area += area_of_face.back();
+    for (int i = 0; i < 3; ++i) {
+      const internal::Index other = labels[triangles.neighbors[f][i]];
+      if (labels[f] < other) // so each edge counts once
+        lengths[{labels[f], other}] += side(i).norm() * unit;
+    }
+  }
+
+  std::vector<std::size_t> leaves;
+  if constexpr (internal::is_given<Pack, tags::hierarchy_t>)
+    leaves = internal::largest_leaves(get_parameter(pack, tags::hierarchy).get(), labels,
+                                      area_of_face, ids.size());
+  for (const auto& [segments, length] : lengths) {
+    Spectral_segmentation::Segment_adjacency_properties properties{length, 0};
+    if constexpr (internal::is_given<Pack, tags::hierarchy_t>)
+      properties.salience =
+        internal::salience_between(get_parameter(pack, tags::hierarchy).get(),
+                                   leaves[segments.first], leaves[segments.second]);
+    boost::add_edge(segments.first, segments.second, properties, graph);
+  }
+  return graph;
+}
+
+} // namespace CGAL
+
+#endif // CGAL_SPECTRAL_SEGMENTATION_SEGMENT_ADJACENCY_GRAPH_H
