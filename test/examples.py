@@ -250,6 +250,40 @@ class Example(unittest.TestCase):
         self.assertEqual(len(volumes), 2)
         self.assertAlmostEqual(sum(volumes), volume(*balls), places=6)
 
+    def test_remesh_segments(self):
+        """The segments and the length of their seams stay, while the faces become others."""
+        pattern = r"before: (\d+) segments, length of seams (\S+)\n" \
+                  r"after: (\d+) segments, length of seams (\S+)"
+        for name, old_faces in ((self.write(*dumbbell()), dumbbell()[1]),
+                                (MESHES / "elephant.off",
+                                 read_off(MESHES / "elephant.off")[1])):
+            n, old_length, m, length = self.numbers(pattern, self.run_example(name))
+            self.assertEqual(n, m)
+            self.assertAlmostEqual(length / old_length, 1, places=5)
+            points, faces, properties = self.ply()
+            self.assertNotEqual(len(faces), len(old_faces))
+            self.assertTrue(is_closed(faces))
+            self.check_segments(faces, properties["segment"], n)
+            segment_at = {edge: segment for face, segment in zip(faces, properties["segment"])
+                          for edge in directed_edges([face])}
+            seams = [minus(points[b], points[a]) for (a, b), segment in segment_at.items()
+                     if segment < segment_at[b, a]]
+            self.assertAlmostEqual(sum(dot(v, v) ** 0.5 for v in seams) / length, 1, places=5)
+        self.assertGreater(n, 6)
+
+    def test_graph_of_segments(self):
+        pattern = r"(\d+) segments, (\d+) boundaries"
+        self.assertEqual(self.numbers(pattern, self.run_example(self.write(*dumbbell()))), [2, 1])
+        n, number_of_boundaries = self.numbers(pattern, self.run_example())
+        text = (self.directory / "segments.dot").read_text()
+        areas = re.findall(r'^\d+\[label="\d+\\narea (\S+)"\];$', text, re.MULTILINE)
+        saliences = re.findall(r'^\d+--\d+ \[label="(\S+)", len=\S+\];$', text, re.MULTILINE)
+        self.assertEqual((len(areas), len(saliences)), (n, number_of_boundaries))
+        self.assertTrue(all(0.4 <= float(salience) <= 1 for salience in saliences))
+        points, faces = read_off(MESHES / "elephant.off")
+        area = sum(dot(normal, normal) ** 0.5 / 2 for _, normal in outer_planes(points, faces))
+        self.assertAlmostEqual(sum(map(float, areas)) / area, 1, places=4)
+
     def test_collision_shapes(self):
         n, number_of_faces, percentage = self.numbers(
             r"(\d+) convex shapes with (\d+) faces in place of 5558; "
