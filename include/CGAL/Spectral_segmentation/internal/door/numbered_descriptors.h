@@ -91,8 +91,8 @@ public:
 };
 
 // The faces in the order of their numbers: that of `faces(mesh)`, or of the caller's index map.
-// Throws `std::invalid_argument`, in the name of the function that the caller knows, if the map is not
-// one to one onto 0 .. n-1.
+// Throws `std::invalid_argument` if the map is not one to one onto 0 .. n-1, in the name of the
+// function that the caller knows.
 template <class TriangleMesh, class CGALNamedParameters>
 std::vector<typename boost::graph_traits<TriangleMesh>::face_descriptor>
 numbered_faces(const TriangleMesh& mesh, const CGALNamedParameters& np,
