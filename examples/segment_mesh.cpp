@@ -9,6 +9,7 @@
 #include "segment_mesh/Run_watch.h"
 #include "segment_mesh/closed_soup.h"
 #include "segment_mesh/is_terminal.h"
+#include "segment_mesh/part_tree.h"
 #include "segment_mesh/peak_memory.h"
 #include "segment_mesh/read_input.h"
 #include "segment_mesh/refined_input.h"
@@ -119,7 +120,11 @@ void add_options(CLI::App& app, Options& o)
            "; - for standard input")->required();
   add_file("-o", o.mesh_file,
            "mesh with a color for each segment: .ply, which also has the property 'segment' of "
-           "faces, .obj with groups and materials, .off, or .glb with nodes");
+           "faces, .obj with groups and materials, .off, or with the tree of parts .glb"
+#ifdef SEGMENT_MESH_WITH_LIB3MF
+           " or .3mf, in millimeters"
+#endif
+           );
   add_file("--labels", o.label_file,
            "segment of each face of IN, one a line; a polygon cut by a boundary counts to the "
            "segment that has most of it; - for standard output");
@@ -129,7 +134,7 @@ void add_options(CLI::App& app, Options& o)
   add_file("--split-dir", o.split_directory,
            "directory for one file a segment; what an earlier run wrote there is replaced");
   app.add_option("--split-format", o.split_format, "format of these files")
-    ->type_name("F")->check(CLI::IsMember({"ply", "obj", "off", "stl", "glb"}))
+    ->type_name("F")->check(CLI::IsMember({"ply", "obj", "off", "stl", "glb", "3mf"}))
     ->capture_default_str();
   app.add_option("--method", o.method_name,
                  "calibrated: cuts where people cut; paper: Zhang and Liu 2005")
@@ -163,8 +168,8 @@ void add_options(CLI::App& app, Options& o)
                "split faces of the written meshes along smooth boundaries; labels stay those of "
                "the faces of IN");
   app.add_flag("--close", o.close,
-               "close the segments of --split-dir, and of -o with .glb, as for printing: with caps "
-               "that they share, and where the mesh has holes");
+               "close the segments of --split-dir, and of -o with .glb or .3mf, as for printing: with "
+               "caps that they share, and where the mesh has holes");
   app.add_flag("--quiet", o.quiet, "print neither progress nor summary");
   app.allow_windows_style_options(false); // a name may begin with a slash
   app.set_version_flag("--version", "segment_mesh " CGAL_SPECTRAL_SEGMENTATION_VERSION);
@@ -172,7 +177,10 @@ void add_options(CLI::App& app, Options& o)
 
 // Only files in which each segment is an object of its own have caps.
 bool closes_mesh_file(const Options& o)
-{ return o.close && mesh_file::output_extension(o.mesh_file) == ".glb"; }
+{
+  const std::string extension = mesh_file::output_extension(o.mesh_file);
+  return o.close && (extension == ".glb" || is_3mf(extension));
+}
 
 // Finds what can be found before a long run.
 void check_options(const Options& o)
@@ -183,12 +191,14 @@ void check_options(const Options& o)
 #endif
   std::vector<std::filesystem::path> outputs = {o.mesh_file, o.label_file, o.report_file};
   if (!o.mesh_file.empty())
-    mesh_file::check_output_format(o.mesh_file, false);
+    check_output_format(o.mesh_file, false);
+  if (!o.split_directory.empty())
+    check_output_format("segment." + o.split_format, true);
   if (mesh_file::output_extension(o.mesh_file) == ".obj")
     outputs.push_back(mesh_file::name_of_materials(o.mesh_file));
   if (o.close && !closes_mesh_file(o) && o.split_directory.empty())
     throw std::runtime_error("--close needs an output of separate segments: --split-dir, or -o "
-                             "with .glb");
+                             "with .glb or .3mf");
   check_outputs({o.input}, outputs, o.split_directory);
 }
 
@@ -254,7 +264,7 @@ Json report(const Options& o, const Input& input, std::size_t number_of_segments
 // Of the input, or of its triangles with refined boundaries.
 void write_meshes(const Options& o, const Input& input, const std::vector<Index>& label_of_triangle,
                   const std::vector<Index>& label_of_polygon, std::size_t number_of_segments,
-                  Output_files& files)
+                  const Segmentation_hierarchy& tree, Output_files& files)
 {
   const std::vector<Rgb> colors =
     segment_colors(segment_neighbors(input, label_of_triangle, number_of_segments));
@@ -263,12 +273,14 @@ void write_meshes(const Options& o, const Input& input, const std::vector<Index>
     refined = refined_input(input, label_of_triangle);
   const Input& written = o.refine_boundaries ? refined.first : input;
   const std::vector<Index>& labels = o.refine_boundaries ? refined.second : label_of_polygon;
-  const mesh_file::Segmented_mesh mesh{written.soup, labels, colors};
+  const std::vector<mesh_file::Part> parts =
+    part_tree(tree, label_of_triangle, number_of_segments);
+  const mesh_file::Segmented_mesh mesh{written.soup, labels, colors, mesh_file::null_index, parts};
   std::pair<Polygon_soup, std::vector<Index> > closed;
   if (o.close)
     closed = closed_soup(written, labels);
   const mesh_file::Segmented_mesh closed_mesh{closed.first, closed.second, colors,
-                                              written.soup.number_of_polygons()};
+                                              written.soup.number_of_polygons(), parts};
   if (!o.mesh_file.empty())
     write_mesh(files, o.mesh_file, closes_mesh_file(o) ? closed_mesh : mesh);
   if (!o.split_directory.empty())
@@ -326,7 +338,7 @@ void run(const Options& o)
   if (!o.label_file.empty())
     files.write(o.label_file, [&](std::ostream& out) { write_labels(out, label_of_polygon); });
   if (writes_meshes)
-    write_meshes(o, input, labels, label_of_polygon, number_of_segments, files);
+    write_meshes(o, input, labels, label_of_polygon, number_of_segments, tree, files);
   watch.end_phase();
   if (!o.report_file.empty()) // the last, as it has the time of the others
     files.write(o.report_file, [&](std::ostream& out) {

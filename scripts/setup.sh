@@ -13,7 +13,7 @@ for group in "$@"; do
   case $group in
     build)
       packages+=(cmake make g++ libcgal-dev libeigen3-dev libboost-dev libtbb-dev libcli11-dev
-                 nlohmann-json3-dev libassimp-dev libcgal-demo) ;;
+                 nlohmann-json3-dev libassimp-dev lib3mf-dev libcgal-demo) ;;
     test) packages+=(libboost-test-dev libopenmesh-dev python3 doxygen) ;;
     pictures) packages+=(python3-vtk9 xvfb xauth) ;;
     manual) packages+=(doxygen python3-vtk9 xvfb xauth) ;;

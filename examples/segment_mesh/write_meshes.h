@@ -9,11 +9,13 @@
 #include "mesh_file/write_mesh_file.h"
 #include "read_input.h"
 #include "segment_colors.h"
+#include "write_by_lib3mf.h"
 
 #include <algorithm>
 #include <cstddef>
 #include <filesystem>
 #include <ostream>
+#include <stdexcept>
 #include <string>
 #include <vector>
 
@@ -44,15 +46,33 @@ segment_neighbors(const Input& input, const std::vector<Index>& segment_of_trian
   return neighbors;
 }
 
+// Throws `std::runtime_error` if a file of this name would be of no format, or of one that this build
+// does not write.
+inline void check_output_format(const std::filesystem::path& name, bool is_part)
+{
+  if (!has_lib3mf && is_3mf(mesh_file::output_extension(name)))
+    throw std::runtime_error("cannot write " + name.string() + ": this build has no 3MF, which "
+                             "needs lib3mf at build time");
+  mesh_file::check_output_format(name, is_part, has_lib3mf ? ".3mf" : "");
+}
+
+inline void write_mesh(std::ostream& out, const std::string& extension,
+                       const mesh_file::Segmented_mesh& mesh, const std::string& materials = "")
+{
+  if (is_3mf(extension))
+    write_3mf(out, mesh);
+  else
+    mesh_file::write_mesh_file(out, extension, mesh, materials);
+}
+
 // In the format that the name tells. OBJ has its colors in a file beside it.
 inline void write_mesh(Output_files& files, const std::filesystem::path& name,
                        const mesh_file::Segmented_mesh& mesh)
 {
   const std::string extension = mesh_file::output_extension(name);
   const std::filesystem::path materials = mesh_file::name_of_materials(name);
-  files.write(name, [&](std::ostream& out) {
-    mesh_file::write_mesh_file(out, extension, mesh, materials.filename().string());
-  });
+  files.write(name, [&](std::ostream& out)
+              { write_mesh(out, extension, mesh, materials.filename().string()); });
   if (extension == ".obj")
     files.write(materials, [&](std::ostream& out) { mesh_file::write_mtl(out, mesh); });
 }
@@ -68,7 +88,7 @@ inline void write_segments(Output_files& files, const std::filesystem::path& dir
     const std::vector<Index> segment(part.number_of_polygons(), static_cast<Index>(s));
     const mesh_file::Segmented_mesh written{part, segment, mesh.colors};
     files.write_segment(s, extension, [&](std::ostream& out)
-                        { mesh_file::write_mesh_file(out, extension, written); });
+                        { write_mesh(out, extension, written); });
   }
 }
 

@@ -26,6 +26,14 @@ namespace mesh_file {
 
 typedef std::array<std::uint8_t, 3> Rgb;
 
+// A node of the tree of parts: a segment, or a part that was cut into others.
+struct Part
+{
+  Index parent;  // which comes before it in a list of parts, or null_index
+  Index segment; // null_index for a part that was cut
+  Index number;  // of the part, for its name
+};
+
 // What is written: polygons that belong to segments.
 struct Segmented_mesh
 {
@@ -33,13 +41,23 @@ struct Segmented_mesh
   const std::vector<Index>& segment; // of each polygon
   const std::vector<Rgb>& colors;    // of each segment
   std::size_t first_cap = null_index; // polygons from here on are no faces of the input
+  std::vector<Part> parts = {};       // with each segment once; empty if there is no tree
 };
 
-// segment_000, segment_001 ... segment_1000
-inline std::string segment_name(std::size_t segment)
+// 000, 001 ... 1000
+inline std::string three_digits(std::size_t number)
 {
-  const std::string number = std::to_string(segment);
-  return "segment_" + std::string(3 - (std::min)(number.size(), std::size_t(3)), '0') + number;
+  const std::string digits = std::to_string(number);
+  return std::string(3 - (std::min)(digits.size(), std::size_t(3)), '0') + digits;
+}
+
+// segment_000, segment_001 ... segment_1000
+inline std::string segment_name(std::size_t segment) { return "segment_" + three_digits(segment); }
+
+inline std::string part_name(const Part& part)
+{
+  return part.segment == null_index ? "part_" + three_digits(part.number)
+                                    : segment_name(part.segment);
 }
 
 // Those that have polygons, in ascending order.
@@ -51,6 +69,35 @@ inline std::vector<Index> present_segments(const Segmented_mesh& mesh)
       result.push_back(s);
   std::sort(result.begin(), result.end());
   result.erase(std::unique(result.begin(), result.end()), result.end());
+  return result;
+}
+
+// The tree of the segments that have polygons. They are all on the top if the mesh has no tree.
+inline std::vector<Part> present_parts(const Segmented_mesh& mesh)
+{
+  std::vector<Part> result;
+  const std::vector<Index> segments = present_segments(mesh);
+  if (mesh.parts.empty()) {
+    for (Index s : segments)
+      result.push_back({null_index, s, s});
+    return result;
+  }
+  std::vector<char> is_present(mesh.parts.size(), 0);
+  for (std::size_t i = mesh.parts.size(); i-- > 0;) {
+    const Part& p = mesh.parts[i];
+    if (std::binary_search(segments.begin(), segments.end(), p.segment))
+      is_present[i] = 1;
+    if (is_present[i] && p.parent != null_index)
+      is_present[p.parent] = 1;
+  }
+  std::vector<Index> place(mesh.parts.size());
+  for (std::size_t i = 0; i < mesh.parts.size(); ++i)
+    if (is_present[i]) {
+      place[i] = static_cast<Index>(result.size());
+      result.push_back(mesh.parts[i]);
+      if (result.back().parent != null_index)
+        result.back().parent = place[result.back().parent];
+    }
   return result;
 }
 

@@ -36,9 +36,9 @@ inline void check_size_of_glb(std::uint64_t size)
     throw std::runtime_error("the mesh is too large for GLB, which has 4 GB at most");
 }
 
-// Writes the binary form of glTF 2.0: a root node, and below it for each segment that has polygons
-// a node with a mesh and a material. There are no normals, for which programs have to shade each
-// triangle by itself.
+// Writes the binary form of glTF 2.0: a root node, and below it the tree of parts. Each segment that
+// has polygons is a node with a mesh and a material. There are no normals, for which programs have
+// to shade each triangle by itself.
 //
 // The description, which comes first, needs the sizes: so the segments are taken out twice.
 class Glb_writer
@@ -97,29 +97,38 @@ class Glb_writer
            {"doubleSided", true}});
   }
 
-  // A segment without triangles has a node, but no mesh, as that may not be empty.
-  void add_segment(Index segment)
+  // A segment without triangles has no mesh, as that may not be empty.
+  void add_mesh(Index segment, Json& node)
   {
     const Polygon_soup soup = extract_(segment);
     const std::vector<Triangle> triangles = triangles_of(soup);
-    Json node{{"name", segment_name(segment)}};
-    if (!triangles.empty()) {
-      Json& meshes = json_["meshes"];
-      node["mesh"] = meshes.size();
-      const std::size_t points = add_points(soup.points);
-      const std::size_t corners =
-        add_accessor(3 * triangles.size(), 1, UNSIGNED_INT, ELEMENT_ARRAY_BUFFER);
-      Json primitive{{"attributes", {{"POSITION", points}}}, {"indices", corners},
-                     {"material", meshes.size()}};
-      add_material(segment);
-      json_["meshes"].push_back(
-        Json{{"name", segment_name(segment)}, {"primitives", Json::array({primitive})}});
-    }
-    json_["nodes"][0]["children"].push_back(json_["nodes"].size());
-    json_["nodes"].push_back(node);
+    if (triangles.empty())
+      return;
+    Json& meshes = json_["meshes"];
+    node["mesh"] = meshes.size();
+    const std::size_t points = add_points(soup.points);
+    const std::size_t corners =
+      add_accessor(3 * triangles.size(), 1, UNSIGNED_INT, ELEMENT_ARRAY_BUFFER);
+    Json primitive{{"attributes", {{"POSITION", points}}}, {"indices", corners},
+                   {"material", meshes.size()}};
+    add_material(segment);
+    meshes.push_back(
+      Json{{"name", segment_name(segment)}, {"primitives", Json::array({primitive})}});
   }
 
-  void put_segment(Index segment)
+  // The i-th part is the node i + 1.
+  void add_part(const Part& part)
+  {
+    Json node{{"name", part_name(part)}};
+    if (part.segment != null_index)
+      add_mesh(part.segment, node);
+    Json& nodes = json_["nodes"];
+    const std::size_t parent = part.parent == null_index ? 0 : std::size_t(part.parent) + 1;
+    nodes[parent]["children"].push_back(nodes.size());
+    nodes.push_back(node);
+  }
+
+  void put_mesh(Index segment)
   {
     const Polygon_soup soup = extract_(segment);
     const std::vector<Triangle> triangles = triangles_of(soup);
@@ -144,13 +153,13 @@ public:
   void operator()()
   {
     using std::string_view_literals::operator""sv;
-    const std::vector<Index> segments = present_segments(mesh_);
+    const std::vector<Part> parts = present_parts(mesh_);
     json_ = {{"asset", {{"version", "2.0"}, {"generator", "segment_mesh"}}},
              {"scene", 0},
              {"scenes", Json::array({{{"nodes", {0}}}})},
              {"nodes", Json::array({{{"name", "segments"}}})}};
-    for (Index s : segments)
-      add_segment(s);
+    for (const Part& p : parts)
+      add_part(p);
     if (size_of_data_ > 0)
       json_["buffers"] = Json::array({{{"byteLength", size_of_data_}}});
     std::string description = json_.dump();
@@ -165,8 +174,9 @@ public:
     out_.text(description);
     if (size_of_data_ > 0)
       put_start_of_chunk(size_of_data_, "BIN\0"sv);
-    for (Index s : segments)
-      put_segment(s);
+    for (const Part& p : parts)
+      if (p.segment != null_index)
+        put_mesh(p.segment);
     out_.flush();
   }
 };

@@ -12,10 +12,13 @@
 #include "write_ply.h"
 #include "write_stl.h"
 
+#include <algorithm>
+#include <cstddef>
 #include <filesystem>
 #include <ostream>
 #include <stdexcept>
 #include <string>
+#include <vector>
 
 namespace mesh_file {
 
@@ -23,17 +26,22 @@ namespace mesh_file {
 inline std::string output_extension(const std::filesystem::path& name)
 { return lower_case(name.extension().string()); }
 
-// STL has no segments, so it serves for parts only, which are meshes of one segment.
-inline void check_output_format(const std::filesystem::path& name, bool is_part)
+// STL has no segments, so it serves for parts only, which are meshes of one segment. `further` is an
+// extension that the caller writes by other means, or empty.
+inline void check_output_format(const std::filesystem::path& name, bool is_part,
+                                const std::string& further = "")
 {
-  const std::string extension = output_extension(name);
-  for (const char* known : {".ply", ".obj", ".off", ".glb"})
-    if (extension == known)
-      return;
-  if (is_part && extension == ".stl")
+  std::vector<std::string> known = {".ply", ".obj", ".off", ".glb"};
+  if (is_part)
+    known.push_back(".stl");
+  if (!further.empty())
+    known.push_back(further);
+  if (std::find(known.begin(), known.end(), output_extension(name)) != known.end())
     return;
-  throw std::runtime_error("cannot write " + name.string() + ": the name must end in .ply, .obj, " +
-                           (is_part ? ".off, .glb or .stl" : ".off or .glb"));
+  std::string list = known[0];
+  for (std::size_t i = 1; i < known.size(); ++i)
+    list += (i + 1 < known.size() ? ", " : " or ") + known[i];
+  throw std::runtime_error("cannot write " + name.string() + ": the name must end in " + list);
 }
 
 // The file for `write_mtl()` that goes with a file of OBJ.
