@@ -17,6 +17,8 @@ import subprocess
 import sys
 import tempfile
 import unittest
+import xml.etree.ElementTree
+import zipfile
 
 TOOL = None
 MESHES = None
@@ -83,6 +85,42 @@ def read_ply(path):
                [f["vertex_indices"] for f in faces],
                [f["segment"] for f in faces if "segment" in f],
                [color(f) for f in faces if "red" in f])
+
+
+def read_glb_nodes(path):
+    """The nodes of a binary glTF."""
+    content = path.read_bytes()
+    (size,) = struct.unpack_from("<I", content, 12)
+    return json.loads(content[20:20 + size])["nodes"]
+
+
+Object_3mf = collections.namedtuple("Object_3mf", "name type color points triangles components")
+
+
+def read_3mf(path):
+    """The objects of a 3MF by their ids, and the ids of those that are built."""
+    core = "{http://schemas.microsoft.com/3dmanufacturing/core/2015/02}"
+    with zipfile.ZipFile(path) as file:
+        assert file.testzip() is None
+        model = xml.etree.ElementTree.fromstring(file.read("3D/3dmodel.model"))
+    assert model.get("unit") == "millimeter"
+    materials = {group.get("id"): [(base.get("name"), base.get("displaycolor")) for base in group]
+                 for group in model.iter(core + "basematerials")}
+    objects = {}
+    for element in model.iter(core + "object"):
+        name, color = element.get("name"), None
+        if element.get("pid"):
+            material, color = materials[element.get("pid")][int(element.get("pindex"))]
+            assert material == name and color.endswith("FF")
+            color = tuple(bytes.fromhex(color[1:7]))
+        components = [c.get("objectid") for c in element.iter(core + "component")]
+        assert all(c in objects for c in components) # they come before
+        objects[element.get("id")] = Object_3mf(
+            name, element.get("type"), color,
+            [tuple(float(v.get(axis)) for axis in "xyz") for v in element.iter(core + "vertex")],
+            [tuple(int(t.get(v)) for v in ("v1", "v2", "v3"))
+             for t in element.iter(core + "triangle")], components)
+    return objects, [item.get("objectid") for item in model.iter(core + "item")]
 
 
 def area(points, face):
@@ -331,6 +369,123 @@ class Real_meshes(Tool_test):
         self.assertIs(report["parameters"]["refine_boundaries"], True)
         self.assertEqual(report["faces"], faces)
 
+    def assert_tree_of_cuts(self, nodes, children, root):
+        """The nodes, by a name, are the nodes of the report's tree that the labels come from."""
+        tree = self.report()["tree"]
+        sizes = collections.Counter("segment_%03d" % label for label in self.labels())
+        seen = []
+
+        def number_of_faces(name):
+            seen.append(name)
+            if name in sizes:
+                self.assertEqual(children[name], [])
+                return sizes[name]
+            node = tree[int(name[5:])]
+            numbers = [number_of_faces(child) for child in children[name]]
+            self.assertEqual(numbers, [tree[i]["faces"] for i in node["children"]])
+            for child in children[name]:
+                if child.startswith("part_"):
+                    self.assertIn(int(child[5:]), node["children"])
+            return sum(numbers)
+
+        self.assertEqual(number_of_faces(root), len(self.labels()))
+        self.assertEqual(sorted(seen), sorted(nodes))
+        self.assertEqual(len([name for name in seen if name.startswith("segment_")]), len(sizes))
+
+    def test_nodes_are_the_cuts(self):
+        for options in ((), ("--method", "paper"), ("--segments", 25), ("--close",),
+                        ("--refine-boundaries",)):
+            self.segment(MESHES / "elephant.off",
+                         *(o for o in options if o not in ("--close", "--refine-boundaries")))
+            done = self.run_tool(MESHES / "elephant.off", "-o", "out.glb", *options)
+            self.assertEqual((done.returncode, done.stderr), (0, ""))
+            nodes = read_glb_nodes(self.directory / "out.glb")
+            names = [n["name"] for n in nodes]
+            children = {n["name"]: [names[i] for i in n.get("children", [])] for n in nodes}
+            self.assertEqual(names[0], "segments")
+            self.assertEqual(children["segments"], ["part_000"])
+            self.assert_tree_of_cuts(names[1:], children, "part_000")
+            self.assertEqual([n["mesh"] for n in nodes if n["name"].startswith("segment_")],
+                             list(range(len(set(self.labels())))))
+
+    def test_nodes_of_components_and_smooth_boundaries(self):
+        for mesh, options, top in (("blobby_3cc.off", ("--components-apart",), 3),
+                                   ("elephant.off", ("--boundary-smoothing",), 1)):
+            labels = self.segment(MESHES / mesh, *options)
+            done = self.run_tool(MESHES / mesh, "-o", "out.glb", *options)
+            self.assertEqual((done.returncode, done.stderr), (0, ""))
+            nodes = read_glb_nodes(self.directory / "out.glb")
+            self.assertEqual(len(nodes[0]["children"]), top)
+            self.assertEqual(sorted(n["name"] for n in nodes if "mesh" in n),
+                             ["segment_%03d" % i for i in range(max(labels) + 1)])
+
+    def write_3mf(self, mesh, *options):
+        done = self.run_tool(mesh, "-o", "out.3mf", *options)
+        if "lib3mf" in done.stderr:
+            self.assertEqual(done.returncode, 1)
+            self.assertEqual(done.stderr.count("\n"), 1)
+            self.assertFalse((self.directory / "out.3mf").exists())
+            self.skipTest("the tool was built without lib3mf")
+        self.assertEqual((done.returncode, done.stderr), (0, ""))
+        return read_3mf(self.directory / "out.3mf")
+
+    def test_3mf(self):
+        points, faces = read_off(MESHES / "elephant.off")
+        labels = self.segment(MESHES / "elephant.off")
+        colors = dict(zip(labels, self.ply().colors))
+        objects, built = self.write_3mf(MESHES / "elephant.off")
+        content = (self.directory / "out.3mf").read_bytes()
+        self.write_3mf(MESHES / "elephant.off")
+        self.assertEqual((self.directory / "out.3mf").read_bytes(), content)
+
+        by_name = {o.name: o for o in objects.values()}
+        self.assertEqual(len(by_name), len(objects))
+        self.assertEqual([objects[i].name for i in built], ["part_000"])
+        self.assert_tree_of_cuts(
+            list(by_name), {o.name: [objects[i].name for i in o.components]
+                            for o in objects.values()}, "part_000")
+        for label in set(labels):
+            part = by_name["segment_%03d" % label]
+            self.assertEqual((part.type, part.color), ("surface", colors[label]))
+            corners = [[points[v] for v in f] for f, l in zip(faces, labels) if l == label]
+            self.assertEqual(len(part.triangles), len(corners))
+            self.assertEqual({v for t in part.triangles for v in t}, set(range(len(part.points))))
+            for triangle, face in zip(part.triangles, corners):
+                for v, p in zip(triangle, face):
+                    for x, y in zip(part.points[v], p):
+                        self.assertAlmostEqual(x, y, delta=2e-6)
+
+    def test_closed_3mf(self):
+        labels = self.segment(MESHES / "elephant.off")
+        objects, built = self.write_3mf(MESHES / "elephant.off", "--close")
+        parts = [o for o in objects.values() if o.triangles]
+        self.assertEqual(sorted(o.name for o in parts),
+                         ["segment_%03d" % i for i in range(max(labels) + 1)])
+        for part in parts:
+            self.assertEqual(part.type, "model")
+            edges = collections.Counter()
+            for a, b, c in part.triangles:
+                edges.update([(a, b), (b, c), (c, a)])
+            self.assertEqual(set(edges.values()), {1})
+            self.assertTrue(all((b, a) in edges for a, b in edges), part.name)
+            self.assertEqual({v for e in edges for v in e}, set(range(len(part.points))))
+
+    def test_3mf_of_parts(self):
+        self.segment(MESHES / "hand.off")
+        objects, _ = self.write_3mf(MESHES / "hand.off", "--split-dir", "parts", "--split-format",
+                                    "3mf")
+        for whole in objects.values():
+            if whole.triangles:
+                parts, built = read_3mf(self.directory / "parts" / (whole.name + ".3mf"))
+                self.assertEqual([parts[i] for i in built], [whole])
+                self.assertEqual(len(parts), 1)
+
+    def test_3mf_of_large_coordinates(self):
+        self.write_3mf(MESHES / "hand.off")
+        points, faces = read_off(MESHES / "hand.off")
+        self.write_off([tuple(1e12 * x for x in p) for p in points], faces)
+        self.assert_failure("in.off", "-o", "large.3mf", sentence="too large for the numbers of 3MF")
+
     def test_closed_parts_fill_the_mesh(self):
         def volume(points, faces):
             return sum(
@@ -509,6 +664,14 @@ class Formats(Tool_test):
                                 sentence="--close needs an output of separate segments")
         done = self.run_tool("in.off", "--close", "-o", "out.glb")
         self.assertEqual((done.returncode, done.stderr), (0, ""))
+
+    def test_3mf_needs_lib3mf(self):
+        done = self.run_tool("in.off", "-o", "out.3mf", "--split-dir", "parts", "--split-format",
+                             "3mf")
+        if done.returncode == 0:
+            self.skipTest("the tool was built with lib3mf")
+        for options in (("-o", "new.3mf"), ("--split-dir", "parts", "--split-format", "3mf")):
+            self.assert_failure("in.off", *options, sentence="lib3mf")
 
     def test_formats_of_parts(self):
         for form in ("ply", "obj", "off", "stl", "glb"):

@@ -421,6 +421,32 @@ BOOST_AUTO_TEST_CASE(glb_has_a_mesh_for_each_segment)
   BOOST_TEST(glb.six_volumes(1) == 2);
 }
 
+BOOST_AUTO_TEST_CASE(glb_has_the_tree_of_parts)
+{
+  // The segments 1 and 3 have no polygons, and so there is no part 4.
+  Cube cube;
+  const mesh_file::Index none = mesh_file::null_index;
+  cube.segment = {2, 0, 2, 2, 4, 2};
+  cube.colors.resize(5);
+  Segmented_mesh mesh = cube.mesh();
+  mesh.parts = {{none, none, 0}, {0, none, 2}, {1, 4, 5}, {1, 2, 6}, {0, none, 1}, {4, none, 4},
+                {5, 3, 8}, {5, 1, 9}, {4, 0, 3}};
+  const nlohmann::json nodes = Glb(written_as(".glb", mesh)).json["nodes"];
+  const auto node = [](const char* name, const std::vector<int>& children, int mesh_number = -1) {
+    nlohmann::json result{{"name", name}};
+    if (!children.empty())
+      result["children"] = children;
+    if (mesh_number >= 0)
+      result["mesh"] = mesh_number;
+    return result;
+  };
+  const nlohmann::json expected{node("segments", {1}), node("part_000", {2, 5}),
+                                node("part_002", {3, 4}), node("segment_004", {}, 0),
+                                node("segment_002", {}, 1), node("part_001", {6}),
+                                node("segment_000", {}, 2)};
+  BOOST_TEST(nodes == expected);
+}
+
 BOOST_AUTO_TEST_CASE(glb_has_linear_colors)
 {
   const Glb glb(written_as(".glb", Cube().mesh()));
@@ -483,6 +509,12 @@ BOOST_AUTO_TEST_CASE(names_tell_the_format)
                "cannot write " + name + ": the name must end in .ply, .obj, .off or .glb");
   BOOST_TEST(sentence("a.xyz", true) ==
              "cannot write a.xyz: the name must end in .ply, .obj, .off, .glb or .stl");
+  BOOST_CHECK_NO_THROW(check_output_format("a.xyz", true, ".xyz"));
+  BOOST_CHECK_EXCEPTION(check_output_format("a.stl", false, ".xyz"), std::runtime_error,
+                        [](const std::runtime_error& e) {
+                          return std::string(e.what()) == "cannot write a.stl: the name must end "
+                                                          "in .ply, .obj, .off, .glb or .xyz";
+                        });
   BOOST_TEST(mesh_file::output_extension("dir.stl/a.b.Off") == ".off");
   BOOST_TEST(mesh_file::name_of_materials("dir/a.b.obj").filename().string() == "a.b.mtl");
 }
