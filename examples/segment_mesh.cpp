@@ -168,8 +168,8 @@ void add_options(CLI::App& app, Options& o)
                "split faces of the written meshes along smooth boundaries; labels stay those of "
                "the faces of IN");
   app.add_flag("--close", o.close,
-               "close the segments of --split-dir, and of -o with .glb or .3mf, as for printing: with "
-               "caps that they share, and where the mesh has holes");
+               "close the segments of --split-dir, and of -o with .glb or .3mf, as for printing: "
+               "with caps that they share, and where the mesh has holes");
   app.add_flag("--quiet", o.quiet, "print neither progress nor summary");
   app.allow_windows_style_options(false); // a name may begin with a slash
   app.set_version_flag("--version", "segment_mesh " CGAL_SPECTRAL_SEGMENTATION_VERSION);

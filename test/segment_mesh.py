@@ -3,6 +3,7 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Tests the command line tool: segment_mesh.py TOOL MESHES, with the directory of CGAL's meshes."""
 
+import base64
 import collections
 import json
 import math
@@ -484,7 +485,8 @@ class Real_meshes(Tool_test):
         self.write_3mf(MESHES / "hand.off")
         points, faces = read_off(MESHES / "hand.off")
         self.write_off([tuple(1e12 * x for x in p) for p in points], faces)
-        self.assert_failure("in.off", "-o", "large.3mf", sentence="too large for the numbers of 3MF")
+        self.assert_failure("in.off", "-o", "large.3mf",
+                            sentence="too large for the numbers of 3MF")
 
     def test_closed_parts_fill_the_mesh(self):
         def volume(points, faces):
@@ -707,6 +709,192 @@ class Formats(Tool_test):
             self.assertIn("Assimp", done.stderr)
             self.skipTest("the tool was built without Assimp")
         self.assertEqual(len(self.labels()), len(self.faces))
+
+
+# A mesh at a node; the points are those before the node's translation along z.
+Node = collections.namedtuple("Node", "name mesh_name z points faces")
+
+
+def gltf(nodes, uri):
+    """A description of glTF for data at an address, or in a file of GLB; and the data."""
+    data, views, accessors = b"", [], []
+
+    def add(content, count, component_type, kind, **further):
+        nonlocal data
+        views.append({"buffer": 0, "byteOffset": len(data), "byteLength": len(content)})
+        accessors.append({"bufferView": len(accessors), "componentType": component_type,
+                          "count": count, "type": kind, **further})
+        data += content
+        return len(accessors) - 1
+
+    meshes = []
+    for node in nodes:
+        points = add(b"".join(struct.pack("<3f", *p) for p in node.points), len(node.points), 5126,
+                     "VEC3", min=[min(x) for x in zip(*node.points)],
+                     max=[max(x) for x in zip(*node.points)])
+        corners = add(b"".join(struct.pack("<3I", *f) for f in node.faces), 3 * len(node.faces),
+                      5125, "SCALAR")
+        meshes.append({"name": node.mesh_name, "primitives": [
+            {"attributes": {"POSITION": points}, "indices": corners}]})
+    buffer = {"byteLength": len(data)}
+    if uri:
+        buffer["uri"] = "data:application/octet-stream;base64," + base64.b64encode(data).decode()
+    return json.dumps({
+        "asset": {"version": "2.0"}, "scene": 0, "scenes": [{"nodes": list(range(len(nodes)))}],
+        "nodes": [{"name": n.name, "mesh": i, "translation": [0, 0, n.z]}
+                  for i, n in enumerate(nodes)],
+        "meshes": meshes, "accessors": accessors, "bufferViews": views,
+        "buffers": [buffer]}).encode(), data
+
+
+def glb(nodes):
+    text, data = gltf(nodes, False)
+    text += b" " * (-len(text) % 4)
+    return (struct.pack("<4sII", b"glTF", 2, 12 + 8 + len(text) + 8 + len(data)) +
+            struct.pack("<I4s", len(text), b"JSON") + text +
+            struct.pack("<I4s", len(data), b"BIN\0") + data)
+
+
+def numbers(rows):
+    return " ".join("%r" % x for row in rows for x in row)
+
+
+def collada(nodes):
+    geometries, instances = "", ""
+    for i, n in enumerate(nodes):
+        geometries += (
+            '<geometry id="%s"><mesh><source id="s%d"><float_array id="a%d" count="%d">%s'
+            '</float_array><technique_common><accessor source="#a%d" count="%d" stride="3"><param '
+            'name="X" type="float"/><param name="Y" type="float"/><param name="Z" type="float"/>'
+            '</accessor></technique_common></source><vertices id="v%d"><input semantic="POSITION" '
+            'source="#s%d"/></vertices><triangles count="%d"><input semantic="VERTEX" '
+            'source="#v%d" offset="0"/><p>%s</p></triangles></mesh></geometry>'
+            % (n.mesh_name, i, i, 3 * len(n.points), numbers(n.points), i, len(n.points), i, i,
+               len(n.faces), i, numbers(n.faces)))
+        instances += ('<node id="%s"><translate>0 0 %r</translate><instance_geometry url="#%s"/>'
+                      '</node>' % (n.name, n.z, n.mesh_name))
+    return ('<?xml version="1.0"?><COLLADA xmlns="http://www.collada.org/2005/11/COLLADASchema" '
+            'version="1.4.1"><asset><unit meter="1"/><up_axis>Y_UP</up_axis></asset>'
+            '<library_geometries>%s</library_geometries><library_visual_scenes><visual_scene '
+            'id="scene">%s</visual_scene></library_visual_scenes><scene><instance_visual_scene '
+            'url="#scene"/></scene></COLLADA>' % (geometries, instances)).encode()
+
+
+def ac3d(nodes):
+    lines = ["AC3Db", 'MATERIAL "m" rgb 1 1 1 amb 1 1 1 emis 0 0 0 spec 0 0 0 shi 0 trans 0',
+             "OBJECT world", "kids %d" % len(nodes)]
+    for n in nodes:
+        lines += ["OBJECT poly", 'name "%s"' % n.name, "loc 0 0 %r" % n.z,
+                  "numvert %d" % len(n.points)]
+        lines += ["%r %r %r" % tuple(p) for p in n.points]
+        lines.append("numsurf %d" % len(n.faces))
+        for f in n.faces:
+            lines += ["SURF 0x10", "mat 0", "refs 3"] + ["%d 0 0" % v for v in f]
+        lines.append("kids 0")
+    return ("\n".join(lines) + "\n").encode()
+
+
+def fbx(nodes):
+    objects, connections = "", ""
+    for i, n in enumerate(nodes):
+        ends = [(a, b, -c - 1) for a, b, c in n.faces]
+        objects += (
+            'Geometry: %d, "Geometry::%s", "Mesh" {\nVertices: *%d {\na: %s\n}\n'
+            'PolygonVertexIndex: *%d {\na: %s\n}\n}\nModel: %d, "Model::%s", "Mesh" {\n'
+            'Version: 232\nProperties70: {\nP: "Lcl Translation", "Lcl Translation", "", "A",0,0,%r'
+            '\n}\n}\n' % (10 + i, n.mesh_name, 3 * len(n.points),
+                         numbers(n.points).replace(" ", ","), 3 * len(ends),
+                         numbers(ends).replace(" ", ","), 20 + i, n.name, n.z))
+        connections += 'C: "OO",%d,%d\nC: "OO",%d,0\n' % (10 + i, 20 + i, 20 + i)
+    return ("; FBX 7.4.0 project file\nFBXHeaderExtension: {\nFBXHeaderVersion: 1003\n"
+            "FBXVersion: 7400\n}\nObjects: {\n%s}\nConnections: {\n%s}\n" %
+            (objects, connections)).encode()
+
+
+def autodesk_3ds(nodes):
+    """Of the points of the scene, as only key frames have translations. Its z axis is up, and Assimp
+    turns it to y."""
+    def chunk(number, *contents):
+        content = b"".join(contents)
+        return struct.pack("<HI", number, 6 + len(content)) + content
+
+    objects = []
+    for n in nodes:
+        points = [(x, -z - n.z, y) for x, y, z in n.points]
+        objects.append(chunk(
+            0x4000, n.name.encode() + b"\0", chunk(
+                0x4100,
+                chunk(0x4110, struct.pack("<H", len(points)),
+                      *(struct.pack("<3f", *p) for p in points)),
+                chunk(0x4120, struct.pack("<H", len(n.faces)),
+                      *(struct.pack("<4H", *f, 7) for f in n.faces)))))
+    return chunk(0x4d4d, chunk(2, struct.pack("<I", 3)), chunk(0x3d3d, *objects))
+
+
+WRITERS = {"gltf": lambda nodes: gltf(nodes, True)[0], "glb": glb, "dae": collada, "ac": ac3d,
+           "fbx": fbx, "3ds": autodesk_3ds}
+
+
+class Scenes(Tool_test):
+    """What Assimp reads."""
+
+    def setUp(self):
+        super().setUp()
+        points, faces = dumbbell()
+        points = [tuple(round(256 * x) / 256 for x in p) for p in points] # exact as float
+        middle = len(faces) // 2
+        self.nodes, self.points, self.faces = [], [], []
+        for name, z, part in (("left", 0., faces[:middle]), ("right", 8., faces[middle:])):
+            used = sorted({v for f in part for v in f})
+            number = {v: i for i, v in enumerate(used)}
+            own = [points[v] for v in used]
+            local = [tuple(number[v] for v in f) for f in part]
+            self.nodes.append(Node(name, name + "_ball", z,
+                                   [(x, y, c - z) for x, y, c in own], local))
+            self.faces += [tuple(v + len(self.points) for v in f) for f in local]
+            self.points += own
+
+    def write(self, extension, content):
+        name = "in." + extension
+        (self.directory / name).write_bytes(content)
+        if "Assimp at build time" in self.run_tool(name).stderr:
+            self.assert_failure(name, sentence=name)
+            self.skipTest("the tool was built without Assimp")
+        return name
+
+    def test_nodes_and_meshes(self):
+        expected = self.segment(self.write_off(self.points, self.faces), "--segments", 2)
+        self.assertEqual(set(expected), {0, 1})
+        for extension, writer in WRITERS.items():
+            with self.subTest(extension):
+                name = self.write(extension, writer(self.nodes))
+                self.assertEqual(self.segment(name, "--segments", 2), expected)
+                rows, report = read_ply_rows(self.directory / "out.ply")["face"], self.report()
+                names = [n.name for n in self.nodes for _ in n.faces]
+                meshes = [n.mesh_name for n in self.nodes for _ in n.faces]
+                self.assert_same_parts([row["node"] for row in rows], names)
+                self.assert_same_parts([row["mesh"] for row in rows], names)
+                if extension != "3ds": # whose names Assimp does not keep
+                    self.assertEqual([report["node_names"][row["node"]] for row in rows], names)
+                if extension not in ("3ds", "ac"): # AC3D has names of nodes only
+                    self.assertEqual([report["mesh_names"][row["mesh"]] for row in rows], meshes)
+                points = self.ply().points
+                for face, written in zip(self.faces, self.ply().faces):
+                    self.assertEqual([self.points[v] for v in face], [points[v] for v in written])
+
+    def test_damaged_files(self):
+        cases = {extension: [writer(self.nodes)[:-3000], b"", b"Dear Sir"]
+                 for extension, writer in WRITERS.items()}
+        text = gltf(self.nodes, True)[0]
+        cases["gltf"] += [text.replace(b'"mesh": 1', b'"mesh": 7'),
+                          text.replace(b"data:application/octet-stream;base64,", b"missing.bin?")]
+        cases["dae"].append(collada(self.nodes).replace(b"#a1", b"#nothing"))
+        for extension, contents in cases.items():
+            for i, content in enumerate(contents):
+                with self.subTest(extension, case=i):
+                    name = self.write(extension, content)
+                    self.assert_failure(name, "-o", "out.ply", "--labels", "out.seg",
+                                        sentence=name + " cannot be read: ")
 
 
 class Soups(Tool_test):

@@ -15,11 +15,14 @@
 
 namespace segment_mesh {
 
+using CGAL::Spectral_segmentation::Segmentation_hierarchy;
+using mesh_file::Index;
+
 // The label that most faces of a leaf have. Smoothing of boundaries moves faces between leaves.
-inline mesh_file::Index label_of_leaf(const CGAL::Spectral_segmentation::Segmentation_hierarchy& tree,
-                                      std::size_t leaf, const std::vector<mesh_file::Index>& labels)
+inline Index label_of_leaf(const Segmentation_hierarchy& tree, std::size_t leaf,
+                           const std::vector<Index>& labels)
 {
-  std::vector<mesh_file::Index> labels_of_faces;
+  std::vector<Index> labels_of_faces;
   for (std::size_t f : tree.faces(leaf))
     labels_of_faces.push_back(labels[f]);
   const auto middle =
@@ -28,13 +31,12 @@ inline mesh_file::Index label_of_leaf(const CGAL::Spectral_segmentation::Segment
   return *middle;
 }
 
-// The cuts between the labels of a run, each part before its own parts. A part has the number of its
-// node in the hierarchy. Empty if some segment is no node.
-inline std::vector<mesh_file::Part>
-part_tree(const CGAL::Spectral_segmentation::Segmentation_hierarchy& tree,
-          const std::vector<mesh_file::Index>& labels, std::size_t number_of_segments)
+// The cuts between the labels of a run, each part before its own parts. A part has the number of
+// its node in the hierarchy. Empty if some segment is no node.
+inline std::vector<mesh_file::Part> part_tree(const Segmentation_hierarchy& tree,
+                                              const std::vector<Index>& labels,
+                                              std::size_t number_of_segments)
 {
-  using mesh_file::Index;
   using mesh_file::null_index;
   std::vector<Index> segment(tree.number_of_nodes()); // of a node, null_index if it has many
   for (std::size_t i = tree.number_of_nodes(); i-- > 0;) { // parents come before their children

@@ -31,9 +31,9 @@ inline bool is_3mf(const std::string& extension) { return extension == ".3mf"; }
 
 constexpr bool has_lib3mf = true;
 
-// Writes 3MF: an object for each segment that has triangles, with a material, and for each part that
-// was cut an object whose components are its parts. The identifiers are hashes of what they stand
-// for, so that the same mesh gives the same file.
+// Writes 3MF: an object for each segment that has triangles, with a material, and for each part
+// that was cut an object whose components are its parts. The identifiers are hashes of what they
+// stand for, so that the same mesh gives the same file.
 class Lib3mf_writer
 {
   typedef mesh_file::Index Index;
@@ -217,7 +217,8 @@ public:
     if (root.instance) {
       const Instance item =
         made(NMR::lib3mf_model_addbuilditem, model_, root.instance.get(), nullptr);
-      call(NMR::lib3mf_builditem_setuuidutf8, item, identifier_of("item" + root.identifier).c_str());
+      call(NMR::lib3mf_builditem_setuuidutf8, item,
+           identifier_of("item" + root.identifier).c_str());
     }
     call(NMR::lib3mf_model_setbuilduuidutf8, model_,
          identifier_of("build" + root.identifier).c_str());

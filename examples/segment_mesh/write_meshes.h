@@ -46,8 +46,8 @@ segment_neighbors(const Input& input, const std::vector<Index>& segment_of_trian
   return neighbors;
 }
 
-// Throws `std::runtime_error` if a file of this name would be of no format, or of one that this build
-// does not write.
+// Throws `std::runtime_error` if a file of this name would be of no format, or of one that this
+// build does not write.
 inline void check_output_format(const std::filesystem::path& name, bool is_part)
 {
   if (!has_lib3mf && is_3mf(mesh_file::output_extension(name)))

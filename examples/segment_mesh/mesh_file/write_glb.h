@@ -36,9 +36,9 @@ inline void check_size_of_glb(std::uint64_t size)
     throw std::runtime_error("the mesh is too large for GLB, which has 4 GB at most");
 }
 
-// Writes the binary form of glTF 2.0: a root node, and below it the tree of parts. Each segment that
-// has polygons is a node with a mesh and a material. There are no normals, for which programs have
-// to shade each triangle by itself.
+// Writes the binary form of glTF 2.0: a root node, and below it the tree of parts. Each segment
+// that has polygons is a node with a mesh and a material. There are no normals, for which programs
+// have to shade each triangle by itself.
 //
 // The description, which comes first, needs the sizes: so the segments are taken out twice.
 class Glb_writer

@@ -26,8 +26,8 @@ namespace mesh_file {
 inline std::string output_extension(const std::filesystem::path& name)
 { return lower_case(name.extension().string()); }
 
-// STL has no segments, so it serves for parts only, which are meshes of one segment. `further` is an
-// extension that the caller writes by other means, or empty.
+// STL has no segments, so it serves for parts only, which are meshes of one segment. `further` is
+// an extension that the caller writes by other means, or empty.
 inline void check_output_format(const std::filesystem::path& name, bool is_part,
                                 const std::string& further = "")
 {
