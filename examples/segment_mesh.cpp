@@ -275,12 +275,16 @@ void write_meshes(const Options& o, const Input& input, const std::vector<Index>
   const std::vector<Index>& labels = o.refine_boundaries ? refined.second : label_of_polygon;
   const std::vector<mesh_file::Part> parts =
     part_tree(tree, label_of_triangle, number_of_segments);
-  const mesh_file::Segmented_mesh mesh{written.soup, labels, colors, mesh_file::null_index, parts};
+  // The number of a face of the refined mesh would tell nothing about the input.
+  const mesh_file::Segmented_mesh mesh{
+    written.soup, labels, colors, o.refine_boundaries ? 0 : std::size_t(mesh_file::null_index),
+    parts};
   std::pair<Polygon_soup, std::vector<Index> > closed;
   if (o.close)
     closed = closed_soup(written, labels);
-  const mesh_file::Segmented_mesh closed_mesh{closed.first, closed.second, colors,
-                                              written.soup.number_of_polygons(), parts};
+  const mesh_file::Segmented_mesh closed_mesh{
+    closed.first, closed.second, colors,
+    o.refine_boundaries ? 0 : written.soup.number_of_polygons(), parts};
   if (!o.mesh_file.empty())
     write_mesh(files, o.mesh_file, closes_mesh_file(o) ? closed_mesh : mesh);
   if (!o.split_directory.empty())

@@ -460,6 +460,95 @@ BOOST_AUTO_TEST_CASE(directories_of_other_use)
              boost::test_tools::per_element());
 }
 
+BOOST_AUTO_TEST_CASE(targets_that_change_during_a_run)
+{
+  const In_directory directory;
+  make("a", old_content);
+  make("c", old_content);
+  {
+    Output_files files;
+    for (const char* name : {"a", "b", "c"})
+      files.write(name, text("new"));
+    std::filesystem::create_directory("b");
+    BOOST_TEST(sentence_of([&] { files.commit(); }) == "cannot write b: it is not a file");
+  }
+  BOOST_TEST(names_in(".") == (Names{"a", "b", "c"}), boost::test_tools::per_element());
+  BOOST_TEST(names_in("b").empty());
+  BOOST_TEST(content("a") == old_content);
+  BOOST_TEST(content("c") == old_content);
+  write_segments("parts", 2);
+  {
+    Output_files files;
+    files.start_segments("parts");
+    files.write_segment(0, ".ply", text("newer"));
+    std::filesystem::remove("parts/segment_000.ply");
+    std::filesystem::create_directory("parts/segment_000.ply");
+    BOOST_CHECK_THROW(files.commit(), std::runtime_error);
+  }
+  BOOST_TEST(content("parts/segment_001.ply") == "new");
+}
+
+BOOST_AUTO_TEST_CASE(a_failure_tells_what_was_written)
+{
+  const In_directory directory;
+  {
+    Output_files files;
+    files.write("a", text("new"));
+    const Names temporary = names_in(".");
+    for (const char* name : {"b", "c"})
+      files.write(name, text("new"));
+    std::filesystem::remove(*temporary.begin());
+    BOOST_TEST(sentence_of([&] { files.commit(); }) == "cannot write a: No such file or directory; "
+                                                       "2 of 3 outputs were written before");
+  }
+  BOOST_TEST(names_in(".") == (Names{"b", "c"}), boost::test_tools::per_element());
+}
+
+// The temporary files of a run that is killed while it writes a segment.
+Names leave_temporary_files(const Path& split_directory)
+{
+  const pid_t child = start_child([&] {
+    Output_files files;
+    files.start_segments(split_directory);
+    for (int i = 0; i < 3; ++i)
+      files.write_segment(static_cast<std::size_t>(i), ".ply", [&](std::ostream& out) {
+        out << "half";
+        if (i == 2)
+          raise(SIGKILL);
+      });
+  });
+  const int status = status_of_child(child);
+  BOOST_TEST((WIFSIGNALED(status) && WTERMSIG(status) == SIGKILL));
+  Names result;
+  for (const std::string& name : names_in(split_directory))
+    if (segment_mesh::is_temporary_file(name))
+      result.insert(name);
+  return result;
+}
+
+BOOST_AUTO_TEST_CASE(segments_of_a_run_that_was_killed)
+{
+  const In_directory directory;
+  BOOST_TEST(leave_temporary_files("parts").size() == 3u);
+  BOOST_TEST(checked({}, "parts") == "");
+  write_segments("parts", 2);
+  const Names two{"segment_000.ply", "segment_001.ply", "segments.json"};
+  BOOST_TEST(names_in("parts") == two, boost::test_tools::per_element());
+  BOOST_TEST(leave_temporary_files("parts").size() == 3u);
+  write_segments("parts", 2);
+  BOOST_TEST(names_in("parts") == two, boost::test_tools::per_element());
+  for (const char* name :
+       {".segment_mesh_0123456789abcde.tmp", ".segment_mesh_0123456789abcdeg.tmp",
+        ".segment_mesh_0123456789abcdef.tmp2", ".0123456789abcdef.tmp",
+        "segment_mesh_0123456789abcdef.tmp"}) {
+    BOOST_TEST(!segment_mesh::is_temporary_file(name));
+    std::filesystem::create_directory("others");
+    make(Path("others") / name, old_content);
+    BOOST_TEST(checked({}, "others").find("is not of an earlier run") != std::string::npos);
+    std::filesystem::remove_all("others");
+  }
+}
+
 BOOST_AUTO_TEST_CASE(streams)
 {
   const In_directory directory;

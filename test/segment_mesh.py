@@ -366,6 +366,8 @@ class Real_meshes(Tool_test):
         parts = [read_ply(file) for file in sorted((self.directory / "refined").glob("*.ply"))]
         self.assertEqual([len(part.faces) for part in parts],
                          [refined.segments.count(i) for i in range(max(plain) + 1)])
+        for file in (self.directory / "refined").glob("*.ply"): # their numbers would be others
+            self.assertNotIn("face", read_ply_rows(file)["face"][0])
         report = json.loads((self.directory / "refined.json").read_text())
         self.assertIs(report["parameters"]["refine_boundaries"], True)
         self.assertEqual(report["faces"], faces)
@@ -812,8 +814,8 @@ def fbx(nodes):
 
 
 def autodesk_3ds(nodes):
-    """Of the points of the scene, as only key frames have translations. Its z axis is up, and Assimp
-    turns it to y."""
+    """Of the points of the scene, as only key frames have translations. Its z axis is up, and
+    Assimp turns it to y."""
     def chunk(number, *contents):
         content = b"".join(contents)
         return struct.pack("<HI", number, 6 + len(content)) + content

@@ -31,7 +31,7 @@ namespace segment_mesh {
 
 // The files that a run leaves. Each is written under a temporary name in the directory of its own;
 // all get their names in `commit()`, when they are complete. What was not committed is removed, by
-// a signal too. To be used by one thread.
+// a signal too; a run that is killed leaves its temporary files. To be used by one thread.
 class Output_files
 {
   struct File
@@ -68,13 +68,12 @@ class Output_files
     remove(files.new_directory_);
   }
 
-  // Short, so that a target may have the longest name that there is.
   static std::string temporary_name()
   {
     std::random_device random;
-    char name[32];
-    std::snprintf(name, sizeof name, ".%08x%08x.tmp", random(), random());
-    return name;
+    char digits[number_of_temporary_digits + 1];
+    std::snprintf(digits, sizeof digits, "%08x%08x", random(), random());
+    return temporary_start + digits + temporary_end;
   }
 
   // As far as it is permitted.
@@ -105,6 +104,22 @@ class Output_files
     out.close();
     if (!out)
       throw_cannot_write(name);
+  }
+
+  // A failure of the last step, which the checks before did not foresee.
+  [[noreturn]] void throw_cannot_rename(std::size_t number_of_outputs, const std::string& reason)
+  {
+    const std::size_t number_written = number_of_outputs - files_.size();
+    throw_cannot_write(files_.back().name, reason + (number_written == 0 ? "" :
+                         "; " + std::to_string(number_written) + " of " +
+                         std::to_string(number_of_outputs) + " outputs were written before"));
+  }
+
+  // Before an old file is touched.
+  void check_targets() const
+  {
+    for (const File& f : files_)
+      check_output_name(f.name);
   }
 
 public:
@@ -139,7 +154,8 @@ public:
       throw_cannot_write(name);
   }
 
-  // What an earlier run wrote to the directory is removed in `commit()`.
+  // What an earlier run wrote to the directory, or left there when it was killed, is removed in
+  // `commit()`. Two runs at a time must not write to one directory.
   void start_segments(const Path& directory)
   {
     split_directory_ = split_directory_of(directory);
@@ -173,15 +189,17 @@ public:
             [&](std::ostream& out) { out << segment_index(segment_files_); });
     for (const auto& stream : streams_)
       write_stream(stream.first, stream.second);
+    check_targets();
     const Signal_block block;
     for (const std::string& name : earlier_segment_files_)
       if (segment_files_.count(name) == 0)
         remove(split_directory_ / name);
+    const std::size_t number_of_outputs = files_.size();
     for (; !files_.empty(); files_.pop_back()) {
       std::error_code error;
       std::filesystem::rename(files_.back().temporary, files_.back().target, error);
       if (error)
-        throw_cannot_write(files_.back().name);
+        throw_cannot_rename(number_of_outputs, error.message());
     }
     new_directory_.clear();
   }

@@ -156,14 +156,29 @@ inline bool is_segment_file(const std::string& name)
          name.find_first_of("./\\", dot + 1) == std::string::npos;
 }
 
+// A name of its own while a file is written. Short, so that a target may have the longest name that
+// there is.
+const std::string temporary_start = ".segment_mesh_", temporary_end = ".tmp";
+constexpr std::size_t number_of_temporary_digits = 16;
+
+// Only a run that was killed leaves such files.
+inline bool is_temporary_file(const std::string& name)
+{
+  const std::size_t end = temporary_start.size() + number_of_temporary_digits;
+  return name.size() == end + temporary_end.size() &&
+         name.compare(0, temporary_start.size(), temporary_start) == 0 &&
+         name.find_first_not_of("0123456789abcdef", temporary_start.size()) == end &&
+         name.compare(end, temporary_end.size(), temporary_end) == 0;
+}
+
 inline std::string segment_index(const std::set<std::string>& files)
 {
   return nlohmann::ordered_json({{"writer", "segment_mesh"}, {"files", files}}).dump(1) + "\n";
 }
 
-// The files of segments that an earlier run wrote, none if the directory is not there yet. Throws
-// if the directory or one of these files cannot be written to, or the directory may be of another
-// use.
+// The files of segments that an earlier run wrote, and temporary files if it was killed; none if
+// the directory is not there yet. Throws if the directory or one of these files cannot be written
+// to, or the directory may be of another use.
 inline std::set<std::string> earlier_segment_files(const Path& directory)
 {
   const std::filesystem::file_status status = status_of(directory);
@@ -191,7 +206,9 @@ inline std::set<std::string> earlier_segment_files(const Path& directory)
   std::error_code error;
   for (const auto& entry : std::filesystem::directory_iterator(directory, error)) {
     const std::string name = entry.path().filename().string();
-    if (!has_index || (is_segment_file(name) && result.count(name) == 0))
+    if (is_temporary_file(name))
+      result.insert(name);
+    else if (!has_index || (is_segment_file(name) && result.count(name) == 0))
       throw_cannot_write(directory, "its file " + name + " is not of an earlier run; name a new "
                                       "or an empty directory");
   }

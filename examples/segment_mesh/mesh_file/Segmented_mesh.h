@@ -40,7 +40,7 @@ struct Segmented_mesh
   const Polygon_soup& soup;
   const std::vector<Index>& segment; // of each polygon
   const std::vector<Rgb>& colors;    // of each segment
-  std::size_t first_cap = null_index; // polygons from here on are no faces of the input
+  std::size_t first_new = null_index; // polygons from here on are no faces of the input
   std::vector<Part> parts = {};       // with each segment once; empty if there is no tree
 };
 
@@ -299,7 +299,8 @@ public:
 
   std::size_t number_of_segments() const { return mesh_.colors.size(); }
 
-  // Its polygons have the further property `face`: their numbers in the mesh, or -1 for caps.
+  // Its polygons have the further property `face`: their numbers in the input, or -1 for new ones;
+  // but not if all are new.
   Polygon_soup operator()(std::size_t segment)
   {
     const Polygon_soup& soup = mesh_.soup;
@@ -321,9 +322,11 @@ public:
     result.normals = taken(soup.normals, normals_.elements());
     append_taken(soup.point_properties, points_.elements(), result.point_properties);
     // Of two properties with one name the first is written.
-    result.polygon_properties.push_back({"face", Number_type::INT32, {}});
-    for (Index i : polygons)
-      result.polygon_properties[0].values.push_back(i < mesh_.first_cap ? double(i) : -1.);
+    if (mesh_.first_new > 0) {
+      result.polygon_properties.push_back({"face", Number_type::INT32, {}});
+      for (Index i : polygons)
+        result.polygon_properties[0].values.push_back(i < mesh_.first_new ? double(i) : -1.);
+    }
     append_taken(soup.polygon_properties, polygons, result.polygon_properties);
     for (Renumbering* r : {&points_, &textures_, &normals_})
       r->clear();
