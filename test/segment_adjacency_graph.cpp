@@ -261,11 +261,13 @@ BOOST_AUTO_TEST_CASE(segments_that_the_hierarchy_does_not_separate)
   BOOST_TEST_REQUIRE(num_edges(graph) == 1);
   // The segment 0 has faces of both spheres, and more of the second.
   BOOST_TEST(graph[*edges(graph).first].salience == std::numeric_limits<double>::infinity());
-  std::fill(ids.begin() + 80, ids.end(), 2);
+  std::fill(ids.begin() + 81, ids.end(), 2); // now one face of the second only
   const auto other =
     CGAL::segment_adjacency_graph(mesh, map_of(ids, mesh), params::hierarchy(roots));
-  BOOST_TEST_REQUIRE(num_edges(other) == 1);
-  BOOST_TEST(other[*edges(other).first].salience == 0.);
+  BOOST_TEST_REQUIRE(num_edges(other) == 2);
+  BOOST_TEST(other[edge(0, 1, other).first].salience == 0.);
+  BOOST_TEST(other[edge(0, 2, other).first].salience ==
+             std::numeric_limits<double>::infinity());
 }
 
 BOOST_AUTO_TEST_CASE(empty_mesh)
