@@ -2,15 +2,18 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 /// \file
-/// Command line tool: segments the mesh of a file. Exit status 0, or 1 with one sentence on
-/// standard error.
+/// Command line tool: segments the meshes of files. The exit status tells how a run ended; if it is
+/// not 0, there is one sentence on standard error.
 
+#include "segment_mesh/Batch.h"
+#include "segment_mesh/Failure.h"
 #include "segment_mesh/Output_files.h"
 #include "segment_mesh/Run_watch.h"
 #include "segment_mesh/closed_soup.h"
 #include "segment_mesh/is_terminal.h"
+#include "segment_mesh/option_texts.h"
 #include "segment_mesh/part_tree.h"
-#include "segment_mesh/peak_memory.h"
+#include "segment_mesh/process_memory.h"
 #include "segment_mesh/read_input.h"
 #include "segment_mesh/refined_input.h"
 #include "segment_mesh/report.h"
@@ -26,7 +29,12 @@
 #include <tbb/global_control.h>
 #endif
 
+#ifndef _WIN32
+#include <unistd.h>
+#endif
+
 #include <algorithm>
+#include <cmath>
 #include <cstddef>
 #include <cstdint>
 #include <cstdlib>
@@ -41,6 +49,7 @@
 #include <sstream>
 #include <stdexcept>
 #include <string>
+#include <thread>
 #include <utility>
 #include <vector>
 
@@ -67,19 +76,26 @@ std::string both_defaults(double Defaults::*number)
 
 struct Options
 {
-  std::string input, mesh_file, label_file, report_file, split_directory;
+  std::vector<std::string> inputs;
+  std::string list_file, output_directory; // of a batch
+  std::vector<std::string> output_formats = {"labels"};
+  std::optional<std::size_t> jobs;
+  std::string input, mesh_file, label_file, report_file, split_directory; // of one run
   std::string split_format = "ply";
   std::string method_name = "calibrated";
   std::optional<std::size_t> segments;
   std::optional<double> threshold, minimum_size;
   std::optional<std::uint64_t> seed;
   std::optional<std::size_t> threads;
+  double time_limit = std::numeric_limits<double>::infinity();   // in seconds
+  double memory_limit = std::numeric_limits<double>::infinity(); // in 10^6 bytes
   std::size_t smoothing_iterations = 0;
   bool boundary_smoothing = false;
   bool components_apart = false;
   bool refine_boundaries = false;
   bool close = false;
   bool quiet = false;
+  bool prints_man_page = false, prints_completion = false;
 
   bool is_of_paper() const { return method_name == "paper"; }
 
@@ -104,6 +120,8 @@ struct Options
   }
 };
 
+const std::vector<std::string> output_formats = {"labels", "ply", "obj", "off", "glb", "parts"};
+
 void add_options(CLI::App& app, Options& o)
 {
   const std::int64_t largest = (std::numeric_limits<std::uint32_t>::max)();
@@ -113,11 +131,23 @@ void add_options(CLI::App& app, Options& o)
   const auto add_file = [&](const char* name, std::string& file, const char* description) {
     return app.add_option(name, file, description)->type_name("FILE")->check(not_empty);
   };
-  add_file("IN", o.input, "mesh or polygon soup: .off, .obj, .ply, .stl"
+  app.add_option("IN", o.inputs, "mesh or polygon soup: .off, .obj, .ply, .stl"
 #ifdef SEGMENT_MESH_WITH_ASSIMP
-           ", .glb, .fbx and others that Assimp reads"
+                 ", .glb, .fbx and others that Assimp reads"
 #endif
-           "; - for standard input")->required();
+                 "; - for standard input; several with --out-dir")
+    ->type_name("FILE")->check(not_empty);
+  add_file("--out-dir", o.output_directory,
+           "directory for outputs of each IN under its path, such as DIR/IN.json, and a line for "
+           "each IN in DIR/table.jsonl; what has been done there already is not done again")
+    ->type_name("DIR");
+  add_file("--list", o.list_file, "file with names of further IN, one a line; - for standard input");
+  app.add_option("--outputs", o.output_formats,
+                 "what to write to --out-dir beside reports: meshes with colors by their format, "
+                 "'parts' as with --split-dir, and labels")
+    ->type_name("F")->delimiter(',')->check(CLI::IsMember(output_formats))->capture_default_str();
+  app.add_option("--jobs", o.jobs, "meshes of --out-dir that are segmented at a time [all cores]")
+    ->type_name("N")->check(CLI::Range(1, 1024));
   add_file("-o", o.mesh_file,
            "mesh with a color for each segment: .ply, which also has the property 'segment' of "
            "faces, .obj with groups and materials, .off, or with the tree of parts .glb"
@@ -132,7 +162,7 @@ void add_options(CLI::App& app, Options& o)
            "counts, seconds by stage summed over all parts, parameters, tree of cuts; - for "
            "standard output");
   add_file("--split-dir", o.split_directory,
-           "directory for one file a segment; what an earlier run wrote there is replaced");
+           "directory for one file a segment; what an earlier run wrote there is replaced")->type_name("DIR");
   app.add_option("--split-format", o.split_format, "format of these files")
     ->type_name("F")->check(CLI::IsMember({"ply", "obj", "off", "stl", "glb", "3mf"}))
     ->capture_default_str();
@@ -154,8 +184,13 @@ void add_options(CLI::App& app, Options& o)
                  "seed of random first reference faces; without it they are not random")
     ->type_name("S")->check(CLI::Range(std::int64_t(0), largest));
   app.add_option("--threads", o.threads,
-                 "number of threads; the result does not depend on it [all]")
+                 "number of threads; the result does not depend on it [all; 1 with --out-dir]")
     ->type_name("N")->check(CLI::Range(1, 1024));
+  app.add_option("--time-limit", o.time_limit, "seconds after which a run fails [none]")
+    ->type_name("S")->check(CLI::PositiveNumber);
+  app.add_option("--memory-limit", o.memory_limit,
+                 "10^6 bytes of address space, with more of which a run fails [none]")
+    ->type_name("M")->check(CLI::PositiveNumber);
   app.add_option("--smooth", o.smoothing_iterations,
                  "steps of Laplacian smoothing before distances are computed [0]")
     ->type_name("N")->check(CLI::Range(std::int64_t(0), largest));
@@ -173,6 +208,12 @@ void add_options(CLI::App& app, Options& o)
   app.add_flag("--quiet", o.quiet, "print neither progress nor summary");
   app.allow_windows_style_options(false); // a name may begin with a slash
   app.set_version_flag("--version", "segment_mesh " CGAL_SPECTRAL_SEGMENTATION_VERSION);
+  app.add_flag("--print-man-page", o.prints_man_page)->group("");
+  app.add_flag("--print-bash-completion", o.prints_completion)->group("");
+  app.footer("The exit status is 0, or 1 for a bug, 2 for wrong usage, 3 for an input that cannot "
+             "be opened, 4 for one that has no mesh, 5 where memory is short, 6 after the time "
+             "limit, 7 for an output that cannot be written, and 8 if runs of --out-dir failed. "
+             "The reports of --json have it by name, as 'status'.");
 }
 
 // Only files in which each segment is an object of its own have caps.
@@ -182,13 +223,33 @@ bool closes_mesh_file(const Options& o)
   return o.close && (extension == ".glb" || is_3mf(extension));
 }
 
-// Finds what can be found before a long run.
-void check_options(const Options& o)
+// Finds what can be found before any run.
+void check_usage(const Options& o)
 {
 #ifndef CGAL_LINKED_WITH_TBB
   if (o.threads && *o.threads > 1)
-    throw std::runtime_error("this build has no threads, as it is without TBB");
+    throw Failure(Status::USAGE, "this build has no threads, as it is without TBB");
 #endif
+  if (o.threshold && std::isnan(*o.threshold))
+    throw Failure(Status::USAGE, "--salience-threshold is not a number");
+  if (o.threshold && !o.is_of_paper() && !(*o.threshold >= 0 && *o.threshold <= 1))
+    throw Failure(Status::USAGE, "--salience-threshold is a probability, from 0 to 1, with the "
+                                 "method 'calibrated'");
+  if (o.output_directory.empty()) {
+    if (o.inputs.empty() && o.list_file.empty())
+      throw Failure(Status::USAGE, "name the file of a mesh; --help tells more");
+    if (o.inputs.size() > 1 || !o.list_file.empty())
+      throw Failure(Status::USAGE, "several meshes need --out-dir");
+    return;
+  }
+  if (!o.mesh_file.empty() || !o.label_file.empty() || !o.report_file.empty() ||
+      !o.split_directory.empty())
+    throw Failure(Status::USAGE, "with --out-dir, --outputs names what is written");
+}
+
+// Finds what can be found before a long run.
+void check_files(const Options& o)
+{
   std::vector<std::filesystem::path> outputs = {o.mesh_file, o.label_file, o.report_file};
   if (!o.mesh_file.empty())
     check_output_format(o.mesh_file, false);
@@ -197,8 +258,8 @@ void check_options(const Options& o)
   if (mesh_file::output_extension(o.mesh_file) == ".obj")
     outputs.push_back(mesh_file::name_of_materials(o.mesh_file));
   if (o.close && !closes_mesh_file(o) && o.split_directory.empty())
-    throw std::runtime_error("--close needs an output of separate segments: --split-dir, or -o "
-                             "with .glb or .3mf");
+    throw Failure(Status::USAGE, "--close needs an output of separate segments: --split-dir, or -o "
+                                 "with .glb or .3mf");
   check_outputs({o.input}, outputs, o.split_directory);
 }
 
@@ -225,7 +286,13 @@ std::size_t segment(const Input& input, std::vector<Index>& labels, const Option
     return o.seed ? segment_with_number(others.random_seed(*o.seed))
                   : segment_with_number(others);
   };
-  return o.is_of_paper() ? segment_with_seed(np.zhang_liu_2005()) : segment_with_seed(np);
+  try {
+    return o.is_of_paper() ? segment_with_seed(np.zhang_liu_2005()) : segment_with_seed(np);
+  }
+  catch (const std::invalid_argument& e) { // "segment_spectral_recursive: what is wrong"
+    const std::string sentence = e.what();
+    throw Failure(Status::USAGE, sentence.substr(sentence.find(": ") + 2));
+  }
 }
 
 template <class T>
@@ -233,11 +300,34 @@ Json json_or_null(const std::optional<T>& value)
 { return value ? Json(*value) : Json(); }
 
 // A threshold without limit is null. Parameters without an option have the version's defaults.
-Json report(const Options& o, const Input& input, std::size_t number_of_segments,
-            const Segmentation_hierarchy& tree, const Run_watch& watch)
+Json parameters_report(const Options& o)
+{
+  return {{"method", o.method_name},
+          {"maximum_number_of_segments", json_or_null(o.segments)},
+          {"components_apart", o.components_apart || o.is_of_paper()},
+          {"salience_threshold", o.salience_threshold()},
+          {"minimum_segment_size", o.minimum_segment_size()},
+          {"random_seed", json_or_null(o.seed)},
+          {"number_of_smoothing_iterations", o.smoothing_iterations},
+          {"boundary_smoothing", o.boundary_smoothing},
+          {"refine_boundaries", o.refine_boundaries},
+          {"close", o.close}};
+}
+
+// How a run ended; all of its report if it failed.
+Json status_report(const Options& o, Status status, const std::string& message)
 {
   return {{"version", CGAL_SPECTRAL_SEGMENTATION_VERSION},
           {"input", o.input},
+          {"status", name_of(status)},
+          {"message", message}};
+}
+
+Json report(const Options& o, const Input& input, std::size_t number_of_segments,
+            const Segmentation_hierarchy& tree, const Run_watch& watch)
+{
+  Json result = status_report(o, Status::OK, "");
+  result.update({
           {"input_faces", input.soup.number_of_polygons()},
           {"faces", input.triangles.size()},
           {"vertices", number_of_vertices(input)},
@@ -246,19 +336,10 @@ Json report(const Options& o, const Input& input, std::size_t number_of_segments
           {"segments", number_of_segments},
           {"seconds", seconds_report(watch)},
           {"peak_memory", peak_memory()},
-          {"parameters",
-           {{"method", o.method_name},
-            {"maximum_number_of_segments", json_or_null(o.segments)},
-            {"components_apart", o.components_apart || o.is_of_paper()},
-            {"salience_threshold", o.salience_threshold()},
-            {"minimum_segment_size", o.minimum_segment_size()},
-            {"random_seed", json_or_null(o.seed)},
-            {"threads", json_or_null(o.threads)},
-            {"number_of_smoothing_iterations", o.smoothing_iterations},
-            {"boundary_smoothing", o.boundary_smoothing},
-            {"refine_boundaries", o.refine_boundaries},
-            {"close", o.close}}},
-          {"tree", tree_report(tree, o.is_of_paper())}};
+          {"threads", json_or_null(o.threads)},
+          {"parameters", parameters_report(o)},
+          {"tree", tree_report(tree, o.is_of_paper())}});
+  return result;
 }
 
 // Of the input, or of its triangles with refined boundaries.
@@ -309,15 +390,16 @@ struct Expected_seconds
       writing((writes_meshes ? 3e-7 : 5e-8) * faces) {}
 };
 
-void run(const Options& o)
+// Returns a row of the table of a batch.
+Json run(const Options& o)
 {
-  check_options(o);
+  limit_memory(1e6 * o.memory_limit);
 #ifdef CGAL_LINKED_WITH_TBB
   std::optional<tbb::global_control> limit;
   if (o.threads)
     limit.emplace(tbb::global_control::max_allowed_parallelism, *o.threads);
 #endif
-  Run_watch watch(!o.quiet && standard_error_is_terminal());
+  Run_watch watch(!o.quiet && standard_error_is_terminal(), o.time_limit);
   const bool writes_meshes = !o.mesh_file.empty() || !o.split_directory.empty();
   const double bytes = size_of_file(o.input);
   const Expected_seconds first_guess(bytes, bytes / 20, writes_meshes);
@@ -329,7 +411,7 @@ void run(const Options& o)
   watch.start_phase("joining", expected.joining, expected.segmenting + expected.writing);
   Input input = triangulated(std::move(scene));
   if (input.triangles.empty())
-    throw std::runtime_error(o.input + " has no face with three different corners");
+    throw Failure(Status::MESH, o.input + " has no face with three different corners");
 
   watch.start_phase("segmentation", expected.segmenting, expected.writing);
   std::vector<Index> labels(input.triangles.size());
@@ -351,16 +433,117 @@ void run(const Options& o)
     });
   files.commit();
   watch.hide();
-  if (!o.quiet)
+  if (!o.quiet) {
     print_summary(o.writes_to_standard_output() ? std::cerr : std::cout, o, input,
                   number_of_segments, watch.seconds());
+    if (number_of_segments > o.maximum_number_of_segments())
+      std::cerr << "segment_mesh: warning: more than " << *o.segments
+                << " segments, as each connected component is one at least" << std::endl;
+  }
+  return {{"input", o.input},
+          {"status", name_of(Status::OK)},
+          {"message", ""},
+          {"faces", input.soup.number_of_polygons()},
+          {"segments", number_of_segments},
+          {"seconds", watch.seconds()},
+          {"peak_memory", peak_memory()}};
 }
 
-int fail(std::string sentence)
+// The report of a run that failed, if it has one, and its row in a table.
+Json report_failure(const Options& o, const Failure& failure)
 {
+  if (!o.report_file.empty())
+    try {
+      Output_files files;
+      files.write(o.report_file, [&](std::ostream& out) {
+        out << status_report(o, failure.status, failure.what())
+                 .dump(1, ' ', false, Json::error_handler_t::replace) << "\n";
+      });
+      files.commit();
+    }
+    catch (const std::exception&) { // the first failure is the one that counts
+    }
+  return {{"input", o.input},
+          {"status", name_of(failure.status)},
+          {"message", failure.what()},
+          {"faces", nullptr},
+          {"segments", nullptr},
+          {"seconds", nullptr},
+          {"peak_memory", nullptr}};
+}
+
+// Of one mesh of a batch, whose outputs have names that begin with a path.
+Options options_of_mesh(const Options& batch, const std::string& input, const Path& path)
+{
+  Options o = batch;
+  o.input = input;
+  o.quiet = true;
+  o.threads = batch.threads.value_or(1);
+  o.report_file = path.string() + ".json";
+  for (const std::string& format : batch.output_formats)
+    (format == "labels" ? o.label_file : format == "parts" ? o.split_directory : o.mesh_file) =
+      path.string() + '.' + format;
+  return o;
+}
+
+Json run_of_batch(const Options& o)
+{
+#ifndef _WIN32
+  if (std::isfinite(o.time_limit))
+    alarm(static_cast<unsigned>(o.time_limit) + 5); // for what does not look at the limit
+#endif
+  try {
+    check_files(o);
+    return run(o);
+  }
+  catch (...) {
+    return report_failure(o, current_failure(o.input));
+  }
+}
+
+Status run_batch(const Options& o)
+{
+  std::vector<std::string> inputs = o.inputs;
+  if (!o.list_file.empty())
+    for (std::string& name : read_list(o.list_file))
+      inputs.push_back(std::move(name));
+  const std::size_t cores = (std::max)(1u, std::thread::hardware_concurrency());
+  const Json parameters = {{"version", CGAL_SPECTRAL_SEGMENTATION_VERSION},
+                           {"parameters", parameters_report(o)},
+                           {"outputs", o.output_formats}};
+  Batch batch(o.output_directory, !o.quiet && standard_error_is_terminal());
+  const Batch::Counts counts = batch(
+    inputs, parameters, o.jobs.value_or((std::max)(cores / o.threads.value_or(1), std::size_t(1))),
+    [&](const std::string& input, const Path& path)
+    { return run_of_batch(options_of_mesh(o, input, path)); },
+    [&](const std::string& input, const Path& path, const Failure& failure)
+    { return report_failure(options_of_mesh(o, input, path), failure); });
+  if (!o.quiet)
+    std::cout << counts.done - counts.failed << " meshes segmented, " << counts.failed
+              << " failed, " << counts.kept << " done before; see "
+              << (Path(o.output_directory) / "table.jsonl").string() << std::endl;
+  return counts.failed > 0 ? Status::SOME_FAILED : Status::OK;
+}
+
+int fail(const Failure& failure)
+{
+  std::string sentence = failure.what();
   std::replace(sentence.begin(), sentence.end(), '\n', ' ');
   std::cerr << "segment_mesh: " << sentence << std::endl;
-  return EXIT_FAILURE;
+  return static_cast<int>(failure.status);
+}
+
+// What CLI11 has found, and for an option that is not there one that may have been meant.
+Failure failure_of_usage(const CLI::App& app, const CLI::ParseError& error)
+{
+  for (const std::string& word : app.remaining())
+    if (word.size() > 1 && word[0] == '-') {
+      const std::string similar = similar_option(app, word);
+      return Failure(Status::USAGE, "there is no option " + word +
+                                      (similar.empty() ? "; see --help"
+                                                       : "; is " + similar + " meant?"));
+    }
+  return Failure(Status::USAGE, error.what());
 }
 
 int main(int argc, char* argv[])
@@ -374,16 +557,32 @@ int main(int argc, char* argv[])
   try {
     add_options(app, options);
     app.parse(argc, argv);
-    run(options);
-    return EXIT_SUCCESS;
+    if (options.prints_man_page || options.prints_completion) {
+      std::cout << (options.prints_man_page ? man_page(app) : bash_completion(app));
+      return EXIT_SUCCESS;
+    }
+    check_usage(options);
+    if (!options.output_directory.empty())
+      return static_cast<int>(run_batch(options));
+    options.input = options.inputs.front();
+    check_files(options);
   }
   catch (const CLI::Success& e) {
     return app.exit(e);
   }
-  catch (const std::bad_alloc&) {
-    return fail("there is not enough memory for " + options.input);
+  catch (const CLI::ParseError& e) {
+    return fail(failure_of_usage(app, e));
   }
-  catch (const std::exception& e) {
-    return fail(e.what());
+  catch (...) {
+    return fail(current_failure(options.input));
+  }
+  try {
+    run(options);
+    return EXIT_SUCCESS;
+  }
+  catch (...) {
+    const Failure failure = current_failure(options.input);
+    report_failure(options, failure);
+    return fail(failure);
   }
 }

@@ -21,7 +21,6 @@
 #include <random>
 #include <set>
 #include <sstream>
-#include <stdexcept>
 #include <string>
 #include <system_error>
 #include <utility>
@@ -96,7 +95,7 @@ class Output_files
   {
     if (is_standard_output(name)) {
       if (!(std::cout << content << std::flush))
-        throw std::runtime_error("cannot write to standard output");
+        throw Failure(Status::OUTPUT, "cannot write to standard output");
       return;
     }
     std::ofstream out(name, std::ios::binary);
@@ -165,7 +164,7 @@ public:
     const Signal_block block;
     std::error_code error;
     if (!std::filesystem::create_directory(split_directory_, error))
-      throw std::runtime_error("cannot make the directory " + split_directory_.string());
+      throw_cannot_write(split_directory_, error.message());
     new_directory_ = split_directory_;
   }
 

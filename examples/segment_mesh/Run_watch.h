@@ -4,6 +4,8 @@
 #ifndef SEGMENT_MESH_RUN_WATCH_H
 #define SEGMENT_MESH_RUN_WATCH_H
 
+#include "Failure.h"
+
 #include <CGAL/Spectral_segmentation/Segmentation_visitor.h>
 
 #include <algorithm>
@@ -16,7 +18,8 @@
 namespace segment_mesh {
 
 // Takes the time of each phase of the program and of each stage of the segmentation, and shows a
-// line of progress on standard error once a run has lasted, or will last, for a second.
+// line of progress on standard error once a run has lasted, or will last, for a second. Ends a run
+// that lasts too long.
 class Run_watch : public CGAL::Spectral_segmentation::Segmentation_visitor
 {
 public:
@@ -37,6 +40,7 @@ private:
   double begin_ = 0, end_ = 0; // of the phase, as shares of the run
   double share_ = 0;           // of the run that is done
   const bool shows_progress_;
+  const double time_limit_; // in seconds
   std::size_t shown_length_ = 0;
   double last_shown_ = 0;
 
@@ -54,6 +58,12 @@ private:
     std::cerr << '\r' << line << std::flush;
   }
 
+  void check_time() const
+  {
+    if (seconds() > time_limit_)
+      throw Failure(Status::TIME, "the run takes longer than its time limit");
+  }
+
   void show_progress()
   {
     last_shown_ = seconds();
@@ -66,7 +76,8 @@ private:
   }
 
 public:
-  explicit Run_watch(bool shows_progress) : shows_progress_(shows_progress) {}
+  Run_watch(bool shows_progress, double time_limit)
+    : shows_progress_(shows_progress), time_limit_(time_limit) {}
 
   ~Run_watch() { hide(); }
 
@@ -100,6 +111,7 @@ public:
   void start_phase(const std::string& name, double seconds_expected, double seconds_after)
   {
     end_phase();
+    check_time();
     phase_ = shown_name_ = name;
     start_of_phase_ = Clock::now();
     begin_ = share_ = end_;
@@ -129,6 +141,7 @@ public:
 
   bool go_further()
   {
+    check_time();
     if (shows_progress_ && seconds() > 1 && seconds() > last_shown_ + 0.2)
       show_progress();
     return true;

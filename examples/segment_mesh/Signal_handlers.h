@@ -84,7 +84,7 @@ public:
     function_ = function;
     argument_ = argument;
     thread_ = pthread_self();
-    for (int number : {SIGHUP, SIGINT, SIGQUIT, SIGTERM, SIGXCPU})
+    for (int number : {SIGHUP, SIGINT, SIGQUIT, SIGTERM, SIGALRM, SIGXCPU})
       replace(number, handle);
     for (int number : {SIGPIPE, SIGXFSZ})
       replace(number, SIG_IGN);

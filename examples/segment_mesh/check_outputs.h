@@ -4,6 +4,8 @@
 #ifndef SEGMENT_MESH_CHECK_OUTPUTS_H
 #define SEGMENT_MESH_CHECK_OUTPUTS_H
 
+#include "Failure.h"
+
 #include <nlohmann/json.hpp>
 
 #ifndef _WIN32
@@ -15,7 +17,6 @@
 #include <filesystem>
 #include <fstream>
 #include <set>
-#include <stdexcept>
 #include <string>
 #include <system_error>
 #include <vector>
@@ -26,7 +27,8 @@ typedef std::filesystem::path Path;
 
 [[noreturn]] inline void throw_cannot_write(const Path& name, const std::string& reason = "")
 {
-  throw std::runtime_error("cannot write " + name.string() + (reason.empty() ? "" : ": ") + reason);
+  throw Failure(Status::OUTPUT,
+                "cannot write " + name.string() + (reason.empty() ? "" : ": ") + reason);
 }
 
 inline bool is_standard_output(const Path& name) { return name == "-" || name == "/dev/stdout"; }
@@ -103,7 +105,7 @@ inline void check_directory(const Path& name, const Path& directory)
                                directory.string());
 }
 
-// Throws `std::runtime_error` if no file of this name can be made or replaced.
+// Throws `Failure` if no file of this name can be made or replaced.
 inline void check_output_name(const Path& name)
 {
   if (is_standard_output(name))
@@ -230,13 +232,13 @@ inline void check_outputs(const std::vector<Path>& inputs, const std::vector<Pat
   const auto check_inputs = [&](const Path& name) {
     for (const Path& input : inputs)
       if (is_same_file(name, input == "-" ? "/dev/stdin" : input))
-        throw std::runtime_error(name.string() + " is the input");
+        throw Failure(Status::USAGE, name.string() + " is the input");
   };
   std::vector<Path> checked;
   const auto check_clash = [&](const Path& name) {
     for (const Path& other : checked)
       if (is_same_output(other, name))
-        throw std::runtime_error("two outputs have the name " + name.string());
+        throw Failure(Status::USAGE, "two outputs have the name " + name.string());
   };
   for (const Path& name : outputs) {
     if (name.empty())

@@ -325,20 +325,15 @@ inline bool assimp_reads(const std::string& extension)
 // mirrored mesh keeps its outside. Throws `std::runtime_error`, with a sentence.
 inline Scene read_by_assimp(const std::string& name, const Child_limits& limits)
 {
-  try {
-    Child_process child(limits, [&](Child_output output) { send_scene(name, output); });
-    return Scene_receiver(child)();
-  }
-  catch (const std::runtime_error& e) {
-    throw std::runtime_error(name + " cannot be read: " + e.what());
-  }
+  Child_process child(limits, [&](Child_output output) { send_scene(name, output); });
+  return Scene_receiver(child)();
 }
 
 inline Scene read_by_assimp(const std::string& name)
 {
   if (!assimp_reads(std::filesystem::path(name).extension().string()))
-    throw std::runtime_error(name + " is not read: the formats are OFF, OBJ, PLY, STL and those of "
-                             "Assimp, such as glTF, FBX and Collada");
+    throw std::runtime_error("the formats are OFF, OBJ, PLY, STL and those of Assimp, such as glTF, "
+                             "FBX and Collada");
   std::error_code error;
   const std::uintmax_t size = std::filesystem::file_size(name, error);
   return read_by_assimp(name, limits_of_assimp(error ? 0 : static_cast<double>(size)));
@@ -348,14 +343,14 @@ inline Scene read_by_assimp(const std::string& name)
 
 inline bool assimp_reads(const std::string&) { return false; }
 
-inline Scene read_by_assimp(const std::string& name)
+inline Scene read_by_assimp(const std::string&)
 {
 #ifdef SEGMENT_MESH_WITH_ASSIMP
-  throw std::runtime_error(name + " is not read on this system: the formats are OFF, OBJ, PLY and "
-                           "STL; glTF, FBX and more need a POSIX system");
+  throw std::runtime_error("the formats are OFF, OBJ, PLY and STL; glTF, FBX and more need a POSIX "
+                           "system");
 #else
-  throw std::runtime_error(name + " is not read by this build: the formats are OFF, OBJ, PLY and "
-                           "STL; glTF, FBX and more need Assimp at build time");
+  throw std::runtime_error("the formats are OFF, OBJ, PLY and STL; glTF, FBX and more need Assimp "
+                           "at build time");
 #endif
 }
 

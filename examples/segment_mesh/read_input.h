@@ -4,6 +4,7 @@
 #ifndef SEGMENT_MESH_READ_INPUT_H
 #define SEGMENT_MESH_READ_INPUT_H
 
+#include "Failure.h"
 #include "mesh_file/Polygon_soup.h"
 #include "mesh_file/Polygon_triangulation.h"
 #include "mesh_file/read_mesh_file.h"
@@ -57,15 +58,15 @@ inline double size_of_file(const std::string& name)
 inline void check_is_file(const std::string& name)
 {
   if (!std::filesystem::exists(name))
-    throw std::runtime_error("there is no file " + name);
+    throw Failure(Status::INPUT, "there is no file " + name);
   if (!std::filesystem::is_regular_file(name))
-    throw std::runtime_error(name + " is not a file");
+    throw Failure(Status::INPUT, name + " is not a file");
   if (!std::ifstream(name))
-    throw std::runtime_error(name + " cannot be opened");
+    throw Failure(Status::INPUT, name + " cannot be opened");
 }
 
-// Throws `std::runtime_error`, with a sentence, if the file has no mesh. Names of nodes and meshes
-// are those of formats that Assimp reads.
+// Throws `Failure` if the file has no mesh. Names of nodes and meshes are those of formats that
+// Assimp reads.
 inline Scene read_scene(const std::string& name, bool keeps_properties)
 {
   const bool is_stream = name == "-";
@@ -74,19 +75,21 @@ inline Scene read_scene(const std::string& name, bool keeps_properties)
   const mesh_file::Format format =
     mesh_file::format_of_extension(std::filesystem::path(name).extension().string());
   Scene scene;
-  if (format == mesh_file::Format::UNKNOWN && !is_stream)
-    scene = read_by_assimp(name);
-  else
-    try {
+  try {
+    if (format == mesh_file::Format::UNKNOWN && !is_stream) {
+      scene = read_by_assimp(name);
+    }
+    else {
       const std::string bytes = read_bytes(name);
       scene.soup = mesh_file::read_mesh_file(
         bytes, is_stream ? mesh_file::format_of_contents(bytes) : format, keeps_properties);
     }
-    catch (const std::runtime_error& e) {
-      throw std::runtime_error(name + " cannot be read: " + e.what());
-    }
+  }
+  catch (const std::runtime_error& e) {
+    throw Failure(Status::MESH, name + " cannot be read: " + e.what());
+  }
   if (scene.soup.number_of_polygons() == 0)
-    throw std::runtime_error(name + " has no faces");
+    throw Failure(Status::MESH, name + " has no faces");
   return scene;
 }
 

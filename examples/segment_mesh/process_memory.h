@@ -1,8 +1,8 @@
 // Copyright (c) 2026  The Spectral_segmentation authors.
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#ifndef SEGMENT_MESH_PEAK_MEMORY_H
-#define SEGMENT_MESH_PEAK_MEMORY_H
+#ifndef SEGMENT_MESH_PROCESS_MEMORY_H
+#define SEGMENT_MESH_PROCESS_MEMORY_H
 
 #include <cstddef>
 
@@ -29,6 +29,19 @@ inline std::size_t peak_memory()
 #endif
 }
 
+// More than this, in bytes of address space, is std::bad_alloc. Without effect where the system
+// has no such limit.
+inline void limit_memory([[maybe_unused]] double bytes)
+{
+#if defined(__unix__) || defined(__APPLE__)
+  rlimit limit;
+  if (getrlimit(RLIMIT_AS, &limit) != 0 || bytes >= static_cast<double>(limit.rlim_cur))
+    return;
+  limit.rlim_cur = static_cast<rlim_t>(bytes);
+  setrlimit(RLIMIT_AS, &limit);
+#endif
+}
+
 } // namespace segment_mesh
 
-#endif // SEGMENT_MESH_PEAK_MEMORY_H
+#endif // SEGMENT_MESH_PROCESS_MEMORY_H

@@ -1,0 +1,219 @@
+// Copyright (c) 2026  The Spectral_segmentation authors.
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef SEGMENT_MESH_BATCH_H
+#define SEGMENT_MESH_BATCH_H
+
+#include "Child_runs.h"
+#include "Failure.h"
+#include "Mesh_table.h"
+#include "Output_files.h"
+
+#ifndef _WIN32
+#include <fcntl.h>
+#include <signal.h>
+#include <sys/file.h>
+#include <unistd.h>
+#endif
+
+#include <chrono>
+#include <cstddef>
+#include <filesystem>
+#include <fstream>
+#include <functional>
+#include <iostream>
+#include <map>
+#include <string>
+#include <system_error>
+#include <utility>
+#include <vector>
+
+namespace segment_mesh {
+
+// Where in the directory of outputs those of an input are: under its path, without its root and
+// without the steps that lead out of the working directory.
+inline Path place_of(const std::string& input)
+{
+  Path result;
+  for (const Path& part : Path(input).lexically_normal().relative_path())
+    if (part != "..")
+      result /= part;
+  return result;
+}
+
+// Names, one a line.
+inline std::vector<std::string> read_list(const std::string& name)
+{
+  std::ifstream file;
+  if (name != "-") {
+    file.open(name);
+    if (!file)
+      throw Failure(Status::INPUT, "the list " + name + " cannot be opened");
+  }
+  std::vector<std::string> result;
+  for (std::string line; std::getline(name == "-" ? std::cin : file, line);) {
+    if (!line.empty() && line.back() == '\r')
+      line.pop_back();
+    if (!line.empty())
+      result.push_back(line);
+  }
+  return result;
+}
+
+// Runs for many inputs, whose outputs are in one directory. A mesh that fails does not stop the
+// others, and a later batch does what is missing:
+// - parameters.json: what the results depend on, which is the same in all batches of a directory;
+// - table.jsonl: how the run of each mesh ended;
+// - for each input, under its path, the outputs of its run, among them the report PATH.json.
+class Batch
+{
+public:
+  // Writes outputs, whose names begin with the path, and returns a row of the table. It throws
+  // nothing.
+  typedef std::function<Json(const std::string& input, const Path& path)> Run;
+
+  // The row, and the report, of a run that could not make them.
+  typedef std::function<Json(const std::string& input, const Path& path, const Failure&)> Report;
+
+private:
+  typedef std::chrono::steady_clock Clock;
+
+  const Path directory_;
+  const bool shows_progress_;
+  Clock::time_point start_ = Clock::now();
+  Clock::time_point last_shown_ = start_;
+  std::size_t done_ = 0, failed_ = 0, kept_ = 0;
+
+  void lock() const
+  {
+#ifndef _WIN32
+    const int file = open((directory_ / "parameters.json").c_str(), O_RDONLY | O_CLOEXEC);
+    if (file < 0 || flock(file, LOCK_EX | LOCK_NB) != 0) // until the program ends
+      throw Failure(Status::USAGE, "another batch runs in " + directory_.string());
+#endif
+  }
+
+  void check_parameters(const Json& parameters) const
+  {
+    const Path file = directory_ / "parameters.json";
+    std::ifstream in(file);
+    if (in) {
+      if (Json::parse(in, nullptr, false) != parameters)
+        throw Failure(Status::USAGE, "the results in " + directory_.string() +
+                                       " have other parameters: see " + file.string());
+      return;
+    }
+    Output_files files;
+    files.write(file, [&](std::ostream& out) { out << parameters.dump(1) << "\n"; });
+    files.commit();
+  }
+
+  Path path_of(const std::string& input) const { return directory_ / place_of(input); }
+
+  static void check_places(const std::vector<std::string>& inputs)
+  {
+    std::map<Path, std::string> input_at;
+    for (const std::string& input : inputs) {
+      const auto [other, is_new] = input_at.emplace(place_of(input), input);
+      if (!is_new)
+        throw Failure(Status::USAGE, "the inputs " + other->second + " and " + input +
+                                       " would have the same outputs");
+    }
+  }
+
+  static bool is_newer(const Path& a, const Path& b)
+  {
+    std::error_code error_a, error_b;
+    const auto time_a = std::filesystem::last_write_time(a, error_a);
+    const auto time_b = std::filesystem::last_write_time(b, error_b);
+    return !error_a && !error_b && time_a >= time_b;
+  }
+
+  bool is_done(const Mesh_table& table, const std::string& input) const
+  {
+    const Json* const row = table.row(input);
+    return row && row->value("status", "") == name_of(Status::OK) &&
+           is_newer(path_of(input) += ".json", input);
+  }
+
+  static Failure failure_of_signal(int signal)
+  {
+#ifndef _WIN32
+    if (signal == SIGALRM || signal == SIGXCPU)
+      return Failure(Status::TIME, "the run took longer than the time limit");
+    if (signal == SIGKILL) // as the system does where memory is short
+      return Failure(Status::MEMORY, "the run was killed, as where memory is short");
+#endif
+    return Failure(Status::BUG, "the run was ended by signal " + std::to_string(signal));
+  }
+
+  void show_progress(std::size_t total)
+  {
+    last_shown_ = Clock::now();
+    const double seconds = std::chrono::duration<double>(last_shown_ - start_).count();
+    std::cerr << '\r' << kept_ + done_ << " of " << total << " meshes, " << failed_ << " failed, "
+              << static_cast<long>(seconds) << " s";
+    if (done_ > 0)
+      std::cerr << ", "
+                << static_cast<long>(seconds * static_cast<double>(total - kept_ - done_) /
+                                       static_cast<double>(done_) + 1)
+                << " s to go ";
+    std::cerr << std::flush;
+  }
+
+public:
+  struct Counts
+  {
+    std::size_t done, failed, kept; // of an earlier batch
+  };
+
+  Batch(const std::string& directory, bool shows_progress)
+    : directory_(directory), shows_progress_(shows_progress) {}
+
+  // To be called once, before this process starts threads.
+  Counts operator()(const std::vector<std::string>& inputs, const Json& parameters,
+                    std::size_t number_of_jobs, const Run& run, const Report& report)
+  {
+    check_places(inputs);
+    std::error_code error;
+    std::filesystem::create_directories(directory_, error);
+    if (!std::filesystem::is_directory(directory_))
+      throw_cannot_write(directory_, error ? error.message() : "it is not a directory");
+    check_parameters(parameters);
+    lock();
+    Mesh_table table(directory_ / "table.jsonl");
+    Child_runs runs;
+    const auto end_run = [&] {
+      const Child_runs::Ended_run ended = runs.wait();
+      const std::string& input = inputs[ended.number];
+      const Json row = ended.result
+        ? *ended.result : report(input, path_of(input), failure_of_signal(ended.signal));
+      table.add(row);
+      ++done_;
+      failed_ += row.value("status", "") != name_of(Status::OK);
+      if (shows_progress_ && Clock::now() - last_shown_ > std::chrono::milliseconds(200))
+        show_progress(inputs.size());
+    };
+    for (std::size_t i = 0; i < inputs.size(); ++i) {
+      if (is_done(table, inputs[i])) {
+        ++kept_;
+        continue;
+      }
+      if (runs.size() == number_of_jobs)
+        end_run();
+      const Path path = path_of(inputs[i]);
+      std::filesystem::create_directories(path.parent_path(), error);
+      runs.start(i, [&, path] { return run(inputs[i], path); });
+    }
+    while (runs.size() > 0)
+      end_run();
+    table.write();
+    if (shows_progress_)
+      std::cerr << "\r\33[K" << std::flush;
+    return {done_, failed_, kept_};
+  }
+};
+
+} // namespace segment_mesh
+
+#endif // SEGMENT_MESH_BATCH_H
