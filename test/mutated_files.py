@@ -4,7 +4,7 @@
 """Runs the command line tool on damaged files: mutated_files.py TOOL MESHES [--count N] [--seed S].
 
 MESHES is the directory of CGAL's meshes. Each run has to end in time with exit code 0 and a label
-for each face, or with exit code 1 and a sentence of its own, and to take no more memory than a
+for each face, or with exit code 4 and a sentence of its own, and to take no more memory than a
 small multiple of the file. What fails is kept in --keep, if it is given.
 """
 
@@ -255,9 +255,9 @@ def run(tool, folder, number, case, number_of_faces):
     error = done.stderr.decode(errors="replace").replace(str(path), "FILE")
     if done.returncode == 0:
         wrong = check_labels(labels, number_of_faces) or (error and "an error with exit code 0")
-    elif done.returncode == 1:
+    elif done.returncode == 4:
         wrong = check_sentence(error) or (number_of_faces is not None and "a sound file is refused")
-        wrong = wrong or (labels.exists() and "labels with exit code 1")
+        wrong = wrong or (labels.exists() and "labels with exit code 4")
     else:
         wrong = "exit code %d" % done.returncode
     path.unlink()
@@ -295,7 +295,7 @@ def main():
                 (options.keep / ("%d.%s" % (i, name))).write_bytes(data)
     codes = [code for _, code in results]
     print("%d files, %d read, %d refused, %d failures" % (
-        len(results), codes.count(0), codes.count(1), failures))
+        len(results), codes.count(0), codes.count(4), failures))
     sys.exit(failures > 0)
 
 

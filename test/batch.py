@@ -1,0 +1,140 @@
+#!/usr/bin/env python3
+# Copyright (c) 2026  The Spectral_segmentation authors.
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Many meshes through the command line tool: batch.py TOOL [--count N].
+
+N small meshes, some of them damaged, are segmented in one batch, which is killed on the way and
+started again. Its table and labels have to be those of single runs.
+"""
+
+import argparse
+import collections
+import json
+import math
+import os
+import pathlib
+import random
+import signal
+import subprocess
+import sys
+import tempfile
+import time
+
+
+def blob(random_numbers):
+    """OFF: two balls with a neck between them, each time another."""
+    around, rings = 8, 11
+    thick = [0.3 + abs(math.cos(math.pi * (i + 0.5) / rings * random_numbers.uniform(1.5, 2.5)))
+             for i in range(rings)]
+    points = [(0, 0, -0.5)]
+    for z, radius in enumerate(thick):
+        points += [(radius * math.cos(2 * math.pi * i / around),
+                    radius * math.sin(2 * math.pi * i / around), z / 2) for i in range(around)]
+    points.append((0, 0, rings / 2))
+    faces = []
+    for i in range(around):
+        j = (i + 1) % around
+        faces.append((0, 1 + j, 1 + i))
+        for z in range(rings - 1):
+            a, b = 1 + z * around + i, 1 + z * around + j
+            faces += [(a, b, a + around), (b, b + around, a + around)]
+        top = 1 + (rings - 1) * around
+        faces.append((top + i, top + j, len(points) - 1))
+    return "OFF\n%d %d 0\n" % (len(points), len(faces)) + "".join(
+        ["%.17g %.17g %.17g\n" % p for p in points] + ["3 %d %d %d\n" % f for f in faces])
+
+
+def make_inputs(directory, count):
+    """The status that is expected of each input, by its name."""
+    random_numbers = random.Random(1)
+    expected = {}
+    for i in range(count):
+        name = "scans/%d/mesh %03d.off" % (i % 3, i)
+        path = directory / name
+        path.parent.mkdir(parents=True, exist_ok=True)
+        expected[name] = "ok"
+        if i % 10 == 3:
+            expected[name] = "mesh"
+            path.write_text(blob(random_numbers)[:random_numbers.randrange(2, 3000)])
+        elif i % 10 == 7:
+            expected[name] = "input"
+        else:
+            path.write_text(blob(random_numbers))
+    return expected
+
+
+def check(condition, message):
+    if not condition:
+        sys.exit("batch.py: " + message)
+
+
+def rows(directory):
+    """Of the table, without a line that is not whole."""
+    result = []
+    table = directory / "out/table.jsonl"
+    for line in table.read_text().splitlines() if table.exists() else []:
+        try:
+            result.append(json.loads(line))
+        except json.JSONDecodeError:
+            pass
+    return result
+
+
+def check_results(directory, expected):
+    table = rows(directory)
+    check(sorted(r["input"] for r in table) == sorted(expected), "not one row for each mesh")
+    for row in table:
+        check(row["status"] == expected[row["input"]], "%s has the status %s" %
+              (row["input"], row["status"]))
+    for name, status in expected.items():
+        report = json.loads((directory / "out" / (name + ".json")).read_text())
+        check(report["status"] == status, "the report of " + name)
+        labels = directory / "out" / (name + ".labels")
+        check(labels.exists() == (status == "ok"), "the labels of " + name)
+    check(not list(directory.rglob("*.tmp")), "temporary files are left")
+
+
+def check_labels(directory, tool, expected):
+    for name, status in expected.items():
+        if status == "ok":
+            single = subprocess.run([tool, name, "--labels", "-", "--quiet"], cwd=directory,
+                                    capture_output=True, check=True)
+            labels = (directory / "out" / (name + ".labels")).read_bytes()
+            check(single.stdout == labels, name + " has other labels")
+
+
+def main():
+    parser = argparse.ArgumentParser(description=__doc__)
+    parser.add_argument("tool", type=os.path.abspath)
+    parser.add_argument("--count", type=int, default=40)
+    options = parser.parse_args()
+    with tempfile.TemporaryDirectory() as name:
+        directory = pathlib.Path(name)
+        expected = make_inputs(directory, options.count)
+        count = collections.Counter(expected.values())
+        (directory / "list").write_text("\n".join(expected))
+        command = [options.tool, "--list", "list", "--out-dir", "out", "--jobs", "2"]
+
+        batch = subprocess.Popen(command, cwd=directory, stdout=subprocess.PIPE)
+        while len(rows(directory)) < options.count // 3:
+            time.sleep(0.01)
+        batch.send_signal(signal.SIGKILL)
+        batch.communicate()
+        done_before = sum(r["status"] == "ok" for r in rows(directory))
+        check(0 < done_before < count["ok"], "the first batch ended before it was killed")
+        time.sleep(1) # for its last meshes to end
+        check(not list(directory.rglob("*.tmp")), "temporary files are left by a batch killed")
+
+        for kept in (done_before, count["ok"]): # the second time there is nothing more to do
+            done = subprocess.run(command, cwd=directory, capture_output=True, text=True,
+                                  check=False)
+            check((done.returncode, done.stderr) == (8, ""), "the exit status: " + done.stderr)
+            check("%d meshes segmented, %d failed, %d done before" %
+                  (count["ok"] - kept, options.count - count["ok"], kept) in done.stdout,
+                  "the summary: " + done.stdout)
+            check_results(directory, expected)
+        check_labels(directory, options.tool, expected)
+
+
+if __name__ == "__main__":
+    main()
