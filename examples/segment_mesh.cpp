@@ -120,7 +120,8 @@ struct Options
   }
 };
 
-const std::vector<std::string> output_formats = {"labels", "ply", "obj", "off", "glb", "parts"};
+const std::vector<std::string> output_formats = {"labels", "ply", "obj", "off", "glb", "3mf",
+                                                 "parts"};
 
 void add_options(CLI::App& app, Options& o)
 {

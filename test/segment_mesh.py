@@ -153,6 +153,9 @@ def tube(radii, around=16):
     return points, faces
 
 
+STATUSES = ["ok", "bug", "usage", "input", "mesh", "memory", "time", "output", "some failed"]
+
+
 def dumbbell():
     """Two balls with a neck between them; the faces are those of one ball, then the other's."""
     ball = [math.sin(math.pi * (i + 0.5) / 9) * 5 for i in range(9)]
@@ -217,10 +220,10 @@ class Tool_test(unittest.TestCase):
         write_off(self.directory / name, points, faces)
         return name
 
-    def assert_failure(self, *arguments, sentence="", **how):
+    def assert_failure(self, status, *arguments, sentence="", **how):
         before = sorted(self.directory.rglob("*"))
         done = self.run_tool(*arguments, **how)
-        self.assertEqual(done.returncode, 1, arguments)
+        self.assertEqual(done.returncode, STATUSES.index(status), arguments)
         self.assertEqual(done.stdout, "")
         self.assertRegex(done.stderr, r"\Asegment_mesh: .+\n\Z")
         self.assertIn(sentence, done.stderr)
@@ -425,7 +428,7 @@ class Real_meshes(Tool_test):
     def write_3mf(self, mesh, *options):
         done = self.run_tool(mesh, "-o", "out.3mf", *options)
         if "lib3mf" in done.stderr:
-            self.assertEqual(done.returncode, 1)
+            self.assertEqual(done.returncode, STATUSES.index("usage"))
             self.assertEqual(done.stderr.count("\n"), 1)
             self.assertFalse((self.directory / "out.3mf").exists())
             self.skipTest("the tool was built without lib3mf")
@@ -487,7 +490,7 @@ class Real_meshes(Tool_test):
         self.write_3mf(MESHES / "hand.off")
         points, faces = read_off(MESHES / "hand.off")
         self.write_off([tuple(1e12 * x for x in p) for p in points], faces)
-        self.assert_failure("in.off", "-o", "large.3mf",
+        self.assert_failure("output", "in.off", "-o", "large.3mf",
                             sentence="too large for the numbers of 3MF")
 
     def test_closed_parts_fill_the_mesh(self):
@@ -664,7 +667,7 @@ class Formats(Tool_test):
 
     def test_closing_needs_separate_segments(self):
         for options in ((), ("-o", "out.ply")):
-            self.assert_failure("in.off", "--close", *options,
+            self.assert_failure("usage", "in.off", "--close", *options,
                                 sentence="--close needs an output of separate segments")
         done = self.run_tool("in.off", "--close", "-o", "out.glb")
         self.assertEqual((done.returncode, done.stderr), (0, ""))
@@ -675,7 +678,7 @@ class Formats(Tool_test):
         if done.returncode == 0:
             self.skipTest("the tool was built with lib3mf")
         for options in (("-o", "new.3mf"), ("--split-dir", "parts", "--split-format", "3mf")):
-            self.assert_failure("in.off", *options, sentence="lib3mf")
+            self.assert_failure("usage", "in.off", *options, sentence="lib3mf")
 
     def test_formats_of_parts(self):
         for form in ("ply", "obj", "off", "stl", "glb"):
@@ -707,7 +710,7 @@ class Formats(Tool_test):
     def test_other_formats_need_assimp(self):
         self.run_tool("in.off", "-o", "in.glb")
         done = self.run_tool("in.glb", "--labels", "out.seg")
-        if done.returncode == 1:
+        if done.returncode != 0:
             self.assertIn("Assimp", done.stderr)
             self.skipTest("the tool was built without Assimp")
         self.assertEqual(len(self.labels()), len(self.faces))
@@ -860,7 +863,7 @@ class Scenes(Tool_test):
         name = "in." + extension
         (self.directory / name).write_bytes(content)
         if "Assimp at build time" in self.run_tool(name).stderr:
-            self.assert_failure(name, sentence=name)
+            self.assert_failure("mesh", name, sentence=name)
             self.skipTest("the tool was built without Assimp")
         return name
 
@@ -895,7 +898,7 @@ class Scenes(Tool_test):
             for i, content in enumerate(contents):
                 with self.subTest(extension, case=i):
                     name = self.write(extension, content)
-                    self.assert_failure(name, "-o", "out.ply", "--labels", "out.seg",
+                    self.assert_failure("mesh", name, "-o", "out.ply", "--labels", "out.seg",
                                         sentence=name + " cannot be read: ")
 
 
@@ -1054,9 +1057,10 @@ class Failures(Tool_test):
         for name, text in cases.items():
             (self.directory / name).write_text(text)
             with self.subTest(name):
-                self.assert_failure(name, "-o", "out.ply", "--labels", "out.seg", sentence=name)
-        self.assert_failure("missing.off", sentence="there is no file missing.off")
-        self.assert_failure(".", sentence="is not a file")
+                self.assert_failure("mesh", name, "-o", "out.ply", "--labels", "out.seg",
+                                    sentence=name)
+        self.assert_failure("input", "missing.off", sentence="there is no file missing.off")
+        self.assert_failure("input", ".", sentence="is not a file")
 
     def test_coordinates_that_are_not_finite(self):
         points, faces = [(0, 0, 0), (1, 0, 0), (0, 1, 0), (1, 1, 0)], [(0, 1, 2), (2, 1, 3)]
@@ -1072,7 +1076,7 @@ class Failures(Tool_test):
                     ply.encode() + b"".join(struct.pack("<3d", *p) for p in spoiled) +
                     b"".join(struct.pack("<B3i", 3, *f) for f in faces))
                 for name in ("in.stl", "in.ply"):
-                    self.assert_failure(name, "-o", "out.ply", sentence="finite")
+                    self.assert_failure("mesh", name, "-o", "out.ply", sentence="finite")
 
     def test_wrong_usage(self):
         for arguments in ((), ("--unknown", self.mesh), (self.mesh, self.mesh),
@@ -1083,10 +1087,15 @@ class Failures(Tool_test):
                           (self.mesh, "--method", "best"),
                           (self.mesh, "--salience-threshold", "high"),
                           (self.mesh, "--seed", "-1"), (self.mesh, "--threads", "0"),
+                          (self.mesh, "--salience-threshold", "2"),
+                          (self.mesh, "--out-dir", "out", "--labels", "out.seg"),
+                          ("a/in.off", "../a/in.off", "--out-dir", "out"),
                           (self.mesh, "--smooth", "-1"), (self.mesh, "-o"),
                           (self.mesh, "-o", "", "--labels", "out.seg"),
                           (self.mesh, "-o", "out.stl"), (self.mesh, "-o", "out"), ("",)):
-            self.assert_failure(*arguments)
+            self.assert_failure("usage", *arguments)
+        self.assert_failure("usage", self.mesh, "--segment", "5", sentence="is --segments meant?")
+        self.assert_failure("usage", self.mesh, "--segments", "1000000", sentence="1 to 2390")
 
     def test_output_that_cannot_be_written(self):
         (self.directory / "directory.ply").mkdir()
@@ -1095,12 +1104,24 @@ class Failures(Tool_test):
                              ("--labels", "missing/out.seg"), ("--labels", "/dev/full"),
                              ("--json", "."), ("--json", "file/out.json"),
                              ("--split-dir", "file"), ("--split-dir", "missing/parts")):
-            self.assert_failure(self.mesh, option, name, sentence="cannot")
-        self.assert_failure(self.mesh, "--labels", "x", "--json", "./x", sentence="two outputs")
-        self.assert_failure(self.mesh, "--labels", "-", "--json", "-", sentence="two outputs")
+            self.assert_failure("output", self.mesh, option, name, sentence="cannot")
+        self.assert_failure("usage", self.mesh, "--labels", "x", "--json", "./x", sentence="two outputs")
+        self.assert_failure("usage", self.mesh, "--labels", "-", "--json", "-", sentence="two outputs")
         (self.directory / "in.off").write_bytes(self.mesh.read_bytes())
-        self.assert_failure("in.off", "--labels", "./in.off", sentence="is the input")
+        self.assert_failure("usage", "in.off", "--labels", "./in.off", sentence="is the input")
         self.assertEqual((self.directory / "file").read_text(), "kept")
+
+    def test_limits(self):
+        self.assert_failure("time", self.mesh, "--time-limit", "0.001", sentence="time limit")
+        self.assert_failure("memory", self.mesh, "--memory-limit", "1", sentence="memory")
+
+    def test_report_of_a_failure(self):
+        (self.directory / "text.off").write_text("Dear Sir")
+        done = self.run_tool("text.off", "--json", "out.json", "-o", "out.ply")
+        self.assertEqual(done.returncode, STATUSES.index("mesh"))
+        self.assertEqual(self.report()["status"], "mesh")
+        self.assertEqual("segment_mesh: " + self.report()["message"] + "\n", done.stderr)
+        self.assertFalse((self.directory / "out.ply").exists())
 
     def test_full_disk(self):
         """A limit on the size of files stands for the disk: what was there before stays."""
@@ -1108,7 +1129,7 @@ class Failures(Tool_test):
             resource.setrlimit(resource.RLIMIT_FSIZE, (30000, 30000))
 
         (self.directory / "out.ply").write_text("kept")
-        self.assert_failure(self.mesh, "--split-dir", "parts", "--labels", "out.seg",
+        self.assert_failure("output", self.mesh, "--split-dir", "parts", "--labels", "out.seg",
                             "-o", "out.ply", sentence="cannot write out.ply",
                             preexec_fn=limit, restore_signals=False)
         self.assertEqual((self.directory / "out.ply").read_text(), "kept")

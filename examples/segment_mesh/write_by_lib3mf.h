@@ -4,10 +4,10 @@
 #ifndef SEGMENT_MESH_WRITE_BY_LIB3MF_H
 #define SEGMENT_MESH_WRITE_BY_LIB3MF_H
 
+#include "Failure.h"
 #include "mesh_file/Segmented_mesh.h"
 
 #include <ostream>
-#include <stdexcept>
 #include <string>
 
 #ifdef SEGMENT_MESH_WITH_LIB3MF
@@ -65,7 +65,7 @@ class Lib3mf_writer
     DWORD code;
     if (instance)
       NMR::lib3mf_getlasterror(instance, &code, &message);
-    throw std::runtime_error(std::string("lib3mf reports ") + (message ? message : "an error"));
+    throw Failure(Status::OUTPUT, std::string("lib3mf reports ") + (message ? message : "an error"));
   }
 
   template <class Function, class... Arguments>
@@ -97,7 +97,7 @@ class Lib3mf_writer
     NMR::MODELMESHVERTEX result;
     for (std::size_t k = 0; k < 3; ++k) {
       if (std::abs(point[k]) > largest)
-        throw std::runtime_error("a coordinate is too large for the numbers of 3MF");
+        throw Failure(Status::OUTPUT, "a coordinate is too large for the numbers of 3MF");
       result.m_fPosition[k] = static_cast<float>(point[k]);
     }
     return result;
@@ -237,7 +237,7 @@ inline void write_3mf(std::ostream& out, const mesh_file::Segmented_mesh& mesh)
 constexpr bool has_lib3mf = false;
 
 inline void write_3mf(std::ostream&, const mesh_file::Segmented_mesh&)
-{ throw std::runtime_error("3MF is not written by this build: it needs lib3mf at build time"); }
+{ throw Failure(Status::USAGE, "3MF is not written by this build: it needs lib3mf at build time"); }
 
 #endif
 

@@ -4,6 +4,7 @@
 #ifndef SEGMENT_MESH_WRITE_MESHES_H
 #define SEGMENT_MESH_WRITE_MESHES_H
 
+#include "Failure.h"
 #include "Output_files.h"
 #include "mesh_file/Segmented_mesh.h"
 #include "mesh_file/write_mesh_file.h"
@@ -46,14 +47,19 @@ segment_neighbors(const Input& input, const std::vector<Index>& segment_of_trian
   return neighbors;
 }
 
-// Throws `std::runtime_error` if a file of this name would be of no format, or of one that this
+// Throws `Failure` if a file of this name would be of no format, or of one that this
 // build does not write.
 inline void check_output_format(const std::filesystem::path& name, bool is_part)
 {
   if (!has_lib3mf && is_3mf(mesh_file::output_extension(name)))
-    throw std::runtime_error("cannot write " + name.string() + ": this build has no 3MF, which "
-                             "needs lib3mf at build time");
-  mesh_file::check_output_format(name, is_part, has_lib3mf ? ".3mf" : "");
+    throw Failure(Status::USAGE, "cannot write " + name.string() + ": this build has no 3MF, which "
+                                 "needs lib3mf at build time");
+  try {
+    mesh_file::check_output_format(name, is_part, has_lib3mf ? ".3mf" : "");
+  }
+  catch (const std::runtime_error& e) {
+    throw Failure(Status::USAGE, e.what());
+  }
 }
 
 inline void write_mesh(std::ostream& out, const std::string& extension,

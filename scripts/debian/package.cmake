@@ -1,10 +1,14 @@
 # Copyright (c) 2026  The Spectral_segmentation authors.
 # SPDX-License-Identifier: GPL-3.0-or-later
 
-# The Debian package: `cpack` in the build folder makes it.
+# The Debian packages, of the headers and of the command line tool: `cpack` in the build folder makes
+# them.
 
 set(CPACK_GENERATOR DEB)
-set(CPACK_PACKAGE_NAME libcgal-spectral-segmentation-dev)
+set(CPACK_PACKAGE_NAME spectral-segmentation)
+set(CPACK_DEB_COMPONENT_INSTALL ON)
+set(CPACK_DEBIAN_DEV_PACKAGE_NAME libcgal-spectral-segmentation-dev)
+set(CPACK_DEBIAN_TOOL_PACKAGE_NAME segment-mesh)
 # Debian wants an address, and the project has none: RFC 2606 keeps .invalid for such a case.
 set(CPACK_PACKAGE_CONTACT "Spectral_segmentation authors <noreply@spectral-segmentation.invalid>"
   CACHE STRING "Name and address of the maintainer of the Debian package")
@@ -13,11 +17,22 @@ set(CPACK_INSTALL_DEFAULT_DIRECTORY_PERMISSIONS
   OWNER_READ OWNER_WRITE OWNER_EXECUTE GROUP_READ GROUP_EXECUTE WORLD_READ WORLD_EXECUTE)
 set(CPACK_DEBIAN_FILE_NAME DEB-DEFAULT)
 set(CPACK_DEBIAN_PACKAGE_RELEASE 1)
-set(CPACK_DEBIAN_PACKAGE_ARCHITECTURE all)
-set(CPACK_DEBIAN_PACKAGE_SECTION libdevel)
-set(CPACK_DEBIAN_PACKAGE_DEPENDS "libcgal-dev (>= 5.5), libeigen3-dev")
+set(CPACK_DEBIAN_DEV_PACKAGE_ARCHITECTURE all)
+set(CPACK_DEBIAN_DEV_PACKAGE_SECTION libdevel)
+set(CPACK_DEBIAN_DEV_PACKAGE_DEPENDS "libcgal-dev (>= 5.5), libeigen3-dev")
+set(CPACK_DEBIAN_TOOL_PACKAGE_SECTION graphics)
+find_program(DPKG_SHLIBDEPS dpkg-shlibdeps)
+if(DPKG_SHLIBDEPS)
+  set(CPACK_DEBIAN_TOOL_PACKAGE_SHLIBDEPS ON)
+endif()
+set(CPACK_STRIP_FILES ON)
 set(CPACK_DEBIAN_PACKAGE_CONTROL_STRICT_PERMISSION ON)
-set(CPACK_DEBIAN_PACKAGE_DESCRIPTION
+set(CPACK_DEBIAN_TOOL_DESCRIPTION
+"Command line tool that cuts a mesh into the parts that a person would name.
+
+It reads and writes OFF, OBJ, PLY, STL and more, and takes many meshes at a
+time.")
+set(CPACK_DEBIAN_DEV_DESCRIPTION
 "Header-only C++17 library for CGAL that cuts a triangle mesh into the parts
 that a person would name, such as legs, trunk and ears.
 
@@ -33,18 +48,28 @@ configure_file(${PROJECT_SOURCE_DIR}/CHANGELOG.md ${debian_dir}/changelog COPYON
 find_program(GZIP gzip)
 if(GZIP)
   execute_process(COMMAND ${GZIP} -9nf changelog changelog.Debian WORKING_DIRECTORY ${debian_dir})
-  install(FILES
-    ${CMAKE_CURRENT_LIST_DIR}/copyright
-    ${debian_dir}/changelog.gz
-    ${debian_dir}/changelog.Debian.gz
-    DESTINATION ${CMAKE_INSTALL_DATADIR}/doc/${CPACK_PACKAGE_NAME}
-    COMPONENT debian EXCLUDE_FROM_ALL)
+  foreach(component IN ITEMS DEV TOOL)
+    string(TOLOWER debian_${component} name)
+    install(FILES
+      ${CMAKE_CURRENT_LIST_DIR}/copyright
+      ${debian_dir}/changelog.gz
+      ${debian_dir}/changelog.Debian.gz
+      DESTINATION ${CMAKE_INSTALL_DATADIR}/doc/${CPACK_DEBIAN_${component}_PACKAGE_NAME}
+      COMPONENT ${name} EXCLUDE_FROM_ALL)
+  endforeach()
   install(DIRECTORY ${PROJECT_SOURCE_DIR}/examples
-    DESTINATION ${CMAKE_INSTALL_DATADIR}/doc/${CPACK_PACKAGE_NAME}
-    COMPONENT debian EXCLUDE_FROM_ALL
+    DESTINATION ${CMAKE_INSTALL_DATADIR}/doc/${CPACK_DEBIAN_DEV_PACKAGE_NAME}
+    COMPONENT debian_dev EXCLUDE_FROM_ALL
     FILES_MATCHING PATTERN *.cpp PATTERN segment_mesh* EXCLUDE)
 endif()
-set(CPACK_INSTALL_CMAKE_PROJECTS
-  "${PROJECT_BINARY_DIR};${PROJECT_NAME};ALL;/;${PROJECT_BINARY_DIR};${PROJECT_NAME};debian;/")
+set(CPACK_COMPONENTS_ALL dev debian_dev)
+if(SPECTRAL_SEGMENTATION_BUILD_EXAMPLES)
+  list(APPEND CPACK_COMPONENTS_ALL tool debian_tool)
+endif()
 
 include(CPack)
+foreach(component IN ITEMS dev tool)
+  cpack_add_component_group(${component})
+  cpack_add_component(${component} GROUP ${component})
+  cpack_add_component(debian_${component} GROUP ${component})
+endforeach()

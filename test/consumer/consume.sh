@@ -1,4 +1,4 @@
-#!/bin/sh
+#!/bin/bash
 # Copyright (c) 2026  The Spectral_segmentation authors.
 # SPDX-License-Identifier: GPL-3.0-or-later
 
@@ -6,7 +6,8 @@
 # consume.sh add_subdirectory|fetch_content CMAKE_OPTION ...
 # Builds and runs a program of this folder, which gets the package in the way that is named, in a
 # temporary folder. For find_package the package is first installed there from its build; for
-# debian_package, which is find_package too, the Debian package is made and unpacked there.
+# debian_package, which is find_package too, the Debian packages are made, looked at and unpacked
+# there.
 set -e
 project=$1
 work=$(mktemp -d)
@@ -22,8 +23,16 @@ case $1 in
   debian_package)
     project=find_package
     cpack --config "$2/CPackConfig.cmake" -B "$work/package"
-    dpkg-deb --info "$work"/package/*.deb
-    dpkg-deb --extract "$work"/package/*.deb "$work/root"
+    for package in "$work"/package/*.deb; do
+      dpkg-deb --info "$package"
+      dpkg-deb --extract "$package" "$work/root"
+    done
+    "$work/root/usr/bin/segment_mesh" --version
+    grep -q time.limit "$work/root/usr/share/man/man1/segment_mesh.1"
+    . "$work/root/usr/share/bash-completion/completions/segment_mesh"
+    COMP_WORDS=(segment_mesh --segm) COMP_CWORD=1
+    _segment_mesh
+    test "${COMPREPLY[*]}" = --segments
     program=$3
     shift 2 ;;
 esac
