@@ -33,6 +33,7 @@
 #include <CGAL/Spectral_segmentation/internal/door/read_options.h>
 #include <CGAL/Spectral_segmentation/internal/door/read_triangle_mesh.h>
 #include <CGAL/Spectral_segmentation/internal/door/read_triangle_soup.h>
+#include <CGAL/Spectral_segmentation/internal/door/read_wishes.h>
 #include <CGAL/Spectral_segmentation/internal/engine.h>
 
 #include <CGAL/Named_function_parameters.h>
@@ -56,7 +57,7 @@ namespace internal {
 template <class ConcurrencyTag, class Face, class SegmentIdMap, class CGALNamedParameters>
 std::size_t segment_and_write(Triangles triangles, const std::vector<Face>& faces,
                               SegmentIdMap segment_ids, const Options& options,
-                              const CGALNamedParameters& np)
+                              const Wishes& wishes, const CGALNamedParameters& np)
 {
   using CGAL::parameters::choose_parameter;
   using CGAL::parameters::get_parameter_reference;
@@ -74,7 +75,7 @@ std::size_t segment_and_write(Triangles triangles, const std::vector<Face>& face
 
   Segmentation_hierarchy hierarchy(
     segment(std::move(triangles), options,
-            is_parallel ? Execution::PARALLEL : Execution::SEQUENTIAL, control), options);
+            is_parallel ? Execution::PARALLEL : Execution::SEQUENTIAL, control, wishes), options);
   if (options.boundary_smoothing)
     control.start_stage(Stage::BOUNDARY_SMOOTHING, Segmentation_visitor::whole_mesh);
   const std::vector<std::size_t> labels = hierarchy.labels();
@@ -341,8 +342,12 @@ std::size_t segment_spectral_recursive(const TriangleMesh& mesh, SegmentIdMap se
     choose_parameter(get_parameter(pack, internal_np::vertex_point),
                      get_const_property_map(CGAL::vertex_point, mesh)),
     choose_parameter<Geom_traits>(get_parameter(pack, internal_np::geom_traits)));
+  internal::Wishes wishes;
+  if constexpr (internal::has_edge_wishes<Pack>)
+    internal::read_edge_wishes(mesh, faces, pack, wishes);
+  internal::read_seeds(faces, pack, wishes);
   return internal::segment_and_write<ConcurrencyTag>(std::move(triangles), faces, segment_ids,
-                                                     options, pack);
+                                                     options, wishes, pack);
 }
 
 /*!
@@ -400,14 +405,19 @@ std::size_t segment_spectral_recursive(const PointRange& points, const TriangleR
                 !internal::is_given<Pack, internal_np::geom_traits_t>,
                 "vertex_point_map, face_index_map and geom_traits are of meshes, not of points and "
                 "triangles");
+  static_assert(!internal::has_edge_wishes<Pack>,
+                "edge_is_constrained_map and edge_is_uncuttable_map are of meshes, not of points "
+                "and triangles, which have no edges that could be named");
 
   const internal::Options options = internal::read_options(pack);
   internal::Triangles soup = internal::read_triangle_soup(points, triangles);
   internal::connect(soup);
   std::vector<std::size_t> faces(soup.corners.size());
   std::iota(faces.begin(), faces.end(), std::size_t(0));
+  internal::Wishes wishes;
+  internal::read_seeds(faces, pack, wishes);
   return internal::segment_and_write<ConcurrencyTag>(std::move(soup), faces, segment_ids, options,
-                                                     pack);
+                                                     wishes, pack);
 }
 
 } // namespace CGAL

@@ -27,6 +27,7 @@ class Segmentation_hierarchy;
 #define CGAL_SPECTRAL_SEGMENTATION_PARAMETERS_OF_CGAL(f)                                         \
   f(vertex_point_map, vertex_point_t, is_property_map, "takes a property map")                  \
   f(face_index_map, face_index_t, is_property_map, "takes a property map")                      \
+  f(edge_is_constrained_map, edge_is_constrained_t, is_property_map, "takes a property map")    \
   f(geom_traits, geom_traits_t, has_coordinates, "takes a class with the functor Compute_x_3")  \
   f(random_seed, random_seed_t, is_count, "takes an integer")                                   \
   f(visitor, visitor_t, is_visitor,                                                             \
@@ -44,7 +45,10 @@ class Segmentation_hierarchy;
   f(number_of_smoothing_iterations, number_of_smoothing_iterations_t, is_count,                 \
     "takes an integer")                                                                         \
   f(boundary_smoothing, boundary_smoothing_t, is_flag, "takes a bool")                          \
-  f(components_apart, components_apart_t, is_flag, "takes a bool")
+  f(components_apart, components_apart_t, is_flag, "takes a bool")                              \
+  f(edge_is_uncuttable_map, edge_is_uncuttable_map_t, is_property_map, "takes a property map")  \
+  f(face_seed_map, face_seed_map_t, is_seed_map,                                                \
+    "takes a property map whose values are of a signed integer type")
 
 // Those of the functions for what comes after.
 #define CGAL_SPECTRAL_SEGMENTATION_PARAMETERS_OF_RESULTS(f)                                      \
@@ -54,6 +58,7 @@ namespace internal_np {
 
 using CGAL::internal_np::vertex_point_t;
 using CGAL::internal_np::face_index_t;
+using CGAL::internal_np::edge_is_constrained_t;
 using CGAL::internal_np::geom_traits_t;
 using CGAL::internal_np::random_seed_t;
 using CGAL::internal_np::visitor_t;
@@ -96,6 +101,14 @@ struct is_property_map : std::false_type {};
 template <class T>
 struct is_property_map<T, std::void_t<typename boost::property_traits<T>::value_type> >
   : std::true_type {};
+
+template <class T, class = void>
+struct is_seed_map : std::false_type {};
+
+template <class T>
+struct is_seed_map<T, std::void_t<typename boost::property_traits<T>::value_type> >
+  : std::bool_constant<is_count<typename boost::property_traits<T>::value_type>::value &&
+                       std::is_signed<typename boost::property_traits<T>::value_type>::value> {};
 
 template <class T, class = void>
 struct has_coordinates : std::false_type {};

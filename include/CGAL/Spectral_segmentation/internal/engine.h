@@ -6,6 +6,7 @@
 
 #include <CGAL/Spectral_segmentation/internal/Options.h>
 #include <CGAL/Spectral_segmentation/internal/Run_control.h>
+#include <CGAL/Spectral_segmentation/internal/Wishes.h>
 #include <CGAL/Spectral_segmentation/internal/hierarchy/Cut_hierarchy.h>
 #include <CGAL/Spectral_segmentation/internal/mesh/Triangles.h>
 
@@ -23,10 +24,11 @@
 namespace CGAL::Spectral_segmentation::internal {
 
 // The engine: no template, as nothing in it depends on the caller. Arrays in, a hierarchy of cuts
-// out, whose faces are those of the triangles.
+// out, whose faces are those of the triangles. Throws `std::invalid_argument` if wishes contradict
+// each other or the number of segments.
 CGAL_SPECTRAL_SEGMENTATION_INLINE
 Cut_hierarchy segment(Triangles triangles, const Options& options, Execution execution,
-                      Run_control& control);
+                      Run_control& control, const Wishes& wishes = Wishes());
 
 // Finds the neighbors of the triangles of a soup, and orients them.
 CGAL_SPECTRAL_SEGMENTATION_INLINE

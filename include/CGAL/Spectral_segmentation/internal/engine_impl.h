@@ -14,6 +14,9 @@
 #include <CGAL/Spectral_segmentation/internal/hierarchy/joined_roots.h>
 #include <CGAL/Spectral_segmentation/internal/hierarchy/recursion.h>
 #include <CGAL/Spectral_segmentation/internal/hierarchy/region_merging.h>
+#include <CGAL/Spectral_segmentation/internal/hierarchy/Wish_groups.h>
+#include <CGAL/Spectral_segmentation/internal/hierarchy/Wished_merging.h>
+#include <CGAL/Spectral_segmentation/internal/hierarchy/Wished_regions.h>
 #include <CGAL/Spectral_segmentation/internal/mesh/connect_triangles.h>
 #include <CGAL/Spectral_segmentation/internal/mesh/distinct_faces.h>
 #include <CGAL/Spectral_segmentation/internal/mesh/reorder_faces.h>
@@ -40,6 +43,7 @@ namespace CGAL::Spectral_segmentation::internal {
 class Run
 {
   const Options& options_;
+  const Wishes& wishes_;
   const Execution execution_;
   Run_monitor monitor_;
 
@@ -51,6 +55,7 @@ class Run
   std::optional<Grid_wrap> wrap_;   // of a mesh of several components
   std::vector<Coarse_mesh> levels_; // each coarser than the one before
   std::vector<Index> neighbors_;    // in the caller's numbers, if boundaries shall be smoothed
+  Wish_groups groups_;              // empty without wishes
 
   Distance_weights distance_weights() const
   {
@@ -94,6 +99,30 @@ class Run
     if (options_.boundary_smoothing)
       set_neighbors();
     check_number();
+    if (!wishes_.empty())
+      set_groups();
+  }
+
+  // The face of the mesh for each of the caller's faces.
+  std::vector<Index> numbers_in_mesh() const
+  {
+    std::vector<Index> result(number_of_callers_faces());
+    for (Index f = 0; f < order_.size(); ++f)
+      result[order_[f]] = f;
+    for (Index f = 0; f < first_twin_.size(); ++f)
+      result[f] = result[first_twin_[f]];
+    return result;
+  }
+
+  // What a wish concerns is not smoothed: such faces are no teeth if they have no neighbors.
+  void set_groups()
+  {
+    const std::vector<Index> number = numbers_in_mesh();
+    groups_ = Wish_grouping(wishes_, number, mesh_.number_of_faces())(mesh_,
+                                                                      options_.components_apart);
+    for (Index h = 0; h < neighbors_.size(); ++h)
+      if (groups_.group[number[h / 3]] != null_index)
+        neighbors_[h] = h / 3;
   }
 
   // Twins have the same neighbors.
@@ -161,7 +190,8 @@ class Run
   { return wrap_ ? wrap_->surface() : refined_.faces.empty() ? mesh_ : refined_.graph; }
 
   // Whether something is done with the mesh after the search.
-  bool is_mesh_needed() const { return options_.is_number_exact || !options_.components_apart; }
+  bool is_mesh_needed() const
+  { return options_.is_number_exact || !options_.components_apart || !wishes_.empty(); }
 
   // The mesh on which cuts are searched.
   Face_graph coarse_mesh()
@@ -244,13 +274,37 @@ class Run
     return uncut_hierarchy(std::move(component), areas);
   }
 
+  // The hierarchy in which all nodes fulfill the wishes.
+  void fulfill_wishes(Cut_hierarchy& hierarchy)
+  {
+    const std::size_t number_of_roots = hierarchy.number_of_roots;
+    Wished_regions regions(execution_, hierarchy, mesh_, distance_weights(),
+                           options_.minimum_segment_size, monitor_, groups_);
+    regions();
+    hierarchy = Wished_merging(hierarchy, mesh_, groups_, regions)(options_.components_apart);
+    const std::size_t number = hierarchy.number_of_roots;
+    if (number > number_of_roots && number > options_.maximum_number_of_segments)
+      throw std::invalid_argument(
+        "segment_spectral_recursive: the seams and seeds need " + std::to_string(number) +
+        " segments, but " + std::to_string(options_.maximum_number_of_segments) + " are allowed");
+  }
+
   // As many cuts as were asked for.
-  void complete(Cut_hierarchy& hierarchy) const
+  void complete(Cut_hierarchy& hierarchy)
   {
     if (!options_.components_apart)
       hierarchy = joined_roots(std::move(hierarchy), mesh_);
-    if (options_.is_number_exact && !monitor_.is_stopped())
-      Further_cuts(mesh_, hierarchy)(options_.maximum_number_of_segments);
+    if (!wishes_.empty())
+      fulfill_wishes(hierarchy);
+    if (!options_.is_number_exact || monitor_.is_stopped())
+      return;
+    const std::size_t number = options_.maximum_number_of_segments;
+    Further_cuts(mesh_, hierarchy, groups_.group)(number);
+    if (hierarchy.number_of_segments() < number)
+      throw std::invalid_argument(
+        "segment_spectral_recursive: number_of_segments is " + std::to_string(number) +
+        ", but the edges that must not be cut and the seeds leave at most " +
+        std::to_string(hierarchy.number_of_segments()) + " segments");
   }
 
   // From the numbers and the unit of the run to those of the caller.
@@ -267,8 +321,8 @@ class Run
   }
 
 public:
-  Run(const Options& options, Execution execution, Run_control& control)
-    : options_(options), execution_(execution), monitor_(control) {}
+  Run(const Options& options, const Wishes& wishes, Execution execution, Run_control& control)
+    : options_(options), wishes_(wishes), execution_(execution), monitor_(control) {}
 
   Cut_hierarchy operator()(Triangles triangles)
   {
@@ -314,10 +368,10 @@ public:
 
 CGAL_SPECTRAL_SEGMENTATION_INLINE
 Cut_hierarchy segment(Triangles triangles, const Options& options, Execution execution,
-                      Run_control& control)
+                      Run_control& control, const Wishes& wishes)
 {
   Cut_hierarchy result;
-  call_isolated([&] { result = Run(options, execution, control)(std::move(triangles)); });
+  call_isolated([&] { result = Run(options, wishes, execution, control)(std::move(triangles)); });
   return result;
 }
 

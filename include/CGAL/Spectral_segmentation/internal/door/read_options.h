@@ -85,6 +85,12 @@ Options read_options(const NamedParameters& np)
   namespace tags = internal_np;
   Options o = is_given<NamedParameters, tags::zhang_liu_2005_t> ? zhang_liu_2005_options()
                                                                 : calibrated_options();
+  static_assert(!(is_given<NamedParameters, tags::zhang_liu_2005_t> &&
+                  (is_given<NamedParameters, tags::edge_is_constrained_t> ||
+                   is_given<NamedParameters, tags::edge_is_uncuttable_map_t> ||
+                   is_given<NamedParameters, tags::face_seed_map_t>)),
+                "edge_is_constrained_map, edge_is_uncuttable_map and face_seed_map do not go with "
+                "zhang_liu_2005");
   read_part_salience(np, o);
   read_distance_weights(np, o);
   read_count(np, tags::maximum_number_of_segments, "maximum_number_of_segments", 1, "at least 1",

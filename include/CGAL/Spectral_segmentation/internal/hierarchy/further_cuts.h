@@ -10,6 +10,7 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <numeric>
 #include <queue>
 #include <utility>
 #include <vector>
@@ -18,7 +19,7 @@ namespace CGAL::Spectral_segmentation::internal {
 
 // Cuts leaves of a hierarchy further, where the search found fewer cuts than are asked for: the
 // largest leaf in two, between its components if it has several, else in halves of about the same
-// area.
+// area. Groups of faces, each in one leaf, stay whole.
 class Further_cuts
 {
   typedef std::pair<double, std::size_t> Key; // of a leaf: its area, then its node
@@ -28,30 +29,58 @@ class Further_cuts
   Nested_ranges faces_;         // of each node
   std::vector<char> is_in_leaf_; // of each face, of the leaf at hand that is not reached yet
   std::priority_queue<Key> queue_;
+  std::vector<Index> next_in_group_; // of each face, in a circle; empty without groups
+
+  template <class Visit>
+  void for_each_in_group(Index first, const Visit& visit) const
+  {
+    visit(first);
+    if (!next_in_group_.empty())
+      for (Index f = next_in_group_[first]; f != first; f = next_in_group_[f])
+        visit(f);
+  }
 
   void enqueue(std::size_t leaf)
   {
-    if (faces_.size(leaf) > 1)
+    std::size_t size_of_group = 0;
+    if (faces_.size(leaf) > 0)
+      for_each_in_group(*faces_[leaf].begin(), [&](Index) { ++size_of_group; });
+    if (faces_.size(leaf) > size_of_group)
       queue_.push({quantized(cuts_.nodes[leaf].area), leaf});
+  }
+
+  double area_of_group(Index first) const
+  {
+    double area = 0;
+    for_each_in_group(first, [&](Index f) { area += mesh_.areas[f]; });
+    return area;
+  }
+
+  void reach_group(Index first, std::vector<Index>& reached)
+  {
+    for_each_in_group(first, [&](Index f) {
+      is_in_leaf_[f] = 0;
+      reached.push_back(f);
+    });
   }
 
   // The faces of the leaf that are connected with one, by a breadth-first search, until they have
   // this area. They are reached then.
   std::vector<Index> reached_from(Index first, double area)
   {
-    std::vector<Index> result(1, first);
-    is_in_leaf_[first] = 0;
-    double sum = mesh_.areas[first];
+    std::vector<Index> result;
+    double sum = area_of_group(first);
+    reach_group(first, result);
     for (std::size_t i = 0; i < result.size(); ++i)
       for (Index h = 3 * result[i]; h < 3 * result[i] + 3; ++h) {
         const Index f = mesh_.neighbors[h];
         if (!is_in_leaf_[f])
           continue;
-        if (sum + mesh_.areas[f] > area)
+        const double of_group = area_of_group(f);
+        if (sum + of_group > area)
           return result;
-        sum += mesh_.areas[f];
-        is_in_leaf_[f] = 0;
-        result.push_back(f);
+        sum += of_group;
+        reach_group(f, result);
       }
     return result;
   }
@@ -79,9 +108,9 @@ class Further_cuts
     set_in_leaf(faces, true);
     std::vector<Index> result = reached_from(component.back(), cuts_.nodes[leaf].area / 2);
     if (result.size() == faces.size()) { // without area
-      result.resize(1);
       set_in_leaf(faces, true);
-      is_in_leaf_[result.front()] = 0;
+      result.clear();
+      reach_group(component.back(), result);
     }
     std::vector<std::vector<Index> > rests;
     for (Index f : faces)
@@ -124,10 +153,22 @@ class Further_cuts
   }
 
 public:
-  Further_cuts(const Face_graph& mesh, Cut_hierarchy& cuts)
-    : mesh_(mesh), cuts_(cuts), faces_(cuts, cuts.leaf), is_in_leaf_(mesh.number_of_faces(), 0) {}
+  // `group` is that of each face, or null_index; empty without groups.
+  Further_cuts(const Face_graph& mesh, Cut_hierarchy& cuts, const std::vector<Index>& group = {})
+    : mesh_(mesh), cuts_(cuts), faces_(cuts, cuts.leaf), is_in_leaf_(mesh.number_of_faces(), 0),
+      next_in_group_(group.size())
+  {
+    std::iota(next_in_group_.begin(), next_in_group_.end(), Index(0));
+    std::vector<Index> last(group.size(), null_index); // face of each group
+    for (Index f = 0; f < group.size(); ++f)
+      if (group[f] != null_index) {
+        if (last[group[f]] != null_index)
+          std::swap(next_in_group_[f], next_in_group_[last[group[f]]]);
+        last[group[f]] = f;
+      }
+  }
 
-  // Until there are this many leaves, or every leaf is a face.
+  // Until there are this many leaves, or every leaf is a face or a group.
   void operator()(std::size_t number_of_segments)
   {
     double salience = 0; // no larger than that of any cut

@@ -55,8 +55,9 @@ public:
 // The component of each face, numbered in the order of their first faces. If there are sides,
 // neighbors are connected only where they are on one. A fifth of the time of BGL's depth-first
 // search.
-inline std::vector<Index> connected_components(const Face_graph& graph, std::size_t& number,
-                                               const std::vector<char>& side = {})
+template <class Side = char>
+std::vector<Index> connected_components(const Face_graph& graph, std::size_t& number,
+                                        const std::vector<Side>& side = {})
 {
   const Index n = static_cast<Index>(graph.number_of_faces());
   Face_components components(n);
