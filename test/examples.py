@@ -183,6 +183,12 @@ class Example(unittest.TestCase):
         _, faces, properties = self.ply()
         self.check_segments(faces, properties["segment"], n + m - 1)
 
+    def test_segment_with_wishes(self):
+        n, m = self.numbers(r"(\d+) segments\n(\d+) segments with wishes", self.run_example())
+        self.assertEqual(m, n - 1)
+        _, faces, properties = self.ply()
+        self.check_segments(faces, properties["segment"], m)
+
     def test_choose_number_of_segments(self):
         labels = {}
         for n in (3, 7):

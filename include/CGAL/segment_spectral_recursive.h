@@ -218,6 +218,33 @@ at most 4000 faces by default; the memory is O(*n*). The section
   \cgalParamNEnd
 \cgalNamedParamsEnd
 
+<b>Wishes.</b> They hold for the segments and for all nodes of the hierarchy. Where the method's own
+cuts do not fulfill them, it cuts further and merges across its cuts; what no wish concerns stays as
+it is. They do not go with `zhang_liu_2005()`.
+\cgalNamedParamsBegin
+  \cgalParamNBegin{edge_is_constrained_map}
+    \cgalParamDescription{whether an edge must be between two segments. An edge within the surface
+      makes a closed boundary that passes it. Border edges are ignored.}
+    \cgalParamType{a model of `ReadablePropertyMap` with
+      `boost::graph_traits<TriangleMesh>::%edge_descriptor` as key type and `bool` as value type}
+    \cgalParamDefault{none: no edge must}
+  \cgalParamNEnd
+  \cgalParamNBegin{edge_is_uncuttable_map}
+    \cgalParamDescription{whether the two faces at an edge must be of one segment. Border edges are
+      ignored.}
+    \cgalParamType{as that of `edge_is_constrained_map`}
+    \cgalParamDefault{none: every edge may be cut}
+  \cgalParamNEnd
+  \cgalParamNBegin{face_seed_map}
+    \cgalParamDescription{seeds of faces: faces with the same seed are of one segment, faces with
+      different seeds are not. A negative value is no seed.}
+    \cgalParamType{a model of `ReadablePropertyMap` with
+      `boost::graph_traits<TriangleMesh>::%face_descriptor` as key type and a signed integer type as
+      value type}
+    \cgalParamDefault{none: no face has a seed}
+  \cgalParamNEnd
+\cgalNamedParamsEnd
+
 <b>Parameters for experts.</b>
 \cgalNamedParamsBegin
   \cgalParamNBegin{minimum_segment_size}
@@ -310,7 +337,8 @@ at most 4000 faces by default; the memory is O(*n*). The section
 \return the number of segments; 0 for an empty mesh
 
 \throws std::invalid_argument if a face is not a triangle, a coordinate is not finite, the
-  `face_index_map` is not one to one onto its range, or a number is out of its range
+  `face_index_map` is not one to one onto its range, a number is out of its range, wishes contradict
+  each other, or the number of segments does not let all of them be fulfilled
 \throws std::overflow_error if there are more segments than the value type of `segment_ids` can
   count
 
@@ -374,12 +402,14 @@ those of the function for meshes.
 \param triangles the corners of each triangle, as indices of points
 \param segment_ids the ids of the segments are written here, for the position of each triangle
 \param np an optional sequence of the named parameters above, but `vertex_point_map`,
-  `face_index_map` and `geom_traits`
+  `face_index_map`, `geom_traits`, `edge_is_constrained_map` and `edge_is_uncuttable_map`; a
+  `face_seed_map` has the position of a triangle as key
 
 \return the number of segments; 0 if there is no triangle
 
 \throws std::invalid_argument if a triangle does not have three corners, a corner is not the index
-  of a point, a coordinate of a corner is not finite, or a number is out of its range
+  of a point, a coordinate of a corner is not finite, a number is out of its range, seeds
+  contradict each other, or the number of segments does not let all of them be fulfilled
 \throws std::overflow_error if there are more segments than the value type of `segment_ids` can
   count
 

@@ -23,8 +23,9 @@
 namespace CGAL::Spectral_segmentation::internal {
 
 template <class CGALNamedParameters>
-constexpr bool has_edge_wishes = is_given<CGALNamedParameters, internal_np::edge_is_constrained_t> ||
-                                 is_given<CGALNamedParameters, internal_np::edge_is_uncuttable_map_t>;
+constexpr bool has_edge_wishes =
+  is_given<CGALNamedParameters, internal_np::edge_is_constrained_t> ||
+  is_given<CGALNamedParameters, internal_np::edge_is_uncuttable_map_t>;
 
 // The value of an edge map; `false` if the caller gave none.
 template <class Tag, class CGALNamedParameters, class EdgeDescriptor>
@@ -72,6 +73,7 @@ void read_seeds(const std::vector<FaceDescriptor>& faces, const CGALNamedParamet
                 Wishes& wishes)
 {
   if constexpr (is_given<CGALNamedParameters, internal_np::face_seed_map_t>) {
+    using boost::get; // for pointers
     const auto map = CGAL::parameters::get_parameter(np, internal_np::face_seed_map);
     for (Index f = 0; f < faces.size(); ++f) {
       const std::int64_t seed = get(map, faces[f]);

@@ -20,7 +20,7 @@
 namespace CGAL::Spectral_segmentation::internal {
 
 // Merges the regions that fulfill wishes, as the cuts of the old hierarchy are undone, the least
-// salient first. Where an old cut has a region on its left that can be merged with one on its right,
+// salient first. Where an old cut has a region on one side that can be merged with one on the other,
 // they are merged with the salience of the cut. What no wish concerns is merged as before. Regions
 // that a wish keeps apart stay so: what is left are the roots.
 class Wished_merging

@@ -357,7 +357,7 @@ class Wished_regions
           if (region_[f] == region)
             seeds.insert(i);
     for (Index i = 0; i < members_.size(); ++i)
-      if (groups_.seed[i] != null_index && !(seeds.empty() || (seeds.size() == 1 && seeds.count(i))))
+      if (groups_.seed[i] != null_index && !seeds.empty() && (seeds.size() > 1 || !seeds.count(i)))
         for (Index f : members_[i])
           result.insert(region_[f]);
     return result;
