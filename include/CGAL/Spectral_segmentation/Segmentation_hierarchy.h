@@ -6,6 +6,7 @@
 
 #include <CGAL/Spectral_segmentation/internal/door/numbered_descriptors.h>
 #include <CGAL/Spectral_segmentation/internal/engine.h>
+#include <CGAL/Spectral_segmentation/internal/hierarchy/Cut_editor.h>
 #include <CGAL/Spectral_segmentation/internal/hierarchy/Cut_hierarchy.h>
 #include <CGAL/Spectral_segmentation/internal/hierarchy/Nested_ranges.h>
 #include <CGAL/Spectral_segmentation/parameters.h>
@@ -22,13 +23,20 @@
 namespace CGAL {
 namespace Spectral_segmentation {
 
+/// \cond SKIP_IN_MANUAL
+namespace internal {
+struct Hierarchy_access;
+} // namespace internal
+/// \endcond
+
 /// \ingroup PkgSpectralSegmentationRef
 /// The cuts that a run of `segment_spectral_recursive()` made, as a forest of binary trees.
 ///
 /// The children of a node are its two parts. The root is the whole mesh; if components are kept
 /// apart, as with `zhang_liu_2005()`, each connected component is a root.
-/// From a hierarchy the labels for fewer segments, or for a higher threshold, are read off without
-/// searching again; they are the labels that a run with these values would give.
+/// From a hierarchy the labels for another number of segments, or another threshold, are read off
+/// without searching again. Each segment is a node. Two segments can be merged and a leaf can be cut
+/// again by hand; `IO/hierarchy_json.h` writes a hierarchy to a stream, and reads it.
 ///
 /// The default method merges the regions of an over-segmentation, and the cuts are its merges in
 /// reverse: the hierarchy has them all, whatever the threshold and the maximum number of segments
@@ -78,7 +86,8 @@ public:
     /// cut to cut. The factors are not changed.
     double salience;
 
-    /// the factors of that cut, on the mesh on which it was searched (`number_of_searched_faces`)
+    /// the factors of that cut, on the mesh on which it was searched (`number_of_searched_faces`);
+    /// 0 for a cut that `merge()` made
     Salience_factors factors;
 
     bool is_leaf() const;  ///< whether it has no children
@@ -100,7 +109,8 @@ public:
   size_type number_of_nodes() const { return cuts_.nodes.size(); }
 
   /// The roots are the nodes from 0 to `number_of_roots() - 1`.
-  /// The children of the i-th cut that was made follow at `number_of_roots() + 2 * i`.
+  /// Until the hierarchy is edited, the children of the i-th cut that was made follow at
+  /// `number_of_roots() + 2 * i`.
   size_type number_of_roots() const { return cuts_.number_of_roots; }
 
   /// the number of leaves: the largest number of segments that can be asked for
@@ -119,6 +129,24 @@ public:
   /// the numbers of the faces of node `i`; those of a leaf ascend
   Face_range faces(size_type i) const { return faces_[i]; }
 
+  /// the descriptors of the faces of node `i`, in the order of `faces(i)`; `np` must have the
+  /// `face_index_map` of the run if that had one. Takes time linear in the number of faces of the
+  /// mesh. Throws `std::invalid_argument` if the mesh has another number of faces.
+  template <class TriangleMesh,
+            class NamedParameters = CGAL::parameters::Default_named_parameters>
+  std::vector<typename boost::graph_traits<TriangleMesh>::face_descriptor>
+  faces(size_type i, const TriangleMesh& mesh, const NamedParameters& np = NamedParameters()) const
+  {
+    const auto& pack = checked_pack<internal_np::has_only_face_index_map>(np);
+    const auto descriptors = internal::numbered_faces(mesh, pack);
+    internal::check_number_of_faces(descriptors.size(), number_of_faces());
+    std::vector<typename boost::graph_traits<TriangleMesh>::face_descriptor> result;
+    result.reserve(number_of_faces(i));
+    for (auto f : faces(i))
+      result.push_back(descriptors[f]);
+    return result;
+  }
+
   /// the salience threshold of the run: with `zhang_liu_2005()` no lower one can be asked for
   double salience_threshold() const { return salience_threshold_; }
 
@@ -126,60 +154,175 @@ public:
 
   /// \name Labels
   /// A label is a number from 0 to the number of segments - 1. Segments are numbered by their
-  /// face of smallest number. All functions take time linear in the number of faces and of cuts.
+  /// face of smallest number, and each is a node: `segments()` tells which, with the arguments of
+  /// `labels()`. With `boundary_smoothing` a segment has some other faces along its boundary than
+  /// its node. All functions take time linear in the number of faces and of cuts.
   ///
-  /// They throw `std::out_of_range` if a cut that is needed is not known: the run ended before it,
-  /// at its maximum number of segments or stopped by its visitor, or had a higher threshold.
+  /// Those with a threshold throw `std::out_of_range` if a cut that is needed is not known: the run
+  /// ended before it, at its maximum number of segments or stopped by its visitor, or had a higher
+  /// threshold. They give the labels of a run with these values.
   /// @{
 
   /// the labels that the run gave
-  std::vector<size_type> labels() const
-  {
-    return labels((std::min)(number_of_segments(), maximum_number_of_segments_),
-                  salience_threshold_);
-  }
+  std::vector<size_type> labels() const { return numbered(nodes_of_run()).labels; }
 
-  /// the label of each face, by its number, for at most `maximum_number_of_segments` segments
-  /// (never fewer than there are roots) and cuts of at least `salience_threshold`
+  /// the label of each face, by its number, for exactly `n` segments, the first cuts of the run; or
+  /// as near to it as there are roots and leaves. No threshold applies.
+  std::vector<size_type> labels(size_type n) const { return numbered(first_cuts(n)).labels; }
+
+  /// the label of each face for at most `maximum_number_of_segments` segments (never fewer than
+  /// there are roots) and cuts of at least `salience_threshold`
   std::vector<size_type> labels(size_type maximum_number_of_segments,
                                 double salience_threshold) const
+  { return numbered(cuts_above(maximum_number_of_segments, salience_threshold)).labels; }
+
+  /// the node of each segment of `labels()`
+  std::vector<size_type> segments() const { return numbered(nodes_of_run()).nodes; }
+
+  /// the node of each segment of `labels(n)`
+  std::vector<size_type> segments(size_type n) const { return numbered(first_cuts(n)).nodes; }
+
+  /// the node of each segment of `labels(maximum_number_of_segments, salience_threshold)`
+  std::vector<size_type> segments(size_type maximum_number_of_segments,
+                                  double salience_threshold) const
+  { return numbered(cuts_above(maximum_number_of_segments, salience_threshold)).nodes; }
+
+  /// the label of each face if the segments are these nodes: the position of its node.
+  /// Throws `std::invalid_argument` if the nodes do not contain each face exactly once.
+  std::vector<size_type> labels_of_nodes(const std::vector<size_type>& nodes) const
   {
-    if (std::isnan(salience_threshold))
-      throw std::invalid_argument("Segmentation_hierarchy: the salience threshold is not a number");
-    const std::vector<char> is_segment = segments(maximum_number_of_segments, salience_threshold);
-    std::vector<size_type> segment_of_node(number_of_nodes());
-    for (size_type i = 0; i < number_of_nodes(); ++i)
-      segment_of_node[i] = is_segment[i] || i < number_of_roots()
-        ? i : segment_of_node[cuts_.nodes[i].parent];
-    // A segment within a segment is none: parents come before their children.
+    std::vector<size_type> position(number_of_nodes(), null_node);
+    for (size_type k = 0; k < nodes.size(); ++k) {
+      if (nodes[k] >= number_of_nodes() || position[nodes[k]] != null_node)
+        throw std::invalid_argument("Segmentation_hierarchy: the nodes of segments must be "
+                                    "different nodes of the hierarchy");
+      position[nodes[k]] = k;
+    }
+    for (size_type i : internal::parents_first(cuts_)) {
+      const Node& n = cuts_.nodes[i];
+      const size_type above = n.parent == null_node ? null_node : position[n.parent];
+      if (above != null_node && position[i] != null_node)
+        throw std::invalid_argument("Segmentation_hierarchy: a segment contains another");
+      if (above != null_node)
+        position[i] = above;
+      else if (n.is_leaf() && position[i] == null_node)
+        throw std::invalid_argument("Segmentation_hierarchy: the segments do not contain all faces");
+    }
     std::vector<size_type> result(number_of_faces());
     for (size_type f = 0; f < result.size(); ++f)
-      result[f] = segment_of_node[cuts_.leaf[f]];
-    number_by_first_face(result);
-    if (!cuts_.neighbors.empty()) {
+      result[f] = position[cuts_.leaf[f]];
+    if (!cuts_.neighbors.empty())
       internal::smooth_boundaries(cuts_.neighbors, result);
-      number_by_first_face(result);
-    }
     return result;
   }
 
-  /// writes the labels for at most `n` segments at the threshold of the run into a property map,
-  /// and returns the number of segments; `np` must have the `face_index_map` of the run if that had
-  /// one, and may have no other parameter
+  /// the labels of the segments that have faces of node `i`, if the segments are `nodes`, as for
+  /// `labels_of_nodes()`: those below it, or the one that contains it
+  std::vector<size_type> segments_of_node(size_type i, const std::vector<size_type>& nodes) const
+  {
+    std::vector<size_type> result;
+    for (size_type k = 0; k < nodes.size(); ++k)
+      if (faces_.first(nodes[k]) < faces_.first(i) + faces_.size(i) &&
+          faces_.first(i) < faces_.first(nodes[k]) + faces_.size(nodes[k]))
+        result.push_back(k);
+    return result;
+  }
+
+  /// writes the labels for exactly `n` segments into a property map, and returns the number of
+  /// segments, which is another only if there are more roots or fewer leaves. `np` may have a
+  /// `salience_threshold`: then `n` is the largest number, and cuts below it are not made. It must
+  /// have the `face_index_map` of the run if that had one, and may have no other parameter.
   template <class TriangleMesh, class SegmentIdMap,
             class NamedParameters = CGAL::parameters::Default_named_parameters>
   size_type segment_by_number(const TriangleMesh& mesh, SegmentIdMap segment_ids, size_type n,
                               const NamedParameters& np = NamedParameters()) const
-  { return write(mesh, segment_ids, labels(n, salience_threshold_), np); }
+  {
+    using CGAL::parameters::get_parameter;
+    const auto& pack = checked_pack<internal_np::has_only_tags_of_number>(np);
+    if constexpr (internal::is_given<std::decay_t<decltype(pack)>,
+                                     internal_np::salience_threshold_t>)
+      return write(mesh, segment_ids,
+                   labels(n, get_parameter(pack, internal_np::salience_threshold)), pack);
+    else
+      return write(mesh, segment_ids, labels(n), pack);
+  }
 
   /// writes the labels for cuts of at least `salience_threshold`, up to the maximum number of
-  /// segments of the run, into a property map, and returns the number of segments; `np` is as above
+  /// segments of the run, into a property map, and returns the number of segments. `np` must have
+  /// the `face_index_map` of the run if that had one, and may have no other parameter.
   template <class TriangleMesh, class SegmentIdMap,
             class NamedParameters = CGAL::parameters::Default_named_parameters>
   size_type segment_by_threshold(const TriangleMesh& mesh, SegmentIdMap segment_ids,
                                  double salience_threshold,
                                  const NamedParameters& np = NamedParameters()) const
-  { return write(mesh, segment_ids, labels(maximum_number_of_segments_, salience_threshold), np); }
+  {
+    return write(mesh, segment_ids, labels(maximum_number_of_segments_, salience_threshold),
+                 checked_pack<internal_np::has_only_face_index_map>(np));
+  }
+
+  /// writes `labels_of_nodes(nodes)` into a property map, and returns the number of segments; `np`
+  /// is as above
+  template <class TriangleMesh, class SegmentIdMap,
+            class NamedParameters = CGAL::parameters::Default_named_parameters>
+  size_type segment_by_nodes(const TriangleMesh& mesh, SegmentIdMap segment_ids,
+                             const std::vector<size_type>& nodes,
+                             const NamedParameters& np = NamedParameters()) const
+  {
+    return write(mesh, segment_ids, labels_of_nodes(nodes),
+                 checked_pack<internal_np::has_only_face_index_map>(np));
+  }
+
+  /// @}
+
+  /// \name Changes by Hand
+  /// A choice of segments is a vector of nodes, as `segments()` returns. To cut one again, replace
+  /// its node by the two children. `merge()` makes a node of two, and `cut_again()` cuts a leaf. All
+  /// nodes that contain neither of the two, or not the leaf, keep their number and their faces, and
+  /// all other functions stay valid. They take time linear in the number of faces and O(*c* log *c*)
+  /// in that of cuts. If they throw, nothing has changed.
+  ///
+  /// In a hierarchy of the default method cuts stay in the order of their salience: where a change
+  /// puts a cut below a less salient one, its salience is lowered to that of the latter.
+  /// @{
+
+  /// makes two nodes the children of one node, and returns that.
+  ///
+  /// Siblings have a parent, and nothing changes. Else node `b` is moved to the place of `a`: the
+  /// cut that separated it is undone, and the cut of `a` from `b` becomes the last of all that
+  /// leave both whole. Nodes that contained only one of the two gain or lose the faces of `b`. So
+  /// the nodes should touch, and choose for `b` the one that the rest needs less to be connected.
+  ///
+  /// Throws `std::invalid_argument` if one node contains the other, or if they have different roots.
+  size_type merge(size_type a, size_type b)
+  {
+    CGAL_precondition(a < number_of_nodes() && b < number_of_nodes());
+    internal::Cut_hierarchy cuts = cuts_;
+    const size_type result = internal::Cut_editor(cuts).merge(a, b);
+    set_cuts(std::move(cuts));
+    return result;
+  }
+
+  /// cuts a leaf as `part`, the hierarchy of a run on the faces of that leaf alone, in their order;
+  /// see the example \ref segment_part_again.cpp. The nodes of its cuts are added behind the others.
+  ///
+  /// Throws `std::invalid_argument` if `leaf` is none, or if `part` has another number of faces or
+  /// several roots.
+  void cut_again(size_type leaf, const Segmentation_hierarchy& part)
+  {
+    CGAL_precondition(leaf < number_of_nodes());
+    if (!node(leaf).is_leaf())
+      throw std::invalid_argument("Segmentation_hierarchy: only a leaf can be cut again; for other "
+                                  "nodes there are their children");
+    if (part.number_of_faces() != number_of_faces(leaf))
+      throw std::invalid_argument("Segmentation_hierarchy: the hierarchy of a part must have the "
+                                  "faces of the leaf that is cut");
+    if (part.number_of_roots() != 1)
+      throw std::invalid_argument("Segmentation_hierarchy: the hierarchy of a part must have one "
+                                  "root");
+    internal::Cut_hierarchy cuts = cuts_;
+    internal::Cut_editor(cuts).graft(leaf, faces(leaf), part.cuts_);
+    set_cuts(std::move(cuts));
+  }
 
   /// @}
 
@@ -198,12 +341,60 @@ public:
   /// \endcond
 
 private:
-  // Whether a node is a segment: the run's decisions again, in their order.
-  std::vector<char> segments(size_type maximum_number_of_segments, double salience_threshold) const
+  friend struct internal::Hierarchy_access;
+
+  struct Numbered_segments
   {
-    std::vector<char> is_segment(number_of_nodes(), 0);
-    std::fill(is_segment.begin(),
-              is_segment.begin() + static_cast<std::ptrdiff_t>(number_of_roots()), 1);
+    std::vector<size_type> nodes, labels;
+  };
+
+  void set_cuts(internal::Cut_hierarchy cuts)
+  {
+    internal::Nested_ranges faces(cuts, cuts.leaf);
+    cuts_ = std::move(cuts);
+    faces_ = std::move(faces);
+  }
+
+  std::vector<char> roots() const
+  {
+    std::vector<char> result(number_of_nodes(), 0);
+    std::fill(result.begin(), result.begin() + static_cast<std::ptrdiff_t>(number_of_roots()), 1);
+    return result;
+  }
+
+  void cut(size_type i, std::vector<char>& is_segment) const
+  {
+    is_segment[i] = 0;
+    for (size_type child : cuts_.nodes[i].children)
+      is_segment[child] = 1;
+  }
+
+  std::vector<char> nodes_of_run() const
+  {
+    return cuts_above((std::min)(number_of_segments(), maximum_number_of_segments_),
+                      salience_threshold_);
+  }
+
+  // Whether a node is a segment after the first cuts.
+  std::vector<char> first_cuts(size_type number_of_segments) const
+  {
+    std::vector<char> is_segment = roots();
+    size_type number = number_of_roots();
+    for (size_type i : cuts_.turns)
+      if (number < number_of_segments && !cuts_.nodes[i].is_leaf()) {
+        cut(i, is_segment);
+        ++number;
+      }
+    return is_segment;
+  }
+
+  // The same with a threshold: the run's decisions again, in their order.
+  std::vector<char> cuts_above(size_type maximum_number_of_segments,
+                               double salience_threshold) const
+  {
+    if (std::isnan(salience_threshold))
+      throw std::invalid_argument("Segmentation_hierarchy: the salience threshold is not a number");
+    std::vector<char> is_segment = roots();
     size_type number = number_of_roots();
     for (size_type i : cuts_.turns) {
       const Node& n = cuts_.nodes[i];
@@ -213,8 +404,7 @@ private:
         continue;
       if (n.cut_state == Cut_state::REJECTED)
         throw std::out_of_range("Segmentation_hierarchy: the run had a higher salience threshold");
-      is_segment[i] = 0;
-      is_segment[n.children[0]] = is_segment[n.children[1]] = 1;
+      cut(i, is_segment);
       ++number;
     }
     if (number < maximum_number_of_segments)
@@ -226,28 +416,39 @@ private:
     return is_segment;
   }
 
-  // Labels become 0, 1, ... in the order of the first faces that have them.
-  void number_by_first_face(std::vector<size_type>& labels) const
+  // Segments are numbered by their first face.
+  Numbered_segments numbered(const std::vector<char>& is_segment) const
   {
-    std::vector<size_type> number(number_of_nodes(), null_node);
-    size_type next = 0;
-    for (size_type& label : labels) {
-      if (number[label] == null_node)
-        number[label] = next++;
+    std::vector<size_type> nodes;
+    for (size_type i = 0; i < number_of_nodes(); ++i)
+      if (is_segment[i])
+        nodes.push_back(i);
+    Numbered_segments result{{}, labels_of_nodes(nodes)};
+    std::vector<size_type> number(nodes.size(), null_node);
+    for (size_type& label : result.labels) {
+      if (number[label] == null_node) {
+        number[label] = result.nodes.size();
+        result.nodes.push_back(nodes[label]);
+      }
       label = number[label];
     }
+    return result;
   }
 
-  template <class TriangleMesh, class SegmentIdMap, class NamedParameters>
-  size_type write(const TriangleMesh& mesh, SegmentIdMap segment_ids,
-                  const std::vector<size_type>& labels, const NamedParameters& np) const
+  template <template <class> class Has_only_known_tags, class NamedParameters>
+  static const auto& checked_pack(const NamedParameters& np)
   {
     const auto& pack = internal::cgal_pack(np);
-    static_assert(internal_np::has_only_face_index_map<std::decay_t<decltype(pack)> >::value,
+    static_assert(Has_only_known_tags<std::decay_t<decltype(pack)> >::value,
                   "the labels of a Segmentation_hierarchy depend on no named parameter but "
-                  "face_index_map");
-    return internal::write_labels(internal::numbered_faces(mesh, pack), labels, segment_ids);
+                  "face_index_map, and of segment_by_number salience_threshold");
+    return pack;
   }
+
+  template <class TriangleMesh, class SegmentIdMap, class CGALNamedParameters>
+  static size_type write(const TriangleMesh& mesh, SegmentIdMap segment_ids,
+                         const std::vector<size_type>& labels, const CGALNamedParameters& np)
+  { return internal::write_labels(internal::numbered_faces(mesh, np), labels, segment_ids); }
 
   internal::Cut_hierarchy cuts_;
   internal::Nested_ranges faces_; // of each node

@@ -123,6 +123,12 @@ numbered_faces(const TriangleMesh& mesh, const CGALNamedParameters& np,
   return result;
 }
 
+inline void check_number_of_faces(std::size_t of_mesh, std::size_t of_hierarchy)
+{
+  if (of_mesh != of_hierarchy)
+    throw std::invalid_argument("Segmentation_hierarchy: this mesh has another number of faces");
+}
+
 // Writes the label of the i-th face to the map of the caller and returns the number of labels.
 // Throws before it writes if the type of the map's values cannot hold the labels.
 template <class FaceDescriptor, class SegmentIdMap>
@@ -132,8 +138,7 @@ std::size_t write_labels(const std::vector<FaceDescriptor>& faces,
   typedef typename boost::property_traits<SegmentIdMap>::value_type Id;
   static_assert(std::is_integral<Id>::value && !std::is_same<Id, bool>::value,
                 "the values of the segment id map must be of an integer type");
-  if (faces.size() != labels.size())
-    throw std::invalid_argument("Segmentation_hierarchy: this mesh has another number of faces");
+  check_number_of_faces(faces.size(), labels.size());
   const std::size_t n =
     labels.empty() ? 0 : 1 + *std::max_element(labels.begin(), labels.end());
   if (n > 0 && n - 1 > static_cast<std::size_t>((std::numeric_limits<Id>::max)()))

@@ -10,6 +10,8 @@
 #include <CGAL/assertions.h>
 
 #include <cstddef>
+#include <numeric>
+#include <utility>
 #include <vector>
 
 namespace CGAL {
@@ -36,7 +38,7 @@ struct Cut_node
 };
 
 // The cuts of a run: what the engine makes. The children of the i-th cut are the nodes
-// number_of_roots + 2 i and the next one.
+// number_of_roots + 2 i and the next one, until cuts are edited by hand.
 struct Cut_hierarchy
 {
   std::size_t number_of_roots = 0;   // one for each connected component, by their first faces
@@ -64,6 +66,20 @@ struct Cut_hierarchy
     }
   }
 };
+
+// All nodes, the roots first, and parents before their children.
+inline std::vector<std::size_t> parents_first(const Cut_hierarchy& hierarchy)
+{
+  std::vector<std::size_t> result(hierarchy.number_of_roots);
+  std::iota(result.begin(), result.end(), std::size_t(0));
+  result.reserve(hierarchy.nodes.size());
+  for (std::size_t k = 0; k < result.size(); ++k) {
+    const Cut_node& n = hierarchy.nodes[result[k]];
+    if (!n.is_leaf())
+      result.insert(result.end(), n.children, n.children + 2);
+  }
+  return result;
+}
 
 // A forest of roots only, from the component of each face and the areas of the components.
 inline Cut_hierarchy uncut_hierarchy(std::vector<Index> component,

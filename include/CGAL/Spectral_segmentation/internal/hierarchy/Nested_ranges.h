@@ -38,10 +38,11 @@ public:
     std::vector<std::size_t> size(nodes.size(), 0);
     for (Index node : leaf)
       ++size[node];
-    for (std::size_t i = nodes.size(); i-- > hierarchy.number_of_roots;)
-      size[nodes[i].parent] += size[i];
+    const std::vector<std::size_t> order = parents_first(hierarchy);
+    for (std::size_t k = order.size(); k-- > hierarchy.number_of_roots;)
+      size[nodes[order[k]].parent] += size[order[k]];
     std::size_t end = 0;
-    for (std::size_t i = 0; i < nodes.size(); ++i) {
+    for (std::size_t i : order) {
       if (i < hierarchy.number_of_roots)
         first_[i] = end;
       else if (i == nodes[nodes[i].parent].children[0])
