@@ -10,6 +10,7 @@
 #include <CGAL/segment_spectral_recursive.h>
 
 #include <CGAL/Polygon_mesh_processing/measure.h>
+#include <CGAL/boost/graph/Face_filtered_graph.h>
 
 #include <Eigen/Core>
 #include <Eigen/Eigenvalues>
@@ -21,6 +22,7 @@
 #include <cstddef>
 #include <limits>
 #include <numeric>
+#include <random>
 #include <set>
 #include <stdexcept>
 #include <utility>
@@ -96,6 +98,103 @@ double spread_of_cut(const Mesh& mesh, const std::vector<Face>& q, const std::ve
   return 4 * std::sqrt((std::max)(values[1], 0.) * values[2]);
 }
 
+// Nodes are a forest of sets of faces, with their areas.
+void check_nodes(const Segmentation_hierarchy& hierarchy, const Mesh& mesh)
+{
+  const auto tolerance = boost::test_tools::tolerance(1e-9);
+  BOOST_TEST(hierarchy.number_of_faces() == num_faces(mesh));
+  std::multiset<Face> faces_of_roots;
+  for (std::size_t i = 0; i < hierarchy.number_of_nodes(); ++i) {
+    const Segmentation_hierarchy::Node& n = hierarchy.node(i);
+    const std::vector<Face> part = faces_of(hierarchy, i);
+    BOOST_TEST(part.size() == hierarchy.number_of_faces(i));
+    BOOST_TEST(n.area == PMP::area(part, mesh), tolerance);
+    BOOST_TEST((n.parent == Segmentation_hierarchy::null_node) ==
+               (i < hierarchy.number_of_roots()));
+    if (i < hierarchy.number_of_roots())
+      faces_of_roots.insert(part.begin(), part.end());
+    if (n.is_leaf()) {
+      BOOST_TEST(n.children[0] == Segmentation_hierarchy::null_node);
+      BOOST_TEST(n.children[1] == Segmentation_hierarchy::null_node);
+      continue;
+    }
+    for (std::size_t child : n.children)
+      BOOST_TEST_REQUIRE(hierarchy.node(child).parent == i);
+    BOOST_TEST((union_of(faces_of(hierarchy, n.children[0]),
+                         faces_of(hierarchy, n.children[1])) ==
+                std::multiset<Face>(part.begin(), part.end())));
+    BOOST_TEST(hierarchy.node(n.children[0]).area <= hierarchy.node(n.children[1]).area);
+  }
+  const auto all = faces(mesh);
+  BOOST_TEST((faces_of_roots == std::multiset<Face>(all.begin(), all.end())));
+}
+
+// Each number gives that many segments, which are those of one fewer with one cut in two.
+void check_labels_of_numbers(const Segmentation_hierarchy& hierarchy, bool smoothing = false)
+{
+  Labels coarse;
+  for (std::size_t n = hierarchy.number_of_roots(); n <= hierarchy.number_of_segments(); ++n) {
+    const Labels labels = hierarchy.labels(n);
+    check_numbering(labels);
+    BOOST_TEST(number_of(labels) == n);
+    std::set<std::pair<std::size_t, std::size_t> > pairs;
+    for (std::size_t f = 0; f < coarse.size(); ++f)
+      pairs.insert({coarse[f], labels[f]});
+    if (!coarse.empty() && !smoothing)
+      BOOST_TEST(pairs.size() == n);
+    coarse = labels;
+  }
+}
+
+// In the default method: the cuts of at least a threshold are the first ones.
+void check_saliences(const Segmentation_hierarchy& hierarchy)
+{
+  for (std::size_t i = 0; i < hierarchy.number_of_nodes(); ++i) {
+    const Segmentation_hierarchy::Node& n = hierarchy.node(i);
+    if (n.is_leaf())
+      continue;
+    if (n.parent != Segmentation_hierarchy::null_node)
+      BOOST_TEST(n.salience <= hierarchy.node(n.parent).salience);
+    const Labels labels = hierarchy.labels(unlimited, n.salience);
+    BOOST_TEST(labels == hierarchy.labels(number_of(labels)), boost::test_tools::per_element());
+  }
+}
+
+Labels joined(Labels labels, std::size_t a, std::size_t b)
+{
+  std::replace(labels.begin(), labels.end(), b, a);
+  return labels;
+}
+
+bool are_same_parts(const Labels& a, const Labels& b)
+{
+  std::set<std::pair<std::size_t, std::size_t> > pairs;
+  for (std::size_t f = 0; f < a.size(); ++f)
+    pairs.insert({a[f], b[f]});
+  return a.size() == b.size() &&
+         pairs.size() == std::set<std::size_t>(a.begin(), a.end()).size() &&
+         pairs.size() == std::set<std::size_t>(b.begin(), b.end()).size();
+}
+
+bool contains(const Segmentation_hierarchy& hierarchy, std::size_t i, std::size_t j)
+{
+  const std::vector<Face> whole = faces_of(hierarchy, i), part = faces_of(hierarchy, j);
+  return std::set<Face>(whole.begin(), whole.end()).count(part.front()) &&
+         whole.size() >= part.size();
+}
+
+// The hierarchy of a run on the faces of a node.
+template <class NamedParameters>
+Segmentation_hierarchy hierarchy_of_node(const Segmentation_hierarchy& hierarchy, std::size_t i,
+                                         const Mesh& mesh, const NamedParameters& np)
+{
+  const CGAL::Face_filtered_graph<Mesh> part(mesh, faces_of(hierarchy, i));
+  Labels labels;
+  Segmentation_hierarchy result;
+  CGAL::segment_spectral_recursive(part, map_to(labels, mesh), np.hierarchy(result));
+  return result;
+}
+
 } // namespace
 
 BOOST_AUTO_TEST_CASE(a_hierarchy_without_a_run_is_empty)
@@ -108,34 +207,11 @@ BOOST_AUTO_TEST_CASE(a_hierarchy_without_a_run_is_empty)
 
 BOOST_AUTO_TEST_CASE(parts_partition_their_parent)
 {
-  const auto tolerance = boost::test_tools::tolerance(1e-9);
   for (const Mesh& mesh : several_meshes())
     for_both_methods([&](const auto& np) {
       const Segmentation_hierarchy hierarchy = hierarchy_of(mesh, np.salience_threshold(0.3));
-      BOOST_TEST(hierarchy.number_of_faces() == num_faces(mesh));
       BOOST_TEST(hierarchy.number_of_nodes() > hierarchy.number_of_roots());
-      std::multiset<Face> faces_of_roots;
-      for (std::size_t i = 0; i < hierarchy.number_of_nodes(); ++i) {
-        const Segmentation_hierarchy::Node& n = hierarchy.node(i);
-        const std::vector<Face> part = faces_of(hierarchy, i);
-        BOOST_TEST(part.size() == hierarchy.number_of_faces(i));
-        BOOST_TEST(n.area == PMP::area(part, mesh), tolerance);
-        BOOST_TEST((n.parent == Segmentation_hierarchy::null_node) == (i < hierarchy.number_of_roots()));
-        if (i < hierarchy.number_of_roots())
-          faces_of_roots.insert(part.begin(), part.end());
-        if (n.is_leaf()) {
-          BOOST_TEST(n.children[0] == Segmentation_hierarchy::null_node);
-          BOOST_TEST(n.children[1] == Segmentation_hierarchy::null_node);
-          continue;
-        }
-        for (std::size_t child : n.children)
-          BOOST_TEST(hierarchy.node(child).parent == i);
-        BOOST_TEST((union_of(faces_of(hierarchy, n.children[0]), faces_of(hierarchy, n.children[1])) ==
-                    std::multiset<Face>(part.begin(), part.end())));
-        BOOST_TEST(hierarchy.node(n.children[0]).area <= hierarchy.node(n.children[1]).area);
-      }
-      const auto all = faces(mesh);
-      BOOST_TEST((faces_of_roots == std::multiset<Face>(all.begin(), all.end())));
+      check_nodes(hierarchy, mesh);
     });
 }
 
@@ -262,6 +338,11 @@ BOOST_AUTO_TEST_CASE(labels_are_written_into_a_property_map)
     Labels written;
     BOOST_TEST(hierarchy.segment_by_number(mesh, map_to(written, mesh), 5) == 5);
     BOOST_TEST(written == hierarchy.labels(5, 0.1), boost::test_tools::per_element());
+    const std::vector<std::size_t> nodes = hierarchy.segments(5);
+    BOOST_TEST(hierarchy.segment_by_nodes(mesh, map_to(written, mesh), nodes) == 5);
+    BOOST_TEST(written == hierarchy.labels(5), boost::test_tools::per_element());
+    BOOST_TEST(hierarchy.segment_by_number(mesh, map_to(written, mesh), unlimited,
+                                           parameters::salience_threshold(infinity)) == 1);
 
     const double threshold = hierarchy.node(0).salience;
     const std::size_t n = hierarchy.segment_by_threshold(mesh, map_to(written, mesh), threshold);
@@ -281,9 +362,13 @@ BOOST_AUTO_TEST_CASE(labels_follow_the_face_index_map_of_the_run)
     Segmentation_hierarchy hierarchy;
     const Labels expected = labels_of(mesh, np.face_index_map(backwards).hierarchy(hierarchy));
     Labels written;
-    hierarchy.segment_by_number(mesh, map_to(written, mesh), unlimited, of_run);
+    hierarchy.segment_by_number(mesh, map_to(written, mesh), number_of(expected), of_run);
     BOOST_TEST(written == expected, boost::test_tools::per_element());
     BOOST_TEST(written[last] == 0);
+    std::vector<Face> part = hierarchy.faces(1, mesh, of_run);
+    for (Face& f : part)
+      f = Face(last - f);
+    BOOST_TEST((part == faces_of(hierarchy, 1)));
   });
 }
 
@@ -294,6 +379,188 @@ BOOST_AUTO_TEST_CASE(a_hierarchy_of_another_mesh_is_refused)
   Labels written;
   BOOST_CHECK_THROW(hierarchy.segment_by_number(other, map_to(written, other), 1),
                     std::invalid_argument);
+  BOOST_CHECK_THROW(hierarchy.faces(0, other), std::invalid_argument);
+}
+
+BOOST_AUTO_TEST_CASE(a_number_alone_is_exact)
+{
+  for (const Mesh& mesh : several_meshes())
+    for (bool smoothing : {false, true})
+      for_both_methods([&](const auto& np) {
+        const Segmentation_hierarchy hierarchy =
+          hierarchy_of(mesh, np.boundary_smoothing(smoothing).maximum_number_of_segments(7));
+        check_labels_of_numbers(hierarchy, smoothing);
+        Labels written;
+        const auto by_number = [&](std::size_t n)
+        { return hierarchy.segment_by_number(mesh, map_to(written, mesh), n); };
+        BOOST_TEST(by_number(0) == hierarchy.number_of_roots());
+        BOOST_TEST(by_number(hierarchy.number_of_segments() - 1) ==
+                   hierarchy.number_of_segments() - 1);
+        BOOST_TEST(by_number(unlimited) == hierarchy.number_of_segments());
+      });
+  // The threshold of the run leaves fewer than half of the leaves.
+  const Mesh elephant = mesh_of(read("elephant.off"));
+  const Segmentation_hierarchy hierarchy = hierarchy_of(elephant, parameters::default_values());
+  BOOST_TEST(number_of(hierarchy.labels()) < 15);
+  BOOST_TEST(check_labels(elephant, hierarchy.labels(15)) == 15);
+}
+
+BOOST_AUTO_TEST_CASE(each_segment_is_a_node)
+{
+  for (const Mesh& mesh : several_meshes())
+    for_both_methods([&](const auto& np) {
+      const Segmentation_hierarchy hierarchy = hierarchy_of(mesh, np.salience_threshold(0.1));
+      BOOST_TEST(hierarchy.segments() == hierarchy.segments(unlimited, 0.1),
+                 boost::test_tools::per_element());
+      for (std::size_t n : {1, 3, 6}) {
+        const std::vector<std::size_t> nodes = hierarchy.segments(n);
+        const Labels labels = hierarchy.labels(n);
+        BOOST_TEST(nodes.size() == number_of(labels));
+        BOOST_TEST(hierarchy.labels_of_nodes(nodes) == labels, boost::test_tools::per_element());
+        for (std::size_t k = 0; k < nodes.size(); ++k) {
+          BOOST_TEST(hierarchy.number_of_faces(nodes[k]) ==
+                     std::size_t(std::count(labels.begin(), labels.end(), k)));
+          for (Face f : hierarchy.faces(nodes[k], mesh))
+            BOOST_TEST(labels[f] == k);
+        }
+        for (std::size_t i = 0; i < hierarchy.number_of_nodes(); ++i) {
+          std::set<std::size_t> expected;
+          for (auto f : hierarchy.faces(i))
+            expected.insert(labels[f]);
+          const std::vector<std::size_t> found = hierarchy.segments_of_node(i, nodes);
+          BOOST_TEST(found == Labels(expected.begin(), expected.end()),
+                     boost::test_tools::per_element());
+        }
+      }
+    });
+}
+
+BOOST_AUTO_TEST_CASE(nodes_that_are_no_segmentation_are_refused)
+{
+  const Segmentation_hierarchy hierarchy =
+    hierarchy_of(mesh_of(doll()), parameters::default_values());
+  const auto [a, b] = hierarchy.node(0).children;
+  BOOST_TEST(number_of(hierarchy.labels_of_nodes({b, a})) == 2);
+  typedef std::vector<std::size_t> Nodes;
+  for (const Nodes& nodes : {Nodes{}, Nodes{a}, Nodes{a, b, a}, Nodes{a, b, 0}, Nodes{0, a, b},
+                             Nodes{a, b, hierarchy.number_of_nodes()}})
+    BOOST_CHECK_THROW(hierarchy.labels_of_nodes(nodes), std::invalid_argument);
+}
+
+// Labels of as many segments as are left are those before, with the two joined.
+BOOST_AUTO_TEST_CASE(any_two_segments_are_merged)
+{
+  const Mesh mesh = mesh_of(read("cactus.off"));
+  for_both_methods([&](const auto& np) {
+    const Segmentation_hierarchy before = hierarchy_of(mesh, np.salience_threshold(0.3));
+    const std::size_t n = 5;
+    const Labels labels = before.labels(n);
+    const std::vector<std::size_t> nodes = before.segments(n);
+    for (std::size_t a = 0; a < n; ++a)
+      for (std::size_t b = 0; b < n; ++b) {
+        if (a == b)
+          continue;
+        BOOST_TEST_CONTEXT("segments " << a << " and " << b) {
+          Segmentation_hierarchy h = before;
+          const std::size_t merged = h.merge(nodes[a], nodes[b]);
+          check_nodes(h, mesh);
+          check_labels_of_numbers(h);
+          BOOST_TEST(h.number_of_nodes() == before.number_of_nodes());
+          BOOST_TEST((union_of(faces_of(h, nodes[a]), faces_of(h, nodes[b])) ==
+                      union_of(faces_of(h, merged), {})));
+          for (std::size_t k = 0; k < n; ++k)
+            BOOST_TEST((faces_of(h, nodes[k]) == faces_of(before, nodes[k])));
+          BOOST_TEST(are_same_parts(h.labels(n - 1), joined(labels, a, b)));
+          std::vector<std::size_t> chosen = nodes;
+          chosen[a] = merged;
+          chosen.erase(chosen.begin() + std::ptrdiff_t(b));
+          BOOST_TEST(are_same_parts(h.labels_of_nodes(chosen), joined(labels, a, b)));
+        }
+      }
+  });
+}
+
+// Merges any nodes, segments or not, and cuts leaves again.
+template <class NamedParameters>
+void check_random_changes(const NamedParameters& np, bool is_default)
+{
+  const Mesh mesh = mesh_of(doll());
+  std::mt19937 random(1);
+  Segmentation_hierarchy h = hierarchy_of(mesh, np.salience_threshold(0.2));
+  std::size_t number_of_merges = 0, number_of_new_cuts = 0;
+  for (int step = 0; step < 60; ++step) {
+    const std::size_t a = random() % h.number_of_nodes(), b = random() % h.number_of_nodes();
+    if (step % 6 == 0 && h.node(a).is_leaf()) {
+      const Segmentation_hierarchy part = hierarchy_of_node(h, a, mesh, np.salience_threshold(0.2));
+      const std::size_t leaves = h.number_of_segments();
+      h.cut_again(a, part);
+      BOOST_TEST(h.number_of_segments() == leaves + part.number_of_segments() - 1);
+      number_of_new_cuts += part.number_of_segments() - 1;
+    }
+    else if (contains(h, a, b) || contains(h, b, a))
+      BOOST_CHECK_THROW(h.merge(a, b), std::invalid_argument);
+    else {
+      const std::multiset<Face> both = union_of(faces_of(h, a), faces_of(h, b));
+      BOOST_TEST((union_of(faces_of(h, h.merge(a, b)), {}) == both));
+      ++number_of_merges;
+    }
+    check_nodes(h, mesh);
+    check_labels_of_numbers(h);
+    if (is_default)
+      check_saliences(h);
+  }
+  BOOST_TEST(number_of_merges > 20);
+  BOOST_TEST(number_of_new_cuts > 2);
+}
+
+BOOST_AUTO_TEST_CASE(a_hierarchy_stays_valid_after_many_changes)
+{
+  check_random_changes(parameters::default_values(), true);
+  check_random_changes(parameters::zhang_liu_2005(), false);
+}
+
+BOOST_AUTO_TEST_CASE(a_leaf_is_cut_again_as_its_faces_are)
+{
+  const Mesh mesh = mesh_of(read("cactus.off"));
+  for_both_methods([&](const auto& np) {
+    Segmentation_hierarchy h = hierarchy_of(mesh, np.maximum_number_of_segments(3));
+    std::size_t leaf = 0; // the largest
+    for (std::size_t i = 0; i < h.number_of_nodes(); ++i)
+      if (h.node(i).is_leaf() && (leaf == 0 || h.number_of_faces(i) > h.number_of_faces(leaf)))
+        leaf = i;
+    const std::vector<Face> faces_of_leaf = faces_of(h, leaf);
+    const Segmentation_hierarchy part =
+      hierarchy_of_node(h, leaf, mesh, np.salience_threshold(0.1));
+    BOOST_TEST_REQUIRE(part.number_of_segments() > 2);
+    const std::size_t shift = h.number_of_nodes() - 1;
+    h.cut_again(leaf, part);
+    BOOST_TEST((union_of(faces_of(h, leaf), {}) == union_of(faces_of_leaf, {})));
+    BOOST_TEST(h.node(leaf).factors.size == part.node(0).factors.size);
+    for (std::size_t i = 1; i < part.number_of_nodes(); ++i) {
+      std::vector<Face> expected;
+      for (auto f : part.faces(i))
+        expected.push_back(faces_of_leaf[f]);
+      BOOST_TEST((faces_of(h, i + shift) == expected));
+    }
+  });
+}
+
+BOOST_AUTO_TEST_CASE(changes_that_make_no_sense_are_refused)
+{
+  const Mesh mesh = mesh_of(disjoint_union(dumbbell(14, 10), torus(3, 1, 20, 10)));
+  Segmentation_hierarchy h = hierarchy_of(mesh, parameters::zhang_liu_2005());
+  const Labels labels = h.labels();
+  BOOST_TEST_REQUIRE(h.number_of_roots() == 2);
+  BOOST_TEST_REQUIRE(!h.node(0).is_leaf());
+  BOOST_CHECK_THROW(h.merge(0, 1), std::invalid_argument);
+  BOOST_CHECK_THROW(h.merge(0, 0), std::invalid_argument);
+  BOOST_CHECK_THROW(h.merge(h.node(0).children[0], 0), std::invalid_argument);
+  BOOST_CHECK_THROW(h.cut_again(0, h), std::invalid_argument);
+  const std::size_t leaf = h.number_of_nodes() - 1;
+  BOOST_CHECK_THROW(h.cut_again(leaf, h), std::invalid_argument);
+  BOOST_CHECK_THROW(h.cut_again(leaf, Segmentation_hierarchy()), std::invalid_argument);
+  BOOST_TEST(h.labels() == labels, boost::test_tools::per_element());
+  BOOST_TEST(h.merge(h.node(0).children[1], h.node(0).children[0]) == 0);
 }
 
 BOOST_AUTO_TEST_SUITE_END()

@@ -87,7 +87,7 @@ public:
     double salience;
 
     /// the factors of that cut, on the mesh on which it was searched (`number_of_searched_faces`);
-    /// 0 for a cut that `merge()` made
+    /// 0 for a cut between two nodes that `merge()` put together
     Salience_factors factors;
 
     bool is_leaf() const;  ///< whether it has no children
@@ -276,9 +276,9 @@ public:
 
   /// \name Changes by Hand
   /// A choice of segments is a vector of nodes, as `segments()` returns. To cut one again, replace
-  /// its node by the two children. `merge()` makes a node of two, and `cut_again()` cuts a leaf. All
-  /// nodes that contain neither of the two, or not the leaf, keep their number and their faces, and
-  /// all other functions stay valid. They take time linear in the number of faces and O(*c* log *c*)
+  /// its node by the two children. `merge()` makes a node of two, and `cut_again()` cuts a leaf. Nodes
+  /// that contain neither of the two, and the two, keep their number and their faces, and all other
+  /// functions stay valid. They take time linear in the number of faces and O(*c* log *c*)
   /// in that of cuts. If they throw, nothing has changed.
   ///
   /// In a hierarchy of the default method cuts stay in the order of their salience: where a change
@@ -287,10 +287,12 @@ public:
 
   /// makes two nodes the children of one node, and returns that.
   ///
-  /// Siblings have a parent, and nothing changes. Else node `b` is moved to the place of `a`: the
-  /// cut that separated it is undone, and the cut of `a` from `b` becomes the last of all that
-  /// leave both whole. Nodes that contained only one of the two gain or lose the faces of `b`. So
-  /// the nodes should touch, and choose for `b` the one that the rest needs less to be connected.
+  /// The cut that separates `a` from `b` comes as late as it can from now on: right before the first
+  /// cut of either, or last, with the salience of that cut, or 0. So after two segments of
+  /// `labels(n)` were merged, `labels(n - 1)` has them as one.
+  /// If they are not siblings, node `b` is moved to the place of `a`, and the cut that separated `b`
+  /// is undone. Nodes that contain only one of the two gain or lose the faces of `b`. So the two
+  /// should touch, and choose for `b` the one that the rest needs less to be connected.
   ///
   /// Throws `std::invalid_argument` if one node contains the other, or if they have different roots.
   size_type merge(size_type a, size_type b)

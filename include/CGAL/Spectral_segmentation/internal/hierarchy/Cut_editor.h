@@ -60,12 +60,10 @@ class Cut_editor
       turn_[cuts_.turns[k]] = k;
   }
 
-  // Salience and turn of a new cut into two nodes: it comes as late as it can.
+  // Salience and turn of a cut into two nodes: it comes as late as it can.
   void set_late(std::size_t i)
   {
     Cut_node& n = nodes_[i];
-    n.cut_state = Cut_state::ACCEPTED;
-    n.factors = Salience_factors();
     n.salience = 0;
     for (std::size_t turn : cuts_.turns)
       n.salience = (std::min)(n.salience, nodes_[turn].salience);
@@ -115,23 +113,11 @@ class Cut_editor
     return b;
   }
 
-public:
-  explicit Cut_editor(Cut_hierarchy& cuts) : cuts_(cuts), nodes_(cuts.nodes) { find_turns(); }
-
-  // Moves node b to the place of node a, which they share from now on: as children of a node that
-  // is returned. The node whose cut separated b becomes that node; b's sibling takes its place.
-  std::size_t merge(std::size_t a, std::size_t b)
+  // Moves node b to the place of node a, and returns the node whose children they are now: that
+  // whose cut separated b, while b's sibling takes its place.
+  std::size_t moved_to(std::size_t a, std::size_t b, std::size_t common)
   {
-    const std::size_t common = common_node(a, b);
-    if (common == null_node)
-      throw std::invalid_argument("Segmentation_hierarchy: nodes of different roots cannot be "
-                                  "merged");
-    if (common == a || common == b)
-      throw std::invalid_argument("Segmentation_hierarchy: a node cannot be merged with one that "
-                                  "contains it");
     const std::size_t parent = nodes_[b].parent;
-    if (nodes_[a].parent == parent)
-      return parent;
     const std::size_t (&children)[2] = nodes_[parent].children;
     const std::size_t sibling = children[children[0] == b ? 1 : 0];
     std::size_t result = parent;
@@ -151,10 +137,32 @@ public:
       update_areas(nodes_[sibling].parent, common);
     }
     place_of(a) = result;
-    nodes_[result].parent = nodes_[a].parent;
+    Cut_node& n = nodes_[result];
+    n.parent = nodes_[a].parent;
+    n.cut_state = Cut_state::ACCEPTED;
+    n.factors = Salience_factors();
+    n.area = nodes_[a].area + nodes_[b].area;
     set_children(result, a, b);
-    nodes_[result].area = nodes_[a].area + nodes_[b].area;
-    update_areas(nodes_[result].parent, common);
+    update_areas(n.parent, common);
+    return result;
+  }
+
+public:
+  explicit Cut_editor(Cut_hierarchy& cuts) : cuts_(cuts), nodes_(cuts.nodes) { find_turns(); }
+
+  // Makes two nodes the children of one, by moving b to the place of a, and returns it.
+  std::size_t merge(std::size_t a, std::size_t b)
+  {
+    const std::size_t common = common_node(a, b);
+    if (common == null_node)
+      throw std::invalid_argument("Segmentation_hierarchy: nodes of different roots cannot be "
+                                  "merged");
+    if (common == a || common == b)
+      throw std::invalid_argument("Segmentation_hierarchy: a node cannot be merged with one that "
+                                  "contains it");
+    const std::size_t parent = nodes_[b].parent;
+    const std::size_t result =
+      nodes_[a].parent == parent ? parent : moved_to(a, b, common);
     set_late(result);
     update_order();
     return result;
