@@ -1,0 +1,50 @@
+// Copyright (c) 2026  The Spectral_segmentation authors.
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_SPECTRAL_SEGMENTATION_INTERNAL_JSON_HIERARCHY_ACCESS_H
+#define CGAL_SPECTRAL_SEGMENTATION_INTERNAL_JSON_HIERARCHY_ACCESS_H
+
+#include <CGAL/Spectral_segmentation/Segmentation_hierarchy.h>
+
+#include <array>
+#include <cstddef>
+#include <utility>
+
+namespace CGAL::Spectral_segmentation::internal {
+
+// What is written of a hierarchy and has no public name.
+struct Hierarchy_access
+{
+  static const Cut_hierarchy& cuts(const Segmentation_hierarchy& h) { return h.cuts_; }
+
+  static std::size_t maximum_number_of_segments(const Segmentation_hierarchy& h)
+  { return h.maximum_number_of_segments_; }
+};
+
+constexpr const char* name_of_format = "CGAL Spectral_segmentation hierarchy";
+constexpr std::size_t version_of_format = 1;
+
+constexpr std::array<std::pair<Cut_state, const char*>, 4> names_of_cut_states = {{
+  {Cut_state::NOT_SEARCHED, "not searched"},
+  {Cut_state::NO_CUT, "no cut"},
+  {Cut_state::REJECTED, "rejected"},
+  {Cut_state::ACCEPTED, "known"}}};
+
+constexpr std::array<std::pair<const char*, double Salience_factors::*>, 8> names_of_factors = {{
+  {"size", &Salience_factors::size},
+  {"cut_strength", &Salience_factors::cut_strength},
+  {"protrusiveness", &Salience_factors::protrusiveness},
+  {"log_relative_part_area", &Salience_factors::log_relative_part_area},
+  {"concavity_near_cut", &Salience_factors::concavity_near_cut},
+  {"convexity_gain", &Salience_factors::convexity_gain},
+  {"relative_convexity_gain", &Salience_factors::relative_convexity_gain},
+  {"expansion_behind_cut", &Salience_factors::expansion_behind_cut}}};
+
+// Numbers that JSON does not have are strings.
+constexpr const char* infinity_string = "infinity";
+constexpr const char* minus_infinity_string = "-infinity";
+constexpr const char* nan_string = "nan";
+
+} // namespace CGAL::Spectral_segmentation::internal
+
+#endif // CGAL_SPECTRAL_SEGMENTATION_INTERNAL_JSON_HIERARCHY_ACCESS_H
