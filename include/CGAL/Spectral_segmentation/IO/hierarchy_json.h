@@ -65,10 +65,16 @@ inline void write_hierarchy(std::ostream& os, const Segmentation_hierarchy& h,
   write_json(os, json);
 }
 
+// A hierarchy is five levels deep. What is deeper could overflow the stack.
 inline Json parsed(std::istream& is)
 {
+  const auto check_depth = [](int depth, Json::parse_event_t, const Json&) {
+    if (depth > 10)
+      throw std::runtime_error("read_hierarchy: the JSON is nested too deep");
+    return true;
+  };
   try {
-    return Json::parse(is);
+    return Json::parse(is, check_depth);
   }
   catch (const Json::parse_error& e) {
     throw std::runtime_error("read_hierarchy: the JSON is not well-formed at byte " +

@@ -222,7 +222,7 @@ public:
 
   Segmentation_hierarchy operator()()
   {
-    if (!json_.is_object() || json_.value("format", Json()) != name_of_format)
+    if (!json_.is_object() || !json_.contains("format") || json_["format"] != name_of_format)
       fail("this is not a hierarchy");
     if (member(json_, "version") != version_of_format)
       fail("its version is not " + std::to_string(version_of_format));
