@@ -9,7 +9,6 @@
 #include <cstddef>
 #include <cstdlib>
 #include <iostream>
-#include <limits>
 #include <string>
 
 typedef CGAL::Surface_mesh<CGAL::Simple_cartesian<double>::Point_3> Mesh;
@@ -26,12 +25,10 @@ int main(int argc, char* argv[])
     return EXIT_FAILURE;
   }
 
-  // The search, which takes the time, is done once, and accepts every cut.
+  // The search, which takes the time, is done once.
   Segmentation_hierarchy tree;
   auto segment_ids = mesh.add_property_map<Mesh::Face_index, int>("f:segment").first;
-  CGAL::segment_spectral_recursive(
-    mesh, segment_ids,
-    params::salience_threshold(-std::numeric_limits<double>::infinity()).hierarchy(tree));
+  CGAL::segment_spectral_recursive(mesh, segment_ids, params::hierarchy(tree));
 
   // The two sides of each cut follow each other, the most salient cut first.
   std::cout << "segments  probability that a person makes the last cut\n";

@@ -80,7 +80,8 @@ struct Options
   std::string list_file, output_directory; // of a batch
   std::vector<std::string> output_formats = {"labels"};
   std::optional<std::size_t> jobs;
-  std::string input, mesh_file, label_file, report_file, split_directory; // of one run
+  std::string input, mesh_file, label_file, report_file, hierarchy_file,
+    split_directory; // of one run
   std::string split_format = "ply";
   std::string method_name = "calibrated";
   std::optional<std::size_t> segments;
@@ -101,7 +102,8 @@ struct Options
 
   bool writes_to_standard_output() const
   {
-    return is_standard_output(label_file) || is_standard_output(report_file);
+    return is_standard_output(label_file) || is_standard_output(report_file) ||
+           is_standard_output(hierarchy_file);
   }
 
   double minimum_segment_size() const
@@ -160,8 +162,11 @@ void add_options(CLI::App& app, Options& o)
            "segment of each face of IN, one a line; a polygon cut by a boundary counts to the "
            "segment that has most of it; - for standard output");
   add_file("--json", o.report_file,
-           "counts, seconds by stage summed over all parts, parameters, tree of cuts; - for "
-           "standard output");
+           "counts, seconds by stage summed over all parts, parameters, segments, hierarchy of "
+           "cuts; - for standard output");
+  add_file("--hierarchy", o.hierarchy_file,
+           "hierarchy of cuts with the leaf of each face, to be read for another number of "
+           "segments; - for standard output");
   add_file("--split-dir", o.split_directory,
            "directory for one file a segment; what an earlier run wrote there is replaced")->type_name("DIR");
   app.add_option("--split-format", o.split_format, "format of these files")
@@ -244,14 +249,15 @@ void check_usage(const Options& o)
     return;
   }
   if (!o.mesh_file.empty() || !o.label_file.empty() || !o.report_file.empty() ||
-      !o.split_directory.empty())
+      !o.hierarchy_file.empty() || !o.split_directory.empty())
     throw Failure(Status::USAGE, "with --out-dir, --outputs names what is written");
 }
 
 // Finds what can be found before a long run.
 void check_files(const Options& o)
 {
-  std::vector<std::filesystem::path> outputs = {o.mesh_file, o.label_file, o.report_file};
+  std::vector<std::filesystem::path> outputs = {o.mesh_file, o.label_file, o.report_file,
+                                                o.hierarchy_file};
   if (!o.mesh_file.empty())
     check_output_format(o.mesh_file, false);
   if (!o.split_directory.empty())
@@ -324,8 +330,9 @@ Json status_report(const Options& o, Status status, const std::string& message)
           {"message", message}};
 }
 
-Json report(const Options& o, const Input& input, std::size_t number_of_segments,
-            const Segmentation_hierarchy& tree, const Run_watch& watch)
+Json report(const Options& o, const Input& input, const std::vector<Index>& labels,
+            std::size_t number_of_segments, const Segmentation_hierarchy& tree,
+            const Run_watch& watch)
 {
   Json result = status_report(o, Status::OK, "");
   result.update({
@@ -339,7 +346,7 @@ Json report(const Options& o, const Input& input, std::size_t number_of_segments
           {"peak_memory", peak_memory()},
           {"threads", json_or_null(o.threads)},
           {"parameters", parameters_report(o)},
-          {"tree", tree_report(tree, o.is_of_paper())}});
+          {"hierarchy", hierarchy_report(tree, input, labels)}});
   return result;
 }
 
@@ -426,10 +433,13 @@ Json run(const Options& o)
     files.write(o.label_file, [&](std::ostream& out) { write_labels(out, label_of_polygon); });
   if (writes_meshes)
     write_meshes(o, input, labels, label_of_polygon, number_of_segments, tree, files);
+  if (!o.hierarchy_file.empty())
+    files.write(o.hierarchy_file,
+                [&](std::ostream& out) { write_hierarchy(out, tree, input, labels); });
   watch.end_phase();
   if (!o.report_file.empty()) // the last, as it has the time of the others
     files.write(o.report_file, [&](std::ostream& out) {
-      out << report(o, input, number_of_segments, tree, watch)
+      out << report(o, input, labels, number_of_segments, tree, watch)
                .dump(1, ' ', false, Json::error_handler_t::replace) << "\n";
     });
   files.commit();

@@ -204,6 +204,34 @@ class Example(unittest.TestCase):
         self.assertTrue(all(0 <= p <= 1 for p in probabilities))
         self.assertEqual(len(set(zip(labels[3], labels[7]))), 7, "the few are unions of the many")
 
+    def test_save_and_load_hierarchy(self):
+        """One process saves, others load: the labels are those of runs."""
+        n, most = self.numbers(r"(\d+) segments, up to (\d+)", self.run_example())
+        self.assertGreater(n, 6)
+        labels = {}
+        for wanted in (3, n, most, most + 1):
+            written, = self.numbers(r"(\d+) segments are written",
+                                    self.run_example(int(wanted)))
+            self.assertEqual(written, min(wanted, most))
+            labels[wanted] = self.labels_in_text()
+            self.check_segments(read_off(MESHES / "elephant.off")[1], labels[wanted], written)
+        self.assertEqual(len(set(zip(labels[3], labels[most]))), most)
+        chooser = pathlib.Path(EXAMPLE).parent / "choose_number_of_segments"
+        if chooser.exists():
+            for wanted in (3, n, most):
+                subprocess.run([chooser, MESHES / "elephant.off", str(int(wanted))], check=True,
+                               cwd=self.directory, stdout=subprocess.DEVNULL, timeout=300)
+                self.assertEqual(self.ply()[2]["segment"], labels[wanted])
+
+    def test_edit_segments(self):
+        """Two neighbors become one, then another segment becomes two."""
+        n, merged, last = self.numbers(
+            r"(\d+) segments, (\d+) after a merge, (\d+) after a cut", self.run_example())
+        self.assertEqual(merged, n - 1)
+        self.assertGreater(last, merged)
+        _, faces, properties = self.ply()
+        self.check_segments(faces, properties["segment"], last)
+
     def test_own_part_salience(self):
         pattern = r"(\d+) segments, .*"
         ball = [5., 8., 9.5, 10., 9.5, 8., 5.]

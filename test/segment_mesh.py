@@ -254,13 +254,13 @@ class Real_meshes(Tool_test):
         labels = self.segment(MESHES / "elephant.off", "--method", "paper")
         points, faces = read_off(MESHES / "elephant.off")
         report = self.report()
-        nodes = report["tree"]
+        nodes = report["hierarchy"]["nodes"]
         leaves = [n for n in nodes if not n["children"]]
         self.assertEqual(sorted(n["faces"] for n in leaves),
                          sorted(collections.Counter(labels).values()))
         for i, node in enumerate(nodes):
             self.assertEqual(node["id"], i)
-            self.assertEqual(node["cut"] == "accepted", bool(node["children"]))
+            self.assertEqual(node["cut"] == "known", bool(node["children"]))
             for child in node["children"]:
                 self.assertEqual(nodes[child]["parent"], i)
             if node["children"]:
@@ -273,7 +273,7 @@ class Real_meshes(Tool_test):
                                        0.1 * factors["size"] + 0.6 * factors["cut_strength"] +
                                        0.3 * factors["protrusiveness"])
                 self.assertEqual(node["salience"] >= report["parameters"]["salience_threshold"],
-                                 node["cut"] == "accepted")
+                                 node["cut"] == "known")
         whole = sum(area(points, face) for face in faces)
         self.assertAlmostEqual(nodes[0]["area"] / whole, 1)
 
@@ -281,16 +281,48 @@ class Real_meshes(Tool_test):
         labels = self.segment(MESHES / "elephant.off")
         report = self.report()
         self.assertEqual(report["parameters"]["method"], "calibrated")
-        cuts = [n for n in report["tree"] if n["children"]]
+        cuts = [n for n in report["hierarchy"]["nodes"] if n["children"]]
         self.assertEqual(len(cuts), 19)
         for node in cuts:
-            self.assertTrue(0 <= node["probability"] <= 1)
-            self.assertNotIn("salience", node)
+            self.assertTrue(0 <= node["salience"] <= 1)
             self.assertGreater(node["factors"]["expansion_behind_cut"], 0)
         made = [n for n in cuts
-                if n["probability"] >= report["parameters"]["salience_threshold"]]
+                if n["salience"] >= report["parameters"]["salience_threshold"]]
         self.assertEqual(len(made), max(labels))
+        self.assertEqual([n for n in cuts if n["made"]], made)
         self.assertEqual(self.segment(MESHES / "elephant.off", "--method", "calibrated"), labels)
+
+    def test_segments_are_described(self):
+        labels = self.segment(MESHES / "elephant.off", "--hierarchy", "out.hierarchy.json")
+        points, faces = read_off(MESHES / "elephant.off")
+        hierarchy = json.loads((self.directory / "out.hierarchy.json").read_text())
+        leaf_of_face = hierarchy.pop("leaf_of_face")
+        self.assertEqual(hierarchy, self.report()["hierarchy"])
+        segments, nodes = hierarchy["segments"], hierarchy["nodes"]
+        self.assertEqual(len(segments), max(labels) + 1)
+
+        segment_of_node = {s["node"]: s["id"] for s in segments}
+        for label, leaf in zip(labels, leaf_of_face):
+            self.assertEqual(nodes[leaf]["children"], [])
+            while leaf not in segment_of_node:
+                leaf = nodes[leaf]["parent"]
+            self.assertEqual(segment_of_node[leaf], label)
+
+        segments_at_edge = collections.defaultdict(set)
+        for face, label in zip(faces, labels):
+            for i in range(3):
+                segments_at_edge[frozenset((face[i - 1], face[i]))].add(label)
+        for k, segment in enumerate(segments):
+            part = [face for face, label in zip(faces, labels) if label == k]
+            corners = [points[v] for face in part for v in face]
+            self.assertEqual(segment["id"], k)
+            self.assertEqual(segment["faces"], len(part))
+            self.assertAlmostEqual(segment["area"] / sum(area(points, f) for f in part), 1)
+            self.assertEqual(segment["bounding_box"],
+                             [[bound(axis) for axis in zip(*corners)] for bound in (min, max)])
+            self.assertEqual(segment["neighbors"],
+                             sorted(set().union(*(s for s in segments_at_edge.values()
+                                                  if k in s)) - {k}))
 
     def test_defaults_follow_the_method(self):
         manual = (pathlib.Path(__file__).parent.parent / "include" / "CGAL" /
@@ -334,9 +366,9 @@ class Real_meshes(Tool_test):
         for threshold in (0.3, 0.6, 0.8):
             self.segment(MESHES / "hand.off", "--method", "paper", "--salience-threshold",
                          threshold)
-            for node in self.report()["tree"]:
+            for node in self.report()["hierarchy"]["nodes"]:
                 if node["salience"] is not None:
-                    self.assertEqual(node["salience"] >= threshold, node["cut"] == "accepted")
+                    self.assertEqual(node["salience"] >= threshold, node["cut"] == "known")
 
     def test_every_run_is_the_same(self):
         for options in ((), ("--seed", 5), ("--boundary-smoothing", "--smooth", 2)):
@@ -377,7 +409,7 @@ class Real_meshes(Tool_test):
 
     def assert_tree_of_cuts(self, nodes, children, root):
         """The nodes, by a name, are the nodes of the report's tree that the labels come from."""
-        tree = self.report()["tree"]
+        tree = self.report()["hierarchy"]["nodes"]
         sizes = collections.Counter("segment_%03d" % label for label in self.labels())
         seen = []
 
@@ -929,10 +961,10 @@ class Soups(Tool_test):
 
     def test_the_side_of_most_faces_is_outside(self):
         self.segment(self.write_off(self.points, self.faces))
-        salience = self.report()["tree"][0]["probability"]
+        salience = self.report()["hierarchy"]["nodes"][0]["salience"]
         faces = [self.faces[0][::-1]] + self.faces[1:]
         self.segment(self.write_off(self.points, faces))
-        self.assertEqual(self.report()["tree"][0]["probability"], salience)
+        self.assertEqual(self.report()["hierarchy"]["nodes"][0]["salience"], salience)
 
     def test_points_repeated_for_each_face(self):
         points = [self.points[v] for f in self.faces for v in f]
@@ -1023,7 +1055,7 @@ class Soups(Tool_test):
         self.assertEqual(self.ply().faces, [tuple(range(n))])
         inside = n * 1 * 2 * math.sin(2 * math.pi / n) / 2
         self.assertEqual(self.report()["faces"], n - 2)
-        self.assertAlmostEqual(self.report()["tree"][0]["area"], inside)
+        self.assertAlmostEqual(self.report()["hierarchy"]["nodes"][0]["area"], inside)
 
     def test_coordinates_keep_all_digits(self):
         points = [tuple(x / 3 for x in p) for p in self.points]

@@ -5,12 +5,16 @@
 #define SEGMENT_MESH_REPORT_H
 
 #include "Run_watch.h"
+#include "read_input.h"
 
+#include <CGAL/Spectral_segmentation/IO/hierarchy_json.h>
 #include <CGAL/Spectral_segmentation/Segmentation_hierarchy.h>
 
 #include <nlohmann/json.hpp>
 
 #include <cstddef>
+#include <ostream>
+#include <vector>
 
 namespace segment_mesh {
 
@@ -35,57 +39,29 @@ inline Json seconds_report(const Run_watch& watch)
           {"total", watch.seconds()}};
 }
 
-inline const char* name_of(CGAL::Spectral_segmentation::Segmentation_hierarchy::Cut_state state)
+// The hierarchy with the segments of the run. Faces are the triangles of the input.
+inline Json hierarchy_report(const CGAL::Spectral_segmentation::Segmentation_hierarchy& hierarchy,
+                             const Input& input, const std::vector<Index>& label_of_triangle)
 {
-  typedef CGAL::Spectral_segmentation::Segmentation_hierarchy::Cut_state Cut_state;
-  switch (state) {
-    case Cut_state::NO_CUT: return "no cut";
-    case Cut_state::REJECTED: return "rejected";
-    case Cut_state::ACCEPTED: return "accepted";
-    default: return "not searched";
-  }
+  namespace internal = CGAL::Spectral_segmentation::internal;
+  const std::vector<std::size_t> nodes = hierarchy.segments();
+  const std::vector<std::size_t> labels(label_of_triangle.begin(), label_of_triangle.end());
+  return internal::json_of_hierarchy(
+    hierarchy, nodes, labels,
+    internal::segment_extents(input.soup.points, input.triangles, labels, nodes.size()));
 }
 
-// The method of the paper has three factors.
-inline Json factors_report(const CGAL::Spectral_segmentation::Salience_factors& f,
-                           bool is_of_paper)
+// The same with the leaf of each face; if there are larger polygons, also with their numbers.
+inline void write_hierarchy(std::ostream& out,
+                            const CGAL::Spectral_segmentation::Segmentation_hierarchy& hierarchy,
+                            const Input& input, const std::vector<Index>& label_of_triangle)
 {
-  Json report = {{"size", f.size},
-                 {"cut_strength", f.cut_strength},
-                 {"protrusiveness", f.protrusiveness}};
-  if (!is_of_paper)
-    report.update({{"log_relative_part_area", f.log_relative_part_area},
-                   {"concavity_near_cut", f.concavity_near_cut},
-                   {"convexity_gain", f.convexity_gain},
-                   {"relative_convexity_gain", f.relative_convexity_gain},
-                   {"expansion_behind_cut", f.expansion_behind_cut}});
-  return report;
-}
-
-// The nodes by their index; salience and factors are those of the best cut, null if there is none.
-// The salience of the calibrated method goes by the name of what it is, a probability.
-inline Json tree_report(const CGAL::Spectral_segmentation::Segmentation_hierarchy& tree,
-                        bool is_of_paper)
-{
-  typedef CGAL::Spectral_segmentation::Segmentation_hierarchy Segmentation_hierarchy;
-  const char* const salience = is_of_paper ? "salience" : "probability";
-  Json nodes = Json::array();
-  for (std::size_t i = 0; i < tree.number_of_nodes(); ++i) {
-    const Segmentation_hierarchy::Node& n = tree.node(i);
-    const bool has_cut = n.cut_state == Segmentation_hierarchy::Cut_state::REJECTED ||
-                         n.cut_state == Segmentation_hierarchy::Cut_state::ACCEPTED;
-    Json node;
-    node["id"] = i;
-    node["parent"] = n.parent == Segmentation_hierarchy::null_node ? Json() : Json(n.parent);
-    node["children"] = n.is_leaf() ? Json::array() : Json(n.children);
-    node["faces"] = tree.number_of_faces(i);
-    node["area"] = n.area;
-    node["cut"] = name_of(n.cut_state);
-    node[salience] = has_cut ? Json(n.salience) : Json();
-    node["factors"] = has_cut ? factors_report(n.factors, is_of_paper) : Json();
-    nodes.push_back(node);
-  }
-  return nodes;
+  namespace internal = CGAL::Spectral_segmentation::internal;
+  Json json = hierarchy_report(hierarchy, input, label_of_triangle);
+  internal::add_faces(hierarchy, json);
+  if (input.triangles.size() != input.soup.number_of_polygons())
+    json["input_face_of_face"] = input.polygon_of_triangle;
+  internal::write_json(out, json);
 }
 
 } // namespace segment_mesh
