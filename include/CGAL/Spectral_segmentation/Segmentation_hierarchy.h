@@ -35,8 +35,8 @@ struct Hierarchy_access;
 /// The children of a node are its two parts. The root is the whole mesh; if components are kept
 /// apart, as with `zhang_liu_2005()`, each connected component is a root.
 /// From a hierarchy the labels for another number of segments, or another threshold, are read off
-/// without searching again. Each segment is a node. Two segments can be merged and a leaf can be cut
-/// again by hand; `IO/hierarchy_json.h` writes a hierarchy to a stream, and reads it.
+/// without searching again. Each segment is a node. Segments can be merged, and cut again, by hand.
+/// `IO/hierarchy_json.h` writes a hierarchy to a stream, and reads it.
 ///
 /// The default method merges the regions of an over-segmentation, and the cuts are its merges in
 /// reverse: the hierarchy has them all, whatever the threshold and the maximum number of segments
@@ -206,7 +206,7 @@ public:
       if (above != null_node)
         position[i] = above;
       else if (n.is_leaf() && position[i] == null_node)
-        throw std::invalid_argument("Segmentation_hierarchy: the segments do not contain all faces");
+        throw std::invalid_argument("Segmentation_hierarchy: a face is in no segment");
     }
     std::vector<size_type> result(number_of_faces());
     for (size_type f = 0; f < result.size(); ++f)
@@ -276,10 +276,10 @@ public:
 
   /// \name Changes by Hand
   /// A choice of segments is a vector of nodes, as `segments()` returns. To cut one again, replace
-  /// its node by the two children. `merge()` makes a node of two, and `cut_again()` cuts a leaf. Nodes
-  /// that contain neither of the two, and the two, keep their number and their faces, and all other
-  /// functions stay valid. They take time linear in the number of faces and O(*c* log *c*)
-  /// in that of cuts. If they throw, nothing has changed.
+  /// its node by the two children. `merge()` puts two nodes below one, and `cut_again()` cuts a
+  /// leaf. After both all functions are valid, and nodes have their numbers; nodes that are below
+  /// the changed ones, or have none of their faces, have their faces. They take time linear in the
+  /// number of faces and O(*c* log *c*) in that of cuts. If they throw, nothing has changed.
   ///
   /// In a hierarchy of the default method cuts stay in the order of their salience: where a change
   /// puts a cut below a less salient one, its salience is lowered to that of the latter.
@@ -287,14 +287,16 @@ public:
 
   /// makes two nodes the children of one node, and returns that.
   ///
-  /// The cut that separates `a` from `b` comes as late as it can from now on: right before the first
-  /// cut of either, or last, with the salience of that cut, or 0. So after two segments of
-  /// `labels(n)` were merged, `labels(n - 1)` has them as one.
-  /// If they are not siblings, node `b` is moved to the place of `a`, and the cut that separated `b`
-  /// is undone. Nodes that contain only one of the two gain or lose the faces of `b`. So the two
-  /// should touch, and choose for `b` the one that the rest needs less to be connected.
+  /// The cut that separates `a` from `b` comes as late as it can from now on: right before the
+  /// first cut of either, with its salience, or last, with the salience 0, or the smallest if that
+  /// is below 0. So after two segments of `labels(n)` were merged, `labels(n - 1)` has them as one.
   ///
-  /// Throws `std::invalid_argument` if one node contains the other, or if they have different roots.
+  /// If they are not siblings, node `b` is moved to the place of `a`, and the cut that separated
+  /// `b` is undone. Nodes that contain only one of the two gain or lose the faces of `b`. So the
+  /// two should touch, and choose for `b` the one that the rest needs less to be connected.
+  ///
+  /// Throws `std::invalid_argument` if one node contains the other, or if they have different
+  /// roots, which only a run with `components_apart` has.
   size_type merge(size_type a, size_type b)
   {
     CGAL_precondition(a < number_of_nodes() && b < number_of_nodes());
@@ -305,10 +307,10 @@ public:
   }
 
   /// cuts a leaf as `part`, the hierarchy of a run on the faces of that leaf alone, in their order;
-  /// see the example \ref segment_part_again.cpp. The nodes of its cuts are added behind the others.
+  /// see the example `edit_segments.cpp`. The nodes of its cuts are added behind the others.
   ///
-  /// Throws `std::invalid_argument` if `leaf` is none, or if `part` has another number of faces or
-  /// several roots.
+  /// Throws `std::invalid_argument` if `leaf` is no leaf, or if `part` has another number of faces
+  /// or several roots.
   void cut_again(size_type leaf, const Segmentation_hierarchy& part)
   {
     CGAL_precondition(leaf < number_of_nodes());

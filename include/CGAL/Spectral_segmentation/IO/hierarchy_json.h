@@ -4,9 +4,8 @@
 #ifndef CGAL_SPECTRAL_SEGMENTATION_IO_HIERARCHY_JSON_H
 #define CGAL_SPECTRAL_SEGMENTATION_IO_HIERARCHY_JSON_H
 
-/// \file
-/// The only header of the package that needs nlohmann-json (the target
-/// `nlohmann_json::nlohmann_json` of its CMake package).
+// The only header for users that needs nlohmann-json: the target nlohmann_json::nlohmann_json of
+// its CMake package.
 
 #include <CGAL/Spectral_segmentation/Segmentation_hierarchy.h>
 #include <CGAL/Spectral_segmentation/internal/door/numbered_descriptors.h>
@@ -87,10 +86,6 @@ inline Json parsed(std::istream& is)
 
 } // namespace internal
 /// \endcond
-
-/// \ingroup PkgSpectralSegmentationRef
-/// \name Functions for Files
-/// @{
 
 /*!
 \ingroup PkgSpectralSegmentationRef
@@ -201,8 +196,8 @@ void write_hierarchy(std::ostream& os, const Segmentation_hierarchy& hierarchy,
 /*!
 \ingroup PkgSpectralSegmentationRef
 
-reads a hierarchy that `write_hierarchy()` or `segment_mesh --hierarchy` has written. It has the same
-nodes, and gives the same labels.
+reads a hierarchy that `write_hierarchy()` or `segment_mesh --hierarchy` has written. It has the
+same nodes, and gives the same labels.
 
 All that the functions of a hierarchy rely on is checked, so that any input gives a hierarchy or an
 exception. The time and the memory are linear in the size of the text.
@@ -231,8 +226,6 @@ inline Segmentation_hierarchy read_hierarchy(std::istream& is, std::vector<std::
   nodes = internal::Hierarchy_reader::segments(json, result);
   return result;
 }
-
-/// @}
 
 } // namespace Spectral_segmentation
 } // namespace CGAL
