@@ -553,6 +553,8 @@ BOOST_AUTO_TEST_CASE(changes_that_make_no_sense_are_refused)
   BOOST_TEST_REQUIRE(!h.node(0).is_leaf());
   BOOST_CHECK_THROW(h.merge(0, 1), std::invalid_argument);
   BOOST_CHECK_THROW(h.merge(0, 0), std::invalid_argument);
+  BOOST_CHECK_THROW(h.merge(2, h.number_of_nodes()), std::invalid_argument);
+  BOOST_CHECK_THROW(h.cut_again(Segmentation_hierarchy::null_node, h), std::invalid_argument);
   BOOST_CHECK_THROW(h.merge(h.node(0).children[0], 0), std::invalid_argument);
   BOOST_CHECK_THROW(h.cut_again(0, h), std::invalid_argument);
   const std::size_t leaf = h.number_of_nodes() - 1;

@@ -277,9 +277,9 @@ public:
   /// \name Changes by Hand
   /// A choice of segments is a vector of nodes, as `segments()` returns. To cut one again, replace
   /// its node by the two children. `merge()` puts two nodes below one, and `cut_again()` cuts a
-  /// leaf. After both all functions are valid, and nodes have their numbers; nodes that are below
-  /// the changed ones, or have none of their faces, have their faces. They take time linear in the
-  /// number of faces and O(*c* log *c*) in that of cuts. If they throw, nothing has changed.
+  /// leaf. All functions stay valid, nodes keep their numbers, and those that are below the nodes
+  /// given, or have none of their faces, keep their faces. Both take time linear in the number of
+  /// faces and O(*c* log *c*) in that of cuts. If they throw, nothing has changed.
   ///
   /// In a hierarchy of the default method cuts stay in the order of their salience: where a change
   /// puts a cut below a less salient one, its salience is lowered to that of the latter.
@@ -295,11 +295,12 @@ public:
   /// `b` is undone. Nodes that contain only one of the two gain or lose the faces of `b`. So the
   /// two should touch, and choose for `b` the one that the rest needs less to be connected.
   ///
-  /// Throws `std::invalid_argument` if one node contains the other, or if they have different
-  /// roots, which only a run with `components_apart` has.
+  /// Throws `std::invalid_argument` if one node contains the other, if there is no such node, or if
+  /// they have different roots, which only a run with `components_apart` has.
   size_type merge(size_type a, size_type b)
   {
-    CGAL_precondition(a < number_of_nodes() && b < number_of_nodes());
+    check_node(a);
+    check_node(b);
     internal::Cut_hierarchy cuts = cuts_;
     const size_type result = internal::Cut_editor(cuts).merge(a, b);
     set_cuts(std::move(cuts));
@@ -313,7 +314,7 @@ public:
   /// or several roots.
   void cut_again(size_type leaf, const Segmentation_hierarchy& part)
   {
-    CGAL_precondition(leaf < number_of_nodes());
+    check_node(leaf);
     if (!node(leaf).is_leaf())
       throw std::invalid_argument("Segmentation_hierarchy: only a leaf can be cut again; for other "
                                   "nodes there are their children");
@@ -351,6 +352,12 @@ private:
   {
     std::vector<size_type> nodes, labels;
   };
+
+  void check_node(size_type i) const
+  {
+    if (i >= number_of_nodes())
+      throw std::invalid_argument("Segmentation_hierarchy: there is no node " + std::to_string(i));
+  }
 
   void set_cuts(internal::Cut_hierarchy cuts)
   {
