@@ -94,8 +94,8 @@ writes a hierarchy as JSON, with the segments that were chosen.
 
 The section \ref Spectral_segmentation_json tells the keys. The segments have neither neighbors nor
 bounding boxes, for which the other overloads take the mesh. Numbers are written with all their
-digits. The time is linear in the size of the text, which is about 3 bytes for each face, and 30
-with `boundary_smoothing`.
+digits. The time is linear in the size of the text, which is 3 bytes for each face; with
+`boundary_smoothing` each has three more numbers.
 
 \param os the stream
 \param hierarchy the hierarchy
