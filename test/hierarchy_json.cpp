@@ -197,6 +197,16 @@ BOOST_AUTO_TEST_CASE(a_hierarchy_that_is_read_is_the_one_that_was_written)
              parameters::default_values());
 }
 
+BOOST_AUTO_TEST_CASE(a_hierarchy_with_wishes_is_read_back)
+{
+  Mesh mesh = mesh_of(doll());
+  auto seeds = mesh.add_property_map<Mesh::Face_index, int>("f:seed", -1).first;
+  const std::size_t n = num_faces(mesh);
+  for (std::size_t f : {std::size_t(0), std::size_t(1), n / 3, n / 2, n - 1})
+    seeds[Mesh::Face_index(f)] = f < n / 2 ? 0 : 1;
+  check_round_trip(hierarchy_of(mesh, parameters::face_seed_map(seeds).boundary_smoothing(true)));
+}
+
 BOOST_AUTO_TEST_CASE(changes_by_hand_are_kept)
 {
   const Mesh mesh = mesh_of(doll());
@@ -315,7 +325,7 @@ BOOST_AUTO_TEST_CASE(each_contradiction_is_named)
     j["neighbors_of_faces"] = Json::array();
     for (std::size_t f = 0; f < j["leaf_of_face"].size(); ++f)
       for (std::size_t k = 0; k < 3; ++k)
-        j["neighbors_of_faces"].push_back(k == 0 ? 0 : f);
+        j["neighbors_of_faces"].push_back(k == 0 ? 1 - std::min(f, std::size_t(1)) : 2);
   }), "only one is a neighbor"));
   BOOST_TEST(contains(error_of([](J j) { j["salience_threshold"] = Json(); }), "salience"));
 

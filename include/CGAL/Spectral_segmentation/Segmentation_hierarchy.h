@@ -296,7 +296,7 @@ public:
   /// two should touch, and choose for `b` the one that the rest needs less to be connected.
   ///
   /// Throws `std::invalid_argument` if one node contains the other, if there is no such node, or if
-  /// they have different roots, which only a run with `components_apart` has.
+  /// they have different roots, as with `components_apart`, or with wishes that keep parts apart.
   size_type merge(size_type a, size_type b)
   {
     check_node(a);

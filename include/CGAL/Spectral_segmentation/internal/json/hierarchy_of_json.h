@@ -199,6 +199,11 @@ class Hierarchy_reader
     return std::count(first, first + 3, to);
   }
 
+  // Smoothing ends, as each step makes boundaries shorter, if neighbors are mutual. A face that
+  // wishes concern has itself for neighbors, and is not smoothed.
+  bool is_neighbor(Index f, Index g) const
+  { return f == g || edges_to(f, g) == edges_to(g, f) || edges_to(g, g) == 3; }
+
   void read_neighbors()
   {
     if (!json_.contains("neighbors_of_faces"))
@@ -211,8 +216,7 @@ class Hierarchy_reader
       cuts_.neighbors.push_back(
         static_cast<Index>(count(value, "neighbors_of_faces", n - 1)));
     for (std::size_t h = 0; h < 3 * n; ++h) {
-      const Index f = static_cast<Index>(h / 3), g = cuts_.neighbors[h];
-      if (f != g && edges_to(f, g) != edges_to(g, f))
+      if (!is_neighbor(static_cast<Index>(h / 3), cuts_.neighbors[h]))
         fail("of two faces in \"neighbors_of_faces\" only one is a neighbor of the other");
     }
   }
