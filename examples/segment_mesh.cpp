@@ -80,8 +80,8 @@ struct Options
   std::string list_file, output_directory; // of a batch
   std::vector<std::string> output_formats = {"labels"};
   std::optional<std::size_t> jobs;
-  std::string input, mesh_file, label_file, report_file, hierarchy_file,
-    split_directory; // of one run
+  std::string input, label_file, report_file, hierarchy_file, split_directory; // of one run
+  std::vector<std::string> mesh_files;
   std::string split_format = "ply";
   std::string method_name = "calibrated";
   std::optional<std::size_t> segments;
@@ -122,8 +122,8 @@ struct Options
   }
 };
 
-const std::vector<std::string> output_formats = {"labels", "ply", "obj", "off", "glb", "3mf",
-                                                 "parts"};
+const std::vector<std::string> output_formats = {"labels", "hierarchy", "ply", "obj", "off",
+                                                 "glb", "3mf", "parts"};
 
 void add_options(CLI::App& app, Options& o)
 {
@@ -148,16 +148,18 @@ void add_options(CLI::App& app, Options& o)
   app.add_option("--outputs", o.output_formats,
                  "what to write to --out-dir beside reports: meshes with colors by their format, "
                  "'parts' as with --split-dir, and labels")
-    ->type_name("F")->delimiter(',')->check(CLI::IsMember(output_formats))->capture_default_str();
+    ->type_name("F")->delimiter(',')->allow_extra_args(false)
+    ->check(CLI::IsMember(output_formats))->capture_default_str();
   app.add_option("--jobs", o.jobs, "meshes of --out-dir that are segmented at a time [all cores]")
     ->type_name("N")->check(CLI::Range(1, 1024));
-  add_file("-o", o.mesh_file,
-           "mesh with a color for each segment: .ply, which also has the property 'segment' of "
-           "faces, .obj with groups and materials, .off, or with the tree of parts .glb"
+  app.add_option("-o", o.mesh_files,
+                 "mesh with a color for each segment: .ply, which also has the property 'segment' "
+                 "of faces, .obj with groups and materials, .off, or with the tree of parts .glb"
 #ifdef SEGMENT_MESH_WITH_LIB3MF
-           " or .3mf, in millimeters"
+                 " or .3mf, in millimeters"
 #endif
-           );
+                 "; may be given several times")
+    ->type_name("FILE")->allow_extra_args(false)->check(not_empty);
   add_file("--labels", o.label_file,
            "segment of each face of IN, one a line; a polygon cut by a boundary counts to the "
            "segment that has most of it; - for standard output");
@@ -168,7 +170,8 @@ void add_options(CLI::App& app, Options& o)
            "hierarchy of cuts with the leaf of each face, to be read for another number of "
            "segments; - for standard output");
   add_file("--split-dir", o.split_directory,
-           "directory for one file a segment; what an earlier run wrote there is replaced")->type_name("DIR");
+           "directory for one file a segment; what an earlier run wrote there is replaced")
+    ->type_name("DIR");
   app.add_option("--split-format", o.split_format, "format of these files")
     ->type_name("F")->check(CLI::IsMember({"ply", "obj", "off", "stl", "glb", "3mf"}))
     ->capture_default_str();
@@ -222,11 +225,11 @@ void add_options(CLI::App& app, Options& o)
              "The reports of --json have it by name, as 'status'.");
 }
 
-// Only files in which each segment is an object of its own have caps.
-bool closes_mesh_file(const Options& o)
+// Whether each segment is an object of its own, which may have caps.
+bool has_objects(const std::string& mesh_file)
 {
-  const std::string extension = mesh_file::output_extension(o.mesh_file);
-  return o.close && (extension == ".glb" || is_3mf(extension));
+  const std::string extension = mesh_file::output_extension(mesh_file);
+  return extension == ".glb" || is_3mf(extension);
 }
 
 // Finds what can be found before any run.
@@ -248,7 +251,7 @@ void check_usage(const Options& o)
       throw Failure(Status::USAGE, "several meshes need --out-dir");
     return;
   }
-  if (!o.mesh_file.empty() || !o.label_file.empty() || !o.report_file.empty() ||
+  if (!o.mesh_files.empty() || !o.label_file.empty() || !o.report_file.empty() ||
       !o.hierarchy_file.empty() || !o.split_directory.empty())
     throw Failure(Status::USAGE, "with --out-dir, --outputs names what is written");
 }
@@ -256,15 +259,17 @@ void check_usage(const Options& o)
 // Finds what can be found before a long run.
 void check_files(const Options& o)
 {
-  std::vector<std::filesystem::path> outputs = {o.mesh_file, o.label_file, o.report_file,
-                                                o.hierarchy_file};
-  if (!o.mesh_file.empty())
-    check_output_format(o.mesh_file, false);
+  std::vector<std::filesystem::path> outputs = {o.label_file, o.report_file, o.hierarchy_file};
+  for (const std::string& name : o.mesh_files) {
+    check_output_format(name, false);
+    outputs.push_back(name);
+    if (mesh_file::output_extension(name) == ".obj")
+      outputs.push_back(mesh_file::name_of_materials(name));
+  }
   if (!o.split_directory.empty())
     check_output_format("segment." + o.split_format, true);
-  if (mesh_file::output_extension(o.mesh_file) == ".obj")
-    outputs.push_back(mesh_file::name_of_materials(o.mesh_file));
-  if (o.close && !closes_mesh_file(o) && o.split_directory.empty())
+  if (o.close && o.split_directory.empty() &&
+      std::none_of(o.mesh_files.begin(), o.mesh_files.end(), has_objects))
     throw Failure(Status::USAGE, "--close needs an output of separate segments: --split-dir, or -o "
                                  "with .glb or .3mf");
   check_outputs({o.input}, outputs, o.split_directory);
@@ -374,8 +379,8 @@ void write_meshes(const Options& o, const Input& input, const std::vector<Index>
   const mesh_file::Segmented_mesh closed_mesh{
     closed.first, closed.second, colors,
     o.refine_boundaries ? 0 : written.soup.number_of_polygons(), parts};
-  if (!o.mesh_file.empty())
-    write_mesh(files, o.mesh_file, closes_mesh_file(o) ? closed_mesh : mesh);
+  for (const std::string& name : o.mesh_files)
+    write_mesh(files, name, o.close && has_objects(name) ? closed_mesh : mesh);
   if (!o.split_directory.empty())
     write_segments(files, o.split_directory, '.' + o.split_format, o.close ? closed_mesh : mesh);
 }
@@ -408,7 +413,7 @@ Json run(const Options& o)
     limit.emplace(tbb::global_control::max_allowed_parallelism, *o.threads);
 #endif
   Run_watch watch(!o.quiet && standard_error_is_terminal(), o.time_limit);
-  const bool writes_meshes = !o.mesh_file.empty() || !o.split_directory.empty();
+  const bool writes_meshes = !o.mesh_files.empty() || !o.split_directory.empty();
   const double bytes = size_of_file(o.input);
   const Expected_seconds first_guess(bytes, bytes / 20, writes_meshes);
   watch.start_phase("reading", first_guess.reading, first_guess.joining + first_guess.segmenting +
@@ -491,9 +496,17 @@ Options options_of_mesh(const Options& batch, const std::string& input, const Pa
   o.quiet = true;
   o.threads = batch.threads.value_or(1);
   o.report_file = path.string() + ".json";
-  for (const std::string& format : batch.output_formats)
-    (format == "labels" ? o.label_file : format == "parts" ? o.split_directory : o.mesh_file) =
-      path.string() + '.' + format;
+  for (const std::string& format : batch.output_formats) {
+    const std::string name = path.string() + '.' + format;
+    if (format == "labels")
+      o.label_file = name;
+    else if (format == "hierarchy")
+      o.hierarchy_file = name + ".json";
+    else if (format == "parts")
+      o.split_directory = name;
+    else
+      o.mesh_files.push_back(name);
+  }
   return o;
 }
 

@@ -684,6 +684,22 @@ class Formats(Tool_test):
         self.assertEqual(len(json.loads(glb[20:20 + size])["meshes"]), number)
         self.assert_same_parts(self.segment("out.off"), self.expected)
 
+    def test_several_outputs(self):
+        """Of one run, also in the directory of segments."""
+        (self.directory / "parts").mkdir()
+        done = self.run_tool("in.off", "-o", "out.ply", "-o", "out.obj", "--split-dir", "parts",
+                             "--labels", "parts/labels.seg", "--json", "parts/report.json")
+        self.assertEqual((done.returncode, done.stderr), (0, ""))
+        number = max(self.expected) + 1
+        self.assertEqual(len(list((self.directory / "parts").iterdir())), number + 3)
+        for name in ("out.ply", "out.obj", "out.mtl", "parts/labels.seg", "parts/report.json"):
+            self.assertTrue((self.directory / name).exists(), name)
+        done = self.run_tool("in.off", "--out-dir", "out", "--outputs", "ply,glb")
+        self.assertEqual(done.returncode, 0)
+        self.assertEqual(sorted(p.name for p in (self.directory / "out").iterdir()),
+                         ["in.off.glb", "in.off.json", "in.off.ply", "parameters.json",
+                          "table.jsonl"])
+
     def test_caps_have_no_face_of_the_input(self):
         done = self.run_tool("in.off", "--close", "--split-dir", "parts", "-o", "plain.ply")
         self.assertEqual((done.returncode, done.stderr), (0, ""))

@@ -159,6 +159,8 @@ public:
   {
     split_directory_ = split_directory_of(directory);
     earlier_segment_files_ = earlier_segment_files(split_directory_);
+    for (const File& f : files_) // this run may have other outputs there
+      earlier_segment_files_.erase(f.temporary.filename().string());
     if (std::filesystem::is_directory(split_directory_))
       return;
     const Signal_block block;

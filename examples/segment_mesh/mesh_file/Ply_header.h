@@ -9,6 +9,7 @@
 
 #include <cstddef>
 #include <limits>
+#include <set>
 #include <string>
 #include <string_view>
 #include <utility>
@@ -43,6 +44,7 @@ class Ply_header_reader
 {
   Text_scanner& text_;
   Ply_header header_;
+  std::set<std::string> element_names_, property_names_; // so far; the latter of the last element
 
   // On this line.
   std::string_view word(const char* expected)
@@ -71,9 +73,9 @@ class Ply_header_reader
   void read_element()
   {
     const std::string name(word("the name of an element"));
-    for (const Ply_element& e : header_.elements)
-      if (e.name == name)
-        text_.fail_with("there is an element " + in_quotes(name) + " already");
+    if (!element_names_.insert(name).second)
+      text_.fail_with("there is an element " + in_quotes(name) + " already");
+    property_names_.clear();
     const long long size =
       text_.integer(0, (std::numeric_limits<long long>::max)(), "a number of elements");
     header_.elements.push_back({name, static_cast<std::size_t>(size), {}});
@@ -109,9 +111,8 @@ class Ply_header_reader
     }
     property.type = number_type();
     property.name = word("the name of a property");
-    for (const Ply_property& p : header_.elements.back().properties)
-      if (p.name == property.name)
-        text_.fail_with("there is a property " + in_quotes(property.name) + " already");
+    if (!property_names_.insert(property.name).second)
+      text_.fail_with("there is a property " + in_quotes(property.name) + " already");
     header_.elements.back().properties.push_back(property);
   }
 

@@ -10,6 +10,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <cstring>
+#include <random>
 #include <stdexcept>
 #include <vector>
 
@@ -18,16 +19,18 @@ namespace mesh_file {
 // Numbers points in the order in which they come; points at the same place have one number.
 //
 // A hash table with open addressing: it asks for 8 bytes a point, where std::unordered_map takes
-// over 50 and several times as long. Places are stirred by a multiplication, against files whose
-// points would all meet in one slot.
+// over 50 and several times as long. The hash has a random key, against files whose points would
+// all meet in one slot.
 class Point_numbering
 {
   std::vector<Point>& points_;
   std::vector<Index> slots_;
 
-  static std::uint64_t hash(const Point& p)
+  const std::uint64_t key_ = std::uint64_t(std::random_device()()) << 32 | std::random_device()();
+
+  std::uint64_t hash(const Point& p) const
   {
-    std::uint64_t result = 0;
+    std::uint64_t result = key_;
     for (double c : p) {
       const double number = c + 0.; // there are two zeros
       std::uint64_t bits;

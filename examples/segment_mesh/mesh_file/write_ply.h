@@ -10,6 +10,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <ostream>
+#include <set>
 #include <string>
 #include <utility>
 #include <vector>
@@ -58,15 +59,13 @@ class Ply_writer
 
   // Those without a name that is taken. The opacity goes with the colors that are replaced.
   static Properties further(const std::vector<Property>& properties,
-                            std::vector<std::string> taken)
+                            std::set<std::string> taken)
   {
-    taken.insert(taken.end(), {"red", "green", "blue", "alpha"});
+    taken.insert({"red", "green", "blue", "alpha"});
     Properties result;
     for (const Property& p : properties)
-      if (std::find(taken.begin(), taken.end(), p.name) == taken.end()) {
-        taken.push_back(p.name);
+      if (taken.insert(p.name).second)
         result.push_back(&p);
-      }
     return result;
   }
 

@@ -12,6 +12,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <cstring>
+#include <random>
 #include <tuple>
 #include <utility>
 #include <vector>
@@ -36,15 +37,18 @@ inline bool is_connected(const std::vector<Neighbors>& neighbors)
 }
 
 // Finds faces with the same three points, in any order, by a hash table of the faces. Points must
-// differ: faces in one point or line are no twins.
+// differ: faces in one point or line are no twins. The hash has a random key, against points that
+// were chosen to meet in one place of the table; the result does not depend on it.
 class Face_twins
 {
   const Triangles& triangles_;
   std::vector<std::uint64_t> hash_; // of each vertex
 
-  static std::uint64_t hash(const Vector& p)
+  const std::uint64_t key_ = std::uint64_t(std::random_device()()) << 32 | std::random_device()();
+
+  std::uint64_t hash(const Vector& p) const
   {
-    std::uint64_t h = 0;
+    std::uint64_t h = key_;
     for (int i = 0; i < 3; ++i) {
       const double coordinate = p[i] + 0.; // no negative zero
       std::uint64_t bits;
