@@ -391,6 +391,8 @@ void print_summary(std::ostream& out, const Options& o, const Input& input,
   out << o.input << ": " << input.soup.number_of_polygons() << " faces, " << number_of_segments
       << (number_of_segments == 1 ? " segment, " : " segments, ") << std::setprecision(3) << seconds
       << " s, " << peak_memory() / 1000000 << " MB" << std::endl;
+  if (!out)
+    throw_cannot_write("the summary");
 }
 
 // About how long the phases take. Only what is told of the progress depends on it.

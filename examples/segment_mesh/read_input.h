@@ -57,9 +57,13 @@ inline double size_of_file(const std::string& name)
 
 inline void check_is_file(const std::string& name)
 {
-  if (!std::filesystem::exists(name))
+  std::error_code error;
+  const std::filesystem::file_status status = std::filesystem::status(name, error);
+  if (status.type() == std::filesystem::file_type::not_found)
     throw Failure(Status::INPUT, "there is no file " + name);
-  if (!std::filesystem::is_regular_file(name))
+  if (error)
+    throw Failure(Status::INPUT, name + " cannot be opened: " + error.message());
+  if (!std::filesystem::is_regular_file(status))
     throw Failure(Status::INPUT, name + " is not a file");
   if (!std::ifstream(name))
     throw Failure(Status::INPUT, name + " cannot be opened");
