@@ -2,7 +2,7 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 
 # The target Spectral_segmentation::compiled: the engine compiled once, with the project's own
-# compiler, CGAL and flags, and with threads where TBB is found. Programs that link it in place of
+# compiler, CGAL and flags. Programs that link it in place of
 # Spectral_segmentation::Spectral_segmentation compile in a fraction of the time.
 if(NOT TARGET Spectral_segmentation_compiled)
   set(source ${CMAKE_CURRENT_BINARY_DIR}/Spectral_segmentation_engine.cpp)
@@ -15,12 +15,12 @@ if(NOT TARGET Spectral_segmentation_compiled)
   # Labels do not depend on whether the processor has fused multiplications.
   target_compile_options(Spectral_segmentation_compiled PRIVATE
     $<$<CXX_COMPILER_ID:GNU,Clang,AppleClang>:-ffp-contract=off>)
+  # Without a build type CMake asks for no optimization. A Debug build is taken to be wanted.
+  if(NOT CMAKE_CXX_FLAGS MATCHES "-O")
+    target_compile_options(Spectral_segmentation_compiled PRIVATE
+      $<$<AND:$<CONFIG:>,$<CXX_COMPILER_ID:GNU,Clang,AppleClang>>:-O2>)
+  endif()
   target_link_libraries(Spectral_segmentation_compiled
     PUBLIC Spectral_segmentation::Spectral_segmentation)
   set_target_properties(Spectral_segmentation_compiled PROPERTIES POSITION_INDEPENDENT_CODE ON)
-  find_package(TBB QUIET)
-  include(CGAL_TBB_support)
-  if(TARGET CGAL::TBB_support)
-    target_link_libraries(Spectral_segmentation_compiled PUBLIC CGAL::TBB_support)
-  endif()
 endif()
