@@ -3,13 +3,10 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 
 # consume.sh find_package|debian_package BUILD_DIR PROGRAM CMAKE_OPTION ...
-# consume.sh add_subdirectory|fetch_content CMAKE_OPTION ...
-# Builds and runs a program of this folder, which gets the package in the way that is named, in a
-# temporary folder. For find_package the package is first installed there from its build; for
-# debian_package, which is find_package too, the Debian packages are made, looked at and unpacked
-# there.
+# Builds and runs a program of this folder, which finds the installed package, in a temporary folder.
+# For find_package the package is installed from its build; for debian_package the Debian packages are
+# made, looked at and unpacked. readme_blocks.py tests the other ways to get the package.
 set -e
-project=$1
 work=$(mktemp -d)
 trap 'rm -rf "$work"' EXIT
 case $1 in
@@ -17,11 +14,8 @@ case $1 in
     # Installed here and moved there: no path may be fixed.
     cmake --install "$2" --prefix "$work/installed"
     mkdir "$work/root"
-    mv "$work/installed" "$work/root/usr"
-    program=$3
-    shift 2 ;;
+    mv "$work/installed" "$work/root/usr" ;;
   debian_package)
-    project=find_package
     cpack --config "$2/CPackConfig.cmake" -B "$work/package"
     for package in "$work"/package/*.deb; do
       dpkg-deb --info "$package"
@@ -32,12 +26,11 @@ case $1 in
     . "$work/root/usr/share/bash-completion/completions/segment_mesh"
     COMP_WORDS=(segment_mesh --segm) COMP_CWORD=1
     _segment_mesh
-    test "${COMPREPLY[*]}" = --segments
-    program=$3
-    shift 2 ;;
+    test "${COMPREPLY[*]}" = --segments ;;
 esac
-shift
-cmake -S "$(dirname "$0")/$project" -B "$work/build" \
+program=$3
+shift 3
+cmake -S "$(dirname "$0")/find_package" -B "$work/build" \
   -DSpectral_segmentation_ROOT="$work/root/usr" "$@"
-cmake --build "$work/build" --target "${program:=version}"
+cmake --build "$work/build" --target "$program"
 "$work/build/$program"
