@@ -10,6 +10,7 @@
 
 #include <array>
 #include <cstddef>
+#include <map>
 #include <string>
 #include <vector>
 
@@ -22,6 +23,9 @@ const CGAL::Spectral_segmentation::Segmentation_hierarchy& hierarchy();
 Mesh::Property_map<Mesh::Face_index, int> ids();
 Mesh::Property_map<Mesh::Face_index, double> fractions();
 Mesh::Property_map<Mesh::Face_index, bool> flags();
+Mesh::Property_map<Mesh::Face_index, std::string> names();
+Mesh::Property_map<Mesh::Vertex_index, int> ids_of_vertices();
+std::map<Mesh::Face_index, int> not_a_property_map();
 
 std::size_t n_01 = CGAL::segment_spectral_recursive(mesh(), fractions()); // error: the values of the segment id map must be of an integer type
 std::size_t n_02 = CGAL::segment_spectral_recursive(mesh(), flags());     // error: the values of the segment id map must be of an integer type
@@ -30,6 +34,11 @@ std::size_t n_04 = CGAL::segment_spectral_recursive<CGAL::Parallel_tag>(mesh(), 
 std::size_t n_05 = CGAL::segment_spectral_recursive(mesh(), ids(), CGAL::parameters::number_of_iterations(3)); // error: this pack holds a CGAL named parameter that the package does not use
 
 std::size_t n_06 = hierarchy().segment_by_number(mesh(), ids(), 3, params::boundary_smoothing(true)); // error: the labels of a Segmentation_hierarchy depend on no named parameter but face_index_map
+
+std::size_t n_12 = CGAL::segment_spectral_recursive(mesh(), names());           // error: the values of the segment id map must be of an integer type
+std::size_t n_13 = CGAL::segment_spectral_recursive(mesh(), ids_of_vertices()); // error: the keys of the segment id map must be the faces of the mesh
+std::size_t n_14 = hierarchy().segment_by_number(mesh(), ids_of_vertices(), 3); // error: the keys of the segment id map must be the faces of the mesh
+std::size_t n_15 = CGAL::segment_spectral_recursive(mesh(), not_a_property_map()); // error: the segment ids are given by a property map
 
 // Points and triangles.
 
@@ -50,3 +59,4 @@ std::size_t n_08 = CGAL::segment_spectral_recursive(Points(), Triangles(), Ids_o
 std::size_t n_09 = CGAL::segment_spectral_recursive(Points(), Triangles(), Ids_of_positions(), params::face_index_map(ids())); // error: vertex_point_map, face_index_map and geom_traits are of meshes
 std::size_t n_10 = CGAL::segment_spectral_recursive(Points(), Triangles(), Ids_of_positions(), params::geom_traits(Kernel())); // error: vertex_point_map, face_index_map and geom_traits are of meshes
 std::size_t n_11 = CGAL::segment_spectral_recursive(Points(), Triangles(), Ids_of_positions(), 0.3f); // error: the last argument is not a pack of named parameters
+std::size_t n_16 = CGAL::segment_spectral_recursive(Points(), Triangles(), ids()); // error: the keys of the segment id map must be the faces of the mesh, or the positions of triangles

@@ -4,8 +4,8 @@
 """check.py FILE COMMAND ...
 
 Compiles the file by the command. Lines that end with "// error: PATTERN" must not compile: the
-compiler has to print at least as many errors of a pattern as there are lines with it. A file
-without such lines must compile.
+compiler has to print at least as many errors of a pattern as there are lines with it, and no
+others. A file without such lines must compile.
 """
 
 import collections
@@ -24,9 +24,12 @@ print(done.stderr)
 failures = []
 if (done.returncode != 0) != bool(expected):
     failures.append("compiled, but must not" if expected else "did not compile")
-errors = [line for line in done.stderr.splitlines() if "error: " in line]
+errors = [line for line in done.stderr.splitlines() if re.search(r"[^/] error: ", line)]
 for pattern, number in expected.items():
     found = sum(bool(re.search(pattern, line)) for line in errors)
     if found < number:
         failures.append("%d errors in place of %d: %s" % (found, number, pattern))
+for line in errors:
+    if not any(re.search(pattern, line) for pattern in expected):
+        failures.append("one more error: " + line)
 sys.exit("\n".join(failures) or 0)

@@ -47,9 +47,15 @@ auto pack_26 = params::random_seed(1).salience_treshold(0.3); // error: did you 
 auto pack_27 = params::method(1);                             // error: 'method'
 auto pack_28 = params::number_of_regions(7);                  // error: 'number_of_regions'
 
-auto pack_30 = params::edge_is_constrained_map(true); // error: edge_is_constrained_map takes a property map
-auto pack_31 = params::edge_is_uncuttable_map(true);  // error: edge_is_uncuttable_map takes a property map
+auto pack_29 = params::edge_is_constrained_map(true); // error: edge_is_constrained_map takes a property map
+auto pack_30 = params::edge_is_uncuttable_map(true);  // error: edge_is_uncuttable_map takes a property map
 unsigned seeds_without_sign[3];
-auto pack_32 = params::face_seed_map(seeds_without_sign + 0); // error: face_seed_map takes a property map whose values are of a signed integer type
+auto pack_31 = params::face_seed_map(seeds_without_sign + 0); // error: face_seed_map takes a property map whose values are of a signed integer type
 
-auto pack_29 = params::from(CGAL::parameters::number_of_iterations(3)); // error: this pack holds a CGAL named parameter that the package does not use
+auto pack_32 = params::from(CGAL::parameters::verbose(true)); // error: this pack holds a CGAL named parameter that the package does not use
+
+auto pack_33 = params::number_of_segment(5);                       // error: did you mean 'number_of_segments'
+auto pack_34 = params::random_seed(1).number_of_segment(5);        // error: did you mean 'number_of_segments'
+
+// The members of a pack of CGAL are CGAL's own, so that the sentence is the compiler's.
+auto pack_35 = CGAL::parameters::random_seed(1).number_of_segments(5); // error: no member named 'number_of_segments'

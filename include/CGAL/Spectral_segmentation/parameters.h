@@ -54,6 +54,11 @@ class Segmentation_hierarchy;
 #define CGAL_SPECTRAL_SEGMENTATION_PARAMETERS_OF_RESULTS(f)                                      \
   f(closed, closed_t, is_flag, "takes a bool")
 
+// After a name of the package too, where the compiler takes it for a similar one of CGAL.
+#define CGAL_SPECTRAL_SEGMENTATION_OTHER_PARAMETER                                               \
+  "this pack holds a CGAL named parameter that the package does not use; those of the package "  \
+  "are not members of a CGAL pack: begin with CGAL::Spectral_segmentation::parameters::from(pack)"
+
 namespace internal_np {
 
 using CGAL::internal_np::vertex_point_t;
@@ -80,6 +85,16 @@ using is_count = std::bool_constant<std::is_integral<T>::value && !is_flag<T>::v
 
 template <class T>
 using is_real = std::bool_constant<std::is_arithmetic<T>::value && !is_flag<T>::value>;
+
+// Of what is no number 0, as a sentence was printed then and the compiler need not add one.
+template <class T>
+constexpr double to_double(T value)
+{
+  if constexpr (is_real<T>::value)
+    return static_cast<double>(value);
+  else
+    return 0;
+}
 
 template <class T, class = void>
 struct is_part_salience : std::false_type {};
@@ -182,7 +197,7 @@ public:
   explicit Named_parameters(const CGALNamedParameters& np = CGALNamedParameters()) : np_(np)
   {
     static_assert(internal_np::has_only_tags_of_package<CGALNamedParameters>::value,
-                  "this pack holds a CGAL named parameter that the package does not use");
+                  CGAL_SPECTRAL_SEGMENTATION_OTHER_PARAMETER);
   }
 
   /// the same parameters as a pack of CGAL, for CGAL's own functions
@@ -218,7 +233,8 @@ public:
                   internal_np::is_real<Number3>::value,
                   "salience_weights takes three numbers: alpha, beta, gamma");
     return part_salience(Weighted_part_salience{
-      static_cast<double>(alpha), static_cast<double>(beta), static_cast<double>(gamma)});
+      internal_np::to_double(alpha), internal_np::to_double(beta),
+      internal_np::to_double(gamma)});
   }
 
   /// the weight of the geodesic distance, and the factors of the angle distance at concave and at
@@ -231,8 +247,8 @@ public:
                   "distance_weights takes three numbers: delta, eta at concave edges, eta at "
                   "convex edges");
     return with<internal_np::distance_weights_t>(std::array<double, 3>{
-      static_cast<double>(delta), static_cast<double>(concave_eta),
-      static_cast<double>(convex_eta)});
+      internal_np::to_double(delta), internal_np::to_double(concave_eta),
+      internal_np::to_double(convex_eta)});
   }
 
   /// receives all cuts with their salience
@@ -337,7 +353,7 @@ cgal_pack(const CGAL::Named_function_parameters<T, Tag, Base>& np)
 {
   static_assert(internal_np::has_only_known_tags<
                   CGAL::Named_function_parameters<T, Tag, Base> >::value,
-                "this pack holds a CGAL named parameter that the package does not use");
+                CGAL_SPECTRAL_SEGMENTATION_OTHER_PARAMETER);
   return np;
 }
 
@@ -347,6 +363,8 @@ CGAL::parameters::Default_named_parameters cgal_pack(const NotAPack&)
   static_assert(sizeof(NotAPack) == 0, "the last argument is not a pack of named parameters");
   return CGAL::parameters::default_values();
 }
+
+#undef CGAL_SPECTRAL_SEGMENTATION_OTHER_PARAMETER
 
 } // namespace internal
 

@@ -67,7 +67,10 @@ class Boundary_halfedges
 public:
   Boundary_halfedges(const FaceGraph& mesh, SegmentIdMap segment_ids)
     : mesh_(mesh), segment_ids_(segment_ids)
-  { check_type_of_ids<Id>(); }
+  {
+    static_assert(is_segment_id_map<typename Graph_traits::face_descriptor, SegmentIdMap>(),
+                  "the segment ids must be a map of faces");
+  }
 
   Id id_on_left(halfedge_descriptor h) const { return get(segment_ids_, face(h, mesh_)); }
   Id id_on_right(halfedge_descriptor h) const { return id_on_left(opposite(h, mesh_)); }

@@ -4,6 +4,7 @@
 #ifndef CGAL_SPECTRAL_SEGMENTATION_INTERNAL_DOOR_NUMBERED_DESCRIPTORS_H
 #define CGAL_SPECTRAL_SEGMENTATION_INTERNAL_DOOR_NUMBERED_DESCRIPTORS_H
 
+#include <CGAL/Spectral_segmentation/internal/door/segment_id_map.h>
 #include <CGAL/Spectral_segmentation/internal/mesh/Triangles.h>
 
 #include <CGAL/Named_function_parameters.h>
@@ -135,17 +136,17 @@ template <class FaceDescriptor, class SegmentIdMap>
 std::size_t write_labels(const std::vector<FaceDescriptor>& faces,
                          const std::vector<std::size_t>& labels, SegmentIdMap segment_ids)
 {
-  typedef typename boost::property_traits<SegmentIdMap>::value_type Id;
-  static_assert(std::is_integral<Id>::value && !std::is_same<Id, bool>::value,
-                "the values of the segment id map must be of an integer type");
   check_number_of_faces(faces.size(), labels.size());
   const std::size_t n =
     labels.empty() ? 0 : 1 + *std::max_element(labels.begin(), labels.end());
-  if (n > 0 && n - 1 > static_cast<std::size_t>((std::numeric_limits<Id>::max)()))
-    throw std::overflow_error("segment_spectral_recursive: the type of the segment ids is too "
-                              "small for the number of segments");
-  for (std::size_t i = 0; i < faces.size(); ++i)
-    put(segment_ids, faces[i], static_cast<Id>(labels[i]));
+  if constexpr (is_segment_id_map<FaceDescriptor, SegmentIdMap>()) {
+    typedef typename boost::property_traits<SegmentIdMap>::value_type Id;
+    if (n > 0 && n - 1 > static_cast<std::size_t>((std::numeric_limits<Id>::max)()))
+      throw std::overflow_error("segment_spectral_recursive: the type of the segment ids is too "
+                                "small for the number of segments");
+    for (std::size_t i = 0; i < faces.size(); ++i)
+      put(segment_ids, faces[i], static_cast<Id>(labels[i]));
+  }
   return n;
 }
 

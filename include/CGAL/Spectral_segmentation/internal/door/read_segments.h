@@ -4,28 +4,21 @@
 #ifndef CGAL_SPECTRAL_SEGMENTATION_INTERNAL_DOOR_READ_SEGMENTS_H
 #define CGAL_SPECTRAL_SEGMENTATION_INTERNAL_DOOR_READ_SEGMENTS_H
 
+#include <CGAL/Spectral_segmentation/internal/door/segment_id_map.h>
 #include <CGAL/Spectral_segmentation/internal/utility/Index.h>
 
 #include <boost/property_map/property_map.hpp>
 
 #include <algorithm>
-#include <type_traits>
 #include <vector>
 
 namespace CGAL::Spectral_segmentation::internal {
-
-template <class Id>
-constexpr void check_type_of_ids()
-{
-  static_assert(std::is_integral<Id>::value && !std::is_same<Id, bool>::value,
-                "the ids of segments must be of an integer type");
-}
 
 // Any numbers as labels from 0 on, in the order of the numbers, which are returned.
 template <class Id>
 std::vector<Id> labels_of_ids(const std::vector<Id>& id_of_face, std::vector<Index>& labels)
 {
-  check_type_of_ids<Id>();
+  static_assert(is_segment_id<Id>::value, "the ids of segments must be of an integer type");
   std::vector<Id> ids = id_of_face;
   std::sort(ids.begin(), ids.end());
   ids.erase(std::unique(ids.begin(), ids.end()), ids.end());
@@ -44,8 +37,10 @@ read_segments(const std::vector<FaceDescriptor>& faces, SegmentIdMap segment_ids
 {
   std::vector<typename boost::property_traits<SegmentIdMap>::value_type> id_of_face;
   id_of_face.reserve(faces.size());
-  for (const FaceDescriptor& f : faces)
-    id_of_face.push_back(get(segment_ids, f));
+  if constexpr (is_segment_id_map<FaceDescriptor, SegmentIdMap>()) {
+    for (const FaceDescriptor& f : faces)
+      id_of_face.push_back(get(segment_ids, f));
+  }
   return labels_of_ids(id_of_face, labels);
 }
 

@@ -21,13 +21,14 @@ namespace CGAL::Spectral_segmentation::internal {
 template <class Range>
 using Element = std::decay_t<decltype(*std::begin(std::declval<const Range&>()))>;
 
-// Ranges of ranges of integers.
+// Ranges of ranges of integers, but not of strings.
 template <class Range, class = void>
 struct is_triangle_range : std::false_type {};
 
 template <class Range>
 struct is_triangle_range<Range, std::void_t<Element<Element<Range> > > >
-  : std::is_integral<Element<Element<Range> > > {};
+  : std::bool_constant<std::is_integral<Element<Element<Range> > >::value &&
+                       !std::is_same<Element<Element<Range> >, char>::value> {};
 
 // Reads points, whose coordinates are `p[0]`, `p[1]`, `p[2]`, and triangles of their indices. Which
 // triangles are neighbors is left open. Points that no triangle uses may be anything.

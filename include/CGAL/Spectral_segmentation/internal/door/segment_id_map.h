@@ -1,0 +1,53 @@
+// Copyright (c) 2026  The Spectral_segmentation authors.
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_SPECTRAL_SEGMENTATION_INTERNAL_DOOR_SEGMENT_ID_MAP_H
+#define CGAL_SPECTRAL_SEGMENTATION_INTERNAL_DOOR_SEGMENT_ID_MAP_H
+
+#include <boost/property_map/property_map.hpp>
+
+#include <type_traits>
+
+namespace CGAL::Spectral_segmentation::internal {
+
+template <class Map, class = void>
+struct is_any_property_map : std::false_type {};
+
+template <class Map>
+struct is_any_property_map<Map, std::void_t<typename boost::property_traits<Map>::key_type> >
+  : std::true_type {};
+
+// A map that is asked for no key in particular has the key type `void`.
+template <class Key, class MapKey>
+using is_key_of = std::bool_constant<std::is_void<MapKey>::value ||
+                                     std::is_convertible<Key, MapKey>::value>;
+
+template <class Id>
+using is_segment_id =
+  std::bool_constant<std::is_integral<Id>::value && !std::is_same<Id, bool>::value>;
+
+// Whether a caller's map gives ids to faces. If not, a sentence says why, and functions that ask
+// leave out what uses the map: it would add the errors of its body.
+template <class Face, class SegmentIdMap>
+constexpr bool is_segment_id_map()
+{
+  constexpr bool is_map = is_any_property_map<SegmentIdMap>::value;
+  static_assert(is_map, "the segment ids are given by a property map: for a std::map m that is "
+                        "boost::make_assoc_property_map(m)");
+  if constexpr (is_map) {
+    typedef boost::property_traits<SegmentIdMap> Traits;
+    constexpr bool has_faces = is_key_of<Face, typename Traits::key_type>::value;
+    constexpr bool has_ids = is_segment_id<typename Traits::value_type>::value;
+    static_assert(has_faces, "the keys of the segment id map must be the faces of the mesh, or the "
+                             "positions of triangles");
+    static_assert(has_ids, "the values of the segment id map must be of an integer type");
+    return has_faces && has_ids;
+  }
+  else {
+    return false;
+  }
+}
+
+} // namespace CGAL::Spectral_segmentation::internal
+
+#endif // CGAL_SPECTRAL_SEGMENTATION_INTERNAL_DOOR_SEGMENT_ID_MAP_H
