@@ -4,6 +4,7 @@
 """Tests an example: examples.py EXAMPLE MESHES, with the directory of CGAL's meshes."""
 
 import collections
+import math
 import os
 import pathlib
 import random
@@ -120,7 +121,8 @@ class Example(unittest.TestCase):
         done = subprocess.run(
             [EXAMPLE, *map(str, arguments)], cwd=self.directory, text=True, check=False,
             stdin=subprocess.DEVNULL, stdout=subprocess.PIPE, stderr=subprocess.PIPE, timeout=300,
-            env={**os.environ, "CGAL_DATA_DIR": str(MESHES.parent), "CGAL_TEST_SUITE": "1"})
+            env={**os.environ, "CGAL_DATA_DIR": str(MESHES.parent), "CGAL_TEST_SUITE": "1",
+                 "QT_QPA_PLATFORM": "offscreen", "XDG_RUNTIME_DIR": str(self.directory)})
         self.assertEqual((done.returncode, done.stderr), (0, ""))
         return done.stdout
 
@@ -255,17 +257,32 @@ class Example(unittest.TestCase):
         self.assertGreater(n, 6)
         self.check_segments(read_off(MESHES / "elephant.off")[1], self.labels_in_text(), n)
 
+    def long_tube(self):
+        """A mesh of 180,000 faces."""
+        return self.write(*tube([10 + 5 * math.sin(i / 20) for i in range(300)], 300))
+
     def test_progress_and_cancel(self):
-        *shares, last = self.run_example(MESHES / "elephant.off", 200).splitlines()
+        *lines, last = self.run_example(MESHES / "elephant.off", 200).splitlines()
         self.assertRegex(last, r"^\d+ segments, finished$")
-        numbers = [int(line.split(" %")[0]) for line in shares]
-        self.assertGreater(len(numbers), 20)
-        self.assertEqual(numbers, sorted(set(numbers)))
-        self.assertEqual(numbers[-1], 100)
-        *shares, last = self.run_example(MESHES / "elephant.off", 0).splitlines()
-        self.assertEqual(last, "1 segments, stopped")
-        self.assertNotIn("100 %", shares)
-        self.assertEqual(set(self.ply()[2]["segment"]), {0})
+        matches = [re.fullmatch(r"(\d+) %, about (\d+\.\d) s to go", line) for line in lines]
+        self.assertTrue(all(matches), lines)
+        percents = [int(match[1]) for match in matches]
+        self.assertGreater(len(percents), 20)
+        self.assertEqual(percents, sorted(set(percents)))
+        self.assertEqual(lines[-1], "100 %, about 0.0 s to go")
+        for name, limit in ((MESHES / "elephant.off", 0), (self.long_tube(), 0.01)):
+            *lines, last = self.run_example(name, limit).splitlines()
+            self.assertRegex(last, r"^\d+ segments, stopped$")
+            self.assertFalse(any(line.startswith("100 %") for line in lines))
+            segments = set(self.ply()[2]["segment"])
+            self.assertEqual(segments, set(range(int(last.split()[0]))))
+            self.assertTrue(limit or last.startswith("1 "))
+
+    def test_progress_dialog(self):
+        n, = self.numbers(r"(\d+) segments, finished", self.run_example())
+        self.check_segments(read_off(MESHES / "elephant.off")[1], self.ply()[2]["segment"], n)
+        n, = self.numbers(r"(\d+) segments, canceled", self.run_example(self.long_tube(), 0.01))
+        self.assertEqual(set(self.ply()[2]["segment"]), set(range(int(n))))
 
     def volumes_of_parts(self, output):
         volumes = []

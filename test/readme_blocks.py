@@ -89,7 +89,8 @@ class Readme(unittest.TestCase):
         (folder / "my_program.cpp").write_text(self.program)
         (folder / "spectral_segmentation").symlink_to(SOURCE)
         done = self.run_command([
-            "cmake", "--no-warn-unused-cli", "-S", folder, "-B", folder / "build", *OPTIONS, *options,
+            "cmake", "--no-warn-unused-cli", "-S", folder, "-B", folder / "build",
+            *OPTIONS, *options,
             "-DFETCHCONTENT_SOURCE_DIR_SPECTRAL_SEGMENTATION=%s" % SOURCE,
             "-DCMAKE_DISABLE_FIND_PACKAGE_TBB=" + ("OFF" if tbb else "ON"),
             "-DCMAKE_EXPORT_COMPILE_COMMANDS=ON"])

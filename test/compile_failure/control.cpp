@@ -45,6 +45,9 @@ auto at_the_start(const Mesh& mesh, CGAL::Spectral_segmentation::Segmentation_hi
   params::geom_traits(Kernel());
   params::random_seed(1);
   params::visitor(std::ref(visitor));
+  params::number_of_segments(2);
+  params::vertex_point_map(mesh.points()).number_of_segments(2);
+  params::from(CGAL::parameters::vertex_point_map(mesh.points())).number_of_segments(2);
   params::maximum_number_of_segments(2);
   params::minimum_segment_size(0.1);
   params::salience_threshold(1);

@@ -3,9 +3,10 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 
 # consume.sh find_package|debian_package BUILD_DIR PROGRAM CMAKE_OPTION ...
-# Builds and runs a program of this folder, which finds the installed package, in a temporary folder.
-# For find_package the package is installed from its build; for debian_package the Debian packages are
-# made, looked at and unpacked. readme_blocks.py tests the other ways to get the package.
+# Builds and runs a program of this folder, which finds the installed package, in a temporary
+# folder. For find_package the package is installed from its build; for debian_package the Debian
+# packages are made, looked at and unpacked. readme_blocks.py tests the other ways to get the
+# package.
 set -e
 work=$(mktemp -d)
 trap 'rm -rf "$work"' EXIT
