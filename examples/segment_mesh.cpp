@@ -12,6 +12,7 @@
 #include "segment_mesh/closed_soup.h"
 #include "segment_mesh/is_terminal.h"
 #include "segment_mesh/option_texts.h"
+#include "segment_mesh/page/write_page.h"
 #include "segment_mesh/part_tree.h"
 #include "segment_mesh/process_memory.h"
 #include "segment_mesh/read_input.h"
@@ -80,8 +81,8 @@ struct Options
   std::string list_file, output_directory; // of a batch
   std::vector<std::string> output_formats = {"labels"};
   std::optional<std::size_t> jobs;
-  std::string input, label_file, report_file, hierarchy_file, split_directory; // of one run
-  std::vector<std::string> mesh_files;
+  std::string input, label_file, report_file, hierarchy_file, page_file, split_directory;
+  std::vector<std::string> mesh_files; // these are of one run, too
   std::string split_format = "ply";
   std::string method_name = "calibrated";
   std::optional<std::size_t> segments;
@@ -103,7 +104,7 @@ struct Options
   bool writes_to_standard_output() const
   {
     return is_standard_output(label_file) || is_standard_output(report_file) ||
-           is_standard_output(hierarchy_file);
+           is_standard_output(hierarchy_file) || is_standard_output(page_file);
   }
 
   double minimum_segment_size() const
@@ -123,7 +124,7 @@ struct Options
 };
 
 const std::vector<std::string> output_formats = {"labels", "hierarchy", "ply", "obj", "off",
-                                                 "glb", "3mf", "parts"};
+                                                 "glb", "3mf", "parts", "html"};
 
 void add_options(CLI::App& app, Options& o)
 {
@@ -147,7 +148,7 @@ void add_options(CLI::App& app, Options& o)
   add_file("--list", o.list_file, "file with names of further IN, one a line; - for standard input");
   app.add_option("--outputs", o.output_formats,
                  "what to write to --out-dir beside reports: meshes with colors by their format, "
-                 "'parts' as with --split-dir, and labels")
+                 "'parts' as with --split-dir, pages as with --html, hierarchies and labels")
     ->type_name("F")->delimiter(',')->allow_extra_args(false)
     ->check(CLI::IsMember(output_formats))->capture_default_str();
   app.add_option("--jobs", o.jobs, "meshes of --out-dir that are segmented at a time [all cores]")
@@ -169,6 +170,9 @@ void add_options(CLI::App& app, Options& o)
   add_file("--hierarchy", o.hierarchy_file,
            "hierarchy of cuts with the leaf of each face, to be read for another number of "
            "segments; - for standard output");
+  add_file("--html", o.page_file,
+           "page for a browser that shows the segments, fewer and more of them; - for standard "
+           "output");
   add_file("--split-dir", o.split_directory,
            "directory for one file a segment; what an earlier run wrote there is replaced")
     ->type_name("DIR");
@@ -252,14 +256,17 @@ void check_usage(const Options& o)
     return;
   }
   if (!o.mesh_files.empty() || !o.label_file.empty() || !o.report_file.empty() ||
-      !o.hierarchy_file.empty() || !o.split_directory.empty())
+      !o.hierarchy_file.empty() || !o.page_file.empty() || !o.split_directory.empty())
     throw Failure(Status::USAGE, "with --out-dir, --outputs names what is written");
 }
 
 // Finds what can be found before a long run.
 void check_files(const Options& o)
 {
-  std::vector<std::filesystem::path> outputs = {o.label_file, o.report_file, o.hierarchy_file};
+  std::vector<std::filesystem::path> outputs = {o.label_file, o.report_file, o.hierarchy_file,
+                                                o.page_file};
+  if (!o.page_file.empty())
+    check_page();
   for (const std::string& name : o.mesh_files) {
     check_output_format(name, false);
     outputs.push_back(name);
@@ -335,6 +342,16 @@ Json status_report(const Options& o, Status status, const std::string& message)
           {"message", message}};
 }
 
+Page_options page_options(const Options& o, std::size_t number_of_segments)
+{
+  Page_options result;
+  result.name = std::filesystem::path(o.input).filename().string();
+  result.number_of_segments = number_of_segments;
+  result.is_salience_probability = !o.is_of_paper();
+  result.boundary_smoothing = o.boundary_smoothing;
+  return result;
+}
+
 Json report(const Options& o, const Input& input, const std::vector<Index>& labels,
             std::size_t number_of_segments, const Segmentation_hierarchy& tree,
             const Run_watch& watch)
@@ -400,9 +417,9 @@ struct Expected_seconds
 {
   double reading, joining, segmenting, writing;
 
-  Expected_seconds(double bytes, double faces, bool writes_meshes)
+  Expected_seconds(double bytes, double faces, bool writes_triangles)
     : reading(4e-9 * bytes), joining(1e-7 * faces), segmenting(0.2 + 1.5e-6 * faces),
-      writing((writes_meshes ? 3e-7 : 5e-8) * faces) {}
+      writing((writes_triangles ? 3e-7 : 5e-8) * faces) {}
 };
 
 // Returns a row of the table of a batch.
@@ -416,13 +433,14 @@ Json run(const Options& o)
 #endif
   Run_watch watch(!o.quiet && standard_error_is_terminal(), o.time_limit);
   const bool writes_meshes = !o.mesh_files.empty() || !o.split_directory.empty();
+  const bool writes_triangles = writes_meshes || !o.page_file.empty();
   const double bytes = size_of_file(o.input);
-  const Expected_seconds first_guess(bytes, bytes / 20, writes_meshes);
+  const Expected_seconds first_guess(bytes, bytes / 20, writes_triangles);
   watch.start_phase("reading", first_guess.reading, first_guess.joining + first_guess.segmenting +
                                                       first_guess.writing);
   Scene scene = read_scene(o.input, writes_meshes);
   const Expected_seconds expected(bytes, static_cast<double>(scene.soup.number_of_polygons()),
-                                  writes_meshes);
+                                  writes_triangles);
   watch.start_phase("joining", expected.joining, expected.segmenting + expected.writing);
   Input input = triangulated(std::move(scene));
   if (input.triangles.empty())
@@ -443,6 +461,10 @@ Json run(const Options& o)
   if (!o.hierarchy_file.empty())
     files.write(o.hierarchy_file,
                 [&](std::ostream& out) { write_hierarchy(out, tree, input, labels); });
+  if (!o.page_file.empty())
+    files.write(o.page_file, [&](std::ostream& out) {
+      write_page(out, page_data(input, tree, page_options(o, number_of_segments)));
+    });
   watch.end_phase();
   if (!o.report_file.empty()) // the last, as it has the time of the others
     files.write(o.report_file, [&](std::ostream& out) {
@@ -504,6 +526,8 @@ Options options_of_mesh(const Options& batch, const std::string& input, const Pa
       o.label_file = name;
     else if (format == "hierarchy")
       o.hierarchy_file = name + ".json";
+    else if (format == "html")
+      o.page_file = name;
     else if (format == "parts")
       o.split_directory = name;
     else

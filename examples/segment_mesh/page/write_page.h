@@ -1,0 +1,89 @@
+// Copyright (c) 2026  The Spectral_segmentation authors.
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef SEGMENT_MESH_PAGE_WRITE_PAGE_H
+#define SEGMENT_MESH_PAGE_WRITE_PAGE_H
+
+#include "page_data.h"
+
+#ifdef SEGMENT_MESH_WITH_PAGE
+#include <segment_mesh_page_sources.h>
+#endif
+
+#include <cstddef>
+#include <functional>
+#include <ostream>
+#include <sstream>
+#include <stdexcept>
+#include <string>
+
+namespace segment_mesh {
+
+// Text that a browser takes for no tag.
+inline std::string escaped(const std::string& text)
+{
+  std::string result;
+  for (char c : text)
+    result += c == '<' ? "&lt;" : c == '&' ? "&amp;" : std::string(1, c);
+  return result;
+}
+
+// JSON within the element `script`, which `</script` would end. What is no UTF-8 is replaced.
+inline std::string json_of_script(const nlohmann::ordered_json& data)
+{
+  std::string result;
+  for (char c : data.dump(-1, ' ', false, nlohmann::ordered_json::error_handler_t::replace))
+    result += c == '<' ? "\\u003c" : std::string(1, c);
+  return result;
+}
+
+// A module without its lines that import, for a page in which all modules are one.
+inline std::string without_imports(const std::string& module)
+{
+  std::istringstream in(module);
+  std::string result;
+  for (std::string line; std::getline(in, line);)
+    if (line.compare(0, 7, "import ") != 0)
+      result += line + '\n';
+  return result;
+}
+
+// Writes a template, with a text for each `{{name}}`.
+inline void write_filled(std::ostream& out, const std::string& page,
+                         const std::function<std::string(const std::string&)>& text)
+{
+  std::size_t written = 0;
+  for (std::size_t begin; (begin = page.find("{{", written)) != std::string::npos;) {
+    const std::size_t end = page.find("}}", begin);
+    out << page.substr(written, begin - written) << text(page.substr(begin + 2, end - begin - 2));
+    written = end + 2;
+  }
+  out << page.substr(written);
+}
+
+inline void check_page()
+{
+#ifndef SEGMENT_MESH_WITH_PAGE
+  throw std::runtime_error("this build writes no page, as it is without three.js (Debian package "
+                           "libjs-three)");
+#endif
+}
+
+// One file that needs no other.
+inline void write_page([[maybe_unused]] std::ostream& out,
+                       [[maybe_unused]] const nlohmann::ordered_json& data)
+{
+#ifdef SEGMENT_MESH_WITH_PAGE
+  write_filled(out, page_source("page.html"), [&](const std::string& name) {
+    if (name == "title")
+      return escaped(data["name"]);
+    if (name == "data")
+      return json_of_script(data);
+    return without_imports(page_source(name));
+  });
+#endif
+}
+
+} // namespace segment_mesh
+
+#endif // SEGMENT_MESH_PAGE_WRITE_PAGE_H
