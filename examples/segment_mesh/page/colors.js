@@ -55,8 +55,8 @@ export function difference(a, b) {
 // Neither so dark that shading cannot be seen, nor as light as paper.
 function candidates() {
   const result = [];
-  for (const lightness of [0.5, 0.58, 0.66, 0.74, 0.82, 0.9])
-    for (const chroma of [0.03, 0.09, 0.15])
+  for (const lightness of [0.46, 0.55, 0.64, 0.73, 0.82, 0.91])
+    for (const chroma of [0.03, 0.09, 0.14, 0.19])
       for (let step = 0; step < 24; ++step) {
         const hue = 2 * Math.PI * step / 24;
         const linear = linearOfLab([lightness, chroma * Math.cos(hue), chroma * Math.sin(hue)]);

@@ -1,8 +1,8 @@
 # Copyright (c) 2026  The Spectral_segmentation authors.
 # SPDX-License-Identifier: GPL-3.0-or-later
 
-# cmake -DFILES=A;B;... -DOUTPUT=HEADER -P embed_files.cmake
-# Writes a header whose function page_source() returns the bytes of each file, by its name.
+# cmake -DFILES=A;B;... -DOUTPUT=SOURCE -P embed_files.cmake
+# Writes the function page_source(), which returns the bytes of each file, by its name.
 
 set(files "")
 foreach(file IN LISTS FILES)
@@ -18,7 +18,9 @@ file(WRITE ${OUTPUT} "// Made by embed_files.cmake
 
 namespace segment_mesh {
 
-inline const std::string& page_source(const std::string& name)
+const std::string& page_source(const std::string& name);
+
+const std::string& page_source(const std::string& name)
 {
   static const std::map<std::string, std::string> sources = {
 ${files}  };

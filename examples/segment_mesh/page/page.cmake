@@ -1,7 +1,7 @@
 # Copyright (c) 2026  The Spectral_segmentation authors.
 # SPDX-License-Identifier: GPL-3.0-or-later
 
-# The page of `segment_mesh --html`: its sources and those of three.js become a header.
+# The page of `segment_mesh --html`: its sources and those of three.js become one of C++.
 
 set(three_dirs /usr/share/javascript/three)
 find_file(THREE_MIN_JS three.min.js PATHS ${three_dirs} NO_DEFAULT_PATH
@@ -16,13 +16,14 @@ endif()
 set(page_files page.html viewer.css hierarchy.js colors.js scene.js viewer.js decode.js)
 list(TRANSFORM page_files PREPEND ${CMAKE_CURRENT_LIST_DIR}/)
 list(APPEND page_files ${THREE_MIN_JS} ${THREE_ORBIT_CONTROLS_JS})
-set(page_header ${CMAKE_CURRENT_BINARY_DIR}/page/segment_mesh_page_sources.h)
-add_custom_command(OUTPUT ${page_header}
-  COMMAND ${CMAKE_COMMAND} "-DFILES=${page_files}" -DOUTPUT=${page_header}
+set(page_sources ${CMAKE_CURRENT_BINARY_DIR}/segment_mesh_page_sources.cpp)
+add_custom_command(OUTPUT ${page_sources}
+  COMMAND ${CMAKE_COMMAND} "-DFILES=${page_files}" -DOUTPUT=${page_sources}
     -P ${CMAKE_CURRENT_LIST_DIR}/embed_files.cmake
   DEPENDS ${page_files} ${CMAKE_CURRENT_LIST_DIR}/embed_files.cmake
   COMMENT "Embedding the page of segment_mesh"
   VERBATIM)
-target_sources(segment_mesh PRIVATE ${page_header})
-target_include_directories(segment_mesh PRIVATE ${CMAKE_CURRENT_BINARY_DIR}/page)
+target_sources(segment_mesh PRIVATE ${page_sources})
+set_source_files_properties(${page_sources} PROPERTIES
+  SKIP_PRECOMPILE_HEADERS ON SKIP_UNITY_BUILD_INCLUSION ON)
 set_property(SOURCE segment_mesh.cpp APPEND PROPERTY COMPILE_DEFINITIONS SEGMENT_MESH_WITH_PAGE)

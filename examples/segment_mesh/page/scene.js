@@ -4,6 +4,19 @@
 // The picture: a mesh whose pieces have colors, can be moved and hidden. It needs the global THREE
 // with its OrbitControls.
 
+function inUnitBall(points) {
+  const low = [Infinity, Infinity, Infinity], high = [-Infinity, -Infinity, -Infinity];
+  points.forEach((x, i) => {
+    low[i % 3] = Math.min(low[i % 3], x);
+    high[i % 3] = Math.max(high[i % 3], x);
+  });
+  const centered = points.map((x, i) => x - (low[i % 3] + high[i % 3]) / 2);
+  let radius = 0;
+  for (let v = 0; v < centered.length; v += 3)
+    radius = Math.max(radius, Math.hypot(centered[v], centered[v + 1], centered[v + 2]));
+  return centered.map(x => x / (radius || 1));
+}
+
 // For each point the mean of the normals around it, whatever the orientation of the triangles.
 function pointNormals(points, triangles) {
   const normals = new Float32Array(points.length);
@@ -62,12 +75,12 @@ function split({ points, triangles, pieces }) {
 export class Scene {
 
   // mesh: points, three numbers each; triangles, three points each; pieces, one of each triangle.
-  constructor(element, mesh, numberOfPieces) {
+  constructor(element, { points, triangles, pieces }, numberOfPieces) {
     const { THREE } = globalThis;
+    const mesh = { points: inUnitBall(points), triangles, pieces };
     this.element = element;
-    this.pieces = mesh.pieces;
+    this.pieces = pieces;
     Object.assign(this, split(mesh));
-    this.center(mesh);
     const normals = pointNormals(mesh.points, mesh.triangles);
     const taken = from => {
       const result = new Float32Array(3 * this.origins.length);
@@ -83,18 +96,6 @@ export class Scene {
     this.geometry.setAttribute("color", this.colors);
     this.findCentroids(mesh, numberOfPieces);
     this.build();
-  }
-
-  // Moves the mesh into the unit ball.
-  center(mesh) {
-    const low = [Infinity, Infinity, Infinity], high = [-Infinity, -Infinity, -Infinity];
-    mesh.points.forEach((x, i) => {
-      low[i % 3] = Math.min(low[i % 3], x);
-      high[i % 3] = Math.max(high[i % 3], x);
-    });
-    const middle = low.map((x, k) => (x + high[k]) / 2);
-    const radius = Math.hypot(...low.map((x, k) => (high[k] - x) / 2)) || 1;
-    mesh.points = Float32Array.from(mesh.points, (x, i) => (x - middle[i % 3]) / radius);
   }
 
   // Of each piece the area and the centroid times the area.

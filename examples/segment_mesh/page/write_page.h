@@ -6,10 +6,6 @@
 
 #include "page_data.h"
 
-#ifdef SEGMENT_MESH_WITH_PAGE
-#include <segment_mesh_page_sources.h>
-#endif
-
 #include <cstddef>
 #include <functional>
 #include <ostream>
@@ -18,6 +14,9 @@
 #include <string>
 
 namespace segment_mesh {
+
+// The bytes of a file of this folder, or of three.js, by its name. CMake writes this function.
+const std::string& page_source(const std::string& name);
 
 // Text that a browser takes for no tag.
 inline std::string escaped(const std::string& text)
