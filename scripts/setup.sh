@@ -13,8 +13,10 @@ for group in "$@"; do
   case $group in
     build)
       packages+=(cmake make g++ libcgal-dev libeigen3-dev libboost-dev libtbb-dev libcli11-dev
-                 nlohmann-json3-dev libassimp-dev lib3mf-dev libcgal-demo) ;;
-    test) packages+=(libboost-test-dev libopenmesh-dev python3 doxygen) ;;
+                 nlohmann-json3-dev libassimp-dev lib3mf-dev libjs-three libcgal-demo) ;;
+    test)
+      packages+=(libboost-test-dev libopenmesh-dev python3 doxygen chromium chromium-driver
+                 python3-selenium) ;;
     pictures) packages+=(python3-vtk9 xvfb xauth) ;;
     manual) packages+=(doxygen python3-vtk9 xvfb xauth) ;;
     performance) packages+=(libbenchmark-dev valgrind python3 python3-matplotlib) ;;

@@ -1,0 +1,284 @@
+#!/usr/bin/env python3
+# Copyright (c) 2026  The Spectral_segmentation authors.
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Tests the page of `segment_mesh --html` in Chromium: page_in_browser.py TOOL MESHES CHROMIUM
+CHROMEDRIVER, with the directory of CGAL's meshes."""
+
+import os
+import pathlib
+import struct
+import subprocess
+import sys
+import tempfile
+import time
+import unittest
+
+from selenium import webdriver
+from selenium.webdriver.chrome.options import Options
+from selenium.webdriver.chrome.service import Service
+from selenium.webdriver.common.action_chains import ActionChains
+from selenium.webdriver.common.by import By
+from selenium.webdriver.common.keys import Keys
+
+TOOL = None
+MESHES = None
+CHROMIUM = None
+DRIVER = None
+
+# Of the picture that is shown: how often a color is there, and where. Only colors of some hundred
+# pixels are those of segments; others are mixed at their boundaries.
+COUNT_COLORS = """
+const done = arguments[0];
+viewer.scene.picture(async blob => {
+  const image = await createImageBitmap(blob);
+  const canvas = new OffscreenCanvas(image.width, image.height);
+  const context = canvas.getContext("2d");
+  context.drawImage(image, 0, 0);
+  const { data } = context.getImageData(0, 0, image.width, image.height);
+  const found = {};
+  for (let i = 0; i < data.length; i += 4)
+    if (data[i + 3] === 255) {
+      const color = found[data.slice(i, i + 3)] ??= { count: 0, pixels: [] };
+      ++color.count;
+      color.pixels.push(i / 4);
+    }
+  const result = {};
+  for (const [key, { count, pixels }] of Object.entries(found))
+    if (count > 300) {
+      // A pixel whose neighbors have its color
+      const set = new Set(pixels);
+      const inner = pixels.find(p => [-3, 3, -3 * image.width, 3 * image.width]
+        .every(step => set.has(p + step)));
+      const pixel = inner ?? pixels[0];
+      result[key] = { count, x: pixel % image.width, y: Math.floor(pixel / image.width) };
+    }
+  done(result);
+});
+"""
+
+
+def start_browser(directory):
+    options = Options()
+    options.binary_location = CHROMIUM
+    for argument in ["--headless=new", "--no-sandbox", "--disable-quic", "--no-first-run",
+                     "--disable-background-networking", "--disable-component-update",
+                     "--disable-sync", "--use-gl=angle", "--use-angle=swiftshader",
+                     "--enable-unsafe-swiftshader", "--user-data-dir=%s/profile" % directory]:
+        options.add_argument(argument)
+    options.set_capability("goog:loggingPrefs", {"browser": "ALL"})
+    return webdriver.Chrome(service=Service(DRIVER), options=options)
+
+
+class Page_in_browser_test(unittest.TestCase):
+
+    @classmethod
+    def setUpClass(cls):
+        directory = tempfile.TemporaryDirectory()
+        cls.addClassCleanup(directory.cleanup)
+        cls.directory = pathlib.Path(directory.name)
+        subprocess.run([TOOL, MESHES / "elephant.off", "--html", cls.directory / "page.html",
+                        "--quiet"], check=True)
+        cls.browser = start_browser(directory.name)
+        cls.addClassCleanup(cls.browser.quit)
+        cls.downloads = cls.directory / "downloads"
+        cls.browser.execute_cdp_cmd("Browser.setDownloadBehavior", {
+            "behavior": "allow", "downloadPath": str(cls.downloads)})
+
+    def open(self, width=1280, height=800, is_dark=False):
+        self.browser.execute_cdp_cmd("Emulation.setDeviceMetricsOverride", {
+            "width": width, "height": height, "deviceScaleFactor": 1, "mobile": width < 700})
+        self.browser.execute_cdp_cmd("Emulation.setTouchEmulationEnabled", {
+            "enabled": width < 700})
+        self.browser.execute_cdp_cmd("Emulation.setEmulatedMedia", {"features": [
+            {"name": "prefers-color-scheme", "value": "dark" if is_dark else "light"}]})
+        self.browser.get((self.directory / "page.html").as_uri())
+
+    def tearDown(self):
+        self.assertEqual([line for line in self.browser.get_log("browser")
+                          if line["level"] != "INFO"], [])
+
+    def part(self, name):
+        return self.browser.find_element(By.CSS_SELECTOR, "[data-id=%s]" % name)
+
+    def press(self, *keys):
+        ActionChains(self.browser, duration=0).send_keys(*keys).perform()
+
+    def number(self):
+        return int(self.part("number").text)
+
+    def set_number(self, n):
+        step = Keys.ARROW_RIGHT if n > self.number() else Keys.ARROW_LEFT
+        self.press(*[step] * abs(n - self.number()))
+        self.assertEqual(self.number(), n)
+
+    def colors(self):
+        """Of the segments that are seen; without shading each has one."""
+        return self.browser.execute_async_script(COUNT_COLORS)
+
+    def show_plain(self):
+        self.press("s", "s", "b")
+        self.assertEqual(self.part("shading").get_attribute("value"), "none")
+        self.assertFalse(self.part("seams").is_selected())
+
+    def click(self, place):
+        canvas = self.browser.find_element(By.TAG_NAME, "canvas")
+        x, y = place["x"] - canvas.size["width"] // 2, place["y"] - canvas.size["height"] // 2
+        ActionChains(self.browser, duration=0).move_to_element_with_offset(canvas, x, y) \
+            .click().perform()
+
+    def downloaded(self, name):
+        path = self.downloads / name
+        for _ in range(100):
+            if path.exists() and not list(self.downloads.glob("*.crdownload")):
+                return path.read_bytes()
+            time.sleep(0.05)
+        self.fail("no download " + name)
+
+    def labels(self, n):
+        return subprocess.run([TOOL, MESHES / "elephant.off", "--segments", str(n), "--labels", "-",
+                               "--quiet"], check=True, stdout=subprocess.PIPE).stdout
+
+    def test_number_of_segments(self):
+        self.open()
+        self.assertEqual(self.number(), 11)
+        self.show_plain()
+        self.set_number(1)
+        seen = [self.colors()]
+        self.assertEqual(len(seen[0]), 1)
+        for n in (2, 5, 11, 20):
+            self.set_number(n)
+            seen.append(self.colors())
+            self.assertLessEqual(len(seen[-1]), n)
+            self.assertGreaterEqual(len(seen[-1]), len(seen[-2])) # colors stay
+            self.assertLessEqual(set(seen[-2]), set(seen[-1]))
+        self.assertGreater(len(seen[-1]), 10)
+
+    def test_strip(self):
+        self.open()
+        strip = self.part("strip")
+        width = strip.size["width"]
+        for cut in (0, 6, 18): # of 19
+            ActionChains(self.browser, duration=0).move_to_element_with_offset(
+                strip, int((cut + 0.5) / 19 * width - width / 2), 0).click().perform()
+            self.assertEqual(self.number(), cut + 2)
+        saliences = self.browser.execute_script("return viewer.hierarchy.saliences")
+        self.assertIn("probability %.2f" % saliences[18], self.part("cutText").text)
+
+    def test_selection(self):
+        self.open()
+        self.show_plain()
+        self.set_number(5)
+        colors = self.colors()
+        label_of = {}
+        for color, place in colors.items():
+            self.press(Keys.ESCAPE)
+            self.click(place)
+            self.assertTrue(self.part("card").is_displayed())
+            self.assertEqual(self.part("swatch").value_of_css_property("background-color")
+                             .replace("rgba", "rgb").replace(", 1)", ")"),
+                             "rgb(%s)" % color.replace(",", ", "))
+            label_of[color] = self.part("partName").text
+            count = self.labels(5).split().count(label_of[color].split()[1].encode())
+            self.assertIn("%s faces" % format(count, ","), self.part("partText").text)
+        self.assertEqual(len(set(label_of.values())), len(colors))
+        self.part("hide").click()
+        self.assertFalse(self.part("card").is_displayed())
+        self.assertNotIn(color, self.colors())
+        self.assertEqual(self.part("hiddenText").text, "1 segment is hidden.")
+        self.part("showAll").click()
+        self.assertEqual(set(self.colors()), set(colors))
+        self.click(place)
+        self.press("i")
+        self.assertEqual(set(self.colors()), {color})
+        self.press("a", Keys.ESCAPE)
+        self.assertEqual(set(self.colors()), set(colors))
+
+    def test_downloads(self):
+        self.open()
+        self.set_number(7)
+        self.part("saveLabels").click()
+        self.assertEqual(self.downloaded("elephant_7.seg"), self.labels(7))
+        self.press("p")
+        picture = self.downloaded("elephant_7.png")
+        self.assertEqual(picture[:8], b"\x89PNG\r\n\x1a\n")
+        self.assertEqual(struct.unpack(">II", picture[16:24]), (960, 800))
+
+    def test_explosion_and_edges(self):
+        self.open()
+        self.show_plain()
+        self.set_number(8)
+        before = self.colors()
+        self.press("x")
+        after = self.colors()
+        moved = [c for c in after if c in before and after[c] != before[c]]
+        self.assertGreaterEqual(len(moved), len(before) - 1)
+        self.press("x")
+        self.assertEqual(self.colors(), before)
+        self.press("e")
+        self.assertNotEqual(self.colors(), before)
+
+    def camera(self):
+        return self.browser.execute_script("return viewer.scene.camera.position.toArray()")
+
+    def test_turning_and_zooming(self):
+        self.open()
+        first = self.camera()
+        canvas = self.browser.find_element(By.TAG_NAME, "canvas")
+        ActionChains(self.browser, duration=0).drag_and_drop_by_offset(canvas, 100, 30).perform()
+        turned = self.camera()
+        self.assertNotEqual(turned, first)
+        self.assertFalse(self.part("card").is_displayed()) # it was no click
+        radius = lambda p: sum(x * x for x in p) ** 0.5
+        self.assertAlmostEqual(radius(turned), radius(first))
+        self.browser.execute_script(
+            "arguments[0].dispatchEvent(new WheelEvent('wheel', {deltaY: -100}))", canvas)
+        self.assertLess(radius(self.camera()), radius(first))
+        self.press("r")
+        for x, y in zip(self.camera(), first):
+            self.assertAlmostEqual(x, y)
+
+    def touch(self, *places):
+        for kind, points in zip(["touchStart"] + ["touchMove"] * (len(places) - 1) + ["touchEnd"],
+                                [[{"x": x, "y": y}] for x, y in places] + [[]]):
+            self.browser.execute_cdp_cmd("Input.dispatchTouchEvent",
+                                         {"type": kind, "touchPoints": points})
+
+    def test_narrow(self):
+        self.open(390, 844)
+        root = "document.documentElement."
+        self.assertEqual(self.browser.execute_script("return [%sscrollWidth, %sclientWidth]"
+                                                     % (root, root)), [390, 390])
+        first = self.camera()
+        self.touch((150, 200), (180, 210), (220, 230))
+        self.assertNotEqual(self.camera(), first)
+        self.press("r")
+        self.show_plain()
+        place = next(iter(self.colors().values()))
+        self.touch((place["x"], place["y"]))
+        self.assertTrue(self.part("card").is_displayed())
+        for name in ("slider", "strip", "explosion", "saveLabels", "isolate", "deselect"):
+            rectangle = self.part(name).rect
+            self.assertGreaterEqual(rectangle["x"], 0)
+            self.assertLessEqual(rectangle["x"] + rectangle["width"], 390)
+
+    def luminance(self, name):
+        color = self.browser.find_element(By.CSS_SELECTOR, name).value_of_css_property(
+            "background-color")
+        return sum(float(x) for x in color.strip("rgba()").split(",")[:3]) / 3
+
+    def test_dark(self):
+        for width in (1280, 390):
+            with self.subTest(width=width):
+                self.open(width, 800)
+                self.assertGreater(self.luminance(".stage"), 200)
+                self.open(width, 800, is_dark=True)
+                self.assertLess(self.luminance(".stage"), 60)
+                self.show_plain()
+                self.assertGreater(len(self.colors()), 5)
+
+
+if __name__ == "__main__":
+    TOOL, MESHES, CHROMIUM, DRIVER = (os.path.realpath(path) for path in sys.argv[1:5])
+    MESHES = pathlib.Path(MESHES)
+    del sys.argv[1:5]
+    unittest.main()
