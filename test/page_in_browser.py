@@ -4,6 +4,7 @@
 """Tests the page of `segment_mesh --html` in Chromium: page_in_browser.py TOOL MESHES CHROMIUM
 CHROMEDRIVER, with the directory of CGAL's meshes."""
 
+import math
 import os
 import pathlib
 import struct
@@ -55,6 +56,34 @@ viewer.scene.picture(async blob => {
   done(result);
 });
 """
+
+
+# What is seen by those who lack one of two kinds of cones, on linear RGB: Vienot, Brettel, Mollon,
+# "Digital Video Colourmaps for Checking the Legibility of Displays by Dichromats", 1999.
+VISIONS = {
+    "all cones": ((1, 0, 0), (0, 1, 0), (0, 0, 1)),
+    "protanopia": ((0.11238, 0.88762, 0), (0.11238, 0.88762, 0), (0.00401, -0.00401, 1)),
+    "deuteranopia": ((0.29275, 0.70725, 0), (0.29275, 0.70725, 0), (-0.02234, 0.02234, 1)),
+}
+
+
+def product(matrix, v):
+    return [sum(a * b for a, b in zip(row, v)) for row in matrix]
+
+
+def cielab(linear):
+    xyz = product(((0.4124, 0.3576, 0.1805), (0.2126, 0.7152, 0.0722), (0.0193, 0.1192, 0.9505)),
+                  linear)
+    x, y, z = (t ** (1 / 3) if t > 216 / 24389 else (24389 / 27 * t + 16) / 116
+               for t in (max(c, 0) / w for c, w in zip(xyz, (0.9505, 1, 1.089))))
+    return 116 * y - 16, 500 * (x - y), 200 * (y - z)
+
+
+def seen_difference(kind, *colors):
+    """Of two colors, in CIELAB, where 2 can be just seen."""
+    linear = [[c / 12.92 if c <= 0.04045 else ((c + 0.055) / 1.055) ** 2.4 for c in color]
+              for color in colors]
+    return math.dist(*(cielab(product(VISIONS[kind], rgb)) for rgb in linear))
 
 
 def start_browser(directory):
@@ -153,6 +182,24 @@ class Page_in_browser_test(unittest.TestCase):
             self.assertLessEqual(set(seen[-2]), set(seen[-1]))
         self.assertGreater(len(seen[-1]), 10)
 
+    def test_colors(self):
+        """The larger child keeps its color; touching segments differ for the color-blind."""
+        self.open()
+        colors, cuts, roots, neighbors = self.browser.execute_script(
+            "return [viewer.colors, viewer.hierarchy.cutNodes, viewer.hierarchy.roots, "
+            "viewer.neighbors().map(set => [...set])]")
+        for i, node in enumerate(cuts):
+            self.assertEqual(colors[roots + 2 * i + 1], colors[node])
+            self.assertNotEqual(colors[roots + 2 * i], colors[node])
+        for n in range(2, 21):
+            segments = self.browser.execute_script(
+                "return viewer.hierarchy.segmentOfPiece(arguments[0])", n)
+            for a, others in zip(segments, neighbors):
+                for b in (segments[other] for other in others):
+                    if a != b:
+                        for kind in VISIONS:
+                            self.assertGreater(seen_difference(kind, colors[a], colors[b]), 10)
+
     def test_strip(self):
         self.open()
         strip = self.part("strip")
@@ -201,7 +248,8 @@ class Page_in_browser_test(unittest.TestCase):
         self.press("p")
         picture = self.downloaded("elephant_7.png")
         self.assertEqual(picture[:8], b"\x89PNG\r\n\x1a\n")
-        self.assertEqual(struct.unpack(">II", picture[16:24]), (960, 800))
+        size = self.browser.find_element(By.TAG_NAME, "canvas").size
+        self.assertEqual(struct.unpack(">II", picture[16:24]), (size["width"], size["height"]))
 
     def test_explosion_and_edges(self):
         self.open()
@@ -275,6 +323,14 @@ class Page_in_browser_test(unittest.TestCase):
                 self.assertLess(self.luminance(".stage"), 60)
                 self.show_plain()
                 self.assertGreater(len(self.colors()), 5)
+
+    def test_browser_without_webgl(self):
+        script = self.browser.execute_cdp_cmd("Page.addScriptToEvaluateOnNewDocument", {
+            "source": "HTMLCanvasElement.prototype.getContext = () => null"})
+        self.open()
+        self.assertIn("needs WebGL", self.part("stage").text)
+        self.browser.get_log("browser") # which has what three.js says
+        self.browser.execute_cdp_cmd("Page.removeScriptToEvaluateOnNewDocument", script)
 
 
 if __name__ == "__main__":

@@ -76,14 +76,13 @@ export function nodeColors(hierarchy, neighbors) {
     difference(color, blue) < difference(choices[best], blue) ? i : best, 0);
 
   function choose(touching) {
+    if (nearest.every(distance => distance === 0)) // all are used: a second round
+      nearest.fill(Infinity);
     let best = first, largest = -1;
     choices.forEach((color, i) => {
       let value = nearest[i];
       for (const other of touching)
         value = Math.min(value, 0.7 * difference(color, other)); // touching ones differ more
-      // When all are used, the neighbors count.
-      if (nearest[i] === 0)
-        value = Math.min(...touching.map(other => difference(color, other)), 1) * 1e-3;
       if (value < Infinity && value > largest) {
         largest = value;
         best = i;

@@ -114,17 +114,23 @@ export class Scene {
     });
   }
 
-  centroid(isIn) {
-    let area = 0;
-    const sum = [0, 0, 0];
-    this.areas.forEach((a, piece) => {
-      if (!isIn(piece))
-        return;
-      area += a;
-      for (let k = 0; k < 3; ++k)
-        sum[k] += this.moments[3 * piece + k];
+  // For each piece how far its segment is moved.
+  offsets(segmentOfPiece, explosion) {
+    const sums = new Map(); // of each segment, and of all: area, moments
+    segmentOfPiece.forEach((segment, piece) => {
+      for (const key of [segment, "all"]) {
+        const sum = sums.get(key) ?? [0, 0, 0, 0];
+        sum[0] += this.areas[piece];
+        for (let k = 0; k < 3; ++k)
+          sum[k + 1] += this.moments[3 * piece + k];
+        sums.set(key, sum);
+      }
     });
-    return sum.map(x => area > 0 ? x / area : 0);
+    const centroid = ([area, ...moments]) => moments.map(x => area > 0 ? x / area : 0);
+    const center = centroid(sums.get("all"));
+    for (const [key, sum] of sums)
+      sums.set(key, centroid(sum).map((x, k) => explosion * (x - center[k])));
+    return segmentOfPiece.map(segment => sums.get(segment));
   }
 
   build() {
@@ -207,12 +213,7 @@ export class Scene {
   // pieces: for each its segment, its color and whether it is shown; explosion: how far segments are
   // moved from the center, in multiples of the distance that they have from it.
   show({ segmentOfPiece, colorOfPiece, isShown, explosion }) {
-    const origin = this.centroid(() => true);
-    const offsets = new Map();
-    for (const segment of new Set(segmentOfPiece))
-      offsets.set(segment, this.centroid(piece => segmentOfPiece[piece] === segment)
-        .map((x, k) => explosion * (x - origin[k])));
-    const offsetOfPiece = segmentOfPiece.map(segment => offsets.get(segment));
+    const offsetOfPiece = this.offsets(segmentOfPiece, explosion);
     this.pieceOfPoint.forEach((piece, i) => {
       for (let k = 0; k < 3; ++k) {
         this.positions.array[3 * i + k] = this.points[3 * i + k] + offsetOfPiece[piece][k];

@@ -228,7 +228,7 @@ export class Viewer {
       h: () => this.hide(),
       a: () => this.showAll(),
       x: () => {
-        ui.explosion.value = +ui.explosion.value > 0 ? 0 : 0.6;
+        ui.explosion.value = +ui.explosion.value > 0 ? 0 : 0.7;
         this.show();
       },
       b: () => toggle(ui.seams),
@@ -311,7 +311,7 @@ export class Viewer {
       colorOfPiece: segmentOfPiece.map(segment => isDimmed(segment)
         ? this.colors[segment].map(x => 0.25 * x + 0.45) : this.colors[segment]),
       isShown: Array.from(this.isHidden, hidden => !hidden),
-      explosion: 1.2 * this.ui.explosion.value
+      explosion: 0.9 * this.ui.explosion.value
     });
     this.showSelection();
     this.showHidden();
