@@ -137,6 +137,12 @@ class Page_test(unittest.TestCase):
         self.assertEqual(page.data["exceptions"], {})
         self.assertEqual(page.labels(page.data["segments"]), self.labels(MESHES / "elephant.off"))
 
+    def test_more_segments_than_by_default(self):
+        page = self.page(MESHES / "elephant.off", "--segments", "40")
+        self.assertEqual(page.number_of_segments(), 40)
+        self.assertEqual(page.data["segments"], 40)
+        self.assertEqual(page.labels(40), self.labels(MESHES / "elephant.off", "--segments", 40))
+
     def test_report_has_same_cuts(self):
         report = json.loads(self.output(MESHES / "elephant.off", "--json", "-", "--quiet"))
         page = self.page(MESHES / "elephant.off")
@@ -226,16 +232,25 @@ class Page_test(unittest.TestCase):
         self.output(path, "--html", "page.html", "--quiet")
         self.assertTrue((self.directory / "page.html").read_text().startswith("<!DOCTYPE html>"))
         self.assertEqual(len(list(self.directory.iterdir())), 2)
-        for options, reason in [
-                (("--html", "a", "--labels", "a"), "two outputs have the name a"),
-                (("--html", "-", "--json", "-"), "two outputs have the name -"),
-                (("--html", "mesh.off"), "mesh.off is the input"),
-                (("--html", "none/a.html"), "there is no directory none")]:
+        usage, output = 2, 7 # the statuses
+        for status, options, reason in [
+                (usage, ("--html", "a", "--labels", "a"), "two outputs have the name a"),
+                (usage, ("--html", "-", "--json", "-"), "two outputs have the name -"),
+                (usage, ("--html", "mesh.off"), "mesh.off is the input"),
+                (output, ("--html", "none/a.html"), "there is no directory none"),
+                (usage, ("--html", "a", "--out-dir", "b"), "--outputs names what is written")]:
             with self.subTest(options=options):
                 result = self.run_tool("mesh.off", *options)
-                self.assertEqual(result.returncode, 1)
+                self.assertEqual(result.returncode, status)
                 self.assertIn(reason, result.stderr)
         self.assertEqual(len(list(self.directory.iterdir())), 2)
+
+    def test_batch(self):
+        write_off(self.directory / "mesh.off", *dumbbell())
+        self.output("mesh.off", "--out-dir", "out", "--outputs", "html", "--quiet")
+        page = Page((self.directory / "out/mesh.html").read_text())
+        self.assertEqual(page.data["name"], "mesh.off")
+        self.assertEqual(page.labels(2), self.labels("mesh.off", "--segments", 2))
 
 
 if __name__ == "__main__":

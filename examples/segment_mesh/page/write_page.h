@@ -4,13 +4,13 @@
 #ifndef SEGMENT_MESH_PAGE_WRITE_PAGE_H
 #define SEGMENT_MESH_PAGE_WRITE_PAGE_H
 
+#include "../Failure.h"
 #include "page_data.h"
 
 #include <cstddef>
 #include <functional>
 #include <ostream>
 #include <sstream>
-#include <stdexcept>
 #include <string>
 
 namespace segment_mesh {
@@ -63,8 +63,8 @@ inline void write_filled(std::ostream& out, const std::string& page,
 inline void check_page()
 {
 #ifndef SEGMENT_MESH_WITH_PAGE
-  throw std::runtime_error("this build writes no page, as it is without three.js (Debian package "
-                           "libjs-three)");
+  throw Failure(Status::USAGE, "this build writes no page: it needs three.js (Debian package "
+                               "libjs-three) at build time");
 #endif
 }
 
