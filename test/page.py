@@ -248,7 +248,7 @@ class Page_test(unittest.TestCase):
     def test_batch(self):
         write_off(self.directory / "mesh.off", *dumbbell())
         self.output("mesh.off", "--out-dir", "out", "--outputs", "html", "--quiet")
-        page = Page((self.directory / "out/mesh.html").read_text())
+        page = Page((self.directory / "out/mesh.off.html").read_text())
         self.assertEqual(page.data["name"], "mesh.off")
         self.assertEqual(page.labels(2), self.labels("mesh.off", "--segments", 2))
 
