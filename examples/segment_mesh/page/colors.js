@@ -38,18 +38,18 @@ const encoded = x => x <= 0.0031308 ? 12.92 * x : 1.055 * x ** (1 / 2.4) - 0.055
 const decoded = x => x <= 0.04045 ? x / 12.92 : ((x + 0.055) / 1.055) ** 2.4;
 
 // A color with what each kind of people sees of it.
-export function seen(rgb) {
+function seen(rgb) {
   const linear = rgb.map(decoded);
   const lab = visions.map(m => labOfLinear(product(m, linear).map(x => Math.max(x, 0))));
   return { rgb, lab };
 }
 
-// The smallest difference of two colors among all people.
-export function difference(a, b) {
-  return Math.min(...a.lab.map((p, i) => {
-    const q = b.lab[i];
-    return Math.hypot(p[0] - q[0], p[1] - q[1], p[2] - q[2]);
-  }));
+const distance = (p, q) => Math.hypot(p[0] - q[0], p[1] - q[1], p[2] - q[2]);
+
+// The smallest difference of two colors among all people, and a quarter of that for most people.
+function difference(a, b) {
+  const distances = a.lab.map((p, i) => distance(p, b.lab[i]));
+  return Math.min(...distances) + distances[0] / 4;
 }
 
 // Neither so dark that shading cannot be seen, nor as light as paper.
@@ -71,9 +71,9 @@ export function nodeColors(hierarchy, neighbors) {
   const choices = candidates();
   const nearest = new Float64Array(choices.length).fill(Infinity); // to all colors that are used
   const colors = new Array(hierarchy.size);
-  const blue = seen([0.38, 0.62, 0.88]);
+  const [blue] = seen([0.38, 0.62, 0.88]).lab;
   const first = choices.reduce((best, color, i) =>
-    difference(color, blue) < difference(choices[best], blue) ? i : best, 0);
+    distance(color.lab[0], blue) < distance(choices[best].lab[0], blue) ? i : best, 0);
 
   function choose(touching) {
     if (nearest.every(distance => distance === 0)) // all are used: a second round

@@ -74,6 +74,9 @@ function save(blob, name) {
   setTimeout(() => URL.revokeObjectURL(link.href), 60000);
 }
 
+const count = (number, name) =>
+  `${number.toLocaleString("en")} ${name}${number === 1 ? "" : "s"}`;
+
 const percent = share => `${(100 * share).toPrecision(share < 0.1 ? 2 : 3)} %`;
 
 // Shows a segmented mesh in an element.
@@ -128,15 +131,14 @@ export class Viewer {
   fill() {
     const { ui, model, hierarchy } = this;
     ui.name.textContent = model.name;
-    ui.counts.textContent = [`${model.pieceOfFace.length.toLocaleString("en")} faces.`,
+    ui.counts.textContent = [`${count(model.pieceOfFace.length, "face")}.`,
                              ...model.notes ?? []].join(" ");
     ui.slider.min = hierarchy.roots;
     ui.slider.max = hierarchy.most;
     ui.strip.setAttribute("aria-label", `The ${model.salience} of each cut`);
     const finite = hierarchy.saliences.filter(Number.isFinite);
     const top = Math.max(model.salience === "probability" ? 1 : 0, ...finite) || 1;
-    const count = Math.max(hierarchy.saliences.length, 1);
-    ui.strip.setAttribute("viewBox", `0 0 ${count} 1`);
+    ui.strip.setAttribute("viewBox", `0 0 ${Math.max(hierarchy.saliences.length, 1)} 1`);
     hierarchy.saliences.forEach((salience, i) => {
       const height = Math.max(0.02, Math.min(1, salience / top));
       const bar = document.createElementNS("http://www.w3.org/2000/svg", "rect");
@@ -330,7 +332,7 @@ export class Viewer {
     const area = hierarchy.areas.slice(0, hierarchy.roots).reduce((sum, a) => sum + a, 0);
     ui.swatch.style.background = `rgb(${this.colors[node].map(x => Math.round(255 * x))})`;
     ui.partName.textContent = `Segment ${this.labels.get(node)}`;
-    ui.partText.textContent = `${faces.toLocaleString("en")} faces, ` +
+    ui.partText.textContent = `${count(faces, "face")}, ` +
       `${percent(area > 0 ? hierarchy.areas[node] / area : 0)} of the area`;
   }
 
@@ -342,8 +344,8 @@ export class Viewer {
     });
     const number = all.size - shown.size;
     this.ui.hiddenNote.hidden = !this.isHidden.includes(1);
-    this.ui.hiddenText.textContent = number === 1 ? "1 segment is hidden."
-                                                  : `${number} segments are hidden.`;
+    this.ui.hiddenText.textContent =
+      `${count(number, "segment")} ${number === 1 ? "is" : "are"} hidden.`;
   }
 
   // The text of `segment_mesh --labels` for the number shown.
