@@ -115,13 +115,15 @@ def draw_picture(picture, folder, size, output):
     render.write_picture([renderer], size, output)
 
 
-def fragment(columns, pictures):
-    """The HTML of a figure: pairs of a file and its caption."""
+def fragment(columns, pictures, pages={}):
+    """The HTML of a figure: pairs of a file and its caption. Some files have a page to link to."""
     lines = ['<div class="pictures columns-%d">' % columns]
     for file, caption in pictures:
         text = html.escape(caption)
-        lines.append('<figure><img src="pictures/%s" alt="%s"/><figcaption>%s</figcaption></figure>'
-                     % (file, text, text))
+        image = '<img src="pictures/%s" alt="%s"/>' % (file, text)
+        if file in pages:
+            image = '<a href="%s">%s</a>' % (pages[file], image)
+        lines.append('<figure>%s<figcaption>%s</figcaption></figure>' % (image, text))
     return "\n".join(lines + ["</div>", ""])
 
 
@@ -130,7 +132,12 @@ def draw_figure(name, pictures, folder, output):
     for picture in pictures:
         draw_picture(picture, folder, size, output / (picture["name"] + ".png"))
     files = [(picture["name"] + ".png", picture["caption"]) for picture in pictures]
-    (output / (name + ".html")).write_text(fragment(columns, files))
+    pages = {}
+    for picture in pictures:
+        page = "pages/%s.html" % picture["mesh"]
+        if name == "gallery" and (output.parent / page).exists():
+            pages[picture["name"] + ".png"] = page
+    (output / (name + ".html")).write_text(fragment(columns, files, pages))
 
 
 def main():
