@@ -154,10 +154,16 @@ struct Searched_line
   std::optional<internal::Cut> best;
   Json steps = Json::array();
 
+  static std::vector<double> distances(const Face_graph& graph, Index source)
+  {
+    const internal::Weighted_graph weighted(graph, &Edge_weights::combined);
+    return internal::shortest_paths(weighted, source);
+  }
+
   Searched_line(const Face_graph& graph, const internal::Sample_faces& given)
     : samples(given),
-      from_s(internal::shortest_paths(graph, samples.s, &Edge_weights::combined)),
-      from_t(internal::shortest_paths(graph, samples.t, &Edge_weights::combined)),
+      from_s(distances(graph, samples.s)),
+      from_t(distances(graph, samples.t)),
       order(internal::spectral_order(Execution::SEQUENTIAL, from_s, from_t))
   {
     const Engine_options options = zhang_liu_2005_options();

@@ -44,8 +44,8 @@ export class Hierarchy {
   salience(n) { return this.saliences[n - this.roots - 1]; }
 }
 
-// The label of each node that is a segment, and the label of each face. Where the pieces do not tell
-// a label, `exceptions` has it: for each n {segments: Map, faces, labels}.
+// The label of each node that is a segment, and the label of each face. Where pieces do not tell a
+// label, `exceptions` has it: for each n {segments: Map, faces, labels}.
 export function labelOfSegment(hierarchy, n, exceptions) {
   return exceptions?.[n]?.segments ??
     new Map(hierarchy.segments(n).map((node, label) => [node, label]));

@@ -38,7 +38,7 @@ function pointNormals(points, triangles) {
 }
 
 // The points once more for each piece that they are at, so that pieces can be moved apart; and the
-// edges between pieces: for each two ends and a piece on one side, two ends and a piece on the other.
+// edges between pieces: for each two ends and a piece on one side, and the same on the other.
 function split({ points, triangles, pieces }) {
   const size = points.length / 3;
   const numbers = new Map();
@@ -210,7 +210,7 @@ export class Scene {
     this.draw();
   }
 
-  // pieces: for each its segment, its color and whether it is shown; explosion: how far segments are
+  // For each piece its segment, its color and whether it is shown; explosion: how far segments are
   // moved from the center, in multiples of the distance that they have from it.
   show({ segmentOfPiece, colorOfPiece, isShown, explosion }) {
     const offsetOfPiece = this.offsets(segmentOfPiece, explosion);
