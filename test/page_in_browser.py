@@ -91,7 +91,7 @@ def start_browser(directory):
     options.binary_location = CHROMIUM
     for argument in ["--headless=new", "--no-sandbox", "--disable-quic", "--no-first-run",
                      "--disable-background-networking", "--disable-component-update",
-                     "--disable-sync", "--use-gl=angle", "--use-angle=swiftshader",
+                     "--disable-sync", "--disable-dev-shm-usage", "--use-gl=angle", "--use-angle=swiftshader",
                      "--enable-unsafe-swiftshader", "--user-data-dir=%s/profile" % directory]:
         options.add_argument(argument)
     options.set_capability("goog:loggingPrefs", {"browser": "ALL"})
@@ -157,7 +157,7 @@ class Page_in_browser_test(unittest.TestCase):
 
     def downloaded(self, name):
         path = self.downloads / name
-        for _ in range(100):
+        for _ in range(400):
             if path.exists() and not list(self.downloads.glob("*.crdownload")):
                 return path.read_bytes()
             time.sleep(0.05)

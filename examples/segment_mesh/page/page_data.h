@@ -88,8 +88,8 @@ inline bool has_whole_polygons(const Input& input, const Pieces& pieces)
   return true;
 }
 
-// For `n` segments the label of each, by its node, and the polygons that have another label than that
-// of their piece: such of several pieces, which count to the segment that has most of them, and
+// For `n` segments the label of each, by its node, and the polygons that have another label than
+// that of their piece: such of several pieces, which count to the segment that has most of them, and
 // such beside boundaries that were smoothed.
 inline nlohmann::ordered_json label_exceptions(const Input& input,
                                                const Segmentation_hierarchy& tree,
