@@ -91,8 +91,9 @@ def start_browser(directory):
     options.binary_location = CHROMIUM
     for argument in ["--headless=new", "--no-sandbox", "--disable-quic", "--no-first-run",
                      "--disable-background-networking", "--disable-component-update",
-                     "--disable-sync", "--disable-dev-shm-usage", "--use-gl=angle", "--use-angle=swiftshader",
-                     "--enable-unsafe-swiftshader", "--user-data-dir=%s/profile" % directory]:
+                     "--disable-sync", "--disable-dev-shm-usage", "--use-gl=angle",
+                     "--use-angle=swiftshader", "--enable-unsafe-swiftshader",
+                     "--user-data-dir=%s/profile" % directory]:
         options.add_argument(argument)
     options.set_capability("goog:loggingPrefs", {"browser": "ALL"})
     return webdriver.Chrome(service=Service(DRIVER), options=options)
