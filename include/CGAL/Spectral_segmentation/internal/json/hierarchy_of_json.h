@@ -146,14 +146,9 @@ class Hierarchy_reader
         }
     if (parents_first(cuts_).size() != nodes.size())
       fail("a node is not below a root");
-    for (const Cut_node& n : nodes) {
-      if (n.is_leaf())
-        continue;
-      if (nodes[n.children[0]].area > nodes[n.children[1]].area)
+    for (const Cut_node& n : nodes)
+      if (!n.is_leaf() && nodes[n.children[0]].area > nodes[n.children[1]].area)
         fail("the first of two \"children\" is the larger");
-      if (cuts_.is_ultrametric && n.parent != null_node && n.salience > nodes[n.parent].salience)
-        fail("a cut is more salient than that of its \"parent\"");
-    }
   }
 
   void read_order()
