@@ -213,6 +213,26 @@ BOOST_AUTO_TEST_CASE(salience_is_that_of_the_cut_between_two_segments)
   }
 }
 
+// There a node may have a parent with a larger number.
+BOOST_AUTO_TEST_CASE(salience_after_segments_were_merged_by_hand)
+{
+  const Mesh mesh = mesh_of(read("hand.off"));
+  Segmentation_hierarchy hierarchy;
+  labels_of(mesh, params::hierarchy(hierarchy));
+  std::vector<std::size_t> nodes = hierarchy.segments(6);
+  for (std::size_t b : {3, 4, 5})
+    nodes[0] = hierarchy.merge(nodes[0], nodes[b]);
+  Labels labels = hierarchy.labels(hierarchy.number_of_segments());
+  const auto graph = CGAL::segment_adjacency_graph(
+    mesh, boost::make_iterator_property_map(labels.begin(), get(CGAL::face_index, mesh)),
+    params::hierarchy(hierarchy));
+  BOOST_TEST(num_edges(graph) > 5);
+  for (auto e : CGAL::make_range(edges(graph)))
+    BOOST_TEST(graph[e].salience ==
+               hierarchy.node(smallest_common_node(hierarchy, labels, source(e, graph),
+                                                   target(e, graph))).salience);
+}
+
 // Where smoothing moved faces to another segment.
 BOOST_AUTO_TEST_CASE(salience_of_smoothed_boundaries)
 {

@@ -17,6 +17,7 @@
 #include <cstddef>
 #include <limits>
 #include <map>
+#include <set>
 #include <stdexcept>
 #include <type_traits>
 #include <utility>
@@ -92,13 +93,13 @@ double salience_between(const Hierarchy& hierarchy, std::size_t a, std::size_t b
 {
   if (a == b)
     return 0;
-  while (a != b) {
-    std::size_t& later = a > b ? a : b; // parents come before their children
-    later = hierarchy.node(later).parent;
-    if (later == Hierarchy::null_node)
-      return std::numeric_limits<double>::infinity();
-  }
-  return hierarchy.node(a).salience;
+  std::set<std::size_t> above_a;
+  for (; a != Hierarchy::null_node; a = hierarchy.node(a).parent)
+    above_a.insert(a);
+  while (b != Hierarchy::null_node && above_a.count(b) == 0)
+    b = hierarchy.node(b).parent;
+  return b == Hierarchy::null_node ? std::numeric_limits<double>::infinity()
+                                   : hierarchy.node(b).salience;
 }
 
 } // namespace internal
