@@ -146,10 +146,10 @@ class Page_test(unittest.TestCase):
     def test_report_has_same_cuts(self):
         report = json.loads(self.output(MESHES / "elephant.off", "--json", "-", "--quiet"))
         page = self.page(MESHES / "elephant.off")
-        tree = report["tree"]
+        tree = report["hierarchy"]["nodes"]
         for i, node in enumerate(page.cuts):
             self.assertEqual(tree[node]["children"], [1 + 2 * i, 2 + 2 * i])
-            self.assertAlmostEqual(tree[node]["probability"],
+            self.assertAlmostEqual(tree[node]["salience"],
                                    page.data["hierarchy"]["saliences"][i])
         self.assertEqual(page.data["hierarchy"]["areas"], [node["area"] for node in tree])
 
