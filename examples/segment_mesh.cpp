@@ -200,10 +200,11 @@ void add_options(CLI::App& app, Options& o)
                  "number of threads; the result does not depend on it [all; 1 with --out-dir]")
     ->type_name("N")->check(CLI::Range(1, 1024));
   app.add_option("--time-limit", o.time_limit, "seconds after which a run fails [none]")
-    ->type_name("S")->check(CLI::PositiveNumber);
+    ->type_name("S")->check(CLI::Range(1e-3, 1e9));
   app.add_option("--memory-limit", o.memory_limit,
-                 "10^6 bytes of address space, with more of which a run fails [none]")
-    ->type_name("M")->check(CLI::PositiveNumber);
+                 "10^6 bytes of address space, with more of which a run fails; for one thread, "
+                 "which is the default then [none]")
+    ->type_name("M")->check(CLI::Range(1., 1e9));
   app.add_option("--smooth", o.smoothing_iterations,
                  "steps of Laplacian smoothing before distances are computed [0]")
     ->type_name("N")->check(CLI::Range(std::int64_t(0), largest));
@@ -243,6 +244,10 @@ void check_usage(const Options& o)
   if (o.threads && *o.threads > 1)
     throw Failure(Status::USAGE, "this build has no threads, as it is without TBB");
 #endif
+  if (std::isnan(o.time_limit) || std::isnan(o.memory_limit))
+    throw Failure(Status::USAGE, "a limit is not a number");
+  if (std::isfinite(o.memory_limit) && o.threads.value_or(1) > 1)
+    throw Failure(Status::USAGE, "--memory-limit is for runs with one thread");
   if (o.threshold && std::isnan(*o.threshold))
     throw Failure(Status::USAGE, "--salience-threshold is not a number");
   if (o.threshold && !o.is_of_paper() && !(*o.threshold >= 0 && *o.threshold <= 1))
@@ -292,8 +297,11 @@ std::size_t segment(const Input& input, std::vector<Index>& labels, const Option
                     .hierarchy(tree)
                     .visitor(std::ref(watch));
   const auto segment_with = [&](const auto& all) {
-    return CGAL::segment_spectral_recursive(input.soup.points, input.triangles,
-                                            CGAL::make_property_map(labels), all);
+    const auto ids = CGAL::make_property_map(labels);
+    if (o.threads == 1) // which starts none, so that a limit of memory is an exception
+      return CGAL::segment_spectral_recursive<CGAL::Sequential_tag>(input.soup.points,
+                                                                    input.triangles, ids, all);
+    return CGAL::segment_spectral_recursive(input.soup.points, input.triangles, ids, all);
   };
   const auto segment_with_number = [&](const auto& others) {
     if (o.is_number_exact())
@@ -615,6 +623,8 @@ int main(int argc, char* argv[])
     if (!options.output_directory.empty())
       return static_cast<int>(run_batch(options));
     options.input = options.inputs.front();
+    if (std::isfinite(options.memory_limit))
+      options.threads = 1;
     check_files(options);
   }
   catch (const CLI::Success& e) {

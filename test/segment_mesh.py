@@ -1163,6 +1163,13 @@ class Failures(Tool_test):
     def test_limits(self):
         self.assert_failure("time", self.mesh, "--time-limit", "0.001", sentence="time limit")
         self.assert_failure("memory", self.mesh, "--memory-limit", "1", sentence="memory")
+        for limits in (("--time-limit", "nan"), ("--memory-limit", "nan"), ("--time-limit", "0"),
+                       ("--memory-limit", "100", "--threads", "2")):
+            self.assert_failure("usage", self.mesh, *limits)
+        done = self.run_tool(self.mesh, "--out-dir", "out", "--memory-limit", "1")
+        self.assertEqual((done.returncode, done.stderr), (STATUSES.index("some failed"), ""))
+        table = json.loads((self.directory / "out/table.jsonl").read_text())
+        self.assertEqual(table["status"], "memory")
 
     def test_report_of_a_failure(self):
         (self.directory / "text.off").write_text("Dear Sir")

@@ -112,7 +112,7 @@ private:
 
   static void check_places(const std::vector<std::string>& inputs)
   {
-    std::map<Path, std::string> input_at;
+    std::map<Path, std::string> input_at = {{"parameters", "'parameters'"}}; // a file of the batch
     for (const std::string& input : inputs) {
       const auto [other, is_new] = input_at.emplace(place_of(input), input);
       if (!is_new)

@@ -111,7 +111,6 @@ public:
   void start_phase(const std::string& name, double seconds_expected, double seconds_after)
   {
     end_phase();
-    check_time();
     phase_ = shown_name_ = name;
     start_of_phase_ = Clock::now();
     begin_ = share_ = end_;
@@ -125,6 +124,7 @@ public:
     if (!phase_.empty())
       seconds_of_phase_[phase_] += seconds_since(start_of_phase_);
     phase_.clear();
+    check_time();
   }
 
   void start_stage(Stage stage, std::size_t part)

@@ -24,8 +24,8 @@ The border of a segment, the edges that an odd number of its triangles have, is 
 loops, and each loop gets a cap. If the loop deviates from a plane by at most a tenth of the
 diagonal of its bounding box, the cap is a Delaunay triangulation in projection to that plane, else
 a surface that bends little and has a small area. So its vertices are those of the loop; only if
-there is no such cap, or an edge of it would be an edge of other triangles too, it is a fan around a
-new point in the middle of the loop.
+there is no such cap, an edge of it would be an edge of other triangles too, or the loop is longer
+than 50 times that diagonal, it is a fan around a new point in the middle of the loop.
 
 First the holes of the surface are closed, then the segments, in ascending order of their area. The
 cap of a segment, turned over, also goes to the segment on its other side; if there are several,
