@@ -128,6 +128,19 @@ class Readme(unittest.TestCase):
         done = self.run_command([build / "my_program", self.directory / "mesh.off"])
         self.assertEqual(done.stdout, "2 segments\n")
 
+    def test_that_switches_are_named_where_programs_lack_packages(self):
+        done = subprocess.run(
+            ["cmake", "-S", SOURCE, "-B", self.directory / "build", *OPTIONS,
+             "-DCMAKE_DISABLE_FIND_PACKAGE_CLI11=ON"],
+            text=True, check=False, stdout=subprocess.PIPE, stderr=subprocess.PIPE)
+        self.assertNotEqual(done.returncode, 0)
+        self.assertEqual(done.stderr.count("CMake Error"), 1, done.stderr)
+        install, = (block for block in self.shell if "cmake --install" in block)
+        switches = re.findall(r"-D(\w+)=OFF", install)
+        self.assertEqual(len(switches), 3)
+        for switch in switches:
+            self.assertIn(switch, done.stderr)
+
     def test_without_installation(self):
         subdirectory, fetch_content = self.instead_of_find_package
         self.assertIn("FetchContent_Declare", fetch_content)
