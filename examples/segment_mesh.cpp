@@ -141,21 +141,23 @@ void add_options(CLI::App& app, Options& o)
 #endif
                  "; - for standard input; several with --out-dir")
     ->type_name("FILE")->check(not_empty);
-  add_file("--out-dir", o.output_directory,
-           "directory for outputs of each IN under its path, such as DIR/IN.json, and a line for "
-           "each IN in DIR/table.jsonl; what has been done there already is not done again")
-    ->type_name("DIR");
-  add_file("--list", o.list_file, "file with names of further IN, one a line; - for standard input");
+  CLI::Option* const out_dir =
+    add_file("--out-dir", o.output_directory,
+             "directory for outputs of each IN under its path, such as DIR/IN.json, and a line for "
+             "each IN in DIR/table.jsonl; what has been done there already is not done again")
+      ->type_name("DIR");
+  add_file("--list", o.list_file,
+           "file with names of further IN, one a line; - for standard input");
   app.add_option("--outputs", o.output_formats,
                  "what to write to --out-dir beside reports: meshes with colors by their format, "
                  "'parts' as with --split-dir, pages as with --html, hierarchies and labels")
     ->type_name("F")->delimiter(',')->allow_extra_args(false)
-    ->check(CLI::IsMember(output_formats))->capture_default_str();
+    ->check(CLI::IsMember(output_formats))->needs(out_dir)->capture_default_str();
   app.add_option("--jobs", o.jobs, "meshes of --out-dir that are segmented at a time [all cores]")
-    ->type_name("N")->check(CLI::Range(1, 1024));
+    ->type_name("N")->check(CLI::Range(1, 1024))->needs(out_dir);
   app.add_option("-o", o.mesh_files,
                  "mesh with a color for each segment: .ply, which also has the property 'segment' "
-                 "of faces, .obj with groups and materials, .off, or with the tree of parts .glb"
+                 "of faces, .obj with groups, and materials in a .mtl, .off, or with the tree of parts .glb"
 #ifdef SEGMENT_MESH_WITH_LIB3MF
                  " or .3mf, in millimeters"
 #endif
@@ -414,8 +416,8 @@ void print_summary(std::ostream& out, const Options& o, const Input& input,
                    std::size_t number_of_segments, double seconds)
 {
   out << o.input << ": " << input.soup.number_of_polygons() << " faces, " << number_of_segments
-      << (number_of_segments == 1 ? " segment, " : " segments, ") << std::setprecision(3) << seconds
-      << " s, " << peak_memory() / 1000000 << " MB" << std::endl;
+      << (number_of_segments == 1 ? " segment, " : " segments, ") << std::fixed
+      << std::setprecision(2) << seconds << " s, " << peak_memory() / 1000000 << " MB" << std::endl;
   if (!out)
     throw_cannot_write("the summary");
 }

@@ -245,9 +245,10 @@ def run(tool, folder, number, case, number_of_faces):
     _, name, data = case
     path, labels = folder / ("%d.%s" % (number, name)), folder / ("%d.labels" % number)
     path.write_bytes(data)
+    written = folder / ("%d.out.%s" % (number, ("ply", "obj", "off", "glb")[number % 4]))
     try:
         done = subprocess.run([tool, path, "--labels", labels, "--quiet", "--threads", "1",
-                               "--method", "paper"],
+                               "--method", ("paper", "calibrated")[number % 8 == 0], "-o", written],
                               stdout=subprocess.PIPE, stderr=subprocess.PIPE, timeout=SECONDS,
                               preexec_fn=lambda: limit_memory(len(data), IS_SANITIZED), check=False)
     except subprocess.TimeoutExpired:
@@ -261,7 +262,8 @@ def run(tool, folder, number, case, number_of_faces):
     else:
         wrong = "exit code %d" % done.returncode
     path.unlink()
-    labels.unlink(missing_ok=True)
+    for output in (labels, written, written.with_suffix(".mtl")):
+        output.unlink(missing_ok=True)
     return wrong and "%s: %s" % (wrong, error.strip()[:200]), done.returncode
 
 

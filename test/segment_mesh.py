@@ -1138,12 +1138,14 @@ class Failures(Tool_test):
                           (self.mesh, "--seed", "-1"), (self.mesh, "--threads", "0"),
                           (self.mesh, "--salience-threshold", "2"),
                           (self.mesh, "--out-dir", "out", "--labels", "out.seg"),
+                          (self.mesh, "--outputs", "ply"), (self.mesh, "--jobs", "2"),
                           ("a/in.off", "../a/in.off", "--out-dir", "out"),
                           (self.mesh, "--smooth", "-1"), (self.mesh, "-o"),
                           (self.mesh, "-o", "", "--labels", "out.seg"),
                           (self.mesh, "-o", "out.stl"), (self.mesh, "-o", "out"), ("",)):
             self.assert_failure("usage", *arguments)
-        self.assert_failure("usage", self.mesh, "--segment", "5", sentence="is --segments meant?")
+        self.assert_failure("usage", self.mesh, "--segment", "5",
+                            sentence="is --segments meant?")
         self.assert_failure("usage", self.mesh, "--segments", "1000000", sentence="1 to 2390")
 
     def test_output_that_cannot_be_written(self):
@@ -1163,6 +1165,9 @@ class Failures(Tool_test):
     def test_limits(self):
         self.assert_failure("time", self.mesh, "--time-limit", "0.001", sentence="time limit")
         self.assert_failure("memory", self.mesh, "--memory-limit", "1", sentence="memory")
+        for limit in (20, 30, 36, 40, 50): # somewhere on the way
+            done = self.run_tool(self.mesh, "--memory-limit", limit, "--quiet")
+            self.assertIn(done.returncode, (0, STATUSES.index("memory")), limit)
         for limits in (("--time-limit", "nan"), ("--memory-limit", "nan"), ("--time-limit", "0"),
                        ("--memory-limit", "100", "--threads", "2")):
             self.assert_failure("usage", self.mesh, *limits)

@@ -6,6 +6,7 @@
 
 #include "Signal_handlers.h"
 #include "check_outputs.h"
+#include "mesh_file/Segmented_mesh.h"
 
 #ifndef _WIN32
 #include <sys/stat.h>
@@ -174,9 +175,7 @@ public:
   template <class Writer>
   void write_segment(std::size_t i, const std::string& extension, const Writer& writer)
   {
-    std::string number = std::to_string(i);
-    number.insert(0, 3 - (std::min)(number.size(), std::size_t(3)), '0');
-    const std::string name = "segment_" + number + extension;
+    const std::string name = mesh_file::segment_name(i) + extension;
     write(split_directory_ / name, writer);
     segment_files_.insert(name);
   }

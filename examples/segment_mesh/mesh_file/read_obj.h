@@ -36,7 +36,7 @@ class Obj_reader
     static const std::string_view known[] = {
       "vp", "deg", "bmat", "step", "cstype", "p", "l", "curv", "curv2", "surf", "parm", "trim",
       "hole", "scrv", "sp", "end", "con", "g", "s", "mg", "o", "bevel", "c_interp", "d_interp",
-      "lod", "usemtl", "mtllib", "shadow_obj", "trace_obj", "ctech", "stech", "call", "csh",
+      "lod", "usemtl", "mtllib", "shadow_obj", "trace_obj", "ctech", "stech",
       "maplib", "usemap", "bsp", "bzp", "cdc", "cdp", "res"};
     return std::find(std::begin(known), std::end(known), statement) != std::end(known);
   }
@@ -123,6 +123,8 @@ class Obj_reader
 
   void read_face()
   {
+    if (text_.is_at_end_of_line())
+      text_.fail("the corner of a face");
     while (!text_.is_at_end_of_line())
       read_corner();
     if (soup_.corners.size() > most)
@@ -137,6 +139,8 @@ class Obj_reader
                          statement == "f" || statement == "fo";
     if (is_read)
       text_.skip_word();
+    else if (statement == "call" || statement == "csh")
+      text_.fail_with("other files and commands are not read");
     else if (!is_skipped(statement))
       text_.fail("a statement of OBJ");
     if (!is_read)

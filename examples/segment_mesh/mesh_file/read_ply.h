@@ -262,7 +262,7 @@ class Ply_body_reader
       body_.fail_with("the points have no properties x, y and z");
     if (is_read(element) && element.name != "vertex" && count(is_corner_list) != 1)
       body_.fail_with("the elements " + in_quotes(element.name) +
-                      " have no list 'vertex_indices'");
+                      " have not one list 'vertex_indices' or 'vertex_index'");
   }
 
   void read(const Ply_element& element)

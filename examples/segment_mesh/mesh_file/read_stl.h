@@ -101,7 +101,9 @@ class Stl_reader
         read_facet(text);
       }
       expect(text, "endsolid");
-      text.rest_of_line();
+      const Text_scanner where = text;
+      if (lower_case(text.rest_of_line()).find("facet normal") != std::string::npos)
+        where.fail("the end of the line, or the name of the solid alone");
     }
   }
 

@@ -9,6 +9,7 @@
 #include <CGAL/Spectral_segmentation/internal/door/read_triangle_soup.h>
 
 #include <cstddef>
+#include <limits>
 #include <stdexcept>
 #include <vector>
 
@@ -24,8 +25,9 @@ The border of a segment, the edges that an odd number of its triangles have, is 
 loops, and each loop gets a cap. If the loop deviates from a plane by at most a tenth of the
 diagonal of its bounding box, the cap is a Delaunay triangulation in projection to that plane, else
 a surface that bends little and has a small area. So its vertices are those of the loop; only if
-there is no such cap, an edge of it would be an edge of other triangles too, or the loop is longer
-than 50 times that diagonal, it is a fan around a new point in the middle of the loop.
+there is no such cap, an edge of it would be an edge of other triangles too, or a loop that is not
+flat is longer than 50 times that diagonal, it is a fan around a new point in the middle of the
+loop.
 
 First the holes of the surface are closed, then the segments, in ascending order of their area. The
 cap of a segment, turned over, also goes to the segment on its other side; if there are several,
@@ -53,6 +55,7 @@ The time is O(*n* log *n*) for *n* triangles, and that of
 
 \throws std::invalid_argument if a triangle does not have three corners, a corner is not the index
   of a point, a coordinate of a corner is not finite, or there are not as many ids as triangles
+\throws std::overflow_error if there are more points than the type of the corners can number
 
 If an exception is thrown for its input, nothing was changed.
 */
@@ -75,6 +78,10 @@ std::size_t close_segments(PointRange& points, TriangleRange& triangles,
     labels);
   const internal::Caps caps =
     internal::Segment_capping(soup.points)(soup.corners, labels, ids.size());
+  if (!caps.points.empty() && points.size() + caps.points.size() - 1 >
+                                static_cast<std::size_t>((std::numeric_limits<Corner>::max)()))
+    throw std::overflow_error("close_segments: the type of the corners is too small for the number "
+                              "of points");
   for (const internal::Vector& p : caps.points)
     points.push_back(Point{p.x(), p.y(), p.z()});
   for (const internal::Corners& t : caps.triangles)

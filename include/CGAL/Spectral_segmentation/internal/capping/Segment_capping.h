@@ -193,6 +193,20 @@ class Segment_capping
     return result;
   }
 
+  // More arcs than can be long all go to the segment that has most of the loop.
+  void unite_many_arcs(Loop& loop, std::vector<Index>& segments) const
+  {
+    const std::vector<Arc> all = arcs(loop, segments);
+    if (all.size() <= 50)
+      return;
+    std::map<Index, double> lengths;
+    for (const Arc& a : all)
+      lengths[a.segment] += a.length;
+    const Index longest = std::max_element(lengths.begin(), lengths.end(), [](auto& a, auto& b)
+                                           { return a.second < b.second; })->first;
+    std::fill(segments.begin(), segments.end(), longest);
+  }
+
   // The arcs of a loop, by the segments at it but one. Arcs of less than a tenth of the loop go to
   // the longer one beside them, as their sectors would be splinters.
   std::vector<Arc> long_arcs(Loop& loop, Index other_than) const
@@ -200,6 +214,7 @@ class Segment_capping
     std::vector<Index> segments;
     for (std::size_t i = 0; i < loop.size(); ++i)
       segments.push_back(segment_at(loop[i], loop[(i + 1) % loop.size()], other_than));
+    unite_many_arcs(loop, segments);
     for (;;) {
       const std::vector<Arc> result = arcs(loop, segments);
       double length = 0;

@@ -11,11 +11,34 @@
 #include <CGAL/utility.h>
 
 #include <algorithm>
+#include <cmath>
 #include <cstddef>
 #include <iterator>
 #include <vector>
 
 namespace CGAL::Spectral_segmentation::internal {
+
+inline double length(const std::vector<Vector>& loop)
+{
+  double result = 0;
+  for (std::size_t i = 0; i < loop.size(); ++i)
+    result += (loop[(i + 1) % loop.size()] - loop[i]).norm();
+  return result;
+}
+
+// Whether a loop is nearer than a distance to the plane through its middle with the mean normal of
+// its triangles there.
+inline bool is_flat(const std::vector<Vector>& loop, double distance)
+{
+  Vector middle, normal;
+  for (const Vector& p : loop)
+    middle += p / static_cast<double>(loop.size());
+  for (std::size_t i = 0; i < loop.size(); ++i)
+    normal += (loop[i] - middle).cross(loop[(i + 1) % loop.size()] - middle);
+  return std::all_of(loop.begin(), loop.end(), [&](const Vector& p) {
+    return std::abs((p - middle).dot(normal)) <= distance * normal.norm();
+  });
+}
 
 // A triangulation of a loop of points, whose triangles are given by places in it, in its direction:
 // Delaunay in the plane of the loop if that is nearly flat, else a surface that bends little and
@@ -26,11 +49,8 @@ inline std::vector<Corners> triangulated_loop(std::vector<Vector> loop)
   normalize(loop);
   const Bounding_box box(loop);
   const double diagonal = (box.largest - box.smallest).norm();
-  double length = 0;
-  for (std::size_t i = 0; i < loop.size(); ++i)
-    length += (loop[(i + 1) % loop.size()] - loop[i]).norm();
-  if (length > 50 * diagonal) // it fills space, where CGAL's search among tetrahedra is slow
-    return {};
+  if (!is_flat(loop, 0.1 * diagonal) && length(loop) > 50 * diagonal)
+    return {}; // it fills space, where CGAL's search among tetrahedra is slow
   std::vector<CGAL::Exact_predicates_inexact_constructions_kernel::Point_3> points;
   for (const Vector& p : loop)
     points.emplace_back(p.x(), p.y(), p.z());
