@@ -157,7 +157,8 @@ void add_options(CLI::App& app, Options& o)
     ->type_name("N")->check(CLI::Range(1, 1024))->needs(out_dir);
   app.add_option("-o", o.mesh_files,
                  "mesh with a color for each segment: .ply, which also has the property 'segment' "
-                 "of faces, .obj with groups, and materials in a .mtl, .off, or with the tree of parts .glb"
+                 "of faces, .obj with groups, and materials in a .mtl, .off, or with the tree of "
+                 "parts .glb"
 #ifdef SEGMENT_MESH_WITH_LIB3MF
                  " or .3mf, in millimeters"
 #endif

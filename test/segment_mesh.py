@@ -1156,8 +1156,10 @@ class Failures(Tool_test):
                              ("--json", "."), ("--json", "file/out.json"),
                              ("--split-dir", "file"), ("--split-dir", "missing/parts")):
             self.assert_failure("output", self.mesh, option, name, sentence="cannot")
-        self.assert_failure("usage", self.mesh, "--labels", "x", "--json", "./x", sentence="two outputs")
-        self.assert_failure("usage", self.mesh, "--labels", "-", "--json", "-", sentence="two outputs")
+        self.assert_failure("usage", self.mesh, "--labels", "x", "--json", "./x",
+                            sentence="two outputs")
+        self.assert_failure("usage", self.mesh, "--labels", "-", "--json", "-",
+                            sentence="two outputs")
         (self.directory / "in.off").write_bytes(self.mesh.read_bytes())
         self.assert_failure("usage", "in.off", "--labels", "./in.off", sentence="is the input")
         self.assertEqual((self.directory / "file").read_text(), "kept")
