@@ -98,6 +98,65 @@ BOOST_AUTO_TEST_CASE(prism_cut_in_its_middle_gets_two_flat_polygons)
     BOOST_TEST(volume == half, tt::tolerance(1e-12));
 }
 
+// A long border is flat still, and no fan would be right.
+BOOST_AUTO_TEST_CASE(gear_with_many_teeth_gets_flat_caps)
+{
+  const std::size_t n = 800;
+  Soup soup;
+  for (std::size_t i = 0; i < n; ++i) {
+    const double angle = 2 * pi * double(i) / n, radius = i % 2 == 0 ? 1 : 0.5;
+    for (double z : {0., 1.})
+      soup.points.emplace_back(radius * std::cos(angle), radius * std::sin(angle), z);
+    const std::size_t a = 2 * i, b = 2 * ((i + 1) % n);
+    soup.triangles.push_back({a, b, a + 1});
+    soup.triangles.push_back({b, b + 1, a + 1});
+  }
+  std::vector<int> segment(soup.triangles.size(), 0);
+  BOOST_TEST(CGAL::close_segments(soup.points, soup.triangles, segment) == 2 * (n - 2));
+  BOOST_TEST(is_closed(soup, segment));
+  BOOST_TEST(volumes(soup, segment)[0] == double(n) / 4 * std::sin(2 * pi / double(n)),
+             tt::tolerance(1e-9));
+}
+
+// There is no cap that is better than another, but the time must be short.
+BOOST_AUTO_TEST_CASE(border_that_fills_space_gets_fans)
+{
+  const std::size_t n = 2000;
+  Random random(1);
+  std::uniform_real_distribution<double> coordinate(0, 1);
+  Soup soup;
+  for (std::size_t i = 0; i < n; ++i) {
+    const Point p(coordinate(random), coordinate(random), coordinate(random));
+    soup.points.push_back(p);
+    soup.points.emplace_back(p.x() + 0.001, p.y(), p.z());
+    const std::size_t a = 2 * i, b = 2 * ((i + 1) % n);
+    soup.triangles.push_back({a, b, a + 1});
+    soup.triangles.push_back({b, b + 1, a + 1});
+  }
+  std::vector<int> segment(soup.triangles.size(), 0);
+  BOOST_TEST(CGAL::close_segments(soup.points, soup.triangles, segment) == 2 * n);
+  BOOST_TEST(is_closed(soup, segment));
+}
+
+BOOST_AUTO_TEST_CASE(corners_must_be_able_to_count_new_points)
+{
+  std::vector<std::array<double, 3> > points;
+  std::vector<std::array<unsigned char, 3> > triangles;
+  std::vector<int> segment;
+  for (int i = 0; i < 128; ++i) { // a crumpled strip
+    for (int k : {0, 1})
+      points.push_back({double(i * 37 % 41), double(i * 53 % 43), double(i * 29 % 47) + 0.01 * k});
+    const int a = 2 * i, b = 2 * ((i + 1) % 128);
+    const auto corner = [](int v) { return static_cast<unsigned char>(v); };
+    triangles.push_back({corner(a), corner(b), corner(a + 1)});
+    triangles.push_back({corner(b), corner(b + 1), corner(a + 1)});
+    segment.insert(segment.end(), 2, 0);
+  }
+  BOOST_CHECK_THROW(CGAL::close_segments(points, triangles, segment), std::overflow_error);
+  BOOST_TEST(points.size() == 256u);
+  BOOST_TEST(triangles.size() == 256u);
+}
+
 // Their borders have arcs in common, which are no loops.
 BOOST_AUTO_TEST_CASE(three_sectors_that_meet_at_the_axis_fit)
 {

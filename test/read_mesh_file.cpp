@@ -3,6 +3,7 @@
 
 #include "../examples/segment_mesh/mesh_file/read_mesh_file.h"
 
+#include <algorithm>
 #include <boost/test/unit_test.hpp>
 
 #include <array>
@@ -485,6 +486,9 @@ BOOST_AUTO_TEST_CASE(ply_header_contradictions)
         "line 7: the points have no properties x, y and z");
   fails(ply_header("ascii", ply_points + "element face 1\nproperty int a\n") + ply_body,
         "line 12: the elements 'face' have no list 'vertex_indices'");
+  fails(ply_header("ascii", ply_points + "element face 1\nproperty list uchar int vertex_index\n"
+                                         "property list uchar int vertex_indices\n") + ply_body,
+        "line 13: the elements 'face' have two lists of corners");
 }
 
 BOOST_AUTO_TEST_CASE(ply_body_contradictions)
@@ -567,6 +571,14 @@ BOOST_AUTO_TEST_CASE(stl_text_of_two_solids)
   check(Format::STL, "solid a\n" + stl_facet("0 0 1") + "endsolid a\n\nsolid b\n" +
                        stl_facet("0 0 1", "0 0 1") + "endsolid b\n", stl_points,
         {{0, 1, 2}, {0, 1, 3}});
+}
+
+BOOST_AUTO_TEST_CASE(stl_text_with_a_solid_behind_a_name)
+{
+  std::string second = "solid b " + stl_facet("0 0 1") + "endsolid b\n";
+  std::replace(second.begin(), second.end() - 1, '\n', ' ');
+  const std::string first = "solid a\n" + stl_facet("0 0 1") + "endsolid a ";
+  BOOST_CHECK_THROW(mesh_file::read_stl(first + second), std::runtime_error);
 }
 
 BOOST_AUTO_TEST_CASE(stl_text_with_other_normals_and_polygons)

@@ -123,8 +123,6 @@ class Obj_reader
 
   void read_face()
   {
-    if (text_.is_at_end_of_line())
-      text_.fail("the corner of a face");
     while (!text_.is_at_end_of_line())
       read_corner();
     if (soup_.corners.size() > most)

@@ -262,7 +262,8 @@ class Ply_body_reader
       body_.fail_with("the points have no properties x, y and z");
     if (is_read(element) && element.name != "vertex" && count(is_corner_list) != 1)
       body_.fail_with("the elements " + in_quotes(element.name) +
-                      " have not one list 'vertex_indices' or 'vertex_index'");
+                      (count(is_corner_list) == 0 ? " have no list 'vertex_indices'"
+                                                  : " have two lists of corners"));
   }
 
   void read(const Ply_element& element)

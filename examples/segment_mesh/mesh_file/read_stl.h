@@ -102,7 +102,7 @@ class Stl_reader
       }
       expect(text, "endsolid");
       const Text_scanner where = text;
-      if (lower_case(text.rest_of_line()).find("facet normal") != std::string::npos)
+      if (lower_case(text.rest_of_line()).find("endfacet") != std::string::npos)
         where.fail("the end of the line, or the name of the solid alone");
     }
   }
