@@ -5,9 +5,9 @@
 # check_all.sh [--cgal DIR] [--build DIR]
 # All programs and tests under g++ and clang++, each in Release with warnings as errors and in Debug
 # with sanitizers, each header alone, the readers under a fuzzer, the number of instructions of a
-# run, and the labels on other machines. With --cgal, Release once more against the CGAL whose
+# run, the labels on other machines, and many meshes, also on a cluster of Slurm. With --cgal, Release once more against the CGAL whose
 # CGALConfig.cmake is in DIR. Takes long; builds in build-check/ or the --build folder. Needs the
-# packages of `setup.sh build test performance machines`, and clang.
+# packages of `setup.sh build test performance machines cluster`, and clang.
 
 set -euo pipefail
 cd "$(dirname "$0")/.."
@@ -59,6 +59,11 @@ cmake --build "$build/g++-release" --target fuzz || failed+=(fuzz)
 
 echo "=== instructions of a run"
 cmake --build "$build/g++-release" --target check_instructions || failed+=(instructions)
+
+echo "=== many meshes"
+test/batch.py "$build/g++-release/examples/segment_mesh" --count 200 || failed+=(batch)
+scripts/check_slurm.sh "$build/g++-release/examples/segment_mesh" \
+  "$build/g++-release/data/meshes" || failed+=(slurm)
 
 echo "=== other machines"
 scripts/check_machines.sh --build "$build/machines" || failed+=(machines)

@@ -4,7 +4,7 @@
 #
 # setup.sh GROUP ...
 # Installs the Debian packages that are missing of the groups build, test, pictures, manual,
-# performance and machines.
+# performance, machines and cluster.
 
 set -euo pipefail
 
@@ -23,8 +23,9 @@ for group in "$@"; do
     machines)
       packages+=(g++-aarch64-linux-gnu qemu-user g++-mingw-w64-x86-64-posix wine wine64
                  emscripten) ;;
+    cluster) packages+=(slurm-wlm munge) ;;
     *) echo "setup.sh: no such group: $group (build, test, pictures, manual, performance," \
-            "machines)" >&2
+            "machines, cluster)" >&2
        exit 1 ;;
   esac
 done
