@@ -5,9 +5,9 @@
 # check_all.sh [--cgal DIR] [--build DIR]
 # All programs and tests under g++ and clang++, each in Release with warnings as errors and in Debug
 # with sanitizers, each header alone, the readers under a fuzzer, the number of instructions of a
-# run, the labels on other machines, and many meshes, also on a cluster of Slurm. With --cgal, Release once more against the CGAL whose
-# CGALConfig.cmake is in DIR. Takes long; builds in build-check/ or the --build folder. Needs the
-# packages of `setup.sh build test performance machines cluster`, and clang.
+# run, the labels on other machines, and many meshes, also on a cluster of Slurm. With --cgal, Release
+# once more against the CGAL whose CGALConfig.cmake is in DIR. Takes long; builds in build-check/ or
+# the --build folder. Needs to be root, and the packages of `setup.sh build test performance machines cluster`, and clang.
 
 set -euo pipefail
 cd "$(dirname "$0")/.."
