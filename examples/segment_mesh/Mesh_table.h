@@ -18,8 +18,8 @@
 namespace segment_mesh {
 
 // The file with a line of JSON for each mesh of several runs. A line is added when its run has
-// ended, so that the table is right whenever the program is killed: the last line for a mesh counts,
-// and one that is not whole does not.
+// ended, so that the table is right whenever the program is killed: the last line for a mesh
+// counts, and one that is not whole does not.
 class Mesh_table
 {
   const Path name_;

@@ -332,8 +332,8 @@ inline Scene read_by_assimp(const std::string& name, const Child_limits& limits)
 inline Scene read_by_assimp(const std::string& name)
 {
   if (!assimp_reads(std::filesystem::path(name).extension().string()))
-    throw std::runtime_error("the formats are OFF, OBJ, PLY, STL and those of Assimp, such as glTF, "
-                             "FBX and Collada");
+    throw std::runtime_error("the formats are OFF, OBJ, PLY, STL and those of Assimp, such as "
+                             "glTF, FBX and Collada");
   std::error_code error;
   const std::uintmax_t size = std::filesystem::file_size(name, error);
   return read_by_assimp(name, limits_of_assimp(error ? 0 : static_cast<double>(size)));

@@ -33,8 +33,8 @@ inline Mesh mesh_of(const Input& input)
   Mesh mesh;
   PMP::polygon_soup_to_polygon_mesh(points, triangles, mesh);
   if (mesh.number_of_faces() != triangles.size())
-    throw Failure(Status::MESH, "the faces of the input cannot be joined to a mesh, whose boundaries "
-                                "could be refined");
+    throw Failure(Status::MESH, "the faces of the input cannot be joined to a mesh, whose "
+                                "boundaries could be refined");
   return mesh;
 }
 

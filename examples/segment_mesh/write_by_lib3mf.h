@@ -65,7 +65,8 @@ class Lib3mf_writer
     DWORD code;
     if (instance)
       NMR::lib3mf_getlasterror(instance, &code, &message);
-    throw Failure(Status::OUTPUT, std::string("lib3mf reports ") + (message ? message : "an error"));
+    throw Failure(Status::OUTPUT,
+                  std::string("lib3mf reports ") + (message ? message : "an error"));
   }
 
   template <class Function, class... Arguments>

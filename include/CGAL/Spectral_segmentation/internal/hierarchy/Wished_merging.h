@@ -20,9 +20,9 @@
 namespace CGAL::Spectral_segmentation::internal {
 
 // Merges the regions that fulfill wishes, as the cuts of the old hierarchy are undone, the least
-// salient first. Where an old cut has a region on one side that can be merged with one on the other,
-// they are merged with the salience of the cut. What no wish concerns is merged as before. Regions
-// that a wish keeps apart stay so: what is left are the roots.
+// salient first. Where an old cut has a region on one side that can be merged with one on the
+// other, they are merged with the salience of the cut. What no wish concerns is merged as before.
+// Regions that a wish keeps apart stay so: what is left are the roots.
 class Wished_merging
 {
   typedef std::vector<Index> Clusters;
