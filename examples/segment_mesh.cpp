@@ -580,8 +580,9 @@ Status run_batch(const Options& o)
     [&](const std::string& input, const Path& path, const Failure& failure)
     { return report_failure(options_of_mesh(o, input, path), failure); });
   if (!o.quiet)
-    std::cout << counts.done - counts.failed << " meshes segmented, " << counts.failed
-              << " failed, " << counts.kept << " done before; see "
+    std::cout << counts.done - counts.failed
+              << (counts.done - counts.failed == 1 ? " mesh segmented, " : " meshes segmented, ")
+              << counts.failed << " failed, " << counts.kept << " done before; see "
               << (Path(o.output_directory) / "table.jsonl").string() << std::endl;
   return counts.failed > 0 ? Status::SOME_FAILED : Status::OK;
 }

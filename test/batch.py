@@ -4,7 +4,8 @@
 """Many meshes through the command line tool: batch.py TOOL [--count N].
 
 N small meshes, some of them damaged, are segmented in one batch, which is killed on the way and
-started again. Its table and labels have to be those of single runs.
+started again. Its table and labels have to be those of single runs. Another runs after many
+meshes.
 """
 
 import argparse
@@ -103,11 +104,37 @@ def check_labels(directory, tool, expected):
             check(single.stdout == labels, name + " has other labels")
 
 
+def run(directory, tool, *arguments):
+    return subprocess.run([tool, *arguments, "--out-dir", "out"], cwd=directory,
+                          capture_output=True, text=True, check=False)
+
+
+def check_long_table(directory, tool):
+    """What is done does not take memory from a run. A name need not be UTF-8."""
+    name = b"\xff.off" if sys.platform == "linux" else b"a.off"
+    (directory / os.fsdecode(name)).write_text(blob(random.Random(1)))
+    (directory / "out").mkdir()
+    with open(directory / "out/table.jsonl", "w", encoding="utf-8") as table:
+        for i in range(150000):
+            table.write('{"input":"scans/%d.off","status":"ok","message":"","faces":20000,'
+                        '"segments":7,"seconds":0.2,"peak_memory":19000000}\n' % i)
+    limit = []
+    if b"__asan_init" not in pathlib.Path(tool).read_bytes(): # which needs address space
+        limit = ["--memory-limit", "100"]
+    for summary in ("1 mesh segmented, 0 failed, 0 done before",
+                    "0 meshes segmented, 0 failed, 1 done before"):
+        done = run(directory, tool, name, *limit)
+        check(done.returncode == 0 and summary in done.stdout, "the long table: " + done.stdout)
+        check(len(rows(directory)) == 150001, "the lines of the long table")
+
+
 def main():
     parser = argparse.ArgumentParser(description=__doc__)
     parser.add_argument("tool", type=os.path.abspath)
     parser.add_argument("--count", type=int, default=40)
     options = parser.parse_args()
+    with tempfile.TemporaryDirectory() as name:
+        check_long_table(pathlib.Path(name), options.tool)
     with tempfile.TemporaryDirectory() as name:
         directory = pathlib.Path(name)
         expected = make_inputs(directory, options.count)

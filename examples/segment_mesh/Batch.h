@@ -16,15 +16,18 @@
 #include <unistd.h>
 #endif
 
+#include <algorithm>
+#include <cerrno>
 #include <chrono>
 #include <cstddef>
+#include <cstring>
 #include <filesystem>
 #include <fstream>
 #include <functional>
 #include <iostream>
-#include <map>
 #include <string>
 #include <system_error>
+#include <unordered_set>
 #include <utility>
 #include <vector>
 
@@ -64,6 +67,7 @@ inline std::vector<std::string> read_list(const std::string& name)
 // others, and a later batch does what is missing:
 // - parameters.json: what the results depend on, which is the same in all batches of a directory;
 // - table.jsonl: how the run of each mesh ended;
+// - .lock, which one batch at a time has;
 // - for each input, under its path, the outputs of its run, among them the report PATH.json.
 class Batch
 {
@@ -87,8 +91,11 @@ private:
   void lock() const
   {
 #ifndef _WIN32
-    const int file = open((directory_ / "parameters.json").c_str(), O_RDONLY | O_CLOEXEC);
-    if (file < 0 || flock(file, LOCK_EX | LOCK_NB) != 0) // until the program ends
+    // For writing, without which NFS locks nothing; until the program ends.
+    const int file = open((directory_ / ".lock").c_str(), O_RDWR | O_CREAT | O_CLOEXEC, 0666);
+    if (file < 0)
+      throw_cannot_write(directory_ / ".lock", std::strerror(errno));
+    if (flock(file, LOCK_EX | LOCK_NB) != 0 && errno == EWOULDBLOCK) // some systems have no locks
       throw Failure(Status::USAGE, "another batch runs in " + directory_.string());
 #endif
   }
@@ -112,13 +119,17 @@ private:
 
   static void check_places(const std::vector<std::string>& inputs)
   {
-    std::map<Path, std::string> input_at = {{"parameters", "'parameters'"}}; // a file of the batch
-    for (const std::string& input : inputs) {
-      const auto [other, is_new] = input_at.emplace(place_of(input), input);
-      if (!is_new)
-        throw Failure(Status::USAGE, "the inputs " + other->second + " and " + input +
-                                       " would have the same outputs");
-    }
+    typedef std::pair<std::string, std::string> Place_and_input;
+    std::vector<Place_and_input> places = {{"parameters", "'parameters'"}}; // a file of the batch
+    for (const std::string& input : inputs)
+      places.emplace_back(place_of(input).string(), input);
+    std::sort(places.begin(), places.end());
+    const auto same = std::adjacent_find(places.begin(), places.end(),
+                                         [](const Place_and_input& a, const Place_and_input& b)
+                                         { return a.first == b.first; });
+    if (same != places.end())
+      throw Failure(Status::USAGE, "the inputs " + same->second + " and " + (same + 1)->second +
+                                     " would have the same outputs");
   }
 
   static bool is_newer(const Path& a, const Path& b)
@@ -129,11 +140,15 @@ private:
     return !error_a && !error_b && time_a >= time_b;
   }
 
-  bool is_done(const Mesh_table& table, const std::string& input) const
+  // For each input.
+  std::vector<bool> which_are_done(Mesh_table& table, const std::vector<std::string>& inputs) const
   {
-    const Json* const row = table.row(input);
-    return row && row->value("status", "") == name_of(Status::OK) &&
-           is_newer(path_of(input) += ".json", input);
+    const std::unordered_set<std::string> succeeded = table.tidy();
+    std::vector<bool> result;
+    for (const std::string& input : inputs)
+      result.push_back(succeeded.count(Mesh_table::name_in_table(input)) > 0 &&
+                       is_newer(path_of(input) += ".json", input));
+    return result;
   }
 
   static Failure failure_of_signal(int signal)
@@ -179,9 +194,10 @@ public:
     std::filesystem::create_directories(directory_, error);
     if (!std::filesystem::is_directory(directory_))
       throw_cannot_write(directory_, error ? error.message() : "it is not a directory");
-    check_parameters(parameters);
     lock();
+    check_parameters(parameters);
     Mesh_table table(directory_ / "table.jsonl");
+    const std::vector<bool> is_done = which_are_done(table, inputs);
     Child_runs runs;
     const auto end_run = [&] {
       const Child_runs::Ended_run ended = runs.wait();
@@ -195,7 +211,7 @@ public:
         show_progress(inputs.size());
     };
     for (std::size_t i = 0; i < inputs.size(); ++i) {
-      if (is_done(table, inputs[i])) {
+      if (is_done[i]) {
         ++kept_;
         continue;
       }
@@ -207,7 +223,7 @@ public:
     }
     while (runs.size() > 0)
       end_run();
-    table.write();
+    table.tidy();
     if (shows_progress_)
       std::cerr << "\r\33[K" << std::flush;
     return {done_, failed_, kept_};

@@ -4,6 +4,7 @@
 #ifndef SEGMENT_MESH_MESH_TABLE_H
 #define SEGMENT_MESH_MESH_TABLE_H
 
+#include "Failure.h"
 #include "Output_files.h"
 #include "report.h"
 
@@ -12,69 +13,78 @@
 #include <ostream>
 #include <string>
 #include <unordered_map>
-#include <utility>
+#include <unordered_set>
 #include <vector>
 
 namespace segment_mesh {
 
 // The file with a line of JSON for each mesh of several runs. A line is added when its run has
 // ended, so that the table is right whenever the program is killed: the last line for a mesh
-// counts, and one that is not whole does not.
+// counts, and one that is not whole does not. No line stays in memory, as each run of a batch has
+// a copy of the memory of the batch.
 class Mesh_table
 {
   const Path name_;
-  std::vector<Json> rows_;                               // in the order in which meshes came first
-  std::unordered_map<std::string, std::size_t> row_of_;  // by the name of the input
   std::ofstream out_;
 
-  void set(Json row)
-  {
-    const auto [place, is_new] = row_of_.emplace(row.at("input").get<std::string>(), rows_.size());
-    if (is_new)
-      rows_.emplace_back();
-    rows_[place->second] = std::move(row);
-  }
-
-  static std::string line(const Json& row)
-  { return row.dump(-1, ' ', false, Json::error_handler_t::replace) + "\n"; }
+  static std::string text(const Json& json)
+  { return json.dump(-1, ' ', false, Json::error_handler_t::replace); }
 
 public:
-  explicit Mesh_table(const Path& name) : name_(name)
-  {
-    std::ifstream in(name);
-    for (std::string text; std::getline(in, text);)
-      try {
-        set(Json::parse(text));
-      }
-      catch (const Json::exception&) {
-      }
-    write(); // without a line that is not whole
-    out_.open(name, std::ios::binary | std::ios::app);
-  }
+  explicit Mesh_table(const Path& name) : name_(name) {}
 
-  // Null if there is none.
-  const Json* row(const std::string& input) const
-  {
-    const auto found = row_of_.find(input);
-    return found == row_of_.end() ? nullptr : &rows_[found->second];
-  }
+  // As the table has it: what is no UTF-8 is replaced.
+  static std::string name_in_table(const std::string& input)
+  { return Json::parse(text(input)).get<std::string>(); }
 
   void add(const Json& row)
   {
-    if (!(out_ << line(row) << std::flush))
+    if (!out_.is_open())
+      out_.open(name_, std::ios::binary | std::ios::app);
+    if (!(out_ << text(row) << '\n' << std::flush))
       throw_cannot_write(name_);
-    set(row);
   }
 
-  // One line a mesh.
-  void write() const
+  // Leaves the last line of each mesh, and returns the meshes whose runs succeeded.
+  std::unordered_set<std::string> tidy()
   {
+    out_.close();
+    std::unordered_map<std::string, std::size_t> line_of; // the number of the last, from 1
+    std::unordered_set<std::string> succeeded;
+    std::size_t number = 0;
+    const auto for_each_line = [&](const auto& function) {
+      std::ifstream in(name_);
+      number = 0;
+      for (std::string line; std::getline(in, line);) {
+        ++number;
+        function(line);
+      }
+    };
+    for_each_line([&](const std::string& line) {
+      try {
+        const Json row = Json::parse(line);
+        const std::string input = row.at("input").get<std::string>();
+        line_of[input] = number;
+        if (row.value("status", "") == name_of(Status::OK))
+          succeeded.insert(input);
+        else
+          succeeded.erase(input);
+      }
+      catch (const Json::exception&) {
+      }
+    });
+    std::vector<bool> is_last(number + 1);
+    for (const auto& line : line_of)
+      is_last[line.second] = true;
     Output_files files;
     files.write(name_, [&](std::ostream& out) {
-      for (const Json& row : rows_)
-        out << line(row);
+      for_each_line([&](const std::string& line) {
+        if (is_last[number])
+          out << line << '\n';
+      });
     });
     files.commit();
+    return succeeded;
   }
 };
 
