@@ -1,0 +1,89 @@
+# Copyright (c) 2026  The Spectral_segmentation authors.
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Builds the package from the headers of the repository, or from their copies in an sdist.
+
+CPPFLAGS may name the folders of CGAL, Boost, Eigen, nlohmann-json and TBB, as in -I/opt/cgal/include.
+"""
+
+import os
+import pathlib
+import re
+import shutil
+import tempfile
+
+from pybind11.setup_helpers import ParallelCompile, Pybind11Extension, build_ext
+from setuptools import setup
+from setuptools.command.sdist import sdist
+
+HERE = pathlib.Path(__file__).resolve().parent
+ROOT = HERE if (HERE / "include").is_dir() else HERE.parent.parent
+# What is compiled, or belongs to it, outside of this folder
+SHARED = ["LICENSE", "include", "examples/segment_mesh/mesh_file",
+          "examples/segment_mesh/segment_colors.h"]
+
+TBB_PROGRAM = """
+#include <tbb/task_arena.h>
+int main() { return tbb::this_task_arena::max_concurrency() > 0 ? 0 : 1; }
+"""
+
+
+def version():
+    header = (ROOT / "include/CGAL/Spectral_segmentation/version.h").read_text()
+    return re.search(r'VERSION "(.*)"', header).group(1)
+
+
+def eigen_folders():
+    prefixes = ["/usr", "/usr/local", "/opt/homebrew"]
+    folders = [os.path.join(prefix, "include", "eigen3") for prefix in prefixes]
+    return [folder for folder in folders if os.path.isdir(folder)]
+
+
+class Build(build_ext):
+
+    def has_tbb(self):
+        with tempfile.TemporaryDirectory() as folder:
+            source = os.path.join(folder, "tbb.cpp")
+            pathlib.Path(source).write_text(TBB_PROGRAM)
+            try:
+                objects = self.compiler.compile([source], output_dir=folder,
+                                                extra_postargs=["-std=c++17"])
+                self.compiler.link_executable(objects, "tbb", folder, libraries=["tbb"],
+                                              target_lang="c++")
+            except Exception: # of distutils, whose module moves
+                print("No TBB: the package is built without threads")
+                return False
+        return True
+
+    def build_extensions(self):
+        if self.has_tbb():
+            for extension in self.extensions:
+                extension.define_macros.append(("CGAL_LINKED_WITH_TBB", "1"))
+                extension.libraries.append("tbb")
+        super().build_extensions()
+
+
+class Sdist(sdist):
+
+    def make_release_tree(self, base_dir, files):
+        super().make_release_tree(base_dir, files)
+        for name in SHARED:
+            target = pathlib.Path(base_dir, name)
+            target.parent.mkdir(parents=True, exist_ok=True)
+            if (ROOT / name).is_dir():
+                shutil.copytree(ROOT / name, target, dirs_exist_ok=True)
+            else:
+                shutil.copyfile(ROOT / name, target)
+
+
+ParallelCompile("SPECTRAL_SEGMENTATION_JOBS").install()
+setup(
+    version=version(),
+    cmdclass={"build_ext": Build, "sdist": Sdist},
+    ext_modules=[Pybind11Extension(
+        "spectral_segmentation._core",
+        ["src/engine.cpp", "src/mesh_files.cpp", "src/segmentation.cpp"],
+        include_dirs=[str(ROOT / "include"), str(ROOT / "examples"), *eigen_folders()],
+        define_macros=[("CGAL_SPECTRAL_SEGMENTATION_COMPILED", "1"), ("NDEBUG", "1")],
+        # Labels do not depend on whether the processor has fused multiplications.
+        extra_compile_args=["-O2", "-g0", "-ffp-contract=off"],
+        cxx_std=17)])

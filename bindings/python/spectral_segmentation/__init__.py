@@ -1,0 +1,19 @@
+# Copyright (c) 2026  The Spectral_segmentation authors.
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Cuts a triangle mesh into the parts that a person would name.
+
+    >>> from spectral_segmentation import read, segment
+    >>> labels = segment(read("elephant.off"))
+"""
+
+from ._boundaries import boundary_edges, segment_adjacency, segment_colors
+from ._core import Hierarchy, SalienceFactors, __version__
+from ._files import Mesh, read, write
+from ._runs import segment, segment_hierarchy
+
+#: What `cut_state` in `Hierarchy.nodes` is an index of. In the default method every cut is known
+#: and a node without one is a leaf.
+CUT_STATES = ("not searched", "no cut", "rejected", "known")
+
+__all__ = ["CUT_STATES", "Hierarchy", "Mesh", "SalienceFactors", "boundary_edges", "read",
+           "segment", "segment_adjacency", "segment_colors", "segment_hierarchy", "write"]

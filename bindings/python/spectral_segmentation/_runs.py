@@ -1,0 +1,182 @@
+# Copyright (c) 2026  The Spectral_segmentation authors.
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Runs of the segmentation."""
+
+import operator
+
+import numpy as np
+
+from . import _core
+from ._meshes import arrays_of
+
+_METHODS = {"calibrated": False, "paper": True}
+
+
+def _integer(name, value, largest=2**63 - 1):
+    if isinstance(value, (bool, np.bool_)):
+        raise TypeError("%s must be an integer, not a bool" % name)
+    try:
+        result = operator.index(value)
+    except TypeError:
+        raise TypeError("%s must be an integer, not %s" % (name, type(value).__name__)) from None
+    if result > largest:
+        raise OverflowError("%s is too large: %d" % (name, result))
+    return max(result, -2**63)
+
+
+def _real(name, value):
+    if isinstance(value, (bool, np.bool_, str, bytes)) or not hasattr(value, "__float__"):
+        raise TypeError("%s must be a number, not %s" % (name, type(value).__name__))
+    return float(value)
+
+
+def _flag(name, value):
+    if not isinstance(value, (bool, np.bool_)):
+        raise TypeError("%s must be a bool, not %s" % (name, type(value).__name__))
+    return bool(value)
+
+
+def _three_numbers(name, value):
+    try:
+        numbers = list(value)
+    except TypeError:
+        raise TypeError("%s must be three numbers" % name) from None
+    if len(numbers) != 3:
+        raise ValueError("%s must be three numbers, not %d" % (name, len(numbers)))
+    return [_real(name, number) for number in numbers]
+
+
+def _callable(name, value):
+    if value is not None and not callable(value):
+        raise TypeError("%s must be callable, not %s" % (name, type(value).__name__))
+    return value
+
+
+def _seeds(value, number_of_triangles):
+    seeds = np.asarray(value)
+    if seeds.dtype.kind not in "iu":
+        raise TypeError("face_seed_map must be integers, not %s" % seeds.dtype)
+    if seeds.shape != (number_of_triangles,):
+        raise ValueError("face_seed_map must have the shape (%d,), one for each triangle, not %s"
+                         % (number_of_triangles, seeds.shape))
+    return seeds.astype(np.int64, copy=False)
+
+
+def _random_seed(name, value):
+    seed = _integer(name, value, 2**64 - 1)
+    if seed < 0:
+        raise ValueError("%s must not be negative" % name)
+    return seed
+
+
+def _threads(value):
+    number = _integer("threads", value)
+    if number < 1:
+        raise ValueError("threads must be at least 1")
+    if number > 1 and not _core.HAS_THREADS:
+        raise ValueError("this build has no threads, as it is without TBB")
+    return min(number, 1024)
+
+
+def segment_hierarchy(points, triangles=None, *, method="calibrated", number_of_segments=None,
+                      maximum_number_of_segments=None, threshold=None, components_apart=None,
+                      face_seed_map=None, minimum_segment_size=None, part_salience=None,
+                      salience_weights=None, distance_weights=None, number_of_searched_faces=None,
+                      number_of_reference_faces=None, number_of_smoothing_iterations=None,
+                      boundary_smoothing=None, random_seed=None, threads=None, progress=None):
+    """Cuts a triangle mesh into parts, and returns all cuts with their salience.
+
+    The same input gives the same result on every run, with any number of threads. The lock of
+    Python is released: several threads may run at a time. The arrays must not change meanwhile.
+
+    Parameters, all but the mesh being optional; the manual of the C++ library tells more:
+
+    points: array_like of real numbers, shape (n, 3), in any unit; or a mesh: what `read()` returns,
+        or an object of trimesh, Open3D, PyVista or meshio. Arrays of float32 and float64 are read
+        without a copy.
+    triangles: array_like of integers, shape (m, 3), the indices of the corners in `points`. Arrays
+        of 4 and 8 bytes an integer are read without a copy. Edges may have any number of
+        triangles, and the orientation may vary.
+    method: "calibrated", which cuts where people cut, or "paper", that of Zhang and Liu 2005,
+        `zhang_liu_2005()` in C++.
+    number_of_segments: exactly this number, whatever the saliences are; not together with the next
+        two.
+    maximum_number_of_segments: at most this number.
+    threshold: the smallest salience of a cut, `salience_threshold` in C++; by default 0.40, the
+        probability that people cut there, or 0.54 for weighted saliences as those of the paper.
+    components_apart: whether each connected component is a part from the start; by default False,
+        with the method "paper" True.
+    face_seed_map: array_like of integers, shape (m,). Triangles with the same number are of one
+        segment, those with different numbers are not; negative numbers mean nothing. Not with the
+        method "paper".
+    minimum_segment_size: the least share of the area of the mesh for each side of a cut, in
+        [0, 0.5]; by default 0.003, with the method "paper" 0.005.
+    part_salience: your own salience of a cut, a callable that takes `SalienceFactors` and returns a
+        number. It is called from several threads, one at a time. Give `threshold` with it.
+    salience_weights: three numbers, not negative, with sum 1: the weights of size, cut strength and
+        protrusiveness in a weighted salience. Not together with `part_salience`.
+    distance_weights: three numbers: the weight of the geodesic distance, in [0, 1], and the factors
+        of the angle distance at concave and at convex edges; by default 0.03, 1, 0.1, with the
+        method "paper" 0.01, 1, 0.1.
+    number_of_searched_faces: cuts are searched on a coarse mesh with this number of triangles, by
+        default 4000; 0 means the mesh itself, the default of the method "paper".
+    number_of_reference_faces: the dimension of the context vector, by default 10.
+    number_of_smoothing_iterations: steps of Laplacian smoothing before the search, by default 0.
+    boundary_smoothing: whether boundaries of segments are smoothed, by default False.
+    random_seed: chooses reference faces at random, as in the paper.
+    threads: at most this number of threads; by default all that the machine has.
+    progress: is called with the share of the run that is done, from 0 to 1, in the caller's thread.
+        If it returns False the run ends, and the result has the cuts made so far. If it raises an
+        exception, the run ends with that. So it does with KeyboardInterrupt after Ctrl-C.
+
+    Raises TypeError or ValueError if an argument has a wrong type, shape or range, or seeds
+    contradict each other; OverflowError if a number is too large; MemoryError if there is not
+    enough memory.
+    """
+    points, triangles = arrays_of(points, triangles)
+    if method not in _METHODS:
+        raise ValueError("method must be 'calibrated' or 'paper', not %r" % (method,))
+    if number_of_segments is not None and not (maximum_number_of_segments is None and
+                                               threshold is None):
+        raise ValueError("number_of_segments goes neither with maximum_number_of_segments nor "
+                         "with threshold")
+    if part_salience is not None and salience_weights is not None:
+        raise ValueError("part_salience does not go with salience_weights")
+    if face_seed_map is not None and _METHODS[method]:
+        raise ValueError("face_seed_map does not go with the method 'paper'")
+    given = {"is_of_paper": _METHODS[method]}
+    for read, parameters in (
+            (_integer, {"number_of_segments": number_of_segments,
+                        "maximum_number_of_segments": maximum_number_of_segments,
+                        "number_of_searched_faces": number_of_searched_faces,
+                        "number_of_reference_faces": number_of_reference_faces,
+                        "number_of_smoothing_iterations": number_of_smoothing_iterations}),
+            (_real, {"threshold": threshold, "minimum_segment_size": minimum_segment_size}),
+            (_flag, {"components_apart": components_apart,
+                     "boundary_smoothing": boundary_smoothing}),
+            (_three_numbers, {"salience_weights": salience_weights,
+                              "distance_weights": distance_weights}),
+            (_random_seed, {"random_seed": random_seed})):
+        for name, value in parameters.items():
+            if value is not None:
+                given[name] = read(name, value)
+    return _core.segment(
+        points, triangles, given,
+        None if face_seed_map is None else _seeds(face_seed_map, len(triangles)),
+        _callable("part_salience", part_salience),
+        None if threads is None else _threads(threads), _callable("progress", progress))
+
+
+def segment(points, triangles=None, **parameters):
+    """Cuts a triangle mesh into the parts that a person would name.
+
+    Returns the label of each triangle, an array of int of shape (m,). Labels go from 0 to the
+    number of segments - 1; segments are numbered by their first triangle.
+
+    The parameters and exceptions are those of `segment_hierarchy()`, whose result gives the labels
+    for other numbers of segments without another run.
+    """
+    return segment_hierarchy(points, triangles, **parameters).labels()
+
+
+segment.__wrapped__ = segment_hierarchy # for help() and inspect: the names of the parameters

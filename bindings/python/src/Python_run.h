@@ -1,0 +1,136 @@
+// Copyright (c) 2026  The Spectral_segmentation authors.
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef SPECTRAL_SEGMENTATION_PYTHON_PYTHON_RUN_H
+#define SPECTRAL_SEGMENTATION_PYTHON_PYTHON_RUN_H
+
+#include <CGAL/Spectral_segmentation/internal/Run_control.h>
+
+#include <pybind11/pybind11.h>
+
+#include <atomic>
+#include <chrono>
+#include <condition_variable>
+#include <exception>
+#include <mutex>
+#include <thread>
+
+namespace python {
+
+namespace py = pybind11;
+
+// A run in a thread of its own, without Python's lock. The caller's thread waits: there, and only
+// there, signals are handled and progress is told, for Python handles signals in its main thread.
+class Python_run : public CGAL::Spectral_segmentation::internal::Run_control
+{
+public:
+  struct Abandoned {}; // unwinds the run, whose result nobody will see
+
+private:
+  const py::object progress_; // a callable or None
+  std::mutex mutex_;
+  std::condition_variable changed_;
+  double share_ = 0;                       // that is done
+  bool is_done_ = false;
+  std::exception_ptr error_;               // of the run
+  std::exception_ptr error_of_python_;     // of a callable or a signal
+  std::atomic<bool> is_stopped_{false}, is_abandoned_{false};
+  double told_share_ = 0;
+
+  // Holding Python's lock.
+  void call_python(double share)
+  {
+    if (PyErr_CheckSignals() != 0)
+      throw py::error_already_set();
+    if (progress_.is_none() || share <= told_share_ || is_stopped_)
+      return;
+    told_share_ = share;
+    if (progress_(share).is(py::bool_(false)))
+      is_stopped_ = true;
+  }
+
+  // Without Python's lock. Returns once the run is done.
+  void wait()
+  {
+    std::unique_lock<std::mutex> lock(mutex_);
+    while (!is_done_) {
+      const bool is_told = !progress_.is_none() && !is_stopped_ && !is_abandoned_;
+      changed_.wait_for(lock, std::chrono::milliseconds(50),
+                        [&] { return is_done_ || (is_told && share_ > told_share_); });
+      if (is_done_ || is_abandoned_)
+        continue;
+      const double share = share_;
+      lock.unlock();
+      {
+        const py::gil_scoped_acquire python_lock;
+        try {
+          call_python(share);
+        }
+        catch (...) {
+          abandon(std::current_exception());
+        }
+      }
+      lock.lock();
+    }
+  }
+
+public:
+  explicit Python_run(const py::object& progress) : progress_(progress) {}
+
+  void progress(double share) override
+  {
+    const std::lock_guard<std::mutex> lock(mutex_);
+    share_ = share;
+    changed_.notify_one();
+  }
+
+  bool go_further() override
+  {
+    if (is_abandoned_)
+      throw Abandoned();
+    return !is_stopped_;
+  }
+
+  // Ends the run; the caller gets the first error.
+  void abandon(const std::exception_ptr& error)
+  {
+    const std::lock_guard<std::mutex> lock(mutex_);
+    if (!error_of_python_)
+      error_of_python_ = error;
+    is_abandoned_ = true;
+  }
+
+  // Calls `work`. Exceptions are those of `work`, of the callables and of signals.
+  template <class Function>
+  void operator()(const Function& work)
+  {
+    {
+      const py::gil_scoped_release no_python_lock;
+      std::thread worker([&] {
+        std::exception_ptr error;
+        try {
+          work();
+        }
+        catch (...) {
+          error = std::current_exception();
+        }
+        const std::lock_guard<std::mutex> lock(mutex_);
+        error_ = error;
+        is_done_ = true;
+        changed_.notify_one();
+      });
+      wait();
+      worker.join();
+    }
+    if (!error_of_python_ && !error_)
+      call_python(share_); // the last one
+    if (error_of_python_)
+      std::rethrow_exception(error_of_python_);
+    if (error_)
+      std::rethrow_exception(error_);
+  }
+};
+
+} // namespace python
+
+#endif // SPECTRAL_SEGMENTATION_PYTHON_PYTHON_RUN_H

@@ -1,0 +1,284 @@
+// Copyright (c) 2026  The Spectral_segmentation authors.
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+/// \file
+/// The module `_core` of the Python package: runs on arrays, and their hierarchies.
+
+#include "Python_run.h"
+#include "arrays.h"
+#include "hierarchy_arrays.h"
+#include "mesh_files.h"
+#include "read_parameters.h"
+
+#include <CGAL/Spectral_segmentation/IO/hierarchy_json.h>
+#include <CGAL/assertions_behaviour.h>
+#include <CGAL/segment_spectral_recursive.h>
+
+#include <pybind11/numpy.h>
+#include <pybind11/pybind11.h>
+#include <pybind11/stl.h>
+
+#ifdef CGAL_LINKED_WITH_TBB
+#include <tbb/task_arena.h>
+#endif
+
+#include <cstddef>
+#include <cstdint>
+#include <exception>
+#include <memory>
+#include <optional>
+#include <sstream>
+#include <stdexcept>
+#include <string>
+#include <utility>
+#include <vector>
+
+using namespace python;
+using segmentation::Segmentation_hierarchy;
+
+namespace {
+
+#ifdef CGAL_LINKED_WITH_TBB
+constexpr bool has_threads = true;
+#else
+constexpr bool has_threads = false;
+#endif
+
+// Points of type float or double and integers of 4 or 8 bytes are read where they are.
+internal::Triangles read_triangles(const py::array& points, const py::array& triangles)
+{
+  internal::Triangles result;
+  with_rows<float, double>(points, [&](const auto& point_rows) {
+    with_rows<std::int32_t, std::int64_t, std::uint32_t, std::uint64_t>(
+      triangles, [&](const auto& triangle_rows)
+      { result = internal::read_triangle_soup(point_rows, triangle_rows); });
+  });
+  internal::connect(result);
+  return result;
+}
+
+internal::Wishes read_seeds(const std::optional<py::array_t<std::int64_t> >& seeds)
+{
+  internal::Wishes result;
+  if (seeds) {
+    const auto seed = seeds->unchecked<1>();
+    for (py::ssize_t f = 0; f < seed.shape(0); ++f)
+      if (seed(f) >= 0)
+        result.seeds.emplace_back(static_cast<internal::Index>(f), seed(f));
+  }
+  return result;
+}
+
+// Calls f(execution) so that at most this number of threads work on it; all if there is none.
+template <class Function>
+void with_threads([[maybe_unused]] const std::optional<int>& number, const Function& f)
+{
+#ifdef CGAL_LINKED_WITH_TBB
+  if (!number)
+    f(internal::Execution::PARALLEL);
+  else if (*number > 1)
+    tbb::task_arena(*number).execute([&] { f(internal::Execution::PARALLEL); });
+  else
+#endif
+    f(internal::Execution::SEQUENTIAL);
+}
+
+Segmentation_hierarchy segment(const py::array& points, const py::array& triangles,
+                               const py::dict& parameters,
+                               const std::optional<py::array_t<std::int64_t> >& seeds,
+                               const py::object& salience, const std::optional<int>& threads,
+                               const py::object& progress)
+{
+  Python_run run(progress);
+  const internal::Options options = read_parameters(Parameters(parameters), salience, run);
+  const internal::Wishes wishes = read_seeds(seeds);
+  Segmentation_hierarchy result;
+  run([&] {
+    with_threads(threads, [&](internal::Execution execution) {
+      result = Segmentation_hierarchy(
+        internal::segment(read_triangles(points, triangles), options, execution, run, wishes),
+        options);
+    });
+  });
+  return result;
+}
+
+// The arguments of labels() and segments(), of which each may be missing.
+template <class OfRun, class OfNumber, class OfThreshold>
+py::array_t<py::ssize_t> choose(const Segmentation_hierarchy& h, const std::optional<long long>& n,
+                                const std::optional<double>& threshold, const OfRun& of_run,
+                                const OfNumber& of_number, const OfThreshold& of_threshold)
+{
+  if (n && *n < 1)
+    throw std::invalid_argument("n must be at least 1");
+  const std::size_t number =
+    n ? static_cast<std::size_t>(*n) : internal::Hierarchy_access::maximum_number_of_segments(h);
+  return array_of(threshold ? of_threshold(number, *threshold) : n ? of_number(number) : of_run());
+}
+
+py::array_t<py::ssize_t> labels(const Segmentation_hierarchy& h, const std::optional<long long>& n,
+                                const std::optional<double>& threshold)
+{
+  return choose(h, n, threshold, [&] { return h.labels(); },
+                [&](std::size_t number) { return h.labels(number); },
+                [&](std::size_t number, double t) { return h.labels(number, t); });
+}
+
+py::array_t<py::ssize_t> segments(const Segmentation_hierarchy& h,
+                                  const std::optional<long long>& n,
+                                  const std::optional<double>& threshold)
+{
+  return choose(h, n, threshold, [&] { return h.segments(); },
+                [&](std::size_t number) { return h.segments(number); },
+                [&](std::size_t number, double t) { return h.segments(number, t); });
+}
+
+py::array_t<py::ssize_t> faces(const Segmentation_hierarchy& h, std::size_t node)
+{
+  if (node >= h.number_of_nodes())
+    throw std::invalid_argument("there is no node " + std::to_string(node));
+  const auto range = h.faces(node);
+  return array_of(std::vector<std::size_t>(range.begin(), range.end()));
+}
+
+std::string to_json(const Segmentation_hierarchy& h)
+{
+  std::ostringstream out;
+  segmentation::write_hierarchy(out, h);
+  return out.str();
+}
+
+Segmentation_hierarchy from_json(const std::string& text)
+{
+  std::istringstream in(text);
+  try {
+    return segmentation::read_hierarchy(in);
+  }
+  catch (const std::runtime_error& e) {
+    throw py::value_error(e.what());
+  }
+}
+
+void define_salience_factors(py::module_& m)
+{
+  typedef segmentation::Salience_factors Factors;
+  py::class_<Factors>(m, "SalienceFactors",
+                      "The factors of a cut of a part into two sides, which `part_salience` is "
+                      "called with. `size`, `cut_strength` and `protrusiveness` are those of the "
+                      "paper; the others are 0 in its method.")
+    .def_readonly("size", &Factors::size, "share of the part's area, in [0, 1/2]")
+    .def_readonly("cut_strength", &Factors::cut_strength, "concavity of the cut, in [0, 1]")
+    .def_readonly("protrusiveness", &Factors::protrusiveness, "at most 1")
+    .def_readonly("log_relative_part_area", &Factors::log_relative_part_area,
+                  "logarithm of the part's share of the area of the mesh, at most 0")
+    .def_readonly("concavity_near_cut", &Factors::concavity_near_cut, "in [0, 1]")
+    .def_readonly("convexity_gain", &Factors::convexity_gain,
+                  "how much closer to convex the sides are than the part")
+    .def_readonly("relative_convexity_gain", &Factors::relative_convexity_gain,
+                  "logarithm of the ratio of convexity defects")
+    .def_readonly("expansion_behind_cut", &Factors::expansion_behind_cut,
+                  "how fast the rest widens behind the cut, about 1 on a cylinder, at most 4");
+}
+
+void define_hierarchy(py::module_& m)
+{
+  typedef Segmentation_hierarchy H;
+  py::class_<H>(m, "Hierarchy",
+                "The cuts of a run, as a forest of binary trees of nodes, which are numbered from "
+                "0. `segment_hierarchy()` makes one.\n\n"
+                "It can be pickled and copied. Methods of one hierarchy wait for each other.")
+    .def_property_readonly("number_of_faces", [](const H& h) { return h.number_of_faces(); },
+                           "the number of triangles of the mesh")
+    .def_property_readonly("number_of_nodes", &H::number_of_nodes,
+                           "the number of nodes, leaves too")
+    .def_property_readonly("number_of_roots", &H::number_of_roots,
+                           "The roots are the nodes from 0 to `number_of_roots - 1`.")
+    .def_property_readonly("number_of_segments", &H::number_of_segments,
+                           "the number of leaves: the most segments that can be asked for")
+    .def_property_readonly("threshold", &H::salience_threshold,
+                           "the salience threshold of the run")
+    .def_property_readonly("nodes", table_of_nodes,
+                           "A structured array with a row for each node: `parent`, `first_child` "
+                           "(the side of smaller area, to which the factors belong), "
+                           "`second_child`, all -1 for none; `number_of_faces`; `area`, in the "
+                           "square of the unit of the points; `cut_state`, an index of "
+                           "`CUT_STATES`; `salience` of its best cut, 0 if there is none; and the "
+                           "factors of that cut, named as in `SalienceFactors`. pandas makes a "
+                           "table of it.")
+    .def_property_readonly("children", children_of_nodes,
+                           "shape (number_of_nodes, 2), -1 for a leaf")
+    .def_property_readonly("saliences", saliences_of_nodes,
+                           "of the best cut of each node, shape (number_of_nodes,)")
+    .def_property_readonly("factors", factors_of_nodes,
+                           "of the best cut of each node, by name: a dict of arrays of shape "
+                           "(number_of_nodes,)")
+    .def("labels", labels, py::arg("n") = py::none(), py::kw_only(),
+         py::arg("threshold") = py::none(),
+         "labels(n=None, *, threshold=None) -> array of int, shape (number_of_faces,)\n\n"
+         "The label of each triangle. Without arguments those of the run; with `n` exactly `n` "
+         "segments, or as near to it as there are roots and leaves; with `threshold` those of a "
+         "run with this threshold, and with both at most `n`. Nothing is searched again.\n\n"
+         "Raises ValueError if a cut is needed that the run did not search, `n` is below 1, or "
+         "`threshold` is not a number.")
+    .def("segments", segments, py::arg("n") = py::none(), py::kw_only(),
+         py::arg("threshold") = py::none(),
+         "segments(n=None, *, threshold=None) -> array of int\n\n"
+         "The node of each segment of `labels()` with the same arguments.")
+    .def("labels_of_nodes",
+         [](const H& h, const std::vector<std::size_t>& nodes)
+         { return array_of(h.labels_of_nodes(nodes)); }, py::arg("nodes"),
+         "labels_of_nodes(nodes) -> array of int, shape (number_of_faces,)\n\n"
+         "The label of each triangle if the segments are these nodes.\n\n"
+         "Raises ValueError if the nodes do not contain each triangle exactly once.")
+    .def("faces", faces, py::arg("node"),
+         "faces(node) -> array of int\n\n"
+         "The triangles of a node. Raises ValueError if there is no such node.")
+    .def("merge", &H::merge, py::arg("a"), py::arg("b"),
+         "merge(a, b) -> node\n\n"
+         "Makes two nodes the children of one, and returns that. Of two that are no siblings, `b` "
+         "is moved to the place of `a`. No other node gets another number.\n\n"
+         "Raises ValueError if one contains the other, or they have different roots.")
+    .def("cut_again", &H::cut_again, py::arg("leaf"), py::arg("part"),
+         "cut_again(leaf, part)\n\n"
+         "Cuts a leaf as `part`, the hierarchy of a run on `triangles[hierarchy.faces(leaf)]`.\n\n"
+         "Raises ValueError if `leaf` is no leaf, or `part` has another number of triangles or "
+         "several roots.")
+    .def("to_json", to_json, "to_json() -> str\n\nThe hierarchy as JSON, which the C++ library and "
+                             "its tool write and read too.")
+    .def_static("from_json", from_json, py::arg("text"),
+                "from_json(text) -> Hierarchy\n\n"
+                "Reads what `to_json()`, the C++ library or `segment_mesh --hierarchy` has "
+                "written. Any text gives a hierarchy or a ValueError.")
+    .def(py::pickle([](const H& h) { return py::bytes(to_json(h)); },
+                    [](const py::bytes& text) { return from_json(text); }))
+    .def("__copy__", [](const H& h) { return H(h); })
+    .def("__deepcopy__", [](const H& h, const py::dict&) { return H(h); })
+    .def("__repr__", [](const H& h) {
+      return "<Hierarchy of " + std::to_string(h.number_of_faces()) + " faces, " +
+             std::to_string(h.number_of_nodes()) + " nodes>";
+    });
+}
+
+} // namespace
+
+PYBIND11_MODULE(_core, m)
+{
+  // CGAL prints what it throws.
+  CGAL::set_error_handler([](const char*, const char*, const char*, int, const char*) {});
+  CGAL::set_warning_handler([](const char*, const char*, const char*, int, const char*) {});
+  py::register_exception_translator([](std::exception_ptr error) {
+    try {
+      std::rethrow_exception(error);
+    }
+    catch (const std::out_of_range& e) { // which pybind11 takes for that of a container
+      PyErr_SetString(PyExc_ValueError, e.what());
+    }
+  });
+
+  m.attr("__version__") = CGAL_SPECTRAL_SEGMENTATION_VERSION;
+  m.attr("HAS_THREADS") = has_threads;
+  define_salience_factors(m);
+  define_hierarchy(m);
+  define_mesh_files(m);
+  m.def("segment", segment);
+}
