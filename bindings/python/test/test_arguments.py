@@ -1,0 +1,189 @@
+# Copyright (c) 2026  The Spectral_segmentation authors.
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""What is no argument is refused by an exception that names it."""
+
+import subprocess
+import sys
+
+import numpy as np
+import pytest
+
+from spectral_segmentation import (boundary_edges, segment, segment_adjacency, segment_colors,
+                                   segment_hierarchy, write)
+
+POINTS = [[0., 0, 0], [1, 0, 0], [0, 1, 0], [0, 0, 1]]
+TRIANGLES = [[0, 2, 1], [0, 1, 3], [1, 2, 3], [2, 0, 3]]
+
+
+@pytest.mark.parametrize("points, error, words", [
+    ([[0, 0], [1, 0], [0, 1]], ValueError, r"points must have the shape \(n, 3\), not \(3, 2\)"),
+    ([0., 1, 2], ValueError, r"points must have the shape \(n, 3\), not \(3,\)"),
+    (np.zeros((2, 2, 3)), ValueError, r"points .* not \(2, 2, 3\)"),
+    (np.zeros((1, 0, 3)), ValueError, r"points .* not \(1, 0, 3\)"),
+    (3, TypeError, "has no|points|neither"),
+    ("abc", TypeError, "points must be real numbers"),
+    (None, TypeError, "points must be real numbers"),
+    ([[0, 0, 0], [1, 0]], (TypeError, ValueError), "points must be"),
+    (np.zeros((4, 3), complex), TypeError, "points must be real numbers, not complex128"),
+    (np.zeros((4, 3), bool), TypeError, "points must be real numbers, not bool"),
+    (np.zeros((4, 3), "M8[s]"), TypeError, "points must be real numbers"),
+    (np.full((4, 3), None), TypeError, "points must be real numbers, not object"),
+    ([[np.nan, 0, 0]] * 4, ValueError, "triangle 0 has a corner with a coordinate that is not fin"),
+    ([[0, np.inf, 0]] * 4, ValueError, "not finite"),
+    (POINTS[:3], ValueError, "triangle 1 has a corner that is no index of a point"),
+    ([], ValueError, "triangle 0 has a corner that is no index of a point"),
+])
+@pytest.mark.filterwarnings("ignore::numpy.VisibleDeprecationWarning")
+def test_points(points, error, words):
+    if isinstance(points, int):
+        words = r"points must have the shape \(n, 3\), not \(\)"
+        error = ValueError
+    with pytest.raises(error, match=words):
+        segment(points, TRIANGLES)
+
+
+@pytest.mark.parametrize("triangles, error, words", [
+    ([[0., 1, 2]], TypeError, "triangles must be integers, not float64"),
+    ([[True, False, True]], TypeError, "triangles must be integers, not bool"),
+    ([["0", "1", "2"]], TypeError, "triangles must be integers"),
+    ([[0, 1, 2, 3]], ValueError, r"triangles must have the shape \(n, 3\), not \(1, 4\)"),
+    ([0, 1, 2], ValueError, r"triangles must have the shape \(n, 3\), not \(3,\)"),
+    ([[0, 1, 2], [0, 1]], (TypeError, ValueError), "triangles must be"),
+    ([[0, 1, 4]], ValueError, "triangle 0 has a corner that is no index of a point"),
+    ([[0, 1, 2], [0, -1, 2]], ValueError, "triangle 1 has a corner that is no index of a point"),
+    (np.array([[0, 1, 2**63]], "u8"), ValueError, "triangle 0 has a corner that is no index"),
+    ([[0, 1, 2**70]], (TypeError, ValueError), "triangle"),
+])
+@pytest.mark.filterwarnings("ignore::numpy.VisibleDeprecationWarning")
+def test_triangles(triangles, error, words):
+    with pytest.raises(error, match=words):
+        segment(POINTS, triangles)
+
+
+@pytest.mark.parametrize("parameters, error, words", [
+    ({"method": "zhang"}, ValueError, "method must be 'calibrated' or 'paper', not 'zhang'"),
+    ({"method": None}, ValueError, "method must be"),
+    ({"methods": "paper"}, TypeError, "methods"),
+    ({"number_of_segments": 0}, ValueError, "number_of_segments must be at least 1"),
+    ({"number_of_segments": -3}, ValueError, "number_of_segments must be at least 1"),
+    ({"number_of_segments": -2**80}, ValueError, "number_of_segments must be at least 1"),
+    ({"number_of_segments": 5}, ValueError, "number_of_segments is 5, but the mesh can have 1 to 4"),
+    ({"number_of_segments": 2**63}, OverflowError, "number_of_segments is too large"),
+    ({"number_of_segments": 2.}, TypeError, "number_of_segments must be an integer, not float"),
+    ({"number_of_segments": "2"}, TypeError, "number_of_segments must be an integer, not str"),
+    ({"number_of_segments": True}, TypeError, "number_of_segments must be an integer, not a bool"),
+    ({"number_of_segments": 2, "threshold": 0.5}, ValueError, "number_of_segments goes neither"),
+    ({"number_of_segments": 2, "maximum_number_of_segments": 3}, ValueError, "goes neither"),
+    ({"maximum_number_of_segments": 0}, ValueError, "maximum_number_of_segments must be at least"),
+    ({"maximum_number_of_segments": [3]}, TypeError, "maximum_number_of_segments must be an int"),
+    ({"threshold": float("nan")}, ValueError, "threshold must be a number"),
+    ({"threshold": "0.5"}, TypeError, "threshold must be a number, not str"),
+    ({"threshold": False}, TypeError, "threshold must be a number, not bool"),
+    ({"threshold": 1j}, TypeError, "threshold must be a number, not complex"),
+    ({"components_apart": 1}, TypeError, "components_apart must be a bool, not int"),
+    ({"components_apart": False, "method": "paper"}, ValueError, "components_apart must be true"),
+    ({"boundary_smoothing": "yes"}, TypeError, "boundary_smoothing must be a bool"),
+    ({"minimum_segment_size": 0.6}, ValueError, r"minimum_segment_size must be in \[0, 0.5\]"),
+    ({"minimum_segment_size": -1}, ValueError, "minimum_segment_size must be in"),
+    ({"part_salience": 0.5}, TypeError, "part_salience must be callable, not float"),
+    ({"part_salience": abs, "salience_weights": (1, 0, 0)}, ValueError, "does not go with"),
+    ({"salience_weights": 1}, TypeError, "salience_weights must be three numbers"),
+    ({"salience_weights": (1, 0)}, ValueError, "salience_weights must be three numbers, not 2"),
+    ({"salience_weights": (1, "a", 0)}, TypeError, "salience_weights must be a number, not str"),
+    ({"salience_weights": (1, 1, 0)}, ValueError, "salience_weights must be not negative and sum"),
+    ({"distance_weights": (2, 1, 0)}, ValueError, "the first of distance_weights must be in"),
+    ({"distance_weights": (0, -1, 0)}, ValueError, "distance_weights must be finite and not neg"),
+    ({"number_of_searched_faces": -1}, ValueError, "number_of_searched_faces must be at least 0"),
+    ({"number_of_reference_faces": 0}, ValueError, "number_of_reference_faces must be at least 1"),
+    ({"number_of_smoothing_iterations": -1}, ValueError, "number_of_smoothing_iterations must be"),
+    ({"random_seed": -1}, ValueError, "random_seed must not be negative"),
+    ({"random_seed": 2**64}, OverflowError, "random_seed is too large"),
+    ({"random_seed": 0.5}, TypeError, "random_seed must be an integer"),
+    ({"threads": 0}, ValueError, "threads must be at least 1"),
+    ({"threads": 1.5}, TypeError, "threads must be an integer"),
+    ({"progress": 1}, TypeError, "progress must be callable, not int"),
+    ({"face_seed_map": [1, 2, 3]}, ValueError, r"face_seed_map must have the shape \(4,\)"),
+    ({"face_seed_map": [1., 2, 3, 4]}, TypeError, "face_seed_map must be integers, not float64"),
+    ({"face_seed_map": [1, 2, 1, 2], "method": "paper"}, ValueError, "face_seed_map does not go"),
+    ({"face_seed_map": [1, 2, 3, 4], "number_of_segments": 2}, ValueError, "number of segments"),
+])
+def test_parameters(parameters, error, words):
+    for function in (segment, segment_hierarchy):
+        with pytest.raises(error, match=words):
+            function(POINTS, TRIANGLES, **parameters)
+
+
+def test_missing_and_positional_arguments():
+    with pytest.raises(TypeError):
+        segment()
+    with pytest.raises(TypeError, match="triangles are missing, and list is no mesh"):
+        segment(POINTS)
+    with pytest.raises(TypeError):
+        segment(POINTS, TRIANGLES, "paper")
+
+
+@pytest.mark.parametrize("labels, error, words", [
+    ([0, 1, 2], ValueError, r"labels must have the shape \(4,\)"),
+    ([0., 1, 2, 3], TypeError, "labels must be integers, not float64"),
+    ([0, 1, 2, 4], ValueError, "labels must be from 0 to the number of triangles - 1"),
+    ([0, 1, 2, -1], ValueError, "labels must be from 0"),
+])
+def test_labels(tmp_path, labels, error, words):
+    for call in (lambda: boundary_edges(TRIANGLES, labels),
+                 lambda: segment_adjacency(POINTS, TRIANGLES, labels),
+                 lambda: segment_colors(TRIANGLES, labels),
+                 lambda: write(tmp_path / "a.ply", POINTS, TRIANGLES, labels)):
+        with pytest.raises(error, match=words):
+            call()
+    assert not list(tmp_path.iterdir())
+
+
+def test_hierarchy():
+    hierarchy = segment_hierarchy(POINTS, TRIANGLES, number_of_segments=3)
+    for call, error, words in (
+            (lambda: hierarchy.labels(0), ValueError, "n must be at least 1"),
+            (lambda: hierarchy.labels(-2**40), ValueError, "n must be at least 1"),
+            (lambda: hierarchy.labels(threshold=float("nan")), ValueError, "not a number"),
+            (lambda: hierarchy.labels("3"), TypeError, ""),
+            (lambda: hierarchy.faces(1000), ValueError, "there is no node 1000"),
+            (lambda: hierarchy.faces(-1), TypeError, ""),
+            (lambda: hierarchy.labels_of_nodes([0, 0]), ValueError, "different nodes"),
+            (lambda: hierarchy.merge(0, 1), ValueError, ""),
+            (lambda: hierarchy.merge(0, 1000), ValueError, "there is no node 1000"),
+            (lambda: hierarchy.cut_again(0, hierarchy), ValueError, "only a leaf"),
+            (lambda: hierarchy.from_json("{"), ValueError, "not well-formed"),
+            (lambda: hierarchy.from_json("[1]"), ValueError, "read_hierarchy"),
+            (lambda: type(hierarchy)(), TypeError, "")):
+        with pytest.raises(error, match=words):
+            call()
+    stopped = segment_hierarchy(POINTS, TRIANGLES, method="paper", threshold=0.9)
+    with pytest.raises(ValueError, match="the run had a higher salience threshold|run ended"):
+        stopped.labels(threshold=-float("inf"))
+
+
+def test_memory_error():
+    """In a process of its own, which is allowed little more than what it has."""
+    program = """
+import resource
+import numpy as np
+from spectral_segmentation import segment
+n = 700
+grid = np.stack(np.meshgrid(np.arange(n), np.arange(n)), -1).reshape(-1, 2)
+points = np.column_stack([grid, np.sin(grid[:, 0] / 50)])
+a = (np.arange(n - 1)[:, None] * n + np.arange(n - 1)).ravel()
+triangles = np.concatenate([np.stack([a, a + 1, a + n], 1), np.stack([a + 1, a + n + 1, a + n], 1)])
+segment([[0, 0, 0], [1, 0, 0], [0, 1, 0]], [[0, 1, 2]], threads=1)
+pages = int(open("/proc/self/statm").read().split()[0])
+limit = pages * resource.getpagesize() + 100_000_000
+resource.setrlimit(resource.RLIMIT_AS, (limit, limit))
+try:
+    segment(points, triangles, threads=1)
+except MemoryError:
+    resource.setrlimit(resource.RLIMIT_AS, (resource.RLIM_INFINITY, -1))
+    print("MemoryError", segment(points[:3], [[0, 1, 2]]))
+"""
+    if not sys.platform.startswith("linux"):
+        pytest.skip("/proc is of Linux")
+    done = subprocess.run([sys.executable, "-c", program], stdout=subprocess.PIPE,
+                          stderr=subprocess.PIPE, text=True, check=False)
+    assert done.stdout == "MemoryError [0]\n", done.stderr

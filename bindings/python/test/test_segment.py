@@ -1,0 +1,130 @@
+# Copyright (c) 2026  The Spectral_segmentation authors.
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Labels, against those of the tool and against what a person sees."""
+
+import subprocess
+
+import numpy as np
+import pytest
+
+from spectral_segmentation import read, segment, segment_hierarchy
+
+
+def labels_of_tool(tool, path, *options):
+    done = subprocess.run([tool, path, "--quiet", "--labels", "-", *options], check=True,
+                          stdout=subprocess.PIPE)
+    return np.array(done.stdout.split(), int)
+
+
+@pytest.mark.parametrize("method", ["calibrated", "paper"])
+@pytest.mark.parametrize("name", ["elephant", "hand", "cube", "blobby_3cc", "camel", "bones"])
+def test_labels_are_those_of_the_tool(meshes, tool, name, method):
+    path = meshes / (name + ".off")
+    np.testing.assert_array_equal(segment(read(path), method=method),
+                                  labels_of_tool(tool, path, "--method", method))
+
+
+def test_parameters_are_those_of_the_tool(meshes, tool):
+    path = meshes / "elephant.off"
+    mesh = read(path)
+    np.testing.assert_array_equal(
+        segment(mesh, number_of_segments=9, number_of_smoothing_iterations=3,
+                boundary_smoothing=True),
+        labels_of_tool(tool, path, "--segments", "9", "--smooth", "3", "--boundary-smoothing"))
+    np.testing.assert_array_equal(
+        segment(mesh, threshold=0.6, maximum_number_of_segments=5, minimum_segment_size=0.02),
+        labels_of_tool(tool, path, "--segments", "5", "--salience-threshold", "0.6",
+                       "--minimum-segment-size", "0.02"))
+    np.testing.assert_array_equal(
+        segment(mesh, method="paper", random_seed=7, threads=1),
+        labels_of_tool(tool, path, "--method", "paper", "--seed", "7"))
+
+
+def test_dumbbell_is_two_balls_and_a_bar_or_less(dumbbell):
+    points, triangles = dumbbell
+    heights = points[triangles].mean(axis=1)[:, 2]
+    labels = segment(points, triangles, number_of_segments=2)
+    assert labels.dtype == np.intp and labels.shape == (len(triangles),)
+    assert len(set(labels[heights > 1.2])) == len(set(labels[heights < -1.2])) == 1
+    assert labels[heights.argmin()] != labels[heights.argmax()]
+
+
+def test_types_and_strides_make_no_difference(dumbbell):
+    points, triangles = dumbbell
+    points = points.astype(np.float32).astype(np.float64) # representable in both
+    expected = segment(points, triangles, number_of_segments=3)
+    records = np.zeros(len(points), [("flag", "u1"), ("xyz", "<f8", 3)]) # not aligned
+    records["xyz"] = points
+    for other in (points.astype(np.float32), points.astype(np.longdouble), points.astype(">f8"),
+                  np.asfortranarray(points), np.repeat(points, 2, axis=0)[::2], records["xyz"],
+                  points.tolist(), tuple(map(tuple, points))):
+        np.testing.assert_array_equal(segment(other, triangles, number_of_segments=3), expected)
+    for kind in ("i2", "u2", "i4", "u4", "i8", "u8", ">i4", object):
+        other = triangles.tolist() if kind is object else triangles.astype(kind)
+        np.testing.assert_array_equal(segment(points, other, number_of_segments=3), expected)
+    np.testing.assert_array_equal(
+        segment(points, np.asfortranarray(triangles), number_of_segments=3), expected)
+    flipped = np.ascontiguousarray(triangles[:, ::-1])[:, ::-1] # a negative stride
+    np.testing.assert_array_equal(segment(points, flipped, number_of_segments=3), expected)
+
+
+def test_arrays_of_common_types_are_not_copied():
+    from spectral_segmentation._meshes import points_array, triangles_array
+    for kind in ("f4", "f8"):
+        array = np.zeros((8, 3), kind)[::2]
+        assert points_array(array) is not None
+        assert np.shares_memory(points_array(array), array)
+    for kind in ("i4", "u4", "i8", "u8"):
+        array = np.zeros((8, 6), kind)[:, ::2]
+        assert np.shares_memory(triangles_array(array), array)
+
+
+def test_arguments_are_not_changed_and_may_be_read_only(dumbbell):
+    points, triangles = (array.copy() for array in dumbbell)
+    points.flags.writeable = triangles.flags.writeable = False
+    segment(points, triangles, method="paper")
+    np.testing.assert_array_equal(points, dumbbell[0])
+
+
+def test_empty_mesh_has_no_segments():
+    for points, triangles in (([], []), (np.empty((0, 3)), np.empty((0, 3), int)),
+                              ([[0, 0, 0]], [])):
+        assert segment(points, triangles).shape == (0,)
+
+
+def test_seeds_hold(dumbbell):
+    points, triangles = dumbbell
+    heights = points[triangles].mean(axis=1)[:, 2]
+    lowest, highest = heights.argmin(), heights.argmax()
+    seeds = np.full(len(triangles), -1)
+    seeds[[lowest, highest]] = 5
+    labels = segment(points, triangles, face_seed_map=seeds)
+    assert labels[lowest] == labels[highest]
+    seeds[highest] = 6
+    labels = segment(points, triangles, face_seed_map=seeds, threshold=float("inf"))
+    assert labels[lowest] != labels[highest]
+
+
+def test_own_salience(dumbbell):
+    seen = []
+
+    def salience(factors):
+        seen.append((factors.size, factors.cut_strength, factors.protrusiveness))
+        return factors.size
+
+    hierarchy = segment_hierarchy(*dumbbell, method="paper", part_salience=salience, threshold=0.2)
+    cut = hierarchy.nodes[hierarchy.children[:, 0] >= 0]
+    assert len(cut) > 0 and (cut["salience"] == cut["size"]).all() and (cut["size"] >= 0.2).all()
+    sizes, strengths, _ = np.array(seen).T
+    assert 0 <= sizes.min() and sizes.max() <= 0.5
+    assert 0 <= strengths.min() and strengths.max() <= 1
+    as_weights = segment(*dumbbell, method="paper", salience_weights=(1, 0, 0), threshold=0.2)
+    np.testing.assert_array_equal(hierarchy.labels(), as_weights)
+
+
+def test_numbers_of_numpy_are_numbers(dumbbell):
+    expected = segment(*dumbbell, number_of_segments=3, minimum_segment_size=0.01,
+                       boundary_smoothing=True)
+    given = segment(*dumbbell, number_of_segments=np.uint8(3), boundary_smoothing=np.bool_(True),
+                    minimum_segment_size=np.float64(0.01))
+    np.testing.assert_array_equal(given, expected)
