@@ -48,6 +48,18 @@ def dumbbell():
     return dumbbell_of(49, 24)
 
 
+def bumpy_dumbbell_of(seed):
+    """A small one without symmetries, on a grid, so that sums with not too large numbers are exact."""
+    points, triangles = dumbbell_of(21, 10)
+    points = points + np.random.default_rng(seed).uniform(-0.03, 0.03, points.shape)
+    return np.round(points * 2.**20) / 2.**20, triangles
+
+
+@pytest.fixture(scope="session")
+def bumpy_dumbbell():
+    return bumpy_dumbbell_of(1)
+
+
 @pytest.fixture(scope="session")
 def meshes():
     folder = pathlib.Path(os.environ.get("MESHES", ""))

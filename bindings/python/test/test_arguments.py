@@ -105,7 +105,8 @@ def test_triangles(triangles, error, words):
     ({"face_seed_map": [1, 2, 3]}, ValueError, r"face_seed_map must have the shape \(4,\)"),
     ({"face_seed_map": [1., 2, 3, 4]}, TypeError, "face_seed_map must be integers, not float64"),
     ({"face_seed_map": [1, 2, 1, 2], "method": "paper"}, ValueError, "face_seed_map does not go"),
-    ({"face_seed_map": [1, 2, 3, 4], "number_of_segments": 2}, ValueError, "number of segments"),
+    ({"face_seed_map": [1, 2, 3, 4], "number_of_segments": 2}, ValueError,
+     "the seams and seeds need 4 segments, but 2 are allowed"),
 ])
 def test_parameters(parameters, error, words):
     for function in (segment, segment_hierarchy):
@@ -167,14 +168,14 @@ def test_memory_error():
 import resource
 import numpy as np
 from spectral_segmentation import segment
-n = 700
+n = 1000
 grid = np.stack(np.meshgrid(np.arange(n), np.arange(n)), -1).reshape(-1, 2)
 points = np.column_stack([grid, np.sin(grid[:, 0] / 50)])
 a = (np.arange(n - 1)[:, None] * n + np.arange(n - 1)).ravel()
 triangles = np.concatenate([np.stack([a, a + 1, a + n], 1), np.stack([a + 1, a + n + 1, a + n], 1)])
 segment([[0, 0, 0], [1, 0, 0], [0, 1, 0]], [[0, 1, 2]], threads=1)
 pages = int(open("/proc/self/statm").read().split()[0])
-limit = pages * resource.getpagesize() + 100_000_000
+limit = pages * resource.getpagesize() + 50_000_000
 resource.setrlimit(resource.RLIMIT_AS, (limit, limit))
 try:
     segment(points, triangles, threads=1)
