@@ -106,3 +106,33 @@ def write(path, points, triangles=None, labels=None, *, colors=None):
     if materials:
         _replace(materials, of_materials)
     _replace(path, contents)
+
+
+def _save(hierarchy, path):
+    """save(path)
+
+    Writes the hierarchy to a file of JSON, which `load()`, the C++ library and its tool read. An
+    existing file is replaced only when the new one is complete.
+
+    Raises OSError if the file cannot be written.
+    """
+    _replace(os.fspath(path), hierarchy.to_json().encode())
+
+
+def _load(path):
+    """load(path) -> Hierarchy
+
+    Reads a file of `save()`, the C++ library, or `segment_mesh --hierarchy`.
+
+    Raises OSError if the file cannot be read, ValueError if it has no hierarchy.
+    """
+    with open(path, "rb") as file:
+        contents = file.read()
+    try:
+        return _core.Hierarchy.from_json(contents.decode(errors="replace"))
+    except ValueError as error:
+        raise ValueError("%s cannot be read: %s" % (os.fspath(path), error)) from None
+
+
+_core.Hierarchy.save = _save
+_core.Hierarchy.load = staticmethod(_load)

@@ -160,11 +160,14 @@ def segment_hierarchy(points, triangles=None, *, method="calibrated", number_of_
         for name, value in parameters.items():
             if value is not None:
                 given[name] = read(name, value)
-    return _core.segment(
-        points, triangles, given,
-        None if face_seed_map is None else _seeds(face_seed_map, len(triangles)),
-        _callable("part_salience", part_salience),
-        None if threads is None else _threads(threads), _callable("progress", progress))
+    try:
+        return _core.segment(
+            points, triangles, given,
+            None if face_seed_map is None else _seeds(face_seed_map, len(triangles)),
+            _callable("part_salience", part_salience),
+            None if threads is None else _threads(threads), _callable("progress", progress))
+    except MemoryError:
+        raise MemoryError("there is not enough memory for %d triangles" % len(triangles)) from None
 
 
 def segment(points, triangles=None, **parameters):

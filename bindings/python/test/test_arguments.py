@@ -105,8 +105,7 @@ def test_triangles(triangles, error, words):
     ({"face_seed_map": [1, 2, 3]}, ValueError, r"face_seed_map must have the shape \(4,\)"),
     ({"face_seed_map": [1., 2, 3, 4]}, TypeError, "face_seed_map must be integers, not float64"),
     ({"face_seed_map": [1, 2, 1, 2], "method": "paper"}, ValueError, "face_seed_map does not go"),
-    ({"face_seed_map": [1, 2, 3, 4], "number_of_segments": 2}, ValueError,
-     "the seams and seeds need 4 segments, but 2 are allowed"),
+    ({"face_seed_map": [1, 2, 3, 4], "number_of_segments": 2}, ValueError, "need 4 segments"),
 ])
 def test_parameters(parameters, error, words):
     for function in (segment, segment_hierarchy):
@@ -168,23 +167,24 @@ def test_memory_error():
 import resource
 import numpy as np
 from spectral_segmentation import segment
-n = 1000
+n = 700
 grid = np.stack(np.meshgrid(np.arange(n), np.arange(n)), -1).reshape(-1, 2)
 points = np.column_stack([grid, np.sin(grid[:, 0] / 50)])
 a = (np.arange(n - 1)[:, None] * n + np.arange(n - 1)).ravel()
 triangles = np.concatenate([np.stack([a, a + 1, a + n], 1), np.stack([a + 1, a + n + 1, a + n], 1)])
 segment([[0, 0, 0], [1, 0, 0], [0, 1, 0]], [[0, 1, 2]], threads=1)
 pages = int(open("/proc/self/statm").read().split()[0])
-limit = pages * resource.getpagesize() + 50_000_000
-resource.setrlimit(resource.RLIMIT_AS, (limit, limit))
+limit = pages * resource.getpagesize() + 20_000_000
+hard_limit = resource.getrlimit(resource.RLIMIT_AS)[1]
+resource.setrlimit(resource.RLIMIT_AS, (limit, hard_limit))
 try:
     segment(points, triangles, threads=1)
-except MemoryError:
-    resource.setrlimit(resource.RLIMIT_AS, (resource.RLIM_INFINITY, -1))
-    print("MemoryError", segment(points[:3], [[0, 1, 2]]))
+except MemoryError as error:
+    resource.setrlimit(resource.RLIMIT_AS, (hard_limit, hard_limit))
+    print(error, segment(points[:3], [[0, 1, 2]]))
 """
     if not sys.platform.startswith("linux"):
         pytest.skip("/proc is of Linux")
     done = subprocess.run([sys.executable, "-c", program], stdout=subprocess.PIPE,
                           stderr=subprocess.PIPE, text=True, check=False)
-    assert done.stdout == "MemoryError [0]\n", done.stderr
+    assert done.stdout == "there is not enough memory for 977202 triangles [0]\n", done.stderr

@@ -1,0 +1,120 @@
+# Copyright (c) 2026  The Spectral_segmentation authors.
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Files of meshes."""
+
+import random
+import subprocess
+
+import numpy as np
+import pytest
+
+from spectral_segmentation import read, segment_colors, write
+
+QUAD_AND_TRIANGLE = """OFF
+5 2 0
+0 0 0
+1 0 0
+1 1 0
+0 1 0
+0.5 2 0
+4 0 1 2 3
+3 3 2 4
+"""
+
+
+def test_polygons_are_cut_into_triangles(tmp_path):
+    path = tmp_path / "house.off"
+    path.write_text(QUAD_AND_TRIANGLE)
+    mesh = read(path)
+    assert mesh.points.shape == (5, 3) and mesh.points.dtype == np.float64
+    assert mesh.triangles.dtype == np.int32
+    assert mesh.polygon_of_triangle.tolist() == [0, 0, 1]
+    assert set(mesh.triangles[:2].ravel()) == {0, 1, 2, 3} and set(mesh.triangles[2]) == {2, 3, 4}
+
+
+@pytest.mark.parametrize("extension", [".ply", ".obj", ".off", ".stl"])
+@pytest.mark.parametrize("kind", ["f4", "f8"])
+def test_round_trips(dumbbell, tmp_path, extension, kind):
+    points, triangles = dumbbell
+    points = points.astype(kind)
+    path = tmp_path / ("mesh" + extension)
+    write(path, points, triangles)
+    mesh = read(path)
+    written = points.astype("f4") if extension == ".stl" else points
+    if extension in (".obj", ".off"):
+        np.testing.assert_allclose(mesh.points, written, rtol=1e-6, atol=1e-7)
+        np.testing.assert_array_equal(mesh.triangles, triangles)
+    else:
+        np.testing.assert_array_equal(mesh.points[mesh.triangles], written[triangles])
+    write(path, mesh) # a mesh in place of the arrays
+    assert sorted(p.suffix for p in tmp_path.iterdir()) == sorted({extension} |
+                                                               ({".mtl"} & {".mtl"[:4 * (extension == ".obj")]}))
+
+
+def test_written_colors_and_labels(dumbbell, tmp_path):
+    points, triangles = dumbbell
+    labels = (points[triangles].mean(axis=1)[:, 2] > 0).astype(int)
+    colors = np.array([[1, 2, 3], [200, 100, 50]])
+    path = tmp_path / "mesh.ply"
+    write(path, points, triangles, labels, colors=colors)
+    header, _, body = path.read_bytes().partition(b"end_header\n")
+    assert b"segment" in header and b"red" in header
+    for color in colors:
+        assert bytes(color.tolist()) in body
+    assert segment_colors(triangles, labels).shape == (2, 3)
+    write(tmp_path / "mesh.glb", points, triangles, labels)
+    assert (tmp_path / "mesh.glb").read_bytes()[:4] == b"glTF"
+    with pytest.raises(ValueError, match="STL has no labels"):
+        write(tmp_path / "mesh.stl", points, triangles, labels)
+    with pytest.raises(ValueError, match=r"colors must be integers of shape \(2, 3\)"):
+        write(path, points, triangles, labels, colors=[[0, 0, 0]])
+    with pytest.raises(ValueError, match="colors must be from 0 to 255"):
+        write(path, points, triangles, labels, colors=[[0, 0, 0], [0, 256, 0]])
+
+
+def test_errors(tmp_path, dumbbell):
+    with pytest.raises(FileNotFoundError):
+        read(tmp_path / "missing.off")
+    with pytest.raises(ValueError, match="the name must end in"):
+        read(tmp_path / "mesh.xyz")
+    (tmp_path / "text.off").write_text("Dear Sir")
+    with pytest.raises(ValueError, match="text.off cannot be read: line 1"):
+        read(tmp_path / "text.off")
+    (tmp_path / "none.off").write_text("OFF 0 0 0")
+    with pytest.raises(ValueError, match="has no face with three different corners"):
+        read(tmp_path / "none.off")
+    kept = tmp_path / "kept.ply"
+    kept.write_text("kept")
+    for points in (np.full((3, 3), np.nan), np.zeros((2, 3))):
+        with pytest.raises(ValueError):
+            write(kept, points, [[0, 1, 2]])
+    with pytest.raises(OSError):
+        write(tmp_path / "missing" / "mesh.ply", *dumbbell)
+    assert kept.read_text() == "kept" and len(list(tmp_path.iterdir())) == 3
+
+
+def test_damaged_files_give_a_mesh_or_a_sentence(meshes, tmp_path):
+    contents = (meshes / "octahedron.off").read_bytes()
+    rng = random.Random(1)
+    for i in range(300):
+        damaged = bytearray(contents)
+        for _ in range(rng.randint(1, 6)):
+            damaged[rng.randrange(len(damaged))] = rng.randrange(256)
+        path = tmp_path / ("damaged" + (".off", ".obj", ".ply", ".stl")[i % 4])
+        path.write_bytes(damaged)
+        try:
+            mesh = read(path)
+        except ValueError as error:
+            assert str(path) in str(error)
+        else:
+            assert mesh.triangles.max() < len(mesh.points)
+
+
+def test_written_files_are_those_of_the_tool(meshes, tool, tmp_path):
+    source = meshes / "elephant.off"
+    subprocess.run([tool, source, "--quiet", "-o", tmp_path / "tool.off", "--labels",
+                    tmp_path / "labels"], check=True)
+    labels = np.loadtxt(tmp_path / "labels", int)
+    mesh = read(source)
+    write(tmp_path / "own.off", mesh.points, mesh.triangles, labels)
+    assert (tmp_path / "own.off").read_bytes() == (tmp_path / "tool.off").read_bytes()
