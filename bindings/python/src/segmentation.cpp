@@ -94,6 +94,13 @@ Segmentation_hierarchy segment(const py::array& points, const py::array& triangl
   const internal::Wishes wishes = read_seeds(seeds);
   Segmentation_hierarchy result;
   run([&] {
+    // Python would make a state of this thread for each call of the salience.
+    std::optional<py::gil_scoped_acquire> state;
+    std::optional<py::gil_scoped_release> no_python_lock;
+    if (!salience.is_none()) {
+      state.emplace();
+      no_python_lock.emplace();
+    }
     with_threads(threads, [&](internal::Execution execution) {
       result = Segmentation_hierarchy(
         internal::segment(read_triangles(points, triangles), options, execution, run, wishes),

@@ -84,7 +84,7 @@ try:
     segment(points, triangles, threads=1)
     print("finished")
 except KeyboardInterrupt:
-    print("interrupted", segment(points[:3], [[0, 1, 2]]))
+    print("interrupted", segment(np.eye(3), [[0, 1, 2]]))
 """
     with subprocess.Popen([sys.executable, "-c", program], stdout=subprocess.PIPE,
                           text=True) as process:
@@ -169,14 +169,14 @@ points, triangles = bumpy_dumbbell_of(1)
 def fail(_):
     raise ValueError
 def run():
-    hierarchy = segment_hierarchy(points, triangles, method="paper", threshold=0,
+    hierarchy = segment_hierarchy(points, triangles, method="paper", threshold=0, threads=1,
                                   part_salience=lambda factors: factors.size,
                                   progress=lambda share: None)
     labels = pickle.loads(pickle.dumps(hierarchy)).labels()
     hierarchy.nodes, segment_colors(triangles, labels)
     for wrong in ({"progress": fail}, {"part_salience": fail}, {"threshold": float("nan")}):
         try:
-            segment(points, triangles, method="paper", **wrong)
+            segment(points, triangles, method="paper", threads=1, **wrong)
         except ValueError:
             pass
 def memory():
