@@ -7,8 +7,8 @@
 # with sanitizers, each header alone, the readers under a fuzzer, the number of instructions of a
 # run, the labels on other machines, and many meshes, also on a cluster of Slurm. With --cgal, Release
 # once more against the CGAL whose CGALConfig.cmake is in DIR. Takes long; builds in build-check/ or
-# the --build folder. Needs to be root, clang, and the packages of `setup.sh build test performance
-# machines cluster`.
+# the --build folder. Needs to be root, clang, and the packages of `setup.sh build test python
+# performance machines cluster`.
 
 set -euo pipefail
 cd "$(dirname "$0")/.."

@@ -3,7 +3,7 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 #
 # setup.sh GROUP ...
-# Installs the Debian packages that are missing of the groups build, test, pictures, manual,
+# Installs the Debian packages that are missing of the groups build, test, python, pictures, manual,
 # performance, machines and cluster.
 
 set -euo pipefail
@@ -17,6 +17,10 @@ for group in "$@"; do
     test)
       packages+=(libboost-test-dev libopenmesh-dev python3 doxygen chromium chromium-driver
                  python3-selenium) ;;
+    python)
+      packages+=(python3-dev python3-numpy python3-pybind11 python3-setuptools python3-wheel
+                 python3-pip python3-venv python3-pytest python3-hypothesis python3-meshio
+                 python3-open3d) ;;
     pictures) packages+=(python3-vtk9 xvfb xauth) ;;
     manual) packages+=(doxygen python3-vtk9 xvfb xauth) ;;
     performance) packages+=(libbenchmark-dev valgrind python3 python3-matplotlib) ;;
@@ -24,8 +28,8 @@ for group in "$@"; do
       packages+=(g++-aarch64-linux-gnu qemu-user g++-mingw-w64-x86-64-posix wine wine64
                  emscripten) ;;
     cluster) packages+=(slurm-wlm munge) ;;
-    *) echo "setup.sh: no such group: $group (build, test, pictures, manual, performance," \
-            "machines, cluster)" >&2
+    *) echo "setup.sh: no such group: $group (build, test, python, pictures, manual," \
+            "performance, machines, cluster)" >&2
        exit 1 ;;
   esac
 done

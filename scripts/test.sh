@@ -8,7 +8,7 @@
 set -euo pipefail
 cd "$(dirname "$0")/.."
 
-scripts/setup.sh build test
+scripts/setup.sh build test python
 # The engine runs fast, and the programs around it compile fast. Not with -O0: the linker would take
 # functions of the engine that tests include from there.
 cmake -S . -B build-test -DCMAKE_BUILD_TYPE=Release \

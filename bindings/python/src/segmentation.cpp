@@ -25,7 +25,6 @@
 #include <cstddef>
 #include <cstdint>
 #include <exception>
-#include <memory>
 #include <optional>
 #include <sstream>
 #include <stdexcept>
@@ -282,6 +281,8 @@ PYBIND11_MODULE(_core, m)
     }
   });
 
+  py::options options;
+  options.disable_function_signatures(); // the docstrings have better ones
   m.attr("__version__") = CGAL_SPECTRAL_SEGMENTATION_VERSION;
   m.attr("HAS_THREADS") = has_threads;
   define_salience_factors(m);

@@ -1,0 +1,138 @@
+# Copyright (c) 2026  The Spectral_segmentation authors.
+# SPDX-License-Identifier: GPL-3.0-or-later
+
+import os
+from typing import Any, Callable, Dict, Literal, NamedTuple, Optional, Sequence, Tuple, Union
+
+import numpy as np
+from numpy.typing import ArrayLike, NDArray
+
+CUT_STATES: Tuple[str, str, str, str]
+__version__: str
+__all__ = ["CUT_STATES", "Hierarchy", "Mesh", "SalienceFactors", "boundary_edges", "read",
+           "segment", "segment_adjacency", "segment_colors", "segment_hierarchy", "write"]
+
+_Path = Union[str, "os.PathLike[str]"]
+
+class SalienceFactors:
+    @property
+    def size(self) -> float: ...
+    @property
+    def cut_strength(self) -> float: ...
+    @property
+    def protrusiveness(self) -> float: ...
+    @property
+    def log_relative_part_area(self) -> float: ...
+    @property
+    def concavity_near_cut(self) -> float: ...
+    @property
+    def convexity_gain(self) -> float: ...
+    @property
+    def relative_convexity_gain(self) -> float: ...
+    @property
+    def expansion_behind_cut(self) -> float: ...
+
+class Hierarchy:
+    @property
+    def number_of_faces(self) -> int: ...
+    @property
+    def number_of_nodes(self) -> int: ...
+    @property
+    def number_of_roots(self) -> int: ...
+    @property
+    def number_of_segments(self) -> int: ...
+    @property
+    def threshold(self) -> float: ...
+    @property
+    def nodes(self) -> NDArray[np.void]: ...
+    @property
+    def children(self) -> NDArray[np.intp]: ...
+    @property
+    def saliences(self) -> NDArray[np.float64]: ...
+    @property
+    def factors(self) -> Dict[str, NDArray[np.float64]]: ...
+    def labels(self, n: Optional[int] = None, *,
+               threshold: Optional[float] = None) -> NDArray[np.intp]: ...
+    def segments(self, n: Optional[int] = None, *,
+                 threshold: Optional[float] = None) -> NDArray[np.intp]: ...
+    def labels_of_nodes(self, nodes: Sequence[int]) -> NDArray[np.intp]: ...
+    def faces(self, node: int) -> NDArray[np.intp]: ...
+    def merge(self, a: int, b: int) -> int: ...
+    def cut_again(self, leaf: int, part: Hierarchy) -> None: ...
+    def to_json(self) -> str: ...
+    @staticmethod
+    def from_json(text: str) -> Hierarchy: ...
+    def save(self, path: _Path) -> None: ...
+    @staticmethod
+    def load(path: _Path) -> Hierarchy: ...
+    def __copy__(self) -> Hierarchy: ...
+    def __deepcopy__(self, memo: Dict[int, Any]) -> Hierarchy: ...
+
+class Mesh(NamedTuple):
+    points: NDArray[np.float64]
+    triangles: NDArray[np.int32]
+    polygon_of_triangle: NDArray[np.int32]
+
+# `points` may be a mesh of another library, which has no type in common with the others.
+def segment(
+    points: Any,
+    triangles: Optional[ArrayLike] = None,
+    *,
+    method: Literal["calibrated", "paper"] = "calibrated",
+    number_of_segments: Optional[int] = None,
+    maximum_number_of_segments: Optional[int] = None,
+    threshold: Optional[float] = None,
+    components_apart: Optional[bool] = None,
+    face_seed_map: Optional[ArrayLike] = None,
+    minimum_segment_size: Optional[float] = None,
+    part_salience: Optional[Callable[[SalienceFactors], float]] = None,
+    salience_weights: Optional[Sequence[float]] = None,
+    distance_weights: Optional[Sequence[float]] = None,
+    number_of_searched_faces: Optional[int] = None,
+    number_of_reference_faces: Optional[int] = None,
+    number_of_smoothing_iterations: Optional[int] = None,
+    boundary_smoothing: Optional[bool] = None,
+    random_seed: Optional[int] = None,
+    threads: Optional[int] = None,
+    progress: Optional[Callable[[float], object]] = None,
+) -> NDArray[np.intp]: ...
+
+def segment_hierarchy(
+    points: Any,
+    triangles: Optional[ArrayLike] = None,
+    *,
+    method: Literal["calibrated", "paper"] = "calibrated",
+    number_of_segments: Optional[int] = None,
+    maximum_number_of_segments: Optional[int] = None,
+    threshold: Optional[float] = None,
+    components_apart: Optional[bool] = None,
+    face_seed_map: Optional[ArrayLike] = None,
+    minimum_segment_size: Optional[float] = None,
+    part_salience: Optional[Callable[[SalienceFactors], float]] = None,
+    salience_weights: Optional[Sequence[float]] = None,
+    distance_weights: Optional[Sequence[float]] = None,
+    number_of_searched_faces: Optional[int] = None,
+    number_of_reference_faces: Optional[int] = None,
+    number_of_smoothing_iterations: Optional[int] = None,
+    boundary_smoothing: Optional[bool] = None,
+    random_seed: Optional[int] = None,
+    threads: Optional[int] = None,
+    progress: Optional[Callable[[float], object]] = None,
+) -> Hierarchy: ...
+
+def boundary_edges(
+    triangles: ArrayLike, labels: ArrayLike
+) -> Tuple[NDArray[np.intp], NDArray[np.intp]]: ...
+def segment_adjacency(
+    points: ArrayLike, triangles: ArrayLike, labels: ArrayLike
+) -> Tuple[NDArray[np.intp], NDArray[np.float64]]: ...
+def segment_colors(triangles: ArrayLike, labels: ArrayLike) -> NDArray[np.uint8]: ...
+def read(path: _Path) -> Mesh: ...
+def write(
+    path: _Path,
+    points: Any,
+    triangles: Optional[ArrayLike] = None,
+    labels: Optional[ArrayLike] = None,
+    *,
+    colors: Optional[ArrayLike] = None,
+) -> None: ...
