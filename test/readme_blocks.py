@@ -5,7 +5,7 @@
 
 Runs the blocks of README.md as they stand. The program is compiled once; the other ways to get the
 package are configured, each with and without TBB. What installs packages, runs the tests or draws
-is looked up only.
+is looked up only. The blocks for Python are run by bindings/python/test.
 """
 
 import json
@@ -161,6 +161,7 @@ class Readme(unittest.TestCase):
                     self.assertRegex(setup, r"(?m)^    %s\)" % group)
         others = {command.split()[0] for command in commands} - set(scripts)
         self.assertLessEqual(others, {"build/examples/segment_mesh", "cmake",
+                                      "/usr/bin/python3", "my_env/bin/pip",
                                       "-DSPECTRAL_SEGMENTATION_BUILD_EXAMPLES=OFF"})
         self.assertTrue((SOURCE / "examples/segment_mesh.cpp").exists())
         self.assertTrue((SOURCE / "doc/CMakeLists.txt").exists())

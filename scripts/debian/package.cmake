@@ -1,14 +1,15 @@
 # Copyright (c) 2026  The Spectral_segmentation authors.
 # SPDX-License-Identifier: GPL-3.0-or-later
 
-# The Debian packages, of the headers and of the command line tool: `cpack` in the build folder makes
-# them.
+# The Debian packages, of the headers, of the command line tool and for Python: `cpack` in the build
+# folder makes them.
 
 set(CPACK_GENERATOR DEB)
 set(CPACK_PACKAGE_NAME spectral-segmentation)
 set(CPACK_DEB_COMPONENT_INSTALL ON)
 set(CPACK_DEBIAN_DEV_PACKAGE_NAME libcgal-spectral-segmentation-dev)
 set(CPACK_DEBIAN_TOOL_PACKAGE_NAME segment-mesh)
+set(CPACK_DEBIAN_PYTHON_PACKAGE_NAME python3-spectral-segmentation)
 # Debian wants an address, and the project has none: RFC 2606 keeps .invalid for such a case.
 set(CPACK_PACKAGE_CONTACT "Spectral_segmentation authors <noreply@spectral-segmentation.invalid>"
   CACHE STRING "Name and address of the maintainer of the Debian package")
@@ -25,7 +26,16 @@ set(CPACK_DEBIAN_TOOL_PACKAGE_SECTION graphics)
 find_program(DPKG_SHLIBDEPS dpkg-shlibdeps)
 if(DPKG_SHLIBDEPS)
   set(CPACK_DEBIAN_TOOL_PACKAGE_SHLIBDEPS ON)
+  set(CPACK_DEBIAN_PYTHON_PACKAGE_SHLIBDEPS ON)
 endif()
+if(debian_python_version MATCHES "^3\\.([0-9]+)$")
+  math(EXPR next "${CMAKE_MATCH_1} + 1")
+  set(CPACK_DEBIAN_PYTHON_PACKAGE_DEPENDS
+    "python3 (>= ${debian_python_version}), python3 (<< 3.${next}), python3-numpy")
+endif()
+set(CPACK_DEBIAN_PYTHON_PACKAGE_SECTION python)
+set(CPACK_DEBIAN_PYTHON_PACKAGE_CONTROL_EXTRA
+  ${CMAKE_CURRENT_LIST_DIR}/python/postinst ${CMAKE_CURRENT_LIST_DIR}/python/prerm)
 set(CPACK_STRIP_FILES ON)
 set(CPACK_DEBIAN_PACKAGE_CONTROL_STRICT_PERMISSION ON)
 set(CPACK_DEBIAN_TOOL_DESCRIPTION
@@ -33,6 +43,11 @@ set(CPACK_DEBIAN_TOOL_DESCRIPTION
 
 It reads and writes OFF, OBJ, PLY, STL and more, and takes many meshes at a
 time.")
+set(CPACK_DEBIAN_PYTHON_DESCRIPTION
+"Python package that cuts a mesh into the parts that a person would name.
+
+It takes NumPy arrays of points and triangles, and meshes of trimesh, Open3D,
+PyVista and meshio.")
 set(CPACK_DEBIAN_DEV_DESCRIPTION
 "Header-only C++17 library for CGAL that cuts a triangle mesh into the parts
 that a person would name, such as legs, trunk and ears.
@@ -49,7 +64,7 @@ configure_file(${PROJECT_SOURCE_DIR}/CHANGELOG.md ${debian_dir}/changelog COPYON
 find_program(GZIP gzip)
 if(GZIP)
   execute_process(COMMAND ${GZIP} -9nf changelog changelog.Debian WORKING_DIRECTORY ${debian_dir})
-  foreach(component IN ITEMS DEV TOOL)
+  foreach(component IN ITEMS DEV TOOL PYTHON)
     string(TOLOWER debian_${component} name)
     install(FILES
       ${CMAKE_CURRENT_LIST_DIR}/copyright
@@ -67,9 +82,12 @@ set(CPACK_COMPONENTS_ALL dev debian_dev)
 if(SPECTRAL_SEGMENTATION_BUILD_EXAMPLES)
   list(APPEND CPACK_COMPONENTS_ALL tool debian_tool)
 endif()
+if(debian_python_version)
+  list(APPEND CPACK_COMPONENTS_ALL python debian_python)
+endif()
 
 include(CPack)
-foreach(component IN ITEMS dev tool)
+foreach(component IN ITEMS dev tool python)
   cpack_add_component_group(${component})
   cpack_add_component(${component} GROUP ${component})
   cpack_add_component(debian_${component} GROUP ${component})

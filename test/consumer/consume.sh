@@ -27,7 +27,13 @@ case $1 in
     . "$work/root/usr/share/bash-completion/completions/segment_mesh"
     COMP_WORDS=(segment_mesh --segm) COMP_CWORD=1
     _segment_mesh
-    test "${COMPREPLY[*]}" = --segments ;;
+    test "${COMPREPLY[*]}" = --segments
+    if [[ -e $work/root/usr/lib/python3 ]]; then
+      PYTHONPATH=$work/root/usr/lib/python3/dist-packages PYTHONDONTWRITEBYTECODE=1 \
+        /usr/bin/python3 -c 'import numpy, spectral_segmentation as s
+assert s.segment(numpy.eye(3), [[0, 1, 2]]).tolist() == [0]
+assert s.__file__.startswith("'"$work"'")'
+    fi ;;
 esac
 program=$3
 shift 3
