@@ -72,6 +72,7 @@ def test_errors_of_callables_are_those_of_the_run(dumbbell):
 
 def test_control_c_ends_a_run():
     program = """
+import signal
 import numpy as np
 from spectral_segmentation import segment
 n = 1000
@@ -79,6 +80,7 @@ grid = np.stack(np.meshgrid(np.arange(n), np.arange(n)), -1).reshape(-1, 2)
 points = np.column_stack([grid, 20 * np.sin(grid[:, 0] / 50)])
 a = (np.arange(n - 1)[:, None] * n + np.arange(n - 1)).ravel()
 triangles = np.concatenate([np.stack([a, a + 1, a + n], 1), np.stack([a + 1, a + n + 1, a + n], 1)])
+signal.signal(signal.SIGINT, signal.default_int_handler) # shells have it ignored in the background
 print("started", flush=True)
 try:
     segment(points, triangles, threads=1)
