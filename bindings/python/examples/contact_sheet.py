@@ -25,7 +25,7 @@ def main():
     parser.add_argument("folder", type=pathlib.Path, help="the folder with table.csv")
     parser.add_argument("-o", "--output", default="sheet.png", help="[%(default)s]")
     parser.add_argument("--columns", type=int, metavar="N", help="[as many as rows]")
-    parser.add_argument("--up", choices="xyz", default="y", help="the axis that is up [%(default)s]")
+    parser.add_argument("--up", choices="xyz", default="y", help="the axis upwards [%(default)s]")
     arguments = parser.parse_args()
 
     with open(arguments.folder / "table.csv", newline="", encoding="utf-8",

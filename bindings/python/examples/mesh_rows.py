@@ -26,7 +26,7 @@ def parse_arguments(description, *options):
     parser.add_argument("--segments", type=int, metavar="N", help="the number of segments")
     for name, rest in options:
         parser.add_argument(name, **rest)
-    return parser.parse_args()
+    return parser.parse_intermixed_args()
 
 
 def files_of(inputs):
@@ -94,7 +94,8 @@ class Table:
         self._file.seek(0)
         text = self._file.read()
         whole = text[:text.rfind("\n") + 1] # without half a line of a run that was killed
-        self._file.truncate(len(whole.encode(how["encoding"], how["errors"])))
+        if whole != text:
+            self._file.truncate(len(whole.encode(how["encoding"], how["errors"])))
         self._done = {row["file"] for row in csv.DictReader(io.StringIO(whole, newline=""))}
         self._writer = csv.DictWriter(self._file, COLUMNS, restval="", lineterminator="\n")
         if not whole:

@@ -6,8 +6,8 @@
     picture.py elephant.off -o elephant.png
     picture.py hand.off --segments 6 --up z -o hand.png
 
-For meshes of up to some 100,000 triangles. picture_by_vtk.py draws larger ones faster; and triangles
-that are large beside the mesh, as those of a cube, always in the right order.
+For meshes of up to some 100,000 triangles. picture_by_vtk.py draws larger ones faster, and large
+triangles, as those of a cube, always in the right order.
 Needs matplotlib, Debian's package python3-matplotlib.
 """
 
@@ -53,7 +53,7 @@ def main():
     parser.add_argument("mesh", help="OFF, OBJ, PLY or STL")
     parser.add_argument("-o", "--output", default="picture.png", help="[%(default)s]")
     parser.add_argument("--segments", type=int, metavar="N", help="the number of segments")
-    parser.add_argument("--up", choices="xyz", default="y", help="the axis that is up [%(default)s]")
+    parser.add_argument("--up", choices="xyz", default="y", help="the axis upwards [%(default)s]")
     arguments = parser.parse_args()
 
     mesh = read(arguments.mesh)

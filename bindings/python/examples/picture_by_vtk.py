@@ -104,7 +104,7 @@ def main():
     parser.add_argument("mesh", help="OFF, OBJ, PLY or STL")
     parser.add_argument("-o", "--output", default="picture.png", help="[%(default)s]")
     parser.add_argument("--segments", type=int, metavar="N", help="the number of segments")
-    parser.add_argument("--up", choices="xyz", default="y", help="the axis that is up [%(default)s]")
+    parser.add_argument("--up", choices="xyz", default="y", help="the axis upwards [%(default)s]")
     parser.add_argument("--size", type=int, nargs=2, default=(1000, 800), metavar=("W", "H"),
                         help="in pixels [1000 800]")
     arguments = parser.parse_args()

@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
 # Copyright (c) 2026  The Spectral_segmentation authors.
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""A table of the parts of a mesh, by pandas: area, neighbors, bounding box, and the cut that made it.
+"""A table of the parts of a mesh, by pandas: areas, neighbors, bounding boxes, saliences of cuts.
 
     table_of_parts.py elephant.off
     table_of_parts.py elephant.off --segments 6 --csv parts.csv
