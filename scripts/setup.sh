@@ -3,8 +3,8 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 #
 # setup.sh GROUP ...
-# Installs the Debian packages that are missing of the groups build, test, python, pictures, manual,
-# performance, machines and cluster.
+# Installs the Debian packages that are missing of the groups build, test, python, python_examples,
+# pictures, manual, performance, machines, cluster, blender and web.
 
 set -euo pipefail
 
@@ -28,8 +28,14 @@ for group in "$@"; do
       packages+=(g++-aarch64-linux-gnu qemu-user g++-mingw-w64-x86-64-posix wine wine64
                  emscripten) ;;
     cluster) packages+=(slurm-wlm munge) ;;
-    *) echo "setup.sh: no such group: $group (build, test, python, pictures, manual," \
-            "performance, machines, cluster)" >&2
+    python_examples)
+      packages+=(python3-matplotlib python3-pandas python3-vtk9 python3-distributed xvfb xauth) ;;
+    blender) packages+=(blender) ;;
+    web)
+      packages+=(emscripten node-acorn npm libfast-float-dev libfmt-dev python3-selenium chromium
+                 chromium-driver) ;;
+    *) echo "setup.sh: no such group: $group (build, test, python, python_examples, pictures," \
+            "manual, performance, machines, cluster, blender, web)" >&2
        exit 1 ;;
   esac
 done

@@ -6,9 +6,10 @@
     many_meshes.py scans/ -o out
     many_meshes.py @list.txt more.stl -o out --jobs 4
 
-Writes a row for each mesh to out/table.csv, and the label of each of its triangles to a file in
-out/labels, whose name the row has. A mesh that is missing or damaged has a row with a status other
-than "ok" and an error; so has one at which a process crashes, and the others go on.
+Writes a row for each mesh to out/table.csv: file, status, numbers of triangles and segments, areas
+of segments, seconds, and the file of labels in out/labels, a line for each triangle of `read()`. A
+mesh that is missing or damaged has another status than "ok" and an error; so has one at which a
+process crashes, and the others go on.
 
 A run that was ended on the way goes on when it is started again: what has a row is not done again.
 With other options, take another folder. contact_sheet.py draws all meshes of a table, and
@@ -40,7 +41,7 @@ def start_processes(number):
 
 def rows_of(files, arguments):
     """Yields rows as they are ready."""
-    rest = [pathlib.Path(arguments.output), arguments.segments]
+    others = [pathlib.Path(arguments.output), arguments.segments]
     waiting = collections.deque(files)
     suspects = []
     while waiting:
@@ -49,7 +50,7 @@ def rows_of(files, arguments):
             with start_processes(min(arguments.jobs, len(waiting))) as processes:
                 while waiting or running:
                     while waiting and len(running) < 2 * arguments.jobs:
-                        future = processes.submit(segment_file, waiting[0], *rest)
+                        future = processes.submit(segment_file, waiting[0], *others)
                         running[future] = waiting.popleft()
                     for future in wait(running, return_when=FIRST_COMPLETED).done:
                         yield future.result()
@@ -59,7 +60,7 @@ def rows_of(files, arguments):
     for file in suspects: # each in a process of its own
         try:
             with start_processes(1) as process:
-                yield process.submit(segment_file, file, *rest).result()
+                yield process.submit(segment_file, file, *others).result()
         except BrokenProcessPool:
             yield failed_row(file, "crash", "the process ended without a result")
 

@@ -8,8 +8,8 @@
 
 The results are those of many_meshes.py, also when workers are killed, and it goes on in the same
 way when it is started again. On many machines the folders must be the same on all of them, as by
-NFS, and the package must be installed there. Start a scheduler on one of them with `dask-scheduler`
-and on each `dask-worker tcp://head:8786 --nworkers auto --nthreads 1`.
+NFS, and the package must be installed there. Start `dask scheduler` on one of them, and on each
+`dask worker tcp://head:8786 --nworkers auto --nthreads 1`.
 
 Needs dask.distributed, Debian's package python3-distributed.
 """
@@ -37,8 +37,9 @@ def rows_of(files, arguments):
         for future in as_completed(list(file_of)):
             try:
                 yield future.result()
-            except KilledWorker as error: # several workers have died at it
-                yield mesh_rows.failed_row(file_of[future], "crash", str(error))
+            except KilledWorker: # several have died at it
+                yield mesh_rows.failed_row(file_of[future], "crash",
+                                           "the workers ended without a result")
 
 
 def main():
