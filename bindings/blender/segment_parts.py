@@ -281,7 +281,7 @@ class OBJECT_OT_segment_into_parts(bpy.types.Operator):
         object.data.update()
         if self.choice != 'NUMBER':
             self.number = len(colors) # where the slider starts
-        self.report({'INFO'}, "%d parts" % len(colors))
+        self.report({'INFO'}, "Number of parts: %d" % len(colors))
         return {'FINISHED'}
 
 
