@@ -66,6 +66,12 @@ test/batch.py "$build/g++-release/examples/segment_mesh" --count 200 || failed+=
 scripts/check_slurm.sh "$build/g++-release/examples/segment_mesh" \
   "$build/g++-release/data/meshes" || failed+=(slurm)
 
+echo "=== Blender"
+PYTHONPATH="$build/g++-release/bindings/python" \
+  blender -b -noaudio --factory-startup --python-exit-code 1 \
+  -P bindings/blender/test/segment_parts_in_blender.py -- \
+  "$build/g++-release/examples/segment_mesh" "$build/g++-release/data/meshes" || failed+=(blender)
+
 echo "=== other machines"
 scripts/check_machines.sh --build "$build/machines" || failed+=(machines)
 

@@ -159,6 +159,20 @@ def write_materials(object, labels, colors):
     object.data.polygons.foreach_set("material_index", first + labels)
 
 
+def split(bm, labels):
+    """Yields each label and a BMesh of its faces, by halves: a copy of all for each takes longer."""
+    present = np.unique(labels)
+    if len(present) == 1:
+        yield int(present[0]), bm
+        return
+    for side in (labels < present[len(present) // 2], labels >= present[len(present) // 2]):
+        half = bm.copy()
+        others = [face for face, is_kept in zip(half.faces, side.tolist()) if not is_kept]
+        bmesh.ops.delete(half, geom=others, context='FACES')
+        yield from split(half, labels[side])
+        half.free()
+
+
 def write_objects(object, labels, colors):
     """Makes copies of the object with the polygons of each label, and hides the object."""
     context = bpy.context
@@ -166,18 +180,14 @@ def write_objects(object, labels, colors):
     context.scene.collection.children.link(collection)
     whole = bmesh.new()
     whole.from_mesh(object.data)
-    for label in np.unique(labels).tolist():
-        bm = whole.copy()
-        others = [face for face, l in zip(bm.faces, labels.tolist()) if l != label]
-        bmesh.ops.delete(bm, geom=others, context='FACES')
-        loose = [vertex for vertex in bm.verts if not vertex.link_faces]
-        bmesh.ops.delete(bm, geom=loose, context='VERTS')
+    loose = [vertex for vertex in whole.verts if not vertex.link_faces]
+    bmesh.ops.delete(whole, geom=loose, context='VERTS')
+    for label, bm in split(whole, labels):
         part = object.copy()
         part.name = object.name + " " + segment_name(label)
         part.data = object.data.copy()
         part.data.name = part.name
         bm.to_mesh(part.data)
-        bm.free()
         collection.objects.link(part)
         part.select_set(True)
         context.view_layer.objects.active = part
