@@ -266,7 +266,8 @@ class Results(Object_test):
             whole = add()
             whole.location = (1, 2, 3)
             whole.data.vertices.add(1) # of no face: in none of the parts
-            faces = [frozenset(points_of(whole.data)[v] for v in f) for f in faces_of(whole.data)]
+            points = points_of(whole.data)
+            faces = [frozenset(points[v] for v in f) for f in faces_of(whole.data)]
             segment(choice='NUMBER', number=5, results={'ATTRIBUTE', 'MATERIALS', 'OBJECTS'})
             labels = attribute_of(whole.data)
             self.assertTrue(whole.hide_get())
