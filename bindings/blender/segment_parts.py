@@ -38,7 +38,7 @@ def integers(collection, attribute):
 
 
 def ply_of(mesh, scale):
-    """The polygons as a file of PLY, so that they are read as the tool `segment_mesh` reads them."""
+    """The polygons as a file of PLY, which is read as the tool `segment_mesh` reads it."""
     points = np.empty(3 * len(mesh.vertices), np.float32)
     mesh.vertices.foreach_get("co", points)
     if not np.isfinite(points).all():
@@ -160,7 +160,7 @@ def write_materials(object, labels, colors):
 
 
 def split(bm, labels):
-    """Yields each label and a BMesh of its faces, by halves: a copy of all for each takes longer."""
+    """Yields each label and a BMesh of its faces. To copy all for each would take longer."""
     present = np.unique(labels)
     if len(present) == 1:
         yield int(present[0]), bm

@@ -150,8 +150,8 @@ class Labels(Object_test):
         thing.scale = (1, 1, -4)
         bpy.context.view_layer.update()
         points = np.array(points_of(thing.data), np.float32) * np.array([1, 1, 4], np.float32)
-        self.assertEqual(self.labels(thing, choice='NUMBER', number=5), spectral_segmentation.segment(
-            points, faces_of(thing.data), number_of_segments=5).tolist())
+        expected = spectral_segmentation.segment(points, faces_of(thing.data), number_of_segments=5)
+        self.assertEqual(self.labels(thing, choice='NUMBER', number=5), expected.tolist())
 
     def test_modifiers_are_left_out(self):
         thing = add_suzanne()
