@@ -6,10 +6,10 @@
 
 #include "Polygon_soup.h"
 #include "Polygon_triangulation.h"
+#include "decimal_numbers.h"
 
 #include <algorithm>
 #include <array>
-#include <charconv>
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
@@ -188,7 +188,7 @@ public:
   void decimal(Number number)
   {
     char digits[32];
-    const char* const end = std::to_chars(digits, digits + sizeof digits, number).ptr;
+    const char* const end = print_decimal(digits, number);
     text({digits, static_cast<std::size_t>(end - digits)});
   }
 

@@ -4,6 +4,8 @@
 #ifndef SEGMENT_MESH_MESH_FILE_TEXT_SCANNER_H
 #define SEGMENT_MESH_MESH_FILE_TEXT_SCANNER_H
 
+#include "decimal_numbers.h"
+
 #include <algorithm>
 #include <charconv>
 #include <cmath>
@@ -73,7 +75,7 @@ class Text_scanner
     return result;
   }
 
-  // from_chars leaves a number too large or too small for double as it was.
+  // What is too large or too small for double may have been left as it was.
   static double rounded(std::string_view word)
   { return std::strtod(std::string(word).c_str(), nullptr); }
 
@@ -182,7 +184,7 @@ public:
     skip_space();
     const char* const first = after_plus();
     double result = 0;
-    const auto [last, error] = std::from_chars(first, end_, result);
+    const auto [last, error] = parse_decimal(first, end_, result);
     if (error == std::errc::result_out_of_range)
       result = rounded({first, static_cast<std::size_t>(last - first)});
     if (error == std::errc::invalid_argument || !is_after_word(last))

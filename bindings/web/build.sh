@@ -1,0 +1,32 @@
+#!/bin/bash
+# Copyright (c) 2026  The Spectral_segmentation authors.
+# SPDX-License-Identifier: GPL-3.0-or-later
+#
+# build.sh [DIR]
+# Builds the WebAssembly module, its npm package and the web page in build-web/ or DIR: the package
+# in package/, the page in try/. Needs the packages of `scripts/setup.sh build web`.
+
+set -euo pipefail
+here=$(cd "$(dirname "$0")" && pwd)
+root=$here/../..
+build=$(mkdir -p "${1:-$root/build-web}" && cd "${1:-$root/build-web}" && pwd)
+
+# The libraries' headers without those of the system.
+mkdir -p "$build/include"
+for name in CGAL boost eigen3/Eigen nlohmann fast_float fmt; do
+  ln -sfn "/usr/include/$name" "$build/include/$(basename "$name")"
+done
+
+version=$(sed -n 's/.*_VERSION "\(.*\)"/\1/p' "$root/include/CGAL/Spectral_segmentation/version.h")
+# The compiler must not fuse multiplications and additions: labels are those of other machines.
+flags=(-std=c++17 -O2 -DNDEBUG -fexceptions -ffp-contract=off -Wall -Wextra
+  -DCGAL_DISABLE_GMP -DCGAL_NO_GMP -DCGAL_DISABLE_ROUNDING_MATH_CHECK
+  "-I$root/include" "-I$root/examples" -isystem "$build/include")
+export NODE_PATH=/usr/share/nodejs # where Debian has acorn, which the linker needs
+mkdir -p "$build/package"
+[[ -n ${LINK_ONLY:-} ]] || em++ "${flags[@]}" -c "$here/src/segmentation.cpp" -o "$build/segmentation.o"
+em++ "${flags[@]}" "$build/segmentation.o" -o "$build/package/module.js" --bind \
+  -sMODULARIZE -sEXPORT_ES6 -sENVIRONMENT=web,worker -sALLOW_MEMORY_GROWTH \
+  -sMAXIMUM_MEMORY=4GB -sINITIAL_MEMORY=32MB -sTOTAL_STACK=4MB -sFILESYSTEM=0 --minify 0 -g1
+echo "$version"
+ls -l "$build/package"

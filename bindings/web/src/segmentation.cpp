@@ -1,0 +1,274 @@
+// Copyright (c) 2026  The Spectral_segmentation authors.
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+/// \file
+/// The WebAssembly module behind index.js, which checks the arguments: meshes and their runs.
+
+#include <CGAL/Spectral_segmentation/IO/hierarchy_json.h>
+#include <CGAL/Spectral_segmentation/Segmentation_hierarchy.h>
+#include <CGAL/Spectral_segmentation/internal/door/read_options.h>
+#include <CGAL/Spectral_segmentation/internal/door/read_triangle_soup.h>
+#include <CGAL/Spectral_segmentation/internal/engine.h>
+#include <CGAL/Spectral_segmentation/parameters.h>
+#include <CGAL/Spectral_segmentation/version.h>
+
+#include <segment_mesh/mesh_file/Segmented_mesh.h>
+#include <segment_mesh/mesh_file/write_mesh_file.h>
+#include <segment_mesh/page/page_data.h>
+#include <segment_mesh/part_tree.h>
+#include <segment_mesh/read_input.h>
+#include <segment_mesh/write_meshes.h>
+
+#include <emscripten/bind.h>
+#include <emscripten/val.h>
+
+#include <algorithm>
+#include <cstddef>
+#include <cstdint>
+#include <exception>
+#include <memory>
+#include <new>
+#include <sstream>
+#include <stdexcept>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace web {
+
+namespace segmentation = CGAL::Spectral_segmentation;
+namespace internal = CGAL::Spectral_segmentation::internal;
+using emscripten::val;
+using segment_mesh::Index;
+using segment_mesh::Input;
+
+// A copy of numbers as a typed array. Views of the memory end when it grows.
+template <class Number>
+val typed_array(const std::vector<Number>& numbers)
+{
+  static_assert(sizeof(Number) <= 4 || sizeof(Number) == 8);
+  return val(emscripten::typed_memory_view(numbers.size(), numbers.data())).call<val>("slice");
+}
+
+template <class Number, class Triple>
+val typed_array_of_triples(const std::vector<Triple>& triples)
+{
+  return val(emscripten::typed_memory_view(
+    3 * triples.size(), reinterpret_cast<const Number*>(triples.data()))).template call<val>("slice");
+}
+
+// The triples of a typed array of another number type or the same.
+template <class Number, class Triple>
+std::vector<Triple> triples_of(const val& array)
+{
+  std::vector<Triple> result(array["length"].as<std::size_t>() / 3);
+  val(emscripten::typed_memory_view(3 * result.size(), reinterpret_cast<Number*>(result.data())))
+    .call<void>("set", array);
+  return result;
+}
+
+val typed_array_of_bytes(const std::string& bytes)
+{
+  return val(emscripten::typed_memory_view(
+    bytes.size(), reinterpret_cast<const std::uint8_t*>(bytes.data()))).call<val>("slice");
+}
+
+// Shared by its runs, so that each may end first.
+class Mesh
+{
+  std::shared_ptr<const Input> input_;
+
+  explicit Mesh(Input&& input) : input_(std::make_shared<const Input>(std::move(input))) {}
+
+public:
+  static Mesh read(const std::string& bytes, const std::string& extension)
+  {
+    segment_mesh::Scene scene;
+    scene.soup = mesh_file::read_mesh_file(bytes, mesh_file::format_of_extension(extension), true);
+    Mesh result(segment_mesh::triangulated(std::move(scene)));
+    if (result.input_->triangles.empty())
+      throw std::runtime_error("it has no face with three different corners");
+    return result;
+  }
+
+  static Mesh of_arrays(const val& points, const val& triangles)
+  {
+    Input input;
+    input.soup.points = triples_of<double, mesh_file::Point>(points);
+    input.triangles = triples_of<Index, mesh_file::Triangle>(triangles);
+    for (const mesh_file::Triangle& t : input.triangles) {
+      input.polygon_of_triangle.push_back(static_cast<Index>(input.soup.number_of_polygons()));
+      input.soup.corners.insert(input.soup.corners.end(), t.begin(), t.end());
+      input.soup.end_polygon();
+    }
+    return Mesh(std::move(input));
+  }
+
+  const std::shared_ptr<const Input>& input() const { return input_; }
+  std::size_t number_of_faces() const { return input_->soup.number_of_polygons(); }
+  val points() const { return typed_array_of_triples<double>(input_->soup.points); }
+  val triangles() const { return typed_array_of_triples<Index>(input_->triangles); }
+  val face_of_triangle() const { return typed_array(input_->polygon_of_triangle); }
+};
+
+// Asks a function of JavaScript, which returns whether to go on.
+class Progress : public internal::Run_control
+{
+  const val& function_;
+  bool goes_on_ = true;
+
+public:
+  explicit Progress(const val& function) : function_(function) {}
+
+  void progress(double share) override
+  {
+    if (goes_on_ && !function_.isUndefined())
+      goes_on_ = function_(share).as<bool>();
+  }
+
+  bool go_further() override { return goes_on_; }
+};
+
+template <class T>
+T get(const val& options, const char* name, const T& value)
+{ return options[name].isUndefined() ? value : options[name].as<T>(); }
+
+internal::Options read_options(const val& given)
+{
+  const bool is_of_paper = get<std::string>(given, "method", "calibrated") == "paper";
+  const internal::Options defaults =
+    is_of_paper ? internal::zhang_liu_2005_options() : internal::calibrated_options();
+  const auto np = segmentation::parameters::minimum_segment_size(
+      get(given, "minimumSegmentSize", defaults.minimum_segment_size))
+    .components_apart(get(given, "componentsApart", defaults.components_apart))
+    .boundary_smoothing(get(given, "boundarySmoothing", false))
+    .number_of_smoothing_iterations(get(given, "numberOfSmoothingIterations", 0));
+  const auto read = [&](const auto& all) {
+    return is_of_paper ? internal::read_options(all.zhang_liu_2005().cgal_parameters())
+                       : internal::read_options(all.cgal_parameters());
+  };
+  if (!given["numberOfSegments"].isUndefined())
+    return read(np.number_of_segments(given["numberOfSegments"].as<int>()));
+  const auto with_threshold =
+    np.salience_threshold(get(given, "threshold", defaults.salience_threshold));
+  if (!given["maximumNumberOfSegments"].isUndefined())
+    return read(with_threshold.maximum_number_of_segments(
+      given["maximumNumberOfSegments"].as<int>()));
+  return read(with_threshold);
+}
+
+class Segmentation
+{
+  std::shared_ptr<const Input> input_;
+  internal::Options options_;
+  bool is_of_paper_;
+  segmentation::Segmentation_hierarchy tree_;
+  std::vector<Index> label_of_triangle_; // of the run
+
+  std::vector<Index> labels_of_triangles(const val& n) const
+  {
+    if (n.isUndefined())
+      return label_of_triangle_;
+    const std::vector<std::size_t> labels = tree_.labels(n.as<std::size_t>());
+    return {labels.begin(), labels.end()};
+  }
+
+  static std::size_t number_of_labels(const std::vector<Index>& labels)
+  {
+    const auto largest = std::max_element(labels.begin(), labels.end());
+    return largest == labels.end() ? 0 : std::size_t(*largest) + 1;
+  }
+
+public:
+  Segmentation(const Mesh& mesh, const val& options, const val& progress)
+    : input_(mesh.input()), options_(read_options(options)),
+      is_of_paper_(get<std::string>(options, "method", "calibrated") == "paper")
+  {
+    internal::Triangles triangles =
+      internal::read_triangle_soup(input_->soup.points, input_->triangles);
+    internal::connect(triangles);
+    Progress control(progress);
+    tree_ = segmentation::Segmentation_hierarchy(
+      internal::segment(std::move(triangles), options_, internal::Execution::SEQUENTIAL, control),
+      options_);
+    const std::vector<std::size_t> labels = tree_.labels();
+    label_of_triangle_.assign(labels.begin(), labels.end());
+  }
+
+  std::size_t number_of_segments() const { return number_of_labels(label_of_triangle_); }
+  std::size_t maximum_number_of_segments() const { return tree_.number_of_segments(); }
+
+  val labels(const val& n) const
+  { return typed_array(segment_mesh::labels_of_polygons(*input_, labels_of_triangles(n))); }
+
+  val write(const std::string& extension, const val& n) const
+  {
+    const std::vector<Index> of_triangles = labels_of_triangles(n);
+    const std::size_t number = number_of_labels(of_triangles);
+    const std::vector<Index> of_faces = segment_mesh::labels_of_polygons(*input_, of_triangles);
+    const std::vector<mesh_file::Rgb> colors = segment_mesh::segment_colors(
+      segment_mesh::segment_neighbors(*input_, of_triangles, number));
+    const std::vector<mesh_file::Part> parts =
+      segment_mesh::part_tree(tree_, of_triangles, number);
+    std::ostringstream out;
+    mesh_file::write_mesh_file(
+      out, extension, {input_->soup, of_faces, colors, mesh_file::null_index, parts});
+    return typed_array_of_bytes(out.str());
+  }
+
+  // As `segment_mesh --hierarchy` without the numbers of polygons.
+  std::string json() const
+  {
+    std::ostringstream out;
+    segmentation::write_hierarchy(out, tree_);
+    return out.str();
+  }
+
+  // What the viewer of `segment_mesh --html` shows, see page/decode.js.
+  std::string page_data(const std::string& name) const
+  {
+    segment_mesh::Page_options options;
+    options.name = name;
+    options.number_of_segments = number_of_segments();
+    options.is_salience_probability = !is_of_paper_;
+    options.boundary_smoothing = options_.boundary_smoothing;
+    return segment_mesh::page_data(*input_, tree_, options)
+      .dump(-1, ' ', false, nlohmann::ordered_json::error_handler_t::replace);
+  }
+};
+
+// Of an exception that came to JavaScript as a number.
+val error_of(std::intptr_t exception)
+{
+  const auto* const e = reinterpret_cast<const std::exception*>(exception);
+  val result = val::object();
+  result.set("isMemory", dynamic_cast<const std::bad_alloc*>(e) != nullptr);
+  result.set("message", std::string(e->what()));
+  return result;
+}
+
+std::string version() { return CGAL_SPECTRAL_SEGMENTATION_VERSION; }
+
+} // namespace web
+
+EMSCRIPTEN_BINDINGS(spectral_segmentation)
+{
+  using namespace emscripten;
+  function("version", &web::version);
+  function("errorOf", &web::error_of);
+  class_<web::Mesh>("Mesh")
+    .class_function("read", &web::Mesh::read)
+    .class_function("ofArrays", &web::Mesh::of_arrays)
+    .function("numberOfFaces", &web::Mesh::number_of_faces)
+    .function("points", &web::Mesh::points)
+    .function("triangles", &web::Mesh::triangles)
+    .function("faceOfTriangle", &web::Mesh::face_of_triangle);
+  class_<web::Segmentation>("Segmentation")
+    .constructor<const web::Mesh&, val, val>()
+    .function("numberOfSegments", &web::Segmentation::number_of_segments)
+    .function("maximumNumberOfSegments", &web::Segmentation::maximum_number_of_segments)
+    .function("labels", &web::Segmentation::labels)
+    .function("write", &web::Segmentation::write)
+    .function("json", &web::Segmentation::json)
+    .function("pageData", &web::Segmentation::page_data);
+}
