@@ -28,5 +28,8 @@ mkdir -p "$build/package"
 em++ "${flags[@]}" "$build/segmentation.o" -o "$build/package/module.js" --bind \
   -sMODULARIZE -sEXPORT_ES6 -sENVIRONMENT=web,worker -sALLOW_MEMORY_GROWTH \
   -sMAXIMUM_MEMORY=4GB -sINITIAL_MEMORY=32MB -sTOTAL_STACK=4MB -sFILESYSTEM=0 --minify 0 -g1
-echo "$version"
-ls -l "$build/package"
+
+sed "s/@version@/$version/" "$here/package.json.in" > "$build/package/package.json"
+cp "$here"/*.js "$here"/*.d.ts "$here/README.md" "$root/LICENSE" \
+  "$root"/examples/segment_mesh/page/{decode,hierarchy}.js "$build/package"
+(cd "$build" && npm pack --silent ./package)

@@ -1,0 +1,239 @@
+// Copyright (c) 2026  The Spectral_segmentation authors.
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+// The module in Node. PACKAGE is its folder, MESHES that of libcgal-demo's meshes, SEGMENT_MESH the
+// native tool. With ALL_MESHES the labels of all meshes are compared.
+
+import assert from "node:assert/strict";
+import { execFileSync } from "node:child_process";
+import { mkdtempSync, readFileSync, readdirSync, rmSync, writeFileSync } from "node:fs";
+import { tmpdir } from "node:os";
+import path from "node:path";
+import test from "node:test";
+
+const { PACKAGE, MESHES, SEGMENT_MESH, ALL_MESHES } = process.env;
+const { load } = await import(path.resolve(PACKAGE, "index.js"));
+const { SegmentationWorker } = await import(path.resolve(PACKAGE, "worker_client.js"));
+const { faceLabels, Hierarchy } = await import(path.resolve(PACKAGE, "hierarchy.js"));
+const segmentation = await load();
+
+const bytesOf = name => new Uint8Array(readFileSync(path.join(MESHES, name)));
+const elephant = bytesOf("elephant.off");
+
+function scratch(t) {
+  const folder = mkdtempSync(path.join(tmpdir(), "spectral-"));
+  t.after(() => rmSync(folder, { recursive: true }));
+  return folder;
+}
+
+// The text of labels that the tool gives; undefined if it fails.
+function labelsOfTool(file, ...options) {
+  try {
+    return execFileSync(SEGMENT_MESH, [file, "--quiet", "--labels", "-", ...options],
+                        { encoding: "utf8", stdio: ["ignore", "pipe", "ignore"],
+                          maxBuffer: 2 ** 30 });
+  }
+  catch (error) {
+    assert.equal(error.status, 4, error.message); // no mesh
+    return undefined;
+  }
+}
+
+const text = labels => labels.join("\n") + "\n";
+
+const tetrahedron = () => segmentation.mesh(new Float32Array([0, 0, 0, 1, 0, 0, 0, 1, 0, 0, 0, 1]),
+                                            new Uint16Array([0, 2, 1, 0, 1, 3, 1, 2, 3, 2, 0, 3]));
+
+test("labels are those of the native tool", { timeout: 7200e3 }, () => {
+  const names = ALL_MESHES ? readdirSync(MESHES).filter(name => /\.(off|obj|ply|stl)$/.test(name))
+    : ["elephant.off", "bear.off", "fandisk.off", "cube.off", "blobby_3cc.off"];
+  let compared = 0;
+  for (const name of names)
+    for (const method of ["calibrated", "paper"]) {
+      const expected = labelsOfTool(path.join(MESHES, name), "--method", method);
+      let mesh;
+      try {
+        mesh = segmentation.read(bytesOf(name), name);
+      }
+      catch (error) {
+        assert.equal(expected, undefined, `${name}: ${error.message}`);
+        continue;
+      }
+      const run = segmentation.segment(mesh, { method });
+      assert.ok(text(run.labels()) === expected, `${name} by the method ${method}`);
+      run.free();
+      mesh.free();
+      ++compared;
+    }
+  assert.ok(compared >= 10);
+  console.log(`${compared} runs give the labels of the tool`);
+});
+
+test("options are those of the tool", () => {
+  const mesh = segmentation.read(elephant, "elephant.off");
+  for (const [options, ...ofTool] of [
+    [{ numberOfSegments: 7, boundarySmoothing: true }, "--segments", "7", "--boundary-smoothing"],
+    [{ threshold: 0.7, maximumNumberOfSegments: 4 }, "--salience-threshold", "0.7",
+     "--segments", "4"],
+    [{ minimumSegmentSize: 0.02, numberOfSmoothingIterations: 2 }, "--minimum-segment-size", "0.02",
+     "--smooth", "2"]])
+    assert.equal(text(segmentation.segment(mesh, options).labels()),
+                 labelsOfTool(path.join(MESHES, "elephant.off"), ...ofTool), ofTool.join(" "));
+});
+
+test("a run gives the labels of all numbers, also as its page does", () => {
+  const mesh = segmentation.read(elephant, "elephant.off");
+  const run = segmentation.segment(mesh);
+  mesh.free();
+  assert.equal(run.numberOfSegments, new Set(run.labels()).size);
+  for (let n = 1; n <= run.maximumNumberOfSegments; ++n)
+    assert.equal(new Set(run.labels(n)).size, n);
+  assert.equal(text(run.labels(5)),
+               labelsOfTool(path.join(MESHES, "elephant.off"), "--segments", "5"));
+  assert.equal(run.toJSON().nodes?.length > 0 || Object.keys(run.toJSON()).length > 0, true);
+  run.free();
+});
+
+test("arrays and files give the same", () => {
+  const mesh = segmentation.read(elephant, "elephant.off");
+  assert.equal(mesh.numberOfFaces, mesh.triangles.length / 3);
+  assert.deepEqual([...mesh.faceOfTriangle.slice(0, 3)], [0, 1, 2]);
+  const expected = segmentation.segment(mesh).labels();
+  for (const triangles of [mesh.triangles, Int32Array.from(mesh.triangles)])
+    assert.deepEqual(segmentation.segment(segmentation.mesh(mesh.points, triangles)).labels(),
+                     expected);
+});
+
+test("written files are those of the tool", t => {
+  const folder = scratch(t);
+  const run = segmentation.segment(segmentation.read(elephant, "elephant.off"));
+  for (const format of ["ply", "glb", "off"]) {
+    const file = path.join(folder, `out.${format}`);
+    execFileSync(SEGMENT_MESH, [path.join(MESHES, "elephant.off"), "--quiet", "-o", file]);
+    const bytes = run.write(`x.${format.toUpperCase()}`);
+    assert.ok(Buffer.compare(readFileSync(file), bytes) === 0, format);
+  }
+  assert.throws(() => run.write("x.xyz"), /the name must end in .glb/);
+});
+
+test("what is wrong is named", () => {
+  const mesh = tetrahedron();
+  for (const [action, type, message] of [
+    [() => segmentation.read("OFF", "a.off"), TypeError, /bytes must be a Uint8Array/],
+    [() => segmentation.read(new Uint8Array(3), "a.xyz"), Error, /the format is unknown/],
+    [() => segmentation.read(Buffer.from("OFF 1 x"), "a.off"), Error, /line 1: 'x' is not/],
+    [() => segmentation.read(Buffer.from("OFF 0 0 0"), "a.off"), Error, /has no face/],
+    [() => segmentation.mesh([0, 0, 0], new Uint32Array(3)), TypeError, /points must be a Float32/],
+    [() => segmentation.mesh(new Float64Array(4), new Uint32Array(3)), TypeError, /three numbers/],
+    [() => segmentation.mesh(new Float64Array(3), [0, 0, 0]), TypeError, /triangles must be a/],
+    [() => segmentation.segment(segmentation.mesh(new Float64Array(3), new Uint32Array([0, 0, 7]))),
+     Error, /triangle 0 has a corner that is no index of a point/],
+    [() => segmentation.segment(segmentation.mesh(new Float64Array([NaN, 0, 0]),
+                                                  new Int32Array([0, 0, -1]))), Error, /triangle 0/],
+    [() => segmentation.segment({}), TypeError, /mesh must be what read/],
+    [() => segmentation.segment(mesh, { segments: 3 }), TypeError, /there is no option segments/],
+    [() => segmentation.segment(mesh, { method: "zhang" }), TypeError, /method must be 'calibrated'/],
+    [() => segmentation.segment(mesh, { numberOfSegments: 2.5 }), TypeError, /must be an integer/],
+    [() => segmentation.segment(mesh, { numberOfSegments: 0 }), Error, /at least 1/],
+    [() => segmentation.segment(mesh, { numberOfSegments: 5 }), Error, /can have 1 to 4/],
+    [() => segmentation.segment(mesh, { numberOfSegments: 2, threshold: 1 }), TypeError, /neither/],
+    [() => segmentation.segment(mesh, { threshold: NaN }), Error, /number/],
+    [() => segmentation.segment(mesh, { minimumSegmentSize: 2 }), Error, /minimum_segment_size/],
+    [() => segmentation.segment(mesh, { progress: 1 }), TypeError, /progress must be a function/],
+    [() => segmentation.segment(mesh).labels(0), TypeError, /at least 1/]])
+    assert.throws(action, error => error.constructor === type && message.test(error.message),
+                  `${action}`);
+});
+
+test("damaged files give a mesh or a sentence", () => {
+  const octahedron = bytesOf("octahedron.off");
+  let seed = 1;
+  const random = n => (seed = seed * 48271 % 2147483647) % n;
+  for (let i = 0; i < 400; ++i) {
+    const bytes = octahedron.slice(0, octahedron.length - random(3) * random(60));
+    for (let k = random(5); k >= 0; --k)
+      bytes[random(bytes.length)] = random(256);
+    try {
+      segmentation.read(bytes, `x.${["off", "obj", "ply", "stl"][i % 4]}`).free();
+    }
+    catch (error) {
+      assert.equal(error.constructor, Error, error.stack);
+      assert.match(error.message, /line|byte|face|format|polygon|point|file/i);
+    }
+  }
+});
+
+test("progress ascends, ends a run, and may fail", () => {
+  const mesh = segmentation.read(elephant, "elephant.off");
+  const shares = [];
+  segmentation.segment(mesh, { progress: share => { shares.push(share); } });
+  assert.ok(shares.length > 2 && shares.every((share, i) => i === 0 || share >= shares[i - 1]));
+  const run = segmentation.segment(mesh, { progress: () => false });
+  assert.ok(run.maximumNumberOfSegments <= segmentation.segment(mesh).maximumNumberOfSegments);
+  assert.throws(() => segmentation.segment(mesh, { progress: () => { throw new Error("mine"); } }),
+                /^Error: mine$/);
+});
+
+test("memory is given back", async () => {
+  const own = await load();
+  const run = () => {
+    const mesh = own.mesh(new Float32Array([0, 0, 0, 1, 0, 0, 0, 1, 0, 0, 0, 1]),
+                          new Uint16Array([0, 2, 1, 0, 1, 3, 1, 2, 3, 2, 0, 3]));
+    const result = own.segment(mesh, { method: "paper", threshold: 0 });
+    result.write("x.ply");
+    mesh.free();
+    result.free();
+    assert.throws(() => own.read(Buffer.from("OFF 9"), "x.off"));
+  };
+  for (let i = 0; i < 100; ++i)
+    run();
+  const before = process.memoryUsage().arrayBuffers;
+  for (let i = 0; i < 1000; ++i)
+    run();
+  assert.ok(process.memoryUsage().arrayBuffers - before < 4e6);
+});
+
+test("a worker does the same, and ends at once", async () => {
+  const worker = new SegmentationWorker();
+  const shares = [];
+  const { model, numberOfSegments } = await worker.segment(
+    { bytes: elephant, name: "elephant.off" }, {}, share => shares.push(share));
+  assert.ok(shares.length > 0);
+  const run = segmentation.segment(segmentation.read(elephant, "elephant.off"));
+  assert.equal(numberOfSegments, run.numberOfSegments);
+  const hierarchy = new Hierarchy(model.hierarchy);
+  for (const n of [1, 2, 5, run.maximumNumberOfSegments]) {
+    assert.deepEqual(faceLabels(hierarchy, n, model.pieceOfFace, model.exceptions), run.labels(n));
+    assert.deepEqual(await worker.labels(n), run.labels(n));
+  }
+  assert.deepEqual(await worker.write("x.glb", 5), run.write("x.glb", 5));
+  assert.deepEqual(await worker.toJSON(), run.toJSON());
+  await assert.rejects(worker.segment({ bytes: Buffer.from("OFF x"), name: "a.off" }),
+                       /line 1: 'x' is not a number of points/);
+  const large = worker.segment({ bytes: elephant, name: "elephant.off" },
+                               { method: "paper" });
+  const start = performance.now();
+  worker.close();
+  await assert.rejects(large, { name: "AbortError" });
+  await assert.rejects(worker.labels(), { name: "AbortError" });
+  assert.ok(performance.now() - start < 1000);
+});
+
+test("the package runs in an empty folder as its README says", t => {
+  const folder = scratch(t);
+  const archive = readdirSync(path.dirname(path.resolve(PACKAGE))).find(name => /\.tgz$/.test(name));
+  writeFileSync(path.join(folder, "package.json"), '{ "type": "module" }');
+  execFileSync("npm", ["install", "--offline", "--no-audit", "--silent",
+                       path.join(path.dirname(path.resolve(PACKAGE)), archive)], { cwd: folder });
+  const blocks = [...readFileSync(path.join(PACKAGE, "README.md"), "utf8")
+    .matchAll(/```js\n([^]*?)```/g)].map(match => match[1]);
+  assert.equal(blocks.length, 2);
+  const read = 'import { readFileSync } from "node:fs";\n' +
+    `const bytes = readFileSync(${JSON.stringify(path.join(MESHES, "elephant.off"))});\n`;
+  blocks.forEach((block, i) => {
+    writeFileSync(path.join(folder, `block${i}.js`), `${read}${block}
+      console.log("segments", new Set(labels).size);`);
+    assert.match(execFileSync("node", [`block${i}.js`], { cwd: folder, encoding: "utf8" }),
+                 i === 0 ? /segments 11$/m : /segments 5$/m);
+  });
+});

@@ -1,0 +1,27 @@
+// Copyright (c) 2026  The Spectral_segmentation authors.
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+import type { Options } from "./index.js";
+
+/** A file, or a mesh as arrays as for `Module.mesh()`. */
+export type Input = { name: string; bytes: Uint8Array } |
+  { name?: string; points: Float32Array | Float64Array;
+    triangles: Uint32Array | Int32Array | Uint16Array };
+
+/** What the class Viewer of viewer.js shows. `faceLabels()` of hierarchy.js gives the labels of any
+ *  number of segments of it. */
+export interface Model { name: string; segments: number; hierarchy: object; [other: string]: unknown }
+
+/** The segmentation of one mesh in a worker. The memory is given back by `close()`. */
+export class SegmentationWorker {
+  /** `progress` is told the share of the run that is done. */
+  segment(input: Input, options?: Options, progress?: (share: number) => void):
+    Promise<{ model: Model; numberOfSegments: number }>;
+  /** These need a segmentation; they are those of `Segmentation`. */
+  write(name: string, n?: number): Promise<Uint8Array>;
+  labels(n?: number): Promise<Uint32Array>;
+  toJSON(): Promise<object>;
+  /** Ends the worker, at once. Promises that are not settled are rejected with a DOMException
+   *  "AbortError". */
+  close(): void;
+}
