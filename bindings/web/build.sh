@@ -33,3 +33,14 @@ sed "s/@version@/$version/" "$here/package.json.in" > "$build/package/package.js
 cp "$here"/*.js "$here"/*.d.ts "$here/README.md" "$root/LICENSE" \
   "$root"/examples/segment_mesh/page/{decode,hierarchy}.js "$build/package"
 (cd "$build" && npm pack --silent ./package)
+
+# The page: the viewer of `segment_mesh --html`, three.js, and meshes of libcgal-demo as samples.
+mkdir -p "$build/try/samples"
+cp "$here"/page/* "$build"/package/{index,worker,worker_client,module,decode,hierarchy}.js \
+  "$build/package/module.wasm" "$root"/examples/segment_mesh/page/{viewer,colors,scene}.js \
+  "$root/examples/segment_mesh/page/viewer.css" /usr/share/javascript/three/three.min.js \
+  /usr/share/javascript/three/examples/js/{controls/OrbitControls,loaders/GLTFLoader}.js "$build/try"
+samples=(elephant.off hand.off camel.off)
+tar -xzf /usr/share/doc/libcgal-dev/data.tar.gz -C "$build/try/samples" --strip-components 2 \
+  "${samples[@]/#/data/meshes/}"
+printf '"%s",' "${samples[@]}" | sed 's/.*/export const samples = [&];/' > "$build/try/samples.js"
