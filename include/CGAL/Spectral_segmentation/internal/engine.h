@@ -6,7 +6,7 @@
 
 #include <CGAL/Spectral_segmentation/internal/Options.h>
 #include <CGAL/Spectral_segmentation/internal/Run_control.h>
-#include <CGAL/Spectral_segmentation/internal/Wishes.h>
+#include <CGAL/Spectral_segmentation/internal/wishes/Wishes.h>
 #include <CGAL/Spectral_segmentation/internal/hierarchy/Cut_hierarchy.h>
 #include <CGAL/Spectral_segmentation/internal/mesh/Triangles.h>
 

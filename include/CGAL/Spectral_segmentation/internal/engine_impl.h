@@ -14,9 +14,6 @@
 #include <CGAL/Spectral_segmentation/internal/hierarchy/joined_roots.h>
 #include <CGAL/Spectral_segmentation/internal/hierarchy/recursion.h>
 #include <CGAL/Spectral_segmentation/internal/hierarchy/region_merging.h>
-#include <CGAL/Spectral_segmentation/internal/hierarchy/Wish_groups.h>
-#include <CGAL/Spectral_segmentation/internal/hierarchy/Wished_merging.h>
-#include <CGAL/Spectral_segmentation/internal/hierarchy/Wished_regions.h>
 #include <CGAL/Spectral_segmentation/internal/mesh/connect_triangles.h>
 #include <CGAL/Spectral_segmentation/internal/mesh/distinct_faces.h>
 #include <CGAL/Spectral_segmentation/internal/mesh/reorder_faces.h>
@@ -27,6 +24,9 @@
 #include <CGAL/Spectral_segmentation/internal/multilevel/coarsening.h>
 #include <CGAL/Spectral_segmentation/internal/multilevel/projection.h>
 #include <CGAL/Spectral_segmentation/internal/utility/Run_monitor.h>
+#include <CGAL/Spectral_segmentation/internal/wishes/Wish_groups.h>
+#include <CGAL/Spectral_segmentation/internal/wishes/Wished_merging.h>
+#include <CGAL/Spectral_segmentation/internal/wishes/Wished_regions.h>
 
 #include <algorithm>
 #include <cstddef>
@@ -280,8 +280,8 @@ class Run
     const std::size_t number_of_roots = hierarchy.number_of_roots;
     Wished_regions regions(execution_, hierarchy, mesh_, distance_weights(),
                            options_.minimum_segment_size, monitor_, groups_);
-    regions();
-    hierarchy = Wished_merging(hierarchy, mesh_, groups_, regions)(options_.components_apart);
+    Region_graph graph = regions(options_.components_apart);
+    hierarchy = Wished_merging(hierarchy, graph, regions.region_of_faces(), regions.leaves())();
     const std::size_t number = hierarchy.number_of_roots;
     if (number > number_of_roots && number > options_.maximum_number_of_segments)
       throw std::invalid_argument(

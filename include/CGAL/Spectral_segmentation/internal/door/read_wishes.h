@@ -4,7 +4,7 @@
 #ifndef CGAL_SPECTRAL_SEGMENTATION_INTERNAL_DOOR_READ_WISHES_H
 #define CGAL_SPECTRAL_SEGMENTATION_INTERNAL_DOOR_READ_WISHES_H
 
-#include <CGAL/Spectral_segmentation/internal/Wishes.h>
+#include <CGAL/Spectral_segmentation/internal/wishes/Wishes.h>
 #include <CGAL/Spectral_segmentation/internal/door/numbered_descriptors.h>
 #include <CGAL/Spectral_segmentation/internal/door/read_options.h>
 #include <CGAL/Spectral_segmentation/parameters.h>

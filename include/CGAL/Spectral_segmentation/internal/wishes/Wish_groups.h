@@ -1,11 +1,11 @@
 // Copyright (c) 2026  The Spectral_segmentation authors.
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#ifndef CGAL_SPECTRAL_SEGMENTATION_INTERNAL_HIERARCHY_WISH_GROUPS_H
-#define CGAL_SPECTRAL_SEGMENTATION_INTERNAL_HIERARCHY_WISH_GROUPS_H
+#ifndef CGAL_SPECTRAL_SEGMENTATION_INTERNAL_WISHES_WISH_GROUPS_H
+#define CGAL_SPECTRAL_SEGMENTATION_INTERNAL_WISHES_WISH_GROUPS_H
 
-#include <CGAL/Spectral_segmentation/internal/Wishes.h>
 #include <CGAL/Spectral_segmentation/internal/mesh/connected_components.h>
+#include <CGAL/Spectral_segmentation/internal/wishes/Wishes.h>
 
 #include <cstddef>
 #include <cstdint>
@@ -17,23 +17,24 @@
 
 namespace CGAL::Spectral_segmentation::internal {
 
-// The wishes of a caller as groups of faces: each group lies in one segment. They have no
-// contradiction.
+// The wishes of a caller by the faces of the mesh, without contradiction. Each group of faces lies
+// in one segment.
 struct Wish_groups
 {
-  std::vector<Index> group;        // of each face; null_index if no wish concerns it
-  std::vector<Index> seed;         // of each group, from 0 on; null_index if it has none
-  std::vector<Face_pair> seams;    // whose faces are of different groups and segments
+  std::vector<Index> group;     // of each face; null_index if no wish concerns it
+  std::vector<Face_pair> seams; // whose faces are of different groups and segments
+  std::vector<char> is_seam;    // of each half-edge
+  Index number_of_seeds = 0;    // the first groups are those of the seeds, in different segments
+  Index number = 0;
 
-  bool empty() const { return seed.empty(); }
+  // The group of a face if it has a seed.
+  Index seed(Index f) const { return group[f] < number_of_seeds ? group[f] : null_index; }
 };
 
 // Makes groups of wishes. `number` has the face of the mesh for each face of the caller: one for
 // all faces with the same points. Throws `std::invalid_argument` if wishes contradict each other.
 class Wish_grouping
 {
-  typedef std::pair<Index, std::int64_t> Seed; // with the first face that has it
-
   const Wishes& wishes_;
   const std::vector<Index>& number_;
   Face_components sets_;
@@ -51,9 +52,10 @@ class Wish_grouping
   {
     for (const auto& [f, g] : wishes_.uncuttable)
       sets_.join(number_[f], number_[g]);
-    std::map<Index, Seed> seed_of_set;
-    for (const auto& [f, seed] : wishes_.seeds) {
-      const auto [g, other] = seed_of_set.emplace(set_of(f), Seed(f, seed)).first->second;
+    std::map<Index, std::pair<Index, std::int64_t> > seed_of_set; // with the first face that has it
+    for (const auto& wish : wishes_.seeds) {
+      const auto& [f, seed] = wish;
+      const auto& [g, other] = seed_of_set.emplace(set_of(f), wish).first->second;
       if (other != seed)
         fail(faces(g, f) + " have the seeds " + std::to_string(other) + " and " +
              std::to_string(seed) + ", but are joined by edges that must not be cut, or are one "
@@ -61,20 +63,18 @@ class Wish_grouping
     }
     for (const auto& [f, seed] : wishes_.seeds)
       sets_.join(number_[first_of_seed_.emplace(seed, f).first->second], number_[f]);
-  }
-
-  void check_seams()
-  {
     for (const auto& [f, g] : wishes_.seams)
       if (set_of(f) == set_of(g))
         fail("the edge between " + faces(f, g) + " must be a seam, but the two are joined by edges "
              "that must not be cut or by their seed, or are one face twice");
   }
 
-  void check_components(const std::vector<Index>& component)
+  void check_components(const Face_graph& mesh) const
   {
+    std::size_t number_of_components;
+    const std::vector<Index> component = connected_components(mesh, number_of_components);
     for (const auto& [f, seed] : wishes_.seeds) {
-      const Index first = first_of_seed_[seed];
+      const Index first = first_of_seed_.at(seed);
       if (component[number_[first]] != component[number_[f]])
         fail(faces(first, f) + " have the seed " + std::to_string(seed) +
              ", but are of components that are kept apart");
@@ -92,39 +92,37 @@ public:
   Wish_groups operator()(const Face_graph& mesh, bool components_apart)
   {
     join();
-    check_seams();
-    if (components_apart) {
-      std::size_t number_of_components;
-      check_components(connected_components(mesh, number_of_components));
-    }
+    if (components_apart)
+      check_components(mesh);
     Wish_groups result;
     result.group.assign(mesh.number_of_faces(), null_index);
-    std::vector<char> is_of_wish(mesh.number_of_faces(), 0);
-    for (const auto& pairs : {&wishes_.seams, &wishes_.uncuttable})
-      for (const auto& [f, g] : *pairs)
-        is_of_wish[number_[f]] = is_of_wish[number_[g]] = 1;
-    for (const auto& [f, seed] : wishes_.seeds)
-      is_of_wish[number_[f]] = 1;
     std::vector<Index> group_of_set(mesh.number_of_faces(), null_index);
-    for (Index f = 0; f < mesh.number_of_faces(); ++f) {
-      if (!is_of_wish[f])
-        continue;
-      Index& group = group_of_set[sets_.representative(f)];
-      if (group == null_index) {
-        group = static_cast<Index>(result.seed.size());
-        result.seed.push_back(null_index);
+    const auto add = [&](Index callers_face) {
+      Index& group = group_of_set[set_of(callers_face)];
+      if (group == null_index)
+        group = result.number++;
+      result.group[number_[callers_face]] = group;
+    };
+    for (const auto& [f, seed] : wishes_.seeds)
+      add(f);
+    result.number_of_seeds = result.number;
+    for (const auto& pairs : {&wishes_.seams, &wishes_.uncuttable})
+      for (const auto& [f, g] : *pairs) {
+        add(f);
+        add(g);
       }
-      result.group[f] = group;
-    }
-    Index next_seed = 0;
-    for (const auto& [value, f] : first_of_seed_)
-      result.seed[result.group[number_[f]]] = next_seed++;
     for (const auto& [f, g] : wishes_.seams)
       result.seams.push_back({number_[f], number_[g]});
+    result.is_seam.assign(mesh.number_of_halfedges(), 0);
+    for (const auto& [f, g] : result.seams)
+      for (Index i = 0; i < 3; ++i) {
+        result.is_seam[3 * f + i] |= mesh.neighbors[3 * f + i] == g;
+        result.is_seam[3 * g + i] |= mesh.neighbors[3 * g + i] == f;
+      }
     return result;
   }
 };
 
 } // namespace CGAL::Spectral_segmentation::internal
 
-#endif // CGAL_SPECTRAL_SEGMENTATION_INTERNAL_HIERARCHY_WISH_GROUPS_H
+#endif // CGAL_SPECTRAL_SEGMENTATION_INTERNAL_WISHES_WISH_GROUPS_H

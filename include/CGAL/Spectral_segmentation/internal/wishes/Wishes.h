@@ -1,8 +1,8 @@
 // Copyright (c) 2026  The Spectral_segmentation authors.
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#ifndef CGAL_SPECTRAL_SEGMENTATION_INTERNAL_WISHES_H
-#define CGAL_SPECTRAL_SEGMENTATION_INTERNAL_WISHES_H
+#ifndef CGAL_SPECTRAL_SEGMENTATION_INTERNAL_WISHES_WISHES_H
+#define CGAL_SPECTRAL_SEGMENTATION_INTERNAL_WISHES_WISHES_H
 
 #include <CGAL/Spectral_segmentation/internal/utility/Index.h>
 
@@ -28,4 +28,4 @@ struct Wishes
 
 } // namespace CGAL::Spectral_segmentation::internal
 
-#endif // CGAL_SPECTRAL_SEGMENTATION_INTERNAL_WISHES_H
+#endif // CGAL_SPECTRAL_SEGMENTATION_INTERNAL_WISHES_WISHES_H

@@ -1,0 +1,238 @@
+// Copyright (c) 2026  The Spectral_segmentation authors.
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_SPECTRAL_SEGMENTATION_INTERNAL_WISHES_WISHED_CUT_H
+#define CGAL_SPECTRAL_SEGMENTATION_INTERNAL_WISHES_WISHED_CUT_H
+
+#include <CGAL/Spectral_segmentation/internal/bipartition/min_cut_refinement.h>
+#include <CGAL/Spectral_segmentation/internal/mesh/connected_components.h>
+#include <CGAL/Spectral_segmentation/internal/mesh/surface_integrals.h>
+
+#include <Eigen/SparseCholesky>
+#include <Eigen/SparseCore>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <functional>
+#include <limits>
+#include <map>
+#include <utility>
+#include <vector>
+
+namespace CGAL::Spectral_segmentation::internal {
+
+// Cuts a region between two sets of faces, its terminals. Current flows from one set to the other,
+// and hardly passes where the surface is concave. So the lines of equal potential go on from a seam
+// that ends, around a limb, and run together along creases. Along the order of the potentials the
+// cut is taken that costs least for the area that it cuts off; near it a minimum cut is searched.
+//
+// The seams of the region are borders. Faces of one group stay together.
+class Wished_cut
+{
+  enum : char { OPEN = 2 };
+
+  const Face_graph& part_;
+  const std::vector<double>& border_; // length of each face along other regions
+  const double minimum_area_;
+  std::vector<Index> node_;           // of each face: a face of its group, or the face itself
+  std::vector<char> is_fixed_;        // of each face: whether the minimum cut leaves it where it is
+  Sides side_;                        // OPEN where it is not known yet
+
+  double conductance(Index h, double smallest_distance) const
+  {
+    const double convexity = 1 - part_.weights[h].concavity;
+    const double cost = constants::cost_of_concave_edge + convexity * convexity;
+    const double distance =
+      (std::max)(static_cast<double>(part_.weights[h].centroids), smallest_distance);
+    return cost * std::clamp(part_.length(h) / distance, 1e-3, 1e3);
+  }
+
+  // The connected pieces of the sides, or of the whole region, by one of their faces.
+  std::vector<Index> pieces(bool are_sides_apart) const
+  {
+    Face_components sets(side_.size());
+    for (Index f = 0; f < side_.size(); ++f)
+      sets.add(f);
+    for (Index f = 0; f < side_.size(); ++f)
+      sets.join(f, node_[f]);
+    for (Index h = 0; h < part_.number_of_halfedges(); ++h)
+      if (!are_sides_apart || side_[h / 3] == side_[part_.neighbors[h]])
+        sets.join(h / 3, part_.neighbors[h]);
+    std::vector<Index> result;
+    for (Index f = 0; f < side_.size(); ++f)
+      result.push_back(sets.representative(f));
+    return result;
+  }
+
+  // What current does not reach has the side of the terminals with which it is connected, or any.
+  void set_sides_without_current()
+  {
+    const std::vector<Index> piece = pieces(false);
+    std::vector<std::array<bool, 3> > has(side_.size(), {false, false, false});
+    for (Index f = 0; f < side_.size(); ++f)
+      has[piece[f]][int(side_[f])] = true;
+    for (Index f = 0; f < side_.size(); ++f)
+      if (side_[f] == OPEN && !(has[piece[f]][0] && has[piece[f]][1]))
+        side_[f] = has[piece[f]][0] ? 0 : 1;
+  }
+
+  // The potential of each face, from 0 at the second terminals to 1024 at the first.
+  std::vector<double> potentials() const
+  {
+    std::vector<int> row(side_.size(), -1);
+    int n = 0;
+    for (Index f = 0; f < side_.size(); ++f)
+      if (side_[f] == OPEN && node_[f] == f)
+        row[f] = n++;
+    const double smallest_distance =
+      (std::max)(1e-3 * std::sqrt(total_area(part_) / static_cast<double>(side_.size())), 1e-12);
+    std::vector<Eigen::Triplet<double> > entries;
+    Eigen::VectorXd values = Eigen::VectorXd::Zero(n); // the inflow, then the potentials
+    for (Index h = 0; h < part_.number_of_halfedges(); ++h) {
+      const Index from = node_[h / 3], to = node_[part_.neighbors[h]];
+      if (row[from] < 0 || from == to)
+        continue;
+      const double c = conductance(h, smallest_distance);
+      entries.emplace_back(row[from], row[from], c);
+      if (row[to] >= 0)
+        entries.emplace_back(row[from], row[to], -c);
+      else if (side_[to] == 0)
+        values[row[from]] += 1024 * c;
+    }
+    if (n > 0) {
+      Eigen::SparseMatrix<double> matrix(n, n);
+      matrix.setFromTriplets(entries.begin(), entries.end());
+      values = Eigen::SimplicialLDLT<Eigen::SparseMatrix<double> >(matrix).solve(values).eval();
+    }
+    std::vector<double> result;
+    for (Index f = 0; f < side_.size(); ++f)
+      result.push_back(side_[f] == OPEN ? quantized(values[row[node_[f]]])
+                                        : side_[f] == 0 ? 1024 : 0);
+    return result;
+  }
+
+  // The best cut along the order of the potentials. The side with less border pays for it too, or a
+  // corner beside another region would cost little. Sides that are too small come last.
+  void cut_along_order()
+  {
+    struct Step // what is added when the faces of a potential join the first side
+    {
+      double area = 0, border = 0, cost = 0;
+    };
+    const std::vector<double> potential = potentials();
+    std::map<double, Step, std::greater<double> > steps;
+    Step rest, sum;
+    for (Index f = 0; f < side_.size(); ++f) {
+      Step& step = steps[potential[f]];
+      step.area += part_.areas[f];
+      step.border += border_[f];
+      rest.area += part_.areas[f];
+      rest.border += border_[f];
+    }
+    for (Index h = 0; h < part_.number_of_halfedges(); ++h) {
+      const double first = potential[h / 3], second = potential[part_.neighbors[h]];
+      if (first > second) {
+        steps[first].cost += capacity(part_, h);
+        steps[second].cost -= capacity(part_, h);
+      }
+    }
+    const double last = steps.rbegin()->first;
+    std::pair<bool, double> best(true, std::numeric_limits<double>::infinity());
+    double smallest_potential = 0; // of the first side
+    for (const auto& [of_step, step] : steps) {
+      if (of_step == last)
+        break;
+      sum.area += step.area;
+      sum.border += step.border;
+      sum.cost += step.cost;
+      const double smaller = (std::min)(sum.area, rest.area - sum.area);
+      const double all = sum.cost + (std::min)(sum.border, rest.border - sum.border);
+      const std::pair<bool, double> value(
+        smaller < minimum_area_, smaller > 0 ? quantized(all / std::sqrt(smaller))
+                                             : (std::numeric_limits<double>::max)());
+      if (value < best) {
+        best = value;
+        smallest_potential = of_step;
+      }
+    }
+    for (Index f = 0; f < side_.size(); ++f)
+      side_[f] = potential[f] >= smallest_potential ? 0 : 1;
+  }
+
+  // The minimum cut near the cut, unless it falls into more pieces.
+  void refine()
+  {
+    double area[2] = {0, 0};
+    for (Index f = 0; f < side_.size(); ++f)
+      area[int(side_[f])] += part_.areas[f];
+    const double radius =
+      constants::neighborhood_radius * std::sqrt((std::min)(area[0], area[1]));
+    std::vector<Index> band;
+    for (const Face_at_distance& f :
+         faces_near_cut(part_, side_, halfedges_of_cut(part_, side_), radius))
+      if (!is_fixed_[f.face])
+        band.push_back(f.face);
+    const Sides refined = minimum_cut_within(part_, band, side_);
+    std::size_t number_of_pieces, number;
+    connected_components(part_, number_of_pieces, side_);
+    connected_components(part_, number, refined);
+    if (number <= number_of_pieces)
+      side_ = refined;
+  }
+
+  // Gives a face and its group a side, unless they have one.
+  void set_side(Index f, char side)
+  {
+    if (side_[f] == OPEN)
+      for (Index g = 0; g < side_.size(); ++g)
+        if (node_[g] == node_[f]) {
+          side_[g] = side;
+          is_fixed_[g] = 1;
+        }
+  }
+
+public:
+  // `group` is that of each face, or null_index; `border` has the length of each face along other
+  // regions. Smaller sides than `minimum_area` are avoided.
+  Wished_cut(const Face_graph& part, const std::vector<Index>& group,
+             const std::vector<double>& border, double minimum_area)
+    : part_(part), border_(border), minimum_area_(minimum_area),
+      is_fixed_(part.number_of_faces(), 0), side_(part.number_of_faces(), OPEN)
+  {
+    std::map<Index, Index> first_of_group;
+    for (Index f = 0; f < group.size(); ++f) {
+      const bool is_free = group[f] == null_index;
+      node_.push_back(is_free ? f : first_of_group.emplace(group[f], f).first->second);
+      if (node_[f] != f)
+        is_fixed_[f] = is_fixed_[node_[f]] = 1;
+    }
+  }
+
+  // Separates the first two faces, and, where it can, the others, of which current tells the sides.
+  // Returns the piece of each face into which the region falls, as one of its faces. If the part
+  // has no weights, there is no time: the first face is cut off.
+  std::vector<Index> operator()(const std::vector<Face_pair>& pairs)
+  {
+    set_side(pairs.front()[0], 0);
+    set_side(pairs.front()[1], 1);
+    set_sides_without_current();
+    if (part_.weights.empty())
+      std::replace(side_.begin(), side_.end(), char(OPEN), char(1));
+    else {
+      const std::vector<double> potential = potentials();
+      for (const auto& [f, g] : pairs) {
+        set_side(f, potential[f] > potential[g] ? 0 : 1);
+        set_side(g, potential[f] > potential[g] ? 1 : 0);
+      }
+      cut_along_order();
+      refine();
+    }
+    return pieces(true);
+  }
+};
+
+} // namespace CGAL::Spectral_segmentation::internal
+
+#endif // CGAL_SPECTRAL_SEGMENTATION_INTERNAL_WISHES_WISHED_CUT_H

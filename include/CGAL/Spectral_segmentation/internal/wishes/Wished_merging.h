@@ -1,0 +1,140 @@
+// Copyright (c) 2026  The Spectral_segmentation authors.
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_SPECTRAL_SEGMENTATION_INTERNAL_WISHES_WISHED_MERGING_H
+#define CGAL_SPECTRAL_SEGMENTATION_INTERNAL_WISHES_WISHED_MERGING_H
+
+#include <CGAL/Spectral_segmentation/internal/hierarchy/Cut_hierarchy.h>
+#include <CGAL/Spectral_segmentation/internal/wishes/Region_graph.h>
+
+#include <algorithm>
+#include <cstddef>
+#include <set>
+#include <utility>
+#include <vector>
+
+namespace CGAL::Spectral_segmentation::internal {
+
+// Merges the regions that fulfill wishes, as the cuts of the old hierarchy are undone, the least
+// salient first. Where an old cut has a region on one side that can be merged with one on the
+// other, they are merged with the salience of the cut. What no wish concerns is merged as before.
+// Regions that a wish keeps apart stay so: what is left are the roots.
+class Wished_merging
+{
+  struct Merge
+  {
+    Index smaller, larger; // the smaller of the two numbers is that of the result
+    double areas[2];
+    std::size_t old_node;
+  };
+
+  const Cut_hierarchy& old_;
+  Region_graph& regions_;
+  const std::vector<Index>& region_of_face_;
+  std::vector<std::set<Index> > below_; // of each node of the old hierarchy: its regions
+  std::vector<Index> leaf_region_;      // of each region: that with which it makes a leaf
+  std::vector<Merge> merges_;
+
+  void merge(Index a, Index b, std::size_t old_node)
+  {
+    if (quantized(regions_.area(b)) < quantized(regions_.area(a)))
+      std::swap(a, b);
+    const auto areas = std::minmax({regions_.area(a), regions_.area(b)});
+    merges_.push_back({a, b, {areas.first, areas.second}, old_node});
+    regions_.merge(a, b);
+  }
+
+  // The two sides of a cut are merged if they are regions, else the regions that touch.
+  void merge_below(std::size_t node)
+  {
+    std::set<Index>& all = below_[node];
+    if (!old_.nodes[node].is_leaf()) {
+      const std::size_t (&children)[2] = old_.nodes[node].children;
+      const std::set<Index> first = regions_.representatives(below_[children[0]]);
+      const std::set<Index> second = regions_.representatives(below_[children[1]]);
+      if (first.size() == 1 && second.size() == 1 && *first.begin() != *second.begin() &&
+          !regions_.are_apart(*first.begin(), *second.begin()))
+        merge(*first.begin(), *second.begin(), node);
+      all = first;
+      all.insert(second.begin(), second.end());
+    }
+    all = regions_.representatives(all);
+    for (Face_pair pair = regions_.longest_boundary(all); pair[0] != null_index;
+         pair = regions_.longest_boundary(all)) {
+      merge(pair[0], pair[1], node);
+      all = regions_.representatives(all);
+    }
+  }
+
+  // What a wish cut off from a leaf and what is left of it are merged for good where they can be.
+  void merge_in_leaves()
+  {
+    for (std::size_t i = 0; i < old_.nodes.size(); ++i)
+      if (old_.nodes[i].is_leaf())
+        merge_below(i);
+    merges_.clear();
+    for (Index r = 0; r < regions_.number(); ++r)
+      leaf_region_.push_back(regions_.representative(r));
+  }
+
+  // The roots in the order of their first faces, and cuts that undo the merges.
+  Cut_hierarchy hierarchy() const
+  {
+    Cut_hierarchy result;
+    result.is_ultrametric = old_.is_ultrametric;
+    result.is_complete = old_.is_complete;
+    std::vector<std::size_t> node(regions_.number(), null_node);
+    for (Index r : region_of_face_) {
+      const Index root = regions_.representative(r);
+      if (node[root] == null_node) {
+        node[root] = result.nodes.size();
+        result.nodes.emplace_back();
+        result.nodes.back().area = regions_.area(root);
+      }
+    }
+    result.number_of_roots = result.nodes.size();
+    for (auto m = merges_.rbegin(); m != merges_.rend(); ++m) {
+      const std::size_t parent = node[(std::min)(m->smaller, m->larger)];
+      const Cut_node& old = old_.nodes[m->old_node];
+      result.nodes[parent].cut_state = Cut_state::ACCEPTED;
+      result.nodes[parent].salience = old.salience;
+      result.nodes[parent].factors = old.factors;
+      result.turns.push_back(parent);
+      result.cut(parent, m->areas[0], m->areas[1]);
+      node[m->smaller] = result.nodes[parent].children[0];
+      node[m->larger] = result.nodes[parent].children[1];
+    }
+    for (Index f = 0; f < region_of_face_.size(); ++f) {
+      const std::size_t leaf = node[leaf_region_[region_of_face_[f]]];
+      result.leaf.push_back(static_cast<Index>(leaf));
+      result.nodes[leaf].cut_state = old_.nodes[old_.leaf[f]].cut_state;
+    }
+    return result;
+  }
+
+public:
+  // `leaves` has for each region the leaves of the old hierarchy of which it was made. The regions
+  // are merged.
+  Wished_merging(const Cut_hierarchy& old, Region_graph& regions,
+                 const std::vector<Index>& region_of_face,
+                 const std::vector<std::set<std::size_t> >& leaves)
+    : old_(old), regions_(regions), region_of_face_(region_of_face), below_(old.nodes.size())
+  {
+    for (Index r = 0; r < leaves.size(); ++r)
+      for (std::size_t leaf : leaves[r])
+        below_[leaf].insert(r);
+  }
+
+  Cut_hierarchy operator()()
+  {
+    merge_in_leaves();
+    for (std::size_t i = old_.turns.size(); i-- > 0;)
+      if (!old_.nodes[old_.turns[i]].is_leaf())
+        merge_below(old_.turns[i]);
+    return hierarchy();
+  }
+};
+
+} // namespace CGAL::Spectral_segmentation::internal
+
+#endif // CGAL_SPECTRAL_SEGMENTATION_INTERNAL_WISHES_WISHED_MERGING_H
