@@ -89,7 +89,6 @@ public:
   std::size_t number() const { return regions_.size(); }
   double area(Index a) const { return regions_[a].area; }
   Index seed(Index a) const { return regions_[a].seed; }
-  const std::map<Index, Contact>& contacts(Index a) const { return regions_[a].contacts; }
 
   Index representative(Index a) const
   {

@@ -34,10 +34,10 @@ class Wished_cut
   enum : char { OPEN = 2 };
 
   const Face_graph& part_;
+  const std::vector<Index>& group_;   // of each face; null_index: it is free
   const std::vector<double>& border_; // length of each face along other regions
   const double minimum_area_;
   std::vector<Index> node_;           // of each face: a face of its group, or the face itself
-  std::vector<char> is_fixed_;        // of each face: whether the minimum cut leaves it where it is
   Sides side_;                        // OPEN where it is not known yet
 
   double conductance(Index h, double smallest_distance) const
@@ -172,7 +172,7 @@ class Wished_cut
     std::vector<Index> band;
     for (const Face_at_distance& f :
          faces_near_cut(part_, side_, halfedges_of_cut(part_, side_), radius))
-      if (!is_fixed_[f.face])
+      if (group_[f.face] == null_index)
         band.push_back(f.face);
     const Sides refined = minimum_cut_within(part_, band, side_);
     std::size_t number_of_pieces, number;
@@ -182,15 +182,13 @@ class Wished_cut
       side_ = refined;
   }
 
-  // Gives a face and its group a side, unless they have one.
+  // Gives a face of a group and all of its group a side, unless they have one.
   void set_side(Index f, char side)
   {
     if (side_[f] == OPEN)
       for (Index g = 0; g < side_.size(); ++g)
-        if (node_[g] == node_[f]) {
+        if (node_[g] == node_[f])
           side_[g] = side;
-          is_fixed_[g] = 1;
-        }
   }
 
 public:
@@ -198,21 +196,17 @@ public:
   // regions. Smaller sides than `minimum_area` are avoided.
   Wished_cut(const Face_graph& part, const std::vector<Index>& group,
              const std::vector<double>& border, double minimum_area)
-    : part_(part), border_(border), minimum_area_(minimum_area),
-      is_fixed_(part.number_of_faces(), 0), side_(part.number_of_faces(), OPEN)
+    : part_(part), group_(group), border_(border), minimum_area_(minimum_area),
+      side_(part.number_of_faces(), OPEN)
   {
-    std::map<Index, Index> first_of_group;
-    for (Index f = 0; f < group.size(); ++f) {
-      const bool is_free = group[f] == null_index;
-      node_.push_back(is_free ? f : first_of_group.emplace(group[f], f).first->second);
-      if (node_[f] != f)
-        is_fixed_[f] = is_fixed_[node_[f]] = 1;
-    }
+    std::map<Index, Index> first; // face of each group
+    for (Index f = 0; f < group.size(); ++f)
+      node_.push_back(group[f] == null_index ? f : first.emplace(group[f], f).first->second);
   }
 
-  // Separates the first two faces, and, where it can, the others, of which current tells the sides.
-  // Returns the piece of each face into which the region falls, as one of its faces. If the part
-  // has no weights, there is no time: the first face is cut off.
+  // Separates the first two faces, of different groups, and where it can the others, of which
+  // current tells the sides. Returns the pieces into which the region falls: of each face one of
+  // the faces of its piece. If the part has no weights, the first group is cut off.
   std::vector<Index> operator()(const std::vector<Face_pair>& pairs)
   {
     set_side(pairs.front()[0], 0);

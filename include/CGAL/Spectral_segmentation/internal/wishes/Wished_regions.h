@@ -70,19 +70,23 @@ class Wished_regions
     const std::vector<Index> piece = connected_components(mesh_, number, region_);
     const Region_graph pieces(mesh_, piece, number, groups_);
     std::vector<Index> largest(number_of_old, null_index), region_of_piece(number);
+    std::vector<char> is_loose(number, 0);
     for (Index f = 0; f < piece.size(); ++f) {
       region_of_piece[piece[f]] = region_[f];
+      if (region_[f] != old_region[f])
+        continue;
       Index& kept = largest[old_piece[f]];
-      if (region_[f] == old_region[f] &&
-          (kept == null_index || pieces.area(piece[f]) > pieces.area(kept)))
+      if (kept == null_index || pieces.area(piece[f]) > pieces.area(kept))
         kept = piece[f];
+      is_loose[piece[f]] = 1;
     }
+    for (Index kept : largest)
+      if (kept != null_index)
+        is_loose[kept] = 0;
     for (Index f = 0; f < piece.size(); ++f)
-      if (region_[f] == old_region[f] && piece[f] != largest[old_piece[f]]) {
-        const Index neighbor = pieces.longest_neighbor(piece[f]).first;
-        if (neighbor != null_index)
-          region_[f] = region_of_piece[neighbor];
-      }
+      if (is_loose[piece[f]])
+        if (const Index to = pieces.longest_neighbor(piece[f]).first; to != null_index)
+          region_[f] = region_of_piece[to];
   }
 
   // Takes paths into the group of a seed so that it is connected, unless other groups, seams or
