@@ -13,6 +13,7 @@
 
 #include <array>
 #include <cstddef>
+#include <functional>
 #include <limits>
 #include <map>
 #include <set>
@@ -321,6 +322,26 @@ BOOST_AUTO_TEST_CASE(number_of_groups_is_the_largest)
   BOOST_TEST(number_of(labels_of(m.mesh, m.parameters().number_of_segments(number_of_faces - 1))) ==
              number_of_faces - 1);
   m.check_is_refused(m.parameters().number_of_segments(number_of_faces), "at most");
+}
+
+BOOST_AUTO_TEST_CASE(a_stopped_run_fulfills_wishes)
+{
+  struct Stopper : CGAL::Spectral_segmentation::Segmentation_visitor
+  {
+    int left;
+
+    bool go_further() { return left-- > 0; }
+  };
+  Wished_mesh m(read("hand.off"));
+  m.is_seam[Edge(1000)] = m.is_seam[Edge(1001)] = m.is_uncuttable[Edge(3000)] = true;
+  for (std::size_t f : {10, 500, 2000})
+    m.seed[Face(f)] = f == 10 ? 1 : 2;
+  for (int number_of_answers : {0, 100}) {
+    Stopper stopper;
+    stopper.left = number_of_answers;
+    m.check(labels_of(m.mesh, m.parameters().visitor(std::ref(stopper))));
+    BOOST_TEST(stopper.left == -1);
+  }
 }
 
 BOOST_AUTO_TEST_CASE(contradictions)

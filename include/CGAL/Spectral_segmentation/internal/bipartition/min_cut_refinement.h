@@ -179,14 +179,17 @@ inline Sides minimum_cut_within(const Face_graph& part, const std::vector<Index>
   return result;
 }
 
-// The cheapest cut in the neighborhood of a cut. Its sides need not be connected.
-inline Sides minimum_cut_around(const Face_graph& part, const Sides& side, double area_of_q)
+// The cheapest cut in the neighborhood of a cut. Its sides need not be connected. Fixed faces stay
+// where they are.
+inline Sides minimum_cut_around(const Face_graph& part, const Sides& side, double area_of_q,
+                                const std::vector<char>& is_fixed = {})
 {
   std::vector<Index> band; // a side that lies wholly in it keeps the face farthest from the cut
   const double radius = constants::neighborhood_radius * std::sqrt(area_of_q);
   for (const Face_at_distance& f :
        faces_near_cut(part, side, halfedges_of_cut(part, side), radius))
-    band.push_back(f.face);
+    if (is_fixed.empty() || !is_fixed[f.face])
+      band.push_back(f.face);
   return minimum_cut_within(part, band, side);
 }
 

@@ -113,6 +113,24 @@ class Wished_cut
     return result;
   }
 
+  // Gives a face of a group and all of its group a side, unless they have one.
+  void set_side(Index f, char side)
+  {
+    if (side_[f] == OPEN)
+      for (Index g = 0; g < side_.size(); ++g)
+        if (node_[g] == node_[f])
+          side_[g] = side;
+  }
+
+  void set_sides_by_current(const std::vector<Face_pair>& pairs)
+  {
+    const std::vector<double> potential = potentials();
+    for (const auto& [f, g] : pairs) {
+      set_side(f, potential[f] > potential[g] ? 0 : 1);
+      set_side(g, potential[f] > potential[g] ? 1 : 0);
+    }
+  }
+
   // The best cut along the order of the potentials. The side with less border pays for it too, or a
   // corner beside another region would cost little. Sides that are too small come last.
   void cut_along_order()
@@ -165,30 +183,18 @@ class Wished_cut
   void refine()
   {
     double area[2] = {0, 0};
-    for (Index f = 0; f < side_.size(); ++f)
+    std::vector<char> is_fixed;
+    for (Index f = 0; f < side_.size(); ++f) {
       area[int(side_[f])] += part_.areas[f];
-    const double radius =
-      constants::neighborhood_radius * std::sqrt((std::min)(area[0], area[1]));
-    std::vector<Index> band;
-    for (const Face_at_distance& f :
-         faces_near_cut(part_, side_, halfedges_of_cut(part_, side_), radius))
-      if (group_[f.face] == null_index)
-        band.push_back(f.face);
-    const Sides refined = minimum_cut_within(part_, band, side_);
+      is_fixed.push_back(group_[f] != null_index);
+    }
+    const Sides refined =
+      minimum_cut_around(part_, side_, (std::min)(area[0], area[1]), is_fixed);
     std::size_t number_of_pieces, number;
     connected_components(part_, number_of_pieces, side_);
     connected_components(part_, number, refined);
     if (number <= number_of_pieces)
       side_ = refined;
-  }
-
-  // Gives a face of a group and all of its group a side, unless they have one.
-  void set_side(Index f, char side)
-  {
-    if (side_[f] == OPEN)
-      for (Index g = 0; g < side_.size(); ++g)
-        if (node_[g] == node_[f])
-          side_[g] = side;
   }
 
 public:
@@ -215,11 +221,8 @@ public:
     if (part_.weights.empty())
       std::replace(side_.begin(), side_.end(), char(OPEN), char(1));
     else {
-      const std::vector<double> potential = potentials();
-      for (const auto& [f, g] : pairs) {
-        set_side(f, potential[f] > potential[g] ? 0 : 1);
-        set_side(g, potential[f] > potential[g] ? 1 : 0);
-      }
+      if (pairs.size() > 1)
+        set_sides_by_current(pairs);
       cut_along_order();
       refine();
     }
