@@ -138,8 +138,7 @@ public:
     return result;
   }
 
-  // Returns the number of what they become.
-  Index merge(Index a, Index b)
+  void merge(Index a, Index b)
   {
     const auto [into, from] = std::minmax(a, b);
     const Region other = std::exchange(regions_[from], Region());
@@ -151,7 +150,6 @@ public:
       if (c != into)
         add_contact(into, c, contact);
     }
-    return into;
   }
 };
 

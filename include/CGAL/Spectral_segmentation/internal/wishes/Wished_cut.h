@@ -7,6 +7,7 @@
 #include <CGAL/Spectral_segmentation/internal/bipartition/min_cut_refinement.h>
 #include <CGAL/Spectral_segmentation/internal/mesh/connected_components.h>
 #include <CGAL/Spectral_segmentation/internal/mesh/surface_integrals.h>
+#include <CGAL/Spectral_segmentation/internal/wishes/Wishes.h>
 
 #include <Eigen/SparseCholesky>
 #include <Eigen/SparseCore>

@@ -277,8 +277,7 @@ public:
                  Wish_groups& groups)
     : execution_(execution), mesh_(mesh), weights_(weights),
       minimum_area_(minimum_segment_size * total_area(mesh)), monitor_(monitor), groups_(groups),
-      extractor_(mesh), region_(cuts.leaf),
-      is_split_(cuts.nodes.size(), 0)
+      extractor_(mesh), region_(cuts.leaf), is_split_(cuts.nodes.size(), 0)
   {
     for (std::size_t i = 0; i < cuts.nodes.size(); ++i)
       leaves_.push_back({i});
