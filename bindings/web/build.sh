@@ -19,14 +19,16 @@ done
 
 version=$(sed -n 's/.*_VERSION "\(.*\)"/\1/p' "$root/include/CGAL/Spectral_segmentation/version.h")
 # The compiler must not fuse multiplications and additions: labels are those of other machines.
-flags=(-std=c++17 -O2 -DNDEBUG -fexceptions -ffp-contract=off -Wall -Wextra
+flags=(-std=c++17 -DNDEBUG -fexceptions -ffp-contract=off -msimd128 -Wall -Wextra
+  -DCGAL_SPECTRAL_SEGMENTATION_COMPILED
   -DCGAL_DISABLE_GMP -DCGAL_NO_GMP -DCGAL_DISABLE_ROUNDING_MATH_CHECK
   "-I$root/include" "-I$root/examples" -isystem "$build/include")
 export NODE_PATH=/usr/share/nodejs # where Debian has acorn, which the linker needs
 mkdir -p "$build/package"
-[[ -n ${LINK_ONLY:-} ]] || em++ "${flags[@]}" -c "$here/src/segmentation.cpp" -o "$build/segmentation.o"
-em++ "${flags[@]}" "$build/segmentation.o" -o "$build/package/module.js" --bind \
-  -sMODULARIZE -sEXPORT_ES6 -sENVIRONMENT=web,worker -sALLOW_MEMORY_GROWTH \
+em++ "${flags[@]}" -O3 -c "$here/src/engine.cpp" -o "$build/engine.o"
+em++ "${flags[@]}" -O2 -c "$here/src/segmentation.cpp" -o "$build/segmentation.o"
+em++ "${flags[@]}" -O3 "$build/engine.o" "$build/segmentation.o" -o "$build/package/module.js" \
+  --bind -sMODULARIZE -sEXPORT_ES6 -sENVIRONMENT=web,worker -sALLOW_MEMORY_GROWTH \
   -sMAXIMUM_MEMORY=4GB -sINITIAL_MEMORY=32MB -sTOTAL_STACK=4MB -sFILESYSTEM=0 --minify 0 -g1
 
 sed "s/@version@/$version/" "$here/package.json.in" > "$build/package/package.json"
