@@ -5,8 +5,8 @@
 # check_all.sh [--cgal DIR] [--build DIR]
 # All programs and tests under g++ and clang++, each in Release with warnings as errors and in Debug
 # with sanitizers, each header alone, the readers under a fuzzer, the number of instructions of a
-# run, the labels on other machines, the add-on in Blender, the web page, and many meshes, also on a
-# cluster of Slurm. With --cgal, Release once more against the CGAL whose CGALConfig.cmake is in DIR.
+# run, the labels on other machines, the add-on in Blender, the installed Python package, the web page,
+# and many meshes, also on a cluster of Slurm. With --cgal, Release once more against the CGAL whose CGALConfig.cmake is in DIR.
 # Takes long; builds in build-check/ or the --build folder. Needs to be root, clang, and the packages
 # of `setup.sh build test python python_examples performance machines cluster blender web`.
 
@@ -71,6 +71,15 @@ PYTHONPATH="$build/g++-release/bindings/python" \
   blender -b -noaudio --factory-startup --python-exit-code 1 \
   -P bindings/blender/test/segment_parts_in_blender.py -- \
   "$build/g++-release/examples/segment_mesh" "$build/g++-release/data/meshes" || failed+=(blender)
+
+echo "=== Python, installed"
+scripts/check_python.sh "$build/g++-release/examples/segment_mesh" \
+  "$build/g++-release/data/meshes" || failed+=(python)
+
+echo "=== web"
+bindings/web/build.sh "$build/web" &&
+  ALL_MESHES=1 bindings/web/test.sh "$build/g++-release/examples/segment_mesh" \
+    "$build/g++-release/data/meshes" "$build/web" || failed+=(web)
 
 echo "=== other machines"
 scripts/check_machines.sh --build "$build/machines" || failed+=(machines)
