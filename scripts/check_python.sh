@@ -3,8 +3,9 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 #
 # check_python.sh SEGMENT_MESH MESHES
-# Whether the Python package is installed by README's lines, without a network, and from an sdist, and
-# passes its tests then. Needs the packages of `setup.sh build python`.
+# Whether the Python package is installed by README's lines, without a network, and passes its tests
+# then; and whether it is installed from its sdist and its wheel. Needs the packages of
+# `setup.sh build python`.
 
 set -euo pipefail
 

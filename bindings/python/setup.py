@@ -2,7 +2,8 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Builds the package from the headers of the repository, or from their copies in an sdist.
 
-CPPFLAGS may name the folders of CGAL, Boost, Eigen, nlohmann-json and TBB, as in -I/opt/cgal/include.
+CPPFLAGS may name the folders of CGAL, Boost, Eigen, nlohmann-json and TBB, such as
+-I/opt/cgal/include.
 """
 
 import os

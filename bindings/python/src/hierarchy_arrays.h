@@ -72,7 +72,8 @@ table_of_nodes(const CGAL::Spectral_segmentation::Segmentation_hierarchy& h)
   add("number_of_faces",
       array_of_nodes<py::ssize_t>(h, [&](std::size_t i) { return h.number_of_faces(i); }));
   add("area", array_of_nodes<double>(h, [&](std::size_t i) { return node(i).area; }));
-  add("cut_state", array_of_nodes<signed char>(h, [&](std::size_t i) { return node(i).cut_state; }));
+  add("cut_state",
+      array_of_nodes<signed char>(h, [&](std::size_t i) { return node(i).cut_state; }));
   add("salience", saliences_of_nodes(h));
   for (const auto& [name, column] : factors_of_nodes(h))
     add(name.cast<std::string>().c_str(), column.cast<py::array>());

@@ -1,7 +1,7 @@
 # Copyright (c) 2026  The Spectral_segmentation authors.
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""What the tests share. MESHES is the folder of libcgal-demo's meshes and SEGMENT_MESH the tool; the
-tests that need them are skipped without."""
+"""What the tests share. MESHES is the folder of libcgal-demo's meshes and SEGMENT_MESH the tool;
+the tests that need them are skipped without."""
 
 import os
 import pathlib
@@ -49,7 +49,7 @@ def dumbbell():
 
 
 def bumpy_dumbbell_of(seed):
-    """A small one without symmetries, on a grid, so that sums with not too large numbers are exact."""
+    """A small one without symmetries, on a grid, so that sums with small numbers are exact."""
     points, triangles = dumbbell_of(21, 10)
     points = points + np.random.default_rng(seed).uniform(-0.03, 0.03, points.shape)
     return np.round(points * 2.**20) / 2.**20, triangles

@@ -67,7 +67,7 @@ def test_triangles(triangles, error, words):
     ({"number_of_segments": 0}, ValueError, "number_of_segments must be at least 1"),
     ({"number_of_segments": -3}, ValueError, "number_of_segments must be at least 1"),
     ({"number_of_segments": -2**80}, ValueError, "number_of_segments must be at least 1"),
-    ({"number_of_segments": 5}, ValueError, "number_of_segments is 5, but the mesh can have 1 to 4"),
+    ({"number_of_segments": 5}, ValueError, "number_of_segments is 5, but .* can have 1 to 4"),
     ({"number_of_segments": 2**63}, OverflowError, "number_of_segments is too large"),
     ({"number_of_segments": 2.}, TypeError, "number_of_segments must be an integer, not float"),
     ({"number_of_segments": "2"}, TypeError, "number_of_segments must be an integer, not str"),

@@ -92,7 +92,8 @@ def test_merge_and_cut_again(elephant, hierarchy):
 
     whole = segment_hierarchy(elephant, number_of_segments=1)
     edited = pickle.loads(pickle.dumps(hierarchy))
-    leaf = int(np.flatnonzero((edited.children[:, 0] < 0) & (edited.nodes["number_of_faces"] > 50))[0])
+    is_large_leaf = (edited.children[:, 0] < 0) & (edited.nodes["number_of_faces"] > 50)
+    leaf = int(np.flatnonzero(is_large_leaf)[0])
     part = segment_hierarchy(elephant.points, elephant.triangles[edited.faces(leaf)],
                              number_of_segments=2)
     number = edited.number_of_segments
