@@ -17,7 +17,8 @@ for name in CGAL boost eigen3/Eigen nlohmann fast_float fmt; do
   ln -sfn "/usr/include/$name" "$build/include/$(basename "$name")"
 done
 
-version=$(sed -n 's/.*_VERSION "\(.*\)"/\1/p' "$root/include/CGAL/Spectral_segmentation/version.h")
+version=$(sed -n 's/.*_VERSION "\(.*\)"/\1/p' \
+  "$root/include/CGAL/Spectral_segmentation/version.h")
 # The compiler must not fuse multiplications and additions: labels are those of other machines.
 flags=(-std=c++17 -DNDEBUG -fexceptions -ffp-contract=off -msimd128 -Wall -Wextra
   -DCGAL_SPECTRAL_SEGMENTATION_COMPILED
@@ -41,7 +42,8 @@ mkdir -p "$build/try/samples"
 cp "$here"/page/* "$build"/package/{index,worker,worker_client,module,decode,hierarchy}.js \
   "$build/package/module.wasm" "$root"/examples/segment_mesh/page/{viewer,colors,scene}.js \
   "$root/examples/segment_mesh/page/viewer.css" /usr/share/javascript/three/three.min.js \
-  /usr/share/javascript/three/examples/js/{controls/OrbitControls,loaders/GLTFLoader}.js "$build/try"
+  /usr/share/javascript/three/examples/js/{controls/OrbitControls,loaders/GLTFLoader}.js \
+  "$build/try"
 samples=(elephant.off hand.off camel.off)
 tar -xzf /usr/share/doc/libcgal-dev/data.tar.gz -C "$build/try/samples" --strip-components 2 \
   "${samples[@]/#/data/meshes/}"

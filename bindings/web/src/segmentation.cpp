@@ -46,15 +46,14 @@ using segment_mesh::Input;
 template <class Number>
 val typed_array(const std::vector<Number>& numbers)
 {
-  static_assert(sizeof(Number) <= 4 || sizeof(Number) == 8);
   return val(emscripten::typed_memory_view(numbers.size(), numbers.data())).call<val>("slice");
 }
 
 template <class Number, class Triple>
 val typed_array_of_triples(const std::vector<Triple>& triples)
 {
-  return val(emscripten::typed_memory_view(
-    3 * triples.size(), reinterpret_cast<const Number*>(triples.data()))).template call<val>("slice");
+  const auto* const numbers = reinterpret_cast<const Number*>(triples.data());
+  return val(emscripten::typed_memory_view(3 * triples.size(), numbers)).call<val>("slice");
 }
 
 // The triples of a typed array of another number type or the same.

@@ -90,7 +90,6 @@ test("a run gives the labels of all numbers, also as its page does", () => {
     assert.equal(new Set(run.labels(n)).size, n);
   assert.equal(text(run.labels(5)),
                labelsOfTool(path.join(MESHES, "elephant.off"), "--segments", "5"));
-  assert.equal(run.toJSON().nodes?.length > 0 || Object.keys(run.toJSON()).length > 0, true);
   run.free();
 });
 
@@ -129,10 +128,12 @@ test("what is wrong is named", () => {
     [() => segmentation.segment(segmentation.mesh(new Float64Array(3), new Uint32Array([0, 0, 7]))),
      Error, /triangle 0 has a corner that is no index of a point/],
     [() => segmentation.segment(segmentation.mesh(new Float64Array([NaN, 0, 0]),
-                                                  new Int32Array([0, 0, -1]))), Error, /triangle 0/],
+                                                  new Int32Array([0, 0, -1]))),
+     Error, /triangle 0/],
     [() => segmentation.segment({}), TypeError, /mesh must be what read/],
     [() => segmentation.segment(mesh, { segments: 3 }), TypeError, /there is no option segments/],
-    [() => segmentation.segment(mesh, { method: "zhang" }), TypeError, /method must be 'calibrated'/],
+    [() => segmentation.segment(mesh, { method: "zhang" }), TypeError,
+     /method must be 'calibrated'/],
     [() => segmentation.segment(mesh, { numberOfSegments: 2.5 }), TypeError, /must be an integer/],
     [() => segmentation.segment(mesh, { numberOfSegments: 0 }), Error, /at least 1/],
     [() => segmentation.segment(mesh, { numberOfSegments: 5 }), Error, /can have 1 to 4/],
@@ -221,10 +222,11 @@ test("a worker does the same, and ends at once", async () => {
 
 test("the package runs in an empty folder as its README says", t => {
   const folder = scratch(t);
-  const archive = readdirSync(path.dirname(path.resolve(PACKAGE))).find(name => /\.tgz$/.test(name));
+  const build = path.dirname(path.resolve(PACKAGE));
+  const archive = readdirSync(build).find(name => /\.tgz$/.test(name));
   writeFileSync(path.join(folder, "package.json"), '{ "type": "module" }');
   execFileSync("npm", ["install", "--offline", "--no-audit", "--silent",
-                       path.join(path.dirname(path.resolve(PACKAGE)), archive)], { cwd: folder });
+                       path.join(build, archive)], { cwd: folder });
   const blocks = [...readFileSync(path.join(PACKAGE, "README.md"), "utf8")
     .matchAll(/```js\n([^]*?)```/g)].map(match => match[1]);
   assert.equal(blocks.length, 2);
