@@ -697,8 +697,8 @@ class Formats(Tool_test):
         done = self.run_tool("in.off", "--out-dir", "out", "--outputs", "ply,glb")
         self.assertEqual(done.returncode, 0)
         self.assertEqual(sorted(p.name for p in (self.directory / "out").iterdir()),
-                         ["in.off.glb", "in.off.json", "in.off.ply", "parameters.json",
-                          "table.jsonl"])
+                         [".lock", "in.off.glb", "in.off.json", "in.off.ply",
+                          "parameters.json", "table.jsonl"])
 
     def test_caps_have_no_face_of_the_input(self):
         done = self.run_tool("in.off", "--close", "--split-dir", "parts", "-o", "plain.ply")
