@@ -281,9 +281,11 @@ export class Scene {
   }
 
   dispose() {
+    cancelAnimationFrame(this.isWaiting);
     this.observer.disconnect();
     this.controls.dispose();
     this.renderer.dispose();
+    this.renderer.forceContextLoss(); // a browser has few contexts, and frees them late
     this.canvas.remove();
   }
 }

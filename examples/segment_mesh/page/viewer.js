@@ -66,7 +66,7 @@ const markup = `
   </details>
 </form>`;
 
-function save(blob, name) {
+export function save(blob, name) {
   const link = document.createElement("a");
   link.href = URL.createObjectURL(blob);
   link.download = name;
