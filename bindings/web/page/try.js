@@ -2,21 +2,16 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 import { SegmentationWorker } from "./worker_client.js";
-import { Viewer } from "./viewer.js";
-import { glbAsPly } from "./glb_as_ply.js";
+import { Viewer, save } from "./viewer.js";
+import { gltfAsPly } from "./gltf_as_ply.js";
 import { samples } from "./samples.js";
 
 const ui = Object.fromEntries([...document.querySelectorAll("[id]")].map(part => [part.id, part]));
-let shown;   // { worker, viewer, name, bytes } of the mesh in the viewer
-let running; // the worker of the run that goes on
 
-function save(bytes, name) {
-  const link = document.createElement("a");
-  link.href = URL.createObjectURL(new Blob([bytes]));
-  link.download = name;
-  link.click();
-  setTimeout(() => URL.revokeObjectURL(link.href), 60000);
-}
+// A job is the cutting of one mesh: { name, method, read, worker }, where read() returns the bytes.
+// The worker goes on to have the segmentation, for files to save.
+let running, shown;
+let viewer;
 
 function fail(sentence) {
   ui.error.textContent = sentence;
@@ -32,59 +27,92 @@ function tell(stage, share = undefined) {
     ui.share.value = share;
 }
 
-function cancel() {
-  running?.close();
+// Nothing runs any more.
+function stop() {
   running = undefined;
   ui.progress.hidden = true;
 }
 
-// The mesh that is shown stays until the next one is cut.
-function show(next, model) {
-  shown?.viewer.dispose();
-  shown?.worker.close();
-  document.body.classList.remove("empty");
-  shown = { ...next, viewer: new Viewer(ui.viewer, model) };
-  ui.saves.hidden = false;
-  globalThis.viewer = shown.viewer; // for tests and the curious
-}
-
-async function segment(name, read) {
-  cancel();
-  ui.error.hidden = true;
-  const worker = running = new SegmentationWorker();
-  tell(`Reading ${name}`);
-  try {
-    const bytes = await read();
-    const file = /\.(glb|gltf)$/i.test(name)
-      ? { name: `${name}.ply`, bytes: await glbAsPly(bytes) } : { name, bytes };
-    const { model } = await worker.segment(
-      file, { method: ui.method.value },
-      share => running === worker && tell(`Cutting ${name}`, share));
-    if (running !== worker)
-      return;
-    running = undefined; // it stays open, for files to save
-    ui.progress.hidden = true;
-    show({ worker, name, read: async () => bytes }, { ...model, name });
-  }
-  catch (error) {
-    if (running !== worker) // cancelled
-      return;
-    cancel();
-    fail(`${name} cannot be cut: ${error.message || error}`);
-  }
+function cancel() {
+  running?.worker.close();
+  stop();
+  ui.method.value = shown?.method ?? ui.method.value;
 }
 
 async function saveMesh(extension) {
-  const { worker, viewer } = shown;
   try {
-    save(await worker.write(`mesh${extension}`, viewer.number), viewer.fileName(extension));
+    const bytes = await shown.worker.write(`mesh${extension}`, viewer.number);
+    save(new Blob([bytes]), viewer.fileName(extension));
   }
   catch (error) {
     fail(`The mesh cannot be saved: ${error.message}`);
   }
 }
 
+function addSaveButton(text, extension) {
+  const button = document.createElement("button");
+  button.type = "button";
+  button.textContent = text;
+  button.dataset.id = `save${extension.slice(1)}`;
+  button.addEventListener("click", () => saveMesh(extension));
+  viewer.ui.savePicture.before(button);
+}
+
+function show(job, model) {
+  viewer?.dispose();
+  shown?.worker.close();
+  viewer = undefined;
+  document.body.classList.remove("empty");
+  shown = job;
+  globalThis.viewer = viewer = new Viewer(ui.viewer, model); // global for tests and the curious
+  addSaveButton("Save PLY", ".ply");
+  addSaveButton("Save GLB", ".glb");
+  ui.viewer.querySelector("form").append(ui.privacy);
+  document.title = `${model.name}: its parts`;
+}
+
+// The bytes of a format that the module reads.
+async function readableFile({ name, read }) {
+  const bytes = await read();
+  return /\.(glb|gltf)$/i.test(name) ? { name: `${name}.ply`, bytes: await gltfAsPly(bytes) }
+                                     : { name, bytes };
+}
+
+// The mesh that is shown stays until the next one is cut.
+async function segment(name, read) {
+  running?.worker.close();
+  const job = running = { name, read, method: ui.method.value, worker: new SegmentationWorker() };
+  ui.error.hidden = true;
+  tell(`Reading ${name}`);
+  try {
+    const file = await readableFile(job);
+    if (running !== job)
+      return;
+    const { model } = await job.worker.segment(file, { method: job.method }, share => {
+      if (running === job)
+        tell(`Cutting ${name}`, share);
+    });
+    if (running !== job)
+      return;
+    stop();
+    show(job, { ...model, name });
+  }
+  catch (error) {
+    if (running !== job && shown !== job) // cancelled
+      return;
+    cancel();
+    fail(`${name} cannot be cut: ${(error.message || String(error)).replace("THREE.", "")}`);
+  }
+}
+
 const take = file => segment(file.name, async () => new Uint8Array(await file.arrayBuffer()));
+
+async function fetched(address) {
+  const response = await fetch(address);
+  if (!response.ok)
+    throw new Error(`the server answers ${response.status}`);
+  return new Uint8Array(await response.arrayBuffer());
+}
 
 ui.file.addEventListener("change", () => {
   if (ui.file.files[0])
@@ -94,22 +122,16 @@ ui.file.addEventListener("change", () => {
 for (const name of samples)
   ui.sample.append(new Option(name.replace(/\..*$/, ""), name));
 ui.sample.addEventListener("change", () => {
-  const name = ui.sample.value;
-  if (name)
-    segment(name, async () => {
-      const response = await fetch(`samples/${name}`);
-      if (!response.ok)
-        throw new Error(`the server answers ${response.status}`);
-      return new Uint8Array(await response.arrayBuffer());
-    });
+  if (ui.sample.value)
+    segment(ui.sample.value, fetched.bind(undefined, `samples/${ui.sample.value}`));
+  ui.sample.value = "";
 });
 ui.method.addEventListener("change", () => {
-  if (shown)
-    segment(shown.name, shown.read);
+  const job = running ?? shown;
+  if (job)
+    segment(job.name, job.read);
 });
 ui.cancel.addEventListener("click", cancel);
-ui.savePly.addEventListener("click", () => saveMesh(".ply"));
-ui.saveGlb.addEventListener("click", () => saveMesh(".glb"));
 
 addEventListener("dragover", event => {
   event.preventDefault();
