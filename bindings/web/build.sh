@@ -44,7 +44,7 @@ cp "$here"/page/* "$build"/package/{index,worker,worker_client,module,decode,hie
   "$root/examples/segment_mesh/page/viewer.css" /usr/share/javascript/three/three.min.js \
   /usr/share/javascript/three/examples/js/{controls/OrbitControls,loaders/GLTFLoader}.js \
   "$build/try"
-samples=(elephant.off hand.off camel.off)
+samples=(hand.off elephant.off camel.off) # small ones first
 tar -xzf /usr/share/doc/libcgal-dev/data.tar.gz -C "$build/try/samples" --strip-components 2 \
   "${samples[@]/#/data/meshes/}"
 printf '"%s",' "${samples[@]}" | sed 's/.*/export const samples = [&];/' > "$build/try/samples.js"

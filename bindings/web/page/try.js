@@ -12,6 +12,7 @@ const ui = Object.fromEntries([...document.querySelectorAll("[id]")].map(part =>
 // The worker goes on to have the segmentation, for files to save.
 let running, shown;
 let viewer;
+let prepared; // a worker
 
 function fail(sentence) {
   ui.error.textContent = sentence;
@@ -81,7 +82,9 @@ async function readableFile({ name, read }) {
 // The mesh that is shown stays until the next one is cut.
 async function segment(name, read) {
   running?.worker.close();
-  const job = running = { name, read, method: ui.method.value, worker: new SegmentationWorker() };
+  const job = running = { name, read, method: ui.method.value,
+                          worker: prepared ?? new SegmentationWorker() };
+  prepared = undefined;
   ui.error.hidden = true;
   tell(`Reading ${name}`);
   try {
@@ -148,3 +151,13 @@ addEventListener("drop", event => {
     take(event.dataTransfer.files[0]);
 });
 document.documentElement.dataset.ready = "";
+
+// A browser compiles well what has run for a while, so a worker cuts a sample beforehand. Others
+// share its code.
+async function prepare() {
+  const worker = new SegmentationWorker();
+  await worker.segment({ name: samples[0], bytes: await fetched(`samples/${samples[0]}`) });
+  prepared = worker;
+}
+
+prepare().catch(() => {}); // the first mesh tells why
