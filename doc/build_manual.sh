@@ -2,10 +2,13 @@
 # Copyright (c) 2026  The Spectral_segmentation authors.
 # SPDX-License-Identifier: GPL-3.0-or-later
 #
-# build_manual.sh DOXYGEN DOXYFILE PYTHON HTML_FOLDER
-# Builds the manual, and fails for a warning of Doxygen or a link or picture that leads nowhere.
+# build_manual.sh DOXYGEN DOXYFILE PYTHON HTML_FOLDER [WEB_PAGE_FOLDER]
+# Builds the manual, with the page to drop a mesh on if there is one, and fails for a warning of
+# Doxygen or a link or picture that leads nowhere.
 
 set -euo pipefail
 mkdir -p "$4/pictures"
+rm -rf "$4/try"
+[[ -z ${5:-} ]] || cp -r "$5" "$4/try"
 "$1" "$2"
 "$3" "$(dirname "$0")/check_links.py" "$4"
