@@ -86,14 +86,14 @@ def seen_difference(kind, *colors):
     return math.dist(*(cielab(product(VISIONS[kind], rgb)) for rgb in linear))
 
 
-def start_browser(directory):
+def start_browser(directory, *arguments):
     options = Options()
     options.binary_location = CHROMIUM
     for argument in ["--headless=new", "--no-sandbox", "--disable-quic", "--no-first-run",
                      "--disable-background-networking", "--disable-component-update",
                      "--disable-sync", "--disable-dev-shm-usage", "--use-gl=angle",
                      "--use-angle=swiftshader", "--enable-unsafe-swiftshader",
-                     "--user-data-dir=%s/profile" % directory]:
+                     "--user-data-dir=%s/profile" % directory, *arguments]:
         options.add_argument(argument)
     options.set_capability("goog:loggingPrefs", {"browser": "ALL"})
     return webdriver.Chrome(service=Service(DRIVER), options=options)

@@ -10,7 +10,12 @@ export type Input = { name: string; bytes: Uint8Array } |
 
 /** What the class Viewer of viewer.js shows. `faceLabels()` of hierarchy.js gives the labels of any
  *  number of segments of it. */
-export interface Model { name: string; segments: number; hierarchy: object; [other: string]: unknown }
+export interface Model {
+  name: string;
+  segments: number;
+  hierarchy: object;
+  [other: string]: unknown;
+}
 
 /** The segmentation of one mesh in a worker. The memory is given back by `close()`. */
 export class SegmentationWorker {

@@ -24,6 +24,7 @@ export class SegmentationWorker {
   #started;
   #worker;
   #requests = new Map();
+  #numberOfRequests = 0;
   #isClosed = false;
 
   async #start() {
@@ -70,7 +71,7 @@ export class SegmentationWorker {
         reject(closed);
         return;
       }
-      const id = crypto.randomUUID();
+      const id = ++this.#numberOfRequests;
       this.#requests.set(id, { resolve, reject, progress });
       this.#started ??= this.#start();
       this.#started.then(() => this.#worker?.postMessage({ id, action, argument }), reject);
