@@ -12,6 +12,7 @@
 
 #include <CGAL/Simple_cartesian.h>
 #include <CGAL/segment_spectral_recursive.h>
+#include <CGAL/tags.h>
 
 #include <boost/property_map/property_map.hpp>
 
@@ -53,7 +54,7 @@ int main(int argc, char* argv[])
   const auto start = std::chrono::steady_clock::now();
   const std::clock_t clock_at_start = std::clock();
   std::vector<std::size_t> labels(triangles.size());
-  const std::size_t number = CGAL::segment_spectral_recursive(
+  const std::size_t number = CGAL::segment_spectral_recursive<CGAL::Sequential_tag>(
     points, triangles,
     boost::make_iterator_property_map(labels.begin(),
                                       boost::typed_identity_property_map<std::size_t>()));
