@@ -4,9 +4,10 @@
 /// \file
 /// arrays_call POINTS TRIANGLES
 ///
-/// The C++ call beside which python.py measures that of Python: with one thread, on the points, of
-/// 64-bit floats, and triangles, of 32-bit integers, of two files of plain numbers. Prints seconds,
-/// seconds of the processor, bytes at the peak beyond the mesh, and the number of segments.
+/// The C++ call beside which python.py and web.mjs measure those of Python and JavaScript: with one
+/// thread, on the points, of 64-bit floats, and triangles, of 32-bit integers, of two files of plain
+/// numbers. Prints seconds, seconds of the processor, bytes at the peak beyond the mesh, and the
+/// number of segments.
 
 #include "Peak_memory.h"
 

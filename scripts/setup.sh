@@ -32,8 +32,8 @@ for group in "$@"; do
       packages+=(python3-matplotlib python3-pandas python3-vtk9 python3-distributed xvfb xauth) ;;
     blender) packages+=(blender) ;;
     web)
-      packages+=(emscripten node-acorn libfast-float-dev libfmt-dev chromium chromium-driver
-                 python3-selenium)
+      packages+=(emscripten node-acorn node-typescript libfast-float-dev libfmt-dev chromium
+                 chromium-driver python3-selenium)
       command -v npm > /dev/null || packages+=(nodejs npm) ;; # Node of other sources has its own
     *) echo "setup.sh: no such group: $group (build, test, python, python_examples, pictures," \
             "manual, performance, machines, cluster, blender, web)" >&2

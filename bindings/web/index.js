@@ -173,6 +173,8 @@ export async function load() {
   if (isNode) {
     const { readFile } = await import(/* @vite-ignore */ "node:fs/promises");
     settings.wasmBinary = await readFile(new URL("./module.wasm", import.meta.url));
+    // The keys of hash tables are random; Node 18 has this only as a module.
+    globalThis.crypto ??= (await import(/* @vite-ignore */ "node:crypto")).webcrypto;
   }
   return new Module(await createModule(settings));
 }

@@ -1,0 +1,33 @@
+// Copyright (c) 2026  The Spectral_segmentation authors.
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+// Calls that the types allow and forbid; only compiled, beside the folder of the package.
+
+import { load, Mesh, Segmentation } from "./package/index.js";
+import { SegmentationWorker } from "./package/worker_client.js";
+
+export async function allowed(bytes: Uint8Array): Promise<Uint32Array[]> {
+  const module = await load();
+  const mesh: Mesh = module.read(bytes, "elephant.off");
+  const run: Segmentation = module.segment(mesh, {
+    method: "paper", maximumNumberOfSegments: 5, threshold: 0.3, progress: share => share < 0.5 });
+  const sameMesh = module.mesh(mesh.points, mesh.triangles);
+  const worker = new SegmentationWorker();
+  const { model } = await worker.segment({ bytes, name: "elephant.off" }, { numberOfSegments: 5 },
+                                         share => console.log(share));
+  const labels = await worker.labels(model.segments);
+  worker.close();
+  return [labels, run.labels(), module.segment(sameMesh).labels(5)];
+}
+
+export async function forbidden(mesh: Mesh): Promise<void> {
+  const module = await load();
+  // @ts-expect-error: there is no such option
+  module.segment(mesh, { segments: 5 });
+  // @ts-expect-error: there is no such method
+  module.segment(mesh, { method: "zhang_liu_2005" });
+  // @ts-expect-error: arrays of numbers
+  module.mesh([0, 0, 0], [0, 0, 0]);
+  // @ts-expect-error: progress is an argument of its own
+  await new SegmentationWorker().segment({ bytes: new Uint8Array(), name: "" }, { progress() {} });
+}
