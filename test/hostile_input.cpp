@@ -189,7 +189,7 @@ BOOST_AUTO_TEST_CASE(duplicate_points)
 BOOST_AUTO_TEST_CASE(slivers)
 {
   for (const Soup& soup : soups())
-    for (double thinness : {1e-6, 1e-9, 1e-13, 1e-200})
+    for (double thinness : {1e-6, 1e-13, 1e-200})
       check_runs(mesh_of(transformed(soup, [thinness](const Point& p)
         { return Point(p.x(), thinness * p.y(), p.z()); })));
 }
