@@ -12,7 +12,7 @@ __version__: str
 __all__ = ["CUT_STATES", "Hierarchy", "Mesh", "SalienceFactors", "boundary_edges", "read",
            "segment", "segment_adjacency", "segment_colors", "segment_hierarchy", "write"]
 
-_Path = Union[str, "os.PathLike[str]"]
+_Path = Union[str, bytes, "os.PathLike[str]", "os.PathLike[bytes]"]
 
 class SalienceFactors:
     @property

@@ -2,7 +2,9 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Files of meshes, by the readers and writers of the tool `segment_mesh`."""
 
+import contextlib
 import os
+import secrets
 from collections import namedtuple
 
 import numpy as np
@@ -37,7 +39,7 @@ def read(path):
     Raises OSError if the file cannot be opened, ValueError with the line or byte at fault if its
     contents contradict the format, or if it has no polygon.
     """
-    path = os.fspath(path)
+    path = os.fsdecode(path)
     extension = _extension(path, _READ)
     with open(path, "rb") as file:
         contents = file.read()
@@ -52,15 +54,16 @@ def read(path):
 
 def _replace(path, contents):
     """Writes a file that is complete or, after an error, what it was."""
-    directory, name = os.path.split(path)
-    temporary = os.path.join(directory, ".%s.%d.tmp" % (name, os.getpid()))
+    temporary = os.path.join(os.path.dirname(path), ".%s.tmp" % secrets.token_hex(8))
     try:
         with open(temporary, "xb") as file:
             file.write(contents)
         os.replace(temporary, path)
-    except BaseException:
-        if os.path.exists(temporary):
+    except BaseException as error:
+        with contextlib.suppress(OSError):
             os.remove(temporary)
+        if isinstance(error, OSError):
+            error.filename, error.filename2 = path, None # the name that the caller knows
         raise
 
 
@@ -77,7 +80,7 @@ def write(path, points, triangles=None, labels=None, *, colors=None):
     Raises OSError if the file cannot be written, TypeError or ValueError if an argument has a wrong
     type, shape or range. An existing file is replaced only when the new one is complete.
     """
-    path = os.fspath(path)
+    path = os.fsdecode(path)
     extension = _extension(path, _WRITTEN)
     points, triangles = arrays_of(points, triangles)
     if triangles.size > 0 and not (triangles.min() >= 0 and triangles.max() < len(points)):
@@ -116,7 +119,7 @@ def _save(hierarchy, path):
 
     Raises OSError if the file cannot be written.
     """
-    _replace(os.fspath(path), hierarchy.to_json().encode())
+    _replace(os.fsdecode(path), hierarchy.to_json().encode())
 
 
 def _load(path):
@@ -126,12 +129,13 @@ def _load(path):
 
     Raises OSError if the file cannot be read, ValueError if it has no hierarchy.
     """
+    path = os.fsdecode(path)
     with open(path, "rb") as file:
         contents = file.read()
     try:
         return _core.Hierarchy.from_json(contents.decode(errors="replace"))
     except ValueError as error:
-        raise ValueError("%s cannot be read: %s" % (os.fspath(path), error)) from None
+        raise ValueError("%s cannot be read: %s" % (path, error)) from None
 
 
 _core.Hierarchy.save = _save

@@ -22,6 +22,7 @@
 #include <tbb/task_arena.h>
 #endif
 
+#include <algorithm>
 #include <cstddef>
 #include <cstdint>
 #include <exception>
@@ -75,8 +76,9 @@ void with_threads([[maybe_unused]] const std::optional<int>& number, const Funct
 #ifdef CGAL_LINKED_WITH_TBB
   if (!number)
     f(internal::Execution::PARALLEL);
-  else if (*number > 1)
-    tbb::task_arena(*number).execute([&] { f(internal::Execution::PARALLEL); });
+  else if (*number > 1) // of more than there are, TBB would print a warning
+    tbb::task_arena(std::min(*number, tbb::this_task_arena::max_concurrency()))
+      .execute([&] { f(internal::Execution::PARALLEL); });
   else
 #endif
     f(internal::Execution::SEQUENTIAL);
@@ -109,43 +111,83 @@ Segmentation_hierarchy segment(const py::array& points, const py::array& triangl
   return result;
 }
 
-// The arguments of labels() and segments(), of which each may be missing.
-template <class OfRun, class OfNumber, class OfThreshold>
-py::array_t<py::ssize_t> choose(const Segmentation_hierarchy& h, const std::optional<long long>& n,
-                                const std::optional<double>& threshold, const OfRun& of_run,
-                                const OfNumber& of_number, const OfThreshold& of_threshold)
+py::ssize_t integer_of(const py::handle& value)
 {
-  if (n && *n < 1)
-    throw std::invalid_argument("n must be at least 1");
-  const std::size_t number =
-    n ? static_cast<std::size_t>(*n) : internal::Hierarchy_access::maximum_number_of_segments(h);
-  return array_of(threshold ? of_threshold(number, *threshold) : n ? of_number(number) : of_run());
+  const py::ssize_t result = PyNumber_AsSsize_t(value.ptr(), PyExc_OverflowError);
+  if (result == -1 && PyErr_Occurred())
+    throw py::error_already_set();
+  return result;
 }
 
-py::array_t<py::ssize_t> labels(const Segmentation_hierarchy& h, const std::optional<long long>& n,
-                                const std::optional<double>& threshold)
+double real_of(const py::handle& value)
+{
+  const double result = PyFloat_AsDouble(value.ptr());
+  if (result == -1 && PyErr_Occurred())
+    throw py::error_already_set();
+  return result;
+}
+
+std::size_t node_of(const Segmentation_hierarchy& h, const py::handle& value)
+{
+  const py::ssize_t node = integer_of(value);
+  if (node < 0 || static_cast<std::size_t>(node) >= h.number_of_nodes())
+    throw std::invalid_argument("there is no node " + std::to_string(node));
+  return static_cast<std::size_t>(node);
+}
+
+// `n` and `threshold` are the arguments of labels() and segments(), of which each may be None.
+template <class OfRun, class OfNumber, class OfThreshold>
+py::array_t<py::ssize_t> choose(const Segmentation_hierarchy& h, const py::object& n,
+                                const py::object& threshold, const OfRun& of_run,
+                                const OfNumber& of_number, const OfThreshold& of_threshold)
+{
+  std::size_t number = internal::Hierarchy_access::maximum_number_of_segments(h);
+  if (!n.is_none()) {
+    const py::ssize_t given = integer_of(n);
+    if (given < 1)
+      throw std::invalid_argument("n must be at least 1");
+    number = static_cast<std::size_t>(given);
+  }
+  return array_of(!threshold.is_none() ? of_threshold(number, real_of(threshold)) :
+                  n.is_none() ? of_run() : of_number(number));
+}
+
+py::array_t<py::ssize_t> labels(const Segmentation_hierarchy& h, const py::object& n,
+                                const py::object& threshold)
 {
   return choose(h, n, threshold, [&] { return h.labels(); },
                 [&](std::size_t number) { return h.labels(number); },
                 [&](std::size_t number, double t) { return h.labels(number, t); });
 }
 
-py::array_t<py::ssize_t> segments(const Segmentation_hierarchy& h,
-                                  const std::optional<long long>& n,
-                                  const std::optional<double>& threshold)
+py::array_t<py::ssize_t> segments(const Segmentation_hierarchy& h, const py::object& n,
+                                  const py::object& threshold)
 {
   return choose(h, n, threshold, [&] { return h.segments(); },
                 [&](std::size_t number) { return h.segments(number); },
                 [&](std::size_t number, double t) { return h.segments(number, t); });
 }
 
-py::array_t<py::ssize_t> faces(const Segmentation_hierarchy& h, std::size_t node)
+py::array_t<py::ssize_t> labels_of_nodes(const Segmentation_hierarchy& h, const py::iterable& given)
 {
-  if (node >= h.number_of_nodes())
-    throw std::invalid_argument("there is no node " + std::to_string(node));
-  const auto range = h.faces(node);
+  std::vector<std::size_t> nodes;
+  for (const py::handle node : given)
+    nodes.push_back(node_of(h, node));
+  return array_of(h.labels_of_nodes(nodes));
+}
+
+py::array_t<py::ssize_t> faces(const Segmentation_hierarchy& h, const py::object& node)
+{
+  const auto range = h.faces(node_of(h, node));
   return array_of(std::vector<std::size_t>(range.begin(), range.end()));
 }
+
+std::size_t merge(Segmentation_hierarchy& h, const py::object& a, const py::object& b)
+{ return h.merge(node_of(h, a), node_of(h, b)); }
+
+void cut_again(Segmentation_hierarchy& h, const py::object& leaf,
+               const Segmentation_hierarchy& part)
+{ h.cut_again(node_of(h, leaf), part); }
 
 std::string to_json(const Segmentation_hierarchy& h)
 {
@@ -230,21 +272,19 @@ void define_hierarchy(py::module_& m)
          py::arg("threshold") = py::none(),
          "segments(n=None, *, threshold=None) -> array of int\n\n"
          "The node of each segment of `labels()` with the same arguments.")
-    .def("labels_of_nodes",
-         [](const H& h, const std::vector<std::size_t>& nodes)
-         { return array_of(h.labels_of_nodes(nodes)); }, py::arg("nodes"),
+    .def("labels_of_nodes", labels_of_nodes, py::arg("nodes"),
          "labels_of_nodes(nodes) -> array of int, shape (number_of_faces,)\n\n"
          "The label of each triangle if the segments are these nodes.\n\n"
          "Raises ValueError if the nodes do not contain each triangle exactly once.")
     .def("faces", faces, py::arg("node"),
          "faces(node) -> array of int\n\n"
          "The triangles of a node. Raises ValueError if there is no such node.")
-    .def("merge", &H::merge, py::arg("a"), py::arg("b"),
+    .def("merge", merge, py::arg("a"), py::arg("b"),
          "merge(a, b) -> node\n\n"
          "Makes two nodes the children of one, and returns that. Of two that are no siblings, `b` "
          "is moved to the place of `a`. No other node gets another number.\n\n"
          "Raises ValueError if one contains the other, or they have different roots.")
-    .def("cut_again", &H::cut_again, py::arg("leaf"), py::arg("part"),
+    .def("cut_again", cut_again, py::arg("leaf"), py::arg("part"),
          "cut_again(leaf, part)\n\n"
          "Cuts a leaf as `part`, the hierarchy of a run on `triangles[hierarchy.faces(leaf)]`.\n\n"
          "Raises ValueError if `leaf` is no leaf, or `part` has another number of triangles or "

@@ -2,13 +2,14 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Files of meshes."""
 
+import os
 import random
 import subprocess
 
 import numpy as np
 import pytest
 
-from spectral_segmentation import read, segment_colors, write
+from spectral_segmentation import Hierarchy, read, segment_colors, segment_hierarchy, write
 
 QUAD_AND_TRIANGLE = """OFF
 5 2 0
@@ -51,6 +52,16 @@ def test_round_trips(dumbbell, tmp_path, extension, kind):
     assert {p.suffix for p in tmp_path.iterdir()} == suffixes
 
 
+def test_names_may_be_bytes(dumbbell, tmp_path):
+    """Also such as are no text."""
+    path = os.fsencode(tmp_path) + b"/\xff.ply"
+    write(path, *dumbbell)
+    np.testing.assert_array_equal(read(path).triangles, dumbbell[1])
+    hierarchy = segment_hierarchy(*dumbbell)
+    hierarchy.save(path + b".json")
+    assert Hierarchy.load(path + b".json").to_json() == hierarchy.to_json()
+
+
 def test_written_colors_and_labels(dumbbell, tmp_path):
     points, triangles = dumbbell
     labels = (points[triangles].mean(axis=1)[:, 2] > 0).astype(int)
@@ -88,8 +99,12 @@ def test_errors(tmp_path, dumbbell):
     for points in (np.full((3, 3), np.nan), np.zeros((2, 3))):
         with pytest.raises(ValueError):
             write(kept, points, [[0, 1, 2]])
-    with pytest.raises(OSError):
-        write(tmp_path / "missing" / "mesh.ply", *dumbbell)
+    for path in (tmp_path / "missing" / "mesh.ply", tmp_path / "none.ply"):
+        (tmp_path / "none.ply").mkdir(exist_ok=True)
+        with pytest.raises(OSError) as raised:
+            write(path, *dumbbell)
+        assert (raised.value.filename, raised.value.filename2) == (str(path), None)
+    (tmp_path / "none.ply").rmdir()
     assert kept.read_text() == "kept" and len(list(tmp_path.iterdir())) == 3
 
 
