@@ -54,7 +54,7 @@ function checkedTriples(name, value, types) {
 function checkedNumber(value) {
   if (value !== undefined && !(Number.isInteger(value) && value >= 1))
     throw new TypeError("the number of segments must be an integer, at least 1");
-  return value;
+  return value && Math.min(value, 2 ** 31); // more than fits into the module's integers is all
 }
 
 // Calls a function of the module, whose exceptions are numbers here.

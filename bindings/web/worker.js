@@ -11,6 +11,12 @@ const port = isNode ? (await import(/* @vite-ignore */ "node:worker_threads")).p
 
 let segmentation;
 
+function existing() {
+  if (!segmentation)
+    throw new Error("the worker has no segmentation yet");
+  return segmentation;
+}
+
 // Progress is told at most some twenty times a second.
 function teller(id) {
   let last = -Infinity;
@@ -28,13 +34,14 @@ const actions = {
     const module = await load();
     const mesh = file ? module.read(file, name) : module.mesh(points, triangles);
     segmentation?.free();
+    segmentation = undefined; // if the next line throws
     segmentation = module.segment(mesh, { ...options, progress: teller(id) });
     mesh.free(); // but for what the segmentation needs of it
     return { data: segmentation.pageData(name), numberOfSegments: segmentation.numberOfSegments };
   },
-  write({ name, n }) { return segmentation.write(name, n); },
-  labels({ n }) { return segmentation.labels(n); },
-  toJSON() { return segmentation.toJSON(); }
+  write({ name, n }) { return existing().write(name, n); },
+  labels({ n }) { return existing().labels(n); },
+  toJSON() { return existing().toJSON(); }
 };
 
 async function answer({ id, action, argument }) {

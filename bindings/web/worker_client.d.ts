@@ -17,12 +17,13 @@ export interface Model {
   [other: string]: unknown;
 }
 
-/** The segmentation of one mesh in a worker. The memory is given back by `close()`. */
+/** The segmentation of one mesh in a worker. The memory is given back by `close()`, before which a
+ *  program in Node does not end. */
 export class SegmentationWorker {
   /** `progress` is told the share of the run that is done. */
   segment(input: Input, options?: Options, progress?: (share: number) => void):
     Promise<{ model: Model; numberOfSegments: number }>;
-  /** These need a segmentation; they are those of `Segmentation`. */
+  /** These are those of `Segmentation`, of the last mesh; rejected with an Error without one. */
   write(name: string, n?: number): Promise<Uint8Array>;
   labels(n?: number): Promise<Uint32Array>;
   toJSON(): Promise<object>;

@@ -74,7 +74,11 @@ export class SegmentationWorker {
       const id = ++this.#numberOfRequests;
       this.#requests.set(id, { resolve, reject, progress });
       this.#started ??= this.#start();
-      this.#started.then(() => this.#worker?.postMessage({ id, action, argument }), reject);
+      this.#started.then(() => this.#worker?.postMessage({ id, action, argument }))
+        .catch(error => { // also of what cannot be sent, such as functions
+          this.#requests.delete(id);
+          reject(error);
+        });
     });
   }
 

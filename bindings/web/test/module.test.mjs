@@ -85,6 +85,8 @@ test("a run gives the labels of all numbers, also as its page does", () => {
   const mesh = segmentation.read(elephant, "elephant.off");
   const run = segmentation.segment(mesh);
   mesh.free();
+  for (const many of [1e6, 2 ** 32 + 1, 2 ** 50])
+    assert.deepEqual(run.labels(many), run.labels(run.maximumNumberOfSegments));
   assert.equal(run.numberOfSegments, new Set(run.labels()).size);
   for (let n = 1; n <= run.maximumNumberOfSegments; ++n)
     assert.equal(new Set(run.labels(n)).size, n);
@@ -226,6 +228,11 @@ test("a worker does the same, and ends at once", async () => {
   assert.deepEqual(await worker.toJSON(), run.toJSON());
   await assert.rejects(worker.segment({ bytes: Buffer.from("OFF x"), name: "a.off" }),
                        /line 1: 'x' is not a number of points/);
+  await assert.rejects(worker.segment({ bytes: elephant, name: "a.off" }, { progress() {} }),
+                       { name: "DataCloneError" });
+  await assert.rejects(worker.segment({ bytes: elephant, name: "a.off" }, { threshold: NaN }),
+                       /threshold must be a number/);
+  await assert.rejects(worker.labels(), /no segmentation yet/);
   const large = worker.segment({ bytes: elephant, name: "elephant.off" },
                                { method: "paper" });
   const start = performance.now();
