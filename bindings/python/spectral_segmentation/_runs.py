@@ -8,6 +8,7 @@ import numpy as np
 
 from . import _core
 from ._meshes import arrays_of
+from ._wishes import pairs_at_edges, seeds_array
 
 _METHODS = {"calibrated": False, "paper": True}
 
@@ -52,16 +53,6 @@ def _callable(name, value):
     return value
 
 
-def _seeds(value, number_of_triangles):
-    seeds = np.asarray(value)
-    if seeds.dtype.kind not in "iu":
-        raise TypeError("face_seed_map must be integers, not %s" % seeds.dtype)
-    if seeds.shape != (number_of_triangles,):
-        raise ValueError("face_seed_map must have the shape (%d,), one for each triangle, not %s"
-                         % (number_of_triangles, seeds.shape))
-    return seeds.astype(np.int64, copy=False)
-
-
 def _random_seed(name, value):
     seed = _integer(name, value, 2**64 - 1)
     if seed < 0:
@@ -80,6 +71,7 @@ def _threads(value):
 
 def segment_hierarchy(points, triangles=None, *, method="calibrated", number_of_segments=None,
                       maximum_number_of_segments=None, threshold=None, components_apart=None,
+                      edge_is_constrained_map=None, edge_is_uncuttable_map=None,
                       face_seed_map=None, minimum_segment_size=None, part_salience=None,
                       salience_weights=None, distance_weights=None, number_of_searched_faces=None,
                       number_of_reference_faces=None, number_of_smoothing_iterations=None,
@@ -106,9 +98,13 @@ def segment_hierarchy(points, triangles=None, *, method="calibrated", number_of_
         probability that people cut there, or 0.54 for weighted saliences as those of the paper.
     components_apart: whether each connected component is a part from the start; by default False,
         with the method "paper" True.
+    edge_is_constrained_map: array_like of integers, shape (k, 2): edges by their points, as of
+        `boundary_edges()`, that must be between segments. Edges of one triangle are ignored.
+    edge_is_uncuttable_map: array_like of integers, shape (k, 2): edges whose triangles must be of
+        one segment.
     face_seed_map: array_like of integers, shape (m,). Triangles with the same number are of one
-        segment, those with different numbers are not; negative numbers mean nothing. Not with the
-        method "paper".
+        segment, those with different numbers are not; negative numbers mean nothing. The last
+        three do not go with the method "paper".
     minimum_segment_size: the least share of the area of the mesh for each side of a cut, in
         [0, 0.5]; by default 0.003, with the method "paper" 0.005.
     part_salience: your own salience of a cut, a callable that takes `SalienceFactors` and returns a
@@ -129,8 +125,8 @@ def segment_hierarchy(points, triangles=None, *, method="calibrated", number_of_
         If it returns False the run ends, and the result has the cuts made so far. If it raises an
         exception, the run ends with that. So it does with KeyboardInterrupt after Ctrl-C.
 
-    Raises TypeError or ValueError if an argument has a wrong type, shape or range, or seeds
-    contradict each other; OverflowError if a number is too large; MemoryError if there is not
+    Raises TypeError or ValueError if an argument has a wrong type, shape or range, or seeds and
+    edges contradict each other; OverflowError if a number is too large; MemoryError if there is not
     enough memory.
     """
     points, triangles = arrays_of(points, triangles)
@@ -142,8 +138,11 @@ def segment_hierarchy(points, triangles=None, *, method="calibrated", number_of_
                          "with threshold")
     if part_salience is not None and salience_weights is not None:
         raise ValueError("part_salience does not go with salience_weights")
-    if face_seed_map is not None and _METHODS[method]:
-        raise ValueError("face_seed_map does not go with the method 'paper'")
+    for name, value in (("edge_is_constrained_map", edge_is_constrained_map),
+                        ("edge_is_uncuttable_map", edge_is_uncuttable_map),
+                        ("face_seed_map", face_seed_map)):
+        if value is not None and _METHODS[method]:
+            raise ValueError("%s does not go with the method 'paper'" % name)
     given = {"is_of_paper": _METHODS[method]}
     for read, parameters in (
             (_integer, {"number_of_segments": number_of_segments,
@@ -160,10 +159,12 @@ def segment_hierarchy(points, triangles=None, *, method="calibrated", number_of_
         for name, value in parameters.items():
             if value is not None:
                 given[name] = read(name, value)
+    wishes = [*pairs_at_edges(edge_is_constrained_map, edge_is_uncuttable_map, triangles,
+                              len(points)),
+              None if face_seed_map is None else seeds_array(face_seed_map, len(triangles))]
     try:
         return _core.segment(
-            points, triangles, given,
-            None if face_seed_map is None else _seeds(face_seed_map, len(triangles)),
+            points, triangles, given, *wishes,
             _callable("part_salience", part_salience),
             None if threads is None else _threads(threads), _callable("progress", progress))
     except MemoryError:

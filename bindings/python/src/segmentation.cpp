@@ -57,9 +57,26 @@ internal::Triangles read_triangles(const py::array& points, const py::array& tri
   return result;
 }
 
-internal::Wishes read_seeds(const std::optional<py::array_t<std::int64_t> >& seeds)
+typedef std::optional<py::array_t<std::int64_t> > Optional_integers;
+
+std::vector<internal::Face_pair> read_pairs(const Optional_integers& pairs)
+{
+  std::vector<internal::Face_pair> result;
+  if (pairs) {
+    const auto pair = pairs->unchecked<2>();
+    for (py::ssize_t i = 0; i < pair.shape(0); ++i)
+      result.push_back({static_cast<internal::Index>(pair(i, 0)),
+                        static_cast<internal::Index>(pair(i, 1))});
+  }
+  return result;
+}
+
+internal::Wishes read_wishes(const Optional_integers& seams, const Optional_integers& uncuttable,
+                             const Optional_integers& seeds)
 {
   internal::Wishes result;
+  result.seams = read_pairs(seams);
+  result.uncuttable = read_pairs(uncuttable);
   if (seeds) {
     const auto seed = seeds->unchecked<1>();
     for (py::ssize_t f = 0; f < seed.shape(0); ++f)
@@ -85,14 +102,14 @@ void with_threads([[maybe_unused]] const std::optional<int>& number, const Funct
 }
 
 Segmentation_hierarchy segment(const py::array& points, const py::array& triangles,
-                               const py::dict& parameters,
-                               const std::optional<py::array_t<std::int64_t> >& seeds,
+                               const py::dict& parameters, const Optional_integers& seams,
+                               const Optional_integers& uncuttable, const Optional_integers& seeds,
                                const py::object& salience, const std::optional<int>& threads,
                                const py::object& progress)
 {
   Python_run run(progress);
   const internal::Options options = read_parameters(Parameters(parameters), salience, run);
-  const internal::Wishes wishes = read_seeds(seeds);
+  const internal::Wishes wishes = read_wishes(seams, uncuttable, seeds);
   Segmentation_hierarchy result;
   run([&] {
     // Python would make a state of this thread for each call of the salience.

@@ -106,6 +106,19 @@ def test_triangles(triangles, error, words):
     ({"face_seed_map": [1., 2, 3, 4]}, TypeError, "face_seed_map must be integers, not float64"),
     ({"face_seed_map": [1, 2, 1, 2], "method": "paper"}, ValueError, "face_seed_map does not go"),
     ({"face_seed_map": [1, 2, 3, 4], "number_of_segments": 2}, ValueError, "need 4 segments"),
+    ({"edge_is_constrained_map": [0, 1]}, ValueError,
+     r"edge_is_constrained_map must have the shape \(k, 2\), two points for each edge, not \(2,\)"),
+    ({"edge_is_uncuttable_map": [[0., 1]]}, TypeError,
+     "edge_is_uncuttable_map must be integers, not float64"),
+    ({"edge_is_uncuttable_map": [[0, 1], [2, 2]]}, ValueError,
+     r"edge_is_uncuttable_map has the edge \(2, 2\), which no triangle has"),
+    ({"edge_is_constrained_map": [[0, 4]]}, ValueError, r"the edge \(0, 4\), which no triangle"),
+    ({"edge_is_constrained_map": [[-1, 0]]}, ValueError, r"the edge \(-1, 0\), which no triangle"),
+    ({"edge_is_constrained_map": [[0, 1], [1, 2]], "edge_is_uncuttable_map": [[1, 0]]}, ValueError,
+     "the edge between the triangles 0 and 1 is in both"),
+    ({"edge_is_constrained_map": [[0, 1]], "face_seed_map": [1, 1, -1, -1]}, ValueError,
+     "faces 0 and 1"),
+    ({"edge_is_constrained_map": [], "method": "paper"}, ValueError, "does not go with the method"),
 ])
 def test_parameters(parameters, error, words):
     for function in (segment, segment_hierarchy):

@@ -7,7 +7,7 @@ import subprocess
 import numpy as np
 import pytest
 
-from spectral_segmentation import read, segment, segment_hierarchy
+from spectral_segmentation import boundary_edges, read, segment, segment_hierarchy
 
 
 def labels_of_tool(tool, path, *options):
@@ -106,6 +106,42 @@ def test_seeds_hold(dumbbell):
     seeds[highest] = 6
     labels = segment(points, triangles, face_seed_map=seeds, threshold=float("inf"))
     assert labels[lowest] != labels[highest]
+
+
+def rows(array):
+    return set(map(tuple, array.tolist()))
+
+
+def test_edges_hold(meshes):
+    """In all segmentations of the hierarchy that are fine enough: those of the run and finer."""
+    mesh = read(meshes / "elephant.off")
+    free = rows(boundary_edges(mesh.triangles, segment(mesh))[0])
+    all_edges, _ = boundary_edges(mesh.triangles, np.arange(len(mesh.triangles)))
+    random = np.random.default_rng(1)
+    constrained = all_edges[random.choice(len(all_edges), 4, replace=False)]
+    uncuttable = np.array(sorted(free - rows(constrained)))[::3]
+    hierarchy = segment_hierarchy(mesh, edge_is_constrained_map=constrained[:, ::-1],
+                                  edge_is_uncuttable_map=uncuttable)
+    for n in range(hierarchy.labels().max() + 1, hierarchy.number_of_segments + 1):
+        made = rows(boundary_edges(mesh.triangles, hierarchy.labels(n))[0])
+        assert rows(constrained) <= made
+        assert not rows(uncuttable) & made
+    assert not rows(constrained) <= free
+
+
+def test_edges_of_one_triangle_and_of_three():
+    points = [[0, 0, 0], [0, 0, 1], [1, 0, 0], [-1, 1, 0], [-1, -1, 0]]
+    triangles = [[0, 1, 2], [0, 1, 3], [0, 1, 4]]
+
+    def labels(threshold, **wishes):
+        return segment(points, triangles, threshold=threshold, **wishes).tolist()
+
+    assert labels(np.inf) == [0, 0, 0] and labels(-np.inf) == [0, 1, 2]
+    assert labels(np.inf, edge_is_constrained_map=[[1, 0]]) == [0, 1, 2]
+    assert labels(-np.inf, edge_is_uncuttable_map=[[1, 0]]) == [0, 0, 0]
+    for border in ([[1, 2]], [], np.empty((0, 2), int)):
+        assert labels(np.inf, edge_is_constrained_map=border) == [0, 0, 0]
+        assert labels(-np.inf, edge_is_uncuttable_map=border) == [0, 1, 2]
 
 
 def test_own_salience(dumbbell):
