@@ -12,6 +12,7 @@
 #include <chrono>
 #include <cstddef>
 #include <iostream>
+#include <limits>
 #include <map>
 #include <string>
 
@@ -76,7 +77,8 @@ private:
   }
 
 public:
-  Run_watch(bool shows_progress, double time_limit)
+  explicit Run_watch(bool shows_progress,
+                     double time_limit = std::numeric_limits<double>::infinity())
     : shows_progress_(shows_progress), time_limit_(time_limit) {}
 
   ~Run_watch() { hide(); }
