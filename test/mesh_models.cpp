@@ -287,7 +287,7 @@ BOOST_AUTO_TEST_CASE(a_face_filtered_graph_is_the_mesh_of_its_faces)
   for (const Soup& soup : soups()) {
     const Mesh mesh = mesh_of(soup);
     const Labels segments = labels_of_graph(mesh);
-    for (std::size_t s = 0; s < number_of(segments); ++s) {
+    for (std::size_t s = 0; s < (std::min)(number_of(segments), std::size_t(4)); ++s) {
       const auto is_left_out = [&](std::size_t f) { return segments[f] == s; };
       std::vector<Face> selected;
       for (Face f : faces(mesh))
