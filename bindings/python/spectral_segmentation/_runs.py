@@ -103,8 +103,8 @@ def segment_hierarchy(points, triangles=None, *, method="calibrated", number_of_
     edge_is_uncuttable_map: array_like of integers, shape (k, 2): edges whose triangles must be of
         one segment.
     face_seed_map: array_like of integers, shape (m,). Triangles with the same number are of one
-        segment, those with different numbers are not; negative numbers mean nothing. The last
-        three do not go with the method "paper".
+        segment, those with different numbers are not; negative numbers mean nothing. Neither
+        this nor the two for edges go with the method "paper".
     minimum_segment_size: the least share of the area of the mesh for each side of a cut, in
         [0, 0.5]; by default 0.003, with the method "paper" 0.005.
     part_salience: your own salience of a cut, a callable that takes `SalienceFactors` and returns a
