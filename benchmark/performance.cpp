@@ -3,10 +3,9 @@
 
 /// \file
 /// Time and peak memory against the size of the mesh: whole runs and their stages, beside CGAL's
-/// SDF segmentation; another number of segments of a finished tree; searches for shortest paths,
-/// beside a breadth-first search, which does no more than touch the graph; and the coarsening to as
-/// many faces as are searched, beside CGAL's edge collapse, with its default strategy and with its
-/// cheapest.
+/// SDF segmentation; another number of segments of a finished tree; a shortest path tree; and the
+/// coarsening to as many faces as are searched, beside CGAL's edge collapse, with its default
+/// strategy and with its cheapest.
 ///
 /// A row is RUN/threads:N/FACES or WHAT/FACES. Runs have counters: the milliseconds of each stage,
 /// summed over the parts, and the bytes a face at the peak, beyond the mesh.
@@ -18,8 +17,6 @@
 ///     scripts/plot_performance.py performance.json
 
 #include "Peak_memory.h"
-#include "dijkstra_search.h"
-#include "other_searches.h"
 #include "paper_graph.h"
 #include "program.h"
 #include "run_engine.h"
@@ -212,32 +209,11 @@ void measure_another_number(benchmark::State& state, Input& input)
   }
 }
 
-typedef std::vector<double> (*Search)(const internal::Weighted_graph&, Index);
-
-template <Search search>
-void measure_search(benchmark::State& state, Input& input)
-{
-  const internal::Weighted_graph graph(input.graph(), &Edge_weights::combined);
-  for (auto _ : state)
-    benchmark::DoNotOptimize(search(graph, 0));
-}
-
-void measure_breadth_first_search(benchmark::State& state, Input& input)
+void measure_shortest_path_tree(benchmark::State& state, Input& input)
 {
   const Face_graph& graph = input.graph();
   for (auto _ : state)
-    benchmark::DoNotOptimize(breadth_first_search(graph, 0));
-}
-
-void measure_dijkstra_on_dual(benchmark::State& state, Input& input)
-{
-  if (!CGAL::is_closed(input.mesh())) {
-    state.SkipWithError("CGAL::Dual takes closed meshes only");
-    return;
-  }
-  const std::vector<double> weights = weights_of_edges(input.mesh(), input.graph());
-  for (auto _ : state)
-    benchmark::DoNotOptimize(dijkstra_on_dual(input.mesh(), weights, Mesh::Face_index(0)));
+    benchmark::DoNotOptimize(internal::shortest_paths(graph, &Edge_weights::combined, 0));
 }
 
 void measure_coarsening(benchmark::State& state, Input& input)
@@ -308,10 +284,7 @@ public:
     if (size_ <= largest_for_sdf)
       add("sdf/threads:1", measure_sdf);
     add("another_number_of_segments", measure_another_number);
-    add("shortest_path_tree/bgl_on_cgal_dual", measure_dijkstra_on_dual);
-    add("shortest_path_tree/bgl_on_our_graph", measure_search<shortest_paths_by_dijkstra>);
-    add("shortest_path_tree/buckets", measure_search<internal::shortest_paths>);
-    add("shortest_path_tree/breadth_first", measure_breadth_first_search);
+    add("shortest_path_tree", measure_shortest_path_tree);
     if (size_ > searched_faces) {
       add("coarsening/ours", measure_coarsening);
       add("coarsening/cgal", measure_coarsening_of_cgal<>);

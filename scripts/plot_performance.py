@@ -27,9 +27,7 @@ STAGES = ("initialization", "sampling", "embedding", "line_search", "merging", "
 RATIOS = (("sdf/threads:1", "calibrated/threads:1"),
           ("calibrated_unsimplified/threads:1", "calibrated/threads:1"),
           ("calibrated/threads:1", "calibrated/threads:2"),
-          ("paper/threads:1", "paper/threads:2"),
-          ("shortest_path_tree/bgl_on_cgal_dual", "shortest_path_tree/buckets"),
-          ("shortest_path_tree/buckets", "shortest_path_tree/breadth_first"))
+          ("paper/threads:1", "paper/threads:2"))
 
 
 def parse_arguments():

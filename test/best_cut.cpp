@@ -154,8 +154,7 @@ BOOST_AUTO_TEST_CASE(the_cut_of_the_paper_is_the_best_along_its_one_order)
   evaluated_cuts(graph, options, best);
   BOOST_TEST_REQUIRE(best.has_value());
   const internal::Shape_contexts contexts =
-    internal::shape_contexts(sequential, graph,
-                             internal::farthest_face_from_center(sequential, graph),
+    internal::shape_contexts(graph, internal::farthest_face_from_center(sequential, graph),
                              options.number_of_reference_faces, [] {});
   const auto order =
     internal::face_order(sequential, graph, internal::sample_faces(sequential, contexts));

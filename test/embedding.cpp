@@ -7,7 +7,7 @@
 #include "test_meshes.h"
 
 #include <CGAL/Spectral_segmentation/internal/bipartition/face_orders.h>
-#include <CGAL/Spectral_segmentation/internal/bipartition/shortest_paths.h>
+#include <CGAL/Spectral_segmentation/internal/distances/shortest_paths.h>
 
 #include <cmath>
 #include <cstddef>
@@ -40,8 +40,8 @@ struct Two_samples
     const Index n = num_vertices(graph);
     s = Index(random() % n);
     t = Index((s + 1 + random() % (n - 1)) % n);
-    from_s = shortest_paths({graph, &Edge_weights::combined}, s);
-    from_t = shortest_paths({graph, &Edge_weights::combined}, t);
+    from_s = shortest_paths(graph, &Edge_weights::combined, s);
+    from_t = shortest_paths(graph, &Edge_weights::combined, t);
   }
 
   double difference(Index f) const { return from_s[f] - from_t[f]; }

@@ -9,7 +9,7 @@
 #include <CGAL/Spectral_segmentation/internal/mesh/Face_graph.h>
 #include <CGAL/Spectral_segmentation/internal/bipartition/line_search.h>
 #include <CGAL/Spectral_segmentation/internal/mesh/extract_part.h>
-#include <CGAL/Spectral_segmentation/internal/bipartition/shortest_paths.h>
+#include <CGAL/Spectral_segmentation/internal/distances/shortest_paths.h>
 #include <CGAL/Spectral_segmentation/internal/bipartition/face_orders.h>
 
 
@@ -259,8 +259,8 @@ std::vector<Index> random_line(const Face_graph& part, Random& random)
 
 std::vector<Index> line_between(const Face_graph& part, Index s, Index t)
 {
-  return spectral_order(sequential, shortest_paths({part, &Edge_weights::combined}, s),
-                        shortest_paths({part, &Edge_weights::combined}, t));
+  return spectral_order(sequential, shortest_paths(part, &Edge_weights::combined, s),
+                        shortest_paths(part, &Edge_weights::combined, t));
 }
 
 // A spectral line, of which some faces are visited at another time.

@@ -19,7 +19,7 @@
 #include <CGAL/Spectral_segmentation/internal/bipartition/face_orders.h>
 #include <CGAL/Spectral_segmentation/internal/bipartition/line_search.h>
 #include <CGAL/Spectral_segmentation/internal/bipartition/shape_context_sampling.h>
-#include <CGAL/Spectral_segmentation/internal/bipartition/shortest_paths.h>
+#include <CGAL/Spectral_segmentation/internal/distances/shortest_paths.h>
 
 #include <CGAL/boost/graph/copy_face_graph.h>
 #include <CGAL/segment_spectral_recursive.h>
@@ -163,7 +163,7 @@ BOOST_AUTO_TEST_CASE(line_of_two_samples)
   const std::vector<Index> samples = samples_by_contexts(graph, 2, random);
   const Eigenpairs e = face_eigenpairs(graph, samples);
   const auto from = [&](Index f)
-  { return internal::shortest_paths({graph, &Edge_weights::combined}, f); };
+  { return internal::shortest_paths(graph, &Edge_weights::combined, f); };
   const std::vector<double> from_s = from(samples[0]), from_t = from(samples[1]);
   std::vector<double> differences;
   for (Index f : spectral_line(graph, e, samples, false))
@@ -181,7 +181,7 @@ BOOST_AUTO_TEST_CASE(cut_by_two_samples)
   Random_engine random = random_engine(1, 0);
   const std::vector<Index> samples = samples_by_contexts(graph, 2, random);
   const auto from = [&](Index f)
-  { return internal::shortest_paths({graph, &Edge_weights::combined}, f); };
+  { return internal::shortest_paths(graph, &Edge_weights::combined, f); };
   const std::vector<double> from_s = from(samples[0]), from_t = from(samples[1]);
   const CGAL::Spectral_segmentation::Weighted_part_salience part_salience;
   const auto salience = [&](const std::vector<Index>& line) {
@@ -246,8 +246,7 @@ BOOST_AUTO_TEST_CASE(first_two_samples_by_contexts_are_those_of_the_package)
   const Face_graph graph = irregular_dumbbell();
   const internal::Sample_faces expected =
     internal::sample_faces(Execution::SEQUENTIAL, internal::shape_contexts(
-      Execution::SEQUENTIAL, graph,
-      internal::farthest_face_from_center(Execution::SEQUENTIAL, graph), 10, [] {}));
+      graph, internal::farthest_face_from_center(Execution::SEQUENTIAL, graph), 10, [] {}));
   Random_engine random = random_engine(1, 0);
   BOOST_TEST(samples_by_contexts(graph, 2, random) == (std::vector<Index>{expected.s, expected.t}),
              tt::per_element());

@@ -7,7 +7,7 @@
 
 #include <CGAL/Spectral_segmentation/internal/mesh/Face_graph.h>
 #include <CGAL/Spectral_segmentation/internal/bipartition/shape_context_sampling.h>
-#include <CGAL/Spectral_segmentation/internal/bipartition/shortest_paths.h>
+#include <CGAL/Spectral_segmentation/internal/distances/shortest_paths.h>
 
 #include <algorithm>
 #include <cmath>
@@ -54,7 +54,7 @@ void randomize_distances(Face_graph& graph, Random& random)
 }
 
 std::vector<double> geodesic_distances(const Face_graph& graph, Index source)
-{ return shortest_paths({graph, &Edge_weights::geodesic}, source); }
+{ return shortest_paths(graph, &Edge_weights::geodesic, source); }
 
 // The sum of the angles along the only shortest way from f to `reference`, walked backwards.
 double context_by_walking(const Face_graph& graph, Index f, Index reference,
@@ -77,7 +77,7 @@ double context_by_walking(const Face_graph& graph, Index f, Index reference,
 }
 
 Shape_contexts contexts_of(const Face_graph& graph, Index first, std::size_t k)
-{ return shape_contexts(sequential, graph, first, k, [] {}); }
+{ return shape_contexts(graph, first, k, [] {}); }
 
 double squared_distance(const Shape_contexts& contexts, Index f, const std::vector<double>& from)
 {
@@ -196,11 +196,11 @@ BOOST_AUTO_TEST_CASE(the_caller_is_asked_before_each_search)
   const Face_graph graph = graph_with_distances(sphere(1));
   for (std::size_t k : {1, 4, 10}) {
     std::size_t calls = 0;
-    shape_contexts(sequential, graph, 0, k, [&] { ++calls; });
-    BOOST_TEST(calls == (k == 1 ? 1 : 2 * k - 2)); // k trees; to the nearest, from all but two
+    shape_contexts(graph, 0, k, [&] { ++calls; });
+    BOOST_TEST(calls == k);
   }
   const auto stop = [] { throw std::runtime_error("stop"); };
-  BOOST_CHECK_THROW(shape_contexts(sequential, graph, 0, 3, stop), std::runtime_error);
+  BOOST_CHECK_THROW(shape_contexts(graph, 0, 3, stop), std::runtime_error);
 }
 
 BOOST_AUTO_TEST_CASE(samples_have_the_largest_context_and_the_one_that_differs_most)

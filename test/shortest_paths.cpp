@@ -4,12 +4,10 @@
 #include <boost/test/unit_test.hpp>
 
 #include "test_meshes.h"
-#include "../benchmark/dijkstra_search.h"
 
 #include <CGAL/Spectral_segmentation/internal/mesh/Face_graph.h>
 #include <CGAL/Spectral_segmentation/internal/distances/face_distances.h>
-#include <CGAL/Spectral_segmentation/internal/bipartition/shortest_paths.h>
-#include <CGAL/Spectral_segmentation/internal/multilevel/coarsening.h>
+#include <CGAL/Spectral_segmentation/internal/distances/shortest_paths.h>
 
 #include <algorithm>
 #include <cmath>
@@ -25,13 +23,9 @@ namespace tt = boost::test_tools;
 namespace internal = CGAL::Spectral_segmentation::internal;
 using namespace test_meshes;
 using CGAL::Spectral_segmentation::internal::Edge_weights;
-using CGAL::Spectral_segmentation::internal::Path_angles;
-using CGAL::Spectral_segmentation::internal::Path_lengths;
-using CGAL::Spectral_segmentation::internal::Weighted_graph;
+using CGAL::Spectral_segmentation::internal::Geodesic_paths;
 using CGAL::Spectral_segmentation::internal::Weighting;
-using CGAL::Spectral_segmentation::internal::grow_paths;
-using segmentation_benchmark::grow_paths_by_dijkstra;
-using segmentation_benchmark::shortest_paths_by_dijkstra;
+using CGAL::Spectral_segmentation::internal::geodesic_paths;
 
 namespace {
 
@@ -95,12 +89,9 @@ BOOST_AUTO_TEST_CASE(distances_equal_those_of_floyd_and_warshall)
           make_uneven(graph, weighting, random);
       for (Weighting weighting : weightings) {
         const std::vector<std::vector<double> > expected = floyd_warshall(graph, weighting);
-        for (Index source = 0; source < graph.number_of_faces(); ++source) {
-          BOOST_TEST(internal::shortest_paths({graph, weighting}, source) == expected[source],
+        for (Index source = 0; source < graph.number_of_faces(); ++source)
+          BOOST_TEST(internal::shortest_paths(graph, weighting, source) == expected[source],
                      tt::per_element());
-          BOOST_TEST(shortest_paths_by_dijkstra({graph, weighting}, source) == expected[source],
-                     tt::per_element());
-        }
       }
     }
   }
@@ -108,53 +99,71 @@ BOOST_AUTO_TEST_CASE(distances_equal_those_of_floyd_and_warshall)
 
 namespace {
 
-// In every bit, for all that a run asks of a search: distances by any weighting, and the angles
-// along the shortest geodesic paths.
-void check_that_both_searches_agree(const Face_graph& graph, Index source)
+// Relaxes all edges until nothing changes.
+std::vector<double> bellman_ford(const Face_graph& graph, Weighting weighting,
+                                 std::vector<double> distance)
 {
-  const std::size_t n = graph.number_of_faces();
-  for (Weighting weighting : weightings)
-    BOOST_TEST((internal::shortest_paths({graph, weighting}, source) ==
-                shortest_paths_by_dijkstra({graph, weighting}, source)));
-  const Weighted_graph weighted(graph, &Edge_weights::geodesic);
-  Path_angles by_buckets(n), by_dijkstra(n);
-  grow_paths(weighted, source, by_buckets);
-  grow_paths_by_dijkstra(weighted, source, by_dijkstra);
-  Index number_of_differences = 0;
-  for (Index f = 0; f < n; ++f)
-    number_of_differences += by_buckets.length(f) != by_dijkstra.length(f) ||
-                             by_buckets.angles(f) != by_dijkstra.angles(f);
-  BOOST_TEST(number_of_differences == 0u);
+  for (bool has_changed = true; has_changed;) {
+    has_changed = false;
+    for (Index h = 0; h < graph.number_of_halfedges(); ++h) {
+      const double length = distance[h / 3] + graph.weights[h].*weighting;
+      if (length < distance[graph.neighbors[h]]) {
+        distance[graph.neighbors[h]] = length;
+        has_changed = true;
+      }
+    }
+  }
+  return distance;
+}
+
+std::vector<double> distances_at_start(const Face_graph& graph, Index source)
+{
+  std::vector<double> distance(graph.number_of_faces(), infinity);
+  distance[source] = 0;
+  return distance;
+}
+
+// Sums the angles over the nearest, then the first neighbor on a shortest path.
+std::vector<float> angles_by_definition(const Face_graph& graph,
+                                        const std::vector<double>& distance)
+{
+  std::vector<Index> faces(distance.size());
+  std::iota(faces.begin(), faces.end(), 0);
+  std::stable_sort(faces.begin(), faces.end(),
+                   [&](Index f, Index g) { return distance[f] < distance[g]; });
+  std::vector<float> angles(distance.size(), 0);
+  for (Index f : faces) {
+    std::pair<double, Index> nearest(infinity, 0);
+    for (Index h = 3 * f; h < 3 * f + 3; ++h) {
+      const Index g = graph.neighbors[h];
+      const std::pair<double, Index> candidate(distance[g], g);
+      if (g != f && distance[g] + graph.weights[h].geodesic == distance[f] &&
+          candidate < nearest) {
+        nearest = candidate;
+        angles[f] = angles[g] + graph.weights[h].angle;
+      }
+    }
+  }
+  return angles;
 }
 
 } // namespace
 
-BOOST_AUTO_TEST_CASE(both_searches_agree_on_real_meshes_and_their_parts)
+BOOST_AUTO_TEST_CASE(distances_on_real_meshes_equal_those_of_bellman_and_ford)
 {
-  Random random(1);
-  for (const char* name : {"elephant.off", "hand.off", "dino.off", "camel.off", "mushroom.off"})
+  for (const char* name : {"elephant.off", "hand.off", "dino.off", "mushroom.off"})
     BOOST_TEST_CONTEXT(name) {
       Face_graph graph = face_graph_of(read(name));
       for (double concavity_radius : {0., 0.01}) {
         set_face_distances(graph, {0.03, 1, 0.1, concavity_radius});
-        for (Index source : {Index(0), Index(graph.number_of_faces() / 2)})
-          check_that_both_searches_agree(graph, source);
+        const Index source = static_cast<Index>(graph.number_of_faces() / 2);
+        for (Weighting weighting : weightings)
+          BOOST_TEST((internal::shortest_paths(graph, weighting, source) ==
+                      bellman_ford(graph, weighting, distances_at_start(graph, source))));
+        const Geodesic_paths paths = geodesic_paths(graph, source);
+        BOOST_TEST((paths.angles == angles_by_definition(graph, paths.lengths)));
       }
-      for (int i = 0; i < 3; ++i)
-        check_that_both_searches_agree(
-          random_part(graph, 100 + random() % (graph.number_of_faces() / 2), random), 0);
     }
-}
-
-BOOST_AUTO_TEST_CASE(both_searches_agree_on_a_coarse_mesh)
-{
-  internal::Run_control control;
-  internal::Run_monitor monitor(control);
-  Face_graph graph = internal::coarsen(sequential, face_graph_of(read("elephant.off")), 800, false,
-                                       monitor, 0).graph;
-  set_face_distances(graph, weights_of_calibrated_method);
-  for (Index source = 0; source < graph.number_of_faces(); source += 100)
-    check_that_both_searches_agree(graph, source);
 }
 
 BOOST_AUTO_TEST_CASE(of_several_sources_the_nearest_counts)
@@ -166,19 +175,19 @@ BOOST_AUTO_TEST_CASE(of_several_sources_the_nearest_counts)
       const Weighting weighting = weightings[seed % 3];
       if (seed % 2 == 0)
         make_uneven(graph, weighting, random);
-      const std::size_t n = graph.number_of_faces();
-      std::vector<double> expected(n, infinity);
-      Path_lengths by_buckets(n), by_dijkstra(n);
+      std::vector<double> distance(graph.number_of_faces(), infinity);
+      std::vector<Index> sources;
       for (int i = 0; i < 4; ++i) {
-        const Index source = static_cast<Index>(random() % n);
-        grow_paths(Weighted_graph(graph, weighting), source, by_buckets);
-        grow_paths_by_dijkstra(Weighted_graph(graph, weighting), source, by_dijkstra);
-        const std::vector<double> distance = floyd_warshall(graph, weighting)[source];
-        for (Index f = 0; f < n; ++f)
-          expected[f] = std::min(expected[f], distance[f]);
-        BOOST_TEST(by_buckets.lengths == expected, tt::per_element());
-        BOOST_TEST(by_dijkstra.lengths == expected, tt::per_element());
+        const Index source = static_cast<Index>(random() % distance.size());
+        if (distance[source] == infinity)
+          sources.push_back(source);
+        distance[source] = std::ldexp(double(random() % 8), -2); // where its paths begin
       }
+      const std::vector<double> expected = bellman_ford(graph, weighting, distance);
+      internal::run_dijkstra(graph, sources,
+                             [&](Index h) -> double { return graph.weights[h].*weighting; },
+                             distance, boost::dijkstra_visitor<>());
+      BOOST_TEST(distance == expected, tt::per_element());
     }
   }
 }
@@ -189,38 +198,13 @@ BOOST_AUTO_TEST_CASE(angles_are_summed_along_the_paths_over_the_nearest_neighbor
     BOOST_TEST_CONTEXT("seed " << seed) {
       Random random(seed);
       Face_graph graph = random_graph(random);
-      const Weighting weighting = weightings[seed % 3];
       // Few values, so that many paths are as short.
-      set_weights(graph, weighting, [&] { return 1 + float(random() % 3); });
-      const std::size_t n = graph.number_of_faces();
-      const Index source = static_cast<Index>(random() % n);
-      const std::vector<double> distance = floyd_warshall(graph, weighting)[source];
-
-      std::vector<Index> faces(n);
-      std::iota(faces.begin(), faces.end(), 0);
-      std::stable_sort(faces.begin(), faces.end(),
-                       [&](Index f, Index g) { return distance[f] < distance[g]; });
-      std::vector<float> expected(n, 0);
-      for (Index f : faces) {
-        std::pair<double, Index> nearest(infinity, 0);
-        for (Index h = 3 * f; h < 3 * f + 3; ++h) {
-          const Index g = graph.neighbors[h];
-          const std::pair<double, Index> candidate(distance[g], g);
-          if (distance[g] + graph.weights[h].*weighting == distance[f] && candidate < nearest) {
-            nearest = candidate;
-            expected[f] = expected[g] + graph.weights[h].angle;
-          }
-        }
-      }
-
-      Path_angles by_buckets(n), by_dijkstra(n);
-      grow_paths(Weighted_graph(graph, weighting), source, by_buckets);
-      grow_paths_by_dijkstra(Weighted_graph(graph, weighting), source, by_dijkstra);
-      for (Index f = 0; f < n; ++f) {
-        BOOST_TEST(by_buckets.length(f) == distance[f]);
-        BOOST_TEST(by_buckets.angles(f) == expected[f]);
-        BOOST_TEST(by_dijkstra.angles(f) == expected[f]);
-      }
+      set_weights(graph, &Edge_weights::geodesic, [&] { return 1 + float(random() % 3); });
+      const Index source = static_cast<Index>(random() % graph.number_of_faces());
+      const Geodesic_paths paths = geodesic_paths(graph, source);
+      BOOST_TEST(paths.lengths == floyd_warshall(graph, &Edge_weights::geodesic)[source],
+                 tt::per_element());
+      BOOST_TEST(paths.angles == angles_by_definition(graph, paths.lengths), tt::per_element());
     }
   }
 }
@@ -229,7 +213,7 @@ BOOST_AUTO_TEST_CASE(a_single_face_is_at_distance_0)
 {
   Random random(1);
   const Face_graph graph = random_part(graph_with_distances(sphere(0)), 1, random);
-  const std::vector<double> distance = internal::shortest_paths({graph, &Edge_weights::geodesic}, 0);
+  const std::vector<double> distance = internal::shortest_paths(graph, &Edge_weights::geodesic, 0);
   BOOST_TEST(distance == std::vector<double>({0}), tt::per_element());
 }
 
@@ -237,12 +221,10 @@ BOOST_AUTO_TEST_CASE(ways_of_length_0_are_ways)
 {
   Face_graph graph = face_graph_of(plate(3, 3));
   graph.weights.resize(graph.number_of_halfedges());
-  BOOST_TEST(internal::shortest_paths({graph, &Edge_weights::combined}, 4) ==
+  BOOST_TEST(internal::shortest_paths(graph, &Edge_weights::combined, 4) ==
              std::vector<double>(graph.number_of_faces(), 0.), tt::per_element());
-  Path_angles paths(graph.number_of_faces());
-  grow_paths(Weighted_graph(graph, &Edge_weights::combined), 4, paths);
-  for (Index f = 0; f < graph.number_of_faces(); ++f)
-    BOOST_TEST(paths.length(f) == 0);
+  BOOST_TEST(geodesic_paths(graph, 4).lengths == std::vector<double>(graph.number_of_faces(), 0.),
+             tt::per_element());
 }
 
 BOOST_AUTO_TEST_SUITE_END()

@@ -7,7 +7,7 @@
 #include "experiment.h"
 #include "nystrom.h"
 
-#include <CGAL/Spectral_segmentation/internal/bipartition/shortest_paths.h>
+#include <CGAL/Spectral_segmentation/internal/distances/shortest_paths.h>
 
 #include <Eigen/Core>
 
@@ -33,7 +33,7 @@ inline Eigen::MatrixXd distances_from(const Face_graph& part,
   Eigen::MatrixXd rows(samples.size(), part.number_of_faces());
   for (std::size_t i = 0; i < samples.size(); ++i) {
     const std::vector<double> distance = CGAL::Spectral_segmentation::internal::shortest_paths(
-      {part, &Edge_weights::combined}, samples[i]);
+      part, &Edge_weights::combined, samples[i]);
     rows.row(static_cast<Eigen::Index>(i)) =
       Eigen::Map<const Eigen::VectorXd>(distance.data(), rows.cols());
   }

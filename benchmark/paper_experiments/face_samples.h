@@ -61,7 +61,7 @@ std::vector<Index> samples_by_paths(const Face_graph& part, std::size_t m,
                                     Random_engine& random)
 {
   const auto distances_from = [&](Index f)
-  { return CGAL::Spectral_segmentation::internal::shortest_paths({part, weighting}, f); };
+  { return CGAL::Spectral_segmentation::internal::shortest_paths(part, weighting, f); };
   const std::size_t n = part.number_of_faces();
   const Index first = farthest_first(n, random_face(n, random), 2, distances_from).back();
   return farthest_first(n, first, m, distances_from);
@@ -73,8 +73,7 @@ inline std::vector<Index> samples_by_contexts(const Face_graph& part, std::size_
 {
   namespace internal = CGAL::Spectral_segmentation::internal;
   const internal::Shape_contexts contexts = internal::shape_contexts(
-    Execution::SEQUENTIAL, part,
-    internal::farthest_face_from_center(Execution::SEQUENTIAL, part),
+    part, internal::farthest_face_from_center(Execution::SEQUENTIAL, part),
     Engine_options().number_of_reference_faces, [] {});
   const auto distances_from = [&](Index from) {
     std::vector<double> squared(part.number_of_faces(), 0);

@@ -52,8 +52,8 @@ Searched_line search_line(const Face_graph& part, const Sample_faces& samples,
 {
   namespace internal = CGAL::Spectral_segmentation::internal;
   Searched_line result;
-  result.from_s = internal::shortest_paths({part, &Edge_weights::combined}, samples.s);
-  result.from_t = internal::shortest_paths({part, &Edge_weights::combined}, samples.t);
+  result.from_s = internal::shortest_paths(part, &Edge_weights::combined, samples.s);
+  result.from_t = internal::shortest_paths(part, &Edge_weights::combined, samples.t);
   std::map<std::size_t, double> saliences; // by size
   result.cut = internal::line_search(
     Execution::SEQUENTIAL, part,

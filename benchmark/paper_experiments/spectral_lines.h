@@ -36,7 +36,7 @@ inline std::vector<Index> spectral_line(const Face_graph& part, const Eigenpairs
   const Index first = *std::min_element(samples.begin(), samples.end(),
                                         [&z](Index f, Index g) { return z[f] < z[g]; });
   const std::vector<double> distance = CGAL::Spectral_segmentation::internal::shortest_paths(
-    {part, &Edge_weights::combined}, first);
+    part, &Edge_weights::combined, first);
   std::vector<Index> line = all_faces(part);
   std::sort(line.begin(), line.end(), [&](Index f, Index g) {
     return std::make_tuple(z[f], distance[f], f) < std::make_tuple(z[g], distance[g], g);

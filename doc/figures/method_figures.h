@@ -125,8 +125,7 @@ inline void add_samples(Picture& picture, const internal::Sample_faces& samples)
 inline internal::Shape_contexts contexts_of(const Face_graph& graph)
 {
   return internal::shape_contexts(
-    Execution::SEQUENTIAL, graph,
-    internal::farthest_face_from_center(Execution::SEQUENTIAL, graph),
+    graph, internal::farthest_face_from_center(Execution::SEQUENTIAL, graph),
     zhang_liu_2005_options().number_of_reference_faces, [] {});
 }
 
@@ -155,10 +154,7 @@ struct Searched_line
   Json steps = Json::array();
 
   static std::vector<double> distances(const Face_graph& graph, Index source)
-  {
-    const internal::Weighted_graph weighted(graph, &Edge_weights::combined);
-    return internal::shortest_paths(weighted, source);
-  }
+  { return internal::shortest_paths(graph, &Edge_weights::combined, source); }
 
   Searched_line(const Face_graph& graph, const internal::Sample_faces& given)
     : samples(given),

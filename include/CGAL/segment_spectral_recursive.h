@@ -11,6 +11,7 @@
 //                                        hierarchy/boundary_smoothing.h
 //   2    BESTCUT (Figure 2)              bipartition/best_cut.h
 //   3    distances of adjacent faces     distances/face_distances.h
+//   3    distances of all faces          distances/shortest_paths.h, by BGL's Dijkstra
 //   4    sampling by shape context       bipartition/shape_context_sampling.h
 //   5.2  spectral order of the faces     bipartition/face_orders.h
 //   5.3  line search                     bipartition/line_search.h

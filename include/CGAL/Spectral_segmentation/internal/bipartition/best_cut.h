@@ -155,7 +155,7 @@ public:
     // A part is a guessed half of its share of the search, to which later parts add.
     const double step = 0.5 * static_cast<double>(m.number_of_faces()) /
                         static_cast<double>(number_of_faces_) /
-                        static_cast<double>(2 * options_.number_of_reference_faces + 1);
+                        static_cast<double>(options_.number_of_reference_faces + 3);
     const auto check = [&] {
       monitor.check();
       monitor.approach(step);
@@ -169,7 +169,7 @@ public:
       const Index first = options_.random_seed
         ? random_face(m, *options_.random_seed, part.faces.front())
         : farthest_face_from_center(execution, m);
-      contexts = shape_contexts(execution, m, first, options_.number_of_reference_faces, check);
+      contexts = shape_contexts(m, first, options_.number_of_reference_faces, check);
       return sample_faces(execution, contexts);
     });
 

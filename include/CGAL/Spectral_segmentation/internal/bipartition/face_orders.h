@@ -5,7 +5,7 @@
 #define CGAL_SPECTRAL_SEGMENTATION_INTERNAL_BIPARTITION_FACE_ORDERS_H
 
 #include <CGAL/Spectral_segmentation/internal/bipartition/shape_context_sampling.h>
-#include <CGAL/Spectral_segmentation/internal/bipartition/shortest_paths.h>
+#include <CGAL/Spectral_segmentation/internal/distances/shortest_paths.h>
 #include <CGAL/Spectral_segmentation/internal/utility/sorted_indices.h>
 
 #include <cstddef>
@@ -46,10 +46,9 @@ inline std::vector<Face_order> face_orders(Execution execution, const Face_graph
     for (Index reference : references)
       if (reference != samples.s && reference != samples.t)
         sources.push_back(reference);
-  const Weighted_graph graph(part, &Edge_weights::combined);
   std::vector<std::vector<double> > distances(sources.size());
   for_each_index(execution, sources.size(), [&](std::size_t i)
-    { distances[i] = shortest_paths(graph, sources[i]); });
+    { distances[i] = shortest_paths(part, &Edge_weights::combined, sources[i]); });
 
   std::vector<Face_order> orders = {spectral_order(execution, distances[0], distances[1]),
                                     spectral_order(execution, distances[1], distances[0])};
@@ -63,11 +62,10 @@ inline std::vector<Face_order> face_orders(Execution execution, const Face_graph
 inline Face_order face_order(Execution execution, const Face_graph& part,
                              const Sample_faces& samples)
 {
-  const Weighted_graph graph(part, &Edge_weights::combined);
   std::vector<double> from_s, from_t;
   call_all(execution,
-    [&] { from_s = shortest_paths(graph, samples.s); },
-    [&] { from_t = shortest_paths(graph, samples.t); });
+    [&] { from_s = shortest_paths(part, &Edge_weights::combined, samples.s); },
+    [&] { from_t = shortest_paths(part, &Edge_weights::combined, samples.t); });
   return spectral_order(execution, from_s, from_t);
 }
 

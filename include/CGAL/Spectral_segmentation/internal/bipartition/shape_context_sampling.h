@@ -7,14 +7,13 @@
 #include <CGAL/Spectral_segmentation/internal/mesh/Face_graph.h>
 #include <CGAL/Spectral_segmentation/internal/utility/concurrency.h>
 #include <CGAL/Spectral_segmentation/internal/mesh/surface_integrals.h>
-#include <CGAL/Spectral_segmentation/internal/bipartition/shortest_paths.h>
+#include <CGAL/Spectral_segmentation/internal/distances/shortest_paths.h>
 
 #include <Eigen/Core>
 
 #include <algorithm>
 #include <cstddef>
 #include <cstdint>
-#include <limits>
 #include <random>
 #include <vector>
 
@@ -55,46 +54,29 @@ struct Shape_contexts
 };
 
 // Chooses k reference faces, or all of a part with fewer, mutually farthest apart in geodesic
-// distance, and sums the angle distances along the shortest geodesic paths to each, while the next
-// ones are chosen. `before_search()` is called before each search for paths.
+// distance, and sums the angle distances along the shortest geodesic paths to each. Calls
+// `before_search()` before each search for paths.
 template <class BeforeSearch>
-Shape_contexts shape_contexts(Execution execution, const Face_graph& graph, Index first_reference,
-                              std::size_t k, const BeforeSearch& before_search)
+Shape_contexts shape_contexts(const Face_graph& graph, Index first_reference, std::size_t k,
+                              const BeforeSearch& before_search)
 {
   const std::size_t n = graph.number_of_faces();
-  const Weighted_graph weighted(graph, &Edge_weights::geodesic);
-  Shape_contexts contexts;
   k = (std::min)(k, n);
+  Shape_contexts contexts;
   contexts.values.resize(n, k);
-  const auto grow_tree = [&](std::size_t j, Index reference) {
-    Path_angles paths(n);
-    grow_paths(weighted, reference, paths);
-    for (Index f = 0; f < n; ++f)
-      contexts.values(f, j) = paths.angles(f);
-    return paths;
-  };
-  before_search();
-  contexts.references.push_back(first_reference);
-  Path_lengths to_nearest(n);
-  {
-    const Path_angles first_tree = grow_tree(0, first_reference);
-    for (Index f = 0; f < n; ++f)
-      to_nearest.lengths[f] = first_tree.length(f);
-  }
-
-  Task_group trees(execution);
-  for (std::size_t j = 1; j < k; ++j) {
+  std::vector<double> to_nearest(n, infinite_distance);
+  Index reference = first_reference;
+  for (std::size_t j = 0; j < k; ++j) {
     before_search();
-    const auto farthest = std::max_element(to_nearest.lengths.begin(), to_nearest.lengths.end());
-    const Index reference = static_cast<Index>(farthest - to_nearest.lengths.begin());
     contexts.references.push_back(reference);
-    trees.run([&, j, reference] { grow_tree(j, reference); });
-    if (j + 1 < k) {
-      before_search();
-      grow_paths(weighted, reference, to_nearest);
+    const Geodesic_paths paths = geodesic_paths(graph, reference);
+    for (Index f = 0; f < n; ++f) {
+      contexts.values(f, j) = paths.angles[f];
+      to_nearest[f] = (std::min)(to_nearest[f], paths.lengths[f]);
     }
+    const auto farthest = std::max_element(to_nearest.begin(), to_nearest.end());
+    reference = static_cast<Index>(farthest - to_nearest.begin());
   }
-  trees.wait();
   return contexts;
 }
 

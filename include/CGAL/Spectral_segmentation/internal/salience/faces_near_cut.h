@@ -5,12 +5,10 @@
 #define CGAL_SPECTRAL_SEGMENTATION_INTERNAL_SALIENCE_FACES_NEAR_CUT_H
 
 #include <CGAL/Spectral_segmentation/internal/salience/Cut.h>
+#include <CGAL/Spectral_segmentation/internal/distances/shortest_paths.h>
 #include <CGAL/Spectral_segmentation/internal/mesh/Face_graph.h>
 
-#include <functional>
-#include <limits>
-#include <queue>
-#include <utility>
+#include <algorithm>
 #include <vector>
 
 namespace CGAL::Spectral_segmentation::internal {
@@ -21,7 +19,7 @@ struct Face_at_distance
   double distance; // from the cut, from centroid to centroid
 };
 
-// The half-edges along a cut on its side 0.
+// Returns the halfedges along a cut on its side 0.
 inline std::vector<Index> halfedges_of_cut(const Face_graph& part, const Sides& side)
 {
   std::vector<Index> result;
@@ -33,40 +31,54 @@ inline std::vector<Index> halfedges_of_cut(const Face_graph& part, const Sides& 
   return result;
 }
 
-// The faces on both sides within `radius` of a cut, nearest first. Paths do not cross the cut.
-// Dijkstra's search, but from all edges of the cut at once and up to the radius, for which BGL's
-// has no place.
+// Collects the faces that Dijkstra examines, and ends the search beyond a radius.
+class Near_face_visitor : public boost::dijkstra_visitor<>
+{
+  const std::vector<double>* distance_;
+  double radius_;
+  std::vector<Face_at_distance>* faces_;
+
+public:
+  struct Radius_reached {};
+
+  Near_face_visitor(const std::vector<double>& distance, double radius,
+                    std::vector<Face_at_distance>& faces)
+    : distance_(&distance), radius_(radius), faces_(&faces) {}
+
+  void examine_vertex(Index f, const Face_graph&) const
+  {
+    if ((*distance_)[f] > radius_)
+      throw Radius_reached();
+    faces_->push_back({f, (*distance_)[f]});
+  }
+};
+
+// Returns the faces on both sides within `radius` of a cut, nearest first, then by their indices.
+// Paths do not cross the cut. They start at the middles of its edges.
 inline std::vector<Face_at_distance> faces_near_cut(const Face_graph& part, const Sides& side,
                                                     const std::vector<Index>& cut, double radius)
 {
-  typedef std::pair<double, Index> Entry;
-  std::vector<double> distance(part.number_of_faces(), std::numeric_limits<double>::infinity());
-  std::priority_queue<Entry, std::vector<Entry>, std::greater<Entry> > queue;
-  const auto relax = [&](Index f, double d) {
-    if (d < distance[f] && d <= radius) {
-      distance[f] = d;
-      queue.push({d, f});
-    }
-  };
+  std::vector<double> distance(part.number_of_faces(), infinite_distance);
+  std::vector<Index> sources;
   for (Index h : cut) {
     const Vector middle =
       (part.points[part.source_vertex(h)] + part.points[part.target_vertex(h)]) / 2;
-    for (Index f : {h / 3, part.neighbors[h]})
-      relax(f, (part.centroid(f) - middle).norm());
-  }
-  std::vector<Face_at_distance> result;
-  while (!queue.empty()) {
-    const auto [d, f] = queue.top();
-    queue.pop();
-    if (d > distance[f])
-      continue;
-    result.push_back({f, d});
-    for (Index h = 3 * f; h < 3 * f + 3; ++h) {
-      const Index g = part.neighbors[h];
-      if (d < distance[g] && side[g] == side[f])
-        relax(g, d + part.weights[h].centroids);
+    for (Index f : {h / 3, part.neighbors[h]}) {
+      if (distance[f] == infinite_distance)
+        sources.push_back(f);
+      distance[f] = (std::min)(distance[f], (part.centroid(f) - middle).norm());
     }
   }
+  const auto step = [&](Index h) -> double {
+    return side[h / 3] == side[part.neighbors[h]] ? part.weights[h].centroids : infinite_distance;
+  };
+  std::vector<Face_at_distance> result;
+  try {
+    run_dijkstra(part, sources, step, distance, Near_face_visitor(distance, radius, result));
+  }
+  catch (const Near_face_visitor::Radius_reached&) {}
+  std::sort(result.begin(), result.end(), [](const Face_at_distance& a, const Face_at_distance& b)
+    { return a.distance < b.distance || (a.distance == b.distance && a.face < b.face); });
   return result;
 }
 
