@@ -46,7 +46,7 @@ struct Options
   std::vector<std::string> triangulations = triangulation_names();
   std::size_t threads = 1, rounds = 3, passes = 1;
   std::size_t searched_faces =
-    CGAL::Spectral_segmentation::internal::calibrated_options().number_of_searched_faces;
+    CGAL::Spectral_segmentation::Options().number_of_searched_faces;
   bool leaves_one_category_out = false, leaves_factors_out = false;
 };
 
@@ -92,7 +92,7 @@ auto of_each_mesh(const Options& o, const Function& f)
 
 Engine_options options_with(const Calibrated_part_salience& salience, std::size_t searched_faces)
 {
-  Engine_options result = CGAL::Spectral_segmentation::internal::calibrated_options();
+  Engine_options result = CGAL::Spectral_segmentation::Options();
   result.part_salience = salience;
   result.number_of_searched_faces = searched_faces;
   return result;

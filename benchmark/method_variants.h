@@ -23,7 +23,7 @@ inline Tree_method method_with(const char* name, const Engine_options& options,
     return run_engine(mesh, o, execution);
   };
   return {name, options.salience_threshold,
-          options.method == CGAL::Spectral_segmentation::internal::Method::CALIBRATED, segment};
+          options.method == CGAL::Spectral_segmentation::Method::CALIBRATED, segment};
 }
 
 struct Method_variant
@@ -42,7 +42,7 @@ inline const std::vector<Method_variant>& method_variants()
     {"one candidate", [](Engine_options& o) { o.number_of_candidates = 1; }},
     {"no minimum cuts", [](Engine_options& o) { o.number_of_refined_candidates = 0; }},
     {"no coarsening", [](Engine_options& o) { o.number_of_searched_faces = 0; }},
-    {"no refinement", [](Engine_options& o) { o.refinement = false; }},
+    {"no bisection", [](Engine_options& o) { o.bisection = false; }},
     {"paper's geodesic weight", [](Engine_options& o) { o.geodesic_weight = 0.01; }},
     {"paper's part salience", [](Engine_options& o) {
       o.part_salience = CGAL::Spectral_segmentation::Weighted_part_salience();
@@ -56,7 +56,7 @@ inline std::vector<Tree_method> ablated_methods()
 {
   std::vector<Tree_method> result;
   for (const Method_variant& variant : method_variants()) {
-    Engine_options options = CGAL::Spectral_segmentation::internal::calibrated_options();
+    Engine_options options = CGAL::Spectral_segmentation::Options();
     variant.change(options);
     result.push_back(method_with(variant.name, options));
   }

@@ -24,7 +24,7 @@ inline Face_graph paper_graph(const Mesh& mesh)
   internal::Triangles triangles = triangles_of(mesh);
   internal::normalize(triangles.points);
   Face_graph graph = internal::face_graph(Execution::SEQUENTIAL, std::move(triangles));
-  const Engine_options options = internal::zhang_liu_2005_options();
+  const Engine_options options = CGAL::Spectral_segmentation::Options::zhang_liu_2005();
   internal::set_face_distances(
     Execution::SEQUENTIAL, graph, graph.points,
     internal::face_normals(Execution::SEQUENTIAL, graph, graph.points),

@@ -26,6 +26,7 @@
 
 #include "../examples/segment_mesh/Run_watch.h"
 
+#include <CGAL/Spectral_segmentation/internal/distances/shortest_paths.h>
 #include <CGAL/Spectral_segmentation/internal/multilevel/coarsening.h>
 #include <CGAL/segment_spectral_recursive.h>
 
@@ -66,7 +67,7 @@ const std::pair<Stage, const char*> stages[] = {
   {Stage::EMBEDDING, "embedding"},           {Stage::LINE_SEARCH, "line_search"},
   {Stage::MERGING, "merging"},               {Stage::PROJECTION, "projection"}};
 
-constexpr std::size_t unlimited = internal::unlimited;
+constexpr std::size_t unlimited = CGAL::Spectral_segmentation::unlimited;
 constexpr double any_salience = -std::numeric_limits<double>::infinity();
 
 struct Run
@@ -79,7 +80,7 @@ struct Run
   double salience_threshold;
 };
 
-const std::size_t searched_faces = internal::calibrated_options().number_of_searched_faces;
+const std::size_t searched_faces = CGAL::Spectral_segmentation::Options().number_of_searched_faces;
 constexpr double threshold = CGAL::Spectral_segmentation::default_probability_threshold;
 
 const Run calibrated = {"calibrated", unlimited, false, searched_faces, unlimited, threshold};

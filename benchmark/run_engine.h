@@ -14,7 +14,7 @@
 // Runs with options that have no named parameters, and with a look at what the engine does.
 namespace segmentation_benchmark {
 
-typedef CGAL::Spectral_segmentation::internal::Options Engine_options;
+typedef CGAL::Spectral_segmentation::Options Engine_options;
 typedef CGAL::Spectral_segmentation::internal::Execution Execution;
 typedef CGAL::Spectral_segmentation::internal::Run_control Run_control;
 
@@ -29,8 +29,8 @@ inline CGAL::Spectral_segmentation::Segmentation_hierarchy
 run_engine(const Mesh& mesh, const Engine_options& options, Execution execution,
            Run_control&& control = Run_control())
 {
-  return {CGAL::Spectral_segmentation::internal::segment(triangles_of(mesh), options, execution,
-                                                         control), options};
+  return CGAL::Spectral_segmentation::internal::segmentation_hierarchy(triangles_of(mesh), options,
+                                                                       execution, control);
 }
 
 } // namespace segmentation_benchmark

@@ -29,7 +29,7 @@ int main(int argc, char* argv[])
   CGAL::Spectral_segmentation::Segmentation_hierarchy tree;
   auto segment_ids = mesh.add_property_map<Mesh::Face_index, int>("f:segment").first;
   CGAL::segment_spectral_recursive(mesh, segment_ids, params::hierarchy(tree));
-  const auto graph = CGAL::segment_adjacency_graph(mesh, segment_ids, params::hierarchy(tree));
+  const auto graph = CGAL::segment_adjacency_graph(mesh, segment_ids, tree);
   std::cout << num_vertices(graph) << " segments, " << num_edges(graph) << " boundaries"
             << std::endl;
 

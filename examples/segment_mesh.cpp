@@ -58,17 +58,13 @@ namespace parameters = CGAL::Spectral_segmentation::parameters;
 using CGAL::Spectral_segmentation::Segmentation_hierarchy;
 using namespace segment_mesh;
 
-// The numbers that follow the method.
-typedef CGAL::Spectral_segmentation::internal::Options Defaults;
+typedef CGAL::Spectral_segmentation::Options Segmentation_options;
 
-Defaults defaults(bool is_of_paper)
-{
-  return is_of_paper ? CGAL::Spectral_segmentation::internal::zhang_liu_2005_options()
-                     : CGAL::Spectral_segmentation::internal::calibrated_options();
-}
+Segmentation_options defaults(bool uses_paper_method)
+{ return uses_paper_method ? Segmentation_options::zhang_liu_2005() : Segmentation_options(); }
 
-// For the help.
-std::string both_defaults(double Defaults::*number)
+// Returns a text for the help.
+std::string both_defaults(double Segmentation_options::*number)
 {
   std::ostringstream out;
   out << " [" << defaults(false).*number << ", paper " << defaults(true).*number << ']';
@@ -99,7 +95,7 @@ struct Options
   bool quiet = false;
   bool prints_man_page = false, prints_completion = false;
 
-  bool is_of_paper() const { return method_name == "paper"; }
+  bool uses_paper_method() const { return method_name == "paper"; }
 
   bool writes_to_standard_output() const
   {
@@ -107,19 +103,20 @@ struct Options
            is_standard_output(hierarchy_file) || is_standard_output(page_file);
   }
 
-  double minimum_segment_size() const
-  { return minimum_size.value_or(defaults(is_of_paper()).minimum_segment_size); }
-
-  // A number of segments alone means so many, however shallow the last cuts are.
-  bool is_number_exact() const { return segments && !threshold; }
-
-  std::size_t maximum_number_of_segments() const
-  { return segments.value_or((std::numeric_limits<std::size_t>::max)()); }
-
-  double salience_threshold() const
+  Segmentation_options segmentation_options() const
   {
-    return is_number_exact() ? -std::numeric_limits<double>::infinity()
-                             : threshold.value_or(defaults(is_of_paper()).salience_threshold);
+    Segmentation_options result = defaults(uses_paper_method());
+    if (segments && !threshold) // a number alone is exact, whatever the saliences
+      result.number_of_segments = segments;
+    else if (segments)
+      result.maximum_number_of_segments = *segments;
+    result.salience_threshold = threshold.value_or(result.salience_threshold);
+    result.minimum_segment_size = minimum_size.value_or(result.minimum_segment_size);
+    result.components_apart |= components_apart;
+    result.number_of_smoothing_iterations = smoothing_iterations;
+    result.boundary_smoothing = boundary_smoothing;
+    result.random_seed = seed;
+    return result;
   }
 };
 
@@ -190,11 +187,12 @@ void add_options(CLI::App& app, Options& o)
     ->type_name("N")->check(CLI::Range(std::int64_t(1), largest));
   app.add_option("--salience-threshold", o.threshold,
                  "smallest salience of a cut; with the method 'calibrated' the "
-                 "probability that people cut there" + both_defaults(&Defaults::salience_threshold))
+                 "probability that people cut there" +
+                   both_defaults(&Segmentation_options::salience_threshold))
     ->type_name("T");
   app.add_option("--minimum-segment-size", o.minimum_size,
                  "smallest area of a side of a cut, as a share of the area of the mesh" +
-                   both_defaults(&Defaults::minimum_segment_size))
+                   both_defaults(&Segmentation_options::minimum_segment_size))
     ->type_name("S")->check(CLI::Range(0., 0.5));
   app.add_option("--seed", o.seed,
                  "seed of random first reference faces; without it they are not random")
@@ -253,7 +251,7 @@ void check_usage(const Options& o)
     throw Failure(Status::USAGE, "--memory-limit is for runs with one thread");
   if (o.threshold && std::isnan(*o.threshold))
     throw Failure(Status::USAGE, "--salience-threshold is not a number");
-  if (o.threshold && !o.is_of_paper() && !(*o.threshold >= 0 && *o.threshold <= 1))
+  if (o.threshold && !o.uses_paper_method() && !(*o.threshold >= 0 && *o.threshold <= 1))
     throw Failure(Status::USAGE, "--salience-threshold is a probability, from 0 to 1, with the "
                                  "method 'calibrated'");
   if (o.output_directory.empty()) {
@@ -293,31 +291,14 @@ void check_files(const Options& o)
 std::size_t segment(const Input& input, std::vector<Index>& labels, const Options& o,
                     Segmentation_hierarchy& tree, Run_watch& watch)
 {
-  const auto np = parameters::minimum_segment_size(o.minimum_segment_size())
-                    .number_of_smoothing_iterations(o.smoothing_iterations)
-                    .boundary_smoothing(o.boundary_smoothing)
-                    .components_apart(o.components_apart || o.is_of_paper())
-                    .hierarchy(tree)
-                    .visitor(std::ref(watch));
-  const auto segment_with = [&](const auto& all) {
-    const auto ids = CGAL::make_property_map(labels);
+  const auto np =
+    parameters::options(o.segmentation_options()).hierarchy(tree).visitor(std::ref(watch));
+  const auto ids = CGAL::make_property_map(labels);
+  try {
     if (o.threads == 1) // which starts none, so that a limit of memory is an exception
       return CGAL::segment_spectral_recursive<CGAL::Sequential_tag>(input.soup.points,
-                                                                    input.triangles, ids, all);
-    return CGAL::segment_spectral_recursive(input.soup.points, input.triangles, ids, all);
-  };
-  const auto segment_with_number = [&](const auto& others) {
-    if (o.is_number_exact())
-      return segment_with(others.number_of_segments(*o.segments));
-    return segment_with(others.maximum_number_of_segments(o.maximum_number_of_segments())
-                          .salience_threshold(o.salience_threshold()));
-  };
-  const auto segment_with_seed = [&](const auto& others) {
-    return o.seed ? segment_with_number(others.random_seed(*o.seed))
-                  : segment_with_number(others);
-  };
-  try {
-    return o.is_of_paper() ? segment_with_seed(np.zhang_liu_2005()) : segment_with_seed(np);
+                                                                    input.triangles, ids, np);
+    return CGAL::segment_spectral_recursive(input.soup.points, input.triangles, ids, np);
   }
   catch (const std::invalid_argument& e) { // "segment_spectral_recursive: what is wrong"
     const std::string sentence = e.what();
@@ -332,11 +313,12 @@ Json json_or_null(const std::optional<T>& value)
 // A threshold without limit is null. Parameters without an option have the version's defaults.
 Json parameters_report(const Options& o)
 {
+  const Segmentation_options used = o.segmentation_options();
   return {{"method", o.method_name},
           {"maximum_number_of_segments", json_or_null(o.segments)},
-          {"components_apart", o.components_apart || o.is_of_paper()},
-          {"salience_threshold", o.salience_threshold()},
-          {"minimum_segment_size", o.minimum_segment_size()},
+          {"components_apart", used.components_apart},
+          {"salience_threshold", used.number_of_segments ? Json() : Json(used.salience_threshold)},
+          {"minimum_segment_size", used.minimum_segment_size},
           {"random_seed", json_or_null(o.seed)},
           {"number_of_smoothing_iterations", o.smoothing_iterations},
           {"boundary_smoothing", o.boundary_smoothing},
@@ -358,7 +340,7 @@ Page_options page_options(const Options& o, std::size_t number_of_segments)
   Page_options result;
   result.name = std::filesystem::path(o.input).filename().string();
   result.number_of_segments = number_of_segments;
-  result.is_salience_probability = !o.is_of_paper();
+  result.is_salience_probability = !o.uses_paper_method();
   result.boundary_smoothing = o.boundary_smoothing;
   return result;
 }
@@ -487,7 +469,7 @@ Json run(const Options& o)
   if (!o.quiet) {
     print_summary(o.writes_to_standard_output() ? std::cerr : std::cout, o, input,
                   number_of_segments, watch.seconds());
-    if (number_of_segments > o.maximum_number_of_segments())
+    if (o.segments && number_of_segments > *o.segments)
       std::cerr << "segment_mesh: warning: more than " << *o.segments
                 << " segments, as each connected component is one at least" << std::endl;
   }

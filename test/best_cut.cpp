@@ -22,7 +22,7 @@ namespace internal = CGAL::Spectral_segmentation::internal;
 using CGAL::Spectral_segmentation::Salience_factors;
 using internal::Cut;
 using internal::Execution;
-using internal::Options;
+using CGAL::Spectral_segmentation::Options;
 using internal::Sides;
 
 namespace {
@@ -66,11 +66,11 @@ std::vector<Candidates::Candidate> evaluated_cuts(const Face_graph& graph, const
 // The paper's method, and all values of the options of the other that Best_cut looks at.
 std::vector<Options> many_options()
 {
-  std::vector<Options> result(1, internal::zhang_liu_2005_options());
+  std::vector<Options> result(1, Options::zhang_liu_2005());
   for (bool single_source : {false, true})
     for (std::size_t candidates : {1, 5, 14})
       for (std::size_t refined : {0, 1, 4}) {
-        Options o = internal::calibrated_options();
+        Options o;
         o.single_source_orders = single_source;
         o.number_of_candidates = candidates;
         o.number_of_refined_candidates = refined;
@@ -139,7 +139,7 @@ BOOST_AUTO_TEST_CASE(the_options_say_how_many_cuts_are_evaluated)
     std::optional<Cut> best;
     const std::size_t number = evaluated_cuts(graph, options, best).size();
     BOOST_TEST(number >= 1u);
-    if (options.method == internal::Method::ZHANG_LIU_2005)
+    if (options.method == CGAL::Spectral_segmentation::Method::ZHANG_LIU_2005)
       BOOST_TEST(number == 1u);
     else
       BOOST_TEST(number <= options.number_of_candidates + options.number_of_refined_candidates);
@@ -149,7 +149,7 @@ BOOST_AUTO_TEST_CASE(the_options_say_how_many_cuts_are_evaluated)
 BOOST_AUTO_TEST_CASE(the_cut_of_the_paper_is_the_best_along_its_one_order)
 {
   const Face_graph graph = graph_with_distances(dumbbell(20, 16));
-  const Options options = internal::zhang_liu_2005_options();
+  const Options options = Options::zhang_liu_2005();
   std::optional<Cut> best;
   evaluated_cuts(graph, options, best);
   BOOST_TEST_REQUIRE(best.has_value());
@@ -171,7 +171,7 @@ BOOST_AUTO_TEST_CASE(more_cuts_to_choose_from_are_no_worse)
   for (const Soup& soup : {dumbbell(20, 16), torus(3, 1, 30, 20)}) {
     const Face_graph graph = graph_with_distances(soup, weights_of_calibrated_method);
     const auto salience = [&](std::size_t candidates, std::size_t refined) {
-      Options o = internal::calibrated_options();
+      Options o = CGAL::Spectral_segmentation::Options();
       o.number_of_candidates = candidates;
       o.number_of_refined_candidates = refined;
       std::optional<Cut> best;
@@ -212,7 +212,7 @@ BOOST_AUTO_TEST_CASE(a_part_without_room_for_two_segments_is_not_searched)
     void start_part(std::size_t, std::size_t) override { ++number_of_parts; }
   } counter;
   internal::Run_monitor monitor(counter);
-  Options options;
+  Options options = Options::zhang_liu_2005();
   const auto search = [&](double minimum_share_of_part) {
     options.minimum_segment_size = minimum_share_of_part;
     return internal::Best_cut(sequential, part, options)(sequential, whole(part), monitor);
@@ -240,7 +240,7 @@ BOOST_AUTO_TEST_CASE(a_stopped_search_throws)
     int left = 0;
     bool go_further() override { return left-- > 0; }
   } stopper;
-  const Options options = internal::zhang_liu_2005_options();
+  const Options options = Options::zhang_liu_2005();
   const internal::Best_cut best_cut(sequential, graph, options);
   for (int questions : {0, 1, 4}) {
     stopper.left = questions;

@@ -123,18 +123,18 @@ BOOST_AUTO_TEST_CASE(the_maximum_changes_the_hierarchy_only_above_the_number_of_
 BOOST_AUTO_TEST_CASE(the_cuts_that_are_evaluated_are_told)
 {
   typedef internal::Evaluated_cut Evaluated_cut;
-  internal::Options options = internal::calibrated_options();
+  CGAL::Spectral_segmentation::Options options;
   options.number_of_searched_faces = 0; // so that the mesh itself is searched
   struct Observer : internal::Run_control
   {
-    const internal::Options& options;
+    const CGAL::Spectral_segmentation::Options& options;
     std::vector<internal::Index> searched_faces;
     std::vector<double> areas; // in the order of the searched faces
     std::set<std::vector<internal::Index> > parts;
     std::size_t number_of[2] = {0, 0};
     std::set<double> saliences[2];
 
-    explicit Observer(const internal::Options& o) : options(o) {}
+    explicit Observer(const CGAL::Spectral_segmentation::Options& o) : options(o) {}
 
     void start_search(const std::vector<internal::Index>& faces) override
     {

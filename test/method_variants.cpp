@@ -18,8 +18,6 @@
 BOOST_AUTO_TEST_SUITE(method_variants)
 
 using namespace segmentation_benchmark;
-using CGAL::Spectral_segmentation::internal::calibrated_options;
-using CGAL::Spectral_segmentation::internal::zhang_liu_2005_options;
 using test_meshes::Random;
 
 namespace {
@@ -65,8 +63,8 @@ BOOST_AUTO_TEST_CASE(options_of_the_engine_are_those_of_the_named_parameters)
   for (Execution execution : {Execution::SEQUENTIAL, Execution::PARALLEL}) {
     const auto tree_with = [&](const Engine_options& options)
     { return default_tree(method_with("", options, execution), mesh); };
-    BOOST_TEST(are_equal(tree_with(calibrated_options()), calibrated));
-    BOOST_TEST(are_equal(tree_with(zhang_liu_2005_options()), paper));
+    BOOST_TEST(are_equal(tree_with(Engine_options()), calibrated));
+    BOOST_TEST(are_equal(tree_with(Engine_options::zhang_liu_2005()), paper));
   }
 }
 

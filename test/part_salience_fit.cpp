@@ -87,7 +87,7 @@ BOOST_AUTO_TEST_CASE(evaluated_cuts_of_a_dumbbell)
 {
   const Benchmark_mesh input = dumbbell();
   const Mesh_cuts cuts =
-    evaluated_cuts(input, CGAL::Spectral_segmentation::internal::calibrated_options());
+    evaluated_cuts(input, CGAL::Spectral_segmentation::Options());
   BOOST_TEST(cuts.id == 7);
 
   std::size_t number[2] = {0, 0};
@@ -118,7 +118,7 @@ BOOST_AUTO_TEST_CASE(evaluated_cuts_of_a_dumbbell)
 BOOST_AUTO_TEST_CASE(evaluated_cuts_on_a_coarse_mesh)
 {
   const Benchmark_mesh input = dumbbell();
-  Engine_options options = CGAL::Spectral_segmentation::internal::calibrated_options();
+  Engine_options options = CGAL::Spectral_segmentation::Options();
   options.number_of_searched_faces = 300;
   BOOST_TEST_REQUIRE(input.mesh.number_of_faces() > 300u);
   const Mesh_cuts cuts = evaluated_cuts(input, options);

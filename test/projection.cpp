@@ -53,7 +53,7 @@ struct Run
   Run(const Soup& soup, std::size_t number_of_searched_faces, bool is_stopped = false)
     : mesh(face_graph_of(soup))
   {
-    const internal::Options options = internal::calibrated_options();
+    const CGAL::Spectral_segmentation::Options options;
     internal::Run_control control;
     internal::Run_monitor monitor(control);
     levels = internal::coarsen_in_steps(sequential, mesh, number_of_searched_faces, monitor);
@@ -64,7 +64,8 @@ struct Run
       internal::Recursion(sequential, coarsest, best_cut, options, monitor).by_salience();
     internal::Cut_hierarchy cuts = internal::Region_merging(
       sequential, coarsest, best_cut.context(), options.part_salience, monitor)(regions);
-    searched = Segmentation_hierarchy(cuts, options);
+    searched = Segmentation_hierarchy(cuts, CGAL::Spectral_segmentation::unlimited,
+                                      options.salience_threshold);
 
     struct Stopping_control : internal::Run_control
     {
@@ -77,7 +78,8 @@ struct Run
                                       i > 0 ? levels[i - 1].graph : mesh,
                                       weights_of_calibrated_method,
                                       is_stopped ? stopped_monitor : monitor)();
-    whole = Segmentation_hierarchy(std::move(cuts), options);
+    whole = Segmentation_hierarchy(std::move(cuts), CGAL::Spectral_segmentation::unlimited,
+                                   options.salience_threshold);
   }
 };
 

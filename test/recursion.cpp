@@ -100,7 +100,7 @@ struct Search_record : internal::Run_control
 };
 
 internal::Cut_hierarchy over_segmentation(const Face_graph& graph,
-                                          const internal::Options& options,
+                                          const CGAL::Spectral_segmentation::Options& options,
                                           internal::Execution execution, Search_record& record)
 {
   internal::Run_monitor monitor(record);
@@ -116,7 +116,7 @@ BOOST_AUTO_TEST_CASE(by_salience_the_most_salient_of_all_cuts_is_made_next)
   const Face_graph graph = graph_with_distances(
     disjoint_union(displaced(dumbbell(16, 12), 0.02, random), moved(torus(2, 0.7, 14, 8), 9, 0, 0)),
     weights_of_calibrated_method);
-  internal::Options options = internal::calibrated_options();
+  CGAL::Spectral_segmentation::Options options;
   options.number_of_regions = 9;
   Search_record record;
   const internal::Cut_hierarchy result =
@@ -158,7 +158,7 @@ BOOST_AUTO_TEST_CASE(by_salience_the_most_salient_of_all_cuts_is_made_next)
 BOOST_AUTO_TEST_CASE(a_maximum_asks_for_as_many_regions)
 {
   const Face_graph graph = graph_with_distances(dumbbell(16, 12), weights_of_calibrated_method);
-  internal::Options options = internal::calibrated_options();
+  CGAL::Spectral_segmentation::Options options;
   options.number_of_regions = 4;
   for (std::size_t maximum : {1, 3, 4, 7}) {
     options.maximum_number_of_segments = maximum;
@@ -173,7 +173,7 @@ BOOST_AUTO_TEST_CASE(threads_make_the_same_regions)
   Random random(2);
   const Face_graph graph = graph_with_distances(displaced(torus(2, 0.7, 24, 12), 0.05, random),
                                                 weights_of_calibrated_method);
-  internal::Options options = internal::calibrated_options();
+  CGAL::Spectral_segmentation::Options options;
   options.number_of_regions = 8;
   Search_record one, several;
   const internal::Cut_hierarchy a = over_segmentation(graph, options, sequential, one);
@@ -186,7 +186,7 @@ BOOST_AUTO_TEST_CASE(threads_make_the_same_regions)
 BOOST_AUTO_TEST_CASE(a_stopped_search_leaves_the_cuts_that_were_made)
 {
   const Face_graph graph = graph_with_distances(dumbbell(16, 12), weights_of_calibrated_method);
-  internal::Options options = internal::calibrated_options();
+  CGAL::Spectral_segmentation::Options options;
   options.number_of_regions = 6;
   Search_record all;
   over_segmentation(graph, options, sequential, all);

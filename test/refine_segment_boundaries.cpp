@@ -530,7 +530,7 @@ BOOST_AUTO_TEST_CASE(more_iterations_are_smoother)
   for (unsigned iterations : {0u, 3u, 15u}) {
     Segmented_mesh after(before);
     CGAL::refine_segment_boundaries(after.mesh, after.segment,
-                                    CGAL::parameters::number_of_iterations(iterations)
+                                    parameters::number_of_iterations(iterations)
                                       .vertex_point_map(after.mesh.points())
                                       .geom_traits(Kernel()));
     BOOST_TEST(after.boundary_length() < longer);

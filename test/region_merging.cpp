@@ -33,7 +33,7 @@ using internal::Cut_node;
 using internal::Cut_state;
 using internal::Evaluation_context;
 using internal::Execution;
-using internal::Part_salience;
+using CGAL::Spectral_segmentation::Part_salience;
 using internal::quantized;
 
 namespace {
@@ -353,7 +353,7 @@ BOOST_AUTO_TEST_CASE(regions_of_an_over_segmentation_become_the_bodies_of_a_chai
                                                 : std::sqrt(1.05 - z * z));
     }
   const Face_graph graph = graph_of(surface_of_revolution(profile, 16));
-  internal::Options options = internal::calibrated_options();
+  CGAL::Spectral_segmentation::Options options;
   options.number_of_regions = 8;
   Boundary_count count;
   internal::Run_monitor monitor(count);

@@ -193,7 +193,7 @@ BOOST_AUTO_TEST_CASE(salience_is_that_of_the_cut_between_two_segments)
     const auto segment_ids =
       boost::make_iterator_property_map(copy.begin(), get(CGAL::face_index, mesh));
     const auto graph =
-      CGAL::segment_adjacency_graph(mesh, segment_ids, params::hierarchy(hierarchy));
+      CGAL::segment_adjacency_graph(mesh, segment_ids, hierarchy);
     BOOST_TEST(num_vertices(graph) == number_of(labels));
     std::vector<int> component(num_vertices(graph));
     BOOST_TEST(boost::connected_components(graph, component.data()) == 1);
@@ -225,7 +225,7 @@ BOOST_AUTO_TEST_CASE(salience_after_segments_were_merged_by_hand)
   Labels labels = hierarchy.labels(hierarchy.number_of_segments());
   const auto graph = CGAL::segment_adjacency_graph(
     mesh, boost::make_iterator_property_map(labels.begin(), get(CGAL::face_index, mesh)),
-    params::hierarchy(hierarchy));
+    hierarchy);
   BOOST_TEST(num_edges(graph) > 5);
   for (auto e : CGAL::make_range(edges(graph)))
     BOOST_TEST(graph[e].salience ==
@@ -241,7 +241,7 @@ BOOST_AUTO_TEST_CASE(salience_of_smoothed_boundaries)
   Labels labels = labels_of(mesh, params::zhang_liu_2005().hierarchy(hierarchy));
   const auto graph = CGAL::segment_adjacency_graph(
     mesh, boost::make_iterator_property_map(labels.begin(), get(CGAL::face_index, mesh)),
-    params::hierarchy(hierarchy));
+    hierarchy);
   BOOST_TEST(num_vertices(graph) > 3);
   for (auto e : CGAL::make_range(edges(graph)))
     BOOST_TEST(graph[e].salience >= hierarchy.salience_threshold());
@@ -260,7 +260,7 @@ BOOST_AUTO_TEST_CASE(faces_of_the_hierarchy_may_have_other_numbers)
     mesh, params::face_index_map(numbers).maximum_number_of_segments(2).hierarchy(hierarchy));
   const auto graph = CGAL::segment_adjacency_graph(
     mesh, boost::make_iterator_property_map(labels.begin(), get(CGAL::face_index, mesh)),
-    params::hierarchy(hierarchy).face_index_map(numbers));
+    hierarchy, params::face_index_map(numbers));
   BOOST_TEST_REQUIRE(num_edges(graph) == 1);
   const auto boundary = *edges(graph).first;
   BOOST_TEST(graph[boundary].salience == hierarchy.node(0).salience);
@@ -277,13 +277,13 @@ BOOST_AUTO_TEST_CASE(segments_that_the_hierarchy_does_not_separate)
   std::vector<int> ids(mesh.number_of_faces(), 0);
   ids[0] = 1; // two segments in one leaf
   const auto graph =
-    CGAL::segment_adjacency_graph(mesh, map_of(ids, mesh), params::hierarchy(roots));
+    CGAL::segment_adjacency_graph(mesh, map_of(ids, mesh), roots);
   BOOST_TEST_REQUIRE(num_edges(graph) == 1);
   // The segment 0 has faces of both spheres, and more of the second.
   BOOST_TEST(graph[*edges(graph).first].salience == std::numeric_limits<double>::infinity());
   std::fill(ids.begin() + 81, ids.end(), 2); // now one face of the second only
   const auto other =
-    CGAL::segment_adjacency_graph(mesh, map_of(ids, mesh), params::hierarchy(roots));
+    CGAL::segment_adjacency_graph(mesh, map_of(ids, mesh), roots);
   BOOST_TEST_REQUIRE(num_edges(other) == 2);
   BOOST_TEST(other[edge(0, 1, other).first].salience == 0.);
   BOOST_TEST(other[edge(0, 2, other).first].salience ==
@@ -304,7 +304,7 @@ BOOST_AUTO_TEST_CASE(bad_input_is_refused)
   const Mesh mesh = mesh_of(plate(1, 1));
   Segmentation_hierarchy hierarchy;
   BOOST_CHECK_EXCEPTION(CGAL::segment_adjacency_graph(mesh, map_of({0, 1}, mesh),
-                                                      params::hierarchy(hierarchy)),
+                                                      hierarchy),
                         std::invalid_argument, is_of_function);
   BOOST_CHECK_EXCEPTION(CGAL::segment_adjacency_graph(mesh, map_of({0, 1}, mesh),
                                                       params::face_index_map(map_of({0, 0}, mesh))),

@@ -4,7 +4,7 @@
 #ifndef SPECTRAL_SEGMENTATION_TEST_MESHES_H
 #define SPECTRAL_SEGMENTATION_TEST_MESHES_H
 
-#include <CGAL/Spectral_segmentation/internal/Options.h>
+#include <CGAL/Spectral_segmentation/Options.h>
 #include <CGAL/Spectral_segmentation/internal/distances/face_distances.h>
 #include <CGAL/Spectral_segmentation/internal/door/read_triangle_mesh.h>
 #include <CGAL/Spectral_segmentation/internal/mesh/Face_graph.h>

@@ -74,7 +74,7 @@ inline Labels labels_of_part(const Part& part, const Labels& labels)
 }
 
 inline double minimum_area(const Face_graph& mesh)
-{ return Engine_options().minimum_segment_size * total_area(mesh); }
+{ return Engine_options::zhang_liu_2005().minimum_segment_size * total_area(mesh); }
 
 } // namespace segmentation_benchmark
 

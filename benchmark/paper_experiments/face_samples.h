@@ -74,7 +74,7 @@ inline std::vector<Index> samples_by_contexts(const Face_graph& part, std::size_
   namespace internal = CGAL::Spectral_segmentation::internal;
   const internal::Shape_contexts contexts = internal::shape_contexts(
     part, internal::farthest_face_from_center(Execution::SEQUENTIAL, part),
-    Engine_options().number_of_reference_faces, [] {});
+    Engine_options::zhang_liu_2005().number_of_reference_faces, [] {});
   const auto distances_from = [&](Index from) {
     std::vector<double> squared(part.number_of_faces(), 0);
     for (Index f = 0; f < squared.size(); ++f)

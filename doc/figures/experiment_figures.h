@@ -41,7 +41,7 @@ inline void draw_clusterings(Picture_book& book, const Named_mesh& shape, std::s
   const Face_graph graph = paper_graph(shape.mesh);
   const std::size_t rows = 500;
   benchmark::Random_engine random = benchmark::random_engine(1, 0);
-  Engine_options line_search = zhang_liu_2005_options();
+  Engine_options line_search = Engine_options::zhang_liu_2005();
   line_search.maximum_number_of_segments = k;
   line_search.salience_threshold = -std::numeric_limits<double>::infinity();
   Row_colors colors;

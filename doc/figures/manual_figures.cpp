@@ -46,7 +46,7 @@ void draw_gallery(Picture_book& book, Meshes& meshes)
        {"camel", "bear", "triceratops", "elk", "diplodocus", "homer", "bones", "man"}) {
     Row_colors colors;
     add_segments(book, "gallery", meshes[name], colors,
-                 segment(meshes[name].mesh, calibrated_options()), name);
+                 segment(meshes[name].mesh, Engine_options()), name);
   }
 }
 

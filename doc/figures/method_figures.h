@@ -126,7 +126,7 @@ inline internal::Shape_contexts contexts_of(const Face_graph& graph)
 {
   return internal::shape_contexts(
     graph, internal::farthest_face_from_center(Execution::SEQUENTIAL, graph),
-    zhang_liu_2005_options().number_of_reference_faces, [] {});
+    Engine_options::zhang_liu_2005().number_of_reference_faces, [] {});
 }
 
 inline void draw_contexts(Picture_book& book, const Named_mesh& shape)
@@ -162,7 +162,7 @@ struct Searched_line
       from_t(distances(graph, samples.t)),
       order(internal::spectral_order(Execution::SEQUENTIAL, from_s, from_t))
   {
-    const Engine_options options = zhang_liu_2005_options();
+    const Engine_options options = Engine_options::zhang_liu_2005();
     const double area = internal::total_area(graph);
     best = internal::line_search(
       Execution::SEQUENTIAL, graph, order, options.part_salience,
@@ -233,13 +233,14 @@ inline void draw_samples_and_line(Picture_book& book, const Named_mesh& shape,
   book.add("line", {shape, "best cut: Q in orange, the rest in grey", sides});
   book.add_chart("line_search", {{"good", good.steps}, {"bad", bad.steps},
                                  {"number_of_faces", graph.number_of_faces()},
-                                 {"threshold", zhang_liu_2005_options().salience_threshold}});
+                                 {"threshold",
+                                  Engine_options::zhang_liu_2005().salience_threshold}});
 }
 
 // The tree of cuts, and what is read off it for some numbers of segments.
 inline void draw_tree(Picture_book& book, const Named_mesh& shape)
 {
-  const Segmentation_hierarchy tree = hierarchy(shape.mesh, calibrated_options());
+  const Segmentation_hierarchy tree = hierarchy(shape.mesh, Engine_options());
   Row_colors colors;
   const double none = -std::numeric_limits<double>::infinity();
   const Labels regions = tree.labels(tree.number_of_segments(), none);

@@ -60,7 +60,7 @@ inline Named_mesh noisy(const Named_mesh& shape, double share)
 // The rows about the tree read one tree.
 inline void draw_rows_of_tree(Picture_book& book, const Named_mesh& shape)
 {
-  const Segmentation_hierarchy tree = hierarchy(shape.mesh, calibrated_options());
+  const Segmentation_hierarchy tree = hierarchy(shape.mesh, Engine_options());
   const std::size_t no_limit = (std::numeric_limits<std::size_t>::max)();
   const double infinity = std::numeric_limits<double>::infinity();
   Row_colors colors;
@@ -76,7 +76,7 @@ inline void draw_rows_of_tree(Picture_book& book, const Named_mesh& shape)
 inline void draw_parameters(Picture_book& book, const Named_mesh& limbs, const Named_mesh& coarse,
                             const Named_mesh& fine)
 {
-  const Engine_options calibrated = calibrated_options(), paper = zhang_liu_2005_options();
+  const Engine_options calibrated = Engine_options(), paper = Engine_options::zhang_liu_2005();
   draw_rows_of_tree(book, limbs);
   draw_row(book, "minimum_segment_size", &Engine_options::minimum_segment_size, calibrated, fine,
            {0.0, calibrated.minimum_segment_size, 0.02, 0.1});
@@ -98,10 +98,10 @@ inline void draw_methods(Picture_book& book, const std::vector<const Named_mesh*
 {
   for (const Named_mesh* shape : shapes) {
     Row_colors colors;
-    add_segments(book, "methods", *shape, colors, segment(shape->mesh, calibrated_options()),
+    add_segments(book, "methods", *shape, colors, segment(shape->mesh, Engine_options()),
                  "default");
-    add_segments(book, "methods", *shape, colors, segment(shape->mesh, zhang_liu_2005_options()),
-                 "zhang_liu_2005()");
+    add_segments(book, "methods", *shape, colors,
+                 segment(shape->mesh, Engine_options::zhang_liu_2005()), "zhang_liu_2005()");
   }
 }
 
@@ -109,7 +109,7 @@ inline void draw_sdf_comparison(Picture_book& book, const std::vector<const Name
 {
   for (const Named_mesh* shape : shapes) {
     Row_colors colors;
-    add_segments(book, "sdf", *shape, colors, segment(shape->mesh, calibrated_options()),
+    add_segments(book, "sdf", *shape, colors, segment(shape->mesh, Engine_options()),
                  "this package");
     const Sdf_segmentation sdf(shape->mesh);
     add_segments(book, "sdf", *shape, colors, sdf.by_default(), "SDF, default");

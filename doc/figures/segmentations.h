@@ -20,8 +20,6 @@
 namespace manual_figures {
 
 using CGAL::Spectral_segmentation::Segmentation_hierarchy;
-using CGAL::Spectral_segmentation::internal::calibrated_options;
-using CGAL::Spectral_segmentation::internal::zhang_liu_2005_options;
 using segmentation_benchmark::Engine_options;
 using segmentation_benchmark::Execution;
 

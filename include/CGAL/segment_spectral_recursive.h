@@ -23,6 +23,7 @@
 // the search on a coarse mesh (multilevel/). engine.h is the line between these and the templates
 // here and in door/.
 
+#include <CGAL/Spectral_segmentation/Options.h>
 #include <CGAL/Spectral_segmentation/Part_salience.h>
 #include <CGAL/Spectral_segmentation/Segmentation_hierarchy.h>
 #include <CGAL/Spectral_segmentation/Segmentation_visitor.h>
@@ -35,7 +36,7 @@
 #include <CGAL/Spectral_segmentation/internal/door/read_triangle_mesh.h>
 #include <CGAL/Spectral_segmentation/internal/door/read_triangle_soup.h>
 #include <CGAL/Spectral_segmentation/internal/door/read_wishes.h>
-#include <CGAL/Spectral_segmentation/internal/engine.h>
+#include <CGAL/Spectral_segmentation/internal/door/segmentation_hierarchy.h>
 
 #include <CGAL/Named_function_parameters.h>
 #include <CGAL/boost/graph/named_params_helper.h>
@@ -74,9 +75,9 @@ std::size_t segment_and_write(Triangles triangles, const std::vector<Face>& face
     choose_parameter(get_parameter_reference(np, CGAL::internal_np::visitor), no_visitor);
   Visitor_control<std::remove_reference_t<Visitor> > control(visitor);
 
-  Segmentation_hierarchy hierarchy(
-    segment(std::move(triangles), options,
-            is_parallel ? Execution::PARALLEL : Execution::SEQUENTIAL, control, wishes), options);
+  Segmentation_hierarchy hierarchy = segmentation_hierarchy(
+    std::move(triangles), options, is_parallel ? Execution::PARALLEL : Execution::SEQUENTIAL,
+    control, wishes);
   if (options.boundary_smoothing)
     control.start_stage(Stage::BOUNDARY_SMOOTHING, Segmentation_visitor::whole_mesh);
   const std::vector<std::size_t> labels = hierarchy.labels();
@@ -294,6 +295,13 @@ it is. They do not go with `zhang_liu_2005()`.
     \cgalParamDescription{the method of the paper, and its defaults; takes no argument}
     \cgalParamDefault{not given: the default method}
   \cgalParamNEnd
+  \cgalParamNBegin{options}
+    \cgalParamDescription{the values of all options at once, for programs that choose them at run
+      time; other parameters in the pack change the values given here}
+    \cgalParamType{`CGAL::Spectral_segmentation::Options`}
+    \cgalParamDefault{`Options()`, the calibrated method}
+    \cgalParamExtra{not together with `zhang_liu_2005()`: use `Options::zhang_liu_2005()`}
+  \cgalParamNEnd
   \cgalParamNBegin{salience_weights}
     \cgalParamDescription{the weights &alpha;, &beta;, &gamma; of the size, the cut strength and the
       protrusiveness in the salience of a part (Section 6, Equation 3); short for
@@ -364,7 +372,7 @@ std::size_t segment_spectral_recursive(const TriangleMesh& mesh, SegmentIdMap se
   typedef std::decay_t<decltype(pack)> Pack;
   typedef typename GetGeomTraits<TriangleMesh, Pack>::type Geom_traits;
 
-  const internal::Options options = internal::read_options(pack);
+  const Spectral_segmentation::Options options = internal::read_options(pack);
   const auto faces = internal::numbered_faces(mesh, pack);
   internal::Triangles triangles = internal::read_triangle_mesh(
     mesh, faces,
@@ -440,7 +448,7 @@ std::size_t segment_spectral_recursive(const PointRange& points, const TriangleR
                 "edge_is_constrained_map and edge_is_uncuttable_map are of meshes, not of points "
                 "and triangles, which have no edges that could be named");
 
-  const internal::Options options = internal::read_options(pack);
+  const Spectral_segmentation::Options options = internal::read_options(pack);
   internal::Triangles soup = internal::read_triangle_soup(points, triangles);
   internal::connect(soup);
   std::vector<std::size_t> faces(soup.corners.size());

@@ -42,6 +42,10 @@ const CGAL::Spectral_segmentation::Segmentation_hierarchy& a_const_hierarchy();
 auto pack_23 = params::hierarchy(a_hierarchy()).zhang_liu_2005(); // compiles
 auto pack_24 = params::hierarchy(a_const_hierarchy());            // error: hierarchy takes a CGAL::Spectral_segmentation::Segmentation_hierarchy, not const
 
+CGAL::Spectral_segmentation::Options some_options();
+auto pack_36 = params::options(some_options()).salience_threshold(0.3); // compiles
+auto pack_37 = params::options(3);                            // error: options takes a CGAL::Spectral_segmentation::Options
+
 auto pack_25 = params::salience_treshold(0.3);                // error: did you mean 'salience_threshold'
 auto pack_26 = params::random_seed(1).salience_treshold(0.3); // error: did you mean 'salience_threshold'
 auto pack_27 = params::method(1);                             // error: 'method'

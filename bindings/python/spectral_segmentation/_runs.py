@@ -143,7 +143,7 @@ def segment_hierarchy(points, triangles=None, *, method="calibrated", number_of_
                         ("face_seed_map", face_seed_map)):
         if value is not None and _METHODS[method]:
             raise ValueError("%s does not go with the method 'paper'" % name)
-    given = {"is_of_paper": _METHODS[method]}
+    given = {"uses_paper_method": _METHODS[method]}
     for read, parameters in (
             (_integer, {"number_of_segments": number_of_segments,
                         "maximum_number_of_segments": maximum_number_of_segments,

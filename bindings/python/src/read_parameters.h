@@ -6,18 +6,15 @@
 
 #include "Python_run.h"
 
+#include <CGAL/Spectral_segmentation/Options.h>
 #include <CGAL/Spectral_segmentation/internal/door/read_options.h>
-#include <CGAL/Spectral_segmentation/parameters.h>
 
 #include <pybind11/pybind11.h>
 #include <pybind11/stl.h>
 
 #include <array>
-#include <cstdint>
 #include <exception>
-#include <limits>
-#include <optional>
-#include <stdexcept>
+#include <type_traits>
 
 namespace python {
 
@@ -50,80 +47,51 @@ public:
   }
 };
 
-// The parameters that the caller gave, as checked for their types by the module's own Python.
-class Parameters
+// Returns the options that the module's own Python gave, which has checked their types. `salience`
+// is a callable or None. Throws `std::invalid_argument` if a value is out of its range.
+inline segmentation::Options read_parameters(const py::dict& given, const py::object& salience,
+                                             Python_run& run)
 {
-  const py::dict& given_;
-
-public:
-  explicit Parameters(const py::dict& given) : given_(given) {}
-
-  template <class T>
-  std::optional<T> get(const char* name) const
-  {
-    return given_.contains(name) ? std::optional<T>(given_[name].cast<T>()) : std::nullopt;
-  }
-
-  template <class T>
-  T get(const char* name, const T& value) const { return get<T>(name).value_or(value); }
-};
-
-// The options of the library, which checks their ranges. `salience` is a callable or None.
-inline internal::Options read_parameters(const Parameters& given, const py::object& salience,
-                                         Python_run& run)
-{
-  namespace parameters = segmentation::parameters;
-  typedef long long Count;
   typedef std::array<double, 3> Weights;
-
-  const bool is_of_paper = given.get<bool>("is_of_paper", false);
-  const internal::Options defaults =
-    is_of_paper ? internal::zhang_liu_2005_options() : internal::calibrated_options();
-  const auto count = [&](const char* name, std::size_t value)
-  { return given.get<Count>(name, static_cast<Count>(value)); };
-  const Weights distance_weights = given.get<Weights>(
-    "distance_weights",
-    {defaults.geodesic_weight, defaults.concave_angle_weight, defaults.convex_angle_weight});
-  const auto number = given.get<Count>("number_of_segments");
-  const auto maximum = given.get<Count>("maximum_number_of_segments");
-  const auto threshold = given.get<double>("threshold");
-  const auto salience_weights = given.get<Weights>("salience_weights");
-
-  // Named parameters are types: so each set of those that may be left out is one.
-  const auto read = [&](const auto& np) {
-    return is_of_paper ? internal::read_options(np.zhang_liu_2005().cgal_parameters())
-                       : internal::read_options(np.cgal_parameters());
+  const auto read = [&](const char* name, auto& value) {
+    if (given.contains(name))
+      value = given[name].cast<std::decay_t<decltype(value)> >();
   };
-  const auto read_with_threshold = [&](const auto& np)
-  { return threshold ? read(np.salience_threshold(*threshold)) : read(np); };
-  const auto read_with_number = [&](const auto& np) {
-    return number ? read(np.number_of_segments(*number)) :
-           maximum ? read_with_threshold(np.maximum_number_of_segments(*maximum)) :
-           read_with_threshold(np);
-  };
-  const auto read_with_salience = [&](const auto& np) {
-    if (!salience.is_none())
-      return read_with_number(np.part_salience(
-        internal::Part_salience(Python_salience(salience, run))));
-    if (salience_weights)
-      return read_with_number(np.salience_weights((*salience_weights)[0], (*salience_weights)[1],
-                                                  (*salience_weights)[2]));
-    return read_with_number(np);
+  const auto read_count = [&](const char* name, int least, auto& value) {
+    if (given.contains(name))
+      value = internal::to_count(given[name].cast<long long>(), name, least);
   };
 
-  internal::Options result = read_with_salience(
-    parameters::minimum_segment_size(
-      given.get<double>("minimum_segment_size", defaults.minimum_segment_size))
-      .components_apart(given.get<bool>("components_apart", defaults.components_apart))
-      .boundary_smoothing(given.get<bool>("boundary_smoothing", false))
-      .distance_weights(distance_weights[0], distance_weights[1], distance_weights[2])
-      .number_of_reference_faces(
-        count("number_of_reference_faces", defaults.number_of_reference_faces))
-      .number_of_searched_faces(
-        count("number_of_searched_faces", defaults.number_of_searched_faces))
-      .number_of_smoothing_iterations(count("number_of_smoothing_iterations", 0)));
-  result.random_seed = given.get<std::uint64_t>("random_seed");
-  return result;
+  bool uses_paper_method = false;
+  read("uses_paper_method", uses_paper_method);
+  segmentation::Options o =
+    uses_paper_method ? segmentation::Options::zhang_liu_2005() : segmentation::Options();
+  if (!salience.is_none()) {
+    o.part_salience = Python_salience(salience, run);
+    o.salience_threshold = segmentation::default_probability_threshold;
+  }
+  else if (given.contains("salience_weights")) {
+    const Weights w = given["salience_weights"].cast<Weights>();
+    o.part_salience = segmentation::Weighted_part_salience{w[0], w[1], w[2]};
+    o.salience_threshold = segmentation::default_salience_threshold;
+  }
+  Weights distance_weights = {o.geodesic_weight, o.concave_angle_weight, o.convex_angle_weight};
+  read("distance_weights", distance_weights);
+  o.geodesic_weight = distance_weights[0];
+  o.concave_angle_weight = distance_weights[1];
+  o.convex_angle_weight = distance_weights[2];
+  read_count("number_of_segments", 1, o.number_of_segments);
+  read_count("maximum_number_of_segments", 1, o.maximum_number_of_segments);
+  read("threshold", o.salience_threshold);
+  read("components_apart", o.components_apart);
+  read("minimum_segment_size", o.minimum_segment_size);
+  read("boundary_smoothing", o.boundary_smoothing);
+  read_count("number_of_reference_faces", 1, o.number_of_reference_faces);
+  read_count("number_of_searched_faces", 0, o.number_of_searched_faces);
+  read_count("number_of_smoothing_iterations", 0, o.number_of_smoothing_iterations);
+  read("random_seed", o.random_seed);
+  check(o);
+  return o;
 }
 
 } // namespace python

@@ -108,7 +108,7 @@ Segmentation_hierarchy segment(const py::array& points, const py::array& triangl
                                const py::object& progress)
 {
   Python_run run(progress);
-  const internal::Options options = read_parameters(Parameters(parameters), salience, run);
+  const segmentation::Options options = read_parameters(parameters, salience, run);
   const internal::Wishes wishes = read_wishes(seams, uncuttable, seeds);
   Segmentation_hierarchy result;
   run([&] {
@@ -120,9 +120,8 @@ Segmentation_hierarchy segment(const py::array& points, const py::array& triangl
       no_python_lock.emplace();
     }
     with_threads(threads, [&](internal::Execution execution) {
-      result = Segmentation_hierarchy(
-        internal::segment(read_triangles(points, triangles), options, execution, run, wishes),
-        options);
+      result = internal::segmentation_hierarchy(read_triangles(points, triangles), options,
+                                                execution, run, wishes);
     });
   });
   return result;

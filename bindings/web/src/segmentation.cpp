@@ -5,11 +5,11 @@
 /// The WebAssembly module behind index.js, which checks the arguments: meshes and their runs.
 
 #include <CGAL/Spectral_segmentation/IO/hierarchy_json.h>
+#include <CGAL/Spectral_segmentation/Options.h>
 #include <CGAL/Spectral_segmentation/Segmentation_hierarchy.h>
 #include <CGAL/Spectral_segmentation/internal/door/read_options.h>
 #include <CGAL/Spectral_segmentation/internal/door/read_triangle_soup.h>
-#include <CGAL/Spectral_segmentation/internal/engine.h>
-#include <CGAL/Spectral_segmentation/parameters.h>
+#include <CGAL/Spectral_segmentation/internal/door/segmentation_hierarchy.h>
 #include <CGAL/Spectral_segmentation/version.h>
 
 #include <segment_mesh/mesh_file/Segmented_mesh.h>
@@ -128,39 +128,35 @@ public:
   bool go_further() override { return goes_on_; }
 };
 
-template <class T>
-T get(const val& options, const char* name, const T& value)
-{ return options[name].isUndefined() ? value : options[name].as<T>(); }
-
-internal::Options read_options(const val& given)
+segmentation::Options read_options(const val& given)
 {
-  const bool is_of_paper = get<std::string>(given, "method", "calibrated") == "paper";
-  const internal::Options defaults =
-    is_of_paper ? internal::zhang_liu_2005_options() : internal::calibrated_options();
-  const auto np = segmentation::parameters::minimum_segment_size(
-      get(given, "minimumSegmentSize", defaults.minimum_segment_size))
-    .components_apart(get(given, "componentsApart", defaults.components_apart))
-    .boundary_smoothing(get(given, "boundarySmoothing", false))
-    .number_of_smoothing_iterations(get(given, "numberOfSmoothingIterations", 0));
-  const auto read = [&](const auto& all) {
-    return is_of_paper ? internal::read_options(all.zhang_liu_2005().cgal_parameters())
-                       : internal::read_options(all.cgal_parameters());
+  const bool uses_paper_method =
+    !given["method"].isUndefined() && given["method"].as<std::string>() == "paper";
+  segmentation::Options o =
+    uses_paper_method ? segmentation::Options::zhang_liu_2005() : segmentation::Options();
+  const auto read = [&](const char* name, auto& value) {
+    if (!given[name].isUndefined())
+      value = given[name].as<std::decay_t<decltype(value)> >();
   };
-  if (!given["numberOfSegments"].isUndefined())
-    return read(np.number_of_segments(given["numberOfSegments"].as<int>()));
-  const auto with_threshold =
-    np.salience_threshold(get(given, "threshold", defaults.salience_threshold));
-  if (!given["maximumNumberOfSegments"].isUndefined())
-    return read(with_threshold.maximum_number_of_segments(
-      given["maximumNumberOfSegments"].as<int>()));
-  return read(with_threshold);
+  const auto read_count = [&](const char* name, int least, auto& value) {
+    if (!given[name].isUndefined())
+      value = internal::to_count(given[name].as<int>(), name, least);
+  };
+  read_count("numberOfSegments", 1, o.number_of_segments);
+  read_count("maximumNumberOfSegments", 1, o.maximum_number_of_segments);
+  read("threshold", o.salience_threshold);
+  read("componentsApart", o.components_apart);
+  read("minimumSegmentSize", o.minimum_segment_size);
+  read("boundarySmoothing", o.boundary_smoothing);
+  read_count("numberOfSmoothingIterations", 0, o.number_of_smoothing_iterations);
+  check(o);
+  return o;
 }
 
 class Segmentation
 {
   std::shared_ptr<const Input> input_;
-  internal::Options options_;
-  bool is_of_paper_;
+  segmentation::Options options_;
   segmentation::Segmentation_hierarchy tree_;
   std::vector<Index> label_of_triangle_; // of the run
 
@@ -180,16 +176,14 @@ class Segmentation
 
 public:
   Segmentation(const Mesh& mesh, const val& options, const val& progress)
-    : input_(mesh.input()), options_(read_options(options)),
-      is_of_paper_(get<std::string>(options, "method", "calibrated") == "paper")
+    : input_(mesh.input()), options_(read_options(options))
   {
     internal::Triangles triangles =
       internal::read_triangle_soup(input_->soup.points, input_->triangles);
     internal::connect(triangles);
     Progress control(progress);
-    tree_ = segmentation::Segmentation_hierarchy(
-      internal::segment(std::move(triangles), options_, internal::Execution::SEQUENTIAL, control),
-      options_);
+    tree_ = internal::segmentation_hierarchy(std::move(triangles), options_,
+                                             internal::Execution::SEQUENTIAL, control);
     const std::vector<std::size_t> labels = tree_.labels();
     label_of_triangle_.assign(labels.begin(), labels.end());
   }
@@ -229,7 +223,7 @@ public:
     segment_mesh::Page_options options;
     options.name = name;
     options.number_of_segments = number_of_segments();
-    options.is_salience_probability = !is_of_paper_;
+    options.is_salience_probability = options_.method == segmentation::Method::CALIBRATED;
     options.boundary_smoothing = options_.boundary_smoothing;
     return segment_mesh::page_data(*input_, tree_, options)
       .dump(-1, ' ', false, nlohmann::ordered_json::error_handler_t::replace);

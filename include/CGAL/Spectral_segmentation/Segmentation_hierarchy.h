@@ -4,12 +4,13 @@
 #ifndef CGAL_SPECTRAL_SEGMENTATION_SEGMENTATION_HIERARCHY_H
 #define CGAL_SPECTRAL_SEGMENTATION_SEGMENTATION_HIERARCHY_H
 
+#include <CGAL/Spectral_segmentation/Options.h>
+#include <CGAL/Spectral_segmentation/parameters.h>
 #include <CGAL/Spectral_segmentation/internal/door/numbered_descriptors.h>
-#include <CGAL/Spectral_segmentation/internal/engine.h>
 #include <CGAL/Spectral_segmentation/internal/hierarchy/Cut_editor.h>
 #include <CGAL/Spectral_segmentation/internal/hierarchy/Cut_hierarchy.h>
 #include <CGAL/Spectral_segmentation/internal/hierarchy/Nested_ranges.h>
-#include <CGAL/Spectral_segmentation/parameters.h>
+#include <CGAL/Spectral_segmentation/internal/hierarchy/boundary_smoothing.h>
 
 #include <algorithm>
 #include <cmath>
@@ -212,7 +213,7 @@ public:
     for (size_type f = 0; f < result.size(); ++f)
       result[f] = position[cuts_.leaf[f]];
     if (!cuts_.neighbors.empty())
-      internal::smooth_boundaries(cuts_.neighbors, result);
+      internal::remove_teeth(cuts_.neighbors, result);
     return result;
   }
 
@@ -335,10 +336,11 @@ public:
   Segmentation_hierarchy() = default;
 
   /// \cond SKIP_IN_MANUAL
-  Segmentation_hierarchy(internal::Cut_hierarchy cuts, const internal::Options& options)
+  Segmentation_hierarchy(internal::Cut_hierarchy cuts, size_type maximum_number_of_segments,
+                         double salience_threshold)
     : cuts_(std::move(cuts)), faces_(cuts_, cuts_.leaf),
-      maximum_number_of_segments_(options.maximum_number_of_segments),
-      salience_threshold_(options.salience_threshold)
+      maximum_number_of_segments_(maximum_number_of_segments),
+      salience_threshold_(salience_threshold)
   {
     if (!cuts_.is_complete) // no more segments than there are can be asked for
       maximum_number_of_segments_ = (std::min)(maximum_number_of_segments_, number_of_segments());
@@ -463,7 +465,7 @@ private:
 
   internal::Cut_hierarchy cuts_;
   internal::Nested_ranges faces_; // of each node
-  size_type maximum_number_of_segments_ = internal::unlimited;
+  size_type maximum_number_of_segments_ = unlimited;
   double salience_threshold_ = 0;
 };
 

@@ -4,6 +4,7 @@
 #ifndef CGAL_SPECTRAL_SEGMENTATION_PARAMETERS_H
 #define CGAL_SPECTRAL_SEGMENTATION_PARAMETERS_H
 
+#include <CGAL/Spectral_segmentation/Options.h>
 #include <CGAL/Spectral_segmentation/Part_salience.h>
 #include <CGAL/Spectral_segmentation/Segmentation_visitor.h>
 
@@ -15,6 +16,7 @@
 #include <functional>
 #include <type_traits>
 #include <utility>
+#include <vector>
 
 namespace CGAL {
 namespace Spectral_segmentation {
@@ -50,7 +52,10 @@ class Segmentation_hierarchy;
   f(face_seed_map, face_seed_map_t, is_seed_map,                                                \
     "takes a property map whose values are of a signed integer type")
 
-// Those of the functions for what comes after.
+// The parameters of the functions that take a segmentation: CGAL's, then those of the package.
+#define CGAL_SPECTRAL_SEGMENTATION_PARAMETERS_OF_CGAL_FOR_RESULTS(f)                             \
+  f(number_of_iterations, number_of_iterations_t, is_count, "takes an integer")
+
 #define CGAL_SPECTRAL_SEGMENTATION_PARAMETERS_OF_RESULTS(f)                                      \
   f(closed, closed_t, is_flag, "takes a bool")
 
@@ -67,6 +72,7 @@ using CGAL::internal_np::edge_is_constrained_t;
 using CGAL::internal_np::geom_traits_t;
 using CGAL::internal_np::random_seed_t;
 using CGAL::internal_np::visitor_t;
+using CGAL::internal_np::number_of_iterations_t;
 
 #define CGAL_SPECTRAL_SEGMENTATION_TAG(name, tag, predicate, what) enum tag { name };
 CGAL_SPECTRAL_SEGMENTATION_PARAMETERS(CGAL_SPECTRAL_SEGMENTATION_TAG)
@@ -75,6 +81,7 @@ CGAL_SPECTRAL_SEGMENTATION_PARAMETERS_OF_RESULTS(CGAL_SPECTRAL_SEGMENTATION_TAG)
 enum zhang_liu_2005_t { zhang_liu_2005 };
 enum distance_weights_t { distance_weights };
 enum hierarchy_t { hierarchy };
+enum options_t { options };
 enum faces_of_parts_t { faces_of_parts };
 
 template <class T>
@@ -158,15 +165,15 @@ template <class Pack>
 using has_only_known_tags = has_only<Pack,
   CGAL_SPECTRAL_SEGMENTATION_PARAMETERS_OF_CGAL(CGAL_SPECTRAL_SEGMENTATION_TAG)
   CGAL_SPECTRAL_SEGMENTATION_PARAMETERS(CGAL_SPECTRAL_SEGMENTATION_TAG)
-  zhang_liu_2005_t, distance_weights_t, hierarchy_t>;
+  zhang_liu_2005_t, distance_weights_t, hierarchy_t, options_t>;
 
 template <class Pack>
 using has_only_tags_of_package = has_only<Pack,
   CGAL_SPECTRAL_SEGMENTATION_PARAMETERS_OF_CGAL(CGAL_SPECTRAL_SEGMENTATION_TAG)
   CGAL_SPECTRAL_SEGMENTATION_PARAMETERS(CGAL_SPECTRAL_SEGMENTATION_TAG)
+  CGAL_SPECTRAL_SEGMENTATION_PARAMETERS_OF_CGAL_FOR_RESULTS(CGAL_SPECTRAL_SEGMENTATION_TAG)
   CGAL_SPECTRAL_SEGMENTATION_PARAMETERS_OF_RESULTS(CGAL_SPECTRAL_SEGMENTATION_TAG)
-  zhang_liu_2005_t, distance_weights_t, hierarchy_t, faces_of_parts_t,
-  CGAL::internal_np::number_of_iterations_t>;
+  zhang_liu_2005_t, distance_weights_t, hierarchy_t, options_t, faces_of_parts_t>;
 #undef CGAL_SPECTRAL_SEGMENTATION_TAG
 
 } // namespace internal_np
@@ -219,6 +226,7 @@ public:
 
   CGAL_SPECTRAL_SEGMENTATION_PARAMETERS_OF_CGAL(CGAL_SPECTRAL_SEGMENTATION_MEMBER)
   CGAL_SPECTRAL_SEGMENTATION_PARAMETERS(CGAL_SPECTRAL_SEGMENTATION_MEMBER)
+  CGAL_SPECTRAL_SEGMENTATION_PARAMETERS_OF_CGAL_FOR_RESULTS(CGAL_SPECTRAL_SEGMENTATION_MEMBER)
   CGAL_SPECTRAL_SEGMENTATION_PARAMETERS_OF_RESULTS(CGAL_SPECTRAL_SEGMENTATION_MEMBER)
 #undef CGAL_SPECTRAL_SEGMENTATION_MEMBER
 
@@ -249,6 +257,15 @@ public:
     return with<internal_np::distance_weights_t>(std::array<double, 3>{
       internal_np::to_double(delta), internal_np::to_double(concave_eta),
       internal_np::to_double(convex_eta)});
+  }
+
+  /// the values of all options, for programs that choose them at run time
+  template <class T>
+  auto options(const T& values) const
+  {
+    static_assert(std::is_same<T, Options>::value,
+                  "options takes a CGAL::Spectral_segmentation::Options");
+    return with<internal_np::options_t>(values);
   }
 
   /// receives all cuts with their salience
@@ -292,10 +309,15 @@ auto from(const CGAL::Named_function_parameters<T, Tag, Base>& np)
 
 CGAL_SPECTRAL_SEGMENTATION_PARAMETERS_OF_CGAL(CGAL_SPECTRAL_SEGMENTATION_START)
 CGAL_SPECTRAL_SEGMENTATION_PARAMETERS(CGAL_SPECTRAL_SEGMENTATION_START)
+CGAL_SPECTRAL_SEGMENTATION_PARAMETERS_OF_CGAL_FOR_RESULTS(CGAL_SPECTRAL_SEGMENTATION_START)
 CGAL_SPECTRAL_SEGMENTATION_PARAMETERS_OF_RESULTS(CGAL_SPECTRAL_SEGMENTATION_START)
 #undef CGAL_SPECTRAL_SEGMENTATION_START
 
 inline auto zhang_liu_2005() { return default_values().zhang_liu_2005(); }
+
+template <class T>
+auto options(const T& values)
+{ return default_values().options(values); }
 
 template <class... Numbers>
 auto salience_weights(Numbers... weights)
@@ -319,6 +341,7 @@ auto faces_of_parts(std::vector<std::vector<FaceDescriptor> >& faces)
 
 #undef CGAL_SPECTRAL_SEGMENTATION_PARAMETERS_OF_CGAL
 #undef CGAL_SPECTRAL_SEGMENTATION_PARAMETERS
+#undef CGAL_SPECTRAL_SEGMENTATION_PARAMETERS_OF_CGAL_FOR_RESULTS
 #undef CGAL_SPECTRAL_SEGMENTATION_PARAMETERS_OF_RESULTS
 
 /// \cond SKIP_IN_MANUAL

@@ -4,6 +4,7 @@
 #ifndef CGAL_SPECTRAL_SEGMENTATION_SEGMENT_ADJACENCY_GRAPH_H
 #define CGAL_SPECTRAL_SEGMENTATION_SEGMENT_ADJACENCY_GRAPH_H
 
+#include <CGAL/Spectral_segmentation/Segmentation_hierarchy.h>
 #include <CGAL/Spectral_segmentation/internal/door/numbered_descriptors.h>
 #include <CGAL/Spectral_segmentation/internal/door/read_segments.h>
 #include <CGAL/Spectral_segmentation/internal/door/read_triangle_mesh.h>
@@ -58,19 +59,18 @@ namespace internal {
 template <class Pack>
 using has_only_adjacency_tags =
   internal_np::has_only<Pack, internal_np::vertex_point_t, internal_np::geom_traits_t,
-                        internal_np::face_index_t, internal_np::hierarchy_t>;
+                        internal_np::face_index_t>;
 
-// Of each segment: the leaf of a hierarchy that holds most of it.
-template <class Hierarchy>
-std::vector<std::size_t> largest_leaves(const Hierarchy& hierarchy,
-                                        const std::vector<Index>& labels,
-                                        const std::vector<double>& area_of_face,
-                                        std::size_t number_of_segments)
+// Returns for each segment the leaf of a hierarchy that holds most of it.
+inline std::vector<std::size_t> largest_leaves(const Segmentation_hierarchy& hierarchy,
+                                               const std::vector<Index>& labels,
+                                               const std::vector<double>& area_of_face,
+                                               std::size_t number_of_segments)
 {
   if (hierarchy.number_of_faces() != labels.size())
     throw std::invalid_argument("segment_adjacency_graph: the hierarchy is that of a mesh with "
                                 "another number of faces");
-  std::vector<std::size_t> result(number_of_segments, Hierarchy::null_node);
+  std::vector<std::size_t> result(number_of_segments, null_node);
   std::vector<double> largest_area(number_of_segments, -1);
   for (std::size_t i = 0; i < hierarchy.number_of_nodes(); ++i) {
     if (!hierarchy.node(i).is_leaf())
@@ -87,19 +87,79 @@ std::vector<std::size_t> largest_leaves(const Hierarchy& hierarchy,
   return result;
 }
 
-// Of the cut that separates two leaves: that of their lowest common ancestor.
-template <class Hierarchy>
-double salience_between(const Hierarchy& hierarchy, std::size_t a, std::size_t b)
+// Returns the salience of the cut that separates two leaves, which is the cut of their lowest common
+// ancestor.
+inline double salience_between(const Segmentation_hierarchy& hierarchy, std::size_t a,
+                               std::size_t b)
 {
   if (a == b)
     return 0;
   std::set<std::size_t> above_a;
-  for (; a != Hierarchy::null_node; a = hierarchy.node(a).parent)
+  for (; a != null_node; a = hierarchy.node(a).parent)
     above_a.insert(a);
-  while (b != Hierarchy::null_node && above_a.count(b) == 0)
+  while (b != null_node && above_a.count(b) == 0)
     b = hierarchy.node(b).parent;
-  return b == Hierarchy::null_node ? std::numeric_limits<double>::infinity()
+  return b == null_node ? std::numeric_limits<double>::infinity()
                                    : hierarchy.node(b).salience;
+}
+
+// Returns the graph, with saliences if `hierarchy` is not null.
+template <class TriangleMesh, class SegmentIdMap, class NamedParameters>
+Segment_adjacency_graph<typename boost::property_traits<SegmentIdMap>::value_type>
+make_adjacency_graph(const TriangleMesh& mesh, SegmentIdMap segment_ids,
+                     const Segmentation_hierarchy* hierarchy, const NamedParameters& np)
+{
+  namespace tags = internal_np;
+  using CGAL::parameters::choose_parameter;
+  using CGAL::parameters::get_parameter;
+  typedef typename boost::property_traits<SegmentIdMap>::value_type Id;
+
+  const auto& pack = checked_pack<has_only_adjacency_tags>(np);
+  typedef std::decay_t<decltype(pack)> Pack;
+  typedef typename GetGeomTraits<TriangleMesh, Pack>::type Geom_traits;
+  const auto point_map = choose_parameter(get_parameter(pack, tags::vertex_point_t()),
+                                          get_const_property_map(CGAL::vertex_point, mesh));
+
+  const auto faces_of_mesh = numbered_faces(mesh, pack, "segment_adjacency_graph");
+  Triangles triangles = read_triangle_mesh(
+    mesh, faces_of_mesh, point_map,
+    choose_parameter<Geom_traits>(get_parameter(pack, tags::geom_traits_t())),
+    "segment_adjacency_graph");
+  const double unit = normalize(triangles.points);
+  std::vector<Index> labels;
+  const std::vector<Id> ids = read_segments(faces_of_mesh, segment_ids, labels);
+
+  Segment_adjacency_graph<Id> graph(ids.size());
+  for (std::size_t i = 0; i < ids.size(); ++i)
+    graph[i].id = ids[i];
+  std::vector<double> area_of_face;
+  std::map<std::pair<Index, Index>, double> lengths; // of each boundary
+  for (Index f = 0; f < labels.size(); ++f) {
+    const Corners& corners = triangles.corners[f];
+    const auto side = [&](int i) {
+      return triangles.points[corners[(i + 1) % 3]] - triangles.points[corners[i]];
+    };
+    area_of_face.push_back(side(0).cross(side(1)).norm() / 2 * unit * unit);
+    ++graph[labels[f]].number_of_faces;
+    graph[labels[f]].area += area_of_face.back();
+    for (int i = 0; i < 3; ++i) {
+      const Index other = labels[triangles.neighbors[f][i]];
+      if (labels[f] < other) // so each edge counts once
+        lengths[{labels[f], other}] += side(i).norm() * unit;
+    }
+  }
+
+  std::vector<std::size_t> leaves;
+  if (hierarchy)
+    leaves = largest_leaves(*hierarchy, labels, area_of_face, ids.size());
+  for (const auto& [segments, length] : lengths) {
+    Segment_adjacency_properties properties{length, 0};
+    if (hierarchy)
+      properties.salience =
+        salience_between(*hierarchy, leaves[segments.first], leaves[segments.second]);
+    boost::add_edge(segments.first, segments.second, properties, graph);
+  }
+  return graph;
 }
 
 } // namespace internal
@@ -117,8 +177,8 @@ Vertex *i* of the graph is the segment of the *i*-th smallest id; for the ids of
 `segment_spectral_recursive()` it is segment *i*. The edges are sorted by their vertices, the
 smaller one of an edge first. There are no parallel edges and no loops.
 
-With the hierarchy of the run, each edge of the graph gets the salience of the cut that separates
-the two segments: that of the smallest node which holds both. With the default salience of the
+With `hierarchy`, each edge of the graph gets the salience of the cut that separates the two
+segments: that of the smallest node which holds both. With the default salience of the
 default method it is a probability, and at any higher threshold the two are one segment. All
 segments on one side of this cut have it in common with all on the other side, so it tells nothing
 of a single boundary. Segments that are not nodes of the hierarchy, as their boundaries were
@@ -138,15 +198,10 @@ edge of the graph, for a depth *d* of the hierarchy.
 \param mesh the triangle mesh
 \param segment_ids the id of the segment of each face: any numbers, as those of
   `segment_spectral_recursive()` or of another segmentation
+\param hierarchy the hierarchy of the run that made the ids, for the saliences
 \param np an optional sequence of named parameters among the ones listed below
 
 \cgalNamedParamsBegin
-  \cgalParamNBegin{hierarchy}
-    \cgalParamDescription{the hierarchy of the run that made the ids, for the saliences; it is only
-      read}
-    \cgalParamType{`CGAL::Spectral_segmentation::Segmentation_hierarchy&`}
-    \cgalParamDefault{none: all saliences are 0}
-  \cgalParamNEnd
   \cgalParamNBegin{face_index_map}
     \cgalParamDescription{the numbers of the faces in `hierarchy`, if that run was given a map}
     \cgalParamType{a model of `ReadablePropertyMap` with
@@ -185,63 +240,26 @@ Spectral_segmentation::Segment_adjacency_graph<
   typename boost::property_traits<SegmentIdMap>::value_type>
 #endif
 segment_adjacency_graph(const TriangleMesh& mesh, SegmentIdMap segment_ids,
+                        const Spectral_segmentation::Segmentation_hierarchy& hierarchy,
                         const NamedParameters& np = NamedParameters())
-{
-  namespace internal = Spectral_segmentation::internal;
-  namespace tags = Spectral_segmentation::internal_np;
-  using CGAL::parameters::choose_parameter;
-  using CGAL::parameters::get_parameter;
-  typedef typename boost::property_traits<SegmentIdMap>::value_type Id;
+{ return Spectral_segmentation::internal::make_adjacency_graph(mesh, segment_ids, &hierarchy, np); }
 
-  const auto& pack = internal::checked_pack<internal::has_only_adjacency_tags>(np);
-  typedef std::decay_t<decltype(pack)> Pack;
-  typedef typename GetGeomTraits<TriangleMesh, Pack>::type Geom_traits;
-  const auto point_map = choose_parameter(get_parameter(pack, tags::vertex_point_t()),
-                                          get_const_property_map(CGAL::vertex_point, mesh));
+/*!
+\ingroup PkgSpectralSegmentationRef
 
-  const auto faces_of_mesh = internal::numbered_faces(mesh, pack, "segment_adjacency_graph");
-  internal::Triangles triangles = internal::read_triangle_mesh(
-    mesh, faces_of_mesh, point_map,
-    choose_parameter<Geom_traits>(get_parameter(pack, tags::geom_traits_t())),
-    "segment_adjacency_graph");
-  const double unit = internal::normalize(triangles.points);
-  std::vector<internal::Index> labels;
-  const std::vector<Id> ids = internal::read_segments(faces_of_mesh, segment_ids, labels);
-
-  Spectral_segmentation::Segment_adjacency_graph<Id> graph(ids.size());
-  for (std::size_t i = 0; i < ids.size(); ++i)
-    graph[i].id = ids[i];
-  std::vector<double> area_of_face;
-  std::map<std::pair<internal::Index, internal::Index>, double> lengths; // of each boundary
-  for (internal::Index f = 0; f < labels.size(); ++f) {
-    const internal::Corners& corners = triangles.corners[f];
-    const auto side = [&](int i) {
-      return triangles.points[corners[(i + 1) % 3]] - triangles.points[corners[i]];
-    };
-    area_of_face.push_back(side(0).cross(side(1)).norm() / 2 * unit * unit);
-    ++graph[labels[f]].number_of_faces;
-    graph[labels[f]].area += area_of_face.back();
-    for (int i = 0; i < 3; ++i) {
-      const internal::Index other = labels[triangles.neighbors[f][i]];
-      if (labels[f] < other) // so each edge counts once
-        lengths[{labels[f], other}] += side(i).norm() * unit;
-    }
-  }
-
-  std::vector<std::size_t> leaves;
-  if constexpr (internal::is_given<Pack, tags::hierarchy_t>)
-    leaves = internal::largest_leaves(get_parameter(pack, tags::hierarchy).get(), labels,
-                                      area_of_face, ids.size());
-  for (const auto& [segments, length] : lengths) {
-    Spectral_segmentation::Segment_adjacency_properties properties{length, 0};
-    if constexpr (internal::is_given<Pack, tags::hierarchy_t>)
-      properties.salience =
-        internal::salience_between(get_parameter(pack, tags::hierarchy).get(),
-                                   leaves[segments.first], leaves[segments.second]);
-    boost::add_edge(segments.first, segments.second, properties, graph);
-  }
-  return graph;
-}
+is the same without a hierarchy: all saliences are 0.
+*/
+template <class TriangleMesh, class SegmentIdMap,
+          class NamedParameters = parameters::Default_named_parameters>
+#ifdef DOXYGEN_RUNNING
+Spectral_segmentation::Segment_adjacency_graph<Id>
+#else
+Spectral_segmentation::Segment_adjacency_graph<
+  typename boost::property_traits<SegmentIdMap>::value_type>
+#endif
+segment_adjacency_graph(const TriangleMesh& mesh, SegmentIdMap segment_ids,
+                        const NamedParameters& np = NamedParameters())
+{ return Spectral_segmentation::internal::make_adjacency_graph(mesh, segment_ids, nullptr, np); }
 
 } // namespace CGAL
 

@@ -4,7 +4,8 @@
 #ifndef CGAL_SPECTRAL_SEGMENTATION_INTERNAL_ENGINE_H
 #define CGAL_SPECTRAL_SEGMENTATION_INTERNAL_ENGINE_H
 
-#include <CGAL/Spectral_segmentation/internal/Options.h>
+#include <CGAL/Spectral_segmentation/Options.h>
+#include <CGAL/Spectral_segmentation/internal/utility/concurrency.h>
 #include <CGAL/Spectral_segmentation/internal/Run_control.h>
 #include <CGAL/Spectral_segmentation/internal/wishes/Wishes.h>
 #include <CGAL/Spectral_segmentation/internal/hierarchy/Cut_hierarchy.h>
@@ -33,10 +34,6 @@ Cut_hierarchy segment(Triangles triangles, const Options& options, Execution exe
 // Finds the neighbors of the triangles of a soup, and orients them.
 CGAL_SPECTRAL_SEGMENTATION_INLINE
 void connect(Triangles& triangles);
-
-// Smooths the boundaries between segments. `neighbors` are those of a hierarchy.
-CGAL_SPECTRAL_SEGMENTATION_INLINE
-void smooth_boundaries(const std::vector<Index>& neighbors, std::vector<std::size_t>& labels);
 
 } // namespace CGAL::Spectral_segmentation::internal
 

@@ -8,10 +8,10 @@
 #include <CGAL/Spectral_segmentation/internal/distances/face_distances.h>
 #include <CGAL/Spectral_segmentation/internal/distances/laplacian_smoothing.h>
 #include <CGAL/Spectral_segmentation/internal/engine.h>
-#include <CGAL/Spectral_segmentation/internal/hierarchy/boundary_smoothing.h>
 #include <CGAL/Spectral_segmentation/internal/hierarchy/congruent_cuts.h>
 #include <CGAL/Spectral_segmentation/internal/hierarchy/further_cuts.h>
 #include <CGAL/Spectral_segmentation/internal/hierarchy/joined_roots.h>
+#include <CGAL/Spectral_segmentation/internal/hierarchy/numbers_to_search.h>
 #include <CGAL/Spectral_segmentation/internal/hierarchy/recursion.h>
 #include <CGAL/Spectral_segmentation/internal/hierarchy/region_merging.h>
 #include <CGAL/Spectral_segmentation/internal/mesh/connect_triangles.h>
@@ -141,9 +141,9 @@ class Run
 
   void check_number() const
   {
-    if (!options_.is_number_exact)
+    if (!options_.number_of_segments)
       return;
-    const std::size_t number = options_.maximum_number_of_segments;
+    const std::size_t number = *options_.number_of_segments;
     std::size_t least = 1;
     if (options_.components_apart)
       connected_components(mesh_, least);
@@ -164,7 +164,7 @@ class Run
   // cuts are searched, so that a cut can run anywhere.
   void refine()
   {
-    if (!options_.refinement || !(total_area(mesh_) > 0))
+    if (!options_.bisection || !(total_area(mesh_) > 0))
       return;
     const double number_of_faces = static_cast<double>(options_.number_of_searched_faces);
     const auto bound = bound_of_edges(execution_, mesh_, number_of_faces, 16 * number_of_faces);
@@ -191,7 +191,7 @@ class Run
 
   // Whether something is done with the mesh after the search.
   bool is_mesh_needed() const
-  { return options_.is_number_exact || !options_.components_apart || !wishes_.empty(); }
+  { return options_.number_of_segments || !options_.components_apart || !wishes_.empty(); }
 
   // The mesh on which cuts are searched.
   Face_graph coarse_mesh()
@@ -209,7 +209,7 @@ class Run
       wrap();
     if (!wrap_)
       refine();
-    const std::size_t number_of_faces = options_.faces_to_search(finest().number_of_faces());
+    const std::size_t number_of_faces = faces_to_search(options_, finest().number_of_faces());
     if (number_of_faces < finest().number_of_faces())
       levels_ = coarsen_in_steps(execution_, finest(), number_of_faces, monitor_);
     Face_graph result = levels_.empty() ? finest() : levels_.back().graph;
@@ -283,10 +283,10 @@ class Run
     Region_graph graph = regions(options_.components_apart);
     hierarchy = Wished_merging(hierarchy, graph, regions.region_of_faces(), regions.leaves())();
     const std::size_t number = hierarchy.number_of_roots;
-    if (number > number_of_roots && number > options_.maximum_number_of_segments)
+    if (number > number_of_roots && number > maximum_number(options_))
       throw std::invalid_argument(
         "segment_spectral_recursive: the seams and seeds need " + std::to_string(number) +
-        " segments, but " + std::to_string(options_.maximum_number_of_segments) + " are allowed");
+        " segments, but " + std::to_string(maximum_number(options_)) + " are allowed");
   }
 
   // As many cuts as were asked for.
@@ -296,9 +296,9 @@ class Run
       hierarchy = joined_roots(std::move(hierarchy), mesh_);
     if (!wishes_.empty())
       fulfill_wishes(hierarchy);
-    if (!options_.is_number_exact || monitor_.is_stopped())
+    if (!options_.number_of_segments || monitor_.is_stopped())
       return;
-    const std::size_t number = options_.maximum_number_of_segments;
+    const std::size_t number = *options_.number_of_segments;
     Further_cuts(mesh_, hierarchy, groups_.group)(number);
     if (hierarchy.number_of_segments() < number)
       throw std::invalid_argument(
@@ -329,7 +329,7 @@ public:
     // About how long the phases take, in nanoseconds; only what is told of the progress depends on
     // it.
     const double n = static_cast<double>(triangles.corners.size());
-    const double m = static_cast<double>(options_.faces_to_search(triangles.corners.size()));
+    const double m = static_cast<double>(faces_to_search(options_, triangles.corners.size()));
     const double of_reading = 150 * n;
     const double of_coarsening = (m < n ? 1250 : 100) * n;
     const double of_search = (options_.method == Method::CALIBRATED ? 50000 : 4000) * m;
@@ -370,6 +370,9 @@ CGAL_SPECTRAL_SEGMENTATION_INLINE
 Cut_hierarchy segment(Triangles triangles, const Options& options, Execution execution,
                       Run_control& control, const Wishes& wishes)
 {
+  if (!wishes.empty() && options.method == Method::ZHANG_LIU_2005)
+    throw std::invalid_argument("segment_spectral_recursive: the method of the paper takes no "
+                                "constraints: use the calibrated method with them");
   Cut_hierarchy result;
   call_isolated([&] { result = Run(options, wishes, execution, control)(std::move(triangles)); });
   return result;
@@ -381,10 +384,6 @@ void connect(Triangles& triangles)
   Triangle_connection connection(triangles);
   connection();
 }
-
-CGAL_SPECTRAL_SEGMENTATION_INLINE
-void smooth_boundaries(const std::vector<Index>& neighbors, std::vector<std::size_t>& labels)
-{ remove_teeth(neighbors, labels); }
 
 } // namespace CGAL::Spectral_segmentation::internal
 

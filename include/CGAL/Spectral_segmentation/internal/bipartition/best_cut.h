@@ -4,7 +4,7 @@
 #ifndef CGAL_SPECTRAL_SEGMENTATION_INTERNAL_BIPARTITION_BEST_CUT_H
 #define CGAL_SPECTRAL_SEGMENTATION_INTERNAL_BIPARTITION_BEST_CUT_H
 
-#include <CGAL/Spectral_segmentation/internal/Options.h>
+#include <CGAL/Spectral_segmentation/Options.h>
 #include <CGAL/Spectral_segmentation/internal/bipartition/cut_proposals.h>
 #include <CGAL/Spectral_segmentation/internal/bipartition/face_orders.h>
 #include <CGAL/Spectral_segmentation/internal/bipartition/line_search.h>

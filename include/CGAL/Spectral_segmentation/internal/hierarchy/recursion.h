@@ -4,7 +4,8 @@
 #ifndef CGAL_SPECTRAL_SEGMENTATION_INTERNAL_HIERARCHY_RECURSION_H
 #define CGAL_SPECTRAL_SEGMENTATION_INTERNAL_HIERARCHY_RECURSION_H
 
-#include <CGAL/Spectral_segmentation/internal/Options.h>
+#include <CGAL/Spectral_segmentation/Options.h>
+#include <CGAL/Spectral_segmentation/internal/hierarchy/numbers_to_search.h>
 #include <CGAL/Spectral_segmentation/internal/bipartition/best_cut.h>
 #include <CGAL/Spectral_segmentation/internal/hierarchy/Cut_hierarchy.h>
 #include <CGAL/Spectral_segmentation/internal/mesh/connected_components.h>
@@ -103,7 +104,7 @@ class Recursion
     if (pending_[queue_.begin()->second].is_searched)
       return;
     const std::size_t most = execution_ == Execution::SEQUENTIAL
-      ? 1 : options_.maximum_number_of_segments - hierarchy_.number_of_segments();
+      ? 1 : maximum_number(options_) - hierarchy_.number_of_segments();
     std::vector<Pending_part*> parts;
     for (auto key = queue_.begin(); key != queue_.end() && parts.size() < most; ++key)
       if (!pending_[key->second].is_searched)
@@ -123,12 +124,12 @@ class Recursion
     }
     n.salience = pending.cut->salience;
     n.factors = pending.cut->factors;
-    if (n.salience < options_.salience_threshold) {
+    if (n.salience < threshold(options_)) {
       n.cut_state = Cut_state::REJECTED;
       return;
     }
     n.cut_state = Cut_state::ACCEPTED;
-    const std::size_t maximum = options_.maximum_number_of_segments;
+    const std::size_t maximum = maximum_number(options_);
     const bool is_last = hierarchy_.number_of_segments() + 1 >= maximum;
     cut(node, std::move(pending), is_last);
     if (!is_last)
@@ -163,7 +164,7 @@ public:
       for (std::size_t root = 0; root < hierarchy_.number_of_roots; ++root)
         enqueue_by_area(root);
       while (!queue_.empty() &&
-             hierarchy_.number_of_segments() < options_.maximum_number_of_segments) {
+             hierarchy_.number_of_segments() < maximum_number(options_)) {
         search_largest();
         cut_largest();
       }
@@ -175,15 +176,15 @@ public:
   }
 
   // An over-segmentation: the part with the most salient cut is cut next, until there are
-  // `options.regions()` regions, and one more for each further component.
+  // `number_of_regions()` regions, and one more for each further component.
   Cut_hierarchy by_salience()
   {
-    const std::size_t number_of_regions = options_.regions();
+    const std::size_t least = number_of_regions(options_);
     const std::size_t roots = hierarchy_.number_of_roots;
     const std::size_t further = roots == 0 ? 0 : roots - 1;
     const auto has_enough = [&] {
       const std::size_t regions = hierarchy_.number_of_segments();
-      return regions - further >= options_.number_of_regions && regions >= number_of_regions;
+      return regions - further >= options_.number_of_regions && regions >= least;
     };
     try {
       while (!has_enough()) {
@@ -195,7 +196,7 @@ public:
         Pending_part pending = take(node);
         cut(node, std::move(pending), false);
         monitor_.advance_to(static_cast<double>(hierarchy_.number_of_segments() - further) /
-                            static_cast<double>(number_of_regions));
+                            static_cast<double>(least));
       }
     }
     catch (const Run_stopped&) {

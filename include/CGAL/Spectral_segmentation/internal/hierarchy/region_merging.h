@@ -4,7 +4,7 @@
 #ifndef CGAL_SPECTRAL_SEGMENTATION_INTERNAL_HIERARCHY_REGION_MERGING_H
 #define CGAL_SPECTRAL_SEGMENTATION_INTERNAL_HIERARCHY_REGION_MERGING_H
 
-#include <CGAL/Spectral_segmentation/internal/Options.h>
+#include <CGAL/Spectral_segmentation/Options.h>
 #include <CGAL/Spectral_segmentation/internal/hierarchy/Cut_hierarchy.h>
 #include <CGAL/Spectral_segmentation/internal/mesh/extract_part.h>
 #include <CGAL/Spectral_segmentation/internal/salience/Cut_evaluator.h>

@@ -240,12 +240,12 @@ public:
     read_faces(nodes);
     read_neighbors();
 
-    Options options;
-    options.salience_threshold = number_but_nan(json_, "salience_threshold");
+    const double threshold = number_but_nan(json_, "salience_threshold");
     const Json& maximum = member(json_, "maximum_number_of_segments");
-    options.maximum_number_of_segments =
-      maximum.is_null() ? unlimited : count(maximum, "maximum_number_of_segments", unlimited);
-    return Segmentation_hierarchy(std::move(cuts_), options);
+    return Segmentation_hierarchy(
+      std::move(cuts_),
+      maximum.is_null() ? unlimited : count(maximum, "maximum_number_of_segments", unlimited),
+      threshold);
   }
 
   // The nodes of the segments that were written.

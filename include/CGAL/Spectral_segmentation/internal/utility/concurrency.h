@@ -4,8 +4,6 @@
 #ifndef CGAL_SPECTRAL_SEGMENTATION_INTERNAL_UTILITY_CONCURRENCY_H
 #define CGAL_SPECTRAL_SEGMENTATION_INTERNAL_UTILITY_CONCURRENCY_H
 
-#include <CGAL/Spectral_segmentation/internal/Options.h>
-
 #ifdef CGAL_LINKED_WITH_TBB
 #include <tbb/parallel_for.h>
 #include <tbb/parallel_invoke.h>
@@ -19,6 +17,8 @@
 #include <vector>
 
 namespace CGAL::Spectral_segmentation::internal {
+
+enum class Execution { SEQUENTIAL, PARALLEL }; // on one thread, or on all that TBB has
 
 // All functions fall back to one thread where the program is built without TBB. Each has a task
 // context of its own, so that a caller who cancels tasks cannot skip some of a run.

@@ -9,7 +9,7 @@
 namespace CGAL::Spectral_segmentation::internal {
 
 // Numbers that the factors of cuts, and so the fit of `Calibrated_part_salience`, depend on besides
-// `calibrated_options()`. They were chosen by trials on a prototype of the method. After a change
+// `Options`. They were chosen by trials on a prototype of the method. After a change
 // of one of them the salience has to be fitted again (benchmark/fit_part_salience).
 namespace constants {
 

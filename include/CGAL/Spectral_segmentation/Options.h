@@ -1,0 +1,139 @@
+// Copyright (c) 2026  The Spectral_segmentation authors.
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_SPECTRAL_SEGMENTATION_OPTIONS_H
+#define CGAL_SPECTRAL_SEGMENTATION_OPTIONS_H
+
+#include <CGAL/Spectral_segmentation/Part_salience.h>
+
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <functional>
+#include <limits>
+#include <optional>
+#include <stdexcept>
+#include <string>
+
+namespace CGAL {
+namespace Spectral_segmentation {
+
+/// \ingroup PkgSpectralSegmentationRef
+/// The two methods of `segment_spectral_recursive()`.
+enum class Method
+{
+  CALIBRATED,    ///< over-segmentation, the most salient cut first; then region merging (default)
+  ZHANG_LIU_2005 ///< the recursion of the paper: the largest part is cut next
+};
+
+/// \ingroup PkgSpectralSegmentationRef
+/// Any model of the concept `PartSalience`, chosen at run time.
+typedef std::function<double(const Salience_factors&)> Part_salience;
+
+/// \ingroup PkgSpectralSegmentationRef
+/// Stands for no limit on the number of segments.
+constexpr std::size_t unlimited = (std::numeric_limits<std::size_t>::max)();
+
+/// \ingroup PkgSpectralSegmentationRef
+/// The options of a run as a plain struct, for programs that choose them at run time: the named
+/// parameter `options(o)` passes them to `segment_spectral_recursive()`.
+///
+/// `Options()` has the defaults of the calibrated method, `Options::zhang_liu_2005()` those of the
+/// paper. A field with the name of a named parameter means the same, see
+/// `segment_spectral_recursive()`.
+struct Options
+{
+  /// the method; the preset for a method sets all other fields as well
+  Method method = Method::CALIBRATED;
+
+  /// exact, at least 1; if it is set, `maximum_number_of_segments` and `salience_threshold` are not
+  /// used
+  std::optional<std::size_t> number_of_segments;
+  std::size_t maximum_number_of_segments = unlimited;        ///< at least 1
+  double salience_threshold = default_probability_threshold; ///< not NaN
+  bool components_apart = false;                             ///< `true` in the paper's method
+  double minimum_segment_size = 0.003;                       ///< in [0, 0.5]
+  Part_salience part_salience = Calibrated_part_salience();  ///< not empty
+  std::size_t number_of_searched_faces = 4000;               ///< 0: the mesh itself is searched
+  std::size_t number_of_smoothing_iterations = 0;            ///< for the points
+  bool boundary_smoothing = false;                           ///< for the labels
+
+  /// \name Parameters of the Paper
+  /// @{
+  double geodesic_weight = 0.03;              ///< the first of `distance_weights`, in [0, 1]
+  double concave_angle_weight = 1;            ///< the second, finite and not negative
+  double convex_angle_weight = 0.1;           ///< the third, finite and not negative
+  std::size_t number_of_reference_faces = 10; ///< at least 1
+  std::optional<std::uint64_t> random_seed;   ///< for the first reference faces
+  /// @}
+
+  /// \name Parts of the Calibrated Method
+  /// Experiments change these fields. The coefficients of `Calibrated_part_salience` were fitted
+  /// with the values given here, and must be fitted again (`benchmark/fit_part_salience`) if one of
+  /// these changes. The section \ref Spectral_segmentation_ablation shows what each gains.
+  /// @{
+  double concavity_radius = 0.02;  ///< for curvature, relative to the root of the area; 0: none
+  bool bisection = true;           ///< whether faces larger than the searched ones are bisected
+  bool single_source_orders = true;             ///< whether limbs are grown from single faces, too
+  std::size_t number_of_candidates = 14;        ///< cuts of a part whose factors are all computed
+  std::size_t number_of_refined_candidates = 4; ///< candidates that are moved to minimum cuts
+  std::size_t number_of_regions = 20;           ///< of the over-segmentation; at least 1
+  /// @}
+
+  /// returns the options of the paper, but for `minimum_segment_size`, which it does not have, and
+  /// `salience_threshold`, which it leaves to the user
+  static Options zhang_liu_2005()
+  {
+    Options o;
+    o.method = Method::ZHANG_LIU_2005;
+    o.salience_threshold = default_salience_threshold;
+    o.components_apart = true;
+    o.minimum_segment_size = 0.005;
+    o.part_salience = Weighted_part_salience();
+    o.number_of_searched_faces = 0;
+    o.geodesic_weight = 0.01;
+    o.concavity_radius = 0;
+    o.bisection = false;
+    o.single_source_orders = false;
+    o.number_of_candidates = 0;
+    o.number_of_refined_candidates = 0;
+    return o;
+  }
+};
+
+/// \ingroup PkgSpectralSegmentationRef
+/// throws `std::invalid_argument` with a message that names the option and its range if a value is
+/// out of its range. `segment_spectral_recursive()` calls it.
+inline void check(const Options& o)
+{
+  const auto require = [](bool condition, const char* option, const char* range) {
+    if (!condition)
+      throw std::invalid_argument(std::string("segment_spectral_recursive: ") + option +
+                                  " must be " + range);
+  };
+  const auto is_weight = [](double w) { return w >= 0 && std::isfinite(w); };
+  require(!o.number_of_segments || *o.number_of_segments >= 1, "number_of_segments", "at least 1");
+  require(o.maximum_number_of_segments >= 1, "maximum_number_of_segments", "at least 1");
+  require(!std::isnan(o.salience_threshold), "salience_threshold", "a number");
+  require(o.components_apart || o.method == Method::CALIBRATED, "components_apart",
+          "true with zhang_liu_2005()");
+  require(o.minimum_segment_size >= 0 && o.minimum_segment_size <= 0.5, "minimum_segment_size",
+          "in [0, 0.5]");
+  require(static_cast<bool>(o.part_salience), "part_salience", "a function");
+  if (const auto* w = o.part_salience.target<Weighted_part_salience>())
+    require(w->alpha >= 0 && w->beta >= 0 && w->gamma >= 0 &&
+              std::abs(w->alpha + w->beta + w->gamma - 1) < 1e-6,
+            "salience_weights", "not negative and sum to 1");
+  require(o.geodesic_weight >= 0 && o.geodesic_weight <= 1, "the first of distance_weights",
+          "in [0, 1]");
+  require(is_weight(o.concave_angle_weight) && is_weight(o.convex_angle_weight),
+          "the second and third of distance_weights", "finite and not negative");
+  require(o.number_of_reference_faces >= 1, "number_of_reference_faces", "at least 1");
+  require(is_weight(o.concavity_radius), "concavity_radius", "finite and not negative");
+  require(o.number_of_regions >= 1, "number_of_regions", "at least 1");
+}
+
+} // namespace Spectral_segmentation
+} // namespace CGAL
+
+#endif // CGAL_SPECTRAL_SEGMENTATION_OPTIONS_H

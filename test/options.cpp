@@ -1,0 +1,155 @@
+// Copyright (c) 2026  The Spectral_segmentation authors.
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#include <boost/test/unit_test.hpp>
+
+#include "box_figures.h"
+#include "test_labels.h"
+#include "test_meshes.h"
+
+#include <CGAL/Spectral_segmentation/Options.h>
+#include <CGAL/segment_spectral_recursive.h>
+
+#include <boost/property_map/function_property_map.hpp>
+
+#include <limits>
+#include <stdexcept>
+#include <string>
+
+BOOST_AUTO_TEST_SUITE(options)
+
+using namespace test_meshes;
+namespace parameters = CGAL::Spectral_segmentation::parameters;
+using CGAL::Spectral_segmentation::Options;
+using CGAL::Spectral_segmentation::Salience_factors;
+using CGAL::Spectral_segmentation::Segmentation_hierarchy;
+using CGAL::Spectral_segmentation::Weighted_part_salience;
+
+namespace {
+
+const double infinity = std::numeric_limits<double>::infinity();
+const double not_a_number = std::numeric_limits<double>::quiet_NaN();
+
+Labels labels_of_options(const Options& o)
+{ return labels_of(mesh_of(doll()), parameters::options(o)); }
+
+template <class NamedParameters>
+void check_equal(const Options& o, const NamedParameters& np)
+{
+  BOOST_TEST(labels_of_options(o) == labels_of(mesh_of(doll()), np),
+             boost::test_tools::per_element());
+}
+
+// `change` puts a field out of its range, and the message names the option.
+template <class Change>
+void check_refused(const std::string& name, const Change& change, Options o = Options())
+{
+  const auto names_it = [&](const std::invalid_argument& e)
+  { return std::string(e.what()).find(name + " must be ") != std::string::npos; };
+  BOOST_TEST_CONTEXT(name) {
+    BOOST_CHECK_NO_THROW(check(o));
+    change(o);
+    BOOST_CHECK_EXCEPTION(check(o), std::invalid_argument, names_it);
+    BOOST_CHECK_EXCEPTION(labels_of_options(o), std::invalid_argument, names_it);
+  }
+}
+
+} // namespace
+
+BOOST_AUTO_TEST_CASE(presets_are_the_methods)
+{
+  check_equal(Options(), parameters::default_values());
+  check_equal(Options::zhang_liu_2005(), parameters::zhang_liu_2005());
+}
+
+BOOST_AUTO_TEST_CASE(fields_mean_what_named_parameters_do)
+{
+  Options o;
+  o.number_of_segments = 9;
+  o.random_seed = 5;
+  check_equal(o, parameters::number_of_segments(9).random_seed(5));
+
+  o = Options();
+  o.maximum_number_of_segments = 6;
+  o.salience_threshold = -infinity;
+  o.minimum_segment_size = 0.02;
+  o.components_apart = true;
+  o.number_of_searched_faces = 300;
+  o.number_of_smoothing_iterations = 2;
+  o.boundary_smoothing = true;
+  check_equal(o, parameters::maximum_number_of_segments(6).salience_threshold(-infinity)
+                   .minimum_segment_size(0.02).components_apart(true)
+                   .number_of_searched_faces(300).number_of_smoothing_iterations(2)
+                   .boundary_smoothing(true));
+
+  o = Options::zhang_liu_2005();
+  o.part_salience = Weighted_part_salience{0.2, 0.3, 0.5};
+  o.geodesic_weight = 0.05;
+  o.concave_angle_weight = 2;
+  o.convex_angle_weight = 0.5;
+  o.number_of_reference_faces = 4;
+  check_equal(o, parameters::zhang_liu_2005().salience_weights(0.2, 0.3, 0.5)
+                   .distance_weights(0.05, 2, 0.5).number_of_reference_faces(4));
+}
+
+BOOST_AUTO_TEST_CASE(named_parameters_change_the_options_that_are_given)
+{
+  Options o = Options::zhang_liu_2005();
+  o.minimum_segment_size = 0.1;
+  o.salience_threshold = 0.2;
+  BOOST_TEST(labels_of(mesh_of(doll()), parameters::options(o).minimum_segment_size(0.005)
+                                          .salience_threshold(0.54)) ==
+             labels_of(mesh_of(doll()), parameters::zhang_liu_2005()),
+             boost::test_tools::per_element());
+}
+
+BOOST_AUTO_TEST_CASE(an_exact_number_does_not_use_the_other_limits)
+{
+  Options o;
+  o.number_of_segments = 7;
+  o.maximum_number_of_segments = 2;
+  o.salience_threshold = infinity;
+  BOOST_TEST(number_of(labels_of_options(o)) == 7u);
+}
+
+BOOST_AUTO_TEST_CASE(values_out_of_range_are_refused_by_name)
+{
+  check_refused("number_of_segments", [](Options& o) { o.number_of_segments = 0; });
+  check_refused("maximum_number_of_segments", [](Options& o) { o.maximum_number_of_segments = 0; });
+  check_refused("salience_threshold", [](Options& o) { o.salience_threshold = not_a_number; });
+  check_refused("components_apart", [](Options& o) { o.components_apart = false; },
+                Options::zhang_liu_2005());
+  for (double bad : {-0.001, 0.501, not_a_number})
+    check_refused("minimum_segment_size", [&](Options& o) { o.minimum_segment_size = bad; });
+  check_refused("part_salience", [](Options& o) { o.part_salience = nullptr; });
+  check_refused("salience_weights",
+                [](Options& o) { o.part_salience = Weighted_part_salience{1, 1, 1}; });
+  for (double bad : {-0.01, 1.5, not_a_number})
+    check_refused("the first of distance_weights", [&](Options& o) { o.geodesic_weight = bad; });
+  for (double bad : {-1., infinity, not_a_number}) {
+    check_refused("the second and third of distance_weights",
+                  [&](Options& o) { o.concave_angle_weight = bad; });
+    check_refused("the second and third of distance_weights",
+                  [&](Options& o) { o.convex_angle_weight = bad; });
+    check_refused("concavity_radius", [&](Options& o) { o.concavity_radius = bad; });
+  }
+  check_refused("number_of_reference_faces", [](Options& o) { o.number_of_reference_faces = 0; });
+  check_refused("number_of_regions", [](Options& o) { o.number_of_regions = 0; });
+}
+
+BOOST_AUTO_TEST_CASE(the_method_of_the_paper_has_no_constraints)
+{
+  const Mesh mesh = mesh_of(doll());
+  const auto seeds = boost::make_function_property_map<Mesh::Face_index, int>(
+    [](Mesh::Face_index f) { return f == Mesh::Face_index(0) ? 1 : -1; });
+  Labels labels;
+  const auto map = map_to(labels, mesh);
+  const Labels before = labels;
+  BOOST_CHECK_THROW(
+    CGAL::segment_spectral_recursive(
+      mesh, map, parameters::options(Options::zhang_liu_2005()).face_seed_map(seeds)),
+    std::invalid_argument);
+  BOOST_TEST(labels == before, boost::test_tools::per_element());
+}
+
+BOOST_AUTO_TEST_SUITE_END()
