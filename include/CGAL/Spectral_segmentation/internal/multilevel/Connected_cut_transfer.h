@@ -121,7 +121,7 @@ private:
   void keep_largest(const Cells& cells, Side given)
   {
     start_flood();
-    std::vector<std::size_t> first_of_set; // in reached_
+    std::vector<std::size_t> first_of_set; // positions in reached_
     std::vector<double> areas;
     for (Index cell : cells) {
       if (side_[cell] != given || flood_[cell] == number_of_floods_)

@@ -82,7 +82,7 @@ class Longest_edge_bisection
     float squared_length; // rounded, so that equal lengths are equal wherever the mesh lies
     Index source, target;
     Index halves = null_index;   // the first of two edges, at the source
-    Index halfedge = null_index; // in the result, once a face has it
+    Index halfedge = null_index; // its halfedge in the result, once a face has it
 
     bool operator<(const Edge& other) const
     {
