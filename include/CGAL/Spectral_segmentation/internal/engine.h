@@ -13,8 +13,8 @@
 #include <cstddef>
 #include <vector>
 
-// With CGAL_SPECTRAL_SEGMENTATION_COMPILED, which the CMake target `compiled` defines, the engine
-// is linked; else it is included here.
+// The engine is linked if CGAL_SPECTRAL_SEGMENTATION_COMPILED is defined, which the CMake target
+// `compiled` does; else it is included here.
 #ifdef CGAL_SPECTRAL_SEGMENTATION_COMPILED
 #define CGAL_SPECTRAL_SEGMENTATION_INLINE
 #else
@@ -23,9 +23,9 @@
 
 namespace CGAL::Spectral_segmentation::internal {
 
-// The engine: no template, as nothing in it depends on the caller. Arrays in, a hierarchy of cuts
-// out, whose faces are those of the triangles. Throws `std::invalid_argument` if wishes contradict
-// each other or the number of segments.
+// Runs the engine, which is no template because nothing in it depends on the caller. It takes
+// arrays and returns a hierarchy of cuts, whose faces are the triangles. Throws
+// `std::invalid_argument` if constraints contradict each other or the number of segments.
 CGAL_SPECTRAL_SEGMENTATION_INLINE
 Cut_hierarchy segment(Triangles triangles, const Options& options, Execution execution,
                       Run_control& control, const Wishes& wishes = Wishes());
@@ -34,7 +34,7 @@ Cut_hierarchy segment(Triangles triangles, const Options& options, Execution exe
 CGAL_SPECTRAL_SEGMENTATION_INLINE
 void connect(Triangles& triangles);
 
-// Smooths the boundaries between segments. `neighbors` are those of a hierarchy.
+// Smooths the boundaries between segments. `neighbors` is the member of a hierarchy.
 CGAL_SPECTRAL_SEGMENTATION_INLINE
 void smooth_boundaries(const std::vector<Index>& neighbors, std::vector<std::size_t>& labels);
 

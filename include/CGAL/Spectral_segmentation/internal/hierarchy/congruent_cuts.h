@@ -30,8 +30,8 @@ struct Cut_shape
   double deviations[3] = {0, 0, 0}; // standard deviations of Q along its principal axes
 };
 
-// Returns whether the parts are congruent. The tolerances were chosen by measurement. No cut that
-// is searched depends on them.
+// Returns whether parts are congruent. The tolerances are measured. No searched cut depends on
+// them.
 inline bool are_congruent(const Cut_shape& a, const Cut_shape& b)
 {
   const auto are_near = [](double x, double y, double tolerance)

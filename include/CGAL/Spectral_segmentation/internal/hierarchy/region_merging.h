@@ -170,7 +170,7 @@ public:
     for (std::size_t i = 0; i < result.number_of_roots; ++i)
       result.nodes[i].area = regions.nodes[i].area;
     // A region that was not merged into another is a root. Roots are numbered like components.
-    std::vector<std::size_t> node(faces_.size()); // of each region, with those merged into it
+    std::vector<std::size_t> node(faces_.size()); // the node of each region and all merged into it
     std::size_t next_root = 0;
     for (std::size_t region = 0; region < faces_.size(); ++region)
       if (!faces_[region].empty())
