@@ -163,7 +163,8 @@ struct Equalized_angles
   std::vector<double> concave; // the part of H that is due to concave edges
 };
 
-// Equalizes dihedral angles; `edges` has one halfedge an edge. Faces without a normal have none.
+// Equalizes dihedral angles; `edges` has one halfedge an edge. Faces without a normal have flat
+// edges.
 inline Equalized_angles equalized_dihedrals(Execution execution, const Face_graph& graph,
                                             const std::vector<Vector>& points,
                                             const std::vector<Vector>& normals,
