@@ -53,7 +53,7 @@ inline std::vector<double> weights_of_edges(const Mesh& mesh, const Face_graph& 
   return weights;
 }
 
-// What a user of CGAL and BGL writes; the mesh is closed.
+// Computes distances in the way of a user of CGAL and BGL; the mesh is closed.
 inline std::vector<double> dijkstra_on_dual(const Mesh& mesh, const std::vector<double>& weights,
                                             Mesh::Face_index source)
 {

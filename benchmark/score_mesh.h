@@ -49,7 +49,7 @@ struct Score
 {
   Errors errors{};
   double segments = 0;
-  double excess = 0; // of the Rand error over the consensus floor
+  double excess = 0; // the Rand error less the consensus floor
   double twins = 0;  // share of people's twin classes that are treated alike
   double seconds = 0;
   Labels labels;
@@ -73,7 +73,7 @@ class Mesh_scorer
   std::filesystem::path cache_;
   Mesh_facts facts_;
   std::vector<Segmentation> people_;
-  std::vector<std::vector<Twin_class> > twins_; // of each person
+  std::vector<std::vector<Twin_class> > twins_; // one list per person
   std::size_t usual_number_;
   double floor_;
   std::map<std::string, Retriangulated_mesh> meshes_; // by the name of the triangulation

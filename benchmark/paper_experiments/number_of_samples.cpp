@@ -31,7 +31,7 @@ constexpr std::array<std::size_t, 6> numbers = {2, 5, 10, 20, 50, 100};
 struct Errors_of_line
 {
   double first, second; // eigenvectors, at the whole mesh
-  double rand_error;    // of the segmentation
+  double rand_error;    // the error of the segmentation
 };
 
 struct Scores

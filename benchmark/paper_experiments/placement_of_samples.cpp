@@ -73,7 +73,7 @@ Searched_line search_line(const Face_graph& part, const Sample_faces& samples,
 struct Trial
 {
   Sample_faces samples;
-  double salience = undefined, agreement = 0; // of the best cut, if there is one
+  double salience = undefined, agreement = 0; // both for the best cut, if there is one
 };
 
 typedef std::array<std::vector<Trial>, NUMBER_OF_PLACEMENTS> Trials; // by Placement
@@ -158,8 +158,8 @@ public:
   }
 };
 
-// Of both placements the pair whose cut agrees best with the person, and the salience along its
-// line.
+// Writes for both placements the pair whose cut agrees best with the person, and the salience along
+// its line.
 void write_pictures(const First_cut& first_cut, const Trials& trials, int id,
                     const Pictures& pictures)
 {
