@@ -78,7 +78,7 @@ std::string both_defaults(double Defaults::*number)
 struct Options
 {
   std::vector<std::string> inputs;
-  std::string list_file, output_directory; // of a batch
+  std::string list_file, output_directory; // for a batch
   std::vector<std::string> output_formats = {"labels"};
   std::optional<std::size_t> jobs;
   std::string input, label_file, report_file, hierarchy_file, page_file, split_directory;
@@ -301,7 +301,7 @@ std::size_t segment(const Input& input, std::vector<Index>& labels, const Option
                     .visitor(std::ref(watch));
   const auto segment_with = [&](const auto& all) {
     const auto ids = CGAL::make_property_map(labels);
-    if (o.threads == 1) // which starts none, so that a limit of memory is an exception
+    if (o.threads == 1) // starts no thread, so that a limit of memory is an exception
       return CGAL::segment_spectral_recursive<CGAL::Sequential_tag>(input.soup.points,
                                                                     input.triangles, ids, all);
     return CGAL::segment_spectral_recursive(input.soup.points, input.triangles, ids, all);
@@ -383,7 +383,7 @@ Json report(const Options& o, const Input& input, const std::vector<Index>& labe
   return result;
 }
 
-// Of the input, or of its triangles with refined boundaries.
+// Writes the input, or its triangles with refined boundaries.
 void write_meshes(const Options& o, const Input& input, const std::vector<Index>& label_of_triangle,
                   const std::vector<Index>& label_of_polygon, std::size_t number_of_segments,
                   const Segmentation_hierarchy& tree, Output_files& files)
@@ -523,7 +523,7 @@ Json report_failure(const Options& o, const Failure& failure)
           {"peak_memory", nullptr}};
 }
 
-// Of one mesh of a batch, whose outputs have names that begin with a path.
+// Returns the options of one mesh of a batch, whose outputs have names that begin with a path.
 Options options_of_mesh(const Options& batch, const std::string& input, const Path& path)
 {
   Options o = batch;
@@ -595,7 +595,7 @@ int fail(const Failure& failure)
   return static_cast<int>(failure.status);
 }
 
-// What CLI11 has found, and for an option that is not there one that may have been meant.
+// Returns the failure that CLI11 has found, and for an unknown option one that may have been meant.
 Failure failure_of_usage(const CLI::App& app, const CLI::ParseError& error)
 {
   for (const std::string& word : app.remaining())

@@ -97,7 +97,7 @@ inline Scene read_scene(const std::string& name, bool keeps_properties)
   return scene;
 }
 
-// What is segmented: the triangles of all polygons of a file.
+// The triangles of all polygons of a file, which are segmented.
 struct Input
 {
   Polygon_soup soup;
@@ -149,7 +149,7 @@ inline double area(const Input& input, std::size_t triangle)
   return std::hypot(a[0], a[1], a[2]);
 }
 
-// Of the triangles of one polygon the label that has the largest area.
+// Returns the label of largest area among the triangles of one polygon.
 inline Index largest_label(const Input& input, const std::vector<Index>& label_of_triangle,
                            std::size_t begin, std::size_t end)
 {

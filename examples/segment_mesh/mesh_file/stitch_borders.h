@@ -25,7 +25,7 @@ class Border_stitching
 
   const std::vector<Point>& points_;
   std::vector<Triangle>& triangles_;
-  std::vector<Index> place_; // of each point, by number
+  std::vector<Index> place_; // one per point, by number
 
   // Whether points share places.
   bool set_places()

@@ -22,7 +22,7 @@
 
 namespace mesh_file {
 
-// Of a channel of sRGB, by IEC 61966-2-1.
+// Returns the linear intensity of a channel of sRGB, by IEC 61966-2-1.
 inline double linear_intensity(std::uint8_t channel)
 {
   const double c = channel / 255.;

@@ -100,7 +100,7 @@ inline nlohmann::ordered_json label_exceptions(const Input& input,
   const std::vector<std::size_t> labels = tree.labels(n, least_salience(tree));
   const std::vector<Index> label =
     labels_of_polygons(input, std::vector<Index>(labels.begin(), labels.end()));
-  std::map<std::size_t, std::map<Index, std::size_t> > counts; // of the labels of a segment
+  std::map<std::size_t, std::map<Index, std::size_t> > counts; // counts of each label in a segment
   for (std::size_t i = 0; i < label.size(); ++i)
     ++counts[segment_of_piece[piece_of_polygon[i]]][label[i]];
   std::map<std::size_t, Index> label_of_segment;
@@ -166,7 +166,7 @@ inline nlohmann::ordered_json mesh_data(const Page_mesh& mesh)
           {"pieces", packed_runs(mesh.pieces)}};
 }
 
-// What page/decode.js reads.
+// Returns the data that page/decode.js reads.
 inline nlohmann::ordered_json page_data(const Input& input, const Segmentation_hierarchy& tree,
                                         const Page_options& o)
 {
