@@ -93,7 +93,7 @@ void with_threads([[maybe_unused]] const std::optional<int>& number, const Funct
 #ifdef CGAL_LINKED_WITH_TBB
   if (!number)
     f(internal::Execution::PARALLEL);
-  else if (*number > 1) // of more than there are, TBB would print a warning
+  else if (*number > 1) // TBB would print a warning for more than there are
     tbb::task_arena(std::min(*number, tbb::this_task_arena::max_concurrency()))
       .execute([&] { f(internal::Execution::PARALLEL); });
   else
