@@ -34,7 +34,7 @@ Cut_hierarchy segment(Triangles triangles, const Options& options, Execution exe
 CGAL_SPECTRAL_SEGMENTATION_INLINE
 void connect(Triangles& triangles);
 
-// Smooths the boundaries between segments. `neighbors` is the member of a hierarchy.
+// Smooths the boundaries between segments. `neighbors` comes from a `Cut_hierarchy`.
 CGAL_SPECTRAL_SEGMENTATION_INLINE
 void smooth_boundaries(const std::vector<Index>& neighbors, std::vector<std::size_t>& labels);
 

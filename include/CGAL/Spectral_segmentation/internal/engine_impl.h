@@ -79,7 +79,7 @@ class Run
     return distinct_triangles(triangles, first_twin_);
   }
 
-  // Reads the triangles. A run that is stopped on the way leaves them in the caller's order.
+  // Reads the triangles. A run that is stopped on the way leaves the faces in the caller's order.
   void read(Triangles triangles)
   {
     triangles = without_twins(std::move(triangles));
@@ -126,7 +126,7 @@ class Run
         neighbors_[h] = h / 3;
   }
 
-  // Sets the neighbors. Duplicate faces have the same ones.
+  // Sets the neighbors. Duplicate faces have equal neighbors.
   void set_neighbors()
   {
     neighbors_.resize(3 * number_of_callers_faces());

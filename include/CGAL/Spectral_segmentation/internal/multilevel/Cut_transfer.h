@@ -78,7 +78,7 @@ protected:
         result.is_complete = false;
       monitor_.advance(2 * step);
     }
-    std::vector<std::size_t> last_of(result.nodes.size()); // the last other node that became it
+    std::vector<std::size_t> last_of(result.nodes.size()); // per node: the last that became it
     for (std::size_t i = 0; i < cuts_.nodes.size(); ++i)
       if (node_of[i] != null_node) {
         Cut_node& n = result.nodes[node_of[i]];

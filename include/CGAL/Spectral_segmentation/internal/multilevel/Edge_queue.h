@@ -42,7 +42,7 @@ public:
   // Returns a key: the squared length decides, then the other number.
   static std::uint64_t key(float squared_length, std::uint32_t other)
   {
-    std::uint32_t bits; // floats that are not negative have bits in their order
+    std::uint32_t bits; // bits of nonnegative floats are in the order of the floats
     std::memcpy(&bits, &squared_length, sizeof(bits));
     return (std::uint64_t(bits) << 32) | other;
   }

@@ -62,8 +62,8 @@ class Boundary_curves
       positions_[graph_.opposite(h)] = 1 - position;
   }
 
-  // Returns the fraction of the edges that each new face must have, so that its area is not too
-  // small.
+  // Returns the fraction of the edge length that each new face must have, so that its area is not
+  // too small.
   double smallest_share(Index f) const
   {
     const double area = graph_.areas[f];

@@ -15,7 +15,8 @@
 
 namespace CGAL::Spectral_segmentation::internal {
 
-// Keeps segments from vanishing and from falling apart, by freezing their faces.
+// Keeps segments from vanishing and from falling apart, by freezing the faces of segments that
+// would.
 class Segment_keeper
 {
   static constexpr double smallest_rest = 0.5; // the fraction of the area of a segment

@@ -46,9 +46,10 @@ inline Refinement refinement(const Face_graph& graph, const std::vector<Index>& 
   return result;
 }
 
-// Smooths the share of each segment in the angle at a vertex by diffusion in a band around the
-// boundaries; each vertex takes the label of its largest share. If the ends of an edge have two
-// labels, the boundary crosses it where both shares are equal. Then the boundaries become taut.
+// Refines the boundaries between segments. The share of each segment in the angle at a vertex is
+// smoothed by diffusion in a band around them, and each vertex takes the label of its largest
+// share. If the ends of an edge have two labels, the boundary crosses it where both shares are
+// equal. Then the boundaries become taut.
 //
 // The labels of the faces must be less than `number_of_segments`, and each must have a face.
 inline Refinement refined_boundaries(const Face_graph& graph, const std::vector<Index>& labels,

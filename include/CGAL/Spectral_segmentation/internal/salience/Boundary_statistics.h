@@ -18,8 +18,8 @@
 namespace CGAL::Spectral_segmentation::internal {
 
 // The patch Q of the line search (Section 5.3), to which faces are added one by one, and the
-// factors of the salience of the cut between Q and the rest (Section 6). Adding and factors take
-// constant time.
+// factors of the salience of the cut between Q and the rest (Section 6). Adding a face and
+// computing the factors take constant time.
 class Boundary_statistics
 {
   const Face_graph& part_;
@@ -33,7 +33,7 @@ class Boundary_statistics
   std::size_t number_of_edges_ = 0; // the edges of the cut
   double concavity_ = 0;            // sum of H over its concave edges; exact because H is on a grid
 
-  std::vector<Index> valence_;         // the number of the edges of each vertex in the cut
+  std::vector<Index> valence_;         // the number of edges in the cut at each vertex
   std::size_t number_of_vertices_ = 0; // along the cut, and the moments of their positions
   Vector sum_;
   Symmetric_matrix sum_of_squares_;

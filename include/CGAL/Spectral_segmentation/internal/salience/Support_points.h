@@ -143,7 +143,7 @@ struct Face_plane
 
 // Finds the support points of sets of faces of a mesh, in its principal frame. It keeps the support
 // points of blocks of successive faces, which are near each other in a mesh in order of locality.
-// Therefore it looks only at the faces of blocks that a set shares with other sets.
+// Therefore it looks only at the faces of blocks that a set has in part.
 class Support_points
 {
   static constexpr Index faces_per_block = 32;

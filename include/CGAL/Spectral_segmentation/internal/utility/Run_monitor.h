@@ -67,7 +67,7 @@ public:
   {
     if (!is_stopped_)
       call([&] {
-        if (!is_stopped_) // another thread may have been told to stop meanwhile
+        if (!is_stopped_) // another thread may have stopped the run meanwhile
           is_stopped_ = !control_.go_further();
       });
     return !is_stopped_;
