@@ -107,7 +107,7 @@ class Joiner_of_small_sets
   struct Set
   {
     std::size_t faces = 0;
-    std::map<std::size_t, std::size_t> edges_in_common; // by neighbor
+    std::map<std::size_t, std::size_t> edges_in_common; // indexed by neighbor
   };
 
   Labels labels_;

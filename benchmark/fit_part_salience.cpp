@@ -38,7 +38,7 @@
 using namespace segmentation_benchmark;
 
 typedef nlohmann::ordered_json Json;
-typedef std::map<std::size_t, Calibrated_part_salience> Saliences; // by category
+typedef std::map<std::size_t, Calibrated_part_salience> Saliences; // indexed by category
 
 struct Options
 {

@@ -48,7 +48,7 @@ struct Seat
   Eigen::Isometry3d frame;
   double half_width, half_depth; // along x and y
   double least_sink, most_sink;  // so that what stands there overlaps the primitive, and shows
-  double shaft_radius = 0;       // the cylinder along z whose end this is
+  double shaft_radius = 0;       // radius of a cylinder along z whose end this is
   double shaft_length = 0;
 };
 
@@ -85,7 +85,7 @@ enum Kind { BOSS, PIN, CONE, PRISM, KNOB, RING, RIB, BLOCK, NUMBER_OF_KINDS };
 struct Standing
 {
   Kind kind;
-  double radius;                 // the circle that it covers, except that ribs are longer
+  double radius;                 // radius of the circle that it covers; ribs are longer
   double length;                 // the length of a rib
   double sink;                   // how deep it begins
   double height, ratio;          // 0 to 1, of what is usual for its kind

@@ -41,7 +41,7 @@ struct Row
 {
   std::string method;
   Protocol protocol;
-  std::string triangulation = triangulation_names().front(); // in which the mesh is segmented
+  std::string triangulation = triangulation_names().front(); // the mesh is segmented in it
 };
 
 // How a row does on a mesh.
@@ -76,7 +76,7 @@ class Mesh_scorer
   std::vector<std::vector<Twin_class> > twins_; // one list per person
   std::size_t usual_number_;
   double floor_;
-  std::map<std::string, Retriangulated_mesh> meshes_; // by the name of the triangulation
+  std::map<std::string, Retriangulated_mesh> meshes_; // indexed by the name of the triangulation
   std::map<std::pair<std::string, std::string>, Method_trees> trees_; // method, triangulation
 
   // Undefined if the person has made no twins.

@@ -30,12 +30,12 @@ inline const std::vector<double>& tried_thresholds()
 struct Tree_errors
 {
   int id = 0;
-  double people = undefined;      // between two people
-  double by_default = undefined;  // at the default threshold
-  std::vector<double> automatic;  // at each threshold
-  double k = undefined;           // with people's usual number of parts
-  double best = undefined;        // the best of all numbers of parts
-  Time time;                      // for the tree up to the largest number of parts
+  double people = undefined;      // error between two people
+  double by_default = undefined;  // error at the default threshold
+  std::vector<double> automatic;  // errors at each threshold
+  double k = undefined;           // error with people's usual number of parts
+  double best = undefined;        // least error of all numbers of parts
+  Time time;                      // time of the tree up to the largest number of parts
 };
 
 inline Tree_errors tree_errors(const Benchmark_mesh& input, const Tree_method& method)

@@ -52,7 +52,7 @@ double separation(const Part& part, const std::vector<Labels>& people,
   return share();
 }
 
-typedef std::array<double, number_of_schemes> Values; // by scheme
+typedef std::array<double, number_of_schemes> Values; // indexed by scheme
 
 // At each part of the recursion by shape context.
 std::vector<Values> separations(const Benchmark_mesh& input, const Face_graph& graph,

@@ -37,7 +37,7 @@ struct Errors_of_line
 struct Scores
 {
   std::array<std::array<Errors_of_line, numbers.size()>, sampling_schemes.size()> by_samples;
-  double exact_rand_error; // with the exact eigenvectors
+  double exact_rand_error; // uses the exact eigenvectors
 };
 
 // The error of the recursion with eigenvectors from the samples that `take(part)` chooses.
