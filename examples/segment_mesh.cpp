@@ -78,7 +78,7 @@ std::string both_defaults(double Defaults::*number)
 struct Options
 {
   std::vector<std::string> inputs;
-  std::string list_file, output_directory; // for a batch
+  std::string list_file, output_directory; // both for a batch
   std::vector<std::string> output_formats = {"labels"};
   std::optional<std::size_t> jobs;
   std::string input, label_file, report_file, hierarchy_file, page_file, split_directory;
@@ -551,7 +551,7 @@ Json run_of_batch(const Options& o)
 {
 #ifndef _WIN32
   if (std::isfinite(o.time_limit))
-    alarm(static_cast<unsigned>(o.time_limit) + 5); // for what does not look at the limit
+    alarm(static_cast<unsigned>(o.time_limit) + 5); // stops code that does not look at the limit
 #endif
   try {
     check_files(o);

@@ -89,7 +89,7 @@ class Child_process
 
   const Child_limits limits_;
   const Clock::time_point start_ = Clock::now();
-  std::size_t memory_left_ = limits_.memory; // for what is received
+  std::size_t memory_left_ = limits_.memory; // left for received data
   int descriptor_ = -1;
   pid_t process_ = -1;
 

@@ -103,7 +103,7 @@ struct Input
   Polygon_soup soup;
   std::vector<std::string> node_names, mesh_names;
   std::vector<Triangle> triangles;
-  std::vector<Index> polygon_of_triangle; // in ascending order
+  std::vector<Index> polygon_of_triangle; // ascends
 };
 
 // Finds the triangles, and joins their borders where the points are repeated.

@@ -333,7 +333,7 @@ PYBIND11_MODULE(_core, m)
     try {
       std::rethrow_exception(error);
     }
-    catch (const std::out_of_range& e) { // which pybind11 takes for that of a container
+    catch (const std::out_of_range& e) { // pybind11 takes it for that of a container
       PyErr_SetString(PyExc_ValueError, e.what());
     }
   });

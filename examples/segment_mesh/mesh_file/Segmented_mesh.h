@@ -29,7 +29,7 @@ typedef std::array<std::uint8_t, 3> Rgb;
 // A node of the tree of parts: a segment, or a part that was cut into others.
 struct Part
 {
-  Index parent;  // which comes before it in a list of parts, or null_index
+  Index parent;  // comes before it in a list of parts, or null_index
   Index segment; // null_index for a part that was cut
   Index number;  // the number of the part, for its name
 };
@@ -41,7 +41,7 @@ struct Segmented_mesh
   const std::vector<Index>& segment; // one per polygon
   const std::vector<Rgb>& colors;    // one per segment
   std::size_t first_new = null_index; // polygons from here on are no faces of the input
-  std::vector<Part> parts = {};       // with each segment once; empty if there is no tree
+  std::vector<Part> parts = {};       // contain each segment once; empty if there is no tree
 };
 
 // 000, 001 ... 1000

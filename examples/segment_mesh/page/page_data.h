@@ -127,7 +127,7 @@ struct Page_options
   std::string name;
   std::size_t number_of_segments;      // that the page shows first
   bool is_salience_probability, boundary_smoothing;
-  std::size_t most_triangles = 300000; // for a phone to turn
+  std::size_t most_triangles = 300000; // a phone can turn so many
 };
 
 inline nlohmann::ordered_json hierarchy_data(const Segmentation_hierarchy& tree,
