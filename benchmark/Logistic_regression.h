@@ -16,7 +16,7 @@ struct Logistic_model
 {
   double constant = 0;
   Eigen::VectorXd coefficients;
-  double loss = 0; // with the penalty
+  double loss = 0; // includes the penalty
 
   // One for each row of factors.
   Eigen::VectorXd logits(const Eigen::MatrixXd& factors) const
@@ -29,16 +29,16 @@ struct Logistic_model
 class Logistic_regression
 {
   static constexpr double largest_deviation = 5; // in standard deviations
-  static constexpr double accuracy = 1e-12;      // of the loss
+  static constexpr double accuracy = 1e-12;      // relative to the loss
   static constexpr int maximum_number_of_steps = 100;
 
   typedef Eigen::ArrayXd Array;
   typedef Eigen::VectorXd Vector;
 
   Array targets_;
-  Array means_, deviations_; // of each factor
+  Array means_, deviations_; // one per factor
   Eigen::MatrixXd table_;    // a column of 1, then the standardized factors
-  Vector penalties_;         // of the square of each column's number
+  Vector penalties_;         // one per column, on the square of its number
 
   Array logits(const Vector& numbers) const { return (table_ * numbers).array(); }
 

@@ -107,7 +107,7 @@ class Joiner_of_small_sets
   struct Set
   {
     std::size_t faces = 0;
-    std::map<std::size_t, std::size_t> edges_in_common; // by neighbor
+    std::map<std::size_t, std::size_t> edges_in_common; // indexed by neighbor
   };
 
   Labels labels_;
@@ -190,7 +190,7 @@ class Assembler
   double scale_;
   std::vector<Kernel::Point_3> centroids_;
   Mesh result_;
-  std::vector<Mesh::Vertex_index> new_targets_; // of each half-edge with a face
+  std::vector<Mesh::Vertex_index> new_targets_; // one per halfedge with a face
 
   // Whether the set of the face ends at the half-edge.
   bool is_seam(Mesh::Halfedge_index h) const

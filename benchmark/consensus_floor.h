@@ -24,7 +24,7 @@ struct Atoms
 {
   Labels atom_of_face;
   std::vector<double> sizes;                         // number of faces
-  std::vector<std::vector<std::size_t> > labels;     // of each atom, by each person
+  std::vector<std::vector<std::size_t> > labels;     // one list per atom, with one label per person
 };
 
 // The sets of faces that nobody separates, the largest first.
@@ -90,8 +90,8 @@ inline void absorb_small_atoms(Atoms& atoms, std::size_t maximum)
   atoms.labels.resize(maximum);
 }
 
-// What it costs to join two atoms, in proportion to the mean Rand error: the number of their pairs
-// of faces, by the share of people who separate them less the share of those who do not.
+// Returns the costs of joining two atoms, in proportion to the mean Rand error: the number of their
+// pairs of faces, times the fraction of people who separate them less the fraction who do not.
 inline Eigen::MatrixXd costs_of_joining(const Atoms& atoms)
 {
   const Eigen::Index n = static_cast<Eigen::Index>(atoms.sizes.size());
@@ -108,7 +108,7 @@ class Consensus
 {
   const Eigen::MatrixXd& costs_;
   std::vector<std::size_t> part_of_atom_;
-  Eigen::MatrixXd costs_in_part_; // of each atom with all of each part; the last part is empty
+  Eigen::MatrixXd costs_in_part_; // rows: atoms; columns: parts, the last of which is empty
 
   // A change below this is rounding: costs are multiples of 1 / number of people.
   static constexpr double least_gain = 1e-6;

@@ -23,7 +23,7 @@ using spectral::internal::Evaluated_cut;
 struct Cut_sample
 {
   spectral::Salience_factors factors;
-  double agreement; // of people
+  double agreement; // among people
 };
 
 // Cuts among which one is chosen: the candidates of a part, or a single boundary.

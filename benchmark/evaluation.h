@@ -25,7 +25,7 @@ std::vector<double> values_of(const Range& range, const Value& value)
   return result;
 }
 
-// Of those that are defined.
+// Returns the mean of the defined values.
 inline double mean_of(const std::vector<double>& values)
 {
   Mean mean;
@@ -44,7 +44,7 @@ struct Paired_difference
   bool is_negative() const { return mean < -2 * standard_error; }
 };
 
-// Of meshes where both values are defined; two of them at least.
+// Compares the meshes where both values are defined; there must be at least two.
 inline Paired_difference paired_difference(const std::vector<double>& a,
                                            const std::vector<double>& b)
 {

@@ -38,7 +38,7 @@
 using namespace segmentation_benchmark;
 
 typedef nlohmann::ordered_json Json;
-typedef std::map<std::size_t, Calibrated_part_salience> Saliences; // by category
+typedef std::map<std::size_t, Calibrated_part_salience> Saliences; // indexed by category
 
 struct Options
 {
@@ -190,7 +190,8 @@ std::vector<Factor_set> factor_sets()
   return result;
 }
 
-// What each set of factors gains: the errors without it against those with all factors.
+// Prints the gain of each set of factors: the errors without it against the errors with all
+// factors.
 void print_factors(const Options& o, const std::vector<Mesh_cuts>& cuts,
                    const std::vector<Tree_errors>& with_all, Json& json)
 {

@@ -47,7 +47,7 @@ typedef CGAL::AABB_tree<CGAL::AABB_traits<Kernel, AABB_primitive> > AABB_tree;
 struct Changed_mesh
 {
   Mesh mesh;
-  std::vector<std::size_t> original_faces; // of each face, the one that it is compared with
+  std::vector<std::size_t> original_faces; // the face with which each face is compared
 };
 
 struct Mesh_change

@@ -113,7 +113,7 @@ std::size_t segment(const Mesh& mesh, const Run& run, std::size_t threads,
   });
 }
 
-// What the rows of a size share, made when it is asked for.
+// The data that the rows of a size share, made when they are asked for.
 class Input
 {
   Mesh mesh_;

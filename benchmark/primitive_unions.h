@@ -38,7 +38,7 @@ namespace segmentation_benchmark {
 struct Primitive_union
 {
   Mesh mesh;
-  Labels truth; // of each face: the connected piece of the surface of one primitive
+  Labels truth; // the connected piece of the surface of one primitive, per face
 };
 
 // A place on a primitive where another one can stand. Its frame has the origin on the surface and z
@@ -48,7 +48,7 @@ struct Seat
   Eigen::Isometry3d frame;
   double half_width, half_depth; // along x and y
   double least_sink, most_sink;  // so that what stands there overlaps the primitive, and shows
-  double shaft_radius = 0;       // of a cylinder along z whose end this is
+  double shaft_radius = 0;       // radius of a cylinder along z whose end this is
   double shaft_length = 0;
 };
 
@@ -81,15 +81,15 @@ inline Mesh placed(Mesh mesh, const Eigen::Isometry3d& frame)
 
 enum Kind { BOSS, PIN, CONE, PRISM, KNOB, RING, RIB, BLOCK, NUMBER_OF_KINDS };
 
-// What is to stand on a seat.
+// A primitive that is to stand on a seat.
 struct Standing
 {
   Kind kind;
-  double radius;                 // of the circle that it covers, except that ribs are longer
-  double length;                 // of a rib
+  double radius;                 // radius of the circle that it covers; ribs are longer
+  double length;                 // the length of a rib
   double sink;                   // how deep it begins
   double height, ratio;          // 0 to 1, of what is usual for its kind
-  std::size_t sides, tube_sides; // of its polygons
+  std::size_t sides, tube_sides; // the sides of its polygons
 };
 
 // Makes primitives, each on one that it has made before. Random numbers are taken one a statement,
@@ -410,8 +410,8 @@ inline bool is_plain_to_see(const Mesh& mesh, const Face_origins& origins, const
          *std::min_element(areas.begin(), areas.end()) >= least_share_of_area * area;
 }
 
-// Of three to eight primitives. What CGAL fails to unite, and what is no good part, is thrown away,
-// and the next numbers of the seed make another one.
+// Makes a union of three to eight primitives. A union that CGAL fails to make, or that is no good
+// part, is thrown away, and the next numbers of the seed make another one.
 inline Primitive_union primitive_union(std::uint64_t seed)
 {
   Uniform_random random(seed);

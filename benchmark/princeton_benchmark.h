@@ -151,7 +151,7 @@ inline double mean_rand_error(const Labels& labels, const std::vector<Labels>& p
   return mean();
 }
 
-// Of each two people; the error of one with respect to the other is that of the other.
+// Returns the mean over each two people; the error of two people does not depend on their order.
 inline double mean_rand_error_of_people(const std::vector<Labels>& people)
 {
   Mean mean;

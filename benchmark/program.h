@@ -13,7 +13,7 @@
 #include <stdexcept>
 #include <string>
 
-// What all programs do alike.
+// The common part of all programs.
 namespace segmentation_benchmark {
 
 // The main function of a program: exit status 0, or 1 with one sentence on standard error.

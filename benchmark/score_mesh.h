@@ -41,7 +41,7 @@ struct Row
 {
   std::string method;
   Protocol protocol;
-  std::string triangulation = triangulation_names().front(); // in which the mesh is segmented
+  std::string triangulation = triangulation_names().front(); // the mesh is segmented in it
 };
 
 // How a row does on a mesh.
@@ -49,7 +49,7 @@ struct Score
 {
   Errors errors{};
   double segments = 0;
-  double excess = 0; // of the Rand error over the consensus floor
+  double excess = 0; // the Rand error less the consensus floor
   double twins = 0;  // share of people's twin classes that are treated alike
   double seconds = 0;
   Labels labels;
@@ -73,10 +73,10 @@ class Mesh_scorer
   std::filesystem::path cache_;
   Mesh_facts facts_;
   std::vector<Segmentation> people_;
-  std::vector<std::vector<Twin_class> > twins_; // of each person
+  std::vector<std::vector<Twin_class> > twins_; // one list per person
   std::size_t usual_number_;
   double floor_;
-  std::map<std::string, Retriangulated_mesh> meshes_; // by the name of the triangulation
+  std::map<std::string, Retriangulated_mesh> meshes_; // indexed by the name of the triangulation
   std::map<std::pair<std::string, std::string>, Method_trees> trees_; // method, triangulation
 
   // Undefined if the person has made no twins.

@@ -153,7 +153,8 @@ inline void print_metrics(const std::vector<Row_summary>& rows)
               "categories: in how many the Rand error is at most people's own\n");
 }
 
-// Of the row with the same method and protocol on the meshes as they are; or the number of rows.
+// Returns the index of the row with the same method and protocol on the meshes as they are; or the
+// number of rows.
 inline std::size_t row_as_is(const std::vector<Row_summary>& rows, const Row& row)
 {
   const auto found = std::find_if(rows.begin(), rows.end(), [&](const Row_summary& r) {

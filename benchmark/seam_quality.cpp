@@ -122,7 +122,7 @@ struct Sums
 {
   std::size_t meshes = 0;
   double turning_before = 0, turning_after = 0, length_ratio = 0, seconds = 0;
-  double sum_before = 0, sum_after = 0; // of all angles
+  double sum_before = 0, sum_after = 0; // sums of all angles
   double worst_turning_ratio = 0, smallest_area = std::numeric_limits<double>::infinity();
 };
 

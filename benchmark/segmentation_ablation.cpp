@@ -29,7 +29,7 @@ struct Options
   std::size_t threads = 1;
 };
 
-// Of one method.
+// The errors of one method.
 struct Result
 {
   const char* name;
@@ -40,7 +40,7 @@ struct Result
 struct Figures
 {
   double best_threshold, seconds;
-  std::vector<double> by_default, best_automatic, k, best_of_tree; // of each mesh
+  std::vector<double> by_default, best_automatic, k, best_of_tree; // one per mesh
 };
 
 void add_options(CLI::App& app, Options& o)

@@ -19,7 +19,7 @@
 #include <string>
 #include <vector>
 
-// What can be compared: a line here is a row in the tables.
+// The methods that can be compared: a line here is a row in the tables.
 namespace segmentation_benchmark {
 
 namespace params = CGAL::Spectral_segmentation::parameters;

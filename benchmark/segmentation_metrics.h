@@ -47,7 +47,7 @@ typedef std::array<double, NUMBER_OF_METRICS> Errors;
 
 constexpr double undefined = std::numeric_limits<double>::quiet_NaN();
 
-// What the metrics need of a mesh.
+// The data of a mesh that the metrics need.
 struct Mesh_facts
 {
   typedef boost::adjacency_list<boost::vecS, boost::vecS, boost::undirectedS, boost::no_property,

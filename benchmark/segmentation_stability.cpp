@@ -30,7 +30,7 @@ struct Options
   std::size_t threads = 1;
 };
 
-// Of one method under one change.
+// The distances of one method under one change.
 struct Distances
 {
   Mean mean, identical;

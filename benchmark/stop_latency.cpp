@@ -70,7 +70,7 @@ double milliseconds(Clock::time_point from, Clock::time_point to)
 // Processor time of all threads, which other work on the machine does not change.
 double processor_seconds() { return static_cast<double>(std::clock()) / CLOCKS_PER_SEC; }
 
-// What a person's hand is: another thread that wishes to stop after so many processor seconds.
+// Acts like a person's hand: another thread wishes to stop after so many processor seconds.
 class Stopper : public CGAL::Spectral_segmentation::Segmentation_visitor
 {
   std::atomic<bool> is_wished_{false}, is_over_{false};

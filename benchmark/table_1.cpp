@@ -78,7 +78,7 @@ struct Result
 {
   std::size_t faces;
   std::size_t parts;
-  Seconds seconds;              // with one thread
+  Seconds seconds;              // times with one thread
   double seconds_with_threads;  // the total
 };
 

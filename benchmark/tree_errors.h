@@ -30,12 +30,12 @@ inline const std::vector<double>& tried_thresholds()
 struct Tree_errors
 {
   int id = 0;
-  double people = undefined;      // of two people
-  double by_default = undefined;  // at the default threshold
-  std::vector<double> automatic;  // at each threshold
-  double k = undefined;           // with people's usual number of parts
-  double best = undefined;        // of all numbers of parts
-  Time time;                      // of the tree up to the largest number of parts
+  double people = undefined;      // error between two people
+  double by_default = undefined;  // error at the default threshold
+  std::vector<double> automatic;  // errors at each threshold
+  double k = undefined;           // error with people's usual number of parts
+  double best = undefined;        // least error of all numbers of parts
+  Time time;                      // time of the tree up to the largest number of parts
 };
 
 inline Tree_errors tree_errors(const Benchmark_mesh& input, const Tree_method& method)
@@ -58,7 +58,7 @@ inline Tree_errors tree_errors(const Benchmark_mesh& input, const Tree_method& m
   return result;
 }
 
-// Without the time.
+// Returns the mean errors, without the time.
 inline Tree_errors mean_tree_errors(const std::vector<Tree_errors>& meshes)
 {
   const auto mean = [&](const auto& error) {

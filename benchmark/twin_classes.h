@@ -38,7 +38,7 @@ struct Moments
   }
 };
 
-// Of each face of a CGAL::Surface_mesh without removed elements.
+// Returns the moments of each face of a CGAL::Surface_mesh without removed elements.
 template <class SurfaceMesh>
 std::vector<Moments> face_moments(const SurfaceMesh& mesh, const std::vector<double>& face_areas)
 {
@@ -57,7 +57,7 @@ std::vector<Moments> face_moments(const SurfaceMesh& mesh, const std::vector<dou
   return result;
 }
 
-// What does not depend on the place of a part.
+// The properties of a part that do not depend on its place.
 struct Part_shape
 {
   double area;
@@ -111,8 +111,8 @@ inline std::vector<Twin_class> twin_classes(const std::vector<Part_shape>& parts
   return classes;
 }
 
-// Of each part, in the rows of the areas in common, with the segment that is most like it: the area
-// of the intersection over that of the union.
+// Returns for each part, a row of the areas in common, the overlap with the segment that is most
+// like it: the area of the intersection over the area of the union.
 inline std::vector<double> best_overlaps(const Eigen::ArrayXXd& area)
 {
   const Eigen::ArrayXd of_parts = area.rowwise().sum();

@@ -61,7 +61,7 @@ Part_graph part_graph(const Mesh& mesh, SegmentIdMap segment_ids, std::size_t nu
   return parts;
 }
 
-// Where three parts touch each other, only the two longest boundaries are joints.
+// Keeps only the two longest boundaries as joints where three parts touch each other.
 Part_graph skeleton(const Part_graph& parts)
 {
   typedef boost::graph_traits<Part_graph>::edge_descriptor Boundary;
@@ -79,7 +79,7 @@ Part_graph skeleton(const Part_graph& parts)
   return result;
 }
 
-// Where limbs end: the vertex farthest from the joint, of each part that has only one.
+// Finds the ends of limbs: the vertex farthest from the joint, of each part that has only one.
 template <class SegmentIdMap>
 std::map<std::size_t, Point> tips(const Mesh& mesh, SegmentIdMap segment_ids,
                                   const Part_graph& parts)

@@ -33,7 +33,7 @@ int main(int argc, char* argv[])
 
   PMP::triangulate_faces(mesh);
 
-  // Of an inside-out mesh the limbs would be taken for pits.
+  // The limbs of an inside-out mesh would be taken for pits.
   if (CGAL::is_closed(mesh))
     PMP::orient(mesh);
 

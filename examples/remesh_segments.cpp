@@ -19,7 +19,7 @@
 typedef CGAL::Surface_mesh<CGAL::Simple_cartesian<double>::Point_3> Mesh;
 namespace PMP = CGAL::Polygon_mesh_processing;
 
-// Of the edges that are marked.
+// Returns the length of the marked edges.
 template <class EdgeIsConstrainedMap>
 double length(const Mesh& mesh, EdgeIsConstrainedMap is_seam)
 {

@@ -74,7 +74,7 @@ std::string both_defaults(double Segmentation_options::*number)
 struct Options
 {
   std::vector<std::string> inputs;
-  std::string list_file, output_directory; // of a batch
+  std::string list_file, output_directory; // both for a batch
   std::vector<std::string> output_formats = {"labels"};
   std::optional<std::size_t> jobs;
   std::string input, label_file, report_file, hierarchy_file, page_file, split_directory;
@@ -295,7 +295,7 @@ std::size_t segment(const Input& input, std::vector<Index>& labels, const Option
     parameters::options(o.segmentation_options()).hierarchy(tree).visitor(std::ref(watch));
   const auto ids = CGAL::make_property_map(labels);
   try {
-    if (o.threads == 1) // which starts none, so that a limit of memory is an exception
+    if (o.threads == 1) // starts no thread, so that a limit of memory is an exception
       return CGAL::segment_spectral_recursive<CGAL::Sequential_tag>(input.soup.points,
                                                                     input.triangles, ids, np);
     return CGAL::segment_spectral_recursive(input.soup.points, input.triangles, ids, np);
@@ -365,7 +365,7 @@ Json report(const Options& o, const Input& input, const std::vector<Index>& labe
   return result;
 }
 
-// Of the input, or of its triangles with refined boundaries.
+// Writes the input, or its triangles with refined boundaries.
 void write_meshes(const Options& o, const Input& input, const std::vector<Index>& label_of_triangle,
                   const std::vector<Index>& label_of_polygon, std::size_t number_of_segments,
                   const Segmentation_hierarchy& tree, Output_files& files)
@@ -505,7 +505,7 @@ Json report_failure(const Options& o, const Failure& failure)
           {"peak_memory", nullptr}};
 }
 
-// Of one mesh of a batch, whose outputs have names that begin with a path.
+// Returns the options of one mesh of a batch, whose outputs have names that begin with a path.
 Options options_of_mesh(const Options& batch, const std::string& input, const Path& path)
 {
   Options o = batch;
@@ -533,7 +533,7 @@ Json run_of_batch(const Options& o)
 {
 #ifndef _WIN32
   if (std::isfinite(o.time_limit))
-    alarm(static_cast<unsigned>(o.time_limit) + 5); // for what does not look at the limit
+    alarm(static_cast<unsigned>(o.time_limit) + 5); // stops code that does not look at the limit
 #endif
   try {
     check_files(o);
@@ -577,7 +577,7 @@ int fail(const Failure& failure)
   return static_cast<int>(failure.status);
 }
 
-// What CLI11 has found, and for an option that is not there one that may have been meant.
+// Returns the failure that CLI11 has found, and for an unknown option one that may have been meant.
 Failure failure_of_usage(const CLI::App& app, const CLI::ParseError& error)
 {
   for (const std::string& word : app.remaining())

@@ -26,7 +26,7 @@ namespace {
 
 typedef std::vector<std::size_t> Labels;
 
-constexpr std::size_t width = 12; // of a square plate
+constexpr std::size_t width = 12; // the side of a square plate
 
 // Labels of the faces of the plate by the square (x, y) that they lie in.
 template <class Label_of_square>

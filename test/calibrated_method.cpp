@@ -19,7 +19,7 @@
 #include <set>
 #include <vector>
 
-// What is particular to the default method; tests of what both methods promise are elsewhere.
+// Tests what is particular to the default method; tests of what both methods promise are elsewhere.
 BOOST_AUTO_TEST_SUITE(calibrated_method)
 
 using namespace test_meshes;

@@ -34,7 +34,7 @@ using namespace test_meshes;
 
 namespace {
 
-// Of each segment: the sum of det(p, q, r) / 6 over its triangles.
+// Returns for each segment the sum of det(p, q, r) / 6 over its triangles.
 std::map<int, double> volumes(const Soup& soup, const std::vector<int>& segment)
 {
   std::map<int, double> result;

@@ -94,7 +94,8 @@ void check(const Face_graph& mesh, const Coarse_mesh& coarse)
   for (const std::array<Index, 3>& c : graph.corners)
     BOOST_TEST((c[0] != c[1] && c[1] != c[2] && c[2] != c[0]));
 
-  // What is left of a face has the vertices that its vertices became; of the others two are one.
+  // A face that is left has the vertices that its vertices became; two vertices of other faces are
+  // one.
   std::vector<char> is_left(mesh.number_of_faces(), 0);
   BOOST_TEST_REQUIRE(coarse.vertices.size() == mesh.points.size());
   const auto corners = [&](Index f) {
@@ -393,7 +394,7 @@ BOOST_AUTO_TEST_CASE(a_vertex_where_two_surfaces_meet_stays)
   const Coarse_mesh coarse = coarsen(mesh, 200);
   check(mesh, coarse);
   BOOST_TEST(coarse.graph.number_of_faces() <= 200);
-  std::map<Index, std::set<Index> > sides; // of each vertex that is left
+  std::map<Index, std::set<Index> > sides; // one per vertex that is left
   for (Index f = 0; f < coarse.faces.size(); ++f)
     for (Index v : coarse.graph.corners[f])
       sides[v].insert(coarse.faces[f] < mesh.number_of_faces() / 2 ? 0 : 1);

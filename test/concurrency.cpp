@@ -21,7 +21,7 @@ using CGAL::Spectral_segmentation::internal::sum_of;
 
 namespace {
 
-// Without TBB the second is the same as the first.
+// The second is the same as the first if there is no TBB.
 const Execution executions[] = {Execution::SEQUENTIAL, Execution::PARALLEL};
 
 } // namespace

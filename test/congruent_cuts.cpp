@@ -118,7 +118,7 @@ std::vector<double> saliences(const Cut_hierarchy& hierarchy)
   return result;
 }
 
-// What is true of every hierarchy of merges, and what of the cuts stays.
+// Checks the properties of every hierarchy of merges, and the properties of the cuts that stay.
 void check(const Cut_hierarchy& before, const Cut_hierarchy& after)
 {
   BOOST_TEST(after.number_of_roots == before.number_of_roots);

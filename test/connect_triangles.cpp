@@ -28,7 +28,7 @@ using internal::Vector;
 
 namespace {
 
-// Without neighbors.
+// Returns triangles without neighbors.
 Triangles unconnected(const Soup& soup)
 {
   Triangles result;
@@ -119,8 +119,8 @@ std::size_t number_of_inner_edges(const Triangles& triangles)
   return number / 2;
 }
 
-// Where no edge has more than two faces, by comparing all pairs of edges of faces: all edges with
-// two faces connect them.
+// Compares all pairs of edges of faces, if no edge has more than two faces: all edges with two
+// faces connect them.
 std::vector<std::set<Index> > neighbors_by_comparing_pairs(const Soup& soup)
 {
   std::vector<std::set<Index> > result(soup.triangles.size());
@@ -163,7 +163,7 @@ Soup fan(std::size_t n)
   return soup;
 }
 
-// Of side 1, oriented outwards.
+// Returns a cube of side 1, oriented outwards.
 Soup cube(double x, double y)
 {
   Soup soup = {{Point(x, y, 0), Point(x + 1, y, 0), Point(x + 1, y + 1, 0), Point(x, y + 1, 0),

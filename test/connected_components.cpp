@@ -39,7 +39,7 @@ BOOST_AUTO_TEST_CASE(components_are_numbered_by_their_first_faces)
     const std::vector<Index> component =
       internal::connected_components(face_graph_of(soup), number);
     BOOST_TEST(number == pieces.size());
-    std::vector<std::size_t> order; // of the pieces, by their first faces
+    std::vector<std::size_t> order; // the pieces by their first faces
     for (std::size_t f = 0; f < piece.size(); ++f) {
       auto found = std::find(order.begin(), order.end(), piece[f]);
       if (found == order.end())

@@ -46,7 +46,7 @@ std::vector<Index> range(Index first, Index last)
 std::vector<Index> all_faces(const Face_graph& graph)
 { return range(0, Index(graph.number_of_faces())); }
 
-// Of sets of faces of a whole mesh.
+// The defect of sets of faces of a whole mesh.
 class Defect_of_mesh
 {
   const Support_points support_points_;

@@ -65,7 +65,7 @@ Sides swapped(Sides side)
   return side;
 }
 
-// Of a cut of the whole mesh, whose area is said to be so many times what it is.
+// Returns the factors of a cut of the whole mesh, as if the area of the mesh were multiplied.
 Salience_factors factors(const Face_graph& graph, const Sides& side, double times = 1)
 {
   std::vector<Index> faces(graph.number_of_faces());

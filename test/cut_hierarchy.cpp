@@ -33,7 +33,7 @@ BOOST_AUTO_TEST_CASE(without_cuts_there_are_only_roots)
   BOOST_TEST(uncut_hierarchy({}, {}).number_of_segments() == 0u);
 }
 
-// Of the i-th cut the parent and the areas are kept beside the hierarchy.
+// The parent and the areas of the i-th cut are kept beside the hierarchy.
 BOOST_AUTO_TEST_CASE(the_children_of_the_ith_cut_follow_the_roots_in_pairs)
 {
   struct Naive_cut

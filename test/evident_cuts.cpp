@@ -45,7 +45,7 @@ Segmentation_hierarchy hierarchy_of_parts(const Mesh& mesh, const NamedParameter
 // A limb, and the vertices at which it is joined to the rest.
 struct Limb
 {
-  Region is_inside; // of points that are not on the seam
+  Region is_inside; // points that are not on the seam
   Region is_seam;
 };
 

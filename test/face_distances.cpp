@@ -282,7 +282,7 @@ BOOST_AUTO_TEST_CASE(the_weight_of_concave_edges_decides_against_sharper_convex_
         return graph.weights[h].angle;
     return -1.f;
   };
-  // Of the five inner edges three are flat and share the lowest ranks.
+  // Three of the five inner edges are flat and share the lowest ranks.
   set_face_distances(graph, {0.01, 1, 0.1});
   BOOST_TEST(angle_between(0, 3) == 1.f);    // the valley
   BOOST_TEST(angle_between(2, 5) == 0.75f);  // the ridge

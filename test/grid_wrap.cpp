@@ -123,7 +123,7 @@ BOOST_AUTO_TEST_CASE(distances_from_a_triangle)
       t[2] = 3 * t[0] - 2 * t[1];
     const Vector p = random_point(random, 2);
     double least = std::numeric_limits<double>::infinity();
-    constexpr int n = 200; // of points along an edge
+    constexpr int n = 200; // points along an edge
     for (int a = 0; a <= n; ++a)
       for (int b = 0; a + b <= n; ++b) {
         const Vector q = double(a) / n * t[0] + double(b) / n * t[1] + double(n - a - b) / n * t[2];
@@ -247,7 +247,7 @@ BOOST_AUTO_TEST_CASE(components_near_to_each_other_have_one_wrap)
 BOOST_AUTO_TEST_CASE(sets_of_faces_are_joined_nearest_first)
 {
   Soup soup;
-  const double x[4] = {0, 10, 13, 30}; // of spheres of radius 1
+  const double x[4] = {0, 10, 13, 30}; // centers of spheres of radius 1
   for (double center : x)
     soup = disjoint_union(soup, moved(sphere(2), center, 0, 0));
   const Face_graph graph = face_graph_of(soup);

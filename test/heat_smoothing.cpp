@@ -31,8 +31,8 @@ using Eigen::VectorXd;
 
 namespace {
 
-// Of the norm of the amounts over the roots of the areas, in which no step makes the error of the
-// one before larger.
+// The fraction of the norm of the amounts over the roots of the areas. In this norm no step makes
+// the error of the step before larger.
 const double tolerance_of_two_steps = 1e-12;
 
 VectorXd areas_of(const Face_graph& graph)
@@ -114,7 +114,7 @@ VectorXd averaged_by_dense_equations(const Soup& soup, double radius, const Vect
   return step.solve(areas.cwiseProduct(middle));
 }
 
-// Of the average of a unit amount on the face next to the center.
+// Returns the value for the average of a unit amount on the face next to the center.
 double mean_squared_distance(const Soup& soup, double radius)
 {
   const Face_graph graph = face_graph_of(soup);
@@ -219,7 +219,7 @@ BOOST_AUTO_TEST_CASE(it_solves_the_equations_of_two_steps)
 
 BOOST_AUTO_TEST_CASE(the_mean_squared_distance_is_the_square_of_the_radius)
 {
-  // Where centroids are across the middles of edges, the equations are exact.
+  // The equations are exact if centroids are across the middles of edges.
   for (double radius : {0.03, 0.05, 0.1})
     BOOST_TEST(mean_squared_distance(rhombus(40), radius) == radius * radius, tt::tolerance(0.03));
   // Right triangles average farther along their diagonals, and less far across them.

@@ -104,7 +104,7 @@ void check_round_trip(const Segmentation_hierarchy& hierarchy)
   BOOST_TEST(written(again) == text);
 }
 
-// As saliences of one's own may be.
+// A salience as strange as a user-defined one may be.
 struct Strange_salience
 {
   double operator()(const CGAL::Spectral_segmentation::Salience_factors& f) const
@@ -114,7 +114,7 @@ struct Strange_salience
 Segmentation_hierarchy small_hierarchy()
 { return hierarchy_of(mesh_of(dumbbell(8, 8)), parameters::maximum_number_of_segments(4)); }
 
-// What is said of a text with a change.
+// Returns the error message for a text with a change.
 std::string error_of(const std::function<void(Json&)>& change)
 {
   static const std::string text = written(small_hierarchy());

@@ -59,7 +59,7 @@ Soup transformed(Soup soup, const Function& function)
   return soup;
 }
 
-// Without the symmetry of the surface, which makes many cuts equally salient.
+// Breaks the symmetry of the surface, which makes many cuts equally salient.
 Soup dented(const Soup& soup, unsigned seed)
 {
   std::mt19937 engine(seed);

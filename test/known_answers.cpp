@@ -104,7 +104,7 @@ BOOST_AUTO_TEST_CASE(each_tooth_of_a_pinion_is_a_segment)
   double radius = 0;
   for (std::size_t f = 0; f < pinion.labels.size(); ++f)
     radius = (std::max)(radius, place(pinion.centroid(f)).norm());
-  std::set<double> directions; // of the tips
+  std::set<double> directions; // directions of the tips
   for (std::size_t f = 0; f < pinion.labels.size(); ++f) {
     const Eigen::Vector2d p = place(pinion.centroid(f));
     if (p.norm() > 0.95 * radius)
@@ -114,7 +114,7 @@ BOOST_AUTO_TEST_CASE(each_tooth_of_a_pinion_is_a_segment)
   for (auto d = directions.begin(); std::next(d) != directions.end(); ++d)
     if (*std::next(d) - *d > 0.3)
       gaps.push_back((*d + *std::next(d)) / 2);
-  BOOST_TEST_REQUIRE(gaps.size() >= 9); // of ten; one may be where the angle leaps
+  BOOST_TEST_REQUIRE(gaps.size() >= 9); // there are ten; one may be where the angle leaps
   std::set<std::size_t> teeth;
   for (std::size_t i = 0; i + 1 < gaps.size(); ++i) {
     const auto tooth = pinion.segments([&](const Eigen::Vector3d& p) {

@@ -45,7 +45,7 @@ double length_of_border(const Face_graph& graph)
   return result;
 }
 
-// Of a graph whose edges all match.
+// Returns the characteristic of a graph whose edges all match.
 long euler_characteristic(const Face_graph& graph)
 {
   long twice_edges = 0;

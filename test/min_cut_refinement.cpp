@@ -114,7 +114,7 @@ double capacity_of_cut(const Face_graph& graph, const Sides& side)
   return sum;
 }
 
-// Of a dumbbell, whose center is the origin.
+// Returns the sides of a dumbbell, whose center is the origin.
 Sides above(const Face_graph& graph, double unit, double z)
 {
   Sides side(graph.number_of_faces());
@@ -242,7 +242,7 @@ BOOST_AUTO_TEST_CASE(a_network_has_the_smallest_of_its_minimum_cuts)
       Random random(seed);
       const Random_network network(random);
       double least = infinity;
-      unsigned in_all = 0; // of the minimum cuts
+      unsigned in_all = 0; // the intersection of the minimum cuts
       for (unsigned cut = 0; cut < (1u << network.n); ++cut) {
         const double c = network.capacity_of_cut(cut);
         in_all = c < least ? cut : c == least ? in_all & cut : in_all;

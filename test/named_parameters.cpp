@@ -187,7 +187,7 @@ BOOST_AUTO_TEST_CASE(the_default_number_of_searched_faces)
     labels_of(soup, np.visitor(std::ref(visitor)));
     return visitor.has_projection;
   };
-  // Of the first, faces are bisected; of the second, which is even, edges are collapsed.
+  // Faces of the first are bisected; edges of the second, which is even, are collapsed.
   const Soup coarse = plate(4, 4), fine = sphere(4);
   const auto by_default = parameters::default_values();
   for (const Soup& soup : {coarse, fine}) {

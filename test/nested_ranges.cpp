@@ -83,7 +83,7 @@ BOOST_AUTO_TEST_CASE(cuts_keep_the_order_of_the_elements_and_nest)
         c = Index(random() % roots);
       Cut_hierarchy hierarchy = uncut_hierarchy(component, std::vector<double>(roots, 0));
       Nested_ranges ranges(hierarchy, hierarchy.leaf);
-      std::vector<Elements> of_leaf(roots); // of each node; empty once it was cut
+      std::vector<Elements> of_leaf(roots); // one per node; empty once it was cut
       for (Index e = 0; e < n; ++e)
         of_leaf[component[e]].push_back(e);
       for (int i = 0; i < 20; ++i) {

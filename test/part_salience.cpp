@@ -111,8 +111,8 @@ BOOST_AUTO_TEST_CASE(a_cut_along_convex_edges_has_no_strength)
 BOOST_AUTO_TEST_CASE(a_cut_that_is_neither_planar_nor_concave_all_along)
 {
   const Face_graph graph = graph_with_distances(cube_on_a_plate());
-  // Without one wall: three concave edges of six; the six vertices have variance 1/4 along the wall
-  // and across it the covariance matrix (2/9 1/9, 1/9 2/9) with eigenvalues 1/3 and 1/9.
+  // One wall is left out: three concave edges of six; the six vertices have variance 1/4 along the
+  // wall and across it the covariance matrix (2/9 1/9, 1/9 2/9) with eigenvalues 1/3 and 1/9.
   check_factors(factors_of(graph, Faces(cube.begin() + 2, cube.end())), 4. / 13, 1. / 2,
                 1 - std::sqrt(1. / 12));
 }

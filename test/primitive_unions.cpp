@@ -79,7 +79,7 @@ BOOST_AUTO_TEST_CASE(faces_know_their_primitives)
     areas[pieces[f]] += PMP::face_area(f, *mesh);
     const auto& p = mesh->point(mesh->target(mesh->halfedge(f)));
     const auto& q = mesh->point(mesh->source(mesh->halfedge(f)));
-    // What leaves the plate is the pin's.
+    // Faces that leave the plate are the pin's.
     if (std::abs(p.z() + q.z()) > 1 + 1e-9)
       BOOST_TEST(origins[f] == 1u);
   }

@@ -19,7 +19,7 @@
 #include <type_traits>
 #include <vector>
 
-// What a visitor is told of the progress, and runs that it stops.
+// Tests the progress that a visitor receives, and runs that it stops.
 BOOST_AUTO_TEST_SUITE(progress)
 
 using namespace test_meshes;
@@ -122,7 +122,7 @@ BOOST_AUTO_TEST_CASE(progress_rises_to_one)
 
 BOOST_AUTO_TEST_CASE(progress_over_a_large_mesh_is_told_often)
 {
-  const Mesh mesh = mesh_of(dumbbell(160, 160)); // of which the paper's method searches one part
+  const Mesh mesh = mesh_of(dumbbell(160, 160)); // the paper's method searches one part
   BOOST_TEST(num_faces(mesh) > 100000);
   for_both_methods([&](const auto& np) { check_progress(mesh, np, 14); });
 }

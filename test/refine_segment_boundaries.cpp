@@ -91,7 +91,7 @@ struct Segmented_mesh
     return area;
   }
 
-  // Of each segment.
+  // Returns one number per segment.
   std::map<int, std::size_t> numbers_of_components() const
   {
     std::vector<std::size_t> component(mesh.number_of_faces());
@@ -306,7 +306,7 @@ BOOST_AUTO_TEST_CASE(a_straight_boundary_along_edges_stays)
   const Segmented_mesh after = refined(soup, straight);
   BOOST_TEST(after.labels() == straight, tt::per_element());
 
-  // Of a boundary with a step only what is near the step is split.
+  // Only faces near the step of a boundary are split.
   const Segmented_mesh before(
     soup, labels_by_place(soup, [](const Point& p) { return p.x() > (p.y() > 8 ? 8 : 9); }));
   const Segmented_mesh stepped = refined(before);

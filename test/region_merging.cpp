@@ -77,13 +77,13 @@ Cut_hierarchy random_regions(const Face_graph& graph, std::size_t number, Random
   return result;
 }
 
-// What merging does, with sets and from scratch in each step.
+// Merges like the method, but with sets and from scratch in each step.
 struct Naive_merging
 {
   struct Merge
   {
     Faces first, second;
-    double salience; // of the cut between them
+    double salience; // the salience of the cut between them
     double monotone; // no less than those before
     Salience_factors factors;
   };
@@ -249,7 +249,7 @@ std::vector<Soup> shapes(Random& random)
           plate(9, 6), disjoint_union(sphere(1), disjoint_union(plate(5, 4), sphere(0))), pillow()};
 }
 
-// Of many boundaries the same.
+// Returns the same salience for many boundaries.
 double coarse_salience(const Salience_factors& factors)
 { return std::round(4 * factors.size + 4 * factors.concavity_near_cut) / 4; }
 

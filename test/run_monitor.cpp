@@ -23,7 +23,7 @@ using namespace CGAL::Spectral_segmentation::internal;
 
 namespace {
 
-const double smallest_step = 0.002; // of the progress that is told
+const double smallest_step = 0.002; // the step of the reported progress
 
 struct Progress_record : Run_control
 {

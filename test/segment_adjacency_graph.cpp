@@ -233,7 +233,7 @@ BOOST_AUTO_TEST_CASE(salience_after_segments_were_merged_by_hand)
                                                    target(e, graph))).salience);
 }
 
-// Where smoothing moved faces to another segment.
+// Smoothing moves faces to another segment here.
 BOOST_AUTO_TEST_CASE(salience_of_smoothed_boundaries)
 {
   const Mesh mesh = mesh_of(read("elephant.off"));

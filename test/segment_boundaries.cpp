@@ -204,7 +204,7 @@ BOOST_AUTO_TEST_CASE(segment_that_touches_itself_has_two_loops)
   }
 }
 
-// As on a cube whose sides are not triangles.
+// The sides of a cube need not be triangles.
 BOOST_AUTO_TEST_CASE(faces_may_be_polygons)
 {
   Mesh mesh;

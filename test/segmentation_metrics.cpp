@@ -102,8 +102,8 @@ BOOST_AUTO_TEST_CASE(identical_segmentations_have_no_error)
     BOOST_TEST(error == 0);
 }
 
-// Of the 8 * 3 pairs that the benchmark's program counts, the 2 * 2 and 2 * 4 pairs with a face of
-// the second square are judged otherwise.
+// The benchmark's program counts 8 * 3 pairs. The 2 * 2 and 2 * 4 pairs with a face of the second
+// square are judged otherwise.
 BOOST_AUTO_TEST_CASE(rand_error_by_hand)
 {
   BOOST_TEST(rand_error(after_1, after_2) == (2 * 2 + 2 * 4) / 24., tt::tolerance(tolerance));
@@ -214,7 +214,7 @@ BOOST_AUTO_TEST_CASE(cut_discrepancy_by_hand)
   BOOST_TEST(errors_of(facts, after_1, after_2)[CUT_DISCREPANCY] == 1 / facts.average_radius,
              tt::tolerance(tolerance));
 
-  // Of the 2 + 4 vertices, only the two of x = 1 are away from the other side's cut.
+  // Only the two of the 2 + 4 vertices at x = 1 are away from the other side's cut.
   BOOST_TEST(errors_of(facts, after_2, after_1_and_2)[CUT_DISCREPANCY] ==
                2. / 6 / facts.average_radius, tt::tolerance(tolerance));
 }

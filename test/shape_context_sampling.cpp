@@ -248,7 +248,7 @@ BOOST_AUTO_TEST_CASE(a_random_face_depends_on_seed_and_part_and_is_reproducible)
     by_seed.insert(f);
     by_part.insert(random_face(graph, 0, i));
   }
-  // Of 100 random ones out of 1280 about 4 meet.
+  // About 4 of 100 random ones out of 1280 meet.
   BOOST_TEST(by_seed.size() > 80u);
   BOOST_TEST(by_part.size() > 80u);
   BOOST_TEST(random_face(graph, 1, 0) != random_face(graph, 1 + (std::uint64_t(1) << 32), 0));

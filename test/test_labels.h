@@ -24,7 +24,7 @@ namespace test_meshes {
 
 typedef std::vector<std::size_t> Labels;
 
-// What a label is before it is written.
+// The value of a label before it is written.
 constexpr std::size_t untouched = 1234567;
 
 inline auto map_to(Labels& labels, const Mesh& mesh)

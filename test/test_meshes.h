@@ -146,7 +146,7 @@ inline Soup surface_of_revolution(const std::vector<std::pair<double, double> >&
                                   std::size_t n_around)
 {
   Soup soup;
-  std::vector<std::vector<std::size_t> > rings; // of one vertex at the axis
+  std::vector<std::vector<std::size_t> > rings; // one vertex at the axis
   for (const auto& [z, radius] : profile) {
     rings.emplace_back();
     for (std::size_t i = 0; i < (radius == 0 ? 1 : n_around); ++i) {

@@ -35,7 +35,7 @@ Soup transformed(Soup soup, const Function& function)
   return soup;
 }
 
-// Without symmetries, as these make many cuts equally salient.
+// Returns soups without symmetries, because these make many cuts equally salient.
 const std::vector<Soup>& soups()
 {
   static const std::vector<Soup> result = [] {

@@ -267,7 +267,7 @@ BOOST_AUTO_TEST_CASE(what_is_no_triangle_is_refused)
       Points spoiled = points;
       spoiled[3][axis] = bad;
       check_refused<Error>(spoiled, Triples{{0, 1, 2}, {0, 1, 3}}, "not finite");
-      // But not if no triangle has the point.
+      // The point is not refused if no triangle has it.
       BOOST_TEST(
         labels_of_triangles(spoiled, Triples{{0, 1, 2}}, parameters::default_values()).size() == 1);
     }

@@ -96,7 +96,7 @@ BOOST_AUTO_TEST_CASE(subdivided_faces_vote_for_their_parent)
   const Retriangulated_mesh changed =
     retriangulated("subdivided", benchmark_mesh(test_meshes::plate(1, 1)));
   BOOST_TEST(carried_back(changed, {0, 1, 1, 1, 2, 0, 2, 0}) == (Labels{0, 1}),
-             boost::test_tools::per_element()); // of 2 and 0, that which comes first
+             boost::test_tools::per_element()); // the one of 2 and 0 that comes first
   BOOST_TEST(carried_back(changed, {5, 1, 1, 5, 1, 5, 5, 5}) == (Labels{0, 0}),
              boost::test_tools::per_element());
 }

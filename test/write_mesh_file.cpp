@@ -64,7 +64,7 @@ struct Cube
   Segmented_mesh mesh() const { return {soup, segment, colors}; }
 };
 
-// What a function writes.
+// Returns the output of a function.
 template <class Writer, class... Arguments>
 std::string written(const Writer& write, const Arguments&... arguments)
 {
@@ -176,7 +176,7 @@ struct Glb
     return Bytes(data.substr(view["byteOffset"], view["byteLength"]));
   }
 
-  // Of the tetrahedra between the triangles of a mesh and the origin.
+  // Returns six times the volume of the tetrahedra between the triangles of a mesh and the origin.
   double six_volumes(std::size_t mesh) const
   {
     const nlohmann::json& primitive = json["meshes"][mesh]["primitives"][0];
@@ -416,7 +416,7 @@ BOOST_AUTO_TEST_CASE(glb_has_a_mesh_for_each_segment)
     BOOST_TEST(corners["type"] == "SCALAR");
     BOOST_TEST(corners["count"] == (s == 0 ? 30 : 6));
   }
-  // Of the pyramids with their tip at the origin those of the three far sides have a volume.
+  // Only the pyramids of the three far sides, with their tip at the origin, have a volume.
   BOOST_TEST(glb.six_volumes(0) == 4);
   BOOST_TEST(glb.six_volumes(1) == 2);
 }

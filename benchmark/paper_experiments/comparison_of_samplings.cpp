@@ -27,8 +27,8 @@ constexpr std::size_t number_of_schemes = sampling_schemes.size();
 // Schemes that depend on a random face are tried as often as this at each part.
 constexpr int number_of_trials = 5;
 
-// Of people who have two segments or more in the part, the share that has the two faces in
-// different ones.
+// Returns the fraction that has the two faces in different segments, among the people who have two
+// segments or more in the part.
 double share_that_separates(const std::vector<Labels>& people_in_part, Index s, Index t)
 {
   Mean share;
@@ -52,7 +52,7 @@ double separation(const Part& part, const std::vector<Labels>& people,
   return share();
 }
 
-typedef std::array<double, number_of_schemes> Values; // by scheme
+typedef std::array<double, number_of_schemes> Values; // indexed by scheme
 
 // At each part of the recursion by shape context.
 std::vector<Values> separations(const Benchmark_mesh& input, const Face_graph& graph,
@@ -104,7 +104,7 @@ typedef Values Scores::*Column;
 std::vector<double> values(const std::vector<Scores>& meshes, Column column, std::size_t scheme)
 { return values_of(meshes, [=](const Scores& scores) { return (scores.*column)[scheme]; }); }
 
-// Of a scheme against shape context.
+// Compares a scheme with shape context.
 Paired_difference difference(const std::vector<Scores>& meshes, Column column, std::size_t scheme)
 {
   return paired_difference(values(meshes, column, scheme),

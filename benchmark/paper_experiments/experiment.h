@@ -19,7 +19,7 @@
 #include <utility>
 #include <vector>
 
-// What all experiments share.
+// The common part of all experiments.
 namespace segmentation_benchmark {
 
 using CGAL::Spectral_segmentation::internal::Sides;

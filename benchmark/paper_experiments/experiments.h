@@ -20,7 +20,7 @@ struct Experiment_options
 // Figure 1.
 struct Placement_options : Experiment_options
 {
-  std::size_t pairs = 10; // of samples, of each kind on each mesh
+  std::size_t pairs = 10; // pairs of samples, per kind and mesh
 };
 
 void run_placement_of_samples(const Placement_options& o);
@@ -32,7 +32,7 @@ void run_comparison_of_samplings(const Experiment_options& o);
 struct Clustering_options : Experiment_options
 {
   std::size_t samples = 100; // rows of the affinity matrix
-  std::size_t faces = 0;     // to which meshes are decimated, if not 0
+  std::size_t faces = 0;     // meshes are decimated to so many, if not 0
 };
 
 void run_comparison_with_clustering(const Clustering_options& o);
@@ -40,7 +40,7 @@ void run_comparison_with_clustering(const Clustering_options& o);
 // Section 7.2. The pictures are plots.
 struct Number_of_samples_options : Experiment_options
 {
-  std::size_t faces = 1000; // to which meshes are decimated
+  std::size_t faces = 1000; // meshes are decimated to so many
 };
 
 void run_number_of_samples(const Number_of_samples_options& o);

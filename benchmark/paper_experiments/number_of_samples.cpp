@@ -31,13 +31,13 @@ constexpr std::array<std::size_t, 6> numbers = {2, 5, 10, 20, 50, 100};
 struct Errors_of_line
 {
   double first, second; // eigenvectors, at the whole mesh
-  double rand_error;    // of the segmentation
+  double rand_error;    // the error of the segmentation
 };
 
 struct Scores
 {
   std::array<std::array<Errors_of_line, numbers.size()>, sampling_schemes.size()> by_samples;
-  double exact_rand_error; // with the exact eigenvectors
+  double exact_rand_error; // uses the exact eigenvectors
 };
 
 // The error of the recursion with eigenvectors from the samples that `take(part)` chooses.

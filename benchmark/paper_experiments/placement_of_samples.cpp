@@ -54,7 +54,7 @@ Searched_line search_line(const Face_graph& part, const Sample_faces& samples,
   Searched_line result;
   result.from_s = internal::shortest_paths(part, &Edge_weights::combined, samples.s);
   result.from_t = internal::shortest_paths(part, &Edge_weights::combined, samples.t);
-  std::map<std::size_t, double> saliences; // by size
+  std::map<std::size_t, double> saliences; // indexed by size
   result.cut = internal::line_search(
     Execution::SEQUENTIAL, part,
     internal::spectral_order(Execution::SEQUENTIAL, result.from_s, result.from_t),
@@ -73,10 +73,10 @@ Searched_line search_line(const Face_graph& part, const Sample_faces& samples,
 struct Trial
 {
   Sample_faces samples;
-  double salience = undefined, agreement = 0; // of the best cut, if there is one
+  double salience = undefined, agreement = 0; // both for the best cut, if there is one
 };
 
-typedef std::array<std::vector<Trial>, NUMBER_OF_PLACEMENTS> Trials; // by Placement
+typedef std::array<std::vector<Trial>, NUMBER_OF_PLACEMENTS> Trials; // indexed by Placement
 
 // The first cut of a mesh.
 class First_cut
@@ -158,8 +158,8 @@ public:
   }
 };
 
-// Of both placements the pair whose cut agrees best with the person, and the salience along its
-// line.
+// Writes for both placements the pair whose cut agrees best with the person, and the salience along
+// its line.
 void write_pictures(const First_cut& first_cut, const Trials& trials, int id,
                     const Pictures& pictures)
 {
@@ -185,7 +185,7 @@ struct Outcome
   double salience, agreement, is_found;
 };
 
-typedef std::array<Outcome, NUMBER_OF_PLACEMENTS> Outcomes; // by Placement
+typedef std::array<Outcome, NUMBER_OF_PLACEMENTS> Outcomes; // indexed by Placement
 
 Outcomes outcomes(const Trials& trials)
 {

@@ -33,8 +33,8 @@
 
 namespace segment_mesh {
 
-// Where in the directory of outputs those of an input are: under its path, without its root and
-// without the steps that lead out of the working directory.
+// Returns the place of the outputs of an input in the directory of outputs. It is under the path of
+// the input, without its root and without the steps that lead out of the working directory.
 inline Path place_of(const std::string& input)
 {
   Path result;
@@ -179,7 +179,7 @@ private:
 public:
   struct Counts
   {
-    std::size_t done, failed, kept; // of an earlier batch
+    std::size_t done, failed, kept; // counted in an earlier batch
   };
 
   Batch(const std::string& directory, bool shows_progress)

@@ -81,7 +81,7 @@ private:
       _exit(1);
     const std::string result = run().dump(-1, ' ', false, Json::error_handler_t::replace);
     const bool is_sent = write(descriptor, result.data(), result.size()) > 0;
-    _exit(is_sent ? 0 : 1); // without the destructors of what the parent still has
+    _exit(is_sent ? 0 : 1); // runs no destructors, because the parent still has the objects
   }
 
   static std::string read_all(int descriptor)

@@ -39,7 +39,7 @@ struct Failure : std::runtime_error
     : std::runtime_error(sentence), status(status) {}
 };
 
-// What a handler has caught. What nobody has given a status is a bug.
+// Returns the failure that a handler has caught. An exception that has no status is a bug.
 inline Failure current_failure(const std::string& input)
 {
   try {

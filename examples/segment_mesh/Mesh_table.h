@@ -33,7 +33,7 @@ class Mesh_table
 public:
   explicit Mesh_table(const Path& name) : name_(name) {}
 
-  // As the table has it: what is no UTF-8 is replaced.
+  // Returns the name as the table has it, where invalid UTF-8 is replaced.
   static std::string name_in_table(const std::string& input)
   { return Json::parse(text(input)).get<std::string>(); }
 

@@ -76,7 +76,7 @@ class Output_files
     return temporary_start + digits + temporary_end;
   }
 
-  // As far as it is permitted.
+  // Takes owner and mode as far as permitted.
   static void take_owner_and_mode([[maybe_unused]] const Path& temporary,
                                   [[maybe_unused]] const Path& target)
   {
@@ -154,8 +154,8 @@ public:
       throw_cannot_write(name);
   }
 
-  // What an earlier run wrote to the directory, or left there when it was killed, is removed in
-  // `commit()`. Two runs at a time must not write to one directory.
+  // Prepares `commit()` to remove the files that an earlier run wrote to the directory, or left
+  // there when it was killed. Two runs at a time must not write to one directory.
   void start_segments(const Path& directory)
   {
     split_directory_ = split_directory_of(directory);

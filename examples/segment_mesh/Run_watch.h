@@ -33,13 +33,13 @@ private:
   { return std::chrono::duration<double>(Clock::now() - start).count(); }
 
   Clock::time_point start_ = Clock::now();
-  std::map<std::size_t, Clock::time_point> start_of_stage_; // of each part
+  std::map<std::size_t, Clock::time_point> start_of_stage_; // one per part
   std::map<Stage, double> seconds_of_stage_;
   std::map<std::string, double> seconds_of_phase_;
   std::string phase_, shown_name_;
   Clock::time_point start_of_phase_ = start_;
-  double begin_ = 0, end_ = 0; // of the phase, as shares of the run
-  double share_ = 0;           // of the run that is done
+  double begin_ = 0, end_ = 0; // the range of the phase, as fractions of the run
+  double share_ = 0;           // the fraction of the run that is done
   const bool shows_progress_;
   const double time_limit_; // in seconds
   std::size_t shown_length_ = 0;
@@ -138,7 +138,7 @@ public:
   void end_stage(Stage stage, std::size_t part)
   { seconds_of_stage_[stage] += seconds_since(start_of_stage_[part]); }
 
-  // Of the segmentation.
+  // Sets the progress of the segmentation.
   void progress(double share) { share_ = begin_ + share * (end_ - begin_); }
 
   bool go_further()

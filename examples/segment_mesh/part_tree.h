@@ -38,7 +38,7 @@ inline std::vector<mesh_file::Part> part_tree(const Segmentation_hierarchy& tree
                                               std::size_t number_of_segments)
 {
   using mesh_file::null_index;
-  std::vector<Index> segment(tree.number_of_nodes()); // of a node, null_index if it has many
+  std::vector<Index> segment(tree.number_of_nodes()); // one per node; null_index if it has many
   for (std::size_t i = tree.number_of_nodes(); i-- > 0;) { // parents come before their children
     const auto& children = tree.node(i).children;
     if (tree.node(i).is_leaf())

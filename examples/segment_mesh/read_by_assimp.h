@@ -58,7 +58,7 @@ class Scene_flattening
   typedef mesh_file::Index Index;
   typedef aiMatrix4x4t<double> Transformation;
 
-  // Of the points of one mesh.
+  // The points of one mesh.
   struct Local_points
   {
     std::vector<mesh_file::Point> points;
@@ -90,7 +90,7 @@ class Scene_flattening
   }
 
   const aiScene& scene_;
-  std::vector<Local_points> local_points_; // of each mesh
+  std::vector<Local_points> local_points_; // one per mesh
 
   void add_points(const std::vector<mesh_file::Point>& points, const Transformation& transformation)
   {
@@ -174,7 +174,8 @@ inline bool is_clear_sentence(std::string_view text)
          std::all_of(text.begin(), text.end(), [](char c) { return c >= ' ' && c <= '~'; });
 }
 
-// What Assimp says about a file that it does not read, in one line, if it says it in clear words.
+// Returns the message of Assimp about a file that it does not read, in one line, if it is in clear
+// words.
 inline std::string error_sentence(const Assimp::Importer& importer)
 {
   const std::string own_sentence = "it is not a valid file of its format";

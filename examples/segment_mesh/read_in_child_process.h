@@ -39,7 +39,7 @@
 
 namespace segment_mesh {
 
-// What a child process may use.
+// The limits of a child process.
 struct Child_limits
 {
   std::size_t memory; // in bytes, of address space; what it sends has at most this size, too
@@ -89,7 +89,7 @@ class Child_process
 
   const Child_limits limits_;
   const Clock::time_point start_ = Clock::now();
-  std::size_t memory_left_ = limits_.memory; // for what is received
+  std::size_t memory_left_ = limits_.memory; // left for received data
   int descriptor_ = -1;
   pid_t process_ = -1;
 
@@ -116,7 +116,7 @@ class Child_process
     std::set_new_handler([] { _exit(out_of_memory); });
   }
 
-  // What the parent does at a signal, such as removing its files, is not for the child.
+  // Removes the parent's handlers of signals, which for example remove its files.
   static void forget_signal_handlers()
   {
     for (int i = 1; i < NSIG; ++i) {
@@ -260,7 +260,7 @@ public:
   Child_process(const Child_process&) = delete;
   Child_process& operator=(const Child_process&) = delete;
 
-  // What the child has sent next; a broken child may send anything.
+  // Returns the next data from the child; a broken child may send anything.
   template <class T>
   std::vector<T> receive()
   {

@@ -97,13 +97,13 @@ inline Scene read_scene(const std::string& name, bool keeps_properties)
   return scene;
 }
 
-// What is segmented: the triangles of all polygons of a file.
+// The triangles of all polygons of a file, which are segmented.
 struct Input
 {
   Polygon_soup soup;
   std::vector<std::string> node_names, mesh_names;
   std::vector<Triangle> triangles;
-  std::vector<Index> polygon_of_triangle; // in ascending order
+  std::vector<Index> polygon_of_triangle; // ascends
 };
 
 // Finds the triangles, and joins their borders where the points are repeated.
@@ -149,7 +149,7 @@ inline double area(const Input& input, std::size_t triangle)
   return std::hypot(a[0], a[1], a[2]);
 }
 
-// Of the triangles of one polygon the label that has the largest area.
+// Returns the label of largest area among the triangles of one polygon.
 inline Index largest_label(const Input& input, const std::vector<Index>& label_of_triangle,
                            std::size_t begin, std::size_t end)
 {

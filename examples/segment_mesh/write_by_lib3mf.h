@@ -43,9 +43,9 @@ class Lib3mf_writer
     void operator()(NMR::PLib3MFBase* instance) const { NMR::lib3mf_release(instance); }
   };
 
-  typedef std::unique_ptr<NMR::PLib3MFBase, Release> Instance; // of a class of the library
+  typedef std::unique_ptr<NMR::PLib3MFBase, Release> Instance; // an object of the library
 
-  // Of a part; it may have no triangles, and then there is none.
+  // The object of a part. There is none if the part has no triangles.
   struct Object
   {
     Instance instance;
@@ -149,7 +149,7 @@ class Lib3mf_writer
     return result;
   }
 
-  // Of the components that are there, and none if there are none.
+  // Makes an object of the components that are there; none if there are none.
   Object components_object(const std::string& object_name, const std::vector<Object*>& components)
   {
     std::string content = object_name;

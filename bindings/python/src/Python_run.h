@@ -32,8 +32,8 @@ private:
   std::condition_variable changed_;
   double share_ = 0;                       // that is done
   bool is_done_ = false;
-  std::exception_ptr error_;               // of the run
-  std::exception_ptr error_of_python_;     // of a callable or a signal
+  std::exception_ptr error_;               // thrown by the run
+  std::exception_ptr error_of_python_;     // raised by a callable or a signal
   std::atomic<bool> is_stopped_{false}, is_abandoned_{false};
   double told_share_ = 0;
 
@@ -49,7 +49,7 @@ private:
       is_stopped_ = true;
   }
 
-  // Without Python's lock. Returns once the run is done.
+  // Returns once the run is done. Waits without Python's lock.
   void wait()
   {
     std::unique_lock<std::mutex> lock(mutex_);

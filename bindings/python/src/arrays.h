@@ -86,7 +86,7 @@ py::array_t<Number> array_of(std::vector<Element> elements, std::vector<py::ssiz
                              owner);
 }
 
-// Of labels or nodes, which are signed in Python.
+// Returns an array of labels or nodes, which are signed in Python.
 inline py::array_t<py::ssize_t> array_of(std::vector<std::size_t> numbers)
 {
   const auto size = static_cast<py::ssize_t>(numbers.size());

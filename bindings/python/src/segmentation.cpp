@@ -93,7 +93,7 @@ void with_threads([[maybe_unused]] const std::optional<int>& number, const Funct
 #ifdef CGAL_LINKED_WITH_TBB
   if (!number)
     f(internal::Execution::PARALLEL);
-  else if (*number > 1) // of more than there are, TBB would print a warning
+  else if (*number > 1) // TBB would print a warning for more than there are
     tbb::task_arena(std::min(*number, tbb::this_task_arena::max_concurrency()))
       .execute([&] { f(internal::Execution::PARALLEL); });
   else
@@ -332,7 +332,7 @@ PYBIND11_MODULE(_core, m)
     try {
       std::rethrow_exception(error);
     }
-    catch (const std::out_of_range& e) { // which pybind11 takes for that of a container
+    catch (const std::out_of_range& e) { // pybind11 takes it for that of a container
       PyErr_SetString(PyExc_ValueError, e.what());
     }
   });

@@ -16,7 +16,7 @@ function loadScript(name) {
 const compressions = ["KHR_draco_mesh_compression", "EXT_meshopt_compression",
                       "KHR_mesh_quantization"];
 
-// What is beside the shape would only be fetched and decoded in vain.
+// Keeps only the shape, because the rest would only be fetched and decoded in vain.
 function onlyShape(json) {
   const compression = compressions.find(name => json.extensionsRequired?.includes(name));
   if (compression)

@@ -158,7 +158,7 @@ class Segmentation
   std::shared_ptr<const Input> input_;
   segmentation::Options options_;
   segmentation::Segmentation_hierarchy tree_;
-  std::vector<Index> label_of_triangle_; // of the run
+  std::vector<Index> label_of_triangle_; // one per triangle of the run
 
   std::vector<Index> labels_of_triangles(const val& n) const
   {
@@ -209,7 +209,7 @@ public:
     return typed_array_of_bytes(out.str());
   }
 
-  // As `segment_mesh --hierarchy` without the numbers of polygons.
+  // Returns the output of `segment_mesh --hierarchy` without the numbers of polygons.
   std::string json() const
   {
     std::ostringstream out;
@@ -217,7 +217,7 @@ public:
     return out.str();
   }
 
-  // What the viewer of `segment_mesh --html` shows, see page/decode.js.
+  // Returns the data that the viewer of `segment_mesh --html` shows, see page/decode.js.
   std::string page_data(const std::string& name) const
   {
     segment_mesh::Page_options options;
@@ -230,7 +230,7 @@ public:
   }
 };
 
-// Of an exception that came to JavaScript as a number.
+// Returns the error of an exception that came to JavaScript as a number.
 val error_of(std::intptr_t exception)
 {
   const auto* const e = reinterpret_cast<const std::exception*>(exception);

@@ -191,7 +191,8 @@ function torus(n) {
   return [new Float64Array(points), new Uint32Array(triangles)];
 }
 
-// What 1,000 meshes or runs need is more than the module has at first, so it would have to grow.
+// 1,000 meshes or runs need more memory than the module has at first, so that it would have to
+// grow.
 test("memory is given back", async () => {
   const own = await load();
   const arrays = torus(20);

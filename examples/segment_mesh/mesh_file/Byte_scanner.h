@@ -98,7 +98,7 @@ public:
     return result;
   }
 
-  // What is left may only be filled up with zeros and white space.
+  // Checks that the rest is only filled up with zeros and white space.
   void finish(const char* last) const
   {
     const std::size_t more =

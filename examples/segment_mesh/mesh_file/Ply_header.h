@@ -22,7 +22,7 @@ struct Ply_property
   std::string name;
   Number_type type;
   bool is_list = false;
-  Number_type size_type = Number_type::UINT8; // of a list
+  Number_type size_type = Number_type::UINT8; // the type of the size of a list
 };
 
 struct Ply_element

@@ -67,12 +67,12 @@ struct Polygon_soup
 {
   std::vector<Point> points;
   Number_type coordinate_type = Number_type::FLOAT64; // FLOAT32 if the file has no better
-  std::vector<Index> corners;         // of all polygons, one after the other
-  std::vector<Index> first_corner{0}; // of each polygon, and the number of corners
+  std::vector<Index> corners;         // the corners of one polygon after the other
+  std::vector<Index> first_corner{0}; // one per polygon, then the number of corners
 
-  // What a file has beside them, if it is asked for
+  // The further properties of a file, if they are asked for
   std::vector<Property> point_properties, polygon_properties;
-  // Of OBJ: for each corner one of the texture coordinates and normals, or null_index; or nothing
+  // One of the texture coordinates and normals for each corner of OBJ, or null_index; or nothing
   std::vector<std::array<double, 2> > texture_coordinates;
   std::vector<Index> texture_of_corner;
   std::vector<Point> normals;

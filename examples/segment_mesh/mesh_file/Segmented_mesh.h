@@ -29,19 +29,19 @@ typedef std::array<std::uint8_t, 3> Rgb;
 // A node of the tree of parts: a segment, or a part that was cut into others.
 struct Part
 {
-  Index parent;  // which comes before it in a list of parts, or null_index
+  Index parent;  // comes before it in a list of parts, or null_index
   Index segment; // null_index for a part that was cut
-  Index number;  // of the part, for its name
+  Index number;  // the number of the part, for its name
 };
 
-// What is written: polygons that belong to segments.
+// The mesh that is written: polygons that belong to segments.
 struct Segmented_mesh
 {
   const Polygon_soup& soup;
-  const std::vector<Index>& segment; // of each polygon
-  const std::vector<Rgb>& colors;    // of each segment
+  const std::vector<Index>& segment; // one per polygon
+  const std::vector<Rgb>& colors;    // one per segment
   std::size_t first_new = null_index; // polygons from here on are no faces of the input
-  std::vector<Part> parts = {};       // with each segment once; empty if there is no tree
+  std::vector<Part> parts = {};       // contain each segment once; empty if there is no tree
 };
 
 // 000, 001 ... 1000
@@ -122,7 +122,7 @@ inline std::vector<Index> polygons_sorted_by_segment(const Segmented_mesh& mesh)
 // The points that polygons have, in their order. The others need not be finite.
 struct Used_points
 {
-  std::vector<Index> number; // of each point among those that are used, or null_index
+  std::vector<Index> number; // one per point: its index among the used points, or null_index
   std::size_t size = 0;
 
   explicit Used_points(const Polygon_soup& soup) : number(soup.points.size(), null_index)
@@ -183,7 +183,7 @@ public:
       flush();
   }
 
-  // As few digits as tell the number from all others of its type.
+  // Writes as few digits as tell the number from all others of its type.
   template <class Number>
   void decimal(Number number)
   {
@@ -232,7 +232,7 @@ public:
 // Numbers elements in the order in which they are asked for.
 class Renumbering
 {
-  std::vector<Index> number_; // of each element, or null_index
+  std::vector<Index> number_; // one per element, or null_index
   std::vector<Index> elements_;
 
 public:
@@ -321,7 +321,7 @@ public:
     result.texture_coordinates = taken(soup.texture_coordinates, textures_.elements());
     result.normals = taken(soup.normals, normals_.elements());
     append_taken(soup.point_properties, points_.elements(), result.point_properties);
-    // Of two properties with one name the first is written.
+    // If two properties have one name, the first is written.
     if (mesh_.first_new > 0) {
       result.polygon_properties.push_back({"face", Number_type::INT32, {}});
       for (Index i : polygons)

@@ -75,7 +75,7 @@ class Text_scanner
     return result;
   }
 
-  // What is too large or too small for double may have been left as it was.
+  // Reads a number anew. One too large or too small for double may be unchanged.
   static double rounded(std::string_view word)
   { return std::strtod(std::string(word).c_str(), nullptr); }
 

@@ -15,7 +15,7 @@
 
 namespace mesh_file {
 
-// As std::from_chars().
+// Works like std::from_chars().
 inline std::from_chars_result parse_decimal(const char* first, const char* last, double& number)
 {
 #ifdef __cpp_lib_to_chars
@@ -26,8 +26,8 @@ inline std::from_chars_result parse_decimal(const char* first, const char* last,
 #endif
 }
 
-// As few digits as tell the number from all others of its type. Returns their end; they are at most
-// 32.
+// Prints as few digits as tell the number from all others of its type, at most 32. Returns their
+// end.
 template <class Number>
 char* print_decimal(char* digits, Number number)
 {

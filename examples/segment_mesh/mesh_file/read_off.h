@@ -16,7 +16,7 @@
 
 namespace mesh_file {
 
-// What the keyword says: each letter before OFF adds numbers to each point.
+// The meaning of the keyword: each letter before OFF adds numbers to each point.
 struct Off_header
 {
   bool has_texture = false;    // ST

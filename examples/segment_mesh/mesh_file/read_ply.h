@@ -112,7 +112,7 @@ class Ply_body_reader
 {
   static constexpr std::size_t most = null_index - 1;
 
-  // What becomes of a property.
+  // The destination of a property.
   struct Column
   {
     Ply_property property;
@@ -269,7 +269,7 @@ class Ply_body_reader
   void read(const Ply_element& element)
   {
     if (element.properties.empty() || element.size == 0)
-      return; // without a byte in the body
+      return; // no byte in the body
     check(element);
     if (element.name == "face") {
       soup_.first_corner.reserve(element.size + 1);

@@ -25,7 +25,7 @@ class Border_stitching
 
   const std::vector<Point>& points_;
   std::vector<Triangle>& triangles_;
-  std::vector<Index> place_; // of each point, by number
+  std::vector<Index> place_; // one per point, by number
 
   // Whether points share places.
   bool set_places()
@@ -102,7 +102,7 @@ public:
     if (!set_places())
       return;
     const std::vector<char> is_stitched = stitched_points();
-    std::vector<Index> first(points_.size(), null_index); // at each place
+    std::vector<Index> first(points_.size(), null_index); // one per place
     for (Index v = 0; v < points_.size(); ++v)
       if (is_stitched[v] && first[place_[v]] == null_index)
         first[place_[v]] = v;

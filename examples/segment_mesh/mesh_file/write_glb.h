@@ -22,7 +22,7 @@
 
 namespace mesh_file {
 
-// Of a channel of sRGB, by IEC 61966-2-1.
+// Returns the linear intensity of a channel of sRGB, by IEC 61966-2-1.
 inline double linear_intensity(std::uint8_t channel)
 {
   const double c = channel / 255.;
@@ -43,7 +43,7 @@ inline void check_size_of_glb(std::uint64_t size)
 // The description, which comes first, needs the sizes: so the segments are taken out twice.
 class Glb_writer
 {
-  typedef nlohmann::json Json; // whose references stay valid, unlike those of ordered_json
+  typedef nlohmann::json Json; // its references stay valid, unlike those of ordered_json
 
   enum Component_type { UNSIGNED_INT = 5125, FLOAT = 5126 };
   enum Target { ARRAY_BUFFER = 34962, ELEMENT_ARRAY_BUFFER = 34963 };

@@ -28,7 +28,7 @@ class Ply_writer
   const Segmented_mesh& mesh_;
   Block_output out_;
   const Used_points used_;
-  std::vector<Index> segment_;                   // of each point the first, or null_index
+  std::vector<Index> segment_;                   // the first segment of each point, or null_index
   std::vector<std::pair<Index, Index> > copies_; // further segments of points, sorted
 
   static std::string declaration(Number_type type, const std::string& name)
@@ -120,7 +120,7 @@ class Ply_writer
     return static_cast<Index>(used_.size + static_cast<std::size_t>(copy - copies_.begin()));
   }
 
-  // Of the number of corners of a polygon.
+  // Returns the type of the number of corners of a polygon.
   Number_type size_type() const
   {
     std::size_t largest = 0;

@@ -16,7 +16,7 @@
 
 namespace mesh_file {
 
-// Of length 1, or 0 if the triangle has no area.
+// Returns a normal of length 1, or 0 if the triangle has no area.
 inline std::array<float, 3> unit_normal(const std::array<std::array<float, 3>, 3>& triangle)
 {
   Point u, v, normal;

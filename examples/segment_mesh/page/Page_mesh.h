@@ -66,7 +66,7 @@ struct Page_cube
 // joined to their mean. What is no triangle any more is left out, and so are repeated triangles.
 inline Page_mesh clustered(const Page_mesh& mesh, const Page_cube& cube, double n)
 {
-  std::vector<std::pair<std::uint64_t, Index> > cells; // with their points
+  std::vector<std::pair<std::uint64_t, Index> > cells; // each with its point
   for (Index v = 0; v < mesh.points.size(); ++v) {
     std::uint64_t cell = 0;
     for (double x : cube.position(mesh.points[v], n))
@@ -131,7 +131,7 @@ inline Page_mesh with_points_in_order(const Page_mesh& mesh)
   return result;
 }
 
-// Of at most so many triangles, and not much fewer.
+// Returns a mesh of at most so many triangles, and not much fewer.
 inline Page_mesh simplified(const Page_mesh& mesh, std::size_t most)
 {
   const Page_mesh used = with_points_in_order(mesh);

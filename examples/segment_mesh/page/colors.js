@@ -5,7 +5,7 @@
 // keeps the color of its parent. The smaller one gets the color that is most unlike those around it
 // for all people: for those whose cones are complete, and those who lack one kind.
 
-// What is seen without one kind of cones, on linear RGB: Machado, Oliveira, Fernandes, "A
+// The colors seen without one kind of cones, on linear RGB: Machado, Oliveira, Fernandes, "A
 // Physiologically-based Model for Simulation of Color Vision Deficiency", 2009.
 const visions = [
   [[1, 0, 0], [0, 1, 0], [0, 0, 1]],

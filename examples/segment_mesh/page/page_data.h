@@ -100,7 +100,7 @@ inline nlohmann::ordered_json label_exceptions(const Input& input,
   const std::vector<std::size_t> labels = tree.labels(n, least_salience(tree));
   const std::vector<Index> label =
     labels_of_polygons(input, std::vector<Index>(labels.begin(), labels.end()));
-  std::map<std::size_t, std::map<Index, std::size_t> > counts; // of the labels of a segment
+  std::map<std::size_t, std::map<Index, std::size_t> > counts; // counts of each label in a segment
   for (std::size_t i = 0; i < label.size(); ++i)
     ++counts[segment_of_piece[piece_of_polygon[i]]][label[i]];
   std::map<std::size_t, Index> label_of_segment;
@@ -127,7 +127,7 @@ struct Page_options
   std::string name;
   std::size_t number_of_segments;      // that the page shows first
   bool is_salience_probability, boundary_smoothing;
-  std::size_t most_triangles = 300000; // for a phone to turn
+  std::size_t most_triangles = 300000; // a phone can turn so many
 };
 
 inline nlohmann::ordered_json hierarchy_data(const Segmentation_hierarchy& tree,
@@ -166,7 +166,7 @@ inline nlohmann::ordered_json mesh_data(const Page_mesh& mesh)
           {"pieces", packed_runs(mesh.pieces)}};
 }
 
-// What page/decode.js reads.
+// Returns the data that page/decode.js reads.
 inline nlohmann::ordered_json page_data(const Input& input, const Segmentation_hierarchy& tree,
                                         const Page_options& o)
 {

@@ -98,7 +98,7 @@ export class Scene {
     this.build();
   }
 
-  // Of each piece the area and the centroid times the area.
+  // Finds the area of each piece, and its centroid times the area.
   findCentroids({ points, triangles, pieces }, numberOfPieces) {
     this.areas = new Float64Array(numberOfPieces);
     this.moments = new Float64Array(3 * numberOfPieces);

@@ -127,7 +127,7 @@ export class Viewer {
     return result;
   }
 
-  // What does not change.
+  // Fills in the content that does not change.
   fill() {
     const { ui, model, hierarchy } = this;
     ui.name.textContent = model.name;

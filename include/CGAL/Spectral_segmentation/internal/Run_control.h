@@ -14,8 +14,8 @@ namespace CGAL::Spectral_segmentation::internal {
 
 struct Evaluated_cut;
 
-// What the engine tells its caller while it works, and asks. The functions mean what those of
-// `Segmentation_visitor` do. No two are called at the same time, but for `cut_evaluated()`, which
+// Receives the progress of the engine and may stop it. The functions mean the same as the functions
+// of `Segmentation_visitor`. No two are called at the same time, but for `cut_evaluated()`, which
 // several threads may call at once.
 class Run_control
 {
@@ -31,8 +31,9 @@ public:
   virtual void progress(double /* share */) {}
   virtual bool go_further() { return true; }
 
-  // For experiments: the faces of the caller's mesh that are left in the mesh that is searched; and
-  // each cut whose factors were computed, which names faces by their positions among these.
+  // Receive data for experiments: the faces of the caller's mesh that are left in the searched
+  // mesh, and each cut whose factors were computed. The cut names faces by their positions among
+  // these.
   virtual void start_search(const std::vector<Index>& /* faces */) {}
   virtual void cut_evaluated(const Evaluated_cut&) {}
 };

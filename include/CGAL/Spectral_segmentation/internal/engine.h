@@ -14,8 +14,8 @@
 #include <cstddef>
 #include <vector>
 
-// With CGAL_SPECTRAL_SEGMENTATION_COMPILED, which the CMake target `compiled` defines, the engine
-// is linked; else it is included here.
+// The engine is linked if CGAL_SPECTRAL_SEGMENTATION_COMPILED is defined, which the CMake target
+// `compiled` does; else it is included here.
 #ifdef CGAL_SPECTRAL_SEGMENTATION_COMPILED
 #define CGAL_SPECTRAL_SEGMENTATION_INLINE
 #else
@@ -24,9 +24,9 @@
 
 namespace CGAL::Spectral_segmentation::internal {
 
-// The engine: no template, as nothing in it depends on the caller. Arrays in, a hierarchy of cuts
-// out, whose faces are those of the triangles. Throws `std::invalid_argument` if wishes contradict
-// each other or the number of segments.
+// Runs the engine, which is no template because nothing in it depends on the caller. It takes
+// arrays and returns a hierarchy of cuts, whose faces are the triangles. Throws
+// `std::invalid_argument` if constraints contradict each other or the number of segments.
 CGAL_SPECTRAL_SEGMENTATION_INLINE
 Cut_hierarchy segment(Triangles triangles, const Options& options, Execution execution,
                       Run_control& control, const Wishes& wishes = Wishes());

@@ -48,14 +48,14 @@ class Run
   Run_monitor monitor_;
 
   double unit_ = 1;                 // the length of 1 in the coordinates of the caller
-  std::vector<Index> first_twin_;   // of each of the caller's faces, where there are twins
-  std::vector<Index> order_;        // the numbers that the caller's mesh gives the faces
+  std::vector<Index> first_twin_;   // one per face of the caller, if there are duplicate faces
+  std::vector<Index> order_;        // the caller's indices of the faces
   Face_graph mesh_;
   Refined_mesh refined_;            // empty if the edges of the mesh are short enough
-  std::optional<Grid_wrap> wrap_;   // of a mesh of several components
+  std::optional<Grid_wrap> wrap_;   // the wrap of a mesh of several components
   std::vector<Coarse_mesh> levels_; // each coarser than the one before
-  std::vector<Index> neighbors_;    // in the caller's numbers, if boundaries shall be smoothed
-  Wish_groups groups_;              // empty without wishes
+  std::vector<Index> neighbors_;    // the caller's indices, if boundaries shall be smoothed
+  Wish_groups groups_;              // empty without constraints
 
   Distance_weights distance_weights() const
   {
@@ -63,7 +63,7 @@ class Run
             options_.concavity_radius};
   }
 
-  // Leaves out the faces that are there already. A connected mesh is taken as it is.
+  // Removes duplicate faces, unless the mesh is connected or its components are kept apart.
   Triangles without_twins(Triangles triangles)
   {
     order_.resize(triangles.corners.size());
@@ -79,7 +79,7 @@ class Run
     return distinct_triangles(triangles, first_twin_);
   }
 
-  // A run that is stopped on the way leaves the faces in the caller's order.
+  // Reads the triangles. A run that is stopped on the way leaves the faces in the caller's order.
   void read(Triangles triangles)
   {
     triangles = without_twins(std::move(triangles));
@@ -103,7 +103,7 @@ class Run
       set_groups();
   }
 
-  // The face of the mesh for each of the caller's faces.
+  // Returns the face of the mesh for each of the caller's faces.
   std::vector<Index> numbers_in_mesh() const
   {
     std::vector<Index> result(number_of_callers_faces());
@@ -114,7 +114,8 @@ class Run
     return result;
   }
 
-  // What a wish concerns is not smoothed: such faces are no teeth if they have no neighbors.
+  // Groups constrained faces, and exempts them from boundary smoothing by making each its own
+  // neighbor.
   void set_groups()
   {
     const std::vector<Index> number = numbers_in_mesh();
@@ -125,7 +126,7 @@ class Run
         neighbors_[h] = h / 3;
   }
 
-  // Twins have the same neighbors.
+  // Sets the neighbors. Duplicate faces have equal neighbors.
   void set_neighbors()
   {
     neighbors_.resize(3 * number_of_callers_faces());
@@ -160,8 +161,8 @@ class Run
                        distance_weights());
   }
 
-  // Bisects the faces that are larger than those of an even mesh with the number of faces on which
-  // cuts are searched, so that a cut can run anywhere.
+  // Bisects the faces that are larger than the faces of an even mesh with the number of faces on
+  // which cuts are searched, so that a cut can run anywhere.
   void refine()
   {
     if (!options_.bisection || !(total_area(mesh_) > 0))
@@ -172,7 +173,7 @@ class Run
       refined_ = Longest_edge_bisection(mesh_, *bound)(execution_);
   }
 
-  // Around components that touch: where none does, the mesh itself is searched.
+  // Wraps components that touch. If none touch, the mesh itself is searched.
   void wrap()
   {
     std::size_t number_of_components, number_in_wrap;
@@ -189,11 +190,11 @@ class Run
   const Face_graph& finest() const
   { return wrap_ ? wrap_->surface() : refined_.faces.empty() ? mesh_ : refined_.graph; }
 
-  // Whether something is done with the mesh after the search.
+  // Returns whether something is done with the mesh after the search.
   bool is_mesh_needed() const
   { return options_.number_of_segments || !options_.components_apart || !wishes_.empty(); }
 
-  // The mesh on which cuts are searched.
+  // Returns the mesh on which cuts are searched.
   Face_graph coarse_mesh()
   {
     monitor_.check();
@@ -217,7 +218,7 @@ class Run
     return result;
   }
 
-  // The numbers that the caller's mesh gives to the faces that are left in the coarsest mesh.
+  // Returns the caller's indices of the faces that are left in the coarsest mesh.
   std::vector<Index> searched_faces() const
   {
     std::vector<Index> result = order_;
@@ -265,7 +266,7 @@ class Run
     return hierarchy;
   }
 
-  // The components of the mesh, if the run was stopped before there was more.
+  // Returns the components of the mesh, if the run was stopped before there was more.
   Cut_hierarchy components() const
   {
     std::size_t number;
@@ -274,7 +275,7 @@ class Run
     return uncut_hierarchy(std::move(component), areas);
   }
 
-  // The hierarchy in which all nodes fulfill the wishes.
+  // Changes the hierarchy so that all nodes satisfy the constraints.
   void fulfill_wishes(Cut_hierarchy& hierarchy)
   {
     const std::size_t number_of_roots = hierarchy.number_of_roots;
@@ -289,7 +290,7 @@ class Run
         " segments, but " + std::to_string(maximum_number(options_)) + " are allowed");
   }
 
-  // As many cuts as were asked for.
+  // Joins roots, satisfies constraints, and makes as many cuts as were asked for.
   void complete(Cut_hierarchy& hierarchy)
   {
     if (!options_.components_apart)
@@ -307,7 +308,7 @@ class Run
         std::to_string(hierarchy.number_of_segments()) + " segments");
   }
 
-  // From the numbers and the unit of the run to those of the caller.
+  // Converts face indices and areas back to the caller's indices and unit.
   void convert(Cut_hierarchy& hierarchy) const
   {
     std::vector<Index> leaf(number_of_callers_faces());
@@ -326,8 +327,8 @@ public:
 
   Cut_hierarchy operator()(Triangles triangles)
   {
-    // About how long the phases take, in nanoseconds; only what is told of the progress depends on
-    // it.
+    // Estimates of the times of the phases, in nanoseconds. Only the reported progress depends on
+    // them.
     const double n = static_cast<double>(triangles.corners.size());
     const double m = static_cast<double>(faces_to_search(options_, triangles.corners.size()));
     const double of_reading = 150 * n;

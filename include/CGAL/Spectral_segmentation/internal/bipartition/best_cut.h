@@ -28,8 +28,8 @@ namespace CGAL::Spectral_segmentation::internal {
 struct Part
 {
   Face_graph graph;
-  std::size_t node;         // in the hierarchy
-  std::vector<Index> faces; // their numbers in the mesh, ascending
+  std::size_t node;         // its node in the hierarchy
+  std::vector<Index> faces; // their indices in the mesh, ascending
 };
 
 inline bool both_sides_are_connected(const Face_graph& part, const Sides& side)
@@ -39,7 +39,7 @@ inline bool both_sides_are_connected(const Face_graph& part, const Sides& side)
   return number == 2;
 }
 
-// Of equally salient cuts the first stays the first.
+// Sorts cuts by salience. Equally salient cuts keep their order.
 inline std::vector<Cut> most_salient_first(std::vector<Cut> cuts)
 {
   std::vector<double> keys;
@@ -51,18 +51,17 @@ inline std::vector<Cut> most_salient_first(std::vector<Cut> cuts)
   return result;
 }
 
-// BESTCUT (Figure 2): finds the most salient cut of a part of a mesh, if there is one. In the
-// paper's method that is the best cut along one order of the faces. In the calibrated method cuts
-// are proposed along several orders, evaluated by all factors, and the best are moved to the
-// minimum cuts near them.
+// Finds the most salient cut of a part of a mesh, if there is one (BESTCUT, Figure 2). The paper's
+// method takes the best cut along one order of the faces. The calibrated method proposes cuts along
+// several orders, evaluates them by all factors, and moves the best to the minimum cuts near them.
 class Best_cut
 {
   const Options& options_;
   std::optional<Evaluation_context> context_;
-  std::size_t number_of_faces_; // of the mesh
-  double minimum_area_;         // of a side
+  std::size_t number_of_faces_; // the faces of the mesh
+  double minimum_area_;         // the least area of a side
 
-  // Along which cuts are searched.
+  // Returns the orders along which cuts are searched.
   std::vector<Face_order> orders(Execution execution, const Face_graph& part,
                                  const std::vector<Index>& references,
                                  const Sample_faces& samples) const
@@ -72,7 +71,7 @@ class Best_cut
     return face_orders(execution, part, references, samples, options_.single_source_orders);
   }
 
-  // None if a side is too small.
+  // Returns the cut with its factors; none if a side is too small.
   std::optional<Cut> evaluated(const Face_graph& part, const Cut_evaluator& evaluator,
                                Sides side) const
   {
@@ -87,7 +86,7 @@ class Best_cut
     return cut;
   }
 
-  // f(i) for each i < n, without those that are no cut.
+  // Appends f(i) for each i < n, if it is a cut.
   template <class Function>
   static void append(Execution execution, std::size_t n, const Function& f, std::vector<Cut>& cuts)
   {
@@ -98,7 +97,7 @@ class Best_cut
         cuts.push_back(std::move(*cut));
   }
 
-  // The most salient first.
+  // Returns the cuts of the calibrated method, the most salient first.
   std::vector<Cut> calibrated_cuts(Execution execution, const Part& part,
                                    const std::vector<Face_order>& orders) const
   {
@@ -143,16 +142,16 @@ public:
       context_.emplace(execution, mesh);
   }
 
-  // Only the calibrated method has one.
+  // Returns the context, which only the calibrated method has.
   const Evaluation_context& context() const { return *context_; }
 
-  // Throws `Run_stopped` if the caller stops the run.
+  // Returns the best cut. Throws `Run_stopped` if the caller stops the run.
   std::optional<Cut> operator()(Execution execution, const Part& part, Run_monitor& monitor) const
   {
     const Face_graph& m = part.graph;
     if (m.number_of_faces() < 2 || total_area(m) < 2 * minimum_area_)
       return std::nullopt;
-    // A part is a guessed half of its share of the search, to which later parts add.
+    // A part counts as a guessed half of its fraction of the search, to which later parts add.
     const double step = 0.5 * static_cast<double>(m.number_of_faces()) /
                         static_cast<double>(number_of_faces_) /
                         static_cast<double>(options_.number_of_reference_faces + 3);

@@ -23,7 +23,7 @@
 
 namespace CGAL::Spectral_segmentation::internal {
 
-// The few cuts of a part whose factors are all computed.
+// Proposes the few cuts of a part whose factors are all computed.
 
 // A patch that knows the capacity of its cut.
 class Patch_with_capacity : public Boundary_statistics
@@ -33,7 +33,7 @@ class Patch_with_capacity : public Boundary_statistics
   double capacity_of_cut_ = 0;
 
 public:
-  // `capacities` are those of the half-edges.
+  // Makes an empty patch; `capacities` has one per halfedge.
   Patch_with_capacity(const Face_graph& part, const std::vector<double>& capacities)
     : Boundary_statistics(part), part_(part), capacities_(capacities) {}
 
@@ -54,8 +54,8 @@ struct Proposal
   double score; // comparable among proposals by the same measure
 };
 
-// The proposals of an order, by two measures: the salience of the paper, and cheapness, which is
-// minus the capacity of the cut over the length scale of its smaller side.
+// The proposals of an order by two measures. They are the salience of the paper, and cheapness,
+// which is minus the capacity of the cut over the length scale of its smaller side.
 struct Proposals
 {
   std::vector<Proposal> salient, cheap;
@@ -63,7 +63,7 @@ struct Proposals
 
 struct Sweep_step
 {
-  std::size_t size; // of the meta patch
+  std::size_t size; // the size of the meta patch
   double area;
   double smaller_area;
   double salience, cheapness;
@@ -87,7 +87,7 @@ inline std::vector<Sweep_step> sweep_steps(const Face_graph& part, const Growth&
   return steps;
 }
 
-// The two best steps by a measure, the second not next to the first.
+// Returns the two best steps by a measure, the second not next to the first.
 inline std::vector<Proposal> best_steps(const Growth& growth, const std::vector<Sweep_step>& steps,
                                         double Sweep_step::*measure)
 {
@@ -97,7 +97,7 @@ inline std::vector<Proposal> best_steps(const Growth& growth, const std::vector<
       const bool is_next_to_first =
         i == 1 && std::abs(s.area - best[0]->area) <
                     constants::distance_of_proposals * best[0]->smaller_area;
-      // Quantized, so that rounding does not choose between cuts that mirror each other.
+      // Scores are quantized, so that rounding does not choose between cuts that mirror each other.
       if (!is_next_to_first &&
           (!best[i] || quantized(s.*measure) > quantized(best[i]->*measure)))
         best[i] = &s;
@@ -118,8 +118,8 @@ inline Proposals propose_cuts(const Face_graph& part, const std::vector<Index>& 
           best_steps(growth, steps, &Sweep_step::cheapness)};
 }
 
-// Tells whether a cut is new among those that it was given: the faces on which two cuts differ must
-// not be few against the smallest side of either.
+// Checks whether a cut is new among the cuts that it was given: the faces on which two cuts differ
+// must not be few compared with the smallest side of either.
 class Distinct_cuts
 {
   struct Sized_cut
@@ -130,7 +130,7 @@ class Distinct_cuts
 
   std::vector<Sized_cut> cuts_;
 
-  // Of n faces, of which some are on one side.
+  // Returns the size of the smaller side if so many of n faces are on one side.
   static std::size_t smaller(std::size_t number, std::size_t n)
   { return (std::min)(number, n - number); }
 
@@ -157,8 +157,8 @@ public:
   }
 };
 
-// At most `number` cuts, no two alike, the best by either measure in turns. The larger side may be
-// first.
+// Returns at most `number` cuts, no two alike, the best by each measure in turn. The larger side
+// may be first.
 inline std::vector<Sides> cut_proposals(Execution execution, const Face_graph& part,
                                         const std::vector<std::vector<Index> >& orders,
                                         double minimum_area, std::size_t number)

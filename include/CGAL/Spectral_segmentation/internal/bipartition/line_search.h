@@ -23,16 +23,16 @@ namespace CGAL::Spectral_segmentation::internal {
 
 // The line search of Section 5.3.
 
-// How Q grows along the line: the faces in the order in which they join Q, and the sizes of Q after
-// each visited face that joined, together with all that had waited for it.
+// The growth of Q along the line: the faces in the order in which they join Q, and the sizes of Q
+// after each visited face that joined, together with all faces that had waited for it.
 struct Growth
 {
   std::vector<Index> faces;
   std::vector<Index> sizes;
 };
 
-// A visited face that does not touch Q waits, with a special label, until a face that it touches
-// joins Q.
+// Grows Q along an order. A visited face that does not touch Q waits, with a special label, until a
+// face that it touches joins Q.
 inline Growth grow_along(const Face_graph& part, const std::vector<Index>& order)
 {
   enum Label : char { NOT_VISITED, WAITING, JOINED };
@@ -63,8 +63,8 @@ inline Growth grow_along(const Face_graph& part, const std::vector<Index>& order
   return q;
 }
 
-// For each number i of faces, whether the part is still connected without the first i of `faces`,
-// that is, whether Q has no holes. Takes the faces back from last to first, with union-find.
+// Returns for each number i whether the part is still connected without the first i of `faces`,
+// that is, whether Q has no holes. Adds the faces back from last to first, with union-find.
 inline std::vector<bool> rest_is_connected(const Face_graph& part,
                                            const std::vector<Index>& faces)
 {
@@ -84,7 +84,7 @@ inline std::vector<bool> rest_is_connected(const Face_graph& part,
   return result;
 }
 
-// The sizes of Q after the steps that leave two connected sides.
+// Returns the sizes of Q after the steps that leave two connected sides.
 inline std::vector<Index> sizes_of_cuts(const Face_graph& part, const Growth& growth)
 {
   const std::vector<bool> is_cut = rest_is_connected(part, growth.faces);
@@ -95,13 +95,13 @@ inline std::vector<Index> sizes_of_cuts(const Face_graph& part, const Growth& gr
   return result;
 }
 
-// Adds faces to the empty patch Q, and calls `visit(q, size of q)` at each of the sizes, which
-// ascend, where both sides have an area, and not below `minimum_area`. Ends once it returns false.
+// Adds faces to the empty patch Q. Calls `visit(q, size of q)` at each of the sizes, which ascend,
+// where both sides have an area, and not below `minimum_area`. Ends once `visit` returns false.
 template <class Patch, class Visit>
 void for_each_cut(const std::vector<Index>& faces, const std::vector<Index>& sizes,
                   double minimum_area, Patch q, const Visit& visit)
 {
-  // What the subtraction of areas leaves where the rest has none.
+  // The area that subtraction leaves by rounding if the rest has none.
   const double rounding = 1e-12 * q.area_of_part();
   Index size = 0;
   for (Index size_of_cut : sizes) {
@@ -116,7 +116,7 @@ void for_each_cut(const std::vector<Index>& faces, const std::vector<Index>& siz
   }
 }
 
-// 0 for the first faces that joined Q, 1 for the others.
+// Returns 0 for the first faces that joined Q, 1 for the others.
 inline Sides sides_of(const Growth& growth, std::size_t size)
 {
   Sides side(growth.faces.size(), 1);
@@ -128,14 +128,14 @@ inline Sides sides_of(const Growth& growth, std::size_t size)
 // The most salient cut that a sweep from one end of an order meets.
 struct Swept_cut
 {
-  Index size = 0; // of the patch; 0: there is no cut
+  Index size = 0; // the size of the patch; 0: there is no cut
   double area = 0, area_of_rest = 0;
   Salience_factors factors;
   double salience = -std::numeric_limits<double>::infinity();
 };
 
-// Of equally salient cuts the first or the last that the sweep meets. Saliences are compared as
-// quantized, so that rounding does not choose between cuts that mirror each other.
+// Returns the most salient cut; ties go to the first or the last that the sweep meets. Saliences
+// are compared as quantized, so that rounding does not choose between cuts that mirror each other.
 template <class PartSalience, class Observer>
 Swept_cut sweep(const std::vector<Index>& faces, const std::vector<Index>& sizes,
                 double minimum_area, const Boundary_statistics& empty,
@@ -164,10 +164,10 @@ struct No_observer
   void operator()(const Arguments&...) const {}
 };
 
-// The most salient cut along an order, if there is one; of equally salient cuts the first. A cut of
-// Q is one of the rest, too: the second half of the faces is swept from the other end, so that each
-// patch stays the smaller half. `observe(size of Q, factors, salience)` is called for each cut that
-// is compared, in each half from the end to the middle.
+// Returns the most salient cut along an order, if there is one; ties go to the first. A cut of Q is
+// also a cut of the rest. Therefore the second half of the faces is swept from the other end, so
+// that each patch stays the smaller half. `observe(size of Q, factors, salience)` is called for
+// each cut that is compared, in each half from the end to the middle.
 template <class PartSalience, class Observer = No_observer>
 std::optional<Cut> line_search(Execution execution, const Face_graph& part,
                                const std::vector<Index>& order, const PartSalience& part_salience,
@@ -175,7 +175,7 @@ std::optional<Cut> line_search(Execution execution, const Face_graph& part,
 {
   const Index n = static_cast<Index>(part.number_of_faces());
   Growth growth;
-  std::vector<Index> sizes[2]; // of Q, and of the rest
+  std::vector<Index> sizes[2]; // sizes of Q, and of the rest
   std::optional<Boundary_statistics> empty;
   call_all(execution, [&] { empty.emplace(part); }, [&] {
     growth = grow_along(part, order);

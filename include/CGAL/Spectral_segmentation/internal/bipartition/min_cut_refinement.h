@@ -24,7 +24,7 @@
 
 namespace CGAL::Spectral_segmentation::internal {
 
-// What a cut pays for an edge: its length, and far less where the edge is concave.
+// Returns the cost of an edge for a cut: its length, and far less if the edge is concave.
 inline double capacity(const Face_graph& part, Index h)
 {
   const double convexity = 1 - part.weights[h].concavity;
@@ -34,7 +34,7 @@ inline double capacity(const Face_graph& part, Index h)
 // A model of the concepts of BGL that its search for a maximum flow needs: each arc has a reverse.
 struct Flow_graph : Packed_graph
 {
-  std::vector<Index> reverse; // of each arc
+  std::vector<Index> reverse; // one per arc
 
   typedef Index vertex_descriptor;
   typedef Index edge_descriptor;
@@ -65,13 +65,13 @@ struct Flow_graph : Packed_graph
   { return {out_edge_iterator(g.first_arc[v]), out_edge_iterator(g.first_arc[v + 1])}; }
 };
 
-// The flow network of a band of faces around a cut: node i is the i-th face of the band; the faces
-// beyond it on the side of Q are the source, those on the other side the sink.
+// The flow network of a band of faces around a cut. Node i is the i-th face of the band. The faces
+// beyond the band are the source on the side of Q, and the sink on the other side.
 class Band_network
 {
   struct Arcs
   {
-    std::vector<Packed_graph::Ends> ends; // of arc i; arc i ^ 1 is its reverse
+    std::vector<Packed_graph::Ends> ends; // one per arc; arc i ^ 1 is the reverse of arc i
     std::vector<double> capacities;
 
     void add_both(Index a, Index b, double there, double back)
@@ -97,11 +97,11 @@ public:
   void join_to_source(Index a, double capacity) { from_source_[a] += capacity; }
   void join_to_sink(Index a, double capacity) { to_sink_[a] += capacity; }
 
-  // For each face of the band: whether it is on the side of the source. Of several minimum cuts it
-  // is the one nearest to the source, whatever the order of the arcs.
+  // Returns for each face of the band whether it is on the side of the source. If there are several
+  // minimum cuts, the cut is the one nearest to the source, whatever the order of the arcs.
   std::vector<bool> minimum_cut() const
   {
-    // One arc for each terminal and face, which BGL asks for.
+    // BGL asks for one arc for each terminal and face.
     Arcs arcs = arcs_;
     for (Index i = 0; i < source_; ++i) {
       if (from_source_[i] > 0)
@@ -136,9 +136,9 @@ public:
   }
 };
 
-// The cheapest cut that leaves all faces of a part on their sides but those of the band. Faces that
-// are on no side, neither 0 nor 1, count as if they were not there. A side that lies wholly in the
-// band keeps the last of its faces there. The sides need not be connected.
+// Returns the cheapest cut that leaves all faces of a part, but for the band, on their sides. Faces
+// that are on no side, neither 0 nor 1, count as absent. A side that lies wholly in the band keeps
+// the last of its faces there. The sides need not be connected.
 inline Sides minimum_cut_within(const Face_graph& part, const std::vector<Index>& band,
                                 const Sides& side)
 {
@@ -179,8 +179,8 @@ inline Sides minimum_cut_within(const Face_graph& part, const std::vector<Index>
   return result;
 }
 
-// The cheapest cut in the neighborhood of a cut. Its sides need not be connected. Fixed faces stay
-// where they are.
+// Returns the cheapest cut in the neighborhood of a cut. Its sides need not be connected. Fixed
+// faces stay where they are.
 inline Sides minimum_cut_around(const Face_graph& part, const Sides& side, double area_of_q,
                                 const std::vector<char>& is_fixed = {})
 {

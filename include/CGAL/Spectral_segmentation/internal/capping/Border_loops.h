@@ -22,27 +22,27 @@ typedef std::pair<Index, Index> Vertex_pair;
 
 inline Vertex_pair vertex_pair(Index v, Index w) { return {(std::min)(v, w), (std::max)(v, w)}; }
 
-// The edges that an odd number of triangles of a set have. The number is positive if these pass the
-// edge from its smaller to its larger vertex, negative if back.
+// The edges that an odd number of triangles of a set have. The number is positive if the triangles
+// pass the edge from its smaller to its larger vertex, negative if back.
 typedef std::map<Vertex_pair, int> Border;
 
-// Takes a border apart into loops that pass no vertex twice, against the direction of most of the
-// triangles at them. As an even number of border edges meets at each vertex, loops have them all,
-// however the triangles meet and are oriented.
+// Splits a border into loops that pass no vertex twice, against the direction of most of the
+// triangles at them. Loops contain all border edges, however the triangles meet and are oriented,
+// because an even number of border edges meets at each vertex.
 class Border_loops
 {
   struct Step
   {
     Index vertex;
-    int direction; // of the border edge behind it
+    int direction; // the direction of the border edge that leaves it
   };
 
   std::map<Index, std::vector<std::pair<Index, int> > > unused_; // other ends and directions
   std::vector<Step> path_;
-  std::unordered_map<Index, std::size_t> place_; // of each vertex of the path
+  std::unordered_map<Index, std::size_t> place_; // the place of each vertex in the path
   std::vector<std::vector<Index> > loops_;
 
-  // Takes the edge to w from v.
+  // Removes the edge to w from the unused edges of v.
   void use(Index v, Index w)
   {
     auto& edges = unused_[v];
@@ -50,7 +50,7 @@ class Border_loops
                              { return e.first == w; }));
   }
 
-  // Takes the end of the path, from its `first` vertex on.
+  // Makes a loop of the end of the path, from its `first` vertex on.
   void add_loop(std::size_t first)
   {
     std::vector<Index> loop;
@@ -66,7 +66,7 @@ class Border_loops
     loops_.push_back(std::move(loop));
   }
 
-  // Until no edge is left at v, which then is the vertex where it began.
+  // Walks until no edge is left at v, which then is the vertex where the walk began.
   void walk(Index v)
   {
     while (!unused_[v].empty()) {

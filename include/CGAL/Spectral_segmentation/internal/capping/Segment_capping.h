@@ -25,19 +25,19 @@ namespace CGAL::Spectral_segmentation::internal {
 // Triangles that close segments.
 struct Caps
 {
-  std::vector<Vector> points;     // new ones, which are numbered after the others
+  std::vector<Vector> points;     // new points, which are numbered after the others
   std::vector<Corners> triangles;
-  std::vector<Index> segment;     // of each triangle
+  std::vector<Index> segment;     // one per triangle
 };
 
 // Closes segments one after the other, the smallest first. Each border loop of a segment gets a
-// cap, whose triangles, turned over, go to the segments on its other side: so all segments fit
-// together, also where three of them meet.
+// cap. Its triangles, turned over, go to the segments on its other side, so that all segments fit
+// together, even where three of them meet.
 class Segment_capping
 {
   typedef std::vector<Index> Loop;
 
-  // A part of a loop, in places of its edges.
+  // A part of a loop, as a range of its edges.
   struct Arc
   {
     Index segment;
@@ -47,13 +47,13 @@ class Segment_capping
 
   struct Cap
   {
-    Index segment; // on its other side
+    Index segment; // the segment on its other side
     std::vector<Corners> triangles;
   };
 
   const std::vector<Vector>& points_;
-  std::vector<Border> border_;                               // of each segment
-  std::map<Vertex_pair, std::vector<Index> > segments_at_;   // whose border has the edge
+  std::vector<Border> border_;                               // one per segment
+  std::map<Vertex_pair, std::vector<Index> > segments_at_;   // the segments whose border it is in
   std::set<Vertex_pair> taken_; // edges of triangles and caps, where one more triangle is too many
   Caps result_;
 
@@ -63,7 +63,7 @@ class Segment_capping
     segments_at_[edge].push_back(segment);
   }
 
-  // A second triangle at an edge takes it from the border again.
+  // Adds a triangle. A second triangle at an edge removes the edge from the border.
   void add_triangle(Index segment, const Corners& t)
   {
     result_.triangles.push_back(t);
@@ -80,7 +80,7 @@ class Segment_capping
     }
   }
 
-  // Edges that an odd number of triangles of a segment have.
+  // Finds the edges that an odd number of triangles of a segment have.
   void find_borders(const std::vector<Corners>& triangles, const std::vector<Index>& segment)
   {
     struct Edge
@@ -109,7 +109,7 @@ class Segment_capping
     }
   }
 
-  // Those between vertices of borders, as others cannot be edges of a cap.
+  // Takes the edges between vertices of borders, because other edges cannot be edges of a cap.
   void take_edges(const std::vector<Corners>& triangles)
   {
     std::vector<char> is_at_border(points_.size(), 0);
@@ -165,7 +165,7 @@ class Segment_capping
     return triangles;
   }
 
-  // The first segment but one at a border edge.
+  // Returns the first segment at a border edge, except `other_than`.
   Index segment_at(Index v, Index w, Index other_than) const
   {
     for (Index s : segments_at_.at(vertex_pair(v, w)))
@@ -175,7 +175,7 @@ class Segment_capping
     return null_index;
   }
 
-  // Takes a loop apart where another segment begins, by the segment of each edge.
+  // Splits a loop where another segment begins, by the segment of each edge.
   std::vector<Arc> arcs(Loop& loop, std::vector<Index>& segments) const
   {
     const auto change = std::adjacent_find(segments.begin(), segments.end(),
@@ -193,7 +193,7 @@ class Segment_capping
     return result;
   }
 
-  // More arcs than can be long all go to the segment that has most of the loop.
+  // Gives a loop to the segment that has most of it if it has more arcs than can be long.
   void unite_many_arcs(Loop& loop, std::vector<Index>& segments) const
   {
     const std::vector<Arc> all = arcs(loop, segments);
@@ -207,8 +207,8 @@ class Segment_capping
     std::fill(segments.begin(), segments.end(), longest);
   }
 
-  // The arcs of a loop, by the segments at it but one. Arcs of less than a tenth of the loop go to
-  // the longer one beside them, as their sectors would be splinters.
+  // Returns the arcs of a loop, by the segments at it except `other_than`. Arcs of less than a
+  // tenth of the loop go to the longer arc beside them, because their sectors would be splinters.
   std::vector<Arc> long_arcs(Loop& loop, Index other_than) const
   {
     std::vector<Index> segments;
@@ -231,8 +231,8 @@ class Segment_capping
     }
   }
 
-  // A cap for each of the segments that hold the edges of a loop, but one: in one piece, or in
-  // sectors around a new point in the middle.
+  // Makes a cap for each of the segments that hold the edges of a loop, except `other_than`. The
+  // caps are one piece, or sectors around a new point in the middle.
   std::vector<Cap> caps(Loop loop, Index other_than)
   {
     const std::vector<Arc> arcs_of_loop = long_arcs(loop, other_than);
@@ -249,7 +249,7 @@ class Segment_capping
     return result;
   }
 
-  // At each edge of the border of a segment is another one, as the surface is closed.
+  // Closes a segment. Each edge of its border has another segment, because the surface is closed.
   void close(Index segment)
   {
     const Border_loops loops(border_[segment]);
@@ -290,7 +290,7 @@ class Segment_capping
 public:
   explicit Segment_capping(const std::vector<Vector>& points) : points_(points) {}
 
-  // `segment` is that of each triangle, from 0 to n - 1. To be called once.
+  // Closes segments; `segment` holds the segment of each triangle, from 0 to n - 1. Call this once.
   Caps operator()(const std::vector<Corners>& triangles, const std::vector<Index>& segment,
                   std::size_t n)
   {

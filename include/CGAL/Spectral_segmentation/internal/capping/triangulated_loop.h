@@ -26,8 +26,8 @@ inline double length(const std::vector<Vector>& loop)
   return result;
 }
 
-// Whether a loop is nearer than a distance to the plane through its middle with the mean normal of
-// its triangles there.
+// Returns whether a loop is nearer than a distance to the plane through its middle with the mean
+// normal of its triangles there.
 inline bool is_flat(const std::vector<Vector>& loop, double distance)
 {
   Vector middle, normal;
@@ -40,9 +40,9 @@ inline bool is_flat(const std::vector<Vector>& loop, double distance)
   });
 }
 
-// A triangulation of a loop of points, whose triangles are given by places in it, in its direction:
-// Delaunay in the plane of the loop if that is nearly flat, else a surface that bends little and
-// has a small area. Empty if CGAL finds none, or would take minutes.
+// Returns a triangulation of a loop of points, whose triangles are given by places in the loop, in
+// its direction. It is Delaunay in the plane of the loop if the loop is nearly flat, else a surface
+// that bends little and has a small area. It is empty if CGAL finds none, or would take minutes.
 inline std::vector<Corners> triangulated_loop(std::vector<Vector> loop)
 {
   namespace PMP = CGAL::Polygon_mesh_processing;

@@ -21,30 +21,30 @@
 
 namespace CGAL::Spectral_segmentation::internal {
 
-// Averages over the surface with a kernel of a given radius, the root of its mean squared distance:
-// the heat equation on the faces, by two steps of backward Euler. The flux over an edge is its
-// length over the distance of the two centroids (finite volumes), so that the average depends on
-// the shape and, unless faces are long and thin, not on the triangulation. No heat passes the
-// border.
+// Averages over the surface with a kernel of a given radius, the root of its mean squared distance.
+// It solves the heat equation on the faces, by two steps of backward Euler. The flux over an edge
+// is its length over the distance of the two centroids (finite volumes). Therefore the average
+// depends on the shape and, unless faces are long and thin, not on the triangulation. No heat
+// passes the border.
 class Heat_smoothing
 {
   typedef Eigen::SparseMatrix<double> Matrix;
 
-  // Of a connected component, or of several small ones.
+  // The system of a connected component, or of several small ones.
   struct System
   {
     std::vector<Index> faces;
-    // Of the matrix of a step; symmetric, as it is for densities times the roots of the areas. In
-    // the bands of cuts it takes a quarter of the time of conjugate gradients, on a whole mesh of a
-    // million faces a little more.
+    // The solver for the matrix of a step, which is symmetric because it acts on densities times
+    // the roots of the areas. In the bands of cuts it takes a quarter of the time of conjugate
+    // gradients, on a whole mesh of a million faces a little more.
     Eigen::SimplicialLDLT<Matrix> solver;
   };
 
   double radius_;
-  Eigen::VectorXd root_of_area_; // of each face
+  Eigen::VectorXd root_of_area_; // one per face
   std::vector<System> systems_;
 
-  // Returns the number of the system of each face.
+  // Returns the index of the system of each face.
   std::vector<Index> divide_into_systems(const Face_graph& mesh)
   {
     constexpr Index small = 1000;
@@ -68,7 +68,7 @@ class Heat_smoothing
     return result;
   }
 
-  // What flows over an edge in a step.
+  // Returns the flux over an edge in a step.
   static double flux(const Face_graph& mesh, const std::vector<Vector>& points, Index h,
                      double step, double smallest_distance)
   {
@@ -82,7 +82,7 @@ class Heat_smoothing
   }
 
 public:
-  // `radius` is relative to the square root of the area of the mesh, which must not be 0.
+  // Takes a radius relative to the square root of the area of the mesh, which must not be 0.
   Heat_smoothing(Execution execution, const Face_graph& mesh, const std::vector<Vector>& points,
                  double radius)
     : root_of_area_(mesh.number_of_faces())
@@ -114,7 +114,7 @@ public:
             continue;
           const Index g = mesh.neighbors[h];
           const double root = root_of_area_[f] * root_of_area_[g];
-          // Clamped, to keep the matrix positive definite in double precision.
+          // The flux is clamped to keep the matrix positive definite in double precision.
           const double outward =
             (std::min)(flux(mesh, points, h, step, smallest_distance), 1e14 * root);
           sum += outward;
@@ -129,10 +129,10 @@ public:
     });
   }
 
-  // As it was bounded, in the unit of the points.
+  // Returns the radius as it was bounded, in the unit of the points.
   double radius() const { return radius_; }
 
-  // The averaged density of a quantity of which each face has some amount.
+  // Returns the averaged density of a quantity of which each face has some amount.
   Eigen::VectorXd operator()(const Eigen::VectorXd& amounts) const
   {
     Eigen::VectorXd result(amounts.size());

@@ -21,7 +21,7 @@
 
 namespace CGAL::Spectral_segmentation::internal {
 
-// Bending of the surface at the scale of the shape in place of that of the triangulation.
+// Curvature of the surface at the scale of the shape instead of the scale of the triangulation.
 
 // The tensor product of a vector with itself, as a vector: symmetric tensors have the same inner
 // product as such vectors.
@@ -34,10 +34,10 @@ inline Symmetric_tensor squared(const Vector& v)
           root * (v.x() * v.y()), root * (v.y() * v.z()), root * (v.z() * v.x())};
 }
 
-// For each half-edge the angle by which the surface bends over a way of twice the radius across the
-// edge, negative where it is concave: the curvature tensor of Cohen-Steiner and Morvan (2003),
-// averaged over the radius by diffusion. `radius` is relative to the square root of the area of the
-// mesh.
+// Returns for each halfedge the angle by which the surface bends over a path of twice the radius
+// across the edge, which is negative where the surface is concave. It is found from the curvature
+// tensor of Cohen-Steiner and Morvan (2003), averaged over the radius by diffusion. `radius` is
+// relative to the square root of the area of the mesh.
 inline std::vector<double> curvature_angles(Execution execution, const Face_graph& mesh,
                                        const std::vector<Vector>& points,
                                        const std::vector<Vector>& normals, double radius)
@@ -48,7 +48,7 @@ inline std::vector<double> curvature_angles(Execution execution, const Face_grap
   std::vector<double> angles(mesh.neighbors.size(), 0);
   if (!(total_area(mesh) > 0))
     return angles;
-  std::array<Eigen::VectorXd, 6> tensors; // one number of each face
+  std::array<Eigen::VectorXd, 6> tensors; // one number per face
   for (Eigen::VectorXd& t : tensors)
     t.setZero(static_cast<Eigen::Index>(mesh.number_of_faces()));
   for_each_index(execution, mesh.number_of_faces(), [&](std::size_t i) {
@@ -62,7 +62,8 @@ inline std::vector<double> curvature_angles(Execution execution, const Face_grap
         continue;
       const double angle =
         std::atan2(normals[f].cross(normals[g]).dot(edge) / length, normals[f].dot(normals[g]));
-      // By area: or a sliver beside a sharp edge would have nearly all of its density.
+      // The density is split by area; else a sliver beside a sharp edge would have nearly all of
+      // it.
       const double density = angle * mesh.areas[f] / area / length;
       const Symmetric_tensor tensor = squared(edge);
       for (std::size_t k = 0; k < 6; ++k)
@@ -81,13 +82,13 @@ inline std::vector<double> curvature_angles(Execution execution, const Face_grap
     if (mesh.is_border(h) || squared_length == 0 || area == 0)
       return;
     const Symmetric_tensor across = squared(edge);
-    double sums[2] = {0, 0}; // of every other term
+    double sums[2] = {0, 0}; // each of every other term
     for (std::size_t k : {4, 5, 2, 3, 0, 1})
       sums[k % 2] +=
         (mesh.areas[f] * tensors[k][f] + mesh.areas[g] * tensors[k][g]) / area * across[k];
     const double curvature = (sums[0] + sums[1]) / squared_length;
     const double angle = way * curvature;
-    if (std::abs(angle) > 1e-6) // below, which is rounding, the surface is flat
+    if (std::abs(angle) > 1e-6) // a smaller angle is rounding, and the surface is flat
       angles[h] = (std::min)((std::max)(angle, -CGAL_PI), CGAL_PI);
   });
   return angles;

@@ -19,8 +19,8 @@ namespace CGAL::Spectral_segmentation::internal {
 
 // Distances between adjacent faces (Section 3).
 
-// Length of the shortest way from the centroid `f` over the edge `ab` to the centroid `g`, when the
-// two faces are unfolded into one plane; the way stays inside the edge.
+// Returns the length of the shortest path from the centroid `f` over the edge `ab` to the centroid
+// `g`, when the two faces are unfolded into one plane. The path stays inside the edge.
 inline double geodesic_distance(const Vector& a, const Vector& b, const Vector& f, const Vector& g)
 {
   const double length = (b - a).norm();
@@ -36,23 +36,24 @@ inline double geodesic_distance(const Vector& a, const Vector& b, const Vector& 
 
 struct Dihedral
 {
-  double one_minus_cosine; // of the angle between the normals
+  double one_minus_cosine; // 1 - cos of the angle between the normals
   bool is_concave;
 };
 
-// `edge` is the edge as the face of normal `f` runs along it.
+// Returns a dihedral; `edge` runs in the direction of the face of normal `f`.
 inline Dihedral dihedral(const Vector& f, const Vector& g, const Vector& edge)
 {
   // Half the squared chord keeps its digits where the cosine is near 1.
   const double one_minus_cosine = (f - g).squared_norm() / 2;
-  // Below 1e-6 rad, which is rounding, an edge is flat.
+  // An edge below 1e-6 rad, which is rounding, is flat.
   if (one_minus_cosine < 5e-13)
     return {0, false};
   return {one_minus_cosine, f.cross(g).dot(edge) < 0};
 }
 
-// Unit normals. A face without area takes that of the neighbor across its longest edge, so that it
-// does not hide the angle between the faces on its two sides; (0, 0, 0) where that fails.
+// Returns unit normals. A face without area takes the normal of the neighbor across its longest
+// edge, so that it does not hide the angle between the faces on its two sides. Its normal is (0, 0,
+// 0) if that fails.
 inline std::vector<Vector> face_normals(Execution execution, const Face_graph& graph,
                                         const std::vector<Vector>& points)
 {
@@ -71,7 +72,7 @@ inline std::vector<Vector> face_normals(Execution execution, const Face_graph& g
     if (cross.norm() > 1e-12 * edge_vector(longest_edge(f)).squared_norm())
       normals[f] = cross.normalized();
   });
-  // A neighbor may be without area too: follow the longest edges to the first face with a normal.
+  // A neighbor may have no area either: follow the longest edges to the first face with a normal.
   std::vector<char> is_visited(normals.size(), 0);
   std::vector<Index> path;
   for (Index first = 0; first < normals.size(); ++first) {
@@ -87,8 +88,8 @@ inline std::vector<Vector> face_normals(Execution execution, const Face_graph& g
   return normals;
 }
 
-// Histogram equalization: maps values to equally spaced ones in [0, 1] by their rank; equal values
-// share the mean of their ranks.
+// Equalizes the histogram: maps values to equally spaced values in [0, 1] by their rank. Equal
+// values share the mean of their ranks.
 inline std::vector<double> equalize(Execution execution, const std::vector<float>& values)
 {
   const std::vector<Index> order = sorted_indices(execution, values);
@@ -105,8 +106,8 @@ inline std::vector<double> equalize(Execution execution, const std::vector<float
   return result;
 }
 
-// The same where a value takes as much of [0, 1] as its weight says, so that an edge counts by its
-// length and not by the number of edges into which the triangulation cuts it.
+// Equalizes the histogram so that a value takes as much of [0, 1] as its weight says. An edge then
+// counts by its length and not by the number of edges into which the triangulation cuts it.
 inline std::vector<double> equalize(Execution execution, const std::vector<float>& values,
                                     const std::vector<double>& weights)
 {
@@ -140,10 +141,11 @@ struct Distance_weights
   double geodesic; // delta
   double concave;  // eta at concave edges
   double convex;   // eta at convex edges
-  double concavity_radius = 0; // of bending in place of the dihedral angle; 0: without
+  double concavity_radius = 0; // if > 0, averaged curvature replaces the dihedral angle
 };
 
-// Relative to the larger one, as only their ratio matters and sums must not overflow.
+// Divides both angle weights by the larger one, because only their ratio matters and sums must not
+// overflow.
 inline Distance_weights with_relative_angle_weights(Distance_weights weights)
 {
   const double largest = (std::max)(weights.concave, weights.convex);
@@ -154,14 +156,15 @@ inline Distance_weights with_relative_angle_weights(Distance_weights weights)
   return weights;
 }
 
-// Of each edge.
+// The angles after equalization, one per edge.
 struct Equalized_angles
 {
   std::vector<double> whole;   // H
-  std::vector<double> concave; // the part of it that is due to concave bending
+  std::vector<double> concave; // the part of H that is due to concave edges
 };
 
-// `edges` has one half-edge an edge. Faces without a normal bend nowhere.
+// Equalizes dihedral angles; `edges` has one halfedge an edge. Faces without a normal have flat
+// edges.
 inline Equalized_angles equalized_dihedrals(Execution execution, const Face_graph& graph,
                                             const std::vector<Vector>& points,
                                             const std::vector<Vector>& normals,
@@ -180,7 +183,7 @@ inline Equalized_angles equalized_dihedrals(Execution execution, const Face_grap
     angles[e] = (d.is_concave ? weights.concave : weights.convex) * d.one_minus_cosine;
   });
   normalize_by_mean(angles);
-  // Single precision, so that angles that differ by rounding only tie.
+  // In single precision, angles that differ only by rounding tie.
   const std::vector<float> rounded(angles.begin(), angles.end());
   Equalized_angles result{equalize(execution, rounded), std::vector<double>(edges.size(), 0)};
   for (std::size_t e = 0; e < edges.size(); ++e)
@@ -189,7 +192,7 @@ inline Equalized_angles equalized_dihedrals(Execution execution, const Face_grap
   return result;
 }
 
-// The same by bending at the scale of the shape, which does not depend on the triangulation.
+// Equalizes the curvature at the scale of the shape, which does not depend on the triangulation.
 inline Equalized_angles equalized_bending(Execution execution, const Face_graph& graph,
                                           const std::vector<Vector>& points,
                                           const std::vector<Vector>& normals,
@@ -203,7 +206,7 @@ inline Equalized_angles equalized_bending(Execution execution, const Face_graph&
   for_each_index(execution, edges.size(), [&](std::size_t e) {
     const Index h = edges[e];
     lengths[e] = (points[graph.target_vertex(h)] - points[graph.source_vertex(h)]).norm();
-    // 1 - cos of the angle, which keeps its digits where that is small.
+    // This form of 1 - cos of the angle keeps its digits if it is small.
     const double sine = std::sin(bending[h] / 2);
     distances[e] = static_cast<float>((bending[h] < 0 ? weights.concave : weights.convex) *
                                       (2 * sine * sine));
@@ -232,15 +235,15 @@ inline std::vector<double> normalized_geodesic_distances(Execution execution,
   return result;
 }
 
-// Fills in the distances of adjacent faces, computed from `points` in place of the graph's own, and
-// from the normals of the faces there.
+// Fills in the distances of adjacent faces, computed from `points` instead of the graph's own
+// points, and from the normals of the faces at them.
 inline void set_face_distances(Execution execution, Face_graph& graph,
                                const std::vector<Vector>& points,
                                const std::vector<Vector>& normals,
                                const Distance_weights& given_weights)
 {
   const Distance_weights weights = with_relative_angle_weights(given_weights);
-  std::vector<Index> edges; // one half-edge each
+  std::vector<Index> edges; // one halfedge each
   for (Index h = 0; h < graph.neighbors.size(); ++h)
     if (h / 3 < graph.neighbors[h])
       edges.push_back(h);

@@ -12,9 +12,9 @@
 
 namespace CGAL::Spectral_segmentation::internal {
 
-// The points after some steps of uniform Laplacian smoothing (Section 2): each moves half the way
-// to the mean of its neighbors; vertices on the border of the mesh stay. Ends early if
-// `go_further()`, asked before each step, is false.
+// Returns the points after some steps of uniform Laplacian smoothing (Section 2). Each step moves a
+// point half the way to the mean of its neighbors; vertices on the border of the mesh stay. Ends
+// early if `go_further()`, asked before each step, is false.
 template <class GoFurther>
 std::vector<Vector> smoothed_points(const Face_graph& graph, std::size_t iterations,
                                     const GoFurther& go_further)
@@ -32,7 +32,7 @@ std::vector<Vector> smoothed_points(const Face_graph& graph, std::size_t iterati
   for (; iterations > 0 && go_further(); --iterations) {
     std::fill(sum.begin(), sum.end(), Vector());
     std::fill(degree.begin(), degree.end(), 0u);
-    // One half-edge of each edge starts at an inner vertex, so the mean is unweighted.
+    // One halfedge of each edge starts at an inner vertex. Therefore the mean is unweighted.
     for (Index h = 0; h < graph.neighbors.size(); ++h) {
       sum[graph.source_vertex(h)] += points[graph.target_vertex(h)];
       ++degree[graph.source_vertex(h)];

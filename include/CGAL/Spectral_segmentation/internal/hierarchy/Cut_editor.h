@@ -21,14 +21,14 @@ namespace Spectral_segmentation {
 /// \cond SKIP_IN_MANUAL
 namespace internal {
 
-// Changes of a hierarchy by hand. Nodes keep their numbers.
+// Edits a hierarchy by hand. Nodes keep their indices.
 class Cut_editor
 {
   Cut_hierarchy& cuts_;
   std::vector<Cut_node>& nodes_;
-  std::vector<std::size_t> turn_; // of each node; `null_node` if the run did not come to it
+  std::vector<std::size_t> turn_; // one per node; `null_node` if the run did not come to it
 
-  std::size_t& place_of(std::size_t i) // where its parent names it
+  std::size_t& place_of(std::size_t i) // returns the entry in its parent
   {
     std::size_t (&children)[2] = nodes_[nodes_[i].parent].children;
     return children[children[0] == i ? 0 : 1];
@@ -60,7 +60,7 @@ class Cut_editor
       turn_[cuts_.turns[k]] = k;
   }
 
-  // Salience and turn of a cut into two nodes: it comes as late as it can.
+  // Sets the salience and the turn of a cut into two nodes, which comes as late as possible.
   void set_late(std::size_t i)
   {
     Cut_node& n = nodes_[i];
@@ -75,8 +75,8 @@ class Cut_editor
       }
   }
 
-  // Turns again as they were, but for parents, which come before their children. Where saliences
-  // must not grow from a node to its children, they are lowered, and give the order.
+  // Orders the nodes by their former turns, but parents before their children. If saliences must
+  // not grow from a node to its children, it lowers them, and they give the order.
   void update_order()
   {
     typedef std::tuple<double, std::size_t, std::size_t> Key; // salience, turn, node
@@ -102,7 +102,7 @@ class Cut_editor
     }
   }
 
-  // The smallest node that contains both; `null_node` if they have different roots.
+  // Returns the smallest node that contains both; `null_node` if they have different roots.
   std::size_t common_node(std::size_t a, std::size_t b) const
   {
     std::vector<char> is_above(nodes_.size(), 0);
@@ -113,8 +113,8 @@ class Cut_editor
     return b;
   }
 
-  // Moves node b to the place of node a, and returns the node whose children they are now: that
-  // whose cut separated b, while b's sibling takes its place.
+  // Moves node b next to node a, and returns their new parent. It is the node whose cut separated
+  // b; the sibling of b takes the place of that node.
   std::size_t moved_to(std::size_t a, std::size_t b, std::size_t common)
   {
     const std::size_t parent = nodes_[b].parent;
@@ -150,7 +150,7 @@ class Cut_editor
 public:
   explicit Cut_editor(Cut_hierarchy& cuts) : cuts_(cuts), nodes_(cuts.nodes) { find_turns(); }
 
-  // Makes two nodes the children of one, by moving b to the place of a, and returns it.
+  // Makes two nodes the children of one node, by moving b next to a, and returns that node.
   std::size_t merge(std::size_t a, std::size_t b)
   {
     const std::size_t common = common_node(a, b);

@@ -28,7 +28,7 @@ constexpr std::size_t null_node = static_cast<std::size_t>(-1);
 struct Cut_node
 {
   std::size_t parent = null_node;
-  std::size_t children[2] = {null_node, null_node}; // that of smaller area first
+  std::size_t children[2] = {null_node, null_node}; // the child of smaller area first
   double area = 0;
   Cut_state cut_state = Cut_state::NOT_SEARCHED;
   double salience = 0;
@@ -37,22 +37,22 @@ struct Cut_node
   bool is_leaf() const { return children[0] == null_node; }
 };
 
-// The cuts of a run: what the engine makes. The children of the i-th cut are the nodes
-// number_of_roots + 2 i and the next one, until cuts are edited by hand.
+// The cuts of a run, which the engine makes. Until cuts are edited by hand, the children of the
+// i-th cut are the nodes number_of_roots + 2 i and the next one.
 struct Cut_hierarchy
 {
   std::size_t number_of_roots = 0;   // one for each connected component, by their first faces
   std::vector<Cut_node> nodes;
-  std::vector<Index> leaf;           // of each face: the node without children that holds it
+  std::vector<Index> leaf;           // the node without children that holds each face
   std::vector<std::size_t> turns;    // the nodes in the order in which the run decided on them
-  bool is_ultrametric = false;       // no cut is less salient than those that follow
-  bool is_complete = true;           // false: some cuts are lost, as no face was left for a side
-  std::vector<Index> neighbors;      // of each half-edge, only if boundaries shall be smoothed
+  bool is_ultrametric = false;       // no cut is less salient than any later cut
+  bool is_complete = true;           // false if cuts are lost because no face was left for a side
+  std::vector<Index> neighbors;      // one per halfedge, only if boundaries shall be smoothed
 
   std::size_t number_of_segments() const
   { return number_of_roots + (nodes.size() - number_of_roots) / 2; }
 
-  // Cuts a leaf. Its faces are still at the leaf that it was.
+  // Cuts a leaf. Its faces still have the cut node in `leaf`.
   void cut(std::size_t i, double area_of_smaller, double area_of_larger)
   {
     CGAL_precondition(nodes[i].is_leaf());
@@ -67,7 +67,7 @@ struct Cut_hierarchy
   }
 };
 
-// All nodes, the roots first, and parents before their children.
+// Returns all nodes, the roots first, and parents before their children.
 inline std::vector<std::size_t> parents_first(const Cut_hierarchy& hierarchy)
 {
   std::vector<std::size_t> result(hierarchy.number_of_roots);
@@ -81,7 +81,7 @@ inline std::vector<std::size_t> parents_first(const Cut_hierarchy& hierarchy)
   return result;
 }
 
-// A forest of roots only, from the component of each face and the areas of the components.
+// Returns a forest of roots only, from the component of each face and the areas of the components.
 inline Cut_hierarchy uncut_hierarchy(std::vector<Index> component,
                                      const std::vector<double>& areas)
 {

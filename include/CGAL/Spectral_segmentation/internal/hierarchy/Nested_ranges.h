@@ -19,18 +19,19 @@ namespace Spectral_segmentation {
 namespace internal {
 
 // The elements (faces, or cells of faces) of each node of a hierarchy, as ranges of one permutation
-// of them all: the range of a node is that of its first child and that of its second.
+// of all elements. The range of a node is the range of its first child and then of its second
+// child.
 class Nested_ranges
 {
   std::vector<Index> elements_;
-  std::vector<std::size_t> first_, end_; // of each node, in elements_
+  std::vector<std::size_t> first_, end_; // the range of each node in elements_
 
 public:
   typedef Iterator_range<std::vector<Index>::const_iterator> Range;
 
   Nested_ranges() = default;
 
-  // `leaf` is the node of each element. Those of a leaf ascend.
+  // Makes the ranges from the node of each element. The elements of a leaf ascend.
   Nested_ranges(const Cut_hierarchy& hierarchy, const std::vector<Index>& leaf)
     : elements_(leaf.size()), first_(hierarchy.nodes.size(), 0), end_(hierarchy.nodes.size(), 0)
   {

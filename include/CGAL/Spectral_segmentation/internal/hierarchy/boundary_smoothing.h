@@ -12,8 +12,8 @@
 
 namespace CGAL::Spectral_segmentation::internal {
 
-// The segment into which the face sticks as a tooth: with two of its edges, while the third leads
-// to its own segment. Else its own.
+// Returns the segment into which the face sticks as a tooth, with two of its edges, while the third
+// leads to its own segment. Returns the face's own segment if it is no tooth.
 inline std::size_t segment_around_tooth(const std::vector<Index>& neighbors,
                                         const std::vector<std::size_t>& labels, Index f)
 {
@@ -29,15 +29,15 @@ inline std::size_t segment_around_tooth(const std::vector<Index>& neighbors,
 
 // Smooths the boundaries between segments (Section 2, post-smoothing). A tooth goes to the segment
 // into which it sticks, so that two edges of the boundary become one; then the face behind it may
-// be a tooth. As a tooth touches its own segment along one edge only, no segment is emptied or
-// disconnected. A morphological opening with the ball of radius two made boundaries longer, and
+// be a tooth. No segment is emptied or disconnected, because a tooth touches its own segment along
+// one edge only. A morphological opening with the ball of radius two made boundaries longer, and
 // they turned more from edge to edge.
 inline void remove_teeth(const std::vector<Index>& neighbors, std::vector<std::size_t>& labels)
 {
   std::vector<Index> faces(labels.size());
   std::iota(faces.begin(), faces.end(), Index(0));
   while (!faces.empty()) {
-    std::vector<Index> next; // which have a neighbor that has changed
+    std::vector<Index> next; // faces with a neighbor that has changed
     for (Index f : faces) {
       const std::size_t label = segment_around_tooth(neighbors, labels, f);
       if (label == labels[f])

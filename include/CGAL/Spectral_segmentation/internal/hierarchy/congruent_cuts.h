@@ -20,22 +20,24 @@
 
 namespace CGAL::Spectral_segmentation::internal {
 
-// What a cut has in common with that of a twin limb. The unit is the root of the mesh's area.
+// The properties of a cut that the cuts of congruent parts share. The unit is the root of the
+// mesh's area.
 struct Cut_shape
 {
-  double area = 0;                  // of Q, the smaller side
-  double length = 0;                // of the cut
-  double distance = 0;              // of the centroid of Q from that of its component
-  double deviations[3] = {0, 0, 0}; // standard ones of Q along its principal axes
+  double area = 0;                  // the area of Q, the smaller side
+  double length = 0;                // the length of the cut
+  double distance = 0;              // between the centroids of Q and of its component
+  double deviations[3] = {0, 0, 0}; // standard deviations of Q along its principal axes
 };
 
-// The tolerances were chosen by measurement. No cut that is searched depends on them.
+// Returns whether parts are congruent. The tolerances are measured. No searched cut depends on
+// them.
 inline bool are_congruent(const Cut_shape& a, const Cut_shape& b)
 {
   const auto are_near = [](double x, double y, double tolerance)
   { return std::abs(x - y) <= tolerance * (std::max)(x, y); };
   constexpr double of_shape = 0.15, of_length = 0.2, of_place = 0.1;
-  constexpr double thickness = 0.001; // below it, flat parts have one of rounding errors
+  constexpr double thickness = 0.001; // flat parts have a smaller one, of rounding errors
   bool result = are_near(a.area, b.area, of_shape) && are_near(a.length, b.length, of_length) &&
                 std::abs(a.distance - b.distance) <= of_place;
   for (int i = 0; i < 3; ++i)
@@ -44,16 +46,16 @@ inline bool are_congruent(const Cut_shape& a, const Cut_shape& b)
   return result;
 }
 
-// Gives cuts that make congruent parts, such as the legs of a horse, a common salience, the mean of
-// theirs, so that a threshold treats them alike. For a hierarchy of merges.
+// Gives cuts that make congruent parts, such as the legs of a horse, the mean of their saliences,
+// so that a threshold treats them alike. The hierarchy must consist of merges.
 class Congruent_cuts
 {
-  typedef std::vector<std::size_t> Class; // of cuts, each by its turn
+  typedef std::vector<std::size_t> Class; // cuts, each given by its turn
 
   const Face_graph& mesh_;
   const Cut_hierarchy& cuts_;
-  std::vector<Cut_shape> shapes_; // of each cut
-  std::vector<double> saliences_; // of each cut
+  std::vector<Cut_shape> shapes_; // one per cut
+  std::vector<double> saliences_; // one per cut
   std::vector<Class> classes_;
 
   std::size_t turn(std::size_t node) const
@@ -63,7 +65,7 @@ class Congruent_cuts
   {
     const double area_of_mesh = total_area(mesh_), unit = std::sqrt(area_of_mesh);
     const Nested_ranges faces(cuts_, cuts_.leaf);
-    std::vector<Vector> centers; // of the components, that of each node
+    std::vector<Vector> centers; // the center of the component of each node
     for (std::size_t node = 0; node < cuts_.nodes.size(); ++node) {
       centers.push_back(node < cuts_.number_of_roots ? Vector()
                                                      : centers[cuts_.nodes[node].parent]);
@@ -104,7 +106,7 @@ class Congruent_cuts
     }
   }
 
-  // Salient cuts come first.
+  // Finds the classes of congruent cuts. Salient cuts come first.
   void set_classes()
   {
     std::vector<std::size_t> order(shapes_.size());
@@ -113,7 +115,8 @@ class Congruent_cuts
                                  { return are_congruent(shapes_[i], shapes_[j]); });
   }
 
-  // The first cut is the most salient, the last the least. A caller's saliences may be infinite.
+  // Returns the mean salience of congruent cuts, the most salient first. A caller's saliences may
+  // be infinite.
   double mean_salience(const Class& congruent) const
   {
     double sum = 0;
@@ -124,7 +127,7 @@ class Congruent_cuts
     return std::isnan(mean) ? least : std::clamp(mean, least, largest);
   }
 
-  // To the least ones with which no cut is less salient than those that follow on its sides.
+  // Raises saliences to the least with which no cut is less salient than later cuts on its sides.
   void raise_saliences()
   {
     for (std::size_t i = saliences_.size(); i-- > 0;) // children before their parents
@@ -140,7 +143,7 @@ class Congruent_cuts
     std::iota(order.begin(), order.end(), std::size_t(0));
     std::stable_sort(order.begin(), order.end(), [&](std::size_t i, std::size_t j)
                      { return saliences_[i] > saliences_[j]; });
-    std::vector<std::size_t> number(cuts_.nodes.size()); // of each node
+    std::vector<std::size_t> number(cuts_.nodes.size()); // the new index of each node
     std::iota(number.begin(), number.end(), std::size_t(0));
     for (std::size_t i = 0; i < order.size(); ++i)
       for (std::size_t k = 0; k < 2; ++k)
@@ -173,7 +176,7 @@ public:
       saliences_.push_back(cuts.nodes[node].salience);
   }
 
-  // The same cuts, the most salient first.
+  // Returns the same cuts, the most salient first.
   Cut_hierarchy operator()()
   {
     set_shapes();

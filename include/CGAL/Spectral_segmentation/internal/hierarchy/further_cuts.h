@@ -17,19 +17,19 @@
 
 namespace CGAL::Spectral_segmentation::internal {
 
-// Cuts leaves of a hierarchy further, where the search found fewer cuts than are asked for: the
-// largest leaf in two, between its components if it has several, else in halves of about the same
-// area. Groups of faces, each in one leaf, stay whole.
+// Cuts leaves of a hierarchy further, if the search found fewer cuts than were asked for. It cuts
+// the largest leaf in two, between its components if it has several, else in halves of about the
+// same area. Groups of faces, each in one leaf, stay whole.
 class Further_cuts
 {
-  typedef std::pair<double, std::size_t> Key; // of a leaf: its area, then its node
+  typedef std::pair<double, std::size_t> Key; // the area and the node of a leaf
 
   const Face_graph& mesh_;
   Cut_hierarchy& cuts_;
-  Nested_ranges faces_;         // of each node
-  std::vector<char> is_in_leaf_; // of each face, of the leaf at hand that is not reached yet
+  Nested_ranges faces_;         // the faces of each node
+  std::vector<char> is_in_leaf_; // one per face: in the current leaf, but not reached yet
   std::priority_queue<Key> queue_;
-  std::vector<Index> next_in_group_; // of each face, in a circle; empty without groups
+  std::vector<Index> next_in_group_; // one per face, in a circle; empty if there are no groups
 
   template <class Visit>
   void for_each_in_group(Index first, const Visit& visit) const
@@ -64,8 +64,8 @@ class Further_cuts
     });
   }
 
-  // The faces of the leaf that are connected with one, by a breadth-first search, until they have
-  // this area. They are reached then.
+  // Reaches and returns faces of the leaf that are connected with one face, by a breadth-first
+  // search, until they have this area.
   std::vector<Index> reached_from(Index first, double area)
   {
     std::vector<Index> result;
@@ -91,8 +91,8 @@ class Further_cuts
       is_in_leaf_[f] = value;
   }
 
-  // Of the faces of a leaf those on one side, neither none nor all. If the leaf is connected, so
-  // are both sides.
+  // Returns the faces on one side of the cut of a leaf, neither none nor all. If the leaf is
+  // connected, both sides are connected.
   std::vector<Index> side(std::size_t leaf)
   {
     const std::vector<Index> faces(faces_[leaf].begin(), faces_[leaf].end());
@@ -103,11 +103,11 @@ class Further_cuts
       set_in_leaf(faces, false);
       return component;
     }
-    // From the face reached last, which is at an end; what it separates from the largest rest
-    // goes with it.
+    // The side starts at the face reached last, which is at an end. Faces that it separates from
+    // the largest rest join it.
     set_in_leaf(faces, true);
     std::vector<Index> result = reached_from(component.back(), cuts_.nodes[leaf].area / 2);
-    if (result.size() == faces.size()) { // without area
+    if (result.size() == faces.size()) { // the leaf has no area
       set_in_leaf(faces, true);
       result.clear();
       reach_group(component.back(), result);
@@ -153,7 +153,7 @@ class Further_cuts
   }
 
 public:
-  // `group` is that of each face, or null_index; empty without groups.
+  // Takes the group of each face, or null_index; `group` is empty if there are no groups.
   Further_cuts(const Face_graph& mesh, Cut_hierarchy& cuts, const std::vector<Index>& group = {})
     : mesh_(mesh), cuts_(cuts), faces_(cuts, cuts.leaf), is_in_leaf_(mesh.number_of_faces(), 0),
       next_in_group_(group.size())
@@ -168,10 +168,10 @@ public:
       }
   }
 
-  // Until there are this many leaves, or every leaf is a face or a group.
+  // Cuts until there are this many leaves, or every leaf is a face or a group.
   void operator()(std::size_t number_of_segments)
   {
-    double salience = 0; // no larger than that of any cut
+    double salience = 0; // no larger than the salience of any cut
     for (std::size_t turn : cuts_.turns)
       salience = (std::min)(salience, cuts_.nodes[turn].salience);
     for (std::size_t i = 0; i < cuts_.nodes.size(); ++i)

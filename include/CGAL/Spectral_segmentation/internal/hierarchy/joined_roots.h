@@ -15,14 +15,15 @@
 
 namespace CGAL::Spectral_segmentation::internal {
 
-// The same hierarchy below a single root: what nothing joins is cut first, the farthest gap before
-// the others, with an infinite salience, so that it comes apart at every threshold.
+// Returns the same hierarchy below a single root. Components are cut from each other first, the
+// farthest gap before the others, with an infinite salience, so that they come apart at every
+// threshold.
 inline Cut_hierarchy joined_roots(Cut_hierarchy cuts, const Face_graph& mesh)
 {
   const std::size_t roots = cuts.number_of_roots;
   if (roots < 2)
     return cuts;
-  std::vector<std::size_t> root(cuts.nodes.size()); // of each node
+  std::vector<std::size_t> root(cuts.nodes.size()); // the root of each node
   std::iota(root.begin(), root.begin() + static_cast<std::ptrdiff_t>(roots), std::size_t(0));
   for (std::size_t i = roots; i < root.size(); ++i)
     root[i] = root[cuts.nodes[i].parent];
@@ -31,7 +32,7 @@ inline Cut_hierarchy joined_roots(Cut_hierarchy cuts, const Face_graph& mesh)
     root_of_face.push_back(static_cast<Index>(root[leaf]));
   const auto gaps = nearest_sets_of_faces(mesh, root_of_face, roots);
 
-  // Sets of roots as they are joined: each is known by one of its roots.
+  // The joins of sets of roots, each of which is known by one of its roots.
   struct Join
   {
     std::size_t roots[2];
@@ -58,12 +59,12 @@ inline Cut_hierarchy joined_roots(Cut_hierarchy cuts, const Face_graph& mesh)
   result.is_ultrametric = cuts.is_ultrametric;
   result.is_complete = cuts.is_complete;
   result.nodes.resize(1);
-  std::vector<std::size_t> node(roots, null_node); // of the set that a root stands for
+  std::vector<std::size_t> node(roots, null_node); // the node of the set that a root stands for
   node[sets.representative(0)] = 0;
   result.nodes[0].area = area[sets.representative(0)];
   for (std::size_t i = joins.size(); i-- > 0;) {
     const Join& join = joins[i];
-    // The set was known by one of the two from here on.
+    // The set was known by one of the two roots from here on.
     const std::size_t parent =
       node[join.roots[0]] != null_node ? node[join.roots[0]] : node[join.roots[1]];
     result.cut(parent, join.area[0], join.area[1]);

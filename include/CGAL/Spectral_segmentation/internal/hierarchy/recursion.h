@@ -20,7 +20,7 @@
 
 namespace CGAL::Spectral_segmentation::internal {
 
-// Recursive two-way cuts of a mesh (Section 2). Each connected component is a part from the start.
+// Cuts a mesh recursively in two (Section 2). Each connected component is a part from the start.
 class Recursion
 {
   struct Pending_part
@@ -30,7 +30,7 @@ class Recursion
     std::optional<Cut> cut;
   };
 
-  // Of a part: minus its priority, then its node; the part of highest priority is the first.
+  // Minus the priority of a part, then its node. The part of highest priority is the first.
   typedef std::pair<double, std::size_t> Key;
 
   const Execution execution_;
@@ -39,8 +39,8 @@ class Recursion
   const Best_cut& best_cut_;
 
   Cut_hierarchy hierarchy_;
-  std::vector<Pending_part> pending_; // of each node; without faces if it is not pending
-  std::set<Key> queue_;               // of pending parts
+  std::vector<Pending_part> pending_; // one per node; without faces if the node is not pending
+  std::set<Key> queue_;               // the pending parts
 
   void add(std::size_t node, Face_graph graph, std::vector<Index> faces)
   {
@@ -65,8 +65,8 @@ class Recursion
     return std::exchange(pending_[node], Pending_part());
   }
 
-  // Replaces a part, which has a cut, by its two sides, in the hierarchy and if they are to be cut
-  // in turn among the pending parts.
+  // Replaces a part, which has a cut, by its two sides in the hierarchy, and among the pending
+  // parts if the sides are to be cut in turn.
   void cut(std::size_t node, Pending_part pending, bool is_last)
   {
     const Cut& cut = *pending.cut;
@@ -97,8 +97,8 @@ class Recursion
   void enqueue_by_area(std::size_t node)
   { queue_.insert({-hierarchy_.nodes[node].area, node}); }
 
-  // Searches the largest part, and where threads can share the work the next ones with it: all that
-  // will come to their turn, unless the maximum number of segments is reached before.
+  // Searches the largest part and, if threads can share the work, the next parts with it. These are
+  // all parts whose turn will come, unless the maximum number of segments is reached before.
   void search_largest()
   {
     if (pending_[queue_.begin()->second].is_searched)
@@ -156,8 +156,8 @@ public:
       add(i, std::move(graphs[i]), std::move(faces[i]));
   }
 
-  // The paper's: the largest part is cut next, until no part has a salient cut or the maximum
-  // number of segments is reached.
+  // Cuts in the order of the paper, the largest part next, until no part has a salient cut or the
+  // maximum number of segments is reached.
   Cut_hierarchy by_area()
   {
     try {
@@ -175,7 +175,7 @@ public:
     return std::move(hierarchy_);
   }
 
-  // An over-segmentation: the part with the most salient cut is cut next, until there are
+  // Makes an over-segmentation. It cuts the part with the most salient cut next, until there are
   // `number_of_regions()` regions, and one more for each further component.
   Cut_hierarchy by_salience()
   {
@@ -200,7 +200,7 @@ public:
       }
     }
     catch (const Run_stopped&) {
-      // The regions are those of the cuts that were made.
+      // The regions result from the cuts that were made.
     }
     return std::move(hierarchy_);
   }

@@ -20,25 +20,25 @@
 
 namespace CGAL::Spectral_segmentation::internal {
 
-// Merges the regions of an over-segmentation: the two neighbors whose common boundary is the least
+// Merges the regions of an over-segmentation. The two neighbors whose common boundary is the least
 // salient become one, until each component of the mesh is whole again. A cut that was needed only
-// to reach others is undone on the way. The merges in reverse are a hierarchy of cuts.
+// to reach other cuts is undone on the way. The merges in reverse are a hierarchy of cuts.
 class Region_merging
 {
-  typedef std::pair<std::size_t, std::size_t> Pair; // of regions, the smaller number first
+  typedef std::pair<std::size_t, std::size_t> Pair; // two regions, the lower index first
 
   // The boundary of two regions as the cut of their union.
   struct Boundary
   {
     double salience;
     Salience_factors factors;
-    double area[2]; // of the smaller and the larger
+    double area[2]; // the areas of the smaller and the larger region
     bool first_is_smaller;
   };
 
   struct Merge
   {
-    Pair regions; // which become the first of them
+    Pair regions; // the two become the first of them
     Boundary boundary;
   };
 
@@ -48,9 +48,9 @@ class Region_merging
   const Part_salience& part_salience_;
   Run_monitor& monitor_;
 
-  std::vector<std::vector<Index> > faces_; // of each region, ascending
-  std::vector<std::size_t> region_;        // of each face
-  std::vector<Merge> merges_;              // of neighbors, which are possible
+  std::vector<std::vector<Index> > faces_; // one list per region, ascending
+  std::vector<std::size_t> region_;        // one per face
+  std::vector<Merge> merges_;              // the possible merges of neighbors
 
   Boundary evaluated(const Pair& regions) const
   {
@@ -72,7 +72,7 @@ class Region_merging
     return {salience_of(part_salience_, factors), factors, {area[0], area[1]}, first_is_smaller};
   }
 
-  // Of equals that of the first regions.
+  // Compares saliences. Ties go to the pair with the lower indices.
   static bool is_less_salient(const Merge& a, const Merge& b)
   {
     const double of_a = quantized(a.boundary.salience), of_b = quantized(b.boundary.salience);
@@ -115,7 +115,7 @@ class Region_merging
     evaluate_boundaries(faces_[into]);
   }
 
-  // Until no region has a neighbor.
+  // Merges until no regions are adjacent.
   std::vector<Merge> merge_all()
   {
     std::vector<Index> all(mesh_.number_of_faces());
@@ -130,7 +130,7 @@ class Region_merging
     return merges;
   }
 
-  // A boundary that outlives another is at least as salient.
+  // Raises saliences so that a boundary that outlives another is at least as salient.
   static void make_ultrametric(std::vector<Merge>& merges)
   {
     for (std::size_t k = 1; k < merges.size(); ++k)
@@ -144,7 +144,8 @@ public:
     : execution_(execution), mesh_(mesh), context_(context), part_salience_(part_salience),
       monitor_(monitor) {}
 
-  // The hierarchy of all merges, whose leaves are the regions: the leaves of an over-segmentation.
+  // Returns the hierarchy of all merges. Its leaves are `regions`, the leaves of an
+  // over-segmentation.
   Cut_hierarchy operator()(const Cut_hierarchy& regions)
   {
     // Regions are numbered by their first faces.
@@ -168,8 +169,8 @@ public:
     result.nodes.resize(result.number_of_roots);
     for (std::size_t i = 0; i < result.number_of_roots; ++i)
       result.nodes[i].area = regions.nodes[i].area;
-    // A region that was not merged into another is a root, as components are numbered.
-    std::vector<std::size_t> node(faces_.size()); // of each region, with those merged into it
+    // A region that was not merged into another is a root. Roots are numbered like components.
+    std::vector<std::size_t> node(faces_.size()); // the node of each region and all merged into it
     std::size_t next_root = 0;
     for (std::size_t region = 0; region < faces_.size(); ++region)
       if (!faces_[region].empty())

@@ -12,7 +12,7 @@
 
 namespace CGAL::Spectral_segmentation::internal {
 
-// What is written of a hierarchy and has no public name.
+// Gives access to the data of a hierarchy that are written and have no public name.
 struct Hierarchy_access
 {
   static const Cut_hierarchy& cuts(const Segmentation_hierarchy& h) { return h.cuts_; }

@@ -20,8 +20,8 @@
 
 namespace CGAL::Spectral_segmentation::internal {
 
-// Reads what json_of_hierarchy.h writes. Checks everything that the functions of a hierarchy rely
-// on, and throws `std::runtime_error`.
+// Reads the JSON that json_of_hierarchy.h writes. Checks everything that the functions of a
+// hierarchy rely on, and throws `std::runtime_error`.
 class Hierarchy_reader
 {
   typedef nlohmann::ordered_json Json;
@@ -132,7 +132,7 @@ class Hierarchy_reader
       n.factors.*member_of_factors = number(member(json, "factors"), name);
   }
 
-  // Each node but the roots is one child of one node, and all are below the roots.
+  // Checks that each node but the roots is one child of one node, and that all are below the roots.
   void check_tree() const
   {
     const std::vector<Cut_node>& nodes = cuts_.nodes;
@@ -187,15 +187,15 @@ class Hierarchy_reader
         fail("a node has not as many \"faces\" as \"leaf_of_face\" says");
   }
 
-  // Which of the three edges of a face lead to another.
+  // Returns how many of the three edges of a face lead to another face.
   std::ptrdiff_t edges_to(Index from, Index to) const
   {
     const auto first = cuts_.neighbors.begin() + 3 * std::ptrdiff_t(from);
     return std::count(first, first + 3, to);
   }
 
-  // Smoothing ends, as each step makes boundaries shorter, if neighbors are mutual. A face that
-  // wishes concern has itself for neighbors, and is not smoothed.
+  // Returns whether two neighbors are mutual. Smoothing then ends because each step makes
+  // boundaries shorter. A constrained face has itself for neighbors, and is not smoothed.
   bool is_neighbor(Index f, Index g) const
   { return f == g || edges_to(f, g) == edges_to(g, f) || edges_to(g, g) == 3; }
 
@@ -248,7 +248,7 @@ public:
       threshold);
   }
 
-  // The nodes of the segments that were written.
+  // Returns the nodes of the segments that were written.
   static std::vector<std::size_t> segments(const Json& json, const Segmentation_hierarchy& h)
   {
     std::vector<std::size_t> result;

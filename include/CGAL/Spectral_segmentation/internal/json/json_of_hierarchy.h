@@ -46,7 +46,7 @@ inline const char* name_of(Cut_state state)
   return "";
 }
 
-// Salience and factors are null if there is no cut.
+// Returns a node. Its salience and factors are null if there is no cut.
 inline Json json_of_node(const Segmentation_hierarchy& h, std::size_t i, bool is_made)
 {
   const Cut_node& n = h.node(i);
@@ -63,7 +63,7 @@ inline Json json_of_node(const Segmentation_hierarchy& h, std::size_t i, bool is
           {"factors", has_cut ? json_of_factors(n.factors) : Json()}};
 }
 
-// The cuts that these segments have: those above their nodes.
+// Marks the cuts that make these segments, which are the cuts above their nodes.
 inline std::vector<char> made_cuts(const Segmentation_hierarchy& h,
                                    const std::vector<std::size_t>& segments)
 {
@@ -75,7 +75,7 @@ inline std::vector<char> made_cuts(const Segmentation_hierarchy& h,
   return result;
 }
 
-// `extents` may be empty.
+// Returns the segments; `extents` may be empty.
 inline Json json_of_segments(const Segmentation_hierarchy& h,
                              const std::vector<std::size_t>& segments,
                              const std::vector<std::size_t>& labels,
@@ -99,7 +99,7 @@ inline Json json_of_segments(const Segmentation_hierarchy& h,
   return result;
 }
 
-// The hierarchy with the segments that were chosen, but for what is of each face.
+// Returns the hierarchy with the segments that were chosen, but without the data of faces.
 inline Json json_of_hierarchy(const Segmentation_hierarchy& h,
                               const std::vector<std::size_t>& segments,
                               const std::vector<std::size_t>& labels,
@@ -124,7 +124,7 @@ inline Json json_of_hierarchy(const Segmentation_hierarchy& h,
           {"order_of_nodes", cuts.turns}};
 }
 
-// What else is needed to read labels off: of each face.
+// Adds the data of faces, which are needed to read labels off.
 inline void add_faces(const Segmentation_hierarchy& h, Json& json)
 {
   const Cut_hierarchy& cuts = Hierarchy_access::cuts(h);

@@ -15,7 +15,7 @@
 
 namespace CGAL::Spectral_segmentation::internal {
 
-// Where a segment is.
+// The extent of a segment, and its neighbors.
 struct Segment_extent
 {
   static constexpr double infinity = std::numeric_limits<double>::infinity();
@@ -25,7 +25,8 @@ struct Segment_extent
   std::vector<std::size_t> neighbors; // the segments with which it shares an edge, ascending
 };
 
-// Of each segment. Points and triangles are arrays of three; labels are below `number`.
+// Returns the extent of each segment. Points and triangles are arrays of three; labels are below
+// `number`.
 template <class Points, class Triangles, class Labels>
 std::vector<Segment_extent> segment_extents(const Points& points, const Triangles& triangles,
                                             const Labels& labels, std::size_t number)
@@ -47,7 +48,7 @@ std::vector<Segment_extent> segment_extents(const Points& points, const Triangle
     }
   }
 
-  // Edges at a boundary, with the segments of their triangles.
+  // The edges at a boundary, with the segments of their triangles.
   typedef std::pair<std::array<std::size_t, 2>, std::size_t> Edge;
   std::vector<Edge> edges;
   for (std::size_t t = 0; t < triangles.size(); ++t)

@@ -19,28 +19,28 @@
 
 namespace CGAL::Spectral_segmentation::internal {
 
-// What the search knows of an edge (Section 3).
+// The weights of an edge for the search (Section 3).
 struct Edge_weights
 {
   float geodesic = 0;  // G, normalized
   float angle = 0;     // H, equalized
   float combined = 0;  // d, Equation 1
-  float concavity = 0; // the part of H that is due to concave bending
-  float centroids = 0; // the straight distance of the centroids of the two faces
+  float concavity = 0; // the part of H that is due to concave edges
+  float centroids = 0; // the straight distance between the centroids of the two faces
 };
 
-// The faces of the mesh, or of a part of it, as arrays; a model of BGL's `VertexListGraph` and
-// `IncidenceGraph` whose vertices are the faces.
+// The faces of the mesh, or of a part of it, as arrays. It is a model of BGL's `VertexListGraph`
+// and `IncidenceGraph` whose vertices are the faces.
 //
-// Half-edge 3f+i belongs to face f and runs from its corner i to its corner (i+1)%3. An edge on
-// the border of the part leads back to its own face, where no graph algorithm takes notice of it.
+// Halfedge 3f+i belongs to face f and runs from its corner i to its corner (i+1)%3. An edge on the
+// border of the part leads back to its own face, where no graph algorithm takes notice of it.
 struct Face_graph
 {
-  std::vector<Corners> corners;      // of each face
-  std::vector<Index> neighbors;      // of each half-edge: the face across it
-  std::vector<double> areas;         // of each face
-  std::vector<Vector> points;        // of each vertex
-  std::vector<Edge_weights> weights; // of each half-edge; empty where no cut is searched
+  std::vector<Corners> corners;      // one per face
+  std::vector<Index> neighbors;      // the face across each halfedge
+  std::vector<double> areas;         // one per face
+  std::vector<Vector> points;        // one per vertex
+  std::vector<Edge_weights> weights; // one per halfedge; empty if no cut is searched
 
   std::size_t number_of_faces() const { return corners.size(); }
   Index number_of_halfedges() const { return static_cast<Index>(neighbors.size()); }
@@ -54,14 +54,14 @@ struct Face_graph
 
   Vector centroid(Index f) const { return centroid(f, points); }
 
-  // The same with the vertices at other points.
+  // Returns the centroid of a face whose vertices are at other points.
   Vector centroid(Index f, const std::vector<Vector>& other_points) const
   {
     const Corners& c = corners[f];
     return (other_points[c[0]] + other_points[c[1]] + other_points[c[2]]) / 3;
   }
 
-  // The half-edge on the other side of an edge that is not on the border.
+  // Returns the halfedge on the other side of an edge that is not on the border.
   Index opposite(Index h) const
   {
     CGAL_precondition(!is_border(h));
@@ -98,8 +98,8 @@ inline void set_areas(Execution execution, Face_graph& graph)
   });
 }
 
-// Without weights. An edge whose sides do not match, as of a face that is glued to itself, counts
-// as border.
+// Returns the graph, without weights. An edge whose sides do not match, such as an edge of a face
+// glued to itself, counts as border.
 inline Face_graph face_graph(Execution execution, Triangles triangles)
 {
   Face_graph graph;

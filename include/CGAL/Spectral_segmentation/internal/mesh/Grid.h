@@ -15,13 +15,13 @@
 
 namespace CGAL::Spectral_segmentation::internal {
 
-// A regular grid whose cells have edges of length 1. A node is also the number of the cell of which
-// it is the corner of smallest coordinates.
+// A regular grid whose cells have edges of length 1. The index of a node is also the index of the
+// cell whose corner of smallest coordinates is the node.
 class Grid
 {
   Vector origin_;
   Index size_[3];                // the number of nodes along each axis, the first two powers of 2
-  unsigned shift_[3] = {0, 0, 0}; // of the bits of a node that are its coordinates
+  unsigned shift_[3] = {0, 0, 0}; // the position of each coordinate in the bits of a node
 
   static std::array<double, 3> sizes(const Bounding_box& box, int margin)
   {
@@ -35,7 +35,7 @@ class Grid
   }
 
 public:
-  // Around a box, with at least so many cells beside it on each side.
+  // Makes a grid around a box, with at least `margin` cells beside it on each side.
   Grid(const Bounding_box& box, int margin)
   {
     const std::array<double, 3> size = sizes(box, margin);
@@ -47,7 +47,7 @@ public:
     }
   }
 
-  // What it would have.
+  // Returns the number of nodes that such a grid would have.
   static double number_of_nodes(const Bounding_box& box, int margin)
   {
     const std::array<double, 3> size = sizes(box, margin);
@@ -66,7 +66,7 @@ public:
     return origin_ + Vector(coordinate(node, 0), coordinate(node, 1), coordinate(node, 2));
   }
 
-  // The cell that holds a point, which is not outside of the grid.
+  // Returns the cell that holds a point, which is not outside of the grid.
   Index cell(const Vector& p) const
   {
     const Vector q = p - origin_;
@@ -74,7 +74,7 @@ public:
            (static_cast<Index>(q.z()) << shift_[2]);
   }
 
-  // The corners of a cell.
+  // Returns the corners of a cell.
   std::array<Index, 8> corners(Index cell) const
   {
     std::array<Index, 8> result;

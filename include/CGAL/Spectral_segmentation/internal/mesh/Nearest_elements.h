@@ -13,18 +13,19 @@
 
 namespace CGAL::Spectral_segmentation::internal {
 
-// For each node of a grid the nearest of some elements. Elements are offered to nodes near them; a
-// node that has one offers it to its neighbors, as far as a predicate says of a node and a squared
-// distance (a closest point transform by propagation, Danielsson 1980).
+// Finds the nearest of some elements for each node of a grid. Elements are offered to nodes near
+// them. A node that takes an element offers it to its neighbors; a predicate of a node and a
+// squared distance says whether a node may take one (a closest point transform by propagation,
+// Danielsson 1980).
 template <class SquaredDistance, class Reaches>
 class Nearest_elements
 {
   const Grid& grid_;
-  const SquaredDistance squared_distance_of_; // of an element and a point
+  const SquaredDistance squared_distance_of_; // between an element and a point
   const Reaches reaches_;
-  std::vector<Index> element_;         // of each node
+  std::vector<Index> element_;         // one per node
   std::vector<float> squared_distance_;
-  std::vector<Index> improved_;        // nodes
+  std::vector<Index> improved_;        // the nodes that took an element
 
 public:
   Nearest_elements(const Grid& grid, const SquaredDistance& squared_distance,

@@ -10,8 +10,9 @@
 
 namespace CGAL::Spectral_segmentation::internal {
 
-// A frame of coordinates that moves with the mesh: its center and its principal axes, the first two
-// to the sides on which the points are spread farther, the third so that they are right-handed.
+// A coordinate frame that moves with the mesh: its center and its principal axes. The first two
+// axes point to the sides on which the points are spread farther; the third makes the frame
+// right-handed.
 class Principal_frame
 {
   Vector center_;

@@ -12,12 +12,12 @@
 
 namespace CGAL::Spectral_segmentation::internal {
 
-// A symmetric matrix of three rows, or six moments of points.
+// A symmetric 3x3 matrix, or six moments of points.
 struct Symmetric_matrix
 {
   double xx = 0, yy = 0, zz = 0, xy = 0, yz = 0, zx = 0;
 
-  // v times its transpose.
+  // Returns v times its transpose.
   static Symmetric_matrix square(const Vector& v)
   {
     return {v.x() * v.x(), v.y() * v.y(), v.z() * v.z(),
@@ -44,7 +44,7 @@ struct Symmetric_matrix
   { return i == 0 ? Vector(xx, xy, zx) : i == 1 ? Vector(xy, yy, yz) : Vector(zx, yz, zz); }
   Vector operator*(const Vector& v) const { return {row(0).dot(v), row(1).dot(v), row(2).dot(v)}; }
 
-  // The inverse times the determinant.
+  // Returns the inverse times the determinant.
   Symmetric_matrix adjugate() const
   {
     return {yy * zz - yz * yz, zz * xx - zx * zx, xx * yy - xy * xy,
@@ -67,15 +67,16 @@ struct Symmetric_matrix
   }
 };
 
-// The eigenvalues and eigenvectors in closed form. With Eigen's computeDirect(), whose steps and
-// roundings these are, a program that includes the engine took 5 % longer to compile.
+// Computes eigenvalues and eigenvectors in closed form, with the steps and roundings of Eigen's
+// computeDirect(). With Eigen's function a program that includes the engine took 5 % longer to
+// compile.
 class Eigen_solver
 {
   double shift_, scale_;
-  Symmetric_matrix matrix_; // with trace 0 and coefficients up to 1
-  double roots_[3];         // its eigenvalues, which ascend
+  Symmetric_matrix matrix_; // has trace 0 and coefficients up to 1
+  double roots_[3];         // its eigenvalues in ascending order
 
-  // The unit vector that a matrix of rank 2 maps to 0; `other` becomes one orthogonal to it.
+  // Returns the unit vector that a matrix of rank 2 maps to 0; `other` becomes orthogonal to it.
   static Vector kernel(const Symmetric_matrix& m, Vector& other)
   {
     const double diagonal[3] = {std::abs(m.xx), std::abs(m.yy), std::abs(m.zz)};
@@ -93,7 +94,7 @@ public:
   {
     if (scale_ > 0)
       matrix_ = matrix_ / scale_;
-    // The roots of x^3 - c2 x^2 + c1 x - c0.
+    // Computes the roots of x^3 - c2 x^2 + c1 x - c0.
     const auto& [xx, yy, zz, xy, yz, zx] = matrix_;
     const double third = 1. / 3;
     const double c0 = xx * yy * zz + 2 * xy * zx * yz - xx * yz * yz - yy * zx * zx - zz * xy * xy;
@@ -109,7 +110,7 @@ public:
     roots_[2] = mean + 2 * radius * x;
   }
 
-  double eigenvalue(int i) const { return roots_[i] * scale_ + shift_; } // they ascend
+  double eigenvalue(int i) const { return roots_[i] * scale_ + shift_; } // in ascending order
   double largest_eigenvalue() const { return eigenvalue(2); }
 
   // Sets the unit eigenvectors of the smallest and of the middle eigenvalue.
@@ -120,7 +121,7 @@ public:
     middle = {0, 1, 0};
     if (roots_[2] - roots_[0] <= epsilon)
       return;
-    // First the one whose eigenvalue is farther from the middle.
+    // The eigenvector whose eigenvalue is farther from the middle one is computed first.
     const double from_largest = roots_[2] - roots_[1], from_smallest = roots_[1] - roots_[0];
     const int k = from_largest > from_smallest ? 2 : 0, l = 2 - k;
     Vector vectors[3], unused;

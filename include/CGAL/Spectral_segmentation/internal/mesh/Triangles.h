@@ -14,20 +14,20 @@
 
 namespace CGAL::Spectral_segmentation::internal {
 
-// of a face: its vertices; and the faces across its edges, or the face itself where there is none.
-// The i-th edge of a face leaves its i-th corner.
+// The vertices of a face, and the faces across its edges. The face itself stands where there is no
+// neighbor. The i-th edge of a face leaves its i-th corner.
 typedef std::array<Index, 3> Corners;
 typedef std::array<Index, 3> Neighbors;
 
-// The triangles of a mesh, as arrays: what the engine is given.
+// The triangles of a mesh, as arrays: the input of the engine.
 struct Triangles
 {
-  std::vector<Corners> corners;     // of each face
-  std::vector<Neighbors> neighbors; // of each face; of both or of neither of two faces at an edge
-  std::vector<Vector> points;       // of each vertex, finite
+  std::vector<Corners> corners;     // one per face
+  std::vector<Neighbors> neighbors; // one per face; being neighbors is symmetric
+  std::vector<Vector> points;       // one per vertex, finite
 };
 
-// Of a face, from its smallest vertex on: so all models of the same mesh give the same arrays.
+// Rotates a face to start at its smallest vertex, so that all models of a mesh give equal arrays.
 inline void start_at_smallest_vertex(Corners& corners, Neighbors& neighbors)
 {
   const auto first = std::min_element(corners.begin(), corners.end()) - corners.begin();
@@ -35,8 +35,8 @@ inline void start_at_smallest_vertex(Corners& corners, Neighbors& neighbors)
   std::rotate(neighbors.begin(), neighbors.begin() + first, neighbors.end());
 }
 
-// Moves the points into [-1, 1]^3 and returns the length of 1 in the old unit, a power of two, so
-// that scaling rounds nothing.
+// Moves the points into [-1, 1]^3 and returns the length of 1 in the old unit. It is a power of
+// two, so that scaling rounds nothing.
 inline double normalize(std::vector<Vector>& points)
 {
   const Bounding_box box(points);

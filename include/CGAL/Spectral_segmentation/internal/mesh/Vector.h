@@ -11,8 +11,8 @@
 
 namespace CGAL::Spectral_segmentation::internal {
 
-// A point or a vector. With Eigen's, of which each sum and product is a template of its own, a
-// program that includes the engine took a fifth longer to compile, and ran no faster.
+// A point or a vector. With Eigen's vectors, whose sums and products are each a separate template,
+// a program that includes the engine took a fifth longer to compile, and ran no faster.
 class Vector
 {
   double c_[3] = {0, 0, 0};
@@ -53,14 +53,14 @@ public:
     return {y() * v.z() - z() * v.y(), z() * v.x() - x() * v.z(), x() * v.y() - y() * v.x()};
   }
 
-  // Itself if its length is 0, also because its square vanishes.
+  // Returns the unit vector, or the vector itself if its square is 0, even by underflow.
   Vector normalized() const
   {
     const double squared = squared_norm();
     return squared > 0 ? *this / std::sqrt(squared) : *this;
   }
 
-  // The same whose square neither vanishes nor overflows.
+  // Returns the unit vector even if the vector's own square would underflow or overflow.
   Vector stably_normalized() const
   {
     const double scale = (std::max)((std::max)(std::abs(x()), std::abs(y())), std::abs(z()));
@@ -69,7 +69,7 @@ public:
   }
 };
 
-// The corner of smallest and that of largest coordinates of the box around some points.
+// The corners of smallest and of largest coordinates of the box around some points.
 struct Bounding_box
 {
   static constexpr double infinity = std::numeric_limits<double>::infinity();

@@ -19,13 +19,14 @@
 
 namespace CGAL::Spectral_segmentation::internal {
 
-// The pairs of sets of faces that a minimum spanning tree of the sets joins, the nearest first. The
-// distances are those of pieces of faces, on a grid of at most a hundred cells along the mesh.
+// Returns the pairs of sets of faces that a minimum spanning tree of the sets joins, the nearest
+// first. Distances are measured between pieces of faces, on a grid of at most a hundred cells along
+// the mesh.
 inline std::vector<std::pair<Index, Index> >
 nearest_sets_of_faces(const Face_graph& mesh, const std::vector<Index>& set_of_face,
                       std::size_t number_of_sets)
 {
-  // Along the longest side of the bounding box; few for few faces.
+  // The cells are counted along the longest side of the bounding box. Few faces get few cells.
   const double number_of_cells =
     (std::min)(100., 4 * std::sqrt(static_cast<double>(mesh.number_of_faces())));
   std::vector<std::pair<Index, Index> > result;
@@ -34,8 +35,8 @@ nearest_sets_of_faces(const Face_graph& mesh, const std::vector<Index>& set_of_f
   Bounding_box box(mesh.points);
   const double extent = (box.largest - box.smallest).largest_coordinate();
   const double scale = extent > 0 ? number_of_cells / extent : 0;
-  std::vector<Vector> points; // of pieces
-  std::vector<Index> set;     // of each piece
+  std::vector<Vector> points; // one per piece
+  std::vector<Index> set;     // one per piece
   for (Index f = 0; f < mesh.number_of_faces(); ++f) {
     const Corners& c = mesh.corners[f];
     for_each_piece({scale * mesh.points[c[0]], scale * mesh.points[c[1]],
@@ -66,7 +67,7 @@ nearest_sets_of_faces(const Face_graph& mesh, const std::vector<Index>& set_of_f
       gaps.push_back({quantized(squared_distance(i, points[j])),
                       {(std::min)(set[i], set[j]), (std::max)(set[i], set[j])}});
   };
-  // Pieces in one cell that are nearest to no node
+  // Adds the gaps of pieces that are nearest to no node, because they share their cell.
   for (Index i = 0; i < points.size(); ++i)
     add_gap(i, nearest.element(grid.cell(points[i])));
   for (Index node = 0; node < grid.number_of_nodes(); ++node)

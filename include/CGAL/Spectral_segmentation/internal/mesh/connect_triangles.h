@@ -16,20 +16,21 @@ namespace CGAL::Spectral_segmentation::internal {
 
 // Makes a surface of the triangles of a soup: finds their neighbors and orients them.
 //
-// Two faces alone at an edge are neighbors. Of more, those pairs become neighbors, one after the
-// other, that are oriented alike and bend the least, then those that have to be turned; of equals
-// those of the smallest faces. At an edge of very many faces none are.
+// Two faces alone at an edge are neighbors. Among more faces, pairs become neighbors one after the
+// other: first pairs that are oriented alike, the flattest pair first, then pairs with a face that
+// has to be turned. Ties go to the faces of lowest indices. At an edge of very many faces none are
+// neighbors.
 //
-// Connected faces are oriented alike; where that is not possible, as on a Moebius strip, an edge
-// becomes border. Faces that are oriented alike already stay as they are. Others are oriented
-// outwards if their surface is closed, and else as most of its area is.
+// Connected faces are oriented alike. If that is not possible, such as on a Moebius strip, an edge
+// becomes border. Components that are oriented alike already stay unchanged. Other components are
+// oriented outwards if they are closed, and else like most of their area.
 class Triangle_connection
 {
   static constexpr std::size_t most_faces_at_edge = 16;
 
   Triangles& triangles_;
-  std::vector<Index> opposite_; // of each half-edge; null_index on the border
-  std::vector<char> is_turned_; // each face, against its orientation in the soup
+  std::vector<Index> opposite_; // indexed by halfedge; null_index on the border
+  std::vector<char> is_turned_; // one per face, against its orientation in the soup
 
   Index source(Index h) const { return triangles_.corners[h / 3][h % 3]; }
   Index target(Index h) const { return triangles_.corners[h / 3][(h + 1) % 3]; }
@@ -48,7 +49,7 @@ class Triangle_connection
     opposite_[g] = h;
   }
 
-  // The half-edges of one edge, ascending.
+  // Joins pairs of the halfedges of one edge, which ascend.
   void join_pairs(const std::vector<Index>& halfedges)
   {
     if (halfedges.size() < 2 || halfedges.size() > most_faces_at_edge)
@@ -58,7 +59,7 @@ class Triangle_connection
       return;
     }
     std::vector<std::pair<Index, Index> > pairs;
-    std::vector<double> keys; // the bending, and those that have to be turned after the others
+    std::vector<double> keys; // the flattest first; pairs with a face to turn come last
     for (Index h : halfedges)
       for (Index g : halfedges)
         if (h < g) {
@@ -77,7 +78,7 @@ class Triangle_connection
   void find_opposites()
   {
     const auto ends = [this](Index h) { return std::minmax({source(h), target(h)}); };
-    // The half-edges by the smaller of their vertices, then by the other one.
+    // Sorts the halfedges by the smaller of their vertices, then by the larger.
     std::vector<Index> first(triangles_.points.size() + 1, 0);
     for (Index h = 0; h < opposite_.size(); ++h)
       ++first[ends(h).first + 1];
@@ -120,8 +121,8 @@ class Triangle_connection
         else if (is_turned_[g / 3] != turned)
           opposite_[h] = opposite_[g] = null_index;
       }
-    double area[2] = {0, 0}; // of the faces as they are, and of those that are turned
-    double volume = 0;       // of the surface, three times
+    double area[2] = {0, 0}; // the total of the unturned faces, and of the turned ones
+    double volume = 0;       // three times the volume of the surface
     bool is_closed = true;
     const Vector origin = triangles_.points[source(3 * seed)];
     for (Index f : faces) {

@@ -36,13 +36,13 @@ inline bool is_connected(const std::vector<Neighbors>& neighbors)
   return reached.size() == neighbors.size();
 }
 
-// Finds faces with the same three points, in any order, by a hash table of the faces. Points must
-// differ: faces in one point or line are no twins. The hash has a random key, against points that
-// were chosen to meet in one place of the table; the result does not depend on it.
+// Finds duplicate faces, which have the same three points in any order, by a hash table of the
+// faces. A face two of whose points coincide is no duplicate. The hash has a random key, against
+// points that were chosen to collide in the table; the result does not depend on the key.
 class Face_twins
 {
   const Triangles& triangles_;
-  std::vector<std::uint64_t> hash_; // of each vertex
+  std::vector<std::uint64_t> hash_; // one per vertex
 
   const std::uint64_t key_ = std::uint64_t(std::random_device()()) << 32 | std::random_device()();
 
@@ -77,7 +77,7 @@ public:
       hash_.push_back(hash(p));
   }
 
-  // Of each face the first one with its points, which may be itself.
+  // Returns the first face with the same points for each face, which may be the face itself.
   std::vector<Index> operator()() const
   {
     const std::size_t n = triangles_.corners.size();
@@ -108,8 +108,8 @@ public:
   }
 };
 
-// The faces that `first_twin` maps to themselves, connected as a soup whose points at one place are
-// one: what several faces at one place separated may be a surface.
+// Returns the faces that `first_twin` maps to themselves, connected as a soup whose coincident
+// points are merged. This can make one surface of faces that duplicate faces had separated.
 inline Triangles distinct_triangles(const Triangles& triangles,
                                     const std::vector<Index>& first_twin)
 {

@@ -13,12 +13,12 @@
 
 namespace CGAL::Spectral_segmentation::internal {
 
-// Extracts sets of faces of a graph as graphs of their own, each in time linear in the size of the
-// set. It holds arrays of the size of the graph.
+// Extracts sets of faces of a graph as separate graphs, each in time linear in the size of the set.
+// It holds arrays of the size of the graph.
 class Part_extractor
 {
   const Face_graph& graph_;
-  std::vector<Index> face_, vertex_; // their numbers in the part at hand, else null_index
+  std::vector<Index> face_, vertex_; // their indices in the current part, else null_index
 
   void resize(Face_graph& part, std::size_t number_of_faces) const
   {
@@ -33,8 +33,8 @@ public:
     : graph_(graph), face_(graph.number_of_faces(), null_index),
       vertex_(graph.points.size(), null_index) {}
 
-  // Faces keep the order in which they are given; edges to other faces become border. If they
-  // ascend, `part` may be the graph itself, which loses all others.
+  // Extracts faces in the given order; edges to other faces become border. If the faces ascend,
+  // `part` may be the graph itself, which loses all other faces.
   void extract(const std::vector<Index>& faces, Face_graph& part)
   {
     if (part.number_of_faces() < faces.size())
@@ -42,7 +42,7 @@ public:
     for (Index i = 0; i < faces.size(); ++i)
       face_[faces[i]] = i;
     std::vector<Vector> points;
-    std::vector<Index> vertices; // of the graph
+    std::vector<Index> vertices; // their indices in the graph
     for (Index i = 0; i < faces.size(); ++i) {
       const Index f = faces[i];
       for (int j = 0; j < 3; ++j) {
@@ -76,8 +76,8 @@ public:
   }
 };
 
-// The parts of a graph. `part` has the number of the part of each face. Faces keep their order.
-// The largest part stays in the memory of the graph.
+// Splits a graph into parts. `part` holds the index of the part of each face. Faces keep their
+// order. The largest part stays in the memory of the graph.
 template <class Number>
 std::vector<Face_graph> split(Face_graph graph, const std::vector<Number>& part,
                               std::size_t number_of_parts)

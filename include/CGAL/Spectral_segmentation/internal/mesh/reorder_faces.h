@@ -15,7 +15,7 @@
 
 namespace CGAL::Spectral_segmentation::internal {
 
-// Without branches, which nobody could predict.
+// Sorts three faces without branches, which nobody could predict.
 inline Neighbors ascending(Neighbors faces)
 {
   for (int i : {0, 1, 0})
@@ -23,13 +23,13 @@ inline Neighbors ascending(Neighbors faces)
   return faces;
 }
 
-// The faces in an order in which what is near on the surface is near in memory: blocks, each found
-// by a breadth-first search that begins at a face next to an earlier block, or at the first face
-// that is left. It does not depend on the data structure.
+// Returns the faces in an order in which faces near on the surface are near in memory. The order
+// consists of blocks, each found by a breadth-first search that begins at a face next to an earlier
+// block, or at the first face that is left. It does not depend on the data structure.
 inline std::vector<Index> locality_order(const std::vector<Neighbors>& neighbors)
 {
-  constexpr std::size_t size_of_block = 1024; // any that fits into the cache together with others
-  std::vector<Index> order, outside; // of the blocks so far, but next to them
+  constexpr std::size_t size_of_block = 1024; // any size of which the cache holds several
+  std::vector<Index> order, outside; // outside: faces next to the blocks so far
   order.reserve(neighbors.size());
   std::vector<char> is_in_order(neighbors.size(), 0);
   const auto add = [&](Index f, std::size_t end_of_block) {
@@ -56,8 +56,8 @@ inline std::vector<Index> locality_order(const std::vector<Neighbors>& neighbors
   return order;
 }
 
-// Numbers the vertices as faces come to them, so that those of faces near in order are near in
-// memory. Vertices without a face go.
+// Numbers the vertices in the order in which faces use them, so that the vertices of faces near in
+// order are near in memory. Removes vertices without a face.
 inline void number_vertices_by_faces(Triangles& triangles)
 {
   std::vector<Vector> points;
@@ -74,7 +74,7 @@ inline void number_vertices_by_faces(Triangles& triangles)
   triangles.points = std::move(points);
 }
 
-// The same triangles with their faces in an order, and numbered so, and their vertices by them.
+// Returns the triangles with their faces in an order, renumbered, and vertices numbered by faces.
 inline Triangles in_order(Triangles triangles, const std::vector<Index>& order)
 {
   std::vector<Index> number(order.size());

@@ -14,8 +14,8 @@ namespace CGAL::Spectral_segmentation::internal {
 inline double total_area(const Face_graph& graph)
 { return std::accumulate(graph.areas.begin(), graph.areas.end(), 0.); }
 
-// The mean of a function of the points of the surface, taken at the centroids of the faces. `area`
-// is that of the graph, and not 0.
+// Returns the mean of a function of the points of the surface, taken at the centroids of the faces.
+// `area` is the area of the graph, and not 0.
 template <class Value, class Function>
 Value mean_over_surface(Execution execution, const Face_graph& graph, double area,
                         const Function& of_point)

@@ -24,7 +24,7 @@ inline double squared_distance_to_segment(const Vector& point, const Vector& sou
   return (p - share * v).squared_norm();
 }
 
-// The triangle may be degenerate.
+// Accepts degenerate triangles.
 inline double squared_distance_to_triangle(const Vector& point, const Triangle& t)
 {
   const Vector normal = (t[1] - t[0]).cross(t[2] - t[0]);
@@ -41,8 +41,8 @@ inline double squared_distance_to_triangle(const Vector& point, const Triangle& 
   return (std::min)(result, squared_distance_to_segment(point, t[2], t[0]));
 }
 
-// Calls f(piece, share of the area) for pieces of a triangle without an edge longer than a bound,
-// made by bisection of longest edges.
+// Calls f(piece, fraction of the area) for pieces of a triangle. Bisection of longest edges makes
+// the pieces, none of which has an edge longer than a bound.
 template <class Function>
 void for_each_piece(const Triangle& triangle, double bound, const Function& f, double share = 1)
 {

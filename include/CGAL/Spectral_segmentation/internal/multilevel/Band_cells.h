@@ -15,15 +15,15 @@
 
 namespace CGAL::Spectral_segmentation::internal {
 
-// The faces that may be between the sides of any cut, and those next to them, are the bands. What
-// is connected beyond them is divided by no cut. So cuts divide cells: the faces of the bands, and
-// after them such cores.
+// The cells of a mesh that cuts divide: the faces of the bands, and after them the cores. The bands
+// are the faces that may be between the sides of any cut, and the faces next to these. A core is a
+// connected component beyond the bands, which no cut divides.
 class Band_cells
 {
   std::vector<Index> faces_of_bands_;
-  std::vector<Index> cell_;       // of each face
-  std::vector<Index> first_face_; // of each cell
-  std::vector<double> areas_;     // of each cell
+  std::vector<Index> cell_;       // the cell of each face
+  std::vector<Index> first_face_; // one per cell
+  std::vector<double> areas_;     // one per cell
   std::optional<Packed_graph> graph_;
 
   void find_bands(const Face_graph& mesh, const std::vector<char>& is_between)
@@ -47,7 +47,7 @@ class Band_cells
       is_in_band[f] = cell_[f] != null_index;
     std::size_t number;
     const std::vector<Index> component = connected_components(mesh, number, is_in_band);
-    std::vector<Index> core(number, null_index); // of each component
+    std::vector<Index> core(number, null_index); // the core of each component
     first_face_ = faces_of_bands_;
     for (Index f = 0; f < cell_.size(); ++f) {
       if (cell_[f] != null_index)
@@ -62,7 +62,7 @@ class Band_cells
   }
 
 public:
-  // `is_between` tells of each face whether it may be between the sides of a cut.
+  // Makes the cells; `is_between` says whether each face may be between the sides of a cut.
   Band_cells(const Face_graph& mesh, const std::vector<char>& is_between)
   {
     find_bands(mesh, is_between);

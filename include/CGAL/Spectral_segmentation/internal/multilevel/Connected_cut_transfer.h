@@ -21,20 +21,20 @@
 
 namespace CGAL::Spectral_segmentation::internal {
 
-// Carries the cuts of another mesh of the same surface over to a mesh, whose components are those
-// of the other one. The derived class gives cells their sides as far as these are sure; the others
-// are a band around the cut, which is split by a minimum cut. The sides are made connected: all but
-// the largest part of a side goes to the other side.
+// Transfers the cuts of another mesh of the same surface to a mesh with the same components. The
+// derived class gives cells their sides if these are sure. The other cells are a band around the
+// cut, which a minimum cut splits. The sides are made connected: all but the largest part of a side
+// goes to the other side.
 class Connected_cut_transfer : protected Cut_transfer
 {
 protected:
   typedef Elements Cells;
   const Execution execution_;
   const Face_graph& mesh_;
-  const Nested_ranges other_faces_; // of the nodes of the other mesh
+  const Nested_ranges other_faces_; // the faces of the nodes of the other mesh
 
   const Band_cells cells_;
-  Sides side_; // of each cell, by the cut at hand. Between cuts all cells are OUTSIDE.
+  Sides side_; // one per cell, by the current cut; all are OUTSIDE between cuts
 
   Connected_cut_transfer(Execution execution, const Cut_hierarchy& cuts, const Face_graph& mesh,
                          const std::vector<char>& are_between, const Distance_weights& weights,
@@ -45,41 +45,41 @@ protected:
 
   ~Connected_cut_transfer() = default;
 
-  // The leaf of all that an element has of the other mesh, or `several`.
+  // An element that belongs to more than one leaf of the other mesh has `several` for a leaf.
   static constexpr Index several = null_index - 1;
   static void add_leaf(Index leaf, Index& of_element)
   { of_element = of_element == null_index || of_element == leaf ? leaf : several; }
 
-  // Gives each cell of a part that is cut as a node of the other mesh its side or BETWEEN. Tells
-  // whether there are sure cells on either side.
+  // Gives each cell its side or BETWEEN, in a part that is cut like a node of the other mesh.
+  // Returns whether there are sure cells on both sides.
   virtual bool set_sure_sides(std::size_t node, const Cells& cells) = 0;
 
-  // Gives the cells that are BETWEEN a side where there is no minimum cut.
+  // Gives the cells that are BETWEEN a side if there is no minimum cut.
   virtual void set_other_sides(std::size_t node, const Cells& cells) = 0;
 
-  // The face of the mesh that has something of a face of the other mesh.
+  // Returns the face of the mesh that corresponds to a face of the other mesh.
   virtual Index face_of(Index other_face) const = 0;
 
 private:
   const Distance_weights& weights_;
   Face_graph bands_;
-  std::vector<Index> reached_; // by the present flood
-  std::vector<Index> flood_;   // the last one that reached each cell
+  std::vector<Index> reached_; // the cells that the current flood reached
+  std::vector<Index> flood_;   // the last flood that reached each cell
   Index number_of_floods_ = 0;
 
   void set_bands()
   {
     bands_ = Part_extractor(mesh_)(cells_.faces_of_bands());
-    if (monitor_.is_stopped()) // sides grow then, for which no distances are needed
+    if (monitor_.is_stopped()) // sides grow then and need no distances
       return;
     Distance_weights weights = weights_;
-    const double area = total_area(bands_); // to which the radius is relative
+    const double area = total_area(bands_); // the radius is relative to it
     weights.concavity_radius *= area > 0 ? std::sqrt(total_area(mesh_) / area) : 0;
     set_face_distances(execution_, bands_, bands_.points,
                        face_normals(execution_, bands_, bands_.points), weights);
   }
 
-  // Splits what is BETWEEN by the minimum cut. Needs sure cells on both sides.
+  // Splits the cells that are BETWEEN by the minimum cut. Needs sure cells on both sides.
   void divide_band(const Cells& cells)
   {
     const std::size_t number = cells_.faces_of_bands().size();
@@ -96,7 +96,7 @@ private:
       side_[cell] = side[cell];
   }
 
-  // Adds the cells of one side that are connected with a cell, to those that this flood reached.
+  // Adds the cells connected with a cell on its side to the cells that this flood reached.
   void flood(Index first)
   {
     std::size_t next = reached_.size();
@@ -116,12 +116,12 @@ private:
     ++number_of_floods_;
   }
 
-  // The connected sets of cells on a side of a connected part, but for the largest, go to the other
-  // side.
+  // Moves the connected sets of cells on a side of a connected part, but for the largest, to the
+  // other side.
   void keep_largest(const Cells& cells, Side given)
   {
     start_flood();
-    std::vector<std::size_t> first_of_set; // in reached_
+    std::vector<std::size_t> first_of_set; // positions in reached_
     std::vector<double> areas;
     for (Index cell : cells) {
       if (side_[cell] != given || flood_[cell] == number_of_floods_)
@@ -141,7 +141,7 @@ private:
         side_[reached_[i]] = given == Q ? REST : Q;
   }
 
-  // A side on which no cell is gets one, without which the part is still connected.
+  // Gives a side without cells a cell without which the part is still connected.
   void keep_both_sides(const Cells& cells)
   {
     const Side first = static_cast<Side>(side_[*cells.begin()]);
@@ -154,7 +154,7 @@ private:
 
   double area(Index cell) const override { return cells_.area(cell); }
 
-  // Both sides are connected; both have a cell if the part has two.
+  // Returns connected sides; both have a cell if the part has two.
   Sides sides(std::size_t node, const Cells& cells) override
   {
     if (set_sure_sides(node, cells) && !bands_.weights.empty())
@@ -175,7 +175,8 @@ private:
   }
 
 public:
-  // The hierarchy on the mesh. Once the caller has stopped the run, there are no minimum cuts.
+  // Returns the hierarchy on the mesh. It makes no minimum cuts once the caller has stopped the
+  // run.
   Cut_hierarchy operator()()
   {
     std::size_t number_of_components;
@@ -185,7 +186,7 @@ public:
     std::vector<Index> component_of_cell;
     for (Index cell = 0; cell < cells_.number(); ++cell)
       component_of_cell.push_back(component[cells_.first_face(cell)]);
-    std::vector<std::size_t> root_of; // for each component of the other mesh
+    std::vector<std::size_t> root_of; // one per component of the other mesh
     for (std::size_t i = 0; i < cuts_.number_of_roots; ++i)
       root_of.push_back(component[face_of(*other_faces_[i].begin())]);
     const std::vector<double> areas = component_areas(mesh_, component, number_of_components);

@@ -13,16 +13,16 @@
 
 namespace CGAL::Spectral_segmentation::internal {
 
-// Restricts the cuts of a refined mesh to the mesh that was refined: a face has the side of all that
-// it holds. The faces that a cut crosses have no sure side.
+// Restricts the cuts of a refined mesh to the mesh that was refined. A face has the side of all
+// refined faces that it holds. The faces that a cut crosses have no sure side.
 class Cut_restriction : private Connected_cut_transfer
 {
   const Refined_mesh& refined_;
-  std::vector<std::array<double, 2> > areas_; // of each face, on both sides; 0 between cuts
-  Sides larger_side_;                         // of each cell, by the cut at hand
+  std::vector<std::array<double, 2> > areas_; // the area of each face on both sides; 0 between cuts
+  Sides larger_side_;                         // one per cell, by the current cut
 
-  // Whether a cut may cross a face or run along one of its edges. It may do so everywhere if there
-  // might be more cuts: a cut must not depend on those after it.
+  // Returns whether a cut may cross each face or run along one of its edges. It may do so
+  // everywhere if there might be more cuts, because a cut must not depend on later cuts.
   static std::vector<char> are_between(const Cut_hierarchy& cuts, const Refined_mesh& refined,
                                        const Face_graph& mesh)
   {

@@ -14,29 +14,29 @@
 
 namespace CGAL::Spectral_segmentation::internal {
 
-// Carries the cuts of another mesh over to elements of a mesh (faces, or cells of faces), one by
-// one from the root. What decides on the sides of a cut is up to the derived class.
+// Transfers the cuts of another mesh to elements of a mesh (faces, or cells of faces), one by one
+// from the root. The derived class decides on the sides of a cut.
 class Cut_transfer
 {
 protected:
   enum Side : char { Q, REST, BETWEEN, OUTSIDE }; // the last two are for the derived classes
 
-  typedef Nested_ranges::Range Elements; // of a node
-  const Cut_hierarchy& cuts_; // of the other mesh
+  typedef Nested_ranges::Range Elements; // the elements of a node
+  const Cut_hierarchy& cuts_; // the cuts of the other mesh
   Run_monitor& monitor_;
 
   Cut_transfer(const Cut_hierarchy& cuts, Run_monitor& monitor) : cuts_(cuts), monitor_(monitor) {}
   ~Cut_transfer() = default;
 
-  // The sides of the elements of a part that is cut as a node of the other mesh: Q or REST, and
-  // both of them if possible.
+  // Returns the sides of the elements of a part that is cut like a node of the other mesh: Q or
+  // REST, and both of them if possible.
   virtual Sides sides(std::size_t node, const Elements& elements) = 0;
 
   virtual double area(Index element) const = 0;
 
 private:
-  // Cuts a leaf of the result as a node of the other mesh is cut, and sets for the children which
-  // nodes of the result they are. Tells whether there was something to cut.
+  // Cuts a leaf of the result like a node of the other mesh, and sets the nodes of the result for
+  // the children. Returns whether there was something to cut.
   bool cut_as(std::size_t other_node, std::size_t node, Cut_hierarchy& result,
               Nested_ranges& elements, std::vector<std::size_t>& node_of)
   {
@@ -62,7 +62,7 @@ private:
   }
 
 protected:
-  // Cuts the roots of the result, whose leaves are of elements. `node_of` has the root of the
+  // Cuts the roots of the result, whose `leaf` is indexed by element. `node_of` has the root of the
   // result for each root of the other mesh.
   Cut_hierarchy transfer(Cut_hierarchy result, std::vector<std::size_t> node_of)
   {
@@ -78,7 +78,7 @@ protected:
         result.is_complete = false;
       monitor_.advance(2 * step);
     }
-    std::vector<std::size_t> last_of(result.nodes.size()); // of the other nodes that became one
+    std::vector<std::size_t> last_of(result.nodes.size()); // per node: the last that became it
     for (std::size_t i = 0; i < cuts_.nodes.size(); ++i)
       if (node_of[i] != null_node) {
         Cut_node& n = result.nodes[node_of[i]];

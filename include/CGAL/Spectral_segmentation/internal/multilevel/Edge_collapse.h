@@ -29,36 +29,37 @@ namespace CGAL::Spectral_segmentation::internal {
 // A mesh of the same shape and topology with fewer faces, all of about the same size.
 struct Coarse_mesh
 {
-  Face_graph graph;            // without weights
-  std::vector<Index> faces;    // of the mesh, ascending: what is left of them are the graph's
-  std::vector<Index> vertices; // of the graph: which one each vertex of the mesh became
+  Face_graph graph;            // has no weights
+  std::vector<Index> faces;    // the faces of the mesh that remain as those of the graph, ascending
+  std::vector<Index> vertices; // the vertex of the graph that each vertex became
 };
 
 // Collapses edges, the shortest first, until few faces are left. The vertex that is left goes where
-// it keeps the planes of the faces around, weighted by their squared areas, as Lindstrom and Turk
-// (1998) keep the volume. CGAL's edge_collapse() takes ten times as long (benchmark/performance,
-// coarsening).
+// it keeps the planes of the faces around it, weighted by their squared areas, in the way in which
+// Lindstrom and Turk (1998) keep the volume. CGAL's edge_collapse() takes ten times as long
+// (benchmark/performance, coarsening).
 //
-// A large mesh is first divided into compact domains, which threads take one by one; edges with an
-// end on the seam, which are vertices of several domains, stay. So all faces around both ends of an
-// edge that collapses are of one domain. A collapse reads and writes the corners of these faces,
-// and `opposite` of their half-edges and of those across edges at the two ends, which are of these
-// faces too; it writes the point of one end. It also reads points of neighboring vertices: of this
-// domain, or on the seam, which no thread moves. It does not walk around a third vertex that is on
-// the seam. So no thread reads what another one writes.
+// A large mesh is first divided into compact domains, which threads take one by one. Edges with an
+// end on the seam, whose vertices belong to several domains, stay. Therefore all faces around both
+// ends of an edge that collapses are in one domain. A collapse reads and writes the corners of
+// these faces. It does the same with `opposite` of their halfedges and of the halfedges across
+// edges at the two ends, which belong to these faces too. It writes the point of one end. It also
+// reads points of neighboring vertices, which are in this domain, or on the seam, where no thread
+// moves them. It does not walk around a third vertex that is on the seam. Therefore no thread reads
+// data that another thread writes.
 //
 // Coordinates are whole numbers, in the principal frame and in a unit that depends on the area, and
-// ties are broken by a hash of them: the result moves and grows with the mesh and does not depend
-// on the numbers of its vertices and faces.
+// a hash of them breaks ties. Therefore the result moves and grows with the mesh and does not
+// depend on the indices of its vertices and faces.
 class Edge_collapse : private Halfedge_mesh
 {
   const Execution execution_;
   Run_monitor& monitor_;
   const double progress_per_face_;
 
-  std::vector<Index> became_;    // what each vertex was joined to, or itself
+  std::vector<Index> became_;    // the vertex that each vertex was joined to, or itself
   std::vector<char> is_fixed_;   // vertices that stay as they are
-  std::vector<char> is_on_seam_; // of domains; empty without domains
+  std::vector<char> is_on_seam_; // vertices of several domains; empty without domains
 
   static constexpr std::size_t faces_per_domain = 1 << 13;
   static constexpr std::size_t tries_between_checks = 1 << 12; // a few milliseconds
@@ -68,17 +69,17 @@ class Edge_collapse : private Halfedge_mesh
 
   static constexpr double smallest_cosine = 0.3; // between a normal before and after a collapse
 
-  const double steps_per_unit_; // of the grid on which the points are
+  const double steps_per_unit_; // the resolution of the grid on which the points are
 
   static double steps_per_unit(double area)
   { return (1 << 24) / (std::max)(std::sqrt(area), 1e-6); }
 
-  // Midpoints of points on the grid stay clear of where the last bit of a number decides.
+  // Moves a point to the grid. Midpoints of grid points stay clear of where the last bit decides.
   static Vector on_grid(const Vector& p)
   { return Vector(std::floor(p.x() + 0.25), std::floor(p.y() + 0.25), std::floor(p.z() + 0.25)); }
 
-  // Of a point on the grid. The same on every machine, unlike the hashes of libraries: the
-  // finalizer of SplitMix64 (Steele, Lea, Flood 2014).
+  // Returns the hash of a point on the grid by the finalizer of SplitMix64 (Steele, Lea, Flood
+  // 2014). It is the same on every machine, unlike the hashes of libraries.
   static std::uint32_t hash(const Vector& p)
   {
     std::uint64_t h = 0;
@@ -98,7 +99,7 @@ class Edge_collapse : private Halfedge_mesh
     return Edge_queue::key(static_cast<float>((q - p).squared_norm()), hash(p + q));
   }
 
-  // Of the face of h if the source of h moves.
+  // Returns the normal of the face of h if the source of h moves to a point.
   Vector normal(Index h, const Vector& point) const
   { return (points[target(h)] - point).cross(points[source(previous(h))] - point); }
 
@@ -109,7 +110,8 @@ class Edge_collapse : private Halfedge_mesh
     right += normal * normal.dot(offset);
   }
 
-  // The point nearest to the planes around the two ends of an edge, and not far from its middle.
+  // Returns the point nearest to the planes around the two ends of an edge, not far from its
+  // middle.
   Vector best_point(Index h, const Index_list& around_u, const Index_list& around_v) const
   {
     const Vector &p = points[source(h)], &q = points[target(h)], middle = (p + q) / 2;
@@ -119,21 +121,22 @@ class Edge_collapse : private Halfedge_mesh
       for (Index g : *around) {
         const Vector &at = points[source(g)], n = normal(g, at);
         add_plane(n, at - middle, matrix, right);
-        // Planes along the border keep it where it is.
+        // Planes along the border keep the border where it is.
         for (Index e : {g, previous(g)})
           if (opposite[e] == null_index)
             add_plane((points[target(e)] - points[source(e)]).cross(n.stably_normalized()) *
                         (q - p).norm(), at - middle, matrix, right);
       }
-    // Regularized, so that the point stays near the middle along planes that are parallel.
+    // The regularization keeps the point near the middle along planes that are parallel.
     const double share = 1e-3 * matrix.trace() + 1e-300;
     matrix += {share, share, share};
     const Vector step = matrix.inverse() * right;
-    const bool is_near = step.squared_norm() <= (q - p).squared_norm(); // also if it is a number
+    const bool is_near = step.squared_norm() <= (q - p).squared_norm(); // false for NaN
     return is_near ? on_grid(middle + step) : on_grid(middle);
   }
 
-  // The link condition (Dey et al. 1999), and no face must turn over.
+  // Returns whether the link condition (Dey et al. 1999) holds and no face turns over; sets
+  // `point`.
   bool can_collapse(Index h, const Index_list& around_u, const Index_list& around_v,
                     Vector& point) const
   {
@@ -152,7 +155,8 @@ class Edge_collapse : private Halfedge_mesh
         continue;
       if (opposite[next(e)] == null_index && opposite[previous(e)] == null_index)
         return false;
-      // Not around a vertex on a seam: it has more faces, and other threads may be at work there.
+      // A vertex on a seam is skipped, because it has more faces, where other threads may be at
+      // work.
       if (is_on_seam(source(previous(e))))
         continue;
       if (has_few_faces_around(previous(e)))
@@ -174,7 +178,7 @@ class Edge_collapse : private Halfedge_mesh
     return true;
   }
 
-  // Joins the two outer edges of the face of e, which goes.
+  // Removes the face of e by joining its two outer edges.
   void remove_face(Index e)
   {
     const Index a = opposite[next(e)], b = opposite[previous(e)];
@@ -205,10 +209,10 @@ class Edge_collapse : private Halfedge_mesh
         }
   }
 
-  // Of some faces, until at most `number` of them are left or no edge is left to try.
+  // Collapses edges of `faces` until at most `number` of these, or no candidate edge, is left.
   void collapse_edges(const std::vector<Index>& faces, std::size_t number)
   {
-    Edge_queue edges; // those that changed since are there again
+    Edge_queue edges; // an edge that changed since is there again
     std::size_t left = 0, tries = 0, reported = 0;
     for (Index f : faces) {
       if (is_gone(f))
@@ -258,7 +262,7 @@ class Edge_collapse : private Halfedge_mesh
         }
     const double faces_per_area = shared_by_area(static_cast<double>(number), faces, areas);
     for_each_index(execution_, faces.size(), [&](std::size_t d) {
-      // Those with an edge on a seam are left besides.
+      // Faces with an edge on a seam are left in addition.
       const auto at_seam = std::count_if(faces[d].begin(), faces[d].end(), [&](Index f) {
         const Corners& c = corners[f];
         return is_on_seam_[c[0]] + is_on_seam_[c[1]] + is_on_seam_[c[2]] >= 2;
@@ -271,7 +275,7 @@ class Edge_collapse : private Halfedge_mesh
   }
 
 public:
-  // `progress_per_face` is the share of the phase that one face less is.
+  // Takes a mesh; `progress_per_face` is the fraction of the phase for each removed face.
   Edge_collapse(Execution execution, const Face_graph& mesh, Run_monitor& monitor,
                 double progress_per_face)
     : Halfedge_mesh{mesh.corners, std::vector<Index>(mesh.neighbors.size(), null_index),
@@ -296,15 +300,16 @@ public:
       outgoing[source(h)] = h;
       ++number_of_faces_around[source(h)];
     }
-    // Where several fans of faces meet in a vertex, each knows nothing of the others.
+    // A vertex where several fans of faces meet is fixed, because each fan knows nothing of the
+    // others.
     for_each_index(execution_, outgoing.size(), [&](std::size_t v) {
       is_fixed_[v] = outgoing[v] == null_index ||
                      around_source(outgoing[v]).size() != number_of_faces_around[v];
     });
   }
 
-  // Until at most `number_of_faces` are left, or no edge is left to try; or, if some more will do,
-  // those that are left at the seams of domains as well.
+  // Collapses edges until at most `number_of_faces` faces, or no candidate edge, is left. If more
+  // will do, the faces at the seams of domains may be left as well.
   void collapse_edges(std::size_t number_of_faces, bool more_will_do)
   {
     const bool is_large = corners.size() >= 4 * faces_per_domain;
@@ -344,7 +349,7 @@ public:
       }
     });
     set_areas(execution_, graph);
-    // A vertex became one of those before which it was joined, and so on.
+    // Follows the chain of the vertices that each vertex was joined to.
     result.vertices.resize(points.size());
     for (Index v = 0; v < became_.size(); ++v) {
       Index last = v;

@@ -17,32 +17,32 @@
 
 namespace CGAL::Spectral_segmentation::internal {
 
-// Edges by length, the shortest first. All but those of about the shortest length wait in buckets,
-// as one heap of all edges would be slow to reach in memory.
+// A queue of edges, the shortest first. All but the edges of about the shortest length wait in
+// buckets, because one heap of all edges would be slow to reach in memory.
 class Edge_queue
 {
 public:
-  typedef std::pair<std::uint64_t, Index> Edge; // its key, which begins with the length; half-edge
+  typedef std::pair<std::uint64_t, Index> Edge; // key, which begins with the length; halfedge
 
 private:
-  // Of lengths that are equal in their exponent and the first bits of their mantissa.
+  // A bucket holds lengths that are equal in their exponent and the first bits of their mantissa.
   static constexpr int bits_of_bucket = 13;
   typedef std::priority_queue<Edge, std::vector<Edge>, std::greater<Edge> > Queue;
 
   std::vector<std::vector<Edge> > buckets_;
   std::size_t current_ = 0;
-  Queue queue_; // of the current bucket and those before
+  Queue queue_; // the edges of the current bucket and of earlier ones
 
-  // Without the sign, which is 0.
+  // Returns the bucket of a key, without the sign, which is 0.
   static std::size_t bucket(std::uint64_t key) { return key >> (63 - bits_of_bucket); }
 
 public:
   Edge_queue() : buckets_(std::size_t(1) << bits_of_bucket) {}
 
-  // The squared length decides, then the other number.
+  // Returns a key: the squared length decides, then the other number.
   static std::uint64_t key(float squared_length, std::uint32_t other)
   {
-    std::uint32_t bits; // of a float that is not negative, in the order of the floats
+    std::uint32_t bits; // bits of nonnegative floats are in the order of the floats
     std::memcpy(&bits, &squared_length, sizeof(bits));
     return (std::uint64_t(bits) << 32) | other;
   }
@@ -55,7 +55,7 @@ public:
       buckets_[bucket(edge.first)].push_back(edge);
   }
 
-  // The shortest edge leaves; none if there are no more.
+  // Removes and returns the shortest edge; none if there are no more.
   std::optional<Edge> pop()
   {
     while (queue_.empty()) {

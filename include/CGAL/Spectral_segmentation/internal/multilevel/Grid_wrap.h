@@ -23,27 +23,28 @@
 
 namespace CGAL::Spectral_segmentation::internal {
 
-// A closed surface around any set of triangles: the boundary of what is within a distance of them
-// or enclosed by that, on a grid in their principal frame. Components that are nearer to each other
-// than twice this distance become one; cracks, holes, orientations and what is inside vanish.
+// A closed surface around any set of triangles. It is the boundary of the space that is within a
+// distance of them, or enclosed by such space, on a grid in their principal frame. Components that
+// are nearer to each other than twice this distance become one. Cracks, holes, orientations and the
+// inside vanish.
 class Grid_wrap
 {
   static constexpr double cells_per_deviation = 46; // about 150 along the diagonal of the shape
   static constexpr double most_cells = 400;         // along it, if few large faces deviate little
-  static constexpr double offset = 1.2;             // in cells
+  static constexpr double offset = 1.2;             // the distance, in cells
   static constexpr int margin = 5;                  // cells beside the shape, where all is outside
   static constexpr double largest_number_of_nodes = 1 << 23;
-  static constexpr double length_of_pieces = 1.5;   // of faces, in cells
+  static constexpr double length_of_pieces = 1.5;   // pieces of faces, in cells
   static constexpr std::size_t number_of_smoothing_iterations = 2;
 
   const Face_graph& mesh_;
-  double cell_; // its length
-  std::vector<Vector> points_; // of the mesh, in cells
+  double cell_; // the length of a cell
+  std::vector<Vector> points_; // the points of the mesh, in cells
   std::optional<Grid> grid_;
-  std::vector<char> is_near_;       // each node, to the mesh, or inside of the surface
+  std::vector<char> is_near_;       // nodes near the mesh or inside the surface
   Face_graph surface_;
-  std::vector<Index> nearest_face_; // of the mesh, to each face of the surface
-  std::vector<Vector> vertices_;    // of the surface, in cells
+  std::vector<Index> nearest_face_; // a face of the mesh near each face of the surface
+  std::vector<Vector> vertices_;    // the vertices of the surface, in cells
 
   void set_points(Execution execution)
   {
@@ -97,7 +98,7 @@ class Grid_wrap
   {
     const auto squared_distance = [this](Index f, const Vector& p)
     { return squared_distance_to_triangle(p, triangle(f)); };
-    // As far as the values of nodes next to the surface need it
+    // Nodes next to the surface need no larger distances.
     const auto reaches = [](Index, float d) { return d < (offset + 1.1) * (offset + 1.1); };
     Nearest_elements<decltype(squared_distance), decltype(reaches)>
       nearest(*grid_, squared_distance, reaches);
@@ -156,11 +157,11 @@ public:
 
   const Face_graph& surface() const { return surface_; }
 
-  // A face of the mesh near each face of the surface.
+  // Returns a face of the mesh near each face of the surface.
   const std::vector<Index>& nearest_faces() const { return nearest_face_; }
 
-  // Calls f(face of the mesh, share of the face, vertex of the surface) for pieces of the faces and
-  // the nearest vertex of each.
+  // Calls f(face of the mesh, fraction of the face, vertex of the surface) for pieces of the faces
+  // and the nearest vertex of each piece.
   template <class Function>
   void for_each_piece_and_vertex(const Function& f) const
   {

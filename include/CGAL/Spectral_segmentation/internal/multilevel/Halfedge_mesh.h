@@ -13,14 +13,14 @@
 
 namespace CGAL::Spectral_segmentation::internal {
 
-// The half-edges of a mesh as arrays. Half-edge 3f+i belongs to face f and leaves its corner i.
+// The halfedges of a mesh as arrays. Halfedge 3f+i belongs to face f and leaves its corner i.
 struct Halfedge_mesh
 {
   typedef boost::container::small_vector<Index, 16> Index_list;
 
-  std::vector<Corners> corners; // of each face; null_index first if it is gone
-  std::vector<Index> opposite;  // of each half-edge; null_index on the border
-  std::vector<Vector> points;   // of each vertex
+  std::vector<Corners> corners; // one per face; null_index first if the face is gone
+  std::vector<Index> opposite;  // one per halfedge; null_index on the border
+  std::vector<Vector> points;   // one per vertex
 
   static Index next(Index h) { return h % 3 == 2 ? h - 2 : h + 1; }
   static Index previous(Index h) { return h % 3 == 0 ? h + 2 : h - 1; }
@@ -28,7 +28,7 @@ struct Halfedge_mesh
   Index target(Index h) const { return source(next(h)); }
   bool is_gone(Index f) const { return corners[f][0] == null_index; }
 
-  // The half-edges that leave the source of h, one for each face around it.
+  // Returns the halfedges that leave the source of h, one for each face around it.
   Index_list around_source(Index h) const
   {
     Index_list result;
@@ -45,7 +45,7 @@ struct Halfedge_mesh
     return result;
   }
 
-  // Whether there are at most three faces around the source of h, and no border.
+  // Returns whether there are at most three faces around the source of h, and no border.
   bool has_few_faces_around(Index h) const
   {
     Index g = h;

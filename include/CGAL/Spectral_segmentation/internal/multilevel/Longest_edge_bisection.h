@@ -19,7 +19,7 @@
 
 namespace CGAL::Spectral_segmentation::internal {
 
-// The length of the edges of an even mesh of this area with this number of faces.
+// Returns the length of the edges of an even mesh of this area with this number of faces.
 inline double edge_length(double area, double number_of_faces)
 { return std::sqrt(4 / std::sqrt(3.) * area / number_of_faces); }
 
@@ -33,8 +33,8 @@ inline std::vector<double> longest_edges_of_faces(Execution execution, const Fac
   return result;
 }
 
-// About how many faces more there are once no edge is longer than a bound. A face becomes a strip
-// if it is narrow, an even mesh if it isn't.
+// Estimates how many faces are added once no edge is longer than a bound. A face becomes a strip if
+// it is narrow, an even mesh if it isn't.
 inline double number_of_added_faces(const Face_graph& mesh,
                                     const std::vector<double>& longest_edges, double bound)
 {
@@ -45,9 +45,9 @@ inline double number_of_added_faces(const Face_graph& mesh,
   return result;
 }
 
-// The length of the edges of an even mesh with the number of faces and the area of the largest
-// component, or, so that of many needles there do not come more faces than about the largest number,
-// a larger one. None if no edge is longer.
+// Returns the length of the edges of an even mesh with the number of faces and the area of the
+// largest component. The length is larger if many needles would otherwise add more faces than about
+// the largest number. Returns none if no edge is longer.
 inline std::optional<double> bound_of_edges(Execution execution, const Face_graph& mesh,
                                             double number_of_faces,
                                             double largest_number_of_added_faces)
@@ -68,21 +68,21 @@ inline std::optional<double> bound_of_edges(Execution execution, const Face_grap
 // The same surface with more faces.
 struct Refined_mesh
 {
-  Face_graph graph;         // without weights
+  Face_graph graph;         // has no weights
   std::vector<Index> faces; // the face of the mesh that holds each face of the graph, ascending
 };
 
 // Bisects faces at their longest edges until no edge is longer than a bound (Rivara 1984). An edge
-// is only ever cut in halves, and by its own length alone, so the faces on its two sides cut it
-// alike, whichever comes first.
+// is only ever cut in halves, and by its own length alone. Therefore the faces on its two sides cut
+// it alike, whichever comes first.
 class Longest_edge_bisection
 {
   struct Edge
   {
     float squared_length; // rounded, so that equal lengths are equal wherever the mesh lies
     Index source, target;
-    Index halves = null_index;   // the first of two edges, that at the source
-    Index halfedge = null_index; // of the result, once a face has it
+    Index halves = null_index;   // the first of two edges, at the source
+    Index halfedge = null_index; // its halfedge in the result, once a face has it
 
     bool operator<(const Edge& other) const
     {
@@ -116,7 +116,7 @@ class Longest_edge_bisection
   Index source(const Side& side) const
   { return side.is_reversed ? edges_[side.edge].target : edges_[side.edge].source; }
 
-  // The vertex between the two halves.
+  // Cuts an edge if it is not cut yet, and returns the vertex between the two halves.
   Index bisect(Index edge)
   {
     if (edges_[edge].halves == null_index) {
@@ -130,7 +130,7 @@ class Longest_edge_bisection
     return edges_[edges_[edge].halves].target;
   }
 
-  // The half of a side at its source, or that at its target.
+  // Returns the half of a side at its source, or at its target.
   Side half(const Side& side, bool is_at_target) const
   {
     return {edges_[side.edge].halves + Index(is_at_target != side.is_reversed), side.is_reversed};
@@ -182,7 +182,7 @@ public:
 
   Refined_mesh operator()(Execution execution)
   {
-    std::vector<Side> sides; // of each half-edge
+    std::vector<Side> sides; // one per halfedge
     for (Index h = 0; h < mesh_.number_of_halfedges(); ++h)
       if (mesh_.is_border(h) || h < mesh_.opposite(h))
         sides.push_back({add_edge(mesh_.source_vertex(h), mesh_.target_vertex(h)), false});

@@ -16,12 +16,12 @@
 namespace CGAL::Spectral_segmentation::internal {
 
 // Restricts the cuts of a wrap to the mesh that is wrapped. A face goes to the side that has most
-// of it. A connected piece of a component on a side goes to the other side if it is small, against
-// the side and against what the part has of the component: where a component ends is where
-// a boundary is expected.
+// of it. A connected piece of a component on a side goes to the other side if it is small, compared
+// with the side and with the piece of the component in the part. A boundary is expected where a
+// component ends.
 class Wrap_restriction : private Cut_transfer
 {
-  // Of a face: what is nearest to a leaf of the other hierarchy.
+  // The fraction of a face that is nearest to a leaf of the other hierarchy.
   struct Share
   {
     Index leaf; // its position in the order in which the leaves of each node follow each other
@@ -30,15 +30,15 @@ class Wrap_restriction : private Cut_transfer
 
   const Face_graph& mesh_;
   const Grid_wrap& wrap_;
-  const Nested_ranges leaves_;           // of each node
+  const Nested_ranges leaves_;           // the leaves of each node
   std::vector<std::size_t> root_of_leaf_;
-  std::vector<Share> shares_;            // of the faces, one after the other
-  std::vector<std::size_t> first_share_; // of each face, and the end
-  std::vector<Index> reached_;           // by the present flood
+  std::vector<Share> shares_;            // the fractions of one face after the other
+  std::vector<std::size_t> first_share_; // one per face, and the end
+  std::vector<Index> reached_;           // the faces that the current flood reached
   std::vector<char> is_reached_;
-  Sides side_;                           // of each face, by the cut at hand
+  Sides side_;                           // one per face, by the current cut
 
-  // The leaves themselves as elements, so that those of each node follow each other.
+  // Returns ranges with the leaves as elements, so that the leaves of each node follow each other.
   static Nested_ranges ranges_of_leaves(const Cut_hierarchy& cuts)
   {
     std::vector<Index> leaves;
@@ -70,7 +70,7 @@ class Wrap_restriction : private Cut_transfer
     first_share_.push_back(shares_.size());
   }
 
-  // The component of the wrap that has the largest share of a face.
+  // Returns the component of the wrap that has the largest fraction of a face.
   std::size_t root_of_wrap(Index f) const
   {
     const auto begin = shares_.begin();
@@ -94,8 +94,8 @@ class Wrap_restriction : private Cut_transfer
 
   double area(Index f) const override { return mesh_.areas[f]; }
 
-  // Adds the faces of a part that are connected with one, and for which f(face) is true, to those
-  // that were reached; returns their area.
+  // Adds the faces of a part that are connected with a face, and for which f(face) is true, to the
+  // faces that were reached; returns their area.
   template <class Function>
   double flood(Index first, const Function& f)
   {
@@ -116,11 +116,11 @@ class Wrap_restriction : private Cut_transfer
     return area;
   }
 
-  // The pieces of a component on both sides are small if they are less than this share of what the
-  // part has of the component, and of their side.
+  // A piece of a component on a side is small if it is less than this fraction of the component
+  // within the part, and of its side.
   static constexpr double share_of_small_piece = 0.3;
 
-  // The small pieces of the component of a face, one after the other.
+  // Returns the small pieces of the component of a face, one after the other.
   std::vector<Index> small_pieces(Index first, const double (&area_of_side)[2])
   {
     reached_.clear();
@@ -181,7 +181,7 @@ public:
     for (std::size_t root = 0; root < cuts_.number_of_roots; ++root)
       root_of_leaf_.insert(root_of_leaf_.end(), leaves_.size(root), root);
     set_shares();
-    // The roots are those of the wrap that have a face.
+    // The roots are the roots of the wrap that have a face.
     std::vector<Index> root_of_face;
     std::vector<std::size_t> root_of(cuts_.number_of_roots, null_node);
     std::vector<double> areas;

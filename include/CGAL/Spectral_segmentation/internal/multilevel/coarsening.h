@@ -11,9 +11,9 @@
 
 namespace CGAL::Spectral_segmentation::internal {
 
-// At most `number_of_faces` faces, as far as the topology allows; or, if some more will do, those
-// that are left at the seams of domains as well. `progress_per_face` is the share of the phase that
-// one face less is.
+// Coarsens a mesh to at most `number_of_faces` faces, if the topology allows it. If more will do,
+// the faces at the seams of domains may be left as well. `progress_per_face` is the fraction of the
+// phase for each removed face.
 inline Coarse_mesh coarsen(Execution execution, const Face_graph& mesh,
                            std::size_t number_of_faces, bool more_will_do, Run_monitor& monitor,
                            double progress_per_face)
@@ -23,9 +23,9 @@ inline Coarse_mesh coarsen(Execution execution, const Face_graph& mesh,
   return collapse.result();
 }
 
-// Coarser and coarser meshes, the first of the mesh, each other one of that before, in steps that
-// leave about a sixteenth: the bands between the sides of cuts, which are as wide as the larger
-// faces, stay small parts of each.
+// Returns coarser and coarser meshes, the first of the mesh, each other one of the mesh before.
+// Each step leaves about a sixteenth of the faces, so that the bands between the sides of cuts stay
+// small parts of each mesh. The bands are as wide as the larger faces.
 inline std::vector<Coarse_mesh> coarsen_in_steps(Execution execution, const Face_graph& mesh,
                                                  std::size_t number_of_faces,
                                                  Run_monitor& monitor)

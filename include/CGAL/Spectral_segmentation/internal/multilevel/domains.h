@@ -15,7 +15,8 @@
 
 namespace CGAL::Spectral_segmentation::internal {
 
-// Compact sets of about so many faces: those in each cell of a grid. No set is empty.
+// Returns compact sets of about `faces_per_domain` faces, the faces in each cell of a grid. No set
+// is empty.
 inline std::vector<std::vector<Index> > domains(const std::vector<Corners>& corners,
                                                 const std::vector<Vector>& points,
                                                 std::size_t faces_per_domain)
@@ -43,8 +44,8 @@ inline std::vector<std::vector<Index> > domains(const std::vector<Corners>& corn
   return result;
 }
 
-// How many faces there are for a unit of area if so many are shared by all domains, of which none
-// takes more than it has.
+// Returns the number of faces for a unit of area if all domains share `number` faces, and no domain
+// takes more faces than it has.
 inline double shared_by_area(double number, const std::vector<std::vector<Index> >& faces,
                              const std::vector<double>& areas)
 {

@@ -14,13 +14,13 @@
 namespace CGAL::Spectral_segmentation::internal {
 
 // Projects the cuts of a coarse mesh onto the mesh that was coarsened. A face gets the side shared
-// by all coarse faces around the images of its vertices; others have no sure side.
+// by all coarse faces around the images of its vertices; other faces have no sure side.
 class Cut_projection : private Connected_cut_transfer
 {
   const Coarse_mesh& coarse_;
-  std::vector<char> sides_around_; // of each coarse vertex, as bits; 0 between cuts
+  std::vector<char> sides_around_; // as bits, one per coarse vertex; 0 between cuts
 
-  // What the images of the corners have.
+  // Returns the values of the images of the corners.
   template <class Value>
   static std::array<Value, 3> values_at(const std::vector<Value>& of_vertex,
                                         const Coarse_mesh& coarse, const Corners& corners)
@@ -29,8 +29,8 @@ class Cut_projection : private Connected_cut_transfer
     return {value(corners[0]), value(corners[1]), value(corners[2])};
   }
 
-  // Whether a face may be between the sides of any cut. All may if there might be more cuts: a cut
-  // must not depend on those after it.
+  // Returns whether each face may be between the sides of any cut. All may if there might be more
+  // cuts, because a cut must not depend on later cuts.
   static std::vector<char> are_between(Execution execution, const Cut_hierarchy& cuts,
                                        const Coarse_mesh& coarse, const Face_graph& mesh)
   {
@@ -72,8 +72,8 @@ class Cut_projection : private Connected_cut_transfer
     return all == 3;
   }
 
-  // By region growing, from the sure cells and from the faces that survived the coarsening, which
-  // have the side of what is left of them.
+  // Grows regions from the sure cells and from the faces that survived the coarsening, which have
+  // the side of their coarse faces.
   void set_other_sides(std::size_t node, const Cells& cells) override
   {
     std::vector<Index> reached;

@@ -19,11 +19,12 @@
 
 namespace CGAL::Spectral_segmentation::internal {
 
-// Values at the nodes of a grid, negative inside of a solid that does not reach the border.
+// Values at the nodes of a grid, negative inside a solid that does not reach the border.
 typedef std::vector<float> Grid_function;
 
 // Adds nodes to the solid until two of its cells around an edge or a node always share a face or
-// are connected by ones that do: its boundary is a 2-manifold (well-composed sets, Latecki 1997).
+// are connected by cells that do. Its boundary is then a 2-manifold (well-composed sets, Latecki
+// 1997).
 class Well_composed_solid
 {
   const Grid& grid_;
@@ -32,7 +33,7 @@ class Well_composed_solid
 
   bool is_inside(Index node) const { return values_[node] < 0; }
 
-  // The node that is the least outside.
+  // Adds the node that is the least outside.
   void add_one_of(std::initializer_list<Index> nodes)
   {
     const Index node = *std::min_element(nodes.begin(), nodes.end(), [&](Index a, Index b)
@@ -41,7 +42,7 @@ class Well_composed_solid
     added_.push_back(node);
   }
 
-  void repair_square(Index a, Index b, Index c, Index d) // in circular order
+  void repair_square(Index a, Index b, Index c, Index d) // given in circular order
   {
     if (is_inside(a) && is_inside(c) && !is_inside(b) && !is_inside(d))
       add_one_of({b, d});
@@ -100,14 +101,14 @@ public:
   }
 };
 
-// The boundary of a solid: a vertex in each cell that it crosses, at the mean of the crossings of
-// the cell's edges, and a quadrangle across each edge of the grid that it crosses (Gibson 1998),
-// which is split along its shorter diagonal.
+// Makes the boundary of a solid: a vertex in each cell that it crosses, at the mean of the
+// crossings of the cell's edges, and a quadrangle across each edge of the grid that it crosses
+// (Gibson 1998). Quadrangles are split along their shorter diagonal.
 class Surface_nets
 {
   const Grid& grid_;
   const Grid_function& values_;
-  std::vector<Index> vertex_; // of each cell
+  std::vector<Index> vertex_; // one per cell
   Triangles result_;
 
   bool is_crossed(Index a, Index b) const { return (values_[a] < 0) != (values_[b] < 0); }
@@ -158,7 +159,7 @@ public:
           continue;
         const Index u = grid_.stride((axis + 1) % 3), v = grid_.stride((axis + 2) % 3);
         std::array<Index, 4> cells = {node - u - v, node - v, node, node - u};
-        if (!(values_[node] < 0)) // seen from outside, they go around to the left
+        if (!(values_[node] < 0)) // they go around to the left as seen from outside
           std::swap(cells[1], cells[3]);
         add_quadrangle(cells);
       }

@@ -15,17 +15,17 @@ namespace CGAL::Spectral_segmentation::internal {
 // The neighborhood of the boundaries between segments, in which they may move.
 class Boundary_band
 {
-  static constexpr int width = 3;             // in rings of vertices around the boundary
-  static constexpr double smooth_turn = 0.25; // of a boundary that is smooth at a vertex
-  static constexpr int number_of_spreads = 3; // of what is not smooth, by an edge each
+  static constexpr int width = 3;             // rings of vertices around the boundary
+  static constexpr double smooth_turn = 0.25; // the largest at a vertex where a boundary is smooth
+  static constexpr int number_of_spreads = 3; // each by an edge, from vertices that are not smooth
 
   typedef std::pair<Index, Index> Ends;
 
   std::vector<Ends> boundary_;  // its edges
-  std::vector<char> is_inside_; // of each vertex
-  std::vector<char> is_smooth_; // of each vertex
+  std::vector<char> is_inside_; // one per vertex
+  std::vector<char> is_smooth_; // one per vertex
 
-  // Marks the vertices around marked ones.
+  // Marks the vertices around marked vertices.
   void grow(const Face_graph& graph, std::vector<char>& is_near) const
   {
     const std::vector<char> was_near = is_near;
@@ -34,12 +34,12 @@ class Boundary_band
         is_near[c[0]] = is_near[c[1]] = is_near[c[2]] = 1;
   }
 
-  // A boundary that ends at a border goes on smoothly.
+  // Finds the smooth vertices. A boundary that ends at a border goes on smoothly.
   void find_smooth_vertices(const Face_graph& graph)
   {
     const std::size_t n = graph.points.size();
     std::vector<Index> degree(n, 0);
-    std::vector<Vector> directions(n); // the sum of those to the neighbors in the boundary
+    std::vector<Vector> directions(n); // each the sum of the directions to boundary neighbors
     for (const auto& [v, w] : boundary_) {
       const Vector direction = (graph.points[w] - graph.points[v]).normalized();
       directions[v] += direction;
@@ -60,7 +60,7 @@ class Boundary_band
   }
 
 public:
-  std::vector<Index> faces; // with a vertex inside
+  std::vector<Index> faces; // faces with a vertex inside
 
   Boundary_band(const Face_graph& graph, const std::vector<Index>& labels)
   {
@@ -82,7 +82,7 @@ public:
 
   bool is_inside(Index v) const { return is_inside_[v] != 0; }
 
-  // Whether the boundary is smooth at the vertex and for some edges in both directions.
+  // Returns whether the boundary is smooth at the vertex and for some edges in both directions.
   bool is_on_smooth_boundary(Index v) const { return is_smooth_[v] != 0; }
 };
 

@@ -23,21 +23,21 @@ namespace CGAL::Spectral_segmentation::internal {
 // boundary there follows its edges.
 class Boundary_curves
 {
-  static constexpr double smallest_distance = 0.05;   // of a crossing from an end of its edge
-  static constexpr double smallest_area = 1e-3;       // of a new face, in mean areas of faces
-  static constexpr double smallest_split_area = 1e-2; // of a face that is held to it
+  static constexpr double smallest_distance = 0.05;   // between a crossing and an end of its edge
+  static constexpr double smallest_area = 1e-3;       // the area of a new face, in mean face areas
+  static constexpr double smallest_split_area = 1e-2; // smaller faces may have smaller new faces
 
   typedef std::array<double, 3> Barycentric;
 
   const Face_graph& graph_;
-  const std::vector<Index>& labels_; // of the faces
+  const std::vector<Index>& labels_; // one per face
   const Boundary_band& band_;
   std::vector<Index> vertex_label_; // `null_index` on a boundary
-  std::vector<double> positions_;   // of each half-edge that is crossed, from its source on
-  std::vector<char> is_frozen_;     // of each face
+  std::vector<double> positions_;   // one per crossed halfedge, from its source on
+  std::vector<char> is_frozen_;     // one per face
   double mean_area_ = 0;
 
-  // Whether its ends lie in two segments.
+  // Returns whether the ends of a halfedge lie in two segments.
   bool is_between(Index h) const
   {
     const Index a = vertex_label_[graph_.source_vertex(h)];
@@ -45,7 +45,7 @@ class Boundary_curves
     return a != b && a != null_index && b != null_index;
   }
 
-  // Calls visit(h) for a half-edge of each edge that is crossed.
+  // Calls visit(h) for a halfedge of each edge that is crossed.
   template <class Visit>
   void for_each_crossing(const Visit& visit) const
   {
@@ -62,7 +62,8 @@ class Boundary_curves
       positions_[graph_.opposite(h)] = 1 - position;
   }
 
-  // What each new face must have of the length of the edges, so that its area is not too small.
+  // Returns the fraction of the edge length that each new face must have, so that its area is not
+  // too small.
   double smallest_share(Index f) const
   {
     const double area = graph_.areas[f];
@@ -71,11 +72,11 @@ class Boundary_curves
     return (std::max)(smallest_distance, 1.02 * std::sqrt(smallest_area * mean_area_ / area));
   }
 
-  // The smallest position on an edge; the largest is as far from its target.
+  // Returns the smallest position on an edge; the largest position is as far from its target.
   double smallest_position(Index h) const
   { return (std::max)(smallest_share(h / 3), smallest_share(graph_.neighbors[h])); }
 
-  // The next point of the curve in the face of a half-edge that it crosses.
+  // Returns the next point of the curve in the face of a halfedge that the curve crosses.
   Vector next_point(Index h) const
   {
     const Index f = h / 3;
@@ -113,7 +114,8 @@ public:
 
   void freeze(Index f) { is_frozen_[f] = 1; }
 
-  // Of half an edge of a face: that of the vertex at its end, or else of the next one.
+  // Returns the label of half an edge of a face: the label of the vertex at its end, or else of the
+  // next vertex.
   Index label(Index h, int half) const
   {
     const Index f = h / 3;
@@ -137,14 +139,14 @@ public:
     return p + positions_[h] * (graph_.points[graph_.target_vertex(h)] - p);
   }
 
-  // Whether three curves meet in the face.
+  // Returns whether three curves meet in the face.
   bool is_junction(Index f) const
   {
     return !is_frozen_[f] && is_between(3 * f) && is_between(3 * f + 1) && is_between(3 * f + 2);
   }
 
-  // The edge of the point that the new faces have in common, the nearest to its opposite corner, or
-  // `Refinement::centroid`. Of a face that is not split, it is any.
+  // Returns the edge of the point that the new faces have in common, which is the nearest to its
+  // opposite corner, or `Refinement::centroid`. For a face that is not split it is any edge.
   int apex_edge(Index f) const
   {
     if (is_junction(f))
@@ -176,7 +178,7 @@ public:
     return result;
   }
 
-  // A curve that comes too close to a vertex passes through it.
+  // Lets a curve that comes too close to a vertex pass through it.
   void snap()
   {
     std::vector<Index> vertices;

@@ -12,10 +12,10 @@
 
 namespace CGAL::Spectral_segmentation::internal {
 
-// How the faces of a mesh are to be split, so that smooth curves separate its segments.
+// The splits of the faces of a mesh, with which smooth curves separate its segments.
 //
 // A point on an edge cuts the edge into two halves. The side of a face along its edge i is the
-// halves 2i, at corner i, and 2i+1, at the next corner; without a point both have one label.
+// halves 2i, at corner i, and 2i+1, at the next corner. If there is no point, both have one label.
 struct Refinement
 {
   struct Edge_point
@@ -28,16 +28,16 @@ struct Refinement
   struct Split_face
   {
     Index face;
-    std::array<Index, 3> points; // of each edge; `null_index` if it has none
+    std::array<Index, 3> points; // one per edge; `null_index` if it has none
     int apex;                    // the edge whose point it is, or `centroid`
-    std::array<Index, 6> labels; // of the halves, and so of the new faces along them
+    std::array<Index, 6> labels; // one per half, and so per new face along it
   };
 
   static constexpr int centroid = 3; // a new vertex there
 
   std::vector<Edge_point> points;
   std::vector<Split_face> split_faces;
-  std::vector<std::pair<Index, Index> > other_labels; // of faces that are not split
+  std::vector<std::pair<Index, Index> > other_labels; // faces that are not split, with their labels
 };
 
 } // namespace CGAL::Spectral_segmentation::internal

@@ -15,22 +15,23 @@
 
 namespace CGAL::Spectral_segmentation::internal {
 
-// Keeps segments from vanishing and from falling apart: freezes the faces of those that would.
+// Keeps segments from vanishing and from falling apart, by freezing the faces of segments that
+// would.
 class Segment_keeper
 {
-  static constexpr double smallest_rest = 0.5; // of the area of a segment
+  static constexpr double smallest_rest = 0.5; // the fraction of the area of a segment
 
   const Face_graph& graph_;
-  const std::vector<Index>& labels_; // of the faces
+  const std::vector<Index>& labels_; // one per face
   const Boundary_band& band_;
-  std::vector<double> areas_;        // of each segment before
-  std::vector<std::size_t> numbers_; // of components of each segment before
+  std::vector<double> areas_;        // the area of each segment before
+  std::vector<std::size_t> numbers_; // the number of components of each segment before
 
-  // Of the components of each segment, by the labels of the halves of the edges of faces.
+  // Counts the components of each segment, by the labels of the halves of the edges of faces.
   template <class Label>
   std::vector<std::size_t> numbers_of_components(const Label& label) const
   {
-    // The part of a face with one label has the number of a corner in it.
+    // The part of a face with one label has the index of a corner in it.
     const auto part = [&](Index f, Index l) {
       Index half = 0;
       while (label(3 * f + half / 2, half % 2) != l)
@@ -91,7 +92,7 @@ public:
     numbers_ = numbers_of_components([&](Index h, int) { return labels[h / 3]; });
   }
 
-  // In the end all faces are frozen at worst.
+  // Freezes faces until no segment is bad. At worst all faces are frozen.
   void operator()(Boundary_curves& curves) const
   {
     const auto label = [&](Index h, int half) { return curves.label(h, half); };

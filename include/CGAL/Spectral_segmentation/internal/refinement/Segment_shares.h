@@ -16,15 +16,15 @@
 
 namespace CGAL::Spectral_segmentation::internal {
 
-// The share of each segment at each vertex of the band: first its share in the angle around the
-// vertex, then smoothed by diffusion. Beyond the band they are kept, and on boundaries that are
-// smooth already they are equal.
+// The share of each segment at each vertex of the band: first its fraction of the angle around the
+// vertex, then smoothed by diffusion. Shares beyond the band are kept, and shares on boundaries
+// that are smooth already are equal.
 class Segment_shares
 {
   typedef std::vector<std::pair<Index, double> > Shares; // labels with their shares
 
-  // With many tiny segments, those of small share would take much time.
-  static constexpr std::size_t capacity = 6; // of the shares at a vertex
+  // Small shares of many tiny segments would take much time.
+  static constexpr std::size_t capacity = 6; // the largest number of shares at a vertex
 
   class Weighted_mean
   {
@@ -51,7 +51,7 @@ class Segment_shares
 
     double weight() const { return weight_; }
 
-    // The largest shares, of equals those of the smallest labels.
+    // Returns the largest shares. Ties go to the smallest labels.
     Shares result()
     {
       std::sort(sums_.begin(), sums_.end(), [](const auto& a, const auto& b)
@@ -64,7 +64,7 @@ class Segment_shares
   };
 
   const Face_graph& graph_;
-  std::vector<Shares> shares_; // of each vertex, in descending order; none outside of the band
+  std::vector<Shares> shares_; // one list per vertex, in descending order; empty outside the band
 
   double angle(Index h) const
   {
@@ -75,8 +75,8 @@ class Segment_shares
     return std::atan2(u.cross(v).norm(), u.dot(v));
   }
 
-  // How strongly the face joins the ends of its edge. It is positive for each face, and that of an
-  // edge grows with its distance across and falls with its length.
+  // Returns how strongly the face joins the ends of its edge. The weight is positive for each face.
+  // The weight of an edge grows with the distance across it and falls with its length.
   double weight(Index h) const
   {
     const double length = graph_.length(h), area = graph_.areas[h / 3];
@@ -150,7 +150,7 @@ public:
     return 0;
   }
 
-  // Of a vertex of a face of the band.
+  // Returns the label of the largest share at a vertex of a face of the band.
   Index label_of_largest(Index v) const { return shares_[v].front().first; }
 };
 

@@ -16,7 +16,7 @@
 
 namespace CGAL::Spectral_segmentation::internal {
 
-// What is to be split along the curves.
+// Returns the splits of faces along the curves.
 inline Refinement refinement(const Face_graph& graph, const std::vector<Index>& labels,
                              const Boundary_band& band, const Boundary_curves& curves)
 {
@@ -46,9 +46,10 @@ inline Refinement refinement(const Face_graph& graph, const std::vector<Index>& 
   return result;
 }
 
-// The share of each segment in the angle at a vertex is smoothed by diffusion in a band around the
-// boundaries, and each vertex takes the label of its largest share. Where the ends of an edge have
-// two labels, the boundary crosses it where both shares are equal. Then the boundaries become taut.
+// Refines the boundaries between segments. The share of each segment in the angle at a vertex is
+// smoothed by diffusion in a band around them, and each vertex takes the label of its largest
+// share. If the ends of an edge have two labels, the boundary crosses it where both shares are
+// equal. Then the boundaries become taut.
 //
 // The labels of the faces must be less than `number_of_segments`, and each must have a face.
 inline Refinement refined_boundaries(const Face_graph& graph, const std::vector<Index>& labels,

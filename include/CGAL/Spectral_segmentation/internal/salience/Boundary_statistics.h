@@ -18,7 +18,8 @@
 namespace CGAL::Spectral_segmentation::internal {
 
 // The patch Q of the line search (Section 5.3), to which faces are added one by one, and the
-// factors of the salience of the cut between Q and the rest (Section 6). Both take constant time.
+// factors of the salience of the cut between Q and the rest (Section 6). Adding a face and
+// computing the factors take constant time.
 class Boundary_statistics
 {
   const Face_graph& part_;
@@ -29,10 +30,10 @@ class Boundary_statistics
   std::vector<char> has_face_;
   double area_ = 0;
 
-  std::size_t number_of_edges_ = 0; // of the cut
-  double concavity_ = 0;            // sum of H over its concave edges; exact, as H is on a grid
+  std::size_t number_of_edges_ = 0; // the edges of the cut
+  double concavity_ = 0;            // sum of H over its concave edges; exact because H is on a grid
 
-  std::vector<Index> valence_;         // of each vertex: the number of its edges in the cut
+  std::vector<Index> valence_;         // the number of edges in the cut at each vertex
   std::size_t number_of_vertices_ = 0; // along the cut, and the moments of their positions
   Vector sum_;
   Symmetric_matrix sum_of_squares_;
@@ -92,7 +93,7 @@ public:
     }
   }
 
-  // Before it is added.
+  // Prefetches a face that will be added.
   void prefetch_face(Index f) const
   {
     prefetch(&part_.areas[f]);
@@ -108,7 +109,7 @@ public:
   double area_of_rest() const { return area_of_part_ - area_; }
   double smaller_area() const { return (std::min)(area(), area_of_rest()); }
 
-  // Defined while both sides have an area and the cut has an edge.
+  // Returns the factors, which are defined while both sides have an area and the cut has an edge.
   Salience_factors factors() const
   {
     Salience_factors result;
@@ -118,8 +119,8 @@ public:
 
     const double n = static_cast<double>(number_of_vertices_);
     const Symmetric_matrix covariance = sum_of_squares_ / n - Symmetric_matrix::square(sum_ / n);
-    // The product of the two largest eigenvalues is the largest eigenvalue of the adjugate; found
-    // as one root it is accurate also where the cut is nearly straight and the second one vanishes.
+    // The product of the two largest eigenvalues is the largest eigenvalue of the adjugate. Found
+    // as one root, it is accurate even if the cut is nearly straight and the second one vanishes.
     const double product =
       (std::max)(Eigen_solver(covariance.adjugate()).largest_eigenvalue(), 0.);
     result.protrusiveness = 1 - 4 * std::sqrt(product) / smaller_area();

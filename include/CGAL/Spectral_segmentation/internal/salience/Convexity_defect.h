@@ -13,17 +13,17 @@
 
 namespace CGAL::Spectral_segmentation::internal {
 
-// How far sets of faces of a part are from convex: the mean depth, by area, of their faces below
-// their own convex hull, each along its normal. The hull is that of the extreme points in some
-// directions; which point supports it along a normal is found among those of the directions next to
-// the normal.
+// Measures how far sets of faces of a part are from convex: the mean depth, by area, of their faces
+// below their own convex hull, each along its normal. The hull is the convex hull of the extreme
+// points in some directions. The point that supports it along a normal is found among the extreme
+// points of the directions next to the normal.
 class Convexity_defect
 {
   const Support_points& extreme_points_;
   const Face_graph& part_;
-  const std::vector<Index>& faces_; // of the part, by their numbers in the mesh
+  const std::vector<Index>& faces_; // the faces of the part, by their indices in the mesh
   Support_set of_part_;
-  std::vector<float> depths_; // below the hull of the part, which are those below many a hull
+  std::vector<float> depths_; // below the hull of the part; they hold for many other hulls
 
   float depth(Index f, const Support_set& extremes) const
   {
@@ -35,7 +35,7 @@ class Convexity_defect
     return depth;
   }
 
-  // The directions next to which a hull differs from that of the part.
+  // Returns the directions next to which a hull differs from the hull of the part.
   std::bitset<directions::number> changes(const Support_set& extremes) const
   {
     std::bitset<directions::number> result;
@@ -66,7 +66,7 @@ public:
     return area > 0 ? sum / area : 0;
   }
 
-  // Of faces of the part, without repetition; 0 if they have no area.
+  // Returns the defect of faces of the part, without repetition; 0 if they have no area.
   double operator()(const std::vector<Index>& faces) const
   {
     std::vector<Index> in_mesh;

@@ -26,7 +26,7 @@ struct Cut
   double salience;
 };
 
-// Side 0 becomes the one of smaller area.
+// Makes side 0 the side of smaller area.
 inline void normalize_sides(Sides& side, double (&area)[2])
 {
   if (area[0] <= area[1])
@@ -36,7 +36,7 @@ inline void normalize_sides(Sides& side, double (&area)[2])
   std::swap(area[0], area[1]);
 }
 
-// Saliences are compared, so what is not a number counts as the least.
+// Returns the salience. NaN counts as the least, because saliences are compared.
 template <class PartSalience>
 double salience_of(const PartSalience& part_salience, const Salience_factors& factors)
 {
@@ -51,8 +51,8 @@ struct Evaluated_cut
   enum Kind { CANDIDATE, BOUNDARY };
 
   Kind kind;
-  const std::vector<Index>& faces; // of the part, by their numbers in the mesh
-  const Sides& side;               // of each of these faces
+  const std::vector<Index>& faces; // the faces of the part, by their indices in the mesh
+  const Sides& side;               // one per face
   const Salience_factors& factors;
 };
 

@@ -21,7 +21,7 @@
 
 namespace CGAL::Spectral_segmentation::internal {
 
-// What the factors of a cut need to know of the whole mesh.
+// The data of the whole mesh that the factors of a cut need.
 struct Evaluation_context
 {
   double area;
@@ -31,8 +31,9 @@ struct Evaluation_context
     : area(total_area(mesh)), support_points(execution, mesh) {}
 };
 
-// All factors of cuts of a part, those beyond the paper too (Section 6 and `Salience_factors`). A
-// cut is given by the side of each face: 0 for Q, which has the smaller area, 1 for the rest.
+// Computes all factors of cuts of a part, including the factors beyond the paper (Section 6 and
+// `Salience_factors`). A cut is given by the side of each face: 0 for Q, which has the smaller
+// area, 1 for the rest.
 class Cut_evaluator
 {
   const Face_graph& part_;
@@ -40,7 +41,7 @@ class Cut_evaluator
   Convexity_defect convexity_defect_;
   double defect_of_part_;
 
-  // Size, cut strength by length, protrusiveness; returns the length of the cut.
+  // Sets size, cut strength by length and protrusiveness; returns the length of the cut.
   double set_boundary_factors(const std::vector<Index>& faces_of_q, const std::vector<Index>& cut,
                     Salience_factors& factors) const
   {
@@ -92,14 +93,14 @@ class Cut_evaluator
   }
 
 public:
-  // `faces` are those of the part, by their numbers in the mesh.
+  // Takes a part; `faces` are its faces, by their indices in the mesh.
   Cut_evaluator(const Face_graph& part, const std::vector<Index>& faces,
                 const Evaluation_context& mesh)
     : part_(part), area_of_mesh_(mesh.area), convexity_defect_(mesh.support_points, part, faces),
       defect_of_part_(convexity_defect_.of_part())
   {}
 
-  // Both sides must have an area.
+  // Returns the factors. Both sides must have an area.
   Salience_factors operator()(const Sides& side) const
   {
     std::vector<Index> faces[2];

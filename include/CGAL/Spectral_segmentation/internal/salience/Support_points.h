@@ -20,7 +20,7 @@
 
 namespace CGAL::Spectral_segmentation::internal {
 
-// In single precision, which is half the memory and exact enough for depths.
+// A vector in single precision, which is half the memory and exact enough for depths.
 struct Vector_of_floats
 {
   float x, y, z;
@@ -81,8 +81,8 @@ inline const std::vector<Neighbors>& neighbors()
   return result;
 }
 
-// The one next to a unit vector. It is at most 11 places from the place of the vector's own z; as
-// observed.
+// Returns the direction next to a unit vector. It was observed to be at most 11 places from the
+// place of the vector's own z.
 inline int nearest(const Vector_of_floats& v)
 {
   const Coordinates& c = coordinates();
@@ -112,7 +112,7 @@ struct Support_set
     int number_of_farther = 0;
     for (int d = 0; d < directions::number; ++d)
       number_of_farther += others[d] > distances[d];
-    if (number_of_farther == 0) // so it is nearly always
+    if (number_of_farther == 0) // this is nearly always the case
       return;
     for (int d = 0; d < directions::number; ++d)
       if (others[d] > distances[d]) {
@@ -138,12 +138,12 @@ struct Support_set
 struct Face_plane
 {
   Vector_of_floats center, normal;
-  std::uint8_t direction; // next to the normal
+  std::uint8_t direction; // the direction next to the normal
 };
 
-// Finds the support points of sets of faces of a mesh, in its principal frame. Those of blocks of
-// successive faces, which are near each other in a mesh in order of locality, are kept: only the
-// faces of blocks that a set shares with others are looked at.
+// Finds the support points of sets of faces of a mesh, in its principal frame. It keeps the support
+// points of blocks of successive faces, which are near each other in a mesh in order of locality.
+// Therefore it looks only at the faces of blocks that a set has in part.
 class Support_points
 {
   static constexpr Index faces_per_block = 32;
@@ -194,10 +194,10 @@ public:
   const Vector_of_floats& point(Index v) const { return points_[v]; }
   const Face_plane& plane(Index f) const { return planes_[f]; }
 
-  // Of faces without repetition.
+  // Returns the support points of faces without repetition.
   Support_set operator()(const std::vector<Index>& faces) const
   {
-    std::vector<Index> number(of_block_.size(), 0); // of the faces in each block
+    std::vector<Index> number(of_block_.size(), 0); // the number of the faces in each block
     for (Index f : faces)
       ++number[block(f)];
     Support_set result;

@@ -13,16 +13,16 @@
 
 namespace CGAL::Spectral_segmentation::internal {
 
-// A directed graph that does not change, the arcs that leave a node side by side. BGL's
+// An immutable directed graph that keeps the arcs that leave a node side by side. BGL's
 // compressed_sparse_row_graph takes four times the memory for an arc, and a second to compile.
 struct Packed_graph
 {
-  typedef std::pair<Index, Index> Ends; // of an arc: where it starts, where it leads
+  typedef std::pair<Index, Index> Ends; // the source and the target of an arc
 
-  std::vector<Index> first_arc; // of each node; and the number of arcs
-  std::vector<Index> targets;   // of each arc
+  std::vector<Index> first_arc; // one per node, then the number of arcs
+  std::vector<Index> targets;   // one per arc
 
-  // The arcs of a node keep their order. `place` becomes the number of each arc.
+  // Packs the arcs; the arcs of a node keep their order. `place` becomes the index of each arc.
   Packed_graph(std::size_t number_of_nodes, const std::vector<Ends>& arcs,
                std::vector<Index>& place)
     : first_arc(number_of_nodes + 1, 0), targets(arcs.size())

@@ -17,22 +17,22 @@ namespace CGAL::Spectral_segmentation::internal {
 // Thrown to leave a stage when the caller does not want to go further.
 struct Run_stopped {};
 
-// Stands between the stages, which may run in several threads, and the control of the caller: one
-// call at a time. Keeps the share of the run that is done.
+// Passes the calls of the stages, which may run in several threads, to the control of the caller,
+// one call at a time. Keeps the fraction of the run that is done.
 class Run_monitor
 {
   Run_control& control_;
   std::mutex mutex_;
   std::atomic<bool> is_stopped_{false};
-  double start_ = 0, end_ = 0; // of the phase at hand, as shares of the run
-  double done_ = 0;            // of the phase
-  double reported_ = 0;        // of the run
+  double start_ = 0, end_ = 0; // the range of the current phase within the run
+  double done_ = 0;            // the fraction of the phase that is done
+  double reported_ = 0;        // the fraction of the run that was reported last
 
   template <class Function>
   void call(const Function& f)
   {
     const std::lock_guard<std::mutex> lock(mutex_);
-    call_isolated(f); // or this thread might take up a part that waits for the lock
+    call_isolated(f); // else this thread might take up a part that waits for the lock
   }
 
   void report()
@@ -62,12 +62,12 @@ public:
 
   bool is_stopped() const { return is_stopped_; }
 
-  // Once the caller said no, he is not asked again.
+  // Returns false, without another question, once the caller has declined.
   bool go_further()
   {
     if (!is_stopped_)
       call([&] {
-        if (!is_stopped_) // by another thread, while this one waited
+        if (!is_stopped_) // another thread may have stopped the run meanwhile
           is_stopped_ = !control_.go_further();
       });
     return !is_stopped_;
@@ -79,7 +79,7 @@ public:
       throw Run_stopped();
   }
 
-  // The next phase takes this share of the run.
+  // Starts a phase that takes this fraction of the run.
   void start_phase(double share)
   {
     call([&] {
@@ -90,7 +90,7 @@ public:
     });
   }
 
-  // Some more of the phase is done.
+  // Adds a fraction to the part of the phase that is done.
   void advance(double share)
   {
     call([&] {
@@ -99,7 +99,7 @@ public:
     });
   }
 
-  // A share of what is left of the phase is done, where nobody knows how long it takes.
+  // Marks a fraction of the rest of the phase as done, if nobody knows how long the phase takes.
   void approach(double share)
   {
     call([&] {
@@ -108,7 +108,7 @@ public:
     });
   }
 
-  // So much of the phase is done, if not more.
+  // Marks at least this fraction of the phase as done.
   void advance_to(double share)
   {
     call([&] {
@@ -123,7 +123,7 @@ public:
       call([&] { control_.progress(1); });
   }
 
-  // The result of f(), which is the work of a stage.
+  // Runs f(), which is the work of a stage, and returns its result.
   template <class Function>
   auto stage(Stage stage, std::size_t part, const Function& f)
   {

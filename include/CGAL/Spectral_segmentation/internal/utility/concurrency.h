@@ -20,10 +20,10 @@ namespace CGAL::Spectral_segmentation::internal {
 
 enum class Execution { SEQUENTIAL, PARALLEL }; // on one thread, or on all that TBB has
 
-// All functions fall back to one thread where the program is built without TBB. Each has a task
-// context of its own, so that a caller who cancels tasks cannot skip some of a run.
+// All functions fall back to one thread if the program is built without TBB. Each has its own task
+// context, so that a caller who cancels tasks cannot skip some of a run.
 
-// Calls f(). A thread that waits inside of f never executes tasks of the caller.
+// Calls f(). A thread that waits inside f never executes tasks of the caller.
 template <class Function>
 void call_isolated(const Function& f)
 {
@@ -65,8 +65,8 @@ void call_all(Execution execution, const Functions&... f)
   (f(), ...);
 }
 
-// The sum of f(0) .. f(n - 1), which begins with a zero of its type. It is taken in blocks, so that
-// its rounding does not depend on the number of threads.
+// Returns the sum of f(0) .. f(n - 1), which begins with a zero of its type. It adds in blocks, so
+// that its rounding does not depend on the number of threads.
 template <class Value, class Function>
 Value sum_of(Execution execution, std::size_t n, const Value& zero, const Function& f)
 {
@@ -81,7 +81,7 @@ Value sum_of(Execution execution, std::size_t n, const Value& zero, const Functi
   return std::accumulate(sums.begin(), sums.end(), zero);
 }
 
-// Functions that run beside the caller, who waits for them; with one thread `run()` calls them.
+// Runs functions beside the caller, who waits for them. With one thread `run()` calls them.
 class Task_group
 {
   Execution execution_;

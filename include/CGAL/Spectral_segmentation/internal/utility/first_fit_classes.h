@@ -10,8 +10,8 @@
 
 namespace CGAL::Spectral_segmentation::internal {
 
-// Classes of elements that are all alike, where being alike is not transitive: one after the other,
-// each element joins the first class all of which it is like.
+// Groups elements into classes whose members are all alike, although being alike is not transitive.
+// One after the other, each element joins the first class all of whose members it is like.
 template <class AreAlike>
 std::vector<std::vector<std::size_t> >
 first_fit_classes(const std::vector<std::size_t>& elements, const AreAlike& are_alike)

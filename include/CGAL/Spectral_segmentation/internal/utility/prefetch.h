@@ -6,8 +6,8 @@
 
 namespace CGAL::Spectral_segmentation::internal {
 
-// Asks for memory that will be read soon, if the compiler has a way to. Loops that go over faces in
-// an order of their own else wait for memory half of the time.
+// Requests memory that will be read soon, if the compiler has a way to. Otherwise, loops that visit
+// faces in a special order wait for memory half of the time.
 inline void prefetch(const void* address)
 {
 #ifdef __GNUC__

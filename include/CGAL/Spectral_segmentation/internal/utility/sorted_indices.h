@@ -16,10 +16,10 @@
 
 namespace CGAL::Spectral_segmentation::internal {
 
-// The indices of the values, the smallest value first; of equal ones those first that
-// `is_first(i, j)` says. No NaN. The values are put into buckets of equal width, of about eight if
-// they are evenly spread, and each bucket is sorted: the embedding of 50,000 faces takes 18 ms
-// where it takes 23 with one std::sort.
+// Returns the indices of the values, the smallest value first; `is_first(i, j)` breaks ties. No
+// value may be NaN. The values are put into buckets of equal width, of about eight values if they
+// are evenly spread, and each bucket is sorted. Sorting the embedding of 50,000 faces takes 18 ms,
+// against 23 ms with one std::sort.
 template <class Value, class IsFirst = std::less<Index> >
 std::vector<Index> sorted_indices(Execution execution, const std::vector<Value>& values,
                                   const IsFirst& is_first = IsFirst())
@@ -35,12 +35,12 @@ std::vector<Index> sorted_indices(Execution execution, const std::vector<Value>&
     return last_bucket == 0
       ? 0 : static_cast<std::size_t>((value - first) / range * static_cast<double>(last_bucket));
   };
-  std::vector<Index> ends(last_bucket + 2, 0); // of each bucket, after that of none
+  std::vector<Index> ends(last_bucket + 2, 0); // first the start, then the end of each bucket
   for (Value value : values)
     ++ends[bucket_of(value) + 1];
   std::partial_sum(ends.begin(), ends.end(), ends.begin());
 
-  struct Entry // a value beside its index is in the cache
+  struct Entry // keeps a value in the cache beside its index
   {
     Value value;
     Index index;
