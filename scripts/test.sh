@@ -3,7 +3,8 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 #
 # Builds the examples and all tests in build-test/, and runs the tests but those that take long.
-# Installs the Debian packages that are missing.
+# Installs the Debian packages that are missing. The variable CMAKE_OPTIONS may hold further options
+# for CMake, such as -DCGAL_DIR=/opt/CGAL-6.1.1.
 
 set -euo pipefail
 cd "$(dirname "$0")/.."
@@ -16,7 +17,8 @@ cmake -S . -B build-test -DCMAKE_BUILD_TYPE=Release \
   -DSPECTRAL_SEGMENTATION_BUILD_BENCHMARKS=OFF \
   -DCMAKE_CXX_FLAGS_RELEASE='-O2 -DNDEBUG' \
   -DSPECTRAL_SEGMENTATION_PROGRAM_OPTIONS=-O1 \
-  -DCMAKE_UNITY_BUILD=ON
+  -DCMAKE_UNITY_BUILD=ON \
+  ${CMAKE_OPTIONS:-}
 cmake --build build-test --parallel "$(nproc)"
 cd build-test
 exec ctest --output-on-failure --parallel "$(nproc)" --label-exclude long
