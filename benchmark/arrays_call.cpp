@@ -5,9 +5,9 @@
 /// arrays_call POINTS TRIANGLES
 ///
 /// The C++ call beside which python.py and web.mjs measure those of Python and JavaScript: with one
-/// thread, on the points, of 64-bit floats, and triangles, of 32-bit integers, of two files of plain
-/// numbers. Prints seconds, seconds of the processor, bytes at the peak beyond the mesh, and the
-/// number of segments.
+/// thread, on the points, of 64-bit floats, and triangles, of 32-bit integers, of two files of
+/// plain numbers. Prints seconds, seconds of the processor, bytes at the peak beyond the mesh, and
+/// the number of segments.
 
 #include "Peak_memory.h"
 

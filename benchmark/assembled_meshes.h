@@ -192,7 +192,7 @@ class Assembler
   Mesh result_;
   std::vector<Mesh::Vertex_index> new_targets_; // one per halfedge with a face
 
-  // Whether the set of the face ends at the half-edge.
+  // Whether the set of the face ends at the halfedge.
   bool is_seam(Mesh::Halfedge_index h) const
   {
     const Mesh::Halfedge_index o = mesh_.opposite(h);

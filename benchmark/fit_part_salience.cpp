@@ -46,7 +46,7 @@ struct Options
   std::vector<std::string> triangulations = triangulation_names();
   std::size_t threads = 1, rounds = 3, passes = 1;
   std::size_t searched_faces =
-    CGAL::Spectral_segmentation::Options().number_of_searched_faces;
+    CGAL::Spectral_segmentation::Options().number_of_coarse_faces;
   bool leaves_one_category_out = false, leaves_factors_out = false;
 };
 
@@ -64,7 +64,7 @@ void add_options(CLI::App& app, Options& o)
     ->capture_default_str()->check(CLI::IsMember(triangulation_names()));
   app.add_option("--cache", o.cache, "folder that keeps the triangulations for other runs");
   app.add_option("--searched-faces", o.searched_faces,
-                 "the number_of_searched_faces of all runs; 0: the meshes themselves")
+                 "the number_of_coarse_faces of all runs; 0: the meshes themselves")
     ->capture_default_str();
   app.add_flag("--leave-one-category-out", o.leaves_one_category_out,
                "also judges each category by a fit to the others");
@@ -94,7 +94,7 @@ Engine_options options_with(const Calibrated_part_salience& salience, std::size_
 {
   Engine_options result = CGAL::Spectral_segmentation::Options();
   result.part_salience = salience;
-  result.number_of_searched_faces = searched_faces;
+  result.number_of_coarse_faces = searched_faces;
   return result;
 }
 

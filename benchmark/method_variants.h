@@ -41,7 +41,7 @@ inline const std::vector<Method_variant>& method_variants()
     {"no orders from single faces", [](Engine_options& o) { o.single_source_orders = false; }},
     {"one candidate", [](Engine_options& o) { o.number_of_candidates = 1; }},
     {"no minimum cuts", [](Engine_options& o) { o.number_of_refined_candidates = 0; }},
-    {"no coarsening", [](Engine_options& o) { o.number_of_searched_faces = 0; }},
+    {"no coarsening", [](Engine_options& o) { o.number_of_coarse_faces = 0; }},
     {"no bisection", [](Engine_options& o) { o.bisection = false; }},
     {"paper's geodesic weight", [](Engine_options& o) { o.geodesic_weight = 0.01; }},
     {"paper's part salience", [](Engine_options& o) {

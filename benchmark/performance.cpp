@@ -74,13 +74,13 @@ struct Run
 {
   const char* name;
   std::size_t largest; // the number of faces up to which its time is bearable
-  bool is_of_paper;
-  std::size_t number_of_searched_faces;
+  bool uses_paper_method;
+  std::size_t number_of_coarse_faces;
   std::size_t maximum_number_of_segments;
   double salience_threshold;
 };
 
-const std::size_t searched_faces = CGAL::Spectral_segmentation::Options().number_of_searched_faces;
+const std::size_t searched_faces = CGAL::Spectral_segmentation::Options().number_of_coarse_faces;
 constexpr double threshold = CGAL::Spectral_segmentation::default_probability_threshold;
 
 const Run calibrated = {"calibrated", unlimited, false, searched_faces, unlimited, threshold};
@@ -104,12 +104,12 @@ std::size_t segment(const Mesh& mesh, const Run& run, std::size_t threads,
       return CGAL::segment_spectral_recursive<decltype(tag)>(
         mesh, boost::vector_property_map<std::size_t>(mesh.number_of_faces()), np);
     };
-    const auto np = params::number_of_searched_faces(run.number_of_searched_faces)
+    const auto np = params::number_of_coarse_faces(run.number_of_coarse_faces)
                       .maximum_number_of_segments(run.maximum_number_of_segments)
                       .salience_threshold(run.salience_threshold)
                       .hierarchy(tree)
                       .visitor(std::ref(watch));
-    return run.is_of_paper ? segment_with(np.zhang_liu_2005()) : segment_with(np);
+    return run.uses_paper_method ? segment_with(np.zhang_liu_2005()) : segment_with(np);
   });
 }
 

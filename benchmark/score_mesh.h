@@ -10,7 +10,7 @@
 #include "segmentation_methods.h"
 #include "timed.h"
 #include "triangulations.h"
-#include "twin_classes.h"
+#include "congruent_parts.h"
 
 #include <Eigen/Core>
 
@@ -50,7 +50,7 @@ struct Score
   Errors errors{};
   double segments = 0;
   double excess = 0; // the Rand error less the consensus floor
-  double twins = 0;  // share of people's twin classes that are treated alike
+  double congruent = 0; // fraction of people's classes of congruent parts that are treated alike
   double seconds = 0;
   Labels labels;
 };
@@ -73,16 +73,16 @@ class Mesh_scorer
   std::filesystem::path cache_;
   Mesh_facts facts_;
   std::vector<Segmentation> people_;
-  std::vector<std::vector<Twin_class> > twins_; // one list per person
+  std::vector<std::vector<Congruent_parts> > congruent_parts_; // one list per person
   std::size_t usual_number_;
   double floor_;
   std::map<std::string, Retriangulated_mesh> meshes_; // indexed by the name of the triangulation
   std::map<std::pair<std::string, std::string>, Method_trees> trees_; // method, triangulation
 
-  // Undefined if the person has made no twins.
-  double share_of_twins(std::size_t person, const Labels& labels) const
+  // Undefined if the person has made no congruent parts.
+  double fraction_of_congruent_parts(std::size_t person, const Labels& labels) const
   {
-    return share_treated_alike(twins_[person],
+    return share_treated_alike(congruent_parts_[person],
                                overlap(people_[person].labels, labels, facts_.face_areas));
   }
 
@@ -90,13 +90,13 @@ class Mesh_scorer
   {
     const Segmentation result = segmentation(facts_, labels);
     std::vector<Errors> all;
-    Mean twins;
+    Mean congruent;
     for (std::size_t person = 0; person < people_.size(); ++person) {
       all.push_back(errors(facts_, result, people_[person]));
-      twins.add(share_of_twins(person, labels));
+      congruent.add(fraction_of_congruent_parts(person, labels));
     }
     Score s;
-    s.twins = twins();
+    s.congruent = congruent();
     s.errors = mean_errors(all);
     s.segments = static_cast<double>(number_of_segments(labels));
     s.excess = s.errors[RAND_ERROR] - floor_;
@@ -109,7 +109,7 @@ class Mesh_scorer
   Score score_of_people() const
   {
     std::vector<Errors> all;
-    Mean segments, twins;
+    Mean segments, congruent;
     double least = std::numeric_limits<double>::infinity();
     Score s;
     for (const Segmentation& person : people_) {
@@ -117,7 +117,7 @@ class Mesh_scorer
       for (std::size_t other = 0; other < people_.size(); ++other)
         if (&people_[other] != &person) {
           of_person.push_back(errors(facts_, person, people_[other]));
-          twins.add(share_of_twins(other, person.labels));
+          congruent.add(fraction_of_congruent_parts(other, person.labels));
         }
       all.insert(all.end(), of_person.begin(), of_person.end());
       segments.add(static_cast<double>(number_of_segments(person.labels)));
@@ -129,7 +129,7 @@ class Mesh_scorer
     }
     s.errors = mean_errors(all);
     s.segments = segments();
-    s.twins = twins();
+    s.congruent = congruent();
     s.excess = s.errors[RAND_ERROR] - floor_;
     return s;
   }
@@ -195,7 +195,7 @@ public:
     const std::vector<Moments> moments = face_moments(input.mesh, facts_.face_areas);
     for (const Labels& labels : input.people) {
       people_.push_back(segmentation(facts_, labels));
-      twins_.push_back(twin_classes(part_shapes(moments, labels)));
+      congruent_parts_.push_back(congruent_parts(part_shapes(moments, labels)));
     }
   }
 

@@ -70,7 +70,7 @@ inline Summary mean_summary(const std::vector<Summary>& all)
   result.mean.errors = mean_errors(errors);
   result.mean.segments = mean([](const Summary& s) { return s.mean.segments; });
   result.mean.excess = mean([](const Summary& s) { return s.mean.excess; });
-  result.mean.twins = mean([](const Summary& s) { return s.mean.twins; });
+  result.mean.congruent = mean([](const Summary& s) { return s.mean.congruent; });
   result.mean.seconds = mean([](const Summary& s) { return s.mean.seconds; });
   result.median_seconds = median(seconds);
   result.floor = mean([](const Summary& s) { return s.floor; });
@@ -135,7 +135,7 @@ inline void print_metrics(const std::vector<Row_summary>& rows)
   std::printf("%-*s", width, "method");
   for (const char* metric : metric_names)
     std::printf(" %7s", metric);
-  std::printf(" %7s %7s %7s %9s %9s %11s\n", "parts", "excess", "twins", "median s", "mean s",
+  std::printf(" %7s %7s %7s %9s %9s %11s\n", "parts", "excess", "congruent", "median s", "mean s",
               "categories");
   for (const Row_summary& r : rows) {
     const Score& mean = r.over_meshes.mean;
@@ -143,12 +143,12 @@ inline void print_metrics(const std::vector<Row_summary>& rows)
     for (double error : mean.errors)
       print_value(7, error);
     std::printf(" %7.2f %7.4f", mean.segments, mean.excess);
-    print_value(7, mean.twins);
+    print_value(7, mean.congruent);
     std::printf(" %9.3f %9.3f %8ld/%zu\n", r.over_meshes.median_seconds, mean.seconds,
                 r.categories_at_or_below_people(), r.categories.size());
   }
   std::printf("excess: Rand error less the consensus floor, for which an upper bound stands\n"
-              "twins: share of the classes of congruent parts that people made which are treated "
+              "congruent: fraction of the classes of congruent parts that people made which are treated "
               "alike\n"
               "categories: in how many the Rand error is at most people's own\n");
 }
@@ -241,7 +241,7 @@ inline Json json_of(const Score& score)
     json[metric_names[metric]] = score.errors[metric];
   json["k"] = score.segments;
   json["excess"] = score.excess;
-  json["twins"] = score.twins;
+  json["congruent"] = score.congruent;
   json["seconds"] = score.seconds;
   return json;
 }

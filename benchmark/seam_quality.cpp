@@ -40,7 +40,7 @@ struct Options
 {
   std::vector<std::string> files;
   std::optional<unsigned> iterations;
-  bool boundary_smoothing = false;
+  bool smooth_boundaries = false;
 };
 
 struct Seams
@@ -134,7 +134,7 @@ void measure(const std::string& file, const Options& o, Sums& sums)
   const Segment_map segment = mesh.add_property_map<Mesh::Face_index, std::size_t>("f:s").first;
   const std::size_t n = CGAL::segment_spectral_recursive(
     mesh, segment,
-    CGAL::Spectral_segmentation::parameters::boundary_smoothing(o.boundary_smoothing));
+    CGAL::Spectral_segmentation::parameters::smooth_boundaries(o.smooth_boundaries));
   if (n < 2)
     return;
   const Mesh old_mesh = mesh;
@@ -170,7 +170,7 @@ void add_options(CLI::App& app, Options& o)
 {
   app.add_option("MESH", o.files, "files with triangle meshes")->required();
   app.add_option("--iterations", o.iterations, "number_of_iterations [that of the function]");
-  app.add_flag("--boundary-smoothing", o.boundary_smoothing, "of the segmentation");
+  app.add_flag("--smooth-boundaries", o.smooth_boundaries, "of the segmentation");
 }
 
 void run(const Options& o)

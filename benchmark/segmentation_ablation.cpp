@@ -130,7 +130,7 @@ void run(const Options& o)
   print(all);
   std::printf("auto: at the default threshold; best: at the one threshold that is best for these "
               "meshes\nk: people's usual number of parts is given; tree: the best number of parts"
-              "\nseconds: of one thread for a whole tree, median; change: from the first line, with "
+              "\nseconds: median of one thread for a whole tree; change: from the first line, with "
               "the standard error over the meshes\n");
   std::fflush(stdout);
   Json json = {{"thresholds", tried_thresholds()}};

@@ -70,13 +70,13 @@ double milliseconds(Clock::time_point from, Clock::time_point to)
 // Processor time of all threads, which other work on the machine does not change.
 double processor_seconds() { return static_cast<double>(std::clock()) / CLOCKS_PER_SEC; }
 
-// Acts like a person's hand: another thread wishes to stop after so many processor seconds.
+// Acts like a person's hand: another thread constraints to stop after so many processor seconds.
 class Stopper : public CGAL::Spectral_segmentation::Segmentation_visitor
 {
-  std::atomic<bool> is_wished_{false}, is_over_{false};
-  Clock::time_point wish_, no_;
+  std::atomic<bool> is_constrained_{false}, is_over_{false};
+  Clock::time_point constraint_, no_;
   std::atomic<const char*> where_{"reading"};
-  const char* where_of_wish_ = nullptr;
+  const char* where_of_constraint_ = nullptr;
   std::thread hand_;
 
 public:
@@ -84,9 +84,9 @@ public:
     : hand_([this, end = processor_seconds() + seconds] {
         while (!is_over_ && processor_seconds() < end)
           std::this_thread::sleep_for(std::chrono::microseconds(200));
-        wish_ = no_ = Clock::now();
-        where_of_wish_ = where_;
-        is_wished_ = true;
+        constraint_ = no_ = Clock::now();
+        where_of_constraint_ = where_;
+        is_constrained_ = true;
       })
   {
   }
@@ -97,16 +97,17 @@ public:
     hand_.join();
   }
 
-  bool is_wished() const { return is_wished_; }
-  const char* where() const { return where_of_wish_; }
-  Clock::time_point wish() const { return wish_; }
-  Clock::time_point no() const { return no_; } // that of the wish if nothing was asked after it
+  bool is_due() const { return is_constrained_; }
+  const char* where() const { return where_of_constraint_; }
+  Clock::time_point constraint() const { return constraint_; }
+  // Returns when it was said, or when the run should stop if nothing was asked after that.
+  Clock::time_point no() const { return no_; }
 
-  void start_stage(Stage stage, std::size_t) { where_ = name_of(stage); }
+  void before_stage(Stage stage, std::size_t) { where_ = name_of(stage); }
 
   bool go_further()
   {
-    if (!is_wished_)
+    if (!is_constrained_)
       return true;
     no_ = Clock::now();
     return false;
@@ -137,25 +138,25 @@ void measure(const Mesh& mesh, std::size_t threads)
     whole = (std::max)(whole, processor_seconds() - start);
   }
   std::printf("%zu faces, %zu threads: %.2f s of the processor\n"
-              "  wish   asked after  returns after  stage\n",
+              "  constraint   asked after  returns after  stage\n",
               static_cast<std::size_t>(mesh.number_of_faces()), threads, whole);
   std::vector<double> until_asked, until_return, sums;
   for (int percent = 5; percent < 100; percent += 5) {
     Stopper stopper(whole * percent / 100);
     segment(mesh, threads, params::visitor(std::ref(stopper)));
-    const bool is_wished = stopper.is_wished();
+    const bool is_due = stopper.is_due();
     const Clock::time_point end = Clock::now();
-    if (!is_wished) // this run took less
+    if (!is_due) // this run took less
       continue;
-    until_asked.push_back(milliseconds(stopper.wish(), stopper.no()));
+    until_asked.push_back(milliseconds(stopper.constraint(), stopper.no()));
     until_return.push_back(milliseconds(stopper.no(), end));
     sums.push_back(until_asked.back() + until_return.back());
     std::printf("  %3d %% %9.1f ms %11.1f ms  %s\n", percent, until_asked.back(),
                 until_return.back(), stopper.where());
   }
-  print_latencies("from the wish to the no:", until_asked);
+  print_latencies("from the constraint to the no:", until_asked);
   print_latencies("from the no to the return:", until_return);
-  print_latencies("from the wish to the return:", sums);
+  print_latencies("from the constraint to the return:", sums);
 }
 
 void add_options(CLI::App& app, Options& o)

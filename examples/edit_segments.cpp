@@ -27,7 +27,7 @@ void cut_leaf(Segmentation_hierarchy& hierarchy, std::size_t leaf, Mesh& mesh)
   Segmentation_hierarchy cuts_of_part;
   CGAL::segment_spectral_recursive(part, ids_of_part, params::hierarchy(cuts_of_part));
   mesh.remove_property_map(ids_of_part);
-  hierarchy.cut_again(leaf, cuts_of_part);
+  hierarchy.split_leaf(leaf, cuts_of_part);
 }
 
 int main(int argc, char* argv[])

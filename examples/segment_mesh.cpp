@@ -88,8 +88,8 @@ struct Options
   double time_limit = std::numeric_limits<double>::infinity();   // in seconds
   double memory_limit = std::numeric_limits<double>::infinity(); // in 10^6 bytes
   std::size_t smoothing_iterations = 0;
-  bool boundary_smoothing = false;
-  bool components_apart = false;
+  bool smooth_boundaries = false;
+  bool keep_components_separate = false;
   bool refine_boundaries = false;
   bool close = false;
   bool quiet = false;
@@ -112,9 +112,9 @@ struct Options
       result.maximum_number_of_segments = *segments;
     result.salience_threshold = threshold.value_or(result.salience_threshold);
     result.minimum_segment_size = minimum_size.value_or(result.minimum_segment_size);
-    result.components_apart |= components_apart;
+    result.keep_components_separate |= keep_components_separate;
     result.number_of_smoothing_iterations = smoothing_iterations;
-    result.boundary_smoothing = boundary_smoothing;
+    result.smooth_boundaries = smooth_boundaries;
     result.random_seed = seed;
     return result;
   }
@@ -209,9 +209,9 @@ void add_options(CLI::App& app, Options& o)
   app.add_option("--smooth", o.smoothing_iterations,
                  "steps of Laplacian smoothing before distances are computed [0]")
     ->type_name("N")->check(CLI::Range(std::int64_t(0), largest));
-  app.add_flag("--boundary-smoothing", o.boundary_smoothing,
+  app.add_flag("--smooth-boundaries", o.smooth_boundaries,
                "smooth the boundaries between segments");
-  app.add_flag("--components-apart", o.components_apart,
+  app.add_flag("--keep-components-separate", o.keep_components_separate,
                "each connected component is a part from the start, as with the method 'paper'; "
                "else components that touch may be of one part");
   app.add_flag("--refine-boundaries", o.refine_boundaries,
@@ -316,12 +316,12 @@ Json parameters_report(const Options& o)
   const Segmentation_options used = o.segmentation_options();
   return {{"method", o.method_name},
           {"maximum_number_of_segments", json_or_null(o.segments)},
-          {"components_apart", used.components_apart},
+          {"keep_components_separate", used.keep_components_separate},
           {"salience_threshold", used.number_of_segments ? Json() : Json(used.salience_threshold)},
           {"minimum_segment_size", used.minimum_segment_size},
           {"random_seed", json_or_null(o.seed)},
           {"number_of_smoothing_iterations", o.smoothing_iterations},
-          {"boundary_smoothing", o.boundary_smoothing},
+          {"smooth_boundaries", o.smooth_boundaries},
           {"refine_boundaries", o.refine_boundaries},
           {"close", o.close}};
 }
@@ -341,7 +341,7 @@ Page_options page_options(const Options& o, std::size_t number_of_segments)
   result.name = std::filesystem::path(o.input).filename().string();
   result.number_of_segments = number_of_segments;
   result.is_salience_probability = !o.uses_paper_method();
-  result.boundary_smoothing = o.boundary_smoothing;
+  result.smooth_boundaries = o.smooth_boundaries;
   return result;
 }
 

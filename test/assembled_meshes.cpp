@@ -70,7 +70,7 @@ std::vector<std::size_t> numbers_of_faces(const Labels& labels)
   return result;
 }
 
-// The vertices of a face, in their order from its half-edge on.
+// The vertices of a face, in their order from its halfedge on.
 std::vector<Kernel::Point_3> corners(const Mesh& mesh, Mesh::Face_index f)
 {
   std::vector<Kernel::Point_3> result;

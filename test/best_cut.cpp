@@ -209,7 +209,7 @@ BOOST_AUTO_TEST_CASE(a_part_without_room_for_two_segments_is_not_searched)
   struct Counter : internal::Run_control
   {
     std::size_t number_of_parts = 0;
-    void start_part(std::size_t, std::size_t) override { ++number_of_parts; }
+    void before_part(std::size_t, std::size_t) override { ++number_of_parts; }
   } counter;
   internal::Run_monitor monitor(counter);
   Options options = Options::zhang_liu_2005();

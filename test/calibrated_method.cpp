@@ -124,7 +124,7 @@ BOOST_AUTO_TEST_CASE(the_cuts_that_are_evaluated_are_told)
 {
   typedef internal::Evaluated_cut Evaluated_cut;
   CGAL::Spectral_segmentation::Options options;
-  options.number_of_searched_faces = 0; // so that the mesh itself is searched
+  options.number_of_coarse_faces = 0; // so that the mesh itself is searched
   struct Observer : internal::Run_control
   {
     const CGAL::Spectral_segmentation::Options& options;
@@ -215,7 +215,7 @@ BOOST_AUTO_TEST_CASE(a_child_is_at_most_as_salient_as_its_parent)
 BOOST_AUTO_TEST_CASE(factors_are_those_of_the_mesh_that_is_searched)
 {
   const Segmentation_hierarchy hierarchy =
-    hierarchy_of(mesh_of(doll()), calibrated().number_of_searched_faces(0));
+    hierarchy_of(mesh_of(doll()), calibrated().number_of_coarse_faces(0));
   for (std::size_t i = 0; i < hierarchy.number_of_nodes(); ++i) {
     const Segmentation_hierarchy::Node& n = hierarchy.node(i);
     if (!n.is_leaf())
@@ -227,7 +227,7 @@ BOOST_AUTO_TEST_CASE(factors_are_those_of_the_mesh_that_is_searched)
 BOOST_AUTO_TEST_CASE(smoothed_boundaries_leave_segments_connected_and_few_faces_changed)
 {
   const Mesh mesh = mesh_of(elephant());
-  const Labels smoothed = labels_of(mesh, calibrated().boundary_smoothing(true));
+  const Labels smoothed = labels_of(mesh, calibrated().smooth_boundaries(true));
   const Labels labels = labels_of(mesh, calibrated());
   BOOST_TEST(check_labels(mesh, smoothed) == number_of(labels));
   BOOST_TEST(rand_index(smoothed, labels) > 0.95);
@@ -239,7 +239,8 @@ BOOST_AUTO_TEST_CASE(components_that_shall_stay_apart_are_never_merged)
   const Soup soup = disjoint_union(dumbbell(16, 12), moved(dumbbell(16, 12), 0, 0, 0.1));
   const std::size_t half = soup.triangles.size() / 2;
   for (std::size_t maximum : {std::size_t(1), std::size_t(3), unlimited}) {
-    const Labels labels = labels_of(soup, calibrated().components_apart(true).maximum_number_of_segments(maximum));
+    const Labels labels = labels_of(
+      soup, calibrated().keep_components_separate(true).maximum_number_of_segments(maximum));
     const std::set<std::size_t> first(labels.begin(), labels.begin() + std::ptrdiff_t(half)),
                                 second(labels.begin() + std::ptrdiff_t(half), labels.end());
     for (std::size_t label : first)

@@ -304,7 +304,7 @@ BOOST_AUTO_TEST_CASE(closed_parts_fill_real_meshes)
       std::vector<Mesh> parts;
       std::vector<std::vector<Mesh::Face_index> > faces;
       CGAL::split_into_segments(mesh, segment_ids, parts,
-                                params::faces_of_parts(faces).closed(true));
+                                params::faces_of_parts(faces).close_parts(true));
       BOOST_REQUIRE(parts.size() == n);
       double sum = 0;
       std::size_t number = 0;
@@ -335,7 +335,7 @@ BOOST_AUTO_TEST_CASE(parts_of_a_polyhedron)
                                 f->halfedge()->next()->next()->vertex()->point()).z() < 1;
   std::vector<Mesh> parts;
   CGAL::split_into_segments(mesh, boost::make_assoc_property_map(segment), parts,
-                            params::closed(true));
+                            params::close_parts(true));
   BOOST_REQUIRE(parts.size() == 2);
   BOOST_TEST(PMP::volume(parts[0]) == PMP::volume(mesh) / 2, tt::tolerance(1e-12));
   BOOST_TEST(PMP::volume(parts[1]) == PMP::volume(mesh) / 2, tt::tolerance(1e-12));

@@ -205,19 +205,19 @@ BOOST_AUTO_TEST_CASE(what_nothing_touches_stays_apart_and_is_joined_nearest_firs
   BOOST_TEST(hierarchy.number_of_roots() == 1u);
   BOOST_TEST(hierarchy.node(0).salience == infinity);
   BOOST_TEST((hierarchy.labels(2, 0.4) == two));
-  const auto apart = parameters::components_apart(true);
+  const auto apart = parameters::keep_components_separate(true);
   BOOST_TEST(hierarchy_of(mesh, apart).number_of_roots() == 3u);
 }
 
-BOOST_AUTO_TEST_CASE(components_apart_are_parts_from_the_start)
+BOOST_AUTO_TEST_CASE(keep_components_separate_are_parts_from_the_start)
 {
   const Soup soup = disjoint_union(sphere(3), moved(sphere(3), 1.9, 0, 0));
-  BOOST_TEST(number_of(labels_of_soup(soup, parameters::components_apart(true)
+  BOOST_TEST(number_of(labels_of_soup(soup, parameters::keep_components_separate(true)
                                               .maximum_number_of_segments(1))) == 2u);
   BOOST_TEST(number_of(labels_of_soup(soup, parameters::zhang_liu_2005()
                                               .maximum_number_of_segments(1))) == 2u);
   BOOST_TEST(number_of(labels_of_soup(soup, parameters::maximum_number_of_segments(1))) == 1u);
-  BOOST_CHECK_THROW(labels_of(soup, parameters::zhang_liu_2005().components_apart(false)),
+  BOOST_CHECK_THROW(labels_of(soup, parameters::zhang_liu_2005().keep_components_separate(false)),
                     std::invalid_argument);
 }
 

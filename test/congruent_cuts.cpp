@@ -62,7 +62,7 @@ void cut(const Face_graph& graph, Cut_hierarchy& hierarchy, std::size_t node, do
     area[side] += graph.areas[f];
   }
   const int smaller = area[0] <= area[1] ? 0 : 1;
-  hierarchy.turns.push_back(node);
+  hierarchy.cut_order.push_back(node);
   hierarchy.cut(node, area[smaller], area[1 - smaller]);
   hierarchy.nodes[node].salience = salience;
   for (int side = 0; side < 2; ++side)
@@ -113,7 +113,7 @@ const Figure& figure()
 std::vector<double> saliences(const Cut_hierarchy& hierarchy)
 {
   std::vector<double> result;
-  for (std::size_t node : hierarchy.turns)
+  for (std::size_t node : hierarchy.cut_order)
     result.push_back(hierarchy.nodes[node].salience);
   return result;
 }
@@ -123,17 +123,17 @@ void check(const Cut_hierarchy& before, const Cut_hierarchy& after)
 {
   BOOST_TEST(after.number_of_roots == before.number_of_roots);
   BOOST_TEST_REQUIRE(after.nodes.size() == before.nodes.size());
-  BOOST_TEST_REQUIRE(after.turns.size() == before.turns.size());
-  for (std::size_t i = 0; i < after.turns.size(); ++i) {
-    const Cut_node& n = after.nodes[after.turns[i]];
+  BOOST_TEST_REQUIRE(after.cut_order.size() == before.cut_order.size());
+  for (std::size_t i = 0; i < after.cut_order.size(); ++i) {
+    const Cut_node& n = after.nodes[after.cut_order[i]];
     for (std::size_t k = 0; k < 2; ++k) {
       BOOST_TEST(n.children[k] == after.number_of_roots + 2 * i + k);
-      BOOST_TEST(after.nodes[n.children[k]].parent == after.turns[i]);
+      BOOST_TEST(after.nodes[n.children[k]].parent == after.cut_order[i]);
     }
-    BOOST_TEST(after.turns[i] < n.children[0]);
+    BOOST_TEST(after.cut_order[i] < n.children[0]);
     BOOST_TEST(after.nodes[n.children[0]].area <= after.nodes[n.children[1]].area);
     if (i > 0)
-      BOOST_TEST(n.salience <= after.nodes[after.turns[i - 1]].salience);
+      BOOST_TEST(n.salience <= after.nodes[after.cut_order[i - 1]].salience);
   }
   std::multiset<std::pair<Faces, double> > parts[2];
   for (std::size_t node = 0; node < after.nodes.size(); ++node) {
@@ -189,7 +189,8 @@ BOOST_AUTO_TEST_CASE(cuts_change_their_order_with_their_saliences)
   const Cut_hierarchy result = with_common_saliences(f.graph, cuts);
   BOOST_TEST(saliences(result) == std::vector<double>({0.875, 0.75, 0.5, 0.375, 0.375}),
              tt::per_element());
-  BOOST_TEST(result.turns == std::vector<std::size_t>({0, 2, right, left, 6}), tt::per_element());
+  BOOST_TEST(result.cut_order == std::vector<std::size_t>({0, 2, right, left, 6}),
+             tt::per_element());
 }
 
 BOOST_AUTO_TEST_CASE(saliences_may_be_of_any_scale)
@@ -237,13 +238,13 @@ BOOST_AUTO_TEST_CASE(random_hierarchies_stay_in_order)
         cut(graph, cuts, node, salience, is_taken);
       }
       const Cut_hierarchy result = with_common_saliences(graph, cuts);
-      BOOST_TEST(result.nodes[result.turns.front()].salience <= 1);
-      BOOST_TEST(result.nodes[result.turns.back()].salience >= salience);
+      BOOST_TEST(result.nodes[result.cut_order.front()].salience <= 1);
+      BOOST_TEST(result.nodes[result.cut_order.back()].salience >= salience);
       changed += saliences(result) != saliences(cuts);
       const std::vector<double> in_order = saliences(result);
       BOOST_TEST(std::is_sorted(in_order.rbegin(), in_order.rend()));
       std::set<std::size_t> cut_before;
-      for (std::size_t node : result.turns) { // parents come first
+      for (std::size_t node : result.cut_order) { // parents come first
         BOOST_TEST((node < result.number_of_roots ||
                     cut_before.count(result.nodes[node].parent) == 1));
         cut_before.insert(node);

@@ -185,8 +185,8 @@ class Example(unittest.TestCase):
         _, faces, properties = self.ply()
         self.check_segments(faces, properties["segment"], n + m - 1)
 
-    def test_segment_with_wishes(self):
-        n, m = self.numbers(r"(\d+) segments\n(\d+) segments with wishes", self.run_example())
+    def test_segment_with_constraints(self):
+        n, m = self.numbers(r"(\d+) segments\n(\d+) segments with constraints", self.run_example())
         self.assertEqual(m, n - 1)
         _, faces, properties = self.ply()
         self.check_segments(faces, properties["segment"], m)

@@ -185,7 +185,7 @@ BOOST_AUTO_TEST_CASE(a_hierarchy_that_is_read_is_the_one_that_was_written)
   check_round_trip(Segmentation_hierarchy());
   const auto check_runs = [](const Mesh& mesh, const auto& np) {
     check_round_trip(hierarchy_of(mesh, np));
-    check_round_trip(hierarchy_of(mesh, np.number_of_segments(25).boundary_smoothing(true)));
+    check_round_trip(hierarchy_of(mesh, np.number_of_segments(25).smooth_boundaries(true)));
     check_round_trip(hierarchy_of(mesh, np.salience_threshold(-infinity)
                                           .maximum_number_of_segments(6)
                                           .part_salience(Strange_salience())));
@@ -197,14 +197,14 @@ BOOST_AUTO_TEST_CASE(a_hierarchy_that_is_read_is_the_one_that_was_written)
              parameters::default_values());
 }
 
-BOOST_AUTO_TEST_CASE(a_hierarchy_with_wishes_is_read_back)
+BOOST_AUTO_TEST_CASE(a_hierarchy_with_constraints_is_read_back)
 {
   Mesh mesh = mesh_of(doll());
   auto seeds = mesh.add_property_map<Mesh::Face_index, int>("f:seed", -1).first;
   const std::size_t n = num_faces(mesh);
   for (std::size_t f : {std::size_t(0), std::size_t(1), n / 3, n / 2, n - 1})
     seeds[Mesh::Face_index(f)] = f < n / 2 ? 0 : 1;
-  check_round_trip(hierarchy_of(mesh, parameters::face_seed_map(seeds).boundary_smoothing(true)));
+  check_round_trip(hierarchy_of(mesh, parameters::face_seed_map(seeds).smooth_boundaries(true)));
 }
 
 BOOST_AUTO_TEST_CASE(changes_by_hand_are_kept)
@@ -264,13 +264,13 @@ BOOST_AUTO_TEST_CASE(the_segments_are_described)
       BOOST_TEST((segment["neighbors"] == Json(neighbors)));
       BOOST_TEST((segment["bounding_box"] == Json(box)));
     }
-    std::size_t number_made = 0;
+    std::size_t number_applied = 0;
     for (std::size_t i = 0; i < hierarchy.number_of_nodes(); ++i) {
       const Json& node = json["nodes"][i];
-      number_made += node["made"].get<bool>();
-      BOOST_TEST(node["made"] == (hierarchy.segments_of_node(i, nodes).size() > 1));
+      number_applied += node["is_applied"].get<bool>();
+      BOOST_TEST(node["is_applied"] == (hierarchy.segments_of_node(i, nodes).size() > 1));
     }
-    BOOST_TEST(number_made == nodes.size() - 1);
+    BOOST_TEST(number_applied == nodes.size() - 1);
   });
 }
 
@@ -309,13 +309,13 @@ BOOST_AUTO_TEST_CASE(each_contradiction_is_named)
   }), "the larger"));
   BOOST_TEST(contains(error_of([](J j) { j["nodes"][0]["area"] = "nan"; }), "\"area\""));
   BOOST_TEST(contains(error_of([](J j) { j["nodes"][0]["area"] = -1; }), "negative"));
-  BOOST_TEST(contains(error_of([](J j) { j["nodes"][0]["cut"] = "no cut"; }), "known"));
-  BOOST_TEST(contains(error_of([](J j) { j["nodes"][0]["cut"] = "x"; }), "words"));
+  BOOST_TEST(contains(error_of([](J j) { j["nodes"][0]["cut_state"] = "no cut"; }), "\"cut\""));
+  BOOST_TEST(contains(error_of([](J j) { j["nodes"][0]["cut_state"] = "x"; }), "words"));
   BOOST_TEST(contains(error_of([](J j) { j["nodes"][0]["salience"] = "nan"; }), "\"salience\""));
   BOOST_TEST(contains(error_of([](J j) { j["nodes"][0]["factors"]["size"] = "x"; }), "\"size\""));
   BOOST_TEST(contains(error_of([](J j) { j["nodes"][1]["faces"] = 1; }), "\"faces\""));
-  BOOST_TEST(contains(error_of([](J j) { j["order_of_nodes"].erase(0); }), "order_of_nodes"));
-  BOOST_TEST(contains(error_of([](J j) { j["order_of_nodes"].push_back(0); }), "twice"));
+  BOOST_TEST(contains(error_of([](J j) { j["cut_order"].erase(0); }), "cut_order"));
+  BOOST_TEST(contains(error_of([](J j) { j["cut_order"].push_back(0); }), "twice"));
   BOOST_TEST(contains(error_of([](J j) { j["leaf_of_face"][0] = 0; }), "has children"));
   BOOST_TEST(contains(error_of([](J j) { j["leaf_of_face"][0] = 99; }), "leaf_of_face"));
   BOOST_TEST(contains(error_of([](J j) { j["leaf_of_face"][0] = 0.5; }), "leaf_of_face"));
@@ -336,7 +336,7 @@ BOOST_AUTO_TEST_CASE(each_contradiction_is_named)
       ++leaf;
     nodes[leaf]["children"] = {leaf, leaf};
     nodes[leaf]["parent"] = leaf;
-    nodes[leaf]["cut"] = "known";
+    nodes[leaf]["cut_state"] = "cut";
   }) != "");
 
   for (const char* text : {"", "{", "[1, 2", "null", "{\"format\": \"\xff\"}", "1e999"})
@@ -350,7 +350,7 @@ BOOST_AUTO_TEST_CASE(each_contradiction_is_named)
 BOOST_AUTO_TEST_CASE(no_change_of_a_file_does_harm)
 {
   const std::string valid = written(hierarchy_of(
-    mesh_of(dumbbell(4, 4)), parameters::boundary_smoothing(true).maximum_number_of_segments(4)));
+    mesh_of(dumbbell(4, 4)), parameters::smooth_boundaries(true).maximum_number_of_segments(4)));
   const Json json = Json::parse(valid);
   std::mt19937 random(1);
   std::size_t number_read = 0;

@@ -36,7 +36,7 @@ std::size_t check_runs(const Mesh& mesh)
 {
   for_both_methods([&](const auto& np) {
     check_run(mesh, np.salience_threshold(-infinity).minimum_segment_size(0)
-                      .boundary_smoothing(true));
+                      .smooth_boundaries(true));
     check_run(mesh, np.number_of_smoothing_iterations(3).random_seed(1));
   });
   check_run(mesh, parameters::zhang_liu_2005());
@@ -152,7 +152,7 @@ BOOST_AUTO_TEST_CASE(hundreds_of_components)
                                                  {v + 1, v + 2, v + 3}, {v + 2, v, v + 3}});
   }
   const Mesh mesh = mesh_of(soup);
-  BOOST_TEST(check_run(mesh, parameters::components_apart(true)) == 500);
+  BOOST_TEST(check_run(mesh, parameters::keep_components_separate(true)) == 500);
   BOOST_TEST(check_runs(mesh) >= 1); // they are near to each other, seen from afar
 }
 
@@ -256,10 +256,10 @@ BOOST_AUTO_TEST_CASE(random_tiny_meshes)
       const Mesh mesh =
         seed % 2 == 0 ? random_mesh(engine, extent) : repaired_random_mesh(engine, extent);
       for_both_methods([&](const auto& np) {
-        const auto on_itself = np.number_of_searched_faces(0);
+        const auto on_itself = np.number_of_coarse_faces(0);
         check_run(mesh, on_itself);
         check_run(mesh, on_itself.salience_threshold(-infinity).minimum_segment_size(0)
-                          .boundary_smoothing(true));
+                          .smooth_boundaries(true));
       });
       if (seed % 150 == 0) // a search on thousands of faces takes its time
         check_runs(mesh);

@@ -17,8 +17,8 @@
 #include <set>
 #include <vector>
 
-// The default method on meshes of CGAL, coarse or with long thin triangles, whose parts nobody would
-// dispute. Each part is told by its place.
+// The default method on meshes of CGAL, coarse or with long thin triangles, whose parts nobody
+// would dispute. Each part is told by its place.
 BOOST_AUTO_TEST_SUITE(known_answers)
 
 using namespace test_meshes;

@@ -120,7 +120,8 @@ BOOST_AUTO_TEST_CASE(an_even_mesh_has_edges_of_the_length_of_its_number_of_faces
   BOOST_TEST(edge_length(20 * graph.areas[0], 20) == graph.length(0), tt::tolerance(1e-9));
 }
 
-// Halves of longest edges differ in length, so there are up to four times the faces of an even mesh.
+// Halves of longest edges differ in length, so there are up to four times the faces of an even
+// mesh.
 BOOST_AUTO_TEST_CASE(the_bound_gives_about_the_number_of_faces)
 {
   for (const Soup& soup : {sphere(0), sphere(1), torus(3, 1, 8, 5), plate(2, 1)})

@@ -119,7 +119,8 @@ void check_model()
   for (const Soup& soup : soups()) {
     Graph graph;
     fill(graph, soup);
-    BOOST_TEST(labels_of_graph(graph) == labels_of_graph(mesh_of(soup)), boost::test_tools::per_element());
+    BOOST_TEST(labels_of_graph(graph) == labels_of_graph(mesh_of(soup)),
+               boost::test_tools::per_element());
   }
 }
 
@@ -195,7 +196,7 @@ void check_capacity(std::size_t capacity)
   std::vector<Id> ids(capacity, Id(7));
   const auto map = boost::make_iterator_property_map(ids.begin(),
                                                      get(CGAL::face_index, just_enough));
-  const auto apart = parameters::components_apart(true);
+  const auto apart = parameters::keep_components_separate(true);
   BOOST_TEST(CGAL::segment_spectral_recursive(just_enough, map, apart) == capacity);
   BOOST_TEST(ids.back() == static_cast<Id>(capacity - 1));
 

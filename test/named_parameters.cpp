@@ -124,17 +124,17 @@ BOOST_AUTO_TEST_CASE(defaults_are_those_that_are_documented)
     parameters::vertex_point_map(get(CGAL::vertex_point, doll_mesh()))
       .face_index_map(get(CGAL::face_index, doll_mesh())).geom_traits(Kernel())
       .maximum_number_of_segments((std::numeric_limits<std::size_t>::max)())
-      .number_of_reference_faces(10).number_of_smoothing_iterations(0).boundary_smoothing(false)
+      .number_of_reference_faces(10).number_of_smoothing_iterations(0).smooth_boundaries(false)
       .visitor(visitor);
   BOOST_TEST(labels == labels_of_doll(
     common.salience_threshold(CGAL::Spectral_segmentation::default_probability_threshold)
       .minimum_segment_size(0.003).part_salience(Calibrated_part_salience())
-      .distance_weights(0.03, 1, 0.1).number_of_searched_faces(4000)),
+      .distance_weights(0.03, 1, 0.1).number_of_coarse_faces(4000)),
     boost::test_tools::per_element());
   BOOST_TEST(labels_of_doll(parameters::zhang_liu_2005()) == labels_of_doll(
     common.zhang_liu_2005().salience_threshold(0.54).minimum_segment_size(0.005)
       .salience_weights(0.1, 0.6, 0.3).distance_weights(0.01, 1, 0.1)
-      .number_of_searched_faces(0)), boost::test_tools::per_element());
+      .number_of_coarse_faces(0)), boost::test_tools::per_element());
   Labels without_pack;
   CGAL::segment_spectral_recursive(doll_mesh(), map_to(without_pack, doll_mesh()));
   BOOST_TEST(labels == without_pack, boost::test_tools::per_element());
@@ -154,7 +154,7 @@ BOOST_AUTO_TEST_CASE(each_of_the_defaults_is_the_one_that_is_documented)
     check(np, np.maximum_number_of_segments((std::numeric_limits<std::size_t>::max)()));
     check(np, np.number_of_reference_faces(10));
     check(np, np.number_of_smoothing_iterations(0));
-    check(np, np.boundary_smoothing(false));
+    check(np, np.smooth_boundaries(false));
   });
   const auto by_default = parameters::default_values();
   check(by_default, by_default.salience_threshold(
@@ -163,22 +163,22 @@ BOOST_AUTO_TEST_CASE(each_of_the_defaults_is_the_one_that_is_documented)
   check(by_default, by_default.part_salience(Calibrated_part_salience()));
   check(by_default, by_default.distance_weights(0.03, 1, 0.1));
   const auto paper = parameters::zhang_liu_2005();
-  check(paper, parameters::boundary_smoothing(false).zhang_liu_2005());
+  check(paper, parameters::smooth_boundaries(false).zhang_liu_2005());
   check(paper, paper.salience_threshold(0.54));
   check(paper, paper.minimum_segment_size(0.005));
   check(paper, paper.salience_weights(0.1, 0.6, 0.3));
   check(paper, paper.distance_weights(0.01, 1, 0.1));
-  check(paper, paper.number_of_searched_faces(0));
+  check(paper, paper.number_of_coarse_faces(0));
 }
 
 // The search on a coarse mesh begins above the default.
-BOOST_AUTO_TEST_CASE(the_default_number_of_searched_faces)
+BOOST_AUTO_TEST_CASE(the_default_number_of_coarse_faces)
 {
   const auto has_projection = [](const Soup& soup, const auto& np) {
     struct Visitor : Segmentation_visitor
     {
       bool has_projection = false;
-      void start_stage(CGAL::Spectral_segmentation::Stage stage, std::size_t)
+      void before_stage(CGAL::Spectral_segmentation::Stage stage, std::size_t)
       {
         has_projection =
           has_projection || stage == CGAL::Spectral_segmentation::Stage::PROJECTION;
@@ -192,11 +192,11 @@ BOOST_AUTO_TEST_CASE(the_default_number_of_searched_faces)
   const auto by_default = parameters::default_values();
   for (const Soup& soup : {coarse, fine}) {
     BOOST_TEST(has_projection(soup, by_default));
-    BOOST_TEST(!has_projection(soup, by_default.number_of_searched_faces(0)));
+    BOOST_TEST(!has_projection(soup, by_default.number_of_coarse_faces(0)));
     BOOST_TEST(!has_projection(soup, parameters::zhang_liu_2005()));
   }
   // In proportion with more than 20 segments: the sphere has 5120 faces.
-  const auto of_2500 = by_default.number_of_searched_faces(2500);
+  const auto of_2500 = by_default.number_of_coarse_faces(2500);
   BOOST_TEST(has_projection(fine, of_2500.maximum_number_of_segments(40)));
   BOOST_TEST(!has_projection(fine, of_2500.maximum_number_of_segments(41)));
 }
@@ -294,13 +294,13 @@ BOOST_AUTO_TEST_CASE(parameters_chain_in_any_order)
   const auto point = get(CGAL::vertex_point, doll_mesh());
   const Labels a = labels_of_doll(
     parameters::vertex_point_map(point).salience_threshold(0.4).random_seed(3)
-      .maximum_number_of_segments(5).hierarchy(hierarchy_1).boundary_smoothing(true));
+      .maximum_number_of_segments(5).hierarchy(hierarchy_1).smooth_boundaries(true));
   const Labels b = labels_of_doll(
-    parameters::boundary_smoothing(true).hierarchy(hierarchy_2).maximum_number_of_segments(5)
+    parameters::smooth_boundaries(true).hierarchy(hierarchy_2).maximum_number_of_segments(5)
       .random_seed(3).salience_threshold(0.4).vertex_point_map(point));
   const Labels c = labels_of_doll(
     parameters::from(CGAL::parameters::random_seed(3).vertex_point_map(point))
-      .hierarchy(hierarchy_3).boundary_smoothing(true).salience_threshold(0.4)
+      .hierarchy(hierarchy_3).smooth_boundaries(true).salience_threshold(0.4)
       .maximum_number_of_segments(5));
   BOOST_TEST(a == b, boost::test_tools::per_element());
   BOOST_TEST(a == c, boost::test_tools::per_element());
@@ -312,7 +312,8 @@ BOOST_AUTO_TEST_CASE(a_pack_of_CGAL_is_taken_as_it_is)
 {
   std::vector<Point> stretched;
   for (Vertex v : vertices(doll_mesh()))
-    stretched.emplace_back(doll_mesh().point(v).x(), 3 * doll_mesh().point(v).y(), doll_mesh().point(v).z());
+    stretched.emplace_back(doll_mesh().point(v).x(), 3 * doll_mesh().point(v).y(),
+                           doll_mesh().point(v).z());
   const auto map = boost::make_iterator_property_map(stretched.begin(),
                                                      get(CGAL::vertex_index, doll_mesh()));
   BOOST_TEST(labels_of_doll(CGAL::parameters::vertex_point_map(map).random_seed(5)) ==
@@ -367,7 +368,7 @@ BOOST_AUTO_TEST_CASE(each_number_has_an_effect)
     BOOST_TEST(differ(np, np.distance_weights(0.01, 0, 1)));
     BOOST_TEST(differ(np, np.distance_weights(0.01, 1, 5)));
     BOOST_TEST(differ(np, np.number_of_reference_faces(1)));
-    BOOST_TEST(differ(np, np.number_of_searched_faces(100)));
+    BOOST_TEST(differ(np, np.number_of_coarse_faces(100)));
     BOOST_TEST(differ(np, np.number_of_smoothing_iterations(5)));
     BOOST_TEST(number_of(labels_of_doll(np.salience_threshold(0.3))) >
                number_of(labels_of_doll(np.salience_threshold(0.9))));
@@ -375,7 +376,7 @@ BOOST_AUTO_TEST_CASE(each_number_has_an_effect)
   });
   const auto paper = parameters::zhang_liu_2005();
   BOOST_TEST(differ(parameters::default_values(), paper));
-  BOOST_TEST(differ(paper, paper.boundary_smoothing(true))); // by default no tooth is left here
+  BOOST_TEST(differ(paper, paper.smooth_boundaries(true))); // by default no tooth is left here
 }
 
 BOOST_AUTO_TEST_CASE(only_the_ratio_of_the_angle_weights_matters)
@@ -517,7 +518,7 @@ BOOST_AUTO_TEST_CASE(numbers_out_of_range_are_refused_by_name)
                   parameters::distance_weights(0.03, 1, bad));
   }
   check_refused("salience_weights", parameters::part_salience(Weighted_part_salience{1, 1, 1}));
-  check_refused("number_of_searched_faces", parameters::number_of_searched_faces(-1));
+  check_refused("number_of_coarse_faces", parameters::number_of_coarse_faces(-1));
   check_refused("number_of_reference_faces", parameters::number_of_reference_faces(0));
   check_refused("number_of_reference_faces", parameters::number_of_reference_faces(-1));
   check_refused("number_of_smoothing_iterations", parameters::number_of_smoothing_iterations(-1));
@@ -540,7 +541,7 @@ BOOST_AUTO_TEST_CASE(the_ends_of_the_ranges_are_taken)
   BOOST_TEST(is_taken(parameters::distance_weights(0.03, 1e300, 1e300)));
   BOOST_TEST(is_taken(parameters::distance_weights(0.03, 1e-300, 1e-300)));
   BOOST_TEST(is_taken(parameters::number_of_reference_faces(1)));
-  BOOST_TEST(is_taken(parameters::number_of_searched_faces(0)));
+  BOOST_TEST(is_taken(parameters::number_of_coarse_faces(0)));
   const Mesh small = mesh_of(dumbbell(8, 6));
   BOOST_TEST(labels_of(small, parameters::number_of_reference_faces(num_faces(small))) ==
              labels_of(small, parameters::number_of_reference_faces(num_faces(small) + 1)),

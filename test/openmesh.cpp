@@ -89,7 +89,8 @@ BOOST_AUTO_TEST_CASE_TEMPLATE(labels_are_those_of_a_surface_mesh, Graph, Models)
   for (const Soup& soup : soups()) {
     Graph graph;
     fill(graph, soup);
-    BOOST_TEST(labels_of_graph(graph) == labels_of_graph(mesh_of(soup)), boost::test_tools::per_element());
+    BOOST_TEST(labels_of_graph(graph) == labels_of_graph(mesh_of(soup)),
+               boost::test_tools::per_element());
   }
 }
 
@@ -109,7 +110,8 @@ BOOST_AUTO_TEST_CASE_TEMPLATE(deleted_faces_are_left_out, Graph, Models)
       graph.delete_face(graph.face_handle(unsigned(f)), false);
     else
       rest.triangles.push_back(whole.triangles[f]);
-  BOOST_TEST(labels_of_graph(graph) == labels_of_graph(mesh_of(rest)), boost::test_tools::per_element());
+  BOOST_TEST(labels_of_graph(graph) == labels_of_graph(mesh_of(rest)),
+             boost::test_tools::per_element());
 }
 
 BOOST_AUTO_TEST_CASE(a_face_that_is_not_a_triangle_is_refused)

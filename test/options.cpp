@@ -73,14 +73,14 @@ BOOST_AUTO_TEST_CASE(fields_mean_what_named_parameters_do)
   o.maximum_number_of_segments = 6;
   o.salience_threshold = -infinity;
   o.minimum_segment_size = 0.02;
-  o.components_apart = true;
-  o.number_of_searched_faces = 300;
+  o.keep_components_separate = true;
+  o.number_of_coarse_faces = 300;
   o.number_of_smoothing_iterations = 2;
-  o.boundary_smoothing = true;
+  o.smooth_boundaries = true;
   check_equal(o, parameters::maximum_number_of_segments(6).salience_threshold(-infinity)
-                   .minimum_segment_size(0.02).components_apart(true)
-                   .number_of_searched_faces(300).number_of_smoothing_iterations(2)
-                   .boundary_smoothing(true));
+                   .minimum_segment_size(0.02).keep_components_separate(true)
+                   .number_of_coarse_faces(300).number_of_smoothing_iterations(2)
+                   .smooth_boundaries(true));
 
   o = Options::zhang_liu_2005();
   o.part_salience = Weighted_part_salience{0.2, 0.3, 0.5};
@@ -117,7 +117,7 @@ BOOST_AUTO_TEST_CASE(values_out_of_range_are_refused_by_name)
   check_refused("number_of_segments", [](Options& o) { o.number_of_segments = 0; });
   check_refused("maximum_number_of_segments", [](Options& o) { o.maximum_number_of_segments = 0; });
   check_refused("salience_threshold", [](Options& o) { o.salience_threshold = not_a_number; });
-  check_refused("components_apart", [](Options& o) { o.components_apart = false; },
+  check_refused("keep_components_separate", [](Options& o) { o.keep_components_separate = false; },
                 Options::zhang_liu_2005());
   for (double bad : {-0.001, 0.501, not_a_number})
     check_refused("minimum_segment_size", [&](Options& o) { o.minimum_segment_size = bad; });

@@ -154,7 +154,7 @@ class Page_test(unittest.TestCase):
         self.assertEqual(page.data["hierarchy"]["areas"], [node["area"] for node in tree])
 
     def test_smoothed_boundaries(self):
-        page = self.check_labels(MESHES / "elephant.off", (2, 9, 20), "--boundary-smoothing")
+        page = self.check_labels(MESHES / "elephant.off", (2, 9, 20), "--smooth-boundaries")
         self.assertNotEqual(page.data["exceptions"], {})
 
     def test_method_of_paper(self):
@@ -182,7 +182,7 @@ class Page_test(unittest.TestCase):
         path = self.directory / "two.off"
         write_off(path, points + [(x + 30, y, z) for x, y, z in points],
                   faces + [tuple(v + len(points) for v in f) for f in faces])
-        page = self.check_labels(path, (2, 3, 4), "--components-apart")
+        page = self.check_labels(path, (2, 3, 4), "--keep-components-separate")
         self.assertEqual(page.roots, 2)
         page = self.check_labels(path, (1, 2, 3))
         self.assertIsNone(page.data["hierarchy"]["saliences"][0]) # infinite

@@ -119,7 +119,7 @@ BOOST_AUTO_TEST_CASE(evaluated_cuts_on_a_coarse_mesh)
 {
   const Benchmark_mesh input = dumbbell();
   Engine_options options = CGAL::Spectral_segmentation::Options();
-  options.number_of_searched_faces = 300;
+  options.number_of_coarse_faces = 300;
   BOOST_TEST_REQUIRE(input.mesh.number_of_faces() > 300u);
   const Mesh_cuts cuts = evaluated_cuts(input, options);
   double best = 0;

@@ -115,7 +115,7 @@ BOOST_AUTO_TEST_CASE(progress_rises_to_one)
   for_both_methods([&](const auto& np) {
     for (const Soup& soup : soups) {
       check_progress(mesh_of(soup), np, 1);
-      check_progress(mesh_of(soup), np.number_of_searched_faces(60).boundary_smoothing(true), 1);
+      check_progress(mesh_of(soup), np.number_of_coarse_faces(60).smooth_boundaries(true), 1);
     }
   });
 }
@@ -137,10 +137,10 @@ BOOST_AUTO_TEST_CASE(a_run_may_be_stopped_at_any_poll)
       for (std::size_t poll = 0; poll < polls; ++poll)
         check_stop<CGAL::Sequential_tag>(mesh, poll, pack);
     };
-    check(np.maximum_number_of_segments(6).number_of_searched_faces(0));
+    check(np.maximum_number_of_segments(6).number_of_coarse_faces(0));
     BOOST_TEST_CONTEXT("on a coarse mesh")
-      check(np.maximum_number_of_segments(6).number_of_searched_faces(60)
-              .number_of_smoothing_iterations(3).boundary_smoothing(true));
+      check(np.maximum_number_of_segments(6).number_of_coarse_faces(60)
+              .number_of_smoothing_iterations(3).smooth_boundaries(true));
   });
 }
 
@@ -149,7 +149,7 @@ BOOST_AUTO_TEST_CASE(a_run_over_a_large_mesh_may_be_stopped_at_any_poll)
   const Mesh mesh = mesh_of(dumbbell(74, 70)); // 20572 faces, coarsened in steps
   BOOST_TEST(num_faces(mesh) > 20000);
   for_both_methods([&](const auto& pack) {
-    const auto np = pack.number_of_searched_faces(400).maximum_number_of_segments(5);
+    const auto np = pack.number_of_coarse_faces(400).maximum_number_of_segments(5);
     const std::size_t polls = number_of_polls(mesh, np);
     for (std::size_t i = 0; i < 24; ++i)
       check_stop<CGAL::Sequential_tag>(mesh, i * i * (polls - 1) / (23 * 23), np);
@@ -161,7 +161,7 @@ BOOST_AUTO_TEST_CASE(a_run_in_threads_may_be_stopped_at_any_poll)
 {
   const Mesh mesh = mesh_of(disjoint_union(small_soup(), moved(doll(), 30, 0, 0)));
   for_both_methods([&](const auto& pack) {
-    const auto np = pack.maximum_number_of_segments(6).number_of_searched_faces(300);
+    const auto np = pack.maximum_number_of_segments(6).number_of_coarse_faces(300);
     // The number of polls may depend on the threads, but not by so much.
     const std::size_t polls = number_of_polls(mesh, np) / 2;
     for (std::size_t i = 0; i < 40; ++i)

@@ -50,13 +50,13 @@ struct Run
   Segmentation_hierarchy searched, whole;
 
   // Once the search is done, the caller may stop the run.
-  Run(const Soup& soup, std::size_t number_of_searched_faces, bool is_stopped = false)
+  Run(const Soup& soup, std::size_t number_of_coarse_faces, bool is_stopped = false)
     : mesh(face_graph_of(soup))
   {
     const CGAL::Spectral_segmentation::Options options;
     internal::Run_control control;
     internal::Run_monitor monitor(control);
-    levels = internal::coarsen_in_steps(sequential, mesh, number_of_searched_faces, monitor);
+    levels = internal::coarsen_in_steps(sequential, mesh, number_of_coarse_faces, monitor);
     Face_graph coarsest = levels.back().graph;
     set_face_distances(coarsest, weights_of_calibrated_method);
     const internal::Best_cut best_cut(sequential, coarsest, options);
@@ -169,7 +169,7 @@ BOOST_AUTO_TEST_CASE(the_neck_is_cut_along_its_shortest_ring)
   Labels labels;
   BOOST_TEST(CGAL::segment_spectral_recursive(mesh, map_to(labels, mesh),
                                               parameters::maximum_number_of_segments(2)
-                                                .number_of_searched_faces(2000)) == 2);
+                                                .number_of_coarse_faces(2000)) == 2);
   // The ring at z = 0 of radius 0.2, as a polygon of 80 sides.
   BOOST_TEST(length_of_boundaries(soup, labels) == 2 * 80 * 0.2 * std::sin(pi / 80),
              boost::test_tools::tolerance(1e-6));
@@ -201,8 +201,8 @@ BOOST_AUTO_TEST_CASE(once_the_run_is_stopped_sides_grow_in_place_of_minimum_cuts
 {
   const Soup soup = fine_dumbbell();
   const Mesh mesh = mesh_of(soup);
-  for (std::size_t number_of_searched_faces : {300, 1500}) {
-    const Run run(soup, number_of_searched_faces, true);
+  for (std::size_t number_of_coarse_faces : {300, 1500}) {
+    const Run run(soup, number_of_coarse_faces, true);
     BOOST_TEST(run.whole.number_of_nodes() == run.searched.number_of_nodes());
     for (std::size_t n = 1; n <= run.whole.number_of_segments(); ++n)
       BOOST_TEST(number_of_connected_pieces(mesh, run.whole.labels(n, -infinity)) == n);
@@ -215,8 +215,8 @@ BOOST_AUTO_TEST_CASE(the_number_of_threads_changes_nothing_in_one_step_or_two)
 {
   Random random(11);
   const Mesh mesh = mesh_of(displaced(fine_dumbbell(), 0.002, random));
-  for (std::size_t number_of_searched_faces : {300, 1500}) {
-    const auto np = parameters::number_of_searched_faces(number_of_searched_faces)
+  for (std::size_t number_of_coarse_faces : {300, 1500}) {
+    const auto np = parameters::number_of_coarse_faces(number_of_coarse_faces)
                       .salience_threshold(-infinity);
     const auto run = [&](auto concurrency_tag, Segmentation_hierarchy& hierarchy) {
       return labels_of<decltype(concurrency_tag)>(mesh, np.hierarchy(hierarchy));
@@ -246,7 +246,7 @@ BOOST_AUTO_TEST_CASE(small_meshes_are_searched_themselves_by_the_method_of_the_p
   struct Stages : Segmentation_visitor
   {
     std::set<Stage> stages;
-    void start_stage(Stage stage, std::size_t) { stages.insert(stage); }
+    void before_stage(Stage stage, std::size_t) { stages.insert(stage); }
   };
   const Mesh mesh = mesh_of(dumbbell(20, 16));
   const std::size_t n = num_faces(mesh);
@@ -255,7 +255,7 @@ BOOST_AUTO_TEST_CASE(small_meshes_are_searched_themselves_by_the_method_of_the_p
     Labels labels;
     CGAL::segment_spectral_recursive(
       mesh, map_to(labels, mesh),
-      parameters::number_of_searched_faces(number).zhang_liu_2005().visitor(std::ref(stages)));
+      parameters::number_of_coarse_faces(number).zhang_liu_2005().visitor(std::ref(stages)));
     BOOST_TEST((stages.stages.count(Stage::PROJECTION) == 1) == (number == n - 1));
   }
 }
@@ -267,7 +267,7 @@ BOOST_AUTO_TEST_CASE(the_method_of_the_paper_can_be_searched_on_fewer_faces_too)
   Labels labels;
   CGAL::segment_spectral_recursive(
     mesh, map_to(labels, mesh),
-    parameters::zhang_liu_2005().number_of_searched_faces(2000).maximum_number_of_segments(2));
+    parameters::zhang_liu_2005().number_of_coarse_faces(2000).maximum_number_of_segments(2));
   BOOST_TEST(number_of_connected_pieces(mesh, labels) == 2);
   BOOST_TEST(length_of_boundaries(soup, labels) < 1.2 * 2 * pi * 0.2);
 }
@@ -277,7 +277,7 @@ BOOST_AUTO_TEST_CASE(a_hierarchy_of_the_paper_is_read_off_in_the_order_of_its_ru
   Random random(7);
   const Soup soup = displaced(torus(2, 0.5, 120, 40), 0.02, random);
   const Mesh mesh = mesh_of(soup);
-  const auto np = parameters::zhang_liu_2005().number_of_searched_faces(1000)
+  const auto np = parameters::zhang_liu_2005().number_of_coarse_faces(1000)
                     .salience_threshold(-infinity);
   Segmentation_hierarchy hierarchy;
   Labels labels;
@@ -297,7 +297,7 @@ BOOST_AUTO_TEST_CASE(parts_of_a_few_searched_faces_are_neither_lost_nor_torn)
       Random random(seed);
       const Soup soup = displaced(seed % 2 == 0 ? torus(2, 0.7, 24, 12) : sphere(3), 0.05, random);
       const Mesh mesh = mesh_of(soup);
-      const auto np = parameters::minimum_segment_size(0).number_of_searched_faces(
+      const auto np = parameters::minimum_segment_size(0).number_of_coarse_faces(
         limits[seed % 3]).salience_threshold(-infinity);
       const auto check = [&](const auto& method) {
         Segmentation_hierarchy hierarchy;

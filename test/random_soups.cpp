@@ -95,7 +95,8 @@ Soup random_piece(Random& random)
   }
 }
 
-// A manifold: of one to three pieces, some with holes, some with noise, some with faces without area.
+// A manifold: of one to three pieces, some with holes, some with noise, some with faces without
+// area.
 Soup random_soup(Random& random)
 {
   Soup soup;
@@ -126,9 +127,9 @@ auto random_parameters(Random& random)
     .maximum_number_of_segments(random() % 2 == 0 ? unlimited : random_number(random, 1, 30))
     .minimum_segment_size(random() % 2 == 0 ? 0. : 0.1 * random_share(random))
     .number_of_reference_faces(random_number(random, 1, 12))
-    .number_of_searched_faces(random() % 2 == 0 ? 0 : random_number(random, 1, 300))
+    .number_of_coarse_faces(random() % 2 == 0 ? 0 : random_number(random, 1, 300))
     .number_of_smoothing_iterations(random() % 3)
-    .boundary_smoothing(random() % 2 == 0)
+    .smooth_boundaries(random() % 2 == 0)
     .distance_weights(random_share(random), random_share(random), random_share(random))
     .random_seed(random());
 }
@@ -166,7 +167,7 @@ struct Checker
       check(h.number_of_faces(i) > 0, "a node without faces");
       check((n.parent == Segmentation_hierarchy::null_node) == (i < h.number_of_roots()),
             "a root with a parent, or another node without");
-      check(n.is_leaf() == (n.cut_state != Segmentation_hierarchy::Cut_state::ACCEPTED),
+      check(n.is_leaf() == (n.cut_state != Segmentation_hierarchy::Cut_state::CUT),
             "an accepted cut without children, or children without");
       leaves += n.is_leaf();
       if (n.is_leaf())
@@ -189,7 +190,7 @@ struct Checker
   // method of the paper, a run that ended at its maximum may not know the labels for a higher
   // threshold. It may have fewer segments then, as a cut can be lost when it is carried back.
   void check_nesting(const Segmentation_hierarchy& h, std::size_t number_of_segments,
-                     bool boundary_smoothing, bool has_maximum)
+                     bool smooth_boundaries, bool has_maximum)
   {
     Labels finer = h.labels(), last = finer;
     check(number_of(finer) == number_of_segments, "labels of the hierarchy");
@@ -197,7 +198,7 @@ struct Checker
       const Labels labels = h.labels(n - 1, h.salience_threshold());
       check(number_of(labels) == (std::max)(n - 1, h.number_of_roots()),
             "labels for a number of segments");
-      check(boundary_smoothing || is_union_of(labels, finer), "nesting by the number of segments");
+      check(smooth_boundaries || is_union_of(labels, finer), "nesting by the number of segments");
       finer = labels;
     }
     finer = last;
@@ -211,7 +212,7 @@ struct Checker
           check(has_maximum, "labels for a threshold are not known");
           continue;
         }
-        check(boundary_smoothing || is_union_of(labels, finer), "nesting by the threshold");
+        check(smooth_boundaries || is_union_of(labels, finer), "nesting by the threshold");
         check(number_of(labels) <= number_of(finer), "more segments for a higher threshold");
         finer = labels;
       }
@@ -281,8 +282,8 @@ struct Checker
   }
 
   template <class NamedParameters>
-  void operator()(const Soup& soup, bool boundary_smoothing, std::size_t maximum,
-                  bool components_apart, std::size_t random, const NamedParameters& np)
+  void operator()(const Soup& soup, bool smooth_boundaries, std::size_t maximum,
+                  bool keep_components_separate, std::size_t random, const NamedParameters& np)
   {
     const Mesh mesh = mesh_of(soup);
     Labels labels, components(num_faces(mesh), 0);
@@ -296,7 +297,7 @@ struct Checker
       next += label == next;
     }
     const std::size_t number_of_components = number_of_connected_pieces(mesh, components);
-    const bool is_apart = components_apart || number_of_components <= 1;
+    const bool is_apart = keep_components_separate || number_of_components <= 1;
     check(!is_apart || number_of_connected_pieces(mesh, labels) == n,
           "a segment is not connected");
     const std::size_t number_of_roots = is_apart ? number_of_components : 1;
@@ -309,7 +310,7 @@ struct Checker
     check(hierarchy.number_of_roots() == number_of_roots, "number of roots");
     check(hierarchy.labels() == labels, "other labels of the hierarchy");
     check_hierarchy(hierarchy, mesh);
-    check_nesting(hierarchy, n, boundary_smoothing, maximum != unlimited);
+    check_nesting(hierarchy, n, smooth_boundaries, maximum != unlimited);
     if (!soup.triangles.empty())
       check_exceptions(mesh, n, random, np);
   }
@@ -317,12 +318,12 @@ struct Checker
 
 // On failure the soup is saved to the working directory.
 template <class NamedParameters>
-void check(unsigned seed, const Soup& soup, bool boundary_smoothing, std::size_t maximum,
-           bool components_apart, const NamedParameters& np)
+void check(unsigned seed, const Soup& soup, bool smooth_boundaries, std::size_t maximum,
+           bool keep_components_separate, const NamedParameters& np)
 {
   Checker checker;
   try {
-    checker(soup, boundary_smoothing, maximum, components_apart, seed, np);
+    checker(soup, smooth_boundaries, maximum, keep_components_separate, seed, np);
   }
   catch (const std::exception& e) {
     checker.failures << e.what();
@@ -346,7 +347,7 @@ BOOST_AUTO_TEST_CASE(with_the_parameters_of_either_method)
     if (seed % 3 == 0)
       check(seed, soup, false, unlimited, false, parameters::default_values());
     if (seed % 3 == 1)
-      check(seed, soup, false, unlimited, true, parameters::components_apart(true));
+      check(seed, soup, false, unlimited, true, parameters::keep_components_separate(true));
   }
 }
 
@@ -358,12 +359,12 @@ BOOST_AUTO_TEST_CASE(with_parameters_at_random)
     const auto np = random_parameters(random);
     namespace tags = CGAL::Spectral_segmentation::internal_np;
     const auto& pack = np.cgal_parameters();
-    const bool boundary_smoothing = CGAL::parameters::get_parameter(pack, tags::boundary_smoothing);
+    const bool smooth_boundaries = CGAL::parameters::get_parameter(pack, tags::smooth_boundaries);
     const std::size_t maximum =
       CGAL::parameters::get_parameter(pack, tags::maximum_number_of_segments);
     const bool apart = seed % 2 == 0;
-    check(seed, soup, boundary_smoothing, maximum, apart, np.components_apart(apart));
-    check(seed, soup, boundary_smoothing, maximum, true, np.zhang_liu_2005());
+    check(seed, soup, smooth_boundaries, maximum, apart, np.keep_components_separate(apart));
+    check(seed, soup, smooth_boundaries, maximum, true, np.zhang_liu_2005());
   }
 }
 

@@ -59,7 +59,7 @@ Result segment(const Mesh& mesh, double threshold, std::size_t maximum = unlimit
 }
 
 bool is_accepted(const Segmentation_hierarchy& hierarchy, std::size_t i)
-{ return hierarchy.node(i).cut_state == Cut_state::ACCEPTED; }
+{ return hierarchy.node(i).cut_state == Cut_state::CUT; }
 
 // Triangles far from each other.
 Soup many_components(std::size_t n)
@@ -89,8 +89,8 @@ struct Search_record : internal::Run_control
   std::size_t number_of_searches = 0;
   std::size_t questions_left = unlimited;
 
-  void start_part(std::size_t, std::size_t) override { ++number_of_searches; }
-  void part_cut(std::size_t part, const CGAL::Spectral_segmentation::Salience_factors&,
+  void before_part(std::size_t, std::size_t) override { ++number_of_searches; }
+  void after_cut(std::size_t part, const CGAL::Spectral_segmentation::Salience_factors&,
                 double salience, std::size_t) override
   {
     cut.push_back(part);
@@ -123,7 +123,7 @@ BOOST_AUTO_TEST_CASE(by_salience_the_most_salient_of_all_cuts_is_made_next)
     over_segmentation(graph, options, sequential, record);
   BOOST_TEST(result.number_of_roots == 2u);
   BOOST_TEST(result.number_of_segments() == 9u + 1); // one more for the second component
-  BOOST_TEST(result.turns == record.cut, boost::test_tools::per_element());
+  BOOST_TEST(result.cut_order == record.cut, boost::test_tools::per_element());
   BOOST_TEST(record.number_of_searches > record.cut.size());
 
   // Each leaf is searched by itself, which tells how salient its cut would be.
@@ -142,8 +142,8 @@ BOOST_AUTO_TEST_CASE(by_salience_the_most_salient_of_all_cuts_is_made_next)
     BOOST_TEST((cut.has_value() || result.nodes[i].is_leaf()));
   }
   std::set<std::size_t> leaves = {0, 1};
-  for (std::size_t i = 0; i < result.turns.size(); ++i) {
-    const std::size_t node = result.turns[i];
+  for (std::size_t i = 0; i < result.cut_order.size(); ++i) {
+    const std::size_t node = result.cut_order[i];
     BOOST_TEST(internal::quantized(record.saliences[i]) == salience[node]);
     BOOST_TEST(leaves.erase(node) == 1u);
     for (std::size_t leaf : leaves)
@@ -239,7 +239,7 @@ BOOST_AUTO_TEST_CASE(the_threshold_decides)
         const Segmentation_hierarchy::Node& n = hierarchy.node(i);
         BOOST_TEST(n.is_leaf() == !is_accepted(hierarchy, i));
         BOOST_TEST((n.cut_state != Cut_state::NOT_SEARCHED));
-        if (n.cut_state == Cut_state::ACCEPTED)
+        if (n.cut_state == Cut_state::CUT)
           BOOST_TEST(n.salience >= threshold);
         if (n.cut_state == Cut_state::REJECTED)
           BOOST_TEST(n.salience < threshold);

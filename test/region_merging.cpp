@@ -205,8 +205,8 @@ double area_of(const Face_graph& graph, const Faces& faces)
 void check_hierarchy(const Face_graph& graph, const Cut_hierarchy& regions,
                      const Cut_hierarchy& result)
 {
-  BOOST_TEST(result.is_ultrametric);
-  BOOST_TEST(result.is_complete);
+  BOOST_TEST(result.is_monotonic);
+  BOOST_TEST(result.has_all_cuts);
   BOOST_TEST(result.number_of_roots == regions.number_of_roots);
   BOOST_TEST_REQUIRE(result.leaf.size() == regions.leaf.size());
 
@@ -222,17 +222,17 @@ void check_hierarchy(const Face_graph& graph, const Cut_hierarchy& regions,
   BOOST_TEST(result.number_of_segments() == leaf_of_region.size());
 
   // Cuts are decided on in the order of their children, none more salient than those before.
-  BOOST_TEST_REQUIRE(result.turns.size() ==
+  BOOST_TEST_REQUIRE(result.cut_order.size() ==
                      (result.nodes.size() - result.number_of_roots) / 2);
-  for (std::size_t i = 0; i < result.turns.size(); ++i) {
-    const Cut_node& n = result.nodes[result.turns[i]];
+  for (std::size_t i = 0; i < result.cut_order.size(); ++i) {
+    const Cut_node& n = result.nodes[result.cut_order[i]];
     BOOST_TEST(n.children[0] == result.number_of_roots + 2 * i);
     if (i > 0)
-      BOOST_TEST(n.salience <= result.nodes[result.turns[i - 1]].salience);
+      BOOST_TEST(n.salience <= result.nodes[result.cut_order[i - 1]].salience);
   }
   for (std::size_t i = 0; i < result.nodes.size(); ++i) {
     const Cut_node& n = result.nodes[i];
-    BOOST_TEST((n.cut_state == (n.is_leaf() ? Cut_state::NO_CUT : Cut_state::ACCEPTED)));
+    BOOST_TEST((n.cut_state == (n.is_leaf() ? Cut_state::NO_CUT : Cut_state::CUT)));
     BOOST_TEST(n.area == area_of(graph, faces_of(result, i)), tt::tolerance(1e-9));
     if (!n.is_leaf()) {
       BOOST_TEST(result.nodes[n.children[0]].area <= result.nodes[n.children[1]].area);
@@ -275,10 +275,10 @@ BOOST_AUTO_TEST_CASE(merges_are_those_of_sets_that_are_evaluated_anew_in_each_st
         BOOST_TEST(count.number_of_others == 0u);
 
         const std::size_t n = expected.merges.size();
-        BOOST_TEST_REQUIRE(result.turns.size() == n);
+        BOOST_TEST_REQUIRE(result.cut_order.size() == n);
         for (std::size_t i = 0; i < n; ++i) { // the i-th cut is the last but i merge
           const Naive_merging::Merge& merge = expected.merges[n - 1 - i];
-          const Cut_node& cut = result.nodes[result.turns[i]];
+          const Cut_node& cut = result.nodes[result.cut_order[i]];
           const Faces sides[] = {faces_of(result, cut.children[0]),
                                  faces_of(result, cut.children[1])};
           BOOST_TEST(((sides[0] == merge.first && sides[1] == merge.second) ||
@@ -308,7 +308,7 @@ BOOST_AUTO_TEST_CASE(the_number_of_threads_changes_nothing)
     merged(Execution::PARALLEL, graph, regions, Calibrated_part_salience(), several);
   BOOST_TEST(one.number == several.number);
   BOOST_TEST(a.leaf == b.leaf, tt::per_element());
-  BOOST_TEST(a.turns == b.turns, tt::per_element());
+  BOOST_TEST(a.cut_order == b.cut_order, tt::per_element());
   for (std::size_t i = 0; i < a.nodes.size(); ++i)
     BOOST_TEST(a.nodes[i].salience == b.nodes[i].salience);
 }
@@ -322,7 +322,7 @@ BOOST_AUTO_TEST_CASE(one_region_for_each_component_needs_no_merge)
   const Cut_hierarchy result =
     merged(Execution::SEQUENTIAL, graph, regions, Calibrated_part_salience(), count);
   BOOST_TEST(result.nodes.size() == 2u);
-  BOOST_TEST(result.turns.empty());
+  BOOST_TEST(result.cut_order.empty());
   BOOST_TEST(count.number == 0u);
   check_hierarchy(graph, regions, result);
 }
@@ -337,7 +337,7 @@ BOOST_AUTO_TEST_CASE(a_salience_that_is_no_number_counts_as_the_least)
     Execution::SEQUENTIAL, graph, regions,
     [](const Salience_factors& f) { return f.size < 0.3 ? std::sqrt(-1.) : f.size; }, count);
   check_hierarchy(graph, regions, result);
-  BOOST_TEST(result.nodes[result.turns.back()].salience ==
+  BOOST_TEST(result.nodes[result.cut_order.back()].salience ==
              -std::numeric_limits<double>::infinity());
 }
 

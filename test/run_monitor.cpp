@@ -152,9 +152,9 @@ BOOST_AUTO_TEST_CASE(a_stage_has_a_start_an_end_and_a_result)
   struct Stages : Run_control
   {
     std::vector<std::string> calls;
-    void start_stage(Stage s, std::size_t part) override
+    void before_stage(Stage s, std::size_t part) override
     { calls.push_back("start " + std::to_string(int(s)) + " of " + std::to_string(part)); }
-    void end_stage(Stage s, std::size_t part) override
+    void after_stage(Stage s, std::size_t part) override
     { calls.push_back("end " + std::to_string(int(s)) + " of " + std::to_string(part)); }
   } stages;
   Run_monitor monitor(stages);
@@ -175,10 +175,10 @@ BOOST_AUTO_TEST_CASE(what_is_told_of_parts_is_passed_on)
   struct Parts : Run_control
   {
     std::vector<std::size_t> started, ended, cut;
-    void start_part(std::size_t part, std::size_t n) override
+    void before_part(std::size_t part, std::size_t n) override
     { started.insert(started.end(), {part, n}); }
-    void end_part(std::size_t part) override { ended.push_back(part); }
-    void part_cut(std::size_t part, const Salience_factors& factors, double salience,
+    void after_part(std::size_t part) override { ended.push_back(part); }
+    void after_cut(std::size_t part, const Salience_factors& factors, double salience,
                   std::size_t n) override
     {
       cut.insert(cut.end(), {part, n});
@@ -187,11 +187,11 @@ BOOST_AUTO_TEST_CASE(what_is_told_of_parts_is_passed_on)
     }
   } parts;
   Run_monitor monitor(parts);
-  monitor.start_part(3, 100);
-  monitor.end_part(3);
+  monitor.before_part(3, 100);
+  monitor.after_part(3);
   Salience_factors factors;
   factors.size = 0.25;
-  monitor.part_cut(3, factors, 0.5, 17);
+  monitor.after_cut(3, factors, 0.5, 17);
   BOOST_TEST(parts.started == std::vector<std::size_t>({3, 100}), tt::per_element());
   BOOST_TEST(parts.ended == std::vector<std::size_t>({3}), tt::per_element());
   BOOST_TEST(parts.cut == std::vector<std::size_t>({3, 17}), tt::per_element());
@@ -223,13 +223,13 @@ BOOST_AUTO_TEST_CASE(the_caller_is_called_by_one_thread_at_a_time)
       enter();
       return true;
     }
-    void start_part(std::size_t, std::size_t) override { enter(); }
+    void before_part(std::size_t, std::size_t) override { enter(); }
   } alone;
   Run_monitor monitor(alone);
   monitor.start_phase(1);
   for_each_index(Execution::PARALLEL, 300, [&](std::size_t i) {
     monitor.go_further();
-    monitor.start_part(i, 1);
+    monitor.before_part(i, 1);
     monitor.advance(1. / 300);
   });
   BOOST_TEST(alone.collisions == 0);

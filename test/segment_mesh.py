@@ -260,7 +260,7 @@ class Real_meshes(Tool_test):
                          sorted(collections.Counter(labels).values()))
         for i, node in enumerate(nodes):
             self.assertEqual(node["id"], i)
-            self.assertEqual(node["cut"] == "known", bool(node["children"]))
+            self.assertEqual(node["cut_state"] == "cut", bool(node["children"]))
             for child in node["children"]:
                 self.assertEqual(nodes[child]["parent"], i)
             if node["children"]:
@@ -273,7 +273,7 @@ class Real_meshes(Tool_test):
                                        0.1 * factors["size"] + 0.6 * factors["cut_strength"] +
                                        0.3 * factors["protrusiveness"])
                 self.assertEqual(node["salience"] >= report["parameters"]["salience_threshold"],
-                                 node["cut"] == "known")
+                                 node["cut_state"] == "cut")
         whole = sum(area(points, face) for face in faces)
         self.assertAlmostEqual(nodes[0]["area"] / whole, 1)
 
@@ -289,7 +289,7 @@ class Real_meshes(Tool_test):
         made = [n for n in cuts
                 if n["salience"] >= report["parameters"]["salience_threshold"]]
         self.assertEqual(len(made), max(labels))
-        self.assertEqual([n for n in cuts if n["made"]], made)
+        self.assertEqual([n for n in cuts if n["is_applied"]], made)
         self.assertEqual(self.segment(MESHES / "elephant.off", "--method", "calibrated"), labels)
 
     def test_segments_are_described(self):
@@ -349,8 +349,8 @@ class Real_meshes(Tool_test):
         self.assertTrue(all(s > 0 for s in phases.values()))
         self.assertEqual(set(seconds), {"initialization", "sampling", "embedding",
                                         "line_search", "merging", "projection",
-                                        "boundary_smoothing"})
-        self.assertEqual(seconds["boundary_smoothing"], 0)
+                                        "smooth_boundaries"})
+        self.assertEqual(seconds["smooth_boundaries"], 0)
         self.assertTrue(all(s >= 0 for s in seconds.values()))
         self.assertLessEqual(sum(seconds.values()), phases["segmentation"])
 
@@ -368,10 +368,10 @@ class Real_meshes(Tool_test):
                          threshold)
             for node in self.report()["hierarchy"]["nodes"]:
                 if node["salience"] is not None:
-                    self.assertEqual(node["salience"] >= threshold, node["cut"] == "known")
+                    self.assertEqual(node["salience"] >= threshold, node["cut_state"] == "cut")
 
     def test_every_run_is_the_same(self):
-        for options in ((), ("--seed", 5), ("--boundary-smoothing", "--smooth", 2)):
+        for options in ((), ("--seed", 5), ("--smooth-boundaries", "--smooth", 2)):
             labels = self.segment(MESHES / "elephant.off", "--threads", 1, *options)
             for threads in (1, 2):
                 if threads == 2 and "without TBB" in self.run_tool(
@@ -382,7 +382,7 @@ class Real_meshes(Tool_test):
 
     def test_options_reach_the_function(self):
         plain = self.segment(MESHES / "elephant.off")
-        for options in (("--seed", 5), ("--smooth", 10), ("--boundary-smoothing",)):
+        for options in (("--seed", 5), ("--smooth", 10), ("--smooth-boundaries",)):
             self.assertNotEqual(self.segment(MESHES / "elephant.off", *options), plain, options)
 
     def test_refined_boundaries(self):
@@ -447,8 +447,8 @@ class Real_meshes(Tool_test):
                              list(range(len(set(self.labels())))))
 
     def test_nodes_of_components_and_smooth_boundaries(self):
-        for mesh, options, top in (("blobby_3cc.off", ("--components-apart",), 3),
-                                   ("elephant.off", ("--boundary-smoothing",), 1)):
+        for mesh, options, top in (("blobby_3cc.off", ("--keep-components-separate",), 3),
+                                   ("elephant.off", ("--smooth-boundaries",), 1)):
             labels = self.segment(MESHES / mesh, *options)
             done = self.run_tool(MESHES / mesh, "-o", "out.glb", *options)
             self.assertEqual((done.returncode, done.stderr), (0, ""))
@@ -1224,7 +1224,7 @@ class Printing(Tool_test):
         self.assertEqual(done.returncode, 0)
         for option in ("-o", "--labels", "--json", "--split-dir", "--segments", "--seed",
                        "--method", "--salience-threshold", "--threads", "--smooth",
-                       "--boundary-smoothing", "--refine-boundaries", "--quiet", "--version"):
+                       "--smooth-boundaries", "--refine-boundaries", "--quiet", "--version"):
             self.assertIn(option, done.stdout)
 
     def test_existing_files_are_replaced(self):

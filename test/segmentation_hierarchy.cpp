@@ -56,8 +56,9 @@ std::set<double> interesting_thresholds(const Segmentation_hierarchy& hierarchy,
 {
   std::set<double> result = {smallest, 0.5, 0.6, 0.9, 2, infinity};
   for (std::size_t i = 0; i < hierarchy.number_of_nodes(); i += 3)
-    if (hierarchy.node(i).cut_state == Cut_state::ACCEPTED)
-      result.insert({hierarchy.node(i).salience, std::nextafter(hierarchy.node(i).salience, infinity)});
+    if (hierarchy.node(i).cut_state == Cut_state::CUT)
+      result.insert(
+        {hierarchy.node(i).salience, std::nextafter(hierarchy.node(i).salience, infinity)});
   return result;
 }
 
@@ -245,7 +246,7 @@ BOOST_AUTO_TEST_CASE(labels_are_contiguous_and_segments_connected)
       for_both_methods([&](const auto& np) {
         const double smallest = 0.1;
         const Segmentation_hierarchy hierarchy =
-          hierarchy_of(mesh, np.salience_threshold(smallest).boundary_smoothing(smoothing));
+          hierarchy_of(mesh, np.salience_threshold(smallest).smooth_boundaries(smoothing));
         const std::size_t most = number_of(hierarchy.labels());
         BOOST_TEST(most > hierarchy.number_of_roots());
         for (std::size_t n = hierarchy.number_of_roots(); n <= most; ++n)
@@ -258,7 +259,7 @@ BOOST_AUTO_TEST_CASE(labels_for_any_number_and_threshold_are_those_of_a_fresh_ru
   const double smallest = 0.4;
   for (const Mesh& mesh : several_meshes())
     for (bool smoothing : {false, true}) {
-      const auto np = parameters::zhang_liu_2005().boundary_smoothing(smoothing);
+      const auto np = parameters::zhang_liu_2005().smooth_boundaries(smoothing);
       Segmentation_hierarchy hierarchy;
       const Labels labels =
         labels_of(mesh, np.salience_threshold(smallest).hierarchy(hierarchy));
@@ -327,7 +328,8 @@ BOOST_AUTO_TEST_CASE(a_run_with_a_threshold_gives_no_labels_below_it)
   BOOST_CHECK_THROW(hierarchy.labels(unlimited, 0.2), std::out_of_range);
   BOOST_CHECK_THROW(hierarchy.labels(unlimited, -infinity), std::out_of_range);
   BOOST_CHECK_THROW(hierarchy.labels(1, std::nan("")), std::invalid_argument);
-  BOOST_TEST(hierarchy.labels(1, 0.2) == Labels(num_faces(mesh), 0), boost::test_tools::per_element());
+  BOOST_TEST(hierarchy.labels(1, 0.2) == Labels(num_faces(mesh), 0),
+             boost::test_tools::per_element());
 }
 
 BOOST_AUTO_TEST_CASE(labels_are_written_into_a_property_map)
@@ -374,7 +376,8 @@ BOOST_AUTO_TEST_CASE(labels_follow_the_face_index_map_of_the_run)
 
 BOOST_AUTO_TEST_CASE(a_hierarchy_of_another_mesh_is_refused)
 {
-  const Segmentation_hierarchy hierarchy = hierarchy_of(mesh_of(sphere(1)), parameters::default_values());
+  const Segmentation_hierarchy hierarchy =
+    hierarchy_of(mesh_of(sphere(1)), parameters::default_values());
   const Mesh other = mesh_of(sphere(2));
   Labels written;
   BOOST_CHECK_THROW(hierarchy.segment_by_number(other, map_to(written, other), 1),
@@ -387,7 +390,7 @@ BOOST_AUTO_TEST_CASE(a_number_alone_is_exact)
   for (const Mesh& mesh : several_meshes())
     for_both_methods([&](const auto& np) {
       const Segmentation_hierarchy hierarchy =
-        hierarchy_of(mesh, np.boundary_smoothing(true).maximum_number_of_segments(7));
+        hierarchy_of(mesh, np.smooth_boundaries(true).maximum_number_of_segments(7));
       check_labels_of_numbers(hierarchy, true);
       Labels written;
       const auto by_number = [&](std::size_t n)
@@ -492,7 +495,7 @@ void check_random_changes(const NamedParameters& np, bool is_default)
     if (step % 6 == 0 && h.node(a).is_leaf()) {
       const Segmentation_hierarchy part = hierarchy_of_node(h, a, mesh, np.salience_threshold(0.2));
       const std::size_t leaves = h.number_of_segments();
-      h.cut_again(a, part);
+      h.split_leaf(a, part);
       BOOST_TEST(h.number_of_segments() == leaves + part.number_of_segments() - 1);
       number_of_new_cuts += part.number_of_segments() - 1;
     }
@@ -532,7 +535,7 @@ BOOST_AUTO_TEST_CASE(a_leaf_is_cut_again_as_its_faces_are)
       hierarchy_of_node(h, leaf, mesh, np.salience_threshold(0.1));
     BOOST_TEST_REQUIRE(part.number_of_segments() > 2);
     const std::size_t shift = h.number_of_nodes() - 1;
-    h.cut_again(leaf, part);
+    h.split_leaf(leaf, part);
     BOOST_TEST((union_of(faces_of(h, leaf), {}) == union_of(faces_of_leaf, {})));
     BOOST_TEST(h.node(leaf).factors.size == part.node(0).factors.size);
     for (std::size_t i = 1; i < part.number_of_nodes(); ++i) {
@@ -554,12 +557,12 @@ BOOST_AUTO_TEST_CASE(changes_that_make_no_sense_are_refused)
   BOOST_CHECK_THROW(h.merge(0, 1), std::invalid_argument);
   BOOST_CHECK_THROW(h.merge(0, 0), std::invalid_argument);
   BOOST_CHECK_THROW(h.merge(2, h.number_of_nodes()), std::invalid_argument);
-  BOOST_CHECK_THROW(h.cut_again(Segmentation_hierarchy::null_node, h), std::invalid_argument);
+  BOOST_CHECK_THROW(h.split_leaf(Segmentation_hierarchy::null_node, h), std::invalid_argument);
   BOOST_CHECK_THROW(h.merge(h.node(0).children[0], 0), std::invalid_argument);
-  BOOST_CHECK_THROW(h.cut_again(0, h), std::invalid_argument);
+  BOOST_CHECK_THROW(h.split_leaf(0, h), std::invalid_argument);
   const std::size_t leaf = h.number_of_nodes() - 1;
-  BOOST_CHECK_THROW(h.cut_again(leaf, h), std::invalid_argument);
-  BOOST_CHECK_THROW(h.cut_again(leaf, Segmentation_hierarchy()), std::invalid_argument);
+  BOOST_CHECK_THROW(h.split_leaf(leaf, h), std::invalid_argument);
+  BOOST_CHECK_THROW(h.split_leaf(leaf, Segmentation_hierarchy()), std::invalid_argument);
   BOOST_TEST(h.labels() == labels, boost::test_tools::per_element());
   BOOST_TEST(h.merge(h.node(0).children[1], h.node(0).children[0]) == 0);
 }

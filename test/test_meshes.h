@@ -6,7 +6,7 @@
 
 #include <CGAL/Spectral_segmentation/Options.h>
 #include <CGAL/Spectral_segmentation/internal/distances/face_distances.h>
-#include <CGAL/Spectral_segmentation/internal/door/read_triangle_mesh.h>
+#include <CGAL/Spectral_segmentation/internal/adaptors/read_triangle_mesh.h>
 #include <CGAL/Spectral_segmentation/internal/mesh/Face_graph.h>
 #include <CGAL/Spectral_segmentation/internal/mesh/Triangles.h>
 #include <CGAL/Spectral_segmentation/internal/mesh/extract_part.h>

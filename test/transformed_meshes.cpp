@@ -62,7 +62,7 @@ void for_each_run(const Check& check)
       BOOST_TEST_CONTEXT("soup " << i) {
         check(soups()[i], np);
         BOOST_TEST_CONTEXT("on a coarse mesh")
-          check(soups()[i], np.number_of_searched_faces(220));
+          check(soups()[i], np.number_of_coarse_faces(220));
       }
   });
 }
@@ -140,7 +140,7 @@ BOOST_AUTO_TEST_CASE(the_numbers_of_faces_and_vertices_do_not_matter)
   for_both_methods([](const auto& np) {
     for (const Soup& soup : soups()) {
       const Labels expected = labels_of(soup, np);
-      const auto on_coarse_mesh = np.number_of_searched_faces(220);
+      const auto on_coarse_mesh = np.number_of_coarse_faces(220);
       const Labels expected_on_coarse_mesh = labels_of(soup, on_coarse_mesh);
       std::vector<std::size_t> vertex = numbers(soup.points.size()),
                                face = numbers(soup.triangles.size());

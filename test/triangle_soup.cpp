@@ -202,7 +202,7 @@ BOOST_AUTO_TEST_CASE(an_edge_of_three_faces)
   const Points points = {{0, 0, 0}, {1, 0, 0}, {0.5, 1, 0.1}, {0.5, -1, 0.1}, {0.5, 0, 1}};
   const Triples triangles = {{0, 1, 2}, {1, 0, 3}, {0, 1, 4}};
   for_both_methods([&](const auto& np) {
-    const auto components = np.components_apart(true).maximum_number_of_segments(1);
+    const auto components = np.keep_components_separate(true).maximum_number_of_segments(1);
     BOOST_TEST((labels_of_triangles(points, triangles, components) == Labels{0, 0, 1}));
   });
 }
@@ -219,7 +219,7 @@ BOOST_AUTO_TEST_CASE(an_edge_of_four_faces)
   for (std::size_t v = 4; v < 8; ++v)
     two.points[v] = Point(two.points[v].x(), -two.points[v].y(), -two.points[v].z());
   for_both_methods([&](const auto& np) {
-    const auto components = np.components_apart(true).maximum_number_of_segments(1);
+    const auto components = np.keep_components_separate(true).maximum_number_of_segments(1);
     BOOST_TEST((labels_of_triangles(two, components) == Labels{0, 0, 0, 0, 1, 1, 1, 1}));
     Soup at_edge = two;
     for (std::vector<std::size_t>& t : at_edge.triangles)
@@ -235,7 +235,7 @@ BOOST_AUTO_TEST_CASE(points_at_the_same_place_stay_different)
   const Soup soup = loose_triangles(sphere(1));
   for_both_methods([&](const auto& np)
     {
-      const Labels labels = labels_of_triangles(soup, np.components_apart(true));
+      const Labels labels = labels_of_triangles(soup, np.keep_components_separate(true));
       BOOST_TEST(number_of(labels) == soup.triangles.size());
     });
 }

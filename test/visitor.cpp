@@ -54,7 +54,7 @@ struct Strict_visitor : Segmentation_visitor
   std::vector<std::size_t> numbers_of_segments;
   std::size_t number_of_polls = 0;
 
-  void start_stage(Stage stage, std::size_t part)
+  void before_stage(Stage stage, std::size_t part)
   {
     if (part == whole_mesh) {
       events_of_mesh.emplace_back(stage, true);
@@ -67,7 +67,7 @@ struct Strict_visitor : Segmentation_visitor
     p.is_in_stage = true;
   }
 
-  void end_stage(Stage stage, std::size_t part)
+  void after_stage(Stage stage, std::size_t part)
   {
     if (part == whole_mesh) {
       events_of_mesh.emplace_back(stage, false);
@@ -80,13 +80,13 @@ struct Strict_visitor : Segmentation_visitor
     ++p.number_of_stages;
   }
 
-  void start_part(std::size_t part, std::size_t number_of_faces)
+  void before_part(std::size_t part, std::size_t number_of_faces)
   {
     BOOST_TEST(parts.count(part) == 0);
     parts[part].number_of_faces = number_of_faces;
   }
 
-  void end_part(std::size_t part)
+  void after_part(std::size_t part)
   {
     State& p = parts.at(part);
     BOOST_TEST(!p.has_ended);
@@ -95,7 +95,7 @@ struct Strict_visitor : Segmentation_visitor
     p.has_ended = true;
   }
 
-  void part_cut(std::size_t part, const Salience_factors&, double salience,
+  void after_cut(std::size_t part, const Salience_factors&, double salience,
                 std::size_t number_of_segments)
   {
     State& p = parts.at(part);
@@ -121,7 +121,7 @@ void check_events(const Mesh& mesh, bool smoothing)
   Segmentation_hierarchy hierarchy;
   labels_of<ConcurrencyTag>(
     mesh, parameters::zhang_liu_2005().visitor(std::ref(visitor)).salience_threshold(0.4)
-            .hierarchy(hierarchy).boundary_smoothing(smoothing));
+            .hierarchy(hierarchy).smooth_boundaries(smoothing));
 
   std::vector<std::pair<Stage, bool> > expected = {{Stage::INITIALIZATION, true},
                                                    {Stage::INITIALIZATION, false}};
@@ -178,11 +178,11 @@ struct Throwing_visitor : Segmentation_visitor
     if (remaining_events-- == 0)
       throw Failure();
   }
-  void start_stage(Stage, std::size_t) { count(); }
-  void end_stage(Stage, std::size_t) { count(); }
-  void start_part(std::size_t, std::size_t) { count(); }
-  void end_part(std::size_t) { count(); }
-  void part_cut(std::size_t, const Salience_factors&, double, std::size_t) { count(); }
+  void before_stage(Stage, std::size_t) { count(); }
+  void after_stage(Stage, std::size_t) { count(); }
+  void before_part(std::size_t, std::size_t) { count(); }
+  void after_part(std::size_t) { count(); }
+  void after_cut(std::size_t, const Salience_factors&, double, std::size_t) { count(); }
   void progress(double) { count(); }
   bool go_further() { count(); return true; }
 };
@@ -202,11 +202,11 @@ struct Lonely_visitor : Segmentation_visitor
       ++number_of_calls;
     --callers;
   }
-  void start_stage(Stage, std::size_t) { call(); }
-  void end_stage(Stage, std::size_t) { call(); }
-  void start_part(std::size_t, std::size_t) { call(); }
-  void end_part(std::size_t) { call(); }
-  void part_cut(std::size_t, const Salience_factors&, double, std::size_t) { call(); }
+  void before_stage(Stage, std::size_t) { call(); }
+  void after_stage(Stage, std::size_t) { call(); }
+  void before_part(std::size_t, std::size_t) { call(); }
+  void after_part(std::size_t) { call(); }
+  void after_cut(std::size_t, const Salience_factors&, double, std::size_t) { call(); }
   void progress(double) { call(); }
   bool go_further() { call(); return true; }
 };
@@ -230,13 +230,13 @@ BOOST_AUTO_TEST_CASE(parts_do_not_interleave_in_one_thread)
   struct Visitor : Segmentation_visitor
   {
     bool is_in_part = false;
-    void start_part(std::size_t, std::size_t)
+    void before_part(std::size_t, std::size_t)
     {
       BOOST_TEST(!is_in_part);
       is_in_part = true;
     }
-    void end_part(std::size_t) { is_in_part = false; }
-    void part_cut(std::size_t, const Salience_factors&, double, std::size_t)
+    void after_part(std::size_t) { is_in_part = false; }
+    void after_cut(std::size_t, const Salience_factors&, double, std::size_t)
     { BOOST_TEST(!is_in_part); }
   };
   for_both_methods([](const auto& np)
@@ -248,12 +248,12 @@ BOOST_AUTO_TEST_CASE(regions_are_merged_once_when_all_parts_have_been_searched)
   struct Stages : Segmentation_visitor
   {
     std::vector<std::pair<Stage, std::size_t> > stages;
-    void start_stage(Stage stage, std::size_t part) { stages.push_back({stage, part}); }
+    void before_stage(Stage stage, std::size_t part) { stages.push_back({stage, part}); }
   };
   const Mesh mesh = mesh_of(dumbbell(12, 8));
   const std::pair<Stage, std::size_t> merging(Stage::MERGING, Segmentation_visitor::whole_mesh);
   Stages by_default;
-  labels_of(mesh, parameters::number_of_searched_faces(0).visitor(std::ref(by_default)));
+  labels_of(mesh, parameters::number_of_coarse_faces(0).visitor(std::ref(by_default)));
   BOOST_TEST(std::count(by_default.stages.begin(), by_default.stages.end(), merging) == 1);
   BOOST_TEST((by_default.stages.back() == merging));
   Stages of_paper;
@@ -266,7 +266,7 @@ BOOST_AUTO_TEST_CASE(cuts_of_a_coarse_mesh_are_projected_once_after_the_search)
   struct Stages : Segmentation_visitor
   {
     std::vector<Stage> stages;
-    void start_stage(Stage stage, std::size_t part)
+    void before_stage(Stage stage, std::size_t part)
     {
       if (part == whole_mesh)
         stages.push_back(stage);
@@ -274,11 +274,11 @@ BOOST_AUTO_TEST_CASE(cuts_of_a_coarse_mesh_are_projected_once_after_the_search)
   };
   const Mesh mesh = mesh_of(doll());
   Stages by_default;
-  labels_of(mesh, parameters::number_of_searched_faces(100).visitor(std::ref(by_default)));
+  labels_of(mesh, parameters::number_of_coarse_faces(100).visitor(std::ref(by_default)));
   BOOST_TEST((by_default.stages ==
               std::vector<Stage>{Stage::INITIALIZATION, Stage::MERGING, Stage::PROJECTION}));
   Stages of_paper;
-  labels_of(mesh, parameters::number_of_searched_faces(100).zhang_liu_2005()
+  labels_of(mesh, parameters::number_of_coarse_faces(100).zhang_liu_2005()
                     .visitor(std::ref(of_paper)));
   BOOST_TEST((of_paper.stages == std::vector<Stage>{Stage::INITIALIZATION, Stage::PROJECTION}));
 }
@@ -314,7 +314,7 @@ BOOST_AUTO_TEST_CASE(a_stopped_run_gives_the_labels_of_the_cuts_made_so_far)
   const Mesh mesh = mesh_of(disjoint_union(dumbbell(8, 6), doll()));
   for (bool smoothing : {false, true}) {
     const auto np =
-      parameters::zhang_liu_2005().salience_threshold(0.3).boundary_smoothing(smoothing);
+      parameters::zhang_liu_2005().salience_threshold(0.3).smooth_boundaries(smoothing);
     Strict_visitor counter;
     Segmentation_hierarchy whole_hierarchy;
     const Labels whole = labels_of<CGAL::Sequential_tag>(
@@ -373,7 +373,7 @@ BOOST_AUTO_TEST_CASE(calls_from_threads_come_one_at_a_time)
   for_both_methods([&](const auto& np) {
     Lonely_visitor visitor;
     labels_of<CGAL::Parallel_tag>(
-      mesh, np.visitor(std::ref(visitor)).salience_threshold(0.3).number_of_searched_faces(700));
+      mesh, np.visitor(std::ref(visitor)).salience_threshold(0.3).number_of_coarse_faces(700));
     BOOST_TEST(visitor.number_of_calls > 0);
     BOOST_TEST(!visitor.met_another);
   });
@@ -392,8 +392,8 @@ BOOST_AUTO_TEST_CASE(an_exception_of_a_visitor_passes_through_and_leaves_the_lab
       try {
         CGAL::segment_spectral_recursive(
           mesh, map_to(labels, mesh),
-          np.visitor(Throwing_visitor(event)).hierarchy(hierarchy).boundary_smoothing(true)
-            .number_of_searched_faces(80));
+          np.visitor(Throwing_visitor(event)).hierarchy(hierarchy).smooth_boundaries(true)
+            .number_of_coarse_faces(80));
         has_thrown = false;
       }
       catch (const Failure&) {

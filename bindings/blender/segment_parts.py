@@ -83,9 +83,9 @@ def segment_triangles(ply, method, number, threshold):
         return mesh, hierarchy.labels(number)
     if threshold is not None:
         try:
-            return mesh, hierarchy.labels(threshold=threshold)
+            return mesh, hierarchy.labels(salience_threshold=threshold)
         except ValueError: # cuts are needed that the run did not make
-            return mesh, search(ply, method, threshold=threshold)[1].labels()
+            return mesh, search(ply, method, salience_threshold=threshold)[1].labels()
     return mesh, hierarchy.labels()
 
 
@@ -226,7 +226,7 @@ class OBJECT_OT_segment_into_parts(bpy.types.Operator):
     number: bpy.props.IntProperty(
         name="Number of Parts", default=5, min=1, soft_max=20,
         description="Up to 20 parts no new search is needed")
-    threshold: bpy.props.FloatProperty(
+    salience_threshold: bpy.props.FloatProperty(
         name="Threshold", default=0.40, min=0, max=1, step=1,
         description="The smallest salience of a cut: the probability that people cut there. A "
                     "higher one gives fewer parts. If automatic, it is 0.40, and 0.54 in the "
@@ -251,7 +251,7 @@ class OBJECT_OT_segment_into_parts(bpy.types.Operator):
         if self.choice == 'NUMBER':
             layout.prop(self, "number", slider=True)
         elif self.choice == 'THRESHOLD':
-            layout.prop(self, "threshold", slider=True)
+            layout.prop(self, "salience_threshold", slider=True)
         layout.prop(self, "method")
         layout.column().prop(self, "results")
 
@@ -269,7 +269,8 @@ class OBJECT_OT_segment_into_parts(bpy.types.Operator):
         mesh, labels = segment_triangles(
             ply_of(object.data, scale), self.method.lower(),
             self.number if self.choice == 'NUMBER' else None,
-            round(self.threshold, 6) if self.choice == 'THRESHOLD' else None) # it has 32 bits
+            # a property of 32 bits
+            round(self.salience_threshold, 6) if self.choice == 'THRESHOLD' else None)
         from spectral_segmentation import segment_colors
         return (labels_of_polygons(mesh, labels, len(object.data.polygons)),
                 segment_colors(mesh.triangles, labels))

@@ -10,15 +10,15 @@ export interface Options {
   /** At most this number. */
   maximumNumberOfSegments?: number;
   /** The smallest salience of a cut: 0.40 by default, 0.54 with the method "paper". */
-  threshold?: number;
+  salienceThreshold?: number;
   /** The least share of the area for each side of a cut, from 0 to 0.5. */
   minimumSegmentSize?: number;
   /** Steps of Laplacian smoothing before the search; 0 by default. */
   numberOfSmoothingIterations?: number;
   /** Whether each connected component is a part from the start. */
-  componentsApart?: boolean;
+  keepComponentsSeparate?: boolean;
   /** Whether boundaries of segments are smoothed; false by default. */
-  boundarySmoothing?: boolean;
+  smoothBoundaries?: boolean;
 }
 
 export interface RunOptions extends Options {

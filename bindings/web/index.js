@@ -12,8 +12,8 @@ const writtenFormats = [".glb", ".obj", ".off", ".ply"];
 // The types of options; numbers with whether they are integers.
 const optionTypes = {
   method: "method", numberOfSegments: "integer", maximumNumberOfSegments: "integer",
-  threshold: "number", minimumSegmentSize: "number", numberOfSmoothingIterations: "integer",
-  componentsApart: "boolean", boundarySmoothing: "boolean", progress: "function"
+  salienceThreshold: "number", minimumSegmentSize: "number", numberOfSmoothingIterations: "integer",
+  keepComponentsSeparate: "boolean", smoothBoundaries: "boolean", progress: "function"
 };
 
 const extensionOf = name => (/\.[^./\\]*$/.exec(name)?.[0] ?? "").toLowerCase();
@@ -36,9 +36,9 @@ function checkedOptions(options) {
   for (const [name, value] of Object.entries(given))
     checkOption(name, value);
   if (given.numberOfSegments !== undefined &&
-      (given.maximumNumberOfSegments ?? given.threshold) !== undefined)
+      (given.maximumNumberOfSegments ?? given.salienceThreshold) !== undefined)
     throw new TypeError("numberOfSegments goes neither with maximumNumberOfSegments nor with " +
-                        "threshold");
+                        "salienceThreshold");
   return given;
 }
 

@@ -7,8 +7,8 @@ computes the salience of a cut from its factors.
 
 \cgalConcept
 
-`CGAL::segment_spectral_recursive()` copies it. With `CGAL::Parallel_tag` several threads may call the
-copy at the same time.
+`CGAL::segment_spectral_recursive()` copies it. With `CGAL::Parallel_tag` several threads may call
+the copy at the same time.
 
 \cgalHasModels{`CGAL::Spectral_segmentation::Weighted_part_salience`,
 `CGAL::Spectral_segmentation::Calibrated_part_salience`}

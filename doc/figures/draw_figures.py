@@ -36,7 +36,7 @@ LAYOUTS = {
     "contexts": (2, (700, 560)),
     "samples": (2, (700, 560)),
     "line": (2, (700, 560)),
-    "boundary_smoothing": (2, (700, 560)),
+    "smooth_boundaries": (2, (700, 560)),
     "clusterings": (3, (480, 400)),
     # Of a mesh that is long and low
     "tree": (4, (480, 290)),

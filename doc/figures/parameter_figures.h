@@ -80,8 +80,8 @@ inline void draw_parameters(Picture_book& book, const Named_mesh& limbs, const N
   draw_rows_of_tree(book, limbs);
   draw_row(book, "minimum_segment_size", &Engine_options::minimum_segment_size, calibrated, fine,
            {0.0, calibrated.minimum_segment_size, 0.02, 0.1});
-  draw_row(book, "number_of_searched_faces", &Engine_options::number_of_searched_faces, calibrated,
-           fine, {500, 1500, calibrated.number_of_searched_faces, 0});
+  draw_row(book, "number_of_coarse_faces", &Engine_options::number_of_coarse_faces, calibrated,
+           fine, {500, 1500, calibrated.number_of_coarse_faces, 0});
   const Named_mesh noise = noisy(coarse, 0.004);
   draw_row(book, "radius", &Engine_options::concavity_radius, calibrated, noise,
            {0.0, 0.01, calibrated.concavity_radius, 0.06});
@@ -90,7 +90,7 @@ inline void draw_parameters(Picture_book& book, const Named_mesh& limbs, const N
   Engine_options few_segments = paper;
   few_segments.maximum_number_of_segments = 8;
   few_segments.salience_threshold = -std::numeric_limits<double>::infinity();
-  draw_row(book, "boundary_smoothing", &Engine_options::boundary_smoothing, few_segments,
+  draw_row(book, "smooth_boundaries", &Engine_options::smooth_boundaries, few_segments,
            noise, {false, true});
 }
 

@@ -129,13 +129,13 @@ public:
     check_time();
   }
 
-  void start_stage(Stage stage, std::size_t part)
+  void before_stage(Stage stage, std::size_t part)
   {
     start_of_stage_[part] = Clock::now();
     shown_name_ = name_of(stage);
   }
 
-  void end_stage(Stage stage, std::size_t part)
+  void after_stage(Stage stage, std::size_t part)
   { seconds_of_stage_[stage] += seconds_since(start_of_stage_[part]); }
 
   // Sets the progress of the segmentation.

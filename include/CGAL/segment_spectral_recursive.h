@@ -21,7 +21,7 @@
 // from (bipartition/cut_proposals.h, min_cut_refinement.h) and more factors to judge them by
 // (salience/Cut_evaluator.h), bending at the scale of the shape (distances/curvature_angles.h), and
 // the search on a coarse mesh (multilevel/). engine.h is the line between these and the templates
-// here and in door/.
+// here and in adaptors/.
 
 #include <CGAL/Spectral_segmentation/Options.h>
 #include <CGAL/Spectral_segmentation/Part_salience.h>
@@ -30,13 +30,13 @@
 #include <CGAL/Spectral_segmentation/parameters.h>
 #include <CGAL/Spectral_segmentation/version.h>
 
-#include <CGAL/Spectral_segmentation/internal/door/Visitor_control.h>
-#include <CGAL/Spectral_segmentation/internal/door/numbered_descriptors.h>
-#include <CGAL/Spectral_segmentation/internal/door/read_options.h>
-#include <CGAL/Spectral_segmentation/internal/door/read_triangle_mesh.h>
-#include <CGAL/Spectral_segmentation/internal/door/read_triangle_soup.h>
-#include <CGAL/Spectral_segmentation/internal/door/read_wishes.h>
-#include <CGAL/Spectral_segmentation/internal/door/segmentation_hierarchy.h>
+#include <CGAL/Spectral_segmentation/internal/adaptors/Visitor_control.h>
+#include <CGAL/Spectral_segmentation/internal/adaptors/numbered_descriptors.h>
+#include <CGAL/Spectral_segmentation/internal/adaptors/read_options.h>
+#include <CGAL/Spectral_segmentation/internal/adaptors/read_triangle_mesh.h>
+#include <CGAL/Spectral_segmentation/internal/adaptors/read_triangle_soup.h>
+#include <CGAL/Spectral_segmentation/internal/adaptors/read_constraints.h>
+#include <CGAL/Spectral_segmentation/internal/adaptors/segmentation_hierarchy.h>
 
 #include <CGAL/Named_function_parameters.h>
 #include <CGAL/boost/graph/named_params_helper.h>
@@ -59,7 +59,7 @@ namespace internal {
 template <class ConcurrencyTag, class Face, class SegmentIdMap, class CGALNamedParameters>
 std::size_t segment_and_write(Triangles triangles, const std::vector<Face>& faces,
                               SegmentIdMap segment_ids, const Options& options,
-                              const Wishes& wishes, const CGALNamedParameters& np)
+                              const Constraints& constraints, const CGALNamedParameters& np)
 {
   using CGAL::parameters::choose_parameter;
   using CGAL::parameters::get_parameter_reference;
@@ -77,12 +77,12 @@ std::size_t segment_and_write(Triangles triangles, const std::vector<Face>& face
 
   Segmentation_hierarchy hierarchy = segmentation_hierarchy(
     std::move(triangles), options, is_parallel ? Execution::PARALLEL : Execution::SEQUENTIAL,
-    control, wishes);
-  if (options.boundary_smoothing)
-    control.start_stage(Stage::BOUNDARY_SMOOTHING, Segmentation_visitor::whole_mesh);
+    control, constraints);
+  if (options.smooth_boundaries)
+    control.before_stage(Stage::BOUNDARY_SMOOTHING, Segmentation_visitor::whole_mesh);
   const std::vector<std::size_t> labels = hierarchy.labels();
-  if (options.boundary_smoothing)
-    control.end_stage(Stage::BOUNDARY_SMOOTHING, Segmentation_visitor::whole_mesh);
+  if (options.smooth_boundaries)
+    control.after_stage(Stage::BOUNDARY_SMOOTHING, Segmentation_visitor::whole_mesh);
   const std::size_t number_of_segments = write_labels(faces, labels, segment_ids);
 
   if constexpr (is_given<CGALNamedParameters, internal_np::hierarchy_t>)
@@ -160,7 +160,7 @@ at most 4000 faces by default; the memory is O(*n*). The section
       together with `maximum_number_of_segments` or `salience_threshold`. Above 20 the default
       method searches as many regions, up to 200, on a finer coarse mesh in proportion.}
   \cgalParamNEnd
-  \cgalParamNBegin{components_apart}
+  \cgalParamNBegin{keep_components_separate}
     \cgalParamDescription{whether each connected component of the mesh is a part from the start. By
       default components that touch may be of one part.}
     \cgalParamType{`bool`}
@@ -220,9 +220,10 @@ at most 4000 faces by default; the memory is O(*n*). The section
   \cgalParamNEnd
 \cgalNamedParamsEnd
 
-<b>Wishes.</b> They hold for the segments and for all nodes of the hierarchy. Where the method's own
-cuts do not fulfill them, it cuts further and merges across its cuts; what no wish concerns stays as
-it is. They do not go with `zhang_liu_2005()`.
+<b>Constraints.</b> They hold for the segments and for all nodes of the hierarchy. Where the cuts of
+the method violate them, it makes further cuts and merges across its cuts; the other segments stay
+the same. `zhang_liu_2005()` does not support constraints. The example `segment_with_constraints.cpp`
+uses all three.
 \cgalNamedParamsBegin
   \cgalParamNBegin{edge_is_constrained_map}
     \cgalParamDescription{whether an edge must be between two segments. An edge within the surface
@@ -266,7 +267,7 @@ it is. They do not go with `zhang_liu_2005()`.
       `zhang_liu_2005()` it is called at each step of a line, and the factors beyond the paper are
       0.}
   \cgalParamNEnd
-  \cgalParamNBegin{number_of_searched_faces}
+  \cgalParamNBegin{number_of_coarse_faces}
     \cgalParamDescription{the number of faces on which cuts are searched. Faces that are larger
       than those of an even mesh with this number are bisected (not with `zhang_liu_2005()`); then
       the mesh is coarsened to this number, as far as its topology allows, by edge collapses. The
@@ -280,7 +281,7 @@ it is. They do not go with `zhang_liu_2005()`.
       segments are asked for. Factors and salience of cuts and the `minimum_segment_size` are those
       of the mesh that is searched.}
   \cgalParamNEnd
-  \cgalParamNBegin{boundary_smoothing}
+  \cgalParamNBegin{smooth_boundaries}
     \cgalParamDescription{whether the boundaries of the segments are smoothed (Section 2): a face
       with two edges in the boundary to one other segment goes to it, until there is none. Each step
       makes the boundary shorter, and neither empties nor disconnects a segment.}
@@ -346,8 +347,8 @@ it is. They do not go with `zhang_liu_2005()`.
 \return the number of segments; 0 for an empty mesh
 
 \throws std::invalid_argument if a face is not a triangle, a coordinate is not finite, the
-  `face_index_map` is not one to one onto its range, a number is out of its range, wishes contradict
-  each other, or the number of segments does not let all of them be fulfilled
+  `face_index_map` is not one to one onto its range, a number is out of its range, constraints
+  contradict each other, or the number of segments does not let all of them be fulfilled
 \throws std::overflow_error if there are more segments than the value type of `segment_ids` can
   count
 
@@ -379,12 +380,12 @@ std::size_t segment_spectral_recursive(const TriangleMesh& mesh, SegmentIdMap se
     choose_parameter(get_parameter(pack, internal_np::vertex_point),
                      get_const_property_map(CGAL::vertex_point, mesh)),
     choose_parameter<Geom_traits>(get_parameter(pack, internal_np::geom_traits)));
-  internal::Wishes wishes;
-  if constexpr (internal::has_edge_wishes<Pack>)
-    internal::read_edge_wishes(mesh, faces, pack, wishes);
-  internal::read_seeds(faces, pack, wishes);
+  internal::Constraints constraints;
+  if constexpr (internal::has_edge_constraints<Pack>)
+    internal::read_edge_constraints(mesh, faces, pack, constraints);
+  internal::read_seeds(faces, pack, constraints);
   return internal::segment_and_write<ConcurrencyTag>(std::move(triangles), faces, segment_ids,
-                                                     options, wishes, pack);
+                                                     options, constraints, pack);
 }
 
 /*!
@@ -444,7 +445,7 @@ std::size_t segment_spectral_recursive(const PointRange& points, const TriangleR
                 !internal::is_given<Pack, internal_np::geom_traits_t>,
                 "vertex_point_map, face_index_map and geom_traits are of meshes, not of points and "
                 "triangles");
-  static_assert(!internal::has_edge_wishes<Pack>,
+  static_assert(!internal::has_edge_constraints<Pack>,
                 "edge_is_constrained_map and edge_is_uncuttable_map are of meshes, not of points "
                 "and triangles, which have no edges that could be named");
 
@@ -453,10 +454,10 @@ std::size_t segment_spectral_recursive(const PointRange& points, const TriangleR
   internal::connect(soup);
   std::vector<std::size_t> faces(soup.corners.size());
   std::iota(faces.begin(), faces.end(), std::size_t(0));
-  internal::Wishes wishes;
-  internal::read_seeds(faces, pack, wishes);
+  internal::Constraints constraints;
+  internal::read_seeds(faces, pack, constraints);
   return internal::segment_and_write<ConcurrencyTag>(std::move(soup), faces, segment_ids, options,
-                                                     wishes, pack);
+                                                     constraints, pack);
 }
 
 } // namespace CGAL

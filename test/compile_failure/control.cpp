@@ -33,8 +33,8 @@ auto in_a_chain(const Mesh& mesh, CGAL::Spectral_segmentation::Segmentation_hier
     .geom_traits(Kernel()).random_seed(1).visitor(visitor).maximum_number_of_segments(2)
     .minimum_segment_size(0.1f).salience_threshold(1).part_salience(Own_salience())
     .salience_weights(0.1, 0.6f, 0).distance_weights(0.1, 1, 0.1f).number_of_reference_faces(3u)
-    .number_of_searched_faces(0).number_of_smoothing_iterations(std::size_t(1))
-    .boundary_smoothing(true).hierarchy(hierarchy).zhang_liu_2005();
+    .number_of_coarse_faces(0).number_of_smoothing_iterations(std::size_t(1))
+    .smooth_boundaries(true).hierarchy(hierarchy).zhang_liu_2005();
 }
 
 auto at_the_start(const Mesh& mesh, CGAL::Spectral_segmentation::Segmentation_hierarchy& hierarchy,
@@ -55,9 +55,9 @@ auto at_the_start(const Mesh& mesh, CGAL::Spectral_segmentation::Segmentation_hi
   params::salience_weights(0.1, 0.6, 0.3);
   params::distance_weights(0.1, 1, 0.1);
   params::number_of_reference_faces(3);
-  params::number_of_searched_faces(0);
+  params::number_of_coarse_faces(0);
   params::number_of_smoothing_iterations(1);
-  params::boundary_smoothing(true);
+  params::smooth_boundaries(true);
   params::hierarchy(hierarchy);
   return params::zhang_liu_2005();
 }

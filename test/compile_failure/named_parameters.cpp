@@ -23,9 +23,9 @@ auto pack_09 = params::minimum_segment_size(true);       // error: minimum_segme
 auto pack_10 = params::salience_threshold("high");       // error: salience_threshold takes a number
 auto pack_11 = params::part_salience(0.5);               // error: part_salience takes a class that is called with Salience_factors
 auto pack_12 = params::number_of_reference_faces(0.5);   // error: number_of_reference_faces takes an integer
-auto pack_13 = params::number_of_searched_faces(0.5);    // error: number_of_searched_faces takes an integer
+auto pack_13 = params::number_of_coarse_faces(0.5);    // error: number_of_coarse_faces takes an integer
 auto pack_14 = params::number_of_smoothing_iterations("3"); // error: number_of_smoothing_iterations takes an integer
-auto pack_15 = params::boundary_smoothing(1);            // error: boundary_smoothing takes a bool
+auto pack_15 = params::smooth_boundaries(1);            // error: smooth_boundaries takes a bool
 
 // A test of a threshold is no salience.
 auto pack_16 = params::part_salience([](const Salience_factors& f) { return f.size > 0.1; }); // error: part_salience takes a class that is called with Salience_factors

@@ -114,10 +114,10 @@ class Labels(Object_test):
                 ({}, {}),
                 ({'choice': 'NUMBER', 'number': 5}, {"number_of_segments": 5}),
                 ({'choice': 'NUMBER', 'number': 30}, {"number_of_segments": 30}),
-                ({'choice': 'THRESHOLD', 'threshold': 0.7}, {"threshold": 0.7}),
+                ({'choice': 'THRESHOLD', 'threshold': 0.7}, {"salience_threshold": 0.7}),
                 ({'method': 'PAPER'}, {"method": "paper"}),
                 ({'method': 'PAPER', 'choice': 'THRESHOLD', 'threshold': 0.4},
-                 {"method": "paper", "threshold": 0.4}),
+                 {"method": "paper", "salience_threshold": 0.4}),
                 ({'method': 'PAPER', 'choice': 'NUMBER', 'number': 7},
                  {"method": "paper", "number_of_segments": 7})):
             with self.subTest(given):
@@ -189,7 +189,7 @@ class Slider(Object_test):
         for number in range(1, 21):
             self.labels(thing, choice='NUMBER', number=number)
         for threshold in (0, 0.2, 0.9, 1):
-            self.labels(thing, choice='THRESHOLD', threshold=threshold)
+            self.labels(thing, choice='THRESHOLD', salience_threshold=threshold)
         self.assertEqual(self.searches, 1)
 
     def test_changed_mesh_is_searched_again(self):

@@ -13,7 +13,7 @@ from ._runs import segment, segment_hierarchy
 
 #: What `cut_state` in `Hierarchy.nodes` is an index of. In the default method every cut is known
 #: and a node without one is a leaf.
-CUT_STATES = ("not searched", "no cut", "rejected", "known")
+CUT_STATES = ("not searched", "no cut", "rejected", "cut")
 
 __all__ = ["CUT_STATES", "Hierarchy", "Mesh", "SalienceFactors", "boundary_edges", "read",
            "segment", "segment_adjacency", "segment_colors", "segment_hierarchy", "write"]

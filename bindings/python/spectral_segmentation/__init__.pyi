@@ -42,7 +42,7 @@ class Hierarchy:
     @property
     def number_of_segments(self) -> int: ...
     @property
-    def threshold(self) -> float: ...
+    def salience_threshold(self) -> float: ...
     @property
     def nodes(self) -> NDArray[np.void]: ...
     @property
@@ -52,13 +52,13 @@ class Hierarchy:
     @property
     def factors(self) -> Dict[str, NDArray[np.float64]]: ...
     def labels(self, n: Optional[int] = None, *,
-               threshold: Optional[float] = None) -> NDArray[np.intp]: ...
+               salience_threshold: Optional[float] = None) -> NDArray[np.intp]: ...
     def segments(self, n: Optional[int] = None, *,
-                 threshold: Optional[float] = None) -> NDArray[np.intp]: ...
+                 salience_threshold: Optional[float] = None) -> NDArray[np.intp]: ...
     def labels_of_nodes(self, nodes: Sequence[int]) -> NDArray[np.intp]: ...
     def faces(self, node: int) -> NDArray[np.intp]: ...
     def merge(self, a: int, b: int) -> int: ...
-    def cut_again(self, leaf: int, part: Hierarchy) -> None: ...
+    def split_leaf(self, leaf: int, part: Hierarchy) -> None: ...
     def to_json(self) -> str: ...
     @staticmethod
     def from_json(text: str) -> Hierarchy: ...
@@ -81,19 +81,19 @@ def segment(
     method: Literal["calibrated", "paper"] = "calibrated",
     number_of_segments: Optional[int] = None,
     maximum_number_of_segments: Optional[int] = None,
-    threshold: Optional[float] = None,
-    components_apart: Optional[bool] = None,
-    edge_is_constrained_map: Optional[ArrayLike] = None,
-    edge_is_uncuttable_map: Optional[ArrayLike] = None,
-    face_seed_map: Optional[ArrayLike] = None,
+    salience_threshold: Optional[float] = None,
+    keep_components_separate: Optional[bool] = None,
+    constrained_edges: Optional[ArrayLike] = None,
+    uncuttable_edges: Optional[ArrayLike] = None,
+    face_seeds: Optional[ArrayLike] = None,
     minimum_segment_size: Optional[float] = None,
     part_salience: Optional[Callable[[SalienceFactors], float]] = None,
     salience_weights: Optional[Sequence[float]] = None,
     distance_weights: Optional[Sequence[float]] = None,
-    number_of_searched_faces: Optional[int] = None,
+    number_of_coarse_faces: Optional[int] = None,
     number_of_reference_faces: Optional[int] = None,
     number_of_smoothing_iterations: Optional[int] = None,
-    boundary_smoothing: Optional[bool] = None,
+    smooth_boundaries: Optional[bool] = None,
     random_seed: Optional[int] = None,
     threads: Optional[int] = None,
     progress: Optional[Callable[[float], object]] = None,
@@ -106,19 +106,19 @@ def segment_hierarchy(
     method: Literal["calibrated", "paper"] = "calibrated",
     number_of_segments: Optional[int] = None,
     maximum_number_of_segments: Optional[int] = None,
-    threshold: Optional[float] = None,
-    components_apart: Optional[bool] = None,
-    edge_is_constrained_map: Optional[ArrayLike] = None,
-    edge_is_uncuttable_map: Optional[ArrayLike] = None,
-    face_seed_map: Optional[ArrayLike] = None,
+    salience_threshold: Optional[float] = None,
+    keep_components_separate: Optional[bool] = None,
+    constrained_edges: Optional[ArrayLike] = None,
+    uncuttable_edges: Optional[ArrayLike] = None,
+    face_seeds: Optional[ArrayLike] = None,
     minimum_segment_size: Optional[float] = None,
     part_salience: Optional[Callable[[SalienceFactors], float]] = None,
     salience_weights: Optional[Sequence[float]] = None,
     distance_weights: Optional[Sequence[float]] = None,
-    number_of_searched_faces: Optional[int] = None,
+    number_of_coarse_faces: Optional[int] = None,
     number_of_reference_faces: Optional[int] = None,
     number_of_smoothing_iterations: Optional[int] = None,
-    boundary_smoothing: Optional[bool] = None,
+    smooth_boundaries: Optional[bool] = None,
     random_seed: Optional[int] = None,
     threads: Optional[int] = None,
     progress: Optional[Callable[[float], object]] = None,

@@ -8,7 +8,7 @@ import numpy as np
 
 from . import _core
 from ._meshes import arrays_of
-from ._wishes import pairs_at_edges, seeds_array
+from ._constraints import pairs_at_edges, seeds_array
 
 _METHODS = {"calibrated": False, "paper": True}
 
@@ -70,12 +70,13 @@ def _threads(value):
 
 
 def segment_hierarchy(points, triangles=None, *, method="calibrated", number_of_segments=None,
-                      maximum_number_of_segments=None, threshold=None, components_apart=None,
-                      edge_is_constrained_map=None, edge_is_uncuttable_map=None,
-                      face_seed_map=None, minimum_segment_size=None, part_salience=None,
-                      salience_weights=None, distance_weights=None, number_of_searched_faces=None,
+                      maximum_number_of_segments=None, salience_threshold=None,
+                      keep_components_separate=None,
+                      constrained_edges=None, uncuttable_edges=None,
+                      face_seeds=None, minimum_segment_size=None, part_salience=None,
+                      salience_weights=None, distance_weights=None, number_of_coarse_faces=None,
                       number_of_reference_faces=None, number_of_smoothing_iterations=None,
-                      boundary_smoothing=None, random_seed=None, threads=None, progress=None):
+                      smooth_boundaries=None, random_seed=None, threads=None, progress=None):
     """Cuts a triangle mesh into parts, and returns all cuts with their salience.
 
     The same input gives the same result on every run, with any number of threads. The lock of
@@ -94,31 +95,31 @@ def segment_hierarchy(points, triangles=None, *, method="calibrated", number_of_
     number_of_segments: exactly this number, whatever the saliences are; not together with the next
         two.
     maximum_number_of_segments: at most this number.
-    threshold: the smallest salience of a cut, `salience_threshold` in C++; by default 0.40, the
-        probability that people cut there, or 0.54 for weighted saliences as those of the paper.
-    components_apart: whether each connected component is a part from the start; by default False,
-        with the method "paper" True.
-    edge_is_constrained_map: array_like of integers, shape (k, 2): edges by their points, as of
+    salience_threshold: the smallest salience of a cut; by default 0.40, the probability that people
+        cut there, or 0.54 for weighted saliences such as the paper's.
+    keep_components_separate: whether each connected component is a part from the start; by default
+        False, with the method "paper" True.
+    constrained_edges: array_like of integers, shape (k, 2): edges by their points, as of
         `boundary_edges()`, that must be between segments. Edges of one triangle are ignored.
-    edge_is_uncuttable_map: array_like of integers, shape (k, 2): edges whose triangles must be of
+    uncuttable_edges: array_like of integers, shape (k, 2): edges whose triangles must be of
         one segment.
-    face_seed_map: array_like of integers, shape (m,). Triangles with the same number are of one
+    face_seeds: array_like of integers, shape (m,). Triangles with the same number are of one
         segment, those with different numbers are not; negative numbers mean nothing. Neither
         this nor the two for edges go with the method "paper".
     minimum_segment_size: the least share of the area of the mesh for each side of a cut, in
         [0, 0.5]; by default 0.003, with the method "paper" 0.005.
     part_salience: your own salience of a cut, a callable that takes `SalienceFactors` and returns a
-        number. It is called from several threads, one at a time. Give `threshold` with it.
+        number. It is called from several threads, one at a time. Give `salience_threshold` with it.
     salience_weights: three numbers, not negative, with sum 1: the weights of size, cut strength and
         protrusiveness in a weighted salience. Not together with `part_salience`.
     distance_weights: three numbers: the weight of the geodesic distance, in [0, 1], and the factors
         of the angle distance at concave and at convex edges; by default 0.03, 1, 0.1, with the
         method "paper" 0.01, 1, 0.1.
-    number_of_searched_faces: cuts are searched on a coarse mesh with this number of triangles, by
+    number_of_coarse_faces: cuts are searched on a coarse mesh with this number of triangles, by
         default 4000; 0 means the mesh itself, the default of the method "paper".
     number_of_reference_faces: the dimension of the context vector, by default 10.
     number_of_smoothing_iterations: steps of Laplacian smoothing before the search, by default 0.
-    boundary_smoothing: whether boundaries of segments are smoothed, by default False.
+    smooth_boundaries: whether boundaries of segments are smoothed, by default False.
     random_seed: chooses reference faces at random, as in the paper.
     threads: at most this number of threads; by default all that the machine has.
     progress: is called with the share of the run that is done, from 0 to 1, in the caller's thread.
@@ -133,38 +134,39 @@ def segment_hierarchy(points, triangles=None, *, method="calibrated", number_of_
     if method not in _METHODS:
         raise ValueError("method must be 'calibrated' or 'paper', not %r" % (method,))
     if number_of_segments is not None and not (maximum_number_of_segments is None and
-                                               threshold is None):
+                                               salience_threshold is None):
         raise ValueError("number_of_segments goes neither with maximum_number_of_segments nor "
-                         "with threshold")
+                         "with salience_threshold")
     if part_salience is not None and salience_weights is not None:
         raise ValueError("part_salience does not go with salience_weights")
-    for name, value in (("edge_is_constrained_map", edge_is_constrained_map),
-                        ("edge_is_uncuttable_map", edge_is_uncuttable_map),
-                        ("face_seed_map", face_seed_map)):
+    for name, value in (("constrained_edges", constrained_edges),
+                        ("uncuttable_edges", uncuttable_edges),
+                        ("face_seeds", face_seeds)):
         if value is not None and _METHODS[method]:
             raise ValueError("%s does not go with the method 'paper'" % name)
     given = {"uses_paper_method": _METHODS[method]}
     for read, parameters in (
             (_integer, {"number_of_segments": number_of_segments,
                         "maximum_number_of_segments": maximum_number_of_segments,
-                        "number_of_searched_faces": number_of_searched_faces,
+                        "number_of_coarse_faces": number_of_coarse_faces,
                         "number_of_reference_faces": number_of_reference_faces,
                         "number_of_smoothing_iterations": number_of_smoothing_iterations}),
-            (_real, {"threshold": threshold, "minimum_segment_size": minimum_segment_size}),
-            (_flag, {"components_apart": components_apart,
-                     "boundary_smoothing": boundary_smoothing}),
+            (_real, {"salience_threshold": salience_threshold,
+                     "minimum_segment_size": minimum_segment_size}),
+            (_flag, {"keep_components_separate": keep_components_separate,
+                     "smooth_boundaries": smooth_boundaries}),
             (_three_numbers, {"salience_weights": salience_weights,
                               "distance_weights": distance_weights}),
             (_random_seed, {"random_seed": random_seed})):
         for name, value in parameters.items():
             if value is not None:
                 given[name] = read(name, value)
-    wishes = [*pairs_at_edges(edge_is_constrained_map, edge_is_uncuttable_map, triangles,
+    constraints = [*pairs_at_edges(constrained_edges, uncuttable_edges, triangles,
                               len(points)),
-              None if face_seed_map is None else seeds_array(face_seed_map, len(triangles))]
+              None if face_seeds is None else seeds_array(face_seeds, len(triangles))]
     try:
         return _core.segment(
-            points, triangles, given, *wishes,
+            points, triangles, given, *constraints,
             _callable("part_salience", part_salience),
             None if threads is None else _threads(threads), _callable("progress", progress))
     except MemoryError:

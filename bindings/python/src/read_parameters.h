@@ -7,7 +7,7 @@
 #include "Python_run.h"
 
 #include <CGAL/Spectral_segmentation/Options.h>
-#include <CGAL/Spectral_segmentation/internal/door/read_options.h>
+#include <CGAL/Spectral_segmentation/internal/adaptors/read_options.h>
 
 #include <pybind11/pybind11.h>
 #include <pybind11/stl.h>
@@ -82,12 +82,12 @@ inline segmentation::Options read_parameters(const py::dict& given, const py::ob
   o.convex_angle_weight = distance_weights[2];
   read_count("number_of_segments", 1, o.number_of_segments);
   read_count("maximum_number_of_segments", 1, o.maximum_number_of_segments);
-  read("threshold", o.salience_threshold);
-  read("components_apart", o.components_apart);
+  read("salience_threshold", o.salience_threshold);
+  read("keep_components_separate", o.keep_components_separate);
   read("minimum_segment_size", o.minimum_segment_size);
-  read("boundary_smoothing", o.boundary_smoothing);
+  read("smooth_boundaries", o.smooth_boundaries);
   read_count("number_of_reference_faces", 1, o.number_of_reference_faces);
-  read_count("number_of_searched_faces", 0, o.number_of_searched_faces);
+  read_count("number_of_coarse_faces", 0, o.number_of_coarse_faces);
   read_count("number_of_smoothing_iterations", 0, o.number_of_smoothing_iterations);
   read("random_seed", o.random_seed);
   check(o);

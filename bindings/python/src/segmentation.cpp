@@ -71,12 +71,13 @@ std::vector<internal::Face_pair> read_pairs(const Optional_integers& pairs)
   return result;
 }
 
-internal::Wishes read_wishes(const Optional_integers& seams, const Optional_integers& uncuttable,
-                             const Optional_integers& seeds)
+internal::Constraints read_constraints(const Optional_integers& seams,
+                                       const Optional_integers& uncuttable,
+                                       const Optional_integers& seeds)
 {
-  internal::Wishes result;
-  result.seams = read_pairs(seams);
-  result.uncuttable = read_pairs(uncuttable);
+  internal::Constraints result;
+  result.cannot_link = read_pairs(seams);
+  result.must_link = read_pairs(uncuttable);
   if (seeds) {
     const auto seed = seeds->unchecked<1>();
     for (py::ssize_t f = 0; f < seed.shape(0); ++f)
@@ -109,7 +110,7 @@ Segmentation_hierarchy segment(const py::array& points, const py::array& triangl
 {
   Python_run run(progress);
   const segmentation::Options options = read_parameters(parameters, salience, run);
-  const internal::Wishes wishes = read_wishes(seams, uncuttable, seeds);
+  const internal::Constraints constraints = read_constraints(seams, uncuttable, seeds);
   Segmentation_hierarchy result;
   run([&] {
     // Python would make a state of this thread for each call of the salience.
@@ -121,7 +122,7 @@ Segmentation_hierarchy segment(const py::array& points, const py::array& triangl
     }
     with_threads(threads, [&](internal::Execution execution) {
       result = internal::segmentation_hierarchy(read_triangles(points, triangles), options,
-                                                execution, run, wishes);
+                                                execution, run, constraints);
     });
   });
   return result;
@@ -151,7 +152,8 @@ std::size_t node_of(const Segmentation_hierarchy& h, const py::handle& value)
   return static_cast<std::size_t>(node);
 }
 
-// `n` and `threshold` are the arguments of labels() and segments(), of which each may be None.
+// `n` and `salience_threshold` are the arguments of labels() and segments(), of which each may be
+// None.
 template <class OfRun, class OfNumber, class OfThreshold>
 py::array_t<py::ssize_t> choose(const Segmentation_hierarchy& h, const py::object& n,
                                 const py::object& threshold, const OfRun& of_run,
@@ -201,9 +203,9 @@ py::array_t<py::ssize_t> faces(const Segmentation_hierarchy& h, const py::object
 std::size_t merge(Segmentation_hierarchy& h, const py::object& a, const py::object& b)
 { return h.merge(node_of(h, a), node_of(h, b)); }
 
-void cut_again(Segmentation_hierarchy& h, const py::object& leaf,
+void split_leaf(Segmentation_hierarchy& h, const py::object& leaf,
                const Segmentation_hierarchy& part)
-{ h.cut_again(node_of(h, leaf), part); }
+{ h.split_leaf(node_of(h, leaf), part); }
 
 std::string to_json(const Segmentation_hierarchy& h)
 {
@@ -259,7 +261,7 @@ void define_hierarchy(py::module_& m)
                            "The roots are the nodes from 0 to `number_of_roots - 1`.")
     .def_property_readonly("number_of_segments", &H::number_of_segments,
                            "the number of leaves: the most segments that can be asked for")
-    .def_property_readonly("threshold", &H::salience_threshold,
+    .def_property_readonly("salience_threshold", &H::salience_threshold,
                            "the salience threshold of the run")
     .def_property_readonly("nodes", table_of_nodes,
                            "A structured array with a row for each node: `parent`, `first_child` "
@@ -277,16 +279,16 @@ void define_hierarchy(py::module_& m)
                            "of the best cut of each node, by name: a dict of arrays of shape "
                            "(number_of_nodes,)")
     .def("labels", labels, py::arg("n") = py::none(), py::kw_only(),
-         py::arg("threshold") = py::none(),
-         "labels(n=None, *, threshold=None) -> array of int, shape (number_of_faces,)\n\n"
+         py::arg("salience_threshold") = py::none(),
+         "labels(n=None, *, salience_threshold=None) -> array of int, shape (number_of_faces,)\n\n"
          "The label of each triangle. Without arguments those of the run; with `n` exactly `n` "
-         "segments, or as near to it as there are roots and leaves; with `threshold` those of a "
-         "run with this threshold, and with both at most `n`. Nothing is searched again.\n\n"
+         "segments, or as near to it as there are roots and leaves; with `salience_threshold` "
+         "those of a run with this threshold, and with both at most `n`. Nothing is searched again.\n\n"
          "Raises ValueError if a cut is needed that the run did not search, `n` is below 1, or "
-         "`threshold` is not a number.")
+         "`salience_threshold` is not a number.")
     .def("segments", segments, py::arg("n") = py::none(), py::kw_only(),
-         py::arg("threshold") = py::none(),
-         "segments(n=None, *, threshold=None) -> array of int\n\n"
+         py::arg("salience_threshold") = py::none(),
+         "segments(n=None, *, salience_threshold=None) -> array of int\n\n"
          "The node of each segment of `labels()` with the same arguments.")
     .def("labels_of_nodes", labels_of_nodes, py::arg("nodes"),
          "labels_of_nodes(nodes) -> array of int, shape (number_of_faces,)\n\n"
@@ -300,8 +302,8 @@ void define_hierarchy(py::module_& m)
          "Makes two nodes the children of one, and returns that. Of two that are no siblings, `b` "
          "is moved to the place of `a`. No other node gets another number.\n\n"
          "Raises ValueError if one contains the other, or they have different roots.")
-    .def("cut_again", cut_again, py::arg("leaf"), py::arg("part"),
-         "cut_again(leaf, part)\n\n"
+    .def("split_leaf", split_leaf, py::arg("leaf"), py::arg("part"),
+         "split_leaf(leaf, part)\n\n"
          "Cuts a leaf as `part`, the hierarchy of a run on `triangles[hierarchy.faces(leaf)]`.\n\n"
          "Raises ValueError if `leaf` is no leaf, or `part` has another number of triangles or "
          "several roots.")

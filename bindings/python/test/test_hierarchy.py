@@ -43,10 +43,11 @@ def test_labels_of_each_number_are_nested(hierarchy):
 def test_labels_are_those_of_runs(elephant, hierarchy):
     np.testing.assert_array_equal(hierarchy.labels(), segment(elephant))
     np.testing.assert_array_equal(hierarchy.labels(7), segment(elephant, number_of_segments=7))
-    np.testing.assert_array_equal(hierarchy.labels(threshold=0.7), segment(elephant, threshold=0.7))
+    np.testing.assert_array_equal(hierarchy.labels(salience_threshold=0.7),
+                                  segment(elephant, salience_threshold=0.7))
     np.testing.assert_array_equal(
-        hierarchy.labels(4, threshold=0.1),
-        segment(elephant, threshold=0.1, maximum_number_of_segments=4))
+        hierarchy.labels(4, salience_threshold=0.1),
+        segment(elephant, salience_threshold=0.1, maximum_number_of_segments=4))
 
 
 def test_nodes(elephant, hierarchy):
@@ -66,14 +67,14 @@ def test_nodes(elephant, hierarchy):
         if children[0] >= 0:
             assert (nodes["parent"][children] == i).all()
             assert sorted(faces) == sorted(np.concatenate([hierarchy.faces(c) for c in children]))
-            assert CUT_STATES[node["cut_state"]] == "known"
+            assert CUT_STATES[node["cut_state"]] == "cut"
     np.testing.assert_array_equal(nodes["salience"], hierarchy.saliences)
     for name, factor in hierarchy.factors.items():
         np.testing.assert_array_equal(nodes[name], factor)
 
 
 def test_segments_are_nodes(hierarchy):
-    for arguments, options in (((), {}), ((5,), {}), ((), {"threshold": 0.8})):
+    for arguments, options in (((), {}), ((5,), {}), ((), {"salience_threshold": 0.8})):
         labels, segments = (f(*arguments, **options)
                             for f in (hierarchy.labels, hierarchy.segments))
         assert labels.max() + 1 == len(segments)
@@ -97,10 +98,10 @@ def test_merge_and_cut_again(elephant, hierarchy):
     part = segment_hierarchy(elephant.points, elephant.triangles[edited.faces(leaf)],
                              number_of_segments=2)
     number = edited.number_of_segments
-    edited.cut_again(leaf, part)
+    edited.split_leaf(leaf, part)
     assert edited.number_of_segments == number + part.number_of_segments - 1
     with pytest.raises(ValueError):
-        edited.cut_again(leaf, whole)
+        edited.split_leaf(leaf, whole)
 
 
 @pytest.mark.parametrize("method", ["calibrated", "paper"])

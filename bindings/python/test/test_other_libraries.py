@@ -9,7 +9,7 @@ import pytest
 
 from spectral_segmentation import segment
 
-QUICK = {"number_of_segments": 3, "number_of_searched_faces": 0}
+QUICK = {"number_of_segments": 3, "number_of_coarse_faces": 0}
 
 
 @pytest.fixture(scope="module")

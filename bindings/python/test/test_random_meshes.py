@@ -36,13 +36,13 @@ def assert_segments_equal(labels, others):
 
 
 def run(mesh, method):
-    return segment_hierarchy(*mesh, method=method, number_of_searched_faces=0,
-                             threshold=-np.inf, minimum_segment_size=0)
+    return segment_hierarchy(*mesh, method=method, number_of_coarse_faces=0,
+                             salience_threshold=-np.inf, minimum_segment_size=0)
 
 
 @given(soups(), METHODS)
 def test_labels_are_numbered_by_the_first_triangle(mesh, method):
-    for labels in (segment(*mesh, method=method, number_of_searched_faces=0),
+    for labels in (segment(*mesh, method=method, number_of_coarse_faces=0),
                    run(mesh, method).labels()):
         assert labels.shape == (len(mesh[1]),)
         np.testing.assert_array_equal(labels, canonical(labels))
@@ -87,7 +87,7 @@ def test_order_and_place_do_not_matter(seed, method):
 
     def labels_of(points, triangles):
         return segment(points, triangles, method=method, number_of_segments=4,
-                       number_of_searched_faces=0)
+                       number_of_coarse_faces=0)
 
     expected = labels_of(points, triangles)
     random = np.random.default_rng(seed)

@@ -15,7 +15,7 @@ import pytest
 from conftest import bumpy_dumbbell_of
 from spectral_segmentation import segment, segment_hierarchy
 
-PAPER = {"method": "paper", "threshold": 0}
+PAPER = {"method": "paper", "salience_threshold": 0}
 
 
 class OwnError(Exception):
@@ -63,9 +63,9 @@ def test_errors_of_callables_are_those_of_the_run(dumbbell):
             segment(*dumbbell, **parameters)
         assert caught.value is error
     with pytest.raises(TypeError, match="part_salience must return a number"):
-        segment(*dumbbell, part_salience=lambda factors: "much", threshold=0)
+        segment(*dumbbell, part_salience=lambda factors: "much", salience_threshold=0)
     with pytest.raises(TypeError):
-        segment(*dumbbell, part_salience=lambda: 1, threshold=0)
+        segment(*dumbbell, part_salience=lambda: 1, salience_threshold=0)
     with pytest.raises(TypeError):
         segment(*dumbbell, progress=lambda: True)
 
@@ -117,7 +117,7 @@ def test_other_threads_of_python_go_on(dumbbell):
 def test_runs_in_several_threads():
     """Also with callables, for which each waits for the lock of Python."""
     meshes = [bumpy_dumbbell_of(seed) for seed in range(6)]
-    parameters = [{"number_of_segments": 3, "number_of_searched_faces": 0}, PAPER,
+    parameters = [{"number_of_segments": 3, "number_of_coarse_faces": 0}, PAPER,
                   {**PAPER, "part_salience": lambda factors: factors.cut_strength,
                    "progress": lambda share: None}]
     runs = [(mesh, p) for mesh in meshes for p in parameters]
@@ -171,12 +171,14 @@ points, triangles = dumbbell_of(9, 6)
 def fail(_):
     raise ValueError
 def run():
-    hierarchy = segment_hierarchy(points, triangles, method="paper", threshold=0, threads=1,
+    hierarchy = segment_hierarchy(points, triangles, method="paper", salience_threshold=0,
+                                  threads=1,
                                   part_salience=lambda factors: factors.size,
                                   progress=lambda share: None)
     labels = pickle.loads(pickle.dumps(hierarchy)).labels()
     hierarchy.nodes, segment_colors(triangles, labels)
-    for wrong in ({"progress": fail}, {"part_salience": fail}, {"threshold": float("nan")}):
+    for wrong in ({"progress": fail}, {"part_salience": fail},
+                  {"salience_threshold": float("nan")}):
         try:
             segment(points, triangles, method="paper", threads=1, **wrong)
         except ValueError:

@@ -29,10 +29,11 @@ def test_parameters_are_those_of_the_tool(meshes, tool):
     mesh = read(path)
     np.testing.assert_array_equal(
         segment(mesh, number_of_segments=9, number_of_smoothing_iterations=3,
-                boundary_smoothing=True),
-        labels_of_tool(tool, path, "--segments", "9", "--smooth", "3", "--boundary-smoothing"))
+                smooth_boundaries=True),
+        labels_of_tool(tool, path, "--segments", "9", "--smooth", "3", "--smooth-boundaries"))
     np.testing.assert_array_equal(
-        segment(mesh, threshold=0.6, maximum_number_of_segments=5, minimum_segment_size=0.02),
+        segment(mesh, salience_threshold=0.6, maximum_number_of_segments=5,
+                minimum_segment_size=0.02),
         labels_of_tool(tool, path, "--segments", "5", "--salience-threshold", "0.6",
                        "--minimum-segment-size", "0.02"))
     np.testing.assert_array_equal(
@@ -54,7 +55,7 @@ def test_types_and_strides_make_no_difference(bumpy_dumbbell):
     points = points.astype(np.float32).astype(np.float64) # representable in both
 
     def run(points, triangles):
-        return segment(points, triangles, number_of_segments=3, number_of_searched_faces=0)
+        return segment(points, triangles, number_of_segments=3, number_of_coarse_faces=0)
 
     expected = run(points, triangles)
     records = np.zeros(len(points), [("flag", "u1"), ("xyz", "<f8", 3)]) # not aligned
@@ -101,10 +102,10 @@ def test_seeds_hold(dumbbell):
     lowest, highest = heights.argmin(), heights.argmax()
     seeds = np.full(len(triangles), -1)
     seeds[[lowest, highest]] = 5
-    labels = segment(points, triangles, face_seed_map=seeds)
+    labels = segment(points, triangles, face_seeds=seeds)
     assert labels[lowest] == labels[highest]
     seeds[highest] = 6
-    labels = segment(points, triangles, face_seed_map=seeds, threshold=float("inf"))
+    labels = segment(points, triangles, face_seeds=seeds, salience_threshold=float("inf"))
     assert labels[lowest] != labels[highest]
 
 
@@ -120,8 +121,8 @@ def test_edges_hold(meshes):
     random = np.random.default_rng(1)
     constrained = all_edges[random.choice(len(all_edges), 4, replace=False)]
     uncuttable = np.array(sorted(free - rows(constrained)))[::3]
-    hierarchy = segment_hierarchy(mesh, edge_is_constrained_map=constrained[:, ::-1],
-                                  edge_is_uncuttable_map=uncuttable)
+    hierarchy = segment_hierarchy(mesh, constrained_edges=constrained[:, ::-1],
+                                  uncuttable_edges=uncuttable)
     for n in range(hierarchy.labels().max() + 1, hierarchy.number_of_segments + 1):
         made = rows(boundary_edges(mesh.triangles, hierarchy.labels(n))[0])
         assert rows(constrained) <= made
@@ -133,15 +134,15 @@ def test_edges_of_one_triangle_and_of_three():
     points = [[0, 0, 0], [0, 0, 1], [1, 0, 0], [-1, 1, 0], [-1, -1, 0]]
     triangles = [[0, 1, 2], [0, 1, 3], [0, 1, 4]]
 
-    def labels(threshold, **wishes):
-        return segment(points, triangles, threshold=threshold, **wishes).tolist()
+    def labels(threshold, **constraints):
+        return segment(points, triangles, salience_threshold=threshold, **constraints).tolist()
 
     assert labels(np.inf) == [0, 0, 0] and labels(-np.inf) == [0, 1, 2]
-    assert labels(np.inf, edge_is_constrained_map=[[1, 0]]) == [0, 1, 2]
-    assert labels(-np.inf, edge_is_uncuttable_map=[[1, 0]]) == [0, 0, 0]
+    assert labels(np.inf, constrained_edges=[[1, 0]]) == [0, 1, 2]
+    assert labels(-np.inf, uncuttable_edges=[[1, 0]]) == [0, 0, 0]
     for border in ([[1, 2]], np.empty((0, 2), int)):
-        assert labels(np.inf, edge_is_constrained_map=border) == [0, 0, 0]
-        assert labels(-np.inf, edge_is_uncuttable_map=border) == [0, 1, 2]
+        assert labels(np.inf, constrained_edges=border) == [0, 0, 0]
+        assert labels(-np.inf, uncuttable_edges=border) == [0, 1, 2]
 
 
 def test_own_salience(dumbbell):
@@ -151,19 +152,21 @@ def test_own_salience(dumbbell):
         seen.append((factors.size, factors.cut_strength, factors.protrusiveness))
         return factors.size
 
-    hierarchy = segment_hierarchy(*dumbbell, method="paper", part_salience=salience, threshold=0.2)
+    hierarchy = segment_hierarchy(*dumbbell, method="paper", part_salience=salience,
+                                  salience_threshold=0.2)
     cut = hierarchy.nodes[hierarchy.children[:, 0] >= 0]
     assert len(cut) > 0 and (cut["salience"] == cut["size"]).all() and (cut["size"] >= 0.2).all()
     sizes, strengths, _ = np.array(seen).T
     assert 0 <= sizes.min() and sizes.max() <= 0.5
     assert 0 <= strengths.min() and strengths.max() <= 1
-    as_weights = segment(*dumbbell, method="paper", salience_weights=(1, 0, 0), threshold=0.2)
+    as_weights = segment(*dumbbell, method="paper", salience_weights=(1, 0, 0),
+                         salience_threshold=0.2)
     np.testing.assert_array_equal(hierarchy.labels(), as_weights)
 
 
 def test_numbers_of_numpy_are_numbers(dumbbell):
     expected = segment(*dumbbell, number_of_segments=3, minimum_segment_size=0.01,
-                       boundary_smoothing=True)
-    given = segment(*dumbbell, number_of_segments=np.uint8(3), boundary_smoothing=np.bool_(True),
+                       smooth_boundaries=True)
+    given = segment(*dumbbell, number_of_segments=np.uint8(3), smooth_boundaries=np.bool_(True),
                     minimum_segment_size=np.float64(0.01))
     np.testing.assert_array_equal(given, expected)

@@ -7,9 +7,9 @@
 #include <CGAL/Spectral_segmentation/IO/hierarchy_json.h>
 #include <CGAL/Spectral_segmentation/Options.h>
 #include <CGAL/Spectral_segmentation/Segmentation_hierarchy.h>
-#include <CGAL/Spectral_segmentation/internal/door/read_options.h>
-#include <CGAL/Spectral_segmentation/internal/door/read_triangle_soup.h>
-#include <CGAL/Spectral_segmentation/internal/door/segmentation_hierarchy.h>
+#include <CGAL/Spectral_segmentation/internal/adaptors/read_options.h>
+#include <CGAL/Spectral_segmentation/internal/adaptors/read_triangle_soup.h>
+#include <CGAL/Spectral_segmentation/internal/adaptors/segmentation_hierarchy.h>
 #include <CGAL/Spectral_segmentation/version.h>
 
 #include <segment_mesh/mesh_file/Segmented_mesh.h>
@@ -144,10 +144,10 @@ segmentation::Options read_options(const val& given)
   };
   read_count("numberOfSegments", 1, o.number_of_segments);
   read_count("maximumNumberOfSegments", 1, o.maximum_number_of_segments);
-  read("threshold", o.salience_threshold);
-  read("componentsApart", o.components_apart);
+  read("salienceThreshold", o.salience_threshold);
+  read("keepComponentsSeparate", o.keep_components_separate);
   read("minimumSegmentSize", o.minimum_segment_size);
-  read("boundarySmoothing", o.boundary_smoothing);
+  read("smoothBoundaries", o.smooth_boundaries);
   read_count("numberOfSmoothingIterations", 0, o.number_of_smoothing_iterations);
   check(o);
   return o;
@@ -224,7 +224,7 @@ public:
     options.name = name;
     options.number_of_segments = number_of_segments();
     options.is_salience_probability = options_.method == segmentation::Method::CALIBRATED;
-    options.boundary_smoothing = options_.boundary_smoothing;
+    options.smooth_boundaries = options_.smooth_boundaries;
     return segment_mesh::page_data(*input_, tree_, options)
       .dump(-1, ' ', false, nlohmann::ordered_json::error_handler_t::replace);
   }

@@ -72,8 +72,8 @@ test("labels are those of the native tool", { timeout: 7200e3 }, () => {
 test("options are those of the tool", () => {
   const mesh = segmentation.read(elephant, "elephant.off");
   for (const [options, ...ofTool] of [
-    [{ numberOfSegments: 7, boundarySmoothing: true }, "--segments", "7", "--boundary-smoothing"],
-    [{ threshold: 0.7, maximumNumberOfSegments: 4 }, "--salience-threshold", "0.7",
+    [{ numberOfSegments: 7, smoothBoundaries: true }, "--segments", "7", "--smooth-boundaries"],
+    [{ salienceThreshold: 0.7, maximumNumberOfSegments: 4 }, "--salience-threshold", "0.7",
      "--segments", "4"],
     [{ minimumSegmentSize: 0.02, numberOfSmoothingIterations: 2 }, "--minimum-segment-size", "0.02",
      "--smooth", "2"]])
@@ -139,8 +139,9 @@ test("what is wrong is named", () => {
     [() => segmentation.segment(mesh, { numberOfSegments: 2.5 }), TypeError, /must be an integer/],
     [() => segmentation.segment(mesh, { numberOfSegments: 0 }), Error, /at least 1/],
     [() => segmentation.segment(mesh, { numberOfSegments: 5 }), Error, /can have 1 to 4/],
-    [() => segmentation.segment(mesh, { numberOfSegments: 2, threshold: 1 }), TypeError, /neither/],
-    [() => segmentation.segment(mesh, { threshold: NaN }), Error, /number/],
+    [() => segmentation.segment(mesh, { numberOfSegments: 2, salienceThreshold: 1 }),
+     TypeError, /neither/],
+    [() => segmentation.segment(mesh, { salienceThreshold: NaN }), Error, /number/],
     [() => segmentation.segment(mesh, { minimumSegmentSize: 2 }), Error, /minimum_segment_size/],
     [() => segmentation.segment(mesh, { progress: 1 }), TypeError, /progress must be a function/],
     [() => segmentation.segment(mesh).labels(0), TypeError, /at least 1/]])
@@ -198,7 +199,7 @@ test("memory is given back", async () => {
   const arrays = torus(20);
   const run = () => {
     const mesh = own.mesh(...arrays);
-    const result = own.segment(mesh, { method: "paper", threshold: 0.1 });
+    const result = own.segment(mesh, { method: "paper", salienceThreshold: 0.1 });
     result.write("x.ply");
     mesh.free();
     result.free();
@@ -231,8 +232,9 @@ test("a worker does the same, and ends at once", async () => {
                        /line 1: 'x' is not a number of points/);
   await assert.rejects(worker.segment({ bytes: elephant, name: "a.off" }, { progress() {} }),
                        { name: "DataCloneError" });
-  await assert.rejects(worker.segment({ bytes: elephant, name: "a.off" }, { threshold: NaN }),
-                       /threshold must be a number/);
+  await assert.rejects(worker.segment({ bytes: elephant, name: "a.off" },
+                                      { salienceThreshold: NaN }),
+                       /salience_threshold must be a number/);
   await assert.rejects(worker.labels(), /no segmentation yet/);
   const large = worker.segment({ bytes: elephant, name: "elephant.off" },
                                { method: "paper" });

@@ -10,7 +10,8 @@ export async function allowed(bytes: Uint8Array): Promise<Uint32Array[]> {
   const module = await load();
   const mesh: Mesh = module.read(bytes, "elephant.off");
   const run: Segmentation = module.segment(mesh, {
-    method: "paper", maximumNumberOfSegments: 5, threshold: 0.3, progress: share => share < 0.5 });
+    method: "paper", maximumNumberOfSegments: 5, salienceThreshold: 0.3,
+    progress: share => share < 0.5 });
   const sameMesh = module.mesh(mesh.points, mesh.triangles);
   const worker = new SegmentationWorker();
   const { model } = await worker.segment({ bytes, name: "elephant.off" }, { numberOfSegments: 5 },

@@ -89,8 +89,8 @@ inline bool has_whole_polygons(const Input& input, const Pieces& pieces)
 }
 
 // For `n` segments the label of each, by its node, and the polygons that have another label than
-// that of their piece: such of several pieces, which count to the segment that has most of them, and
-// such beside boundaries that were smoothed.
+// that of their piece: such of several pieces, which count to the segment that has most of them,
+// and such beside boundaries that were smoothed.
 inline nlohmann::ordered_json label_exceptions(const Input& input,
                                                const Segmentation_hierarchy& tree,
                                                const std::vector<std::size_t>& segment_of_piece,
@@ -126,7 +126,7 @@ struct Page_options
 {
   std::string name;
   std::size_t number_of_segments;      // that the page shows first
-  bool is_salience_probability, boundary_smoothing;
+  bool is_salience_probability, smooth_boundaries;
   std::size_t most_triangles = 300000; // a phone can turn so many
 };
 
@@ -173,7 +173,7 @@ inline nlohmann::ordered_json page_data(const Input& input, const Segmentation_h
   const Pieces pieces(tree);
   const std::vector<Index> piece_of_polygon = labels_of_polygons(input, pieces.of_triangles());
   nlohmann::ordered_json exceptions = nlohmann::ordered_json::object();
-  if (o.boundary_smoothing || !has_whole_polygons(input, pieces))
+  if (o.smooth_boundaries || !has_whole_polygons(input, pieces))
     for (std::size_t n = tree.number_of_roots(); n <= tree.number_of_segments(); ++n)
       exceptions[std::to_string(n)] =
         label_exceptions(input, tree, pieces.segments(n), piece_of_polygon, n);

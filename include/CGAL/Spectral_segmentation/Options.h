@@ -51,12 +51,12 @@ struct Options
   std::optional<std::size_t> number_of_segments;
   std::size_t maximum_number_of_segments = unlimited;        ///< at least 1
   double salience_threshold = default_probability_threshold; ///< not NaN
-  bool components_apart = false;                             ///< `true` in the paper's method
+  bool keep_components_separate = false;                     ///< `true` in the paper's method
   double minimum_segment_size = 0.003;                       ///< in [0, 0.5]
   Part_salience part_salience = Calibrated_part_salience();  ///< not empty
-  std::size_t number_of_searched_faces = 4000;               ///< 0: the mesh itself is searched
+  std::size_t number_of_coarse_faces = 4000;               ///< 0: the mesh itself is searched
   std::size_t number_of_smoothing_iterations = 0;            ///< for the points
-  bool boundary_smoothing = false;                           ///< for the labels
+  bool smooth_boundaries = false;                           ///< for the labels
 
   /// \name Parameters of the Paper
   /// @{
@@ -87,10 +87,10 @@ struct Options
     Options o;
     o.method = Method::ZHANG_LIU_2005;
     o.salience_threshold = default_salience_threshold;
-    o.components_apart = true;
+    o.keep_components_separate = true;
     o.minimum_segment_size = 0.005;
     o.part_salience = Weighted_part_salience();
-    o.number_of_searched_faces = 0;
+    o.number_of_coarse_faces = 0;
     o.geodesic_weight = 0.01;
     o.concavity_radius = 0;
     o.bisection = false;
@@ -115,7 +115,7 @@ inline void check(const Options& o)
   require(!o.number_of_segments || *o.number_of_segments >= 1, "number_of_segments", "at least 1");
   require(o.maximum_number_of_segments >= 1, "maximum_number_of_segments", "at least 1");
   require(!std::isnan(o.salience_threshold), "salience_threshold", "a number");
-  require(o.components_apart || o.method == Method::CALIBRATED, "components_apart",
+  require(o.keep_components_separate || o.method == Method::CALIBRATED, "keep_components_separate",
           "true with zhang_liu_2005()");
   require(o.minimum_segment_size >= 0 && o.minimum_segment_size <= 0.5, "minimum_segment_size",
           "in [0, 0.5]");

@@ -6,7 +6,7 @@
 
 #include <CGAL/Spectral_segmentation/Options.h>
 #include <CGAL/Spectral_segmentation/parameters.h>
-#include <CGAL/Spectral_segmentation/internal/door/numbered_descriptors.h>
+#include <CGAL/Spectral_segmentation/internal/adaptors/numbered_descriptors.h>
 #include <CGAL/Spectral_segmentation/internal/hierarchy/Cut_editor.h>
 #include <CGAL/Spectral_segmentation/internal/hierarchy/Cut_hierarchy.h>
 #include <CGAL/Spectral_segmentation/internal/hierarchy/Nested_ranges.h>
@@ -65,7 +65,7 @@ public:
     NOT_SEARCHED, ///< the run ended before it came to this part
     NO_CUT,       ///< no cut has two connected sides of minimum size; in the default method: a leaf
     REJECTED,     ///< the best cut is less salient than the threshold; not in the default method
-    ACCEPTED      ///< the part has two children; in the default method whatever the threshold
+    CUT           ///< the part has two children; in the default method whatever the threshold
   };
 
   /// A set of faces: a root, or one side of the cut of its parent.
@@ -87,7 +87,7 @@ public:
     /// cut to cut. The factors are not changed.
     double salience;
 
-    /// the factors of that cut, on the mesh on which it was searched (`number_of_searched_faces`);
+    /// the factors of that cut, on the mesh on which it was searched (`number_of_coarse_faces`);
     /// 0 for a cut between two nodes that `merge()` put together
     Salience_factors factors;
 
@@ -156,7 +156,7 @@ public:
   /// \name Labels
   /// A label is a number from 0 to the number of segments - 1. Segments are numbered by their
   /// face of smallest number, and each is a node: `segments()` tells which, with the arguments of
-  /// `labels()`. With `boundary_smoothing` a segment has some other faces along its boundary than
+  /// `labels()`. With `smooth_boundaries` a segment has some other faces along its boundary than
   /// its node. All functions take time linear in the number of faces and of cuts.
   ///
   /// Those with a threshold throw `std::out_of_range` if a cut that is needed is not known: the run
@@ -277,7 +277,7 @@ public:
 
   /// \name Changes by Hand
   /// A choice of segments is a vector of nodes, as `segments()` returns. To cut one again, replace
-  /// its node by the two children. `merge()` puts two nodes below one, and `cut_again()` cuts a
+  /// its node by the two children. `merge()` puts two nodes below one, and `split_leaf()` cuts a
   /// leaf. All functions stay valid, nodes keep their numbers, and those that are below the nodes
   /// given, or have none of their faces, keep their faces. Both take time linear in the number of
   /// faces and O(*c* log *c*) in that of cuts. If they throw, nothing has changed.
@@ -297,7 +297,8 @@ public:
   /// two should touch, and choose for `b` the one that the rest needs less to be connected.
   ///
   /// Throws `std::invalid_argument` if one node contains the other, if there is no such node, or if
-  /// they have different roots, as with `components_apart`, or with wishes that keep parts apart.
+  /// they have different roots, as with `keep_components_separate`, or with constraints that keep
+  /// parts apart.
   size_type merge(size_type a, size_type b)
   {
     check_node(a);
@@ -313,7 +314,7 @@ public:
   ///
   /// Throws `std::invalid_argument` if `leaf` is no leaf, or if `part` has another number of faces
   /// or several roots.
-  void cut_again(size_type leaf, const Segmentation_hierarchy& part)
+  void split_leaf(size_type leaf, const Segmentation_hierarchy& part)
   {
     check_node(leaf);
     if (!node(leaf).is_leaf())
@@ -342,7 +343,7 @@ public:
       maximum_number_of_segments_(maximum_number_of_segments),
       salience_threshold_(salience_threshold)
   {
-    if (!cuts_.is_complete) // no more segments than there are can be asked for
+    if (!cuts_.has_all_cuts) // no more segments than there are can be asked for
       maximum_number_of_segments_ = (std::min)(maximum_number_of_segments_, number_of_segments());
   }
   /// \endcond
@@ -393,7 +394,7 @@ private:
   {
     std::vector<char> is_segment = roots();
     size_type number = number_of_roots();
-    for (size_type i : cuts_.turns)
+    for (size_type i : cuts_.cut_order)
       if (number < number_of_segments && !cuts_.nodes[i].is_leaf()) {
         cut(i, is_segment);
         ++number;
@@ -409,7 +410,7 @@ private:
       throw std::invalid_argument("Segmentation_hierarchy: the salience threshold is not a number");
     std::vector<char> is_segment = roots();
     size_type number = number_of_roots();
-    for (size_type i : cuts_.turns) {
+    for (size_type i : cuts_.cut_order) {
       const Node& n = cuts_.nodes[i];
       if (number >= maximum_number_of_segments)
         return is_segment;

@@ -43,21 +43,21 @@ struct Segmentation_visitor
   static constexpr std::size_t whole_mesh = static_cast<std::size_t>(-1);
 
   /// A stage of the search in `part` starts, or one of the whole mesh.
-  void start_stage(Stage /* stage */, std::size_t /* part */) {}
+  void before_stage(Stage /* stage */, std::size_t /* part */) {}
 
   /// The stage has ended.
-  void end_stage(Stage /* stage */, std::size_t /* part */) {}
+  void after_stage(Stage /* stage */, std::size_t /* part */) {}
 
   /// The search for the best cut of `part` starts; it has two faces or more, and room for two
   /// segments of minimum size.
-  void start_part(std::size_t /* part */, std::size_t /* number_of_faces */) {}
+  void before_part(std::size_t /* part */, std::size_t /* number_of_faces */) {}
 
   /// The search for the best cut of `part` has ended.
-  void end_part(std::size_t /* part */) {}
+  void after_part(std::size_t /* part */) {}
 
   /// `part` was cut in two; there are now `number_of_segments` segments, or regions of the default
   /// method before they are merged.
-  void part_cut(std::size_t /* part */, const Salience_factors&, double /* salience */,
+  void after_cut(std::size_t /* part */, const Salience_factors&, double /* salience */,
                 std::size_t /* number_of_segments */) {}
 
   /// About this share of the run is done: from 0 to 1, never less than before; 1 is reported at the

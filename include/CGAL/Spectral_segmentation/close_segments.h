@@ -5,8 +5,8 @@
 #define CGAL_SPECTRAL_SEGMENTATION_CLOSE_SEGMENTS_H
 
 #include <CGAL/Spectral_segmentation/internal/capping/Segment_capping.h>
-#include <CGAL/Spectral_segmentation/internal/door/read_segments.h>
-#include <CGAL/Spectral_segmentation/internal/door/read_triangle_soup.h>
+#include <CGAL/Spectral_segmentation/internal/adaptors/read_segments.h>
+#include <CGAL/Spectral_segmentation/internal/adaptors/read_triangle_soup.h>
 
 #include <cstddef>
 #include <limits>

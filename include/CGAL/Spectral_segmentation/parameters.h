@@ -35,29 +35,30 @@ class Segmentation_hierarchy;
   f(visitor, visitor_t, is_visitor,                                                             \
     "takes a class derived from Segmentation_visitor, or std::ref to one")
 
-#define CGAL_SPECTRAL_SEGMENTATION_PARAMETERS(f)                                                 \
-  f(number_of_segments, number_of_segments_t, is_count, "takes an integer")                     \
-  f(maximum_number_of_segments, maximum_number_of_segments_t, is_count, "takes an integer")     \
-  f(minimum_segment_size, minimum_segment_size_t, is_real, "takes a number")                    \
-  f(salience_threshold, salience_threshold_t, is_real, "takes a number")                        \
-  f(part_salience, part_salience_t, is_part_salience,                                           \
-    "takes a class that is called with Salience_factors, while const, and returns a number")    \
-  f(number_of_reference_faces, number_of_reference_faces_t, is_count, "takes an integer")       \
-  f(number_of_searched_faces, number_of_searched_faces_t, is_count, "takes an integer")         \
-  f(number_of_smoothing_iterations, number_of_smoothing_iterations_t, is_count,                 \
-    "takes an integer")                                                                         \
-  f(boundary_smoothing, boundary_smoothing_t, is_flag, "takes a bool")                          \
-  f(components_apart, components_apart_t, is_flag, "takes a bool")                              \
-  f(edge_is_uncuttable_map, edge_is_uncuttable_map_t, is_property_map, "takes a property map")  \
-  f(face_seed_map, face_seed_map_t, is_seed_map,                                                \
-    "takes a property map whose values are of a signed integer type")
+#define CGAL_SPECTRAL_SEGMENTATION_PARAMETERS(f)                                                   \
+  f(number_of_segments, number_of_segments_t, is_count, "takes an integer")                        \
+    f(maximum_number_of_segments, maximum_number_of_segments_t, is_count, "takes an integer")      \
+      f(minimum_segment_size, minimum_segment_size_t, is_real,                                     \
+        "takes a number") f(salience_threshold, salience_threshold_t, is_real, "takes a number")   \
+        f(part_salience, part_salience_t, is_part_salience,                                        \
+          "takes a class that is called with Salience_factors, while const, and returns a number") \
+          f(number_of_reference_faces, number_of_reference_faces_t, is_count, "takes an integer")  \
+            f(number_of_coarse_faces, number_of_coarse_faces_t, is_count, "takes an integer")      \
+              f(number_of_smoothing_iterations, number_of_smoothing_iterations_t, is_count,        \
+                "takes an integer")                                                                \
+                f(smooth_boundaries, smooth_boundaries_t, is_flag, "takes a bool")                 \
+                  f(keep_components_separate, keep_components_separate_t, is_flag, "takes a bool") \
+                    f(edge_is_uncuttable_map, edge_is_uncuttable_map_t, is_property_map,           \
+                      "takes a property map")                                                      \
+                      f(face_seed_map, face_seed_map_t, is_seed_map,                               \
+                        "takes a property map whose values are of a signed integer type")
 
 // The parameters of the functions that take a segmentation: CGAL's, then those of the package.
 #define CGAL_SPECTRAL_SEGMENTATION_PARAMETERS_OF_CGAL_FOR_RESULTS(f)                             \
   f(number_of_iterations, number_of_iterations_t, is_count, "takes an integer")
 
 #define CGAL_SPECTRAL_SEGMENTATION_PARAMETERS_OF_RESULTS(f)                                      \
-  f(closed, closed_t, is_flag, "takes a bool")
+  f(close_parts, close_parts_t, is_flag, "takes a bool")
 
 // After a name of the package too, where the compiler takes it for a similar one of CGAL.
 #define CGAL_SPECTRAL_SEGMENTATION_OTHER_PARAMETER                                               \

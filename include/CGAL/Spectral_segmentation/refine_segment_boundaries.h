@@ -4,9 +4,9 @@
 #ifndef CGAL_SPECTRAL_SEGMENTATION_REFINE_SEGMENT_BOUNDARIES_H
 #define CGAL_SPECTRAL_SEGMENTATION_REFINE_SEGMENT_BOUNDARIES_H
 
-#include <CGAL/Spectral_segmentation/internal/door/Face_splitter.h>
-#include <CGAL/Spectral_segmentation/internal/door/read_segments.h>
-#include <CGAL/Spectral_segmentation/internal/door/read_triangle_mesh.h>
+#include <CGAL/Spectral_segmentation/internal/adaptors/Face_splitter.h>
+#include <CGAL/Spectral_segmentation/internal/adaptors/read_segments.h>
+#include <CGAL/Spectral_segmentation/internal/adaptors/read_triangle_mesh.h>
 #include <CGAL/Spectral_segmentation/internal/refinement/refined_boundaries.h>
 #include <CGAL/Spectral_segmentation/parameters.h>
 

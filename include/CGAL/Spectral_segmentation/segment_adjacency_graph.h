@@ -5,9 +5,9 @@
 #define CGAL_SPECTRAL_SEGMENTATION_SEGMENT_ADJACENCY_GRAPH_H
 
 #include <CGAL/Spectral_segmentation/Segmentation_hierarchy.h>
-#include <CGAL/Spectral_segmentation/internal/door/numbered_descriptors.h>
-#include <CGAL/Spectral_segmentation/internal/door/read_segments.h>
-#include <CGAL/Spectral_segmentation/internal/door/read_triangle_mesh.h>
+#include <CGAL/Spectral_segmentation/internal/adaptors/numbered_descriptors.h>
+#include <CGAL/Spectral_segmentation/internal/adaptors/read_segments.h>
+#include <CGAL/Spectral_segmentation/internal/adaptors/read_triangle_mesh.h>
 #include <CGAL/Spectral_segmentation/parameters.h>
 
 #include <CGAL/boost/graph/named_params_helper.h>
@@ -87,8 +87,8 @@ inline std::vector<std::size_t> largest_leaves(const Segmentation_hierarchy& hie
   return result;
 }
 
-// Returns the salience of the cut that separates two leaves, which is the cut of their lowest common
-// ancestor.
+// Returns the salience of the cut that separates two leaves, which is the cut of their lowest
+// common ancestor.
 inline double salience_between(const Segmentation_hierarchy& hierarchy, std::size_t a,
                                std::size_t b)
 {

@@ -4,7 +4,7 @@
 #ifndef CGAL_SPECTRAL_SEGMENTATION_SEGMENT_BOUNDARIES_H
 #define CGAL_SPECTRAL_SEGMENTATION_SEGMENT_BOUNDARIES_H
 
-#include <CGAL/Spectral_segmentation/internal/door/read_segments.h>
+#include <CGAL/Spectral_segmentation/internal/adaptors/read_segments.h>
 
 #include <CGAL/boost/graph/iterator.h>
 
@@ -47,7 +47,7 @@ struct Segment_boundary
 /// \cond SKIP_IN_MANUAL
 namespace internal {
 
-// The half-edges between segments, and how they follow each other.
+// The halfedges between segments, and how they follow each other.
 template <class FaceGraph, class SegmentIdMap>
 class Boundary_halfedges
 {

@@ -5,8 +5,8 @@
 #define CGAL_SPECTRAL_SEGMENTATION_SPLIT_INTO_SEGMENTS_H
 
 #include <CGAL/Spectral_segmentation/internal/capping/Segment_capping.h>
-#include <CGAL/Spectral_segmentation/internal/door/read_segments.h>
-#include <CGAL/Spectral_segmentation/internal/door/read_triangle_mesh.h>
+#include <CGAL/Spectral_segmentation/internal/adaptors/read_segments.h>
+#include <CGAL/Spectral_segmentation/internal/adaptors/read_triangle_mesh.h>
 #include <CGAL/Spectral_segmentation/parameters.h>
 
 #include <CGAL/Polygon_mesh_processing/orient_polygon_soup.h>
@@ -29,7 +29,7 @@ namespace internal {
 template <class Pack>
 using has_only_split_tags =
   internal_np::has_only<Pack, internal_np::vertex_point_t, internal_np::geom_traits_t,
-                        internal_np::closed_t, internal_np::faces_of_parts_t>;
+                        internal_np::close_parts_t, internal_np::faces_of_parts_t>;
 
 // Makes meshes of some triangles each.
 template <class Point>
@@ -78,7 +78,7 @@ public:
 makes a mesh of each segment of a triangle mesh, open or closed.
 
 A part has the points of its faces, unchanged, and its faces in their order. Where it touches itself
-at a vertex, that vertex is doubled. With `closed(true)` the faces of caps follow, which close its
+at a vertex, that vertex is doubled. With `close_parts(true)` the faces of caps follow, which close its
 boundaries to other segments and the borders of the mesh, as `close_segments()` makes them.
 
 The time is O(*n* log *n*) for *n* faces, and that of closing.
@@ -100,7 +100,7 @@ The time is O(*n* log *n*) for *n* faces, and that of closing.
 \param np an optional sequence of named parameters among the ones listed below
 
 \cgalNamedParamsBegin
-  \cgalParamNBegin{closed}
+  \cgalParamNBegin{close_parts}
     \cgalParamDescription{whether the parts are closed, as needed for printing and for booleans}
     \cgalParamType{`bool`}
     \cgalParamDefault{`false`}
@@ -167,7 +167,7 @@ void split_into_segments(const TriangleMesh& mesh, SegmentIdMap segment_ids, Par
     triangles_of_part[labels[f]].push_back(triangles.corners[f]);
     faces_of_part[labels[f]].push_back(faces_of_mesh[f]);
   }
-  if (choose_parameter(get_parameter(pack, tags::closed), false)) {
+  if (choose_parameter(get_parameter(pack, tags::close_parts), false)) {
     const internal::Caps caps =
       internal::Segment_capping(triangles.points)(triangles.corners, labels, n);
     for (const internal::Vector& p : caps.points)

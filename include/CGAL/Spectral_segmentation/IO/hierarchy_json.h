@@ -8,9 +8,9 @@
 // its CMake package.
 
 #include <CGAL/Spectral_segmentation/Segmentation_hierarchy.h>
-#include <CGAL/Spectral_segmentation/internal/door/numbered_descriptors.h>
-#include <CGAL/Spectral_segmentation/internal/door/read_triangle_mesh.h>
-#include <CGAL/Spectral_segmentation/internal/door/read_triangle_soup.h>
+#include <CGAL/Spectral_segmentation/internal/adaptors/numbered_descriptors.h>
+#include <CGAL/Spectral_segmentation/internal/adaptors/read_triangle_mesh.h>
+#include <CGAL/Spectral_segmentation/internal/adaptors/read_triangle_soup.h>
 #include <CGAL/Spectral_segmentation/internal/json/hierarchy_of_json.h>
 #include <CGAL/Spectral_segmentation/internal/json/json_of_hierarchy.h>
 #include <CGAL/Spectral_segmentation/internal/json/segment_extents.h>
@@ -95,7 +95,7 @@ writes a hierarchy as JSON, with the segments that were chosen.
 The section \ref Spectral_segmentation_json tells the keys. The segments have neither neighbors nor
 bounding boxes, for which the other overloads take the mesh. Numbers are written with all their
 digits. The time is linear in the size of the text, which is 3 bytes for each face; with
-`boundary_smoothing` each has three more numbers.
+`smooth_boundaries` each has three more numbers.
 
 \param os the stream
 \param hierarchy the hierarchy

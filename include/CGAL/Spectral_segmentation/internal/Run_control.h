@@ -22,11 +22,11 @@ class Run_control
 public:
   virtual ~Run_control() = default;
 
-  virtual void start_stage(Stage, std::size_t /* part */) {}
-  virtual void end_stage(Stage, std::size_t /* part */) {}
-  virtual void start_part(std::size_t /* part */, std::size_t /* number_of_faces */) {}
-  virtual void end_part(std::size_t /* part */) {}
-  virtual void part_cut(std::size_t /* part */, const Salience_factors&, double /* salience */,
+  virtual void before_stage(Stage, std::size_t /* part */) {}
+  virtual void after_stage(Stage, std::size_t /* part */) {}
+  virtual void before_part(std::size_t /* part */, std::size_t /* number_of_faces */) {}
+  virtual void after_part(std::size_t /* part */) {}
+  virtual void after_cut(std::size_t /* part */, const Salience_factors&, double /* salience */,
                         std::size_t /* number_of_segments */) {}
   virtual void progress(double /* share */) {}
   virtual bool go_further() { return true; }

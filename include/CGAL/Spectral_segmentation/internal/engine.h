@@ -7,7 +7,7 @@
 #include <CGAL/Spectral_segmentation/Options.h>
 #include <CGAL/Spectral_segmentation/internal/utility/concurrency.h>
 #include <CGAL/Spectral_segmentation/internal/Run_control.h>
-#include <CGAL/Spectral_segmentation/internal/wishes/Wishes.h>
+#include <CGAL/Spectral_segmentation/internal/constraints/Constraints.h>
 #include <CGAL/Spectral_segmentation/internal/hierarchy/Cut_hierarchy.h>
 #include <CGAL/Spectral_segmentation/internal/mesh/Triangles.h>
 
@@ -29,7 +29,7 @@ namespace CGAL::Spectral_segmentation::internal {
 // `std::invalid_argument` if constraints contradict each other or the number of segments.
 CGAL_SPECTRAL_SEGMENTATION_INLINE
 Cut_hierarchy segment(Triangles triangles, const Options& options, Execution execution,
-                      Run_control& control, const Wishes& wishes = Wishes());
+                      Run_control& control, const Constraints& constraints = Constraints());
 
 // Finds the neighbors of the triangles of a soup, and orients them.
 CGAL_SPECTRAL_SEGMENTATION_INLINE

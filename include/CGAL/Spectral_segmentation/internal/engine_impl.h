@@ -10,7 +10,7 @@
 #include <CGAL/Spectral_segmentation/internal/engine.h>
 #include <CGAL/Spectral_segmentation/internal/hierarchy/congruent_cuts.h>
 #include <CGAL/Spectral_segmentation/internal/hierarchy/further_cuts.h>
-#include <CGAL/Spectral_segmentation/internal/hierarchy/joined_roots.h>
+#include <CGAL/Spectral_segmentation/internal/hierarchy/join_roots.h>
 #include <CGAL/Spectral_segmentation/internal/hierarchy/numbers_to_search.h>
 #include <CGAL/Spectral_segmentation/internal/hierarchy/recursion.h>
 #include <CGAL/Spectral_segmentation/internal/hierarchy/region_merging.h>
@@ -24,9 +24,9 @@
 #include <CGAL/Spectral_segmentation/internal/multilevel/coarsening.h>
 #include <CGAL/Spectral_segmentation/internal/multilevel/projection.h>
 #include <CGAL/Spectral_segmentation/internal/utility/Run_monitor.h>
-#include <CGAL/Spectral_segmentation/internal/wishes/Wish_groups.h>
-#include <CGAL/Spectral_segmentation/internal/wishes/Wished_merging.h>
-#include <CGAL/Spectral_segmentation/internal/wishes/Wished_regions.h>
+#include <CGAL/Spectral_segmentation/internal/constraints/Constraint_groups.h>
+#include <CGAL/Spectral_segmentation/internal/constraints/Constrained_merging.h>
+#include <CGAL/Spectral_segmentation/internal/constraints/Constrained_regions.h>
 
 #include <algorithm>
 #include <cstddef>
@@ -43,19 +43,19 @@ namespace CGAL::Spectral_segmentation::internal {
 class Run
 {
   const Options& options_;
-  const Wishes& wishes_;
+  const Constraints& constraints_;
   const Execution execution_;
   Run_monitor monitor_;
 
   double unit_ = 1;                 // the length of 1 in the coordinates of the caller
-  std::vector<Index> first_twin_;   // one per face of the caller, if there are duplicate faces
+  std::vector<Index> first_duplicate_;   // one per face of the caller, if there are duplicate faces
   std::vector<Index> order_;        // the caller's indices of the faces
   Face_graph mesh_;
   Refined_mesh refined_;            // empty if the edges of the mesh are short enough
   std::optional<Grid_wrap> wrap_;   // the wrap of a mesh of several components
   std::vector<Coarse_mesh> levels_; // each coarser than the one before
   std::vector<Index> neighbors_;    // the caller's indices, if boundaries shall be smoothed
-  Wish_groups groups_;              // empty without constraints
+  Constraint_groups groups_;              // empty without constraints
 
   Distance_weights distance_weights() const
   {
@@ -64,25 +64,25 @@ class Run
   }
 
   // Removes duplicate faces, unless the mesh is connected or its components are kept apart.
-  Triangles without_twins(Triangles triangles)
+  Triangles remove_duplicates(Triangles triangles)
   {
     order_.resize(triangles.corners.size());
     std::iota(order_.begin(), order_.end(), Index(0));
-    if (options_.components_apart || is_connected(triangles.neighbors))
+    if (options_.keep_components_separate || is_connected(triangles.neighbors))
       return triangles;
-    std::vector<Index> first_twin = Face_twins(triangles)();
-    const auto is_first = [&](Index f) { return first_twin[f] == f; };
+    std::vector<Index> first_duplicate = Duplicate_faces(triangles)();
+    const auto is_first = [&](Index f) { return first_duplicate[f] == f; };
     if (std::all_of(order_.begin(), order_.end(), is_first))
       return triangles;
     order_.erase(std::stable_partition(order_.begin(), order_.end(), is_first), order_.end());
-    first_twin_ = std::move(first_twin);
-    return distinct_triangles(triangles, first_twin_);
+    first_duplicate_ = std::move(first_duplicate);
+    return distinct_triangles(triangles, first_duplicate_);
   }
 
   // Reads the triangles. A run that is stopped on the way leaves the faces in the caller's order.
   void read(Triangles triangles)
   {
-    triangles = without_twins(std::move(triangles));
+    triangles = remove_duplicates(std::move(triangles));
     if (monitor_.go_further()) {
       const std::vector<Index> order = locality_order(triangles.neighbors);
       monitor_.advance(0.3);
@@ -96,10 +96,10 @@ class Run
     monitor_.advance(0.3);
     unit_ = normalize(triangles.points);
     mesh_ = face_graph(execution_, std::move(triangles));
-    if (options_.boundary_smoothing)
+    if (options_.smooth_boundaries)
       set_neighbors();
     check_number();
-    if (!wishes_.empty())
+    if (!constraints_.empty())
       set_groups();
   }
 
@@ -109,8 +109,8 @@ class Run
     std::vector<Index> result(number_of_callers_faces());
     for (Index f = 0; f < order_.size(); ++f)
       result[order_[f]] = f;
-    for (Index f = 0; f < first_twin_.size(); ++f)
-      result[f] = result[first_twin_[f]];
+    for (Index f = 0; f < first_duplicate_.size(); ++f)
+      result[f] = result[first_duplicate_[f]];
     return result;
   }
 
@@ -119,8 +119,8 @@ class Run
   void set_groups()
   {
     const std::vector<Index> number = numbers_in_mesh();
-    groups_ = Wish_grouping(wishes_, number, mesh_.number_of_faces())(mesh_,
-                                                                      options_.components_apart);
+    groups_ = Constraint_grouping(constraints_, number, mesh_.number_of_faces())(
+      mesh_, options_.keep_components_separate);
     for (Index h = 0; h < neighbors_.size(); ++h)
       if (groups_.group[number[h / 3]] != null_index)
         neighbors_[h] = h / 3;
@@ -132,13 +132,13 @@ class Run
     neighbors_.resize(3 * number_of_callers_faces());
     for (Index h = 0; h < mesh_.neighbors.size(); ++h)
       neighbors_[3 * order_[h / 3] + h % 3] = order_[mesh_.neighbors[h]];
-    for (Index f = 0; f < first_twin_.size(); ++f)
+    for (Index f = 0; f < first_duplicate_.size(); ++f)
       for (Index i = 0; i < 3; ++i)
-        neighbors_[3 * f + i] = neighbors_[3 * first_twin_[f] + i];
+        neighbors_[3 * f + i] = neighbors_[3 * first_duplicate_[f] + i];
   }
 
   std::size_t number_of_callers_faces() const
-  { return first_twin_.empty() ? order_.size() : first_twin_.size(); }
+  { return first_duplicate_.empty() ? order_.size() : first_duplicate_.size(); }
 
   void check_number() const
   {
@@ -146,7 +146,7 @@ class Run
       return;
     const std::size_t number = *options_.number_of_segments;
     std::size_t least = 1;
-    if (options_.components_apart)
+    if (options_.keep_components_separate)
       connected_components(mesh_, least);
     if (number < least || number > mesh_.number_of_faces())
       throw std::invalid_argument(
@@ -167,7 +167,7 @@ class Run
   {
     if (!options_.bisection || !(total_area(mesh_) > 0))
       return;
-    const double number_of_faces = static_cast<double>(options_.number_of_searched_faces);
+    const double number_of_faces = static_cast<double>(options_.number_of_coarse_faces);
     const auto bound = bound_of_edges(execution_, mesh_, number_of_faces, 16 * number_of_faces);
     if (bound)
       refined_ = Longest_edge_bisection(mesh_, *bound)(execution_);
@@ -192,7 +192,7 @@ class Run
 
   // Returns whether something is done with the mesh after the search.
   bool is_mesh_needed() const
-  { return options_.number_of_segments || !options_.components_apart || !wishes_.empty(); }
+  { return options_.number_of_segments || !options_.keep_components_separate || !constraints_.empty(); }
 
   // Returns the mesh on which cuts are searched.
   Face_graph coarse_mesh()
@@ -200,13 +200,13 @@ class Run
     monitor_.check();
     std::vector<Vector> points = smoothed_points(mesh_, options_.number_of_smoothing_iterations,
                                                  [&] { monitor_.check(); return true; });
-    if (options_.number_of_searched_faces == 0) {
+    if (options_.number_of_coarse_faces == 0) {
       Face_graph result = is_mesh_needed() ? mesh_ : std::move(mesh_);
       set_weights(result, points);
       return result;
     }
     mesh_.points = std::move(points);
-    if (!options_.components_apart)
+    if (!options_.keep_components_separate)
       wrap();
     if (!wrap_)
       refine();
@@ -276,13 +276,14 @@ class Run
   }
 
   // Changes the hierarchy so that all nodes satisfy the constraints.
-  void fulfill_wishes(Cut_hierarchy& hierarchy)
+  void satisfy_constraints(Cut_hierarchy& hierarchy)
   {
     const std::size_t number_of_roots = hierarchy.number_of_roots;
-    Wished_regions regions(execution_, hierarchy, mesh_, distance_weights(),
+    Constrained_regions regions(execution_, hierarchy, mesh_, distance_weights(),
                            options_.minimum_segment_size, monitor_, groups_);
-    Region_graph graph = regions(options_.components_apart);
-    hierarchy = Wished_merging(hierarchy, graph, regions.region_of_faces(), regions.leaves())();
+    Region_graph graph = regions(options_.keep_components_separate);
+    hierarchy =
+      Constrained_merging(hierarchy, graph, regions.region_of_faces(), regions.leaves())();
     const std::size_t number = hierarchy.number_of_roots;
     if (number > number_of_roots && number > maximum_number(options_))
       throw std::invalid_argument(
@@ -291,12 +292,12 @@ class Run
   }
 
   // Joins roots, satisfies constraints, and makes as many cuts as were asked for.
-  void complete(Cut_hierarchy& hierarchy)
+  void apply_options(Cut_hierarchy& hierarchy)
   {
-    if (!options_.components_apart)
-      hierarchy = joined_roots(std::move(hierarchy), mesh_);
-    if (!wishes_.empty())
-      fulfill_wishes(hierarchy);
+    if (!options_.keep_components_separate)
+      hierarchy = join_roots(std::move(hierarchy), mesh_);
+    if (!constraints_.empty())
+      satisfy_constraints(hierarchy);
     if (!options_.number_of_segments || monitor_.is_stopped())
       return;
     const std::size_t number = *options_.number_of_segments;
@@ -314,16 +315,19 @@ class Run
     std::vector<Index> leaf(number_of_callers_faces());
     for (Index f = 0; f < order_.size(); ++f)
       leaf[order_[f]] = hierarchy.leaf[f];
-    for (Index f = 0; f < first_twin_.size(); ++f)
-      leaf[f] = leaf[first_twin_[f]];
+    for (Index f = 0; f < first_duplicate_.size(); ++f)
+      leaf[f] = leaf[first_duplicate_[f]];
     hierarchy.leaf = std::move(leaf);
     for (Cut_node& node : hierarchy.nodes)
       node.area *= unit_ * unit_;
   }
 
 public:
-  Run(const Options& options, const Wishes& wishes, Execution execution, Run_control& control)
-    : options_(options), wishes_(wishes), execution_(execution), monitor_(control) {}
+  Run(const Options& options, const Constraints& constraints, Execution execution,
+      Run_control& control)
+    : options_(options), constraints_(constraints), execution_(execution), monitor_(control)
+  {
+  }
 
   Cut_hierarchy operator()(Triangles triangles)
   {
@@ -331,22 +335,22 @@ public:
     // them.
     const double n = static_cast<double>(triangles.corners.size());
     const double m = static_cast<double>(faces_to_search(options_, triangles.corners.size()));
-    const double of_reading = 150 * n;
-    const double of_coarsening = (m < n ? 1250 : 100) * n;
-    const double of_search = (options_.method == Method::CALIBRATED ? 50000 : 4000) * m;
-    const double of_projection = (m < n ? 250 : 0) * n;
-    const double all = (std::max)(of_reading + of_coarsening + of_search + of_projection, 1.);
+    const double reading_time = 150 * n;
+    const double coarsening_time = (m < n ? 1250 : 100) * n;
+    const double search_time = (options_.method == Method::CALIBRATED ? 50000 : 4000) * m;
+    const double projection_time = (m < n ? 250 : 0) * n;
+    const double all = (std::max)(reading_time + coarsening_time + search_time + projection_time, 1.);
 
     Cut_hierarchy result;
-    monitor_.start_phase(of_reading / all);
+    monitor_.start_phase(reading_time / all);
     try {
       Face_graph searched =
         monitor_.stage(Stage::INITIALIZATION, Segmentation_visitor::whole_mesh, [&] {
           read(std::move(triangles));
-          monitor_.start_phase(of_coarsening / all);
+          monitor_.start_phase(coarsening_time / all);
           return coarse_mesh();
         });
-      monitor_.start_phase(of_search / all);
+      monitor_.start_phase(search_time / all);
       result = search(std::move(searched));
     }
     catch (const Run_stopped&) { // before there was a cut
@@ -359,7 +363,7 @@ public:
     if (&finest() != &mesh_ || !levels_.empty())
       result = monitor_.stage(Stage::PROJECTION, Segmentation_visitor::whole_mesh,
                               [&] { return project(std::move(result)); });
-    complete(result);
+    apply_options(result);
     convert(result);
     result.neighbors = std::move(neighbors_);
     monitor_.finish();
@@ -369,13 +373,14 @@ public:
 
 CGAL_SPECTRAL_SEGMENTATION_INLINE
 Cut_hierarchy segment(Triangles triangles, const Options& options, Execution execution,
-                      Run_control& control, const Wishes& wishes)
+                      Run_control& control, const Constraints& constraints)
 {
-  if (!wishes.empty() && options.method == Method::ZHANG_LIU_2005)
+  if (!constraints.empty() && options.method == Method::ZHANG_LIU_2005)
     throw std::invalid_argument("segment_spectral_recursive: the method of the paper takes no "
                                 "constraints: use the calibrated method with them");
   Cut_hierarchy result;
-  call_isolated([&] { result = Run(options, wishes, execution, control)(std::move(triangles)); });
+  call_isolated(
+    [&] { result = Run(options, constraints, execution, control)(std::move(triangles)); });
   return result;
 }
 

@@ -72,7 +72,7 @@ class Best_cut
   }
 
   // Returns the cut with its factors; none if a side is too small.
-  std::optional<Cut> evaluated(const Face_graph& part, const Cut_evaluator& evaluator,
+  std::optional<Cut> evaluate(const Face_graph& part, const Cut_evaluator& evaluator,
                                Sides side) const
   {
     Cut cut{std::move(side), {0, 0}, {}, 0};
@@ -107,7 +107,7 @@ class Best_cut
                                                  options_.number_of_candidates);
     std::vector<Cut> cuts;
     append(execution, proposals.size(), [&](std::size_t i)
-      { return evaluated(graph, evaluator, std::move(proposals[i])); }, cuts);
+      { return evaluate(graph, evaluator, std::move(proposals[i])); }, cuts);
     cuts = most_salient_first(std::move(cuts));
     std::vector<Cut> refined;
     append(execution, (std::min)(options_.number_of_refined_candidates, cuts.size()),
@@ -115,7 +115,7 @@ class Best_cut
              Sides sides = minimum_cut_around(graph, cuts[i].side, cuts[i].area[0]);
              if (sides == cuts[i].side || !both_sides_are_connected(graph, sides))
                return std::nullopt;
-             return evaluated(graph, evaluator, std::move(sides));
+             return evaluate(graph, evaluator, std::move(sides));
            }, refined);
     std::move(refined.begin(), refined.end(), std::back_inserter(cuts));
     return most_salient_first(std::move(cuts));
@@ -160,7 +160,7 @@ public:
       monitor.approach(step);
     };
     check();
-    monitor.start_part(part.node, m.number_of_faces());
+    monitor.before_part(part.node, m.number_of_faces());
 
     // 1. two sample faces
     Shape_contexts contexts;
@@ -182,7 +182,7 @@ public:
     std::vector<Cut> found = monitor.stage(Stage::LINE_SEARCH, part.node, [&]
       { return cuts(execution, part, lines); });
 
-    monitor.end_part(part.node);
+    monitor.after_part(part.node);
     for (const Cut& cut : found)
       monitor.control().cut_evaluated({Evaluated_cut::CANDIDATE, part.faces, cut.side,
                                        cut.factors});

@@ -56,18 +56,18 @@ class Cut_editor
   void find_turns()
   {
     turn_.assign(nodes_.size(), null_node);
-    for (std::size_t k = 0; k < cuts_.turns.size(); ++k)
-      turn_[cuts_.turns[k]] = k;
+    for (std::size_t k = 0; k < cuts_.cut_order.size(); ++k)
+      turn_[cuts_.cut_order[k]] = k;
   }
 
   // Sets the salience and the turn of a cut into two nodes, which comes as late as possible.
-  void set_late(std::size_t i)
+  void move_last(std::size_t i)
   {
     Cut_node& n = nodes_[i];
     n.salience = 0;
-    for (std::size_t turn : cuts_.turns)
+    for (std::size_t turn : cuts_.cut_order)
       n.salience = (std::min)(n.salience, nodes_[turn].salience);
-    turn_[i] = cuts_.turns.size();
+    turn_[i] = cuts_.cut_order.size();
     for (std::size_t child : n.children)
       if (!nodes_[child].is_leaf()) {
         n.salience = (std::max)(n.salience, nodes_[child].salience);
@@ -83,19 +83,19 @@ class Cut_editor
     std::priority_queue<Key, std::vector<Key>, std::greater<Key> > queue;
     const auto enqueue = [&](std::size_t i) {
       if (turn_[i] != null_node)
-        queue.push({cuts_.is_ultrametric ? -nodes_[i].salience : 0, turn_[i], i});
+        queue.push({cuts_.is_monotonic ? -nodes_[i].salience : 0, turn_[i], i});
     };
-    cuts_.turns.clear();
+    cuts_.cut_order.clear();
     for (std::size_t i = 0; i < cuts_.number_of_roots; ++i)
       enqueue(i);
     while (!queue.empty()) {
       const std::size_t i = std::get<2>(queue.top());
       queue.pop();
-      cuts_.turns.push_back(i);
+      cuts_.cut_order.push_back(i);
       if (nodes_[i].is_leaf())
         continue;
       for (std::size_t child : nodes_[i].children) {
-        if (cuts_.is_ultrametric && turn_[child] != null_node)
+        if (cuts_.is_monotonic && turn_[child] != null_node)
           nodes_[child].salience = (std::min)(nodes_[child].salience, nodes_[i].salience);
         enqueue(child);
       }
@@ -139,7 +139,7 @@ class Cut_editor
     place_of(a) = result;
     Cut_node& n = nodes_[result];
     n.parent = nodes_[a].parent;
-    n.cut_state = Cut_state::ACCEPTED;
+    n.cut_state = Cut_state::CUT;
     n.factors = Salience_factors();
     n.area = nodes_[a].area + nodes_[b].area;
     set_children(result, a, b);
@@ -163,7 +163,7 @@ public:
     const std::size_t parent = nodes_[b].parent;
     const std::size_t result =
       nodes_[a].parent == parent ? parent : moved_to(a, b, common);
-    set_late(result);
+    move_last(result);
     update_order();
     return result;
   }
@@ -192,12 +192,12 @@ public:
     auto f = faces.begin();
     for (Index of_part : part.leaf)
       cuts_.leaf[*f++] = static_cast<Index>(node_of(of_part));
-    cuts_.turns.erase(std::remove(cuts_.turns.begin(), cuts_.turns.end(), leaf),
-                      cuts_.turns.end());
-    for (std::size_t turn : part.turns)
-      cuts_.turns.push_back(node_of(turn));
-    cuts_.is_complete = cuts_.is_complete && part.is_complete;
-    if (cuts_.is_ultrametric && nodes_[leaf].parent != null_node)
+    cuts_.cut_order.erase(std::remove(cuts_.cut_order.begin(), cuts_.cut_order.end(), leaf),
+                      cuts_.cut_order.end());
+    for (std::size_t turn : part.cut_order)
+      cuts_.cut_order.push_back(node_of(turn));
+    cuts_.has_all_cuts = cuts_.has_all_cuts && part.has_all_cuts;
+    if (cuts_.is_monotonic && nodes_[leaf].parent != null_node)
       nodes_[leaf].salience = (std::min)(nodes_[leaf].salience,
                                          nodes_[nodes_[leaf].parent].salience);
     find_turns();

@@ -20,7 +20,7 @@ namespace Spectral_segmentation {
 /// \cond SKIP_IN_MANUAL
 namespace internal {
 
-enum class Cut_state { NOT_SEARCHED, NO_CUT, REJECTED, ACCEPTED };
+enum class Cut_state { NOT_SEARCHED, NO_CUT, REJECTED, CUT };
 
 constexpr std::size_t null_node = static_cast<std::size_t>(-1);
 
@@ -44,9 +44,9 @@ struct Cut_hierarchy
   std::size_t number_of_roots = 0;   // one for each connected component, by their first faces
   std::vector<Cut_node> nodes;
   std::vector<Index> leaf;           // the node without children that holds each face
-  std::vector<std::size_t> turns;    // the nodes in the order in which the run decided on them
-  bool is_ultrametric = false;       // no cut is less salient than any later cut
-  bool is_complete = true;           // false if cuts are lost because no face was left for a side
+  std::vector<std::size_t> cut_order;    // the nodes in the order in which the run decided on them
+  bool is_monotonic = false;       // no cut is less salient than any later cut
+  bool has_all_cuts = true;           // false if cuts are lost because no face was left for a side
   std::vector<Index> neighbors;      // one per halfedge, only if boundaries shall be smoothed
 
   std::size_t number_of_segments() const

@@ -75,8 +75,8 @@ class Congruent_cuts
     }
     std::vector<std::size_t> cut_with_rest(mesh_.number_of_faces(), null_node);
     for (std::size_t i = 0; i < shapes_.size(); ++i) {
-      const std::size_t (&sides)[2] = cuts_.nodes[cuts_.turns[i]].children;
-      const Vector& center = centers[cuts_.turns[i]];
+      const std::size_t (&sides)[2] = cuts_.nodes[cuts_.cut_order[i]].children;
+      const Vector& center = centers[cuts_.cut_order[i]];
       for (Index f : faces[sides[1]])
         cut_with_rest[f] = i;
       double area = 0, length = 0;
@@ -131,8 +131,8 @@ class Congruent_cuts
   void raise_saliences()
   {
     for (std::size_t i = saliences_.size(); i-- > 0;) // children before their parents
-      if (cuts_.turns[i] >= cuts_.number_of_roots) {
-        double& of_parent = saliences_[turn(cuts_.nodes[cuts_.turns[i]].parent)];
+      if (cuts_.cut_order[i] >= cuts_.number_of_roots) {
+        double& of_parent = saliences_[turn(cuts_.nodes[cuts_.cut_order[i]].parent)];
         of_parent = (std::max)(of_parent, saliences_[i]);
       }
   }
@@ -147,7 +147,8 @@ class Congruent_cuts
     std::iota(number.begin(), number.end(), std::size_t(0));
     for (std::size_t i = 0; i < order.size(); ++i)
       for (std::size_t k = 0; k < 2; ++k)
-        number[cuts_.nodes[cuts_.turns[order[i]]].children[k]] = cuts_.number_of_roots + 2 * i + k;
+        number[cuts_.nodes[cuts_.cut_order[order[i]]].children[k]] =
+          cuts_.number_of_roots + 2 * i + k;
 
     Cut_hierarchy result = cuts_;
     for (std::size_t i = 0; i < cuts_.nodes.size(); ++i) {
@@ -162,7 +163,7 @@ class Congruent_cuts
         child = number[child];
     }
     for (std::size_t i = 0; i < order.size(); ++i)
-      result.turns[i] = number[cuts_.turns[order[i]]];
+      result.cut_order[i] = number[cuts_.cut_order[order[i]]];
     for (Index& leaf : result.leaf)
       leaf = static_cast<Index>(number[leaf]);
     return result;
@@ -170,9 +171,9 @@ class Congruent_cuts
 
 public:
   Congruent_cuts(const Face_graph& mesh, const Cut_hierarchy& cuts)
-    : mesh_(mesh), cuts_(cuts), shapes_(cuts.turns.size())
+    : mesh_(mesh), cuts_(cuts), shapes_(cuts.cut_order.size())
   {
-    for (std::size_t node : cuts.turns)
+    for (std::size_t node : cuts.cut_order)
       saliences_.push_back(cuts.nodes[node].salience);
   }
 

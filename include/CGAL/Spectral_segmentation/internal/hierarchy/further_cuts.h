@@ -143,9 +143,9 @@ class Further_cuts
     cuts_.cut(leaf, area[0], area[1]);
     faces_.cut(leaf, sides);
     Cut_node& n = cuts_.nodes[leaf];
-    n.cut_state = Cut_state::ACCEPTED;
+    n.cut_state = Cut_state::CUT;
     n.salience = salience;
-    cuts_.turns.push_back(leaf);
+    cuts_.cut_order.push_back(leaf);
     for (std::size_t child : n.children) {
       cuts_.nodes[child].cut_state = Cut_state::NO_CUT;
       enqueue(child);
@@ -172,7 +172,7 @@ public:
   void operator()(std::size_t number_of_segments)
   {
     double salience = 0; // no larger than the salience of any cut
-    for (std::size_t turn : cuts_.turns)
+    for (std::size_t turn : cuts_.cut_order)
       salience = (std::min)(salience, cuts_.nodes[turn].salience);
     for (std::size_t i = 0; i < cuts_.nodes.size(); ++i)
       if (cuts_.nodes[i].is_leaf())

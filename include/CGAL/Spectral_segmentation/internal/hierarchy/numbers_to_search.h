@@ -31,14 +31,14 @@ inline std::size_t number_of_regions(const Options& o)
   return (std::max)(o.number_of_regions, (std::min)(maximum_number(o), most));
 }
 
-// Returns the number of faces on which the cuts of a mesh are searched: `number_of_searched_faces`,
+// Returns the number of faces on which the cuts of a mesh are searched: `number_of_coarse_faces`,
 // and in proportion if more regions are needed than by default. In the paper's recursion it must
 // not depend on the number of segments, because a hierarchy gives the labels of runs with fewer.
 inline std::size_t faces_to_search(const Options& o, std::size_t number_of_faces)
 {
   const double growth = o.method == Method::CALIBRATED
     ? static_cast<double>(number_of_regions(o)) / static_cast<double>(o.number_of_regions) : 1;
-  const double number = static_cast<double>(o.number_of_searched_faces) * growth;
+  const double number = static_cast<double>(o.number_of_coarse_faces) * growth;
   return number > 0 && number < static_cast<double>(number_of_faces)
     ? static_cast<std::size_t>(number) : number_of_faces;
 }

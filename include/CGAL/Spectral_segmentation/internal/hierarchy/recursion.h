@@ -61,7 +61,7 @@ class Recursion
 
   Pending_part take(std::size_t node)
   {
-    hierarchy_.turns.push_back(node);
+    hierarchy_.cut_order.push_back(node);
     return std::exchange(pending_[node], Pending_part());
   }
 
@@ -79,7 +79,7 @@ class Recursion
       sides = split(std::move(pending.part.graph), cut.side, 2);
     for (int i = 0; i < 2; ++i)
       add(hierarchy_.nodes[node].children[i], std::move(sides[i]), std::move(faces[i]));
-    monitor_.part_cut(node, cut.factors, cut.salience, hierarchy_.number_of_segments());
+    monitor_.after_cut(node, cut.factors, cut.salience, hierarchy_.number_of_segments());
   }
 
   void search_all()
@@ -128,7 +128,7 @@ class Recursion
       n.cut_state = Cut_state::REJECTED;
       return;
     }
-    n.cut_state = Cut_state::ACCEPTED;
+    n.cut_state = Cut_state::CUT;
     const std::size_t maximum = maximum_number(options_);
     const bool is_last = hierarchy_.number_of_segments() + 1 >= maximum;
     cut(node, std::move(pending), is_last);

@@ -164,7 +164,7 @@ public:
     make_ultrametric(merges);
 
     Cut_hierarchy result;
-    result.is_ultrametric = true;
+    result.is_monotonic = true;
     result.number_of_roots = regions.number_of_roots;
     result.nodes.resize(result.number_of_roots);
     for (std::size_t i = 0; i < result.number_of_roots; ++i)
@@ -180,10 +180,10 @@ public:
       const auto [into, from] = m->regions;
       const std::size_t parent = node[into];
       Cut_node& n = result.nodes[parent];
-      n.cut_state = Cut_state::ACCEPTED;
+      n.cut_state = Cut_state::CUT;
       n.salience = m->boundary.salience;
       n.factors = m->boundary.factors;
-      result.turns.push_back(parent);
+      result.cut_order.push_back(parent);
       result.cut(parent, m->boundary.area[0], m->boundary.area[1]);
       const std::size_t smaller = result.nodes.size() - 2;
       node[into] = m->boundary.first_is_smaller ? smaller : smaller + 1;

@@ -28,7 +28,7 @@ constexpr std::array<std::pair<Cut_state, const char*>, 4> names_of_cut_states =
   {Cut_state::NOT_SEARCHED, "not searched"},
   {Cut_state::NO_CUT, "no cut"},
   {Cut_state::REJECTED, "rejected"},
-  {Cut_state::ACCEPTED, "known"}}};
+  {Cut_state::CUT, "cut"}}};
 
 constexpr std::array<std::pair<const char*, double Salience_factors::*>, 8> names_of_factors = {{
   {"size", &Salience_factors::size},

@@ -92,9 +92,9 @@ class Hierarchy_reader
   static Cut_state cut_state(const Json& node)
   {
     for (const auto& [state, name] : names_of_cut_states)
-      if (member(node, "cut") == name)
+      if (member(node, "cut_state") == name)
         return state;
-    fail("\"cut\" is none of its words");
+    fail("\"cut_state\" is none of its words");
   }
 
   std::size_t node_index(const Json& value, const std::string& key) const
@@ -123,9 +123,9 @@ class Hierarchy_reader
     if (n.area < 0)
       fail("an \"area\" is negative");
     n.cut_state = cut_state(json);
-    if ((n.cut_state == Cut_state::ACCEPTED) == n.is_leaf())
-      fail("only a node with children has a cut that is known");
-    if (n.cut_state != Cut_state::ACCEPTED && n.cut_state != Cut_state::REJECTED)
+    if ((n.cut_state == Cut_state::CUT) == n.is_leaf())
+      fail("a node has children if and only if its \"cut_state\" is \"cut\"");
+    if (n.cut_state != Cut_state::CUT && n.cut_state != Cut_state::REJECTED)
       return;
     n.salience = number_but_nan(json, "salience");
     for (const auto& [name, member_of_factors] : names_of_factors)
@@ -154,17 +154,17 @@ class Hierarchy_reader
   void read_order()
   {
     std::vector<char> is_read(cuts_.nodes.size(), 0);
-    for (const Json& value : array(json_, "order_of_nodes")) {
-      const std::size_t i = node_index(value, "order_of_nodes");
+    for (const Json& value : array(json_, "cut_order")) {
+      const std::size_t i = node_index(value, "cut_order");
       const std::size_t parent = cuts_.nodes[i].parent;
       if (is_read[i] || (parent != null_node && !is_read[parent]))
-        fail("a node comes twice, or before its parent, in \"order_of_nodes\"");
+        fail("a node comes twice, or before its parent, in \"cut_order\"");
       is_read[i] = 1;
-      cuts_.turns.push_back(i);
+      cuts_.cut_order.push_back(i);
     }
     for (std::size_t i = 0; i < cuts_.nodes.size(); ++i)
       if (!cuts_.nodes[i].is_leaf() && !is_read[i])
-        fail("a node with children is missing in \"order_of_nodes\"");
+        fail("a node with children is missing in \"cut_order\"");
   }
 
   void read_faces(const Json& nodes)
@@ -231,8 +231,8 @@ public:
     cuts_.nodes.resize(nodes.size());
     cuts_.number_of_roots =
       count(member(json_, "number_of_roots"), "number_of_roots", nodes.size());
-    cuts_.is_ultrametric = flag(json_, "is_monotone");
-    cuts_.is_complete = flag(json_, "is_complete");
+    cuts_.is_monotonic = flag(json_, "is_monotonic");
+    cuts_.has_all_cuts = flag(json_, "has_all_cuts");
     for (std::size_t i = 0; i < nodes.size(); ++i)
       read_node(nodes[i], i);
     check_tree();

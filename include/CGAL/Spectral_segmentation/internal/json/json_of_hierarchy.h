@@ -40,31 +40,31 @@ inline Json json_of_factors(const Salience_factors& factors)
 
 inline const char* name_of(Cut_state state)
 {
-  for (const auto& [known, name] : names_of_cut_states)
-    if (known == state)
+  for (const auto& [known_state, name] : names_of_cut_states)
+    if (known_state == state)
       return name;
   return "";
 }
 
 // Returns a node. Its salience and factors are null if there is no cut.
-inline Json json_of_node(const Segmentation_hierarchy& h, std::size_t i, bool is_made)
+inline Json json_of_node(const Segmentation_hierarchy& h, std::size_t i, bool is_applied)
 {
   const Cut_node& n = h.node(i);
   const bool has_cut =
-    n.cut_state == Cut_state::REJECTED || n.cut_state == Cut_state::ACCEPTED;
+    n.cut_state == Cut_state::REJECTED || n.cut_state == Cut_state::CUT;
   return {{"id", i},
           {"parent", json_of_count(n.parent, null_node)},
           {"children", n.is_leaf() ? Json::array() : Json(n.children)},
           {"faces", h.number_of_faces(i)},
           {"area", json_of_number(n.area)},
-          {"cut", name_of(n.cut_state)},
-          {"made", is_made},
+          {"cut_state", name_of(n.cut_state)},
+          {"is_applied", is_applied},
           {"salience", has_cut ? json_of_number(n.salience) : Json()},
           {"factors", has_cut ? json_of_factors(n.factors) : Json()}};
 }
 
 // Marks the cuts that make these segments, which are the cuts above their nodes.
-inline std::vector<char> made_cuts(const Segmentation_hierarchy& h,
+inline std::vector<char> applied_cuts(const Segmentation_hierarchy& h,
                                    const std::vector<std::size_t>& segments)
 {
   std::vector<char> result(h.number_of_nodes(), 0);
@@ -106,10 +106,10 @@ inline Json json_of_hierarchy(const Segmentation_hierarchy& h,
                               const std::vector<Segment_extent>& extents)
 {
   const Cut_hierarchy& cuts = Hierarchy_access::cuts(h);
-  const std::vector<char> is_made = made_cuts(h, segments);
+  const std::vector<char> is_applied = applied_cuts(h, segments);
   Json nodes = Json::array();
   for (std::size_t i = 0; i < h.number_of_nodes(); ++i)
-    nodes.push_back(json_of_node(h, i, is_made[i] != 0));
+    nodes.push_back(json_of_node(h, i, is_applied[i] != 0));
   return {{"format", name_of_format},
           {"version", version_of_format},
           {"number_of_faces", h.number_of_faces()},
@@ -117,11 +117,11 @@ inline Json json_of_hierarchy(const Segmentation_hierarchy& h,
           {"maximum_number_of_segments",
            json_of_count(Hierarchy_access::maximum_number_of_segments(h), unlimited)},
           {"salience_threshold", json_of_number(h.salience_threshold())},
-          {"is_monotone", cuts.is_ultrametric},
-          {"is_complete", cuts.is_complete},
+          {"is_monotonic", cuts.is_monotonic},
+          {"has_all_cuts", cuts.has_all_cuts},
           {"segments", json_of_segments(h, segments, labels, extents)},
           {"nodes", nodes},
-          {"order_of_nodes", cuts.turns}};
+          {"cut_order", cuts.cut_order}};
 }
 
 // Adds the data of faces, which are needed to read labels off.

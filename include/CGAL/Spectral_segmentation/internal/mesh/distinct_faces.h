@@ -39,7 +39,7 @@ inline bool is_connected(const std::vector<Neighbors>& neighbors)
 // Finds duplicate faces, which have the same three points in any order, by a hash table of the
 // faces. A face two of whose points coincide is no duplicate. The hash has a random key, against
 // points that were chosen to collide in the table; the result does not depend on the key.
-class Face_twins
+class Duplicate_faces
 {
   const Triangles& triangles_;
   std::vector<std::uint64_t> hash_; // one per vertex
@@ -70,7 +70,7 @@ class Face_twins
   }
 
 public:
-  explicit Face_twins(const Triangles& triangles) : triangles_(triangles)
+  explicit Duplicate_faces(const Triangles& triangles) : triangles_(triangles)
   {
     hash_.reserve(triangles.points.size());
     for (const Vector& p : triangles.points)
@@ -108,10 +108,10 @@ public:
   }
 };
 
-// Returns the faces that `first_twin` maps to themselves, connected as a soup whose coincident
+// Returns the faces that `first_duplicate` maps to themselves, connected as a soup whose coincident
 // points are merged. This can make one surface of faces that duplicate faces had separated.
 inline Triangles distinct_triangles(const Triangles& triangles,
-                                    const std::vector<Index>& first_twin)
+                                    const std::vector<Index>& first_duplicate)
 {
   Triangles result;
   result.points = triangles.points;
@@ -127,8 +127,8 @@ inline Triangles distinct_triangles(const Triangles& triangles,
   for (std::size_t i = 0; i < order.size(); ++i)
     number[order[i]] = i > 0 && coordinates(order[i - 1]) == coordinates(order[i])
       ? number[order[i - 1]] : order[i];
-  for (Index f = 0; f < first_twin.size(); ++f)
-    if (first_twin[f] == f) {
+  for (Index f = 0; f < first_duplicate.size(); ++f)
+    if (first_duplicate[f] == f) {
       const Corners& c = triangles.corners[f];
       result.corners.push_back({number[c[0]], number[c[1]], number[c[2]]});
     }

@@ -27,7 +27,7 @@ class Cut_restriction : private Connected_cut_transfer
                                        const Face_graph& mesh)
   {
     std::vector<char> result(mesh.number_of_faces(), 1);
-    if (!cuts.is_ultrametric)
+    if (!cuts.is_monotonic)
       return result;
     std::vector<Index> leaf(mesh.number_of_faces(), null_index);
     for (Index f = 0; f < refined.faces.size(); ++f)

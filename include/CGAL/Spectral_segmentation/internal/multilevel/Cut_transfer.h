@@ -66,8 +66,8 @@ protected:
   // result for each root of the other mesh.
   Cut_hierarchy transfer(Cut_hierarchy result, std::vector<std::size_t> node_of)
   {
-    result.is_ultrametric = cuts_.is_ultrametric;
-    result.is_complete = cuts_.is_complete;
+    result.is_monotonic = cuts_.is_monotonic;
+    result.has_all_cuts = cuts_.has_all_cuts;
     Nested_ranges elements(result, result.leaf);
     node_of.resize(cuts_.nodes.size(), null_node);
     const double step = 1 / static_cast<double>(cuts_.nodes.size());
@@ -75,7 +75,7 @@ protected:
       const std::size_t other_node = cuts_.nodes[i].parent;
       if (node_of[other_node] != null_node &&
           !cut_as(other_node, node_of[other_node], result, elements, node_of))
-        result.is_complete = false;
+        result.has_all_cuts = false;
       monitor_.advance(2 * step);
     }
     std::vector<std::size_t> last_of(result.nodes.size()); // per node: the last that became it
@@ -87,9 +87,9 @@ protected:
         n.salience = cuts_.nodes[i].salience;
         n.factors = cuts_.nodes[i].factors;
       }
-    for (std::size_t turn : cuts_.turns)
+    for (std::size_t turn : cuts_.cut_order)
       if (node_of[turn] != null_node && last_of[node_of[turn]] == turn)
-        result.turns.push_back(node_of[turn]);
+        result.cut_order.push_back(node_of[turn]);
 
     for (std::size_t i = 0; i < result.nodes.size(); ++i)
       if (result.nodes[i].is_leaf())

@@ -35,7 +35,7 @@ class Cut_projection : private Connected_cut_transfer
                                        const Coarse_mesh& coarse, const Face_graph& mesh)
   {
     std::vector<char> result(mesh.number_of_faces(), 1);
-    if (!cuts.is_ultrametric)
+    if (!cuts.is_monotonic)
       return result;
     std::vector<Index> of_vertex(coarse.graph.points.size(), null_index);
     for (Index f = 0; f < cuts.leaf.size(); ++f)

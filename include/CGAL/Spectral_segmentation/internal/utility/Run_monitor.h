@@ -50,15 +50,15 @@ public:
 
   Run_control& control() { return control_; }
 
-  void start_part(std::size_t part, std::size_t number_of_faces)
-  { call([&] { control_.start_part(part, number_of_faces); }); }
+  void before_part(std::size_t part, std::size_t number_of_faces)
+  { call([&] { control_.before_part(part, number_of_faces); }); }
 
-  void end_part(std::size_t part)
-  { call([&] { control_.end_part(part); }); }
+  void after_part(std::size_t part)
+  { call([&] { control_.after_part(part); }); }
 
-  void part_cut(std::size_t part, const Salience_factors& factors, double salience,
+  void after_cut(std::size_t part, const Salience_factors& factors, double salience,
                 std::size_t number_of_segments)
-  { call([&] { control_.part_cut(part, factors, salience, number_of_segments); }); }
+  { call([&] { control_.after_cut(part, factors, salience, number_of_segments); }); }
 
   bool is_stopped() const { return is_stopped_; }
 
@@ -127,9 +127,9 @@ public:
   template <class Function>
   auto stage(Stage stage, std::size_t part, const Function& f)
   {
-    call([&] { control_.start_stage(stage, part); });
+    call([&] { control_.before_stage(stage, part); });
     auto result = f();
-    call([&] { control_.end_stage(stage, part); });
+    call([&] { control_.after_stage(stage, part); });
     return result;
   }
 };

@@ -1,10 +1,10 @@
 // Copyright (c) 2026  The Spectral_segmentation authors.
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#ifndef CGAL_SPECTRAL_SEGMENTATION_INTERNAL_DOOR_READ_SEGMENTS_H
-#define CGAL_SPECTRAL_SEGMENTATION_INTERNAL_DOOR_READ_SEGMENTS_H
+#ifndef CGAL_SPECTRAL_SEGMENTATION_INTERNAL_ADAPTORS_READ_SEGMENTS_H
+#define CGAL_SPECTRAL_SEGMENTATION_INTERNAL_ADAPTORS_READ_SEGMENTS_H
 
-#include <CGAL/Spectral_segmentation/internal/door/segment_id_map.h>
+#include <CGAL/Spectral_segmentation/internal/adaptors/segment_id_map.h>
 #include <CGAL/Spectral_segmentation/internal/utility/Index.h>
 
 #include <boost/property_map/property_map.hpp>
@@ -46,4 +46,4 @@ read_segments(const std::vector<FaceDescriptor>& faces, SegmentIdMap segment_ids
 
 } // namespace CGAL::Spectral_segmentation::internal
 
-#endif // CGAL_SPECTRAL_SEGMENTATION_INTERNAL_DOOR_READ_SEGMENTS_H
+#endif // CGAL_SPECTRAL_SEGMENTATION_INTERNAL_ADAPTORS_READ_SEGMENTS_H

@@ -1,8 +1,8 @@
 // Copyright (c) 2026  The Spectral_segmentation authors.
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#ifndef CGAL_SPECTRAL_SEGMENTATION_INTERNAL_DOOR_FACE_SPLITTER_H
-#define CGAL_SPECTRAL_SEGMENTATION_INTERNAL_DOOR_FACE_SPLITTER_H
+#ifndef CGAL_SPECTRAL_SEGMENTATION_INTERNAL_ADAPTORS_FACE_SPLITTER_H
+#define CGAL_SPECTRAL_SEGMENTATION_INTERNAL_ADAPTORS_FACE_SPLITTER_H
 
 #include <CGAL/Spectral_segmentation/internal/mesh/Triangles.h>
 #include <CGAL/Spectral_segmentation/internal/refinement/Refinement.h>
@@ -113,4 +113,4 @@ public:
 
 } // namespace CGAL::Spectral_segmentation::internal
 
-#endif // CGAL_SPECTRAL_SEGMENTATION_INTERNAL_DOOR_FACE_SPLITTER_H
+#endif // CGAL_SPECTRAL_SEGMENTATION_INTERNAL_ADAPTORS_FACE_SPLITTER_H

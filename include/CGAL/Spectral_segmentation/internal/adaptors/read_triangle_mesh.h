@@ -1,11 +1,11 @@
 // Copyright (c) 2026  The Spectral_segmentation authors.
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#ifndef CGAL_SPECTRAL_SEGMENTATION_INTERNAL_DOOR_READ_TRIANGLE_MESH_H
-#define CGAL_SPECTRAL_SEGMENTATION_INTERNAL_DOOR_READ_TRIANGLE_MESH_H
+#ifndef CGAL_SPECTRAL_SEGMENTATION_INTERNAL_ADAPTORS_READ_TRIANGLE_MESH_H
+#define CGAL_SPECTRAL_SEGMENTATION_INTERNAL_ADAPTORS_READ_TRIANGLE_MESH_H
 
 #include <CGAL/Spectral_segmentation/internal/mesh/Triangles.h>
-#include <CGAL/Spectral_segmentation/internal/door/numbered_descriptors.h>
+#include <CGAL/Spectral_segmentation/internal/adaptors/numbered_descriptors.h>
 
 #include <CGAL/boost/graph/helpers.h>
 #include <CGAL/number_utils.h>
@@ -87,4 +87,4 @@ Triangles read_triangle_mesh(const TriangleMesh& mesh, const std::vector<FaceDes
 
 } // namespace CGAL::Spectral_segmentation::internal
 
-#endif // CGAL_SPECTRAL_SEGMENTATION_INTERNAL_DOOR_READ_TRIANGLE_MESH_H
+#endif // CGAL_SPECTRAL_SEGMENTATION_INTERNAL_ADAPTORS_READ_TRIANGLE_MESH_H

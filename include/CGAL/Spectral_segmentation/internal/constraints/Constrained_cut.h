@@ -1,13 +1,13 @@
 // Copyright (c) 2026  The Spectral_segmentation authors.
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#ifndef CGAL_SPECTRAL_SEGMENTATION_INTERNAL_WISHES_WISHED_CUT_H
-#define CGAL_SPECTRAL_SEGMENTATION_INTERNAL_WISHES_WISHED_CUT_H
+#ifndef CGAL_SPECTRAL_SEGMENTATION_INTERNAL_CONSTRAINTS_CONSTRAINED_CUT_H
+#define CGAL_SPECTRAL_SEGMENTATION_INTERNAL_CONSTRAINTS_CONSTRAINED_CUT_H
 
 #include <CGAL/Spectral_segmentation/internal/bipartition/min_cut_refinement.h>
 #include <CGAL/Spectral_segmentation/internal/mesh/connected_components.h>
 #include <CGAL/Spectral_segmentation/internal/mesh/surface_integrals.h>
-#include <CGAL/Spectral_segmentation/internal/wishes/Wishes.h>
+#include <CGAL/Spectral_segmentation/internal/constraints/Constraints.h>
 
 #include <Eigen/SparseCholesky>
 #include <Eigen/SparseCore>
@@ -30,7 +30,7 @@ namespace CGAL::Spectral_segmentation::internal {
 // cut is taken that costs least for the area that it cuts off; near it a minimum cut is searched.
 //
 // The seams of the region are borders. Faces of one group stay together.
-class Wished_cut
+class Constrained_cut
 {
   enum : char { OPEN = 2 };
 
@@ -201,7 +201,7 @@ class Wished_cut
 public:
   // `group` is that of each face, or null_index; `border` has the length of each face along other
   // regions. Smaller sides than `minimum_area` are avoided.
-  Wished_cut(const Face_graph& part, const std::vector<Index>& group,
+  Constrained_cut(const Face_graph& part, const std::vector<Index>& group,
              const std::vector<double>& border, double minimum_area)
     : part_(part), group_(group), border_(border), minimum_area_(minimum_area),
       side_(part.number_of_faces(), OPEN)
@@ -233,4 +233,4 @@ public:
 
 } // namespace CGAL::Spectral_segmentation::internal
 
-#endif // CGAL_SPECTRAL_SEGMENTATION_INTERNAL_WISHES_WISHED_CUT_H
+#endif // CGAL_SPECTRAL_SEGMENTATION_INTERNAL_CONSTRAINTS_CONSTRAINED_CUT_H

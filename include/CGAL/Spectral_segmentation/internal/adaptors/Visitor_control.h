@@ -1,8 +1,8 @@
 // Copyright (c) 2026  The Spectral_segmentation authors.
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#ifndef CGAL_SPECTRAL_SEGMENTATION_INTERNAL_DOOR_VISITOR_CONTROL_H
-#define CGAL_SPECTRAL_SEGMENTATION_INTERNAL_DOOR_VISITOR_CONTROL_H
+#ifndef CGAL_SPECTRAL_SEGMENTATION_INTERNAL_ADAPTORS_VISITOR_CONTROL_H
+#define CGAL_SPECTRAL_SEGMENTATION_INTERNAL_ADAPTORS_VISITOR_CONTROL_H
 
 #include <CGAL/Spectral_segmentation/internal/Run_control.h>
 
@@ -20,17 +20,17 @@ class Visitor_control : public Run_control
 public:
   explicit Visitor_control(Visitor& visitor) : visitor_(visitor) {}
 
-  void start_stage(Stage stage, std::size_t part) override { visitor_.start_stage(stage, part); }
-  void end_stage(Stage stage, std::size_t part) override { visitor_.end_stage(stage, part); }
-  void start_part(std::size_t part, std::size_t n) override { visitor_.start_part(part, n); }
-  void end_part(std::size_t part) override { visitor_.end_part(part); }
-  void part_cut(std::size_t part, const Salience_factors& factors, double salience,
+  void before_stage(Stage stage, std::size_t part) override { visitor_.before_stage(stage, part); }
+  void after_stage(Stage stage, std::size_t part) override { visitor_.after_stage(stage, part); }
+  void before_part(std::size_t part, std::size_t n) override { visitor_.before_part(part, n); }
+  void after_part(std::size_t part) override { visitor_.after_part(part); }
+  void after_cut(std::size_t part, const Salience_factors& factors, double salience,
                 std::size_t number_of_segments) override
-  { visitor_.part_cut(part, factors, salience, number_of_segments); }
+  { visitor_.after_cut(part, factors, salience, number_of_segments); }
   void progress(double share) override { visitor_.progress(share); }
   bool go_further() override { return visitor_.go_further(); }
 };
 
 } // namespace CGAL::Spectral_segmentation::internal
 
-#endif // CGAL_SPECTRAL_SEGMENTATION_INTERNAL_DOOR_VISITOR_CONTROL_H
+#endif // CGAL_SPECTRAL_SEGMENTATION_INTERNAL_ADAPTORS_VISITOR_CONTROL_H

@@ -1,7 +1,7 @@
 // Copyright (c) 2026  The Spectral_segmentation authors.
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#include "../benchmark/twin_classes.h"
+#include "../benchmark/congruent_parts.h"
 #include "test_meshes.h"
 
 #include <boost/test/unit_test.hpp>
@@ -10,7 +10,7 @@
 #include <cstddef>
 #include <vector>
 
-BOOST_AUTO_TEST_SUITE(twin_classes)
+BOOST_AUTO_TEST_SUITE(congruent_parts)
 
 using namespace segmentation_benchmark;
 using test_meshes::disjoint_union;
@@ -69,7 +69,7 @@ BOOST_AUTO_TEST_CASE(shape_of_a_rectangle)
 }
 
 // A sphere and a torus of its area differ by their deviations only.
-BOOST_AUTO_TEST_CASE(parts_of_one_size_and_spread_are_twins)
+BOOST_AUTO_TEST_CASE(parts_of_one_size_and_spread_are_congruent)
 {
   const test_meshes::Soup sphere = test_meshes::sphere(3);
   const std::vector<Part_shape> shapes = shapes_of({
@@ -84,11 +84,11 @@ BOOST_AUTO_TEST_CASE(parts_of_one_size_and_spread_are_twins)
   BOOST_TEST(!are_congruent(shapes[3], shapes[4]));
   BOOST_TEST(!are_congruent(shapes[1], shapes[2]));
 
-  // The class of the largest takes the middle one, and the smallest has no other twin.
-  const std::vector<Twin_class> classes = segmentation_benchmark::twin_classes(shapes);
+  // The class of the largest takes the middle one, and the smallest has no congruent part.
+  const std::vector<Congruent_parts> classes = segmentation_benchmark::congruent_parts(shapes);
   BOOST_TEST_REQUIRE(classes.size() == 2u);
-  BOOST_TEST(classes[0] == (Twin_class{3, 1}), tt::per_element());
-  BOOST_TEST(classes[1] == (Twin_class{0, 5}), tt::per_element());
+  BOOST_TEST(classes[0] == (Congruent_parts{3, 1}), tt::per_element());
+  BOOST_TEST(classes[1] == (Congruent_parts{0, 5}), tt::per_element());
 }
 
 BOOST_AUTO_TEST_CASE(best_overlap_by_hand)
@@ -99,9 +99,9 @@ BOOST_AUTO_TEST_CASE(best_overlap_by_hand)
   BOOST_TEST(best[2] == 4 / 6., tt::tolerance(tolerance));
 }
 
-BOOST_AUTO_TEST_CASE(twins_are_treated_alike_or_not)
+BOOST_AUTO_TEST_CASE(congruent_parts_are_treated_alike_or_not)
 {
-  const std::vector<Twin_class> all = {{0, 1, 2}}, first_two = {{0, 1}}, pairs = {{0, 1}, {1, 2}};
+  const std::vector<Congruent_parts> all = {{0, 1, 2}}, first_two = {{0, 1}}, pairs = {{0, 1}, {1, 2}};
 
   // All are cut off; none is; the last one is left on the second.
   BOOST_TEST(share_treated_alike(all, areas({{4, 0, 0}, {0, 4, 0}, {0, 0, 4}})) == 1);

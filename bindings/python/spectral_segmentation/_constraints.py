@@ -1,6 +1,6 @@
 # Copyright (c) 2026  The Spectral_segmentation authors.
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""What the caller wishes of the segments, as the engine takes it: of triangles and pairs of them."""
+"""Converts the constraints of the caller to triangles and pairs of triangles for the engine."""
 
 import itertools
 
@@ -10,9 +10,9 @@ import numpy as np
 def seeds_array(value, number_of_triangles):
     seeds = np.asarray(value)
     if seeds.dtype.kind not in "iu":
-        raise TypeError("face_seed_map must be integers, not %s" % seeds.dtype)
+        raise TypeError("face_seeds must be integers, not %s" % seeds.dtype)
     if seeds.shape != (number_of_triangles,):
-        raise ValueError("face_seed_map must have the shape (%d,), one for each triangle, not %s"
+        raise ValueError("face_seeds must have the shape (%d,), one for each triangle, not %s"
                          % (number_of_triangles, seeds.shape))
     return seeds.astype(np.int64, copy=False)
 
@@ -60,17 +60,17 @@ class Edges:
 
 
 def pairs_at_edges(constrained, uncuttable, triangles, number_of_points):
-    """The pairs of triangles at the edges of `edge_is_constrained_map`, `edge_is_uncuttable_map`."""
+    """The pairs of triangles at the edges of `constrained_edges`, `uncuttable_edges`."""
     if constrained is None and uncuttable is None:
         return None, None
     edges = Edges(triangles, number_of_points)
     both = [None if value is None else edges.pairs_of_triangles(name, value)
-            for name, value in (("edge_is_constrained_map", constrained),
-                                ("edge_is_uncuttable_map", uncuttable))]
+            for name, value in (("constrained_edges", constrained),
+                                ("uncuttable_edges", uncuttable))]
     if constrained is not None and uncuttable is not None:
         pairs, counts = np.unique(np.concatenate(both), axis=0, return_counts=True)
         if counts.max(initial=0) > 1:
             raise ValueError("the edge between the triangles %d and %d is in both "
-                             "edge_is_constrained_map and edge_is_uncuttable_map"
+                             "constrained_edges and uncuttable_edges"
                              % tuple(pairs[counts > 1][0]))
     return both

@@ -1,8 +1,8 @@
 // Copyright (c) 2026  The Spectral_segmentation authors.
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#ifndef CGAL_SPECTRAL_SEGMENTATION_INTERNAL_HIERARCHY_JOINED_ROOTS_H
-#define CGAL_SPECTRAL_SEGMENTATION_INTERNAL_HIERARCHY_JOINED_ROOTS_H
+#ifndef CGAL_SPECTRAL_SEGMENTATION_INTERNAL_HIERARCHY_JOIN_ROOTS_H
+#define CGAL_SPECTRAL_SEGMENTATION_INTERNAL_HIERARCHY_JOIN_ROOTS_H
 
 #include <CGAL/Spectral_segmentation/internal/hierarchy/Cut_hierarchy.h>
 #include <CGAL/Spectral_segmentation/internal/mesh/component_distances.h>
@@ -18,7 +18,7 @@ namespace CGAL::Spectral_segmentation::internal {
 // Returns the same hierarchy below a single root. Components are cut from each other first, the
 // farthest gap before the others, with an infinite salience, so that they come apart at every
 // threshold.
-inline Cut_hierarchy joined_roots(Cut_hierarchy cuts, const Face_graph& mesh)
+inline Cut_hierarchy join_roots(Cut_hierarchy cuts, const Face_graph& mesh)
 {
   const std::size_t roots = cuts.number_of_roots;
   if (roots < 2)
@@ -56,8 +56,8 @@ inline Cut_hierarchy joined_roots(Cut_hierarchy cuts, const Face_graph& mesh)
 
   Cut_hierarchy result;
   result.number_of_roots = 1;
-  result.is_ultrametric = cuts.is_ultrametric;
-  result.is_complete = cuts.is_complete;
+  result.is_monotonic = cuts.is_monotonic;
+  result.has_all_cuts = cuts.has_all_cuts;
   result.nodes.resize(1);
   std::vector<std::size_t> node(roots, null_node); // the node of the set that a root stands for
   node[sets.representative(0)] = 0;
@@ -69,9 +69,9 @@ inline Cut_hierarchy joined_roots(Cut_hierarchy cuts, const Face_graph& mesh)
       node[join.roots[0]] != null_node ? node[join.roots[0]] : node[join.roots[1]];
     result.cut(parent, join.area[0], join.area[1]);
     Cut_node& n = result.nodes[parent];
-    n.cut_state = Cut_state::ACCEPTED;
+    n.cut_state = Cut_state::CUT;
     n.salience = std::numeric_limits<double>::infinity();
-    result.turns.push_back(parent);
+    result.cut_order.push_back(parent);
     for (int k = 0; k < 2; ++k)
       node[join.roots[k]] = n.children[k];
   }
@@ -88,8 +88,8 @@ inline Cut_hierarchy joined_roots(Cut_hierarchy cuts, const Face_graph& mesh)
     else
       result.nodes.push_back(n);
   }
-  for (std::size_t turn : cuts.turns)
-    result.turns.push_back(number(turn));
+  for (std::size_t turn : cuts.cut_order)
+    result.cut_order.push_back(number(turn));
   for (Index leaf : cuts.leaf)
     result.leaf.push_back(static_cast<Index>(number(leaf)));
   return result;
@@ -97,4 +97,4 @@ inline Cut_hierarchy joined_roots(Cut_hierarchy cuts, const Face_graph& mesh)
 
 } // namespace CGAL::Spectral_segmentation::internal
 
-#endif // CGAL_SPECTRAL_SEGMENTATION_INTERNAL_HIERARCHY_JOINED_ROOTS_H
+#endif // CGAL_SPECTRAL_SEGMENTATION_INTERNAL_HIERARCHY_JOIN_ROOTS_H

@@ -1,8 +1,8 @@
 // Copyright (c) 2026  The Spectral_segmentation authors.
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#ifndef SEGMENTATION_BENCHMARK_TWIN_CLASSES_H
-#define SEGMENTATION_BENCHMARK_TWIN_CLASSES_H
+#ifndef SEGMENTATION_BENCHMARK_CONGRUENT_PARTS_H
+#define SEGMENTATION_BENCHMARK_CONGRUENT_PARTS_H
 
 #include "segmentation_metrics.h"
 
@@ -95,19 +95,19 @@ inline bool are_congruent(const Part_shape& a, const Part_shape& b)
 }
 
 // The labels of parts that are all congruent with each other, two at least.
-typedef std::vector<std::size_t> Twin_class;
+typedef std::vector<std::size_t> Congruent_parts;
 
 // Large parts come first.
-inline std::vector<Twin_class> twin_classes(const std::vector<Part_shape>& parts)
+inline std::vector<Congruent_parts> congruent_parts(const std::vector<Part_shape>& parts)
 {
   std::vector<std::size_t> order(parts.size());
   std::iota(order.begin(), order.end(), std::size_t(0));
   std::stable_sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b)
                    { return parts[a].area > parts[b].area; });
-  std::vector<Twin_class> classes = CGAL::Spectral_segmentation::internal::first_fit_classes(
+  std::vector<Congruent_parts> classes = CGAL::Spectral_segmentation::internal::first_fit_classes(
     order, [&](std::size_t a, std::size_t b) { return are_congruent(parts[a], parts[b]); });
-  classes.erase(std::remove_if(classes.begin(), classes.end(), [](const Twin_class& twins)
-                               { return twins.size() < 2; }), classes.end());
+  classes.erase(std::remove_if(classes.begin(), classes.end(), [](const Congruent_parts& parts)
+                               { return parts.size() < 2; }), classes.end());
   return classes;
 }
 
@@ -128,20 +128,20 @@ inline std::vector<double> best_overlaps(const Eigen::ArrayXXd& area)
   return result;
 }
 
-// Twins are treated alike if their best overlaps differ by at most this: a leg that is cut off at
+// Congruent parts are treated alike if their best overlaps differ by at most this: a leg that is cut off at
 // the hip and one at the knee are not, four legs that are left on the body are.
 constexpr double overlap_of_alike = 0.25;
 
 // The share of the classes, of the parts in the rows, that the segments in the columns treat alike;
 // undefined if there is no class.
-inline double share_treated_alike(const std::vector<Twin_class>& classes,
+inline double share_treated_alike(const std::vector<Congruent_parts>& classes,
                                   const Eigen::ArrayXXd& area)
 {
   const std::vector<double> overlaps = best_overlaps(area);
   Mean share;
-  for (const Twin_class& twins : classes) {
+  for (const Congruent_parts& parts : classes) {
     const auto [least, largest] =
-      std::minmax_element(twins.begin(), twins.end(), [&](std::size_t a, std::size_t b)
+      std::minmax_element(parts.begin(), parts.end(), [&](std::size_t a, std::size_t b)
                           { return overlaps[a] < overlaps[b]; });
     share.add(overlaps[*largest] - overlaps[*least] <= overlap_of_alike);
   }
@@ -150,4 +150,4 @@ inline double share_treated_alike(const std::vector<Twin_class>& classes,
 
 } // namespace segmentation_benchmark
 
-#endif // SEGMENTATION_BENCHMARK_TWIN_CLASSES_H
+#endif // SEGMENTATION_BENCHMARK_CONGRUENT_PARTS_H

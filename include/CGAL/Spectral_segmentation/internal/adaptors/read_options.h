@@ -1,8 +1,8 @@
 // Copyright (c) 2026  The Spectral_segmentation authors.
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#ifndef CGAL_SPECTRAL_SEGMENTATION_INTERNAL_DOOR_READ_OPTIONS_H
-#define CGAL_SPECTRAL_SEGMENTATION_INTERNAL_DOOR_READ_OPTIONS_H
+#ifndef CGAL_SPECTRAL_SEGMENTATION_INTERNAL_ADAPTORS_READ_OPTIONS_H
+#define CGAL_SPECTRAL_SEGMENTATION_INTERNAL_ADAPTORS_READ_OPTIONS_H
 
 #include <CGAL/Spectral_segmentation/Options.h>
 #include <CGAL/Spectral_segmentation/parameters.h>
@@ -106,15 +106,15 @@ Options read_options(const NamedParameters& np)
   read_count(np, tags::maximum_number_of_segments, "maximum_number_of_segments", 1,
              o.maximum_number_of_segments);
   read_parameter(np, tags::salience_threshold, o.salience_threshold);
-  read_parameter(np, tags::components_apart, o.components_apart);
+  read_parameter(np, tags::keep_components_separate, o.keep_components_separate);
   read_parameter(np, tags::minimum_segment_size, o.minimum_segment_size);
   read_count(np, tags::number_of_reference_faces, "number_of_reference_faces", 1,
              o.number_of_reference_faces);
-  read_count(np, tags::number_of_searched_faces, "number_of_searched_faces", 0,
-             o.number_of_searched_faces);
+  read_count(np, tags::number_of_coarse_faces, "number_of_coarse_faces", 0,
+             o.number_of_coarse_faces);
   read_count(np, tags::number_of_smoothing_iterations, "number_of_smoothing_iterations", 0,
              o.number_of_smoothing_iterations);
-  read_parameter(np, tags::boundary_smoothing, o.boundary_smoothing);
+  read_parameter(np, tags::smooth_boundaries, o.smooth_boundaries);
   if constexpr (is_given<NamedParameters, tags::random_seed_t>) {
     const auto seed = CGAL::parameters::get_parameter(np, CGAL::internal_np::random_seed);
     static_assert(tags::is_count<std::decay_t<decltype(seed)> >::value,
@@ -127,4 +127,4 @@ Options read_options(const NamedParameters& np)
 
 } // namespace CGAL::Spectral_segmentation::internal
 
-#endif // CGAL_SPECTRAL_SEGMENTATION_INTERNAL_DOOR_READ_OPTIONS_H
+#endif // CGAL_SPECTRAL_SEGMENTATION_INTERNAL_ADAPTORS_READ_OPTIONS_H

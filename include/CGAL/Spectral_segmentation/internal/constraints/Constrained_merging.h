@@ -1,11 +1,11 @@
 // Copyright (c) 2026  The Spectral_segmentation authors.
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#ifndef CGAL_SPECTRAL_SEGMENTATION_INTERNAL_WISHES_WISHED_MERGING_H
-#define CGAL_SPECTRAL_SEGMENTATION_INTERNAL_WISHES_WISHED_MERGING_H
+#ifndef CGAL_SPECTRAL_SEGMENTATION_INTERNAL_CONSTRAINTS_CONSTRAINED_MERGING_H
+#define CGAL_SPECTRAL_SEGMENTATION_INTERNAL_CONSTRAINTS_CONSTRAINED_MERGING_H
 
 #include <CGAL/Spectral_segmentation/internal/hierarchy/Cut_hierarchy.h>
-#include <CGAL/Spectral_segmentation/internal/wishes/Region_graph.h>
+#include <CGAL/Spectral_segmentation/internal/constraints/Region_graph.h>
 
 #include <algorithm>
 #include <cstddef>
@@ -15,11 +15,11 @@
 
 namespace CGAL::Spectral_segmentation::internal {
 
-// Merges the regions that fulfill wishes, as the cuts of the old hierarchy are undone, the least
-// salient first. Where an old cut has a region on one side that can be merged with one on the
-// other, they are merged with the salience of the cut. What no wish concerns is merged as before.
-// Regions that a wish keeps apart stay so: what is left are the roots.
-class Wished_merging
+// Merges the regions that fulfill constraints, as the cuts of the old hierarchy are undone, the
+// least salient first. Where an old cut has a region on one side that can be merged with one on the
+// other, they are merged with the salience of the cut. What no constraint concerns is merged as
+// before. Regions that a constraint keeps apart stay so: what is left are the roots.
+class Constrained_merging
 {
   struct Merge
   {
@@ -66,7 +66,8 @@ class Wished_merging
     }
   }
 
-  // What a wish cut off from a leaf and what is left of it are merged for good where they can be.
+  // What a constraint cut off from a leaf and what is left of it are merged for good where they can
+  // be.
   void merge_in_leaves()
   {
     for (std::size_t i = 0; i < old_.nodes.size(); ++i)
@@ -81,8 +82,8 @@ class Wished_merging
   Cut_hierarchy hierarchy() const
   {
     Cut_hierarchy result;
-    result.is_ultrametric = old_.is_ultrametric;
-    result.is_complete = old_.is_complete;
+    result.is_monotonic = old_.is_monotonic;
+    result.has_all_cuts = old_.has_all_cuts;
     std::vector<std::size_t> node(regions_.number(), null_node);
     for (Index r : region_of_face_) {
       const Index root = regions_.representative(r);
@@ -96,10 +97,10 @@ class Wished_merging
     for (auto m = merges_.rbegin(); m != merges_.rend(); ++m) {
       const std::size_t parent = node[(std::min)(m->smaller, m->larger)];
       const Cut_node& old = old_.nodes[m->old_node];
-      result.nodes[parent].cut_state = Cut_state::ACCEPTED;
+      result.nodes[parent].cut_state = Cut_state::CUT;
       result.nodes[parent].salience = old.salience;
       result.nodes[parent].factors = old.factors;
-      result.turns.push_back(parent);
+      result.cut_order.push_back(parent);
       result.cut(parent, m->areas[0], m->areas[1]);
       node[m->smaller] = result.nodes[parent].children[0];
       node[m->larger] = result.nodes[parent].children[1];
@@ -115,7 +116,7 @@ class Wished_merging
 public:
   // `leaves` has for each region the leaves of the old hierarchy of which it was made. The regions
   // are merged.
-  Wished_merging(const Cut_hierarchy& old, Region_graph& regions,
+  Constrained_merging(const Cut_hierarchy& old, Region_graph& regions,
                  const std::vector<Index>& region_of_face,
                  const std::vector<std::set<std::size_t> >& leaves)
     : old_(old), regions_(regions), region_of_face_(region_of_face), below_(old.nodes.size())
@@ -128,13 +129,13 @@ public:
   Cut_hierarchy operator()()
   {
     merge_in_leaves();
-    for (std::size_t i = old_.turns.size(); i-- > 0;)
-      if (!old_.nodes[old_.turns[i]].is_leaf())
-        merge_below(old_.turns[i]);
+    for (std::size_t i = old_.cut_order.size(); i-- > 0;)
+      if (!old_.nodes[old_.cut_order[i]].is_leaf())
+        merge_below(old_.cut_order[i]);
     return hierarchy();
   }
 };
 
 } // namespace CGAL::Spectral_segmentation::internal
 
-#endif // CGAL_SPECTRAL_SEGMENTATION_INTERNAL_WISHES_WISHED_MERGING_H
+#endif // CGAL_SPECTRAL_SEGMENTATION_INTERNAL_CONSTRAINTS_CONSTRAINED_MERGING_H

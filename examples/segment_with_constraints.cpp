@@ -43,6 +43,6 @@ int main(int argc, char* argv[])
   }
   std::cout << CGAL::segment_spectral_recursive(
     mesh, segment_ids, params::edge_is_constrained_map(is_seam).face_seed_map(seeds))
-            << " segments with wishes" << std::endl;
+            << " segments with constraints" << std::endl;
   return CGAL::IO::write_polygon_mesh("segments.ply", mesh) ? EXIT_SUCCESS : EXIT_FAILURE;
 }

@@ -1,11 +1,11 @@
 // Copyright (c) 2026  The Spectral_segmentation authors.
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#ifndef CGAL_SPECTRAL_SEGMENTATION_INTERNAL_WISHES_WISH_GROUPS_H
-#define CGAL_SPECTRAL_SEGMENTATION_INTERNAL_WISHES_WISH_GROUPS_H
+#ifndef CGAL_SPECTRAL_SEGMENTATION_INTERNAL_CONSTRAINTS_CONSTRAINT_GROUPS_H
+#define CGAL_SPECTRAL_SEGMENTATION_INTERNAL_CONSTRAINTS_CONSTRAINT_GROUPS_H
 
 #include <CGAL/Spectral_segmentation/internal/mesh/connected_components.h>
-#include <CGAL/Spectral_segmentation/internal/wishes/Wishes.h>
+#include <CGAL/Spectral_segmentation/internal/constraints/Constraints.h>
 
 #include <cstddef>
 #include <cstdint>
@@ -17,13 +17,13 @@
 
 namespace CGAL::Spectral_segmentation::internal {
 
-// The wishes of a caller by the faces of the mesh, without contradiction. Each group of faces lies
-// in one segment.
-struct Wish_groups
+// The constraints of a caller by the faces of the mesh, without contradiction. Each group of faces
+// lies in one segment.
+struct Constraint_groups
 {
-  std::vector<Index> group;     // of each face; null_index if no wish concerns it
-  std::vector<Face_pair> seams; // whose faces are of different groups and segments
-  std::vector<char> is_seam;    // of each half-edge
+  std::vector<Index> group;     // of each face; null_index if no constraint concerns it
+  std::vector<Face_pair> cannot_link; // whose faces are of different groups and segments
+  std::vector<char> is_seam;    // of each halfedge
   Index number_of_seeds = 0;    // the first groups are those of the seeds, in different segments
   Index number = 0;
 
@@ -31,11 +31,12 @@ struct Wish_groups
   Index seed(Index f) const { return group[f] < number_of_seeds ? group[f] : null_index; }
 };
 
-// Makes groups of wishes. `number` has the face of the mesh for each face of the caller: one for
-// all faces with the same points. Throws `std::invalid_argument` if wishes contradict each other.
-class Wish_grouping
+// Makes groups of constraints. `number` has the face of the mesh for each face of the caller: one
+// for all faces with the same points. Throws `std::invalid_argument` if constraints contradict each
+// other.
+class Constraint_grouping
 {
-  const Wishes& wishes_;
+  const Constraints& constraints_;
   const std::vector<Index>& number_;
   Face_components sets_;
   std::map<std::int64_t, Index> first_of_seed_; // the caller's number of the face
@@ -50,20 +51,20 @@ class Wish_grouping
 
   void join()
   {
-    for (const auto& [f, g] : wishes_.uncuttable)
+    for (const auto& [f, g] : constraints_.must_link)
       sets_.join(number_[f], number_[g]);
     std::map<Index, std::pair<Index, std::int64_t> > seed_of_set; // with the first face that has it
-    for (const auto& wish : wishes_.seeds) {
-      const auto& [f, seed] = wish;
-      const auto& [g, other] = seed_of_set.emplace(set_of(f), wish).first->second;
+    for (const auto& constraint : constraints_.seeds) {
+      const auto& [f, seed] = constraint;
+      const auto& [g, other] = seed_of_set.emplace(set_of(f), constraint).first->second;
       if (other != seed)
         fail(faces(g, f) + " have the seeds " + std::to_string(other) + " and " +
              std::to_string(seed) + ", but are joined by edges that must not be cut, or are one "
              "face twice");
     }
-    for (const auto& [f, seed] : wishes_.seeds)
+    for (const auto& [f, seed] : constraints_.seeds)
       sets_.join(number_[first_of_seed_.emplace(seed, f).first->second], number_[f]);
-    for (const auto& [f, g] : wishes_.seams)
+    for (const auto& [f, g] : constraints_.cannot_link)
       if (set_of(f) == set_of(g))
         fail("the edge between " + faces(f, g) + " must be a seam, but the two are joined by edges "
              "that must not be cut or by their seed, or are one face twice");
@@ -73,7 +74,7 @@ class Wish_grouping
   {
     std::size_t number_of_components;
     const std::vector<Index> component = connected_components(mesh, number_of_components);
-    for (const auto& [f, seed] : wishes_.seeds) {
+    for (const auto& [f, seed] : constraints_.seeds) {
       const Index first = first_of_seed_.at(seed);
       if (component[number_[first]] != component[number_[f]])
         fail(faces(first, f) + " have the seed " + std::to_string(seed) +
@@ -82,19 +83,20 @@ class Wish_grouping
   }
 
 public:
-  Wish_grouping(const Wishes& wishes, const std::vector<Index>& number, std::size_t number_of_faces)
-    : wishes_(wishes), number_(number), sets_(number_of_faces)
+  Constraint_grouping(const Constraints& constraints, const std::vector<Index>& number,
+                      std::size_t number_of_faces)
+    : constraints_(constraints), number_(number), sets_(number_of_faces)
   {
     for (Index f = 0; f < number_of_faces; ++f)
       sets_.add(f);
   }
 
-  Wish_groups operator()(const Face_graph& mesh, bool components_apart)
+  Constraint_groups operator()(const Face_graph& mesh, bool keep_components_separate)
   {
     join();
-    if (components_apart)
+    if (keep_components_separate)
       check_components(mesh);
-    Wish_groups result;
+    Constraint_groups result;
     result.group.assign(mesh.number_of_faces(), null_index);
     std::vector<Index> group_of_set(mesh.number_of_faces(), null_index);
     const auto add = [&](Index callers_face) {
@@ -103,18 +105,18 @@ public:
         group = result.number++;
       result.group[number_[callers_face]] = group;
     };
-    for (const auto& [f, seed] : wishes_.seeds)
+    for (const auto& [f, seed] : constraints_.seeds)
       add(f);
     result.number_of_seeds = result.number;
-    for (const auto& pairs : {&wishes_.seams, &wishes_.uncuttable})
+    for (const auto& pairs : {&constraints_.cannot_link, &constraints_.must_link})
       for (const auto& [f, g] : *pairs) {
         add(f);
         add(g);
       }
-    for (const auto& [f, g] : wishes_.seams)
-      result.seams.push_back({number_[f], number_[g]});
+    for (const auto& [f, g] : constraints_.cannot_link)
+      result.cannot_link.push_back({number_[f], number_[g]});
     result.is_seam.assign(mesh.number_of_halfedges(), 0);
-    for (const auto& [f, g] : result.seams)
+    for (const auto& [f, g] : result.cannot_link)
       for (Index i = 0; i < 3; ++i) {
         result.is_seam[3 * f + i] |= mesh.neighbors[3 * f + i] == g;
         result.is_seam[3 * g + i] |= mesh.neighbors[3 * g + i] == f;
@@ -125,4 +127,4 @@ public:
 
 } // namespace CGAL::Spectral_segmentation::internal
 
-#endif // CGAL_SPECTRAL_SEGMENTATION_INTERNAL_WISHES_WISH_GROUPS_H
+#endif // CGAL_SPECTRAL_SEGMENTATION_INTERNAL_CONSTRAINTS_CONSTRAINT_GROUPS_H

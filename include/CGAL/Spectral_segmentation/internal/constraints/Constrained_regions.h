@@ -1,16 +1,16 @@
 // Copyright (c) 2026  The Spectral_segmentation authors.
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#ifndef CGAL_SPECTRAL_SEGMENTATION_INTERNAL_WISHES_WISHED_REGIONS_H
-#define CGAL_SPECTRAL_SEGMENTATION_INTERNAL_WISHES_WISHED_REGIONS_H
+#ifndef CGAL_SPECTRAL_SEGMENTATION_INTERNAL_CONSTRAINTS_CONSTRAINED_REGIONS_H
+#define CGAL_SPECTRAL_SEGMENTATION_INTERNAL_CONSTRAINTS_CONSTRAINED_REGIONS_H
 
 #include <CGAL/Spectral_segmentation/internal/distances/face_distances.h>
 #include <CGAL/Spectral_segmentation/internal/hierarchy/Cut_hierarchy.h>
 #include <CGAL/Spectral_segmentation/internal/mesh/extract_part.h>
 #include <CGAL/Spectral_segmentation/internal/mesh/surface_integrals.h>
 #include <CGAL/Spectral_segmentation/internal/utility/Run_monitor.h>
-#include <CGAL/Spectral_segmentation/internal/wishes/Region_graph.h>
-#include <CGAL/Spectral_segmentation/internal/wishes/Wished_cut.h>
+#include <CGAL/Spectral_segmentation/internal/constraints/Region_graph.h>
+#include <CGAL/Spectral_segmentation/internal/constraints/Constrained_cut.h>
 
 #include <algorithm>
 #include <cmath>
@@ -25,21 +25,21 @@
 
 namespace CGAL::Spectral_segmentation::internal {
 
-// Makes regions that fulfill wishes from the leaves of a hierarchy: each group of faces in one of
-// them, and no two groups together that must not be.
-class Wished_regions
+// Makes regions that fulfill constraints from the leaves of a hierarchy: each group of faces in one
+// of them, and no two groups together that must not be.
+class Constrained_regions
 {
   const Execution execution_;
   const Face_graph& mesh_;
   const Distance_weights weights_;
   const double minimum_area_;
   Run_monitor& monitor_;
-  Wish_groups& groups_;
+  Constraint_groups& groups_;
 
   Part_extractor extractor_;
   std::vector<Index> region_;                  // of each face
   std::vector<std::set<std::size_t> > leaves_; // of each region, from which it was made
-  std::vector<char> is_split_;                 // whether a region was cut off by a wish
+  std::vector<char> is_split_;                 // whether a region was cut off by a constraint
 
   Region_graph graph() const
   { return Region_graph(mesh_, region_, leaves_.size(), groups_); }
@@ -152,7 +152,7 @@ class Wished_regions
   }
 
   // The two faces, and those of the seams of a stroke if they are at one of its edges. `seams` are
-  // half-edges of the part.
+  // halfedges of the part.
   static std::vector<Face_pair> pairs_to_separate(const Face_graph& part, const Face_pair& first,
                                                   const std::vector<Index>& seams)
   {
@@ -196,7 +196,7 @@ class Wished_regions
       pairs_to_separate(part, {number[pair[0]], number[pair[1]]}, seams);
     for (Index h : seams)
       part.neighbors[h] = h / 3;
-    const std::vector<Index> piece = Wished_cut(part, group, border, minimum_area_)(pairs);
+    const std::vector<Index> piece = Constrained_cut(part, group, border, minimum_area_)(pairs);
     std::map<Index, Index> region_of_piece;
     for (Index i = 0; i < faces.size(); ++i) {
       const auto [entry, is_new] =
@@ -212,7 +212,7 @@ class Wished_regions
   // Two faces of one region that must be apart; or null_index twice.
   Face_pair find_conflict() const
   {
-    for (const Face_pair& pair : groups_.seams)
+    for (const Face_pair& pair : groups_.cannot_link)
       if (region_[pair[0]] == region_[pair[1]])
         return pair;
     std::vector<Index> first(leaves_.size(), null_index); // face with a seed of each region
@@ -257,8 +257,8 @@ class Wished_regions
       r = regions.representative(r);
   }
 
-  // A strip that is left between a wished seam and the boundary of another region near it belongs
-  // to that region: the seam is meant to be the boundary.
+  // A strip that is left between a constrained seam and the boundary of another region near it
+  // belongs to that region: the seam is meant to be the boundary.
   void join_strips(Region_graph& graph)
   {
     constexpr double largest_area = 0.1; // relative to the square of the length
@@ -272,9 +272,9 @@ class Wished_regions
   }
 
 public:
-  Wished_regions(Execution execution, const Cut_hierarchy& cuts, const Face_graph& mesh,
+  Constrained_regions(Execution execution, const Cut_hierarchy& cuts, const Face_graph& mesh,
                  const Distance_weights& weights, double minimum_segment_size, Run_monitor& monitor,
-                 Wish_groups& groups)
+                 Constraint_groups& groups)
     : execution_(execution), mesh_(mesh), weights_(weights),
       minimum_area_(minimum_segment_size * total_area(mesh)), monitor_(monitor), groups_(groups),
       extractor_(mesh), region_(cuts.leaf), is_split_(cuts.nodes.size(), 0)
@@ -284,7 +284,7 @@ public:
   }
 
   // Returns the regions.
-  Region_graph operator()(bool components_apart)
+  Region_graph operator()(bool keep_components_separate)
   {
     move_groups();
     connect_seeds();
@@ -293,7 +293,7 @@ public:
     split_all();
     Region_graph result = graph();
     join_strips(result);
-    if (!components_apart)
+    if (!keep_components_separate)
       result.close_gaps(mesh_, region_);
     return result;
   }
@@ -304,4 +304,4 @@ public:
 
 } // namespace CGAL::Spectral_segmentation::internal
 
-#endif // CGAL_SPECTRAL_SEGMENTATION_INTERNAL_WISHES_WISHED_REGIONS_H
+#endif // CGAL_SPECTRAL_SEGMENTATION_INTERNAL_CONSTRAINTS_CONSTRAINED_REGIONS_H

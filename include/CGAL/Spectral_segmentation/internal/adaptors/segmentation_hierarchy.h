@@ -1,8 +1,8 @@
 // Copyright (c) 2026  The Spectral_segmentation authors.
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#ifndef CGAL_SPECTRAL_SEGMENTATION_INTERNAL_DOOR_SEGMENTATION_HIERARCHY_H
-#define CGAL_SPECTRAL_SEGMENTATION_INTERNAL_DOOR_SEGMENTATION_HIERARCHY_H
+#ifndef CGAL_SPECTRAL_SEGMENTATION_INTERNAL_ADAPTORS_SEGMENTATION_HIERARCHY_H
+#define CGAL_SPECTRAL_SEGMENTATION_INTERNAL_ADAPTORS_SEGMENTATION_HIERARCHY_H
 
 #include <CGAL/Spectral_segmentation/Options.h>
 #include <CGAL/Spectral_segmentation/Segmentation_hierarchy.h>
@@ -16,12 +16,12 @@ namespace CGAL::Spectral_segmentation::internal {
 // Runs the engine; returns its cuts with the values by which they are chosen.
 inline Segmentation_hierarchy
 segmentation_hierarchy(Triangles triangles, const Options& options, Execution execution,
-                       Run_control& control, const Wishes& wishes = Wishes())
+                       Run_control& control, const Constraints& constraints = Constraints())
 {
-  return {segment(std::move(triangles), options, execution, control, wishes),
+  return {segment(std::move(triangles), options, execution, control, constraints),
           maximum_number(options), threshold(options)};
 }
 
 } // namespace CGAL::Spectral_segmentation::internal
 
-#endif // CGAL_SPECTRAL_SEGMENTATION_INTERNAL_DOOR_SEGMENTATION_HIERARCHY_H
+#endif // CGAL_SPECTRAL_SEGMENTATION_INTERNAL_ADAPTORS_SEGMENTATION_HIERARCHY_H

@@ -1,10 +1,10 @@
 // Copyright (c) 2026  The Spectral_segmentation authors.
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#ifndef CGAL_SPECTRAL_SEGMENTATION_INTERNAL_DOOR_NUMBERED_DESCRIPTORS_H
-#define CGAL_SPECTRAL_SEGMENTATION_INTERNAL_DOOR_NUMBERED_DESCRIPTORS_H
+#ifndef CGAL_SPECTRAL_SEGMENTATION_INTERNAL_ADAPTORS_NUMBERED_DESCRIPTORS_H
+#define CGAL_SPECTRAL_SEGMENTATION_INTERNAL_ADAPTORS_NUMBERED_DESCRIPTORS_H
 
-#include <CGAL/Spectral_segmentation/internal/door/segment_id_map.h>
+#include <CGAL/Spectral_segmentation/internal/adaptors/segment_id_map.h>
 #include <CGAL/Spectral_segmentation/internal/mesh/Triangles.h>
 
 #include <CGAL/Named_function_parameters.h>
@@ -152,4 +152,4 @@ std::size_t write_labels(const std::vector<FaceDescriptor>& faces,
 
 } // namespace CGAL::Spectral_segmentation::internal
 
-#endif // CGAL_SPECTRAL_SEGMENTATION_INTERNAL_DOOR_NUMBERED_DESCRIPTORS_H
+#endif // CGAL_SPECTRAL_SEGMENTATION_INTERNAL_ADAPTORS_NUMBERED_DESCRIPTORS_H

@@ -1,8 +1,8 @@
 // Copyright (c) 2026  The Spectral_segmentation authors.
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#ifndef CGAL_SPECTRAL_SEGMENTATION_INTERNAL_DOOR_SEGMENT_ID_MAP_H
-#define CGAL_SPECTRAL_SEGMENTATION_INTERNAL_DOOR_SEGMENT_ID_MAP_H
+#ifndef CGAL_SPECTRAL_SEGMENTATION_INTERNAL_ADAPTORS_SEGMENT_ID_MAP_H
+#define CGAL_SPECTRAL_SEGMENTATION_INTERNAL_ADAPTORS_SEGMENT_ID_MAP_H
 
 #include <boost/property_map/property_map.hpp>
 
@@ -50,4 +50,4 @@ constexpr bool is_segment_id_map()
 
 } // namespace CGAL::Spectral_segmentation::internal
 
-#endif // CGAL_SPECTRAL_SEGMENTATION_INTERNAL_DOOR_SEGMENT_ID_MAP_H
+#endif // CGAL_SPECTRAL_SEGMENTATION_INTERNAL_ADAPTORS_SEGMENT_ID_MAP_H

@@ -23,7 +23,7 @@
 #include <vector>
 
 // Edges that must be seams, edges that must not, and seeds of faces.
-BOOST_AUTO_TEST_SUITE(wishes)
+BOOST_AUTO_TEST_SUITE(constraints)
 
 using namespace test_meshes;
 namespace parameters = CGAL::Spectral_segmentation::parameters;
@@ -34,20 +34,20 @@ namespace {
 typedef Mesh::Edge_index Edge;
 typedef Mesh::Face_index Face;
 
-struct Wished_mesh
+struct Constrained_mesh
 {
   Mesh mesh;
   Mesh::Property_map<Edge, bool> is_seam, is_uncuttable;
   Mesh::Property_map<Face, int> seed;
 
-  explicit Wished_mesh(const Soup& soup) : mesh(mesh_of(soup))
+  explicit Constrained_mesh(const Soup& soup) : mesh(mesh_of(soup))
   {
     is_seam = mesh.add_property_map<Edge, bool>("e:seam", false).first;
     is_uncuttable = mesh.add_property_map<Edge, bool>("e:uncuttable", false).first;
     seed = mesh.add_property_map<Face, int>("f:seed", -1).first;
   }
 
-  Wished_mesh(const Wished_mesh&) = delete;
+  Constrained_mesh(const Constrained_mesh&) = delete;
 
   auto parameters() const
   {
@@ -178,16 +178,16 @@ std::size_t face_near(const Mesh& mesh, double x, double y, double z)
 
 } // namespace
 
-BOOST_AUTO_TEST_CASE(no_wish_changes_nothing)
+BOOST_AUTO_TEST_CASE(no_constraint_changes_nothing)
 {
-  const Wished_mesh m(read("elephant.off"));
+  const Constrained_mesh m(read("elephant.off"));
   BOOST_TEST(m.labels() == labels_of(m.mesh, parameters::default_values()));
 }
 
-// What is wished is what the method finds.
+// What is constrained is what the method finds.
 BOOST_AUTO_TEST_CASE(seams_that_are_there_change_nothing)
 {
-  Wished_mesh m(dumbbell(20, 20));
+  Constrained_mesh m(dumbbell(20, 20));
   const Labels labels = m.labels();
   BOOST_TEST(number_of(labels) == 2u);
   for (Edge e : m.inner_edges())
@@ -197,7 +197,7 @@ BOOST_AUTO_TEST_CASE(seams_that_are_there_change_nothing)
 
 BOOST_AUTO_TEST_CASE(edges_that_must_not_be_cut_move_a_seam)
 {
-  Wished_mesh m(dumbbell(20, 20));
+  Constrained_mesh m(dumbbell(20, 20));
   const Labels before = m.labels();
   for (Edge e : m.edges_between_segments(before))
     m.is_uncuttable[e] = true;
@@ -208,7 +208,7 @@ BOOST_AUTO_TEST_CASE(edges_that_must_not_be_cut_move_a_seam)
 
 BOOST_AUTO_TEST_CASE(no_edge_may_be_cut)
 {
-  Wished_mesh m(dumbbell(20, 20));
+  Constrained_mesh m(dumbbell(20, 20));
   for (Edge e : m.inner_edges())
     m.is_uncuttable[e] = true;
   BOOST_TEST(number_of(m.labels()) == 1u);
@@ -216,7 +216,7 @@ BOOST_AUTO_TEST_CASE(no_edge_may_be_cut)
 
 BOOST_AUTO_TEST_CASE(seeds_cut_a_sphere)
 {
-  Wished_mesh m(sphere(4));
+  Constrained_mesh m(sphere(4));
   BOOST_TEST(number_of(m.labels()) == 1u);
   m.seed[Face(face_near(m.mesh, 0, 0, 1))] = 7;
   m.seed[Face(face_near(m.mesh, 0, 0, -1))] = 2;
@@ -227,7 +227,7 @@ BOOST_AUTO_TEST_CASE(seeds_cut_a_sphere)
 
 BOOST_AUTO_TEST_CASE(an_edge_makes_a_whole_seam)
 {
-  Wished_mesh m(sphere(4));
+  Constrained_mesh m(sphere(4));
   m.is_seam[Edge(100)] = true;
   const Labels labels = m.labels();
   BOOST_TEST(number_of(labels) == 2u);
@@ -237,7 +237,7 @@ BOOST_AUTO_TEST_CASE(an_edge_makes_a_whole_seam)
 
 BOOST_AUTO_TEST_CASE(border_edges_mean_nothing)
 {
-  Wished_mesh m(plate(10, 10));
+  Constrained_mesh m(plate(10, 10));
   for (Edge e : m.mesh.edges())
     if (m.mesh.is_border(e))
       m.is_seam[e] = m.is_uncuttable[e] = true;
@@ -247,7 +247,7 @@ BOOST_AUTO_TEST_CASE(border_edges_mean_nothing)
 // Both ends of a limb, and what is between them, are one segment.
 BOOST_AUTO_TEST_CASE(equal_seeds_join_segments)
 {
-  Wished_mesh m(read("elephant.off"));
+  Constrained_mesh m(read("elephant.off"));
   const Labels before = m.labels();
   std::set<std::size_t> joined;
   for (Face f : m.mesh.faces())
@@ -269,7 +269,7 @@ BOOST_AUTO_TEST_CASE(points_and_triangles)
   BOOST_TEST(n == 1u);
 }
 
-BOOST_AUTO_TEST_CASE(random_wishes_on_real_meshes)
+BOOST_AUTO_TEST_CASE(random_constraints_on_real_meshes)
 {
   Random random(1);
   std::size_t number_of_contradictions = 0;
@@ -277,7 +277,7 @@ BOOST_AUTO_TEST_CASE(random_wishes_on_real_meshes)
                            "elephant", "fandisk", "hand", "head", "joint", "lion", "man",
                            "mushroom", "pig", "pinion", "rotor", "triceratops"})
     BOOST_TEST_CONTEXT(name) {
-      Wished_mesh m(read(std::string(name) + ".off"));
+      Constrained_mesh m(read(std::string(name) + ".off"));
       const std::size_t number_of_edges = m.mesh.number_of_edges();
       const std::size_t n = random() % 2 == 0 ? 4 : 20;
       for (std::size_t i = 0; i < n; ++i) {
@@ -301,7 +301,7 @@ BOOST_AUTO_TEST_CASE(random_wishes_on_real_meshes)
 
 BOOST_AUTO_TEST_CASE(exact_number)
 {
-  Wished_mesh m(read("hand.off"));
+  Constrained_mesh m(read("hand.off"));
   m.is_seam[Edge(1000)] = true;
   m.seed[Face(10)] = 1;
   m.seed[Face(2000)] = 2;
@@ -316,7 +316,7 @@ BOOST_AUTO_TEST_CASE(exact_number)
 
 BOOST_AUTO_TEST_CASE(number_of_groups_is_the_largest)
 {
-  Wished_mesh m(sphere(2));
+  Constrained_mesh m(sphere(2));
   const std::size_t number_of_faces = num_faces(m.mesh);
   m.is_uncuttable[Edge(0)] = true;
   BOOST_TEST(number_of(labels_of(m.mesh, m.parameters().number_of_segments(number_of_faces - 1))) ==
@@ -324,7 +324,7 @@ BOOST_AUTO_TEST_CASE(number_of_groups_is_the_largest)
   m.check_is_refused(m.parameters().number_of_segments(number_of_faces), "at most");
 }
 
-BOOST_AUTO_TEST_CASE(a_stopped_run_fulfills_wishes)
+BOOST_AUTO_TEST_CASE(a_stopped_run_fulfills_constraints)
 {
   struct Stopper : CGAL::Spectral_segmentation::Segmentation_visitor
   {
@@ -332,7 +332,7 @@ BOOST_AUTO_TEST_CASE(a_stopped_run_fulfills_wishes)
 
     bool go_further() { return left-- > 0; }
   };
-  Wished_mesh m(read("hand.off"));
+  Constrained_mesh m(read("hand.off"));
   m.is_seam[Edge(1000)] = m.is_seam[Edge(1001)] = m.is_uncuttable[Edge(3000)] = true;
   for (std::size_t f : {10, 500, 2000})
     m.seed[Face(f)] = f == 10 ? 1 : 2;
@@ -347,12 +347,12 @@ BOOST_AUTO_TEST_CASE(a_stopped_run_fulfills_wishes)
 BOOST_AUTO_TEST_CASE(contradictions)
 {
   {
-    Wished_mesh m(sphere(2));
+    Constrained_mesh m(sphere(2));
     m.is_seam[Edge(5)] = m.is_uncuttable[Edge(5)] = true;
     m.check_is_refused("is in both");
   }
   { // around a vertex
-    Wished_mesh m(sphere(2));
+    Constrained_mesh m(sphere(2));
     for (auto h : halfedges_around_target(Mesh::Vertex_index(0), m.mesh))
       m.is_uncuttable[m.mesh.edge(h)] = true;
     const Edge e = m.mesh.edge(m.mesh.halfedge(Mesh::Vertex_index(0)));
@@ -361,14 +361,14 @@ BOOST_AUTO_TEST_CASE(contradictions)
     m.check_is_refused("must be a seam");
   }
   {
-    Wished_mesh m(sphere(2));
+    Constrained_mesh m(sphere(2));
     m.is_seam[Edge(5)] = true;
     for (std::size_t f : m.faces_at(Edge(5)))
       m.seed[Face(f)] = 4;
     m.check_is_refused("must be a seam");
   }
   {
-    Wished_mesh m(sphere(2));
+    Constrained_mesh m(sphere(2));
     m.is_uncuttable[Edge(5)] = true;
     m.seed[Face(m.faces_at(Edge(5))[0])] = 1;
     m.seed[Face(m.faces_at(Edge(5))[1])] = 2;
@@ -376,9 +376,9 @@ BOOST_AUTO_TEST_CASE(contradictions)
   }
   {
     const Soup soup = sphere(2);
-    Wished_mesh m(disjoint_union(soup, moved(soup, 5, 0, 0)));
+    Constrained_mesh m(disjoint_union(soup, moved(soup, 5, 0, 0)));
     m.seed[Face(0)] = m.seed[Face(num_faces(m.mesh) - 1)] = 3;
-    m.check_is_refused(m.parameters().components_apart(true), "kept apart");
+    m.check_is_refused(m.parameters().keep_components_separate(true), "kept apart");
     BOOST_TEST(number_of(m.labels()) == 1u);
   }
 }

@@ -1,12 +1,12 @@
 // Copyright (c) 2026  The Spectral_segmentation authors.
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#ifndef CGAL_SPECTRAL_SEGMENTATION_INTERNAL_WISHES_REGION_GRAPH_H
-#define CGAL_SPECTRAL_SEGMENTATION_INTERNAL_WISHES_REGION_GRAPH_H
+#ifndef CGAL_SPECTRAL_SEGMENTATION_INTERNAL_CONSTRAINTS_REGION_GRAPH_H
+#define CGAL_SPECTRAL_SEGMENTATION_INTERNAL_CONSTRAINTS_REGION_GRAPH_H
 
 #include <CGAL/Spectral_segmentation/internal/mesh/Face_graph.h>
 #include <CGAL/Spectral_segmentation/internal/mesh/component_distances.h>
-#include <CGAL/Spectral_segmentation/internal/wishes/Wish_groups.h>
+#include <CGAL/Spectral_segmentation/internal/constraints/Constraint_groups.h>
 
 #include <algorithm>
 #include <cstddef>
@@ -24,7 +24,7 @@ class Region_graph
 {
   struct Contact
   {
-    double length = 0; // of the common boundary without wished seams
+    double length = 0; // of the common boundary without constrained seams
     bool is_apart = false;
   };
 
@@ -49,7 +49,7 @@ class Region_graph
 
 public:
   Region_graph(const Face_graph& mesh, const std::vector<Index>& region, std::size_t number,
-               const Wish_groups& groups)
+               const Constraint_groups& groups)
     : regions_(number), merged_into_(number)
   {
     std::iota(merged_into_.begin(), merged_into_.end(), Index(0));
@@ -62,7 +62,7 @@ public:
           add_contact(region[f], region[g], {mesh.length(h), false});
       }
     }
-    for (const auto& [f, g] : groups.seams)
+    for (const auto& [f, g] : groups.cannot_link)
       if (region[f] != region[g])
         add_contact(region[f], region[g], {0, true});
   }
@@ -155,4 +155,4 @@ public:
 
 } // namespace CGAL::Spectral_segmentation::internal
 
-#endif // CGAL_SPECTRAL_SEGMENTATION_INTERNAL_WISHES_REGION_GRAPH_H
+#endif // CGAL_SPECTRAL_SEGMENTATION_INTERNAL_CONSTRAINTS_REGION_GRAPH_H

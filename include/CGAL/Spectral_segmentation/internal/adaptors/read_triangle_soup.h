@@ -1,8 +1,8 @@
 // Copyright (c) 2026  The Spectral_segmentation authors.
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#ifndef CGAL_SPECTRAL_SEGMENTATION_INTERNAL_DOOR_READ_TRIANGLE_SOUP_H
-#define CGAL_SPECTRAL_SEGMENTATION_INTERNAL_DOOR_READ_TRIANGLE_SOUP_H
+#ifndef CGAL_SPECTRAL_SEGMENTATION_INTERNAL_ADAPTORS_READ_TRIANGLE_SOUP_H
+#define CGAL_SPECTRAL_SEGMENTATION_INTERNAL_ADAPTORS_READ_TRIANGLE_SOUP_H
 
 #include <CGAL/Spectral_segmentation/internal/mesh/Triangles.h>
 
@@ -81,4 +81,4 @@ Triangles read_triangle_soup(const PointRange& points, const TriangleRange& tria
 
 } // namespace CGAL::Spectral_segmentation::internal
 
-#endif // CGAL_SPECTRAL_SEGMENTATION_INTERNAL_DOOR_READ_TRIANGLE_SOUP_H
+#endif // CGAL_SPECTRAL_SEGMENTATION_INTERNAL_ADAPTORS_READ_TRIANGLE_SOUP_H

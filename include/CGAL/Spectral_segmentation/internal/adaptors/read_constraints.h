@@ -1,12 +1,12 @@
 // Copyright (c) 2026  The Spectral_segmentation authors.
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#ifndef CGAL_SPECTRAL_SEGMENTATION_INTERNAL_DOOR_READ_WISHES_H
-#define CGAL_SPECTRAL_SEGMENTATION_INTERNAL_DOOR_READ_WISHES_H
+#ifndef CGAL_SPECTRAL_SEGMENTATION_INTERNAL_ADAPTORS_READ_CONSTRAINTS_H
+#define CGAL_SPECTRAL_SEGMENTATION_INTERNAL_ADAPTORS_READ_CONSTRAINTS_H
 
-#include <CGAL/Spectral_segmentation/internal/wishes/Wishes.h>
-#include <CGAL/Spectral_segmentation/internal/door/numbered_descriptors.h>
-#include <CGAL/Spectral_segmentation/internal/door/read_options.h>
+#include <CGAL/Spectral_segmentation/internal/constraints/Constraints.h>
+#include <CGAL/Spectral_segmentation/internal/adaptors/numbered_descriptors.h>
+#include <CGAL/Spectral_segmentation/internal/adaptors/read_options.h>
 #include <CGAL/Spectral_segmentation/parameters.h>
 
 #include <CGAL/Named_function_parameters.h>
@@ -23,13 +23,13 @@
 namespace CGAL::Spectral_segmentation::internal {
 
 template <class CGALNamedParameters>
-constexpr bool has_edge_wishes =
+constexpr bool has_edge_constraints =
   is_given<CGALNamedParameters, internal_np::edge_is_constrained_t> ||
   is_given<CGALNamedParameters, internal_np::edge_is_uncuttable_map_t>;
 
 // The value of an edge map; `false` if the caller gave none.
 template <class Tag, class CGALNamedParameters, class EdgeDescriptor>
-bool edge_wish(const CGALNamedParameters& np, Tag tag, const EdgeDescriptor& e)
+bool edge_value(const CGALNamedParameters& np, Tag tag, const EdgeDescriptor& e)
 {
   if constexpr (is_given<CGALNamedParameters, Tag>)
     return static_cast<bool>(get(CGAL::parameters::get_parameter(np, tag), e));
@@ -40,8 +40,8 @@ bool edge_wish(const CGALNamedParameters& np, Tag tag, const EdgeDescriptor& e)
 // Border edges, also those to faces outside of a filtered mesh, are ignored. Throws
 // `std::invalid_argument` for an edge that is in both maps.
 template <class TriangleMesh, class FaceDescriptor, class CGALNamedParameters>
-void read_edge_wishes(const TriangleMesh& mesh, const std::vector<FaceDescriptor>& faces,
-                      const CGALNamedParameters& np, Wishes& wishes)
+void read_edge_constraints(const TriangleMesh& mesh, const std::vector<FaceDescriptor>& faces,
+                      const CGALNamedParameters& np, Constraints& constraints)
 {
   const Descriptor_numbers<TriangleMesh, boost::face_index_t, FaceDescriptor>
     face_number(mesh, faces);
@@ -54,23 +54,23 @@ void read_edge_wishes(const TriangleMesh& mesh, const std::vector<FaceDescriptor
       if (g == null_index || g < f)
         continue;
       const auto e = edge(h, mesh);
-      const bool is_seam = edge_wish(np, CGAL::internal_np::edge_is_constrained, e);
-      const bool is_uncuttable = edge_wish(np, internal_np::edge_is_uncuttable_map, e);
+      const bool is_seam = edge_value(np, CGAL::internal_np::edge_is_constrained, e);
+      const bool is_uncuttable = edge_value(np, internal_np::edge_is_uncuttable_map, e);
       if (is_seam && is_uncuttable)
         throw std::invalid_argument(
           "segment_spectral_recursive: the edge between the faces " + std::to_string(f) + " and " +
           std::to_string(g) + " is in both edge_is_constrained_map and edge_is_uncuttable_map");
       if (is_seam)
-        wishes.seams.push_back({f, g});
+        constraints.cannot_link.push_back({f, g});
       if (is_uncuttable)
-        wishes.uncuttable.push_back({f, g});
+        constraints.must_link.push_back({f, g});
     }
 }
 
 // The seeds of faces, or of the positions of triangles.
 template <class FaceDescriptor, class CGALNamedParameters>
 void read_seeds(const std::vector<FaceDescriptor>& faces, const CGALNamedParameters& np,
-                Wishes& wishes)
+                Constraints& constraints)
 {
   if constexpr (is_given<CGALNamedParameters, internal_np::face_seed_map_t>) {
     using boost::get; // for pointers
@@ -78,11 +78,11 @@ void read_seeds(const std::vector<FaceDescriptor>& faces, const CGALNamedParamet
     for (Index f = 0; f < faces.size(); ++f) {
       const std::int64_t seed = get(map, faces[f]);
       if (seed >= 0)
-        wishes.seeds.emplace_back(f, seed);
+        constraints.seeds.emplace_back(f, seed);
     }
   }
 }
 
 } // namespace CGAL::Spectral_segmentation::internal
 
-#endif // CGAL_SPECTRAL_SEGMENTATION_INTERNAL_DOOR_READ_WISHES_H
+#endif // CGAL_SPECTRAL_SEGMENTATION_INTERNAL_ADAPTORS_READ_CONSTRAINTS_H

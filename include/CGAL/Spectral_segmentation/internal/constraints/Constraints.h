@@ -1,0 +1,31 @@
+// Copyright (c) 2026  The Spectral_segmentation authors.
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_SPECTRAL_SEGMENTATION_INTERNAL_CONSTRAINTS_CONSTRAINTS_H
+#define CGAL_SPECTRAL_SEGMENTATION_INTERNAL_CONSTRAINTS_CONSTRAINTS_H
+
+#include <CGAL/Spectral_segmentation/internal/utility/Index.h>
+
+#include <array>
+#include <cstdint>
+#include <utility>
+#include <vector>
+
+namespace CGAL::Spectral_segmentation::internal {
+
+typedef std::array<Index, 2> Face_pair;
+
+// The constraints of the caller, by the indices of the caller's faces. A constraint of an edge is one
+// of its two faces.
+struct Constraints
+{
+  std::vector<Face_pair> cannot_link; // the two faces are of different segments
+  std::vector<Face_pair> must_link;   // the two faces are of one segment
+  std::vector<std::pair<Index, std::int64_t> > seeds; // the faces ascend, the seeds are not negative
+
+  bool empty() const { return cannot_link.empty() && must_link.empty() && seeds.empty(); }
+};
+
+} // namespace CGAL::Spectral_segmentation::internal
+
+#endif // CGAL_SPECTRAL_SEGMENTATION_INTERNAL_CONSTRAINTS_CONSTRAINTS_H
