@@ -4,7 +4,7 @@
 #ifndef CGAL_SEGMENT_SPECTRAL_RECURSIVE_H
 #define CGAL_SEGMENT_SPECTRAL_RECURSIVE_H
 
-// Where the sections of the paper are, below Spectral_segmentation/internal/:
+// These headers, below Spectral_segmentation/internal/, hold the sections of the paper:
 //
 //   2    overview, queue of parts        hierarchy/recursion.h
 //   2    smoothing before and after      distances/laplacian_smoothing.h,
@@ -17,11 +17,11 @@
 //   5.3  line search                     bipartition/line_search.h
 //   6    salience of a part              salience/Boundary_statistics.h, Part_salience.h
 //
-// Beyond the paper: over-segmentation and merging (hierarchy/region_merging.h), more cuts to choose
-// from (bipartition/cut_proposals.h, min_cut_refinement.h) and more factors to judge them by
-// (salience/Cut_evaluator.h), bending at the scale of the shape (distances/curvature_angles.h), and
-// the search on a coarse mesh (multilevel/). engine.h is the line between these and the templates
-// here and in adaptors/.
+// The calibrated method adds to the paper: over-segmentation and merging
+// (hierarchy/region_merging.h), more cuts to choose from (bipartition/cut_proposals.h,
+// min_cut_refinement.h), more factors to judge them by (salience/Cut_evaluator.h), curvature at the
+// scale of the shape (distances/curvature_angles.h), and the search on a coarse mesh (multilevel/).
+// engine.h separates these headers from the templates here and in adaptors/.
 
 #include <CGAL/Spectral_segmentation/Options.h>
 #include <CGAL/Spectral_segmentation/Part_salience.h>
@@ -54,8 +54,8 @@ namespace CGAL {
 namespace Spectral_segmentation {
 namespace internal {
 
-// Runs the engine and writes the labels of `faces`, which are numbered as the triangles are, and
-// the hierarchy of the caller. Returns the number of segments.
+// Runs the engine, and writes the labels of `faces` and the hierarchy of the caller. Returns the
+// number of segments. `faces[i]` is the face of the i-th triangle.
 template <class ConcurrencyTag, class Face, class SegmentIdMap, class CGALNamedParameters>
 std::size_t segment_and_write(Triangles triangles, const std::vector<Face>& faces,
                               SegmentIdMap segment_ids, const Options& options,
@@ -97,46 +97,47 @@ std::size_t segment_and_write(Triangles triangles, const std::vector<Face>& face
 /*!
 \ingroup PkgSpectralSegmentationRef
 
-cuts a triangle mesh into the parts that a person would name, by recursive and visually salient
-spectral cuts, and writes for each face the id of its segment.
+cuts a triangle mesh into the parts that a person would name, and writes the id of its segment for
+each face.
 
-The segment ids are contiguous and start at 0; segments are numbered by their face of smallest
-index: its position in `faces(mesh)`, or in the `face_index_map` if one is given. Every segment of a
-connected mesh is connected. The same input gives the same ids on every run, with any number of
-threads (unless a visitor stops it), and for every data structure that holds the same mesh. The mesh
-is not changed. Degenerate faces, boundaries and several connected components are supported:
-components that touch may be of one part.
+The segment ids are contiguous and start at 0. Segments are numbered by their face of smallest
+index. The index of a face is its position in `faces(mesh)`, or its value in the `face_index_map` if
+one is given. The same input gives the same ids on every run, with any number of threads (unless a
+visitor stops the run), and for every data structure that holds the same mesh.
 
-The method is built on that of Hao Zhang and Rong Liu, <em>Mesh Segmentation via Recursive and
-Visually Salient Spectral Cuts</em>, Vision, Modeling, and Visualization 2005. Sections named below
-are those of the paper. The faces are nodes of the dual graph of the mesh, and a concave edge puts
-its two faces far apart. In a part, two sample faces are found by shape context, the faces of the
-part are ordered by a spectral embedding with respect to these samples, and of all the cuts along
-this order the one with the most salient part is taken. Both sides are parts again.
+Every segment of a connected mesh is connected. Degenerate faces, boundaries and several connected
+components are supported; components that touch may belong to the same part. The mesh is not
+changed.
 
-There are two methods. In the paper's, `zhang_liu_2005()`, the largest part is cut next, until no
-part has a cut whose salience reaches a threshold. The default cuts where people cut. It measures
-bending at the scale of the shape, searches along more orders of the faces, moves the best cuts to
-the minimum cut near them, and takes for salience the probability that a person would cut there. It
-over-segments the mesh into 20 regions, then merges neighbors, the least salient boundary first, up
-to the threshold. A mesh of many faces is coarsened for the search, and the cuts are projected back.
-If the mesh has several components of which some nearly touch, a closed surface that wraps them all
-is searched in its place, and each face gets the side of the surface near it. Components that are
-farther from each other than about a hundredth of the extent of the mesh are never of one part,
-unless a number of segments asks for it. In the paper's method each component is a part from the
-start.
+There are two methods, both by recursive and visually salient spectral cuts. The <b>calibrated
+method (default)</b> cuts where people cut: its salience of a cut is the probability that a person
+would cut there. It over-segments the mesh into 20 regions, then merges neighbors, the least salient
+boundary first, up to the threshold. It extends the method of the paper, described next: it measures
+curvature at the scale of the shape, searches along more orders of the faces, and moves the best
+cuts to the minimum cut near them. A mesh of many faces is coarsened for the search, and the cuts
+are projected back. The section \ref Spectral_segmentation_beyond has the details.
+
+`zhang_liu_2005()` selects the method of Hao Zhang and Rong Liu, <em>Mesh Segmentation via Recursive
+and Visually Salient Spectral Cuts</em>, Vision, Modeling, and Visualization 2005. The faces are
+nodes of the dual graph of the mesh, in which the two faces at a concave edge are far apart. In each
+part the method finds two sample faces by shape context and orders the faces by a spectral embedding
+with respect to these samples. Of all cuts along this order it takes the one with the most salient
+part. Both sides are parts again. The largest part is cut next, until no part has a cut whose
+salience reaches the threshold. The section \ref Spectral_segmentation_method has the details;
+sections and equations that are named below are those of the paper.
 
 The time is O(*n* log *n*) in the number *n* of faces, for reading and coarsening, plus a search on
-at most 4000 faces by default; the memory is O(*n*). The section
-\ref Spectral_segmentation_complexity has the terms.
+at most 4000 faces by default. The memory is O(*n*). The section
+\ref Spectral_segmentation_complexity has the bounds of each step.
 
 \tparam ConcurrencyTag `CGAL::Sequential_tag`, `CGAL::Parallel_tag` or
   `CGAL::Parallel_if_available_tag`, the default. Parallelism needs TBB. The target
-  `Spectral_segmentation::compiled` links it if it is found; without this target link
+  `Spectral_segmentation::compiled` links it if it is found; without this target, link
   `CGAL::TBB_support`.
-\tparam TriangleMesh a model of `FaceListGraph` and `VertexListGraph`, with descriptors that
-  `std::hash` takes, as those of \cgal's models. Several threads may segment one mesh at a time,
-  except a `Face_filtered_graph`, which fills its indices when it is first asked for them.
+\tparam TriangleMesh a model of `FaceListGraph` and `VertexListGraph`, whose descriptors
+  `std::hash` accepts, as it accepts the descriptors of \cgal's models. Several threads may segment
+  the same mesh at the same time, except a `Face_filtered_graph`, which fills its indices when they
+  are first requested.
 \tparam SegmentIdMap a model of `WritablePropertyMap` with
   `boost::graph_traits<TriangleMesh>::%face_descriptor` as key type and an integer type as value
   type
@@ -144,46 +145,51 @@ at most 4000 faces by default; the memory is O(*n*). The section
   `CGAL::Spectral_segmentation::parameters` or of `CGAL::parameters`
 
 \param mesh the triangle mesh
-\param segment_ids the ids of the segments are written here
+\param segment_ids receives the id of the segment of each face
 \param np an optional sequence of named parameters among the ones listed below
 
 <b>Everyday parameters.</b> All named parameters are optional.
 \cgalNamedParamsBegin
   \cgalParamNBegin{number_of_segments}
-    \cgalParamDescription{the number of segments, exactly, whatever the saliences and the
-      `minimum_segment_size` say. What nothing joins is joined last, the nearest first. Where the
-      search finds too few cuts, the largest segment is halved.}
+    \cgalParamDescription{the exact number of segments, whatever the saliences and the
+      `minimum_segment_size`. Components that do not touch are joined last, the nearest first. If
+      the search finds too few cuts, the largest segment is halved.}
     \cgalParamType{an integer}
     \cgalParamDefault{none; the threshold ends the run}
-    \cgalParamExtra{from 1, or from the number of components if these are kept apart, to the number
-      of faces, where faces with the same points count once if components are not kept apart. Not
-      together with `maximum_number_of_segments` or `salience_threshold`. Above 20 the default
-      method searches as many regions, up to 200, on a finer coarse mesh in proportion.}
+    \cgalParamExtra{from 1 to the number of faces. If components are kept apart, the smallest value
+      is the number of components; otherwise faces with the same points count once. Not together
+      with `maximum_number_of_segments` or `salience_threshold`. For a number above 20 the
+      calibrated method (default) searches as many regions, up to 200, on a proportionally finer
+      coarse mesh.}
   \cgalParamNEnd
   \cgalParamNBegin{keep_components_separate}
     \cgalParamDescription{whether each connected component of the mesh is a part from the start. By
-      default components that touch may be of one part.}
+      default components that touch may belong to the same part: if some components touch or
+      nearly touch, a closed surface that wraps all of them is searched in place of the mesh, and
+      each face gets the side of the surface near it. Components that are farther from each other
+      than about a hundredth of the extent of the mesh never belong to the same part, unless a
+      number of segments requires it.}
     \cgalParamType{`bool`}
-    \cgalParamDefault{`false`, or `true` with `zhang_liu_2005()`, which has no other}
+    \cgalParamDefault{`false`, or `true` with `zhang_liu_2005()`, which supports no other value}
   \cgalParamNEnd
   \cgalParamNBegin{maximum_number_of_segments}
     \cgalParamDescription{an upper bound on the number of segments. It is exceeded only if
-      components are kept apart, and there are more of them.}
+      components are kept apart and there are more components.}
     \cgalParamType{an integer}
     \cgalParamDefault{`std::numeric_limits<std::size_t>::max()`, which is no limit; the threshold
       ends the run}
-    \cgalParamExtra{at least 1. With a number above 20 the default method makes as many regions, on
-      a finer coarse mesh in proportion.}
+    \cgalParamExtra{at least 1. For a number above 20 the calibrated method (default) makes as many
+      regions, on a proportionally finer coarse mesh.}
   \cgalParamNEnd
   \cgalParamNBegin{salience_threshold}
-    \cgalParamDescription{Cuts whose salience is below this value are not made (Section 2), or are
-      undone by merging. A higher value gives fewer segments.}
+    \cgalParamDescription{the smallest salience of a cut. Cuts below it are not made (Section 2), or
+      are undone by merging. A higher value gives fewer segments.}
     \cgalParamType{a number}
-    \cgalParamDefault{`default_probability_threshold`, `0.40`, or `default_salience_threshold`,
-      `0.54`, for a `Weighted_part_salience`, as with `zhang_liu_2005()`. Lower values cut flat
-      parts by their noise, higher ones lose limbs with a shallow seam.}
-    \cgalParamExtra{`-infinity` accepts every cut, for use with `maximum_number_of_segments`. Not a
-      NaN.}
+    \cgalParamDefault{`default_probability_threshold`, `0.40`; for a `Weighted_part_salience`, as
+      with `zhang_liu_2005()`, `default_salience_threshold`, `0.54`. Lower values cut flat parts
+      along their noise; higher values miss limbs with a shallow seam.}
+    \cgalParamExtra{not NaN; `-infinity` accepts every cut, for use with
+      `maximum_number_of_segments`}
   \cgalParamNEnd
   \cgalParamNBegin{hierarchy}
     \cgalParamDescription{receives all cuts with their salience}
@@ -191,7 +197,7 @@ at most 4000 faces by default; the memory is O(*n*). The section
     \cgalParamDefault{none}
   \cgalParamNEnd
   \cgalParamNBegin{visitor}
-    \cgalParamDescription{is notified of the progress and may stop the run}
+    \cgalParamDescription{receives the progress of the run and may stop it}
     \cgalParamType{a class derived from `CGAL::Spectral_segmentation::Segmentation_visitor`, or
       `std::reference_wrapper` of one to be read afterwards}
     \cgalParamDefault{`CGAL::Spectral_segmentation::Segmentation_visitor`, which does nothing}
@@ -204,13 +210,13 @@ at most 4000 faces by default; the memory is O(*n*). The section
     \cgalParamDefault{`boost::get(CGAL::vertex_point, mesh)`}
   \cgalParamNEnd
   \cgalParamNBegin{face_index_map}
-    \cgalParamDescription{an own index from 0 to the number of faces - 1 for each face. Segments are
-      numbered, and ties between faces are broken, by these indices.}
+    \cgalParamDescription{a custom index for each face, from 0 to the number of faces - 1. Segments
+      are numbered, and ties between faces are broken, by these indices.}
     \cgalParamType{a model of `ReadablePropertyMap` with
       `boost::graph_traits<TriangleMesh>::%face_descriptor` as key type and an integer type as value
       type}
-    \cgalParamDefault{the position of the face in `faces(mesh)`, which is safe for every mesh, also
-      one with removed faces or without ids}
+    \cgalParamDefault{the position of the face in `faces(mesh)`, which is safe for every mesh, even
+      with removed faces or without ids}
   \cgalParamNEnd
   \cgalParamNBegin{geom_traits}
     \cgalParamDescription{an instance of a geometric traits class}
@@ -220,27 +226,27 @@ at most 4000 faces by default; the memory is O(*n*). The section
   \cgalParamNEnd
 \cgalNamedParamsEnd
 
-<b>Constraints.</b> They hold for the segments and for all nodes of the hierarchy. Where the cuts of
+<b>Constraints.</b> They hold for the segments and for all nodes of the hierarchy. If the cuts of
 the method violate them, it makes further cuts and merges across its cuts; the other segments stay
-the same. `zhang_liu_2005()` does not support constraints. The example `segment_with_constraints.cpp`
-uses all three.
+the same. `zhang_liu_2005()` does not support constraints. The example
+`segment_with_constraints.cpp` uses all three.
 \cgalNamedParamsBegin
   \cgalParamNBegin{edge_is_constrained_map}
-    \cgalParamDescription{whether an edge must be between two segments. An edge within the surface
-      makes a closed boundary that passes it. Border edges are ignored.}
+    \cgalParamDescription{whether an edge must separate two segments. A single edge inside the
+      surface makes a closed boundary through it. Border edges are ignored.}
     \cgalParamType{a model of `ReadablePropertyMap` with
       `boost::graph_traits<TriangleMesh>::%edge_descriptor` as key type and `bool` as value type}
-    \cgalParamDefault{none: no edge must}
+    \cgalParamDefault{none: no edge must separate segments}
   \cgalParamNEnd
   \cgalParamNBegin{edge_is_uncuttable_map}
-    \cgalParamDescription{whether the two faces at an edge must be of one segment. Border edges are
-      ignored.}
-    \cgalParamType{as that of `edge_is_constrained_map`}
+    \cgalParamDescription{whether the two faces at an edge must belong to the same segment. Border
+      edges are ignored.}
+    \cgalParamType{the same type as for `edge_is_constrained_map`}
     \cgalParamDefault{none: every edge may be cut}
   \cgalParamNEnd
   \cgalParamNBegin{face_seed_map}
-    \cgalParamDescription{seeds of faces: faces with the same seed are of one segment, faces with
-      different seeds are not. A negative value is no seed.}
+    \cgalParamDescription{the seeds of faces. Faces with the same seed belong to the same segment;
+      faces with different seeds belong to different segments. A negative value is no seed.}
     \cgalParamType{a model of `ReadablePropertyMap` with
       `boost::graph_traits<TriangleMesh>::%face_descriptor` as key type and a signed integer type as
       value type}
@@ -251,76 +257,80 @@ uses all three.
 <b>Parameters for experts.</b>
 \cgalNamedParamsBegin
   \cgalParamNBegin{minimum_segment_size}
-    \cgalParamDescription{the share of the area of the mesh that each side of a cut must have. The
-      factors of the salience mean little for a handful of faces; the paper has no such limit.}
+    \cgalParamDescription{the smallest area of each side of a cut, as a fraction of the area of the
+      mesh. The factors of the salience mean little for a handful of faces; the paper has no such
+      limit.}
     \cgalParamType{a number}
     \cgalParamDefault{`0.003`, or `0.005` with `zhang_liu_2005()`. A finger of a whole figure is
-      larger, a pit in its skin smaller.}
-    \cgalParamExtra{in [0, 0.5]; 0 with `zhang_liu_2005()` is the paper's method to the letter}
+      larger than this; a pit in its skin is smaller.}
+    \cgalParamExtra{in [0, 0.5]; 0 with `zhang_liu_2005()` gives exactly the method of the paper}
   \cgalParamNEnd
   \cgalParamNBegin{part_salience}
     \cgalParamDescription{computes the salience of a cut (Section 6)}
     \cgalParamType{a model of the concept `PartSalience`}
     \cgalParamDefault{`Calibrated_part_salience()`, or `Weighted_part_salience()` with
       `zhang_liu_2005()`}
-    \cgalParamExtra{Give `salience_threshold` with a salience of your own, on its scale. With
-      `zhang_liu_2005()` it is called at each step of a line, and the factors beyond the paper are
-      0.}
+    \cgalParamExtra{A custom salience needs a `salience_threshold` on its scale. With
+      `zhang_liu_2005()` the salience is called at each step of a line, and the factors beyond the
+      paper are 0.}
   \cgalParamNEnd
   \cgalParamNBegin{number_of_coarse_faces}
-    \cgalParamDescription{the number of faces on which cuts are searched. Faces that are larger
-      than those of an even mesh with this number are bisected (not with `zhang_liu_2005()`); then
-      the mesh is coarsened to this number, as far as its topology allows, by edge collapses. The
-      cuts are projected back, by minimum cuts through the faces whose side is not certain. So
-      neither the time of the search nor the result depends much on the triangles. With 0 the mesh
-      itself is searched.}
+    \cgalParamDescription{the number of faces on which cuts are searched. First, faces that are
+      larger than the faces of an even mesh with this number are bisected (not with
+      `zhang_liu_2005()`). Then edge collapses coarsen the mesh to this number, as far as its
+      topology allows. The cuts are projected back, by minimum cuts through the faces whose side is
+      not certain. Therefore neither the time of the search nor the result depends much on the
+      triangles. With 0 the mesh itself is searched.}
     \cgalParamType{an integer}
-    \cgalParamDefault{`4000`, at which the agreement with people is that of the mesh itself, or `0`
-      with `zhang_liu_2005()`}
-    \cgalParamExtra{at least 0. In the default method it grows in proportion if more than 20
-      segments are asked for. Factors and salience of cuts and the `minimum_segment_size` are those
-      of the mesh that is searched.}
+    \cgalParamDefault{`4000`, which agrees with people as well as a search on the mesh itself, or
+      `0` with `zhang_liu_2005()`}
+    \cgalParamExtra{at least 0. In the calibrated method (default) it grows in proportion if more
+      than 20 segments are requested. The factors and saliences of cuts and the
+      `minimum_segment_size` refer to the mesh that is searched.}
   \cgalParamNEnd
   \cgalParamNBegin{smooth_boundaries}
-    \cgalParamDescription{whether the boundaries of the segments are smoothed (Section 2): a face
-      with two edges in the boundary to one other segment goes to it, until there is none. Each step
-      makes the boundary shorter, and neither empties nor disconnects a segment.}
+    \cgalParamDescription{whether the boundaries of the segments are smoothed (Section 2). A face
+      with two edges in the boundary to the same other segment moves to that segment, until there is
+      no such face. Each step makes the boundary shorter, and neither empties nor disconnects a
+      segment.}
     \cgalParamType{`bool`}
-    \cgalParamDefault{`false`: most cuts are smooth enough, as short ones are more salient}
+    \cgalParamDefault{`false`: most cuts are smooth enough, because short cuts are more salient}
   \cgalParamNEnd
 \cgalNamedParamsEnd
 
 <b>The paper's parameters.</b>
 \cgalNamedParamsBegin
   \cgalParamNBegin{zhang_liu_2005}
-    \cgalParamDescription{the method of the paper, and its defaults; takes no argument}
-    \cgalParamDefault{not given: the default method}
+    \cgalParamDescription{selects the method of the paper and its defaults; takes no argument}
+    \cgalParamDefault{not given: the calibrated method (default)}
   \cgalParamNEnd
   \cgalParamNBegin{options}
     \cgalParamDescription{the values of all options at once, for programs that choose them at run
-      time; other parameters in the pack change the values given here}
+      time. Other parameters in the pack override the values given here.}
     \cgalParamType{`CGAL::Spectral_segmentation::Options`}
-    \cgalParamDefault{`Options()`, the calibrated method}
+    \cgalParamDefault{`Options()`, the calibrated method (default)}
     \cgalParamExtra{not together with `zhang_liu_2005()`: use `Options::zhang_liu_2005()`}
   \cgalParamNEnd
   \cgalParamNBegin{salience_weights}
     \cgalParamDescription{the weights &alpha;, &beta;, &gamma; of the size, the cut strength and the
-      protrusiveness in the salience of a part (Section 6, Equation 3); short for
-      `part_salience(Weighted_part_salience{alpha, beta, gamma})`, of which the last in a pack
-      counts}
+      protrusiveness in the salience of a part (Section 6, Equation 3). It is short for
+      `part_salience(Weighted_part_salience{alpha, beta, gamma})`; the last of these two parameters
+      in a pack counts.}
     \cgalParamType{three numbers}
-    \cgalParamDefault{`0.1, 0.6, 0.3` in a `Weighted_part_salience`, found by the authors to work
-      generally well: the size must stay small, or halves of a body win over its limbs}
+    \cgalParamDefault{`0.1, 0.6, 0.3` in a `Weighted_part_salience`, which the authors found to work
+      generally well. The weight of the size must stay small; otherwise halves of a body win over
+      its limbs.}
     \cgalParamExtra{not negative, with sum 1}
   \cgalParamNEnd
   \cgalParamNBegin{distance_weights}
     \cgalParamDescription{the weight &delta; of the geodesic distance in the distance of adjacent
-      faces, where 1 - &delta; is that of the angle distance (Section 3, Equation 1); then the
-      factors &eta; of the angle distance 1 - cos &theta; at concave and at convex edges, of which
-      only the ratio matters}
+      faces, in which the angle distance has the weight 1 - &delta; (Section 3, Equation 1); then
+      the factors &eta; of the angle distance 1 - cos &theta; at concave and at convex edges. Only
+      the ratio of these two factors matters.}
     \cgalParamType{three numbers}
     \cgalParamDefault{`0.03, 1, 0.1`, or `0.01, 1, 0.1` with `zhang_liu_2005()`: angles decide, and
-      geodesic distance where there are none. By the minima rule people cut along concave creases.}
+      the geodesic distance decides on flat surfaces. By the minima rule people cut along concave
+      creases.}
     \cgalParamExtra{the first in [0, 1], the others finite and not negative}
   \cgalParamNEnd
   \cgalParamNBegin{number_of_reference_faces}
@@ -330,8 +340,9 @@ uses all three.
     \cgalParamExtra{at least 1}
   \cgalParamNEnd
   \cgalParamNBegin{number_of_smoothing_iterations}
-    \cgalParamDescription{steps of Laplacian smoothing on a copy of the points, from which the face
-      distances are then computed (Section 2), and the coarse mesh if cuts are searched on one}
+    \cgalParamDescription{the steps of Laplacian smoothing on a copy of the points. Face distances
+      are computed from the smoothed points (Section 2), and so is the coarse mesh if cuts are
+      searched on one.}
     \cgalParamType{an integer}
     \cgalParamDefault{`0`; a few steps help on noisy scans}
     \cgalParamExtra{at least 0}
@@ -348,11 +359,11 @@ uses all three.
 
 \throws std::invalid_argument if a face is not a triangle, a coordinate is not finite, the
   `face_index_map` is not one to one onto its range, a number is out of its range, constraints
-  contradict each other, or the number of segments does not let all of them be fulfilled
+  contradict each other, or the number of segments does not allow all constraints to be satisfied
 \throws std::overflow_error if there are more segments than the value type of `segment_ids` can
   count
 
-If an exception is thrown, by the function, the visitor or the part salience, no id was written.
+If the function, the visitor or the part salience throws an exception, no id has been written.
 */
 template <class ConcurrencyTag = Parallel_if_available_tag,
           class TriangleMesh, class SegmentIdMap,
@@ -391,39 +402,41 @@ std::size_t segment_spectral_recursive(const TriangleMesh& mesh, SegmentIdMap se
 /*!
 \ingroup PkgSpectralSegmentationRef
 
-segments a range of triangles, which need not be a mesh, and writes for each the id of its segment.
+segments a range of triangles, which need not be a mesh, and writes the id of its segment for each
+triangle.
 
-First a surface is made of the triangles. Two triangles at an edge are neighbors. Of more triangles
-at an edge, those become pairs of neighbors that are oriented alike and bend the least. Connected
-triangles are oriented alike. They keep their orientation if they agree; otherwise they are oriented
-outwards if their surface is closed, and like most of their area if not. Different points at the
-same place stay different, as the vertices of a mesh do. For the triangles of a mesh the ids are
-those of the function for meshes.
+First the function makes a surface of the triangles. Two triangles alone at an edge are neighbors.
+If an edge has more triangles, the pairs that are oriented alike and bend the least become
+neighbors. Then connected triangles are oriented alike. They keep their orientation if they agree.
+Otherwise they are oriented outwards if their surface is closed, and like most of their area if it
+is not. Different points at the same place stay different, like the vertices of a mesh. For the
+triangles of a mesh the ids are the same as with the function for meshes.
 
-\tparam ConcurrencyTag as above
+\tparam ConcurrencyTag the tag, as above
 \tparam PointRange a range of points, each with the coordinates `p[0]`, `p[1]` and `p[2]`, such as
   `CGAL::Point_3` and `std::array<double, 3>`
 \tparam TriangleRange a range of ranges of three integers, such as `std::array<int, 3>`
 \tparam SegmentIdMap a model of `WritablePropertyMap` with `std::size_t` as key type and an integer
   type as value type
-\tparam NamedParameters as above
+\tparam NamedParameters a sequence of named parameters, as above
 
 \param points the points
 \param triangles the corners of each triangle, as indices of points
-\param segment_ids the ids of the segments are written here, for the position of each triangle
-\param np an optional sequence of the named parameters above, but `vertex_point_map`,
-  `face_index_map`, `geom_traits`, `edge_is_constrained_map` and `edge_is_uncuttable_map`; a
-  `face_seed_map` has the position of a triangle as key
+\param segment_ids receives the id of the segment of each triangle; the key is the position of the
+  triangle
+\param np an optional sequence of the named parameters above, except `vertex_point_map`,
+  `face_index_map`, `geom_traits`, `edge_is_constrained_map` and `edge_is_uncuttable_map`. The key
+  of a `face_seed_map` is the position of a triangle.
 
 \return the number of segments; 0 if there is no triangle
 
 \throws std::invalid_argument if a triangle does not have three corners, a corner is not the index
   of a point, a coordinate of a corner is not finite, a number is out of its range, seeds
-  contradict each other, or the number of segments does not let all of them be fulfilled
+  contradict each other, or the number of segments does not allow all seeds to be satisfied
 \throws std::overflow_error if there are more segments than the value type of `segment_ids` can
   count
 
-If an exception is thrown, by the function, the visitor or the part salience, no id was written.
+If the function, the visitor or the part salience throws an exception, no id has been written.
 */
 template <class ConcurrencyTag = Parallel_if_available_tag,
           class PointRange, class TriangleRange, class SegmentIdMap,
