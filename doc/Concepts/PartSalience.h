@@ -3,12 +3,12 @@
 
 /*!
 \ingroup PkgSpectralSegmentationConcepts
-computes the salience of a cut from its factors.
+A model of this concept computes the salience of a cut from its factors.
 
 \cgalConcept
 
-`CGAL::segment_spectral_recursive()` copies it. With `CGAL::Parallel_tag` several threads may call
-the copy at the same time.
+`CGAL::segment_spectral_recursive()` copies the model. With `CGAL::Parallel_tag` several threads may
+call the copy at the same time.
 
 \cgalHasModels{`CGAL::Spectral_segmentation::Weighted_part_salience`,
 `CGAL::Spectral_segmentation::Calibrated_part_salience`}
@@ -16,7 +16,7 @@ the copy at the same time.
 class PartSalience
 {
 public:
-  /// returns the salience: a larger number for a more salient cut, and not a NaN. The same factors
-  /// must give the same number. Differences below a millionth do not count.
+  /// returns the salience of the cut, which is larger for a more salient cut and must not be NaN.
+  /// The same factors must give the same salience. Differences below a millionth are ignored.
   double operator()(const CGAL::Spectral_segmentation::Salience_factors& factors) const;
 };

@@ -22,8 +22,11 @@ namespace Spectral_segmentation {
 /// The two methods of `segment_spectral_recursive()`.
 enum class Method
 {
-  CALIBRATED,    ///< over-segmentation, the most salient cut first; then region merging (default)
-  ZHANG_LIU_2005 ///< the recursion of the paper: the largest part is cut next
+  /// the calibrated method (default): over-segmentation, the most salient cut first; then region
+  /// merging
+  CALIBRATED,
+  /// the recursion of the paper: the largest part is cut next
+  ZHANG_LIU_2005
 };
 
 /// \ingroup PkgSpectralSegmentationRef
@@ -31,32 +34,33 @@ enum class Method
 typedef std::function<double(const Salience_factors&)> Part_salience;
 
 /// \ingroup PkgSpectralSegmentationRef
-/// Stands for no limit on the number of segments.
+/// The value for no limit on the number of segments.
 constexpr std::size_t unlimited = (std::numeric_limits<std::size_t>::max)();
 
 /// \ingroup PkgSpectralSegmentationRef
-/// The options of a run as a plain struct, for programs that choose them at run time: the named
+/// The options of a run as a plain struct, for programs that choose them at run time. The named
 /// parameter `options(o)` passes them to `segment_spectral_recursive()`.
 ///
-/// `Options()` has the defaults of the calibrated method, `Options::zhang_liu_2005()` those of the
-/// paper. A field with the name of a named parameter means the same, see
-/// `segment_spectral_recursive()`.
+/// `Options()` has the defaults of the calibrated method (default), and `Options::zhang_liu_2005()`
+/// has the defaults of the method of the paper. A field with the name of a named parameter has the
+/// same meaning; see `segment_spectral_recursive()`.
 struct Options
 {
-  /// the method; the preset for a method sets all other fields as well
+  /// the method. The presets `Options()` and `Options::zhang_liu_2005()` set it and all other
+  /// fields.
   Method method = Method::CALIBRATED;
 
-  /// exact, at least 1; if it is set, `maximum_number_of_segments` and `salience_threshold` are not
-  /// used
+  /// the exact number, at least 1. If it is set, `maximum_number_of_segments` and
+  /// `salience_threshold` are not used.
   std::optional<std::size_t> number_of_segments;
   std::size_t maximum_number_of_segments = unlimited;        ///< at least 1
   double salience_threshold = default_probability_threshold; ///< not NaN
   bool keep_components_separate = false;                     ///< `true` in the paper's method
   double minimum_segment_size = 0.003;                       ///< in [0, 0.5]
   Part_salience part_salience = Calibrated_part_salience();  ///< not empty
-  std::size_t number_of_coarse_faces = 4000;               ///< 0: the mesh itself is searched
-  std::size_t number_of_smoothing_iterations = 0;            ///< for the points
-  bool smooth_boundaries = false;                           ///< for the labels
+  std::size_t number_of_coarse_faces = 4000;               ///< with 0 the mesh itself is searched
+  std::size_t number_of_smoothing_iterations = 0;            ///< smooths the points
+  bool smooth_boundaries = false;                           ///< smooths the labels
 
   /// \name Parameters of the Paper
   /// @{
@@ -64,24 +68,28 @@ struct Options
   double concave_angle_weight = 1;            ///< the second, finite and not negative
   double convex_angle_weight = 0.1;           ///< the third, finite and not negative
   std::size_t number_of_reference_faces = 10; ///< at least 1
-  std::optional<std::uint64_t> random_seed;   ///< for the first reference faces
+  std::optional<std::uint64_t> random_seed;   ///< chooses the first reference faces at random
   /// @}
 
   /// \name Parts of the Calibrated Method
-  /// Experiments change these fields. The coefficients of `Calibrated_part_salience` were fitted
-  /// with the values given here, and must be fitted again (`benchmark/fit_part_salience`) if one of
-  /// these changes. The section \ref Spectral_segmentation_ablation shows what each gains.
+  /// Only experiments change these fields. The coefficients of `Calibrated_part_salience` were
+  /// fitted with the values given here, and must be fitted again (`benchmark/fit_part_salience`) if
+  /// a value changes. The ablation study, \ref Spectral_segmentation_ablation, shows the gain of
+  /// each.
   /// @{
-  double concavity_radius = 0.02;  ///< for curvature, relative to the root of the area; 0: none
+  /// the radius for averaging curvature, as a fraction of the square root of the area of the mesh;
+  /// with 0 the method uses dihedral angles
+  double concavity_radius = 0.02;
   bool bisection = true;           ///< whether faces larger than the searched ones are bisected
-  bool single_source_orders = true;             ///< whether limbs are grown from single faces, too
-  std::size_t number_of_candidates = 14;        ///< cuts of a part whose factors are all computed
+  bool single_source_orders = true;             ///< whether limbs are also grown from single faces
+  std::size_t number_of_candidates = 14;        ///< cuts of a part that get all factors
   std::size_t number_of_refined_candidates = 4; ///< candidates that are moved to minimum cuts
-  std::size_t number_of_regions = 20;           ///< of the over-segmentation; at least 1
+  std::size_t number_of_regions = 20;           ///< regions of the over-segmentation; at least 1
   /// @}
 
-  /// returns the options of the paper, but for `minimum_segment_size`, which it does not have, and
-  /// `salience_threshold`, which it leaves to the user
+  /// returns the options of the method of the paper. The values of `minimum_segment_size`, which
+  /// the paper does not have, and of `salience_threshold`, which it leaves to the user, are the
+  /// package's.
   static Options zhang_liu_2005()
   {
     Options o;
@@ -102,8 +110,8 @@ struct Options
 };
 
 /// \ingroup PkgSpectralSegmentationRef
-/// throws `std::invalid_argument` with a message that names the option and its range if a value is
-/// out of its range. `segment_spectral_recursive()` calls it.
+/// throws `std::invalid_argument` if a value is out of its range. The message names the option and
+/// its range. `segment_spectral_recursive()` calls this function.
 inline void check(const Options& o)
 {
   const auto require = [](bool condition, const char* option, const char* range) {

@@ -10,17 +10,17 @@ namespace CGAL {
 namespace Spectral_segmentation {
 
 /// \ingroup PkgSpectralSegmentationRef
-/// The factors of a cut of a part *M* into two sides: the three of the paper (Hoffman and Singh
-/// 1997; Zhang and Liu 2005, Section 6), and more. *Q* is the side of smaller area.
+/// The factors of a cut of a part *M* into two sides: the three factors of the paper (Hoffman and
+/// Singh 1997; Zhang and Liu 2005, Section 6), and five more. *Q* is the side of smaller area.
 struct Salience_factors
 {
   /// <em>V<sub>s</sub></em> = Area(*Q*) / Area(*M*), in [0, 1/2].
   double size = 0;
 
   /// <em>V<sub>c</sub></em>, in [0, 1]: the mean, over the edges of the cut, of the equalized angle
-  /// distance at concave edges and 0 at others. Where the factors beyond the paper are known, an
-  /// edge counts by its length; else all count the same, and the mean is divided by the largest
-  /// equalized angle distance in *M*.
+  /// distance at concave edges and 0 at other edges. If the factors beyond the paper are computed,
+  /// an edge counts by its length. Otherwise all edges count the same, and the mean is divided by
+  /// the largest equalized angle distance in *M*.
   double cut_strength = 0;
 
   /// <em>V<sub>p</sub></em> = 1 - 4 sqrt(&lambda;<sub>1</sub> &lambda;<sub>2</sub>) / Area(*Q*), at
@@ -30,18 +30,19 @@ struct Salience_factors
 
   /// \name Factors beyond the paper
   /// They are 0 in the method of the paper.
-  /// *L* is the square root of the area of the mesh, *r* = 0.35 sqrt(Area(*Q*)). The convexity
-  /// defect of a set of faces is the mean depth of its faces below its own convex hull (compare
-  /// Lien and Amato 2007); *h* is that of *M*, *h'* the mean, by area, of those of *Q* and the
-  /// rest, both divided by *L*.
+  /// *L* is the square root of the area of the mesh, and *r* = 0.35 sqrt(Area(*Q*)). The other side
+  /// of the cut is called the rest. The convexity defect of a set of faces is the mean depth of its
+  /// faces below its own convex hull (compare Lien and Amato 2007). *h* is the convexity defect of
+  /// *M*, and *h'* is the mean, by area, of the convexity defects of *Q* and of the rest, both
+  /// divided by *L*.
   /// @{
 
   /// ln(Area(*M*) / Area(mesh)), at most 0
   double log_relative_part_area = 0;
 
-  /// the mean, by length, of the equalized angle distance at concave edges and 0 at others, in
-  /// [0, 1], over the edges of the faces within the distance *r* of the cut, inner edges of *M*; a
-  /// cut should stand out from it
+  /// the mean, by length, of the equalized angle distance at concave edges and 0 at other edges, in
+  /// [0, 1]. It is taken over those edges of the faces within the distance *r* of the cut that are
+  /// inner edges of *M*. A cut should be more concave than this mean.
   double concavity_near_cut = 0;
 
   /// *h* - *h'*
@@ -74,23 +75,27 @@ struct Weighted_part_salience
 };
 
 /// \ingroup PkgSpectralSegmentationRef
-/// The probability that a person would cut here: a logistic function of the factors, fitted to the
-/// cuts that people made on the odd half of the Princeton Segmentation Benchmark (Chen,
+/// The probability that a person would cut here. It is a logistic function of the factors, fitted
+/// to the human segmentations of the odd half of the Princeton Segmentation Benchmark (Chen,
 /// Golovinskiy, Funkhouser 2009).
 ///
-/// A part is more likely to be cut if it is a large share of the mesh; if the cut is concave, more
-/// than the surface around it, and its base small against the part that is cut off; if both sides
-/// are closer to convex than their union; and if the rest widens behind the cut.
+/// A part is more likely to be cut
+/// - if it is a large fraction of the mesh,
+/// - if the cut is concave, and more concave than the surface around it,
+/// - if the base is small relative to the part that is cut off,
+/// - if both sides are closer to convex than their union, and
+/// - if the rest widens behind the cut.
 /// \cgalModels{PartSalience}
 struct Calibrated_part_salience
 {
   /// \name Coefficients
-  /// The constant, and what the factors of the same names are multiplied by, in the logit of the
+  /// The constant and the coefficients of the factors of the same names, in the logit of the
   /// probability.
   /// @{
 
-  // As benchmark/fit_part_salience BENCH_DIR --ids odd --searched-faces 0 printed them: 126626 cuts
-  // of 190 meshes, no random numbers. The page of figures in the manual has the errors.
+  // benchmark/fit_part_salience BENCH_DIR --ids odd --searched-faces 0 printed these values, from
+  // 126626 cuts of 190 meshes and without random numbers. The page Performance and Quality of the
+  // manual has the errors.
   double constant = -5.292;
   double log_relative_part_area = 0.343;
   double size = -1.366;
@@ -117,15 +122,15 @@ struct Calibrated_part_salience
 };
 
 /// \ingroup PkgSpectralSegmentationRef
-/// The default of the named parameter `salience_threshold` for a `Weighted_part_salience`: of the
-/// multiples of 0.02 the one value for all meshes with the smallest Rand error on the odd half of
-/// the Princeton benchmark.
+/// The default of the named parameter `salience_threshold` for a `Weighted_part_salience`. It is
+/// the multiple of 0.02 that, as one value for all meshes, gives the smallest Rand error on the odd
+/// half of the Princeton benchmark.
 constexpr double default_salience_threshold = 0.54;
 
 /// \ingroup PkgSpectralSegmentationRef
-/// The default of the named parameter `salience_threshold` for any other part salience: of the
-/// multiples of 0.02 the one with the smallest Rand error on the odd half of the Princeton
-/// benchmark. It is below 1/2, as a cut too many costs less than one too few.
+/// The default of the named parameter `salience_threshold` for any other part salience. It is the
+/// multiple of 0.02 with the smallest Rand error on the odd half of the Princeton benchmark. It is
+/// below 1/2 because a superfluous cut costs less than a missing one.
 constexpr double default_probability_threshold = 0.40;
 
 } // namespace Spectral_segmentation

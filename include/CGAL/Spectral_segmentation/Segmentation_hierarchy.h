@@ -35,17 +35,17 @@ struct Hierarchy_access;
 ///
 /// The children of a node are its two parts. The root is the whole mesh; if components are kept
 /// apart, as with `zhang_liu_2005()`, each connected component is a root.
-/// From a hierarchy the labels for another number of segments, or another threshold, are read off
-/// without searching again. Each segment is a node. Segments can be merged, and cut again, by hand.
+/// A hierarchy gives the labels for another number of segments, or another threshold, without a new
+/// search. Each segment is a node. Segments can be merged by hand, and cut again.
 /// `IO/hierarchy_json.h` writes a hierarchy to a stream, and reads it.
 ///
-/// The default method merges the regions of an over-segmentation, and the cuts are its merges in
-/// reverse: the hierarchy has them all, whatever the threshold and the maximum number of segments
-/// of the run. A run with a maximum above 20 makes more regions. Its labels may then differ from
-/// those of a run with the default maximum, even for fewer segments.
+/// The calibrated method (default) merges the regions of an over-segmentation. The cuts are its
+/// merges in reverse, and the hierarchy has all of them, whatever the threshold and the maximum
+/// number of segments of the run. A run with a maximum above 20 makes more regions. Its labels may
+/// then differ from the labels of a run with the default maximum, even for fewer segments.
 ///
-/// Faces are named by their number: their position in `faces(mesh)`, or the value of the
-/// `face_index_map` if the run was given one; or their position in the range of triangles.
+/// Faces are identified by their index: their position in `faces(mesh)`, or the value of the
+/// `face_index_map` if the run was given one, or their position in the range of triangles.
 class Segmentation_hierarchy
 {
 public:
@@ -59,13 +59,16 @@ public:
   /// the index that stands for no node
   static constexpr size_type null_node = static_cast<size_type>(-1);
 
-  /// What became of the search for the best cut of a node.
+  /// The outcome of the search for the best cut of a node.
   enum class Cut_state
   {
     NOT_SEARCHED, ///< the run ended before it came to this part
-    NO_CUT,       ///< no cut has two connected sides of minimum size; in the default method: a leaf
-    REJECTED,     ///< the best cut is less salient than the threshold; not in the default method
-    CUT           ///< the part has two children; in the default method whatever the threshold
+    /// no cut has two connected sides of minimum size; in the calibrated method (default): a leaf
+    NO_CUT,
+    /// the best cut is less salient than the threshold; not used by the calibrated method (default)
+    REJECTED,
+    /// the part has two children; in the calibrated method (default) whatever the threshold
+    CUT
   };
 
   /// A set of faces: a root, or one side of the cut of its parent.
@@ -73,22 +76,22 @@ public:
   {
     size_type parent;      ///< the node that was cut; `null_node` for a root
 
-    /// the side of smaller area, to which the factors belong, then the rest; `null_node` twice for
-    /// a leaf
+    /// the side of smaller area, to which the factors belong, then the other side; `null_node`
+    /// twice for a leaf
     size_type children[2];
 
     double area;           ///< in the square of the unit of the mesh's coordinates
-    Cut_state cut_state;   ///< what became of the search for its cut
+    Cut_state cut_state;   ///< the outcome of the search for its cut
 
     /// the salience of the best cut; 0 if there is none or it was not searched, infinite between
     /// components that do not touch.
-    /// In the default method cuts that make congruent parts have the mean of their saliences, which
-    /// is raised to the largest salience of the cuts that follow, so that saliences never grow from
-    /// cut to cut. The factors are not changed.
+    /// In the calibrated method (default) cuts that make congruent parts have the mean of their
+    /// saliences, and each salience is raised to the largest salience of the cuts that follow.
+    /// Therefore saliences never grow from cut to cut. The factors are not changed.
     double salience;
 
     /// the factors of that cut, on the mesh on which it was searched (`number_of_coarse_faces`);
-    /// 0 for a cut between two nodes that `merge()` put together
+    /// 0 for a cut between two nodes that `merge()` made siblings
     Salience_factors factors;
 
     bool is_leaf() const;  ///< whether it has no children
@@ -106,15 +109,15 @@ public:
   /// the number of faces of the mesh; 0 before a run
   size_type number_of_faces() const { return faces_.size(); }
 
-  /// the number of nodes, leaves too
+  /// the number of nodes, including leaves
   size_type number_of_nodes() const { return cuts_.nodes.size(); }
 
-  /// The roots are the nodes from 0 to `number_of_roots() - 1`.
-  /// Until the hierarchy is edited, the children of the i-th cut that was made follow at
-  /// `number_of_roots() + 2 * i`.
+  /// the number of roots, which are the nodes from 0 to `number_of_roots() - 1`.
+  /// Until the hierarchy is edited, the children of the i-th cut that was made are the node
+  /// `number_of_roots() + 2 * i` and the next one.
   size_type number_of_roots() const { return cuts_.number_of_roots; }
 
-  /// the number of leaves: the largest number of segments that can be asked for
+  /// the number of leaves, which is the largest number of segments that can be requested
   size_type number_of_segments() const { return cuts_.number_of_segments(); }
 
   /// the node of index `i`, which is below `number_of_nodes()`
@@ -127,11 +130,11 @@ public:
   /// the number of faces of node `i`; at least 1
   size_type number_of_faces(size_type i) const { return faces_.size(i); }
 
-  /// the numbers of the faces of node `i`; those of a leaf ascend
+  /// the indices of the faces of node `i`; in a leaf they ascend
   Face_range faces(size_type i) const { return faces_[i]; }
 
-  /// the descriptors of the faces of node `i`, in the order of `faces(i)`; `np` must have the
-  /// `face_index_map` of the run if that had one. Takes time linear in the number of faces of the
+  /// the descriptors of the faces of node `i`, in the order of `faces(i)`. If the run had a
+  /// `face_index_map`, `np` must have it too. The time is linear in the number of faces of the
   /// mesh. Throws `std::invalid_argument` if the mesh has another number of faces.
   template <class TriangleMesh,
             class NamedParameters = CGAL::parameters::Default_named_parameters>
@@ -148,31 +151,32 @@ public:
     return result;
   }
 
-  /// the salience threshold of the run: with `zhang_liu_2005()` no lower one can be asked for
+  /// the salience threshold of the run; with `zhang_liu_2005()` no lower one can be requested
   double salience_threshold() const { return salience_threshold_; }
 
   /// @}
 
   /// \name Labels
-  /// A label is a number from 0 to the number of segments - 1. Segments are numbered by their
-  /// face of smallest number, and each is a node: `segments()` tells which, with the arguments of
-  /// `labels()`. With `smooth_boundaries` a segment has some other faces along its boundary than
-  /// its node. All functions take time linear in the number of faces and of cuts.
+  /// A label is a segment id from 0 to the number of segments - 1. Segments are numbered by their
+  /// face of smallest index. Each segment is a node, which `segments()` returns for the same
+  /// arguments as `labels()`. With `smooth_boundaries` the faces of a segment and of its node
+  /// differ along the boundary. All functions take time linear in the number of faces and of cuts.
   ///
-  /// Those with a threshold throw `std::out_of_range` if a cut that is needed is not known: the run
-  /// ended before it, at its maximum number of segments or stopped by its visitor, or had a higher
-  /// threshold. They give the labels of a run with these values.
+  /// The functions with a threshold give the labels of a run with these values. They throw
+  /// `std::out_of_range` if they need a cut that is not known because the run ended before it, at
+  /// its maximum number of segments or stopped by its visitor, or had a higher threshold.
   /// @{
 
-  /// the labels that the run gave
+  /// the labels that the run assigned
   std::vector<size_type> labels() const { return numbered(nodes_of_run()).labels; }
 
-  /// the label of each face, by its number, for exactly `n` segments, the first cuts of the run; or
-  /// as near to it as there are roots and leaves. No threshold applies.
+  /// the label of each face, by its index, for exactly `n` segments, which the first cuts of the
+  /// run make. The number of segments is larger only if there are more roots, and smaller only if
+  /// there are fewer leaves. No threshold applies.
   std::vector<size_type> labels(size_type n) const { return numbered(first_cuts(n)).labels; }
 
-  /// the label of each face for at most `maximum_number_of_segments` segments (never fewer than
-  /// there are roots) and cuts of at least `salience_threshold`
+  /// the label of each face, for cuts with a salience of at least `salience_threshold` and at most
+  /// `maximum_number_of_segments` segments (never fewer than there are roots)
   std::vector<size_type> labels(size_type maximum_number_of_segments,
                                 double salience_threshold) const
   { return numbered(cuts_above(maximum_number_of_segments, salience_threshold)).labels; }
@@ -188,7 +192,7 @@ public:
                                   double salience_threshold) const
   { return numbered(cuts_above(maximum_number_of_segments, salience_threshold)).nodes; }
 
-  /// the label of each face if the segments are these nodes: the position of its node.
+  /// the label of each face if these nodes are the segments: the position of its node in `nodes`.
   /// Throws `std::invalid_argument` if the nodes do not contain each face exactly once.
   std::vector<size_type> labels_of_nodes(const std::vector<size_type>& nodes) const
   {
@@ -217,8 +221,8 @@ public:
     return result;
   }
 
-  /// the labels of the segments that have faces of node `i`, if the segments are `nodes`, as for
-  /// `labels_of_nodes()`: those below it, or the one that contains it
+  /// the labels of the segments that have faces of node `i`, if `nodes` are the segments, as for
+  /// `labels_of_nodes()`: the segments below node `i`, or the segment that contains it
   std::vector<size_type> segments_of_node(size_type i, const std::vector<size_type>& nodes) const
   {
     std::vector<size_type> result;
@@ -230,9 +234,10 @@ public:
   }
 
   /// writes the labels for exactly `n` segments into a property map, and returns the number of
-  /// segments, which is another only if there are more roots or fewer leaves. `np` may have a
-  /// `salience_threshold`: then `n` is the largest number, and cuts below it are not made. It must
-  /// have the `face_index_map` of the run if that had one, and may have no other parameter.
+  /// segments, which differs from `n` only if there are more roots or fewer leaves. `np` may have a
+  /// `salience_threshold`; then `n` is the largest number of segments, and cuts below the threshold
+  /// are not made. If the run had a `face_index_map`, `np` must have it too. It may have no other
+  /// parameter.
   template <class TriangleMesh, class SegmentIdMap,
             class NamedParameters = CGAL::parameters::Default_named_parameters>
   size_type segment_by_number(const TriangleMesh& mesh, SegmentIdMap segment_ids, size_type n,
@@ -248,9 +253,9 @@ public:
       return write(mesh, segment_ids, labels(n), pack);
   }
 
-  /// writes the labels for cuts of at least `salience_threshold`, up to the maximum number of
-  /// segments of the run, into a property map, and returns the number of segments. `np` must have
-  /// the `face_index_map` of the run if that had one, and may have no other parameter.
+  /// writes the labels for cuts with a salience of at least `salience_threshold`, up to the maximum
+  /// number of segments of the run, into a property map, and returns the number of segments. If the
+  /// run had a `face_index_map`, `np` must have it too. It may have no other parameter.
   template <class TriangleMesh, class SegmentIdMap,
             class NamedParameters = CGAL::parameters::Default_named_parameters>
   size_type segment_by_threshold(const TriangleMesh& mesh, SegmentIdMap segment_ids,
@@ -261,8 +266,8 @@ public:
                  checked_pack<internal_np::has_only_face_index_map>(np));
   }
 
-  /// writes `labels_of_nodes(nodes)` into a property map, and returns the number of segments; `np`
-  /// is as above
+  /// writes `labels_of_nodes(nodes)` into a property map, and returns the number of segments. `np`
+  /// is the same as for `segment_by_threshold()`.
   template <class TriangleMesh, class SegmentIdMap,
             class NamedParameters = CGAL::parameters::Default_named_parameters>
   size_type segment_by_nodes(const TriangleMesh& mesh, SegmentIdMap segment_ids,
@@ -276,28 +281,32 @@ public:
   /// @}
 
   /// \name Changes by Hand
-  /// A choice of segments is a vector of nodes, as `segments()` returns. To cut one again, replace
-  /// its node by the two children. `merge()` puts two nodes below one, and `split_leaf()` cuts a
-  /// leaf. All functions stay valid, nodes keep their numbers, and those that are below the nodes
-  /// given, or have none of their faces, keep their faces. Both take time linear in the number of
-  /// faces and O(*c* log *c*) in that of cuts. If they throw, nothing has changed.
+  /// A choice of segments is a vector of nodes, such as `segments()` returns. To cut a segment
+  /// again, replace its node by the two children. `merge()` makes two nodes the children of one
+  /// node, and `split_leaf()` cuts a leaf. All functions keep working and nodes keep their indices.
+  /// Nodes below the given ones, and nodes that share no face with them, also keep their faces.
+  /// Both functions take time linear in the number of faces and O(*c* log *c*) in the number *c* of
+  /// cuts. If they throw an exception, nothing has changed.
   ///
-  /// In a hierarchy of the default method cuts stay in the order of their salience: where a change
-  /// puts a cut below a less salient one, its salience is lowered to that of the latter.
+  /// In a hierarchy of the calibrated method (default) cuts stay in the order of their salience: if
+  /// a change puts a cut below a less salient one, its salience is lowered to the salience of the
+  /// cut above.
   /// @{
 
-  /// makes two nodes the children of one node, and returns that.
+  /// makes two nodes the children of one node, and returns that node.
   ///
-  /// The cut that separates `a` from `b` comes as late as it can from now on: right before the
-  /// first cut of either, with its salience, or last, with the salience 0, or the smallest if that
-  /// is below 0. So after two segments of `labels(n)` were merged, `labels(n - 1)` has them as one.
+  /// The cut between `a` and `b` moves as late as possible: directly before the first cut of
+  /// either, with the larger salience of their cuts. If both are leaves it comes last, with
+  /// salience 0 or the smallest salience, whichever is less. Therefore after two segments of
+  /// `labels(n)` were merged, `labels(n - 1)` has them as one segment.
   ///
-  /// If they are not siblings, node `b` is moved to the place of `a`, and the cut that separated
-  /// `b` is undone. Nodes that contain only one of the two gain or lose the faces of `b`. So the
-  /// two should touch, and choose for `b` the one that the rest needs less to be connected.
+  /// If `a` and `b` are not siblings, node `b` moves next to node `a`, and the cut that separated
+  /// `b` is undone. Nodes that contain only one of the two gain or lose the faces of `b`. Therefore
+  /// the two nodes should touch, and `b` should be the one that the rest needs less to be
+  /// connected.
   ///
   /// Throws `std::invalid_argument` if one node contains the other, if there is no such node, or if
-  /// they have different roots, as with `keep_components_separate`, or with constraints that keep
+  /// they have different roots, as with `keep_components_separate` or with constraints that keep
   /// parts apart.
   size_type merge(size_type a, size_type b)
   {
@@ -309,11 +318,12 @@ public:
     return result;
   }
 
-  /// cuts a leaf as `part`, the hierarchy of a run on the faces of that leaf alone, in their order;
-  /// see the example `edit_segments.cpp`. The nodes of its cuts are added behind the others.
+  /// cuts a leaf like `part`, which is the hierarchy of a run on only the faces of that leaf, in
+  /// their order; see the example `edit_segments.cpp`. The nodes of its cuts get the indices after
+  /// the existing ones.
   ///
-  /// Throws `std::invalid_argument` if `leaf` is no leaf, or if `part` has another number of faces
-  /// or several roots.
+  /// Throws `std::invalid_argument` if `leaf` is not a leaf, or if `part` has another number of
+  /// faces or several roots.
   void split_leaf(size_type leaf, const Segmentation_hierarchy& part)
   {
     check_node(leaf);
@@ -333,7 +343,7 @@ public:
 
   /// @}
 
-  /// a hierarchy without nodes, to be given to a run
+  /// a hierarchy without nodes, to be passed to a run
   Segmentation_hierarchy() = default;
 
   /// \cond SKIP_IN_MANUAL
@@ -343,7 +353,7 @@ public:
       maximum_number_of_segments_(maximum_number_of_segments),
       salience_threshold_(salience_threshold)
   {
-    if (!cuts_.has_all_cuts) // no more segments than there are can be asked for
+    if (!cuts_.has_all_cuts) // there are no more segments than these
       maximum_number_of_segments_ = (std::min)(maximum_number_of_segments_, number_of_segments());
   }
   /// \endcond
@@ -389,7 +399,7 @@ private:
                       salience_threshold_);
   }
 
-  // Whether a node is a segment after the first cuts.
+  // Returns for each node whether it is a segment after the first cuts.
   std::vector<char> first_cuts(size_type number_of_segments) const
   {
     std::vector<char> is_segment = roots();
@@ -402,7 +412,8 @@ private:
     return is_segment;
   }
 
-  // The same with a threshold: the run's decisions again, in their order.
+  // Returns for each node whether it is a segment of a run with these values, by repeating the
+  // decisions of the run in their order.
   std::vector<char> cuts_above(size_type maximum_number_of_segments,
                                double salience_threshold) const
   {
@@ -430,7 +441,7 @@ private:
     return is_segment;
   }
 
-  // Segments are numbered by their first face.
+  // Numbers the segments by their first face.
   Numbered_segments numbered(const std::vector<char>& is_segment) const
   {
     std::vector<size_type> nodes;
@@ -465,7 +476,7 @@ private:
   { return internal::write_labels(internal::numbered_faces(mesh, np), labels, segment_ids); }
 
   internal::Cut_hierarchy cuts_;
-  internal::Nested_ranges faces_; // of each node
+  internal::Nested_ranges faces_; // one range per node
   size_type maximum_number_of_segments_ = unlimited;
   double salience_threshold_ = 0;
 };

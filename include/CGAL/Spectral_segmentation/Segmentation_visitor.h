@@ -12,64 +12,67 @@ namespace CGAL {
 namespace Spectral_segmentation {
 
 /// \ingroup PkgSpectralSegmentationRef
-/// The stages of a run, those of Table 1 in Zhang and Liu 2005.
+/// The stages of a run, which include those of Table 1 in Zhang and Liu 2005.
 enum class Stage
 {
-  INITIALIZATION,    ///< face dual graph, coarsening, face distances, once
+  INITIALIZATION,    ///< dual graph of the faces, coarsening, face distances; once
   SAMPLING,          ///< the two sample faces of a part, by shape context
-  EMBEDDING,         ///< distances from the samples, order of the faces on each line
-  LINE_SEARCH,       ///< the most salient cut along the lines, and minimum cuts near the best
-  MERGING,           ///< the regions of the default method become segments, once
-  PROJECTION,        ///< the cuts of a coarse mesh are projected onto the mesh, once
-  BOUNDARY_SMOOTHING ///< morphological smoothing of the labels, once, if asked for
+  EMBEDDING,         ///< distances from the samples, and the order of the faces on each line
+  LINE_SEARCH,       ///< the most salient cut along the lines, and minimum cuts near the best ones
+  MERGING,           ///< merging of regions into segments; once, calibrated method (default) only
+  PROJECTION,        ///< projection of the cuts of a coarse mesh onto the mesh; once
+  BOUNDARY_SMOOTHING ///< removal of teeth of single faces from boundaries; once, if requested
 };
 
 /// \ingroup PkgSpectralSegmentationRef
-/// What a run reports while it works. Every function does nothing: a visitor derives from this
-/// class and hides the functions that it needs.
+/// Receives the progress of a run and may cancel it. All functions do nothing by default: derive
+/// from this class and redefine those you need. The functions are not virtual.
 ///
-/// Parts are named by the index of their node in the `Segmentation_hierarchy` of the run; in the
-/// default method, which merges regions after all these calls, by the order in which they were
-/// found.
+/// A part is identified by the index of its node in the `Segmentation_hierarchy` of the run. In the
+/// calibrated method (default), which merges regions after the search, it is identified by its
+/// position in the order in which parts were found.
+///
 /// No two functions are called at the same time. With `CGAL::Parallel_tag` several parts are
-/// searched at once, so their calls interleave and come from different threads.
-/// A run that is stopped, or ended by an exception, leaves starts without their ends, and with
-/// `CGAL::Parallel_tag` other parts may call once more after that.
-/// An exception that leaves a visitor ends the run, passes through the caller's function, and
-/// leaves the caller's labels as they were.
+/// searched at once; therefore their calls interleave and come from different threads.
+///
+/// If a run is stopped, or ended by an exception, some `before_` calls have no `after_` call, and
+/// with `CGAL::Parallel_tag` other parts may call once more after that. An exception that leaves a
+/// visitor ends the run, passes through the function that the caller called, and leaves the
+/// caller's labels unchanged.
 struct Segmentation_visitor
 {
   /// the part of stages that concern the whole mesh
   static constexpr std::size_t whole_mesh = static_cast<std::size_t>(-1);
 
-  /// A stage of the search in `part` starts, or one of the whole mesh.
+  /// A stage of the search in `part` starts, or a stage of the whole mesh (`whole_mesh`).
   void before_stage(Stage /* stage */, std::size_t /* part */) {}
 
   /// The stage has ended.
   void after_stage(Stage /* stage */, std::size_t /* part */) {}
 
-  /// The search for the best cut of `part` starts; it has two faces or more, and room for two
-  /// segments of minimum size.
+  /// The search for the best cut of `part` starts. The part has two faces or more, and is large
+  /// enough for two segments of minimum size.
   void before_part(std::size_t /* part */, std::size_t /* number_of_faces */) {}
 
   /// The search for the best cut of `part` has ended.
   void after_part(std::size_t /* part */) {}
 
-  /// `part` was cut in two; there are now `number_of_segments` segments, or regions of the default
-  /// method before they are merged.
+  /// `part` was cut in two. There are now `number_of_segments` segments; in the calibrated method
+  /// (default) they are the regions before merging.
   void after_cut(std::size_t /* part */, const Salience_factors&, double /* salience */,
                 std::size_t /* number_of_segments */) {}
 
-  /// About this share of the run is done: from 0 to 1, never less than before; 1 is reported at the
-  /// end of a run that was not stopped. It is called some dozens to some hundreds of times.
+  /// About this fraction of the run is done. It is between 0 and 1 and never decreases; 1 is
+  /// reported at the end of a run that was not stopped. The function is called some dozens to some
+  /// hundreds of times.
   void progress(double /* share */) {}
 
-  /// Asked in every stage: between the shortest path trees and the other steps of the search, every
-  /// few milliseconds while the mesh is coarsened, and between passes over the mesh.
-  /// Once it returns `false` it is not called again, and the run ends. The labels are those of the
-  /// cuts made so far, with the regions found so far merged; the connected components if there is
-  /// no cut yet. Cuts of a coarse mesh are projected without minimum cuts then, in a few passes
-  /// over the mesh.
+  /// Returns whether the run shall go on. The run calls it in every stage: between the shortest
+  /// path trees and the other steps of the search, every few milliseconds while the mesh is
+  /// coarsened, and between passes over the mesh. Once it returns `false`, the run ends and does
+  /// not call it again. The labels are then those of the cuts made so far, with the regions found
+  /// so far merged. If there is no cut yet, they are those of the connected components. The cuts of
+  /// a coarse mesh are then projected without minimum cuts, in a few passes over the mesh.
   bool go_further() { return true; }
 };
 

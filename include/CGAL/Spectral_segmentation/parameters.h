@@ -25,7 +25,7 @@ class Segmentation_hierarchy;
 
 /// \cond SKIP_IN_MANUAL
 
-// The parameters with one value: f(name, tag, predicate of the value's type, what it takes).
+// The parameters with one value, as f(name, tag, predicate of the value's type, expected value).
 #define CGAL_SPECTRAL_SEGMENTATION_PARAMETERS_OF_CGAL(f)                                         \
   f(vertex_point_map, vertex_point_t, is_property_map, "takes a property map")                  \
   f(face_index_map, face_index_t, is_property_map, "takes a property map")                      \
@@ -53,14 +53,15 @@ class Segmentation_hierarchy;
                       f(face_seed_map, face_seed_map_t, is_seed_map,                               \
                         "takes a property map whose values are of a signed integer type")
 
-// The parameters of the functions that take a segmentation: CGAL's, then those of the package.
+// The parameters of the functions that take a segmentation: first CGAL's, then the package's.
 #define CGAL_SPECTRAL_SEGMENTATION_PARAMETERS_OF_CGAL_FOR_RESULTS(f)                             \
   f(number_of_iterations, number_of_iterations_t, is_count, "takes an integer")
 
 #define CGAL_SPECTRAL_SEGMENTATION_PARAMETERS_OF_RESULTS(f)                                      \
   f(close_parts, close_parts_t, is_flag, "takes a bool")
 
-// After a name of the package too, where the compiler takes it for a similar one of CGAL.
+// The error message for a parameter that the package does not use. It also appears for a name of
+// the package that the compiler takes for a similar name of CGAL.
 #define CGAL_SPECTRAL_SEGMENTATION_OTHER_PARAMETER                                               \
   "this pack holds a CGAL named parameter that the package does not use; those of the package "  \
   "are not members of a CGAL pack: begin with CGAL::Spectral_segmentation::parameters::from(pack)"
@@ -94,7 +95,8 @@ using is_count = std::bool_constant<std::is_integral<T>::value && !is_flag<T>::v
 template <class T>
 using is_real = std::bool_constant<std::is_arithmetic<T>::value && !is_flag<T>::value>;
 
-// Of what is no number 0, as a sentence was printed then and the compiler need not add one.
+// Returns 0 for anything but a number: a static_assert has reported it, so no second error is
+// needed.
 template <class T>
 constexpr double to_double(T value)
 {
@@ -149,7 +151,7 @@ struct has_only : std::false_type {};
 template <class... Tags>
 struct has_only<CGAL::internal_np::No_property, Tags...> : std::true_type {};
 
-// CGAL's own functions ignore in silence the tags that they do not read; ours do not.
+// Rejects tags that a function does not read. CGAL's own functions ignore them silently.
 template <class T, class Tag, class Base, class... Tags>
 struct has_only<CGAL::Named_function_parameters<T, Tag, Base>, Tags...>
   : std::bool_constant<is_one_of<Tag, CGAL::internal_np::all_default_t, Tags...>::value &&
@@ -182,11 +184,11 @@ using has_only_tags_of_package = has_only<Pack,
 /// \endcond
 
 /// \ingroup PkgSpectralSegmentationRef
-/// A pack of named parameters: holds a CGAL pack, and offers the names that the functions of this
-/// package read, ours and CGAL's, to be chained in any order.
+/// A pack of named parameters. It holds a CGAL pack, and offers the names that the functions of
+/// this package read, both the package's and CGAL's, to be chained in any order.
 ///
-/// A pack is made by a function of the namespace `CGAL::Spectral_segmentation::parameters`;
-/// see `segment_spectral_recursive()` for the meaning of each name.
+/// The functions of the namespace `CGAL::Spectral_segmentation::parameters` make packs. See
+/// `segment_spectral_recursive()` for the meaning of each name.
 template <class CGALNamedParameters = CGAL::parameters::Default_named_parameters>
 class Named_parameters
 {
@@ -200,8 +202,8 @@ class Named_parameters
   }
 
 public:
-  /// a pack with the parameters of a pack of CGAL, which must have none that the functions of this
-  /// package do not read
+  /// a pack with the parameters of a pack of CGAL, which must hold only parameters that the
+  /// functions of this package read
   explicit Named_parameters(const CGALNamedParameters& np = CGALNamedParameters()) : np_(np)
   {
     static_assert(internal_np::has_only_tags_of_package<CGALNamedParameters>::value,
@@ -212,9 +214,10 @@ public:
   const CGALNamedParameters& cgal_parameters() const { return np_; }
 
   /// \name Parameters
-  /// Each function returns a pack that has its parameter and those of this pack; of a parameter
-  /// that is given twice the last value counts. An argument of a wrong type is an error at compile
-  /// time, a value out of its range an exception of the function that is called with the pack.
+  /// Each function returns a pack that has its parameter and the parameters of this pack. If a
+  /// parameter is given twice, the last value counts. An argument of a wrong type is an error at
+  /// compile time. For a value out of its range, the function that is called with the pack throws
+  /// an exception.
   /// @{
 
 #define CGAL_SPECTRAL_SEGMENTATION_MEMBER(name, tag, predicate, what)               \
@@ -231,10 +234,10 @@ public:
   CGAL_SPECTRAL_SEGMENTATION_PARAMETERS_OF_RESULTS(CGAL_SPECTRAL_SEGMENTATION_MEMBER)
 #undef CGAL_SPECTRAL_SEGMENTATION_MEMBER
 
-  /// the method of the paper
+  /// selects the method of the paper
   auto zhang_liu_2005() const { return with<internal_np::zhang_liu_2005_t>(true); }
 
-  /// short for `part_salience(Weighted_part_salience{alpha, beta, gamma})`
+  /// is short for `part_salience(Weighted_part_salience{alpha, beta, gamma})`
   template <class Number1, class Number2, class Number3>
   auto salience_weights(Number1 alpha, Number2 beta, Number3 gamma) const
   {
@@ -246,8 +249,8 @@ public:
       internal_np::to_double(gamma)});
   }
 
-  /// the weight of the geodesic distance, and the factors of the angle distance at concave and at
-  /// convex edges
+  /// sets the weight of the geodesic distance, and the factors of the angle distance at concave and
+  /// at convex edges
   template <class Number1, class Number2, class Number3>
   auto distance_weights(Number1 delta, Number2 concave_eta, Number3 convex_eta) const
   {
@@ -260,7 +263,7 @@ public:
       internal_np::to_double(convex_eta)});
   }
 
-  /// the values of all options, for programs that choose them at run time
+  /// sets the values of all options, for programs that choose them at run time
   template <class T>
   auto options(const T& values) const
   {
@@ -279,7 +282,7 @@ public:
     return with<internal_np::hierarchy_t>(std::ref(h));
   }
 
-  /// receives the faces that those of parts come from
+  /// receives for each part the faces of the mesh that its faces come from
   template <class FaceDescriptor>
   auto faces_of_parts(std::vector<std::vector<FaceDescriptor> >& faces) const
   { return with<internal_np::faces_of_parts_t>(std::ref(faces)); }
@@ -287,20 +290,20 @@ public:
   /// @}
 };
 
-/// The functions that start a pack of named parameters.
+/// Functions that start a pack of named parameters.
 namespace parameters {
 
 /// the empty pack: every parameter has its default
 inline Named_parameters<> default_values() { return Named_parameters<>(); }
 
-/// a pack with the parameters of a pack of CGAL, to which others can be added
+/// a pack with the parameters of a pack of CGAL, to which further parameters can be added
 template <class T, class Tag, class Base>
 auto from(const CGAL::Named_function_parameters<T, Tag, Base>& np)
 { return Named_parameters<CGAL::Named_function_parameters<T, Tag, Base> >(np); }
 
 /// \name Parameters
-/// Each function starts a pack with the parameter of its name; it takes what the function of this
-/// name in `Named_parameters` takes.
+/// Each function starts a pack with the parameter of its name. It takes the same arguments as the
+/// function of this name in `Named_parameters`.
 /// @{
 
 #define CGAL_SPECTRAL_SEGMENTATION_START(name, tag, predicate, what)                \
@@ -366,7 +369,7 @@ template <template <class> class Has_only_known_tags, class CGALNamedParameters>
 const CGALNamedParameters& checked_pack(const Named_parameters<CGALNamedParameters>& np)
 { return checked_pack<Has_only_known_tags>(np.cgal_parameters()); }
 
-// Of the functions that segment.
+// Returns the CGAL pack of the functions that segment, and checks that they read its parameters.
 template <class CGALNamedParameters>
 const CGALNamedParameters& cgal_pack(const Named_parameters<CGALNamedParameters>& np)
 { return checked_pack<internal_np::has_only_known_tags>(np); }

@@ -78,8 +78,8 @@ public:
 makes a mesh of each segment of a triangle mesh, open or closed.
 
 A part has the points of its faces, unchanged, and its faces in their order. Where it touches itself
-at a vertex, that vertex is doubled. With `close_parts(true)` the faces of caps follow, which close its
-boundaries to other segments and the borders of the mesh, as `close_segments()` makes them.
+at a vertex, that vertex is doubled. With `close_parts(true)` the faces of caps follow, which close
+its boundaries to other segments and the borders of the mesh, as `close_segments()` makes them.
 
 The time is O(*n* log *n*) for *n* faces, and that of closing.
 

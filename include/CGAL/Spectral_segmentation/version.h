@@ -5,7 +5,7 @@
 #define CGAL_SPECTRAL_SEGMENTATION_VERSION_H
 
 /// \file
-/// The version of the package; CMake reads it from here.
+/// Defines the version of the package. CMake reads the version from this file.
 
 #define CGAL_SPECTRAL_SEGMENTATION_VERSION "0.1.0"
 
