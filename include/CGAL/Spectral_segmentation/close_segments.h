@@ -18,46 +18,49 @@ namespace CGAL {
 /*!
 \ingroup PkgSpectralSegmentationRef
 
-appends triangles that close each segment of a range of triangles: its boundaries to other segments,
-and the borders of the surface that it holds.
+appends triangles that close each segment of a range of triangles. They close its boundaries to
+other segments, and the borders of the surface that it holds.
 
-The border of a segment, the edges that an odd number of its triangles have, is taken apart into
-loops, and each loop gets a cap. If the loop deviates from a plane by at most a tenth of the
-diagonal of its bounding box, the cap is a Delaunay triangulation in projection to that plane, else
-a surface that bends little and has a small area. So its vertices are those of the loop; only if
-there is no such cap, an edge of it would be an edge of other triangles too, or a loop that is not
-flat is longer than 50 times that diagonal, it is a fan around a new point in the middle of the
-loop.
+The border of a segment consists of the edges that an odd number of its triangles have. It is
+divided into loops, and each loop gets a cap. If the loop deviates from a plane by at most a tenth
+of the diagonal of its bounding box, the cap is a Delaunay triangulation in the projection to that
+plane. Otherwise it is a surface that bends little and has a small area. The vertices of these caps
+are the vertices of the loop. In three cases the cap is a fan around a new point in the middle of
+the loop instead: there is no such cap, an edge of the cap would also be an edge of other triangles,
+or a loop that is not flat is longer than 50 times that diagonal.
 
-First the holes of the surface are closed, then the segments, in ascending order of their area. The
-cap of a segment, turned over, also goes to the segment on its other side; if there are several,
-each gets the sector of the cap between its edges, if these are at least a tenth of the loop, and a
-new point in the middle of the loop. So the closed segments fit together, also where three of them
-meet, and their volumes sum to that of the closed surface. Afterwards each edge of a segment belongs
-to an even number of its triangles, and to two where the triangles are those of a mesh. Caps are
-oriented as most of the triangles at their loop. They may intersect the surface where that is
-concave.
+The holes of the surface are closed first, then the segments, in ascending order of their area. The
+cap of a segment, turned over, also goes to the segment on its other side. If there are several such
+segments, each gets the sector of the cap between its edges and a new point in the middle of the
+loop, provided these edges are at least a tenth of the loop. Therefore the closed segments fit
+together, even where three of them meet, and the sum of their volumes is the volume of the closed
+surface. Afterwards each edge of a segment belongs to an even number of its triangles, and to
+exactly two if the triangles are those of a mesh. Caps are oriented like most of the triangles at
+their loop. They may intersect the surface where it is concave.
 
-The time is O(*n* log *n*) for *n* triangles, and that of
+The time is O(*n* log *n*) for *n* triangles, plus the time of
 `CGAL::Polygon_mesh_processing::triangulate_hole_polyline()` for each loop.
 
-\tparam PointRange a sequence container of points that can be made of three `double`, with the
+\tparam PointRange a sequence container of points that can be made from three `double`, with the
   coordinates `p[0]`, `p[1]` and `p[2]`, such as `CGAL::Point_3` and `std::array<double, 3>`
 \tparam TriangleRange a sequence container of ranges of three integers, such as
   `std::array<std::size_t, 3>` and `std::vector<std::size_t>`
 \tparam SegmentIdRange a sequence container of integers
 
-\param points the points; new ones are appended
-\param triangles the corners of each triangle, as indices of points; those of caps are appended
-\param segment_ids the id of the segment of each triangle: any numbers; those of caps are appended
+\param points the points; new points are appended
+\param triangles the corners of each triangle, as indices of points; the triangles of caps are
+  appended
+\param segment_ids the id of the segment of each triangle: any integers; the ids of caps are
+  appended
 
 \return the number of triangles that were appended
 
 \throws std::invalid_argument if a triangle does not have three corners, a corner is not the index
-  of a point, a coordinate of a corner is not finite, or there are not as many ids as triangles
+  of a point, a coordinate of a corner is not finite, or the number of ids is not the number of
+  triangles
 \throws std::overflow_error if there are more points than the type of the corners can number
 
-If an exception is thrown for its input, nothing was changed.
+If the input causes an exception, nothing has been changed.
 */
 template <class PointRange, class TriangleRange, class SegmentIdRange>
 std::size_t close_segments(PointRange& points, TriangleRange& triangles,

@@ -42,60 +42,60 @@ using has_only_refinement_tags =
 makes the boundaries between the segments of a mesh smooth curves, by splitting the faces that the
 curves run through. Each new face gets the id of the segment on its side.
 
-The boundaries of a segmentation run along edges of the mesh, and so in zigzag. Here they move, but
-by a few edges at most, to where a smoothed indicator function of the segments has its jump; where
-three segments meet, so do the curves. A boundary that is smooth already stays where it is. The
-surface stays the same set of points up to rounding: new vertices lie on edges and in faces of the
-mesh. All old vertices stay, with their points, and a face that is split becomes one of its parts.
-The topology of the mesh does not change.
+The boundaries of a segmentation run in zigzag, because they run along edges of the mesh. This
+function moves them, by a few edges at most, to where a smoothed indicator function of the segments
+jumps. If three segments meet, their curves meet too. A boundary that is already smooth stays where
+it is. The surface stays the same set of points up to rounding, because new vertices lie on edges
+and in faces of the mesh. All old vertices stay, with their points, and a face that is split becomes
+one of its parts. The topology of the mesh does not change.
 
-No segment vanishes or loses more than half of its area, and none falls into more connected
-components than it had: if curves would do that, as around a segment of a few faces, the boundary of
-the segment stays as it is. No new face is smaller than a thousandth of the mean area of the faces
-of the mesh, unless it is part of a face smaller than a hundredth. Degenerate faces and mesh
-boundaries are supported. The same input gives the same result on every run and for every data
-structure that holds the same mesh.
+No segment vanishes or loses more than half of its area, and no segment falls into more connected
+components than it had. If curves would cause this, as around a segment of a few faces, the boundary
+of the segment stays as it is. No new face is smaller than a thousandth of the mean area of the
+faces of the mesh, unless it is part of a face smaller than a hundredth of that mean. Degenerate
+faces and mesh boundaries are supported. The same input gives the same result on every run and for
+every data structure that holds the same mesh.
 
 The time is O(*n* + *b* *i*) for *n* faces, *i* iterations and *b* faces within three edges of the
-boundaries, and O(*n*) more each time that segments have to be kept from vanishing or falling apart:
-rarely more than twice, and never more often than there are segments and two more. The memory is
-O(*n*).
+boundaries. It is O(*n*) more each time that segments have to be kept from vanishing or falling
+apart. This rarely happens more than twice, and never more often than the number of segments plus
+two. The memory is O(*n*).
 
-\tparam TriangleMesh a model of `MutableFaceGraph`, `FaceListGraph` and `VertexListGraph`, with
-  descriptors that `std::hash` takes, as those of \cgal's models
+\tparam TriangleMesh a model of `MutableFaceGraph`, `FaceListGraph` and `VertexListGraph`, whose
+  descriptors `std::hash` accepts, as it accepts the descriptors of \cgal's models
 \tparam SegmentIdMap a model of `ReadWritePropertyMap` with
   `boost::graph_traits<TriangleMesh>::%face_descriptor` as key type and an integer type as value
-  type. It must take new faces, as property maps of `CGAL::Surface_mesh`, dynamic property maps and
-  `boost::associative_property_map` do.
+  type. It must accept new faces, as property maps of `CGAL::Surface_mesh`, dynamic property maps
+  and `boost::associative_property_map` do.
 \tparam NamedParameters a sequence of named parameters, of `CGAL::parameters` or of the namespace
   `CGAL::Spectral_segmentation::parameters`
 
 \param mesh the triangle mesh
-\param segment_ids the id of the segment of each face: any numbers, as those of
-  `segment_spectral_recursive()` or of another segmentation. The ids of new faces, and of faces that
-  come to lie on the other side of a curve, are written here.
+\param segment_ids the id of the segment of each face: any integers, from
+  `segment_spectral_recursive()` or another segmentation. The function writes the ids of new faces,
+  and of faces that are on the other side of a curve afterwards.
 \param np an optional sequence of named parameters among the ones listed below
 
 \cgalNamedParamsBegin
   \cgalParamNBegin{number_of_iterations}
-    \cgalParamDescription{steps of smoothing. With more steps the curves are smoother and farther
-      from the edges that they replace.}
+    \cgalParamDescription{the number of smoothing steps. With more steps the curves are smoother and
+      farther from the edges that they replace.}
     \cgalParamType{an integer}
     \cgalParamDefault{`15`}
-    \cgalParamExtra{at least 0, where the curves only cut off the corners of the boundaries}
+    \cgalParamExtra{at least 0; with 0 the curves only cut off the corners of the boundaries}
   \cgalParamNEnd
   \cgalParamNBegin{vertex_point_map}
     \cgalParamDescription{the points of the vertices of `mesh`}
     \cgalParamType{a model of `ReadWritePropertyMap` with
       `boost::graph_traits<TriangleMesh>::%vertex_descriptor` as key type and a point type of
-      `geom_traits` as value type. It must take new vertices.}
+      `geom_traits` as value type. It must accept new vertices.}
     \cgalParamDefault{`boost::get(CGAL::vertex_point, mesh)`}
   \cgalParamNEnd
   \cgalParamNBegin{geom_traits}
     \cgalParamDescription{an instance of a geometric traits class}
     \cgalParamType{a class with the functors `Compute_x_3`, `Compute_y_3`, `Compute_z_3`,
       `Construct_barycenter_3` and `Construct_centroid_3` of `Kernel`, the functions
-      `compute_x_3_object()` etc., and the type `FT`. Where a point comes to lie on its edge is
+      `compute_x_3_object()` etc., and the type `FT`. The position of a point on its edge is
       computed with `double`.}
     \cgalParamDefault{a \cgal kernel deduced from the point type}
   \cgalParamNEnd
@@ -106,8 +106,8 @@ O(*n*).
 \throws std::invalid_argument if a face is not a triangle, a coordinate is not finite, or
   `number_of_iterations` is negative
 
-If an exception is thrown, the mesh and the ids were not changed, unless the mesh or a property map
-throws while it grows.
+If the function throws an exception, the mesh and the ids have not been changed, unless the mesh or
+a property map throws while it grows.
 */
 template <class TriangleMesh, class SegmentIdMap,
           class NamedParameters = parameters::Default_named_parameters>

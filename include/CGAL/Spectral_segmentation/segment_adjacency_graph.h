@@ -28,7 +28,7 @@ namespace CGAL {
 namespace Spectral_segmentation {
 
 /// \ingroup PkgSpectralSegmentationRef
-/// What a vertex of a `Segment_adjacency_graph` holds.
+/// The properties of a vertex of a `Segment_adjacency_graph`, which is a segment.
 template <class Id = std::size_t>
 struct Segment_properties
 {
@@ -38,16 +38,19 @@ struct Segment_properties
 };
 
 /// \ingroup PkgSpectralSegmentationRef
-/// What an edge of a `Segment_adjacency_graph` holds: all edges of the mesh between two segments.
+/// The properties of an edge of a `Segment_adjacency_graph`, which stands for all edges of the mesh
+/// between two segments.
 struct Segment_adjacency_properties
 {
-  double length = 0;   ///< the sum of their lengths, in the unit of the mesh's coordinates
-  double salience = 0; ///< of the cut that separates the two; 0 if no hierarchy was given
+  /// the sum of the lengths of these edges, in the unit of the mesh's coordinates
+  double length = 0;
+  /// the salience of the cut that separates the two segments; 0 if no hierarchy was given
+  double salience = 0;
 };
 
 /// \ingroup PkgSpectralSegmentationRef
-/// A graph of segments, as `CGAL::segment_adjacency_graph()` makes it. It is a model of the graph
-/// concepts of the Boost Graph Library but `AdjacencyMatrix`; vertices are numbers.
+/// A graph of segments, as `CGAL::segment_adjacency_graph()` returns it. It is a model of the graph
+/// concepts of the Boost Graph Library, except `AdjacencyMatrix`. Vertices are integers.
 template <class Id = std::size_t>
 using Segment_adjacency_graph =
   boost::adjacency_list<boost::vecS, boost::vecS, boost::undirectedS, Segment_properties<Id>,
@@ -61,7 +64,7 @@ using has_only_adjacency_tags =
   internal_np::has_only<Pack, internal_np::vertex_point_t, internal_np::geom_traits_t,
                         internal_np::face_index_t>;
 
-// Returns for each segment the leaf of a hierarchy that holds most of it.
+// Returns for each segment the leaf of a hierarchy that covers most of its area.
 inline std::vector<std::size_t> largest_leaves(const Segmentation_hierarchy& hierarchy,
                                                const std::vector<Index>& labels,
                                                const std::vector<double>& area_of_face,
@@ -75,7 +78,7 @@ inline std::vector<std::size_t> largest_leaves(const Segmentation_hierarchy& hie
   for (std::size_t i = 0; i < hierarchy.number_of_nodes(); ++i) {
     if (!hierarchy.node(i).is_leaf())
       continue;
-    std::map<Index, double> area_of_segment; // in the leaf
+    std::map<Index, double> area_of_segment; // the area of each segment within the leaf
     for (std::size_t f : hierarchy.faces(i))
       area_of_segment[labels[f]] += area_of_face[f];
     for (const auto& [label, area] : area_of_segment)
@@ -133,7 +136,7 @@ make_adjacency_graph(const TriangleMesh& mesh, SegmentIdMap segment_ids,
   for (std::size_t i = 0; i < ids.size(); ++i)
     graph[i].id = ids[i];
   std::vector<double> area_of_face;
-  std::map<std::pair<Index, Index>, double> lengths; // of each boundary
+  std::map<std::pair<Index, Index>, double> lengths; // one per boundary
   for (Index f = 0; f < labels.size(); ++f) {
     const Corners& corners = triangles.corners[f];
     const auto side = [&](int i) {
@@ -144,7 +147,7 @@ make_adjacency_graph(const TriangleMesh& mesh, SegmentIdMap segment_ids,
     graph[labels[f]].area += area_of_face.back();
     for (int i = 0; i < 3; ++i) {
       const Index other = labels[triangles.neighbors[f][i]];
-      if (labels[f] < other) // so each edge counts once
+      if (labels[f] < other) // each edge counts once
         lengths[{labels[f], other}] += side(i).norm() * unit;
     }
   }
@@ -170,23 +173,23 @@ make_adjacency_graph(const TriangleMesh& mesh, SegmentIdMap segment_ids,
 /*!
 \ingroup PkgSpectralSegmentationRef
 
-returns the graph of the segments of a triangle mesh: two segments are adjacent if faces of them
-have an edge in common.
+returns the graph of the segments of a triangle mesh. Two segments are adjacent if an edge of the
+mesh separates them.
 
-Vertex *i* of the graph is the segment of the *i*-th smallest id; for the ids of
+Vertex *i* of the graph is the segment with the *i*-th smallest id, counted from 0; for the ids of
 `segment_spectral_recursive()` it is segment *i*. The edges are sorted by their vertices, the
-smaller one of an edge first. There are no parallel edges and no loops.
+smaller vertex of an edge first. There are no parallel edges and no loops.
 
-With `hierarchy`, each edge of the graph gets the salience of the cut that separates the two
-segments: that of the smallest node which holds both. With the default salience of the
-default method it is a probability, and at any higher threshold the two are one segment. All
-segments on one side of this cut have it in common with all on the other side, so it tells nothing
-of a single boundary. Segments that are not nodes of the hierarchy, as their boundaries were
-smoothed, or their ids changed, count as the leaf that has the largest share of their area. The
-salience is then 0 between two that count as one leaf, and infinite between two roots.
+With `hierarchy`, each edge of the graph gets the salience of the cut that separates its two
+segments, which is the cut of the smallest node that contains both. With the default salience of the
+calibrated method (default) it is a probability, and at any higher threshold the two segments are
+one. All segments on one side of this cut share this salience with all segments on the other side;
+therefore it does not describe a single boundary. If a segment is not a node of the hierarchy,
+because its boundary was smoothed or its id changed, the leaf that covers most of its area takes its
+place. The salience is 0 between two segments with the same leaf, and infinite between two roots.
 
-The time is O(*n* log *s*) for *n* faces and *s* segments, and with a hierarchy O(*d*) more for each
-edge of the graph, for a depth *d* of the hierarchy.
+The time is O(*n* log *s*) for *n* faces and *s* segments. With a hierarchy of depth *d* it is
+O(*d*) more for each edge of the graph.
 
 \tparam TriangleMesh a model of `FaceListGraph` and `VertexListGraph`
 \tparam SegmentIdMap a model of `ReadablePropertyMap` with
@@ -196,14 +199,14 @@ edge of the graph, for a depth *d* of the hierarchy.
   `CGAL::Spectral_segmentation::parameters` or of `CGAL::parameters`
 
 \param mesh the triangle mesh
-\param segment_ids the id of the segment of each face: any numbers, as those of
-  `segment_spectral_recursive()` or of another segmentation
+\param segment_ids the id of the segment of each face: any integers, from
+  `segment_spectral_recursive()` or another segmentation
 \param hierarchy the hierarchy of the run that made the ids, for the saliences
 \param np an optional sequence of named parameters among the ones listed below
 
 \cgalNamedParamsBegin
   \cgalParamNBegin{face_index_map}
-    \cgalParamDescription{the numbers of the faces in `hierarchy`, if that run was given a map}
+    \cgalParamDescription{the indices of the faces in `hierarchy`, if its run was given such a map}
     \cgalParamType{a model of `ReadablePropertyMap` with
       `boost::graph_traits<TriangleMesh>::%face_descriptor` as key type and an integer type as value
       type}
@@ -228,8 +231,8 @@ edge of the graph, for a depth *d* of the hierarchy.
   `SegmentIdMap`
 
 \throws std::invalid_argument if a face is not a triangle, a coordinate is not finite, the hierarchy
-  has another number of faces, or the numbers of `face_index_map` are not those from 0 to the number
-  of faces - 1
+  has another number of faces, or the values of `face_index_map` are not the indices from 0 to the
+  number of faces - 1
 */
 template <class TriangleMesh, class SegmentIdMap,
           class NamedParameters = parameters::Default_named_parameters>
@@ -247,7 +250,8 @@ segment_adjacency_graph(const TriangleMesh& mesh, SegmentIdMap segment_ids,
 /*!
 \ingroup PkgSpectralSegmentationRef
 
-is the same without a hierarchy: all saliences are 0.
+returns the graph of the segments of a triangle mesh, without a hierarchy: all saliences are 0.
+Otherwise it is the same as the function above.
 */
 template <class TriangleMesh, class SegmentIdMap,
           class NamedParameters = parameters::Default_named_parameters>

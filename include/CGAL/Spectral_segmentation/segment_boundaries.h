@@ -21,18 +21,18 @@ namespace CGAL {
 namespace Spectral_segmentation {
 
 /// \ingroup PkgSpectralSegmentationRef
-/// A polyline of edges of a mesh, with one segment on its left and another one on its right.
+/// A polyline of edges of a mesh that has one segment on its left and another one on its right.
 template <class FaceGraph, class Id = std::size_t>
 struct Segment_boundary
 {
-  /// the halfedges, each of which starts where the one before it ends; their faces are those on the
-  /// left
+  /// the halfedges in order; each starts at the end of the previous one. Their faces are the faces
+  /// on the left.
   std::vector<typename boost::graph_traits<FaceGraph>::halfedge_descriptor> halfedges;
 
-  /// the ids of the segments on the left and on the right; the smaller one is on the left
+  /// the ids of the segments on the left and on the right; the smaller id is on the left
   std::array<Id, 2> segments;
 
-  /// the vertices, in order, one more than there are edges; the last one of a loop is the first
+  /// the vertices in order, one more than there are edges; the last vertex of a loop is its first
   std::vector<typename boost::graph_traits<FaceGraph>::vertex_descriptor>
   vertices(const FaceGraph& mesh) const
   {
@@ -47,7 +47,7 @@ struct Segment_boundary
 /// \cond SKIP_IN_MANUAL
 namespace internal {
 
-// The halfedges between segments, and how they follow each other.
+// The halfedges between segments, in the order in which they follow each other.
 template <class FaceGraph, class SegmentIdMap>
 class Boundary_halfedges
 {
@@ -78,8 +78,8 @@ public:
   bool contain(halfedge_descriptor h) const
   { return !is_at_border(h) && id_on_left(h) != id_on_right(h); }
 
-  // With the same segments on its sides; none where other than two of their edges meet, and at
-  // borders. All calls at a vertex take time linear in its degree.
+  // Returns the next halfedge of the polyline; none at a mesh border or where three or more
+  // boundary edges meet. All calls at one vertex together take time linear in its degree.
   std::optional<halfedge_descriptor> successor(halfedge_descriptor h) const
   {
     std::optional<halfedge_descriptor> result;
@@ -99,7 +99,7 @@ public:
     return result ? std::optional<halfedge_descriptor>(opposite(*result, mesh_)) : result;
   }
 
-  // From its start on; of a loop, from h on.
+  // Returns the polyline through h from its start on; a loop starts at h.
   std::vector<halfedge_descriptor> polyline_through(halfedge_descriptor h) const
   {
     halfedge_descriptor first = h;
@@ -122,21 +122,22 @@ public:
 
 returns the boundaries between the segments of a mesh as polylines.
 
-A polyline goes on at a vertex where two edges of boundaries meet. It ends where three or more
-meet, as those of three segments do, or those of a segment that touches itself; and at the border of
-the mesh, which is no boundary itself. A polyline without an end is a loop. Each edge between two
-segments is in one polyline, once. The polylines are in the order of the first faces on their left.
+A polyline continues at a vertex where two boundary edges meet. It ends where three or more boundary
+edges meet, because three segments meet there or a segment touches itself. It also ends at the
+border of the mesh, which is not a boundary between segments. A polyline without an end is a loop.
+Each edge between two segments is in exactly one polyline, once. The polylines are in the order of
+the first faces on their left.
 
-The points play no part. The time is O(*n*) for *n* edges.
+The points are not used. The time is O(*n*) for *n* edges.
 
-\tparam FaceGraph a model of `FaceListGraph` with halfedges that `std::hash` takes, as those of
-  \cgal's models; the faces may be any polygons
+\tparam FaceGraph a model of `FaceListGraph` whose halfedges `std::hash` accepts, as it accepts the
+  halfedges of \cgal's models; the faces may be any polygons
 \tparam SegmentIdMap a model of `ReadablePropertyMap` with
   `boost::graph_traits<FaceGraph>::%face_descriptor` as key type and an integer type as value type
 
 \param mesh the mesh
-\param segment_ids the id of the segment of each face: any numbers, as those of
-  `segment_spectral_recursive()` or of another segmentation
+\param segment_ids the id of the segment of each face: any integers, from
+  `segment_spectral_recursive()` or another segmentation
 
 \sa `mark_segment_boundaries()`
 */
@@ -172,11 +173,12 @@ segment_boundaries(const FaceGraph& mesh, SegmentIdMap segment_ids)
 /*!
 \ingroup PkgSpectralSegmentationRef
 
-marks the edges between the segments of a mesh, so that they can be given as
-`edge_is_constrained_map` to the functions of the package Polygon Mesh Processing.
+marks the edges between the segments of a mesh, for functions of the package Polygon Mesh Processing
+that take an `edge_is_constrained_map`.
 
-The value of each edge of the mesh is written: `true` if the ids of the faces at its two sides
-differ, else `false`, also at borders. The points play no part. The time is O(*n*) for *n* edges.
+The function writes a value for each edge of the mesh: `true` if the ids of the faces on its two
+sides differ, otherwise `false`, including border edges. The points are not used. The time is O(*n*)
+for *n* edges.
 
 \tparam FaceGraph a model of `FaceGraph` and `EdgeListGraph`; the faces may be any polygons
 \tparam SegmentIdMap a model of `ReadablePropertyMap` with
@@ -185,8 +187,8 @@ differ, else `false`, also at borders. The points play no part. The time is O(*n
   `boost::graph_traits<FaceGraph>::%edge_descriptor` as key type and `bool` as value type
 
 \param mesh the mesh
-\param segment_ids the id of the segment of each face: any numbers
-\param edge_is_constrained_map the marks
+\param segment_ids the id of the segment of each face: any integers
+\param edge_is_constrained_map receives the marks
 
 \return the number of edges that were marked
 

@@ -31,18 +31,18 @@ using has_only_split_tags =
   internal_np::has_only<Pack, internal_np::vertex_point_t, internal_np::geom_traits_t,
                         internal_np::close_parts_t, internal_np::faces_of_parts_t>;
 
-// Makes meshes of some triangles each.
+// Makes a mesh from some triangles.
 template <class Point>
 class Part_builder
 {
   const std::vector<Point>& points_;
-  std::vector<Index> number_; // of each point in the part
+  std::vector<Index> number_; // the index of each point in the part
 
 public:
   explicit Part_builder(const std::vector<Point>& points)
     : points_(points), number_(points.size(), null_index) {}
 
-  // The i-th triangle becomes the i-th face. A point where the part is no manifold is doubled.
+  // Makes the i-th triangle the i-th face. Doubles the points where the part is not a manifold.
   template <class Mesh>
   void operator()(const std::vector<Corners>& triangles, Mesh& mesh)
   {
@@ -77,37 +77,39 @@ public:
 
 makes a mesh of each segment of a triangle mesh, open or closed.
 
-A part has the points of its faces, unchanged, and its faces in their order. Where it touches itself
-at a vertex, that vertex is doubled. With `close_parts(true)` the faces of caps follow, which close
-its boundaries to other segments and the borders of the mesh, as `close_segments()` makes them.
+A part has the faces of its segment in their order, with unchanged points. If a part touches itself
+at a vertex, that vertex is doubled. With `close_parts(true)` the faces of caps follow. They close
+the boundaries of the part to other segments and the borders of the mesh, as `close_segments()`
+does.
 
-The time is O(*n* log *n*) for *n* faces, and that of closing.
+The time is O(*n* log *n*) for *n* faces, plus the time of closing.
 
 \tparam TriangleMesh a model of `FaceListGraph` and `VertexListGraph`
 \tparam SegmentIdMap a model of `ReadablePropertyMap` with
   `boost::graph_traits<TriangleMesh>::%face_descriptor` as key type and an integer type as value
   type
 \tparam PartRange a `BackInsertionSequence` of a model of `MutableFaceGraph` with a default
-  constructor, whose internal map of points has the point type of `vertex_point_map`, such as
+  constructor, whose internal point map has the point type of `vertex_point_map`, such as
   `std::vector<TriangleMesh>`
 \tparam NamedParameters a sequence of named parameters, of the namespace
   `CGAL::Spectral_segmentation::parameters` or of `CGAL::parameters`
 
 \param mesh the triangle mesh
-\param segment_ids the id of the segment of each face: any numbers, as those of
-  `segment_spectral_recursive()` or of another segmentation
-\param parts a mesh of each segment is appended, in ascending order of the ids
+\param segment_ids the id of the segment of each face: any integers, from
+  `segment_spectral_recursive()` or another segmentation
+\param parts receives a mesh of each segment at its end, in ascending order of the ids
 \param np an optional sequence of named parameters among the ones listed below
 
 \cgalNamedParamsBegin
   \cgalParamNBegin{close_parts}
-    \cgalParamDescription{whether the parts are closed, as needed for printing and for booleans}
+    \cgalParamDescription{whether the parts are closed, as 3D printing and Boolean operations
+      require}
     \cgalParamType{`bool`}
     \cgalParamDefault{`false`}
   \cgalParamNEnd
   \cgalParamNBegin{faces_of_parts}
-    \cgalParamDescription{receives for each part the face of `mesh` that each of its faces comes
-      from, in the order of `faces(part)`; `null_face()` for a face of a cap}
+    \cgalParamDescription{receives for each part the faces of `mesh` that its faces come from, in
+      the order of `faces(part)`; `null_face()` for a face of a cap}
     \cgalParamType{a `std::vector` of `std::vector` of
       `boost::graph_traits<TriangleMesh>::%face_descriptor`, not const}
     \cgalParamDefault{none}
@@ -127,8 +129,8 @@ The time is O(*n* log *n*) for *n* faces, and that of closing.
   \cgalParamNEnd
 \cgalNamedParamsEnd
 
-\throws std::invalid_argument if a face is not a triangle or a coordinate is not finite. Then
-  nothing was appended.
+\throws std::invalid_argument if a face is not a triangle or a coordinate is not finite. In
+  this case nothing has been appended.
 */
 template <class TriangleMesh, class SegmentIdMap, class PartRange,
           class NamedParameters = parameters::Default_named_parameters>

@@ -4,8 +4,8 @@
 #ifndef CGAL_SPECTRAL_SEGMENTATION_IO_HIERARCHY_JSON_H
 #define CGAL_SPECTRAL_SEGMENTATION_IO_HIERARCHY_JSON_H
 
-// The only header for users that needs nlohmann-json: the target nlohmann_json::nlohmann_json of
-// its CMake package.
+// This is the only public header that needs nlohmann-json. Its CMake package has the target
+// nlohmann_json::nlohmann_json.
 
 #include <CGAL/Spectral_segmentation/Segmentation_hierarchy.h>
 #include <CGAL/Spectral_segmentation/internal/adaptors/numbered_descriptors.h>
@@ -39,7 +39,7 @@ using has_only_mesh_tags =
   internal_np::has_only<Pack, internal_np::vertex_point_t, internal_np::face_index_t,
                         internal_np::geom_traits_t>;
 
-// Each key on a line.
+// Writes each key on a line of its own.
 inline void write_json(std::ostream& os, const Json& json)
 {
   const char* separator = "{\n";
@@ -64,7 +64,8 @@ inline void write_hierarchy(std::ostream& os, const Segmentation_hierarchy& h,
   write_json(os, json);
 }
 
-// A hierarchy is five levels deep. What is deeper could overflow the stack.
+// Parses the JSON of a hierarchy, which is five levels deep. Rejects deeper JSON, because it could
+// overflow the stack.
 inline Json parsed(std::istream& is)
 {
   const auto check_depth = [](int depth, Json::parse_event_t, const Json&) {
@@ -90,12 +91,12 @@ inline Json parsed(std::istream& is)
 /*!
 \ingroup PkgSpectralSegmentationRef
 
-writes a hierarchy as JSON, with the segments that were chosen.
+writes a hierarchy as JSON, with the chosen segments.
 
-The section \ref Spectral_segmentation_json tells the keys. The segments have neither neighbors nor
-bounding boxes, for which the other overloads take the mesh. Numbers are written with all their
-digits. The time is linear in the size of the text, which is 3 bytes for each face; with
-`smooth_boundaries` each has three more numbers.
+The section \ref Spectral_segmentation_json documents the keys. The segments have neither neighbors
+nor bounding boxes; the overloads that take the mesh write these too. Numbers are written with all
+their digits. The time is linear in the size of the text, which is 3 bytes for each face; with
+`smooth_boundaries` each face has three more numbers.
 
 \param os the stream
 \param hierarchy the hierarchy
@@ -114,14 +115,14 @@ inline void write_hierarchy(std::ostream& os, const Segmentation_hierarchy& hier
 }
 
 /// \ingroup PkgSpectralSegmentationRef
-/// writes a hierarchy as JSON, with the segments that the run gave; see above.
+/// writes a hierarchy as JSON, with the segments that the run returned; see above.
 inline void write_hierarchy(std::ostream& os, const Segmentation_hierarchy& hierarchy)
 { write_hierarchy(os, hierarchy, hierarchy.segments()); }
 
 /*!
 \ingroup PkgSpectralSegmentationRef
 
-writes a hierarchy as JSON, with the segments that were chosen, their neighbors and bounding boxes.
+writes a hierarchy as JSON, with the chosen segments, their neighbors and bounding boxes.
 
 \tparam TriangleMesh a model of `FaceListGraph` and `VertexListGraph`
 \tparam NamedParameters a sequence of named parameters, of the namespace
@@ -134,8 +135,8 @@ writes a hierarchy as JSON, with the segments that were chosen, their neighbors 
 \param np `vertex_point_map`, `face_index_map` and `geom_traits`, as for
   `segment_spectral_recursive()`
 
-\throws std::invalid_argument if the nodes do not contain each face exactly once, or the mesh is not
-  one of as many triangles
+\throws std::invalid_argument if the nodes do not contain each face exactly once, a face of the mesh
+  is not a triangle, or the mesh has another number of faces
 \throws std::runtime_error if the stream fails
 */
 #ifdef DOXYGEN_RUNNING
@@ -168,7 +169,8 @@ void write_hierarchy(std::ostream& os, const Segmentation_hierarchy& hierarchy,
 /*!
 \ingroup PkgSpectralSegmentationRef
 
-the same for points and triangles.
+writes a hierarchy as JSON, with the chosen segments, their neighbors and bounding boxes, for points
+and triangles.
 
 \tparam PointRange a range of points `p` with coordinates `p[0]`, `p[1]` and `p[2]`
 \tparam TriangleRange a range of ranges of three integers
@@ -199,11 +201,11 @@ void write_hierarchy(std::ostream& os, const Segmentation_hierarchy& hierarchy,
 reads a hierarchy that `write_hierarchy()` or `segment_mesh --hierarchy` has written. It has the
 same nodes, and gives the same labels.
 
-All that the functions of a hierarchy rely on is checked, so that any input gives a hierarchy or an
-exception. The time and the memory are linear in the size of the text.
+The input is validated completely: every text gives either a usable hierarchy or an exception. The
+time and the memory are linear in the size of the text.
 
-\throws std::runtime_error with a sentence, if the text is not well-formed, contradicts itself, or
-  has another version
+\throws std::runtime_error with an error message, if the text is not well-formed, contradicts
+  itself, or has another version
 */
 inline Segmentation_hierarchy read_hierarchy(std::istream& is)
 {
@@ -214,10 +216,10 @@ inline Segmentation_hierarchy read_hierarchy(std::istream& is)
 /*!
 \ingroup PkgSpectralSegmentationRef
 
-the same, and reads the nodes of the segments that were chosen.
+reads a hierarchy, like the function above, and the nodes of the chosen segments.
 
 \param is the stream
-\param nodes the node of each segment; unchanged if an exception is thrown
+\param nodes receives the node of each segment; unchanged if an exception is thrown
 */
 inline Segmentation_hierarchy read_hierarchy(std::istream& is, std::vector<std::size_t>& nodes)
 {
