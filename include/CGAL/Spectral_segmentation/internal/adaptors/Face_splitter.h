@@ -20,8 +20,8 @@
 
 namespace CGAL::Spectral_segmentation::internal {
 
-// Splits the faces of a mesh by Euler operations. What can be computed before is computed by the
-// constructor.
+// Splits the faces of a mesh by Euler operations. The constructor computes everything that can be
+// computed before the mesh changes.
 template <class TriangleMesh, class VertexPointMap, class GeomTraits>
 class Face_splitter
 {
@@ -34,8 +34,8 @@ class Face_splitter
   TriangleMesh& mesh_;
   VertexPointMap points_;
   const Refinement& refinement_;
-  std::vector<halfedge_descriptor> edges_; // that get a point
-  std::vector<std::pair<face_descriptor, vertex_descriptor> > faces_; // with their corner 0
+  std::vector<halfedge_descriptor> edges_; // the edges that get a point
+  std::vector<std::pair<face_descriptor, vertex_descriptor> > faces_; // and their corners 0
   std::vector<Point> edge_points_, centroids_;
 
   halfedge_descriptor halfedge_from(vertex_descriptor v, face_descriptor f) const
@@ -46,7 +46,8 @@ class Face_splitter
     return h;
   }
 
-  // The halves of the edges of a face, or twice the whole ones.
+  // Returns the halves of the edges of a face; an edge without a point counts as both of its
+  // halves.
   std::array<halfedge_descriptor, 6> sides_of(halfedge_descriptor h,
                                               const Refinement::Split_face& s) const
   {
@@ -89,7 +90,8 @@ public:
     }
   }
 
-  // Calls set_label(f, label) for the faces that were split and for the new ones.
+  // Splits the faces, and calls set_label(f, label) for the faces that were split and for the new
+  // faces.
   template <class SetLabel>
   void operator()(const SetLabel& set_label)
   {
@@ -102,7 +104,7 @@ public:
       const std::array<halfedge_descriptor, 6> sides = sides_of(start, s);
       if (s.apex == Refinement::centroid)
         put(points_, target(Euler::add_center_vertex(start, mesh_), mesh_), *next_centroid++);
-      else // the half at this place leads to the apex
+      else // this half of an edge leads to the apex
         while (!CGAL::is_triangle(sides[2 * s.apex], mesh_))
           Euler::split_face(sides[2 * s.apex], next(next(sides[2 * s.apex], mesh_), mesh_), mesh_);
       for (int k = 0; k < 6; ++k)

@@ -10,8 +10,7 @@
 
 namespace CGAL::Spectral_segmentation::internal {
 
-// Passes on what the engine tells and asks to the visitor of the caller, whose functions are not
-// virtual.
+// Passes the calls of the engine on to the visitor of the caller, whose functions are not virtual.
 template <class Visitor>
 class Visitor_control : public Run_control
 {

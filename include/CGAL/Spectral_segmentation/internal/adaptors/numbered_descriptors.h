@@ -27,9 +27,9 @@
 namespace CGAL::Spectral_segmentation::internal {
 
 // Numbers the elements of a vector of descriptors by their position. Looks a descriptor up by the
-// mesh's own index map if that is sound (ids may be unset, or have gaps after a removal), else by
-// its hash. Nothing is stored in the mesh, so that one mesh may be segmented by several threads;
-// only a `Face_filtered_graph` fills its own index maps when they are first taken.
+// mesh's own index map if that is usable, otherwise by its hash: ids may be unset, or have gaps
+// after a removal. Stores nothing in the mesh, so that several threads may segment the same mesh.
+// Only a `Face_filtered_graph` fills its own index maps when they are first requested.
 template <class TriangleMesh, class IndexTag, class Descriptor>
 class Descriptor_numbers
 {
@@ -77,7 +77,7 @@ public:
       by_hash_.emplace(descriptors[number], static_cast<Index>(number));
   }
 
-  // `null_index` for a descriptor that was not numbered.
+  // Returns the position of a descriptor; `null_index` if it was not numbered.
   Index operator()(const Descriptor& d) const
   {
     if constexpr (has_index_map) {
@@ -91,9 +91,9 @@ public:
   }
 };
 
-// The faces in the order of their numbers: that of `faces(mesh)`, or of the caller's index map.
-// Throws `std::invalid_argument` if the map is not one to one onto 0 .. n-1, in the name of the
-// function that the caller knows.
+// Returns the faces in the order of their indices, which is the order of `faces(mesh)` or of the
+// caller's index map. Throws `std::invalid_argument` if the map is not one to one onto 0 .. n-1.
+// The message begins with `function`, the name of the function that the caller called.
 template <class TriangleMesh, class CGALNamedParameters>
 std::vector<typename boost::graph_traits<TriangleMesh>::face_descriptor>
 numbered_faces(const TriangleMesh& mesh, const CGALNamedParameters& np,
@@ -130,8 +130,8 @@ inline void check_number_of_faces(std::size_t of_mesh, std::size_t of_hierarchy)
     throw std::invalid_argument("Segmentation_hierarchy: this mesh has another number of faces");
 }
 
-// Writes the label of the i-th face to the map of the caller and returns the number of labels.
-// Throws before it writes if the type of the map's values cannot hold the labels.
+// Writes the labels of the faces to the map of the caller and returns the number of labels. Throws
+// `std::overflow_error`, before it writes, if the value type of the map cannot hold the labels.
 template <class FaceDescriptor, class SegmentIdMap>
 std::size_t write_labels(const std::vector<FaceDescriptor>& faces,
                          const std::vector<std::size_t>& labels, SegmentIdMap segment_ids)

@@ -27,7 +27,7 @@ constexpr bool has_edge_constraints =
   is_given<CGALNamedParameters, internal_np::edge_is_constrained_t> ||
   is_given<CGALNamedParameters, internal_np::edge_is_uncuttable_map_t>;
 
-// The value of an edge map; `false` if the caller gave none.
+// Returns the value of an edge map; `false` if the caller gave none.
 template <class Tag, class CGALNamedParameters, class EdgeDescriptor>
 bool edge_value(const CGALNamedParameters& np, Tag tag, const EdgeDescriptor& e)
 {
@@ -37,8 +37,8 @@ bool edge_value(const CGALNamedParameters& np, Tag tag, const EdgeDescriptor& e)
     return false;
 }
 
-// Border edges, also those to faces outside of a filtered mesh, are ignored. Throws
-// `std::invalid_argument` for an edge that is in both maps.
+// Reads the constraints on edges. Ignores border edges, including edges to faces outside of a
+// filtered mesh. Throws `std::invalid_argument` for an edge that is in both maps.
 template <class TriangleMesh, class FaceDescriptor, class CGALNamedParameters>
 void read_edge_constraints(const TriangleMesh& mesh, const std::vector<FaceDescriptor>& faces,
                       const CGALNamedParameters& np, Constraints& constraints)
@@ -67,13 +67,13 @@ void read_edge_constraints(const TriangleMesh& mesh, const std::vector<FaceDescr
     }
 }
 
-// The seeds of faces, or of the positions of triangles.
+// Reads the seeds of faces, or of the positions of triangles.
 template <class FaceDescriptor, class CGALNamedParameters>
 void read_seeds(const std::vector<FaceDescriptor>& faces, const CGALNamedParameters& np,
                 Constraints& constraints)
 {
   if constexpr (is_given<CGALNamedParameters, internal_np::face_seed_map_t>) {
-    using boost::get; // for pointers
+    using boost::get; // finds the overload for pointers
     const auto map = CGAL::parameters::get_parameter(np, internal_np::face_seed_map);
     for (Index f = 0; f < faces.size(); ++f) {
       const std::int64_t seed = get(map, faces[f]);

@@ -17,8 +17,8 @@
 
 namespace CGAL::Spectral_segmentation::internal {
 
-// Returns a number of the caller as an unsigned one, and refuses negative numbers. Other numbers
-// below `least` are refused by `check()`.
+// Returns a number of the caller as an unsigned number. Throws `std::invalid_argument` if it is
+// negative; `check()` rejects other numbers below `least`.
 template <class Integer>
 std::size_t to_count(Integer number, const char* name, int least)
 {
@@ -43,7 +43,7 @@ void read_count(const NamedParameters& np, Tag tag, const char* name, int least,
     value = to_count(CGAL::parameters::get_parameter(np, tag), name, least);
 }
 
-// Sets the salience, and the default threshold that belongs to it.
+// Sets the salience and its default threshold if the caller gave a salience.
 template <class NamedParameters>
 void read_part_salience(const NamedParameters& np, Options& o)
 {
@@ -69,7 +69,8 @@ void read_distance_weights(const NamedParameters& np, Options& o)
   }
 }
 
-// Returns the options without those of a preset.
+// Returns the options of the preset, or the options that the caller gave, before the other
+// parameters change them.
 template <class NamedParameters>
 Options preset_options(const NamedParameters& np)
 {
@@ -89,7 +90,7 @@ Options preset_options(const NamedParameters& np)
     return uses_paper_method ? Options::zhang_liu_2005() : Options();
 }
 
-// Throws `std::invalid_argument` for a value out of its range.
+// Reads the options. Throws `std::invalid_argument` for a value out of its range.
 template <class NamedParameters>
 Options read_options(const NamedParameters& np)
 {

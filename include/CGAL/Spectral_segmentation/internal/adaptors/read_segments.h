@@ -14,7 +14,7 @@
 
 namespace CGAL::Spectral_segmentation::internal {
 
-// Any numbers as labels from 0 on, in the order of the numbers, which are returned.
+// Maps arbitrary ids to the labels 0, 1, ... in ascending order; returns the sorted ids.
 template <class Id>
 std::vector<Id> labels_of_ids(const std::vector<Id>& id_of_face, std::vector<Index>& labels)
 {
@@ -29,7 +29,7 @@ std::vector<Id> labels_of_ids(const std::vector<Id>& id_of_face, std::vector<Ind
   return ids;
 }
 
-// The same of the faces of a mesh.
+// Maps the ids of the faces of a mesh to labels, and returns the sorted ids.
 template <class FaceDescriptor, class SegmentIdMap>
 std::vector<typename boost::property_traits<SegmentIdMap>::value_type>
 read_segments(const std::vector<FaceDescriptor>& faces, SegmentIdMap segment_ids,

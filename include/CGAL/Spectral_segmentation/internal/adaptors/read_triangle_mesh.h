@@ -20,13 +20,13 @@
 
 namespace CGAL::Spectral_segmentation::internal {
 
-// Reads a mesh into arrays. Vertices are numbered in the order of `vertices(mesh)` and the first
-// corner of a face is its smallest vertex, so that every model of the same mesh gives the same
-// arrays. But for the list of its faces, the mesh is read here only, by a single thread, because
-// property maps and number types may not be thread safe.
+// Reads a mesh into arrays. Vertices are numbered in the order of `vertices(mesh)`, and the first
+// corner of a face is its vertex of lowest index, so that every model of the same mesh gives the
+// same arrays. Except for the list of its faces, the mesh is read only here, by a single thread,
+// because property maps and number types may not be thread safe.
 //
-// Throws `std::invalid_argument` if a face is not a triangle or a coordinate is not finite, in the
-// name of the function that the caller knows.
+// Throws `std::invalid_argument` if a face is not a triangle or a coordinate is not finite. The
+// message begins with `function`, the name of the function that the caller called.
 template <class TriangleMesh, class FaceDescriptor, class VertexPointMap, class GeomTraits>
 Triangles read_triangle_mesh(const TriangleMesh& mesh, const std::vector<FaceDescriptor>& faces,
                              VertexPointMap vertex_point_map, const GeomTraits& traits,

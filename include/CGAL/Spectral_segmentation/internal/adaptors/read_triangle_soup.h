@@ -21,7 +21,7 @@ namespace CGAL::Spectral_segmentation::internal {
 template <class Range>
 using Element = std::decay_t<decltype(*std::begin(std::declval<const Range&>()))>;
 
-// Ranges of ranges of integers, but not of strings.
+// Whether a type is a range of ranges of integers, but not of strings.
 template <class Range, class = void>
 struct is_triangle_range : std::false_type {};
 
@@ -30,11 +30,12 @@ struct is_triangle_range<Range, std::void_t<Element<Element<Range> > > >
   : std::bool_constant<std::is_integral<Element<Element<Range> > >::value &&
                        !std::is_same<Element<Element<Range> >, char>::value> {};
 
-// Reads points, whose coordinates are `p[0]`, `p[1]`, `p[2]`, and triangles of their indices. Which
-// triangles are neighbors is left open. Points that no triangle uses may be anything.
+// Reads points with the coordinates `p[0]`, `p[1]` and `p[2]`, and triangles of indices of points.
+// Does not find the neighbors of triangles. Points that no triangle uses may have any coordinates.
 //
-// Throws `std::invalid_argument` if a triangle has not three corners, one of them is no point, or a
-// coordinate that is used is not finite, in the name of the function that the caller knows.
+// Throws `std::invalid_argument` if a triangle does not have three corners, a corner is not the
+// index of a point, or a coordinate that is used is not finite. The message begins with `function`,
+// the name of the function that the caller called.
 template <class PointRange, class TriangleRange>
 Triangles read_triangle_soup(const PointRange& points, const TriangleRange& triangles,
                              const std::string& function = "segment_spectral_recursive")

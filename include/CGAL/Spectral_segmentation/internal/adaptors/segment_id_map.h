@@ -17,7 +17,7 @@ template <class Map>
 struct is_any_property_map<Map, std::void_t<typename boost::property_traits<Map>::key_type> >
   : std::true_type {};
 
-// A map that is asked for no key in particular has the key type `void`.
+// Whether a map takes keys of this type. A map that takes keys of any type has the key type `void`.
 template <class Key, class MapKey>
 using is_key_of = std::bool_constant<std::is_void<MapKey>::value ||
                                      std::is_convertible<Key, MapKey>::value>;
@@ -26,8 +26,8 @@ template <class Id>
 using is_segment_id =
   std::bool_constant<std::is_integral<Id>::value && !std::is_same<Id, bool>::value>;
 
-// Whether a caller's map gives ids to faces. If not, a sentence says why, and functions that ask
-// leave out what uses the map: it would add the errors of its body.
+// Returns whether a caller's map assigns ids to faces. If not, a static_assert reports why. The
+// calling functions then leave out the code that uses the map, because it would add further errors.
 template <class Face, class SegmentIdMap>
 constexpr bool is_segment_id_map()
 {

@@ -13,7 +13,8 @@
 
 namespace CGAL::Spectral_segmentation::internal {
 
-// Runs the engine; returns its cuts with the values by which they are chosen.
+// Runs the engine. Returns its cuts with the maximum number of segments and the threshold that
+// select them.
 inline Segmentation_hierarchy
 segmentation_hierarchy(Triangles triangles, const Options& options, Execution execution,
                        Run_control& control, const Constraints& constraints = Constraints())

@@ -24,22 +24,22 @@
 
 namespace CGAL::Spectral_segmentation::internal {
 
-// Cuts a region between two sets of faces, its terminals. Current flows from one set to the other,
-// and hardly passes where the surface is concave. So the lines of equal potential go on from a seam
-// that ends, around a limb, and run together along creases. Along the order of the potentials the
-// cut is taken that costs least for the area that it cuts off; near it a minimum cut is searched.
+// Cuts a region between two sets of faces, its terminals. Computes a harmonic potential between
+// these sets, with low conductance across concave edges. Its level lines continue a forced boundary
+// that ends, around a limb, and run together along creases. Takes the cut in the order of the
+// potentials that costs least for the area that it cuts off, and moves it to a minimum cut near it.
 //
-// The seams of the region are borders. Faces of one group stay together.
+// The cannot-link edges inside the region are borders. Faces of one group stay together.
 class Constrained_cut
 {
   enum : char { OPEN = 2 };
 
   const Face_graph& part_;
-  const std::vector<Index>& group_;   // of each face; null_index: it is free
-  const std::vector<double>& border_; // length of each face along other regions
+  const std::vector<Index>& group_;   // one per face; null_index if it is unconstrained
+  const std::vector<double>& border_; // the length of each face along other regions
   const double minimum_area_;
-  std::vector<Index> node_;           // of each face: a face of its group, or the face itself
-  Sides side_;                        // OPEN where it is not known yet
+  std::vector<Index> node_;           // one per face: a face of its group, or the face itself
+  Sides side_;                        // one per face; OPEN if it is not known yet
 
   double conductance(Index h, double smallest_distance) const
   {
@@ -50,7 +50,8 @@ class Constrained_cut
     return cost * std::clamp(part_.length(h) / distance, 1e-3, 1e3);
   }
 
-  // The connected pieces of the sides, or of the whole region, by one of their faces.
+  // Returns for each face one of the faces of its connected piece. The pieces are those of the
+  // sides, or those of the whole region.
   std::vector<Index> pieces(bool are_sides_apart) const
   {
     Face_components sets(side_.size());
@@ -67,7 +68,8 @@ class Constrained_cut
     return result;
   }
 
-  // What current does not reach has the side of the terminals with which it is connected, or any.
+  // Sets the sides of faces that are not connected with both sets of terminals: the side of the
+  // terminals with which they are connected, or any side if they are connected with none.
   void set_sides_without_current()
   {
     const std::vector<Index> piece = pieces(false);
@@ -79,7 +81,7 @@ class Constrained_cut
         side_[f] = has[piece[f]][0] ? 0 : 1;
   }
 
-  // The potential of each face, from 0 at the second terminals to 1024 at the first.
+  // Returns the potential of each face, from 0 at the second terminals to 1024 at the first ones.
   std::vector<double> potentials() const
   {
     std::vector<int> row(side_.size(), -1);
@@ -90,7 +92,7 @@ class Constrained_cut
     const double smallest_distance =
       (std::max)(1e-3 * std::sqrt(total_area(part_) / static_cast<double>(side_.size())), 1e-12);
     std::vector<Eigen::Triplet<double> > entries;
-    Eigen::VectorXd values = Eigen::VectorXd::Zero(n); // the inflow, then the potentials
+    Eigen::VectorXd values = Eigen::VectorXd::Zero(n); // the right-hand side, then the potentials
     for (Index h = 0; h < part_.number_of_halfedges(); ++h) {
       const Index from = node_[h / 3], to = node_[part_.neighbors[h]];
       if (row[from] < 0 || from == to)
@@ -114,7 +116,7 @@ class Constrained_cut
     return result;
   }
 
-  // Gives a face of a group and all of its group a side, unless they have one.
+  // Sets the side of a face and of all faces of its group, unless they have one.
   void set_side(Index f, char side)
   {
     if (side_[f] == OPEN)
@@ -132,11 +134,12 @@ class Constrained_cut
     }
   }
 
-  // The best cut along the order of the potentials. The side with less border pays for it too, or a
-  // corner beside another region would cost little. Sides that are too small come last.
+  // Takes the best cut in the order of the potentials. The border of the side with less border
+  // counts as a part of the cut, because a corner beside another region would otherwise cost
+  // little. Cuts with sides that are too small come last.
   void cut_along_order()
   {
-    struct Step // what is added when the faces of a potential join the first side
+    struct Step // the increments when the faces of a potential join the first side
     {
       double area = 0, border = 0, cost = 0;
     };
@@ -159,7 +162,7 @@ class Constrained_cut
     }
     const double last = steps.rbegin()->first;
     std::pair<bool, double> best(true, std::numeric_limits<double>::infinity());
-    double smallest_potential = 0; // of the first side
+    double smallest_potential = 0; // the smallest one on the first side
     for (const auto& [of_step, step] : steps) {
       if (of_step == last)
         break;
@@ -180,7 +183,7 @@ class Constrained_cut
       side_[f] = potential[f] >= smallest_potential ? 0 : 1;
   }
 
-  // The minimum cut near the cut, unless it falls into more pieces.
+  // Replaces the cut by the minimum cut near it, unless that falls into more pieces.
   void refine()
   {
     double area[2] = {0, 0};
@@ -199,21 +202,22 @@ class Constrained_cut
   }
 
 public:
-  // `group` is that of each face, or null_index; `border` has the length of each face along other
-  // regions. Smaller sides than `minimum_area` are avoided.
+  // `group` holds the group of each face, or null_index. `border` holds the length of each face
+  // along other regions. The cut avoids sides smaller than `minimum_area`.
   Constrained_cut(const Face_graph& part, const std::vector<Index>& group,
              const std::vector<double>& border, double minimum_area)
     : part_(part), group_(group), border_(border), minimum_area_(minimum_area),
       side_(part.number_of_faces(), OPEN)
   {
-    std::map<Index, Index> first; // face of each group
+    std::map<Index, Index> first; // the first face of each group
     for (Index f = 0; f < group.size(); ++f)
       node_.push_back(group[f] == null_index ? f : first.emplace(group[f], f).first->second);
   }
 
-  // Separates the first two faces, of different groups, and where it can the others, of which
-  // current tells the sides. Returns the pieces into which the region falls: of each face one of
-  // the faces of its piece. If the part has no weights, the first group is cut off.
+  // Separates the first pair of faces, which are of different groups, and if possible also the
+  // other pairs, whose sides the potential determines. Returns the pieces into which the region
+  // falls, as one of the faces of its piece for each face. If the part has no weights, the first
+  // group is cut off.
   std::vector<Index> operator()(const std::vector<Face_pair>& pairs)
   {
     set_side(pairs.front()[0], 0);

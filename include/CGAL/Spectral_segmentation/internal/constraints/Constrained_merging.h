@@ -15,15 +15,16 @@
 
 namespace CGAL::Spectral_segmentation::internal {
 
-// Merges the regions that fulfill constraints, as the cuts of the old hierarchy are undone, the
-// least salient first. Where an old cut has a region on one side that can be merged with one on the
-// other, they are merged with the salience of the cut. What no constraint concerns is merged as
-// before. Regions that a constraint keeps apart stay so: what is left are the roots.
+// Merges regions that satisfy constraints, in the order in which the cuts of the old hierarchy are
+// undone, the least salient first. If a region on one side of an old cut can be merged with a
+// region on the other side, they are merged with the salience of the cut. Unconstrained regions are
+// merged as before. Regions that a constraint keeps apart are not merged. The regions that remain
+// at the end are the roots.
 class Constrained_merging
 {
   struct Merge
   {
-    Index smaller, larger; // the smaller of the two numbers is that of the result
+    Index smaller, larger; // the merged region has the lower one of these two indices
     double areas[2];
     std::size_t old_node;
   };
@@ -31,8 +32,8 @@ class Constrained_merging
   const Cut_hierarchy& old_;
   Region_graph& regions_;
   const std::vector<Index>& region_of_face_;
-  std::vector<std::set<Index> > below_; // of each node of the old hierarchy: its regions
-  std::vector<Index> leaf_region_;      // of each region: that with which it makes a leaf
+  std::vector<std::set<Index> > below_; // one per node of the old hierarchy: its regions
+  std::vector<Index> leaf_region_;      // one per region: the region with which it makes a leaf
   std::vector<Merge> merges_;
 
   void merge(Index a, Index b, std::size_t old_node)
@@ -44,7 +45,7 @@ class Constrained_merging
     regions_.merge(a, b);
   }
 
-  // The two sides of a cut are merged if they are regions, else the regions that touch.
+  // Merges the two sides of a cut if each is one region, otherwise the regions that touch.
   void merge_below(std::size_t node)
   {
     std::set<Index>& all = below_[node];
@@ -66,8 +67,7 @@ class Constrained_merging
     }
   }
 
-  // What a constraint cut off from a leaf and what is left of it are merged for good where they can
-  // be.
+  // Merges the regions that constraints made of one leaf for good, as far as the constraints allow.
   void merge_in_leaves()
   {
     for (std::size_t i = 0; i < old_.nodes.size(); ++i)
@@ -78,7 +78,7 @@ class Constrained_merging
       leaf_region_.push_back(regions_.representative(r));
   }
 
-  // The roots in the order of their first faces, and cuts that undo the merges.
+  // Returns the roots in the order of their first faces, and the cuts that undo the merges.
   Cut_hierarchy hierarchy() const
   {
     Cut_hierarchy result;
@@ -114,8 +114,8 @@ class Constrained_merging
   }
 
 public:
-  // `leaves` has for each region the leaves of the old hierarchy of which it was made. The regions
-  // are merged.
+  // `leaves` holds for each region the leaves of the old hierarchy from which it was made. The call
+  // of the object merges `regions`.
   Constrained_merging(const Cut_hierarchy& old, Region_graph& regions,
                  const std::vector<Index>& region_of_face,
                  const std::vector<std::set<std::size_t> >& leaves)

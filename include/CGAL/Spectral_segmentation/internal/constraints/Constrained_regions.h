@@ -25,8 +25,8 @@
 
 namespace CGAL::Spectral_segmentation::internal {
 
-// Makes regions that fulfill constraints from the leaves of a hierarchy: each group of faces in one
-// of them, and no two groups together that must not be.
+// Makes regions that satisfy constraints from the leaves of a hierarchy. Each group of faces lies
+// in one region, and groups that must be apart lie in different regions.
 class Constrained_regions
 {
   const Execution execution_;
@@ -37,14 +37,14 @@ class Constrained_regions
   Constraint_groups& groups_;
 
   Part_extractor extractor_;
-  std::vector<Index> region_;                  // of each face
-  std::vector<std::set<std::size_t> > leaves_; // of each region, from which it was made
+  std::vector<Index> region_;                  // one per face
+  std::vector<std::set<std::size_t> > leaves_; // the leaves from which each region was made
   std::vector<char> is_split_;                 // whether a region was cut off by a constraint
 
   Region_graph graph() const
   { return Region_graph(mesh_, region_, leaves_.size(), groups_); }
 
-  // A group without a seed goes to the region that has most of its area.
+  // Moves each group without a seed to the region that has most of its area.
   void move_groups()
   {
     const std::vector<Index> old_region = region_;
@@ -62,7 +62,7 @@ class Constrained_regions
       join_loose_pieces(old_region);
   }
 
-  // Of a region that became several pieces all but the largest go to neighbors.
+  // Gives all pieces but the largest to neighbors if a region fell into several pieces.
   void join_loose_pieces(const std::vector<Index>& old_region)
   {
     std::size_t number_of_old, number;
@@ -89,12 +89,13 @@ class Constrained_regions
           region_[f] = region_of_piece[to];
   }
 
-  // Takes paths into the group of a seed so that it is connected, unless other groups, seams or
-  // regions of other seeds are in the way: over the fewest regions, then over the fewest faces.
+  // Adds paths to the group of a seed so that it is connected, unless other groups, cannot-link
+  // edges or regions with only other seeds are in the way. The paths run over the fewest regions,
+  // then over the fewest faces.
   void connect(const std::vector<Index>& members, const std::vector<char>& has_other_seed)
   {
-    typedef std::tuple<std::size_t, std::size_t, Index, Index> Entry; // numbers of regions and of
-                                                                      // faces, face, previous one
+    // the number of regions, the number of faces, the face, and the previous face
+    typedef std::tuple<std::size_t, std::size_t, Index, Index> Entry;
     std::vector<Index>& group = groups_.group;
     const Index seed = group[members.front()];
     std::vector<Index> previous(region_.size(), null_index);
@@ -123,7 +124,7 @@ class Constrained_regions
   void connect_seeds()
   {
     std::vector<std::vector<Index> > members(groups_.number_of_seeds);
-    std::vector<std::set<Index> > seeds(leaves_.size()); // of each region
+    std::vector<std::set<Index> > seeds(leaves_.size()); // one set per region
     for (Index f = 0; f < region_.size(); ++f)
       if (groups_.seed(f) != null_index) {
         members[groups_.seed(f)].push_back(f);
@@ -137,7 +138,8 @@ class Constrained_regions
     }
   }
 
-  // The region as a graph of its own, with the distances of adjacent faces if there is time.
+  // Returns the region as a graph of its own, with the distances of adjacent faces unless the run
+  // was stopped.
   Face_graph part_of(const std::vector<Index>& faces)
   {
     Face_graph part = extractor_(faces);
@@ -151,12 +153,13 @@ class Constrained_regions
     return part;
   }
 
-  // The two faces, and those of the seams of a stroke if they are at one of its edges. `seams` are
-  // halfedges of the part.
+  // Returns the pairs of faces to separate: the first pair, and if it is at a cannot-link edge, the
+  // pairs at all edges of the stroke of this edge. A stroke is a connected set of cannot-link
+  // edges. `seams` holds the halfedges of the cannot-link edges inside the part.
   static std::vector<Face_pair> pairs_to_separate(const Face_graph& part, const Face_pair& first,
                                                   const std::vector<Index>& seams)
   {
-    Face_components strokes(part.points.size()); // of vertices
+    Face_components strokes(part.points.size()); // sets of vertices
     for (Index v = 0; v < part.points.size(); ++v)
       strokes.add(v);
     for (Index h : seams)
@@ -209,13 +212,13 @@ class Constrained_regions
     }
   }
 
-  // Two faces of one region that must be apart; or null_index twice.
+  // Returns two faces of one region that must be apart; null_index twice if there are none.
   Face_pair find_conflict() const
   {
     for (const Face_pair& pair : groups_.cannot_link)
       if (region_[pair[0]] == region_[pair[1]])
         return pair;
-    std::vector<Index> first(leaves_.size(), null_index); // face with a seed of each region
+    std::vector<Index> first(leaves_.size(), null_index); // one face with a seed per region
     for (Index f = 0; f < region_.size(); ++f)
       if (groups_.seed(f) != null_index) {
         Index& g = first[region_[f]];
@@ -240,11 +243,11 @@ class Constrained_regions
     is_split_[into] |= is_split_[from];
   }
 
-  // The regions with the same seed become one.
+  // Merges the regions with the same seed.
   void join_seeds()
   {
     Region_graph regions = graph();
-    std::vector<Index> first(groups_.number_of_seeds, null_index); // face
+    std::vector<Index> first(groups_.number_of_seeds, null_index); // a face per seed
     for (Index f = 0; f < region_.size(); ++f)
       if (const Index seed = groups_.seed(f); seed != null_index) {
         first[seed] = (std::min)(first[seed], f);
@@ -257,11 +260,11 @@ class Constrained_regions
       r = regions.representative(r);
   }
 
-  // A strip that is left between a constrained seam and the boundary of another region near it
-  // belongs to that region: the seam is meant to be the boundary.
+  // Merges each strip between a forced boundary and a nearby boundary of another region with that
+  // region, because the forced boundary is meant to be the boundary.
   void join_strips(Region_graph& graph)
   {
-    constexpr double largest_area = 0.1; // relative to the square of the length
+    constexpr double largest_area = 0.1; // relative to the square of the length of the boundary
     for (Index r = 0; r < graph.number(); ++r) {
       const auto [neighbor, length] = graph.longest_neighbor(r);
       if (is_split_[r] && graph.area(r) < largest_area * length * length)
@@ -283,7 +286,7 @@ public:
       leaves_.push_back({i});
   }
 
-  // Returns the regions.
+  // Makes the regions and returns their graph.
   Region_graph operator()(bool keep_components_separate)
   {
     move_groups();
@@ -299,7 +302,7 @@ public:
   }
 
   const std::vector<Index>& region_of_faces() const { return region_; }
-  const std::vector<std::set<std::size_t> >& leaves() const { return leaves_; } // of each region
+  const std::vector<std::set<std::size_t> >& leaves() const { return leaves_; }
 };
 
 } // namespace CGAL::Spectral_segmentation::internal

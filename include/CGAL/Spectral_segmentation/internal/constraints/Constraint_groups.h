@@ -17,29 +17,29 @@
 
 namespace CGAL::Spectral_segmentation::internal {
 
-// The constraints of a caller by the faces of the mesh, without contradiction. Each group of faces
-// lies in one segment.
+// The constraints of a caller in terms of the faces of the mesh, without contradictions. Each group
+// of faces lies in one segment.
 struct Constraint_groups
 {
-  std::vector<Index> group;     // of each face; null_index if no constraint concerns it
-  std::vector<Face_pair> cannot_link; // whose faces are of different groups and segments
-  std::vector<char> is_seam;    // of each halfedge
-  Index number_of_seeds = 0;    // the first groups are those of the seeds, in different segments
+  std::vector<Index> group;     // one per face; null_index if it is unconstrained
+  std::vector<Face_pair> cannot_link; // pairs of faces of different groups and segments
+  std::vector<char> is_seam;    // one per halfedge: whether it must separate segments
+  Index number_of_seeds = 0;    // the first groups belong to the seeds, in different segments
   Index number = 0;
 
-  // The group of a face if it has a seed.
+  // Returns the group of a face if it has a seed, otherwise null_index.
   Index seed(Index f) const { return group[f] < number_of_seeds ? group[f] : null_index; }
 };
 
-// Makes groups of constraints. `number` has the face of the mesh for each face of the caller: one
-// for all faces with the same points. Throws `std::invalid_argument` if constraints contradict each
-// other.
+// Groups constrained faces. `number` holds the face of the mesh for each face of the caller; it is
+// the same for all faces with the same points. Throws `std::invalid_argument` if constraints
+// contradict each other.
 class Constraint_grouping
 {
   const Constraints& constraints_;
   const std::vector<Index>& number_;
   Face_components sets_;
-  std::map<std::int64_t, Index> first_of_seed_; // the caller's number of the face
+  std::map<std::int64_t, Index> first_of_seed_; // the caller's index of the face
 
   [[noreturn]] static void fail(const std::string& what)
   { throw std::invalid_argument("segment_spectral_recursive: " + what); }
@@ -53,7 +53,7 @@ class Constraint_grouping
   {
     for (const auto& [f, g] : constraints_.must_link)
       sets_.join(number_[f], number_[g]);
-    std::map<Index, std::pair<Index, std::int64_t> > seed_of_set; // with the first face that has it
+    std::map<Index, std::pair<Index, std::int64_t> > seed_of_set; // a face and its seed
     for (const auto& constraint : constraints_.seeds) {
       const auto& [f, seed] = constraint;
       const auto& [g, other] = seed_of_set.emplace(set_of(f), constraint).first->second;

@@ -15,13 +15,13 @@ namespace CGAL::Spectral_segmentation::internal {
 
 typedef std::array<Index, 2> Face_pair;
 
-// The constraints of the caller, by the indices of the caller's faces. A constraint of an edge is one
-// of its two faces.
+// The constraints of the caller, in terms of the indices of the caller's faces. A constraint on an
+// edge is stored as its two faces.
 struct Constraints
 {
-  std::vector<Face_pair> cannot_link; // the two faces are of different segments
-  std::vector<Face_pair> must_link;   // the two faces are of one segment
-  std::vector<std::pair<Index, std::int64_t> > seeds; // the faces ascend, the seeds are not negative
+  std::vector<Face_pair> cannot_link; // the two faces belong to different segments
+  std::vector<Face_pair> must_link;   // the two faces belong to the same segment
+  std::vector<std::pair<Index, std::int64_t> > seeds; // faces ascend, seeds are not negative
 
   bool empty() const { return cannot_link.empty() && must_link.empty() && seeds.empty(); }
 };

@@ -18,13 +18,13 @@
 
 namespace CGAL::Spectral_segmentation::internal {
 
-// Regions of a mesh, as they are merged: which of them touch, and which must stay apart. Merged
-// regions are known by the smallest of their numbers.
+// Stores the regions of a mesh while they are merged, which of them touch, and which must stay
+// apart. Merged regions are identified by the lowest of their indices.
 class Region_graph
 {
   struct Contact
   {
-    double length = 0; // of the common boundary without constrained seams
+    double length = 0; // the length of the common boundary without cannot-link edges
     bool is_apart = false;
   };
 
@@ -67,7 +67,8 @@ public:
         add_contact(region[f], region[g], {0, true});
   }
 
-  // Regions of several components of the mesh touch the nearest ones, too.
+  // Adds contacts along a minimum spanning tree of the regions if the mesh has several components,
+  // so that regions of different components can be merged.
   void close_gaps(const Face_graph& mesh, const std::vector<Index>& region)
   {
     std::size_t number_of_components;
@@ -112,8 +113,8 @@ public:
            (seed(a) != null_index && seed(b) != null_index && seed(a) != seed(b));
   }
 
-  // Of the neighbors among some regions that can be merged the two with the longest common
-  // boundary; or null_index.
+  // Returns the mergeable pair of adjacent `regions` with the longest common boundary; null_index
+  // twice if there is none.
   Face_pair longest_boundary(const std::set<Index>& regions) const
   {
     Face_pair result = {null_index, null_index};
@@ -127,8 +128,8 @@ public:
     return result;
   }
 
-  // Of the neighbors of a region that can be merged with it that with the longest common boundary,
-  // and its length; or null_index.
+  // Returns the neighbor of a region that can be merged with it and has the longest common
+  // boundary, and the length of this boundary; null_index and 0 if there is none.
   std::pair<Index, double> longest_neighbor(Index a) const
   {
     std::pair<Index, double> result(null_index, 0);
