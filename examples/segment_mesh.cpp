@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 /// \file
-/// Command line tool: segments the meshes of files. The exit status tells how a run ended; if it is
-/// not 0, there is one sentence on standard error.
+/// Command line tool that segments mesh files. The exit status reports how a run ended. If it is
+/// not 0, standard error has an error message in one line.
 
 #include "segment_mesh/Batch.h"
 #include "segment_mesh/Failure.h"
@@ -63,7 +63,7 @@ typedef CGAL::Spectral_segmentation::Options Segmentation_options;
 Segmentation_options defaults(bool uses_paper_method)
 { return uses_paper_method ? Segmentation_options::zhang_liu_2005() : Segmentation_options(); }
 
-// Returns a text for the help.
+// Returns the text of the two defaults of an option for the help.
 std::string both_defaults(double Segmentation_options::*number)
 {
   std::ostringstream out;
@@ -74,11 +74,11 @@ std::string both_defaults(double Segmentation_options::*number)
 struct Options
 {
   std::vector<std::string> inputs;
-  std::string list_file, output_directory; // both for a batch
+  std::string list_file, output_directory; // used by batches
   std::vector<std::string> output_formats = {"labels"};
   std::optional<std::size_t> jobs;
   std::string input, label_file, report_file, hierarchy_file, page_file, split_directory;
-  std::vector<std::string> mesh_files; // these are of one run, too
+  std::vector<std::string> mesh_files; // used by single runs, too
   std::string split_format = "ply";
   std::string method_name = "calibrated";
   std::optional<std::size_t> segments;
@@ -106,7 +106,7 @@ struct Options
   Segmentation_options segmentation_options() const
   {
     Segmentation_options result = defaults(uses_paper_method());
-    if (segments && !threshold) // a number alone is exact, whatever the saliences
+    if (segments && !threshold) // a number without a threshold is exact
       result.number_of_segments = segments;
     else if (segments)
       result.maximum_number_of_segments = *segments;
@@ -127,7 +127,7 @@ void add_options(CLI::App& app, Options& o)
 {
   const std::int64_t largest = (std::numeric_limits<std::uint32_t>::max)();
   const CLI::Validator not_empty(
-    [](const std::string& name) { return std::string(name.empty() ? "the name is empty" : ""); },
+    [](const std::string& name) { return std::string(name.empty() ? "the path is empty" : ""); },
     "");
   const auto add_file = [&](const char* name, std::string& file, const char* description) {
     return app.add_option(name, file, description)->type_name("FILE")->check(not_empty);
@@ -136,137 +136,138 @@ void add_options(CLI::App& app, Options& o)
 #ifdef SEGMENT_MESH_WITH_ASSIMP
                  ", .glb, .fbx and others that Assimp reads"
 #endif
-                 "; - for standard input; several with --out-dir")
+                 "; - reads standard input; several IN need --out-dir")
     ->type_name("FILE")->check(not_empty);
   CLI::Option* const out_dir =
     add_file("--out-dir", o.output_directory,
-             "directory for outputs of each IN under its path, such as DIR/IN.json, and a line for "
-             "each IN in DIR/table.jsonl; what has been done there already is not done again")
+             "directory for the outputs of each IN under its path, such as DIR/IN.json, and for "
+             "DIR/table.jsonl with a line for each IN; meshes that an earlier run finished are "
+             "skipped")
       ->type_name("DIR");
   add_file("--list", o.list_file,
-           "file with names of further IN, one a line; - for standard input");
+           "file with the paths of further IN, one per line; - reads standard input");
   app.add_option("--outputs", o.output_formats,
-                 "what to write to --out-dir beside reports: meshes with colors by their format, "
-                 "'parts' as with --split-dir, pages as with --html, hierarchies and labels")
+                 "outputs in --out-dir besides the reports: colored meshes by their format, "
+                 "'parts' as with --split-dir, 'html' as with --html, 'hierarchy' and 'labels'")
     ->type_name("F")->delimiter(',')->allow_extra_args(false)
     ->check(CLI::IsMember(output_formats))->needs(out_dir)->capture_default_str();
-  app.add_option("--jobs", o.jobs, "meshes of --out-dir that are segmented at a time [all cores]")
+  app.add_option("--jobs", o.jobs, "number of meshes that --out-dir segments at a time [all cores]")
     ->type_name("N")->check(CLI::Range(1, 1024))->needs(out_dir);
   app.add_option("-o", o.mesh_files,
-                 "mesh with a color for each segment: .ply, which also has the property 'segment' "
-                 "of faces, .obj with groups, and materials in a .mtl, .off, or with the tree of "
-                 "parts .glb"
+                 "mesh with a color for each segment: .ply with the face property 'segment', .obj "
+                 "with groups and with materials in a .mtl, .off, or with the tree of parts .glb"
 #ifdef SEGMENT_MESH_WITH_LIB3MF
                  " or .3mf, in millimeters"
 #endif
-                 "; may be given several times")
+                 "; may be repeated")
     ->type_name("FILE")->allow_extra_args(false)->check(not_empty);
   add_file("--labels", o.label_file,
-           "segment of each face of IN, one a line; a polygon cut by a boundary counts to the "
-           "segment that has most of it; - for standard output");
+           "label of each face of IN, one per line; a polygon that a boundary cuts gets the label "
+           "of the segment that covers most of it; - writes to standard output");
   add_file("--json", o.report_file,
-           "counts, seconds by stage summed over all parts, parameters, segments, hierarchy of "
-           "cuts; - for standard output");
+           "report with counts, seconds per stage summed over all parts, parameters, segments and "
+           "hierarchy of cuts; - writes to standard output");
   add_file("--hierarchy", o.hierarchy_file,
-           "hierarchy of cuts with the leaf of each face, to be read for another number of "
-           "segments; - for standard output");
+           "hierarchy of cuts with the leaf of each face, which gives other numbers of segments "
+           "without a new run; - writes to standard output");
   add_file("--html", o.page_file,
-           "page for a browser that shows the segments, fewer and more of them; - for standard "
-           "output");
+           "page for a browser that shows the segments, or fewer or more of them; - writes to "
+           "standard output");
   add_file("--split-dir", o.split_directory,
-           "directory for one file a segment; what an earlier run wrote there is replaced")
+           "directory for one file per segment; replaces the files of an earlier run")
     ->type_name("DIR");
-  app.add_option("--split-format", o.split_format, "format of these files")
+  app.add_option("--split-format", o.split_format, "format of the files in --split-dir")
     ->type_name("F")->check(CLI::IsMember({"ply", "obj", "off", "stl", "glb", "3mf"}))
     ->capture_default_str();
   app.add_option("--method", o.method_name,
-                 "calibrated: cuts where people cut; paper: Zhang and Liu 2005")
+                 "calibrated: the calibrated method (default), which cuts where people cut; paper: "
+                 "the method of Zhang and Liu 2005")
     ->type_name("M")->check(CLI::IsMember({"calibrated", "paper"}))->capture_default_str();
   app.add_option("--segments", o.segments,
-                 "number of segments; with --salience-threshold the largest number")
+                 "exact number of segments; with --salience-threshold the largest number")
     ->type_name("N")->check(CLI::Range(std::int64_t(1), largest));
   app.add_option("--salience-threshold", o.threshold,
-                 "smallest salience of a cut; with the method 'calibrated' the "
-                 "probability that people cut there" +
+                 "smallest salience of a cut; with --method calibrated the probability that a "
+                 "person would cut there" +
                    both_defaults(&Segmentation_options::salience_threshold))
     ->type_name("T");
   app.add_option("--minimum-segment-size", o.minimum_size,
-                 "smallest area of a side of a cut, as a share of the area of the mesh" +
+                 "smallest area of a side of a cut, as a fraction of the area of the mesh" +
                    both_defaults(&Segmentation_options::minimum_segment_size))
     ->type_name("S")->check(CLI::Range(0., 0.5));
   app.add_option("--seed", o.seed,
-                 "seed of random first reference faces; without it they are not random")
+                 "seed for random first reference faces; without it they are not random")
     ->type_name("S")->check(CLI::Range(std::int64_t(0), largest));
   app.add_option("--threads", o.threads,
-                 "number of threads; the result does not depend on it [all; 1 with --out-dir]")
+                 "number of threads; does not change the result [all; 1 with --out-dir]")
     ->type_name("N")->check(CLI::Range(1, 1024));
-  app.add_option("--time-limit", o.time_limit, "seconds after which a run fails [none]")
+  app.add_option("--time-limit", o.time_limit, "stop a run that takes more than S seconds [none]")
     ->type_name("S")->check(CLI::Range(1e-3, 1e9));
   app.add_option("--memory-limit", o.memory_limit,
-                 "10^6 bytes of address space, with more of which a run fails; for one thread, "
-                 "which is the default then [none]")
+                 "stop a run that needs more than M million bytes of address space; implies "
+                 "--threads 1 [none]")
     ->type_name("M")->check(CLI::Range(1., 1e9));
   app.add_option("--smooth", o.smoothing_iterations,
-                 "steps of Laplacian smoothing before distances are computed [0]")
+                 "number of steps of Laplacian smoothing before distances are computed [0]")
     ->type_name("N")->check(CLI::Range(std::int64_t(0), largest));
   app.add_flag("--smooth-boundaries", o.smooth_boundaries,
-               "smooth the boundaries between segments");
+               "smooth the boundaries between segments by removing teeth of single faces");
   app.add_flag("--keep-components-separate", o.keep_components_separate,
-               "each connected component is a part from the start, as with the method 'paper'; "
-               "else components that touch may be of one part");
+               "make each connected component a part from the start, as --method paper does; "
+               "otherwise components that touch may belong to the same part");
   app.add_flag("--refine-boundaries", o.refine_boundaries,
-               "split faces of the written meshes along smooth boundaries; labels stay those of "
+               "split faces of the written meshes along smooth boundaries; labels still refer to "
                "the faces of IN");
   app.add_flag("--close", o.close,
-               "close the segments of --split-dir, and of -o with .glb or .3mf, as for printing: "
-               "with caps that they share, and where the mesh has holes");
-  app.add_flag("--quiet", o.quiet, "print neither progress nor summary");
-  app.allow_windows_style_options(false); // a name may begin with a slash
+               "close the segments of --split-dir, and of -o with .glb or .3mf, for example for 3D "
+               "printing: with caps that neighbors share, and at holes of the mesh");
+  app.add_flag("--quiet", o.quiet, "print neither progress nor a summary");
+  app.allow_windows_style_options(false); // a path may begin with a slash
   app.set_version_flag("--version", "segment_mesh " CGAL_SPECTRAL_SEGMENTATION_VERSION);
   app.add_flag("--print-man-page", o.prints_man_page)->group("");
   app.add_flag("--print-bash-completion", o.prints_completion)->group("");
-  app.footer("The exit status is 0, or 1 for a bug, 2 for wrong usage, 3 for an input that cannot "
-             "be opened, 4 for one that has no mesh, 5 where memory is short, 6 after the time "
-             "limit, 7 for an output that cannot be written, and 8 if runs of --out-dir failed. "
-             "The reports of --json have it by name, as 'status'.");
+  app.footer("The exit status is 0 for success, 1 for a bug, 2 for wrong usage, 3 if an input "
+             "cannot be opened, 4 if an input has no mesh, 5 for lack of memory, 6 after the time "
+             "limit, 7 if an output cannot be written, and 8 if runs of --out-dir failed. The "
+             "reports of --json have its name as 'status'.");
 }
 
-// Whether each segment is an object of its own, which may have caps.
+// Returns whether each segment in the file is an object of its own, which may have caps.
 bool has_objects(const std::string& mesh_file)
 {
   const std::string extension = mesh_file::output_extension(mesh_file);
   return extension == ".glb" || is_3mf(extension);
 }
 
-// Finds what can be found before any run.
+// Finds the errors that can be found before any run.
 void check_usage(const Options& o)
 {
 #ifndef CGAL_LINKED_WITH_TBB
   if (o.threads && *o.threads > 1)
-    throw Failure(Status::USAGE, "this build has no threads, as it is without TBB");
+    throw Failure(Status::USAGE, "--threads above 1 needs TBB, but this build is without TBB");
 #endif
   if (std::isnan(o.time_limit) || std::isnan(o.memory_limit))
-    throw Failure(Status::USAGE, "a limit is not a number");
+    throw Failure(Status::USAGE, "--time-limit and --memory-limit must be numbers");
   if (std::isfinite(o.memory_limit) && o.threads.value_or(1) > 1)
-    throw Failure(Status::USAGE, "--memory-limit is for runs with one thread");
+    throw Failure(Status::USAGE, "--memory-limit allows only one thread; leave out --threads");
   if (o.threshold && std::isnan(*o.threshold))
-    throw Failure(Status::USAGE, "--salience-threshold is not a number");
+    throw Failure(Status::USAGE, "--salience-threshold must be a number");
   if (o.threshold && !o.uses_paper_method() && !(*o.threshold >= 0 && *o.threshold <= 1))
-    throw Failure(Status::USAGE, "--salience-threshold is a probability, from 0 to 1, with the "
-                                 "method 'calibrated'");
+    throw Failure(Status::USAGE, "--salience-threshold must be between 0 and 1 with --method "
+                                 "calibrated, because it is a probability");
   if (o.output_directory.empty()) {
     if (o.inputs.empty() && o.list_file.empty())
-      throw Failure(Status::USAGE, "name the file of a mesh; --help tells more");
+      throw Failure(Status::USAGE, "no input mesh given; see --help");
     if (o.inputs.size() > 1 || !o.list_file.empty())
-      throw Failure(Status::USAGE, "several meshes need --out-dir");
+      throw Failure(Status::USAGE, "several input meshes need --out-dir");
     return;
   }
   if (!o.mesh_files.empty() || !o.label_file.empty() || !o.report_file.empty() ||
       !o.hierarchy_file.empty() || !o.page_file.empty() || !o.split_directory.empty())
-    throw Failure(Status::USAGE, "with --out-dir, --outputs names what is written");
+    throw Failure(Status::USAGE, "with --out-dir, choose the outputs with --outputs");
 }
 
-// Finds what can be found before a long run.
+// Finds the errors in the files that can be found before a long run.
 void check_files(const Options& o)
 {
   std::vector<std::filesystem::path> outputs = {o.label_file, o.report_file, o.hierarchy_file,
@@ -295,12 +296,12 @@ std::size_t segment(const Input& input, std::vector<Index>& labels, const Option
     parameters::options(o.segmentation_options()).hierarchy(tree).visitor(std::ref(watch));
   const auto ids = CGAL::make_property_map(labels);
   try {
-    if (o.threads == 1) // starts no thread, so that a limit of memory is an exception
+    if (o.threads == 1) // starts no thread, so that running out of memory is an exception
       return CGAL::segment_spectral_recursive<CGAL::Sequential_tag>(input.soup.points,
                                                                     input.triangles, ids, np);
     return CGAL::segment_spectral_recursive(input.soup.points, input.triangles, ids, np);
   }
-  catch (const std::invalid_argument& e) { // "segment_spectral_recursive: what is wrong"
+  catch (const std::invalid_argument& e) { // "segment_spectral_recursive: message"
     const std::string sentence = e.what();
     throw Failure(Status::USAGE, sentence.substr(sentence.find(": ") + 2));
   }
@@ -310,7 +311,8 @@ template <class T>
 Json json_or_null(const std::optional<T>& value)
 { return value ? Json(*value) : Json(); }
 
-// A threshold without limit is null. Parameters without an option have the version's defaults.
+// Returns the parameters of a run. The threshold is null if it has no effect. Parameters without an
+// option have the defaults of the version.
 Json parameters_report(const Options& o)
 {
   const Segmentation_options used = o.segmentation_options();
@@ -326,7 +328,7 @@ Json parameters_report(const Options& o)
           {"close", o.close}};
 }
 
-// How a run ended; all of its report if it failed.
+// Returns the part of the report that says how a run ended; it is the whole report of a failed run.
 Json status_report(const Options& o, Status status, const std::string& message)
 {
   return {{"version", CGAL_SPECTRAL_SEGMENTATION_VERSION},
@@ -365,7 +367,7 @@ Json report(const Options& o, const Input& input, const std::vector<Index>& labe
   return result;
 }
 
-// Writes the input, or its triangles with refined boundaries.
+// Writes the input, or its triangles with refined boundaries, as meshes.
 void write_meshes(const Options& o, const Input& input, const std::vector<Index>& label_of_triangle,
                   const std::vector<Index>& label_of_polygon, std::size_t number_of_segments,
                   const Segmentation_hierarchy& tree, Output_files& files)
@@ -379,7 +381,7 @@ void write_meshes(const Options& o, const Input& input, const std::vector<Index>
   const std::vector<Index>& labels = o.refine_boundaries ? refined.second : label_of_polygon;
   const std::vector<mesh_file::Part> parts =
     part_tree(tree, label_of_triangle, number_of_segments);
-  // The number of a face of the refined mesh would tell nothing about the input.
+  // All faces of a refined mesh count as new, because their indices mean nothing in the input.
   const mesh_file::Segmented_mesh mesh{
     written.soup, labels, colors, o.refine_boundaries ? 0 : std::size_t(mesh_file::null_index),
     parts};
@@ -405,7 +407,7 @@ void print_summary(std::ostream& out, const Options& o, const Input& input,
     throw_cannot_write("the summary");
 }
 
-// About how long the phases take. Only what is told of the progress depends on it.
+// Estimates of the times of the phases. Only the reported progress depends on them.
 struct Expected_seconds
 {
   double reading, joining, segmenting, writing;
@@ -415,7 +417,7 @@ struct Expected_seconds
       writing((writes_triangles ? 3e-7 : 5e-8) * faces) {}
 };
 
-// Returns a row of the table of a batch.
+// Segments a mesh and writes the outputs. Returns a row of the table of a batch.
 Json run(const Options& o)
 {
   limit_memory(1e6 * o.memory_limit);
@@ -459,7 +461,7 @@ Json run(const Options& o)
       write_page(out, page_data(input, tree, page_options(o, number_of_segments)));
     });
   watch.end_phase();
-  if (!o.report_file.empty()) // the last, as it has the time of the others
+  if (!o.report_file.empty()) // written last, because it holds the time of the others
     files.write(o.report_file, [&](std::ostream& out) {
       out << report(o, input, labels, number_of_segments, tree, watch)
                .dump(1, ' ', false, Json::error_handler_t::replace) << "\n";
@@ -471,7 +473,7 @@ Json run(const Options& o)
                   number_of_segments, watch.seconds());
     if (o.segments && number_of_segments > *o.segments)
       std::cerr << "segment_mesh: warning: more than " << *o.segments
-                << " segments, as each connected component is one at least" << std::endl;
+                << " segments, because each connected component is at least one" << std::endl;
   }
   return {{"input", o.input},
           {"status", name_of(Status::OK)},
@@ -482,7 +484,7 @@ Json run(const Options& o)
           {"peak_memory", peak_memory()}};
 }
 
-// The report of a run that failed, if it has one, and its row in a table.
+// Writes the report of a run that failed, if requested. Returns the row of the run in a table.
 Json report_failure(const Options& o, const Failure& failure)
 {
   if (!o.report_file.empty())
@@ -494,7 +496,7 @@ Json report_failure(const Options& o, const Failure& failure)
       });
       files.commit();
     }
-    catch (const std::exception&) { // the first failure is the one that counts
+    catch (const std::exception&) { // only the first failure counts
     }
   return {{"input", o.input},
           {"status", name_of(failure.status)},
@@ -505,7 +507,7 @@ Json report_failure(const Options& o, const Failure& failure)
           {"peak_memory", nullptr}};
 }
 
-// Returns the options of one mesh of a batch, whose outputs have names that begin with a path.
+// Returns the options of one mesh of a batch. The names of its outputs begin with `path`.
 Options options_of_mesh(const Options& batch, const std::string& input, const Path& path)
 {
   Options o = batch;
@@ -533,7 +535,7 @@ Json run_of_batch(const Options& o)
 {
 #ifndef _WIN32
   if (std::isfinite(o.time_limit))
-    alarm(static_cast<unsigned>(o.time_limit) + 5); // stops code that does not look at the limit
+    alarm(static_cast<unsigned>(o.time_limit) + 5); // stops code that does not check the limit
 #endif
   try {
     check_files(o);
@@ -577,22 +579,22 @@ int fail(const Failure& failure)
   return static_cast<int>(failure.status);
 }
 
-// Returns the failure that CLI11 has found, and for an unknown option one that may have been meant.
+// Returns the failure that CLI11 has found. For an unknown option it suggests a similar one.
 Failure failure_of_usage(const CLI::App& app, const CLI::ParseError& error)
 {
   for (const std::string& word : app.remaining())
     if (word.size() > 1 && word[0] == '-') {
       const std::string similar = similar_option(app, word);
-      return Failure(Status::USAGE, "there is no option " + word +
+      return Failure(Status::USAGE, "unknown option " + word +
                                       (similar.empty() ? "; see --help"
-                                                       : "; is " + similar + " meant?"));
+                                                       : "; did you mean " + similar + "?"));
     }
   return Failure(Status::USAGE, error.what());
 }
 
 int main(int argc, char* argv[])
 {
-  // CGAL prints what it throws.
+  // Keeps CGAL from printing the errors that it throws.
   CGAL::set_error_handler([](const char*, const char*, const char*, int, const char*) {});
   CGAL::set_warning_handler([](const char*, const char*, const char*, int, const char*) {});
   Options options;

@@ -238,7 +238,7 @@ class Page_test(unittest.TestCase):
                 (usage, ("--html", "-", "--json", "-"), "two outputs have the name -"),
                 (usage, ("--html", "mesh.off"), "mesh.off is the input"),
                 (output, ("--html", "none/a.html"), "there is no directory none"),
-                (usage, ("--html", "a", "--out-dir", "b"), "--outputs names what is written")]:
+                (usage, ("--html", "a", "--out-dir", "b"), "choose the outputs with --outputs")]:
             with self.subTest(options=options):
                 result = self.run_tool("mesh.off", *options)
                 self.assertEqual(result.returncode, status)

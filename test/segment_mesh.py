@@ -1145,7 +1145,7 @@ class Failures(Tool_test):
                           (self.mesh, "-o", "out.stl"), (self.mesh, "-o", "out"), ("",)):
             self.assert_failure("usage", *arguments)
         self.assert_failure("usage", self.mesh, "--segment", "5",
-                            sentence="is --segments meant?")
+                            sentence="did you mean --segments?")
         self.assert_failure("usage", self.mesh, "--segments", "1000000", sentence="1 to 2390")
 
     def test_output_that_cannot_be_written(self):
