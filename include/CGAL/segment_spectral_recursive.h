@@ -121,10 +121,10 @@ are projected back. The section \ref Spectral_segmentation_beyond has the detail
 and Visually Salient Spectral Cuts</em>, Vision, Modeling, and Visualization 2005. The faces are
 nodes of the dual graph of the mesh, in which the two faces at a concave edge are far apart. In each
 part the method finds two sample faces by shape context and orders the faces by a spectral embedding
-with respect to these samples. Of all cuts along this order it takes the one with the most salient
+with respect to these samples. It takes the cut along this order that has the most salient
 part. Both sides are parts again. The largest part is cut next, until no part has a cut whose
 salience reaches the threshold. The section \ref Spectral_segmentation_method has the details;
-sections and equations that are named below are those of the paper.
+the numbers of sections and equations below refer to the paper.
 
 The time is O(*n* log *n*) in the number *n* of faces, for reading and coarsening, plus a search on
 at most 4000 faces by default. The memory is O(*n*). The section

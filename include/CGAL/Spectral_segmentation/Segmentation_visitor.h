@@ -65,7 +65,7 @@ struct Segmentation_visitor
   /// About this fraction of the run is done. It is between 0 and 1 and never decreases; 1 is
   /// reported at the end of a run that was not stopped. The function is called some dozens to some
   /// hundreds of times.
-  void progress(double /* share */) {}
+  void progress(double /* fraction */) {}
 
   /// Returns whether the run shall go on. The run calls it in every stage: between the shortest
   /// path trees and the other steps of the search, every few milliseconds while the mesh is
