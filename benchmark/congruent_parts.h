@@ -128,8 +128,8 @@ inline std::vector<double> best_overlaps(const Eigen::ArrayXXd& area)
   return result;
 }
 
-// Congruent parts are treated alike if their best overlaps differ by at most this: a leg that is cut off at
-// the hip and one at the knee are not, four legs that are left on the body are.
+// Congruent parts are treated alike if their best overlaps differ by at most this: a leg that is
+// cut off at the hip and one at the knee are not, four legs that are left on the body are.
 constexpr double overlap_of_alike = 0.25;
 
 // The share of the classes, of the parts in the rows, that the segments in the columns treat alike;

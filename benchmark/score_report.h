@@ -148,8 +148,8 @@ inline void print_metrics(const std::vector<Row_summary>& rows)
                 r.categories_at_or_below_people(), r.categories.size());
   }
   std::printf("excess: Rand error less the consensus floor, for which an upper bound stands\n"
-              "congruent: fraction of the classes of congruent parts that people made which are treated "
-              "alike\n"
+              "congruent: fraction of the classes of congruent parts that people made which are "
+              "treated alike\n"
               "categories: in how many the Rand error is at most people's own\n");
 }
 

@@ -52,7 +52,8 @@ for compiler in g++ clang++; do
     $([[ $compiler = g++ ]] || echo "$quick")
   check "$compiler-sanitize" sanitize $quick -DCMAKE_CXX_COMPILER="$compiler"
   if [[ -n $cgal ]]; then
-    check "$compiler-cgal" release "$warnings" $quick -DCMAKE_CXX_COMPILER="$compiler" -DCGAL_DIR="$cgal"
+    check "$compiler-cgal" release "$warnings" $quick -DCMAKE_CXX_COMPILER="$compiler" \
+      -DCGAL_DIR="$cgal"
   fi
 done
 

@@ -101,7 +101,8 @@ BOOST_AUTO_TEST_CASE(best_overlap_by_hand)
 
 BOOST_AUTO_TEST_CASE(congruent_parts_are_treated_alike_or_not)
 {
-  const std::vector<Congruent_parts> all = {{0, 1, 2}}, first_two = {{0, 1}}, pairs = {{0, 1}, {1, 2}};
+  const std::vector<Congruent_parts> all = {{0, 1, 2}}, first_two = {{0, 1}},
+                                     pairs = {{0, 1}, {1, 2}};
 
   // All are cut off; none is; the last one is left on the second.
   BOOST_TEST(share_treated_alike(all, areas({{4, 0, 0}, {0, 4, 0}, {0, 0, 4}})) == 1);

@@ -358,14 +358,14 @@ BOOST_AUTO_TEST_CASE(contradictions)
     const Edge e = m.mesh.edge(m.mesh.halfedge(Mesh::Vertex_index(0)));
     m.is_uncuttable[e] = false;
     m.is_seam[e] = true;
-    m.check_is_refused("must be a seam");
+    m.check_is_refused("is constrained");
   }
   {
     Constrained_mesh m(sphere(2));
     m.is_seam[Edge(5)] = true;
     for (std::size_t f : m.faces_at(Edge(5)))
       m.seed[Face(f)] = 4;
-    m.check_is_refused("must be a seam");
+    m.check_is_refused("is constrained");
   }
   {
     Constrained_mesh m(sphere(2));

@@ -335,6 +335,17 @@ class Example(unittest.TestCase):
         area = sum(dot(normal, normal) ** 0.5 / 2 for _, normal in outer_planes(points, faces))
         self.assertAlmostEqual(sum(map(float, areas)) / area, 1, places=4)
 
+    def test_color_by_embedding(self):
+        first, last = map(int, self.numbers(
+            r"samples: faces f(\d+) and f(\d+)", self.run_example()))
+        _, faces, properties = read_ply(self.directory / "embedding.ply")
+        self.assertEqual(len(faces), 5558)
+        coordinates, red = properties["coordinate"], properties["red"]
+        by_coordinate = [r for _, r in sorted(zip(coordinates, red))] # equal coordinates occur
+        self.assertEqual(by_coordinate, sorted(by_coordinate))
+        self.assertLess(red[first], 10) # the samples are at the ends of the line
+        self.assertGreater(red[last], 245)
+
     def test_collision_shapes(self):
         n, number_of_faces, percentage = self.numbers(
             r"(\d+) convex shapes with (\d+) faces in place of 5558; "

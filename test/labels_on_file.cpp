@@ -16,10 +16,11 @@
 #include <stdexcept>
 #include <string>
 
-// The labels of some meshes against those in labels/, so that no change of them goes unnoticed. After
-// a change that is meant, write them anew:
+// Compares the labels of some meshes with those in labels/, so that no change of them goes
+// unnoticed. After a change that is meant, write them anew:
 //
-//   SPECTRAL_SEGMENTATION_WRITE_LABELS=test/labels build-test/test/unit_tests --run_test=labels_on_file
+//   export SPECTRAL_SEGMENTATION_WRITE_LABELS=test/labels
+//   build-test/test/unit_tests --run_test=labels_on_file
 //
 // Those of the method of the paper were recorded when there was no other method.
 BOOST_AUTO_TEST_SUITE(labels_on_file)

@@ -11,7 +11,6 @@
 #include "../benchmark/paper_experiments/face_affinities.h"
 #include "../benchmark/paper_experiments/face_samples.h"
 #include "../benchmark/paper_experiments/k_means.h"
-#include "../benchmark/paper_experiments/nystrom.h"
 #include "../benchmark/paper_experiments/recursive_cuts.h"
 #include "../benchmark/paper_experiments/spectral_clusters.h"
 #include "../benchmark/paper_experiments/spectral_lines.h"
@@ -41,6 +40,10 @@ BOOST_AUTO_TEST_SUITE(paper_experiments)
 namespace internal = CGAL::Spectral_segmentation::internal;
 namespace tt = boost::test_tools;
 using namespace segmentation_benchmark;
+using CGAL::Spectral_segmentation::internal::descending_eigenpairs;
+using CGAL::Spectral_segmentation::internal::normalized;
+using CGAL::Spectral_segmentation::internal::normalized_rows;
+using CGAL::Spectral_segmentation::internal::nystrom_extrapolation;
 using test_meshes::graph_with_distances;
 
 namespace {

@@ -27,7 +27,8 @@ using CGAL::Spectral_segmentation::internal::Cut;
 inline std::vector<Index> spectral_line(const Face_graph& part, const Eigenpairs& e,
                                         const std::vector<Index>& samples, bool is_reversed)
 {
-  Eigen::ArrayXd z = e.vectors.col(1).array() / e.vectors.col(0).array();
+  Eigen::ArrayXd z =
+    CGAL::Spectral_segmentation::internal::spectral_coordinates(e, samples).array();
   if (is_reversed)
     z = -z;
   const double step = 1e-9 * (z.maxCoeff() - z.minCoeff());

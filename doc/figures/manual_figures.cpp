@@ -55,6 +55,7 @@ void draw_all(Picture_book& book, Meshes& meshes)
   draw_gallery(book, meshes);
   draw_dual_graph(book, meshes["eight"]);
   draw_contexts(book, meshes["homer"]);
+  draw_embedding(book, meshes["elephant"]);
   const Kernel::Point_3 right(-0.2, -0.1, 0.33), left(0.2, -0.1, 0.33); // on the belly
   draw_samples_and_line(book, meshes["bear"], {right, left});
   draw_tree(book, meshes["triceratops"]);

@@ -8,9 +8,11 @@
 #include "Picture_book.h"
 #include "segmentations.h"
 
+#include <CGAL/Spectral_segmentation/internal/bipartition/face_embedding.h>
 #include <CGAL/Spectral_segmentation/internal/bipartition/face_orders.h>
 #include <CGAL/Spectral_segmentation/internal/bipartition/line_search.h>
 #include <CGAL/Spectral_segmentation/internal/bipartition/shape_context_sampling.h>
+#include <CGAL/Spectral_segmentation/internal/distances/shortest_paths.h>
 #include <CGAL/Spectral_segmentation/internal/mesh/surface_integrals.h>
 
 #include <CGAL/Kernel/global_functions.h>
@@ -22,6 +24,7 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
+#include <numeric>
 #include <optional>
 #include <string>
 #include <utility>
@@ -142,6 +145,41 @@ inline void draw_contexts(Picture_book& book, const Named_mesh& shape)
                 context_norm_colors(contexts)};
   add_samples(norms, internal::sample_faces(Execution::SEQUENTIAL, contexts));
   book.add("contexts", norms);
+}
+
+// Returns colors from blue to red by the rank of each face on the spectral line.
+inline std::vector<Rgb> rank_colors(const Face_graph& graph, const std::vector<Index>& samples)
+{
+  const Eigen::VectorXd z =
+    internal::spectral_coordinates(internal::face_eigenpairs(graph, samples), samples);
+  std::vector<Index> line(graph.number_of_faces());
+  std::iota(line.begin(), line.end(), Index(0));
+  std::sort(line.begin(), line.end(), [&](Index f, Index g) { return z[f] < z[g]; });
+  std::vector<Rgb> colors(line.size());
+  for (std::size_t i = 0; i < line.size(); ++i)
+    colors[line[i]] = blue_white_red(static_cast<double>(i) / static_cast<double>(line.size()));
+  return colors;
+}
+
+inline void draw_embedding(Picture_book& book, const Named_mesh& shape)
+{
+  const Face_graph graph = paper_graph(shape.mesh);
+  const internal::Sample_faces two =
+    internal::sample_faces(Execution::SEQUENTIAL, contexts_of(graph));
+  Picture with_two{shape, "two samples, by shape context", rank_colors(graph, {two.s, two.t})};
+  add_samples(with_two, two);
+  book.add("embedding", with_two);
+  std::vector<Index> samples = {two.s};
+  std::vector<double> to_nearest(graph.number_of_faces(), internal::infinite_distance);
+  while (samples.size() < 100) { // the farthest next
+    const std::vector<double> distance =
+      internal::shortest_paths(graph, &Edge_weights::combined, samples.back());
+    for (std::size_t f = 0; f < to_nearest.size(); ++f)
+      to_nearest[f] = (std::min)(to_nearest[f], distance[f]);
+    samples.push_back(static_cast<Index>(
+      std::max_element(to_nearest.begin(), to_nearest.end()) - to_nearest.begin()));
+  }
+  book.add("embedding", Picture{shape, "100 samples", rank_colors(graph, samples)});
 }
 
 // The line of two samples, and what was found along it.

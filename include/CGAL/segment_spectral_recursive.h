@@ -167,8 +167,9 @@ at most 4000 faces by default. The memory is O(*n*). The section
       default components that touch may belong to the same part: if some components touch or
       nearly touch, a closed surface that wraps all of them is searched in place of the mesh, and
       each face gets the side of the surface near it. Components that are farther from each other
-      than about a hundredth of the extent of the mesh never belong to the same part, unless a
-      number of segments requires it.}
+      than about a sixtieth of the diagonal of the bounding box never belong to the same part,
+      unless a number of segments requires it. If `number_of_coarse_faces` is 0, no components
+      belong to the same part.}
     \cgalParamType{`bool`}
     \cgalParamDefault{`false`, or `true` with `zhang_liu_2005()`, which supports no other value}
   \cgalParamNEnd

@@ -283,7 +283,8 @@ void define_hierarchy(py::module_& m)
          "labels(n=None, *, salience_threshold=None) -> array of int, shape (number_of_faces,)\n\n"
          "The label of each triangle. Without arguments those of the run; with `n` exactly `n` "
          "segments, or as near to it as there are roots and leaves; with `salience_threshold` "
-         "those of a run with this threshold, and with both at most `n`. Nothing is searched again.\n\n"
+         "those of a run with this threshold, and with both at most `n`. Nothing is searched "
+         "again.\n\n"
          "Raises ValueError if a cut is needed that the run did not search, `n` is below 1, or "
          "`salience_threshold` is not a number.")
     .def("segments", segments, py::arg("n") = py::none(), py::kw_only(),

@@ -84,6 +84,7 @@ enum zhang_liu_2005_t { zhang_liu_2005 };
 enum distance_weights_t { distance_weights };
 enum hierarchy_t { hierarchy };
 enum options_t { options };
+enum sample_faces_t { sample_faces };
 enum faces_of_parts_t { faces_of_parts };
 
 template <class T>
@@ -176,7 +177,8 @@ using has_only_tags_of_package = has_only<Pack,
   CGAL_SPECTRAL_SEGMENTATION_PARAMETERS(CGAL_SPECTRAL_SEGMENTATION_TAG)
   CGAL_SPECTRAL_SEGMENTATION_PARAMETERS_OF_CGAL_FOR_RESULTS(CGAL_SPECTRAL_SEGMENTATION_TAG)
   CGAL_SPECTRAL_SEGMENTATION_PARAMETERS_OF_RESULTS(CGAL_SPECTRAL_SEGMENTATION_TAG)
-  zhang_liu_2005_t, distance_weights_t, hierarchy_t, options_t, faces_of_parts_t>;
+  zhang_liu_2005_t, distance_weights_t, hierarchy_t, options_t, faces_of_parts_t,
+  sample_faces_t>;
 #undef CGAL_SPECTRAL_SEGMENTATION_TAG
 
 } // namespace internal_np
@@ -282,6 +284,11 @@ public:
     return with<internal_np::hierarchy_t>(std::ref(h));
   }
 
+  /// the sample faces of a spectral embedding
+  template <class FaceDescriptor>
+  auto sample_faces(const std::vector<FaceDescriptor>& faces) const
+  { return with<internal_np::sample_faces_t>(faces); }
+
   /// receives for each part the faces of the mesh that its faces come from
   template <class FaceDescriptor>
   auto faces_of_parts(std::vector<std::vector<FaceDescriptor> >& faces) const
@@ -334,6 +341,10 @@ auto distance_weights(Numbers... weights)
 template <class Hierarchy>
 auto hierarchy(Hierarchy& h)
 { return default_values().hierarchy(h); }
+
+template <class FaceDescriptor>
+auto sample_faces(const std::vector<FaceDescriptor>& faces)
+{ return default_values().sample_faces(faces); }
 
 template <class FaceDescriptor>
 auto faces_of_parts(std::vector<std::vector<FaceDescriptor> >& faces)

@@ -192,7 +192,10 @@ class Run
 
   // Returns whether something is done with the mesh after the search.
   bool is_mesh_needed() const
-  { return options_.number_of_segments || !options_.keep_components_separate || !constraints_.empty(); }
+  {
+    return options_.number_of_segments || !options_.keep_components_separate ||
+           !constraints_.empty();
+  }
 
   // Returns the mesh on which cuts are searched.
   Face_graph coarse_mesh()
@@ -287,8 +290,9 @@ class Run
     const std::size_t number = hierarchy.number_of_roots;
     if (number > number_of_roots && number > maximum_number(options_))
       throw std::invalid_argument(
-        "segment_spectral_recursive: the seams and seeds need " + std::to_string(number) +
-        " segments, but " + std::to_string(maximum_number(options_)) + " are allowed");
+        "segment_spectral_recursive: the constrained edges and seeds need " +
+        std::to_string(number) + " segments, but " + std::to_string(maximum_number(options_)) +
+        " are allowed");
   }
 
   // Joins roots, satisfies constraints, and makes as many cuts as were asked for.
@@ -339,7 +343,8 @@ public:
     const double coarsening_time = (m < n ? 1250 : 100) * n;
     const double search_time = (options_.method == Method::CALIBRATED ? 50000 : 4000) * m;
     const double projection_time = (m < n ? 250 : 0) * n;
-    const double all = (std::max)(reading_time + coarsening_time + search_time + projection_time, 1.);
+    const double all =
+      (std::max)(reading_time + coarsening_time + search_time + projection_time, 1.);
 
     Cut_hierarchy result;
     monitor_.start_phase(reading_time / all);

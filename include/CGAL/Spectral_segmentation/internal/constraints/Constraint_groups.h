@@ -66,7 +66,7 @@ class Constraint_grouping
       sets_.join(number_[first_of_seed_.emplace(seed, f).first->second], number_[f]);
     for (const auto& [f, g] : constraints_.cannot_link)
       if (set_of(f) == set_of(g))
-        fail("the edge between " + faces(f, g) + " must be a seam, but the two are joined by edges "
+        fail("the edge between " + faces(f, g) + " is constrained, but the two are joined by edges "
              "that must not be cut or by their seed, or are one face twice");
   }
 

@@ -1,8 +1,8 @@
 // Copyright (c) 2026  The Spectral_segmentation authors.
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#ifndef SEGMENTATION_BENCHMARK_PAPER_EXPERIMENTS_NYSTROM_H
-#define SEGMENTATION_BENCHMARK_PAPER_EXPERIMENTS_NYSTROM_H
+#ifndef CGAL_SPECTRAL_SEGMENTATION_INTERNAL_BIPARTITION_NYSTROM_H
+#define CGAL_SPECTRAL_SEGMENTATION_INTERNAL_BIPARTITION_NYSTROM_H
 
 #include <CGAL/Spectral_segmentation/internal/utility/Index.h>
 
@@ -14,9 +14,7 @@
 #include <cstddef>
 #include <vector>
 
-namespace segmentation_benchmark {
-
-using CGAL::Spectral_segmentation::internal::Index;
+namespace CGAL::Spectral_segmentation::internal {
 
 // The Nystrom approximation of the eigenvectors of a symmetric n x n matrix of affinities, of which
 // only the m rows of some samples are known (Section 5.2; Fowlkes et al., PAMI 26(2), 2004).
@@ -81,23 +79,6 @@ inline Eigenpairs nystrom_extrapolation(const Eigen::MatrixXd& rows,
     on_nonzero(block.values, [](double v) { return 1 / v; }).asDiagonal()};
 }
 
-// The orthogonal eigenvectors of the same approximation, by the one-shot method of Fowlkes et al.
-// The sampled block must be positive semidefinite. Exact if the matrix has rank m and the samples
-// span it.
-inline Eigenpairs nystrom_eigenvectors(const Eigen::MatrixXd& rows,
-                                       const std::vector<Index>& samples)
-{
-  const Eigenpairs block = descending_eigenpairs(sampled_block(rows, samples));
-  const Eigen::MatrixXd inverse_root = block.vectors *
-    on_nonzero(block.values, [](double v) { return v > 0 ? 1 / std::sqrt(v) : 0.; }).asDiagonal() *
-    block.vectors.transpose();
-  // The approximation is F F^T with F = rows^T X^-1/2, whose left singular vectors are wanted.
-  const Eigen::MatrixXd factor = rows.transpose() * inverse_root;
-  const Eigenpairs gram = descending_eigenpairs(factor.transpose() * factor);
-  return {gram.values, factor * gram.vectors *
-    on_nonzero(gram.values, [](double v) { return v > 0 ? 1 / std::sqrt(v) : 0.; }).asDiagonal()};
-}
+} // namespace CGAL::Spectral_segmentation::internal
 
-} // namespace segmentation_benchmark
-
-#endif // SEGMENTATION_BENCHMARK_PAPER_EXPERIMENTS_NYSTROM_H
+#endif // CGAL_SPECTRAL_SEGMENTATION_INTERNAL_BIPARTITION_NYSTROM_H
