@@ -29,7 +29,7 @@
 
 #include "../examples/segment_mesh/Run_watch.h"
 
-#include <CGAL/Spectral_segmentation/internal/multilevel/coarsening.h>
+#include <CGAL/Spectral_segmentation/internal/levels/coarsening.h>
 #include <CGAL/segment_spectral_recursive.h>
 
 #include <CGAL/Surface_mesh_simplification/Policies/Edge_collapse/Edge_length_cost.h>

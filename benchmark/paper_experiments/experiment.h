@@ -7,8 +7,8 @@
 #include "../paper_graph.h"
 #include "../princeton_benchmark.h"
 
-#include <CGAL/Spectral_segmentation/internal/mesh/connected_components.h>
-#include <CGAL/Spectral_segmentation/internal/mesh/extract_part.h>
+#include <CGAL/Spectral_segmentation/internal/surface/connected_components.h>
+#include <CGAL/Spectral_segmentation/internal/surface/submesh.h>
 #include <CGAL/Spectral_segmentation/internal/mesh/surface_integrals.h>
 #include <CGAL/Spectral_segmentation/internal/salience/Cut.h>
 

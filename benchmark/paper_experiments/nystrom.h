@@ -4,7 +4,7 @@
 #ifndef SEGMENTATION_BENCHMARK_PAPER_EXPERIMENTS_NYSTROM_H
 #define SEGMENTATION_BENCHMARK_PAPER_EXPERIMENTS_NYSTROM_H
 
-#include <CGAL/Spectral_segmentation/internal/utility/Index.h>
+#include <CGAL/Spectral_segmentation/internal/base/arrays.h>
 
 #include <Eigen/Core>
 #include <Eigen/Eigenvalues>

@@ -6,9 +6,8 @@
 
 // Where the sections of the paper are, below Spectral_segmentation/internal/:
 //
-//   2    overview, queue of parts        hierarchy/recursion.h
-//   2    smoothing before and after      distances/laplacian_smoothing.h,
-//                                        hierarchy/boundary_smoothing.h
+//   2    overview, queue of parts        dendrogram/recursion.h
+//   2    smoothing before and after      surface/Surface.h, door/boundary_smoothing.h
 //   2    BESTCUT (Figure 2)              bipartition/best_cut.h
 //   3    distances of adjacent faces     distances/face_distances.h
 //   4    sampling by shape context       bipartition/shape_context_sampling.h
@@ -16,11 +15,11 @@
 //   5.3  line search                     bipartition/line_search.h
 //   6    salience of a part              salience/Boundary_statistics.h, Part_salience.h
 //
-// Beyond the paper: over-segmentation and merging (hierarchy/region_merging.h), more cuts to choose
+// Beyond the paper: over-segmentation and merging (dendrogram/region_merging.h), more cuts to choose
 // from (bipartition/cut_proposals.h, min_cut_refinement.h) and more factors to judge them by
-// (salience/Cut_evaluator.h), bending at the scale of the shape (distances/curvature_angles.h), and
-// the search on a coarse mesh (multilevel/). engine.h is the line between these and the templates
-// here and in door/.
+// (salience/Cut_evaluator.h), bending at the scale of the shape (distances/bending.h), and the search
+// on a coarse surface (levels/). engine.h is the line between these and the templates here and in
+// door/.
 
 #include <CGAL/Spectral_segmentation/Part_salience.h>
 #include <CGAL/Spectral_segmentation/Segmentation_hierarchy.h>
@@ -28,12 +27,11 @@
 #include <CGAL/Spectral_segmentation/parameters.h>
 #include <CGAL/Spectral_segmentation/version.h>
 
-#include <CGAL/Spectral_segmentation/internal/door/Visitor_control.h>
 #include <CGAL/Spectral_segmentation/internal/door/numbered_descriptors.h>
 #include <CGAL/Spectral_segmentation/internal/door/read_options.h>
-#include <CGAL/Spectral_segmentation/internal/door/read_triangle_mesh.h>
-#include <CGAL/Spectral_segmentation/internal/door/read_triangle_soup.h>
-#include <CGAL/Spectral_segmentation/internal/door/read_wishes.h>
+#include <CGAL/Spectral_segmentation/internal/door/read_surface.h>
+#include <CGAL/Spectral_segmentation/internal/door/boundary_smoothing.h>
+#include <CGAL/Spectral_segmentation/internal/door/read_constraints.h>
 #include <CGAL/Spectral_segmentation/internal/engine.h>
 
 #include <CGAL/Named_function_parameters.h>
@@ -55,9 +53,9 @@ namespace internal {
 // Runs the engine and writes the labels of `faces`, which are numbered as the triangles are, and
 // the hierarchy of the caller. Returns the number of segments.
 template <class ConcurrencyTag, class Face, class SegmentIdMap, class CGALNamedParameters>
-std::size_t segment_and_write(Triangles triangles, const std::vector<Face>& faces,
+std::size_t segment_and_write(Surface surface, const std::vector<Face>& faces,
                               SegmentIdMap segment_ids, const Options& options,
-                              const Wishes& wishes, const CGALNamedParameters& np)
+                              const Constraints& constraints, const CGALNamedParameters& np)
 {
   using CGAL::parameters::choose_parameter;
   using CGAL::parameters::get_parameter_reference;
@@ -66,21 +64,23 @@ std::size_t segment_and_write(Triangles triangles, const std::vector<Face>& face
   static_assert(!is_parallel, "Parallel_tag is enabled but TBB is unavailable.");
 #endif
 
-  typedef typename CGAL::internal_np::Lookup_named_param_def<
-    CGAL::internal_np::visitor_t, CGALNamedParameters, Segmentation_visitor>::reference Visitor;
   Segmentation_visitor no_visitor;
-  Visitor visitor =
-    choose_parameter(get_parameter_reference(np, CGAL::internal_np::visitor), no_visitor);
-  Visitor_control<std::remove_reference_t<Visitor> > control(visitor);
-
+  Segmentation_visitor& visitor = choose_parameter(
+    get_parameter_reference(np, CGAL::internal_np::visitor), no_visitor);
+  std::vector<Index> opposite;
+  if (options.boundary_smoothing)
+    opposite = surface.opposite;
   Segmentation_hierarchy hierarchy(
-    segment(std::move(triangles), options,
-            is_parallel ? Execution::PARALLEL : Execution::SEQUENTIAL, control, wishes), options);
-  if (options.boundary_smoothing)
-    control.start_stage(Stage::BOUNDARY_SMOOTHING, Segmentation_visitor::whole_mesh);
-  const std::vector<std::size_t> labels = hierarchy.labels();
-  if (options.boundary_smoothing)
-    control.end_stage(Stage::BOUNDARY_SMOOTHING, Segmentation_visitor::whole_mesh);
+    cut_hierarchy(segment(std::move(surface), options,
+                          is_parallel ? Execution::PARALLEL : Execution::SEQUENTIAL, visitor,
+                          constraints)),
+    options);
+  std::vector<std::size_t> labels = hierarchy.labels(hierarchy.nodes());
+  if (options.boundary_smoothing) {
+    visitor.start_stage(Stage::BOUNDARY_SMOOTHING, Segmentation_visitor::whole_mesh);
+    remove_teeth(opposite, constraints, labels);
+    visitor.end_stage(Stage::BOUNDARY_SMOOTHING, Segmentation_visitor::whole_mesh);
+  }
   const std::size_t number_of_segments = write_labels(faces, labels, segment_ids);
 
   if constexpr (is_given<CGALNamedParameters, internal_np::hierarchy_t>)
@@ -218,9 +218,9 @@ at most 4000 faces by default; the memory is O(*n*). The section
   \cgalParamNEnd
 \cgalNamedParamsEnd
 
-<b>Wishes.</b> They hold for the segments and for all nodes of the hierarchy. Where the method's own
-cuts do not fulfill them, it cuts further and merges across its cuts; what no wish concerns stays as
-it is. They do not go with `zhang_liu_2005()`.
+<b>Constraints.</b> They hold for the segments and for all nodes of the hierarchy. Where the method's
+own cuts do not fulfill them, it cuts further and merges across its cuts; what no constraint concerns
+stays as it is. They do not go with `zhang_liu_2005()`.
 \cgalNamedParamsBegin
   \cgalParamNBegin{edge_is_constrained_map}
     \cgalParamDescription{whether an edge must be between two segments. An edge within the surface
@@ -290,34 +290,18 @@ it is. They do not go with `zhang_liu_2005()`.
 <b>The paper's parameters.</b>
 \cgalNamedParamsBegin
   \cgalParamNBegin{zhang_liu_2005}
-    \cgalParamDescription{the method of the paper, and its defaults; takes no argument}
+    \cgalParamDescription{the method of the paper, and its defaults; takes no argument. The weights of
+      the face distances (Section 3) and the number of reference faces (Section 4) are fields of
+      `CGAL::Spectral_segmentation::Options`; the weights &alpha;, &beta; and &gamma; of the salience
+      (Section 6, Equation 3) are those of `Weighted_part_salience`.}
     \cgalParamDefault{not given: the default method}
   \cgalParamNEnd
-  \cgalParamNBegin{salience_weights}
-    \cgalParamDescription{the weights &alpha;, &beta;, &gamma; of the size, the cut strength and the
-      protrusiveness in the salience of a part (Section 6, Equation 3); short for
-      `part_salience(Weighted_part_salience{alpha, beta, gamma})`, of which the last in a pack
-      counts}
-    \cgalParamType{three numbers}
-    \cgalParamDefault{`0.1, 0.6, 0.3` in a `Weighted_part_salience`, found by the authors to work
-      generally well: the size must stay small, or halves of a body win over its limbs}
-    \cgalParamExtra{not negative, with sum 1}
-  \cgalParamNEnd
-  \cgalParamNBegin{distance_weights}
-    \cgalParamDescription{the weight &delta; of the geodesic distance in the distance of adjacent
-      faces, where 1 - &delta; is that of the angle distance (Section 3, Equation 1); then the
-      factors &eta; of the angle distance 1 - cos &theta; at concave and at convex edges, of which
-      only the ratio matters}
-    \cgalParamType{three numbers}
-    \cgalParamDefault{`0.03, 1, 0.1`, or `0.01, 1, 0.1` with `zhang_liu_2005()`: angles decide, and
-      geodesic distance where there are none. By the minima rule people cut along concave creases.}
-    \cgalParamExtra{the first in [0, 1], the others finite and not negative}
-  \cgalParamNEnd
-  \cgalParamNBegin{number_of_reference_faces}
-    \cgalParamDescription{the dimension *k* of the context vector of a face (Section 4)}
-    \cgalParamType{an integer}
-    \cgalParamDefault{`10`; the result depends little on it, the time is linear in it}
-    \cgalParamExtra{at least 1}
+  \cgalParamNBegin{options}
+    \cgalParamDescription{all values at once, for programs that choose them at run time. Other
+      parameters change the values given here.}
+    \cgalParamType{`CGAL::Spectral_segmentation::Options`}
+    \cgalParamDefault{`Options()`, the default method}
+    \cgalParamExtra{not with `zhang_liu_2005()`, for which there is `Options::zhang_liu_2005()`}
   \cgalParamNEnd
   \cgalParamNBegin{number_of_smoothing_iterations}
     \cgalParamDescription{steps of Laplacian smoothing on a copy of the points, from which the face
@@ -337,7 +321,7 @@ it is. They do not go with `zhang_liu_2005()`.
 \return the number of segments; 0 for an empty mesh
 
 \throws std::invalid_argument if a face is not a triangle, a coordinate is not finite, the
-  `face_index_map` is not one to one onto its range, a number is out of its range, wishes contradict
+  `face_index_map` is not one to one onto its range, a number is out of its range, constraints contradict
   each other, or the number of segments does not let all of them be fulfilled
 \throws std::overflow_error if there are more segments than the value type of `segment_ids` can
   count
@@ -363,19 +347,17 @@ std::size_t segment_spectral_recursive(const TriangleMesh& mesh, SegmentIdMap se
   typedef std::decay_t<decltype(pack)> Pack;
   typedef typename GetGeomTraits<TriangleMesh, Pack>::type Geom_traits;
 
-  const internal::Options options = internal::read_options(pack);
+  const Spectral_segmentation::Options options = internal::read_options(pack);
   const auto faces = internal::numbered_faces(mesh, pack);
-  internal::Triangles triangles = internal::read_triangle_mesh(
+  internal::Surface surface = internal::read_triangle_mesh(
     mesh, faces,
     choose_parameter(get_parameter(pack, internal_np::vertex_point),
                      get_const_property_map(CGAL::vertex_point, mesh)),
     choose_parameter<Geom_traits>(get_parameter(pack, internal_np::geom_traits)));
-  internal::Wishes wishes;
-  if constexpr (internal::has_edge_wishes<Pack>)
-    internal::read_edge_wishes(mesh, faces, pack, wishes);
-  internal::read_seeds(faces, pack, wishes);
-  return internal::segment_and_write<ConcurrencyTag>(std::move(triangles), faces, segment_ids,
-                                                     options, wishes, pack);
+  const internal::Constraints constraints = internal::read_constraints(
+    [&](const auto& visit) { internal::for_each_inner_edge(mesh, faces, visit); }, faces, pack);
+  return internal::segment_and_write<ConcurrencyTag>(std::move(surface), faces, segment_ids,
+                                                     options, constraints, pack);
 }
 
 /*!
@@ -402,8 +384,9 @@ those of the function for meshes.
 \param triangles the corners of each triangle, as indices of points
 \param segment_ids the ids of the segments are written here, for the position of each triangle
 \param np an optional sequence of the named parameters above, but `vertex_point_map`,
-  `face_index_map`, `geom_traits`, `edge_is_constrained_map` and `edge_is_uncuttable_map`; a
-  `face_seed_map` has the position of a triangle as key
+  `face_index_map` and `geom_traits`. A `face_seed_map` has the position of a triangle as key. The
+  edge maps have those of two neighbors as key, a `std::pair<std::size_t, std::size_t>`, the smaller
+  one first.
 
 \return the number of segments; 0 if there is no triangle
 
@@ -435,19 +418,16 @@ std::size_t segment_spectral_recursive(const PointRange& points, const TriangleR
                 !internal::is_given<Pack, internal_np::geom_traits_t>,
                 "vertex_point_map, face_index_map and geom_traits are of meshes, not of points and "
                 "triangles");
-  static_assert(!internal::has_edge_wishes<Pack>,
-                "edge_is_constrained_map and edge_is_uncuttable_map are of meshes, not of points "
-                "and triangles, which have no edges that could be named");
 
-  const internal::Options options = internal::read_options(pack);
-  internal::Triangles soup = internal::read_triangle_soup(points, triangles);
+  const Spectral_segmentation::Options options = internal::read_options(pack);
+  internal::Surface soup = internal::read_triangle_soup(points, triangles);
   internal::connect(soup);
-  std::vector<std::size_t> faces(soup.corners.size());
+  std::vector<std::size_t> faces(soup.number_of_faces());
   std::iota(faces.begin(), faces.end(), std::size_t(0));
-  internal::Wishes wishes;
-  internal::read_seeds(faces, pack, wishes);
+  const internal::Constraints constraints = internal::read_constraints(
+    [&](const auto& visit) { internal::for_each_inner_edge(soup, visit); }, faces, pack);
   return internal::segment_and_write<ConcurrencyTag>(std::move(soup), faces, segment_ids, options,
-                                                     wishes, pack);
+                                                     constraints, pack);
 }
 
 } // namespace CGAL

@@ -5,7 +5,7 @@
 #define SPECTRAL_SEGMENTATION_PYTHON_HIERARCHY_ARRAYS_H
 
 #include <CGAL/Spectral_segmentation/Segmentation_hierarchy.h>
-#include <CGAL/Spectral_segmentation/internal/json/Hierarchy_access.h>
+#include <CGAL/Segmented_mesh/internal/json/json_of_hierarchy.h>
 
 #include <pybind11/numpy.h>
 

@@ -10,7 +10,7 @@
 #include "mesh_files.h"
 #include "read_parameters.h"
 
-#include <CGAL/Spectral_segmentation/IO/hierarchy_json.h>
+#include <CGAL/Segmented_mesh/IO/hierarchy_json.h>
 #include <CGAL/assertions_behaviour.h>
 #include <CGAL/segment_spectral_recursive.h>
 

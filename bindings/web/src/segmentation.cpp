@@ -4,10 +4,10 @@
 /// \file
 /// The WebAssembly module behind index.js, which checks the arguments: meshes and their runs.
 
-#include <CGAL/Spectral_segmentation/IO/hierarchy_json.h>
+#include <CGAL/Segmented_mesh/IO/hierarchy_json.h>
 #include <CGAL/Spectral_segmentation/Segmentation_hierarchy.h>
 #include <CGAL/Spectral_segmentation/internal/door/read_options.h>
-#include <CGAL/Spectral_segmentation/internal/door/read_triangle_soup.h>
+#include <CGAL/Spectral_segmentation/internal/door/read_surface.h>
 #include <CGAL/Spectral_segmentation/internal/engine.h>
 #include <CGAL/Spectral_segmentation/parameters.h>
 #include <CGAL/Spectral_segmentation/version.h>

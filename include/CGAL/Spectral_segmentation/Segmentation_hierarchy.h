@@ -5,15 +5,14 @@
 #define CGAL_SPECTRAL_SEGMENTATION_SEGMENTATION_HIERARCHY_H
 
 #include <CGAL/Spectral_segmentation/internal/door/numbered_descriptors.h>
-#include <CGAL/Spectral_segmentation/internal/engine.h>
-#include <CGAL/Spectral_segmentation/internal/hierarchy/Cut_editor.h>
-#include <CGAL/Spectral_segmentation/internal/hierarchy/Cut_hierarchy.h>
-#include <CGAL/Spectral_segmentation/internal/hierarchy/Nested_ranges.h>
+#include <CGAL/Spectral_segmentation/internal/dendrogram/Cut_hierarchy.h>
+#include <CGAL/Spectral_segmentation/internal/dendrogram/editing.h>
 #include <CGAL/Spectral_segmentation/parameters.h>
 
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <limits>
 #include <stdexcept>
 #include <string>
 #include <type_traits>
@@ -35,8 +34,8 @@ struct Hierarchy_access;
 /// The children of a node are its two parts. The root is the whole mesh; if components are kept
 /// apart, as with `zhang_liu_2005()`, each connected component is a root.
 /// From a hierarchy the labels for another number of segments, or another threshold, are read off
-/// without searching again. Each segment is a node. Segments can be merged, and cut again, by hand.
-/// `IO/hierarchy_json.h` writes a hierarchy to a stream, and reads it.
+/// without searching again: `labels(nodes(n))`. Segments can be merged, and cut again, by hand.
+/// `Segmented_mesh/IO/hierarchy_json.h` writes a hierarchy to a stream, and reads it.
 ///
 /// The default method merges the regions of an over-segmentation, and the cuts are its merges in
 /// reverse: the hierarchy has them all, whatever the threshold and the maximum number of segments
@@ -100,6 +99,7 @@ public:
 #endif
 
   /// \name Nodes
+  /// All functions that take a node throw `std::invalid_argument` if there is no such node.
   /// @{
 
   /// the number of faces of the mesh; 0 before a run
@@ -116,18 +116,26 @@ public:
   /// the number of leaves: the largest number of segments that can be asked for
   size_type number_of_segments() const { return cuts_.number_of_segments(); }
 
-  /// the node of index `i`, which is below `number_of_nodes()`
+  /// the node of index `i`
   const Node& node(size_type i) const
   {
-    CGAL_precondition(i < number_of_nodes());
+    check_node(i);
     return cuts_.nodes[i];
   }
 
   /// the number of faces of node `i`; at least 1
-  size_type number_of_faces(size_type i) const { return faces_.size(i); }
+  size_type number_of_faces(size_type i) const
+  {
+    check_node(i);
+    return faces_.size(i);
+  }
 
   /// the numbers of the faces of node `i`; those of a leaf ascend
-  Face_range faces(size_type i) const { return faces_[i]; }
+  Face_range faces(size_type i) const
+  {
+    check_node(i);
+    return faces_[i];
+  }
 
   /// the descriptors of the faces of node `i`, in the order of `faces(i)`; `np` must have the
   /// `face_index_map` of the run if that had one. Takes time linear in the number of faces of the
@@ -137,7 +145,7 @@ public:
   std::vector<typename boost::graph_traits<TriangleMesh>::face_descriptor>
   faces(size_type i, const TriangleMesh& mesh, const NamedParameters& np = NamedParameters()) const
   {
-    const auto& pack = checked_pack<internal_np::has_only_face_index_map>(np);
+    const auto& pack = internal::checked_pack<internal_np::has_only_face_index_map>(np);
     const auto descriptors = internal::numbered_faces(mesh, pack);
     internal::check_number_of_faces(descriptors.size(), number_of_faces());
     std::vector<typename boost::graph_traits<TriangleMesh>::face_descriptor> result;
@@ -147,55 +155,105 @@ public:
     return result;
   }
 
+  /// the salience of the cut that separates two nodes: that of the smallest node that contains
+  /// both. Infinite if they have different roots; 0 if one contains the other.
+  double salience_between(size_type a, size_type b) const
+  {
+    check_node(a);
+    check_node(b);
+    std::vector<char> is_above(number_of_nodes(), 0);
+    for (size_type i = a; i != null_node; i = cuts_.nodes[i].parent)
+      is_above[i] = 1;
+    size_type common = b;
+    while (common != null_node && !is_above[common])
+      common = cuts_.nodes[common].parent;
+    return common == null_node ? std::numeric_limits<double>::infinity()
+           : common == a || common == b ? 0 : cuts_.nodes[common].salience;
+  }
+
   /// the salience threshold of the run: with `zhang_liu_2005()` no lower one can be asked for
   double salience_threshold() const { return salience_threshold_; }
 
+  /// the maximum number of segments of the run, or the exact number
+  size_type maximum_number_of_segments() const { return maximum_number_of_segments_; }
+
   /// @}
 
-  /// \name Labels
-  /// A label is a number from 0 to the number of segments - 1. Segments are numbered by their
-  /// face of smallest number, and each is a node: `segments()` tells which, with the arguments of
-  /// `labels()`. With `boundary_smoothing` a segment has some other faces along its boundary than
-  /// its node. All functions take time linear in the number of faces and of cuts.
+  /// \name Segments
+  /// A choice of segments is a vector of nodes, which contain each face exactly once. The label of a
+  /// face is the position of its node. All functions take time linear in the number of faces and of
+  /// cuts.
   ///
-  /// Those with a threshold throw `std::out_of_range` if a cut that is needed is not known: the run
-  /// ended before it, at its maximum number of segments or stopped by its visitor, or had a higher
-  /// threshold. They give the labels of a run with these values.
+  /// The functions that choose nodes order them by their faces of smallest number, as
+  /// `segment_spectral_recursive()` numbers segments. To cut a segment again, replace its node by the
+  /// two children.
   /// @{
 
-  /// the labels that the run gave
-  std::vector<size_type> labels() const { return numbered(nodes_of_run()).labels; }
+  /// the nodes of the segments that the run gave
+  std::vector<size_type> nodes() const
+  {
+    return nodes_above(salience_threshold_,
+                       (std::min)(number_of_segments(), maximum_number_of_segments_));
+  }
 
-  /// the label of each face, by its number, for exactly `n` segments, the first cuts of the run; or
-  /// as near to it as there are roots and leaves. No threshold applies.
-  std::vector<size_type> labels(size_type n) const { return numbered(first_cuts(n)).labels; }
+  /// the nodes of exactly `n` segments, by the first cuts of the run; or as near to it as there are
+  /// roots and leaves. No threshold applies.
+  std::vector<size_type> nodes(size_type n) const
+  {
+    std::vector<char> is_segment = roots();
+    size_type number = number_of_roots();
+    for (size_type i : cuts_.order)
+      if (number < n && !cuts_.nodes[i].is_leaf()) {
+        cut(i, is_segment);
+        ++number;
+      }
+    return in_order(is_segment);
+  }
 
-  /// the label of each face for at most `maximum_number_of_segments` segments (never fewer than
-  /// there are roots) and cuts of at least `salience_threshold`
-  std::vector<size_type> labels(size_type maximum_number_of_segments,
-                                double salience_threshold) const
-  { return numbered(cuts_above(maximum_number_of_segments, salience_threshold)).labels; }
+  /// the nodes of the segments of a run with this threshold, and the maximum number of segments of
+  /// this run. Throws `std::out_of_range` if a cut that is needed is not known: the run ended before
+  /// it, at its maximum number of segments or stopped by its visitor, or had a higher threshold.
+  std::vector<size_type> nodes_above(double salience_threshold) const
+  { return nodes_above(salience_threshold, maximum_number_of_segments_); }
 
-  /// the node of each segment of `labels()`
-  std::vector<size_type> segments() const { return numbered(nodes_of_run()).nodes; }
+  /// the same for another maximum number of segments; there are never fewer than roots
+  std::vector<size_type> nodes_above(double salience_threshold,
+                                     size_type maximum_number_of_segments) const
+  {
+    if (std::isnan(salience_threshold))
+      throw std::invalid_argument("Segmentation_hierarchy: the salience threshold is not a number");
+    std::vector<char> is_segment = roots();
+    size_type number = number_of_roots();
+    for (size_type i : cuts_.order) {
+      const Node& n = cuts_.nodes[i];
+      if (number >= maximum_number_of_segments)
+        break;
+      if (!is_segment[i] || n.cut_state == Cut_state::NO_CUT || n.salience < salience_threshold)
+        continue;
+      if (n.cut_state == Cut_state::REJECTED)
+        throw std::out_of_range("Segmentation_hierarchy: the run had a higher salience threshold");
+      cut(i, is_segment);
+      ++number;
+    }
+    for (size_type i = 0; i < number_of_nodes() && number < maximum_number_of_segments; ++i)
+      if (is_segment[i] && cuts_.nodes[i].cut_state == Cut_state::NOT_SEARCHED)
+        throw std::out_of_range("Segmentation_hierarchy: the run ended before it searched the "
+                                "part of node " + std::to_string(i) +
+                                ", which is needed for these segments");
+    return in_order(is_segment);
+  }
 
-  /// the node of each segment of `labels(n)`
-  std::vector<size_type> segments(size_type n) const { return numbered(first_cuts(n)).nodes; }
-
-  /// the node of each segment of `labels(maximum_number_of_segments, salience_threshold)`
-  std::vector<size_type> segments(size_type maximum_number_of_segments,
-                                  double salience_threshold) const
-  { return numbered(cuts_above(maximum_number_of_segments, salience_threshold)).nodes; }
-
-  /// the label of each face if the segments are these nodes: the position of its node.
+  /// the label of each face, by its number, if the segments are these nodes.
+  /// With `boundary_smoothing` the run itself gave some faces along boundaries other labels.
   /// Throws `std::invalid_argument` if the nodes do not contain each face exactly once.
-  std::vector<size_type> labels_of_nodes(const std::vector<size_type>& nodes) const
+  std::vector<size_type> labels(const std::vector<size_type>& nodes) const
   {
     std::vector<size_type> position(number_of_nodes(), null_node);
     for (size_type k = 0; k < nodes.size(); ++k) {
-      if (nodes[k] >= number_of_nodes() || position[nodes[k]] != null_node)
-        throw std::invalid_argument("Segmentation_hierarchy: the nodes of segments must be "
-                                    "different nodes of the hierarchy");
+      check_node(nodes[k]);
+      if (position[nodes[k]] != null_node)
+        throw std::invalid_argument("Segmentation_hierarchy: node " + std::to_string(nodes[k]) +
+                                    " is a segment twice");
       position[nodes[k]] = k;
     }
     for (size_type i : internal::parents_first(cuts_)) {
@@ -208,76 +266,28 @@ public:
       else if (n.is_leaf() && position[i] == null_node)
         throw std::invalid_argument("Segmentation_hierarchy: a face is in no segment");
     }
-    std::vector<size_type> result(number_of_faces());
-    for (size_type f = 0; f < result.size(); ++f)
-      result[f] = position[cuts_.leaf[f]];
-    if (!cuts_.neighbors.empty())
-      internal::smooth_boundaries(cuts_.neighbors, result);
-    return result;
-  }
-
-  /// the labels of the segments that have faces of node `i`, if the segments are `nodes`, as for
-  /// `labels_of_nodes()`: those below it, or the one that contains it
-  std::vector<size_type> segments_of_node(size_type i, const std::vector<size_type>& nodes) const
-  {
     std::vector<size_type> result;
-    for (size_type k = 0; k < nodes.size(); ++k)
-      if (faces_.first(nodes[k]) < faces_.first(i) + faces_.size(i) &&
-          faces_.first(i) < faces_.first(nodes[k]) + faces_.size(nodes[k]))
-        result.push_back(k);
+    result.reserve(number_of_faces());
+    for (internal::Index leaf : cuts_.leaf)
+      result.push_back(position[leaf]);
     return result;
   }
 
-  /// writes the labels for exactly `n` segments into a property map, and returns the number of
-  /// segments, which is another only if there are more roots or fewer leaves. `np` may have a
-  /// `salience_threshold`: then `n` is the largest number, and cuts below it are not made. It must
-  /// have the `face_index_map` of the run if that had one, and may have no other parameter.
-  template <class TriangleMesh, class SegmentIdMap,
-            class NamedParameters = CGAL::parameters::Default_named_parameters>
-  size_type segment_by_number(const TriangleMesh& mesh, SegmentIdMap segment_ids, size_type n,
-                              const NamedParameters& np = NamedParameters()) const
-  {
-    using CGAL::parameters::get_parameter;
-    const auto& pack = checked_pack<internal_np::has_only_tags_of_number>(np);
-    if constexpr (internal::is_given<std::decay_t<decltype(pack)>,
-                                     internal_np::salience_threshold_t>)
-      return write(mesh, segment_ids,
-                   labels(n, get_parameter(pack, internal_np::salience_threshold)), pack);
-    else
-      return write(mesh, segment_ids, labels(n), pack);
-  }
-
-  /// writes the labels for cuts of at least `salience_threshold`, up to the maximum number of
-  /// segments of the run, into a property map, and returns the number of segments. `np` must have
+  /// writes `labels(nodes)` into a property map, and returns the number of segments. `np` must have
   /// the `face_index_map` of the run if that had one, and may have no other parameter.
   template <class TriangleMesh, class SegmentIdMap,
             class NamedParameters = CGAL::parameters::Default_named_parameters>
-  size_type segment_by_threshold(const TriangleMesh& mesh, SegmentIdMap segment_ids,
-                                 double salience_threshold,
-                                 const NamedParameters& np = NamedParameters()) const
+  size_type write(const std::vector<size_type>& nodes, const TriangleMesh& mesh,
+                  SegmentIdMap segment_ids, const NamedParameters& np = NamedParameters()) const
   {
-    return write(mesh, segment_ids, labels(maximum_number_of_segments_, salience_threshold),
-                 checked_pack<internal_np::has_only_face_index_map>(np));
-  }
-
-  /// writes `labels_of_nodes(nodes)` into a property map, and returns the number of segments; `np`
-  /// is as above
-  template <class TriangleMesh, class SegmentIdMap,
-            class NamedParameters = CGAL::parameters::Default_named_parameters>
-  size_type segment_by_nodes(const TriangleMesh& mesh, SegmentIdMap segment_ids,
-                             const std::vector<size_type>& nodes,
-                             const NamedParameters& np = NamedParameters()) const
-  {
-    return write(mesh, segment_ids, labels_of_nodes(nodes),
-                 checked_pack<internal_np::has_only_face_index_map>(np));
+    const auto& pack = internal::checked_pack<internal_np::has_only_face_index_map>(np);
+    return internal::write_labels(internal::numbered_faces(mesh, pack), labels(nodes), segment_ids);
   }
 
   /// @}
 
   /// \name Changes by Hand
-  /// A choice of segments is a vector of nodes, as `segments()` returns. To cut one again, replace
-  /// its node by the two children. `merge()` puts two nodes below one, and `cut_again()` cuts a
-  /// leaf. All functions stay valid, nodes keep their numbers, and those that are below the nodes
+  /// `merge()` puts two nodes below one, and `cut_again()` cuts a leaf. All functions stay valid, nodes keep their numbers, and those that are below the nodes
   /// given, or have none of their faces, keep their faces. Both take time linear in the number of
   /// faces and O(*c* log *c*) in that of cuts. If they throw, nothing has changed.
   ///
@@ -289,7 +299,7 @@ public:
   ///
   /// The cut that separates `a` from `b` comes as late as it can from now on: right before the
   /// first cut of either, with its salience, or last, with the salience 0, or the smallest if that
-  /// is below 0. So after two segments of `labels(n)` were merged, `labels(n - 1)` has them as one.
+  /// is below 0. So after two segments of `nodes(n)` were merged, `nodes(n - 1)` has them as one.
   ///
   /// If they are not siblings, node `b` is moved to the place of `a`, and the cut that separated
   /// `b` is undone. Nodes that contain only one of the two gain or lose the faces of `b`. So the
@@ -301,9 +311,9 @@ public:
   {
     check_node(a);
     check_node(b);
-    internal::Cut_hierarchy cuts = cuts_;
-    const size_type result = internal::Cut_editor(cuts).merge(a, b);
-    set_cuts(std::move(cuts));
+    internal::Hierarchy_editor editor(cuts_);
+    const size_type result = editor.merge(a, b);
+    set_cuts(editor.hierarchy());
     return result;
   }
 
@@ -315,7 +325,7 @@ public:
   void cut_again(size_type leaf, const Segmentation_hierarchy& part)
   {
     check_node(leaf);
-    if (!node(leaf).is_leaf())
+    if (!cuts_.nodes[leaf].is_leaf())
       throw std::invalid_argument("Segmentation_hierarchy: only a leaf can be cut again; for other "
                                   "nodes there are their children");
     if (part.number_of_faces() != number_of_faces(leaf))
@@ -324,9 +334,11 @@ public:
     if (part.number_of_roots() != 1)
       throw std::invalid_argument("Segmentation_hierarchy: the hierarchy of a part must have one "
                                   "root");
-    internal::Cut_hierarchy cuts = cuts_;
-    internal::Cut_editor(cuts).graft(leaf, faces(leaf), part.cuts_);
-    set_cuts(std::move(cuts));
+    if (part.cuts_.nodes[0].is_leaf())
+      return;
+    internal::Hierarchy_editor editor(cuts_);
+    editor.graft(leaf, faces(leaf), part.cuts_);
+    set_cuts(editor.hierarchy());
   }
 
   /// @}
@@ -335,10 +347,9 @@ public:
   Segmentation_hierarchy() = default;
 
   /// \cond SKIP_IN_MANUAL
-  Segmentation_hierarchy(internal::Cut_hierarchy cuts, const internal::Options& options)
-    : cuts_(std::move(cuts)), faces_(cuts_, cuts_.leaf),
-      maximum_number_of_segments_(options.maximum_number_of_segments),
-      salience_threshold_(options.salience_threshold)
+  Segmentation_hierarchy(internal::Cut_hierarchy cuts, const Options& options)
+    : cuts_(std::move(cuts)), faces_(cuts_),
+      maximum_number_of_segments_(options.maximum()), salience_threshold_(options.threshold())
   {
     if (!cuts_.is_complete) // no more segments than there are can be asked for
       maximum_number_of_segments_ = (std::min)(maximum_number_of_segments_, number_of_segments());
@@ -348,11 +359,6 @@ public:
 private:
   friend struct internal::Hierarchy_access;
 
-  struct Numbered_segments
-  {
-    std::vector<size_type> nodes, labels;
-  };
-
   void check_node(size_type i) const
   {
     if (i >= number_of_nodes())
@@ -361,7 +367,7 @@ private:
 
   void set_cuts(internal::Cut_hierarchy cuts)
   {
-    internal::Nested_ranges faces(cuts, cuts.leaf);
+    internal::Nested_ranges faces(cuts);
     cuts_ = std::move(cuts);
     faces_ = std::move(faces);
   }
@@ -380,90 +386,25 @@ private:
       is_segment[child] = 1;
   }
 
-  std::vector<char> nodes_of_run() const
+  // By their first faces.
+  std::vector<size_type> in_order(const std::vector<char>& is_segment) const
   {
-    return cuts_above((std::min)(number_of_segments(), maximum_number_of_segments_),
-                      salience_threshold_);
-  }
-
-  // Whether a node is a segment after the first cuts.
-  std::vector<char> first_cuts(size_type number_of_segments) const
-  {
-    std::vector<char> is_segment = roots();
-    size_type number = number_of_roots();
-    for (size_type i : cuts_.turns)
-      if (number < number_of_segments && !cuts_.nodes[i].is_leaf()) {
-        cut(i, is_segment);
-        ++number;
-      }
-    return is_segment;
-  }
-
-  // The same with a threshold: the run's decisions again, in their order.
-  std::vector<char> cuts_above(size_type maximum_number_of_segments,
-                               double salience_threshold) const
-  {
-    if (std::isnan(salience_threshold))
-      throw std::invalid_argument("Segmentation_hierarchy: the salience threshold is not a number");
-    std::vector<char> is_segment = roots();
-    size_type number = number_of_roots();
-    for (size_type i : cuts_.turns) {
-      const Node& n = cuts_.nodes[i];
-      if (number >= maximum_number_of_segments)
-        return is_segment;
-      if (!is_segment[i] || n.cut_state == Cut_state::NO_CUT || n.salience < salience_threshold)
-        continue;
-      if (n.cut_state == Cut_state::REJECTED)
-        throw std::out_of_range("Segmentation_hierarchy: the run had a higher salience threshold");
-      cut(i, is_segment);
-      ++number;
+    std::vector<size_type> segment(number_of_nodes(), null_node); // of each node
+    std::vector<size_type> result;
+    for (size_type i : internal::parents_first(cuts_)) {
+      const size_type parent = cuts_.nodes[i].parent;
+      segment[i] = is_segment[i] ? i : parent == null_node ? null_node : segment[parent];
     }
-    if (number < maximum_number_of_segments)
-      for (size_type i = 0; i < number_of_nodes(); ++i)
-        if (is_segment[i] && cuts_.nodes[i].cut_state == Cut_state::NOT_SEARCHED)
-          throw std::out_of_range("Segmentation_hierarchy: the run ended before it searched the "
-                                  "part of node " + std::to_string(i) +
-                                  ", which is needed for these labels");
-    return is_segment;
-  }
-
-  // Segments are numbered by their first face.
-  Numbered_segments numbered(const std::vector<char>& is_segment) const
-  {
-    std::vector<size_type> nodes;
-    for (size_type i = 0; i < number_of_nodes(); ++i)
-      if (is_segment[i])
-        nodes.push_back(i);
-    Numbered_segments result{{}, labels_of_nodes(nodes)};
-    std::vector<size_type> number(nodes.size(), null_node);
-    for (size_type& label : result.labels) {
-      if (number[label] == null_node) {
-        number[label] = result.nodes.size();
-        result.nodes.push_back(nodes[label]);
-      }
-      label = number[label];
-    }
+    std::vector<char> is_met(number_of_nodes(), 0);
+    for (internal::Index leaf : cuts_.leaf)
+      if (!std::exchange(is_met[segment[leaf]], char(1)))
+        result.push_back(segment[leaf]);
     return result;
   }
 
-  template <template <class> class Has_only_known_tags, class NamedParameters>
-  static const auto& checked_pack(const NamedParameters& np)
-  {
-    const auto& pack = internal::cgal_pack(np);
-    static_assert(Has_only_known_tags<std::decay_t<decltype(pack)> >::value,
-                  "the labels of a Segmentation_hierarchy depend on no named parameter but "
-                  "face_index_map, and of segment_by_number salience_threshold");
-    return pack;
-  }
-
-  template <class TriangleMesh, class SegmentIdMap, class CGALNamedParameters>
-  static size_type write(const TriangleMesh& mesh, SegmentIdMap segment_ids,
-                         const std::vector<size_type>& labels, const CGALNamedParameters& np)
-  { return internal::write_labels(internal::numbered_faces(mesh, np), labels, segment_ids); }
-
   internal::Cut_hierarchy cuts_;
   internal::Nested_ranges faces_; // of each node
-  size_type maximum_number_of_segments_ = internal::unlimited;
+  size_type maximum_number_of_segments_ = unlimited;
   double salience_threshold_ = 0;
 };
 

@@ -4,17 +4,17 @@
 #ifndef CGAL_SPECTRAL_SEGMENTATION_PARAMETERS_H
 #define CGAL_SPECTRAL_SEGMENTATION_PARAMETERS_H
 
-#include <CGAL/Spectral_segmentation/Part_salience.h>
+#include <CGAL/Spectral_segmentation/Options.h>
 #include <CGAL/Spectral_segmentation/Segmentation_visitor.h>
 
 #include <CGAL/Named_function_parameters.h>
 
 #include <boost/property_map/property_map.hpp>
 
-#include <array>
 #include <functional>
 #include <type_traits>
 #include <utility>
+#include <vector>
 
 namespace CGAL {
 namespace Spectral_segmentation {
@@ -40,7 +40,6 @@ class Segmentation_hierarchy;
   f(salience_threshold, salience_threshold_t, is_real, "takes a number")                        \
   f(part_salience, part_salience_t, is_part_salience,                                           \
     "takes a class that is called with Salience_factors, while const, and returns a number")    \
-  f(number_of_reference_faces, number_of_reference_faces_t, is_count, "takes an integer")       \
   f(number_of_searched_faces, number_of_searched_faces_t, is_count, "takes an integer")         \
   f(number_of_smoothing_iterations, number_of_smoothing_iterations_t, is_count,                 \
     "takes an integer")                                                                         \
@@ -48,10 +47,12 @@ class Segmentation_hierarchy;
   f(components_apart, components_apart_t, is_flag, "takes a bool")                              \
   f(edge_is_uncuttable_map, edge_is_uncuttable_map_t, is_property_map, "takes a property map")  \
   f(face_seed_map, face_seed_map_t, is_seed_map,                                                \
-    "takes a property map whose values are of a signed integer type")
+    "takes a property map whose values are of a signed integer type")                           \
+  f(options, options_t, is_options, "takes CGAL::Spectral_segmentation::Options")
 
 // Those of the functions for what comes after.
 #define CGAL_SPECTRAL_SEGMENTATION_PARAMETERS_OF_RESULTS(f)                                      \
+  f(number_of_iterations, number_of_iterations_t, is_count, "takes an integer")                 \
   f(closed, closed_t, is_flag, "takes a bool")
 
 // After a name of the package too, where the compiler takes it for a similar one of CGAL.
@@ -67,13 +68,13 @@ using CGAL::internal_np::edge_is_constrained_t;
 using CGAL::internal_np::geom_traits_t;
 using CGAL::internal_np::random_seed_t;
 using CGAL::internal_np::visitor_t;
+using CGAL::internal_np::number_of_iterations_t;
 
 #define CGAL_SPECTRAL_SEGMENTATION_TAG(name, tag, predicate, what) enum tag { name };
 CGAL_SPECTRAL_SEGMENTATION_PARAMETERS(CGAL_SPECTRAL_SEGMENTATION_TAG)
-CGAL_SPECTRAL_SEGMENTATION_PARAMETERS_OF_RESULTS(CGAL_SPECTRAL_SEGMENTATION_TAG)
 #undef CGAL_SPECTRAL_SEGMENTATION_TAG
+enum closed_t { closed };
 enum zhang_liu_2005_t { zhang_liu_2005 };
-enum distance_weights_t { distance_weights };
 enum hierarchy_t { hierarchy };
 enum faces_of_parts_t { faces_of_parts };
 
@@ -81,20 +82,13 @@ template <class T>
 using is_flag = std::is_same<T, bool>;
 
 template <class T>
+using is_options = std::is_same<T, Options>;
+
+template <class T>
 using is_count = std::bool_constant<std::is_integral<T>::value && !is_flag<T>::value>;
 
 template <class T>
 using is_real = std::bool_constant<std::is_arithmetic<T>::value && !is_flag<T>::value>;
-
-// Of what is no number 0, as a sentence was printed then and the compiler need not add one.
-template <class T>
-constexpr double to_double(T value)
-{
-  if constexpr (is_real<T>::value)
-    return static_cast<double>(value);
-  else
-    return 0;
-}
 
 template <class T, class = void>
 struct is_part_salience : std::false_type {};
@@ -150,23 +144,19 @@ struct has_only<CGAL::Named_function_parameters<T, Tag, Base>, Tags...>
 template <class Pack>
 using has_only_face_index_map = has_only<Pack, face_index_t>;
 
-template <class Pack>
-using has_only_tags_of_number = has_only<Pack, face_index_t, salience_threshold_t>;
-
 #define CGAL_SPECTRAL_SEGMENTATION_TAG(name, tag, predicate, what) tag,
 template <class Pack>
 using has_only_known_tags = has_only<Pack,
   CGAL_SPECTRAL_SEGMENTATION_PARAMETERS_OF_CGAL(CGAL_SPECTRAL_SEGMENTATION_TAG)
   CGAL_SPECTRAL_SEGMENTATION_PARAMETERS(CGAL_SPECTRAL_SEGMENTATION_TAG)
-  zhang_liu_2005_t, distance_weights_t, hierarchy_t>;
+  zhang_liu_2005_t, hierarchy_t>;
 
 template <class Pack>
 using has_only_tags_of_package = has_only<Pack,
   CGAL_SPECTRAL_SEGMENTATION_PARAMETERS_OF_CGAL(CGAL_SPECTRAL_SEGMENTATION_TAG)
   CGAL_SPECTRAL_SEGMENTATION_PARAMETERS(CGAL_SPECTRAL_SEGMENTATION_TAG)
   CGAL_SPECTRAL_SEGMENTATION_PARAMETERS_OF_RESULTS(CGAL_SPECTRAL_SEGMENTATION_TAG)
-  zhang_liu_2005_t, distance_weights_t, hierarchy_t, faces_of_parts_t,
-  CGAL::internal_np::number_of_iterations_t>;
+  zhang_liu_2005_t, hierarchy_t, faces_of_parts_t>;
 #undef CGAL_SPECTRAL_SEGMENTATION_TAG
 
 } // namespace internal_np
@@ -225,32 +215,6 @@ public:
   /// the method of the paper
   auto zhang_liu_2005() const { return with<internal_np::zhang_liu_2005_t>(true); }
 
-  /// short for `part_salience(Weighted_part_salience{alpha, beta, gamma})`
-  template <class Number1, class Number2, class Number3>
-  auto salience_weights(Number1 alpha, Number2 beta, Number3 gamma) const
-  {
-    static_assert(internal_np::is_real<Number1>::value && internal_np::is_real<Number2>::value &&
-                  internal_np::is_real<Number3>::value,
-                  "salience_weights takes three numbers: alpha, beta, gamma");
-    return part_salience(Weighted_part_salience{
-      internal_np::to_double(alpha), internal_np::to_double(beta),
-      internal_np::to_double(gamma)});
-  }
-
-  /// the weight of the geodesic distance, and the factors of the angle distance at concave and at
-  /// convex edges
-  template <class Number1, class Number2, class Number3>
-  auto distance_weights(Number1 delta, Number2 concave_eta, Number3 convex_eta) const
-  {
-    static_assert(internal_np::is_real<Number1>::value && internal_np::is_real<Number2>::value &&
-                  internal_np::is_real<Number3>::value,
-                  "distance_weights takes three numbers: delta, eta at concave edges, eta at "
-                  "convex edges");
-    return with<internal_np::distance_weights_t>(std::array<double, 3>{
-      internal_np::to_double(delta), internal_np::to_double(concave_eta),
-      internal_np::to_double(convex_eta)});
-  }
-
   /// receives all cuts with their salience
   template <class Hierarchy>
   auto hierarchy(Hierarchy& h) const
@@ -297,14 +261,6 @@ CGAL_SPECTRAL_SEGMENTATION_PARAMETERS_OF_RESULTS(CGAL_SPECTRAL_SEGMENTATION_STAR
 
 inline auto zhang_liu_2005() { return default_values().zhang_liu_2005(); }
 
-template <class... Numbers>
-auto salience_weights(Numbers... weights)
-{ return default_values().salience_weights(weights...); }
-
-template <class... Numbers>
-auto distance_weights(Numbers... weights)
-{ return default_values().distance_weights(weights...); }
-
 template <class Hierarchy>
 auto hierarchy(Hierarchy& h)
 { return default_values().hierarchy(h); }
@@ -328,6 +284,12 @@ namespace internal {
 template <class NamedParameters, class Tag>
 constexpr bool is_given =
   !CGAL::parameters::is_default_parameter<NamedParameters, Tag>::value;
+
+template <class NamedParameters>
+constexpr bool has_constraints =
+  is_given<NamedParameters, internal_np::edge_is_constrained_t> ||
+  is_given<NamedParameters, internal_np::edge_is_uncuttable_map_t> ||
+  is_given<NamedParameters, internal_np::face_seed_map_t>;
 
 template <template <class> class Has_only_known_tags, class T, class Tag, class Base>
 const CGAL::Named_function_parameters<T, Tag, Base>&

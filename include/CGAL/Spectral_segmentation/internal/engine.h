@@ -4,17 +4,13 @@
 #ifndef CGAL_SPECTRAL_SEGMENTATION_INTERNAL_ENGINE_H
 #define CGAL_SPECTRAL_SEGMENTATION_INTERNAL_ENGINE_H
 
-#include <CGAL/Spectral_segmentation/internal/Options.h>
-#include <CGAL/Spectral_segmentation/internal/Run_control.h>
-#include <CGAL/Spectral_segmentation/internal/wishes/Wishes.h>
-#include <CGAL/Spectral_segmentation/internal/hierarchy/Cut_hierarchy.h>
-#include <CGAL/Spectral_segmentation/internal/mesh/Triangles.h>
-
-#include <cstddef>
-#include <vector>
+#include <CGAL/Spectral_segmentation/Options.h>
+#include <CGAL/Spectral_segmentation/Segmentation_visitor.h>
+#include <CGAL/Spectral_segmentation/internal/constraints/Constraints.h>
+#include <CGAL/Spectral_segmentation/internal/dendrogram/Dendrogram.h>
 
 // With CGAL_SPECTRAL_SEGMENTATION_COMPILED, which the CMake target `compiled` defines, the engine
-// is linked; else it is included here.
+// is linked; otherwise it is included here.
 #ifdef CGAL_SPECTRAL_SEGMENTATION_COMPILED
 #define CGAL_SPECTRAL_SEGMENTATION_INLINE
 #else
@@ -23,25 +19,21 @@
 
 namespace CGAL::Spectral_segmentation::internal {
 
-// The engine: no template, as nothing in it depends on the caller. Arrays in, a hierarchy of cuts
-// out, whose faces are those of the triangles. Throws `std::invalid_argument` if wishes contradict
-// each other or the number of segments.
+// The engine: no template, as nothing in it depends on the caller. Takes corners, opposites and
+// points; returns a dendrogram of the same faces. Throws `std::invalid_argument` if constraints
+// contradict each other or the number of segments.
 CGAL_SPECTRAL_SEGMENTATION_INLINE
-Cut_hierarchy segment(Triangles triangles, const Options& options, Execution execution,
-                      Run_control& control, const Wishes& wishes = Wishes());
+Dendrogram segment(Surface surface, const Options& options, Execution execution,
+                   Segmentation_visitor& visitor, const Constraints& constraints = Constraints());
 
-// Finds the neighbors of the triangles of a soup, and orients them.
+// Finds the opposites of the half-edges of a soup, and orients its triangles.
 CGAL_SPECTRAL_SEGMENTATION_INLINE
-void connect(Triangles& triangles);
-
-// Smooths the boundaries between segments. `neighbors` are those of a hierarchy.
-CGAL_SPECTRAL_SEGMENTATION_INLINE
-void smooth_boundaries(const std::vector<Index>& neighbors, std::vector<std::size_t>& labels);
+void connect(Surface& soup);
 
 } // namespace CGAL::Spectral_segmentation::internal
 
 #ifndef CGAL_SPECTRAL_SEGMENTATION_COMPILED
-#include <CGAL/Spectral_segmentation/internal/engine_impl.h>
+#include <CGAL/Spectral_segmentation/internal/run.h>
 #endif
 
 #endif // CGAL_SPECTRAL_SEGMENTATION_INTERNAL_ENGINE_H

@@ -4,16 +4,16 @@
 #ifndef CGAL_SPECTRAL_SEGMENTATION_INTERNAL_BIPARTITION_BEST_CUT_H
 #define CGAL_SPECTRAL_SEGMENTATION_INTERNAL_BIPARTITION_BEST_CUT_H
 
-#include <CGAL/Spectral_segmentation/internal/Options.h>
+#include <CGAL/Spectral_segmentation/Options.h>
 #include <CGAL/Spectral_segmentation/internal/bipartition/cut_proposals.h>
 #include <CGAL/Spectral_segmentation/internal/bipartition/face_orders.h>
 #include <CGAL/Spectral_segmentation/internal/bipartition/line_search.h>
 #include <CGAL/Spectral_segmentation/internal/bipartition/min_cut_refinement.h>
 #include <CGAL/Spectral_segmentation/internal/bipartition/shape_context_sampling.h>
-#include <CGAL/Spectral_segmentation/internal/mesh/connected_components.h>
+#include <CGAL/Spectral_segmentation/internal/surface/connected_components.h>
 #include <CGAL/Spectral_segmentation/internal/salience/Cut_evaluator.h>
-#include <CGAL/Spectral_segmentation/internal/utility/Run_monitor.h>
-#include <CGAL/Spectral_segmentation/internal/utility/sorted_indices.h>
+#include <CGAL/Spectral_segmentation/internal/base/Run_monitor.h>
+#include <CGAL/Spectral_segmentation/internal/base/arrays.h>
 
 #include <algorithm>
 #include <cstddef>
@@ -27,17 +27,10 @@ namespace CGAL::Spectral_segmentation::internal {
 // A connected part of the mesh that may be cut.
 struct Part
 {
-  Face_graph graph;
-  std::size_t node;         // in the hierarchy
+  Surface surface;
+  std::size_t number;       // by the order in which parts are found
   std::vector<Index> faces; // their numbers in the mesh, ascending
 };
-
-inline bool both_sides_are_connected(const Face_graph& part, const Sides& side)
-{
-  std::size_t number;
-  connected_components(part, number, side);
-  return number == 2;
-}
 
 // Of equally salient cuts the first stays the first.
 inline std::vector<Cut> most_salient_first(std::vector<Cut> cuts)
@@ -46,7 +39,7 @@ inline std::vector<Cut> most_salient_first(std::vector<Cut> cuts)
   for (const Cut& cut : cuts)
     keys.push_back(-quantized(cut.salience));
   std::vector<Cut> result;
-  for (Index i : sorted_indices(Execution::SEQUENTIAL, keys))
+  for (Index i : sorted_indices(keys))
     result.push_back(std::move(cuts[i]));
   return result;
 }
@@ -63,7 +56,7 @@ class Best_cut
   double minimum_area_;         // of a side
 
   // Along which cuts are searched.
-  std::vector<Face_order> orders(Execution execution, const Face_graph& part,
+  std::vector<Face_order> orders(Execution execution, const Surface& part,
                                  const std::vector<Index>& references,
                                  const Sample_faces& samples) const
   {
@@ -73,16 +66,16 @@ class Best_cut
   }
 
   // None if a side is too small.
-  std::optional<Cut> evaluated(const Face_graph& part, const Cut_evaluator& evaluator,
+  std::optional<Cut> evaluated(const Surface& part, const Cut_evaluator& evaluator,
                                Sides side) const
   {
-    Cut cut{std::move(side), {0, 0}, {}, 0};
+    Cut cut{std::move(side), {0, 0}, {}, 0, {}};
     for (Index f = 0; f < cut.side.size(); ++f)
       cut.area[int(cut.side[f])] += part.areas[f];
     normalize_sides(cut.side, cut.area);
     if (cut.area[0] < minimum_area_ || !(cut.area[0] > 0))
       return std::nullopt;
-    cut.factors = evaluator(cut.side);
+    cut.factors = evaluator(cut.side, cut.near);
     cut.salience = salience_of(options_.part_salience, cut.factors);
     return cut;
   }
@@ -102,21 +95,21 @@ class Best_cut
   std::vector<Cut> calibrated_cuts(Execution execution, const Part& part,
                                    const std::vector<Face_order>& orders) const
   {
-    const Face_graph& graph = part.graph;
-    const Cut_evaluator evaluator(graph, part.faces, *context_);
-    std::vector<Sides> proposals = cut_proposals(execution, graph, orders, minimum_area_,
+    const Surface& surface = part.surface;
+    const Cut_evaluator evaluator(surface, part.faces, *context_);
+    std::vector<Sides> proposals = cut_proposals(execution, surface, orders, minimum_area_,
                                                  options_.number_of_candidates);
     std::vector<Cut> cuts;
     append(execution, proposals.size(), [&](std::size_t i)
-      { return evaluated(graph, evaluator, std::move(proposals[i])); }, cuts);
+      { return evaluated(surface, evaluator, std::move(proposals[i])); }, cuts);
     cuts = most_salient_first(std::move(cuts));
     std::vector<Cut> refined;
     append(execution, (std::min)(options_.number_of_refined_candidates, cuts.size()),
            [&](std::size_t i) -> std::optional<Cut> {
-             Sides sides = minimum_cut_around(graph, cuts[i].side, cuts[i].area[0]);
-             if (sides == cuts[i].side || !both_sides_are_connected(graph, sides))
+             Sides sides = minimum_cut_within(surface, cuts[i].near, cuts[i].side);
+             if (sides == cuts[i].side || !are_both_connected(surface, sides))
                return std::nullopt;
-             return evaluated(graph, evaluator, std::move(sides));
+             return evaluated(surface, evaluator, std::move(sides));
            }, refined);
     std::move(refined.begin(), refined.end(), std::back_inserter(cuts));
     return most_salient_first(std::move(cuts));
@@ -129,13 +122,13 @@ class Best_cut
       return calibrated_cuts(execution, part, orders);
     std::vector<Cut> result;
     append(execution, 1, [&](std::size_t)
-      { return line_search(execution, part.graph, orders.front(), options_.part_salience,
+      { return line_search(execution, part.surface, orders.front(), options_.part_salience,
                            minimum_area_); }, result);
     return result;
   }
 
 public:
-  Best_cut(Execution execution, const Face_graph& mesh, const Options& options)
+  Best_cut(Execution execution, const Surface& mesh, const Options& options)
     : options_(options), number_of_faces_(mesh.number_of_faces()),
       minimum_area_(options.minimum_segment_size * total_area(mesh))
   {
@@ -149,7 +142,7 @@ public:
   // Throws `Run_stopped` if the caller stops the run.
   std::optional<Cut> operator()(Execution execution, const Part& part, Run_monitor& monitor) const
   {
-    const Face_graph& m = part.graph;
+    const Surface& m = part.surface;
     if (m.number_of_faces() < 2 || total_area(m) < 2 * minimum_area_)
       return std::nullopt;
     // A part is a guessed half of its share of the search, to which later parts add.
@@ -161,11 +154,11 @@ public:
       monitor.approach(step);
     };
     check();
-    monitor.start_part(part.node, m.number_of_faces());
+    monitor.start_part(part.number, m.number_of_faces());
 
     // 1. two sample faces
     Shape_contexts contexts;
-    const Sample_faces samples = monitor.stage(Stage::SAMPLING, part.node, [&] {
+    const Sample_faces samples = monitor.stage(Stage::SAMPLING, part.number, [&] {
       const Index first = options_.random_seed
         ? random_face(m, *options_.random_seed, part.faces.front())
         : farthest_face_from_center(execution, m);
@@ -175,17 +168,17 @@ public:
 
     // 2. distances from both; 3. to 5. the order of the faces on the line
     check();
-    const std::vector<Face_order> lines = monitor.stage(Stage::EMBEDDING, part.node, [&]
+    const std::vector<Face_order> lines = monitor.stage(Stage::EMBEDDING, part.number, [&]
       { return orders(execution, m, contexts.references, samples); });
 
     // 6. line search
     check();
-    std::vector<Cut> found = monitor.stage(Stage::LINE_SEARCH, part.node, [&]
+    std::vector<Cut> found = monitor.stage(Stage::LINE_SEARCH, part.number, [&]
       { return cuts(execution, part, lines); });
 
-    monitor.end_part(part.node);
+    monitor.end_part(part.number);
     for (const Cut& cut : found)
-      monitor.control().cut_evaluated({Evaluated_cut::CANDIDATE, part.faces, cut.side,
+      monitor.cut_evaluated({Evaluated_cut::CANDIDATE, part.faces, cut.side,
                                        cut.factors});
     if (found.empty())
       return std::nullopt;

@@ -6,13 +6,12 @@
 
 #include <CGAL/Spectral_segmentation/Part_salience.h>
 #include <CGAL/Spectral_segmentation/internal/salience/Cut.h>
-#include <CGAL/Spectral_segmentation/internal/mesh/Face_graph.h>
+#include <CGAL/Spectral_segmentation/internal/surface/Surface.h>
 #include <CGAL/Spectral_segmentation/internal/salience/Boundary_statistics.h>
-#include <CGAL/Spectral_segmentation/internal/utility/concurrency.h>
+#include <CGAL/Spectral_segmentation/internal/base/concurrency.h>
 #include <CGAL/Spectral_segmentation/internal/bipartition/line_search.h>
 #include <CGAL/Spectral_segmentation/internal/bipartition/min_cut_refinement.h>
-#include <CGAL/Spectral_segmentation/internal/utility/constants.h>
-#include <CGAL/Spectral_segmentation/internal/utility/sorted_indices.h>
+#include <CGAL/Spectral_segmentation/internal/base/arrays.h>
 
 #include <algorithm>
 #include <cmath>
@@ -23,25 +22,37 @@
 
 namespace CGAL::Spectral_segmentation::internal {
 
-// The few cuts of a part whose factors are all computed.
+// The few cuts of a part whose factors are all computed. The fit of `Calibrated_part_salience`
+// depends on the constants.
+
+// The second proposal of an order differs from the first by this share of the smaller area.
+constexpr double distance_of_proposals = 0.25;
+
+// Two proposals are alike if the faces on which they differ are less than so many percent of the
+// smallest side.
+constexpr std::size_t percent_of_alike_proposals = 15;
+
+// Proposals are taken while Q has at most so many times the area of the rest: there are orders from
+// the other end.
+constexpr double largest_ratio_to_rest = 3;
 
 // A patch that knows the capacity of its cut.
 class Patch_with_capacity : public Boundary_statistics
 {
-  const Face_graph& part_;
+  const Surface& part_;
   const std::vector<double>& capacities_;
   double capacity_of_cut_ = 0;
 
 public:
   // `capacities` are those of the half-edges.
-  Patch_with_capacity(const Face_graph& part, const std::vector<double>& capacities)
+  Patch_with_capacity(const Surface& part, const std::vector<double>& capacities)
     : Boundary_statistics(part), part_(part), capacities_(capacities) {}
 
   void add(Index f)
   {
     for (Index h = 3 * f; h < 3 * f + 3; ++h)
       if (!part_.is_border(h))
-        capacity_of_cut_ += (has_face(part_.neighbors[h]) ? -1 : 1) * capacities_[h];
+        capacity_of_cut_ += (has_face(part_.neighbor(h)) ? -1 : 1) * capacities_[h];
     Boundary_statistics::add(f);
   }
 
@@ -69,7 +80,7 @@ struct Sweep_step
   double salience, cheapness;
 };
 
-inline std::vector<Sweep_step> sweep_steps(const Face_graph& part, const Growth& growth,
+inline std::vector<Sweep_step> sweep_steps(const Surface& part, const Growth& growth,
                                            double minimum_area, Patch_with_capacity empty)
 {
   const Weighted_part_salience part_salience;
@@ -78,7 +89,7 @@ inline std::vector<Sweep_step> sweep_steps(const Face_graph& part, const Growth&
     growth.faces, sizes_of_cuts(part, growth), minimum_area,
     std::move(empty),
     [&](const Patch_with_capacity& q, std::size_t size) {
-      if (q.area() > constants::largest_ratio_to_rest * q.area_of_rest())
+      if (q.area() > largest_ratio_to_rest * q.area_of_rest())
         return false;
       steps.push_back({size, q.area(), q.smaller_area(), part_salience(q.factors()),
                        -q.capacity_of_cut() / std::sqrt(q.smaller_area())});
@@ -96,7 +107,7 @@ inline std::vector<Proposal> best_steps(const Growth& growth, const std::vector<
     for (const Sweep_step& s : steps) {
       const bool is_next_to_first =
         i == 1 && std::abs(s.area - best[0]->area) <
-                    constants::distance_of_proposals * best[0]->smaller_area;
+                    distance_of_proposals * best[0]->smaller_area;
       // Quantized, so that rounding does not choose between cuts that mirror each other.
       if (!is_next_to_first &&
           (!best[i] || quantized(s.*measure) > quantized(best[i]->*measure)))
@@ -109,7 +120,7 @@ inline std::vector<Proposal> best_steps(const Growth& growth, const std::vector<
   return result;
 }
 
-inline Proposals propose_cuts(const Face_graph& part, const std::vector<Index>& order,
+inline Proposals propose_cuts(const Surface& part, const std::vector<Index>& order,
                               double minimum_area, const Patch_with_capacity& empty)
 {
   const Growth growth = grow_along(part, order);
@@ -141,7 +152,7 @@ class Distinct_cuts
     for (std::size_t f = 0; f < n; ++f)
       different += a.side[f] != b.side[f];
     return 100 * smaller(different, n) <
-           constants::percent_of_alike_proposals * (std::min)(a.smaller, b.smaller);
+           percent_of_alike_proposals * (std::min)(a.smaller, b.smaller);
   }
 
 public:
@@ -159,7 +170,7 @@ public:
 
 // At most `number` cuts, no two alike, the best by either measure in turns. The larger side may be
 // first.
-inline std::vector<Sides> cut_proposals(Execution execution, const Face_graph& part,
+inline std::vector<Sides> cut_proposals(Execution execution, const Surface& part,
                                         const std::vector<std::vector<Index> >& orders,
                                         double minimum_area, std::size_t number)
 {
@@ -180,7 +191,7 @@ inline std::vector<Sides> cut_proposals(Execution execution, const Face_graph& p
     std::vector<double> keys;
     for (const Proposal& p : by_measure[m])
       keys.push_back(-quantized(p.score));
-    ranks[m] = sorted_indices(Execution::SEQUENTIAL, keys);
+    ranks[m] = sorted_indices(keys);
   }
 
   std::vector<Sides> result;

@@ -6,7 +6,7 @@
 
 #include <CGAL/Spectral_segmentation/internal/bipartition/shape_context_sampling.h>
 #include <CGAL/Spectral_segmentation/internal/bipartition/shortest_paths.h>
-#include <CGAL/Spectral_segmentation/internal/utility/sorted_indices.h>
+#include <CGAL/Spectral_segmentation/internal/base/arrays.h>
 
 #include <cstddef>
 #include <vector>
@@ -24,20 +24,20 @@ typedef std::vector<Index> Face_order;
 // monotone function of x / y, that is, of the distance from s minus that from t. Sorting by this
 // difference needs no kernel and does not underflow. Where it ties, as along a limb that leaves the
 // way from s to t, the face nearer to s comes first.
-inline Face_order spectral_order(Execution execution, const std::vector<double>& from_s,
+inline Face_order spectral_order(const std::vector<double>& from_s,
                                  const std::vector<double>& from_t)
 {
   std::vector<double> difference(from_s.size());
   for (std::size_t f = 0; f < difference.size(); ++f)
     difference[f] = from_s[f] - from_t[f];
-  return sorted_indices(execution, difference, [&](Index f, Index g)
+  return sorted_indices(difference, [&](Index f, Index g)
     { return from_s[f] < from_s[g] || (from_s[f] == from_s[g] && f < g); });
 }
 
 // The orders of the calibrated method: the spectral order from both ends; then, if they are asked
 // for, the orders by distance from each sample and each reference face, which grow a single limb
 // where the pair sees several at once.
-inline std::vector<Face_order> face_orders(Execution execution, const Face_graph& part,
+inline std::vector<Face_order> face_orders(Execution execution, const Surface& part,
                                            const std::vector<Index>& references,
                                            const Sample_faces& samples, bool from_single_sources)
 {
@@ -51,16 +51,16 @@ inline std::vector<Face_order> face_orders(Execution execution, const Face_graph
   for_each_index(execution, sources.size(), [&](std::size_t i)
     { distances[i] = shortest_paths(graph, sources[i]); });
 
-  std::vector<Face_order> orders = {spectral_order(execution, distances[0], distances[1]),
-                                    spectral_order(execution, distances[1], distances[0])};
+  std::vector<Face_order> orders = {spectral_order(distances[0], distances[1]),
+                                    spectral_order(distances[1], distances[0])};
   if (from_single_sources)
     for (const std::vector<double>& distance : distances)
-      orders.push_back(sorted_indices(execution, distance));
+      orders.push_back(sorted_indices(distance));
   return orders;
 }
 
 // The order of the paper.
-inline Face_order face_order(Execution execution, const Face_graph& part,
+inline Face_order face_order(Execution execution, const Surface& part,
                              const Sample_faces& samples)
 {
   const Weighted_graph graph(part, &Edge_weights::combined);
@@ -68,7 +68,7 @@ inline Face_order face_order(Execution execution, const Face_graph& part,
   call_all(execution,
     [&] { from_s = shortest_paths(graph, samples.s); },
     [&] { from_t = shortest_paths(graph, samples.t); });
-  return spectral_order(execution, from_s, from_t);
+  return spectral_order(from_s, from_t);
 }
 
 } // namespace CGAL::Spectral_segmentation::internal

@@ -6,10 +6,10 @@
 
 #include <CGAL/Spectral_segmentation/Part_salience.h>
 #include <CGAL/Spectral_segmentation/internal/salience/Cut.h>
-#include <CGAL/Spectral_segmentation/internal/mesh/Face_graph.h>
+#include <CGAL/Spectral_segmentation/internal/surface/Surface.h>
 #include <CGAL/Spectral_segmentation/internal/salience/Boundary_statistics.h>
-#include <CGAL/Spectral_segmentation/internal/utility/concurrency.h>
-#include <CGAL/Spectral_segmentation/internal/mesh/connected_components.h>
+#include <CGAL/Spectral_segmentation/internal/base/concurrency.h>
+#include <CGAL/Spectral_segmentation/internal/surface/connected_components.h>
 
 #include <algorithm>
 #include <cstddef>
@@ -33,7 +33,7 @@ struct Growth
 
 // A visited face that does not touch Q waits, with a special label, until a face that it touches
 // joins Q.
-inline Growth grow_along(const Face_graph& part, const std::vector<Index>& order)
+inline Growth grow_along(const Surface& part, const std::vector<Index>& order)
 {
   enum Label : char { NOT_VISITED, WAITING, JOINED };
   std::vector<Label> label(part.number_of_faces(), NOT_VISITED);
@@ -44,7 +44,7 @@ inline Growth grow_along(const Face_graph& part, const std::vector<Index>& order
     label[visited] = WAITING;
     bool touches = q.faces.empty();
     for (Index h = 3 * visited; h < 3 * visited + 3; ++h)
-      touches = touches || label[part.neighbors[h]] == JOINED;
+      touches = touches || label[part.neighbor(h)] == JOINED;
     if (!touches)
       continue;
     std::size_t next = q.faces.size();
@@ -52,7 +52,7 @@ inline Growth grow_along(const Face_graph& part, const std::vector<Index>& order
     q.faces.push_back(visited);
     for (; next < q.faces.size(); ++next)
       for (int i = 0; i < 3; ++i) {
-        const Index g = part.neighbors[3 * q.faces[next] + i];
+        const Index g = part.neighbor(3 * q.faces[next] + i);
         if (label[g] == WAITING) {
           label[g] = JOINED;
           q.faces.push_back(g);
@@ -65,27 +65,32 @@ inline Growth grow_along(const Face_graph& part, const std::vector<Index>& order
 
 // For each number i of faces, whether the part is still connected without the first i of `faces`,
 // that is, whether Q has no holes. Takes the faces back from last to first, with union-find.
-inline std::vector<bool> rest_is_connected(const Face_graph& part,
+inline std::vector<bool> rest_is_connected(const Surface& part,
                                            const std::vector<Index>& faces)
 {
   const std::size_t n = faces.size();
-  Face_components components(n);
+  Joined_sets components(n);
+  std::size_t number_of_components = 0;
   std::vector<char> is_in_rest(n, 0);
   std::vector<bool> result(n + 1, false);
   for (std::size_t i = n; i-- > 0;) {
     const Index f = faces[i];
-    components.add(f);
+    ++number_of_components;
     is_in_rest[f] = 1;
     for (Index h = 3 * f; h < 3 * f + 3; ++h)
-      if (is_in_rest[part.neighbors[h]])
-        components.join(f, part.neighbors[h]);
-    result[i] = components.number() == 1;
+      if (is_in_rest[part.neighbor(h)])
+        number_of_components -= components.join(f, part.neighbor(h));
+    result[i] = number_of_components == 1;
   }
   return result;
 }
 
+// Whether both sides of a cut of a connected part are connected.
+inline bool are_both_connected(const Surface& part, const Sides& side)
+{ return connected_components(part, [&](Index f) { return side[f]; }).number == 2; }
+
 // The sizes of Q after the steps that leave two connected sides.
-inline std::vector<Index> sizes_of_cuts(const Face_graph& part, const Growth& growth)
+inline std::vector<Index> sizes_of_cuts(const Surface& part, const Growth& growth)
 {
   const std::vector<bool> is_cut = rest_is_connected(part, growth.faces);
   std::vector<Index> result;
@@ -136,10 +141,10 @@ struct Swept_cut
 
 // Of equally salient cuts the first or the last that the sweep meets. Saliences are compared as
 // quantized, so that rounding does not choose between cuts that mirror each other.
-template <class PartSalience, class Observer>
+template <class PartSalience>
 Swept_cut sweep(const std::vector<Index>& faces, const std::vector<Index>& sizes,
                 double minimum_area, const Boundary_statistics& empty,
-                const PartSalience& part_salience, bool takes_last, const Observer& observe)
+                const PartSalience& part_salience, bool takes_last)
 {
   Swept_cut best;
   double best_key = best.salience;
@@ -147,7 +152,6 @@ Swept_cut sweep(const std::vector<Index>& faces, const std::vector<Index>& sizes
     faces, sizes, minimum_area, empty, [&](const Boundary_statistics& patch, Index size) {
       const Salience_factors factors = patch.factors();
       const double salience = salience_of(part_salience, factors);
-      observe(size, factors, salience);
       const double key = quantized(salience);
       if (key > best_key || (takes_last && key == best_key)) {
         best = {size, patch.area(), patch.area_of_rest(), factors, salience};
@@ -158,20 +162,13 @@ Swept_cut sweep(const std::vector<Index>& faces, const std::vector<Index>& sizes
   return best;
 }
 
-struct No_observer
-{
-  template <class... Arguments>
-  void operator()(const Arguments&...) const {}
-};
-
 // The most salient cut along an order, if there is one; of equally salient cuts the first. A cut of
 // Q is one of the rest, too: the second half of the faces is swept from the other end, so that each
-// patch stays the smaller half. `observe(size of Q, factors, salience)` is called for each cut that
-// is compared, in each half from the end to the middle.
-template <class PartSalience, class Observer = No_observer>
-std::optional<Cut> line_search(Execution execution, const Face_graph& part,
+// patch stays the smaller half.
+template <class PartSalience>
+std::optional<Cut> line_search(Execution execution, const Surface& part,
                                const std::vector<Index>& order, const PartSalience& part_salience,
-                               double minimum_area, const Observer& observe = Observer())
+                               double minimum_area)
 {
   const Index n = static_cast<Index>(part.number_of_faces());
   Growth growth;
@@ -187,18 +184,16 @@ std::optional<Cut> line_search(Execution execution, const Face_graph& part,
   Swept_cut of_q, of_rest;
   const std::vector<Index> from_end(growth.faces.rbegin(), growth.faces.rend());
   for_each_index(execution, 2, [&](std::size_t half) {
-    const auto observe_half = [&](Index size, const Salience_factors& factors, double salience)
-    { observe(half == 0 ? size : n - size, factors, salience); };
     (half == 0 ? of_q : of_rest) =
       sweep(half == 0 ? growth.faces : from_end, sizes[half], minimum_area, *empty, part_salience,
-            half == 1, observe_half);
+            half == 1);
   });
   const bool is_of_rest = quantized(of_rest.salience) > quantized(of_q.salience);
   const Swept_cut& best = is_of_rest ? of_rest : of_q;
   if (best.size == 0)
     return std::nullopt;
   Cut cut{sides_of(growth, is_of_rest ? n - best.size : best.size),
-          {best.area, best.area_of_rest}, best.factors, best.salience};
+          {best.area, best.area_of_rest}, best.factors, best.salience, {}};
   if (is_of_rest)
     std::swap(cut.area[0], cut.area[1]);
   normalize_sides(cut.side, cut.area);

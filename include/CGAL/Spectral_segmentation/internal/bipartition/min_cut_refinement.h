@@ -5,10 +5,7 @@
 #define CGAL_SPECTRAL_SEGMENTATION_INTERNAL_BIPARTITION_MIN_CUT_REFINEMENT_H
 
 #include <CGAL/Spectral_segmentation/internal/salience/Cut.h>
-#include <CGAL/Spectral_segmentation/internal/mesh/Face_graph.h>
-#include <CGAL/Spectral_segmentation/internal/salience/faces_near_cut.h>
-#include <CGAL/Spectral_segmentation/internal/utility/Packed_graph.h>
-#include <CGAL/Spectral_segmentation/internal/utility/constants.h>
+#include <CGAL/Spectral_segmentation/internal/surface/Surface.h>
 
 #include <boost/graph/boykov_kolmogorov_max_flow.hpp>
 #include <boost/graph/graph_traits.hpp>
@@ -19,22 +16,24 @@
 #include <cmath>
 #include <cstddef>
 #include <limits>
+#include <numeric>
 #include <utility>
 #include <vector>
 
 namespace CGAL::Spectral_segmentation::internal {
 
-// What a cut pays for an edge: its length, and far less where the edge is concave.
-inline double capacity(const Face_graph& part, Index h)
-{
-  const double convexity = 1 - part.weights[h].concavity;
-  return quantized(part.length(h) * (constants::cost_of_concave_edge + convexity * convexity));
-}
+// What a cut pays for an edge of a concavity, per length: for one of the strongest concavity a
+// twentieth of what it pays for a flat one. The fit of `Calibrated_part_salience` depends on it.
+inline double cost_of_cut(double concavity) { return 0.05 + (1 - concavity) * (1 - concavity); }
+
+inline double capacity(const Surface& part, Index h)
+{ return quantized(part.length(h) * cost_of_cut(part.weights[h].concavity)); }
 
 // A model of the concepts of BGL that its search for a maximum flow needs: each arc has a reverse.
-struct Flow_graph : Packed_graph
+struct Flow_graph
 {
-  std::vector<Index> reverse; // of each arc
+  std::vector<Index> first_arc; // of each node; and the number of arcs
+  std::vector<Index> targets, reverse; // of each arc
 
   typedef Index vertex_descriptor;
   typedef Index edge_descriptor;
@@ -51,16 +50,16 @@ struct Flow_graph : Packed_graph
   typedef std::pair<vertex_iterator, vertex_iterator> Range;
   static Index null_vertex() { return null_index; }
 
-  friend Index num_vertices(const Flow_graph& g) { return g.number_of_nodes(); }
-  friend Index num_edges(const Flow_graph& g) { return g.number_of_arcs(); }
+  friend Index num_vertices(const Flow_graph& g) { return static_cast<Index>(g.first_arc.size() - 1); }
+  friend Index num_edges(const Flow_graph& g) { return static_cast<Index>(g.targets.size()); }
   friend Index source(Index a, const Flow_graph& g) { return g.targets[g.reverse[a]]; }
   friend Index target(Index a, const Flow_graph& g) { return g.targets[a]; }
   friend Index out_degree(Index v, const Flow_graph& g)
   { return g.first_arc[v + 1] - g.first_arc[v]; }
   friend Range vertices(const Flow_graph& g)
-  { return {vertex_iterator(0), vertex_iterator(g.number_of_nodes())}; }
+  { return {vertex_iterator(0), vertex_iterator(num_vertices(g))}; }
   friend Range edges(const Flow_graph& g)
-  { return {edge_iterator(0), edge_iterator(g.number_of_arcs())}; }
+  { return {edge_iterator(0), edge_iterator(num_edges(g))}; }
   friend Range out_edges(Index v, const Flow_graph& g)
   { return {out_edge_iterator(g.first_arc[v]), out_edge_iterator(g.first_arc[v + 1])}; }
 };
@@ -71,7 +70,7 @@ class Band_network
 {
   struct Arcs
   {
-    std::vector<Packed_graph::Ends> ends; // of arc i; arc i ^ 1 is its reverse
+    std::vector<std::pair<Index, Index> > ends; // of arc i; arc i ^ 1 is its reverse
     std::vector<double> capacities;
 
     void add_both(Index a, Index b, double there, double back)
@@ -94,8 +93,9 @@ public:
   {}
 
   void join(Index a, Index b, double capacity) { arcs_.add_both(a, b, capacity, capacity); }
-  void join_to_source(Index a, double capacity) { from_source_[a] += capacity; }
-  void join_to_sink(Index a, double capacity) { to_sink_[a] += capacity; }
+  // Joins a face to the source, which is on side 0, or to the sink, on side 1.
+  void join_to_terminal(Index a, char side, double capacity)
+  { (side == 0 ? from_source_ : to_sink_)[a] += capacity; }
 
   // For each face of the band: whether it is on the side of the source. Of several minimum cuts it
   // is the one nearest to the source, whatever the order of the arcs.
@@ -110,8 +110,16 @@ public:
         arcs.add_both(i, sink_, to_sink_[i], 0);
     }
     const std::size_t n = sink_ + 1, m = arcs.ends.size();
-    std::vector<Index> place;
-    Flow_graph graph{Packed_graph(n, arcs.ends, place), std::vector<Index>(m)};
+    std::vector<Index> place(m);
+    Flow_graph graph{std::vector<Index>(n + 1, 0), std::vector<Index>(m), std::vector<Index>(m)};
+    for (const auto& ends : arcs.ends)
+      ++graph.first_arc[ends.first + 1];
+    std::partial_sum(graph.first_arc.begin(), graph.first_arc.end(), graph.first_arc.begin());
+    std::vector<Index> next = graph.first_arc;
+    for (std::size_t i = 0; i < m; ++i) {
+      place[i] = next[arcs.ends[i].first]++;
+      graph.targets[place[i]] = arcs.ends[i].second;
+    }
     std::vector<double> capacities(m), residuals(m);
     for (std::size_t i = 0; i < m; ++i) {
       graph.reverse[place[i]] = place[i ^ 1];
@@ -139,7 +147,7 @@ public:
 // The cheapest cut that leaves all faces of a part on their sides but those of the band. Faces that
 // are on no side, neither 0 nor 1, count as if they were not there. A side that lies wholly in the
 // band keeps the last of its faces there. The sides need not be connected.
-inline Sides minimum_cut_within(const Face_graph& part, const std::vector<Index>& band,
+inline Sides minimum_cut_within(const Surface& part, const std::vector<Index>& band,
                                 const Sides& side)
 {
   std::vector<Index> node(part.number_of_faces(), null_index);
@@ -153,15 +161,12 @@ inline Sides minimum_cut_within(const Face_graph& part, const std::vector<Index>
   bool has_terminal[2] = {false, false};
   const auto join_to_terminal = [&](Index i, char s, double c) {
     has_terminal[int(s)] = true;
-    if (s == 0)
-      network.join_to_source(i, c);
-    else
-      network.join_to_sink(i, c);
+    network.join_to_terminal(i, s, c);
   };
   for (Index i = 0; i < band.size(); ++i) {
     const Index f = band[i];
     for (Index h = 3 * f; h < 3 * f + 3; ++h) {
-      const Index g = part.neighbors[h];
+      const Index g = part.neighbor(h);
       if (node[g] != null_index && f < g)
         network.join(i, node[g], capacity(part, h));
       else if (node[g] == null_index && (side[g] == 0 || side[g] == 1))
@@ -177,20 +182,6 @@ inline Sides minimum_cut_within(const Face_graph& part, const std::vector<Index>
   for (std::size_t i = 0; i < band.size(); ++i)
     result[band[i]] = is_at_source[i] ? 0 : 1;
   return result;
-}
-
-// The cheapest cut in the neighborhood of a cut. Its sides need not be connected. Fixed faces stay
-// where they are.
-inline Sides minimum_cut_around(const Face_graph& part, const Sides& side, double area_of_q,
-                                const std::vector<char>& is_fixed = {})
-{
-  std::vector<Index> band; // a side that lies wholly in it keeps the face farthest from the cut
-  const double radius = constants::neighborhood_radius * std::sqrt(area_of_q);
-  for (const Face_at_distance& f :
-       faces_near_cut(part, side, halfedges_of_cut(part, side), radius))
-    if (is_fixed.empty() || !is_fixed[f.face])
-      band.push_back(f.face);
-  return minimum_cut_within(part, band, side);
 }
 
 } // namespace CGAL::Spectral_segmentation::internal

@@ -4,8 +4,10 @@
 #ifndef CGAL_SPECTRAL_SEGMENTATION_INTERNAL_BIPARTITION_SHORTEST_PATHS_H
 #define CGAL_SPECTRAL_SEGMENTATION_INTERNAL_BIPARTITION_SHORTEST_PATHS_H
 
-#include <CGAL/Spectral_segmentation/internal/mesh/Face_graph.h>
-#include <CGAL/Spectral_segmentation/internal/utility/prefetch.h>
+#include <CGAL/Spectral_segmentation/internal/surface/Surface.h>
+#include <CGAL/Spectral_segmentation/internal/base/arrays.h>
+
+#include <CGAL/assertions.h>
 
 #include <algorithm>
 #include <cstddef>
@@ -29,24 +31,24 @@ struct Arc
 // A connected part with one weighting: what a search reads, and no more, side by side in memory.
 class Weighted_graph
 {
-  const Face_graph& graph_;
+  const Surface& graph_;
   std::vector<Arc> arcs_; // of each half-edge
   double sum_ = 0, largest_ = 0;
 
 public:
-  Weighted_graph(const Face_graph& graph, Weighting weighting) : graph_(graph)
+  Weighted_graph(const Surface& graph, Weighting weighting) : graph_(graph)
   {
-    CGAL_precondition(graph.weights.size() == graph.neighbors.size());
-    arcs_.reserve(graph.neighbors.size());
+    CGAL_precondition(graph.weights.size() == graph.number_of_halfedges());
+    arcs_.reserve(graph.number_of_halfedges());
     for (Index h = 0; h < graph.number_of_halfedges(); ++h) {
       const float weight = graph.weights[h].*weighting;
-      arcs_.push_back({graph.neighbors[h], weight, graph.weights[h].angle});
+      arcs_.push_back({graph.neighbor(h), weight, graph.weights[h].angle});
       sum_ += weight;
       largest_ = (std::max)(largest_, double(weight));
     }
   }
 
-  const Face_graph& faces() const { return graph_; }
+  const Surface& faces() const { return graph_; }
   const Arc& arc(Index h) const { return arcs_[h]; }
   double mean_weight() const { return sum_ / static_cast<double>(arcs_.size()); }
   double largest_weight() const { return largest_; }

@@ -4,10 +4,10 @@
 #ifndef CGAL_SPECTRAL_SEGMENTATION_INTERNAL_DISTANCES_FACE_DISTANCES_H
 #define CGAL_SPECTRAL_SEGMENTATION_INTERNAL_DISTANCES_FACE_DISTANCES_H
 
-#include <CGAL/Spectral_segmentation/internal/mesh/Face_graph.h>
-#include <CGAL/Spectral_segmentation/internal/utility/concurrency.h>
-#include <CGAL/Spectral_segmentation/internal/distances/curvature_angles.h>
-#include <CGAL/Spectral_segmentation/internal/utility/sorted_indices.h>
+#include <CGAL/Spectral_segmentation/internal/surface/Surface.h>
+#include <CGAL/Spectral_segmentation/internal/base/concurrency.h>
+#include <CGAL/Spectral_segmentation/internal/distances/bending.h>
+#include <CGAL/Spectral_segmentation/internal/base/arrays.h>
 
 #include <algorithm>
 #include <cmath>
@@ -53,12 +53,12 @@ inline Dihedral dihedral(const Vector& f, const Vector& g, const Vector& edge)
 
 // Unit normals. A face without area takes that of the neighbor across its longest edge, so that it
 // does not hide the angle between the faces on its two sides; (0, 0, 0) where that fails.
-inline std::vector<Vector> face_normals(Execution execution, const Face_graph& graph,
+inline std::vector<Vector> face_normals(Execution execution, const Surface& graph,
                                         const std::vector<Vector>& points)
 {
   std::vector<Vector> normals(graph.number_of_faces());
   const auto edge_vector = [&](Index h) -> Vector
-  { return points[graph.target_vertex(h)] - points[graph.source_vertex(h)]; };
+  { return points[graph.target(h)] - points[graph.source(h)]; };
   const auto longest_edge = [&](Index f) {
     Index longest = 3 * f;
     for (Index h = 3 * f + 1; h < 3 * f + 3; ++h)
@@ -77,7 +77,7 @@ inline std::vector<Vector> face_normals(Execution execution, const Face_graph& g
   for (Index first = 0; first < normals.size(); ++first) {
     Index f = first;
     path.clear();
-    for (; normals[f].is_zero() && !is_visited[f]; f = graph.neighbors[longest_edge(f)]) {
+    for (; normals[f].is_zero() && !is_visited[f]; f = graph.neighbor(longest_edge(f))) {
       is_visited[f] = 1;
       path.push_back(f);
     }
@@ -89,9 +89,9 @@ inline std::vector<Vector> face_normals(Execution execution, const Face_graph& g
 
 // Histogram equalization: maps values to equally spaced ones in [0, 1] by their rank; equal values
 // share the mean of their ranks.
-inline std::vector<double> equalize(Execution execution, const std::vector<float>& values)
+inline std::vector<double> equalize(const std::vector<float>& values)
 {
-  const std::vector<Index> order = sorted_indices(execution, values);
+  const std::vector<Index> order = sorted_indices(values);
   std::vector<double> result(values.size());
   for (std::size_t first = 0; first < order.size();) {
     std::size_t last = first;
@@ -107,10 +107,10 @@ inline std::vector<double> equalize(Execution execution, const std::vector<float
 
 // The same where a value takes as much of [0, 1] as its weight says, so that an edge counts by its
 // length and not by the number of edges into which the triangulation cuts it.
-inline std::vector<double> equalize(Execution execution, const std::vector<float>& values,
+inline std::vector<double> equalize(const std::vector<float>& values,
                                     const std::vector<double>& weights)
 {
-  const std::vector<Index> order = sorted_indices(execution, values);
+  const std::vector<Index> order = sorted_indices(values);
   const double total = std::accumulate(weights.begin(), weights.end(), 0.);
   std::vector<double> result(values.size(), 0.5);
   double below = 0;
@@ -162,7 +162,7 @@ struct Equalized_angles
 };
 
 // `edges` has one half-edge an edge. Faces without a normal bend nowhere.
-inline Equalized_angles equalized_dihedrals(Execution execution, const Face_graph& graph,
+inline Equalized_angles equalized_dihedrals(Execution execution, const Surface& graph,
                                             const std::vector<Vector>& points,
                                             const std::vector<Vector>& normals,
                                             const Distance_weights& weights,
@@ -171,18 +171,18 @@ inline Equalized_angles equalized_dihedrals(Execution execution, const Face_grap
   std::vector<double> angles(edges.size(), 0);
   std::vector<char> is_concave(edges.size(), 0);
   for_each_index(execution, edges.size(), [&](std::size_t e) {
-    const Index h = edges[e], f = h / 3, g = graph.neighbors[h];
+    const Index h = edges[e], f = h / 3, g = graph.neighbor(h);
     if (normals[f].is_zero() || normals[g].is_zero())
       return;
     const Dihedral d = dihedral(normals[f], normals[g],
-                                points[graph.target_vertex(h)] - points[graph.source_vertex(h)]);
+                                points[graph.target(h)] - points[graph.source(h)]);
     is_concave[e] = d.is_concave;
     angles[e] = (d.is_concave ? weights.concave : weights.convex) * d.one_minus_cosine;
   });
   normalize_by_mean(angles);
   // Single precision, so that angles that differ by rounding only tie.
   const std::vector<float> rounded(angles.begin(), angles.end());
-  Equalized_angles result{equalize(execution, rounded), std::vector<double>(edges.size(), 0)};
+  Equalized_angles result{equalize(rounded), std::vector<double>(edges.size(), 0)};
   for (std::size_t e = 0; e < edges.size(); ++e)
     if (is_concave[e])
       result.concave[e] = result.whole[e];
@@ -190,7 +190,7 @@ inline Equalized_angles equalized_dihedrals(Execution execution, const Face_grap
 }
 
 // The same by bending at the scale of the shape, which does not depend on the triangulation.
-inline Equalized_angles equalized_bending(Execution execution, const Face_graph& graph,
+inline Equalized_angles equalized_bending(Execution execution, const Surface& graph,
                                           const std::vector<Vector>& points,
                                           const std::vector<Vector>& normals,
                                           const Distance_weights& weights,
@@ -202,13 +202,13 @@ inline Equalized_angles equalized_bending(Execution execution, const Face_graph&
   std::vector<float> distances(edges.size());
   for_each_index(execution, edges.size(), [&](std::size_t e) {
     const Index h = edges[e];
-    lengths[e] = (points[graph.target_vertex(h)] - points[graph.source_vertex(h)]).norm();
+    lengths[e] = (points[graph.target(h)] - points[graph.source(h)]).norm();
     // 1 - cos of the angle, which keeps its digits where that is small.
     const double sine = std::sin(bending[h] / 2);
     distances[e] = static_cast<float>((bending[h] < 0 ? weights.concave : weights.convex) *
                                       (2 * sine * sine));
   });
-  Equalized_angles result{equalize(execution, distances, lengths),
+  Equalized_angles result{equalize(distances, lengths),
                           std::vector<double>(edges.size(), 0)};
   for (std::size_t e = 0; e < edges.size(); ++e)
     if (bending[edges[e]] < 0)
@@ -217,7 +217,7 @@ inline Equalized_angles equalized_bending(Execution execution, const Face_graph&
 }
 
 inline std::vector<double> normalized_geodesic_distances(Execution execution,
-                                                         const Face_graph& graph,
+                                                         const Surface& graph,
                                                          const std::vector<Vector>& points,
                                                          const std::vector<Index>& edges)
 {
@@ -225,8 +225,8 @@ inline std::vector<double> normalized_geodesic_distances(Execution execution,
   for_each_index(execution, edges.size(), [&](std::size_t e) {
     const Index h = edges[e];
     result[e] = geodesic_distance(
-      points[graph.source_vertex(h)], points[graph.target_vertex(h)], graph.centroid(h / 3, points),
-      graph.centroid(graph.neighbors[h], points));
+      points[graph.source(h)], points[graph.target(h)], graph.centroid(h / 3, points),
+      graph.centroid(graph.neighbor(h), points));
   });
   normalize_by_mean(result);
   return result;
@@ -234,15 +234,15 @@ inline std::vector<double> normalized_geodesic_distances(Execution execution,
 
 // Fills in the distances of adjacent faces, computed from `points` in place of the graph's own, and
 // from the normals of the faces there.
-inline void set_face_distances(Execution execution, Face_graph& graph,
+inline void set_face_distances(Execution execution, Surface& graph,
                                const std::vector<Vector>& points,
                                const std::vector<Vector>& normals,
                                const Distance_weights& given_weights)
 {
   const Distance_weights weights = with_relative_angle_weights(given_weights);
   std::vector<Index> edges; // one half-edge each
-  for (Index h = 0; h < graph.neighbors.size(); ++h)
-    if (h / 3 < graph.neighbors[h])
+  for (Index h = 0; h < graph.number_of_halfedges(); ++h)
+    if (h < graph.opposite[h])
       edges.push_back(h);
 
   std::vector<double> geodesic;
@@ -265,8 +265,8 @@ inline void set_face_distances(Execution execution, Face_graph& graph,
     w.combined = static_cast<float>(
       quantized((1 - weights.geodesic) * equalized.whole[e] + weights.geodesic * geodesic[e]));
     w.centroids = static_cast<float>(
-      (graph.centroid(graph.neighbors[h]) - graph.centroid(h / 3)).norm());
-    graph.weights[graph.opposite(h)] = w;
+      (graph.centroid(graph.neighbor(h)) - graph.centroid(h / 3)).norm());
+    graph.weights[graph.opposite[h]] = w;
   });
 }
 

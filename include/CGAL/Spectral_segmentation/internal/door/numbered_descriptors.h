@@ -4,8 +4,8 @@
 #ifndef CGAL_SPECTRAL_SEGMENTATION_INTERNAL_DOOR_NUMBERED_DESCRIPTORS_H
 #define CGAL_SPECTRAL_SEGMENTATION_INTERNAL_DOOR_NUMBERED_DESCRIPTORS_H
 
-#include <CGAL/Spectral_segmentation/internal/door/segment_id_map.h>
-#include <CGAL/Spectral_segmentation/internal/mesh/Triangles.h>
+#include <CGAL/Spectral_segmentation/internal/door/segment_ids.h>
+#include <CGAL/Spectral_segmentation/internal/surface/Surface.h>
 
 #include <CGAL/Named_function_parameters.h>
 #include <CGAL/boost/graph/named_params_helper.h>

@@ -5,10 +5,10 @@
 #define CGAL_SPECTRAL_SEGMENTATION_INTERNAL_SALIENCE_BOUNDARY_STATISTICS_H
 
 #include <CGAL/Spectral_segmentation/Part_salience.h>
-#include <CGAL/Spectral_segmentation/internal/mesh/Face_graph.h>
-#include <CGAL/Spectral_segmentation/internal/mesh/Symmetric_matrix.h>
-#include <CGAL/Spectral_segmentation/internal/mesh/surface_integrals.h>
-#include <CGAL/Spectral_segmentation/internal/utility/prefetch.h>
+#include <CGAL/Spectral_segmentation/internal/surface/Surface.h>
+#include <CGAL/Spectral_segmentation/internal/base/Vector.h>
+#include <CGAL/Spectral_segmentation/internal/surface/Principal_frame.h>
+#include <CGAL/Spectral_segmentation/internal/base/arrays.h>
 
 #include <algorithm>
 #include <cmath>
@@ -21,7 +21,7 @@ namespace CGAL::Spectral_segmentation::internal {
 // factors of the salience of the cut between Q and the rest (Section 6). Both take constant time.
 class Boundary_statistics
 {
-  const Face_graph& part_;
+  const Surface& part_;
   double area_of_part_;
   double largest_angle_ = 0; // over the inner edges of the part
   Vector origin_;            // near the points, so that their squares keep their digits
@@ -58,7 +58,7 @@ class Boundary_statistics
   }
 
 public:
-  explicit Boundary_statistics(const Face_graph& part)
+  explicit Boundary_statistics(const Surface& part)
     : part_(part), area_of_part_(total_area(part)), origin_(part.centroid(0)),
       has_face_(part.number_of_faces(), 0), valence_(part.points.size(), 0)
   {
@@ -77,17 +77,17 @@ public:
       if (part_.is_border(h))
         continue;
       const float concavity = part_.weights[h].concavity;
-      if (has_face_[part_.neighbors[h]]) {
+      if (has_face_[part_.neighbor(h)]) {
         --number_of_edges_;
         concavity_ -= concavity;
-        remove_vertex(part_.source_vertex(h));
-        remove_vertex(part_.target_vertex(h));
+        remove_vertex(part_.source(h));
+        remove_vertex(part_.target(h));
       }
       else {
         ++number_of_edges_;
         concavity_ += concavity;
-        add_vertex(part_.source_vertex(h));
-        add_vertex(part_.target_vertex(h));
+        add_vertex(part_.source(h));
+        add_vertex(part_.target(h));
       }
     }
   }
@@ -97,7 +97,7 @@ public:
   {
     prefetch(&part_.areas[f]);
     prefetch(&part_.corners[f]);
-    prefetch(&part_.neighbors[3 * f]);
+    prefetch(&part_.opposite[3 * f]);
     prefetch(&part_.weights[3 * f]);
     prefetch(&part_.weights[3 * f + 2]);
   }
@@ -121,7 +121,7 @@ public:
     // The product of the two largest eigenvalues is the largest eigenvalue of the adjugate; found
     // as one root it is accurate also where the cut is nearly straight and the second one vanishes.
     const double product =
-      (std::max)(Eigen_solver(covariance.adjugate()).largest_eigenvalue(), 0.);
+      (std::max)(Symmetric_eigensystem(covariance.adjugate()).largest_eigenvalue(), 0.);
     result.protrusiveness = 1 - 4 * std::sqrt(product) / smaller_area();
     return result;
   }

@@ -4,14 +4,218 @@
 #ifndef CGAL_SPECTRAL_SEGMENTATION_INTERNAL_SALIENCE_CONVEXITY_DEFECT_H
 #define CGAL_SPECTRAL_SEGMENTATION_INTERNAL_SALIENCE_CONVEXITY_DEFECT_H
 
-#include <CGAL/Spectral_segmentation/internal/salience/Support_points.h>
-#include <CGAL/Spectral_segmentation/internal/mesh/Face_graph.h>
+#include <CGAL/Spectral_segmentation/internal/surface/Principal_frame.h>
+#include <CGAL/Spectral_segmentation/internal/surface/Surface.h>
+
+#include <CGAL/number_type_config.h>
 
 #include <algorithm>
+#include <array>
 #include <bitset>
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <limits>
+#include <numeric>
 #include <vector>
 
 namespace CGAL::Spectral_segmentation::internal {
+
+// In single precision, which is half the memory and exact enough for depths.
+struct Vector_of_floats
+{
+  float x, y, z;
+
+  Vector_of_floats(float x, float y, float z) : x(x), y(y), z(z) {}
+  explicit Vector_of_floats(const Vector& v)
+    : x(static_cast<float>(v.x())), y(static_cast<float>(v.y())), z(static_cast<float>(v.z())) {}
+
+  Vector_of_floats operator-(const Vector_of_floats& v) const
+  { return {x - v.x, y - v.y, z - v.z}; }
+  float dot(const Vector_of_floats& v) const { return x * v.x + (y * v.y + z * v.z); }
+};
+
+// Directions that are spread over the sphere: a Fibonacci lattice, which descends in z.
+namespace directions {
+
+constexpr int number = 96;
+constexpr int number_of_neighbors = 10;
+typedef std::array<int, number_of_neighbors> Neighbors; // the direction itself is the first
+typedef std::array<float, number> Distances;            // along each direction
+
+struct Coordinates
+{
+  Distances x, y, z;
+
+  Vector_of_floats operator[](int d) const { return {x[d], y[d], z[d]}; }
+};
+
+inline const Coordinates& coordinates()
+{
+  static const Coordinates result = [] {
+    const double golden_angle = CGAL_PI * (3 - std::sqrt(5.));
+    Coordinates c;
+    for (int i = 0; i < number; ++i) {
+      const double z = 1 - (2 * i + 1.) / number, r = std::sqrt(1 - z * z);
+      c.x[i] = static_cast<float>(r * std::cos(i * golden_angle));
+      c.y[i] = static_cast<float>(r * std::sin(i * golden_angle));
+      c.z[i] = static_cast<float>(z);
+    }
+    return c;
+  }();
+  return result;
+}
+
+inline const std::vector<Neighbors>& neighbors()
+{
+  static const std::vector<Neighbors> result = [] {
+    const Coordinates& c = coordinates();
+    std::vector<Neighbors> n(number);
+    std::vector<int> all(number);
+    for (int i = 0; i < number; ++i) {
+      std::iota(all.begin(), all.end(), 0);
+      std::partial_sort_copy(all.begin(), all.end(), n[i].begin(), n[i].end(), [&](int a, int b)
+                             { return c[i].dot(c[a]) > c[i].dot(c[b]); });
+    }
+    return n;
+  }();
+  return result;
+}
+
+// The one next to a unit vector. It is at most 11 places from the place of the vector's own z; as
+// observed.
+inline int nearest(const Vector_of_floats& v)
+{
+  const Coordinates& c = coordinates();
+  const int middle = static_cast<int>((1 - v.z) * number / 2);
+  const int reach = number / 8;
+  const int first = (std::max)(middle - reach, 0), end = (std::min)(middle + reach + 1, number);
+  int best = first;
+  for (int d = first + 1; d < end; ++d)
+    if (v.dot(c[d]) > v.dot(c[best]))
+      best = d;
+  return best;
+}
+
+} // namespace directions
+
+// The points of some faces that are farthest in each direction.
+struct Support_set
+{
+  directions::Distances distances;
+  std::array<Index, directions::number> points;
+
+  Support_set() { distances.fill(-std::numeric_limits<float>::infinity()); }
+
+  template <class PointAt>
+  void add(const directions::Distances& others, const PointAt& point_at)
+  {
+    int number_of_farther = 0;
+    for (int d = 0; d < directions::number; ++d)
+      number_of_farther += others[d] > distances[d];
+    if (number_of_farther == 0) // so it is nearly always
+      return;
+    for (int d = 0; d < directions::number; ++d)
+      if (others[d] > distances[d]) {
+        distances[d] = others[d];
+        points[d] = point_at(d);
+      }
+  }
+
+  void add(Index point, const Vector_of_floats& at)
+  {
+    const directions::Coordinates& c = directions::coordinates();
+    directions::Distances others;
+    for (int d = 0; d < directions::number; ++d)
+      others[d] = c.x[d] * at.x + c.y[d] * at.y + c.z[d] * at.z;
+    add(others, [point](int) { return point; });
+  }
+
+  void add(const Support_set& other)
+  { add(other.distances, [&](int d) { return other.points[d]; }); }
+};
+
+// The plane of a face.
+struct Face_plane
+{
+  Vector_of_floats center, normal;
+  std::uint8_t direction; // next to the normal
+};
+
+// Finds the support points of sets of faces of a mesh, in its principal frame. Those of blocks of
+// successive faces, which are near each other in a mesh in order of locality, are kept: only the
+// faces of blocks that a set shares with others are looked at.
+class Support_points
+{
+  static constexpr Index faces_per_block = 32;
+
+  std::vector<Vector_of_floats> points_;
+  std::vector<Corners> corners_;
+  std::vector<Face_plane> planes_;
+  std::vector<Index> size_of_block_;
+  std::vector<Support_set> of_block_;
+
+  static Index block(Index f) { return f / faces_per_block; }
+
+  void set_planes(const Surface& mesh, const Principal_frame& frame)
+  {
+    planes_.reserve(mesh.number_of_faces());
+    for (Index f = 0; f < mesh.number_of_faces(); ++f) {
+      const Corners& c = mesh.corners[f];
+      const Vector &p = mesh.points[c[0]], &q = mesh.points[c[1]], &r = mesh.points[c[2]];
+      const Vector_of_floats normal(frame.vector((q - p).cross(r - p).normalized()));
+      planes_.push_back({Vector_of_floats(frame.point(mesh.centroid(f))), normal,
+                         static_cast<std::uint8_t>(directions::nearest(normal))});
+    }
+  }
+
+  void set_blocks()
+  {
+    const std::size_t number = (corners_.size() + faces_per_block - 1) / faces_per_block;
+    size_of_block_.resize(number, 0);
+    of_block_.resize(number);
+    for (Index f = 0; f < corners_.size(); ++f) {
+      ++size_of_block_[block(f)];
+      for (Index v : corners_[f])
+        of_block_[block(f)].add(v, points_[v]);
+    }
+  }
+
+public:
+  Support_points(Execution execution, const Surface& mesh) : corners_(mesh.corners)
+  {
+    const Principal_frame frame(execution, mesh);
+    points_.reserve(mesh.points.size());
+    for (const Vector& p : mesh.points)
+      points_.emplace_back(frame.point(p));
+    set_planes(mesh, frame);
+    set_blocks();
+  }
+
+  const Vector_of_floats& point(Index v) const { return points_[v]; }
+  const Face_plane& plane(Index f) const { return planes_[f]; }
+
+  // Of faces without repetition.
+  Support_set operator()(const std::vector<Index>& faces) const
+  {
+    std::vector<Index> number(of_block_.size(), 0); // of the faces in each block
+    for (Index f : faces)
+      ++number[block(f)];
+    Support_set result;
+    for (std::size_t b = 0; b < number.size(); ++b)
+      if (number[b] == size_of_block_[b])
+        result.add(of_block_[b]);
+    std::vector<char> is_met(points_.size(), 0);
+    for (Index f : faces)
+      if (number[block(f)] < size_of_block_[block(f)])
+        for (Index v : corners_[f])
+          if (!is_met[v]) {
+            is_met[v] = 1;
+            result.add(v, points_[v]);
+          }
+    return result;
+  }
+};
 
 // How far sets of faces of a part are from convex: the mean depth, by area, of their faces below
 // their own convex hull, each along its normal. The hull is that of the extreme points in some
@@ -20,7 +224,7 @@ namespace CGAL::Spectral_segmentation::internal {
 class Convexity_defect
 {
   const Support_points& extreme_points_;
-  const Face_graph& part_;
+  const Surface& part_;
   const std::vector<Index>& faces_; // of the part, by their numbers in the mesh
   Support_set of_part_;
   std::vector<float> depths_; // below the hull of the part, which are those below many a hull
@@ -47,7 +251,7 @@ class Convexity_defect
   }
 
 public:
-  Convexity_defect(const Support_points& support_points, const Face_graph& part,
+  Convexity_defect(const Support_points& support_points, const Surface& part,
              const std::vector<Index>& faces)
     : extreme_points_(support_points), part_(part), faces_(faces), of_part_(support_points(faces))
   {

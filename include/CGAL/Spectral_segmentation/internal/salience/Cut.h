@@ -5,10 +5,13 @@
 #define CGAL_SPECTRAL_SEGMENTATION_INTERNAL_SALIENCE_CUT_H
 
 #include <CGAL/Spectral_segmentation/Part_salience.h>
-#include <CGAL/Spectral_segmentation/internal/utility/Index.h>
+#include <CGAL/Spectral_segmentation/internal/base/arrays.h>
+#include <CGAL/Spectral_segmentation/internal/surface/Surface.h>
 
 #include <cmath>
+#include <functional>
 #include <limits>
+#include <queue>
 #include <utility>
 #include <vector>
 
@@ -24,6 +27,7 @@ struct Cut
   double area[2];
   Salience_factors factors;
   double salience;
+  std::vector<Index> near; // faces near the cut, where all factors are known
 };
 
 // Side 0 becomes the one of smaller area.
@@ -55,6 +59,60 @@ struct Evaluated_cut
   const Sides& side;               // of each of these faces
   const Salience_factors& factors;
 };
+
+// The radius of the neighborhood of a cut, in which factors are measured and minimum cuts are
+// searched, relative to the square root of the area of the smaller side. The fit of
+// `Calibrated_part_salience` depends on it.
+constexpr double neighborhood_radius = 0.35;
+
+// The half-edges along a cut on its side 0.
+inline std::vector<Index> halfedges_of_cut(const Surface& part, const Sides& side)
+{
+  std::vector<Index> result;
+  for (Index f = 0; f < part.number_of_faces(); ++f)
+    if (side[f] == 0)
+      for (Index h = 3 * f; h < 3 * f + 3; ++h)
+        if (side[part.neighbor(h)] != 0)
+          result.push_back(h);
+  return result;
+}
+
+// Returns the faces on both sides within `radius` of a cut, the nearest first. Paths go from centroid
+// to centroid and do not cross the cut. This is Dijkstra's search, but from all edges of the cut at
+// once and up to the radius, for which BGL's has no place.
+inline std::vector<Index> faces_near_cut(const Surface& part, const Sides& side,
+                                         const std::vector<Index>& cut, double radius)
+{
+  typedef std::pair<double, Index> Entry;
+  std::vector<double> distance(part.number_of_faces(), std::numeric_limits<double>::infinity());
+  std::priority_queue<Entry, std::vector<Entry>, std::greater<Entry> > queue;
+  const auto relax = [&](Index f, double d) {
+    if (d < distance[f] && d <= radius) {
+      distance[f] = d;
+      queue.push({d, f});
+    }
+  };
+  for (Index h : cut) {
+    const Vector middle =
+      (part.points[part.source(h)] + part.points[part.target(h)]) / 2;
+    for (Index f : {h / 3, part.neighbor(h)})
+      relax(f, (part.centroid(f) - middle).norm());
+  }
+  std::vector<Index> result;
+  while (!queue.empty()) {
+    const auto [d, f] = queue.top();
+    queue.pop();
+    if (d > distance[f])
+      continue;
+    result.push_back(f);
+    for (Index h = 3 * f; h < 3 * f + 3; ++h) {
+      const Index g = part.neighbor(h);
+      if (d < distance[g] && side[g] == side[f])
+        relax(g, d + part.weights[h].centroids);
+    }
+  }
+  return result;
+}
 
 } // namespace CGAL::Spectral_segmentation::internal
 

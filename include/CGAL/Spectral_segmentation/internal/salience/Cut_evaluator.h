@@ -6,13 +6,10 @@
 
 #include <CGAL/Spectral_segmentation/Part_salience.h>
 #include <CGAL/Spectral_segmentation/internal/salience/Cut.h>
-#include <CGAL/Spectral_segmentation/internal/salience/Support_points.h>
-#include <CGAL/Spectral_segmentation/internal/mesh/Face_graph.h>
 #include <CGAL/Spectral_segmentation/internal/salience/Convexity_defect.h>
+#include <CGAL/Spectral_segmentation/internal/surface/Surface.h>
 #include <CGAL/Spectral_segmentation/internal/salience/Boundary_statistics.h>
-#include <CGAL/Spectral_segmentation/internal/salience/faces_near_cut.h>
-#include <CGAL/Spectral_segmentation/internal/mesh/surface_integrals.h>
-#include <CGAL/Spectral_segmentation/internal/utility/constants.h>
+#include <CGAL/Spectral_segmentation/internal/surface/Principal_frame.h>
 
 #include <algorithm>
 #include <cmath>
@@ -27,7 +24,7 @@ struct Evaluation_context
   double area;
   Support_points support_points;
 
-  Evaluation_context(Execution execution, const Face_graph& mesh)
+  Evaluation_context(Execution execution, const Surface& mesh)
     : area(total_area(mesh)), support_points(execution, mesh) {}
 };
 
@@ -35,7 +32,12 @@ struct Evaluation_context
 // cut is given by the side of each face: 0 for Q, which has the smaller area, 1 for the rest.
 class Cut_evaluator
 {
-  const Face_graph& part_;
+  // The fit of `Calibrated_part_salience` depends on these. Convexity defects well below the offset,
+  // which is relative to the root of the mesh's area, make no difference to their ratio.
+  static constexpr double offset_of_convexity_defects = 0.005;
+  static constexpr double largest_expansion = 4;
+
+  const Surface& part_;
   double area_of_mesh_;
   Convexity_defect convexity_defect_;
   double defect_of_part_;
@@ -58,15 +60,18 @@ class Cut_evaluator
     return length;
   }
 
-  void set_neighborhood_factors(const Sides& side, const std::vector<Index>& cut,
-                                double area_of_q, double length, Salience_factors& factors) const
+  // Returns the faces of the neighborhood, the nearest first.
+  std::vector<Index> set_neighborhood_factors(const Sides& side, const std::vector<Index>& cut,
+                                              double area_of_q, double length,
+                                              Salience_factors& factors) const
   {
-    const double radius = constants::neighborhood_radius * std::sqrt(area_of_q);
+    const double radius = neighborhood_radius * std::sqrt(area_of_q);
     double area_of_near_rest = 0, length_of_edges = 0, concavity = 0;
-    for (const Face_at_distance& f : faces_near_cut(part_, side, cut, radius)) {
-      if (side[f.face] == 1)
-        area_of_near_rest += part_.areas[f.face];
-      for (Index h = 3 * f.face; h < 3 * f.face + 3; ++h)
+    std::vector<Index> near = faces_near_cut(part_, side, cut, radius);
+    for (Index f : near) {
+      if (side[f] == 1)
+        area_of_near_rest += part_.areas[f];
+      for (Index h = 3 * f; h < 3 * f + 3; ++h)
         if (!part_.is_border(h)) {
           const double l = part_.length(h);
           length_of_edges += l;
@@ -75,8 +80,9 @@ class Cut_evaluator
     }
     factors.concavity_near_cut = length_of_edges > 0 ? concavity / length_of_edges : 0;
     factors.expansion_behind_cut =
-      length > 0 ? (std::min)(area_of_near_rest / (radius * length), constants::largest_expansion)
-                 : constants::largest_expansion;
+      length > 0 ? (std::min)(area_of_near_rest / (radius * length), largest_expansion)
+                 : largest_expansion;
+    return near;
   }
 
   void set_convexity_factors(const std::vector<Index> (&faces)[2], const double (&area)[2],
@@ -86,21 +92,21 @@ class Cut_evaluator
     const double sides =
       (area[0] * convexity_defect_(faces[0]) + area[1] * convexity_defect_(faces[1])) /
       ((area[0] + area[1]) * unit);
-    const double offset = constants::smallest_convexity_defect;
+    const double offset = offset_of_convexity_defects;
     factors.convexity_gain = whole - sides;
     factors.relative_convexity_gain = std::log((whole + offset) / (sides + offset));
   }
 
 public:
   // `faces` are those of the part, by their numbers in the mesh.
-  Cut_evaluator(const Face_graph& part, const std::vector<Index>& faces,
+  Cut_evaluator(const Surface& part, const std::vector<Index>& faces,
                 const Evaluation_context& mesh)
     : part_(part), area_of_mesh_(mesh.area), convexity_defect_(mesh.support_points, part, faces),
       defect_of_part_(convexity_defect_.of_part())
   {}
 
-  // Both sides must have an area.
-  Salience_factors operator()(const Sides& side) const
+  // Both sides must have an area. `near` becomes the faces in the neighborhood of the cut.
+  Salience_factors operator()(const Sides& side, std::vector<Index>& near) const
   {
     std::vector<Index> faces[2];
     for (std::vector<Index>& f : faces)
@@ -114,7 +120,7 @@ public:
     Salience_factors factors;
     const std::vector<Index> cut = halfedges_of_cut(part_, side);
     const double length = set_boundary_factors(faces[0], cut, factors);
-    set_neighborhood_factors(side, cut, area[0], length, factors);
+    near = set_neighborhood_factors(side, cut, area[0], length, factors);
     set_convexity_factors(faces, area, factors);
     factors.log_relative_part_area = std::log((area[0] + area[1]) / area_of_mesh_);
     return factors;

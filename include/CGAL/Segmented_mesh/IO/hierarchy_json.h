@@ -1,0 +1,231 @@
+// Copyright (c) 2026  The Spectral_segmentation authors.
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_SEGMENTED_MESH_IO_HIERARCHY_JSON_H
+#define CGAL_SEGMENTED_MESH_IO_HIERARCHY_JSON_H
+
+// The only header for users that needs nlohmann-json: the target nlohmann_json::nlohmann_json of
+// its CMake package.
+
+#include <CGAL/Spectral_segmentation/Segmentation_hierarchy.h>
+#include <CGAL/Spectral_segmentation/internal/door/numbered_descriptors.h>
+#include <CGAL/Spectral_segmentation/internal/door/read_surface.h>
+#include <CGAL/Segmented_mesh/internal/json/hierarchy_of_json.h>
+#include <CGAL/Segmented_mesh/internal/json/json_of_hierarchy.h>
+#include <CGAL/Segmented_mesh/internal/json/segment_extents.h>
+#include <CGAL/Spectral_segmentation/parameters.h>
+
+#include <CGAL/boost/graph/named_params_helper.h>
+
+#include <nlohmann/json.hpp>
+
+#include <cstddef>
+#include <istream>
+#include <ostream>
+#include <stdexcept>
+#include <string>
+#include <type_traits>
+#include <vector>
+
+namespace CGAL {
+namespace Spectral_segmentation {
+
+/// \cond SKIP_IN_MANUAL
+namespace internal {
+
+template <class Pack>
+using has_only_mesh_tags =
+  internal_np::has_only<Pack, internal_np::vertex_point_t, internal_np::face_index_t,
+                        internal_np::geom_traits_t>;
+
+// Each key on a line.
+inline void write_json(std::ostream& os, const Json& json)
+{
+  const char* separator = "{\n";
+  for (const auto& item : json.items()) {
+    os << separator << Json(item.key()).dump() << ": " << item.value().dump();
+    separator = ",\n";
+  }
+  os << "\n}\n";
+  if (!os)
+    throw std::runtime_error("write_hierarchy: the stream cannot be written");
+}
+
+inline void write_hierarchy(std::ostream& os, const Segmentation_hierarchy& h,
+                            const std::vector<std::size_t>& nodes, const Surface& surface)
+{
+  check_number_of_faces(surface.number_of_faces(), h.number_of_faces());
+  const std::vector<std::size_t> labels = h.labels(nodes);
+  Json json = json_of_hierarchy(
+    h, nodes, labels,
+    segment_extents(surface.points, surface.corners, labels, nodes.size()));
+  add_faces(h, json);
+  write_json(os, json);
+}
+
+// A hierarchy is five levels deep. What is deeper could overflow the stack.
+inline Json parsed(std::istream& is)
+{
+  const auto check_depth = [](int depth, Json::parse_event_t, const Json&) {
+    if (depth > 10)
+      throw std::runtime_error("read_hierarchy: the JSON is nested too deep");
+    return true;
+  };
+  try {
+    return Json::parse(is, check_depth);
+  }
+  catch (const Json::parse_error& e) {
+    throw std::runtime_error("read_hierarchy: the JSON is not well-formed at byte " +
+                             std::to_string(e.byte));
+  }
+  catch (const Json::exception&) {
+    throw std::runtime_error("read_hierarchy: a number is too large");
+  }
+}
+
+} // namespace internal
+/// \endcond
+
+/*!
+\ingroup PkgSpectralSegmentationRef
+
+writes a hierarchy as JSON, with the segments that were chosen.
+
+The section \ref Spectral_segmentation_json tells the keys. The segments have neither neighbors nor
+bounding boxes, for which the other overloads take the mesh. Numbers are written with all their
+digits. The time is linear in the size of the text, which is 3 bytes for each face.
+
+\param os the stream
+\param hierarchy the hierarchy
+\param nodes the node of each segment, such as `hierarchy.nodes()`
+
+\throws std::invalid_argument if the nodes do not contain each face exactly once
+\throws std::runtime_error if the stream fails
+*/
+inline void write_hierarchy(std::ostream& os, const Segmentation_hierarchy& hierarchy,
+                            const std::vector<std::size_t>& nodes)
+{
+  internal::Json json =
+    internal::json_of_hierarchy(hierarchy, nodes, hierarchy.labels(nodes), {});
+  internal::add_faces(hierarchy, json);
+  internal::write_json(os, json);
+}
+
+/// \ingroup PkgSpectralSegmentationRef
+/// writes a hierarchy as JSON, with the segments that the run gave; see above.
+inline void write_hierarchy(std::ostream& os, const Segmentation_hierarchy& hierarchy)
+{ write_hierarchy(os, hierarchy, hierarchy.nodes()); }
+
+/*!
+\ingroup PkgSpectralSegmentationRef
+
+writes a hierarchy as JSON, with the segments that were chosen, their neighbors and bounding boxes.
+
+\tparam TriangleMesh a model of `FaceListGraph` and `VertexListGraph`
+\tparam NamedParameters a sequence of named parameters, of the namespace
+  `CGAL::Spectral_segmentation::parameters` or of `CGAL::parameters`
+
+\param os the stream
+\param hierarchy the hierarchy
+\param nodes the node of each segment, such as `hierarchy.nodes()`
+\param mesh the mesh of the run
+\param np `vertex_point_map`, `face_index_map` and `geom_traits`, as for
+  `segment_spectral_recursive()`
+
+\throws std::invalid_argument if the nodes do not contain each face exactly once, or the mesh is not
+  one of as many triangles
+\throws std::runtime_error if the stream fails
+*/
+#ifdef DOXYGEN_RUNNING
+template <class TriangleMesh, class NamedParameters = parameters::Default_named_parameters>
+void write_hierarchy(std::ostream& os, const Segmentation_hierarchy& hierarchy,
+                     const std::vector<std::size_t>& nodes, const TriangleMesh& mesh,
+                     const NamedParameters& np = parameters::default_values());
+#else
+template <class TriangleMesh, class NamedParameters = CGAL::parameters::Default_named_parameters,
+          std::enable_if_t<!internal::is_triangle_range<NamedParameters>::value, int> = 0>
+void write_hierarchy(std::ostream& os, const Segmentation_hierarchy& hierarchy,
+                     const std::vector<std::size_t>& nodes, const TriangleMesh& mesh,
+                     const NamedParameters& np = NamedParameters())
+{
+  using CGAL::parameters::choose_parameter;
+  using CGAL::parameters::get_parameter;
+  const auto& pack = internal::checked_pack<internal::has_only_mesh_tags>(np);
+  typedef typename GetGeomTraits<TriangleMesh, std::decay_t<decltype(pack)> >::type Geom_traits;
+  internal::write_hierarchy(
+    os, hierarchy, nodes,
+    internal::read_triangle_mesh(
+      mesh, internal::numbered_faces(mesh, pack),
+      choose_parameter(get_parameter(pack, internal_np::vertex_point_t()),
+                       get_const_property_map(CGAL::vertex_point, mesh)),
+      choose_parameter<Geom_traits>(get_parameter(pack, internal_np::geom_traits_t())),
+      "write_hierarchy"));
+}
+#endif
+
+/*!
+\ingroup PkgSpectralSegmentationRef
+
+the same for points and triangles.
+
+\tparam PointRange a range of points `p` with coordinates `p[0]`, `p[1]` and `p[2]`
+\tparam TriangleRange a range of ranges of three integers
+
+\param os the stream
+\param hierarchy the hierarchy
+\param nodes the node of each segment, such as `hierarchy.nodes()`
+\param points the points of the run
+\param triangles the triangles of the run, as indices of points
+*/
+#ifdef DOXYGEN_RUNNING
+template <class PointRange, class TriangleRange>
+#else
+template <class PointRange, class TriangleRange,
+          std::enable_if_t<internal::is_triangle_range<TriangleRange>::value, int> = 0>
+#endif
+void write_hierarchy(std::ostream& os, const Segmentation_hierarchy& hierarchy,
+                     const std::vector<std::size_t>& nodes, const PointRange& points,
+                     const TriangleRange& triangles)
+{
+  internal::write_hierarchy(
+    os, hierarchy, nodes, internal::read_triangle_soup(points, triangles, "write_hierarchy"));
+}
+
+/*!
+\ingroup PkgSpectralSegmentationRef
+
+reads a hierarchy that `write_hierarchy()` or `segment_mesh --hierarchy` has written. It has the
+same nodes, and gives the same labels.
+
+All that the functions of a hierarchy rely on is checked, so that any input gives a hierarchy or an
+exception. The time and the memory are linear in the size of the text.
+
+\throws std::runtime_error with a sentence, if the text is not well-formed, contradicts itself, or
+  has another version
+*/
+inline Segmentation_hierarchy read_hierarchy(std::istream& is)
+{
+  const internal::Json json = internal::parsed(is);
+  return internal::Hierarchy_reader(json)();
+}
+
+/*!
+\ingroup PkgSpectralSegmentationRef
+
+the same, and reads the nodes of the segments that were chosen.
+
+\param is the stream
+\param nodes the node of each segment; unchanged if an exception is thrown
+*/
+inline Segmentation_hierarchy read_hierarchy(std::istream& is, std::vector<std::size_t>& nodes)
+{
+  const internal::Json json = internal::parsed(is);
+  Segmentation_hierarchy result = internal::Hierarchy_reader(json)();
+  nodes = internal::Hierarchy_reader::segments(json, result);
+  return result;
+}
+
+} // namespace Spectral_segmentation
+} // namespace CGAL
+
+#endif // CGAL_SEGMENTED_MESH_IO_HIERARCHY_JSON_H

@@ -1,0 +1,96 @@
+// Copyright (c) 2026  The Spectral_segmentation authors.
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_SEGMENTED_MESH_CLOSE_SEGMENTS_H
+#define CGAL_SEGMENTED_MESH_CLOSE_SEGMENTS_H
+
+#include <CGAL/Segmented_mesh/internal/capping/Segment_capping.h>
+#include <CGAL/Spectral_segmentation/internal/door/segment_ids.h>
+#include <CGAL/Spectral_segmentation/internal/door/read_surface.h>
+
+#include <cstddef>
+#include <limits>
+#include <stdexcept>
+#include <vector>
+
+namespace CGAL {
+
+/*!
+\ingroup PkgSpectralSegmentationRef
+
+appends triangles that close each segment of a range of triangles: its boundaries to other segments,
+and the borders of the surface that it holds.
+
+The border of a segment, the edges that an odd number of its triangles have, is taken apart into
+loops, and each loop gets a cap. If the loop deviates from a plane by at most a tenth of the
+diagonal of its bounding box, the cap is a Delaunay triangulation in projection to that plane, else
+a surface that bends little and has a small area. So its vertices are those of the loop; only if
+there is no such cap, an edge of it would be an edge of other triangles too, or a loop that is not
+flat is longer than 50 times that diagonal, it is a fan around a new point in the middle of the
+loop.
+
+First the holes of the surface are closed, then the segments, in ascending order of their area. The
+cap of a segment, turned over, also goes to the segment on its other side; if there are several,
+each gets the sector of the cap between its edges, if these are at least a tenth of the loop, and a
+new point in the middle of the loop. So the closed segments fit together, also where three of them
+meet, and their volumes sum to that of the closed surface. Afterwards each edge of a segment belongs
+to an even number of its triangles, and to two where the triangles are those of a mesh. Caps are
+oriented as most of the triangles at their loop. They may intersect the surface where that is
+concave.
+
+The time is O(*n* log *n*) for *n* triangles, and that of
+`CGAL::Polygon_mesh_processing::triangulate_hole_polyline()` for each loop.
+
+\tparam PointRange a sequence container of points that can be made of three `double`, with the
+  coordinates `p[0]`, `p[1]` and `p[2]`, such as `CGAL::Point_3` and `std::array<double, 3>`
+\tparam TriangleRange a sequence container of ranges of three integers, such as
+  `std::array<std::size_t, 3>` and `std::vector<std::size_t>`
+\tparam SegmentIdRange a sequence container of integers
+
+\param points the points; new ones are appended
+\param triangles the corners of each triangle, as indices of points; those of caps are appended
+\param segment_ids the id of the segment of each triangle: any numbers; those of caps are appended
+
+\return the number of triangles that were appended
+
+\throws std::invalid_argument if a triangle does not have three corners, a corner is not the index
+  of a point, a coordinate of a corner is not finite, or there are not as many ids as triangles
+\throws std::overflow_error if there are more points than the type of the corners can number
+
+If an exception is thrown for its input, nothing was changed.
+*/
+template <class PointRange, class TriangleRange, class SegmentIdRange>
+std::size_t close_segments(PointRange& points, TriangleRange& triangles,
+                           SegmentIdRange& segment_ids)
+{
+  namespace internal = Spectral_segmentation::internal;
+  typedef typename PointRange::value_type Point;
+  typedef typename TriangleRange::value_type Triangle;
+  typedef internal::Element<Triangle> Corner;
+
+  const internal::Surface soup =
+    internal::read_triangle_soup(points, triangles, "close_segments");
+  if (segment_ids.size() != soup.corners.size())
+    throw std::invalid_argument("close_segments: there must be an id for each triangle");
+  std::vector<internal::Index> labels;
+  const auto ids = internal::labels_of_ids(
+    std::vector<typename SegmentIdRange::value_type>(segment_ids.begin(), segment_ids.end()),
+    labels);
+  const internal::Caps caps =
+    internal::Segment_capping(soup.points)(soup.corners, labels, ids.size());
+  if (!caps.points.empty() && points.size() + caps.points.size() - 1 >
+                                static_cast<std::size_t>((std::numeric_limits<Corner>::max)()))
+    throw std::overflow_error("close_segments: the type of the corners is too small for the number "
+                              "of points");
+  for (const internal::Vector& p : caps.points)
+    points.push_back(Point{p.x(), p.y(), p.z()});
+  for (const internal::Corners& t : caps.triangles)
+    triangles.push_back(Triangle{Corner(t[0]), Corner(t[1]), Corner(t[2])});
+  for (internal::Index label : caps.segment)
+    segment_ids.push_back(ids[label]);
+  return caps.triangles.size();
+}
+
+} // namespace CGAL
+
+#endif // CGAL_SEGMENTED_MESH_CLOSE_SEGMENTS_H

@@ -1,0 +1,162 @@
+// Copyright (c) 2026  The Spectral_segmentation authors.
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_SEGMENTED_MESH_REFINE_SEGMENT_BOUNDARIES_H
+#define CGAL_SEGMENTED_MESH_REFINE_SEGMENT_BOUNDARIES_H
+
+#include <CGAL/Segmented_mesh/internal/refinement/Face_splitter.h>
+#include <CGAL/Spectral_segmentation/internal/door/segment_ids.h>
+#include <CGAL/Spectral_segmentation/internal/door/read_surface.h>
+#include <CGAL/Segmented_mesh/internal/refinement/refined_boundaries.h>
+#include <CGAL/Spectral_segmentation/parameters.h>
+
+#include <CGAL/Named_function_parameters.h>
+#include <CGAL/boost/graph/named_params_helper.h>
+
+#include <boost/graph/graph_traits.hpp>
+
+#include <cstddef>
+#include <stdexcept>
+#include <type_traits>
+#include <utility>
+#include <vector>
+
+namespace CGAL {
+
+/// \cond SKIP_IN_MANUAL
+namespace Spectral_segmentation {
+namespace internal {
+
+template <class Pack>
+using has_only_refinement_tags =
+  internal_np::has_only<Pack, CGAL::internal_np::vertex_point_t, CGAL::internal_np::geom_traits_t,
+                        CGAL::internal_np::number_of_iterations_t>;
+
+} // namespace internal
+} // namespace Spectral_segmentation
+/// \endcond
+
+/*!
+\ingroup PkgSpectralSegmentationRef
+
+makes the boundaries between the segments of a mesh smooth curves, by splitting the faces that the
+curves run through. Each new face gets the id of the segment on its side.
+
+The boundaries of a segmentation run along edges of the mesh, and so in zigzag. Here they move, but
+by a few edges at most, to where a smoothed indicator function of the segments has its jump; where
+three segments meet, so do the curves. A boundary that is smooth already stays where it is. The
+surface stays the same set of points up to rounding: new vertices lie on edges and in faces of the
+mesh. All old vertices stay, with their points, and a face that is split becomes one of its parts.
+The topology of the mesh does not change.
+
+No segment vanishes or loses more than half of its area, and none falls into more connected
+components than it had: if curves would do that, as around a segment of a few faces, the boundary of
+the segment stays as it is. No new face is smaller than a thousandth of the mean area of the faces
+of the mesh, unless it is part of a face smaller than a hundredth. Degenerate faces and mesh
+boundaries are supported. The same input gives the same result on every run and for every data
+structure that holds the same mesh.
+
+The time is O(*n* + *b* *i*) for *n* faces, *i* iterations and *b* faces within three edges of the
+boundaries, and O(*n*) more each time that segments have to be kept from vanishing or falling apart:
+rarely more than twice, and never more often than there are segments and two more. The memory is
+O(*n*).
+
+\tparam TriangleMesh a model of `MutableFaceGraph`, `FaceListGraph` and `VertexListGraph`, with
+  descriptors that `std::hash` takes, as those of \cgal's models
+\tparam SegmentIdMap a model of `ReadWritePropertyMap` with
+  `boost::graph_traits<TriangleMesh>::%face_descriptor` as key type and an integer type as value
+  type. It must take new faces, as property maps of `CGAL::Surface_mesh`, dynamic property maps and
+  `boost::associative_property_map` do.
+\tparam NamedParameters a sequence of named parameters, of `CGAL::parameters` or of the namespace
+  `CGAL::Spectral_segmentation::parameters`
+
+\param mesh the triangle mesh
+\param segment_ids the id of the segment of each face: any numbers, as those of
+  `segment_spectral_recursive()` or of another segmentation. The ids of new faces, and of faces that
+  come to lie on the other side of a curve, are written here.
+\param np an optional sequence of named parameters among the ones listed below
+
+\cgalNamedParamsBegin
+  \cgalParamNBegin{number_of_iterations}
+    \cgalParamDescription{steps of smoothing. With more steps the curves are smoother and farther
+      from the edges that they replace.}
+    \cgalParamType{an integer}
+    \cgalParamDefault{`15`}
+    \cgalParamExtra{at least 0, where the curves only cut off the corners of the boundaries}
+  \cgalParamNEnd
+  \cgalParamNBegin{vertex_point_map}
+    \cgalParamDescription{the points of the vertices of `mesh`}
+    \cgalParamType{a model of `ReadWritePropertyMap` with
+      `boost::graph_traits<TriangleMesh>::%vertex_descriptor` as key type and a point type of
+      `geom_traits` as value type. It must take new vertices.}
+    \cgalParamDefault{`boost::get(CGAL::vertex_point, mesh)`}
+  \cgalParamNEnd
+  \cgalParamNBegin{geom_traits}
+    \cgalParamDescription{an instance of a geometric traits class}
+    \cgalParamType{a class with the functors `Compute_x_3`, `Compute_y_3`, `Compute_z_3`,
+      `Construct_barycenter_3` and `Construct_centroid_3` of `Kernel`, the functions
+      `compute_x_3_object()` etc., and the type `FT`. Where a point comes to lie on its edge is
+      computed with `double`.}
+    \cgalParamDefault{a \cgal kernel deduced from the point type}
+  \cgalParamNEnd
+\cgalNamedParamsEnd
+
+\return the number of faces that were split
+
+\throws std::invalid_argument if a face is not a triangle, a coordinate is not finite, or
+  `number_of_iterations` is negative
+
+If an exception is thrown, the mesh and the ids were not changed, unless the mesh or a property map
+throws while it grows.
+*/
+template <class TriangleMesh, class SegmentIdMap,
+          class NamedParameters = parameters::Default_named_parameters>
+std::size_t refine_segment_boundaries(TriangleMesh& mesh, SegmentIdMap segment_ids,
+                                      const NamedParameters& np = NamedParameters())
+{
+  namespace internal = Spectral_segmentation::internal;
+  using CGAL::parameters::choose_parameter;
+  using CGAL::parameters::get_parameter;
+  typedef typename boost::graph_traits<TriangleMesh>::face_descriptor face_descriptor;
+
+  const auto& pack = internal::checked_pack<internal::has_only_refinement_tags>(np);
+  typedef std::decay_t<decltype(pack)> Pack;
+  typedef typename GetGeomTraits<TriangleMesh, Pack>::type Geom_traits;
+  typedef typename GetVertexPointMap<TriangleMesh, Pack>::type Vertex_point_map;
+
+  const auto iterations =
+    choose_parameter(get_parameter(pack, internal_np::number_of_iterations), 15);
+  static_assert(Spectral_segmentation::internal_np::is_count<std::decay_t<decltype(iterations)> >
+                  ::value, "number_of_iterations takes an integer");
+  if (iterations < decltype(iterations)(0))
+    throw std::invalid_argument("refine_segment_boundaries: number_of_iterations must be at least "
+                                "0");
+  Vertex_point_map points = choose_parameter(get_parameter(pack, internal_np::vertex_point),
+                                             get_property_map(CGAL::vertex_point, mesh));
+  const Geom_traits traits =
+    choose_parameter<Geom_traits>(get_parameter(pack, internal_np::geom_traits));
+
+  const std::vector<face_descriptor> faces_of_mesh(faces(mesh).begin(), faces(mesh).end());
+  internal::Surface surface = internal::read_triangle_mesh(
+    mesh, faces_of_mesh, points, traits, "refine_segment_boundaries");
+  internal::normalize(surface.points);
+  internal::set_areas(internal::Execution::SEQUENTIAL, surface);
+  std::vector<internal::Index> labels;
+  const auto ids = internal::read_segments(faces_of_mesh, segment_ids, labels);
+
+  const internal::Refinement refinement = internal::refined_boundaries(
+    surface, labels, ids.size(), static_cast<std::size_t>(iterations));
+  internal::Face_splitter<TriangleMesh, Vertex_point_map, Geom_traits> split_faces(
+    mesh, points, traits, refinement, faces_of_mesh, surface.corners);
+
+  const auto set_label = [&](face_descriptor f, internal::Index label)
+  { put(segment_ids, f, ids[label]); };
+  split_faces(set_label);
+  for (const auto& [f, label] : refinement.other_labels)
+    set_label(faces_of_mesh[f], label);
+  return refinement.split_faces.size();
+}
+
+} // namespace CGAL
+
+#endif // CGAL_SEGMENTED_MESH_REFINE_SEGMENT_BOUNDARIES_H

@@ -1,0 +1,219 @@
+// Copyright (c) 2026  The Spectral_segmentation authors.
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_SPECTRAL_SEGMENTATION_INTERNAL_DISTANCES_BENDING_H
+#define CGAL_SPECTRAL_SEGMENTATION_INTERNAL_DISTANCES_BENDING_H
+
+#include <CGAL/Spectral_segmentation/internal/base/concurrency.h>
+#include <CGAL/Spectral_segmentation/internal/surface/Principal_frame.h>
+#include <CGAL/Spectral_segmentation/internal/surface/Surface.h>
+#include <CGAL/Spectral_segmentation/internal/surface/connected_components.h>
+
+#include <CGAL/number_type_config.h>
+
+#include <Eigen/Core>
+#include <Eigen/SparseCholesky>
+#include <Eigen/SparseCore>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <vector>
+
+namespace CGAL::Spectral_segmentation::internal {
+
+// Averages over the surface with a kernel of a given radius, the root of its mean squared distance:
+// the heat equation on the faces, by two steps of backward Euler. The flux over an edge is its
+// length over the distance of the two centroids (finite volumes), so that the average depends on
+// the shape and, unless faces are long and thin, not on the triangulation. No heat passes the
+// border.
+class Heat_smoothing
+{
+  typedef Eigen::SparseMatrix<double> Matrix;
+
+  // Of a connected component, or of several small ones.
+  struct System
+  {
+    std::vector<Index> faces;
+    // Of the matrix of a step; symmetric, as it is for densities times the roots of the areas. In
+    // the bands of cuts it takes a quarter of the time of conjugate gradients, on a whole mesh of a
+    // million faces a little more.
+    Eigen::SimplicialLDLT<Matrix> solver;
+  };
+
+  // The radius is at most the root of this number of mean face areas, about 9 faces: the bands around
+  // the cuts of a coarsened mesh are not wider. The fit of `Calibrated_part_salience` depends on it.
+  static constexpr double largest_number_of_averaged_faces = 80;
+
+  double radius_;
+  Eigen::VectorXd root_of_area_; // of each face
+  std::vector<System> systems_;
+
+  // Returns the number of the system of each face.
+  std::vector<Index> divide_into_systems(const Surface& mesh)
+  {
+    constexpr Index small = 1000;
+    const Components components = connected_components(mesh);
+    std::vector<Index> size(components.number, 0), system(components.number), result;
+    for (Index f = 0; f < mesh.number_of_faces(); ++f)
+      ++size[components[f]];
+    Index number = 0, size_of_last = small;
+    for (std::size_t i = 0; i < components.number; ++i) {
+      if (size_of_last >= small) {
+        ++number;
+        size_of_last = 0;
+      }
+      system[i] = number - 1;
+      size_of_last += size[i];
+    }
+    for (Index f = 0; f < mesh.number_of_faces(); ++f)
+      result.push_back(system[components[f]]);
+    systems_ = std::vector<System>(number);
+    return result;
+  }
+
+  // What flows over an edge in a step.
+  static double flux(const Surface& mesh, const std::vector<Vector>& points, Index h,
+                     double step, double smallest_distance)
+  {
+    const Vector& a = points[mesh.source(h)];
+    const Vector& b = points[mesh.target(h)];
+    const Vector middle = (a + b) / 2;
+    const double distance =
+      (mesh.centroid(h / 3, points) - middle).norm() +
+      (mesh.centroid(mesh.neighbor(h), points) - middle).norm();
+    return step * (b - a).norm() / (std::max)(distance, smallest_distance);
+  }
+
+public:
+  // `radius` is relative to the square root of the area of the mesh, which must not be 0.
+  Heat_smoothing(Execution execution, const Surface& mesh, const std::vector<Vector>& points,
+                 double radius)
+    : root_of_area_(mesh.number_of_faces())
+  {
+    const double area = total_area(mesh);
+    const double mean_area = area / static_cast<double>(mesh.number_of_faces());
+    radius_ = (std::min)(radius * std::sqrt(area),
+                         std::sqrt(largest_number_of_averaged_faces * mean_area));
+    const double step = radius_ * radius_ / 8;
+    for (Index f = 0; f < mesh.number_of_faces(); ++f)
+      root_of_area_[f] = std::sqrt((std::max)(mesh.areas[f], 1e-9 * mean_area));
+    const double smallest_distance = 1e-3 * std::sqrt(mean_area);
+
+    const std::vector<Index> system_of_face = divide_into_systems(mesh);
+    std::vector<int> row(mesh.number_of_faces());
+    for (Index f = 0; f < mesh.number_of_faces(); ++f) {
+      std::vector<Index>& faces = systems_[system_of_face[f]].faces;
+      row[f] = static_cast<int>(faces.size());
+      faces.push_back(f);
+    }
+    for_each_index(execution, systems_.size(), [&](std::size_t i) {
+      System& system = systems_[i];
+      std::vector<Eigen::Triplet<double> > entries;
+      entries.reserve(4 * system.faces.size());
+      for (Index f : system.faces) {
+        double sum = 0;
+        for (Index h = 3 * f; h < 3 * f + 3; ++h) {
+          if (mesh.is_border(h))
+            continue;
+          const Index g = mesh.neighbor(h);
+          const double root = root_of_area_[f] * root_of_area_[g];
+          // Clamped, to keep the matrix positive definite in double precision.
+          const double outward =
+            (std::min)(flux(mesh, points, h, step, smallest_distance), 1e14 * root);
+          sum += outward;
+          entries.emplace_back(row[f], row[g], -outward / root);
+        }
+        entries.emplace_back(row[f], row[f], 1 + sum / (root_of_area_[f] * root_of_area_[f]));
+      }
+      const Eigen::Index n = static_cast<Eigen::Index>(system.faces.size());
+      Matrix matrix(n, n);
+      matrix.setFromTriplets(entries.begin(), entries.end());
+      system.solver.compute(matrix);
+    });
+  }
+
+  // As it was bounded, in the unit of the points.
+  double radius() const { return radius_; }
+
+  // The averaged density of a quantity of which each face has some amount.
+  Eigen::VectorXd operator()(const Eigen::VectorXd& amounts) const
+  {
+    Eigen::VectorXd result(amounts.size());
+    for (const System& system : systems_) {
+      Eigen::VectorXd density(system.faces.size());
+      for (Index i = 0; i < system.faces.size(); ++i)
+        density[i] = amounts[system.faces[i]] / root_of_area_[system.faces[i]];
+      for (int step = 0; step < 2; ++step)
+        density = system.solver.solve(density).eval();
+      for (Index i = 0; i < system.faces.size(); ++i)
+        result[system.faces[i]] = density[i] / root_of_area_[system.faces[i]];
+    }
+    return result;
+  }
+};
+
+// Bending of the surface at the scale of the shape in place of that of the triangulation.
+
+// For each half-edge the angle by which the surface bends over a way of twice the radius across the
+// edge, negative where it is concave: the curvature tensor of Cohen-Steiner and Morvan (2003),
+// averaged over the radius by diffusion. `radius` is relative to the square root of the area of the
+// mesh.
+inline std::vector<double> curvature_angles(Execution execution, const Surface& mesh,
+                                       const std::vector<Vector>& points,
+                                       const std::vector<Vector>& normals, double radius)
+{
+  const auto edge_vector = [&](Index h) -> Vector
+  { return points[mesh.target(h)] - points[mesh.source(h)]; };
+
+  std::vector<double> angles(mesh.number_of_halfedges(), 0);
+  if (!(total_area(mesh) > 0))
+    return angles;
+  std::array<Eigen::VectorXd, 6> tensors; // one number of each face
+  for (Eigen::VectorXd& t : tensors)
+    t.setZero(static_cast<Eigen::Index>(mesh.number_of_faces()));
+  for_each_index(execution, mesh.number_of_faces(), [&](std::size_t i) {
+    const Index f = static_cast<Index>(i);
+    for (Index h = 3 * f; h < 3 * f + 3; ++h) {
+      const Index g = mesh.neighbor(h);
+      const Vector edge = edge_vector(h);
+      const double length = edge.norm();
+      const double area = mesh.areas[f] + mesh.areas[g];
+      if (mesh.is_border(h) || length == 0 || area == 0)
+        continue;
+      const double angle =
+        std::atan2(normals[f].cross(normals[g]).dot(edge) / length, normals[f].dot(normals[g]));
+      // By area: or a sliver beside a sharp edge would have nearly all of its density.
+      const double density = angle * mesh.areas[f] / area / length;
+      const auto [xx, yy, zz, xy, yz, zx] = density * Symmetric_matrix::square(edge);
+      const double tensor[6] = {xx, yy, zz, xy, yz, zx};
+      for (std::size_t k = 0; k < 6; ++k)
+        tensors[k][f] += tensor[k];
+    }
+  });
+  const Heat_smoothing smoothing(execution, mesh, points, radius);
+  for_each_index(execution, 6, [&](std::size_t k) { tensors[k] = smoothing(tensors[k]); });
+
+  const double way = 2 * smoothing.radius();
+  for_each_index(execution, angles.size(), [&](std::size_t i) {
+    const Index h = static_cast<Index>(i), f = h / 3, g = mesh.neighbor(h);
+    const Vector edge = edge_vector(h);
+    const double area = mesh.areas[f] + mesh.areas[g];
+    const double squared_length = edge.squared_norm();
+    if (mesh.is_border(h) || squared_length == 0 || area == 0)
+      return;
+    const auto mean = [&](std::size_t k)
+    { return (mesh.areas[f] * tensors[k][f] + mesh.areas[g] * tensors[k][g]) / area; };
+    const Symmetric_matrix tensor = {mean(0), mean(1), mean(2), mean(3), mean(4), mean(5)};
+    const double curvature = tensor.dot(Symmetric_matrix::square(edge)) / squared_length;
+    const double angle = way * curvature;
+    if (std::abs(angle) > 1e-6) // below, which is rounding, the surface is flat
+      angles[h] = (std::min)((std::max)(angle, -CGAL_PI), CGAL_PI);
+  });
+  return angles;
+}
+
+} // namespace CGAL::Spectral_segmentation::internal
+
+#endif // CGAL_SPECTRAL_SEGMENTATION_INTERNAL_DISTANCES_BENDING_H

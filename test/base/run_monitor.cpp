@@ -1,0 +1,239 @@
+// Copyright (c) 2026  The Spectral_segmentation authors.
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#include <boost/test/unit_test.hpp>
+
+#include <CGAL/Spectral_segmentation/internal/base/Run_monitor.h>
+#include <CGAL/Spectral_segmentation/internal/base/concurrency.h>
+
+#include <algorithm>
+#include <atomic>
+#include <cstddef>
+#include <random>
+#include <stdexcept>
+#include <string>
+#include <vector>
+
+BOOST_AUTO_TEST_SUITE(run_monitor)
+
+namespace tt = boost::test_tools;
+using CGAL::Spectral_segmentation::Salience_factors;
+using CGAL::Spectral_segmentation::Stage;
+using namespace CGAL::Spectral_segmentation::internal;
+
+namespace {
+
+const double smallest_step = 0.002; // of the progress that is told
+
+struct Progress_record : Run_control
+{
+  std::vector<double> told;
+
+  void progress(double share) override { told.push_back(share); }
+};
+
+// Says no to the n-th question.
+struct Stopper : Run_control
+{
+  int asked = 0;
+  int stops_at;
+
+  explicit Stopper(int n) : stops_at(n) {}
+  bool go_further() override { return ++asked < stops_at; }
+};
+
+} // namespace
+
+BOOST_AUTO_TEST_CASE(progress_never_falls_and_stays_in_its_phase)
+{
+  for (unsigned seed = 1; seed <= 50; ++seed) {
+    BOOST_TEST_CONTEXT("seed " << seed) {
+      std::mt19937 random(seed);
+      std::uniform_real_distribution<double> uniform(0, 1);
+      Progress_record record;
+      Run_monitor monitor(record);
+      double start = 0;
+      for (double share : {0.1, 0.6, 0.0, 0.25}) {
+        monitor.start_phase(share);
+        const std::size_t first = record.told.size();
+        for (int i = 0; i < 200; ++i)
+          switch (random() % 4) {
+          case 0: monitor.advance(uniform(random) / 20); break;
+          case 1: monitor.approach(uniform(random) / 20); break;
+          case 2: monitor.advance_to(uniform(random)); break;
+          case 3: monitor.advance_to(2 * uniform(random) - 1); break;
+          }
+        for (std::size_t i = first; i < record.told.size(); ++i) {
+          BOOST_TEST(record.told[i] >= start);
+          BOOST_TEST(record.told[i] <= start + share + 1e-12);
+        }
+        start += share;
+      }
+      monitor.finish();
+      for (std::size_t i = 1; i < record.told.size(); ++i)
+        BOOST_TEST(record.told[i] >= record.told[i - 1] + (i + 1 < record.told.size()
+                                                             ? smallest_step * (1 - 1e-9) : 0));
+      BOOST_TEST(record.told.size() > 5u);
+      BOOST_TEST(record.told.back() == 1);
+    }
+  }
+}
+
+BOOST_AUTO_TEST_CASE(phases_add_up_to_the_run)
+{
+  Progress_record record;
+  Run_monitor monitor(record);
+  monitor.start_phase(0.3);
+  monitor.start_phase(0.5); // the first was done, whatever it told of itself
+  BOOST_TEST(record.told == std::vector<double>({0.3}), tt::per_element());
+  monitor.advance(0.5);
+  BOOST_TEST(record.told.back() == 0.55, tt::tolerance(1e-12));
+  monitor.start_phase(1); // no more than what is left
+  BOOST_TEST(record.told.back() == 0.8, tt::tolerance(1e-12));
+  monitor.advance(0.5);
+  BOOST_TEST(record.told.back() == 0.9, tt::tolerance(1e-12));
+  monitor.advance_to(1);
+  BOOST_TEST(record.told.back() == 1);
+}
+
+BOOST_AUTO_TEST_CASE(a_phase_advances_by_shares_of_its_own)
+{
+  Progress_record record;
+  Run_monitor monitor(record);
+  monitor.start_phase(0.5);
+  for (int i = 0; i < 4; ++i)
+    monitor.advance(0.25);
+  BOOST_TEST(record.told == std::vector<double>({0.125, 0.25, 0.375, 0.5}), tt::per_element());
+  monitor.advance(0.25); // it does not leave its phase
+  BOOST_TEST(record.told.size() == 4u);
+  monitor.start_phase(0.5);
+  for (int i = 0; i < 3; ++i)
+    monitor.approach(0.5);
+  BOOST_TEST(record.told == std::vector<double>({0.125, 0.25, 0.375, 0.5, 0.75, 0.875, 0.9375}),
+             tt::per_element());
+  monitor.advance_to(0.5); // more than that is done
+  BOOST_TEST(record.told.size() == 7u);
+}
+
+BOOST_AUTO_TEST_CASE(small_steps_are_told_together)
+{
+  Progress_record record;
+  Run_monitor monitor(record);
+  monitor.start_phase(1);
+  for (int i = 0; i < 100000; ++i)
+    monitor.advance(1e-5);
+  BOOST_TEST(record.told.size() <= 500u);
+  BOOST_TEST(record.told.size() >= 490u);
+  BOOST_TEST(record.told.back() > 1 - 2 * smallest_step);
+}
+
+BOOST_AUTO_TEST_CASE(the_caller_is_not_asked_again_after_a_no)
+{
+  for (int n : {1, 2, 5}) {
+    Stopper stopper(n);
+    Run_monitor monitor(stopper);
+    for (int i = 1; i <= 10; ++i) {
+      BOOST_TEST(monitor.is_stopped() == (i > n));
+      BOOST_TEST(monitor.go_further() == (i < n));
+      BOOST_TEST(stopper.asked == std::min(i, n));
+    }
+    BOOST_CHECK_THROW(monitor.check(), Run_stopped);
+    BOOST_TEST(stopper.asked == n);
+  }
+  Stopper never(1000);
+  Run_monitor monitor(never);
+  for (int i = 0; i < 10; ++i)
+    BOOST_CHECK_NO_THROW(monitor.check());
+  BOOST_TEST(never.asked == 10);
+}
+
+BOOST_AUTO_TEST_CASE(a_stage_has_a_start_an_end_and_a_result)
+{
+  struct Stages : Run_control
+  {
+    std::vector<std::string> calls;
+    void start_stage(Stage s, std::size_t part) override
+    { calls.push_back("start " + std::to_string(int(s)) + " of " + std::to_string(part)); }
+    void end_stage(Stage s, std::size_t part) override
+    { calls.push_back("end " + std::to_string(int(s)) + " of " + std::to_string(part)); }
+  } stages;
+  Run_monitor monitor(stages);
+  const int result = monitor.stage(Stage::SAMPLING, 7, [&] {
+    stages.calls.push_back("work");
+    return 42;
+  });
+  BOOST_TEST(result == 42);
+  const std::string name = std::to_string(int(Stage::SAMPLING)) + " of 7";
+  BOOST_TEST(stages.calls == std::vector<std::string>({"start " + name, "work", "end " + name}),
+             tt::per_element());
+  BOOST_CHECK_THROW(monitor.stage(Stage::SAMPLING, 7, []() -> int { throw Run_stopped(); }),
+                    Run_stopped);
+}
+
+BOOST_AUTO_TEST_CASE(what_is_told_of_parts_is_passed_on)
+{
+  struct Parts : Run_control
+  {
+    std::vector<std::size_t> started, ended, cut;
+    void start_part(std::size_t part, std::size_t n) override
+    { started.insert(started.end(), {part, n}); }
+    void end_part(std::size_t part) override { ended.push_back(part); }
+    void part_cut(std::size_t part, const Salience_factors& factors, double salience,
+                  std::size_t n) override
+    {
+      cut.insert(cut.end(), {part, n});
+      BOOST_TEST(factors.size == 0.25);
+      BOOST_TEST(salience == 0.5);
+    }
+  } parts;
+  Run_monitor monitor(parts);
+  monitor.start_part(3, 100);
+  monitor.end_part(3);
+  Salience_factors factors;
+  factors.size = 0.25;
+  monitor.part_cut(3, factors, 0.5, 17);
+  BOOST_TEST(parts.started == std::vector<std::size_t>({3, 100}), tt::per_element());
+  BOOST_TEST(parts.ended == std::vector<std::size_t>({3}), tt::per_element());
+  BOOST_TEST(parts.cut == std::vector<std::size_t>({3, 17}), tt::per_element());
+  BOOST_TEST(&monitor.control() == &parts);
+}
+
+BOOST_AUTO_TEST_CASE(the_caller_is_called_by_one_thread_at_a_time)
+{
+  struct Alone : Run_control
+  {
+    std::atomic<int> inside{0};
+    int collisions = 0, calls = 0; // only one thread writes them at a time
+    double last = 0;
+    void enter()
+    {
+      collisions += inside.fetch_add(1) != 0;
+      ++calls;
+      for (volatile int i = 0; i < 2000; i = i + 1) {}
+      inside.fetch_sub(1);
+    }
+    void progress(double share) override
+    {
+      enter();
+      collisions += share < last;
+      last = share;
+    }
+    bool go_further() override
+    {
+      enter();
+      return true;
+    }
+    void start_part(std::size_t, std::size_t) override { enter(); }
+  } alone;
+  Run_monitor monitor(alone);
+  monitor.start_phase(1);
+  for_each_index(Execution::PARALLEL, 300, [&](std::size_t i) {
+    monitor.go_further();
+    monitor.start_part(i, 1);
+    monitor.advance(1. / 300);
+  });
+  BOOST_TEST(alone.collisions == 0);
+  BOOST_TEST(alone.calls >= 2 * 300 + 290);
+}
+
+BOOST_AUTO_TEST_SUITE_END()

@@ -1,0 +1,253 @@
+// Copyright (c) 2026  The Spectral_segmentation authors.
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#include <boost/test/unit_test.hpp>
+
+#include "test_meshes.h"
+
+#include <CGAL/Spectral_segmentation/internal/base/Run_monitor.h>
+#include <CGAL/Spectral_segmentation/internal/bipartition/best_cut.h>
+#include <CGAL/Spectral_segmentation/internal/salience/Cut_evaluator.h>
+
+#include <algorithm>
+#include <cstddef>
+#include <numeric>
+#include <optional>
+#include <vector>
+
+BOOST_AUTO_TEST_SUITE(best_cut)
+
+using namespace test_meshes;
+namespace internal = CGAL::Spectral_segmentation::internal;
+using CGAL::Spectral_segmentation::Salience_factors;
+using internal::Cut;
+using internal::Execution;
+using internal::Options;
+using internal::Sides;
+
+namespace {
+
+internal::Part whole(const Face_graph& graph)
+{
+  std::vector<Index> faces(graph.number_of_faces());
+  std::iota(faces.begin(), faces.end(), Index(0));
+  return {graph, 0, faces};
+}
+
+// Notes the candidates.
+struct Candidates : internal::Run_control
+{
+  struct Candidate
+  {
+    std::vector<Index> faces;
+    Sides side;
+    Salience_factors factors;
+  };
+
+  std::vector<Candidate> candidates;
+
+  void cut_evaluated(const internal::Evaluated_cut& cut) override
+  {
+    BOOST_TEST(cut.kind == internal::Evaluated_cut::CANDIDATE);
+    candidates.push_back({cut.faces, cut.side, cut.factors});
+  }
+};
+
+std::vector<Candidates::Candidate> evaluated_cuts(const Face_graph& graph, const Options& options,
+                                                  std::optional<Cut>& best)
+{
+  Candidates control;
+  internal::Run_monitor monitor(control);
+  const internal::Best_cut best_cut(sequential, graph, options);
+  best = best_cut(sequential, whole(graph), monitor);
+  return control.candidates;
+}
+
+// The paper's method, and all values of the options of the other that Best_cut looks at.
+std::vector<Options> many_options()
+{
+  std::vector<Options> result(1, internal::zhang_liu_2005_options());
+  for (bool single_source : {false, true})
+    for (std::size_t candidates : {1, 5, 14})
+      for (std::size_t refined : {0, 1, 4}) {
+        Options o = internal::calibrated_options();
+        o.single_source_orders = single_source;
+        o.number_of_candidates = candidates;
+        o.number_of_refined_candidates = refined;
+        result.push_back(o);
+      }
+  for (Options& o : result)
+    o.minimum_segment_size = 0.02;
+  return result;
+}
+
+} // namespace
+
+BOOST_AUTO_TEST_CASE(sides_are_connected_if_each_is_one_component_by_itself)
+{
+  Random random(3);
+  std::size_t number_connected = 0;
+  for (int i = 0; i < 400; ++i) {
+    const Face_graph graph = face_graph_of(plate(1 + random() % 3, 1 + random() % 2));
+    Sides side(graph.number_of_faces());
+    for (char& s : side)
+      s = random() % 2;
+    bool expected = true;
+    for (const Face_graph& part : internal::split(graph, side, 2)) {
+      std::size_t number;
+      internal::connected_components(part, number);
+      expected = expected && number == 1;
+    }
+    BOOST_TEST(internal::both_sides_are_connected(graph, side) == expected);
+    number_connected += expected;
+  }
+  BOOST_TEST(number_connected > 50);
+  BOOST_TEST(number_connected < 350);
+}
+
+BOOST_AUTO_TEST_CASE(every_evaluated_cut_has_two_connected_sides_that_are_not_too_small)
+{
+  const Face_graph graph = graph_with_distances(dumbbell(20, 16), weights_of_calibrated_method);
+  const double area = internal::total_area(graph);
+  for (const Options& options : many_options()) {
+    std::optional<Cut> best;
+    const auto cuts = evaluated_cuts(graph, options, best);
+    BOOST_TEST_REQUIRE(best.has_value());
+    BOOST_TEST(best->area[0] + best->area[1] == area, boost::test_tools::tolerance(1e-9));
+    BOOST_TEST(best->salience == options.part_salience(best->factors));
+    bool is_best_among_them = false;
+    for (const auto& cut : cuts) {
+      BOOST_TEST(internal::both_sides_are_connected(graph, cut.side));
+      BOOST_TEST(cut.faces.size() == cut.side.size());
+      double areas[2] = {0, 0};
+      for (Index f = 0; f < cut.side.size(); ++f)
+        areas[int(cut.side[f])] += graph.areas[f];
+      BOOST_TEST(areas[0] >= 0.02 * area * (1 - 1e-9));
+      BOOST_TEST(areas[0] <= areas[1] * (1 + 1e-9));
+      BOOST_TEST(internal::quantized(options.part_salience(cut.factors)) <=
+                 internal::quantized(best->salience));
+      is_best_among_them = is_best_among_them || cut.side == best->side;
+    }
+    BOOST_TEST(is_best_among_them);
+  }
+}
+
+BOOST_AUTO_TEST_CASE(the_options_say_how_many_cuts_are_evaluated)
+{
+  const Face_graph graph = graph_with_distances(dumbbell(20, 16), weights_of_calibrated_method);
+  for (const Options& options : many_options()) {
+    std::optional<Cut> best;
+    const std::size_t number = evaluated_cuts(graph, options, best).size();
+    BOOST_TEST(number >= 1u);
+    if (options.method == internal::Method::ZHANG_LIU_2005)
+      BOOST_TEST(number == 1u);
+    else
+      BOOST_TEST(number <= options.number_of_candidates + options.number_of_refined_candidates);
+  }
+}
+
+BOOST_AUTO_TEST_CASE(the_cut_of_the_paper_is_the_best_along_its_one_order)
+{
+  const Face_graph graph = graph_with_distances(dumbbell(20, 16));
+  const Options options = internal::zhang_liu_2005_options();
+  std::optional<Cut> best;
+  evaluated_cuts(graph, options, best);
+  BOOST_TEST_REQUIRE(best.has_value());
+  const internal::Shape_contexts contexts =
+    internal::shape_contexts(sequential, graph,
+                             internal::farthest_face_from_center(sequential, graph),
+                             options.number_of_reference_faces, [] {});
+  const auto order =
+    internal::face_order(sequential, graph, internal::sample_faces(sequential, contexts));
+  const std::optional<Cut> expected =
+    internal::line_search(sequential, graph, order, options.part_salience,
+                          options.minimum_segment_size * internal::total_area(graph));
+  BOOST_TEST_REQUIRE(expected.has_value());
+  BOOST_TEST((best->side == expected->side));
+  BOOST_TEST(best->salience == expected->salience);
+}
+
+BOOST_AUTO_TEST_CASE(more_cuts_to_choose_from_are_no_worse)
+{
+  for (const Soup& soup : {dumbbell(20, 16), torus(3, 1, 30, 20)}) {
+    const Face_graph graph = graph_with_distances(soup, weights_of_calibrated_method);
+    const auto salience = [&](std::size_t candidates, std::size_t refined) {
+      Options o = internal::calibrated_options();
+      o.number_of_candidates = candidates;
+      o.number_of_refined_candidates = refined;
+      std::optional<Cut> best;
+      evaluated_cuts(graph, o, best);
+      BOOST_TEST_REQUIRE(best.has_value());
+      return internal::quantized(best->salience);
+    };
+    BOOST_TEST(salience(14, 0) >= salience(3, 0));
+    BOOST_TEST(salience(14, 4) >= salience(14, 0));
+    BOOST_TEST(salience(3, 3) >= salience(3, 0));
+  }
+}
+
+BOOST_AUTO_TEST_CASE(the_number_of_threads_changes_nothing)
+{
+  Random random(2);
+  const Face_graph graph = graph_with_distances(displaced(dumbbell(20, 16), 0.02, random),
+                                                weights_of_calibrated_method);
+  for (const Options& options : many_options()) {
+    std::optional<Cut> expected;
+    evaluated_cuts(graph, options, expected);
+    internal::Run_control control;
+    internal::Run_monitor monitor(control);
+    const internal::Best_cut best_cut(Execution::PARALLEL, graph, options);
+    const std::optional<Cut> cut = best_cut(Execution::PARALLEL, whole(graph), monitor);
+    BOOST_TEST_REQUIRE(cut.has_value());
+    BOOST_TEST((cut->side == expected->side));
+    BOOST_TEST(cut->salience == expected->salience);
+  }
+}
+
+BOOST_AUTO_TEST_CASE(a_part_without_room_for_two_segments_is_not_searched)
+{
+  const Face_graph part = graph_with_distances(dumbbell(12, 8));
+  struct Counter : internal::Run_control
+  {
+    std::size_t number_of_parts = 0;
+    void start_part(std::size_t, std::size_t) override { ++number_of_parts; }
+  } counter;
+  internal::Run_monitor monitor(counter);
+  Options options;
+  const auto search = [&](double minimum_share_of_part) {
+    options.minimum_segment_size = minimum_share_of_part;
+    return internal::Best_cut(sequential, part, options)(sequential, whole(part), monitor);
+  };
+  BOOST_TEST(!search(0.501).has_value());
+  BOOST_TEST(counter.number_of_parts == 0u);
+  BOOST_TEST(search(0.1).has_value());
+  BOOST_TEST(counter.number_of_parts == 1u);
+
+  // The minimum is a share of the whole mesh, not of the part.
+  Face_graph mesh = part;
+  for (double& area : mesh.areas)
+    area *= 5.01;
+  options.minimum_segment_size = 0.1;
+  const internal::Best_cut best_cut(sequential, mesh, options);
+  BOOST_TEST(!best_cut(sequential, whole(part), monitor).has_value());
+  BOOST_TEST(counter.number_of_parts == 1u);
+}
+
+BOOST_AUTO_TEST_CASE(a_stopped_search_throws)
+{
+  const Face_graph graph = graph_with_distances(dumbbell(12, 8));
+  struct Stopper : internal::Run_control
+  {
+    int left = 0;
+    bool go_further() override { return left-- > 0; }
+  } stopper;
+  const Options options = internal::zhang_liu_2005_options();
+  const internal::Best_cut best_cut(sequential, graph, options);
+  for (int questions : {0, 1, 4}) {
+    stopper.left = questions;
+    internal::Run_monitor monitor(stopper);
+    BOOST_CHECK_THROW(best_cut(sequential, whole(graph), monitor), internal::Run_stopped);
+  }
+}
+
+BOOST_AUTO_TEST_SUITE_END()

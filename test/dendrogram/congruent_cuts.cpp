@@ -1,0 +1,280 @@
+// Copyright (c) 2026  The Spectral_segmentation authors.
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#include <boost/test/unit_test.hpp>
+
+#include "box_figures.h"
+#include "test_labels.h"
+
+#include <CGAL/Spectral_segmentation/internal/dendrogram/Nested_ranges.h>
+#include <CGAL/Spectral_segmentation/internal/dendrogram/congruent_cuts.h>
+#include <CGAL/Spectral_segmentation/internal/surface/connected_components.h>
+
+#include <algorithm>
+#include <cstddef>
+#include <functional>
+#include <limits>
+#include <map>
+#include <set>
+#include <utility>
+#include <vector>
+
+BOOST_AUTO_TEST_SUITE(congruent_cuts)
+
+namespace tt = boost::test_tools;
+using namespace test_meshes;
+namespace internal = CGAL::Spectral_segmentation::internal;
+using internal::Cut_hierarchy;
+using internal::Cut_node;
+using internal::Vector;
+
+namespace {
+
+typedef std::vector<Index> Faces;
+typedef std::function<bool(Index)> Face_set;
+
+Faces faces_of(const Cut_hierarchy& hierarchy, std::size_t node)
+{
+  const internal::Nested_ranges ranges(hierarchy, hierarchy.leaf);
+  Faces result(ranges[node].begin(), ranges[node].end());
+  std::sort(result.begin(), result.end());
+  return result;
+}
+
+// The whole mesh, uncut.
+Cut_hierarchy uncut(const Face_graph& graph)
+{
+  std::size_t number;
+  std::vector<Index> component = internal::connected_components(graph, number);
+  const std::vector<double> areas = internal::component_areas(graph, component, number);
+  return internal::uncut_hierarchy(std::move(component), areas);
+}
+
+// Cuts a leaf between the faces that a function takes and the others.
+void cut(const Face_graph& graph, Cut_hierarchy& hierarchy, std::size_t node, double salience,
+         const Face_set& is_taken)
+{
+  Faces sides[2];
+  double area[2] = {0, 0};
+  for (Index f : faces_of(hierarchy, node)) {
+    const int side = is_taken(f) ? 0 : 1;
+    sides[side].push_back(f);
+    area[side] += graph.areas[f];
+  }
+  const int smaller = area[0] <= area[1] ? 0 : 1;
+  hierarchy.turns.push_back(node);
+  hierarchy.cut(node, area[smaller], area[1 - smaller]);
+  hierarchy.nodes[node].salience = salience;
+  for (int side = 0; side < 2; ++side)
+    for (Index f : sides[side])
+      hierarchy.leaf[f] =
+        static_cast<Index>(hierarchy.nodes[node].children[side == smaller ? 0 : 1]);
+}
+
+// A body with a left and a right arm, one of another shape at the top, and one at the bottom that
+// has the shape of the first two but is nearer to the center.
+struct Figure
+{
+  Soup soup;
+  Face_graph graph;
+
+  Figure()
+  {
+    Cells cells;
+    add_box(cells, {-6, -1, -2}, {6, 1, 2});
+    add_box(cells, {-10, 0, 0}, {-6, 1, 1});
+    add_box(cells, {6, 0, 0}, {10, 1, 1});
+    add_box(cells, {0, 0, 2}, {1, 1, 9});
+    add_box(cells, {0, 0, -6}, {1, 1, -2});
+    soup = boundary_of(cells);
+    graph = face_graph_of(soup);
+  }
+
+  Point centroid(Index f) const
+  {
+    const std::vector<std::size_t>& t = soup.triangles[f];
+    return CGAL::centroid(soup.points[t[0]], soup.points[t[1]], soup.points[t[2]]);
+  }
+
+  Face_set left() const { return [this](Index f) { return centroid(f).x() < -6; }; }
+  Face_set right() const { return [this](Index f) { return centroid(f).x() > 6; }; }
+  Face_set top() const { return [this](Index f) { return centroid(f).z() > 2; }; }
+  Face_set bottom() const { return [this](Index f) { return centroid(f).z() < -2; }; }
+  Face_set left_half() const { return [this](Index f) { return centroid(f).x() < 0; }; }
+};
+
+const Figure& figure()
+{
+  static const Figure result;
+  return result;
+}
+
+// The saliences of the cuts in their order.
+std::vector<double> saliences(const Cut_hierarchy& hierarchy)
+{
+  std::vector<double> result;
+  for (std::size_t node : hierarchy.turns)
+    result.push_back(hierarchy.nodes[node].salience);
+  return result;
+}
+
+// What is true of every hierarchy of merges, and what of the cuts stays.
+void check(const Cut_hierarchy& before, const Cut_hierarchy& after)
+{
+  BOOST_TEST(after.number_of_roots == before.number_of_roots);
+  BOOST_TEST_REQUIRE(after.nodes.size() == before.nodes.size());
+  BOOST_TEST_REQUIRE(after.turns.size() == before.turns.size());
+  for (std::size_t i = 0; i < after.turns.size(); ++i) {
+    const Cut_node& n = after.nodes[after.turns[i]];
+    for (std::size_t k = 0; k < 2; ++k) {
+      BOOST_TEST(n.children[k] == after.number_of_roots + 2 * i + k);
+      BOOST_TEST(after.nodes[n.children[k]].parent == after.turns[i]);
+    }
+    BOOST_TEST(after.turns[i] < n.children[0]);
+    BOOST_TEST(after.nodes[n.children[0]].area <= after.nodes[n.children[1]].area);
+    if (i > 0)
+      BOOST_TEST(n.salience <= after.nodes[after.turns[i - 1]].salience);
+  }
+  std::multiset<std::pair<Faces, double> > parts[2];
+  for (std::size_t node = 0; node < after.nodes.size(); ++node) {
+    parts[0].insert({faces_of(before, node), before.nodes[node].area});
+    parts[1].insert({faces_of(after, node), after.nodes[node].area});
+  }
+  BOOST_TEST((parts[0] == parts[1]));
+}
+
+Cut_hierarchy with_common_saliences(const Face_graph& graph, const Cut_hierarchy& hierarchy)
+{
+  const Cut_hierarchy result = internal::Congruent_cuts(graph, hierarchy)();
+  check(hierarchy, result);
+  return result;
+}
+
+} // namespace
+
+BOOST_AUTO_TEST_CASE(arms_of_one_shape_and_place_get_the_mean_of_their_saliences)
+{
+  const Figure& f = figure();
+  Cut_hierarchy cuts = uncut(f.graph);
+  cut(f.graph, cuts, 0, 0.875, f.top());
+  cut(f.graph, cuts, 2, 0.75, f.bottom());
+  cut(f.graph, cuts, 4, 0.5, f.left());
+  cut(f.graph, cuts, 6, 0.25, f.right());
+  BOOST_TEST(saliences(with_common_saliences(f.graph, cuts)) ==
+             std::vector<double>({0.875, 0.75, 0.375, 0.375}), tt::per_element());
+}
+
+BOOST_AUTO_TEST_CASE(a_cut_is_as_salient_as_those_that_follow)
+{
+  const Figure& f = figure();
+  Cut_hierarchy cuts = uncut(f.graph);
+  cut(f.graph, cuts, 0, 0.875, f.left());
+  cut(f.graph, cuts, 2, 0.75, f.top());
+  cut(f.graph, cuts, 4, 0.25, f.right());
+  cut(f.graph, cuts, 6, 0.125, f.bottom());
+  BOOST_TEST(saliences(with_common_saliences(f.graph, cuts)) ==
+             std::vector<double>({0.75, 0.75, 0.5625, 0.125}), tt::per_element());
+}
+
+BOOST_AUTO_TEST_CASE(cuts_change_their_order_with_their_saliences)
+{
+  const Figure& f = figure();
+  Cut_hierarchy cuts = uncut(f.graph);
+  cut(f.graph, cuts, 0, 0.875, f.top());
+  cut(f.graph, cuts, 2, 0.75, f.left_half());
+  const std::size_t left = f.left_half()(faces_of(cuts, 3).front()) ? 3 : 4, right = 7 - left;
+  cut(f.graph, cuts, left, 0.625, f.left());
+  cut(f.graph, cuts, right, 0.5, f.bottom());
+  cut(f.graph, cuts, 8, 0.125, f.right());
+  const Cut_hierarchy result = with_common_saliences(f.graph, cuts);
+  BOOST_TEST(saliences(result) == std::vector<double>({0.875, 0.75, 0.5, 0.375, 0.375}),
+             tt::per_element());
+  BOOST_TEST(result.turns == std::vector<std::size_t>({0, 2, right, left, 6}), tt::per_element());
+}
+
+BOOST_AUTO_TEST_CASE(saliences_may_be_of_any_scale)
+{
+  const double infinity = std::numeric_limits<double>::infinity();
+  const double largest = std::numeric_limits<double>::max();
+  const Figure& f = figure();
+  const auto of_arms = [&](double left, double right) {
+    Cut_hierarchy cuts = uncut(f.graph);
+    cut(f.graph, cuts, 0, left, f.left());
+    cut(f.graph, cuts, 2, right, f.right());
+    const std::vector<double> result = saliences(with_common_saliences(f.graph, cuts));
+    BOOST_TEST(result[0] == result[1]);
+    return result[0];
+  };
+  BOOST_TEST(of_arms(0.1, 0.1) == 0.1);
+  BOOST_TEST(of_arms(-2, -4) == -3);
+  BOOST_TEST(of_arms(largest, largest) == largest);
+  BOOST_TEST(of_arms(infinity, 1) == infinity);
+  BOOST_TEST(of_arms(1, -infinity) == -infinity);
+  BOOST_TEST(of_arms(infinity, -infinity) == -infinity);
+}
+
+BOOST_AUTO_TEST_CASE(random_hierarchies_stay_in_order)
+{
+  std::size_t changed = 0;
+  for (unsigned seed = 1; seed <= 40; ++seed)
+    BOOST_TEST_CONTEXT("seed " << seed) {
+      Random random(seed);
+      const Face_graph graph = seed % 2 == 0
+        ? figure().graph
+        : face_graph_of(disjoint_union(plate(6, 5), displaced(torus(2, 0.7, 12, 7), 0.01, random)));
+      Cut_hierarchy cuts = uncut(graph);
+      double salience = 1;
+      for (int tries = 0; tries < 60; ++tries) { // by random planes across the axes
+        const std::size_t node = random() % cuts.nodes.size();
+        const Faces faces = faces_of(cuts, node);
+        const int axis = int(random() % 3);
+        const double x = graph.centroid(faces[random() % faces.size()])[axis];
+        const Face_set is_taken = [&](Index f) { return graph.centroid(f)[axis] < x; };
+        if (!cuts.nodes[node].is_leaf() || faces.size() < 8 ||
+            std::none_of(faces.begin(), faces.end(), is_taken))
+          continue;
+        salience -= double(random() % 3) / 64;
+        cut(graph, cuts, node, salience, is_taken);
+      }
+      const Cut_hierarchy result = with_common_saliences(graph, cuts);
+      BOOST_TEST(result.nodes[result.turns.front()].salience <= 1);
+      BOOST_TEST(result.nodes[result.turns.back()].salience >= salience);
+      changed += saliences(result) != saliences(cuts);
+      const std::vector<double> in_order = saliences(result);
+      BOOST_TEST(std::is_sorted(in_order.rbegin(), in_order.rend()));
+      std::set<std::size_t> cut_before;
+      for (std::size_t node : result.turns) { // parents come first
+        BOOST_TEST((node < result.number_of_roots ||
+                    cut_before.count(result.nodes[node].parent) == 1));
+        cut_before.insert(node);
+      }
+      std::map<Index, Index> leaf; // the same sets of faces
+      for (std::size_t f = 0; f < cuts.leaf.size(); ++f)
+        BOOST_TEST(leaf.emplace(cuts.leaf[f], result.leaf[f]).first->second == result.leaf[f]);
+    }
+  BOOST_TEST(changed >= 5u);
+}
+
+// The whole run: whatever the threshold, either both arms are parts or none is.
+BOOST_AUTO_TEST_CASE(a_threshold_cuts_off_both_arms_or_none)
+{
+  const Figure& f = figure();
+  const auto hierarchy =
+    hierarchy_of(mesh_of(f.soup), CGAL::Spectral_segmentation::parameters::default_values());
+  const auto has_part = [](const std::vector<std::size_t>& labels, const Face_set& arm) {
+    std::set<std::size_t> inside, outside;
+    for (Index face = 0; face < labels.size(); ++face)
+      (arm(face) ? inside : outside).insert(labels[face]);
+    return inside.size() == 1 && outside.count(*inside.begin()) == 0;
+  };
+  bool is_ever_cut = false;
+  for (int percent = 0; percent <= 100; percent += 2)
+    BOOST_TEST_CONTEXT("threshold " << percent << " %") {
+      const std::vector<std::size_t> labels = hierarchy.labels(100, percent / 100.);
+      BOOST_TEST(has_part(labels, f.left()) == has_part(labels, f.right()));
+      is_ever_cut |= has_part(labels, f.left());
+    }
+  BOOST_TEST(is_ever_cut);
+}
+
+BOOST_AUTO_TEST_SUITE_END()

@@ -1,0 +1,385 @@
+// Copyright (c) 2026  The Spectral_segmentation authors.
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#include <boost/test/unit_test.hpp>
+
+#include "test_meshes.h"
+
+#include <CGAL/Spectral_segmentation/internal/bipartition/best_cut.h>
+#include <CGAL/Spectral_segmentation/internal/dendrogram/Nested_ranges.h>
+#include <CGAL/Spectral_segmentation/internal/dendrogram/recursion.h>
+#include <CGAL/Spectral_segmentation/internal/dendrogram/region_merging.h>
+
+#include <algorithm>
+#include <atomic>
+#include <cmath>
+#include <cstddef>
+#include <limits>
+#include <map>
+#include <optional>
+#include <set>
+#include <utility>
+#include <vector>
+
+BOOST_AUTO_TEST_SUITE(region_merging)
+
+namespace tt = boost::test_tools;
+using namespace test_meshes;
+namespace internal = CGAL::Spectral_segmentation::internal;
+using CGAL::Spectral_segmentation::Calibrated_part_salience;
+using CGAL::Spectral_segmentation::Salience_factors;
+using internal::Cut_hierarchy;
+using internal::Cut_node;
+using internal::Cut_state;
+using internal::Evaluation_context;
+using internal::Execution;
+using internal::Part_salience;
+using internal::quantized;
+
+namespace {
+
+typedef std::set<Index> Faces;
+
+Face_graph graph_of(const Soup& soup)
+{ return graph_with_distances(soup, weights_of_calibrated_method); }
+
+// Divides each component at random into connected regions, which grow from random faces.
+Cut_hierarchy random_regions(const Face_graph& graph, std::size_t number, Random& random)
+{
+  std::size_t components;
+  std::vector<Index> component = internal::connected_components(graph, components);
+  const std::size_t n = graph.number_of_faces();
+  const std::vector<double> areas = internal::component_areas(graph, component, components);
+  Cut_hierarchy result = internal::uncut_hierarchy(component, areas);
+  std::vector<Index> region(n, internal::null_index);
+  std::set<std::size_t> has_region;
+  Index next = 0;
+  for (std::size_t f = 0; f < n; ++f) // each component has one
+    if (has_region.insert(component[f]).second)
+      region[f] = next++;
+  for (Index f; next < number;)
+    if (region[f = Index(random() % n)] == internal::null_index)
+      region[f] = next++;
+  while (std::count(region.begin(), region.end(), internal::null_index) > 0) {
+    const Index h = Index(random() % (3 * n));
+    Index& other = region[graph.neighbors[h]];
+    if (other == internal::null_index)
+      other = region[h / 3];
+  }
+  // The nodes of the regions, in an order of their own.
+  std::vector<Index> node(next);
+  for (Index i = 0; i < next; ++i)
+    node[i] = Index(components) + i;
+  std::shuffle(node.begin(), node.end(), random);
+  result.nodes.resize(components + next);
+  for (std::size_t f = 0; f < n; ++f)
+    result.leaf[f] = node[region[f]];
+  return result;
+}
+
+// What merging does, with sets and from scratch in each step.
+struct Naive_merging
+{
+  struct Merge
+  {
+    Faces first, second;
+    double salience; // of the cut between them
+    double monotone; // no less than those before
+    Salience_factors factors;
+  };
+
+  std::vector<Merge> merges;
+  std::vector<Faces> regions; // in the order of their first faces; in the end the components
+
+  Naive_merging(const Face_graph& graph, const Cut_hierarchy& start,
+                const Part_salience& part_salience)
+  {
+    const Evaluation_context context(sequential, graph);
+    std::map<Index, Faces> by_leaf;
+    for (Index f = 0; f < graph.number_of_faces(); ++f)
+      by_leaf[start.leaf[f]].insert(f);
+    for (const auto& [leaf, faces] : by_leaf)
+      regions.push_back(faces);
+    sort();
+    for (;;) {
+      std::optional<Merge> best;
+      std::size_t place[2] = {0, 0};
+      for (std::size_t i = 0; i < regions.size(); ++i)
+        for (std::size_t j = i + 1; j < regions.size(); ++j) {
+          if (!are_neighbors(graph, regions[i], regions[j]))
+            continue;
+          const Merge merge = evaluated(graph, context, regions[i], regions[j], part_salience);
+          if (!best || quantized(merge.salience) < quantized(best->salience)) {
+            best = merge;
+            place[0] = i;
+            place[1] = j;
+          }
+        }
+      if (!best)
+        return;
+      best->monotone =
+        merges.empty() ? best->salience : std::max(best->salience, merges.back().monotone);
+      merges.push_back(*best);
+      regions[place[0]].insert(best->second.begin(), best->second.end());
+      regions.erase(regions.begin() + std::ptrdiff_t(place[1]));
+      sort();
+    }
+  }
+
+private:
+  void sort()
+  {
+    std::sort(regions.begin(), regions.end(), [](const Faces& a, const Faces& b)
+              { return *a.begin() < *b.begin(); });
+  }
+
+  static bool are_neighbors(const Face_graph& graph, const Faces& a, const Faces& b)
+  {
+    for (Index f : a)
+      for (Index h = 3 * f; h < 3 * f + 3; ++h)
+        if (b.count(graph.neighbors[h]) > 0)
+          return true;
+    return false;
+  }
+
+  static double area(const Face_graph& graph, const Faces& faces)
+  {
+    double sum = 0;
+    for (Index f : faces)
+      sum += graph.areas[f];
+    return sum;
+  }
+
+  static Merge evaluated(const Face_graph& graph, const Evaluation_context& context,
+                         const Faces& first, const Faces& second,
+                         const Part_salience& part_salience)
+  {
+    Faces both = first;
+    both.insert(second.begin(), second.end());
+    const std::vector<Index> faces(both.begin(), both.end());
+    const bool first_is_smaller = area(graph, first) <= area(graph, second);
+    internal::Sides side;
+    for (Index f : faces)
+      side.push_back((first.count(f) > 0) == first_is_smaller ? 0 : 1);
+    const Face_graph part = internal::Part_extractor(graph)(faces);
+    const Salience_factors factors = internal::Cut_evaluator(part, faces, context)(side);
+    return {first, second, part_salience(factors), 0, factors};
+  }
+};
+
+// Notes the boundaries that are evaluated.
+struct Boundary_count : internal::Run_control
+{
+  std::atomic<std::size_t> number{0}, number_of_others{0};
+
+  void cut_evaluated(const internal::Evaluated_cut& cut) override
+  {
+    ++number;
+    number_of_others += cut.kind != internal::Evaluated_cut::BOUNDARY ||
+                        cut.faces.size() != cut.side.size();
+  }
+};
+
+Cut_hierarchy merged(Execution execution, const Face_graph& graph, const Cut_hierarchy& regions,
+                     const Part_salience& part_salience, Boundary_count& count)
+{
+  internal::Run_monitor monitor(count);
+  const Evaluation_context context(sequential, graph);
+  return internal::Region_merging(execution, graph, context, part_salience, monitor)(regions);
+}
+
+Faces faces_of(const Cut_hierarchy& hierarchy, std::size_t node)
+{
+  const internal::Nested_ranges ranges(hierarchy, hierarchy.leaf);
+  return Faces(ranges[node].begin(), ranges[node].end());
+}
+
+double area_of(const Face_graph& graph, const Faces& faces)
+{
+  double sum = 0;
+  for (Index f : faces)
+    sum += graph.areas[f];
+  return sum;
+}
+
+void check_hierarchy(const Face_graph& graph, const Cut_hierarchy& regions,
+                     const Cut_hierarchy& result)
+{
+  BOOST_TEST(result.is_ultrametric);
+  BOOST_TEST(result.is_complete);
+  BOOST_TEST(result.number_of_roots == regions.number_of_roots);
+  BOOST_TEST_REQUIRE(result.leaf.size() == regions.leaf.size());
+
+  // Its leaves are the regions.
+  std::map<Index, Index> region_of_leaf, leaf_of_region;
+  for (std::size_t f = 0; f < result.leaf.size(); ++f) {
+    BOOST_TEST(result.nodes[result.leaf[f]].is_leaf());
+    BOOST_TEST(region_of_leaf.emplace(result.leaf[f], regions.leaf[f]).first->second ==
+               regions.leaf[f]);
+    BOOST_TEST(leaf_of_region.emplace(regions.leaf[f], result.leaf[f]).first->second ==
+               result.leaf[f]);
+  }
+  BOOST_TEST(result.number_of_segments() == leaf_of_region.size());
+
+  // Cuts are decided on in the order of their children, none more salient than those before.
+  BOOST_TEST_REQUIRE(result.turns.size() ==
+                     (result.nodes.size() - result.number_of_roots) / 2);
+  for (std::size_t i = 0; i < result.turns.size(); ++i) {
+    const Cut_node& n = result.nodes[result.turns[i]];
+    BOOST_TEST(n.children[0] == result.number_of_roots + 2 * i);
+    if (i > 0)
+      BOOST_TEST(n.salience <= result.nodes[result.turns[i - 1]].salience);
+  }
+  for (std::size_t i = 0; i < result.nodes.size(); ++i) {
+    const Cut_node& n = result.nodes[i];
+    BOOST_TEST((n.cut_state == (n.is_leaf() ? Cut_state::NO_CUT : Cut_state::ACCEPTED)));
+    BOOST_TEST(n.area == area_of(graph, faces_of(result, i)), tt::tolerance(1e-9));
+    if (!n.is_leaf()) {
+      BOOST_TEST(result.nodes[n.children[0]].area <= result.nodes[n.children[1]].area);
+      for (std::size_t child : n.children)
+        if (!result.nodes[child].is_leaf())
+          BOOST_TEST(result.nodes[child].salience <= n.salience);
+    }
+  }
+}
+
+std::vector<Soup> shapes(Random& random)
+{
+  return {displaced(dumbbell(10, 8), 0.02, random), displaced(torus(2, 0.7, 12, 7), 0.05, random),
+          plate(9, 6), disjoint_union(sphere(1), disjoint_union(plate(5, 4), sphere(0))), pillow()};
+}
+
+// Of many boundaries the same.
+double coarse_salience(const Salience_factors& factors)
+{ return std::round(4 * factors.size + 4 * factors.concavity_near_cut) / 4; }
+
+} // namespace
+
+BOOST_AUTO_TEST_CASE(merges_are_those_of_sets_that_are_evaluated_anew_in_each_step)
+{
+  const Part_salience saliences[] = {Calibrated_part_salience(), coarse_salience};
+  for (unsigned seed = 1; seed <= 20; ++seed)
+    for (const Part_salience& part_salience : saliences) {
+      BOOST_TEST_CONTEXT("seed " << seed) {
+        Random random(seed);
+        const std::vector<Soup> soups = shapes(random);
+        const Face_graph graph = graph_of(soups[seed % soups.size()]);
+        const Cut_hierarchy regions = random_regions(
+          graph, std::min<std::size_t>(2 + random() % 7, graph.number_of_faces()), random);
+        const Naive_merging expected(graph, regions, part_salience);
+        Boundary_count count;
+        const Cut_hierarchy result = merged(Execution::SEQUENTIAL, graph, regions, part_salience,
+                                            count);
+        check_hierarchy(graph, regions, result);
+        BOOST_TEST(count.number >= expected.merges.size());
+        BOOST_TEST(count.number_of_others == 0u);
+
+        const std::size_t n = expected.merges.size();
+        BOOST_TEST_REQUIRE(result.turns.size() == n);
+        for (std::size_t i = 0; i < n; ++i) { // the i-th cut is the last but i merge
+          const Naive_merging::Merge& merge = expected.merges[n - 1 - i];
+          const Cut_node& cut = result.nodes[result.turns[i]];
+          const Faces sides[] = {faces_of(result, cut.children[0]),
+                                 faces_of(result, cut.children[1])};
+          BOOST_TEST(((sides[0] == merge.first && sides[1] == merge.second) ||
+                      (sides[1] == merge.first && sides[0] == merge.second)));
+          BOOST_TEST(cut.salience == merge.monotone, tt::tolerance(1e-9));
+          BOOST_TEST(cut.factors.size == merge.factors.size, tt::tolerance(1e-9));
+          BOOST_TEST(cut.factors.cut_strength == merge.factors.cut_strength, tt::tolerance(1e-9));
+          BOOST_TEST(cut.factors.expansion_behind_cut == merge.factors.expansion_behind_cut,
+                     tt::tolerance(1e-9));
+        }
+        BOOST_TEST_REQUIRE(result.number_of_roots == expected.regions.size());
+        for (std::size_t root = 0; root < result.number_of_roots; ++root)
+          BOOST_TEST((faces_of(result, root) == expected.regions[root]));
+      }
+    }
+}
+
+BOOST_AUTO_TEST_CASE(the_number_of_threads_changes_nothing)
+{
+  Random random(3);
+  const Face_graph graph = graph_of(displaced(dumbbell(20, 16), 0.02, random));
+  const Cut_hierarchy regions = random_regions(graph, 12, random);
+  Boundary_count one, several;
+  const Cut_hierarchy a =
+    merged(Execution::SEQUENTIAL, graph, regions, Calibrated_part_salience(), one);
+  const Cut_hierarchy b =
+    merged(Execution::PARALLEL, graph, regions, Calibrated_part_salience(), several);
+  BOOST_TEST(one.number == several.number);
+  BOOST_TEST(a.leaf == b.leaf, tt::per_element());
+  BOOST_TEST(a.turns == b.turns, tt::per_element());
+  for (std::size_t i = 0; i < a.nodes.size(); ++i)
+    BOOST_TEST(a.nodes[i].salience == b.nodes[i].salience);
+}
+
+BOOST_AUTO_TEST_CASE(one_region_for_each_component_needs_no_merge)
+{
+  Random random(4);
+  const Face_graph graph = graph_of(disjoint_union(sphere(0), plate(3, 2)));
+  const Cut_hierarchy regions = random_regions(graph, 2, random);
+  Boundary_count count;
+  const Cut_hierarchy result =
+    merged(Execution::SEQUENTIAL, graph, regions, Calibrated_part_salience(), count);
+  BOOST_TEST(result.nodes.size() == 2u);
+  BOOST_TEST(result.turns.empty());
+  BOOST_TEST(count.number == 0u);
+  check_hierarchy(graph, regions, result);
+}
+
+BOOST_AUTO_TEST_CASE(a_salience_that_is_no_number_counts_as_the_least)
+{
+  Random random(5);
+  const Face_graph graph = graph_of(dumbbell(10, 8));
+  const Cut_hierarchy regions = random_regions(graph, 6, random);
+  Boundary_count count;
+  const Cut_hierarchy result = merged(
+    Execution::SEQUENTIAL, graph, regions,
+    [](const Salience_factors& f) { return f.size < 0.3 ? std::sqrt(-1.) : f.size; }, count);
+  check_hierarchy(graph, regions, result);
+  BOOST_TEST(result.nodes[result.turns.back()].salience ==
+             -std::numeric_limits<double>::infinity());
+}
+
+// The whole search of the calibrated method on a small mesh.
+BOOST_AUTO_TEST_CASE(regions_of_an_over_segmentation_become_the_bodies_of_a_chain)
+{
+  // Three balls in a row.
+  std::vector<std::pair<double, double> > profile = {{-1, 0}};
+  for (int ball = 0; ball < 3; ++ball)
+    for (int i = 1; i <= 8; ++i) {
+      const double z = -1 + 0.25 * i;
+      profile.emplace_back(2 * ball + z, i == 8 ? (ball == 2 ? 0 : 0.3)
+                                                : std::sqrt(1.05 - z * z));
+    }
+  const Face_graph graph = graph_of(surface_of_revolution(profile, 16));
+  internal::Options options = internal::calibrated_options();
+  options.number_of_regions = 8;
+  Boundary_count count;
+  internal::Run_monitor monitor(count);
+  const internal::Best_cut best_cut(sequential, graph, options);
+  const Cut_hierarchy regions =
+    internal::Recursion(sequential, graph, best_cut, options, monitor).by_salience();
+  BOOST_TEST(regions.number_of_segments() == 8u);
+  const Cut_hierarchy result = internal::Region_merging(
+    sequential, graph, best_cut.context(), options.part_salience, monitor)(regions);
+  check_hierarchy(graph, regions, result);
+  // The first two cuts are the necks.
+  std::set<int> balls;
+  for (std::size_t i = 1; i < 5; ++i) {
+    const Cut_node& n = result.nodes[i];
+    if (!n.is_leaf() && n.children[0] < 5)
+      continue;
+    std::set<int> balls_of_node;
+    const double smallest = graph.centroid(0).z(), largest =
+      graph.centroid(Index(graph.number_of_faces() - 1)).z();
+    for (Index f : faces_of(result, i))
+      balls_of_node.insert(int(std::floor(3 * (graph.centroid(f).z() - smallest) /
+                                          (largest - smallest) * (1 - 1e-9))));
+    BOOST_TEST(balls_of_node.size() == 1u);
+    balls.insert(balls_of_node.begin(), balls_of_node.end());
+  }
+  BOOST_TEST(balls == std::set<int>({0, 1, 2}), tt::per_element());
+}
+
+BOOST_AUTO_TEST_SUITE_END()

@@ -1,0 +1,322 @@
+// Copyright (c) 2026  The Spectral_segmentation authors.
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#include <boost/test/unit_test.hpp>
+
+#include "test_meshes.h"
+
+#include <CGAL/Spectral_segmentation/Part_salience.h>
+#include <CGAL/Spectral_segmentation/internal/salience/Cut_evaluator.h>
+#include <CGAL/Spectral_segmentation/internal/salience/Convexity_defect.h>
+#include <CGAL/Spectral_segmentation/internal/surface/Surface.h>
+#include <CGAL/Spectral_segmentation/internal/salience/Cut.h>
+#include <CGAL/Spectral_segmentation/internal/distances/face_distances.h>
+#include <CGAL/Spectral_segmentation/internal/surface/submesh.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <numeric>
+#include <utility>
+#include <vector>
+
+BOOST_AUTO_TEST_SUITE(cut_evaluator)
+
+using namespace test_meshes;
+namespace internal = CGAL::Spectral_segmentation::internal;
+using CGAL::Spectral_segmentation::Salience_factors;
+using internal::Cut_evaluator;
+using internal::Support_points;
+using internal::Edge_weights;
+using internal::Evaluation_context;
+using internal::total_area;
+
+namespace {
+
+typedef std::vector<char> Sides;
+
+auto tolerance(double t) { return boost::test_tools::tolerance(t); }
+
+Face_graph graph_of(const Soup& soup)
+{ return graph_with_distances(soup, weights_of_calibrated_method); }
+
+// z of the centroid of each face, in the coordinates of the soup.
+std::vector<double> heights(const Soup& soup)
+{
+  std::vector<double> result;
+  for (const std::vector<std::size_t>& t : soup.triangles)
+    result.push_back((soup.points[t[0]].z() + soup.points[t[1]].z() + soup.points[t[2]].z()) / 3);
+  return result;
+}
+
+Sides below(const Soup& soup, double z)
+{
+  Sides side;
+  for (double h : heights(soup))
+    side.push_back(h < z ? 0 : 1);
+  return side;
+}
+
+Sides swapped(Sides side)
+{
+  for (char& s : side)
+    s = 1 - s;
+  return side;
+}
+
+// Of a cut of the whole mesh, whose area is said to be so many times what it is.
+Salience_factors factors(const Face_graph& graph, const Sides& side, double times = 1)
+{
+  std::vector<Index> faces(graph.number_of_faces());
+  std::iota(faces.begin(), faces.end(), Index(0));
+  Evaluation_context mesh(sequential, graph);
+  mesh.area *= times;
+  return Cut_evaluator(graph, faces, mesh)(side);
+}
+
+// 1 x 1 x 2: two cubes on top of each other.
+Soup box()
+{
+  const double r = std::sqrt(0.5);
+  return surface_of_revolution({{0, 0}, {0, r}, {1, r}, {2, r}, {2, 0}}, 4);
+}
+
+// Radius 1, open.
+Soup tube(std::size_t length, std::size_t rings_per_unit, std::size_t n_around)
+{
+  std::vector<std::pair<double, double> > profile;
+  for (std::size_t i = 0; i <= length * rings_per_unit; ++i)
+    profile.emplace_back(double(i) / double(rings_per_unit), 1.);
+  return surface_of_revolution(profile, n_around);
+}
+
+} // namespace
+
+BOOST_AUTO_TEST_CASE(a_box_of_two_cubes_is_cut_in_the_middle)
+{
+  const Soup soup = box();
+  const Face_graph graph = graph_of(soup);
+  const Salience_factors f = factors(graph, below(soup, 1), 4);
+  BOOST_TEST(f.size == 0.5, tolerance(1e-12));
+  // The corners of the unit square have the variance 1/4 in each direction; a half has the area 5.
+  BOOST_TEST(f.protrusiveness == 1 - 4 * 0.25 / 5, tolerance(1e-12));
+  BOOST_TEST(f.cut_strength == 0);
+  BOOST_TEST(f.log_relative_part_area == -std::log(4.), tolerance(1e-12));
+}
+
+BOOST_AUTO_TEST_CASE(a_plate_cut_off_a_plate_has_a_base_without_width)
+{
+  const Face_graph graph = graph_of(plate(4, 1));
+  const Salience_factors f = factors(graph, {0, 0, 1, 1, 1, 1, 1, 1});
+  BOOST_TEST(f.size == 0.25, tolerance(1e-12));
+  BOOST_TEST(f.protrusiveness == 1, tolerance(1e-7));
+  BOOST_TEST(f.cut_strength == 0);
+}
+
+BOOST_AUTO_TEST_CASE(the_size_of_the_whole_mesh_enters_three_factors)
+{
+  const Soup soup = dumbbell(20, 15);
+  const Face_graph graph = graph_of(soup);
+  const Salience_factors a = factors(graph, below(soup, 0)),
+                         b = factors(graph, below(soup, 0), 100);
+  BOOST_TEST(std::abs(a.log_relative_part_area) < 1e-12);
+  BOOST_TEST(b.log_relative_part_area == -std::log(100.), tolerance(1e-12));
+  BOOST_TEST(a.convexity_gain == 10 * b.convexity_gain, tolerance(1e-12));
+  // The sides are convex.
+  for (const Salience_factors& f : {a, b})
+    BOOST_TEST(f.relative_convexity_gain == std::log(1 + 200 * f.convexity_gain), tolerance(1e-3));
+  BOOST_TEST(a.expansion_behind_cut == b.expansion_behind_cut);
+}
+
+BOOST_AUTO_TEST_CASE(a_convex_body_does_not_get_more_convex)
+{
+  const Soup soup = sphere(3);
+  const Salience_factors f = factors(graph_of(soup), below(soup, 0));
+  BOOST_TEST(std::abs(f.convexity_gain) < 1e-6);
+  BOOST_TEST(std::abs(f.relative_convexity_gain) < 1e-3);
+}
+
+BOOST_AUTO_TEST_CASE(two_spheres_are_convex_once_they_are_cut_apart)
+{
+  const Soup soup = dumbbell(40, 30);
+  const Salience_factors f = factors(graph_of(soup), below(soup, 0));
+  // The hull is a capsule. Below it a face whose normal leans by c towards the other sphere has the
+  // depth c times the distance of the centers, in the mean a fourth of that.
+  const double distance = 2 * std::sqrt(1 - 0.04);
+  BOOST_TEST(f.convexity_gain == distance / 4 / std::sqrt(8 * pi), tolerance(0.05));
+}
+
+BOOST_AUTO_TEST_CASE(gains_of_convexity_are_those_of_the_defects)
+{
+  const Soup soup = dumbbell(20, 15);
+  const Face_graph graph = graph_of(soup);
+  const Sides side = below(soup, 0.5);
+  std::vector<Index> all, faces[2];
+  double area[2] = {0, 0};
+  for (Index f = 0; f < side.size(); ++f) {
+    all.push_back(f);
+    faces[int(side[f])].push_back(f);
+    area[int(side[f])] += graph.areas[f];
+  }
+  const Support_points support_points(sequential, graph);
+  const internal::Convexity_defect defect(support_points, graph, all);
+  const double of_sides =
+    (area[0] * defect(faces[0]) + area[1] * defect(faces[1])) / (area[0] + area[1]);
+  const double unit = 5, whole = defect(all) / unit, sides = of_sides / unit;
+  const Salience_factors f = factors(graph, side, 25 / total_area(graph));
+  BOOST_TEST(sides > 0.01);
+  BOOST_TEST(whole - sides > 0.01);
+  BOOST_TEST(f.convexity_gain == whole - sides, tolerance(1e-9));
+  BOOST_TEST(f.relative_convexity_gain == std::log((whole + 0.005) / (sides + 0.005)),
+             tolerance(1e-9));
+}
+
+BOOST_AUTO_TEST_CASE(concavity_near_the_cut_is_a_mean_by_length)
+{
+  // The faces near the cut are the 8 that have an edge of it, each with edges 1, 1, sqrt(2).
+  const Soup soup = box();
+  Face_graph graph = graph_of(soup);
+  const Sides side = below(soup, 1);
+  for (Edge_weights& h : graph.weights)
+    h.concavity = 0;
+  for (Index h = 0; h < graph.number_of_halfedges(); ++h)
+    if (side[h / 3] != side[graph.neighbors[h]])
+      graph.weights[h].concavity = 0.5;
+  const Salience_factors f = factors(graph, side);
+  BOOST_TEST(f.cut_strength == 0.5, tolerance(1e-12));
+  BOOST_TEST(f.concavity_near_cut == 0.5 / (2 + std::sqrt(2.)), tolerance(1e-12));
+}
+
+BOOST_AUTO_TEST_CASE(concavity_near_the_cut_does_not_see_what_is_far_from_it)
+{
+  const Soup soup = tube(12, 4, 24);
+  Face_graph graph = graph_of(soup);
+  const Sides side = below(soup, 3);
+  const double area_of_q = factors(graph, side).size * total_area(graph);
+  std::vector<char> is_near(side.size(), 0);
+  for (const internal::Face_at_distance& f :
+       internal::faces_near_cut(graph, side, internal::halfedges_of_cut(graph, side),
+                                0.35 * std::sqrt(area_of_q)))
+    is_near[f.face] = 1;
+  for (Index h = 0; h < graph.number_of_halfedges(); ++h)
+    graph.weights[h].concavity =
+      is_near[h / 3] || is_near[graph.neighbors[h]] ? 0.25f : 1.f;
+  BOOST_TEST(std::count(is_near.begin(), is_near.end(), 0) > 0);
+  BOOST_TEST(factors(graph, side).concavity_near_cut == 0.25, tolerance(1e-9));
+}
+
+BOOST_AUTO_TEST_CASE(expansion_is_the_area_near_the_cut_over_its_length_and_the_radius)
+{
+  // Half a box has the area 5, which makes a radius of 0.78; the faces at the cut have their
+  // centroids at 0.37, the others are beyond 0.78. Each of the 4 at the cut that belong to the rest
+  // has the area 1/2, the cut the length 4.
+  const Soup soup = box();
+  const Salience_factors f = factors(graph_of(soup), below(soup, 1));
+  BOOST_TEST(f.expansion_behind_cut == 4 * 0.5 / (0.35 * std::sqrt(5.) * 4), tolerance(1e-9));
+}
+
+BOOST_AUTO_TEST_CASE(a_cylinder_does_not_expand_and_a_sphere_behind_a_neck_does)
+{
+  const Soup cylinder = tube(20, 6, 36);
+  const double expansion = factors(graph_of(cylinder), below(cylinder, 6)).expansion_behind_cut;
+  BOOST_TEST(expansion > 0.75); // ways over centroids are a bit longer than the straight ones
+  BOOST_TEST(expansion < 1.02);
+
+  const Soup spheres = dumbbell(40, 30);
+  const double of_sphere = factors(graph_of(spheres), below(spheres, 0)).expansion_behind_cut;
+  // A zone of the sphere from the neck up to the radius.
+  const double neck = std::asin(0.2), radius = 0.35 * std::sqrt(4 * pi);
+  const double zone = 2 * pi * (std::cos(neck) - std::cos(neck + radius));
+  BOOST_TEST(of_sphere < 1.02 * zone / (radius * 2 * pi * 0.2));
+  BOOST_TEST(of_sphere > 0.65 * zone / (radius * 2 * pi * 0.2));
+}
+
+BOOST_AUTO_TEST_CASE(expansion_ends_at_four)
+{
+  const Soup soup = dumbbell(20, 15);
+  const Sides side = below(soup, 0);
+  Face_graph graph = graph_of(soup);
+  for (Index f = 0; f < side.size(); ++f)
+    graph.areas[f] *= side[f] == 1 ? 100 : 1;
+  BOOST_TEST(factors(graph, side).expansion_behind_cut == 4);
+}
+
+BOOST_AUTO_TEST_CASE(halves_of_equal_area_swap_their_factors_with_their_labels)
+{
+  Random random(7);
+  const Soup soup = displaced(dumbbell(20, 15), 0.01, random);
+  Face_graph graph = graph_of(soup);
+  const Sides side = below(soup, 0);
+  // The halves get the same area, each face its share.
+  double area[2] = {0, 0};
+  for (Index f = 0; f < side.size(); ++f)
+    area[int(side[f])] += graph.areas[f];
+  for (Index f = 0; f < side.size(); ++f)
+    graph.areas[f] /= area[int(side[f])];
+  const Salience_factors a = factors(graph, side), b = factors(graph, swapped(side));
+  const auto same = tolerance(1e-9);
+  BOOST_TEST(a.size == b.size, same);
+  BOOST_TEST(a.cut_strength == b.cut_strength, same);
+  BOOST_TEST(a.protrusiveness == b.protrusiveness, same);
+  BOOST_TEST(a.log_relative_part_area == b.log_relative_part_area, same);
+  BOOST_TEST(a.concavity_near_cut == b.concavity_near_cut, same);
+  BOOST_TEST(a.convexity_gain == b.convexity_gain, same);
+  BOOST_TEST(a.relative_convexity_gain == b.relative_convexity_gain, same);
+}
+
+BOOST_AUTO_TEST_CASE(cut_strength_is_the_mean_concavity_by_length)
+{
+  for (unsigned seed = 1; seed <= 40; ++seed) {
+    BOOST_TEST_CONTEXT("seed " << seed) {
+      Random random(seed);
+      const std::vector<Soup> shapes = {plate(9, 7), sphere(2), torus(2, 0.7, 16, 10),
+                                        dumbbell(12, 8)};
+      const Soup soup = displaced(shapes[seed % shapes.size()], 0.1, random);
+      const Mesh mesh = mesh_of(soup);
+      const Face_graph graph = graph_of(soup);
+      Sides side(graph.number_of_faces());
+      for (char& s : side)
+        s = random() % 3 == 0 ? 0 : 1;
+      side[0] = 0;
+      side[1] = 1;
+
+      double length = 0, sum = 0;
+      for (Mesh::Edge_index e : mesh.edges()) {
+        if (mesh.is_border(e))
+          continue;
+        const Mesh::Face_index f = mesh.face(mesh.halfedge(e, 0)),
+                               g = mesh.face(mesh.halfedge(e, 1));
+        if (side[f] == side[g])
+          continue;
+        const double l = std::sqrt(CGAL::squared_distance(mesh.point(mesh.vertex(e, 0)),
+                                                          mesh.point(mesh.vertex(e, 1))));
+        length += l;
+        for (Index h = 3 * Index(f); h < 3 * Index(f) + 3; ++h)
+          if (graph.neighbors[h] == Index(g))
+            sum += l * graph.weights[h].concavity;
+      }
+      BOOST_TEST(factors(graph, side).cut_strength == sum / length, tolerance(1e-9));
+      BOOST_TEST(sum > 0);
+    }
+  }
+}
+
+BOOST_AUTO_TEST_CASE(an_evaluator_forgets_the_cuts_before)
+{
+  const Soup soup = torus(2, 0.7, 16, 10);
+  const Face_graph graph = graph_of(soup);
+  std::vector<Index> faces(graph.number_of_faces());
+  std::iota(faces.begin(), faces.end(), Index(0));
+  const Evaluation_context mesh(sequential, graph);
+  const Cut_evaluator evaluator(graph, faces, mesh);
+  for (double z : {-0.5, 0.3, -0.5}) {
+    const Salience_factors a = evaluator(below(soup, z)), b = factors(graph, below(soup, z));
+    BOOST_TEST(a.protrusiveness == b.protrusiveness);
+    BOOST_TEST(a.cut_strength == b.cut_strength);
+    BOOST_TEST(a.concavity_near_cut == b.concavity_near_cut);
+    BOOST_TEST(a.relative_convexity_gain == b.relative_convexity_gain);
+    BOOST_TEST(a.expansion_behind_cut == b.expansion_behind_cut);
+  }
+}
+
+BOOST_AUTO_TEST_SUITE_END()

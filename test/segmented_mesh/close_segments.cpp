@@ -1,0 +1,344 @@
+// Copyright (c) 2026  The Spectral_segmentation authors.
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#include <boost/test/unit_test.hpp>
+
+#include "test_labels.h"
+#include "test_meshes.h"
+
+#include <CGAL/Segmented_mesh/close_segments.h>
+#include <CGAL/Segmented_mesh/split_into_segments.h>
+
+#include <CGAL/Polygon_mesh_processing/measure.h>
+#include <CGAL/Polyhedron_3.h>
+#include <CGAL/boost/graph/helpers.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <limits>
+#include <map>
+#include <random>
+#include <stdexcept>
+#include <string>
+#include <utility>
+#include <vector>
+
+BOOST_AUTO_TEST_SUITE(close_segments)
+
+namespace tt = boost::test_tools;
+namespace PMP = CGAL::Polygon_mesh_processing;
+namespace params = CGAL::Spectral_segmentation::parameters;
+using namespace test_meshes;
+
+namespace {
+
+// Of each segment: the sum of det(p, q, r) / 6 over its triangles.
+std::map<int, double> volumes(const Soup& soup, const std::vector<int>& segment)
+{
+  std::map<int, double> result;
+  for (std::size_t f = 0; f < segment.size(); ++f) {
+    const auto& t = soup.triangles[f];
+    result[segment[f]] +=
+      CGAL::volume(Point(0, 0, 0), soup.points[t[0]], soup.points[t[1]], soup.points[t[2]]);
+  }
+  return result;
+}
+
+// Whether as many triangles of each segment pass each edge in one direction as in the other.
+bool is_closed(const Soup& soup, const std::vector<int>& segment)
+{
+  std::map<std::array<std::size_t, 3>, int> sums;
+  for (std::size_t f = 0; f < segment.size(); ++f)
+    for (std::size_t i = 0; i < 3; ++i) {
+      const std::size_t v = soup.triangles[f][i], w = soup.triangles[f][(i + 1) % 3];
+      sums[{std::size_t(segment[f]), (std::min)(v, w), (std::max)(v, w)}] += v < w ? 1 : -1;
+    }
+  return std::all_of(sums.begin(), sums.end(), [](const auto& s) { return s.second == 0; });
+}
+
+// By the place of the centroid of each triangle.
+template <class Function>
+std::vector<int> segments_by(const Soup& soup, Function id_at)
+{
+  std::vector<int> result;
+  for (const auto& t : soup.triangles)
+    result.push_back(
+      id_at(CGAL::centroid(soup.points[t[0]], soup.points[t[1]], soup.points[t[2]])));
+  return result;
+}
+
+Point center(const Soup& soup, std::size_t f)
+{
+  const auto& t = soup.triangles[f];
+  return CGAL::centroid(soup.points[t[0]], soup.points[t[1]], soup.points[t[2]]);
+}
+
+// A prism over a polygon with n corners, with levels z = 0, 1, 2, closed by fans.
+Soup prism(std::size_t n)
+{ return surface_of_revolution({{0, 0}, {0, 1}, {1, 1}, {2, 1}, {2, 0}}, n); }
+
+} // namespace
+
+BOOST_AUTO_TEST_CASE(prism_cut_in_its_middle_gets_two_flat_polygons)
+{
+  const std::size_t n = 12;
+  Soup soup = prism(n);
+  std::vector<int> segment = segments_by(soup, [](const Point& p) { return p.z() < 1 ? 7 : -3; });
+  const std::size_t triangles = soup.triangles.size(), points = soup.points.size();
+  BOOST_TEST(CGAL::close_segments(soup.points, soup.triangles, segment) == 2 * (n - 2));
+  BOOST_TEST(soup.points.size() == points);
+  BOOST_TEST(segment.size() == triangles + 2 * (n - 2));
+  for (std::size_t f = triangles; f < soup.triangles.size(); ++f)
+    BOOST_TEST(center(soup, f).z() == 1., tt::tolerance(1e-12));
+  BOOST_TEST(is_closed(soup, segment));
+  const double half = double(n) / 2 * std::sin(2 * pi / double(n)); // area of the base times 1
+  for (const auto& [id, volume] : volumes(soup, segment))
+    BOOST_TEST(volume == half, tt::tolerance(1e-12));
+}
+
+// A long border is flat still, and no fan would be right.
+BOOST_AUTO_TEST_CASE(gear_with_many_teeth_gets_flat_caps)
+{
+  const std::size_t n = 800;
+  Soup soup;
+  for (std::size_t i = 0; i < n; ++i) {
+    const double angle = 2 * pi * double(i) / n, radius = i % 2 == 0 ? 1 : 0.5;
+    for (double z : {0., 1.})
+      soup.points.emplace_back(radius * std::cos(angle), radius * std::sin(angle), z);
+    const std::size_t a = 2 * i, b = 2 * ((i + 1) % n);
+    soup.triangles.push_back({a, b, a + 1});
+    soup.triangles.push_back({b, b + 1, a + 1});
+  }
+  std::vector<int> segment(soup.triangles.size(), 0);
+  BOOST_TEST(CGAL::close_segments(soup.points, soup.triangles, segment) == 2 * (n - 2));
+  BOOST_TEST(is_closed(soup, segment));
+  BOOST_TEST(volumes(soup, segment)[0] == double(n) / 4 * std::sin(2 * pi / double(n)),
+             tt::tolerance(1e-9));
+}
+
+// There is no cap that is better than another, but the time must be short.
+BOOST_AUTO_TEST_CASE(border_that_fills_space_gets_fans)
+{
+  const std::size_t n = 2000;
+  Random random(1);
+  std::uniform_real_distribution<double> coordinate(0, 1);
+  Soup soup;
+  for (std::size_t i = 0; i < n; ++i) {
+    const Point p(coordinate(random), coordinate(random), coordinate(random));
+    soup.points.push_back(p);
+    soup.points.emplace_back(p.x() + 0.001, p.y(), p.z());
+    const std::size_t a = 2 * i, b = 2 * ((i + 1) % n);
+    soup.triangles.push_back({a, b, a + 1});
+    soup.triangles.push_back({b, b + 1, a + 1});
+  }
+  std::vector<int> segment(soup.triangles.size(), 0);
+  BOOST_TEST(CGAL::close_segments(soup.points, soup.triangles, segment) == 2 * n);
+  BOOST_TEST(is_closed(soup, segment));
+}
+
+BOOST_AUTO_TEST_CASE(corners_must_be_able_to_count_new_points)
+{
+  std::vector<std::array<double, 3> > points;
+  std::vector<std::array<unsigned char, 3> > triangles;
+  std::vector<int> segment;
+  for (int i = 0; i < 128; ++i) { // a crumpled strip
+    for (int k : {0, 1})
+      points.push_back({double(i * 37 % 41), double(i * 53 % 43), double(i * 29 % 47) + 0.01 * k});
+    const int a = 2 * i, b = 2 * ((i + 1) % 128);
+    const auto corner = [](int v) { return static_cast<unsigned char>(v); };
+    triangles.push_back({corner(a), corner(b), corner(a + 1)});
+    triangles.push_back({corner(b), corner(b + 1), corner(a + 1)});
+    segment.insert(segment.end(), 2, 0);
+  }
+  BOOST_CHECK_THROW(CGAL::close_segments(points, triangles, segment), std::overflow_error);
+  BOOST_TEST(points.size() == 256u);
+  BOOST_TEST(triangles.size() == 256u);
+}
+
+// Their borders have arcs in common, which are no loops.
+BOOST_AUTO_TEST_CASE(three_sectors_that_meet_at_the_axis_fit)
+{
+  Soup soup = prism(12);
+  std::vector<int> segment = segments_by(soup, [](const Point& p) {
+    return int((std::atan2(p.y(), p.x()) + pi) / (2 * pi) * 3);
+  });
+  const double whole = volumes(soup, std::vector<int>(segment.size(), 0))[0];
+  BOOST_TEST(CGAL::close_segments(soup.points, soup.triangles, segment) > 0);
+  BOOST_TEST(is_closed(soup, segment));
+  const std::map<int, double> parts = volumes(soup, segment);
+  BOOST_TEST(parts.size() == 3);
+  double sum = 0;
+  for (const auto& [id, volume] : parts) {
+    BOOST_TEST(volume > whole / 6);
+    sum += volume;
+  }
+  BOOST_TEST(sum == whole, tt::tolerance(1e-12));
+}
+
+BOOST_AUTO_TEST_CASE(holes_of_the_surface_are_closed_too)
+{
+  Soup soup = surface_of_revolution({{0, 1}, {1, 1}, {2, 1}}, 8); // an open tube
+  std::vector<int> segment = segments_by(soup, [](const Point& p) { return p.z() < 1; });
+  CGAL::close_segments(soup.points, soup.triangles, segment);
+  BOOST_TEST(is_closed(soup, segment));
+  for (const auto& [id, volume] : volumes(soup, segment))
+    BOOST_TEST(volume == 4 * std::sin(pi / 4), tt::tolerance(1e-12));
+}
+
+BOOST_AUTO_TEST_CASE(cap_whose_edge_is_taken_is_a_fan)
+{
+  // A tetrahedron of which two faces are a segment: the other two have the sixth edge.
+  Soup soup{{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}},
+            {{0, 2, 1}, {0, 1, 3}, {1, 2, 3}, {0, 3, 2}}};
+  std::vector<int> segment = {0, 0, 1, 1};
+  BOOST_TEST(CGAL::close_segments(soup.points, soup.triangles, segment) == 8);
+  BOOST_REQUIRE(soup.points.size() == 5);
+  BOOST_TEST(soup.points[4] == Point(0.25, 0.25, 0.25));
+  BOOST_TEST(is_closed(soup, segment));
+  const std::map<int, double> parts = volumes(soup, segment);
+  BOOST_TEST(parts.at(0) + parts.at(1) == 1. / 6, tt::tolerance(1e-12));
+  BOOST_TEST(parts.at(0) > 0);
+}
+
+BOOST_AUTO_TEST_CASE(closed_segments_stay_as_they_are)
+{
+  Soup soup = sphere(1);
+  std::vector<int> segment(soup.triangles.size(), 4);
+  BOOST_TEST(CGAL::close_segments(soup.points, soup.triangles, segment) == 0);
+  Soup none;
+  std::vector<int> no_segment;
+  BOOST_TEST(CGAL::close_segments(none.points, none.triangles, no_segment) == 0);
+}
+
+// Whatever meets there and however it is turned, each edge gets an even number of triangles.
+BOOST_AUTO_TEST_CASE(any_triangles_can_be_closed)
+{
+  std::mt19937 random(1);
+  for (int run = 0; run < 200; ++run) {
+    std::vector<std::array<double, 3> > points(4 + random() % 8);
+    for (auto& p : points)
+      p = {double(random() % 4), double(random() % 4), double(random() % 4)};
+    std::vector<std::array<int, 3> > triangles(random() % 20);
+    std::vector<int> segment(triangles.size());
+    for (std::size_t f = 0; f < triangles.size(); ++f) {
+      for (int& v : triangles[f])
+        v = int(random() % points.size());
+      segment[f] = int(random() % 3);
+    }
+    CGAL::close_segments(points, triangles, segment);
+    BOOST_TEST(segment.size() == triangles.size());
+    std::map<std::array<int, 3>, int> number;
+    for (std::size_t f = 0; f < triangles.size(); ++f)
+      for (std::size_t i = 0; i < 3; ++i) {
+        const int v = triangles[f][i], w = triangles[f][(i + 1) % 3];
+        if (v != w)
+          ++number[{segment[f], (std::min)(v, w), (std::max)(v, w)}];
+      }
+    for (const auto& [edge, n] : number)
+      BOOST_TEST(n % 2 == 0);
+  }
+}
+
+BOOST_AUTO_TEST_CASE(bad_input_is_refused_and_left_as_it_is)
+{
+  const Soup good = sphere(0);
+  const std::vector<int> ids(20, 0);
+  const auto is_refused = [&](Soup soup, std::vector<int> segment) {
+    const std::size_t points = soup.points.size(), triangles = soup.triangles.size();
+    BOOST_CHECK_THROW(CGAL::close_segments(soup.points, soup.triangles, segment),
+                      std::invalid_argument);
+    BOOST_TEST(soup.points.size() == points);
+    BOOST_TEST(soup.triangles.size() == triangles);
+  };
+  is_refused(good, std::vector<int>(19, 0));
+  Soup bad = good;
+  bad.triangles[3] = {0, 1};
+  is_refused(bad, ids);
+  bad.triangles[3] = {0, 1, 12};
+  is_refused(bad, ids);
+  bad = good;
+  bad.points[5] = Point(std::numeric_limits<double>::quiet_NaN(), 0, 0);
+  is_refused(bad, ids);
+}
+
+BOOST_AUTO_TEST_CASE(open_parts_have_the_faces_of_their_segments)
+{
+  const Mesh mesh = mesh_of(prism(6));
+  Labels labels;
+  const auto segment_ids = map_to(labels, mesh);
+  for (Mesh::Face_index f : mesh.faces())
+    labels[f] = f % 3; // patches that touch themselves at vertices
+  std::vector<Mesh> parts(1);
+  std::vector<std::vector<Mesh::Face_index> > faces;
+  CGAL::split_into_segments(mesh, segment_ids, parts, params::faces_of_parts(faces));
+  BOOST_REQUIRE(parts.size() == 4); // one was there
+  BOOST_REQUIRE(faces.size() == 3);
+  const auto triangle = [](const Mesh& m, Mesh::Face_index f) {
+    std::vector<Point> result;
+    for (Mesh::Vertex_index v : CGAL::vertices_around_face(m.halfedge(f), m))
+      result.push_back(m.point(v));
+    std::rotate(result.begin(), std::min_element(result.begin(), result.end()), result.end());
+    return result;
+  };
+  for (std::size_t s = 0; s < 3; ++s) {
+    const Mesh& part = parts[s + 1];
+    BOOST_TEST(CGAL::is_valid_polygon_mesh(part));
+    BOOST_REQUIRE(part.number_of_faces() == faces[s].size());
+    for (Mesh::Face_index f : part.faces()) {
+      BOOST_TEST(labels[faces[s][f]] == s);
+      BOOST_TEST((triangle(part, f) == triangle(mesh, faces[s][f])));
+    }
+  }
+}
+
+BOOST_AUTO_TEST_CASE(closed_parts_fill_real_meshes)
+{
+  for (const char* name : {"elephant", "hand", "homer", "cow"}) {
+    BOOST_TEST_CONTEXT(name) {
+      const Mesh mesh = mesh_of(read(name + std::string(".off")));
+      Labels labels;
+      const auto segment_ids = map_to(labels, mesh);
+      const std::size_t n = CGAL::segment_spectral_recursive(mesh, segment_ids);
+      std::vector<Mesh> parts;
+      std::vector<std::vector<Mesh::Face_index> > faces;
+      CGAL::split_into_segments(mesh, segment_ids, parts,
+                                params::faces_of_parts(faces).closed(true));
+      BOOST_REQUIRE(parts.size() == n);
+      double sum = 0;
+      std::size_t number = 0;
+      for (std::size_t s = 0; s < n; ++s) {
+        BOOST_TEST(CGAL::is_closed(parts[s]));
+        BOOST_TEST(PMP::volume(parts[s]) > 0);
+        sum += PMP::volume(parts[s]);
+        for (Mesh::Face_index f : faces[s])
+          number += f != Mesh::null_face();
+        BOOST_TEST(faces[s].size() == parts[s].number_of_faces());
+      }
+      BOOST_TEST(number == mesh.number_of_faces());
+      BOOST_TEST(sum == PMP::volume(mesh), tt::tolerance(1e-9));
+    }
+  }
+}
+
+BOOST_AUTO_TEST_CASE(parts_of_a_polyhedron)
+{
+  typedef CGAL::Polyhedron_3<Kernel> Polyhedron;
+  const Soup soup = prism(5);
+  Polyhedron mesh;
+  PMP::polygon_soup_to_polygon_mesh(soup.points, soup.triangles, mesh);
+  std::map<Polyhedron::Facet_const_handle, int> segment;
+  for (auto f : CGAL::faces(mesh))
+    segment[f] = CGAL::centroid(f->halfedge()->vertex()->point(),
+                                f->halfedge()->next()->vertex()->point(),
+                                f->halfedge()->next()->next()->vertex()->point()).z() < 1;
+  std::vector<Mesh> parts;
+  CGAL::split_into_segments(mesh, boost::make_assoc_property_map(segment), parts,
+                            params::closed(true));
+  BOOST_REQUIRE(parts.size() == 2);
+  BOOST_TEST(PMP::volume(parts[0]) == PMP::volume(mesh) / 2, tt::tolerance(1e-12));
+  BOOST_TEST(PMP::volume(parts[1]) == PMP::volume(mesh) / 2, tt::tolerance(1e-12));
+}
+
+BOOST_AUTO_TEST_SUITE_END()
