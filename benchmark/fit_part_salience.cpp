@@ -45,7 +45,7 @@ struct Options
   std::string folder, ids = "odd", json, cache;
   std::vector<std::string> triangulations = triangulation_names();
   std::size_t threads = 1, rounds = 3, passes = 1;
-  std::size_t searched_faces =
+  std::size_t coarse_faces =
     CGAL::Spectral_segmentation::Options().number_of_coarse_faces;
   bool leaves_one_category_out = false, leaves_factors_out = false;
 };
@@ -63,7 +63,7 @@ void add_options(CLI::App& app, Options& o)
   app.add_option("--triangulation", o.triangulations, "in which the cuts are made")
     ->capture_default_str()->check(CLI::IsMember(triangulation_names()));
   app.add_option("--cache", o.cache, "folder that keeps the triangulations for other runs");
-  app.add_option("--searched-faces", o.searched_faces,
+  app.add_option("--coarse-faces", o.coarse_faces,
                  "the number_of_coarse_faces of all runs; 0: the meshes themselves")
     ->capture_default_str();
   app.add_flag("--leave-one-category-out", o.leaves_one_category_out,
@@ -90,11 +90,11 @@ auto of_each_mesh(const Options& o, const Function& f)
   return results;
 }
 
-Engine_options options_with(const Calibrated_part_salience& salience, std::size_t searched_faces)
+Engine_options options_with(const Calibrated_part_salience& salience, std::size_t coarse_faces)
 {
   Engine_options result = CGAL::Spectral_segmentation::Options();
   result.part_salience = salience;
-  result.number_of_coarse_faces = searched_faces;
+  result.number_of_coarse_faces = coarse_faces;
   return result;
 }
 
@@ -121,7 +121,7 @@ std::vector<Mesh_cuts> evaluated_cuts(const Options& o, const Calibrated_part_sa
       std::vector<Mesh_cuts> cuts;
       for (const std::string& triangulation : o.triangulations)
         cuts.push_back(evaluated_cuts(triangulated_as(triangulation, mesh, o.cache),
-                                      options_with(salience, o.searched_faces)));
+                                      options_with(salience, o.coarse_faces)));
       return cuts;
     });
   std::vector<Mesh_cuts> result;
@@ -130,13 +130,13 @@ std::vector<Mesh_cuts> evaluated_cuts(const Options& o, const Calibrated_part_sa
   return result;
 }
 
-Tree_method method_with(const Calibrated_part_salience& salience, std::size_t searched_faces)
-{ return method_with("fitted", options_with(salience, searched_faces), Execution::PARALLEL); }
+Tree_method method_with(const Calibrated_part_salience& salience, std::size_t coarse_faces)
+{ return method_with("fitted", options_with(salience, coarse_faces), Execution::PARALLEL); }
 
 std::vector<Tree_errors> errors_with(const Options& o, const Saliences& saliences)
 {
   return of_each_mesh(o, [&](const Benchmark_mesh& mesh)
-    { return tree_errors(mesh, method_with(saliences.at(category(mesh.id)), o.searched_faces)); });
+    { return tree_errors(mesh, method_with(saliences.at(category(mesh.id)), o.coarse_faces)); });
 }
 
 // For each category the fit to all others.
@@ -161,7 +161,7 @@ Saliences fits_to_others(const std::vector<Mesh_cuts>& meshes, std::size_t round
 std::vector<Tree_errors> errors_with(const Options& o, const Calibrated_part_salience& salience)
 {
   return of_each_mesh(o, [&](const Benchmark_mesh& mesh)
-    { return tree_errors(mesh, method_with(salience, o.searched_faces)); });
+    { return tree_errors(mesh, method_with(salience, o.coarse_faces)); });
 }
 
 // Factors that are left out together.

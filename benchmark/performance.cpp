@@ -80,10 +80,10 @@ struct Run
   double salience_threshold;
 };
 
-const std::size_t searched_faces = CGAL::Spectral_segmentation::Options().number_of_coarse_faces;
+const std::size_t coarse_faces = CGAL::Spectral_segmentation::Options().number_of_coarse_faces;
 constexpr double threshold = CGAL::Spectral_segmentation::default_probability_threshold;
 
-const Run calibrated = {"calibrated", unlimited, false, searched_faces, unlimited, threshold};
+const Run calibrated = {"calibrated", unlimited, false, coarse_faces, unlimited, threshold};
 const Run unsimplified = {"calibrated_unsimplified", 75000, false, 0, unlimited, threshold};
 const Run paper = {"paper", unlimited, true, 0, 5, any_salience};
 
@@ -224,7 +224,7 @@ void measure_coarsening(benchmark::State& state, Input& input)
     Run_control control;
     internal::Run_monitor monitor(control);
     benchmark::DoNotOptimize(
-      internal::coarsen_in_steps(Execution::SEQUENTIAL, graph, searched_faces, monitor));
+      internal::coarsen_in_steps(Execution::SEQUENTIAL, graph, coarse_faces, monitor));
   }
 }
 
@@ -234,7 +234,7 @@ void measure_coarsening_of_cgal(benchmark::State& state, Input& input, const Str
 {
   for (auto _ : state) {
     Mesh mesh = input.mesh();
-    collapse_edges(mesh, searched_faces, np...);
+    collapse_edges(mesh, coarse_faces, np...);
     benchmark::DoNotOptimize(mesh);
   }
 }
@@ -286,7 +286,7 @@ public:
       add("sdf/threads:1", measure_sdf);
     add("another_number_of_segments", measure_another_number);
     add("shortest_path_tree", measure_shortest_path_tree);
-    if (size_ > searched_faces) {
+    if (size_ > coarse_faces) {
       add("coarsening/ours", measure_coarsening);
       add("coarsening/cgal", measure_coarsening_of_cgal<>);
       add("coarsening/cgal_edge_length", measure_cheapest_coarsening_of_cgal);

@@ -114,9 +114,9 @@ class Labels(Object_test):
                 ({}, {}),
                 ({'choice': 'NUMBER', 'number': 5}, {"number_of_segments": 5}),
                 ({'choice': 'NUMBER', 'number': 30}, {"number_of_segments": 30}),
-                ({'choice': 'THRESHOLD', 'threshold': 0.7}, {"salience_threshold": 0.7}),
+                ({'choice': 'THRESHOLD', 'salience_threshold': 0.7}, {"salience_threshold": 0.7}),
                 ({'method': 'PAPER'}, {"method": "paper"}),
-                ({'method': 'PAPER', 'choice': 'THRESHOLD', 'threshold': 0.4},
+                ({'method': 'PAPER', 'choice': 'THRESHOLD', 'salience_threshold': 0.4},
                  {"method": "paper", "salience_threshold": 0.4}),
                 ({'method': 'PAPER', 'choice': 'NUMBER', 'number': 7},
                  {"method": "paper", "number_of_segments": 7})):
