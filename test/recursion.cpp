@@ -91,7 +91,7 @@ struct Search_record : internal::Run_control
 
   void before_part(std::size_t, std::size_t) override { ++number_of_searches; }
   void after_cut(std::size_t part, const CGAL::Spectral_segmentation::Salience_factors&,
-                double salience, std::size_t) override
+                 double salience, std::size_t) override
   {
     cut.push_back(part);
     saliences.push_back(salience);

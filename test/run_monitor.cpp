@@ -179,7 +179,7 @@ BOOST_AUTO_TEST_CASE(what_is_told_of_parts_is_passed_on)
     { started.insert(started.end(), {part, n}); }
     void after_part(std::size_t part) override { ended.push_back(part); }
     void after_cut(std::size_t part, const Salience_factors& factors, double salience,
-                  std::size_t n) override
+                   std::size_t n) override
     {
       cut.insert(cut.end(), {part, n});
       BOOST_TEST(factors.size == 0.25);

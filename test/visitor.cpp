@@ -96,7 +96,7 @@ struct Strict_visitor : Segmentation_visitor
   }
 
   void after_cut(std::size_t part, const Salience_factors&, double salience,
-                std::size_t number_of_segments)
+                 std::size_t number_of_segments)
   {
     State& p = parts.at(part);
     BOOST_TEST(p.has_ended);

@@ -4,6 +4,7 @@
 #ifndef MANUAL_FIGURES_METHOD_FIGURES_H
 #define MANUAL_FIGURES_METHOD_FIGURES_H
 
+#include "../../benchmark/paper_experiments/face_samples.h"
 #include "../../benchmark/paper_graph.h"
 #include "Picture_book.h"
 #include "segmentations.h"
@@ -169,16 +170,9 @@ inline void draw_embedding(Picture_book& book, const Named_mesh& shape)
   Picture with_two{shape, "two samples, by shape context", rank_colors(graph, {two.s, two.t})};
   add_samples(with_two, two);
   book.add("embedding", with_two);
-  std::vector<Index> samples = {two.s};
-  std::vector<double> to_nearest(graph.number_of_faces(), internal::infinite_distance);
-  while (samples.size() < 100) { // the farthest next
-    const std::vector<double> distance =
-      internal::shortest_paths(graph, &Edge_weights::combined, samples.back());
-    for (std::size_t f = 0; f < to_nearest.size(); ++f)
-      to_nearest[f] = (std::min)(to_nearest[f], distance[f]);
-    samples.push_back(static_cast<Index>(
-      std::max_element(to_nearest.begin(), to_nearest.end()) - to_nearest.begin()));
-  }
+  const std::vector<Index> samples = segmentation_benchmark::farthest_first(
+    graph.number_of_faces(), two.s, 100,
+    [&](Index f) { return internal::shortest_paths(graph, &Edge_weights::combined, f); });
   book.add("embedding", Picture{shape, "100 samples", rank_colors(graph, samples)});
 }
 

@@ -204,7 +204,7 @@ std::size_t merge(Segmentation_hierarchy& h, const py::object& a, const py::obje
 { return h.merge(node_of(h, a), node_of(h, b)); }
 
 void split_leaf(Segmentation_hierarchy& h, const py::object& leaf,
-               const Segmentation_hierarchy& part)
+                const Segmentation_hierarchy& part)
 { h.split_leaf(node_of(h, leaf), part); }
 
 std::string to_json(const Segmentation_hierarchy& h)

@@ -60,7 +60,7 @@ struct Segmentation_visitor
   /// `part` was cut in two. There are now `number_of_segments` segments; in the calibrated method
   /// (default) they are the regions before merging.
   void after_cut(std::size_t /* part */, const Salience_factors&, double /* salience */,
-                std::size_t /* number_of_segments */) {}
+                 std::size_t /* number_of_segments */) {}
 
   /// About this fraction of the run is done. It is between 0 and 1 and never decreases; 1 is
   /// reported at the end of a run that was not stopped. The function is called some dozens to some

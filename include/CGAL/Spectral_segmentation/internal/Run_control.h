@@ -27,7 +27,7 @@ public:
   virtual void before_part(std::size_t /* part */, std::size_t /* number_of_faces */) {}
   virtual void after_part(std::size_t /* part */) {}
   virtual void after_cut(std::size_t /* part */, const Salience_factors&, double /* salience */,
-                        std::size_t /* number_of_segments */) {}
+                         std::size_t /* number_of_segments */) {}
   virtual void progress(double /* share */) {}
   virtual bool go_further() { return true; }
 

@@ -283,7 +283,7 @@ class Run
   {
     const std::size_t number_of_roots = hierarchy.number_of_roots;
     Constrained_regions regions(execution_, hierarchy, mesh_, distance_weights(),
-                           options_.minimum_segment_size, monitor_, groups_);
+                                options_.minimum_segment_size, monitor_, groups_);
     Region_graph graph = regions(options_.keep_components_separate);
     hierarchy =
       Constrained_merging(hierarchy, graph, regions.region_of_faces(), regions.leaves())();

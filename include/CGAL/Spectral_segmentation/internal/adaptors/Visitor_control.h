@@ -24,7 +24,7 @@ public:
   void before_part(std::size_t part, std::size_t n) override { visitor_.before_part(part, n); }
   void after_part(std::size_t part) override { visitor_.after_part(part); }
   void after_cut(std::size_t part, const Salience_factors& factors, double salience,
-                std::size_t number_of_segments) override
+                 std::size_t number_of_segments) override
   { visitor_.after_cut(part, factors, salience, number_of_segments); }
   void progress(double share) override { visitor_.progress(share); }
   bool go_further() override { return visitor_.go_further(); }

@@ -41,7 +41,7 @@ bool edge_value(const CGALNamedParameters& np, Tag tag, const EdgeDescriptor& e)
 // filtered mesh. Throws `std::invalid_argument` for an edge that is in both maps.
 template <class TriangleMesh, class FaceDescriptor, class CGALNamedParameters>
 void read_edge_constraints(const TriangleMesh& mesh, const std::vector<FaceDescriptor>& faces,
-                      const CGALNamedParameters& np, Constraints& constraints)
+                           const CGALNamedParameters& np, Constraints& constraints)
 {
   const Descriptor_numbers<TriangleMesh, boost::face_index_t, FaceDescriptor>
     face_number(mesh, faces);

@@ -73,7 +73,7 @@ class Best_cut
 
   // Returns the cut with its factors; none if a side is too small.
   std::optional<Cut> evaluate(const Face_graph& part, const Cut_evaluator& evaluator,
-                               Sides side) const
+                              Sides side) const
   {
     Cut cut{std::move(side), {0, 0}, {}, 0};
     for (Index f = 0; f < cut.side.size(); ++f)

@@ -205,7 +205,7 @@ public:
   // `group` holds the group of each face, or null_index. `border` holds the length of each face
   // along other regions. The cut avoids sides smaller than `minimum_area`.
   Constrained_cut(const Face_graph& part, const std::vector<Index>& group,
-             const std::vector<double>& border, double minimum_area)
+                  const std::vector<double>& border, double minimum_area)
     : part_(part), group_(group), border_(border), minimum_area_(minimum_area),
       side_(part.number_of_faces(), OPEN)
   {

@@ -117,8 +117,8 @@ public:
   // `leaves` holds for each region the leaves of the old hierarchy from which it was made. The call
   // of the object merges `regions`.
   Constrained_merging(const Cut_hierarchy& old, Region_graph& regions,
-                 const std::vector<Index>& region_of_face,
-                 const std::vector<std::set<std::size_t> >& leaves)
+                      const std::vector<Index>& region_of_face,
+                      const std::vector<std::set<std::size_t> >& leaves)
     : old_(old), regions_(regions), region_of_face_(region_of_face), below_(old.nodes.size())
   {
     for (Index r = 0; r < leaves.size(); ++r)

@@ -276,8 +276,8 @@ class Constrained_regions
 
 public:
   Constrained_regions(Execution execution, const Cut_hierarchy& cuts, const Face_graph& mesh,
-                 const Distance_weights& weights, double minimum_segment_size, Run_monitor& monitor,
-                 Constraint_groups& groups)
+                      const Distance_weights& weights, double minimum_segment_size,
+                      Run_monitor& monitor, Constraint_groups& groups)
     : execution_(execution), mesh_(mesh), weights_(weights),
       minimum_area_(minimum_segment_size * total_area(mesh)), monitor_(monitor), groups_(groups),
       extractor_(mesh), region_(cuts.leaf), is_split_(cuts.nodes.size(), 0)

@@ -193,7 +193,7 @@ public:
     for (Index of_part : part.leaf)
       cuts_.leaf[*f++] = static_cast<Index>(node_of(of_part));
     cuts_.cut_order.erase(std::remove(cuts_.cut_order.begin(), cuts_.cut_order.end(), leaf),
-                      cuts_.cut_order.end());
+                          cuts_.cut_order.end());
     for (std::size_t turn : part.cut_order)
       cuts_.cut_order.push_back(node_of(turn));
     cuts_.has_all_cuts = cuts_.has_all_cuts && part.has_all_cuts;

@@ -65,7 +65,7 @@ inline Json json_of_node(const Segmentation_hierarchy& h, std::size_t i, bool is
 
 // Marks the cuts that make these segments, which are the cuts above their nodes.
 inline std::vector<char> applied_cuts(const Segmentation_hierarchy& h,
-                                   const std::vector<std::size_t>& segments)
+                                      const std::vector<std::size_t>& segments)
 {
   std::vector<char> result(h.number_of_nodes(), 0);
   for (std::size_t segment : segments)

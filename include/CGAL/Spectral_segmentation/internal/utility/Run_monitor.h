@@ -57,7 +57,7 @@ public:
   { call([&] { control_.after_part(part); }); }
 
   void after_cut(std::size_t part, const Salience_factors& factors, double salience,
-                std::size_t number_of_segments)
+                 std::size_t number_of_segments)
   { call([&] { control_.after_cut(part, factors, salience, number_of_segments); }); }
 
   bool is_stopped() const { return is_stopped_; }
