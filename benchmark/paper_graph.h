@@ -12,11 +12,11 @@
 namespace segmentation_benchmark {
 
 using CGAL::Spectral_segmentation::internal::Edge_weights;
-using CGAL::Spectral_segmentation::internal::Face_graph;
+using CGAL::Spectral_segmentation::internal::Surface;
 using CGAL::Spectral_segmentation::internal::Index;
 
 // The faces of a mesh, by their own numbers, with the distances of the paper (Section 3).
-inline Face_graph paper_graph(const Mesh& mesh)
+inline Surface paper_graph(const Mesh& mesh)
 {
   return CGAL::Spectral_segmentation::internal::weighted_face_graph(
     triangles_of(mesh), Engine_options::zhang_liu_2005());

@@ -27,7 +27,7 @@
 #include "../examples/segment_mesh/Run_watch.h"
 
 #include <CGAL/Spectral_segmentation/internal/distances/shortest_paths.h>
-#include <CGAL/Spectral_segmentation/internal/multilevel/coarsening.h>
+#include <CGAL/Spectral_segmentation/internal/coarsening/coarsening.h>
 #include <CGAL/segment_spectral_recursive.h>
 
 #include <CGAL/Surface_mesh_simplification/Policies/Edge_collapse/Edge_length_cost.h>
@@ -118,7 +118,7 @@ class Input
 {
   Mesh mesh_;
   std::optional<Segmentation_hierarchy> tree_;
-  std::optional<Face_graph> graph_;
+  std::optional<Surface> graph_;
 
 public:
   Input(const Mesh& original, std::size_t size) : mesh_(with_size(original, size)) {}
@@ -135,7 +135,7 @@ public:
   }
 
   // With the distances of the paper.
-  const Face_graph& graph()
+  const Surface& graph()
   {
     if (!graph_)
       graph_ = paper_graph(mesh_);
@@ -212,14 +212,14 @@ void measure_another_number(benchmark::State& state, Input& input)
 
 void measure_shortest_path_tree(benchmark::State& state, Input& input)
 {
-  const Face_graph& graph = input.graph();
+  const Surface& graph = input.graph();
   for (auto _ : state)
     benchmark::DoNotOptimize(internal::shortest_paths(graph, &Edge_weights::combined, 0));
 }
 
 void measure_coarsening(benchmark::State& state, Input& input)
 {
-  const Face_graph& graph = input.graph();
+  const Surface& graph = input.graph();
   for (auto _ : state) {
     Run_control control;
     internal::Run_monitor monitor(control);

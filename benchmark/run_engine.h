@@ -18,7 +18,7 @@ typedef CGAL::Spectral_segmentation::Options Engine_options;
 typedef CGAL::Spectral_segmentation::internal::Execution Execution;
 typedef CGAL::Spectral_segmentation::internal::Run_control Run_control;
 
-inline CGAL::Spectral_segmentation::internal::Triangles triangles_of(const Mesh& mesh)
+inline CGAL::Spectral_segmentation::internal::Surface triangles_of(const Mesh& mesh)
 {
   const std::vector<Mesh::Face_index> faces(mesh.faces().begin(), mesh.faces().end());
   return CGAL::Spectral_segmentation::internal::read_triangle_mesh(

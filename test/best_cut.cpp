@@ -5,7 +5,7 @@
 
 #include "test_meshes.h"
 
-#include <CGAL/Spectral_segmentation/internal/Run_control.h>
+#include <CGAL/Spectral_segmentation/internal/base/Run_control.h>
 #include <CGAL/Spectral_segmentation/internal/bipartition/best_cut.h>
 #include <CGAL/Spectral_segmentation/internal/salience/Cut_evaluator.h>
 
@@ -27,7 +27,7 @@ using internal::Sides;
 
 namespace {
 
-internal::Part whole(const Face_graph& graph)
+internal::Part whole(const Surface& graph)
 {
   std::vector<Index> faces(graph.number_of_faces());
   std::iota(faces.begin(), faces.end(), Index(0));
@@ -53,7 +53,7 @@ struct Candidates : internal::Run_control
   }
 };
 
-std::vector<Candidates::Candidate> evaluated_cuts(const Face_graph& graph, const Options& options,
+std::vector<Candidates::Candidate> evaluated_cuts(const Surface& graph, const Options& options,
                                                   std::optional<Cut>& best)
 {
   Candidates control;
@@ -88,16 +88,13 @@ BOOST_AUTO_TEST_CASE(sides_are_connected_if_each_is_one_component_by_itself)
   Random random(3);
   std::size_t number_connected = 0;
   for (int i = 0; i < 400; ++i) {
-    const Face_graph graph = face_graph_of(plate(1 + random() % 3, 1 + random() % 2));
+    const Surface graph = surface_of(plate(1 + random() % 3, 1 + random() % 2));
     Sides side(graph.number_of_faces());
     for (char& s : side)
       s = random() % 2;
     bool expected = true;
-    for (const Face_graph& part : internal::split(graph, side, 2)) {
-      std::size_t number;
-      internal::connected_components(part, number);
-      expected = expected && number == 1;
-    }
+    for (const Surface& part : internal::split(graph, side, 2))
+      expected = expected && internal::connected_components(part).number == 1;
     BOOST_TEST(internal::both_sides_are_connected(graph, side) == expected);
     number_connected += expected;
   }
@@ -107,7 +104,7 @@ BOOST_AUTO_TEST_CASE(sides_are_connected_if_each_is_one_component_by_itself)
 
 BOOST_AUTO_TEST_CASE(every_evaluated_cut_has_two_connected_sides_that_are_not_too_small)
 {
-  const Face_graph graph = graph_with_distances(dumbbell(20, 16), weights_of_calibrated_method);
+  const Surface graph = graph_with_distances(dumbbell(20, 16), weights_of_calibrated_method);
   const double area = internal::total_area(graph);
   for (const Options& options : many_options()) {
     std::optional<Cut> best;
@@ -134,7 +131,7 @@ BOOST_AUTO_TEST_CASE(every_evaluated_cut_has_two_connected_sides_that_are_not_to
 
 BOOST_AUTO_TEST_CASE(the_options_say_how_many_cuts_are_evaluated)
 {
-  const Face_graph graph = graph_with_distances(dumbbell(20, 16), weights_of_calibrated_method);
+  const Surface graph = graph_with_distances(dumbbell(20, 16), weights_of_calibrated_method);
   for (const Options& options : many_options()) {
     std::optional<Cut> best;
     const std::size_t number = evaluated_cuts(graph, options, best).size();
@@ -148,7 +145,7 @@ BOOST_AUTO_TEST_CASE(the_options_say_how_many_cuts_are_evaluated)
 
 BOOST_AUTO_TEST_CASE(the_cut_of_the_paper_is_the_best_along_its_one_order)
 {
-  const Face_graph graph = graph_with_distances(dumbbell(20, 16));
+  const Surface graph = graph_with_distances(dumbbell(20, 16));
   const Options options = Options::zhang_liu_2005();
   std::optional<Cut> best;
   evaluated_cuts(graph, options, best);
@@ -169,7 +166,7 @@ BOOST_AUTO_TEST_CASE(the_cut_of_the_paper_is_the_best_along_its_one_order)
 BOOST_AUTO_TEST_CASE(more_cuts_to_choose_from_are_no_worse)
 {
   for (const Soup& soup : {dumbbell(20, 16), torus(3, 1, 30, 20)}) {
-    const Face_graph graph = graph_with_distances(soup, weights_of_calibrated_method);
+    const Surface graph = graph_with_distances(soup, weights_of_calibrated_method);
     const auto salience = [&](std::size_t candidates, std::size_t refined) {
       Options o = CGAL::Spectral_segmentation::Options();
       o.number_of_candidates = candidates;
@@ -188,7 +185,7 @@ BOOST_AUTO_TEST_CASE(more_cuts_to_choose_from_are_no_worse)
 BOOST_AUTO_TEST_CASE(the_number_of_threads_changes_nothing)
 {
   Random random(2);
-  const Face_graph graph = graph_with_distances(displaced(dumbbell(20, 16), 0.02, random),
+  const Surface graph = graph_with_distances(displaced(dumbbell(20, 16), 0.02, random),
                                                 weights_of_calibrated_method);
   for (const Options& options : many_options()) {
     std::optional<Cut> expected;
@@ -205,7 +202,7 @@ BOOST_AUTO_TEST_CASE(the_number_of_threads_changes_nothing)
 
 BOOST_AUTO_TEST_CASE(a_part_without_room_for_two_segments_is_not_searched)
 {
-  const Face_graph part = graph_with_distances(dumbbell(12, 8));
+  const Surface part = graph_with_distances(dumbbell(12, 8));
   struct Counter : internal::Run_control
   {
     std::size_t number_of_parts = 0;
@@ -223,7 +220,7 @@ BOOST_AUTO_TEST_CASE(a_part_without_room_for_two_segments_is_not_searched)
   BOOST_TEST(counter.number_of_parts == 1u);
 
   // The minimum is a share of the whole mesh, not of the part.
-  Face_graph mesh = part;
+  Surface mesh = part;
   for (double& area : mesh.areas)
     area *= 5.01;
   options.minimum_segment_size = 0.1;
@@ -234,7 +231,7 @@ BOOST_AUTO_TEST_CASE(a_part_without_room_for_two_segments_is_not_searched)
 
 BOOST_AUTO_TEST_CASE(a_stopped_search_throws)
 {
-  const Face_graph graph = graph_with_distances(dumbbell(12, 8));
+  const Surface graph = graph_with_distances(dumbbell(12, 8));
   struct Stopper : internal::Run_control
   {
     int left = 0;

@@ -5,9 +5,9 @@
 
 #include "test_meshes.h"
 
-#include <CGAL/Spectral_segmentation/internal/mesh/Face_graph.h>
+#include <CGAL/Spectral_segmentation/internal/surface/Surface.h>
 #include <CGAL/Spectral_segmentation/internal/hierarchy/boundary_smoothing.h>
-#include <CGAL/Spectral_segmentation/internal/mesh/extract_part.h>
+#include <CGAL/Spectral_segmentation/internal/surface/extract_part.h>
 
 #include <algorithm>
 #include <cstddef>
@@ -45,15 +45,15 @@ std::size_t face_of_square(std::size_t x, std::size_t y, std::size_t i)
 
 Labels smoothed(const Soup& soup, Labels labels)
 {
-  const Face_graph graph = face_graph_of(soup);
-  remove_teeth(graph.neighbors, labels);
+  const Surface graph = surface_of(soup);
+  remove_teeth(neighbors_of(graph), labels);
   return labels;
 }
 
 Labels smoothed_on_plate(const Labels& labels) { return smoothed(plate(width, width), labels); }
 
 // Splits a mesh into connected segments, which grow at random.
-Labels random_segments(const Face_graph& graph, std::size_t number, Random& random)
+Labels random_segments(const Surface& graph, std::size_t number, Random& random)
 {
   const std::size_t n = graph.number_of_faces();
   Labels labels(n, number);
@@ -64,7 +64,7 @@ Labels random_segments(const Face_graph& graph, std::size_t number, Random& rand
   }
   while (std::count(labels.begin(), labels.end(), number) > 0) {
     const Index h = static_cast<Index>(random() % (3 * n));
-    std::size_t& label = labels[graph.neighbors[h]];
+    std::size_t& label = labels[graph.neighbor(h)];
     if (label == number)
       label = labels[h / 3];
   }
@@ -73,14 +73,11 @@ Labels random_segments(const Face_graph& graph, std::size_t number, Random& rand
 
 std::set<std::size_t> values(const Labels& labels) { return {labels.begin(), labels.end()}; }
 
-bool are_connected(const Face_graph& graph, const Labels& labels, std::size_t number)
+bool are_connected(const Surface& graph, const Labels& labels, std::size_t number)
 {
-  const std::vector<Face_graph> segments = split(graph, labels, number);
-  return std::all_of(segments.begin(), segments.end(), [](const Face_graph& segment) {
-    std::size_t number_of_components = 0;
-    connected_components(segment, number_of_components);
-    return number_of_components == 1;
-  });
+  const std::vector<Surface> segments = split(graph, labels, number);
+  return std::all_of(segments.begin(), segments.end(), [](const Surface& segment)
+    { return connected_components(segment).number == 1; });
 }
 
 } // namespace
@@ -165,7 +162,7 @@ BOOST_AUTO_TEST_CASE(an_isthmus_stays)
   // Two lands of 5 x 12 squares, joined by two squares between two seas.
   const Labels labels = labels_of_squares([](std::size_t x, std::size_t y)
     { return std::size_t(x < 5 || x >= 7 || y == 6 ? 0 : 1 + (y > 6)); });
-  const Face_graph graph = face_graph_of(plate(width, width));
+  const Surface graph = surface_of(plate(width, width));
   BOOST_REQUIRE(are_connected(graph, labels, 3));
   const Labels result = smoothed_on_plate(labels);
   BOOST_TEST(values(result) == values(labels), tt::per_element());
@@ -194,13 +191,13 @@ BOOST_AUTO_TEST_CASE(segments_are_neither_emptied_nor_disconnected)
   for (unsigned seed = 1; seed <= 400; ++seed) {
     BOOST_TEST_CONTEXT("seed " << seed) {
       Random random(seed);
-      const Face_graph graph =
-        random_part(face_graph_of(shapes[seed % shapes.size()]), 50 + random() % 300, random);
+      const Surface graph =
+        random_part(surface_of(shapes[seed % shapes.size()]), 50 + random() % 300, random);
       const std::size_t number = 1 + random() % 8;
       const Labels labels = random_segments(graph, number, random);
       BOOST_REQUIRE(are_connected(graph, labels, number));
       Labels result = labels;
-      remove_teeth(graph.neighbors, result);
+      remove_teeth(neighbors_of(graph), result);
       BOOST_TEST(values(result) == values(labels), tt::per_element());
       BOOST_TEST(are_connected(graph, result, number));
       changes += result != labels;

@@ -8,7 +8,7 @@
 #include "test_meshes.h"
 
 #include <CGAL/Spectral_segmentation/internal/engine.h>
-#include <CGAL/Spectral_segmentation/internal/mesh/surface_integrals.h>
+#include <CGAL/Spectral_segmentation/internal/surface/surface_integrals.h>
 #include <CGAL/Spectral_segmentation/internal/salience/Cut.h>
 #include <CGAL/segment_spectral_recursive.h>
 
@@ -139,7 +139,7 @@ BOOST_AUTO_TEST_CASE(the_cuts_that_are_evaluated_are_told)
     void start_search(const std::vector<internal::Index>& faces) override
     {
       searched_faces = faces;
-      const Face_graph mesh = face_graph_of(dumbbell(20, 16));
+      const Surface mesh = surface_of(dumbbell(20, 16));
       for (internal::Index f : faces)
         areas.push_back(mesh.areas[f]);
     }
@@ -164,7 +164,7 @@ BOOST_AUTO_TEST_CASE(the_cuts_that_are_evaluated_are_told)
     }
   } observer(options);
   const internal::Cut_hierarchy hierarchy =
-    internal::segment(triangles_of(dumbbell(20, 16)), options, sequential, observer);
+    internal::segment(read_surface(dumbbell(20, 16)), options, sequential, observer);
 
   std::vector<internal::Index> all = observer.searched_faces;
   std::sort(all.begin(), all.end());

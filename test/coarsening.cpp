@@ -5,11 +5,11 @@
 
 #include "test_meshes.h"
 
-#include <CGAL/Spectral_segmentation/internal/mesh/connected_components.h>
-#include <CGAL/Spectral_segmentation/internal/mesh/surface_integrals.h>
-#include <CGAL/Spectral_segmentation/internal/multilevel/Edge_queue.h>
-#include <CGAL/Spectral_segmentation/internal/multilevel/coarsening.h>
-#include <CGAL/Spectral_segmentation/internal/multilevel/domains.h>
+#include <CGAL/Spectral_segmentation/internal/surface/connected_components.h>
+#include <CGAL/Spectral_segmentation/internal/surface/surface_integrals.h>
+#include <CGAL/Spectral_segmentation/internal/coarsening/Edge_queue.h>
+#include <CGAL/Spectral_segmentation/internal/coarsening/coarsening.h>
+#include <CGAL/Spectral_segmentation/internal/coarsening/domains.h>
 
 #include <Eigen/Geometry>
 
@@ -36,7 +36,7 @@ using internal::Vector;
 namespace {
 
 // Exactly the number, with one thread or several.
-Coarse_mesh coarsen(const Face_graph& mesh, std::size_t number_of_faces,
+Coarse_mesh coarsen(const Surface& mesh, std::size_t number_of_faces,
                     Execution execution = Execution::SEQUENTIAL)
 {
   internal::Run_control control;
@@ -44,14 +44,14 @@ Coarse_mesh coarsen(const Face_graph& mesh, std::size_t number_of_faces,
   return internal::coarsen(execution, mesh, number_of_faces, false, monitor, 0);
 }
 
-std::vector<Coarse_mesh> coarsen_in_steps(const Face_graph& mesh, std::size_t number_of_faces)
+std::vector<Coarse_mesh> coarsen_in_steps(const Surface& mesh, std::size_t number_of_faces)
 {
   internal::Run_control control;
   internal::Run_monitor monitor(control);
   return internal::coarsen_in_steps(sequential, mesh, number_of_faces, monitor);
 }
 
-double volume(const Face_graph& graph)
+double volume(const Surface& graph)
 {
   double sum = 0;
   for (const std::array<Index, 3>& c : graph.corners)
@@ -59,15 +59,11 @@ double volume(const Face_graph& graph)
   return sum / 6;
 }
 
-std::size_t number_of_components(const Face_graph& graph)
-{
-  std::size_t number;
-  internal::connected_components(graph, number);
-  return number;
-}
+std::size_t number_of_components(const Surface& graph)
+{ return internal::connected_components(graph).number; }
 
 // Vertices less edges plus faces, where each vertex has one fan of faces.
-int euler_characteristic(const Face_graph& graph)
+int euler_characteristic(const Surface& graph)
 {
   int half_edges_inside = 0, border = 0;
   for (Index h = 0; h < graph.number_of_halfedges(); ++h)
@@ -77,19 +73,19 @@ int euler_characteristic(const Face_graph& graph)
 }
 
 // All that does not depend on how much was coarse.
-void check(const Face_graph& mesh, const Coarse_mesh& coarse)
+void check(const Surface& mesh, const Coarse_mesh& coarse)
 {
-  const Face_graph& graph = coarse.graph;
+  const Surface& graph = coarse.graph;
   const std::size_t n = graph.number_of_faces();
   BOOST_TEST_REQUIRE(coarse.faces.size() == n);
   BOOST_TEST(std::is_sorted(coarse.faces.begin(), coarse.faces.end()));
-  BOOST_TEST(graph.neighbors.size() == 3 * n);
+  BOOST_TEST(graph.opposite.size() == 3 * n);
   BOOST_TEST(graph.areas.size() == n);
   BOOST_TEST(number_of_components(graph) == number_of_components(mesh));
   for (Index h = 0; h < graph.number_of_halfedges(); ++h)
     if (!graph.is_border(h)) {
-      BOOST_TEST_REQUIRE(graph.opposite(h) != null_index);
-      BOOST_TEST(graph.opposite(graph.opposite(h)) == h);
+      BOOST_TEST_REQUIRE(graph.opposite[h] != null_index);
+      BOOST_TEST(graph.opposite[graph.opposite[h]] == h);
     }
   for (const std::array<Index, 3>& c : graph.corners)
     BOOST_TEST((c[0] != c[1] && c[1] != c[2] && c[2] != c[0]));
@@ -140,7 +136,7 @@ BOOST_AUTO_TEST_CASE(surfaces_keep_their_topology)
                         disjoint_union(sphere(3), torus(2, 0.5, 40, 16)),
                         surface_of_revolution({{0, 1}, {1, 0.5}, {2, 0.8}, {3, 1}}, 100)};
   for (const Soup& soup : soups) {
-    const Face_graph mesh = face_graph_of(soup);
+    const Surface mesh = surface_of(soup);
     for (std::size_t number : {mesh.number_of_faces() / 2, std::size_t(300), std::size_t(150)}) {
       const Coarse_mesh coarse = coarsen(mesh, number);
       check(mesh, coarse);
@@ -153,9 +149,9 @@ BOOST_AUTO_TEST_CASE(surfaces_keep_their_topology)
 
 BOOST_AUTO_TEST_CASE(a_sphere_keeps_its_volume_and_its_faces_are_alike)
 {
-  const Face_graph mesh = face_graph_of(sphere(5));
+  const Surface mesh = surface_of(sphere(5));
   const Coarse_mesh coarse = coarsen(mesh, 1000);
-  const Face_graph& graph = coarse.graph;
+  const Surface& graph = coarse.graph;
   // With its vertices on the sphere a mesh of 1000 faces lacks 1 % of the volume.
   BOOST_TEST(volume(graph) == volume(mesh), boost::test_tools::tolerance(0.002));
   const double mean = internal::total_area(graph) / double(graph.number_of_faces());
@@ -170,7 +166,7 @@ BOOST_AUTO_TEST_CASE(a_sphere_keeps_its_volume_and_its_faces_are_alike)
 
 BOOST_AUTO_TEST_CASE(a_plate_keeps_its_outline)
 {
-  const Face_graph mesh = face_graph_of(plate(40, 30));
+  const Surface mesh = surface_of(plate(40, 30));
   const Coarse_mesh coarse = coarsen(mesh, 100);
   BOOST_TEST(internal::total_area(coarse.graph) == internal::total_area(mesh),
              boost::test_tools::tolerance(0.01));
@@ -186,7 +182,7 @@ BOOST_AUTO_TEST_CASE(sharp_edges_stay)
     profile.emplace_back(0.1 * i, 1);
   for (int i = 9; i >= 0; --i)
     profile.emplace_back(3, 0.1 * i);
-  const Face_graph mesh = face_graph_of(surface_of_revolution(profile, 60));
+  const Surface mesh = surface_of(surface_of_revolution(profile, 60));
   const Coarse_mesh coarse = coarsen(mesh, 800);
   BOOST_TEST(volume(coarse.graph) == volume(mesh), boost::test_tools::tolerance(0.01));
 }
@@ -195,8 +191,8 @@ BOOST_AUTO_TEST_CASE(the_result_moves_with_the_mesh)
 {
   for (unsigned seed : {1, 2, 3}) {
     const Soup soup = rough_dumbbell(seed);
-    const Coarse_mesh here = coarsen(face_graph_of(soup), 400),
-                          there = coarsen(face_graph_of(turned(soup)), 400);
+    const Coarse_mesh here = coarsen(surface_of(soup), 400),
+                          there = coarsen(surface_of(turned(soup)), 400);
     BOOST_TEST((here.faces == there.faces));
     BOOST_TEST((here.vertices == there.vertices));
   }
@@ -227,7 +223,7 @@ Soup renumbered(const Soup& soup, Random& random, std::vector<std::size_t>& face
 }
 
 // The points of a coarse mesh in a cyclic order of each face that does not depend on numbers.
-std::set<std::vector<std::array<double, 3> > > triangles_in_space(const Face_graph& graph)
+std::set<std::vector<std::array<double, 3> > > triangles_in_space(const Surface& graph)
 {
   std::set<std::vector<std::array<double, 3> > > result;
   for (const std::array<Index, 3>& corners : graph.corners) {
@@ -264,9 +260,9 @@ BOOST_AUTO_TEST_CASE(the_numbers_of_faces_and_vertices_do_not_matter)
     const Soup soup = rough_dumbbell(seed);
     Random random(seed);
     std::vector<std::size_t> face;
-    const Coarse_mesh coarse = coarsen(face_graph_of(renumbered(soup, random, face)), 400);
+    const Coarse_mesh coarse = coarsen(surface_of(renumbered(soup, random, face)), 400);
     std::set<Index> expected, left(coarse.faces.begin(), coarse.faces.end());
-    for (Index f : coarsen(face_graph_of(soup), 400).faces)
+    for (Index f : coarsen(surface_of(soup), 400).faces)
       expected.insert(Index(face[f]));
     BOOST_TEST((left == expected));
   }
@@ -277,7 +273,7 @@ BOOST_AUTO_TEST_CASE(the_numbers_of_faces_and_vertices_do_not_matter)
 BOOST_AUTO_TEST_CASE(the_numbers_do_not_matter_where_most_edges_are_of_equal_length)
 {
   const Soup soup = folded_plate();
-  const Face_graph graph = face_graph_of(soup);
+  const Surface graph = surface_of(soup);
   std::set<float> lengths;
   for (Index h = 0; h < graph.number_of_halfedges(); ++h)
     lengths.insert(float(graph.length(h)));
@@ -286,7 +282,7 @@ BOOST_AUTO_TEST_CASE(the_numbers_do_not_matter_where_most_edges_are_of_equal_len
   Random random(8);
   for (int run = 0; run < 10; ++run) {
     std::vector<std::size_t> face;
-    const Coarse_mesh other = coarsen(face_graph_of(renumbered(soup, random, face)), 100);
+    const Coarse_mesh other = coarsen(surface_of(renumbered(soup, random, face)), 100);
     BOOST_TEST((triangles_in_space(other.graph) == expected));
   }
 }
@@ -323,7 +319,7 @@ BOOST_AUTO_TEST_CASE(a_queue_gives_edges_by_length_then_by_the_other_number)
 
 BOOST_AUTO_TEST_CASE(domains_have_each_face_once_and_are_compact)
 {
-  const Face_graph graph = face_graph_of(torus(3, 1, 100, 60));
+  const Surface graph = surface_of(torus(3, 1, 100, 60));
   const auto domains = internal::domains(graph.corners, graph.points, 500);
   BOOST_TEST(domains.size() > 5u);
   std::vector<Index> all;
@@ -363,7 +359,7 @@ BOOST_AUTO_TEST_CASE(faces_are_shared_by_area_but_no_domain_gives_more_than_it_h
 BOOST_AUTO_TEST_CASE(what_is_small_enough_stays)
 {
   const Soup soup = rough_dumbbell(6);
-  const Face_graph mesh = face_graph_of(soup);
+  const Surface mesh = surface_of(soup);
   const Coarse_mesh coarse = coarsen(mesh, mesh.number_of_faces());
   check(mesh, coarse);
   BOOST_TEST(coarse.graph.number_of_faces() == mesh.number_of_faces());
@@ -375,7 +371,7 @@ BOOST_AUTO_TEST_CASE(no_component_vanishes)
   Soup soup = sphere(3);
   for (int i = 1; i <= 20; ++i)
     soup = disjoint_union(soup, moved(scaled(sphere(1), 0.01), 2. * i, 0, 0));
-  const Face_graph mesh = face_graph_of(soup);
+  const Surface mesh = surface_of(soup);
   const Coarse_mesh coarse = coarsen(mesh, 1);
   check(mesh, coarse);
   BOOST_TEST(coarse.graph.number_of_faces() == 21 * 4); // tetrahedra
@@ -386,7 +382,7 @@ BOOST_AUTO_TEST_CASE(a_vertex_where_two_surfaces_meet_stays)
   // Two spheres that have one vertex in common.
   Soup soup = disjoint_union(sphere(3), moved(sphere(3), 5, 0, 0));
   const std::size_t half = soup.points.size() / 2;
-  Face_graph mesh = face_graph_of(soup);
+  Surface mesh = surface_of(soup);
   for (std::array<Index, 3>& corners : mesh.corners)
     for (Index& v : corners)
       if (v == half)
@@ -407,18 +403,18 @@ BOOST_AUTO_TEST_CASE(faces_without_area_do_no_harm)
   Soup soup = sphere(3);
   for (std::size_t v : {10, 11, 12, 200, 201}) // many edges without length
     soup.points[v] = soup.points[v + 1];
-  const Face_graph mesh = face_graph_of(soup);
+  const Surface mesh = surface_of(soup);
   const Coarse_mesh coarse = coarsen(mesh, 300);
   check(mesh, coarse);
   BOOST_TEST(coarse.graph.number_of_faces() <= 300);
-  const Face_graph flat = face_graph_of({{Point(0, 0, 0), Point(1, 0, 0), Point(2, 0, 0),
+  const Surface flat = surface_of({{Point(0, 0, 0), Point(1, 0, 0), Point(2, 0, 0),
                                                Point(3, 0, 0)}, {{0, 1, 2}, {0, 2, 3}}});
   check(flat, coarsen(flat, 1));
 }
 
 BOOST_AUTO_TEST_CASE(steps_lead_from_the_mesh_to_the_number)
 {
-  const Face_graph mesh = face_graph_of(sphere(5)); // 20480 faces
+  const Surface mesh = surface_of(sphere(5)); // 20480 faces
   BOOST_TEST(coarsen_in_steps(mesh, 4000).size() == 1);
   const std::vector<Coarse_mesh> steps = coarsen_in_steps(mesh, 100);
   BOOST_TEST_REQUIRE(steps.size() == 2);
@@ -430,7 +426,7 @@ BOOST_AUTO_TEST_CASE(steps_lead_from_the_mesh_to_the_number)
 
 BOOST_AUTO_TEST_CASE(only_the_last_step_of_a_large_mesh_leaves_no_more_than_the_number)
 {
-  const Face_graph mesh = face_graph_of(sphere(6)); // 81920 faces
+  const Surface mesh = surface_of(sphere(6)); // 81920 faces
   const std::vector<Coarse_mesh> steps = coarsen_in_steps(mesh, 1000);
   BOOST_TEST_REQUIRE(steps.size() == 2);
   check(mesh, steps[0]);
@@ -443,10 +439,10 @@ BOOST_AUTO_TEST_CASE(only_the_last_step_of_a_large_mesh_leaves_no_more_than_the_
 
 BOOST_AUTO_TEST_CASE(a_large_mesh_is_coarsened_in_domains_and_shows_no_seam)
 {
-  const Face_graph mesh = face_graph_of(sphere(6)); // 81920 faces
+  const Surface mesh = surface_of(sphere(6)); // 81920 faces
   const Coarse_mesh coarse = coarsen(mesh, 5000);
   check(mesh, coarse);
-  const Face_graph& graph = coarse.graph;
+  const Surface& graph = coarse.graph;
   BOOST_TEST(graph.number_of_faces() <= 5000);
   BOOST_TEST(graph.number_of_faces() >= 4998);
   BOOST_TEST(euler_characteristic(graph) == 2);
@@ -467,7 +463,7 @@ BOOST_AUTO_TEST_CASE(a_large_mesh_keeps_its_faces_where_it_has_many)
 {
   // A plate of two faces, far away and large, has hardly any faces to give.
   const Soup soup = disjoint_union(sphere(6), moved(scaled(plate(1, 1), 200), 0, 0, -300));
-  const Face_graph mesh = face_graph_of(soup);
+  const Surface mesh = surface_of(soup);
   const Coarse_mesh coarse = coarsen(mesh, 5000);
   check(mesh, coarse);
   BOOST_TEST(coarse.graph.number_of_faces() <= 5000);

@@ -3,7 +3,7 @@
 
 #include <boost/test/unit_test.hpp>
 
-#include <CGAL/Spectral_segmentation/internal/utility/concurrency.h>
+#include <CGAL/Spectral_segmentation/internal/base/concurrency.h>
 
 #include <cmath>
 #include <cstddef>

@@ -8,7 +8,8 @@
 
 #include <CGAL/Spectral_segmentation/internal/hierarchy/Nested_ranges.h>
 #include <CGAL/Spectral_segmentation/internal/hierarchy/congruent_cuts.h>
-#include <CGAL/Spectral_segmentation/internal/mesh/connected_components.h>
+#include <CGAL/Spectral_segmentation/internal/hierarchy/recursion.h>
+#include <CGAL/Spectral_segmentation/internal/surface/connected_components.h>
 
 #include <algorithm>
 #include <cstddef>
@@ -41,17 +42,8 @@ Faces faces_of(const Cut_hierarchy& hierarchy, std::size_t node)
   return result;
 }
 
-// The whole mesh, uncut.
-Cut_hierarchy uncut(const Face_graph& graph)
-{
-  std::size_t number;
-  std::vector<Index> component = internal::connected_components(graph, number);
-  const std::vector<double> areas = internal::component_areas(graph, component, number);
-  return internal::uncut_hierarchy(std::move(component), areas);
-}
-
 // Cuts a leaf between the faces that a function takes and the others.
-void cut(const Face_graph& graph, Cut_hierarchy& hierarchy, std::size_t node, double salience,
+void cut(const Surface& graph, Cut_hierarchy& hierarchy, std::size_t node, double salience,
          const Face_set& is_taken)
 {
   Faces sides[2];
@@ -76,7 +68,7 @@ void cut(const Face_graph& graph, Cut_hierarchy& hierarchy, std::size_t node, do
 struct Figure
 {
   Soup soup;
-  Face_graph graph;
+  Surface graph;
 
   Figure()
   {
@@ -87,7 +79,7 @@ struct Figure
     add_box(cells, {0, 0, 2}, {1, 1, 9});
     add_box(cells, {0, 0, -6}, {1, 1, -2});
     soup = boundary_of(cells);
-    graph = face_graph_of(soup);
+    graph = surface_of(soup);
   }
 
   Point centroid(Index f) const
@@ -143,7 +135,7 @@ void check(const Cut_hierarchy& before, const Cut_hierarchy& after)
   BOOST_TEST((parts[0] == parts[1]));
 }
 
-Cut_hierarchy with_common_saliences(const Face_graph& graph, const Cut_hierarchy& hierarchy)
+Cut_hierarchy with_common_saliences(const Surface& graph, const Cut_hierarchy& hierarchy)
 {
   const Cut_hierarchy result = internal::Congruent_cuts(graph, hierarchy)();
   check(hierarchy, result);
@@ -155,7 +147,7 @@ Cut_hierarchy with_common_saliences(const Face_graph& graph, const Cut_hierarchy
 BOOST_AUTO_TEST_CASE(arms_of_one_shape_and_place_get_the_mean_of_their_saliences)
 {
   const Figure& f = figure();
-  Cut_hierarchy cuts = uncut(f.graph);
+  Cut_hierarchy cuts = internal::uncut_hierarchy(f.graph);
   cut(f.graph, cuts, 0, 0.875, f.top());
   cut(f.graph, cuts, 2, 0.75, f.bottom());
   cut(f.graph, cuts, 4, 0.5, f.left());
@@ -167,7 +159,7 @@ BOOST_AUTO_TEST_CASE(arms_of_one_shape_and_place_get_the_mean_of_their_saliences
 BOOST_AUTO_TEST_CASE(a_cut_is_as_salient_as_those_that_follow)
 {
   const Figure& f = figure();
-  Cut_hierarchy cuts = uncut(f.graph);
+  Cut_hierarchy cuts = internal::uncut_hierarchy(f.graph);
   cut(f.graph, cuts, 0, 0.875, f.left());
   cut(f.graph, cuts, 2, 0.75, f.top());
   cut(f.graph, cuts, 4, 0.25, f.right());
@@ -179,7 +171,7 @@ BOOST_AUTO_TEST_CASE(a_cut_is_as_salient_as_those_that_follow)
 BOOST_AUTO_TEST_CASE(cuts_change_their_order_with_their_saliences)
 {
   const Figure& f = figure();
-  Cut_hierarchy cuts = uncut(f.graph);
+  Cut_hierarchy cuts = internal::uncut_hierarchy(f.graph);
   cut(f.graph, cuts, 0, 0.875, f.top());
   cut(f.graph, cuts, 2, 0.75, f.left_half());
   const std::size_t left = f.left_half()(faces_of(cuts, 3).front()) ? 3 : 4, right = 7 - left;
@@ -199,7 +191,7 @@ BOOST_AUTO_TEST_CASE(saliences_may_be_of_any_scale)
   const double largest = std::numeric_limits<double>::max();
   const Figure& f = figure();
   const auto of_arms = [&](double left, double right) {
-    Cut_hierarchy cuts = uncut(f.graph);
+    Cut_hierarchy cuts = internal::uncut_hierarchy(f.graph);
     cut(f.graph, cuts, 0, left, f.left());
     cut(f.graph, cuts, 2, right, f.right());
     const std::vector<double> result = saliences(with_common_saliences(f.graph, cuts));
@@ -220,10 +212,10 @@ BOOST_AUTO_TEST_CASE(random_hierarchies_stay_in_order)
   for (unsigned seed = 1; seed <= 40; ++seed)
     BOOST_TEST_CONTEXT("seed " << seed) {
       Random random(seed);
-      const Face_graph graph = seed % 2 == 0
+      const Surface graph = seed % 2 == 0
         ? figure().graph
-        : face_graph_of(disjoint_union(plate(6, 5), displaced(torus(2, 0.7, 12, 7), 0.01, random)));
-      Cut_hierarchy cuts = uncut(graph);
+        : surface_of(disjoint_union(plate(6, 5), displaced(torus(2, 0.7, 12, 7), 0.01, random)));
+      Cut_hierarchy cuts = internal::uncut_hierarchy(graph);
       double salience = 1;
       for (int tries = 0; tries < 60; ++tries) { // by random planes across the axes
         const std::size_t node = random() % cuts.nodes.size();

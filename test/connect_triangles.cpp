@@ -5,8 +5,8 @@
 
 #include "test_meshes.h"
 
-#include <CGAL/Spectral_segmentation/internal/mesh/connect_triangles.h>
-#include <CGAL/Spectral_segmentation/internal/mesh/connected_components.h>
+#include <CGAL/Spectral_segmentation/internal/soup/connect_triangles.h>
+#include <CGAL/Spectral_segmentation/internal/surface/connected_components.h>
 
 #include <Eigen/Geometry>
 
@@ -23,15 +23,14 @@ namespace tt = boost::test_tools;
 using namespace test_meshes;
 namespace internal = CGAL::Spectral_segmentation::internal;
 using internal::Corners;
-using internal::Neighbors;
 using internal::Vector;
 
 namespace {
 
 // Returns triangles without neighbors.
-Triangles unconnected(const Soup& soup)
+Surface unconnected(const Soup& soup)
 {
-  Triangles result;
+  Surface result;
   for (const Point& p : soup.points)
     result.points.push_back(Vector(p.x(), p.y(), p.z()));
   for (const std::vector<std::size_t>& t : soup.triangles)
@@ -50,14 +49,13 @@ bool is_same_cycle(const Corners& a, Corners b)
 Corners reversed(const Corners& c) { return {c[0], c[2], c[1]}; }
 
 // Whether each face was turned. Checks what holds for every soup.
-std::vector<char> connect(const Soup& soup, Triangles& triangles)
+std::vector<char> connect(const Soup& soup, Surface& triangles)
 {
   triangles = unconnected(soup);
-  internal::Triangle_connection connection(triangles);
-  connection();
+  internal::connect_triangles(triangles);
   const std::size_t n = soup.triangles.size();
   BOOST_TEST_REQUIRE(triangles.corners.size() == n);
-  BOOST_TEST_REQUIRE(triangles.neighbors.size() == n);
+  BOOST_TEST_REQUIRE(triangles.opposite.size() == 3 * n);
   BOOST_TEST(triangles.points.size() == soup.points.size());
   const std::vector<Corners> before = unconnected(soup).corners;
   std::vector<char> is_turned;
@@ -67,13 +65,15 @@ std::vector<char> connect(const Soup& soup, Triangles& triangles)
     BOOST_TEST((is_same_cycle(c, before[f]) || is_same_cycle(c, reversed(before[f]))));
     BOOST_TEST(c[0] == *std::min_element(c.begin(), c.end()));
   }
-  // Neighbors know of each other, along the same edge in opposite directions: the graph takes none
-  // of them for border.
-  const Face_graph graph = internal::face_graph(sequential, triangles);
+  // Neighbors know of each other, along the same edge in opposite directions.
   for (Index h = 0; h < 3 * n; ++h) {
-    BOOST_TEST(graph.neighbors[h] == triangles.neighbors[h / 3][h % 3]);
-    if (!graph.is_border(h))
-      BOOST_TEST(graph.opposite(graph.opposite(h)) == h);
+    const Index o = triangles.opposite[h];
+    BOOST_TEST(triangles.opposite[o] == h);
+    if (triangles.is_border(h))
+      continue;
+    BOOST_TEST(o / 3 != h / 3);
+    BOOST_TEST(triangles.source_vertex(o) == triangles.target_vertex(h));
+    BOOST_TEST(triangles.target_vertex(o) == triangles.source_vertex(h));
   }
   return is_turned;
 }
@@ -88,7 +88,7 @@ Soup turned_at_random(Soup soup, Random& random)
   return soup;
 }
 
-double volume(const Triangles& triangles)
+double volume(const Surface& triangles)
 {
   double sum = 0;
   for (const Corners& c : triangles.corners)
@@ -96,26 +96,22 @@ double volume(const Triangles& triangles)
   return sum;
 }
 
-double area(const Triangles& triangles, std::size_t f)
+double area(const Surface& triangles, std::size_t f)
+{ return triangles.normal(Index(f)).norm() / 2; }
+
+std::size_t number_of_components(const Surface& triangles)
+{ return internal::connected_components(triangles).number; }
+
+std::multiset<Index> neighbors(const Surface& triangles, Index f)
 {
-  const Corners& c = triangles.corners[f];
-  const Vector& p = triangles.points[c[0]];
-  return (triangles.points[c[1]] - p).cross(triangles.points[c[2]] - p).norm() / 2;
+  return {triangles.neighbor(3 * f), triangles.neighbor(3 * f + 1), triangles.neighbor(3 * f + 2)};
 }
 
-std::size_t number_of_components(const Triangles& triangles)
-{
-  std::size_t number;
-  internal::connected_components(internal::face_graph(sequential, triangles), number);
-  return number;
-}
-
-std::size_t number_of_inner_edges(const Triangles& triangles)
+std::size_t number_of_inner_edges(const Surface& triangles)
 {
   std::size_t number = 0;
-  for (std::size_t f = 0; f < triangles.neighbors.size(); ++f)
-    for (Index g : triangles.neighbors[f])
-      number += g != f;
+  for (Index h = 0; h < triangles.number_of_halfedges(); ++h)
+    number += !triangles.is_border(h);
   return number / 2;
 }
 
@@ -138,7 +134,7 @@ std::vector<std::set<Index> > neighbors_by_comparing_pairs(const Soup& soup)
 
 Soup part_of(const Soup& soup, std::size_t number_of_faces, Random& random)
 {
-  const Face_graph part = random_part(face_graph_of(soup), number_of_faces, random);
+  const Surface part = random_part(surface_of(soup), number_of_faces, random);
   Soup result;
   for (const Vector& p : part.points)
     result.points.emplace_back(p.x(), p.y(), p.z());
@@ -207,11 +203,11 @@ BOOST_AUTO_TEST_CASE(a_closed_surface_of_turned_triangles_is_oriented_outwards)
   Random random(1);
   for (const Soup& soup : closed_soups())
     for (int run = 0; run < 10; ++run) {
-      Triangles triangles;
+      Surface triangles;
       connect(turned_at_random(soup, random), triangles);
-      const Triangles expected = triangles_of(soup);
+      const Surface expected = read_surface(soup);
       BOOST_TEST((triangles.corners == expected.corners));
-      BOOST_TEST((triangles.neighbors == expected.neighbors));
+      BOOST_TEST((triangles.opposite == expected.opposite));
       BOOST_TEST(volume(triangles) > 0);
     }
 }
@@ -220,9 +216,9 @@ BOOST_AUTO_TEST_CASE(outwards_does_not_depend_on_the_place)
 {
   Random random(2);
   for (const Soup& soup : closed_soups()) {
-    Triangles triangles;
+    Surface triangles;
     connect(turned_at_random(moved(soup, -100, 30, 1000), random), triangles);
-    BOOST_TEST((triangles.corners == triangles_of(soup).corners));
+    BOOST_TEST((triangles.corners == read_surface(soup).corners));
   }
 }
 
@@ -234,12 +230,12 @@ BOOST_AUTO_TEST_CASE(what_is_oriented_alike_stays_as_it_is_inwards_too)
   // Each component by itself.
   soups.push_back(disjoint_union(sphere(1), turned_inside_out(moved(sphere(1), 5, 0, 0))));
   for (const Soup& soup : soups) {
-    Triangles triangles;
+    Surface triangles;
     const std::vector<char> is_turned = connect(soup, triangles);
     BOOST_TEST(std::count(is_turned.begin(), is_turned.end(), 1) == 0);
-    const Triangles expected = triangles_of(soup);
+    const Surface expected = read_surface(soup);
     BOOST_TEST((triangles.corners == expected.corners));
-    BOOST_TEST((triangles.neighbors == expected.neighbors));
+    BOOST_TEST((triangles.opposite == expected.opposite));
   }
 }
 
@@ -250,9 +246,9 @@ BOOST_AUTO_TEST_CASE(one_turned_triangle_is_turned_back)
     for (bool is_inwards : {false, true}) {
       Soup other = is_inwards ? turned_inside_out(soup) : soup;
       std::swap(other.triangles[5][0], other.triangles[5][1]);
-      Triangles triangles;
+      Surface triangles;
       connect(other, triangles);
-      BOOST_TEST((triangles.corners == triangles_of(soup).corners));
+      BOOST_TEST((triangles.corners == read_surface(soup).corners));
     }
 }
 
@@ -267,16 +263,16 @@ BOOST_AUTO_TEST_CASE(an_open_surface_is_oriented_as_most_of_its_area_is)
     Soup other = soup; // the large ones, and some more
     for (std::size_t i = 0; i < number_of_turned; ++i)
       std::swap(other.triangles[19 - i][0], other.triangles[19 - i][1]);
-    Triangles triangles;
+    Surface triangles;
     connect(other, triangles);
-    BOOST_TEST((triangles.corners == triangles_of(turned_inside_out(soup)).corners));
+    BOOST_TEST((triangles.corners == read_surface(turned_inside_out(soup)).corners));
   }
   for (std::size_t small : {3, 10}) {
     Soup other = soup;
     std::swap(other.triangles[small][0], other.triangles[small][1]);
-    Triangles triangles;
+    Surface triangles;
     connect(other, triangles);
-    BOOST_TEST((triangles.corners == triangles_of(soup).corners));
+    BOOST_TEST((triangles.corners == read_surface(soup).corners));
   }
 }
 
@@ -294,24 +290,24 @@ BOOST_AUTO_TEST_CASE(random_surfaces_get_the_neighbors_that_all_pairs_of_edges_t
       }
       std::shuffle(soup.triangles.begin(), soup.triangles.end(), random);
       const Soup turned = turned_at_random(soup, random);
-      Triangles triangles;
+      Surface triangles;
       const std::vector<char> is_turned = connect(turned, triangles);
 
       const std::vector<std::set<Index> > expected = neighbors_by_comparing_pairs(soup);
       for (Index f = 0; f < expected.size(); ++f) {
-        std::set<Index> found(triangles.neighbors[f].begin(), triangles.neighbors[f].end());
+        const std::multiset<Index> around = neighbors(triangles, f);
+        std::set<Index> found(around.begin(), around.end());
         found.erase(f);
         BOOST_TEST(found == expected[f], tt::per_element());
       }
       // All faces of a component are as in the soup, or none is; most of its area is as it was
       // given.
-      std::size_t number;
-      const std::vector<Index> component =
-        internal::connected_components(internal::face_graph(sequential, triangles), number);
-      const Triangles original = unconnected(soup);
+      const internal::Components component = internal::connected_components(triangles);
+      const std::size_t number = component.number;
+      const Surface original = unconnected(soup);
       std::vector<std::set<bool> > is_as_original(number);
       std::vector<double> kept(number, 0), turned_area(number, 0);
-      for (Index f = 0; f < component.size(); ++f) {
+      for (Index f = 0; f < triangles.number_of_faces(); ++f) {
         is_as_original[component[f]].insert(
           is_same_cycle(triangles.corners[f], original.corners[f]));
         (is_turned[f] ? turned_area : kept)[component[f]] += area(triangles, f);
@@ -340,12 +336,11 @@ BOOST_AUTO_TEST_CASE(the_flat_two_of_three_sheets_are_neighbors)
         soup.triangles.push_back(sheets[std::size_t(order[i])]);
         number[std::size_t(order[i])] = Index(i);
       }
-      Triangles triangles;
+      Surface triangles;
       const std::vector<char> is_turned = connect(soup, triangles);
       BOOST_TEST(std::count(is_turned.begin(), is_turned.end(), 1) == 0);
       BOOST_TEST(number_of_inner_edges(triangles) == 1u);
-      const Neighbors& of_first = triangles.neighbors[number[0]];
-      BOOST_TEST(std::count(of_first.begin(), of_first.end(), number[1]) == 1);
+      BOOST_TEST(neighbors(triangles, number[0]).count(number[1]) == 1u);
     } while (std::next_permutation(order.begin(), order.end()));
   }
 }
@@ -354,10 +349,10 @@ BOOST_AUTO_TEST_CASE(of_sheets_that_all_have_to_be_turned_the_flat_two_are_neigh
 {
   const Soup soup = {{Point(0, 0, 0), Point(0, 1, 0), Point(0, 0.5, 1), Point(-1, 0.5, 0.1),
                       Point(1, 0.5, 0)}, {{0, 1, 2}, {0, 1, 3}, {0, 1, 4}}};
-  Triangles triangles;
+  Surface triangles;
   connect(soup, triangles);
   BOOST_TEST(number_of_inner_edges(triangles) == 1u);
-  BOOST_TEST(std::count(triangles.neighbors[1].begin(), triangles.neighbors[1].end(), 2u) == 1);
+  BOOST_TEST(neighbors(triangles, 1).count(2) == 1u);
 }
 
 BOOST_AUTO_TEST_CASE(sheets_that_are_oriented_alike_come_before_flatter_ones_that_are_not)
@@ -365,11 +360,11 @@ BOOST_AUTO_TEST_CASE(sheets_that_are_oriented_alike_come_before_flatter_ones_tha
   // The second sheet is flat against the first, but runs along the edge as that does.
   const Soup soup = {{Point(0, 0, 0), Point(0, 1, 0), Point(-1, 0.5, 0), Point(1, 0.5, 0),
                       Point(0, 0.5, 1)}, {{0, 1, 2}, {0, 1, 3}, {1, 0, 4}}};
-  Triangles triangles;
+  Surface triangles;
   const std::vector<char> is_turned = connect(soup, triangles);
   BOOST_TEST(std::count(is_turned.begin(), is_turned.end(), 1) == 0);
   BOOST_TEST(number_of_inner_edges(triangles) == 1u);
-  BOOST_TEST(std::count(triangles.neighbors[2].begin(), triangles.neighbors[2].end(), 2u) == 2);
+  BOOST_TEST(neighbors(triangles, 2).count(2) == 2u);
 }
 
 BOOST_AUTO_TEST_CASE(a_moebius_strip_loses_one_edge)
@@ -393,7 +388,7 @@ BOOST_AUTO_TEST_CASE(a_moebius_strip_loses_one_edge)
     Random random(3);
     for (int run = 0; run < 5; ++run) {
       const Soup turned = turned_at_random(soup, random);
-      Triangles triangles;
+      Surface triangles;
       connect(turned, triangles);
       BOOST_TEST(number_of_inner_edges(triangles) == 2 * n - 1);
       BOOST_TEST(number_of_components(triangles) == 1u);
@@ -413,7 +408,7 @@ BOOST_AUTO_TEST_CASE(a_closed_surface_with_one_side_is_opened)
                              double(random() % 100));
   for (const std::set<Index>& neighbors : neighbors_by_comparing_pairs(soup))
     BOOST_TEST(neighbors.size() == 3u); // it is closed
-  Triangles triangles;
+  Surface triangles;
   connect(soup, triangles);
   BOOST_TEST(number_of_components(triangles) == 1u);
   BOOST_TEST(number_of_inner_edges(triangles) < 15u);
@@ -423,7 +418,7 @@ BOOST_AUTO_TEST_CASE(two_cubes_that_share_an_edge_stay_two)
 {
   const Soup soup = welded(disjoint_union(cube(0, 0), cube(1, 1)));
   BOOST_TEST(soup.points.size() == 14u);
-  Triangles triangles;
+  Surface triangles;
   const std::vector<char> is_turned = connect(soup, triangles);
   BOOST_TEST(std::count(is_turned.begin(), is_turned.end(), 1) == 0);
   BOOST_TEST(number_of_components(triangles) == 2u);
@@ -446,18 +441,19 @@ BOOST_AUTO_TEST_CASE(a_second_copy_of_a_triangle_is_left_alone)
     Soup other = soup;
     const std::vector<std::size_t> t = soup.triangles[4];
     other.triangles.push_back({t[1], t[2], t[0]});
-    Triangles triangles;
+    Surface triangles;
     connect(other, triangles);
-    const Triangles expected = triangles_of(soup);
+    const Surface expected = read_surface(soup);
     for (std::size_t f = 0; f < soup.triangles.size(); ++f) {
       BOOST_TEST((triangles.corners[f] == expected.corners[f]));
-      BOOST_TEST((triangles.neighbors[f] == expected.neighbors[f]));
+      for (std::size_t h = 3 * f; h < 3 * f + 3; ++h)
+        BOOST_TEST(triangles.opposite[h] == expected.opposite[h]);
     }
     const Index copy = Index(soup.triangles.size());
-    BOOST_TEST((triangles.neighbors[copy] == Neighbors{copy, copy, copy}));
+    BOOST_TEST(neighbors(triangles, copy).count(copy) == 3u);
   }
   // Two that are alone become the two sides of one.
-  Triangles triangles;
+  Surface triangles;
   const std::vector<char> is_turned =
     connect({{Point(0, 0, 0), Point(1, 0, 0), Point(0, 1, 0)}, {{0, 1, 2}, {1, 2, 0}}}, triangles);
   BOOST_TEST(number_of_inner_edges(triangles) == 3u);
@@ -472,28 +468,28 @@ BOOST_AUTO_TEST_CASE(triangles_with_a_repeated_corner_do_no_harm)
            {a, a, a}, {a, a, b}, {a, b, a}, {b, a, a}, {a, b, b}}) {
       Soup other = soup;
       other.triangles.push_back(t);
-      Triangles triangles;
+      Surface triangles;
       connect(other, triangles);
-      const Triangles expected = triangles_of(soup);
+      const Surface expected = read_surface(soup);
       for (std::size_t f = 0; f < soup.triangles.size(); ++f)
         BOOST_TEST((triangles.corners[f] == expected.corners[f]));
       BOOST_TEST(number_of_inner_edges(triangles) >= soup.triangles.size() * 3 / 2);
     }
   }
-  Triangles triangles;
+  Surface triangles;
   connect({{Point(0, 0, 0), Point(1, 0, 0)}, {{0, 0, 1}, {1, 0, 1}, {1, 1, 1}}}, triangles);
-  BOOST_TEST(triangles.neighbors.size() == 3u);
+  BOOST_TEST(triangles.opposite.size() == 9u);
 }
 
 BOOST_AUTO_TEST_CASE(at_an_edge_of_very_many_faces_none_are_neighbors)
 {
   for (std::size_t n : {2, 4, 8, 16}) {
-    Triangles triangles;
+    Surface triangles;
     connect(fan(n), triangles);
     BOOST_TEST(number_of_inner_edges(triangles) == n / 2);
   }
   for (std::size_t n : {17, 18, 100}) {
-    Triangles triangles;
+    Surface triangles;
     const std::vector<char> is_turned = connect(fan(n), triangles);
     BOOST_TEST(number_of_inner_edges(triangles) == 0u);
     BOOST_TEST(std::count(is_turned.begin(), is_turned.end(), 1) == 0);
@@ -511,7 +507,7 @@ BOOST_AUTO_TEST_CASE(random_triangles_of_few_points_are_connected_somehow)
         soup.points.emplace_back(double(random() % 5), double(random() % 5), double(random() % 5));
       for (std::size_t i = random() % 80; i > 0; --i)
         soup.triangles.push_back({random() % n, random() % n, random() % n});
-      Triangles triangles;
+      Surface triangles;
       connect(soup, triangles); // checks them
     }
   }
@@ -519,10 +515,10 @@ BOOST_AUTO_TEST_CASE(random_triangles_of_few_points_are_connected_somehow)
 
 BOOST_AUTO_TEST_CASE(no_triangles_are_no_surface)
 {
-  Triangles triangles;
+  Surface triangles;
   connect(Soup(), triangles);
   connect({{Point(0, 0, 0)}, {}}, triangles);
-  BOOST_TEST(triangles.neighbors.empty());
+  BOOST_TEST(triangles.opposite.empty());
 }
 
 BOOST_AUTO_TEST_SUITE_END()

@@ -5,8 +5,8 @@
 
 #include "test_meshes.h"
 
-#include <CGAL/Spectral_segmentation/internal/mesh/connected_components.h>
-#include <CGAL/Spectral_segmentation/internal/mesh/extract_part.h>
+#include <CGAL/Spectral_segmentation/internal/surface/connected_components.h>
+#include <CGAL/Spectral_segmentation/internal/surface/extract_part.h>
 
 #include <algorithm>
 #include <cstddef>
@@ -35,10 +35,8 @@ BOOST_AUTO_TEST_CASE(components_are_numbered_by_their_first_faces)
       std::swap(piece[f], piece[other]);
       std::swap(soup.triangles[f], soup.triangles[other]);
     }
-    std::size_t number = 0;
-    const std::vector<Index> component =
-      internal::connected_components(face_graph_of(soup), number);
-    BOOST_TEST(number == pieces.size());
+    const internal::Components component = internal::connected_components(surface_of(soup));
+    BOOST_TEST(component.number == pieces.size());
     std::vector<std::size_t> order; // the pieces by their first faces
     for (std::size_t f = 0; f < piece.size(); ++f) {
       auto found = std::find(order.begin(), order.end(), piece[f]);
@@ -51,15 +49,12 @@ BOOST_AUTO_TEST_CASE(components_are_numbered_by_their_first_faces)
 
 BOOST_AUTO_TEST_CASE(faces_that_share_only_a_vertex_are_not_connected)
 {
-  const Face_graph graph = face_graph_of(plate(2, 2));
+  const Surface graph = surface_of(plate(2, 2));
   // The squares at two opposite corners touch in the middle.
   std::vector<std::size_t> piece(8, 1);
   piece[0] = piece[1] = piece[6] = piece[7] = 0;
-  std::size_t number = 0;
-  internal::connected_components(split(graph, piece, 2)[0], number);
-  BOOST_TEST(number == 2u);
-  BOOST_TEST(internal::connected_components(Face_graph(), number).empty());
-  BOOST_TEST(number == 0u);
+  BOOST_TEST(internal::connected_components(split(graph, piece, 2)[0]).number == 2u);
+  BOOST_TEST(internal::connected_components(Surface()).number == 0u);
 }
 
 BOOST_AUTO_TEST_CASE(the_caller_may_part_neighbors)
@@ -67,7 +62,7 @@ BOOST_AUTO_TEST_CASE(the_caller_may_part_neighbors)
   for (unsigned seed = 1; seed <= 40; ++seed) {
     BOOST_TEST_CONTEXT("seed " << seed) {
       Random random(seed);
-      const Face_graph graph = face_graph_of(small_soups()[seed % small_soups().size()]);
+      const Surface graph = surface_of(small_soups()[seed % small_soups().size()]);
       const Index n = Index(graph.number_of_faces());
       std::vector<char> color(n);
       for (char& c : color)
@@ -79,26 +74,24 @@ BOOST_AUTO_TEST_CASE(the_caller_may_part_neighbors)
       for (bool has_changed = true; has_changed;) {
         has_changed = false;
         for (Index h = 0; h < graph.number_of_halfedges(); ++h) {
-          const Index f = h / 3, g = graph.neighbors[h];
+          const Index f = h / 3, g = graph.neighbor(h);
           if (color[f] == color[g] && least[g] < least[f]) {
             least[f] = least[g];
             has_changed = true;
           }
         }
       }
-      std::size_t number = 0;
-      const std::vector<Index> component = internal::connected_components(
-        graph, number, color);
+      const internal::Components component = internal::connected_components(graph, color);
       std::size_t expected_number = 0;
       for (Index f = 0; f < n; ++f) {
         BOOST_TEST(component[f] == component[least[f]]);
         if (least[f] == f)
           BOOST_TEST(component[f] == expected_number++);
       }
-      BOOST_TEST(number == expected_number);
+      BOOST_TEST(component.number == expected_number);
 
-      const std::vector<double> areas = internal::component_areas(graph, component, number);
-      std::vector<double> expected(number, 0);
+      const std::vector<double> areas = internal::component_areas(graph, component);
+      std::vector<double> expected(component.number, 0);
       for (Index f = 0; f < n; ++f)
         expected[component[f]] += graph.areas[f];
       BOOST_TEST(areas == expected, boost::test_tools::per_element());

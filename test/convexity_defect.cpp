@@ -6,7 +6,7 @@
 #include "test_meshes.h"
 
 #include <CGAL/Spectral_segmentation/internal/salience/Support_points.h>
-#include <CGAL/Spectral_segmentation/internal/mesh/Face_graph.h>
+#include <CGAL/Spectral_segmentation/internal/surface/Surface.h>
 #include <CGAL/Spectral_segmentation/internal/salience/Convexity_defect.h>
 #include <CGAL/Spectral_segmentation/internal/distances/face_distances.h>
 
@@ -43,7 +43,7 @@ std::vector<Index> range(Index first, Index last)
   return faces;
 }
 
-std::vector<Index> all_faces(const Face_graph& graph)
+std::vector<Index> all_faces(const Surface& graph)
 { return range(0, Index(graph.number_of_faces())); }
 
 // The defect of sets of faces of a whole mesh.
@@ -54,7 +54,7 @@ class Defect_of_mesh
   const Convexity_defect defect_;
 
 public:
-  explicit Defect_of_mesh(const Face_graph& graph)
+  explicit Defect_of_mesh(const Surface& graph)
     : support_points_(sequential, graph), all_faces_(all_faces(graph)),
       defect_(support_points_, graph, all_faces_) {}
 
@@ -64,12 +64,12 @@ public:
 // In the coordinates of the soup.
 double defect_of(const Soup& soup)
 {
-  const Face_graph graph = face_graph_of(soup);
+  const Surface graph = surface_of(soup);
   return Defect_of_mesh(graph)(all_faces(graph)) * unit_of(soup);
 }
 
 // By the hull of all points.
-double exact_defect(const Face_graph& graph, const std::vector<Index>& faces)
+double exact_defect(const Surface& graph, const std::vector<Index>& faces)
 {
   const std::vector<Vector> normals = face_normals(graph, graph.points);
   double sum = 0, area = 0;
@@ -109,7 +109,7 @@ Soup box(double a, double b, double c)
 }
 
 // The largest distance of two vertices of the faces.
-double diameter(const Face_graph& graph, const std::vector<Index>& faces)
+double diameter(const Surface& graph, const std::vector<Index>& faces)
 {
   double result = 0;
   for (Index f : faces)
@@ -123,7 +123,7 @@ double diameter(const Face_graph& graph, const std::vector<Index>& faces)
 
 BOOST_AUTO_TEST_CASE(no_face_has_no_defect)
 {
-  const Face_graph graph = face_graph_of(sphere(0));
+  const Surface graph = surface_of(sphere(0));
   BOOST_TEST(Defect_of_mesh(graph)({}) == 0);
 }
 
@@ -132,7 +132,7 @@ BOOST_AUTO_TEST_CASE(faces_without_area_have_no_defect)
   Soup soup = turned_inside_out(sphere(1));
   for (std::size_t v : soup.triangles[4])
     soup.points[v] = Point(0, 0, 0);
-  const Face_graph graph = face_graph_of(soup);
+  const Surface graph = surface_of(soup);
   const Defect_of_mesh defect(graph);
   BOOST_TEST(defect({4}) == 0);
   BOOST_TEST(defect(all_faces(graph)) > 0.1);
@@ -178,8 +178,8 @@ BOOST_AUTO_TEST_CASE(hardly_any_depth_is_out_of_sight)
       Random random(seed);
       const std::vector<Soup> shapes = {plate(5, 4), sphere(2), torus(2, 0.7, 12, 8),
                                         dumbbell(10, 6)};
-      const Face_graph graph =
-        face_graph_of(displaced(shapes[seed % shapes.size()], 0.05, random));
+      const Surface graph =
+        surface_of(displaced(shapes[seed % shapes.size()], 0.05, random));
       std::vector<Index> faces = all_faces(graph);
       std::shuffle(faces.begin(), faces.end(), random);
       faces.resize(faces.size() / (1 + seed % 3));
@@ -194,7 +194,7 @@ BOOST_AUTO_TEST_CASE(hardly_any_depth_is_out_of_sight)
 
 BOOST_AUTO_TEST_CASE(a_dumbbell_has_a_defect_and_its_halves_have_none)
 {
-  const Face_graph graph = face_graph_of(dumbbell(24, 16));
+  const Surface graph = surface_of(dumbbell(24, 16));
   std::vector<Index> low, high;
   for (Index f : all_faces(graph))
     (graph.centroid(f).z() < 0 ? low : high).push_back(f);
@@ -210,7 +210,7 @@ BOOST_AUTO_TEST_CASE(a_dumbbell_has_a_defect_and_its_halves_have_none)
 BOOST_AUTO_TEST_CASE(only_the_vertices_of_the_set_make_its_hull)
 {
   const Soup soup = disjoint_union(moved(sphere(3), -5, 0, 0), moved(sphere(3), 5, 0, 0));
-  const Face_graph graph = face_graph_of(soup);
+  const Surface graph = surface_of(soup);
   const Defect_of_mesh defect(graph);
   const double both = defect(all_faces(graph));
   for (int i = 0; i < 2; ++i) {
@@ -225,7 +225,7 @@ BOOST_AUTO_TEST_CASE(a_flat_set_has_no_defect)
 {
   Random random(3);
   for (int i = 0; i < 5; ++i) {
-    const Face_graph graph = face_graph_of(rotated(plate(30, 30), random_rotation(random)));
+    const Surface graph = surface_of(rotated(plate(30, 30), random_rotation(random)));
     const Defect_of_mesh defect(graph);
     BOOST_TEST(defect(all_faces(graph)) < single_precision);
     BOOST_TEST(defect({17}) < single_precision);
@@ -235,7 +235,7 @@ BOOST_AUTO_TEST_CASE(a_flat_set_has_no_defect)
 BOOST_AUTO_TEST_CASE(the_order_of_the_faces_does_not_matter)
 {
   Random random(2);
-  const Face_graph graph = face_graph_of(torus(2, 0.5, 40, 20)); // 800 vertices
+  const Surface graph = surface_of(torus(2, 0.5, 40, 20)); // 800 vertices
   std::vector<Index> faces = all_faces(graph);
   const Defect_of_mesh defect(graph);
   const double in_order = defect(faces);
@@ -246,9 +246,9 @@ BOOST_AUTO_TEST_CASE(the_order_of_the_faces_does_not_matter)
 
 BOOST_AUTO_TEST_CASE(moving_the_part_does_not_matter)
 {
-  const Face_graph graph = face_graph_of(dumbbell(12, 8));
+  const Surface graph = surface_of(dumbbell(12, 8));
   const double in_place = Defect_of_mesh(graph)(all_faces(graph));
-  Face_graph elsewhere = graph;
+  Surface elsewhere = graph;
   for (Vector& p : elsewhere.points)
     p += Vector(0.4, -0.3, 0.2);
   const double moved = Defect_of_mesh(elsewhere)(all_faces(graph));

@@ -5,7 +5,7 @@
 
 #include "test_meshes.h"
 
-#include <CGAL/Spectral_segmentation/internal/mesh/Face_graph.h>
+#include <CGAL/Spectral_segmentation/internal/surface/Surface.h>
 #include <CGAL/Spectral_segmentation/internal/distances/face_distances.h>
 #include <CGAL/Spectral_segmentation/internal/distances/curvature_angles.h>
 
@@ -24,17 +24,17 @@ using CGAL::Spectral_segmentation::internal::Vector;
 
 namespace {
 
-std::vector<double> angles_of(const Face_graph& graph, double radius)
+std::vector<double> angles_of(const Surface& graph, double radius)
 {
   return CGAL::Spectral_segmentation::internal::curvature_angles(sequential, graph, graph.points,
                                                   face_normals(graph, graph.points), radius);
 }
 
 // The length over which the surface bends by an angle, in the coordinates of the graph.
-double way(const Face_graph& graph, double radius)
+double way(const Surface& graph, double radius)
 { return 2 * radius * std::sqrt(std::accumulate(graph.areas.begin(), graph.areas.end(), 0.)); }
 
-Vector edge_of(const Face_graph& graph, Index h)
+Vector edge_of(const Surface& graph, Index h)
 { return graph.points[graph.target_vertex(h)] - graph.points[graph.source_vertex(h)]; }
 
 double mean(const std::vector<double>& values)
@@ -48,7 +48,7 @@ Soup cylinder(std::size_t n_around)
 
 BOOST_AUTO_TEST_CASE(a_plate_does_not_bend)
 {
-  for (double angle : angles_of(face_graph_of(plate(6, 5)), 0.1))
+  for (double angle : angles_of(surface_of(plate(6, 5)), 0.1))
     BOOST_TEST(angle == 0);
 }
 
@@ -57,7 +57,7 @@ BOOST_AUTO_TEST_CASE(a_plate_does_not_bend_in_any_position)
   Soup soup = plate(20, 20);
   for (Point& p : soup.points)
     p = Point(p.x(), p.y(), p.x() / 3 + p.y() / 7);
-  const Face_graph graph = face_graph_of(soup);
+  const Surface graph = surface_of(soup);
   for (double angle : angles_of(graph, 0.01))
     BOOST_TEST(angle == 0);
 }
@@ -78,14 +78,14 @@ BOOST_AUTO_TEST_CASE(a_sphere_bends_by_the_way_over_its_radius_everywhere)
 {
   for (double size : {1., 7., 1000.})
     for (double radius : {0.02, 0.05, 0.1})
-      for (double angle : angles_of(face_graph_of(scaled(sphere(3), size)), radius))
+      for (double angle : angles_of(surface_of(scaled(sphere(3), size)), radius))
         BOOST_TEST(angle == bending_of_sphere(radius), tt::tolerance(0.025));
 }
 
 BOOST_AUTO_TEST_CASE(the_angle_does_not_depend_on_the_triangulation)
 {
   for (std::size_t level : {2, 3, 4})
-    BOOST_TEST(mean(angles_of(face_graph_of(sphere(level)), 0.1)) == bending_of_sphere(0.1),
+    BOOST_TEST(mean(angles_of(surface_of(sphere(level)), 0.1)) == bending_of_sphere(0.1),
                tt::tolerance(0.01));
 }
 
@@ -95,7 +95,7 @@ BOOST_AUTO_TEST_CASE(a_cylinder_bends_across_its_axis_only)
 {
   for (std::size_t n : {5, 12, 40})
     for (double radius : {0.02, 0.1}) {
-      const Face_graph graph = face_graph_of(cylinder(n));
+      const Surface graph = surface_of(cylinder(n));
       const double side = 2 * std::sin(pi / double(n)) / unit_of(cylinder(n));
       const double along = way(graph, radius) * 2 * pi / double(n) / side;
       const std::vector<double> angles = angles_of(graph, radius);
@@ -109,7 +109,7 @@ BOOST_AUTO_TEST_CASE(a_cylinder_bends_across_its_axis_only)
 BOOST_AUTO_TEST_CASE(a_torus_is_concave_around_its_hole_only)
 {
   const std::size_t n_tube = 24;
-  const Face_graph graph = face_graph_of(torus(3, 1, 72, n_tube));
+  const Surface graph = surface_of(torus(3, 1, 72, n_tube));
   const double unit = unit_of(torus(3, 1, 72, n_tube)), length = way(graph, 0.02) * unit;
   const std::vector<double> angles = angles_of(graph, 0.02);
   for (Index h = 0; h < angles.size(); ++h) {
@@ -126,8 +126,8 @@ BOOST_AUTO_TEST_CASE(a_torus_is_concave_around_its_hole_only)
 BOOST_AUTO_TEST_CASE(turned_inside_out_convex_is_concave)
 {
   for (const Soup& soup : {sphere(1), cylinder(9), torus(3, 1, 9, 8)}) {
-    const std::vector<double> angles = angles_of(face_graph_of(soup), 0.05);
-    const Face_graph inside_out = face_graph_of(turned_inside_out(soup));
+    const std::vector<double> angles = angles_of(surface_of(soup), 0.05);
+    const Surface inside_out = surface_of(turned_inside_out(soup));
     const std::vector<double> reversed = angles_of(inside_out, 0.05);
     double sum = 0;
     for (Index h = 0; h < angles.size(); ++h) {
@@ -142,7 +142,7 @@ BOOST_AUTO_TEST_CASE(turned_inside_out_convex_is_concave)
 BOOST_AUTO_TEST_CASE(a_valley_is_negative_and_a_ridge_is_positive)
 {
   for (double rise : {-1., 1.}) {
-    const Face_graph graph = face_graph_of(
+    const Surface graph = surface_of(
       {{Point(0, 0, 0), Point(1, 0, 0), Point(0, 1, rise), Point(1, -1, rise)},
        {{0, 1, 2}, {1, 0, 3}}});
     // Both slopes have 45 degrees: a right angle over the area of both, along an edge of length 1.
@@ -161,11 +161,11 @@ BOOST_AUTO_TEST_CASE(a_valley_is_negative_and_a_ridge_is_positive)
 BOOST_AUTO_TEST_CASE(both_sides_of_an_edge_have_the_same_angle)
 {
   Random random(3);
-  const Face_graph graph = face_graph_of(displaced(torus(2, 0.7, 12, 8), 0.2, random));
+  const Surface graph = surface_of(displaced(torus(2, 0.7, 12, 8), 0.2, random));
   const std::vector<double> angles = angles_of(graph, 0.05);
   double largest = 0, smallest = 0;
   for (Index h = 0; h < angles.size(); ++h) {
-    BOOST_TEST(std::abs(angles[h] - angles[graph.opposite(h)]) < 1e-12);
+    BOOST_TEST(std::abs(angles[h] - angles[graph.opposite[h]]) < 1e-12);
     largest = std::max(largest, angles[h]);
     smallest = std::min(smallest, angles[h]);
   }
@@ -175,9 +175,9 @@ BOOST_AUTO_TEST_CASE(both_sides_of_an_edge_have_the_same_angle)
 
 BOOST_AUTO_TEST_CASE(no_angle_is_more_than_half_a_turn)
 {
-  for (double angle : angles_of(face_graph_of(sphere(1)), 10))
+  for (double angle : angles_of(surface_of(sphere(1)), 10))
     BOOST_TEST(angle == pi);
-  for (double angle : angles_of(face_graph_of(turned_inside_out(sphere(1))), 10))
+  for (double angle : angles_of(surface_of(turned_inside_out(sphere(1))), 10))
     BOOST_TEST(angle == -pi);
 }
 
@@ -185,7 +185,7 @@ BOOST_AUTO_TEST_CASE(faces_without_area_leave_the_angles_finite)
 {
   Soup soup = sphere(1);
   soup.points[soup.triangles[0][0]] = soup.points[soup.triangles[0][1]];
-  for (double angle : angles_of(face_graph_of(soup), 0.05))
+  for (double angle : angles_of(surface_of(soup), 0.05))
     BOOST_TEST(std::isfinite(angle));
 }
 

@@ -8,11 +8,11 @@
 #include <CGAL/Spectral_segmentation/Part_salience.h>
 #include <CGAL/Spectral_segmentation/internal/salience/Cut_evaluator.h>
 #include <CGAL/Spectral_segmentation/internal/salience/Support_points.h>
-#include <CGAL/Spectral_segmentation/internal/mesh/Face_graph.h>
+#include <CGAL/Spectral_segmentation/internal/surface/Surface.h>
 #include <CGAL/Spectral_segmentation/internal/salience/Convexity_defect.h>
 #include <CGAL/Spectral_segmentation/internal/salience/faces_near_cut.h>
 #include <CGAL/Spectral_segmentation/internal/distances/face_distances.h>
-#include <CGAL/Spectral_segmentation/internal/mesh/extract_part.h>
+#include <CGAL/Spectral_segmentation/internal/surface/extract_part.h>
 
 #include <algorithm>
 #include <cmath>
@@ -38,7 +38,7 @@ typedef std::vector<char> Sides;
 
 auto tolerance(double t) { return boost::test_tools::tolerance(t); }
 
-Face_graph graph_of(const Soup& soup)
+Surface graph_of(const Soup& soup)
 { return graph_with_distances(soup, weights_of_calibrated_method); }
 
 // z of the centroid of each face, in the coordinates of the soup.
@@ -66,7 +66,7 @@ Sides swapped(Sides side)
 }
 
 // Returns the factors of a cut of the whole mesh, as if the area of the mesh were multiplied.
-Salience_factors factors(const Face_graph& graph, const Sides& side, double times = 1)
+Salience_factors factors(const Surface& graph, const Sides& side, double times = 1)
 {
   std::vector<Index> faces(graph.number_of_faces());
   std::iota(faces.begin(), faces.end(), Index(0));
@@ -96,7 +96,7 @@ Soup tube(std::size_t length, std::size_t rings_per_unit, std::size_t n_around)
 BOOST_AUTO_TEST_CASE(a_box_of_two_cubes_is_cut_in_the_middle)
 {
   const Soup soup = box();
-  const Face_graph graph = graph_of(soup);
+  const Surface graph = graph_of(soup);
   const Salience_factors f = factors(graph, below(soup, 1), 4);
   BOOST_TEST(f.size == 0.5, tolerance(1e-12));
   // The corners of the unit square have the variance 1/4 in each direction; a half has the area 5.
@@ -107,7 +107,7 @@ BOOST_AUTO_TEST_CASE(a_box_of_two_cubes_is_cut_in_the_middle)
 
 BOOST_AUTO_TEST_CASE(a_plate_cut_off_a_plate_has_a_base_without_width)
 {
-  const Face_graph graph = graph_of(plate(4, 1));
+  const Surface graph = graph_of(plate(4, 1));
   const Salience_factors f = factors(graph, {0, 0, 1, 1, 1, 1, 1, 1});
   BOOST_TEST(f.size == 0.25, tolerance(1e-12));
   BOOST_TEST(f.protrusiveness == 1, tolerance(1e-7));
@@ -117,7 +117,7 @@ BOOST_AUTO_TEST_CASE(a_plate_cut_off_a_plate_has_a_base_without_width)
 BOOST_AUTO_TEST_CASE(the_size_of_the_whole_mesh_enters_three_factors)
 {
   const Soup soup = dumbbell(20, 15);
-  const Face_graph graph = graph_of(soup);
+  const Surface graph = graph_of(soup);
   const Salience_factors a = factors(graph, below(soup, 0)),
                          b = factors(graph, below(soup, 0), 100);
   BOOST_TEST(std::abs(a.log_relative_part_area) < 1e-12);
@@ -150,7 +150,7 @@ BOOST_AUTO_TEST_CASE(two_spheres_are_convex_once_they_are_cut_apart)
 BOOST_AUTO_TEST_CASE(gains_of_convexity_are_those_of_the_defects)
 {
   const Soup soup = dumbbell(20, 15);
-  const Face_graph graph = graph_of(soup);
+  const Surface graph = graph_of(soup);
   const Sides side = below(soup, 0.5);
   std::vector<Index> all, faces[2];
   double area[2] = {0, 0};
@@ -176,12 +176,12 @@ BOOST_AUTO_TEST_CASE(concavity_near_the_cut_is_a_mean_by_length)
 {
   // The faces near the cut are the 8 that have an edge of it, each with edges 1, 1, sqrt(2).
   const Soup soup = box();
-  Face_graph graph = graph_of(soup);
+  Surface graph = graph_of(soup);
   const Sides side = below(soup, 1);
   for (Edge_weights& h : graph.weights)
     h.concavity = 0;
   for (Index h = 0; h < graph.number_of_halfedges(); ++h)
-    if (side[h / 3] != side[graph.neighbors[h]])
+    if (side[h / 3] != side[graph.neighbor(h)])
       graph.weights[h].concavity = 0.5;
   const Salience_factors f = factors(graph, side);
   BOOST_TEST(f.cut_strength == 0.5, tolerance(1e-12));
@@ -191,7 +191,7 @@ BOOST_AUTO_TEST_CASE(concavity_near_the_cut_is_a_mean_by_length)
 BOOST_AUTO_TEST_CASE(concavity_near_the_cut_does_not_see_what_is_far_from_it)
 {
   const Soup soup = tube(12, 4, 24);
-  Face_graph graph = graph_of(soup);
+  Surface graph = graph_of(soup);
   const Sides side = below(soup, 3);
   const double area_of_q = factors(graph, side).size * total_area(graph);
   std::vector<char> is_near(side.size(), 0);
@@ -201,7 +201,7 @@ BOOST_AUTO_TEST_CASE(concavity_near_the_cut_does_not_see_what_is_far_from_it)
     is_near[f.face] = 1;
   for (Index h = 0; h < graph.number_of_halfedges(); ++h)
     graph.weights[h].concavity =
-      is_near[h / 3] || is_near[graph.neighbors[h]] ? 0.25f : 1.f;
+      is_near[h / 3] || is_near[graph.neighbor(h)] ? 0.25f : 1.f;
   BOOST_TEST(std::count(is_near.begin(), is_near.end(), 0) > 0);
   BOOST_TEST(factors(graph, side).concavity_near_cut == 0.25, tolerance(1e-9));
 }
@@ -236,7 +236,7 @@ BOOST_AUTO_TEST_CASE(expansion_ends_at_four)
 {
   const Soup soup = dumbbell(20, 15);
   const Sides side = below(soup, 0);
-  Face_graph graph = graph_of(soup);
+  Surface graph = graph_of(soup);
   for (Index f = 0; f < side.size(); ++f)
     graph.areas[f] *= side[f] == 1 ? 100 : 1;
   BOOST_TEST(factors(graph, side).expansion_behind_cut == 4);
@@ -246,7 +246,7 @@ BOOST_AUTO_TEST_CASE(halves_of_equal_area_swap_their_factors_with_their_labels)
 {
   Random random(7);
   const Soup soup = displaced(dumbbell(20, 15), 0.01, random);
-  Face_graph graph = graph_of(soup);
+  Surface graph = graph_of(soup);
   const Sides side = below(soup, 0);
   // The halves get the same area, each face its share.
   double area[2] = {0, 0};
@@ -274,7 +274,7 @@ BOOST_AUTO_TEST_CASE(cut_strength_is_the_mean_concavity_by_length)
                                         dumbbell(12, 8)};
       const Soup soup = displaced(shapes[seed % shapes.size()], 0.1, random);
       const Mesh mesh = mesh_of(soup);
-      const Face_graph graph = graph_of(soup);
+      const Surface graph = graph_of(soup);
       Sides side(graph.number_of_faces());
       for (char& s : side)
         s = random() % 3 == 0 ? 0 : 1;
@@ -293,7 +293,7 @@ BOOST_AUTO_TEST_CASE(cut_strength_is_the_mean_concavity_by_length)
                                                           mesh.point(mesh.vertex(e, 1))));
         length += l;
         for (Index h = 3 * Index(f); h < 3 * Index(f) + 3; ++h)
-          if (graph.neighbors[h] == Index(g))
+          if (graph.neighbor(h) == Index(g))
             sum += l * graph.weights[h].concavity;
       }
       BOOST_TEST(factors(graph, side).cut_strength == sum / length, tolerance(1e-9));
@@ -305,7 +305,7 @@ BOOST_AUTO_TEST_CASE(cut_strength_is_the_mean_concavity_by_length)
 BOOST_AUTO_TEST_CASE(an_evaluator_forgets_the_cuts_before)
 {
   const Soup soup = torus(2, 0.7, 16, 10);
-  const Face_graph graph = graph_of(soup);
+  const Surface graph = graph_of(soup);
   std::vector<Index> faces(graph.number_of_faces());
   std::iota(faces.begin(), faces.end(), Index(0));
   const Evaluation_context mesh(sequential, graph);

@@ -5,7 +5,7 @@
 
 #include "test_meshes.h"
 
-#include <CGAL/Spectral_segmentation/internal/mesh/Face_graph.h>
+#include <CGAL/Spectral_segmentation/internal/surface/Surface.h>
 #include <CGAL/Spectral_segmentation/internal/distances/face_distances.h>
 #include <CGAL/Spectral_segmentation/internal/distances/curvature_angles.h>
 
@@ -56,7 +56,7 @@ Soup roof(double slope)
 // The dihedral of the only inner edge of a roof.
 Dihedral dihedral_of(const Soup& soup)
 {
-  const Face_graph graph = face_graph_of(soup);
+  const Surface graph = surface_of(soup);
   const std::vector<Vector> normals = face_normals(graph, graph.points);
   Index h = 0;
   while (graph.is_border(h))
@@ -74,7 +74,7 @@ struct Expected_edge
 };
 
 // The inner edges of a mesh and their distances, by CGAL's geometry.
-std::vector<Expected_edge> expected_edges(const Soup& soup, const Face_graph& graph,
+std::vector<Expected_edge> expected_edges(const Soup& soup, const Surface& graph,
                                           const Distance_weights& weights)
 {
   const auto corner = [&](Index h) { return soup.points[graph.source_vertex(h)]; };
@@ -83,10 +83,10 @@ std::vector<Expected_edge> expected_edges(const Soup& soup, const Face_graph& gr
   const auto vector = [](const Point& p) { return Vector(p.x(), p.y(), p.z()); };
   std::vector<Expected_edge> edges;
   for (Index h = 0; h < graph.number_of_halfedges(); ++h) {
-    if (graph.is_border(h) || graph.opposite(h) < h)
+    if (graph.is_border(h) || graph.opposite[h] < h)
       continue;
-    const Point a = corner(h), b = corner(graph.opposite(h));
-    const Point c = third_corner(h), d = third_corner(graph.opposite(h));
+    const Point a = corner(h), b = corner(graph.opposite[h]);
+    const Point c = third_corner(h), d = third_corner(graph.opposite[h]);
     const auto n = CGAL::normal(a, b, c), m = CGAL::normal(b, a, d);
     Expected_edge e;
     e.halfedge = h;
@@ -200,7 +200,7 @@ BOOST_AUTO_TEST_CASE(distances_on_random_meshes_agree_with_the_definition)
                                         dumbbell(7, 4)};
       const Soup soup = displaced(shapes[seed % shapes.size()], 0.15, random);
       const Distance_weights weights = {0.25, 0.5 + seed % 3, 0.2 * (seed % 5)};
-      Face_graph graph = face_graph_of(soup);
+      Surface graph = surface_of(soup);
       set_face_distances(graph, weights);
 
       const std::vector<Expected_edge> edges = expected_edges(soup, graph, weights);
@@ -222,7 +222,7 @@ BOOST_AUTO_TEST_CASE(distances_on_random_meshes_agree_with_the_definition)
 BOOST_AUTO_TEST_CASE(both_sides_of_an_edge_agree_and_the_border_has_no_distance)
 {
   Random random(1);
-  const Face_graph graph = graph_with_distances(displaced(plate(4, 3), 0.2, random));
+  const Surface graph = graph_with_distances(displaced(plate(4, 3), 0.2, random));
   for (Index h = 0; h < graph.number_of_halfedges(); ++h) {
     const Edge_weights& e = graph.weights[h];
     if (graph.is_border(h)) {
@@ -230,7 +230,7 @@ BOOST_AUTO_TEST_CASE(both_sides_of_an_edge_agree_and_the_border_has_no_distance)
       BOOST_TEST(e.concavity == 0);
       continue;
     }
-    const Edge_weights& o = graph.weights[graph.opposite(h)];
+    const Edge_weights& o = graph.weights[graph.opposite[h]];
     BOOST_TEST(e.geodesic == o.geodesic);
     BOOST_TEST(e.angle == o.angle);
     BOOST_TEST(e.combined == o.combined);
@@ -241,7 +241,7 @@ BOOST_AUTO_TEST_CASE(both_sides_of_an_edge_agree_and_the_border_has_no_distance)
 BOOST_AUTO_TEST_CASE(the_mean_of_the_geodesic_distances_is_1)
 {
   for (const Soup& soup : {sphere(2), plate(9, 2), dumbbell(9, 9)}) {
-    const Face_graph graph = graph_with_distances(soup);
+    const Surface graph = graph_with_distances(soup);
     double sum = 0, number = 0;
     for (Index h = 0; h < graph.number_of_halfedges(); ++h)
       if (!graph.is_border(h)) {
@@ -255,7 +255,7 @@ BOOST_AUTO_TEST_CASE(the_mean_of_the_geodesic_distances_is_1)
 BOOST_AUTO_TEST_CASE(a_geodesic_weight_of_0_or_1_leaves_one_distance)
 {
   Random random(2);
-  Face_graph graph = face_graph_of(displaced(sphere(1), 0.1, random));
+  Surface graph = surface_of(displaced(sphere(1), 0.1, random));
   set_face_distances(graph, {0, 1, 0.1});
   for (const Edge_weights& h : graph.weights)
     BOOST_TEST(h.combined == h.angle);
@@ -275,10 +275,10 @@ BOOST_AUTO_TEST_CASE(the_weight_of_concave_edges_decides_against_sharper_convex_
     soup.points[i] = profile[i];
     soup.points[4 + i] = Point(profile[i].x(), 1, profile[i].z());
   }
-  Face_graph graph = face_graph_of(soup);
+  Surface graph = surface_of(soup);
   const auto angle_between = [&](Index f, Index g) {
     for (Index h = 3 * f; h < 3 * f + 3; ++h)
-      if (graph.neighbors[h] == g)
+      if (graph.neighbor(h) == g)
         return graph.weights[h].angle;
     return -1.f;
   };
@@ -301,7 +301,7 @@ BOOST_AUTO_TEST_CASE(turned_inside_out_concave_and_convex_edges_swap)
 {
   Random random(3);
   const Soup soup = displaced(torus(2, 0.7, 8, 6), 0.1, random);
-  const Face_graph graph = graph_with_distances(soup),
+  const Surface graph = graph_with_distances(soup),
                         inverse = graph_with_distances(turned_inside_out(soup));
   std::size_t number_of_concave = 0;
   for (Index h = 0; h < graph.number_of_halfedges(); ++h) {
@@ -378,7 +378,7 @@ BOOST_AUTO_TEST_CASE(with_a_radius_bending_takes_the_place_of_the_dihedral_angle
       Random random(seed);
       const std::vector<Soup> shapes = {plate(9, 7), sphere(2), torus(2, 0.7, 16, 10),
                                         dumbbell(12, 8)};
-      Face_graph graph = face_graph_of(displaced(shapes[seed % shapes.size()], 0.1, random));
+      Surface graph = surface_of(displaced(shapes[seed % shapes.size()], 0.1, random));
       const Distance_weights weights = {0.25, 1, 0.2, 0.04};
       set_face_distances(graph, weights);
       const std::vector<Vector> normals = face_normals(graph, graph.points);
@@ -388,7 +388,7 @@ BOOST_AUTO_TEST_CASE(with_a_radius_bending_takes_the_place_of_the_dihedral_angle
       std::vector<float> values;
       std::vector<double> lengths;
       for (Index h = 0; h < graph.number_of_halfedges(); ++h)
-        if (!graph.is_border(h) && h < graph.opposite(h)) {
+        if (!graph.is_border(h) && h < graph.opposite[h]) {
           edges.push_back(h);
           values.push_back(float((bending[h] < 0 ? 1 : 0.2) * (1 - std::cos(bending[h]))));
           lengths.push_back(graph.length(h));
@@ -401,7 +401,7 @@ BOOST_AUTO_TEST_CASE(with_a_radius_bending_takes_the_place_of_the_dihedral_angle
         BOOST_TEST(h.concavity == (bending[edges[e]] < 0 ? h.angle : 0));
         BOOST_TEST(std::abs(h.combined - (0.75 * angle + 0.25 * h.geodesic)) < 2 * rounding);
         const Index i = edges[e];
-        const Dihedral d = dihedral(normals[i / 3], normals[graph.neighbors[i]],
+        const Dihedral d = dihedral(normals[i / 3], normals[graph.neighbor(i)],
                                     graph.points[graph.target_vertex(i)] -
                                       graph.points[graph.source_vertex(i)]);
         differs = differs || (bending[i] < 0) != d.is_concave;
@@ -424,7 +424,7 @@ Soup roof_with_a_needle()
 
 BOOST_AUTO_TEST_CASE(a_face_without_area_takes_the_normal_across_its_longest_edge)
 {
-  const Face_graph graph = graph_with_distances(roof_with_a_needle());
+  const Surface graph = graph_with_distances(roof_with_a_needle());
   const std::vector<Vector> normals = face_normals(graph, graph.points);
   BOOST_TEST(graph.areas[1] == 0);
   BOOST_TEST((normals[0] == Vector(0, 0, 1)));
@@ -433,7 +433,7 @@ BOOST_AUTO_TEST_CASE(a_face_without_area_takes_the_normal_across_its_longest_edg
   BOOST_TEST((normals[3] == Vector(0, -1, 0)));
   // So the fold lies between the needle and the lower faces.
   for (Index h = 3; h < 6; ++h)
-    BOOST_TEST(graph.weights[h].angle == (graph.neighbors[h] == 0 ? 1 / 6.f : 5 / 6.f),
+    BOOST_TEST(graph.weights[h].angle == (graph.neighbor(h) == 0 ? 1 / 6.f : 5 / 6.f),
                tt::tolerance(1e-5f));
 }
 
@@ -443,7 +443,7 @@ BOOST_AUTO_TEST_CASE(faces_without_area_pass_a_normal_on)
   Soup soup = roof_with_a_needle();
   soup.points.emplace_back(1.5, 0, 0);
   soup.triangles.back() = {1, 2, 5};
-  const Face_graph graph = face_graph_of(soup);
+  const Surface graph = surface_of(soup);
   const std::vector<Vector> normals = face_normals(graph, graph.points);
   BOOST_TEST((normals[1] == Vector(0, 0, 1)));
   BOOST_TEST((normals[3] == Vector(0, 0, 1)));
@@ -455,7 +455,7 @@ BOOST_AUTO_TEST_CASE(a_mesh_without_area_has_no_angles)
     Soup soup = sphere(1);
     for (Point& p : soup.points)
       p = Point(length * p.x(), 0, 0);
-    const Face_graph graph = graph_with_distances(soup);
+    const Surface graph = graph_with_distances(soup);
     for (const Edge_weights& h : graph.weights) {
       BOOST_TEST(h.concavity == 0);
       BOOST_TEST(h.angle == 0.5f);
@@ -469,11 +469,11 @@ BOOST_AUTO_TEST_CASE(distances_are_computed_from_the_given_points)
 {
   Random random(4);
   const Soup soup = sphere(1), other = displaced(soup, 0.1, random);
-  Face_graph graph = face_graph_of(soup);
-  const std::vector<Vector> points = face_graph_of(other).points;
+  Surface graph = surface_of(soup);
+  const std::vector<Vector> points = surface_of(other).points;
   CGAL::Spectral_segmentation::internal::set_face_distances(
     sequential, graph, points, face_normals(graph, points), weights_of_paper);
-  const Face_graph expected = graph_with_distances(other);
+  const Surface expected = graph_with_distances(other);
   for (Index h = 0; h < graph.number_of_halfedges(); ++h)
     BOOST_TEST(graph.weights[h].combined == expected.weights[h].combined);
 }

@@ -50,7 +50,7 @@ struct Two_samples
   explicit Two_samples(Random& random)
   {
     const std::vector<Soup> shapes = {plate(5, 4), sphere(1), torus(2, 0.7, 6, 5), dumbbell(5, 4)};
-    const Face_graph graph =
+    const Surface graph =
       graph_with_distances(displaced(shapes[random() % shapes.size()], 0.2, random));
     const Index n = num_vertices(graph);
     s = Index(random() % n);

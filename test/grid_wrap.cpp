@@ -5,9 +5,9 @@
 
 #include "test_meshes.h"
 
-#include <CGAL/Spectral_segmentation/internal/mesh/component_distances.h>
-#include <CGAL/Spectral_segmentation/internal/mesh/connected_components.h>
-#include <CGAL/Spectral_segmentation/internal/multilevel/Grid_wrap.h>
+#include <CGAL/Spectral_segmentation/internal/grid/component_distances.h>
+#include <CGAL/Spectral_segmentation/internal/surface/connected_components.h>
+#include <CGAL/Spectral_segmentation/internal/grid/Grid_wrap.h>
 
 #include <algorithm>
 #include <cmath>
@@ -40,21 +40,17 @@ Vector random_point(Random& random, double extent)
   return Vector(x, y, random_coordinate(random, extent));
 }
 
-std::size_t number_of_components(const Face_graph& graph)
-{
-  std::size_t result;
-  internal::connected_components(graph, result);
-  return result;
-}
+std::size_t number_of_components(const Surface& graph)
+{ return internal::connected_components(graph).number; }
 
 // Each edge has two faces, and the faces around each vertex are one fan.
-void check_closed_manifold(const Face_graph& graph)
+void check_closed_manifold(const Surface& graph)
 {
   std::vector<std::size_t> faces_around(graph.points.size(), 0);
   std::vector<Index> outgoing(graph.points.size(), 0);
   for (Index h = 0; h < graph.number_of_halfedges(); ++h) {
     BOOST_TEST_REQUIRE(!graph.is_border(h));
-    BOOST_TEST(graph.opposite(graph.opposite(h)) == h);
+    BOOST_TEST(graph.opposite[graph.opposite[h]] == h);
     ++faces_around[graph.source_vertex(h)];
     outgoing[graph.source_vertex(h)] = h;
   }
@@ -63,20 +59,20 @@ void check_closed_manifold(const Face_graph& graph)
     Index h = outgoing[v];
     do {
       const Index previous = h % 3 == 0 ? h + 2 : h - 1;
-      h = graph.opposite(previous);
+      h = graph.opposite[previous];
       ++fan;
     } while (h != outgoing[v] && fan <= faces_around[v]);
     BOOST_TEST(fan == faces_around[v]);
   }
 }
 
-Face_graph wrap_of(const Soup& soup)
+Surface wrap_of(const Soup& soup)
 {
-  const Face_graph graph = face_graph_of(soup);
+  const Surface graph = surface_of(soup);
   return Grid_wrap(sequential, graph).surface();
 }
 
-double volume(const Face_graph& graph)
+double volume(const Surface& graph)
 {
   double result = 0;
   for (const auto& c : graph.corners)
@@ -203,8 +199,7 @@ BOOST_AUTO_TEST_CASE(the_boundary_of_any_solid_becomes_a_closed_manifold)
       internal::Well_composed_solid(grid, values)();
       for (Index node = 0; node < values.size(); ++node)
         BOOST_TEST((given[node] >= 0 || values[node] < 0)); // nothing is taken away
-      const Face_graph graph =
-        internal::face_graph(sequential, internal::Surface_nets(grid, values)());
+      const Surface graph = internal::Surface_nets(grid, values)();
       BOOST_TEST((graph.number_of_faces() > 0) == (inside > 0));
       check_closed_manifold(graph);
       BOOST_TEST(volume(graph) > 0);
@@ -213,8 +208,8 @@ BOOST_AUTO_TEST_CASE(the_boundary_of_any_solid_becomes_a_closed_manifold)
 
 BOOST_AUTO_TEST_CASE(the_wrap_of_a_sphere_is_a_larger_sphere)
 {
-  const Face_graph ball = face_graph_of(sphere(4));
-  const Face_graph wrap = Grid_wrap(sequential, ball).surface();
+  const Surface ball = surface_of(sphere(4));
+  const Surface wrap = Grid_wrap(sequential, ball).surface();
   check_closed_manifold(wrap);
   BOOST_TEST(number_of_components(wrap) == 1u);
   const long vertices = static_cast<long>(wrap.points.size());
@@ -227,10 +222,10 @@ BOOST_AUTO_TEST_CASE(the_wrap_of_a_sphere_is_a_larger_sphere)
 BOOST_AUTO_TEST_CASE(a_wrap_depends_neither_on_orientations_nor_on_what_is_inside)
 {
   const Soup alone = torus(3, 1, 40, 20);
-  const Face_graph wrap = wrap_of(alone), other = wrap_of(turned_inside_out(alone));
+  const Surface wrap = wrap_of(alone), other = wrap_of(turned_inside_out(alone));
   BOOST_TEST(other.number_of_faces() == wrap.number_of_faces());
   BOOST_TEST(volume(other) == volume(wrap), tt::tolerance(1e-6));
-  const Face_graph nested = wrap_of(disjoint_union(sphere(4), scaled(sphere(3), 0.5)));
+  const Surface nested = wrap_of(disjoint_union(sphere(4), scaled(sphere(3), 0.5)));
   BOOST_TEST(number_of_components(nested) == 1u);
 }
 
@@ -250,10 +245,9 @@ BOOST_AUTO_TEST_CASE(sets_of_faces_are_joined_nearest_first)
   const double x[4] = {0, 10, 13, 30}; // centers of spheres of radius 1
   for (double center : x)
     soup = disjoint_union(soup, moved(sphere(2), center, 0, 0));
-  const Face_graph graph = face_graph_of(soup);
-  std::size_t number;
-  const std::vector<Index> component = internal::connected_components(graph, number);
-  const auto pairs = internal::nearest_sets_of_faces(graph, component, number);
+  const Surface graph = surface_of(soup);
+  const auto pairs = internal::nearest_sets_of_faces(graph, graph.components.of_face,
+                                                     graph.components.number);
   const std::vector<std::pair<Index, Index> > expected = {{1, 2}, {0, 1}, {2, 3}};
   BOOST_TEST((pairs == expected));
 }

@@ -6,8 +6,8 @@
 #include "test_meshes.h"
 
 #include <CGAL/Spectral_segmentation/internal/distances/Heat_smoothing.h>
-#include <CGAL/Spectral_segmentation/internal/mesh/Face_graph.h>
-#include <CGAL/Spectral_segmentation/internal/mesh/extract_part.h>
+#include <CGAL/Spectral_segmentation/internal/surface/Surface.h>
+#include <CGAL/Spectral_segmentation/internal/surface/extract_part.h>
 
 #include <Eigen/Cholesky>
 #include <Eigen/Core>
@@ -35,20 +35,20 @@ namespace {
 // the error of the step before larger.
 const double tolerance_of_two_steps = 1e-12;
 
-VectorXd areas_of(const Face_graph& graph)
+VectorXd areas_of(const Surface& graph)
 { return Eigen::Map<const VectorXd>(graph.areas.data(), Eigen::Index(graph.areas.size())); }
 
-VectorXd averaged(const Face_graph& graph, double radius, const VectorXd& amounts)
+VectorXd averaged(const Surface& graph, double radius, const VectorXd& amounts)
 { return Heat_smoothing(sequential, graph, graph.points, radius)(amounts); }
 
-double norm_of_amounts(const Face_graph& graph, const VectorXd& amounts)
+double norm_of_amounts(const Surface& graph, const VectorXd& amounts)
 { return amounts.cwiseQuotient(areas_of(graph).cwiseSqrt()).norm(); }
 
-double norm_of_density(const Face_graph& graph, const VectorXd& density)
+double norm_of_density(const Surface& graph, const VectorXd& density)
 { return density.cwiseProduct(areas_of(graph).cwiseSqrt()).norm(); }
 
 // With a mean of 1/2 of the area.
-VectorXd random_amounts(const Face_graph& graph, Random& random)
+VectorXd random_amounts(const Surface& graph, Random& random)
 {
   std::uniform_real_distribution<double> density(0, 1);
   VectorXd amounts = areas_of(graph);
@@ -117,7 +117,7 @@ VectorXd averaged_by_dense_equations(const Soup& soup, double radius, const Vect
 // Returns the value for the average of a unit amount on the face next to the center.
 double mean_squared_distance(const Soup& soup, double radius)
 {
-  const Face_graph graph = face_graph_of(soup);
+  const Surface graph = surface_of(soup);
   const Vector center = std::accumulate(graph.points.begin(), graph.points.end(),
                                         Vector()) / double(graph.points.size());
   Index source = 0;
@@ -140,7 +140,7 @@ BOOST_AUTO_TEST_CASE(a_constant_density_stays)
 {
   Random random(1);
   for (const Soup& soup : shapes(random)) {
-    const Face_graph graph = face_graph_of(soup);
+    const Surface graph = surface_of(soup);
     for (double radius : {0.001, 0.05, 3.})
       for (double density : averaged(graph, radius, 3 * areas_of(graph)))
         BOOST_TEST(density == 3, tt::tolerance(1e-12));
@@ -151,7 +151,7 @@ BOOST_AUTO_TEST_CASE(nothing_is_lost)
 {
   Random random(2);
   for (const Soup& soup : shapes(random)) {
-    const Face_graph graph = face_graph_of(soup);
+    const Surface graph = surface_of(soup);
     const VectorXd amounts = random_amounts(graph, random);
     for (double radius : {0.01, 0.05, 0.2}) {
       const double total = averaged(graph, radius, amounts).dot(areas_of(graph));
@@ -164,7 +164,7 @@ BOOST_AUTO_TEST_CASE(nothing_is_lost)
 BOOST_AUTO_TEST_CASE(nothing_passes_between_components)
 {
   const Soup low = plate(5, 5), high = moved(low, 0, 0, 1);
-  const Face_graph graph = face_graph_of(disjoint_union(disjoint_union(sphere(1), low), high));
+  const Surface graph = surface_of(disjoint_union(disjoint_union(sphere(1), low), high));
   const Index source = 80 + 7;
   VectorXd amounts = VectorXd::Zero(80 + 50 + 50);
   amounts[source] = 1;
@@ -181,13 +181,13 @@ BOOST_AUTO_TEST_CASE(components_of_any_size_are_averaged_as_if_alone)
   Soup all = components.front();
   for (std::size_t i = 1; i < components.size(); ++i)
     all = disjoint_union(all, components[i]);
-  const Face_graph graph = face_graph_of(all);
+  const Surface graph = surface_of(all);
   Random random(1);
   const VectorXd start = random_amounts(graph, random).cwiseQuotient(areas_of(graph));
   const VectorXd averages = averaged(graph, 0.02, start.cwiseProduct(areas_of(graph)));
   Eigen::Index first = 0;
   for (const Soup& component : components) {
-    const Face_graph alone = face_graph_of(component);
+    const Surface alone = surface_of(component);
     const Eigen::Index n = Eigen::Index(alone.number_of_faces());
     const double share = areas_of(graph).segment(first, n).sum() / total_area(graph);
     const VectorXd amounts = start.segment(first, n).cwiseProduct(areas_of(alone));
@@ -203,7 +203,7 @@ BOOST_AUTO_TEST_CASE(it_solves_the_equations_of_two_steps)
     Random random(seed);
     for (const Soup& soup : shapes(random))
       for (double radius : {0.02, 0.1, 0.2}) {
-        const Face_graph graph = face_graph_of(soup);
+        const Surface graph = surface_of(soup);
         const VectorXd amounts = random_amounts(graph, random);
         const VectorXd start = amounts.cwiseQuotient(areas_of(graph));
         // Amounts are areas in the units of the graph, and densities are without unit.
@@ -244,7 +244,7 @@ BOOST_AUTO_TEST_CASE(the_average_does_not_depend_on_the_triangulation)
 {
   for (std::size_t level : {2, 3, 4})
     for (double radius : {0.05, 0.1}) {
-      const Face_graph graph = face_graph_of(sphere(level));
+      const Surface graph = surface_of(sphere(level));
       const Eigen::Index n = Eigen::Index(graph.number_of_faces());
       VectorXd z(n), xy(n);
       for (Index f = 0; f < graph.number_of_faces(); ++f) {
@@ -272,7 +272,7 @@ BOOST_AUTO_TEST_CASE(faces_of_hardly_any_area_do_no_harm)
       Point& q = soup.points[soup.triangles[t][1]];
       q = p + remainder * (q - p);
     }
-    const Face_graph graph = face_graph_of(soup);
+    const Surface graph = surface_of(soup);
     BOOST_TEST(areas_of(graph).minCoeff() <= remainder * areas_of(graph).maxCoeff());
     for (double density : averaged(graph, 0.05, random_amounts(graph, random)))
       BOOST_TEST(std::isfinite(density));
@@ -286,7 +286,7 @@ BOOST_AUTO_TEST_CASE(a_long_component_without_area_does_no_harm)
   for (double length : {1e2, 1e4, 1e6, 1e8}) {
     const Soup needle = {{Point(0, 0, 0), Point(length, 0, 0), Point(length / 2, 0, 0)},
                          {{0, 1, 2}, {0, 2, 1}}};
-    const Face_graph graph = face_graph_of(disjoint_union(plate(40, 40), needle));
+    const Surface graph = surface_of(disjoint_union(plate(40, 40), needle));
     const Eigen::Index n = 2 * 40 * 40;
     BOOST_REQUIRE(graph.number_of_faces() == std::size_t(n) + 2);
     for (double radius : {0.02, 0.05, 1.}) {
@@ -308,7 +308,7 @@ BOOST_AUTO_TEST_CASE(the_numbers_of_the_faces_do_not_matter)
     std::shuffle(old.begin(), old.end(), random);
     for (std::size_t t = 0; t < old.size(); ++t)
       shuffled.triangles[t] = soup.triangles[old[t]];
-    const Face_graph graph = face_graph_of(soup), other = face_graph_of(shuffled);
+    const Surface graph = surface_of(soup), other = surface_of(shuffled);
     const VectorXd amounts = random_amounts(graph, random);
     VectorXd shuffled_amounts(amounts.size());
     for (std::size_t t = 0; t < old.size(); ++t)

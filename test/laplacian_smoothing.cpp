@@ -5,7 +5,7 @@
 
 #include "test_meshes.h"
 
-#include <CGAL/Spectral_segmentation/internal/mesh/Face_graph.h>
+#include <CGAL/Spectral_segmentation/internal/surface/Surface.h>
 #include <CGAL/Spectral_segmentation/internal/distances/laplacian_smoothing.h>
 
 #include <cstddef>
@@ -42,14 +42,14 @@ std::vector<Vector> smoothed_by_vertex(const Soup& soup, std::vector<Vector> poi
 
 BOOST_AUTO_TEST_CASE(no_step_changes_nothing)
 {
-  const Face_graph graph = face_graph_of(sphere(1));
+  const Surface graph = surface_of(sphere(1));
   BOOST_TEST((smoothed_points(graph, 0) == graph.points));
 }
 
 BOOST_AUTO_TEST_CASE(the_peak_over_a_fixed_rim_halves_its_height)
 {
   const Soup soup = surface_of_revolution({{0, 1}, {1, 0}}, 6);
-  const Face_graph graph = face_graph_of(soup);
+  const Surface graph = surface_of(soup);
   const std::size_t peak = soup.points.size() - 1;
   for (std::size_t steps : {1, 2, 5}) {
     const std::vector<Vector> points = smoothed_points(graph, steps);
@@ -64,7 +64,7 @@ BOOST_AUTO_TEST_CASE(the_peak_over_a_fixed_rim_halves_its_height)
 BOOST_AUTO_TEST_CASE(an_octahedron_shrinks_to_half_its_size_in_each_step)
 {
   const Soup soup = surface_of_revolution({{-1, 0}, {0, 1}, {1, 0}}, 4);
-  const Face_graph graph = face_graph_of(soup);
+  const Surface graph = surface_of(soup);
   const std::vector<Vector> points = smoothed_points(graph, 3);
   for (std::size_t v = 0; v < 6; ++v)
     BOOST_TEST((points[v] - graph.points[v] / 8).norm() < 1e-15);
@@ -78,7 +78,7 @@ BOOST_AUTO_TEST_CASE(all_vertices_move_at_once_half_the_way_to_the_mean_of_their
       const std::vector<Soup> shapes = {plate(5, 4), sphere(1), torus(2, 0.7, 6, 5),
                                         surface_of_revolution({{0, 0}, {1, 1}, {2, 1}}, 8)};
       const Soup soup = displaced(shapes[seed % shapes.size()], 0.3, random);
-      const Face_graph graph = face_graph_of(soup);
+      const Surface graph = surface_of(soup);
       const std::size_t steps = 1 + seed % 3;
       const std::vector<Vector> points = smoothed_points(graph, steps);
       const std::vector<Vector> expected = smoothed_by_vertex(soup, graph.points, steps);
@@ -92,7 +92,7 @@ BOOST_AUTO_TEST_CASE(a_vertex_without_a_face_stays)
 {
   Soup soup = sphere(0);
   soup.points.emplace_back(5, 5, 5);
-  const Face_graph graph = face_graph_of(soup);
+  const Surface graph = surface_of(soup);
   BOOST_TEST((smoothed_points(graph, 2).back() == graph.points.back()));
 }
 

@@ -6,9 +6,9 @@
 #include "test_meshes.h"
 
 #include <CGAL/Spectral_segmentation/Part_salience.h>
-#include <CGAL/Spectral_segmentation/internal/mesh/Face_graph.h>
+#include <CGAL/Spectral_segmentation/internal/surface/Surface.h>
 #include <CGAL/Spectral_segmentation/internal/bipartition/line_search.h>
-#include <CGAL/Spectral_segmentation/internal/mesh/extract_part.h>
+#include <CGAL/Spectral_segmentation/internal/surface/extract_part.h>
 #include <CGAL/Spectral_segmentation/internal/distances/shortest_paths.h>
 #include <CGAL/Spectral_segmentation/internal/bipartition/face_orders.h>
 
@@ -59,7 +59,7 @@ class Twin
     double angle, concavity;
   };
 
-  const Face_graph& part_;
+  const Surface& part_;
   std::map<std::pair<Index, Index>, Edge> edges_; // inner ones, by their vertices
   std::map<Index, Faces> neighbors_;
   double largest_angle_ = 0;
@@ -100,7 +100,7 @@ public:
     double base; // the product of the two largest eigenvalues
   };
 
-  explicit Twin(const Face_graph& part) : part_(part)
+  explicit Twin(const Surface& part) : part_(part)
   {
     for (Index h = 0; h < part.number_of_halfedges(); ++h) {
       Edge& e = edges_[std::minmax(part.source_vertex(h), part.target_vertex(h))];
@@ -195,7 +195,7 @@ Salience_factors factors_of(const Twin::Step& step)
 }
 
 // Compares every step and the chosen cut; returns the number of compared cuts.
-std::size_t compare_with_twin(const Face_graph& part, const std::vector<Index>& line,
+std::size_t compare_with_twin(const Surface& part, const std::vector<Index>& line,
                               const Weighted_part_salience& part_salience, double minimum_area)
 {
   std::vector<Observed> observed;
@@ -249,7 +249,7 @@ std::size_t compare_with_twin(const Face_graph& part, const std::vector<Index>& 
   return observed.size();
 }
 
-std::vector<Index> random_line(const Face_graph& part, Random& random)
+std::vector<Index> random_line(const Surface& part, Random& random)
 {
   std::vector<Index> line(part.number_of_faces());
   std::iota(line.begin(), line.end(), Index(0));
@@ -257,14 +257,14 @@ std::vector<Index> random_line(const Face_graph& part, Random& random)
   return line;
 }
 
-std::vector<Index> line_between(const Face_graph& part, Index s, Index t)
+std::vector<Index> line_between(const Surface& part, Index s, Index t)
 {
   return spectral_order(sequential, shortest_paths(part, &Edge_weights::combined, s),
                         shortest_paths(part, &Edge_weights::combined, t));
 }
 
 // A spectral line, of which some faces are visited at another time.
-std::vector<Index> disturbed_line(const Face_graph& part, Random& random)
+std::vector<Index> disturbed_line(const Surface& part, Random& random)
 {
   const std::size_t n = part.number_of_faces();
   std::vector<Index> line = line_between(part, Index(random() % n), Index(random() % n));
@@ -279,7 +279,7 @@ void compare_on_random_meshes(unsigned number, const std::vector<Soup>& shapes, 
   for (unsigned seed = 1; seed <= number; ++seed)
     BOOST_TEST_CONTEXT("seed " << seed) {
       Random random(seed);
-      Face_graph part =
+      Surface part =
         graph_with_distances(displaced(shapes[seed % shapes.size()], 0.25, random));
       if (is_cut_out)
         part = random_part(part, 2 + random() % part.number_of_faces(), random);
@@ -335,7 +335,7 @@ BOOST_AUTO_TEST_CASE(it_agrees_with_its_twin_on_meshes_of_genus_2)
 BOOST_AUTO_TEST_CASE(faces_that_do_not_touch_the_patch_wait)
 {
   // A strip of six faces, 0 to 5 in this order.
-  const Face_graph strip = face_graph_of(
+  const Surface strip = surface_of(
     {{Point(0, 0, 0), Point(1, 0, 0), Point(0, 1, 0), Point(1, 1, 0), Point(0, 2, 0),
       Point(1, 2, 0), Point(0, 3, 0), Point(1, 3, 0)},
      {{0, 1, 2}, {2, 1, 3}, {2, 3, 4}, {4, 3, 5}, {4, 5, 6}, {6, 5, 7}}});
@@ -353,7 +353,7 @@ BOOST_AUTO_TEST_CASE(faces_that_do_not_touch_the_patch_wait)
 BOOST_AUTO_TEST_CASE(a_patch_that_is_closed_around_a_hole_is_no_cut)
 {
   // Face by face, but 24 in the middle last; its neighbors are 15, 25 and 27.
-  const Face_graph part = graph_with_distances(plate(5, 5));
+  const Surface part = graph_with_distances(plate(5, 5));
   std::vector<Index> line(50);
   std::iota(line.begin(), line.end(), Index(0));
   line.erase(line.begin() + 24);
@@ -369,7 +369,7 @@ BOOST_AUTO_TEST_CASE(a_patch_that_is_closed_around_a_hole_is_no_cut)
 
 BOOST_AUTO_TEST_CASE(of_equally_salient_cuts_the_first_is_taken)
 {
-  const Face_graph part = graph_with_distances(plate(5, 4));
+  const Surface part = graph_with_distances(plate(5, 4));
   std::vector<Index> line(40);
   std::iota(line.begin(), line.end(), Index(0));
   std::size_t first = line.size();
@@ -382,7 +382,7 @@ BOOST_AUTO_TEST_CASE(of_equally_salient_cuts_the_first_is_taken)
 
 BOOST_AUTO_TEST_CASE(the_side_of_smaller_area_is_side_0_whichever_end_the_line_starts_at)
 {
-  const Face_graph part = graph_with_distances(dumbbell(8, 6));
+  const Surface part = graph_with_distances(dumbbell(8, 6));
   const Index last = static_cast<Index>(part.number_of_faces() - 1);
   for (const auto& [s, t] : {std::pair(Index(0), last), std::pair(last, Index(0))}) {
     const std::optional<Cut> cut = internal::line_search(sequential, part, line_between(part, s, t),
@@ -399,10 +399,10 @@ BOOST_AUTO_TEST_CASE(the_side_of_smaller_area_is_side_0_whichever_end_the_line_s
 BOOST_AUTO_TEST_CASE(a_part_without_a_cut_has_none)
 {
   Random random(1);
-  const Face_graph face = random_part(graph_with_distances(sphere(0)), 1, random);
+  const Surface face = random_part(graph_with_distances(sphere(0)), 1, random);
   BOOST_TEST(
     !internal::line_search(sequential, face, {0}, Weighted_part_salience(), 0).has_value());
-  const Face_graph part = graph_with_distances(sphere(1));
+  const Surface part = graph_with_distances(sphere(1));
   BOOST_TEST(!internal::line_search(sequential, part, random_line(part, random),
                                     Weighted_part_salience(), 0.51 * total_area(part))
                 .has_value());

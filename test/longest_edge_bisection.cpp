@@ -5,7 +5,7 @@
 
 #include "test_meshes.h"
 
-#include <CGAL/Spectral_segmentation/internal/multilevel/Longest_edge_bisection.h>
+#include <CGAL/Spectral_segmentation/internal/coarsening/Longest_edge_bisection.h>
 
 #include <algorithm>
 #include <cmath>
@@ -25,10 +25,10 @@ using CGAL::Spectral_segmentation::internal::edge_length;
 
 namespace {
 
-Refined_mesh refined(const Face_graph& graph, double length)
+Refined_mesh refined(const Surface& graph, double length)
 { return Longest_edge_bisection(graph, length)(sequential); }
 
-double longest_edge(const Face_graph& graph)
+double longest_edge(const Surface& graph)
 {
   double result = 0;
   for (Index h = 0; h < graph.number_of_halfedges(); ++h)
@@ -36,7 +36,7 @@ double longest_edge(const Face_graph& graph)
   return result;
 }
 
-double length_of_border(const Face_graph& graph)
+double length_of_border(const Surface& graph)
 {
   double result = 0;
   for (Index h = 0; h < graph.number_of_halfedges(); ++h)
@@ -46,7 +46,7 @@ double length_of_border(const Face_graph& graph)
 }
 
 // Returns the characteristic of a graph whose edges all match.
-long euler_characteristic(const Face_graph& graph)
+long euler_characteristic(const Surface& graph)
 {
   long twice_edges = 0;
   std::set<Index> vertices;
@@ -64,7 +64,7 @@ BOOST_AUTO_TEST_CASE(the_surface_stays_and_no_edge_is_longer_than_the_bound)
 {
   for (const Soup& soup : small_soups())
     for (double share : {0.07, 0.3, 0.9}) {
-      const Face_graph graph = face_graph_of(soup);
+      const Surface graph = surface_of(soup);
       const double length = share * longest_edge(graph);
       const Refined_mesh result = refined(graph, length);
       BOOST_TEST(longest_edge(result.graph) <= length * (1 + 1e-6));
@@ -82,11 +82,11 @@ BOOST_AUTO_TEST_CASE(the_surface_stays_and_no_edge_is_longer_than_the_bound)
 BOOST_AUTO_TEST_CASE(faces_on_both_sides_of_an_edge_cut_it_alike)
 {
   for (const Soup& soup : small_soups()) {
-    const Face_graph graph = face_graph_of(soup);
-    const Face_graph result = refined(graph, 0.2 * longest_edge(graph)).graph;
+    const Surface graph = surface_of(soup);
+    const Surface result = refined(graph, 0.2 * longest_edge(graph)).graph;
     for (Index h = 0; h < result.number_of_halfedges(); ++h)
       if (!result.is_border(h))
-        BOOST_TEST(result.opposite(result.opposite(h)) == h);
+        BOOST_TEST(result.opposite[result.opposite[h]] == h);
   }
 }
 
@@ -95,7 +95,7 @@ BOOST_AUTO_TEST_CASE(a_right_triangle_is_halved_at_its_hypotenuse)
   Soup soup;
   soup.points = {Point(0, 0, 0), Point(4, 0, 0), Point(0, 3, 0)};
   soup.triangles = {{0, 1, 2}};
-  const Face_graph graph = face_graph_of(soup);
+  const Surface graph = surface_of(soup);
   const Refined_mesh result = refined(graph, 0.9 * longest_edge(graph));
   BOOST_TEST(result.faces == std::vector<Index>({0, 0}), tt::per_element());
   BOOST_REQUIRE(result.graph.points.size() == 4u);
@@ -105,18 +105,18 @@ BOOST_AUTO_TEST_CASE(a_right_triangle_is_halved_at_its_hypotenuse)
 
 BOOST_AUTO_TEST_CASE(a_mesh_without_long_edges_stays_as_it_is)
 {
-  const Face_graph graph = face_graph_of(sphere(2));
+  const Surface graph = surface_of(sphere(2));
   const double number_of_faces = static_cast<double>(graph.number_of_faces());
   BOOST_TEST(!bound_of_edges(sequential, graph, number_of_faces / 2, 16 * number_of_faces));
   const Refined_mesh result = refined(graph, longest_edge(graph) * (1 + 1e-6));
   BOOST_TEST((result.graph.corners == graph.corners));
-  BOOST_TEST(result.graph.neighbors == graph.neighbors, tt::per_element());
+  BOOST_TEST(result.graph.opposite == graph.opposite, tt::per_element());
 }
 
 BOOST_AUTO_TEST_CASE(an_even_mesh_has_edges_of_the_length_of_its_number_of_faces)
 {
   // Equilateral triangles: 20 of an icosahedron
-  const Face_graph graph = face_graph_of(sphere(0));
+  const Surface graph = surface_of(sphere(0));
   BOOST_TEST(edge_length(20 * graph.areas[0], 20) == graph.length(0), tt::tolerance(1e-9));
 }
 
@@ -126,7 +126,7 @@ BOOST_AUTO_TEST_CASE(the_bound_gives_about_the_number_of_faces)
 {
   for (const Soup& soup : {sphere(0), sphere(1), torus(3, 1, 8, 5), plate(2, 1)})
     for (double number_of_faces : {500., 4000.}) {
-      const Face_graph graph = face_graph_of(soup);
+      const Surface graph = surface_of(soup);
       const auto bound = bound_of_edges(sequential, graph, number_of_faces, 16 * number_of_faces);
       BOOST_REQUIRE(bound.has_value());
       const double result = static_cast<double>(refined(graph, *bound).faces.size());
@@ -145,7 +145,7 @@ BOOST_AUTO_TEST_CASE(many_needles_raise_the_bound)
     soup.triangles.push_back({i, i + 2, i + 1});
     soup.triangles.push_back({i + 1, i + 2, i + 3});
   }
-  const Face_graph graph = face_graph_of(soup);
+  const Surface graph = surface_of(soup);
   const auto bound = bound_of_edges(sequential, graph, 4000, 16 * 4000);
   BOOST_REQUIRE(bound.has_value());
   BOOST_TEST(*bound > edge_length(1, 4000));

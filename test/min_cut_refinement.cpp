@@ -5,11 +5,11 @@
 
 #include "test_meshes.h"
 
-#include <CGAL/Spectral_segmentation/internal/mesh/Face_graph.h>
+#include <CGAL/Spectral_segmentation/internal/surface/Surface.h>
 #include <CGAL/Spectral_segmentation/internal/salience/faces_near_cut.h>
 #include <CGAL/Spectral_segmentation/internal/distances/face_distances.h>
 #include <CGAL/Spectral_segmentation/internal/bipartition/min_cut_refinement.h>
-#include <CGAL/Spectral_segmentation/internal/mesh/extract_part.h>
+#include <CGAL/Spectral_segmentation/internal/surface/extract_part.h>
 
 #include <algorithm>
 #include <cmath>
@@ -38,17 +38,17 @@ typedef std::vector<char> Sides;
 
 const double infinity = std::numeric_limits<double>::infinity();
 
-Face_graph graph_of(const Soup& soup)
+Surface graph_of(const Soup& soup)
 { return graph_with_distances(soup, weights_of_calibrated_method); }
 
-Face_graph random_graph(Random& random)
+Surface random_graph(Random& random)
 {
   const std::vector<Soup> shapes = {plate(9, 7), sphere(2), torus(2, 0.7, 16, 10),
                                     dumbbell(12, 8)};
   return graph_of(displaced(shapes[random() % shapes.size()], 0.05, random));
 }
 
-double area_of_side(const Face_graph& graph, const Sides& side, char s)
+double area_of_side(const Surface& graph, const Sides& side, char s)
 {
   double area = 0;
   for (Index f = 0; f < side.size(); ++f)
@@ -58,7 +58,7 @@ double area_of_side(const Face_graph& graph, const Sides& side, char s)
 }
 
 // A set of faces that grows at random from one face, and the rest; 0 for the smaller of the two.
-Sides random_sides(const Face_graph& graph, Random& random)
+Sides random_sides(const Surface& graph, Random& random)
 {
   Sides side(graph.number_of_faces(), 1);
   std::vector<Index> front(1, Index(random() % side.size()));
@@ -71,7 +71,7 @@ Sides random_sides(const Face_graph& graph, Random& random)
     side[f] = 0;
     --n;
     for (Index h = 3 * f; h < 3 * f + 3; ++h)
-      front.push_back(graph.neighbors[h]);
+      front.push_back(graph.neighbor(h));
   }
   if (area_of_side(graph, side, 0) > area_of_side(graph, side, 1))
     for (char& s : side)
@@ -80,13 +80,13 @@ Sides random_sides(const Face_graph& graph, Random& random)
 }
 
 // From the cut, over faces of one side; shortened until nothing changes.
-std::vector<double> distances_by_relaxation(const Face_graph& graph, const Sides& side)
+std::vector<double> distances_by_relaxation(const Surface& graph, const Sides& side)
 {
   std::vector<double> distance(graph.number_of_faces(), infinity);
   for (bool has_changed = true; has_changed;) {
     has_changed = false;
     for (Index h = 0; h < graph.number_of_halfedges(); ++h) {
-      const Index f = h / 3, g = graph.neighbors[h];
+      const Index f = h / 3, g = graph.neighbor(h);
       const Vector from = side[f] == side[g]
         ? graph.centroid(g)
         : (graph.points[graph.source_vertex(h)] + graph.points[graph.target_vertex(h)]) / 2;
@@ -101,21 +101,21 @@ std::vector<double> distances_by_relaxation(const Face_graph& graph, const Sides
   return distance;
 }
 
-std::vector<Face_at_distance> near_cut(const Face_graph& graph, const Sides& side,
+std::vector<Face_at_distance> near_cut(const Surface& graph, const Sides& side,
                                        double radius)
 { return faces_near_cut(graph, side, halfedges_of_cut(graph, side), radius); }
 
-double capacity_of_cut(const Face_graph& graph, const Sides& side)
+double capacity_of_cut(const Surface& graph, const Sides& side)
 {
   double sum = 0;
   for (Index h = 0; h < graph.number_of_halfedges(); ++h)
-    if (side[h / 3] == 0 && side[graph.neighbors[h]] == 1)
+    if (side[h / 3] == 0 && side[graph.neighbor(h)] == 1)
       sum += capacity(graph, h);
   return sum;
 }
 
 // Returns the sides of a dumbbell, whose center is the origin.
-Sides above(const Face_graph& graph, double unit, double z)
+Sides above(const Surface& graph, double unit, double z)
 {
   Sides side(graph.number_of_faces());
   for (Index f = 0; f < side.size(); ++f)
@@ -177,7 +177,7 @@ struct Random_network
 
 BOOST_AUTO_TEST_CASE(distances_run_from_the_middle_of_the_cut_over_the_centroids)
 {
-  const Face_graph graph = graph_of(plate(4, 1));
+  const Surface graph = graph_of(plate(4, 1));
   const double unit = unit_of(plate(4, 1));
   const Sides side = {0, 0, 0, 0, 1, 1, 1, 1}; // cut at x = 2
   const double first = std::sqrt(5.) / 6, step = std::sqrt(2.) / 3;
@@ -195,7 +195,7 @@ BOOST_AUTO_TEST_CASE(faces_near_a_cut_are_those_within_the_radius_nearest_first)
   for (unsigned seed = 1; seed <= 60; ++seed) {
     BOOST_TEST_CONTEXT("seed " << seed) {
       Random random(seed);
-      const Face_graph graph = random_graph(random);
+      const Surface graph = random_graph(random);
       const Sides side = random_sides(graph, random);
       const std::vector<double> expected = distances_by_relaxation(graph, side);
       const double largest = *std::max_element(expected.begin(), expected.end());
@@ -219,13 +219,13 @@ BOOST_AUTO_TEST_CASE(faces_near_a_cut_are_those_within_the_radius_nearest_first)
 
 BOOST_AUTO_TEST_CASE(no_face_is_near_where_there_is_no_cut)
 {
-  const Face_graph graph = graph_of(sphere(1));
+  const Surface graph = graph_of(sphere(1));
   BOOST_TEST(near_cut(graph, Sides(graph.number_of_faces(), 1), infinity).empty());
 }
 
 BOOST_AUTO_TEST_CASE(an_edge_costs_its_length_and_little_of_it_where_it_is_concave)
 {
-  Face_graph graph = graph_of(plate(1, 1));
+  Surface graph = graph_of(plate(1, 1));
   const auto tolerance = boost::test_tools::tolerance(1e-5);
   for (Index h = 0; h < 6; ++h)
     BOOST_TEST(capacity(graph, h) == graph.length(h) * 1.05, tolerance);
@@ -262,7 +262,7 @@ BOOST_AUTO_TEST_CASE(a_network_has_the_smallest_of_its_minimum_cuts)
 BOOST_AUTO_TEST_CASE(a_cut_some_rings_from_the_neck_moves_to_the_neck)
 {
   const Soup soup = dumbbell(20, 15);
-  const Face_graph graph = graph_of(soup);
+  const Surface graph = graph_of(soup);
   const double unit = unit_of(soup);
   const Sides top = above(graph, unit, 0);
   for (std::size_t ring : {0, 1, 2, 3}) {
@@ -279,7 +279,7 @@ BOOST_AUTO_TEST_CASE(a_cut_some_rings_from_the_neck_moves_to_the_neck)
 BOOST_AUTO_TEST_CASE(a_cut_out_of_reach_of_the_neck_stays_away_from_it)
 {
   const Soup soup = dumbbell(20, 15);
-  const Face_graph graph = graph_of(soup);
+  const Surface graph = graph_of(soup);
   const Sides before = above(graph, unit_of(soup), 1.5);
   const double area = area_of_side(graph, before, 0);
   const Sides after = minimum_cut_around(graph, before, area);
@@ -291,7 +291,7 @@ BOOST_AUTO_TEST_CASE(no_cut_becomes_more_expensive_and_faces_far_from_it_stay)
   for (unsigned seed = 1; seed <= 60; ++seed) {
     BOOST_TEST_CONTEXT("seed " << seed) {
       Random random(seed);
-      const Face_graph graph = random_graph(random);
+      const Surface graph = random_graph(random);
       const Sides before = random_sides(graph, random);
       const double area = area_of_side(graph, before, 0);
       const Sides after = minimum_cut_around(graph, before, area);
@@ -308,11 +308,11 @@ BOOST_AUTO_TEST_CASE(no_cut_becomes_more_expensive_and_faces_far_from_it_stay)
 
 BOOST_AUTO_TEST_CASE(of_all_cuts_within_reach_there_is_no_cheaper_one)
 {
-  const Face_graph whole = graph_of(torus(2, 0.7, 12, 8));
+  const Surface whole = graph_of(torus(2, 0.7, 12, 8));
   for (unsigned seed = 1; seed <= 60; ++seed) {
     BOOST_TEST_CONTEXT("seed " << seed) {
       Random random(seed);
-      const Face_graph graph = random_part(whole, 2 + random() % 9, random);
+      const Surface graph = random_part(whole, 2 + random() % 9, random);
       const std::size_t n = graph.number_of_faces();
       const Sides before = random_sides(graph, random);
       const double area = area_of_side(graph, before, 0);
@@ -348,7 +348,7 @@ BOOST_AUTO_TEST_CASE(of_all_cuts_within_reach_there_is_no_cheaper_one)
 
 BOOST_AUTO_TEST_CASE(two_faces_keep_a_side_each)
 {
-  const Face_graph graph = graph_of(plate(1, 1));
+  const Surface graph = graph_of(plate(1, 1));
   for (double area_of_q : {0., 0.5, 1e6}) {
     const Sides after = minimum_cut_around(graph, {1, 0}, area_of_q);
     BOOST_TEST((after == Sides{1, 0}));

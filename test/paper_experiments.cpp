@@ -50,7 +50,7 @@ namespace {
 
 constexpr double tolerance = 1e-12;
 
-Face_graph irregular_dumbbell()
+Surface irregular_dumbbell()
 {
   test_meshes::Random random(1);
   return graph_with_distances(
@@ -58,7 +58,7 @@ Face_graph irregular_dumbbell()
 }
 
 // On which side of the neck of the dumbbell each face is.
-Labels spheres(const Face_graph& dumbbell)
+Labels spheres(const Surface& dumbbell)
 {
   Labels labels;
   for (Index f = 0; f < dumbbell.number_of_faces(); ++f)
@@ -147,7 +147,7 @@ BOOST_AUTO_TEST_CASE(direction_error_of_vectors)
 
 BOOST_AUTO_TEST_CASE(no_error_if_all_faces_are_samples)
 {
-  const Face_graph graph = irregular_dumbbell();
+  const Surface graph = irregular_dumbbell();
   std::vector<Index> samples = all_faces(graph);
   std::reverse(samples.begin(), samples.end());
   const Eigen::MatrixXd rows = affinities(distances_from(graph, samples));
@@ -161,7 +161,7 @@ BOOST_AUTO_TEST_CASE(no_error_if_all_faces_are_samples)
 // The order of the two-sample embedding is that of the difference of the distances.
 BOOST_AUTO_TEST_CASE(line_of_two_samples)
 {
-  const Face_graph graph = irregular_dumbbell();
+  const Surface graph = irregular_dumbbell();
   Random_engine random = random_engine(1, 0);
   const std::vector<Index> samples = samples_by_contexts(graph, 2, random);
   const Eigenpairs e = face_eigenpairs(graph, samples);
@@ -180,7 +180,7 @@ BOOST_AUTO_TEST_CASE(line_of_two_samples)
 // The cut of the package, along the line from one sample or from the other.
 BOOST_AUTO_TEST_CASE(cut_by_two_samples)
 {
-  const Face_graph graph = irregular_dumbbell();
+  const Surface graph = irregular_dumbbell();
   Random_engine random = random_engine(1, 0);
   const std::vector<Index> samples = samples_by_contexts(graph, 2, random);
   const auto from = [&](Index f)
@@ -201,7 +201,7 @@ BOOST_AUTO_TEST_CASE(cut_by_two_samples)
 
 BOOST_AUTO_TEST_CASE(a_dumbbell_is_cut_at_its_neck_by_exact_eigenvectors)
 {
-  const Face_graph graph = irregular_dumbbell();
+  const Surface graph = irregular_dumbbell();
   const std::vector<Index> samples = all_faces(graph);
   const auto cut = cut_by_eigenvectors(graph, face_eigenpairs(graph, samples), samples, 0);
   BOOST_TEST_REQUIRE(cut.has_value());
@@ -210,7 +210,7 @@ BOOST_AUTO_TEST_CASE(a_dumbbell_is_cut_at_its_neck_by_exact_eigenvectors)
 
 BOOST_AUTO_TEST_CASE(a_dumbbell_has_two_spectral_clusters)
 {
-  const Face_graph graph = irregular_dumbbell();
+  const Surface graph = irregular_dumbbell();
   const Labels expected = spheres(graph);
   for (std::size_t m : {std::size_t(20), graph.number_of_faces()})
     for (const auto cluster : {k_way_clusters, recursive_two_means}) {
@@ -221,7 +221,7 @@ BOOST_AUTO_TEST_CASE(a_dumbbell_has_two_spectral_clusters)
 
 BOOST_AUTO_TEST_CASE(schemes_take_different_faces)
 {
-  const Face_graph graph = graph_with_distances(test_meshes::plate(2, 2));
+  const Surface graph = graph_with_distances(test_meshes::plate(2, 2));
   for (const Sampling_scheme& scheme : sampling_schemes)
     for (std::size_t m : {2, 5, 100}) {
       BOOST_TEST_INFO_SCOPE(scheme.name << ", " << m);
@@ -246,7 +246,7 @@ BOOST_AUTO_TEST_CASE(farthest_first_on_a_line)
 
 BOOST_AUTO_TEST_CASE(first_two_samples_by_contexts_are_those_of_the_package)
 {
-  const Face_graph graph = irregular_dumbbell();
+  const Surface graph = irregular_dumbbell();
   const internal::Sample_faces expected =
     internal::sample_faces(Execution::SEQUENTIAL, internal::shape_contexts(
       graph, internal::farthest_face_from_center(Execution::SEQUENTIAL, graph), 10, [] {}));
@@ -258,7 +258,7 @@ BOOST_AUTO_TEST_CASE(first_two_samples_by_contexts_are_those_of_the_package)
 // 16 faces of equal area; the largest part is halved next, the first of several.
 BOOST_AUTO_TEST_CASE(recursion_cuts_the_largest_part)
 {
-  const Face_graph graph = graph_with_distances(test_meshes::plate(8, 1));
+  const Surface graph = graph_with_distances(test_meshes::plate(8, 1));
   const auto halves = [](const Part& part) {
     Sides sides(part.faces.size(), 0);
     std::fill(sides.begin() + static_cast<std::ptrdiff_t>(sides.size() / 2), sides.end(), 1);
@@ -286,7 +286,7 @@ BOOST_AUTO_TEST_CASE(recursion_by_shape_context_is_that_of_the_package)
                params::zhang_liu_2005().maximum_number_of_segments(k)
                  .salience_threshold(-std::numeric_limits<double>::infinity())) == k);
 
-  const Face_graph graph = paper_graph(mesh);
+  const Surface graph = paper_graph(mesh);
   Random_engine random = random_engine(1, 0);
   const Labels labels = recursive_cuts(graph, k, [&](const Part& part) {
     return cut_between_samples(sampling_schemes[shape_context_scheme], part.graph,

@@ -6,7 +6,7 @@
 #include "test_meshes.h"
 
 #include <CGAL/Spectral_segmentation/Part_salience.h>
-#include <CGAL/Spectral_segmentation/internal/mesh/Face_graph.h>
+#include <CGAL/Spectral_segmentation/internal/surface/Surface.h>
 #include <CGAL/Spectral_segmentation/internal/salience/Boundary_statistics.h>
 
 #include <algorithm>
@@ -28,7 +28,7 @@ namespace {
 
 typedef std::vector<Index> Faces;
 
-Salience_factors factors_of(const Face_graph& graph, const Faces& faces)
+Salience_factors factors_of(const Surface& graph, const Faces& faces)
 {
   Boundary_statistics q(graph);
   for (Index f : faces)
@@ -67,7 +67,7 @@ Soup cube_on_a_plate()
 
 const Faces cube = {16, 17, 18, 19, 20, 21, 22, 23, 24, 25};
 
-Faces all_but(const Face_graph& graph, const Faces& faces)
+Faces all_but(const Surface& graph, const Faces& faces)
 {
   Faces rest;
   for (Index f = 0; f < graph.number_of_faces(); ++f)
@@ -77,13 +77,13 @@ Faces all_but(const Face_graph& graph, const Faces& faces)
 }
 
 // A connected set of some faces of the graph, in the order of a walk.
-Faces random_patch(const Face_graph& graph, Random& random)
+Faces random_patch(const Surface& graph, Random& random)
 {
   const std::size_t size = 1 + random() % (graph.number_of_faces() - 1);
   Faces patch(1, static_cast<Index>(random() % graph.number_of_faces()));
   while (patch.size() < size) {
     const Index h = static_cast<Index>(3 * patch[random() % patch.size()] + random() % 3);
-    const Index f = graph.neighbors[h];
+    const Index f = graph.neighbor(h);
     if (std::find(patch.begin(), patch.end(), f) == patch.end())
       patch.push_back(f);
   }
@@ -94,7 +94,7 @@ Faces random_patch(const Face_graph& graph, Random& random)
 
 BOOST_AUTO_TEST_CASE(a_cube_on_a_plate)
 {
-  const Face_graph graph = graph_with_distances(cube_on_a_plate());
+  const Surface graph = graph_with_distances(cube_on_a_plate());
   // The cut is a unit square, whose corners have variances 1/4, on the sharpest concave edges.
   const Salience_factors factors = factors_of(graph, cube);
   check_factors(factors, 5. / 13, 1, 4. / 5);
@@ -104,13 +104,13 @@ BOOST_AUTO_TEST_CASE(a_cube_on_a_plate)
 
 BOOST_AUTO_TEST_CASE(a_cut_along_convex_edges_has_no_strength)
 {
-  const Face_graph graph = graph_with_distances(cube_on_a_plate());
+  const Surface graph = graph_with_distances(cube_on_a_plate());
   check_factors(factors_of(graph, {24, 25}), 1. / 13, 0, 0);
 }
 
 BOOST_AUTO_TEST_CASE(a_cut_that_is_neither_planar_nor_concave_all_along)
 {
-  const Face_graph graph = graph_with_distances(cube_on_a_plate());
+  const Surface graph = graph_with_distances(cube_on_a_plate());
   // One wall is left out: three concave edges of six; the six vertices have variance 1/4 along the
   // wall and across it the covariance matrix (2/9 1/9, 1/9 2/9) with eigenvalues 1/3 and 1/9.
   check_factors(factors_of(graph, Faces(cube.begin() + 2, cube.end())), 4. / 13, 1. / 2,
@@ -119,7 +119,7 @@ BOOST_AUTO_TEST_CASE(a_cut_that_is_neither_planar_nor_concave_all_along)
 
 BOOST_AUTO_TEST_CASE(a_square_loop_on_a_flat_plate)
 {
-  const Face_graph graph = graph_with_distances(plate(6, 5));
+  const Surface graph = graph_with_distances(plate(6, 5));
   // Eight vertices around 2 x 2 squares, at -1, 0 and 1 three, two and three times in x and in y.
   Faces square;
   for (Index y : {1, 2})
@@ -131,7 +131,7 @@ BOOST_AUTO_TEST_CASE(a_square_loop_on_a_flat_plate)
 
 BOOST_AUTO_TEST_CASE(a_straight_cut_encloses_no_base_area)
 {
-  const Face_graph graph = graph_with_distances(plate(6, 5));
+  const Surface graph = graph_with_distances(plate(6, 5));
   Faces rows(24);
   std::iota(rows.begin(), rows.end(), Index(0));
   const Salience_factors factors = factors_of(graph, rows);
@@ -141,7 +141,7 @@ BOOST_AUTO_TEST_CASE(a_straight_cut_encloses_no_base_area)
 
 BOOST_AUTO_TEST_CASE(strength_is_relative_to_the_largest_angle_of_the_part)
 {
-  Face_graph graph = graph_with_distances(cube_on_a_plate());
+  Surface graph = graph_with_distances(cube_on_a_plate());
   for (Edge_weights& w : graph.weights) {
     w.angle = w.concavity > 0 ? 0.25f : 0.125f;
     w.concavity = w.concavity > 0 ? 0.25f : 0;
@@ -165,7 +165,7 @@ BOOST_AUTO_TEST_CASE(both_sides_of_a_cut_and_all_orders_of_faces_give_the_same_f
     BOOST_TEST_CONTEXT("seed " << seed) {
       Random random(seed);
       const Soup shape = seed % 2 ? sphere(1) : plate(5, 4);
-      const Face_graph graph = graph_with_distances(displaced(shape, 0.2, random));
+      const Surface graph = graph_with_distances(displaced(shape, 0.2, random));
       Faces patch = random_patch(graph, random), rest = all_but(graph, patch);
       const Salience_factors factors = factors_of(graph, patch);
       for (Faces* side : {&patch, &rest}) {
@@ -181,12 +181,12 @@ BOOST_AUTO_TEST_CASE(factors_do_not_depend_on_scale_and_place)
 {
   Random random(1);
   const Soup soup = displaced(sphere(1), 0.2, random);
-  const Face_graph graph = graph_with_distances(soup);
+  const Surface graph = graph_with_distances(soup);
   for (double scale : {1e-9, 0.3, 7., 1e6}) {
     Soup moved = soup;
     for (Point& p : moved.points)
       p = Point(scale * (p.x() + 5), scale * (p.y() - 3), scale * p.z());
-    const Face_graph other = graph_with_distances(moved);
+    const Surface other = graph_with_distances(moved);
     for (int run = 0; run < 20; ++run) {
       const Faces patch = random_patch(graph, random);
       const Salience_factors expected = factors_of(graph, patch);
@@ -198,7 +198,7 @@ BOOST_AUTO_TEST_CASE(factors_do_not_depend_on_scale_and_place)
 
 BOOST_AUTO_TEST_CASE(a_side_knows_its_faces_and_areas)
 {
-  const Face_graph graph = graph_with_distances(cube_on_a_plate());
+  const Surface graph = graph_with_distances(cube_on_a_plate());
   const double unit_area = 13 / std::accumulate(graph.areas.begin(), graph.areas.end(), 0.);
   Boundary_statistics q(graph);
   for (Index f : cube)

@@ -9,8 +9,8 @@
 #include <CGAL/Spectral_segmentation/internal/bipartition/best_cut.h>
 #include <CGAL/Spectral_segmentation/internal/hierarchy/recursion.h>
 #include <CGAL/Spectral_segmentation/internal/hierarchy/region_merging.h>
-#include <CGAL/Spectral_segmentation/internal/multilevel/coarsening.h>
-#include <CGAL/Spectral_segmentation/internal/multilevel/projection.h>
+#include <CGAL/Spectral_segmentation/internal/coarsening/coarsening.h>
+#include <CGAL/Spectral_segmentation/internal/coarsening/projection.h>
 #include <CGAL/segment_spectral_recursive.h>
 #include <CGAL/tags.h>
 
@@ -45,19 +45,19 @@ const double infinity = std::numeric_limits<double>::infinity();
 // A run, step by step.
 struct Run
 {
-  Face_graph mesh;
+  Surface mesh;
   std::vector<internal::Coarse_mesh> levels;
   Segmentation_hierarchy searched, whole;
 
   // Once the search is done, the caller may stop the run.
   Run(const Soup& soup, std::size_t number_of_coarse_faces, bool is_stopped = false)
-    : mesh(face_graph_of(soup))
+    : mesh(surface_of(soup))
   {
     const CGAL::Spectral_segmentation::Options options;
     internal::Run_control control;
     internal::Run_monitor monitor(control);
     levels = internal::coarsen_in_steps(sequential, mesh, number_of_coarse_faces, monitor);
-    Face_graph coarsest = levels.back().graph;
+    Surface coarsest = levels.back().graph;
     set_face_distances(coarsest, weights_of_calibrated_method);
     const internal::Best_cut best_cut(sequential, coarsest, options);
     const internal::Cut_hierarchy regions =

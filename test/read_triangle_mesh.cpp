@@ -21,7 +21,7 @@ using namespace test_meshes;
 BOOST_AUTO_TEST_CASE(the_first_corner_is_the_smallest_vertex_whatever_the_mesh_starts_with)
 {
   for (Soup soup : small_soups()) {
-    const Triangles triangles = triangles_of(soup);
+    const Surface triangles = read_surface(soup);
     for (Index f = 0; f < triangles.corners.size(); ++f) {
       std::vector<std::size_t> corners = soup.triangles[f];
       std::rotate(corners.begin(), std::min_element(corners.begin(), corners.end()), corners.end());
@@ -31,16 +31,16 @@ BOOST_AUTO_TEST_CASE(the_first_corner_is_the_smallest_vertex_whatever_the_mesh_s
       std::rotate(soup.triangles[f].begin(),
                   soup.triangles[f].begin() + static_cast<std::ptrdiff_t>(f % 3),
                   soup.triangles[f].end());
-    const Triangles rotated = triangles_of(soup);
+    const Surface rotated = read_surface(soup);
     BOOST_TEST((rotated.corners == triangles.corners));
-    BOOST_TEST((rotated.neighbors == triangles.neighbors));
+    BOOST_TEST((rotated.opposite == triangles.opposite));
   }
 }
 
 BOOST_AUTO_TEST_CASE(points_are_those_of_the_mesh)
 {
   for (const Soup& soup : small_soups()) {
-    const Triangles triangles = triangles_of(soup);
+    const Surface triangles = read_surface(soup);
     BOOST_TEST_REQUIRE(triangles.points.size() == soup.points.size());
     for (std::size_t v = 0; v < soup.points.size(); ++v)
       for (int i = 0; i < 3; ++i)
@@ -51,13 +51,13 @@ BOOST_AUTO_TEST_CASE(points_are_those_of_the_mesh)
 BOOST_AUTO_TEST_CASE(vertices_without_a_face_do_not_count)
 {
   const Soup soup = sphere(1);
-  const Triangles triangles = triangles_of(soup);
+  const Surface triangles = read_surface(soup);
   for (double x : {1e6, std::numeric_limits<double>::quiet_NaN()}) {
     Mesh mesh = mesh_of(soup);
     mesh.add_vertex(Point(x, 0, 0));
-    const Triangles other = triangles_of(mesh);
+    const Surface other = read_surface(mesh);
     BOOST_TEST((other.corners == triangles.corners));
-    BOOST_TEST((other.neighbors == triangles.neighbors));
+    BOOST_TEST((other.opposite == triangles.opposite));
     BOOST_TEST_REQUIRE(other.points.size() == triangles.points.size() + 1);
     BOOST_TEST(std::equal(triangles.points.begin(), triangles.points.end(), other.points.begin()));
     BOOST_TEST(other.points.back().is_finite());
@@ -72,16 +72,16 @@ BOOST_AUTO_TEST_CASE(only_the_given_faces_are_read)
     if (f.idx() % 3 != 0)
       faces.push_back(f);
   std::reverse(faces.begin(), faces.end());
-  const Triangles all = triangles_of(mesh);
-  const Triangles some = CGAL::Spectral_segmentation::internal::read_triangle_mesh(
+  const Surface all = read_surface(mesh);
+  const Surface some = CGAL::Spectral_segmentation::internal::read_triangle_mesh(
     mesh, faces, mesh.points(), Kernel());
   BOOST_TEST_REQUIRE(some.corners.size() == faces.size());
   for (Index f = 0; f < faces.size(); ++f) {
     BOOST_TEST((some.corners[f] == all.corners[faces[f]]));
-    for (int i = 0; i < 3; ++i) {
-      const Index across = all.neighbors[faces[f]][i];
+    for (Index i = 0; i < 3; ++i) {
+      const Index across = all.neighbor(3 * faces[f] + i);
       const auto found = std::find(faces.begin(), faces.end(), Mesh::Face_index(across));
-      BOOST_TEST(some.neighbors[f][i] ==
+      BOOST_TEST(some.neighbor(3 * f + i) ==
                  (found == faces.end() ? f : static_cast<Index>(found - faces.begin())));
     }
   }
@@ -89,9 +89,9 @@ BOOST_AUTO_TEST_CASE(only_the_given_faces_are_read)
 
 BOOST_AUTO_TEST_CASE(an_empty_mesh_is_read)
 {
-  const Triangles triangles = triangles_of(Soup());
+  const Surface triangles = read_surface(Soup());
   BOOST_TEST(triangles.corners.empty());
-  BOOST_TEST(triangles.neighbors.empty());
+  BOOST_TEST(triangles.opposite.empty());
   BOOST_TEST(triangles.points.empty());
 }
 
@@ -102,11 +102,11 @@ BOOST_AUTO_TEST_CASE(what_is_not_a_finite_triangle_mesh_is_refused)
                      std::numeric_limits<double>::quiet_NaN()}) {
     Soup soup = plate(2, 2);
     soup.points[3] = Point(1, bad, 0);
-    BOOST_CHECK_THROW(triangles_of(soup), std::invalid_argument);
+    BOOST_CHECK_THROW(read_surface(soup), std::invalid_argument);
   }
   const Mesh quad = mesh_of({{Point(0, 0, 0), Point(1, 0, 0), Point(1, 1, 0), Point(0, 1, 0)},
                              {{0, 1, 2, 3}}});
-  BOOST_CHECK_THROW(triangles_of(quad), std::invalid_argument);
+  BOOST_CHECK_THROW(read_surface(quad), std::invalid_argument);
 }
 
 BOOST_AUTO_TEST_SUITE_END()

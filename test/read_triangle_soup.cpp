@@ -29,7 +29,7 @@ const double bad_coordinates[] = {std::numeric_limits<double>::infinity(),
 BOOST_AUTO_TEST_CASE(points_and_corners_are_those_of_the_soup)
 {
   for (const Soup& soup : small_soups()) {
-    const Triangles triangles = read_triangle_soup(soup.points, soup.triangles);
+    const Surface triangles = read_triangle_soup(soup.points, soup.triangles);
     BOOST_TEST_REQUIRE(triangles.points.size() == soup.points.size());
     BOOST_TEST_REQUIRE(triangles.corners.size() == soup.triangles.size());
     for (std::size_t v = 0; v < soup.points.size(); ++v)
@@ -47,7 +47,7 @@ BOOST_AUTO_TEST_CASE(points_that_no_triangle_uses_may_be_anything)
   for (double bad : bad_coordinates) {
     Soup soup = plate(2, 2);
     soup.points.emplace_back(0, bad, 0);
-    const Triangles triangles = read_triangle_soup(soup.points, soup.triangles);
+    const Surface triangles = read_triangle_soup(soup.points, soup.triangles);
     BOOST_TEST_REQUIRE(triangles.points.size() == soup.points.size());
     BOOST_TEST(triangles.points.back().is_zero());
   }
@@ -73,7 +73,7 @@ BOOST_AUTO_TEST_CASE(arrays_of_numbers_are_points_and_triangles_too)
 {
   const std::vector<std::array<float, 3> > points = {{0, 0, 0}, {1, 0, 0}, {0, 0.5, 0}};
   const std::vector<std::array<unsigned char, 3> > corners = {{2, 0, 1}};
-  const Triangles triangles = read_triangle_soup(points, corners);
+  const Surface triangles = read_triangle_soup(points, corners);
   BOOST_TEST(triangles.points[2].y() == 0.5);
   BOOST_TEST((triangles.corners.front() ==
               CGAL::Spectral_segmentation::internal::Corners{2, 0, 1}));

@@ -99,7 +99,7 @@ struct Search_record : internal::Run_control
   bool go_further() override { return questions_left > 0 && questions_left-- > 0; }
 };
 
-internal::Cut_hierarchy over_segmentation(const Face_graph& graph,
+internal::Cut_hierarchy over_segmentation(const Surface& graph,
                                           const CGAL::Spectral_segmentation::Options& options,
                                           internal::Execution execution, Search_record& record)
 {
@@ -113,7 +113,7 @@ internal::Cut_hierarchy over_segmentation(const Face_graph& graph,
 BOOST_AUTO_TEST_CASE(by_salience_the_most_salient_of_all_cuts_is_made_next)
 {
   Random random(1);
-  const Face_graph graph = graph_with_distances(
+  const Surface graph = graph_with_distances(
     disjoint_union(displaced(dumbbell(16, 12), 0.02, random), moved(torus(2, 0.7, 14, 8), 9, 0, 0)),
     weights_of_calibrated_method);
   CGAL::Spectral_segmentation::Options options;
@@ -157,7 +157,7 @@ BOOST_AUTO_TEST_CASE(by_salience_the_most_salient_of_all_cuts_is_made_next)
 
 BOOST_AUTO_TEST_CASE(a_maximum_asks_for_as_many_regions)
 {
-  const Face_graph graph = graph_with_distances(dumbbell(16, 12), weights_of_calibrated_method);
+  const Surface graph = graph_with_distances(dumbbell(16, 12), weights_of_calibrated_method);
   CGAL::Spectral_segmentation::Options options;
   options.number_of_regions = 4;
   for (std::size_t maximum : {1, 3, 4, 7}) {
@@ -171,7 +171,7 @@ BOOST_AUTO_TEST_CASE(a_maximum_asks_for_as_many_regions)
 BOOST_AUTO_TEST_CASE(threads_make_the_same_regions)
 {
   Random random(2);
-  const Face_graph graph = graph_with_distances(displaced(torus(2, 0.7, 24, 12), 0.05, random),
+  const Surface graph = graph_with_distances(displaced(torus(2, 0.7, 24, 12), 0.05, random),
                                                 weights_of_calibrated_method);
   CGAL::Spectral_segmentation::Options options;
   options.number_of_regions = 8;
@@ -185,7 +185,7 @@ BOOST_AUTO_TEST_CASE(threads_make_the_same_regions)
 
 BOOST_AUTO_TEST_CASE(a_stopped_search_leaves_the_cuts_that_were_made)
 {
-  const Face_graph graph = graph_with_distances(dumbbell(16, 12), weights_of_calibrated_method);
+  const Surface graph = graph_with_distances(dumbbell(16, 12), weights_of_calibrated_method);
   CGAL::Spectral_segmentation::Options options;
   options.number_of_regions = 6;
   Search_record all;

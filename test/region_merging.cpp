@@ -40,17 +40,15 @@ namespace {
 
 typedef std::set<Index> Faces;
 
-Face_graph graph_of(const Soup& soup)
+Surface graph_of(const Soup& soup)
 { return graph_with_distances(soup, weights_of_calibrated_method); }
 
 // Divides each component at random into connected regions, which grow from random faces.
-Cut_hierarchy random_regions(const Face_graph& graph, std::size_t number, Random& random)
+Cut_hierarchy random_regions(const Surface& graph, std::size_t number, Random& random)
 {
-  std::size_t components;
-  std::vector<Index> component = internal::connected_components(graph, components);
-  const std::size_t n = graph.number_of_faces();
-  const std::vector<double> areas = internal::component_areas(graph, component, components);
-  Cut_hierarchy result = internal::uncut_hierarchy(component, areas);
+  const std::size_t n = graph.number_of_faces(), components = graph.components.number;
+  Cut_hierarchy result = internal::uncut_hierarchy(graph);
+  const std::vector<Index> component = result.leaf;
   std::vector<Index> region(n, internal::null_index);
   std::set<std::size_t> has_region;
   Index next = 0;
@@ -62,7 +60,7 @@ Cut_hierarchy random_regions(const Face_graph& graph, std::size_t number, Random
       region[f] = next++;
   while (std::count(region.begin(), region.end(), internal::null_index) > 0) {
     const Index h = Index(random() % (3 * n));
-    Index& other = region[graph.neighbors[h]];
+    Index& other = region[graph.neighbor(h)];
     if (other == internal::null_index)
       other = region[h / 3];
   }
@@ -91,7 +89,7 @@ struct Naive_merging
   std::vector<Merge> merges;
   std::vector<Faces> regions; // in the order of their first faces; in the end the components
 
-  Naive_merging(const Face_graph& graph, const Cut_hierarchy& start,
+  Naive_merging(const Surface& graph, const Cut_hierarchy& start,
                 const Part_salience& part_salience)
   {
     const Evaluation_context context(sequential, graph);
@@ -133,16 +131,16 @@ private:
               { return *a.begin() < *b.begin(); });
   }
 
-  static bool are_neighbors(const Face_graph& graph, const Faces& a, const Faces& b)
+  static bool are_neighbors(const Surface& graph, const Faces& a, const Faces& b)
   {
     for (Index f : a)
       for (Index h = 3 * f; h < 3 * f + 3; ++h)
-        if (b.count(graph.neighbors[h]) > 0)
+        if (b.count(graph.neighbor(h)) > 0)
           return true;
     return false;
   }
 
-  static double area(const Face_graph& graph, const Faces& faces)
+  static double area(const Surface& graph, const Faces& faces)
   {
     double sum = 0;
     for (Index f : faces)
@@ -150,7 +148,7 @@ private:
     return sum;
   }
 
-  static Merge evaluated(const Face_graph& graph, const Evaluation_context& context,
+  static Merge evaluated(const Surface& graph, const Evaluation_context& context,
                          const Faces& first, const Faces& second,
                          const Part_salience& part_salience)
   {
@@ -161,7 +159,7 @@ private:
     internal::Sides side;
     for (Index f : faces)
       side.push_back((first.count(f) > 0) == first_is_smaller ? 0 : 1);
-    const Face_graph part = internal::Part_extractor(graph)(faces);
+    const Surface part = internal::Part_extractor(graph)(faces);
     const Salience_factors factors = internal::Cut_evaluator(part, faces, context)(side);
     return {first, second, part_salience(factors), 0, factors};
   }
@@ -180,7 +178,7 @@ struct Boundary_count : internal::Run_control
   }
 };
 
-Cut_hierarchy merged(Execution execution, const Face_graph& graph, const Cut_hierarchy& regions,
+Cut_hierarchy merged(Execution execution, const Surface& graph, const Cut_hierarchy& regions,
                      const Part_salience& part_salience, Boundary_count& count)
 {
   internal::Run_monitor monitor(count);
@@ -194,7 +192,7 @@ Faces faces_of(const Cut_hierarchy& hierarchy, std::size_t node)
   return Faces(ranges[node].begin(), ranges[node].end());
 }
 
-double area_of(const Face_graph& graph, const Faces& faces)
+double area_of(const Surface& graph, const Faces& faces)
 {
   double sum = 0;
   for (Index f : faces)
@@ -202,7 +200,7 @@ double area_of(const Face_graph& graph, const Faces& faces)
   return sum;
 }
 
-void check_hierarchy(const Face_graph& graph, const Cut_hierarchy& regions,
+void check_hierarchy(const Surface& graph, const Cut_hierarchy& regions,
                      const Cut_hierarchy& result)
 {
   BOOST_TEST(result.is_monotonic);
@@ -263,7 +261,7 @@ BOOST_AUTO_TEST_CASE(merges_are_those_of_sets_that_are_evaluated_anew_in_each_st
       BOOST_TEST_CONTEXT("seed " << seed) {
         Random random(seed);
         const std::vector<Soup> soups = shapes(random);
-        const Face_graph graph = graph_of(soups[seed % soups.size()]);
+        const Surface graph = graph_of(soups[seed % soups.size()]);
         const Cut_hierarchy regions = random_regions(
           graph, std::min<std::size_t>(2 + random() % 7, graph.number_of_faces()), random);
         const Naive_merging expected(graph, regions, part_salience);
@@ -299,7 +297,7 @@ BOOST_AUTO_TEST_CASE(merges_are_those_of_sets_that_are_evaluated_anew_in_each_st
 BOOST_AUTO_TEST_CASE(the_number_of_threads_changes_nothing)
 {
   Random random(3);
-  const Face_graph graph = graph_of(displaced(dumbbell(20, 16), 0.02, random));
+  const Surface graph = graph_of(displaced(dumbbell(20, 16), 0.02, random));
   const Cut_hierarchy regions = random_regions(graph, 12, random);
   Boundary_count one, several;
   const Cut_hierarchy a =
@@ -316,7 +314,7 @@ BOOST_AUTO_TEST_CASE(the_number_of_threads_changes_nothing)
 BOOST_AUTO_TEST_CASE(one_region_for_each_component_needs_no_merge)
 {
   Random random(4);
-  const Face_graph graph = graph_of(disjoint_union(sphere(0), plate(3, 2)));
+  const Surface graph = graph_of(disjoint_union(sphere(0), plate(3, 2)));
   const Cut_hierarchy regions = random_regions(graph, 2, random);
   Boundary_count count;
   const Cut_hierarchy result =
@@ -330,7 +328,7 @@ BOOST_AUTO_TEST_CASE(one_region_for_each_component_needs_no_merge)
 BOOST_AUTO_TEST_CASE(a_salience_that_is_no_number_counts_as_the_least)
 {
   Random random(5);
-  const Face_graph graph = graph_of(dumbbell(10, 8));
+  const Surface graph = graph_of(dumbbell(10, 8));
   const Cut_hierarchy regions = random_regions(graph, 6, random);
   Boundary_count count;
   const Cut_hierarchy result = merged(
@@ -352,7 +350,7 @@ BOOST_AUTO_TEST_CASE(regions_of_an_over_segmentation_become_the_bodies_of_a_chai
       profile.emplace_back(2 * ball + z, i == 8 ? (ball == 2 ? 0 : 0.3)
                                                 : std::sqrt(1.05 - z * z));
     }
-  const Face_graph graph = graph_of(surface_of_revolution(profile, 16));
+  const Surface graph = graph_of(surface_of_revolution(profile, 16));
   CGAL::Spectral_segmentation::Options options;
   options.number_of_regions = 8;
   Boundary_count count;

@@ -3,8 +3,8 @@
 
 #include <boost/test/unit_test.hpp>
 
-#include <CGAL/Spectral_segmentation/internal/utility/Run_monitor.h>
-#include <CGAL/Spectral_segmentation/internal/utility/concurrency.h>
+#include <CGAL/Spectral_segmentation/internal/base/Run_monitor.h>
+#include <CGAL/Spectral_segmentation/internal/base/concurrency.h>
 
 #include <algorithm>
 #include <atomic>

@@ -5,7 +5,7 @@
 
 #include "test_meshes.h"
 
-#include <CGAL/Spectral_segmentation/internal/mesh/Face_graph.h>
+#include <CGAL/Spectral_segmentation/internal/surface/Surface.h>
 #include <CGAL/Spectral_segmentation/internal/bipartition/shape_context_sampling.h>
 #include <CGAL/Spectral_segmentation/internal/distances/shortest_paths.h>
 
@@ -35,48 +35,48 @@ using CGAL::Spectral_segmentation::internal::shortest_paths;
 
 namespace {
 
-Face_graph random_graph(Random& random)
+Surface random_graph(Random& random)
 {
   const std::vector<Soup> shapes = {plate(5, 4), sphere(1), torus(2, 0.7, 6, 5), dumbbell(5, 4)};
   return graph_with_distances(displaced(shapes[random() % shapes.size()], 0.2, random));
 }
 
 // Gives each edge a random length and a random angle, so that no two ways have the same length.
-void randomize_distances(Face_graph& graph, Random& random)
+void randomize_distances(Surface& graph, Random& random)
 {
   for (Index h = 0; h < graph.number_of_halfedges(); ++h) {
-    if (graph.is_border(h) || graph.opposite(h) < h)
+    if (graph.is_border(h) || graph.opposite[h] < h)
       continue;
-    Edge_weights &e = graph.weights[h], &o = graph.weights[graph.opposite(h)];
+    Edge_weights &e = graph.weights[h], &o = graph.weights[graph.opposite[h]];
     e.geodesic = o.geodesic = std::ldexp(float(1 + random() % (1u << 20)), -20);
     e.angle = o.angle = std::ldexp(float(random() % 1025), -10);
   }
 }
 
-std::vector<double> geodesic_distances(const Face_graph& graph, Index source)
+std::vector<double> geodesic_distances(const Surface& graph, Index source)
 { return shortest_paths(graph, &Edge_weights::geodesic, source); }
 
 // The sum of the angles along the only shortest way from f to `reference`, walked backwards.
-double context_by_walking(const Face_graph& graph, Index f, Index reference,
+double context_by_walking(const Surface& graph, Index f, Index reference,
                           const std::vector<double>& from_reference)
 {
   double sum = 0;
   while (f != reference) {
     Index way = null_index;
     for (Index h = 3 * f; h < 3 * f + 3; ++h)
-      if (!graph.is_border(h) && from_reference[graph.neighbors[h]] +
+      if (!graph.is_border(h) && from_reference[graph.neighbor(h)] +
                                    graph.weights[h].geodesic == from_reference[f]) {
         BOOST_REQUIRE(way == null_index);
         way = h;
       }
     BOOST_REQUIRE(way != null_index);
     sum += graph.weights[way].angle;
-    f = graph.neighbors[way];
+    f = graph.neighbor(way);
   }
   return sum;
 }
 
-Shape_contexts contexts_of(const Face_graph& graph, Index first, std::size_t k)
+Shape_contexts contexts_of(const Surface& graph, Index first, std::size_t k)
 { return shape_contexts(graph, first, k, [] {}); }
 
 double squared_distance(const Shape_contexts& contexts, Index f, const std::vector<double>& from)
@@ -95,7 +95,7 @@ BOOST_AUTO_TEST_CASE(the_first_reference_is_farthest_from_the_center_of_area)
     BOOST_TEST_CONTEXT("seed " << seed) {
       Random random(seed);
       const Soup soup = displaced(seed % 2 ? plate(6, 3) : sphere(1), 0.2, random);
-      const Face_graph graph = face_graph_of(soup);
+      const Surface graph = surface_of(soup);
       const auto corner = [&](std::size_t f, std::size_t i)
       { return soup.points[soup.triangles[f][i]]; };
       CGAL::Vector_3<Kernel> moment(0, 0, 0);
@@ -121,7 +121,7 @@ BOOST_AUTO_TEST_CASE(the_first_reference_is_farthest_from_the_center_of_area)
 
 BOOST_AUTO_TEST_CASE(of_equally_far_faces_the_first_is_taken)
 {
-  BOOST_TEST(farthest_face_from_center(sequential, face_graph_of(sphere(0))) == 0u);
+  BOOST_TEST(farthest_face_from_center(sequential, surface_of(sphere(0))) == 0u);
 }
 
 BOOST_AUTO_TEST_CASE(references_are_mutually_farthest)
@@ -129,7 +129,7 @@ BOOST_AUTO_TEST_CASE(references_are_mutually_farthest)
   for (unsigned seed = 1; seed <= 50; ++seed) {
     BOOST_TEST_CONTEXT("seed " << seed) {
       Random random(seed);
-      const Face_graph graph = random_graph(random);
+      const Surface graph = random_graph(random);
       const Index first = static_cast<Index>(random() % graph.number_of_faces());
       const std::size_t k = 1 + random() % 10;
       const Shape_contexts contexts = contexts_of(graph, first, k);
@@ -157,7 +157,7 @@ BOOST_AUTO_TEST_CASE(contexts_are_sums_of_angles_along_the_shortest_geodesic_pat
   for (unsigned seed = 1; seed <= 50; ++seed) {
     BOOST_TEST_CONTEXT("seed " << seed) {
       Random random(seed);
-      Face_graph graph = random_graph(random);
+      Surface graph = random_graph(random);
       randomize_distances(graph, random);
       const Shape_contexts contexts = contexts_of(graph, 0, 5);
       for (std::size_t j = 0; j < 5; ++j) {
@@ -173,7 +173,7 @@ BOOST_AUTO_TEST_CASE(contexts_are_sums_of_angles_along_the_shortest_geodesic_pat
 BOOST_AUTO_TEST_CASE(the_first_reference_does_not_depend_on_the_size_of_the_part)
 {
   Random random(3);
-  Face_graph part = random_graph(random);
+  Surface part = random_graph(random);
   const Index farthest = farthest_face_from_center(sequential, part);
   BOOST_TEST(farthest != 0u);
   for (Vector& p : part.points)
@@ -184,7 +184,7 @@ BOOST_AUTO_TEST_CASE(the_first_reference_does_not_depend_on_the_size_of_the_part
 BOOST_AUTO_TEST_CASE(there_are_no_more_references_than_faces)
 {
   Random random(1);
-  const Face_graph graph = random_graph(random);
+  const Surface graph = random_graph(random);
   const std::size_t n = graph.number_of_faces();
   const Shape_contexts all = contexts_of(graph, 3, n + 100);
   BOOST_TEST(all.references.size() == n);
@@ -193,7 +193,7 @@ BOOST_AUTO_TEST_CASE(there_are_no_more_references_than_faces)
 
 BOOST_AUTO_TEST_CASE(the_caller_is_asked_before_each_search)
 {
-  const Face_graph graph = graph_with_distances(sphere(1));
+  const Surface graph = graph_with_distances(sphere(1));
   for (std::size_t k : {1, 4, 10}) {
     std::size_t calls = 0;
     shape_contexts(graph, 0, k, [&] { ++calls; });
@@ -239,7 +239,7 @@ BOOST_AUTO_TEST_CASE(samples_have_the_largest_context_and_the_one_that_differs_m
 
 BOOST_AUTO_TEST_CASE(a_random_face_depends_on_seed_and_part_and_is_reproducible)
 {
-  const Face_graph graph = face_graph_of(sphere(3));
+  const Surface graph = surface_of(sphere(3));
   std::set<Index> by_seed, by_part;
   for (Index i = 0; i < 100; ++i) {
     const Index f = random_face(graph, i, 0);

@@ -5,7 +5,7 @@
 
 #include "test_meshes.h"
 
-#include <CGAL/Spectral_segmentation/internal/mesh/Face_graph.h>
+#include <CGAL/Spectral_segmentation/internal/surface/Surface.h>
 #include <CGAL/Spectral_segmentation/internal/distances/face_distances.h>
 #include <CGAL/Spectral_segmentation/internal/distances/shortest_paths.h>
 
@@ -33,37 +33,37 @@ const Weighting weightings[] = {&Edge_weights::geodesic, &Edge_weights::angle,
                                 &Edge_weights::combined};
 const double infinity = std::numeric_limits<double>::infinity();
 
-Face_graph random_graph(Random& random)
+Surface random_graph(Random& random)
 {
   const std::vector<Soup> shapes = {plate(5, 4), sphere(0), sphere(1), torus(2, 0.7, 6, 5),
                                     dumbbell(5, 4)};
-  const Face_graph graph =
+  const Surface graph =
     graph_with_distances(displaced(shapes[random() % shapes.size()], 0.2, random));
   const std::size_t n = graph.number_of_faces();
   return random_part(graph, n / 2 + random() % (n / 2 + 1), random);
 }
 
 template <class Weight>
-void set_weights(Face_graph& graph, Weighting weighting, const Weight& weight)
+void set_weights(Surface& graph, Weighting weighting, const Weight& weight)
 {
   for (Index h = 0; h < graph.number_of_halfedges(); ++h)
     if (!graph.is_border(h))
-      graph.weights[h].*weighting = graph.weights[graph.opposite(h)].*weighting = weight();
+      graph.weights[h].*weighting = graph.weights[graph.opposite[h]].*weighting = weight();
 }
 
 // Weights from 0 to 512, most of them small, and many equal.
-void make_uneven(Face_graph& graph, Weighting weighting, Random& random)
+void make_uneven(Surface& graph, Weighting weighting, Random& random)
 {
   set_weights(graph, weighting, [&]
     { return random() % 4 == 0 ? 0.f : std::ldexp(1.f, 9 - int(random() % 30)); });
 }
 
-std::vector<std::vector<double> > floyd_warshall(const Face_graph& graph, Weighting weighting)
+std::vector<std::vector<double> > floyd_warshall(const Surface& graph, Weighting weighting)
 {
   const std::size_t n = graph.number_of_faces();
   std::vector<std::vector<double> > d(n, std::vector<double>(n, infinity));
   for (Index h = 0; h < graph.number_of_halfedges(); ++h) {
-    double& distance = d[h / 3][graph.neighbors[h]];
+    double& distance = d[h / 3][graph.neighbor(h)];
     distance = std::min(distance, double(graph.weights[h].*weighting));
   }
   for (std::size_t f = 0; f < n; ++f)
@@ -83,7 +83,7 @@ BOOST_AUTO_TEST_CASE(distances_equal_those_of_floyd_and_warshall)
   for (unsigned seed = 1; seed <= 40; ++seed) {
     BOOST_TEST_CONTEXT("seed " << seed) {
       Random random(seed);
-      Face_graph graph = random_graph(random);
+      Surface graph = random_graph(random);
       if (seed > 30)
         for (Weighting weighting : weightings)
           make_uneven(graph, weighting, random);
@@ -100,15 +100,15 @@ BOOST_AUTO_TEST_CASE(distances_equal_those_of_floyd_and_warshall)
 namespace {
 
 // Relaxes all edges until nothing changes.
-std::vector<double> bellman_ford(const Face_graph& graph, Weighting weighting,
+std::vector<double> bellman_ford(const Surface& graph, Weighting weighting,
                                  std::vector<double> distance)
 {
   for (bool has_changed = true; has_changed;) {
     has_changed = false;
     for (Index h = 0; h < graph.number_of_halfedges(); ++h) {
       const double length = distance[h / 3] + graph.weights[h].*weighting;
-      if (length < distance[graph.neighbors[h]]) {
-        distance[graph.neighbors[h]] = length;
+      if (length < distance[graph.neighbor(h)]) {
+        distance[graph.neighbor(h)] = length;
         has_changed = true;
       }
     }
@@ -116,7 +116,7 @@ std::vector<double> bellman_ford(const Face_graph& graph, Weighting weighting,
   return distance;
 }
 
-std::vector<double> distances_at_start(const Face_graph& graph, Index source)
+std::vector<double> distances_at_start(const Surface& graph, Index source)
 {
   std::vector<double> distance(graph.number_of_faces(), infinity);
   distance[source] = 0;
@@ -124,7 +124,7 @@ std::vector<double> distances_at_start(const Face_graph& graph, Index source)
 }
 
 // Sums the angles over the nearest, then the first neighbor on a shortest path.
-std::vector<float> angles_by_definition(const Face_graph& graph,
+std::vector<float> angles_by_definition(const Surface& graph,
                                         const std::vector<double>& distance)
 {
   std::vector<Index> faces(distance.size());
@@ -135,7 +135,7 @@ std::vector<float> angles_by_definition(const Face_graph& graph,
   for (Index f : faces) {
     std::pair<double, Index> nearest(infinity, 0);
     for (Index h = 3 * f; h < 3 * f + 3; ++h) {
-      const Index g = graph.neighbors[h];
+      const Index g = graph.neighbor(h);
       const std::pair<double, Index> candidate(distance[g], g);
       if (g != f && distance[g] + graph.weights[h].geodesic == distance[f] &&
           candidate < nearest) {
@@ -153,7 +153,7 @@ BOOST_AUTO_TEST_CASE(distances_on_real_meshes_equal_those_of_bellman_and_ford)
 {
   for (const char* name : {"elephant.off", "hand.off", "dino.off", "mushroom.off"})
     BOOST_TEST_CONTEXT(name) {
-      Face_graph graph = face_graph_of(read(name));
+      Surface graph = surface_of(read(name));
       for (double concavity_radius : {0., 0.01}) {
         set_face_distances(graph, {0.03, 1, 0.1, concavity_radius});
         const Index source = static_cast<Index>(graph.number_of_faces() / 2);
@@ -171,7 +171,7 @@ BOOST_AUTO_TEST_CASE(of_several_sources_the_nearest_counts)
   for (unsigned seed = 1; seed <= 40; ++seed) {
     BOOST_TEST_CONTEXT("seed " << seed) {
       Random random(seed);
-      Face_graph graph = random_graph(random);
+      Surface graph = random_graph(random);
       const Weighting weighting = weightings[seed % 3];
       if (seed % 2 == 0)
         make_uneven(graph, weighting, random);
@@ -197,7 +197,7 @@ BOOST_AUTO_TEST_CASE(angles_are_summed_along_the_paths_over_the_nearest_neighbor
   for (unsigned seed = 1; seed <= 100; ++seed) {
     BOOST_TEST_CONTEXT("seed " << seed) {
       Random random(seed);
-      Face_graph graph = random_graph(random);
+      Surface graph = random_graph(random);
       // Few values, so that many paths are as short.
       set_weights(graph, &Edge_weights::geodesic, [&] { return 1 + float(random() % 3); });
       const Index source = static_cast<Index>(random() % graph.number_of_faces());
@@ -212,14 +212,14 @@ BOOST_AUTO_TEST_CASE(angles_are_summed_along_the_paths_over_the_nearest_neighbor
 BOOST_AUTO_TEST_CASE(a_single_face_is_at_distance_0)
 {
   Random random(1);
-  const Face_graph graph = random_part(graph_with_distances(sphere(0)), 1, random);
+  const Surface graph = random_part(graph_with_distances(sphere(0)), 1, random);
   const std::vector<double> distance = internal::shortest_paths(graph, &Edge_weights::geodesic, 0);
   BOOST_TEST(distance == std::vector<double>({0}), tt::per_element());
 }
 
 BOOST_AUTO_TEST_CASE(ways_of_length_0_are_ways)
 {
-  Face_graph graph = face_graph_of(plate(3, 3));
+  Surface graph = surface_of(plate(3, 3));
   graph.weights.resize(graph.number_of_halfedges());
   BOOST_TEST(internal::shortest_paths(graph, &Edge_weights::combined, 4) ==
              std::vector<double>(graph.number_of_faces(), 0.), tt::per_element());

@@ -76,12 +76,12 @@ void check_refused(const std::string& message, const Mesh& mesh, const NamedPara
 // The combined distances of the paper between all pairs of faces, by Floyd and Warshall.
 Eigen::MatrixXd all_distances(const Soup& soup)
 {
-  const Face_graph graph = graph_with_distances(soup);
+  const Surface graph = graph_with_distances(soup);
   const Eigen::Index n = static_cast<Eigen::Index>(graph.number_of_faces());
   Eigen::MatrixXd d = Eigen::MatrixXd::Constant(n, n, 1e9);
   for (Index h = 0; h < graph.number_of_halfedges(); ++h)
     if (!graph.is_border(h))
-      d(h / 3, graph.neighbors[h]) = graph.weights[h].combined;
+      d(h / 3, graph.neighbor(h)) = graph.weights[h].combined;
   for (Eigen::Index k = 0; k < n; ++k) {
     d(k, k) = 0;
     for (Eigen::Index i = 0; i < n; ++i)
@@ -101,7 +101,7 @@ BOOST_AUTO_TEST_CASE(two_samples_give_the_order_of_the_search)
       const Soup soup = read(name);
       const Embedded e = embedded(mesh_of(soup));
       BOOST_TEST_REQUIRE(e.samples.size() == 2u);
-      const Face_graph graph = graph_with_distances(soup);
+      const Surface graph = graph_with_distances(soup);
       const std::vector<Index> order = internal::face_order(
         sequential, graph, {Index(e.samples[0].idx()), Index(e.samples[1].idx())});
       const double largest = std::abs(e.coordinates[order.front()]);
@@ -119,7 +119,7 @@ BOOST_AUTO_TEST_CASE(two_samples_give_the_order_of_the_search)
 BOOST_AUTO_TEST_CASE(the_default_samples_are_those_of_section_4)
 {
   const Soup soup = read("hand.off");
-  const Face_graph graph = graph_with_distances(soup);
+  const Surface graph = graph_with_distances(soup);
   const internal::Sample_faces expected = internal::sample_faces(
     sequential, internal::shape_contexts(
                   graph, internal::farthest_face_from_center(sequential, graph), 10, [] {}));

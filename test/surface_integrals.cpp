@@ -5,7 +5,7 @@
 
 #include "test_meshes.h"
 
-#include <CGAL/Spectral_segmentation/internal/mesh/surface_integrals.h>
+#include <CGAL/Spectral_segmentation/internal/surface/surface_integrals.h>
 
 #include <cmath>
 #include <cstddef>
@@ -24,18 +24,18 @@ using internal::total_area;
 BOOST_AUTO_TEST_CASE(areas_of_plates_and_spheres_are_known)
 {
   const double unit = unit_of(plate(4, 3));
-  BOOST_TEST(total_area(face_graph_of(plate(4, 3))) * unit * unit == 12, tt::tolerance(1e-12));
+  BOOST_TEST(total_area(surface_of(plate(4, 3))) * unit * unit == 12, tt::tolerance(1e-12));
   const double unit_of_sphere = unit_of(sphere(5));
-  BOOST_TEST(total_area(face_graph_of(sphere(5))) * unit_of_sphere * unit_of_sphere == 4 * pi,
+  BOOST_TEST(total_area(surface_of(sphere(5))) * unit_of_sphere * unit_of_sphere == 4 * pi,
              tt::tolerance(0.002));
-  BOOST_TEST(total_area(Face_graph()) == 0);
+  BOOST_TEST(total_area(Surface()) == 0);
 }
 
 BOOST_AUTO_TEST_CASE(faces_count_by_their_area)
 {
   // Two plates of areas 1 and 9 whose centers are at x = 0.5 and x = 101.5.
   const Soup soup = disjoint_union(plate(1, 1), moved(scaled(plate(2, 2), 1.5), 100, 0, 0));
-  const Face_graph graph = face_graph_of(soup);
+  const Surface graph = surface_of(soup);
   const double unit = unit_of(soup), area = total_area(graph);
   for (Execution execution : {Execution::SEQUENTIAL, Execution::PARALLEL}) {
     const Vector from_corner = unit * (center_of(execution, graph, area) - graph.points[0]);
@@ -48,7 +48,7 @@ BOOST_AUTO_TEST_CASE(faces_count_by_their_area)
 BOOST_AUTO_TEST_CASE(the_mean_of_a_function_is_taken_at_the_centroids)
 {
   Random random(1);
-  const Face_graph graph = face_graph_of(displaced(sphere(4), 0.05, random)); // several blocks
+  const Surface graph = surface_of(displaced(sphere(4), 0.05, random)); // several blocks
   const double area = total_area(graph);
   const auto cubes = [](const Vector& p)
   { return Vector(std::pow(p.x(), 3), std::pow(p.y(), 3), std::pow(p.z(), 3)); };

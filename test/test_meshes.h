@@ -7,9 +7,9 @@
 #include <CGAL/Spectral_segmentation/Options.h>
 #include <CGAL/Spectral_segmentation/internal/distances/face_distances.h>
 #include <CGAL/Spectral_segmentation/internal/adaptors/read_triangle_mesh.h>
-#include <CGAL/Spectral_segmentation/internal/mesh/Face_graph.h>
-#include <CGAL/Spectral_segmentation/internal/mesh/Triangles.h>
-#include <CGAL/Spectral_segmentation/internal/mesh/extract_part.h>
+#include <CGAL/Spectral_segmentation/internal/surface/Surface.h>
+#include <CGAL/Spectral_segmentation/internal/surface/connected_components.h>
+#include <CGAL/Spectral_segmentation/internal/surface/extract_part.h>
 
 #include <CGAL/IO/polygon_soup_io.h>
 #include <CGAL/Polygon_mesh_processing/orient_polygon_soup.h>
@@ -276,41 +276,52 @@ inline Soup displaced(Soup soup, double amount, Random& random)
   return soup;
 }
 
-typedef CGAL::Spectral_segmentation::internal::Face_graph Face_graph;
+typedef CGAL::Spectral_segmentation::internal::Surface Surface;
 typedef CGAL::Spectral_segmentation::internal::Index Index;
-typedef CGAL::Spectral_segmentation::internal::Triangles Triangles;
 constexpr CGAL::Spectral_segmentation::internal::Execution sequential =
   CGAL::Spectral_segmentation::internal::Execution::SEQUENTIAL;
 
 // Faces and vertices have the numbers of the mesh, in its own unit.
-inline Triangles triangles_of(const Mesh& mesh)
+inline Surface read_surface(const Mesh& mesh)
 {
   const std::vector<Mesh::Face_index> faces(mesh.faces().begin(), mesh.faces().end());
   return CGAL::Spectral_segmentation::internal::read_triangle_mesh(mesh, faces, mesh.points(),
                                                                    Kernel());
 }
 
-inline Triangles triangles_of(const Soup& soup) { return triangles_of(mesh_of(soup)); }
+inline Surface read_surface(const Soup& soup) { return read_surface(mesh_of(soup)); }
 
 // Faces and vertices have the numbers of the mesh; points are normalized, as in a run. There are no
 // weights.
-inline Face_graph face_graph_of(const Mesh& mesh)
+inline Surface surface_of(const Mesh& mesh)
 {
-  Triangles triangles = triangles_of(mesh);
-  CGAL::Spectral_segmentation::internal::normalize(triangles.points);
-  return CGAL::Spectral_segmentation::internal::face_graph(sequential, std::move(triangles));
+  namespace internal = CGAL::Spectral_segmentation::internal;
+  Surface surface = read_surface(mesh);
+  internal::normalize(surface.points);
+  internal::set_areas(sequential, surface);
+  surface.components = internal::connected_components(surface);
+  return surface;
 }
 
-inline Face_graph face_graph_of(const Soup& soup) { return face_graph_of(mesh_of(soup)); }
+inline Surface surface_of(const Soup& soup) { return surface_of(mesh_of(soup)); }
 
-// The length of 1 in the coordinates of the face graph, in those of the soup.
+// The face across each halfedge.
+inline std::vector<Index> neighbors_of(const Surface& surface)
+{
+  std::vector<Index> result;
+  for (Index h = 0; h < surface.number_of_halfedges(); ++h)
+    result.push_back(surface.neighbor(h));
+  return result;
+}
+
+// The length of 1 in the coordinates of the surface, in those of the soup.
 inline double unit_of(const Soup& soup)
 {
-  Triangles triangles = triangles_of(soup);
-  return CGAL::Spectral_segmentation::internal::normalize(triangles.points);
+  Surface surface = read_surface(soup);
+  return CGAL::Spectral_segmentation::internal::normalize(surface.points);
 }
 
-inline auto face_normals(const Face_graph& graph,
+inline auto face_normals(const Surface& graph,
                          const std::vector<CGAL::Spectral_segmentation::internal::Vector>& points)
 { return CGAL::Spectral_segmentation::internal::face_normals(sequential, graph, points); }
 
@@ -318,22 +329,22 @@ typedef CGAL::Spectral_segmentation::internal::Distance_weights Distance_weights
 constexpr Distance_weights weights_of_paper = {0.01, 1, 0.1};
 constexpr Distance_weights weights_of_calibrated_method = {0.03, 1, 0.1, 0.02};
 
-inline void set_face_distances(Face_graph& graph, const Distance_weights& weights)
+inline void set_face_distances(Surface& graph, const Distance_weights& weights)
 {
   CGAL::Spectral_segmentation::internal::set_face_distances(
     sequential, graph, graph.points, face_normals(graph, graph.points), weights);
 }
 
-inline Face_graph graph_with_distances(const Soup& soup,
+inline Surface graph_with_distances(const Soup& soup,
                                        const Distance_weights& weights = weights_of_paper)
 {
-  Face_graph graph = face_graph_of(soup);
+  Surface graph = surface_of(soup);
   set_face_distances(graph, weights);
   return graph;
 }
 
 // A connected part of n random faces. It may touch itself at a vertex, as the parts of a cut can.
-inline Face_graph random_part(const Face_graph& graph, std::size_t n, Random& random)
+inline Surface random_part(const Surface& graph, std::size_t n, Random& random)
 {
   std::vector<std::size_t> piece(graph.number_of_faces(), 1);
   std::vector<Index> front(1, Index(random() % graph.number_of_faces()));
@@ -346,7 +357,7 @@ inline Face_graph random_part(const Face_graph& graph, std::size_t n, Random& ra
     piece[f] = 0;
     --n;
     for (Index h = 3 * f; h < 3 * f + 3; ++h)
-      front.push_back(graph.neighbors[h]);
+      front.push_back(graph.neighbor(h));
   }
   return CGAL::Spectral_segmentation::internal::split(graph, piece, 2).front();
 }

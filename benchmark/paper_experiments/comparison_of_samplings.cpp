@@ -55,7 +55,7 @@ double separation(const Part& part, const std::vector<Labels>& people,
 typedef std::array<double, number_of_schemes> Values; // indexed by scheme
 
 // At each part of the recursion by shape context.
-std::vector<Values> separations(const Benchmark_mesh& input, const Face_graph& graph,
+std::vector<Values> separations(const Benchmark_mesh& input, const Surface& graph,
                                 Random_engine& random)
 {
   const double smallest = minimum_area(graph);
@@ -81,7 +81,7 @@ struct Scores
 Scores scores(const Benchmark_mesh& input, const Experiment_options& o)
 {
   Random_engine random = random_engine(o.seed, input.id);
-  const Face_graph graph = paper_graph(input.mesh);
+  const Surface graph = paper_graph(input.mesh);
   const std::vector<Values> of_parts = separations(input, graph, random);
   Scores result;
   result.at_first_cut.fill(undefined);
@@ -142,7 +142,7 @@ void print_claim(const std::vector<Scores>& meshes, Column column, const char* w
 void write_picture(const Benchmark_mesh& input, const Experiment_options& o)
 {
   const Pictures pictures(o.pictures);
-  const Face_graph graph = paper_graph(input.mesh);
+  const Surface graph = paper_graph(input.mesh);
   const Part part = whole_part(graph);
   const std::vector<CGAL::IO::Color> of_person =
     pale(segment_colors(input.mesh, input.people.front()));

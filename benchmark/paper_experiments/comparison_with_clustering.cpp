@@ -29,10 +29,10 @@ namespace {
 struct Clusterer
 {
   const char* name;
-  Labels (*segment)(const Face_graph&, std::size_t k, std::size_t samples, Random_engine&);
+  Labels (*segment)(const Surface&, std::size_t k, std::size_t samples, Random_engine&);
 };
 
-Labels by_line_search(const Face_graph& mesh, std::size_t k, std::size_t,
+Labels by_line_search(const Surface& mesh, std::size_t k, std::size_t,
                       Random_engine& random)
 {
   return recursive_cuts(mesh, k, [&](const Part& part) {
@@ -60,7 +60,7 @@ typedef std::array<Result, NUMBER_OF_CLUSTERERS> Results;
 // With the face distances given.
 Results results(const Benchmark_mesh& input, const Clustering_options& o)
 {
-  const Face_graph graph = paper_graph(input.mesh);
+  const Surface graph = paper_graph(input.mesh);
   const std::size_t k = usual_number_of_segments(input.people);
   Random_engine random = random_engine(o.seed, input.id);
   Results all;

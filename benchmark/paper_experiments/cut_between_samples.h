@@ -17,7 +17,7 @@ namespace segmentation_benchmark {
 
 // BESTCUT of the paper (Figure 2), with the two samples of any scheme.
 inline std::optional<Sides> cut_between_samples(const Sampling_scheme& scheme,
-                                                const Face_graph& part, double minimum_area,
+                                                const Surface& part, double minimum_area,
                                                 Random_engine& random)
 {
   namespace internal = CGAL::Spectral_segmentation::internal;

@@ -7,9 +7,9 @@
 #include "../paper_graph.h"
 #include "../princeton_benchmark.h"
 
-#include <CGAL/Spectral_segmentation/internal/mesh/connected_components.h>
-#include <CGAL/Spectral_segmentation/internal/mesh/extract_part.h>
-#include <CGAL/Spectral_segmentation/internal/mesh/surface_integrals.h>
+#include <CGAL/Spectral_segmentation/internal/surface/connected_components.h>
+#include <CGAL/Spectral_segmentation/internal/surface/extract_part.h>
+#include <CGAL/Spectral_segmentation/internal/surface/surface_integrals.h>
 #include <CGAL/Spectral_segmentation/internal/salience/Cut.h>
 
 #include <algorithm>
@@ -26,7 +26,7 @@ using CGAL::Spectral_segmentation::internal::Sides;
 
 struct Part
 {
-  Face_graph graph;
+  Surface graph;
   std::vector<Index> faces; // their numbers in the mesh, ascending
 };
 
@@ -44,21 +44,23 @@ inline Index random_face(std::size_t number_of_faces, Random_engine& random)
 { return static_cast<Index>(random() % number_of_faces); }
 
 // Each connected component is a part.
-inline std::vector<Part> components(const Face_graph& mesh)
+inline std::vector<Part> components(const Surface& mesh)
 {
-  std::size_t number;
-  const std::vector<Index> component = connected_components(mesh, number);
+  const CGAL::Spectral_segmentation::internal::Components of_mesh =
+    connected_components(mesh);
+  const std::vector<Index> component = of_mesh.of_all(mesh.number_of_faces());
+  const std::size_t number = of_mesh.number;
   std::vector<Part> parts(number);
   for (Index f = 0; f < component.size(); ++f)
     parts[component[f]].faces.push_back(f);
-  std::vector<Face_graph> graphs = split(mesh, component, number);
+  std::vector<Surface> graphs = split(mesh, component, number);
   for (std::size_t i = 0; i < number; ++i)
     parts[i].graph = std::move(graphs[i]);
   return parts;
 }
 
 // The component with the most faces, which is the first part that is cut.
-inline Part whole_part(const Face_graph& mesh)
+inline Part whole_part(const Surface& mesh)
 {
   std::vector<Part> parts = components(mesh);
   return std::move(*std::max_element(parts.begin(), parts.end(), [](const Part& a, const Part& b)
@@ -73,7 +75,7 @@ inline Labels labels_of_part(const Part& part, const Labels& labels)
   return contiguous(result);
 }
 
-inline double minimum_area(const Face_graph& mesh)
+inline double minimum_area(const Surface& mesh)
 { return Engine_options::zhang_liu_2005().minimum_segment_size * total_area(mesh); }
 
 } // namespace segmentation_benchmark

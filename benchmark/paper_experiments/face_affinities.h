@@ -23,7 +23,7 @@ using CGAL::Spectral_segmentation::internal::affinities;
 using CGAL::Spectral_segmentation::internal::distances_from;
 using CGAL::Spectral_segmentation::internal::face_eigenpairs;
 
-inline std::vector<Index> all_faces(const Face_graph& part)
+inline std::vector<Index> all_faces(const Surface& part)
 {
   std::vector<Index> faces(part.number_of_faces());
   std::iota(faces.begin(), faces.end(), Index(0));

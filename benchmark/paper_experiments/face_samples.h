@@ -21,10 +21,10 @@ namespace segmentation_benchmark {
 struct Sampling_scheme
 {
   const char* name;
-  std::vector<Index> (*take)(const Face_graph& part, std::size_t m, Random_engine& random);
+  std::vector<Index> (*take)(const Surface& part, std::size_t m, Random_engine& random);
 };
 
-inline std::vector<Index> random_samples(const Face_graph& part, std::size_t m,
+inline std::vector<Index> random_samples(const Surface& part, std::size_t m,
                                          Random_engine& random)
 {
   const std::size_t n = part.number_of_faces();
@@ -57,7 +57,7 @@ std::vector<Index> farthest_first(std::size_t n, Index first, std::size_t m,
 
 // The first is the one farthest from a random face.
 template <auto weighting>
-std::vector<Index> samples_by_paths(const Face_graph& part, std::size_t m,
+std::vector<Index> samples_by_paths(const Surface& part, std::size_t m,
                                     Random_engine& random)
 {
   const auto distances_from = [&](Index f)
@@ -68,7 +68,7 @@ std::vector<Index> samples_by_paths(const Face_graph& part, std::size_t m,
 }
 
 // The first two are those of the paper, with the first reference face of the package.
-inline std::vector<Index> samples_by_contexts(const Face_graph& part, std::size_t m,
+inline std::vector<Index> samples_by_contexts(const Surface& part, std::size_t m,
                                               Random_engine&)
 {
   namespace internal = CGAL::Spectral_segmentation::internal;

@@ -42,7 +42,7 @@ struct Scores
 
 // The error of the recursion with eigenvectors from the samples that `take(part)` chooses.
 template <class Take>
-double rand_error_with(const Face_graph& graph, const std::vector<Labels>& people,
+double rand_error_with(const Surface& graph, const std::vector<Labels>& people,
                        const Take& take)
 {
   const double smallest = minimum_area(graph);
@@ -60,13 +60,13 @@ double rand_error_with(const Face_graph& graph, const std::vector<Labels>& peopl
 Scores scores(const Benchmark_mesh& input, const Number_of_samples_options& o)
 {
   Random_engine random = random_engine(o.seed, input.id);
-  const Face_graph graph = paper_graph(input.mesh);
+  const Surface graph = paper_graph(input.mesh);
   const Part whole = whole_part(graph);
   const Eigenpairs exact = face_eigenpairs(whole.graph, all_faces(whole.graph));
   Scores result;
   for (std::size_t i = 0; i < sampling_schemes.size(); ++i)
     for (std::size_t j = 0; j < numbers.size(); ++j) {
-      const auto take = [&](const Face_graph& part)
+      const auto take = [&](const Surface& part)
       { return sampling_schemes[i].take(part, numbers[j], random); };
       const Eigenpairs approximate = face_eigenpairs(whole.graph, take(whole.graph));
       const auto error = [&](Eigen::Index e)

@@ -65,7 +65,7 @@ std::vector<CGAL::IO::Color> pale(std::vector<CGAL::IO::Color> colors)
   return colors;
 }
 
-void mark_sample(const Face_graph& graph, Index sample, const CGAL::IO::Color& color,
+void mark_sample(const Surface& graph, Index sample, const CGAL::IO::Color& color,
                  std::vector<CGAL::IO::Color>& colors)
 {
   const double radius = 0.03 * std::sqrt(CGAL::Spectral_segmentation::internal::total_area(graph));

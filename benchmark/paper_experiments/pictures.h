@@ -41,7 +41,7 @@ std::vector<CGAL::IO::Color> segment_colors(Mesh mesh, const Labels& labels);
 std::vector<CGAL::IO::Color> pale(std::vector<CGAL::IO::Color> colors);
 
 // Gives the faces within a small distance of a sample one color.
-void mark_sample(const Face_graph& graph, Index sample, const CGAL::IO::Color& color,
+void mark_sample(const Surface& graph, Index sample, const CGAL::IO::Color& color,
                  std::vector<CGAL::IO::Color>& colors);
 
 } // namespace segmentation_benchmark

@@ -47,7 +47,7 @@ struct Searched_line
   std::optional<Cut> cut;
 };
 
-Searched_line search_line(const Face_graph& part, const Sample_faces& samples,
+Searched_line search_line(const Surface& part, const Sample_faces& samples,
                           double minimum_area)
 {
   namespace internal = CGAL::Spectral_segmentation::internal;
@@ -82,7 +82,7 @@ typedef std::array<std::vector<Trial>, NUMBER_OF_PLACEMENTS> Trials; // indexed 
 class First_cut
 {
   const Benchmark_mesh& input_;
-  Face_graph graph_;
+  Surface graph_;
   Part part_;
   double minimum_area_;
   Random_engine random_;

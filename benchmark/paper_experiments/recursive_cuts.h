@@ -18,7 +18,7 @@ namespace segmentation_benchmark {
 // are k parts or none can be cut. `sides_of(part)` are the sides of the faces of a part, if it has
 // a cut. Connected components of the mesh are parts from the start.
 template <class SidesOf>
-Labels recursive_cuts(const Face_graph& mesh, std::size_t k, const SidesOf& sides_of)
+Labels recursive_cuts(const Surface& mesh, std::size_t k, const SidesOf& sides_of)
 {
   std::vector<Part> parts = components(mesh);
   std::vector<double> areas; // 0 if there is no cut
@@ -33,7 +33,7 @@ Labels recursive_cuts(const Face_graph& mesh, std::size_t k, const SidesOf& side
     *largest = 0;
     if (!sides)
       continue;
-    std::vector<Face_graph> graphs = split(part.graph, *sides, 2);
+    std::vector<Surface> graphs = split(part.graph, *sides, 2);
     std::vector<Index> faces[2];
     for (std::size_t i = 0; i < part.faces.size(); ++i)
       faces[int((*sides)[i])].push_back(part.faces[i]);

@@ -24,7 +24,7 @@ namespace segmentation_benchmark {
 // at most m faces, else approximated from the rows of m faces that are far apart. By the scaling,
 // row sums of other faces cancel out. Extrapolation needs the leading eigenvalues only: as the
 // affinities are not positive definite, the one-shot method would divide by eigenvalues near 0.
-inline Eigen::MatrixXd spectral_coordinates(const Face_graph& part, std::size_t k,
+inline Eigen::MatrixXd spectral_coordinates(const Surface& part, std::size_t k,
                                             std::size_t m, Random_engine& random)
 {
   const std::vector<Index> samples = m >= part.number_of_faces()
@@ -37,12 +37,12 @@ inline Eigen::MatrixXd spectral_coordinates(const Face_graph& part, std::size_t 
 }
 
 // All k clusters at once.
-inline Labels k_way_clusters(const Face_graph& mesh, std::size_t k, std::size_t m,
+inline Labels k_way_clusters(const Surface& mesh, std::size_t k, std::size_t m,
                              Random_engine& random)
 { return contiguous(k_means(spectral_coordinates(mesh, k, m, random), k, random)); }
 
 // Two clusters at a time, of the part of the largest area.
-inline Labels recursive_two_means(const Face_graph& mesh, std::size_t k, std::size_t m,
+inline Labels recursive_two_means(const Surface& mesh, std::size_t k, std::size_t m,
                                   Random_engine& random)
 {
   return recursive_cuts(mesh, k, [&](const Part& part) -> std::optional<Sides> {

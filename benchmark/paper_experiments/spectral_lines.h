@@ -24,7 +24,7 @@ using CGAL::Spectral_segmentation::internal::Cut;
 
 // The faces in the order of the ratio of the second eigenvector to the first. Where it ties but for
 // rounding, those near the first sample on the line come first.
-inline std::vector<Index> spectral_line(const Face_graph& part, const Eigenpairs& e,
+inline std::vector<Index> spectral_line(const Surface& part, const Eigenpairs& e,
                                         const std::vector<Index>& samples, bool is_reversed)
 {
   Eigen::ArrayXd z =
@@ -46,7 +46,7 @@ inline std::vector<Index> spectral_line(const Face_graph& part, const Eigenpairs
 }
 
 // The most salient cut along the line, searched from both its ends.
-inline std::optional<Cut> cut_by_eigenvectors(const Face_graph& part, const Eigenpairs& e,
+inline std::optional<Cut> cut_by_eigenvectors(const Surface& part, const Eigenpairs& e,
                                               const std::vector<Index>& samples,
                                               double minimum_area)
 {

@@ -24,7 +24,7 @@ namespace benchmark = segmentation_benchmark;
 // Those by angle are left out, as they are nearly those by combined distance.
 inline void draw_samplings(Picture_book& book, const Named_mesh& shape)
 {
-  const Face_graph graph = paper_graph(shape.mesh);
+  const Surface graph = paper_graph(shape.mesh);
   for (const benchmark::Sampling_scheme& scheme : benchmark::sampling_schemes) {
     if (scheme.name == std::string("angle"))
       continue;
@@ -38,7 +38,7 @@ inline void draw_samplings(Picture_book& book, const Named_mesh& shape)
 // As Figure 4 of the paper, with rows of the affinity matrix in place of all.
 inline void draw_clusterings(Picture_book& book, const Named_mesh& shape, std::size_t k)
 {
-  const Face_graph graph = paper_graph(shape.mesh);
+  const Surface graph = paper_graph(shape.mesh);
   const std::size_t rows = 500;
   benchmark::Random_engine random = benchmark::random_engine(1, 0);
   Engine_options line_search = Engine_options::zhang_liu_2005();

@@ -14,7 +14,7 @@
 #include <CGAL/Spectral_segmentation/internal/bipartition/line_search.h>
 #include <CGAL/Spectral_segmentation/internal/bipartition/shape_context_sampling.h>
 #include <CGAL/Spectral_segmentation/internal/distances/shortest_paths.h>
-#include <CGAL/Spectral_segmentation/internal/mesh/surface_integrals.h>
+#include <CGAL/Spectral_segmentation/internal/surface/surface_integrals.h>
 
 #include <CGAL/Kernel/global_functions.h>
 
@@ -37,7 +37,7 @@ namespace manual_figures {
 namespace internal = CGAL::Spectral_segmentation::internal;
 using segmentation_benchmark::Edge_weights;
 using segmentation_benchmark::Execution;
-using segmentation_benchmark::Face_graph;
+using segmentation_benchmark::Surface;
 using segmentation_benchmark::Index;
 using segmentation_benchmark::paper_graph;
 
@@ -69,7 +69,7 @@ inline Rgb blue_white_red(double x)
 // The dual graph of a small mesh: edges by the sign of their bending, arcs by their weight.
 inline void draw_dual_graph(Picture_book& book, const Named_mesh& shape)
 {
-  const Face_graph graph = paper_graph(shape.mesh);
+  const Surface graph = paper_graph(shape.mesh);
   Picture edges{shape, "edges of the mesh: concave in red, convex in blue",
                 std::vector<Rgb>(graph.number_of_faces(), white)};
   Picture arcs{shape, "arcs of the dual graph: the darker and thicker, the longer",
@@ -126,7 +126,7 @@ inline void add_samples(Picture& picture, const internal::Sample_faces& samples)
   picture.add_ball(centroid(picture.shape.mesh, samples.t), orange);
 }
 
-inline internal::Shape_contexts contexts_of(const Face_graph& graph)
+inline internal::Shape_contexts contexts_of(const Surface& graph)
 {
   return internal::shape_contexts(
     graph, internal::farthest_face_from_center(Execution::SEQUENTIAL, graph),
@@ -135,7 +135,7 @@ inline internal::Shape_contexts contexts_of(const Face_graph& graph)
 
 inline void draw_contexts(Picture_book& book, const Named_mesh& shape)
 {
-  const Face_graph graph = paper_graph(shape.mesh);
+  const Surface graph = paper_graph(shape.mesh);
   const internal::Shape_contexts contexts = contexts_of(graph);
   Picture colors{shape, "reference faces, and contexts: like colors are like contexts",
                  context_colors(contexts)};
@@ -149,7 +149,7 @@ inline void draw_contexts(Picture_book& book, const Named_mesh& shape)
 }
 
 // Returns colors from blue to red by the rank of each face on the spectral line.
-inline std::vector<Rgb> rank_colors(const Face_graph& graph, const std::vector<Index>& samples)
+inline std::vector<Rgb> rank_colors(const Surface& graph, const std::vector<Index>& samples)
 {
   const Eigen::VectorXd z =
     internal::spectral_coordinates(internal::face_eigenpairs(graph, samples), samples);
@@ -164,7 +164,7 @@ inline std::vector<Rgb> rank_colors(const Face_graph& graph, const std::vector<I
 
 inline void draw_embedding(Picture_book& book, const Named_mesh& shape)
 {
-  const Face_graph graph = paper_graph(shape.mesh);
+  const Surface graph = paper_graph(shape.mesh);
   const internal::Sample_faces two =
     internal::sample_faces(Execution::SEQUENTIAL, contexts_of(graph));
   Picture with_two{shape, "two samples, by shape context", rank_colors(graph, {two.s, two.t})};
@@ -185,10 +185,10 @@ struct Searched_line
   std::optional<internal::Cut> best;
   Json steps = Json::array();
 
-  static std::vector<double> distances(const Face_graph& graph, Index source)
+  static std::vector<double> distances(const Surface& graph, Index source)
   { return internal::shortest_paths(graph, &Edge_weights::combined, source); }
 
-  Searched_line(const Face_graph& graph, const internal::Sample_faces& given)
+  Searched_line(const Surface& graph, const internal::Sample_faces& given)
     : samples(given),
       from_s(distances(graph, samples.s)),
       from_t(distances(graph, samples.t)),
@@ -205,7 +205,7 @@ struct Searched_line
   }
 };
 
-inline void add_cut(Picture& picture, const Face_graph& graph, const internal::Cut& cut)
+inline void add_cut(Picture& picture, const Surface& graph, const internal::Cut& cut)
 {
   const Mesh& mesh = picture.shape.mesh;
   for (Index h = 0; h < graph.neighbors.size(); ++h)
@@ -216,7 +216,7 @@ inline void add_cut(Picture& picture, const Face_graph& graph, const internal::C
 
 // As Figure 1 of the paper: the regions of the two samples, and the best cut along their line.
 inline void draw_regions(Picture_book& book, const std::string& figure, const Named_mesh& shape,
-                         const Face_graph& graph, const Searched_line& line,
+                         const Surface& graph, const Searched_line& line,
                          const std::string& caption)
 {
   std::vector<Rgb> colors;
@@ -245,7 +245,7 @@ inline Index face_at(const Mesh& mesh, const Kernel::Point_3& place)
 inline void draw_samples_and_line(Picture_book& book, const Named_mesh& shape,
                                   const std::array<Kernel::Point_3, 2>& same_part)
 {
-  const Face_graph graph = paper_graph(shape.mesh);
+  const Surface graph = paper_graph(shape.mesh);
   const Searched_line good(graph,
                            internal::sample_faces(Execution::SEQUENTIAL, contexts_of(graph)));
   const Searched_line bad(graph, {face_at(shape.mesh, same_part[0]),

@@ -57,7 +57,7 @@ namespace internal {
 // Runs the engine, and writes the labels of `faces` and the hierarchy of the caller. Returns the
 // number of segments. `faces[i]` is the face of the i-th triangle.
 template <class ConcurrencyTag, class Face, class SegmentIdMap, class CGALNamedParameters>
-std::size_t segment_and_write(Triangles triangles, const std::vector<Face>& faces,
+std::size_t segment_and_write(Surface triangles, const std::vector<Face>& faces,
                               SegmentIdMap segment_ids, const Options& options,
                               const Constraints& constraints, const CGALNamedParameters& np)
 {
@@ -387,7 +387,7 @@ std::size_t segment_spectral_recursive(const TriangleMesh& mesh, SegmentIdMap se
 
   const Spectral_segmentation::Options options = internal::read_options(pack);
   const auto faces = internal::numbered_faces(mesh, pack);
-  internal::Triangles triangles = internal::read_triangle_mesh(
+  internal::Surface triangles = internal::read_triangle_mesh(
     mesh, faces,
     choose_parameter(get_parameter(pack, internal_np::vertex_point),
                      get_const_property_map(CGAL::vertex_point, mesh)),
@@ -464,7 +464,7 @@ std::size_t segment_spectral_recursive(const PointRange& points, const TriangleR
                 "and triangles, which have no edges that could be named");
 
   const Spectral_segmentation::Options options = internal::read_options(pack);
-  internal::Triangles soup = internal::read_triangle_soup(points, triangles);
+  internal::Surface soup = internal::read_triangle_soup(points, triangles);
   internal::connect(soup);
   std::vector<std::size_t> faces(soup.corners.size());
   std::iota(faces.begin(), faces.end(), std::size_t(0));

@@ -13,7 +13,7 @@
 #include <CGAL/Spectral_segmentation/internal/bipartition/face_embedding.h>
 #include <CGAL/Spectral_segmentation/internal/bipartition/shape_context_sampling.h>
 #include <CGAL/Spectral_segmentation/internal/distances/face_distances.h>
-#include <CGAL/Spectral_segmentation/internal/mesh/connected_components.h>
+#include <CGAL/Spectral_segmentation/internal/surface/connected_components.h>
 
 #include <CGAL/boost/graph/named_params_helper.h>
 
@@ -40,10 +40,10 @@ using has_only_embedding_tags =
                         internal_np::number_of_reference_faces_t>;
 
 // Returns the dual graph of a mesh with the distances of adjacent faces.
-inline Face_graph weighted_face_graph(Triangles triangles, const Options& o)
+inline Surface weighted_face_graph(Surface graph, const Options& o)
 {
-  normalize(triangles.points);
-  Face_graph graph = face_graph(Execution::SEQUENTIAL, std::move(triangles));
+  normalize(graph.points);
+  set_areas(Execution::SEQUENTIAL, graph);
   set_face_distances(Execution::SEQUENTIAL, graph, graph.points,
                      face_normals(Execution::SEQUENTIAL, graph, graph.points),
                      {o.geodesic_weight, o.concave_angle_weight, o.convex_angle_weight,
@@ -52,7 +52,7 @@ inline Face_graph weighted_face_graph(Triangles triangles, const Options& o)
 }
 
 // Returns the two samples of Section 4.
-inline std::vector<Index> two_sample_faces(const Face_graph& graph, const Options& o)
+inline std::vector<Index> two_sample_faces(const Surface& graph, const Options& o)
 {
   const Sample_faces samples = sample_faces(
     Execution::SEQUENTIAL,
@@ -79,11 +79,9 @@ std::vector<Index> sample_indices(const std::vector<Face>& samples, const std::v
   return result;
 }
 
-inline void check_embedding_input(const Face_graph& graph)
+inline void check_embedding_input(const Surface& graph)
 {
-  std::size_t number_of_components;
-  connected_components(graph, number_of_components);
-  if (graph.number_of_faces() < 2 || number_of_components != 1)
+  if (graph.number_of_faces() < 2 || connected_components(graph).number != 1)
     throw std::invalid_argument("spectral_embedding: the mesh must be connected and have at least "
                                 "two faces: embed each connected component by itself");
 }
@@ -197,7 +195,7 @@ spectral_embedding(const TriangleMesh& mesh, FaceCoordinateMap coordinates,
   check(o);
 
   const std::vector<Face> faces = internal::numbered_faces(mesh, pack, "spectral_embedding");
-  const internal::Face_graph graph = internal::weighted_face_graph(
+  const internal::Surface graph = internal::weighted_face_graph(
     internal::read_triangle_mesh(
       mesh, faces,
       choose_parameter(get_parameter(pack, tags::vertex_point_t()),

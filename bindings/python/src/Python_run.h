@@ -4,7 +4,7 @@
 #ifndef SPECTRAL_SEGMENTATION_PYTHON_PYTHON_RUN_H
 #define SPECTRAL_SEGMENTATION_PYTHON_PYTHON_RUN_H
 
-#include <CGAL/Spectral_segmentation/internal/Run_control.h>
+#include <CGAL/Spectral_segmentation/internal/base/Run_control.h>
 
 #include <pybind11/pybind11.h>
 

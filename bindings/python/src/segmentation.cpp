@@ -45,9 +45,9 @@ constexpr bool has_threads = false;
 #endif
 
 // Points of type float or double and integers of 4 or 8 bytes are read where they are.
-internal::Triangles read_triangles(const py::array& points, const py::array& triangles)
+internal::Surface read_triangles(const py::array& points, const py::array& triangles)
 {
-  internal::Triangles result;
+  internal::Surface result;
   with_rows<float, double>(points, [&](const auto& point_rows) {
     with_rows<std::int32_t, std::int64_t, std::uint32_t, std::uint64_t>(
       triangles, [&](const auto& triangle_rows)

@@ -178,7 +178,7 @@ public:
   Segmentation(const Mesh& mesh, const val& options, const val& progress)
     : input_(mesh.input()), options_(read_options(options))
   {
-    internal::Triangles triangles =
+    internal::Surface triangles =
       internal::read_triangle_soup(input_->soup.points, input_->triangles);
     internal::connect(triangles);
     Progress control(progress);

@@ -71,7 +71,7 @@ std::size_t close_segments(PointRange& points, TriangleRange& triangles,
   typedef typename TriangleRange::value_type Triangle;
   typedef internal::Element<Triangle> Corner;
 
-  const internal::Triangles soup =
+  const internal::Surface soup =
     internal::read_triangle_soup(points, triangles, "close_segments");
   if (segment_ids.size() != soup.corners.size())
     throw std::invalid_argument("close_segments: there must be an id for each triangle");

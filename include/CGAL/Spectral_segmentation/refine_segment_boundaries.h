@@ -137,14 +137,13 @@ std::size_t refine_segment_boundaries(TriangleMesh& mesh, SegmentIdMap segment_i
     choose_parameter<Geom_traits>(get_parameter(pack, internal_np::geom_traits));
 
   const std::vector<face_descriptor> faces_of_mesh(faces(mesh).begin(), faces(mesh).end());
-  internal::Triangles triangles = internal::read_triangle_mesh(
+  internal::Surface graph = internal::read_triangle_mesh(
     mesh, faces_of_mesh, points, traits, "refine_segment_boundaries");
-  internal::normalize(triangles.points);
+  internal::normalize(graph.points);
+  internal::set_areas(internal::Execution::SEQUENTIAL, graph);
   std::vector<internal::Index> labels;
   const auto ids = internal::read_segments(faces_of_mesh, segment_ids, labels);
 
-  const internal::Face_graph graph =
-    internal::face_graph(internal::Execution::SEQUENTIAL, std::move(triangles));
   const internal::Refinement refinement = internal::refined_boundaries(
     graph, labels, ids.size(), static_cast<std::size_t>(iterations));
   internal::Face_splitter<TriangleMesh, Vertex_point_map, Geom_traits> split_faces(

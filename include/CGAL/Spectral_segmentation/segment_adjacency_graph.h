@@ -124,11 +124,11 @@ make_adjacency_graph(const TriangleMesh& mesh, SegmentIdMap segment_ids,
                                           get_const_property_map(CGAL::vertex_point, mesh));
 
   const auto faces_of_mesh = numbered_faces(mesh, pack, "segment_adjacency_graph");
-  Triangles triangles = read_triangle_mesh(
+  Surface surface = read_triangle_mesh(
     mesh, faces_of_mesh, point_map,
     choose_parameter<Geom_traits>(get_parameter(pack, tags::geom_traits_t())),
     "segment_adjacency_graph");
-  const double unit = normalize(triangles.points);
+  const double unit = normalize(surface.points);
   std::vector<Index> labels;
   const std::vector<Id> ids = read_segments(faces_of_mesh, segment_ids, labels);
 
@@ -138,17 +138,13 @@ make_adjacency_graph(const TriangleMesh& mesh, SegmentIdMap segment_ids,
   std::vector<double> area_of_face;
   std::map<std::pair<Index, Index>, double> lengths; // one per boundary
   for (Index f = 0; f < labels.size(); ++f) {
-    const Corners& corners = triangles.corners[f];
-    const auto side = [&](int i) {
-      return triangles.points[corners[(i + 1) % 3]] - triangles.points[corners[i]];
-    };
-    area_of_face.push_back(side(0).cross(side(1)).norm() / 2 * unit * unit);
+    area_of_face.push_back(surface.normal(f).norm() / 2 * unit * unit);
     ++graph[labels[f]].number_of_faces;
     graph[labels[f]].area += area_of_face.back();
-    for (int i = 0; i < 3; ++i) {
-      const Index other = labels[triangles.neighbors[f][i]];
+    for (Index i = 0; i < 3; ++i) {
+      const Index other = labels[surface.neighbor(3 * f + i)];
       if (labels[f] < other) // each edge counts once
-        lengths[{labels[f], other}] += side(i).norm() * unit;
+        lengths[{labels[f], other}] += surface.length(3 * f + i) * unit;
     }
   }
 

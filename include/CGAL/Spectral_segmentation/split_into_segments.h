@@ -153,7 +153,7 @@ void split_into_segments(const TriangleMesh& mesh, SegmentIdMap segment_ids, Par
     std::decay_t<decltype(point_map)> >::value_type Point;
 
   const std::vector<face_descriptor> faces_of_mesh(faces(mesh).begin(), faces(mesh).end());
-  const internal::Triangles triangles = internal::read_triangle_mesh(
+  const internal::Surface triangles = internal::read_triangle_mesh(
     mesh, faces_of_mesh, point_map,
     choose_parameter<Geom_traits>(get_parameter(pack, tags::geom_traits_t())),
     "split_into_segments");

@@ -53,7 +53,7 @@ inline void write_json(std::ostream& os, const Json& json)
 }
 
 inline void write_hierarchy(std::ostream& os, const Segmentation_hierarchy& h,
-                            const std::vector<std::size_t>& nodes, const Triangles& triangles)
+                            const std::vector<std::size_t>& nodes, const Surface& triangles)
 {
   check_number_of_faces(triangles.corners.size(), h.number_of_faces());
   const std::vector<std::size_t> labels = h.labels_of_nodes(nodes);

@@ -5,11 +5,11 @@
 #define CGAL_SPECTRAL_SEGMENTATION_INTERNAL_ENGINE_H
 
 #include <CGAL/Spectral_segmentation/Options.h>
-#include <CGAL/Spectral_segmentation/internal/utility/concurrency.h>
-#include <CGAL/Spectral_segmentation/internal/Run_control.h>
+#include <CGAL/Spectral_segmentation/internal/base/concurrency.h>
+#include <CGAL/Spectral_segmentation/internal/base/Run_control.h>
 #include <CGAL/Spectral_segmentation/internal/constraints/Constraints.h>
 #include <CGAL/Spectral_segmentation/internal/hierarchy/Cut_hierarchy.h>
-#include <CGAL/Spectral_segmentation/internal/mesh/Triangles.h>
+#include <CGAL/Spectral_segmentation/internal/surface/Surface.h>
 
 #include <cstddef>
 #include <vector>
@@ -28,12 +28,12 @@ namespace CGAL::Spectral_segmentation::internal {
 // arrays and returns a hierarchy of cuts, whose faces are the triangles. Throws
 // `std::invalid_argument` if constraints contradict each other or the number of segments.
 CGAL_SPECTRAL_SEGMENTATION_INLINE
-Cut_hierarchy segment(Triangles triangles, const Options& options, Execution execution,
+Cut_hierarchy segment(Surface surface, const Options& options, Execution execution,
                       Run_control& control, const Constraints& constraints = Constraints());
 
-// Finds the neighbors of the triangles of a soup, and orients them.
+// Makes a surface of the triangles of a soup: finds their neighbors and orients them.
 CGAL_SPECTRAL_SEGMENTATION_INLINE
-void connect(Triangles& triangles);
+void connect(Surface& soup);
 
 } // namespace CGAL::Spectral_segmentation::internal
 

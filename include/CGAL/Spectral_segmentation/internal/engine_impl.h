@@ -14,16 +14,16 @@
 #include <CGAL/Spectral_segmentation/internal/hierarchy/numbers_to_search.h>
 #include <CGAL/Spectral_segmentation/internal/hierarchy/recursion.h>
 #include <CGAL/Spectral_segmentation/internal/hierarchy/region_merging.h>
-#include <CGAL/Spectral_segmentation/internal/mesh/connect_triangles.h>
-#include <CGAL/Spectral_segmentation/internal/mesh/distinct_faces.h>
-#include <CGAL/Spectral_segmentation/internal/mesh/reorder_faces.h>
-#include <CGAL/Spectral_segmentation/internal/multilevel/Cut_restriction.h>
-#include <CGAL/Spectral_segmentation/internal/multilevel/Grid_wrap.h>
-#include <CGAL/Spectral_segmentation/internal/multilevel/Longest_edge_bisection.h>
-#include <CGAL/Spectral_segmentation/internal/multilevel/Wrap_restriction.h>
-#include <CGAL/Spectral_segmentation/internal/multilevel/coarsening.h>
-#include <CGAL/Spectral_segmentation/internal/multilevel/projection.h>
-#include <CGAL/Spectral_segmentation/internal/utility/Run_monitor.h>
+#include <CGAL/Spectral_segmentation/internal/soup/connect_triangles.h>
+#include <CGAL/Spectral_segmentation/internal/soup/duplicate_faces.h>
+#include <CGAL/Spectral_segmentation/internal/surface/reorder_faces.h>
+#include <CGAL/Spectral_segmentation/internal/coarsening/Cut_restriction.h>
+#include <CGAL/Spectral_segmentation/internal/grid/Grid_wrap.h>
+#include <CGAL/Spectral_segmentation/internal/coarsening/Longest_edge_bisection.h>
+#include <CGAL/Spectral_segmentation/internal/coarsening/Wrap_restriction.h>
+#include <CGAL/Spectral_segmentation/internal/coarsening/coarsening.h>
+#include <CGAL/Spectral_segmentation/internal/coarsening/projection.h>
+#include <CGAL/Spectral_segmentation/internal/base/Run_monitor.h>
 #include <CGAL/Spectral_segmentation/internal/constraints/Constraint_groups.h>
 #include <CGAL/Spectral_segmentation/internal/constraints/Constrained_merging.h>
 #include <CGAL/Spectral_segmentation/internal/constraints/Constrained_regions.h>
@@ -47,15 +47,14 @@ class Run
   const Execution execution_;
   Run_monitor monitor_;
 
+  Surface mesh_;
   double unit_ = 1;                 // the length of 1 in the coordinates of the caller
-  std::vector<Index> first_duplicate_;   // one per face of the caller, if there are duplicate faces
-  std::vector<Index> order_;        // the caller's indices of the faces
-  Face_graph mesh_;
+  std::vector<Index> face_;         // the face of the mesh for each of the caller's faces
   Refined_mesh refined_;            // empty if the edges of the mesh are short enough
   std::optional<Grid_wrap> wrap_;   // the wrap of a mesh of several components
   std::vector<Coarse_mesh> levels_; // each coarser than the one before
   std::vector<Index> neighbors_;    // the caller's indices, if boundaries shall be smoothed
-  Constraint_groups groups_;              // empty without constraints
+  Constraint_groups groups_;        // empty without constraints
 
   Distance_weights distance_weights() const
   {
@@ -64,90 +63,84 @@ class Run
   }
 
   // Removes duplicate faces, unless the mesh is connected or its components are kept apart.
-  Triangles remove_duplicates(Triangles triangles)
+  void remove_duplicates()
   {
-    order_.resize(triangles.corners.size());
-    std::iota(order_.begin(), order_.end(), Index(0));
-    if (options_.keep_components_separate || is_connected(triangles.neighbors))
-      return triangles;
-    std::vector<Index> first_duplicate = Duplicate_faces(triangles)();
-    const auto is_first = [&](Index f) { return first_duplicate[f] == f; };
-    if (std::all_of(order_.begin(), order_.end(), is_first))
-      return triangles;
-    order_.erase(std::stable_partition(order_.begin(), order_.end(), is_first), order_.end());
-    first_duplicate_ = std::move(first_duplicate);
-    return distinct_triangles(triangles, first_duplicate_);
+    if (options_.keep_components_separate || mesh_.components.number == 1)
+      return;
+    const std::vector<Index> first = Duplicate_faces(mesh_)();
+    Index number = 0;
+    for (Index f = 0; f < first.size(); ++f)
+      face_[f] = first[f] == f ? number++ : face_[first[f]];
+    if (number == first.size())
+      return;
+    mesh_ = distinct_faces(mesh_, first);
+    mesh_.components = connected_components(mesh_);
   }
 
-  // Reads the triangles. A run that is stopped on the way leaves the faces in the caller's order.
-  void read(Triangles triangles)
+  // Puts the faces in an order of locality.
+  void order_faces()
   {
-    triangles = remove_duplicates(std::move(triangles));
-    if (monitor_.go_further()) {
-      const std::vector<Index> order = locality_order(triangles.neighbors);
-      monitor_.advance(0.3);
-      if (monitor_.go_further()) {
-        triangles = in_order(std::move(triangles), order);
-        const std::vector<Index> number = std::exchange(order_, {});
-        for (Index f : order)
-          order_.push_back(number[f]);
-      }
-    }
+    const std::vector<Index> order = locality_order(mesh_);
     monitor_.advance(0.3);
-    unit_ = normalize(triangles.points);
-    mesh_ = face_graph(execution_, std::move(triangles));
-    if (options_.smooth_boundaries)
-      set_neighbors();
+    if (!monitor_.go_further())
+      return;
+    reorder_faces(mesh_, order);
+    std::vector<Index> number(order.size());
+    for (Index i = 0; i < order.size(); ++i)
+      number[order[i]] = i;
+    for (Index& f : face_)
+      f = number[f];
+  }
+
+  // Prepares the mesh. A run that is stopped on the way leaves the faces in the caller's order.
+  void prepare_mesh()
+  {
+    face_.resize(mesh_.number_of_faces());
+    std::iota(face_.begin(), face_.end(), Index(0));
+    mesh_.components = connected_components(mesh_);
+    remove_duplicates();
+    if (monitor_.go_further())
+      order_faces();
+    monitor_.advance(0.3);
+    unit_ = normalize(mesh_.points);
+    set_areas(execution_, mesh_);
     check_number();
     if (!constraints_.empty())
-      set_groups();
+      groups_ = Constraint_grouping(constraints_, face_, mesh_.number_of_faces())(
+        mesh_, options_.keep_components_separate);
+    if (options_.smooth_boundaries)
+      set_neighbors();
   }
 
-  // Returns the face of the mesh for each of the caller's faces.
-  std::vector<Index> numbers_in_mesh() const
+  // Returns a face of the caller for each face of the mesh, the first of duplicate faces.
+  std::vector<Index> callers_faces() const
   {
-    std::vector<Index> result(number_of_callers_faces());
-    for (Index f = 0; f < order_.size(); ++f)
-      result[order_[f]] = f;
-    for (Index f = 0; f < first_duplicate_.size(); ++f)
-      result[f] = result[first_duplicate_[f]];
+    std::vector<Index> result; // the mesh may be moved to the search already
+    for (Index f = static_cast<Index>(face_.size()); f-- > 0; result[face_[f]] = f)
+      if (face_[f] >= result.size())
+        result.resize(face_[f] + 1);
     return result;
   }
 
-  // Groups constrained faces, and exempts them from boundary smoothing by making each its own
-  // neighbor.
-  void set_groups()
-  {
-    const std::vector<Index> number = numbers_in_mesh();
-    groups_ = Constraint_grouping(constraints_, number, mesh_.number_of_faces())(
-      mesh_, options_.keep_components_separate);
-    for (Index h = 0; h < neighbors_.size(); ++h)
-      if (groups_.group[number[h / 3]] != null_index)
-        neighbors_[h] = h / 3;
-  }
-
-  // Sets the neighbors. Duplicate faces have equal neighbors.
+  // Sets the neighbors. Duplicate faces have equal neighbors. A constrained face is its own
+  // neighbor, so that its label stays.
   void set_neighbors()
   {
-    neighbors_.resize(3 * number_of_callers_faces());
-    for (Index h = 0; h < mesh_.neighbors.size(); ++h)
-      neighbors_[3 * order_[h / 3] + h % 3] = order_[mesh_.neighbors[h]];
-    for (Index f = 0; f < first_duplicate_.size(); ++f)
-      for (Index i = 0; i < 3; ++i)
-        neighbors_[3 * f + i] = neighbors_[3 * first_duplicate_[f] + i];
+    const std::vector<Index> callers_face = callers_faces();
+    neighbors_.resize(3 * face_.size());
+    for (Index h = 0; h < neighbors_.size(); ++h) {
+      const Index f = face_[h / 3];
+      const bool is_constrained = !constraints_.empty() && groups_.group[f] != null_index;
+      neighbors_[h] = is_constrained ? h / 3 : callers_face[mesh_.neighbor(3 * f + h % 3)];
+    }
   }
-
-  std::size_t number_of_callers_faces() const
-  { return first_duplicate_.empty() ? order_.size() : first_duplicate_.size(); }
 
   void check_number() const
   {
     if (!options_.number_of_segments)
       return;
     const std::size_t number = *options_.number_of_segments;
-    std::size_t least = 1;
-    if (options_.keep_components_separate)
-      connected_components(mesh_, least);
+    const std::size_t least = options_.keep_components_separate ? mesh_.components.number : 1;
     if (number < least || number > mesh_.number_of_faces())
       throw std::invalid_argument(
         "segment_spectral_recursive: number_of_segments is " + std::to_string(number) +
@@ -155,7 +148,7 @@ class Run
         std::to_string(mesh_.number_of_faces()) + " segments");
   }
 
-  void set_weights(Face_graph& graph, const std::vector<Vector>& points) const
+  void set_weights(Surface& graph, const std::vector<Vector>& points) const
   {
     set_face_distances(execution_, graph, points, face_normals(execution_, graph, points),
                        distance_weights());
@@ -176,18 +169,15 @@ class Run
   // Wraps components that touch. If none touch, the mesh itself is searched.
   void wrap()
   {
-    std::size_t number_of_components, number_in_wrap;
-    connected_components(mesh_, number_of_components);
-    if (number_of_components < 2 || !(total_area(mesh_) > 0))
+    if (mesh_.components.number < 2 || !(total_area(mesh_) > 0))
       return;
     wrap_.emplace(execution_, mesh_);
     monitor_.check();
-    connected_components(wrap_->surface(), number_in_wrap);
-    if (number_in_wrap == number_of_components)
+    if (wrap_->surface().components.number == mesh_.components.number)
       wrap_.reset();
   }
 
-  const Face_graph& finest() const
+  const Surface& finest() const
   { return wrap_ ? wrap_->surface() : refined_.faces.empty() ? mesh_ : refined_.graph; }
 
   // Returns whether something is done with the mesh after the search.
@@ -198,13 +188,13 @@ class Run
   }
 
   // Returns the mesh on which cuts are searched.
-  Face_graph coarse_mesh()
+  Surface coarse_mesh()
   {
     monitor_.check();
     std::vector<Vector> points = smoothed_points(mesh_, options_.number_of_smoothing_iterations,
                                                  [&] { monitor_.check(); return true; });
     if (options_.number_of_coarse_faces == 0) {
-      Face_graph result = is_mesh_needed() ? mesh_ : std::move(mesh_);
+      Surface result = is_mesh_needed() ? mesh_ : std::move(mesh_);
       set_weights(result, points);
       return result;
     }
@@ -216,7 +206,7 @@ class Run
     const std::size_t number_of_faces = faces_to_search(options_, finest().number_of_faces());
     if (number_of_faces < finest().number_of_faces())
       levels_ = coarsen_in_steps(execution_, finest(), number_of_faces, monitor_);
-    Face_graph result = levels_.empty() ? finest() : levels_.back().graph;
+    Surface result = levels_.empty() ? finest() : levels_.back().graph;
     set_weights(result, result.points);
     return result;
   }
@@ -224,7 +214,7 @@ class Run
   // Returns the caller's indices of the faces that are left in the coarsest mesh.
   std::vector<Index> searched_faces() const
   {
-    std::vector<Index> result = order_;
+    std::vector<Index> result = callers_faces();
     const auto compose = [&](const std::vector<Index>& faces) {
       std::vector<Index> composed;
       composed.reserve(faces.size());
@@ -241,7 +231,7 @@ class Run
     return result;
   }
 
-  Cut_hierarchy search(Face_graph mesh)
+  Cut_hierarchy search(Surface mesh)
   {
     monitor_.control().start_search(searched_faces());
     const Best_cut best_cut(execution_, mesh, options_);
@@ -267,15 +257,6 @@ class Run
     if (!refined_.faces.empty())
       hierarchy = Cut_restriction(execution_, hierarchy, refined_, mesh_, weights, monitor_)();
     return hierarchy;
-  }
-
-  // Returns the components of the mesh, if the run was stopped before there was more.
-  Cut_hierarchy components() const
-  {
-    std::size_t number;
-    std::vector<Index> component = connected_components(mesh_, number);
-    const std::vector<double> areas = component_areas(mesh_, component, number);
-    return uncut_hierarchy(std::move(component), areas);
   }
 
   // Changes the hierarchy so that all nodes satisfy the constraints.
@@ -316,11 +297,10 @@ class Run
   // Converts face indices and areas back to the caller's indices and unit.
   void convert(Cut_hierarchy& hierarchy) const
   {
-    std::vector<Index> leaf(number_of_callers_faces());
-    for (Index f = 0; f < order_.size(); ++f)
-      leaf[order_[f]] = hierarchy.leaf[f];
-    for (Index f = 0; f < first_duplicate_.size(); ++f)
-      leaf[f] = leaf[first_duplicate_[f]];
+    std::vector<Index> leaf;
+    leaf.reserve(face_.size());
+    for (Index f : face_)
+      leaf.push_back(hierarchy.leaf[f]);
     hierarchy.leaf = std::move(leaf);
     for (Cut_node& node : hierarchy.nodes)
       node.area *= unit_ * unit_;
@@ -333,12 +313,13 @@ public:
   {
   }
 
-  Cut_hierarchy operator()(Triangles triangles)
+  Cut_hierarchy operator()(Surface mesh)
   {
+    mesh_ = std::move(mesh);
     // Estimates of the times of the phases, in nanoseconds. Only the reported progress depends on
     // them.
-    const double n = static_cast<double>(triangles.corners.size());
-    const double m = static_cast<double>(faces_to_search(options_, triangles.corners.size()));
+    const double n = static_cast<double>(mesh_.number_of_faces());
+    const double m = static_cast<double>(faces_to_search(options_, mesh_.number_of_faces()));
     const double reading_time = 150 * n;
     const double coarsening_time = (m < n ? 1250 : 100) * n;
     const double search_time = (options_.method == Method::CALIBRATED ? 50000 : 4000) * m;
@@ -349,9 +330,9 @@ public:
     Cut_hierarchy result;
     monitor_.start_phase(reading_time / all);
     try {
-      Face_graph searched =
+      Surface searched =
         monitor_.stage(Stage::INITIALIZATION, Segmentation_visitor::whole_mesh, [&] {
-          read(std::move(triangles));
+          prepare_mesh();
           monitor_.start_phase(coarsening_time / all);
           return coarse_mesh();
         });
@@ -362,7 +343,7 @@ public:
       levels_.clear();
       refined_ = Refined_mesh();
       wrap_.reset();
-      result = components();
+      result = uncut_hierarchy(mesh_);
     }
     monitor_.start_phase(1);
     if (&finest() != &mesh_ || !levels_.empty())
@@ -377,7 +358,7 @@ public:
 };
 
 CGAL_SPECTRAL_SEGMENTATION_INLINE
-Cut_hierarchy segment(Triangles triangles, const Options& options, Execution execution,
+Cut_hierarchy segment(Surface surface, const Options& options, Execution execution,
                       Run_control& control, const Constraints& constraints)
 {
   if (!constraints.empty() && options.method == Method::ZHANG_LIU_2005)
@@ -385,16 +366,12 @@ Cut_hierarchy segment(Triangles triangles, const Options& options, Execution exe
                                 "constraints: use the calibrated method with them");
   Cut_hierarchy result;
   call_isolated(
-    [&] { result = Run(options, constraints, execution, control)(std::move(triangles)); });
+    [&] { result = Run(options, constraints, execution, control)(std::move(surface)); });
   return result;
 }
 
 CGAL_SPECTRAL_SEGMENTATION_INLINE
-void connect(Triangles& triangles)
-{
-  Triangle_connection connection(triangles);
-  connection();
-}
+void connect(Surface& soup) { connect_triangles(soup); }
 
 } // namespace CGAL::Spectral_segmentation::internal
 

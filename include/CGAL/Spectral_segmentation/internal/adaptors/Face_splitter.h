@@ -4,7 +4,7 @@
 #ifndef CGAL_SPECTRAL_SEGMENTATION_INTERNAL_ADAPTORS_FACE_SPLITTER_H
 #define CGAL_SPECTRAL_SEGMENTATION_INTERNAL_ADAPTORS_FACE_SPLITTER_H
 
-#include <CGAL/Spectral_segmentation/internal/mesh/Triangles.h>
+#include <CGAL/Spectral_segmentation/internal/surface/Surface.h>
 #include <CGAL/Spectral_segmentation/internal/refinement/Refinement.h>
 
 #include <CGAL/boost/graph/Euler_operations.h>

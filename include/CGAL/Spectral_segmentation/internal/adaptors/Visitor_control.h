@@ -4,7 +4,7 @@
 #ifndef CGAL_SPECTRAL_SEGMENTATION_INTERNAL_ADAPTORS_VISITOR_CONTROL_H
 #define CGAL_SPECTRAL_SEGMENTATION_INTERNAL_ADAPTORS_VISITOR_CONTROL_H
 
-#include <CGAL/Spectral_segmentation/internal/Run_control.h>
+#include <CGAL/Spectral_segmentation/internal/base/Run_control.h>
 
 #include <cstddef>
 

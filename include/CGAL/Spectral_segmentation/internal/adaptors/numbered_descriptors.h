@@ -5,7 +5,7 @@
 #define CGAL_SPECTRAL_SEGMENTATION_INTERNAL_ADAPTORS_NUMBERED_DESCRIPTORS_H
 
 #include <CGAL/Spectral_segmentation/internal/adaptors/segment_id_map.h>
-#include <CGAL/Spectral_segmentation/internal/mesh/Triangles.h>
+#include <CGAL/Spectral_segmentation/internal/surface/Surface.h>
 
 #include <CGAL/Named_function_parameters.h>
 #include <CGAL/boost/graph/named_params_helper.h>

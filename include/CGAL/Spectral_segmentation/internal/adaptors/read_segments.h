@@ -5,7 +5,7 @@
 #define CGAL_SPECTRAL_SEGMENTATION_INTERNAL_ADAPTORS_READ_SEGMENTS_H
 
 #include <CGAL/Spectral_segmentation/internal/adaptors/segment_id_map.h>
-#include <CGAL/Spectral_segmentation/internal/utility/Index.h>
+#include <CGAL/Spectral_segmentation/internal/base/Index.h>
 
 #include <boost/property_map/property_map.hpp>
 

@@ -4,7 +4,7 @@
 #ifndef CGAL_SPECTRAL_SEGMENTATION_INTERNAL_ADAPTORS_READ_TRIANGLE_MESH_H
 #define CGAL_SPECTRAL_SEGMENTATION_INTERNAL_ADAPTORS_READ_TRIANGLE_MESH_H
 
-#include <CGAL/Spectral_segmentation/internal/mesh/Triangles.h>
+#include <CGAL/Spectral_segmentation/internal/surface/Surface.h>
 #include <CGAL/Spectral_segmentation/internal/adaptors/numbered_descriptors.h>
 
 #include <CGAL/boost/graph/helpers.h>
@@ -28,7 +28,7 @@ namespace CGAL::Spectral_segmentation::internal {
 // Throws `std::invalid_argument` if a face is not a triangle or a coordinate is not finite. The
 // message begins with `function`, the name of the function that the caller called.
 template <class TriangleMesh, class FaceDescriptor, class VertexPointMap, class GeomTraits>
-Triangles read_triangle_mesh(const TriangleMesh& mesh, const std::vector<FaceDescriptor>& faces,
+Surface read_triangle_mesh(const TriangleMesh& mesh, const std::vector<FaceDescriptor>& faces,
                              VertexPointMap vertex_point_map, const GeomTraits& traits,
                              const std::string& function = "segment_spectral_recursive")
 {
@@ -46,43 +46,47 @@ Triangles read_triangle_mesh(const TriangleMesh& mesh, const std::vector<FaceDes
   const Descriptor_numbers<TriangleMesh, boost::face_index_t, FaceDescriptor>
     face_number(mesh, faces);
 
-  Triangles triangles;
-  triangles.corners.resize(faces.size());
-  triangles.neighbors.resize(faces.size());
+  Surface surface;
+  surface.corners.resize(faces.size());
+  surface.opposite.resize(3 * faces.size());
   std::vector<char> is_used(vertices_of_mesh.size(), 0);
   for (Index f = 0; f < faces.size(); ++f) {
     halfedge_descriptor h = halfedge(faces[f], mesh);
     if (!CGAL::is_triangle(h, mesh))
       throw std::invalid_argument(function + ": face " + std::to_string(f) +
                                   " is not a triangle");
-    Corners& corners = triangles.corners[f];
-    Neighbors& neighbors = triangles.neighbors[f];
-    for (int i = 0; i < 3; ++i, h = next(h, mesh)) {
-      corners[i] = vertex_number(source(h, mesh));
-      is_used[corners[i]] = 1;
-      const auto across = face(opposite(h, mesh), mesh);
-      const Index number =
-        across == Graph_traits::null_face() ? null_index : face_number(across);
-      neighbors[i] = number == null_index ? f : number;
+    for (Index i = 0; i < 3; ++i, h = next(h, mesh)) {
+      const Index v = vertex_number(source(h, mesh));
+      surface.corners[f][i] = v;
+      is_used[v] = 1;
+      const halfedge_descriptor o = opposite(h, mesh);
+      const auto across = face(o, mesh);
+      const Index g = across == Graph_traits::null_face() ? null_index : face_number(across);
+      Index& number = surface.opposite[3 * f + i];
+      number = 3 * f + i;
+      if (g == null_index || g == f) // a face that is glued to itself has a border there
+        continue;
+      const halfedge_descriptor first = halfedge(across, mesh);
+      number = 3 * g + (o == first ? 0 : o == next(first, mesh) ? 1 : 2);
     }
-    start_at_smallest_vertex(corners, neighbors);
   }
+  start_at_smallest_vertices(surface);
 
   const auto x = traits.compute_x_3_object();
   const auto y = traits.compute_y_3_object();
   const auto z = traits.compute_z_3_object();
-  triangles.points.resize(vertices_of_mesh.size());
+  surface.points.resize(vertices_of_mesh.size());
   for (Index v = 0; v < vertices_of_mesh.size(); ++v) {
     if (!is_used[v])
       continue;
     const auto& p = get(vertex_point_map, vertices_of_mesh[v]);
-    Vector& point = triangles.points[v];
+    Vector& point = surface.points[v];
     point = Vector(CGAL::to_double(x(p)), CGAL::to_double(y(p)), CGAL::to_double(z(p)));
     if (!point.is_finite())
       throw std::invalid_argument(function + ": vertex " + std::to_string(v) +
                                   " has a coordinate that is not finite");
   }
-  return triangles;
+  return surface;
 }
 
 } // namespace CGAL::Spectral_segmentation::internal

@@ -4,7 +4,7 @@
 #ifndef CGAL_SPECTRAL_SEGMENTATION_INTERNAL_ADAPTORS_READ_TRIANGLE_SOUP_H
 #define CGAL_SPECTRAL_SEGMENTATION_INTERNAL_ADAPTORS_READ_TRIANGLE_SOUP_H
 
-#include <CGAL/Spectral_segmentation/internal/mesh/Triangles.h>
+#include <CGAL/Spectral_segmentation/internal/surface/Surface.h>
 
 #include <CGAL/number_utils.h>
 
@@ -37,10 +37,10 @@ struct is_triangle_range<Range, std::void_t<Element<Element<Range> > > >
 // index of a point, or a coordinate that is used is not finite. The message begins with `function`,
 // the name of the function that the caller called.
 template <class PointRange, class TriangleRange>
-Triangles read_triangle_soup(const PointRange& points, const TriangleRange& triangles,
+Surface read_triangle_soup(const PointRange& points, const TriangleRange& triangles,
                              const std::string& function = "segment_spectral_recursive")
 {
-  Triangles result;
+  Surface result;
   for (const auto& p : points) {
     if (result.points.size() + 1 >= null_index)
       throw std::invalid_argument(function + ": there are too many points");

@@ -16,7 +16,7 @@ namespace CGAL::Spectral_segmentation::internal {
 // Runs the engine. Returns its cuts with the maximum number of segments and the threshold that
 // select them.
 inline Segmentation_hierarchy
-segmentation_hierarchy(Triangles triangles, const Options& options, Execution execution,
+segmentation_hierarchy(Surface triangles, const Options& options, Execution execution,
                        Run_control& control, const Constraints& constraints = Constraints())
 {
   return {segment(std::move(triangles), options, execution, control, constraints),

@@ -10,10 +10,10 @@
 #include <CGAL/Spectral_segmentation/internal/bipartition/line_search.h>
 #include <CGAL/Spectral_segmentation/internal/bipartition/min_cut_refinement.h>
 #include <CGAL/Spectral_segmentation/internal/bipartition/shape_context_sampling.h>
-#include <CGAL/Spectral_segmentation/internal/mesh/connected_components.h>
+#include <CGAL/Spectral_segmentation/internal/surface/connected_components.h>
 #include <CGAL/Spectral_segmentation/internal/salience/Cut_evaluator.h>
-#include <CGAL/Spectral_segmentation/internal/utility/Run_monitor.h>
-#include <CGAL/Spectral_segmentation/internal/utility/sorted_indices.h>
+#include <CGAL/Spectral_segmentation/internal/base/Run_monitor.h>
+#include <CGAL/Spectral_segmentation/internal/base/sorted_indices.h>
 
 #include <algorithm>
 #include <cstddef>
@@ -27,17 +27,13 @@ namespace CGAL::Spectral_segmentation::internal {
 // A connected part of the mesh that may be cut.
 struct Part
 {
-  Face_graph graph;
+  Surface graph;
   std::size_t node;         // its node in the hierarchy
   std::vector<Index> faces; // their indices in the mesh, ascending
 };
 
-inline bool both_sides_are_connected(const Face_graph& part, const Sides& side)
-{
-  std::size_t number;
-  connected_components(part, number, side);
-  return number == 2;
-}
+inline bool both_sides_are_connected(const Surface& part, const Sides& side)
+{ return connected_components(part, side).number == 2; }
 
 // Sorts cuts by salience. Equally salient cuts keep their order.
 inline std::vector<Cut> most_salient_first(std::vector<Cut> cuts)
@@ -62,7 +58,7 @@ class Best_cut
   double minimum_area_;         // the least area of a side
 
   // Returns the orders along which cuts are searched.
-  std::vector<Face_order> orders(Execution execution, const Face_graph& part,
+  std::vector<Face_order> orders(Execution execution, const Surface& part,
                                  const std::vector<Index>& references,
                                  const Sample_faces& samples) const
   {
@@ -72,7 +68,7 @@ class Best_cut
   }
 
   // Returns the cut with its factors; none if a side is too small.
-  std::optional<Cut> evaluate(const Face_graph& part, const Cut_evaluator& evaluator,
+  std::optional<Cut> evaluate(const Surface& part, const Cut_evaluator& evaluator,
                               Sides side) const
   {
     Cut cut{std::move(side), {0, 0}, {}, 0};
@@ -101,7 +97,7 @@ class Best_cut
   std::vector<Cut> calibrated_cuts(Execution execution, const Part& part,
                                    const std::vector<Face_order>& orders) const
   {
-    const Face_graph& graph = part.graph;
+    const Surface& graph = part.graph;
     const Cut_evaluator evaluator(graph, part.faces, *context_);
     std::vector<Sides> proposals = cut_proposals(execution, graph, orders, minimum_area_,
                                                  options_.number_of_candidates);
@@ -134,7 +130,7 @@ class Best_cut
   }
 
 public:
-  Best_cut(Execution execution, const Face_graph& mesh, const Options& options)
+  Best_cut(Execution execution, const Surface& mesh, const Options& options)
     : options_(options), number_of_faces_(mesh.number_of_faces()),
       minimum_area_(options.minimum_segment_size * total_area(mesh))
   {
@@ -148,7 +144,7 @@ public:
   // Returns the best cut. Throws `Run_stopped` if the caller stops the run.
   std::optional<Cut> operator()(Execution execution, const Part& part, Run_monitor& monitor) const
   {
-    const Face_graph& m = part.graph;
+    const Surface& m = part.graph;
     if (m.number_of_faces() < 2 || total_area(m) < 2 * minimum_area_)
       return std::nullopt;
     // A part counts as a guessed half of its fraction of the search, to which later parts add.

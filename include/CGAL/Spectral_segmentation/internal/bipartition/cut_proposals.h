@@ -6,13 +6,13 @@
 
 #include <CGAL/Spectral_segmentation/Part_salience.h>
 #include <CGAL/Spectral_segmentation/internal/salience/Cut.h>
-#include <CGAL/Spectral_segmentation/internal/mesh/Face_graph.h>
+#include <CGAL/Spectral_segmentation/internal/surface/Surface.h>
 #include <CGAL/Spectral_segmentation/internal/salience/Boundary_statistics.h>
-#include <CGAL/Spectral_segmentation/internal/utility/concurrency.h>
+#include <CGAL/Spectral_segmentation/internal/base/concurrency.h>
 #include <CGAL/Spectral_segmentation/internal/bipartition/line_search.h>
 #include <CGAL/Spectral_segmentation/internal/bipartition/min_cut_refinement.h>
-#include <CGAL/Spectral_segmentation/internal/utility/constants.h>
-#include <CGAL/Spectral_segmentation/internal/utility/sorted_indices.h>
+#include <CGAL/Spectral_segmentation/internal/base/constants.h>
+#include <CGAL/Spectral_segmentation/internal/base/sorted_indices.h>
 
 #include <algorithm>
 #include <cmath>
@@ -28,20 +28,20 @@ namespace CGAL::Spectral_segmentation::internal {
 // A patch that knows the capacity of its cut.
 class Patch_with_capacity : public Boundary_statistics
 {
-  const Face_graph& part_;
+  const Surface& part_;
   const std::vector<double>& capacities_;
   double capacity_of_cut_ = 0;
 
 public:
   // Makes an empty patch; `capacities` has one per halfedge.
-  Patch_with_capacity(const Face_graph& part, const std::vector<double>& capacities)
+  Patch_with_capacity(const Surface& part, const std::vector<double>& capacities)
     : Boundary_statistics(part), part_(part), capacities_(capacities) {}
 
   void add(Index f)
   {
     for (Index h = 3 * f; h < 3 * f + 3; ++h)
       if (!part_.is_border(h))
-        capacity_of_cut_ += (has_face(part_.neighbors[h]) ? -1 : 1) * capacities_[h];
+        capacity_of_cut_ += (has_face(part_.neighbor(h)) ? -1 : 1) * capacities_[h];
     Boundary_statistics::add(f);
   }
 
@@ -69,7 +69,7 @@ struct Sweep_step
   double salience, cheapness;
 };
 
-inline std::vector<Sweep_step> sweep_steps(const Face_graph& part, const Growth& growth,
+inline std::vector<Sweep_step> sweep_steps(const Surface& part, const Growth& growth,
                                            double minimum_area, Patch_with_capacity empty)
 {
   const Weighted_part_salience part_salience;
@@ -109,7 +109,7 @@ inline std::vector<Proposal> best_steps(const Growth& growth, const std::vector<
   return result;
 }
 
-inline Proposals propose_cuts(const Face_graph& part, const std::vector<Index>& order,
+inline Proposals propose_cuts(const Surface& part, const std::vector<Index>& order,
                               double minimum_area, const Patch_with_capacity& empty)
 {
   const Growth growth = grow_along(part, order);
@@ -159,7 +159,7 @@ public:
 
 // Returns at most `number` cuts, no two alike, the best by each measure in turn. The larger side
 // may be first.
-inline std::vector<Sides> cut_proposals(Execution execution, const Face_graph& part,
+inline std::vector<Sides> cut_proposals(Execution execution, const Surface& part,
                                         const std::vector<std::vector<Index> >& orders,
                                         double minimum_area, std::size_t number)
 {

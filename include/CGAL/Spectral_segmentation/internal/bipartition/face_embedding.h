@@ -6,7 +6,7 @@
 
 #include <CGAL/Spectral_segmentation/internal/bipartition/nystrom.h>
 #include <CGAL/Spectral_segmentation/internal/distances/shortest_paths.h>
-#include <CGAL/Spectral_segmentation/internal/mesh/Face_graph.h>
+#include <CGAL/Spectral_segmentation/internal/surface/Surface.h>
 
 #include <Eigen/Core>
 
@@ -20,7 +20,7 @@ namespace CGAL::Spectral_segmentation::internal {
 // embedding for two samples, which `spectral_order()` finds without it.
 
 // Returns the combined distances of all faces from some samples, one row per sample.
-inline Eigen::MatrixXd distances_from(const Face_graph& part, const std::vector<Index>& samples)
+inline Eigen::MatrixXd distances_from(const Surface& part, const std::vector<Index>& samples)
 {
   Eigen::MatrixXd rows(samples.size(), part.number_of_faces());
   for (std::size_t i = 0; i < samples.size(); ++i) {
@@ -60,7 +60,7 @@ inline Eigenpairs affinity_eigenpairs(const Eigen::MatrixXd& distances,
     : nystrom_extrapolation(normalized_rows(rows, samples), samples);
 }
 
-inline Eigenpairs face_eigenpairs(const Face_graph& part, const std::vector<Index>& samples)
+inline Eigenpairs face_eigenpairs(const Surface& part, const std::vector<Index>& samples)
 { return affinity_eigenpairs(distances_from(part, samples), samples); }
 
 // Returns the coordinate of each face on the spectral line: the ratio of the second eigenvector to

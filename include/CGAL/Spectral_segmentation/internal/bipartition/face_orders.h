@@ -6,7 +6,7 @@
 
 #include <CGAL/Spectral_segmentation/internal/bipartition/shape_context_sampling.h>
 #include <CGAL/Spectral_segmentation/internal/distances/shortest_paths.h>
-#include <CGAL/Spectral_segmentation/internal/utility/sorted_indices.h>
+#include <CGAL/Spectral_segmentation/internal/base/sorted_indices.h>
 
 #include <cstddef>
 #include <vector>
@@ -37,7 +37,7 @@ inline Face_order spectral_order(Execution execution, const std::vector<double>&
 // The orders of the calibrated method: the spectral order from both ends; then, if they are asked
 // for, the orders by distance from each sample and each reference face, which grow a single limb
 // where the pair sees several at once.
-inline std::vector<Face_order> face_orders(Execution execution, const Face_graph& part,
+inline std::vector<Face_order> face_orders(Execution execution, const Surface& part,
                                            const std::vector<Index>& references,
                                            const Sample_faces& samples, bool from_single_sources)
 {
@@ -59,7 +59,7 @@ inline std::vector<Face_order> face_orders(Execution execution, const Face_graph
 }
 
 // The order of the paper.
-inline Face_order face_order(Execution execution, const Face_graph& part,
+inline Face_order face_order(Execution execution, const Surface& part,
                              const Sample_faces& samples)
 {
   std::vector<double> from_s, from_t;

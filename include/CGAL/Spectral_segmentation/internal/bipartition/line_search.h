@@ -6,10 +6,10 @@
 
 #include <CGAL/Spectral_segmentation/Part_salience.h>
 #include <CGAL/Spectral_segmentation/internal/salience/Cut.h>
-#include <CGAL/Spectral_segmentation/internal/mesh/Face_graph.h>
+#include <CGAL/Spectral_segmentation/internal/surface/Surface.h>
 #include <CGAL/Spectral_segmentation/internal/salience/Boundary_statistics.h>
-#include <CGAL/Spectral_segmentation/internal/utility/concurrency.h>
-#include <CGAL/Spectral_segmentation/internal/mesh/connected_components.h>
+#include <CGAL/Spectral_segmentation/internal/base/concurrency.h>
+#include <CGAL/Spectral_segmentation/internal/surface/connected_components.h>
 
 #include <algorithm>
 #include <cstddef>
@@ -33,7 +33,7 @@ struct Growth
 
 // Grows Q along an order. A visited face that does not touch Q waits, with a special label, until a
 // face that it touches joins Q.
-inline Growth grow_along(const Face_graph& part, const std::vector<Index>& order)
+inline Growth grow_along(const Surface& part, const std::vector<Index>& order)
 {
   enum Label : char { NOT_VISITED, WAITING, JOINED };
   std::vector<Label> label(part.number_of_faces(), NOT_VISITED);
@@ -44,7 +44,7 @@ inline Growth grow_along(const Face_graph& part, const std::vector<Index>& order
     label[visited] = WAITING;
     bool touches = q.faces.empty();
     for (Index h = 3 * visited; h < 3 * visited + 3; ++h)
-      touches = touches || label[part.neighbors[h]] == JOINED;
+      touches = touches || label[part.neighbor(h)] == JOINED;
     if (!touches)
       continue;
     std::size_t next = q.faces.size();
@@ -52,7 +52,7 @@ inline Growth grow_along(const Face_graph& part, const std::vector<Index>& order
     q.faces.push_back(visited);
     for (; next < q.faces.size(); ++next)
       for (int i = 0; i < 3; ++i) {
-        const Index g = part.neighbors[3 * q.faces[next] + i];
+        const Index g = part.neighbor(3 * q.faces[next] + i);
         if (label[g] == WAITING) {
           label[g] = JOINED;
           q.faces.push_back(g);
@@ -65,7 +65,7 @@ inline Growth grow_along(const Face_graph& part, const std::vector<Index>& order
 
 // Returns for each number i whether the part is still connected without the first i of `faces`,
 // that is, whether Q has no holes. Adds the faces back from last to first, with union-find.
-inline std::vector<bool> rest_is_connected(const Face_graph& part,
+inline std::vector<bool> rest_is_connected(const Surface& part,
                                            const std::vector<Index>& faces)
 {
   const std::size_t n = faces.size();
@@ -77,15 +77,15 @@ inline std::vector<bool> rest_is_connected(const Face_graph& part,
     components.add(f);
     is_in_rest[f] = 1;
     for (Index h = 3 * f; h < 3 * f + 3; ++h)
-      if (is_in_rest[part.neighbors[h]])
-        components.join(f, part.neighbors[h]);
+      if (is_in_rest[part.neighbor(h)])
+        components.join(f, part.neighbor(h));
     result[i] = components.number() == 1;
   }
   return result;
 }
 
 // Returns the sizes of Q after the steps that leave two connected sides.
-inline std::vector<Index> sizes_of_cuts(const Face_graph& part, const Growth& growth)
+inline std::vector<Index> sizes_of_cuts(const Surface& part, const Growth& growth)
 {
   const std::vector<bool> is_cut = rest_is_connected(part, growth.faces);
   std::vector<Index> result;
@@ -169,7 +169,7 @@ struct No_observer
 // that each patch stays the smaller half. `observe(size of Q, factors, salience)` is called for
 // each cut that is compared, in each half from the end to the middle.
 template <class PartSalience, class Observer = No_observer>
-std::optional<Cut> line_search(Execution execution, const Face_graph& part,
+std::optional<Cut> line_search(Execution execution, const Surface& part,
                                const std::vector<Index>& order, const PartSalience& part_salience,
                                double minimum_area, const Observer& observe = Observer())
 {

@@ -5,10 +5,10 @@
 #define CGAL_SPECTRAL_SEGMENTATION_INTERNAL_BIPARTITION_MIN_CUT_REFINEMENT_H
 
 #include <CGAL/Spectral_segmentation/internal/salience/Cut.h>
-#include <CGAL/Spectral_segmentation/internal/mesh/Face_graph.h>
+#include <CGAL/Spectral_segmentation/internal/surface/Surface.h>
 #include <CGAL/Spectral_segmentation/internal/salience/faces_near_cut.h>
-#include <CGAL/Spectral_segmentation/internal/utility/Packed_graph.h>
-#include <CGAL/Spectral_segmentation/internal/utility/constants.h>
+#include <CGAL/Spectral_segmentation/internal/base/Packed_graph.h>
+#include <CGAL/Spectral_segmentation/internal/base/constants.h>
 
 #include <boost/graph/boykov_kolmogorov_max_flow.hpp>
 #include <boost/graph/graph_traits.hpp>
@@ -25,7 +25,7 @@
 namespace CGAL::Spectral_segmentation::internal {
 
 // Returns the cost of an edge for a cut: its length, and far less if the edge is concave.
-inline double capacity(const Face_graph& part, Index h)
+inline double capacity(const Surface& part, Index h)
 {
   const double convexity = 1 - part.weights[h].concavity;
   return quantized(part.length(h) * (constants::cost_of_concave_edge + convexity * convexity));
@@ -139,7 +139,7 @@ public:
 // Returns the cheapest cut that leaves all faces of a part, but for the band, on their sides. Faces
 // that are on no side, neither 0 nor 1, count as absent. A side that lies wholly in the band keeps
 // the last of its faces there. The sides need not be connected.
-inline Sides minimum_cut_within(const Face_graph& part, const std::vector<Index>& band,
+inline Sides minimum_cut_within(const Surface& part, const std::vector<Index>& band,
                                 const Sides& side)
 {
   std::vector<Index> node(part.number_of_faces(), null_index);
@@ -161,7 +161,7 @@ inline Sides minimum_cut_within(const Face_graph& part, const std::vector<Index>
   for (Index i = 0; i < band.size(); ++i) {
     const Index f = band[i];
     for (Index h = 3 * f; h < 3 * f + 3; ++h) {
-      const Index g = part.neighbors[h];
+      const Index g = part.neighbor(h);
       if (node[g] != null_index && f < g)
         network.join(i, node[g], capacity(part, h));
       else if (node[g] == null_index && (side[g] == 0 || side[g] == 1))
@@ -181,7 +181,7 @@ inline Sides minimum_cut_within(const Face_graph& part, const std::vector<Index>
 
 // Returns the cheapest cut in the neighborhood of a cut. Its sides need not be connected. Fixed
 // faces stay where they are.
-inline Sides minimum_cut_around(const Face_graph& part, const Sides& side, double area_of_q,
+inline Sides minimum_cut_around(const Surface& part, const Sides& side, double area_of_q,
                                 const std::vector<char>& is_fixed = {})
 {
   std::vector<Index> band; // a side that lies wholly in it keeps the face farthest from the cut

@@ -4,7 +4,7 @@
 #ifndef CGAL_SPECTRAL_SEGMENTATION_INTERNAL_BIPARTITION_NYSTROM_H
 #define CGAL_SPECTRAL_SEGMENTATION_INTERNAL_BIPARTITION_NYSTROM_H
 
-#include <CGAL/Spectral_segmentation/internal/utility/Index.h>
+#include <CGAL/Spectral_segmentation/internal/base/Index.h>
 
 #include <Eigen/Core>
 #include <Eigen/Eigenvalues>

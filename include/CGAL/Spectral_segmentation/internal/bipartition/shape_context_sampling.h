@@ -4,9 +4,9 @@
 #ifndef CGAL_SPECTRAL_SEGMENTATION_INTERNAL_BIPARTITION_SHAPE_CONTEXT_SAMPLING_H
 #define CGAL_SPECTRAL_SEGMENTATION_INTERNAL_BIPARTITION_SHAPE_CONTEXT_SAMPLING_H
 
-#include <CGAL/Spectral_segmentation/internal/mesh/Face_graph.h>
-#include <CGAL/Spectral_segmentation/internal/utility/concurrency.h>
-#include <CGAL/Spectral_segmentation/internal/mesh/surface_integrals.h>
+#include <CGAL/Spectral_segmentation/internal/surface/Surface.h>
+#include <CGAL/Spectral_segmentation/internal/base/concurrency.h>
+#include <CGAL/Spectral_segmentation/internal/surface/surface_integrals.h>
 #include <CGAL/Spectral_segmentation/internal/distances/shortest_paths.h>
 
 #include <Eigen/Core>
@@ -23,7 +23,7 @@ namespace CGAL::Spectral_segmentation::internal {
 
 // The first reference face: the paper takes a random one. The face farthest from the center of the
 // part is as good, is at the end of a limb, and does not depend on the numbers of the faces.
-inline Index farthest_face_from_center(Execution execution, const Face_graph& graph)
+inline Index farthest_face_from_center(Execution execution, const Surface& graph)
 {
   const double area = total_area(graph);
   const Vector center = area > 0 ? center_of(execution, graph, area) : Vector();
@@ -39,7 +39,7 @@ inline Index farthest_face_from_center(Execution execution, const Face_graph& gr
 
 // A random face. The part is told by its smallest face, so that the choice depends neither on the
 // order in which parts are searched nor on the thread. The engine is the same on every platform.
-inline Index random_face(const Face_graph& graph, std::uint64_t seed, Index smallest_face)
+inline Index random_face(const Surface& graph, std::uint64_t seed, Index smallest_face)
 {
   std::seed_seq seeds{static_cast<std::uint32_t>(seed), static_cast<std::uint32_t>(seed >> 32),
                       smallest_face, static_cast<Index>(graph.number_of_faces())};
@@ -57,7 +57,7 @@ struct Shape_contexts
 // distance, and sums the angle distances along the shortest geodesic paths to each. Calls
 // `before_search()` before each search for paths.
 template <class BeforeSearch>
-Shape_contexts shape_contexts(const Face_graph& graph, Index first_reference, std::size_t k,
+Shape_contexts shape_contexts(const Surface& graph, Index first_reference, std::size_t k,
                               const BeforeSearch& before_search)
 {
   const std::size_t n = graph.number_of_faces();

@@ -4,7 +4,7 @@
 #ifndef CGAL_SPECTRAL_SEGMENTATION_INTERNAL_CAPPING_BORDER_LOOPS_H
 #define CGAL_SPECTRAL_SEGMENTATION_INTERNAL_CAPPING_BORDER_LOOPS_H
 
-#include <CGAL/Spectral_segmentation/internal/utility/Index.h>
+#include <CGAL/Spectral_segmentation/internal/base/Index.h>
 
 #include <CGAL/assertions.h>
 

@@ -6,7 +6,7 @@
 
 #include <CGAL/Spectral_segmentation/internal/capping/Border_loops.h>
 #include <CGAL/Spectral_segmentation/internal/capping/triangulated_loop.h>
-#include <CGAL/Spectral_segmentation/internal/mesh/Triangles.h>
+#include <CGAL/Spectral_segmentation/internal/surface/Surface.h>
 
 #include <CGAL/assertions.h>
 

@@ -4,7 +4,7 @@
 #ifndef CGAL_SPECTRAL_SEGMENTATION_INTERNAL_CAPPING_TRIANGULATED_LOOP_H
 #define CGAL_SPECTRAL_SEGMENTATION_INTERNAL_CAPPING_TRIANGULATED_LOOP_H
 
-#include <CGAL/Spectral_segmentation/internal/mesh/Triangles.h>
+#include <CGAL/Spectral_segmentation/internal/surface/Surface.h>
 
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 #include <CGAL/Polygon_mesh_processing/triangulate_hole.h>

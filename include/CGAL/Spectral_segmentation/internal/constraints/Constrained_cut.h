@@ -5,8 +5,8 @@
 #define CGAL_SPECTRAL_SEGMENTATION_INTERNAL_CONSTRAINTS_CONSTRAINED_CUT_H
 
 #include <CGAL/Spectral_segmentation/internal/bipartition/min_cut_refinement.h>
-#include <CGAL/Spectral_segmentation/internal/mesh/connected_components.h>
-#include <CGAL/Spectral_segmentation/internal/mesh/surface_integrals.h>
+#include <CGAL/Spectral_segmentation/internal/surface/connected_components.h>
+#include <CGAL/Spectral_segmentation/internal/surface/surface_integrals.h>
 #include <CGAL/Spectral_segmentation/internal/constraints/Constraints.h>
 
 #include <Eigen/SparseCholesky>
@@ -34,7 +34,7 @@ class Constrained_cut
 {
   enum : char { OPEN = 2 };
 
-  const Face_graph& part_;
+  const Surface& part_;
   const std::vector<Index>& group_;   // one per face; null_index if it is unconstrained
   const std::vector<double>& border_; // the length of each face along other regions
   const double minimum_area_;
@@ -60,8 +60,8 @@ class Constrained_cut
     for (Index f = 0; f < side_.size(); ++f)
       sets.join(f, node_[f]);
     for (Index h = 0; h < part_.number_of_halfedges(); ++h)
-      if (!are_sides_apart || side_[h / 3] == side_[part_.neighbors[h]])
-        sets.join(h / 3, part_.neighbors[h]);
+      if (!are_sides_apart || side_[h / 3] == side_[part_.neighbor(h)])
+        sets.join(h / 3, part_.neighbor(h));
     std::vector<Index> result;
     for (Index f = 0; f < side_.size(); ++f)
       result.push_back(sets.representative(f));
@@ -94,7 +94,7 @@ class Constrained_cut
     std::vector<Eigen::Triplet<double> > entries;
     Eigen::VectorXd values = Eigen::VectorXd::Zero(n); // the right-hand side, then the potentials
     for (Index h = 0; h < part_.number_of_halfedges(); ++h) {
-      const Index from = node_[h / 3], to = node_[part_.neighbors[h]];
+      const Index from = node_[h / 3], to = node_[part_.neighbor(h)];
       if (row[from] < 0 || from == to)
         continue;
       const double c = conductance(h, smallest_distance);
@@ -154,7 +154,7 @@ class Constrained_cut
       rest.border += border_[f];
     }
     for (Index h = 0; h < part_.number_of_halfedges(); ++h) {
-      const double first = potential[h / 3], second = potential[part_.neighbors[h]];
+      const double first = potential[h / 3], second = potential[part_.neighbor(h)];
       if (first > second) {
         steps[first].cost += capacity(part_, h);
         steps[second].cost -= capacity(part_, h);
@@ -194,17 +194,14 @@ class Constrained_cut
     }
     const Sides refined =
       minimum_cut_around(part_, side_, (std::min)(area[0], area[1]), is_fixed);
-    std::size_t number_of_pieces, number;
-    connected_components(part_, number_of_pieces, side_);
-    connected_components(part_, number, refined);
-    if (number <= number_of_pieces)
+    if (connected_components(part_, refined).number <= connected_components(part_, side_).number)
       side_ = refined;
   }
 
 public:
   // `group` holds the group of each face, or null_index. `border` holds the length of each face
   // along other regions. The cut avoids sides smaller than `minimum_area`.
-  Constrained_cut(const Face_graph& part, const std::vector<Index>& group,
+  Constrained_cut(const Surface& part, const std::vector<Index>& group,
                   const std::vector<double>& border, double minimum_area)
     : part_(part), group_(group), border_(border), minimum_area_(minimum_area),
       side_(part.number_of_faces(), OPEN)

@@ -6,9 +6,9 @@
 
 #include <CGAL/Spectral_segmentation/internal/distances/face_distances.h>
 #include <CGAL/Spectral_segmentation/internal/hierarchy/Cut_hierarchy.h>
-#include <CGAL/Spectral_segmentation/internal/mesh/extract_part.h>
-#include <CGAL/Spectral_segmentation/internal/mesh/surface_integrals.h>
-#include <CGAL/Spectral_segmentation/internal/utility/Run_monitor.h>
+#include <CGAL/Spectral_segmentation/internal/surface/extract_part.h>
+#include <CGAL/Spectral_segmentation/internal/surface/surface_integrals.h>
+#include <CGAL/Spectral_segmentation/internal/base/Run_monitor.h>
 #include <CGAL/Spectral_segmentation/internal/constraints/Region_graph.h>
 #include <CGAL/Spectral_segmentation/internal/constraints/Constrained_cut.h>
 
@@ -30,7 +30,7 @@ namespace CGAL::Spectral_segmentation::internal {
 class Constrained_regions
 {
   const Execution execution_;
-  const Face_graph& mesh_;
+  const Surface& mesh_;
   const Distance_weights weights_;
   const double minimum_area_;
   Run_monitor& monitor_;
@@ -65,13 +65,12 @@ class Constrained_regions
   // Gives all pieces but the largest to neighbors if a region fell into several pieces.
   void join_loose_pieces(const std::vector<Index>& old_region)
   {
-    std::size_t number_of_old, number;
-    const std::vector<Index> old_piece = connected_components(mesh_, number_of_old, old_region);
-    const std::vector<Index> piece = connected_components(mesh_, number, region_);
-    const Region_graph pieces(mesh_, piece, number, groups_);
-    std::vector<Index> largest(number_of_old, null_index), region_of_piece(number);
-    std::vector<char> is_loose(number, 0);
-    for (Index f = 0; f < piece.size(); ++f) {
+    const Components old_piece = connected_components(mesh_, old_region);
+    const Components piece = connected_components(mesh_, region_);
+    const Region_graph pieces(mesh_, piece.of_all(region_.size()), piece.number, groups_);
+    std::vector<Index> largest(old_piece.number, null_index), region_of_piece(piece.number);
+    std::vector<char> is_loose(piece.number, 0);
+    for (Index f = 0; f < region_.size(); ++f) {
       region_of_piece[piece[f]] = region_[f];
       if (region_[f] != old_region[f])
         continue;
@@ -83,7 +82,7 @@ class Constrained_regions
     for (Index kept : largest)
       if (kept != null_index)
         is_loose[kept] = 0;
-    for (Index f = 0; f < piece.size(); ++f)
+    for (Index f = 0; f < region_.size(); ++f)
       if (is_loose[piece[f]])
         if (const Index to = pieces.longest_neighbor(piece[f]).first; to != null_index)
           region_[f] = region_of_piece[to];
@@ -109,7 +108,7 @@ class Constrained_regions
       previous[f] = before;
       missing -= group[f] == seed;
       for (Index h = 3 * f; h < 3 * f + 3; ++h) {
-        const Index g = mesh_.neighbors[h];
+        const Index g = mesh_.neighbor(h);
         const bool is_free = group[g] == null_index && !has_other_seed[region_[g]];
         if (previous[g] == null_index && !groups_.is_seam[h] && (is_free || group[g] == seed))
           queue.push({regions + (region_[f] != region_[g]), faces + is_free, g, f});
@@ -140,9 +139,9 @@ class Constrained_regions
 
   // Returns the region as a graph of its own, with the distances of adjacent faces unless the run
   // was stopped.
-  Face_graph part_of(const std::vector<Index>& faces)
+  Surface part_of(const std::vector<Index>& faces)
   {
-    Face_graph part = extractor_(faces);
+    Surface part = extractor_(faces);
     const double area = total_area(part);
     if (monitor_.go_further()) {
       Distance_weights weights = weights_;
@@ -156,7 +155,7 @@ class Constrained_regions
   // Returns the pairs of faces to separate: the first pair, and if it is at a cannot-link edge, the
   // pairs at all edges of the stroke of this edge. A stroke is a connected set of cannot-link
   // edges. `seams` holds the halfedges of the cannot-link edges inside the part.
-  static std::vector<Face_pair> pairs_to_separate(const Face_graph& part, const Face_pair& first,
+  static std::vector<Face_pair> pairs_to_separate(const Surface& part, const Face_pair& first,
                                                   const std::vector<Index>& seams)
   {
     Face_components strokes(part.points.size()); // sets of vertices
@@ -166,11 +165,11 @@ class Constrained_regions
       strokes.join(part.source_vertex(h), part.target_vertex(h));
     std::vector<Face_pair> result(1, first);
     for (Index h : seams)
-      if (h / 3 == first[0] && part.neighbors[h] == first[1])
+      if (h / 3 == first[0] && part.neighbor(h) == first[1])
         for (Index other : seams)
           if (strokes.representative(part.source_vertex(other)) ==
               strokes.representative(part.source_vertex(h)))
-            result.push_back({other / 3, part.neighbors[other]});
+            result.push_back({other / 3, part.neighbor(other)});
     return result;
   }
 
@@ -185,20 +184,20 @@ class Constrained_regions
         faces.push_back(f);
         group.push_back(groups_.group[f]);
       }
-    Face_graph part = part_of(faces);
+    Surface part = part_of(faces);
     std::vector<double> border(faces.size(), 0);
     std::vector<Index> seams;
     for (Index h = 0; h < part.number_of_halfedges(); ++h) {
       const Index h_of_mesh = 3 * faces[h / 3] + h % 3;
       if (groups_.is_seam[h_of_mesh] && !part.is_border(h))
         seams.push_back(h);
-      else if (region_[mesh_.neighbors[h_of_mesh]] != region && !groups_.is_seam[h_of_mesh])
+      else if (region_[mesh_.neighbor(h_of_mesh)] != region && !groups_.is_seam[h_of_mesh])
         border[h / 3] += mesh_.length(h_of_mesh);
     }
     const std::vector<Face_pair> pairs =
       pairs_to_separate(part, {number[pair[0]], number[pair[1]]}, seams);
     for (Index h : seams)
-      part.neighbors[h] = h / 3;
+      part.opposite[h] = h;
     const std::vector<Index> piece = Constrained_cut(part, group, border, minimum_area_)(pairs);
     std::map<Index, Index> region_of_piece;
     for (Index i = 0; i < faces.size(); ++i) {
@@ -275,7 +274,7 @@ class Constrained_regions
   }
 
 public:
-  Constrained_regions(Execution execution, const Cut_hierarchy& cuts, const Face_graph& mesh,
+  Constrained_regions(Execution execution, const Cut_hierarchy& cuts, const Surface& mesh,
                       const Distance_weights& weights, double minimum_segment_size,
                       Run_monitor& monitor, Constraint_groups& groups)
     : execution_(execution), mesh_(mesh), weights_(weights),

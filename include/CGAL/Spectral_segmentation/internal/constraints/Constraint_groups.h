@@ -4,7 +4,7 @@
 #ifndef CGAL_SPECTRAL_SEGMENTATION_INTERNAL_CONSTRAINTS_CONSTRAINT_GROUPS_H
 #define CGAL_SPECTRAL_SEGMENTATION_INTERNAL_CONSTRAINTS_CONSTRAINT_GROUPS_H
 
-#include <CGAL/Spectral_segmentation/internal/mesh/connected_components.h>
+#include <CGAL/Spectral_segmentation/internal/surface/connected_components.h>
 #include <CGAL/Spectral_segmentation/internal/constraints/Constraints.h>
 
 #include <cstddef>
@@ -70,13 +70,11 @@ class Constraint_grouping
              "that must not be cut or by their seed, or are one face twice");
   }
 
-  void check_components(const Face_graph& mesh) const
+  void check_components(const Surface& mesh) const
   {
-    std::size_t number_of_components;
-    const std::vector<Index> component = connected_components(mesh, number_of_components);
     for (const auto& [f, seed] : constraints_.seeds) {
       const Index first = first_of_seed_.at(seed);
-      if (component[number_[first]] != component[number_[f]])
+      if (mesh.components[number_[first]] != mesh.components[number_[f]])
         fail(faces(first, f) + " have the seed " + std::to_string(seed) +
              ", but are of components that are kept apart");
     }
@@ -91,7 +89,7 @@ public:
       sets_.add(f);
   }
 
-  Constraint_groups operator()(const Face_graph& mesh, bool keep_components_separate)
+  Constraint_groups operator()(const Surface& mesh, bool keep_components_separate)
   {
     join();
     if (keep_components_separate)
@@ -118,8 +116,8 @@ public:
     result.is_seam.assign(mesh.number_of_halfedges(), 0);
     for (const auto& [f, g] : result.cannot_link)
       for (Index i = 0; i < 3; ++i) {
-        result.is_seam[3 * f + i] |= mesh.neighbors[3 * f + i] == g;
-        result.is_seam[3 * g + i] |= mesh.neighbors[3 * g + i] == f;
+        result.is_seam[3 * f + i] |= mesh.neighbor(3 * f + i) == g;
+        result.is_seam[3 * g + i] |= mesh.neighbor(3 * g + i) == f;
       }
     return result;
   }

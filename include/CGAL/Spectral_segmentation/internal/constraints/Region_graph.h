@@ -4,8 +4,8 @@
 #ifndef CGAL_SPECTRAL_SEGMENTATION_INTERNAL_CONSTRAINTS_REGION_GRAPH_H
 #define CGAL_SPECTRAL_SEGMENTATION_INTERNAL_CONSTRAINTS_REGION_GRAPH_H
 
-#include <CGAL/Spectral_segmentation/internal/mesh/Face_graph.h>
-#include <CGAL/Spectral_segmentation/internal/mesh/component_distances.h>
+#include <CGAL/Spectral_segmentation/internal/surface/Surface.h>
+#include <CGAL/Spectral_segmentation/internal/grid/component_distances.h>
 #include <CGAL/Spectral_segmentation/internal/constraints/Constraint_groups.h>
 
 #include <algorithm>
@@ -48,7 +48,7 @@ class Region_graph
   }
 
 public:
-  Region_graph(const Face_graph& mesh, const std::vector<Index>& region, std::size_t number,
+  Region_graph(const Surface& mesh, const std::vector<Index>& region, std::size_t number,
                const Constraint_groups& groups)
     : regions_(number), merged_into_(number)
   {
@@ -57,7 +57,7 @@ public:
       regions_[region[f]].area += mesh.areas[f];
       regions_[region[f]].seed = (std::min)(regions_[region[f]].seed, groups.seed(f));
       for (Index h = 3 * f; h < 3 * f + 3; ++h) {
-        const Index g = mesh.neighbors[h];
+        const Index g = mesh.neighbor(h);
         if (f < g && region[f] != region[g] && !groups.is_seam[h])
           add_contact(region[f], region[g], {mesh.length(h), false});
       }
@@ -69,11 +69,9 @@ public:
 
   // Adds contacts along a minimum spanning tree of the regions if the mesh has several components,
   // so that regions of different components can be merged.
-  void close_gaps(const Face_graph& mesh, const std::vector<Index>& region)
+  void close_gaps(const Surface& mesh, const std::vector<Index>& region)
   {
-    std::size_t number_of_components;
-    connected_components(mesh, number_of_components);
-    if (number_of_components == 1)
+    if (mesh.components.number == 1)
       return;
     std::vector<Index> number(regions_.size(), null_index), region_of_number, set;
     for (Index r : region) {

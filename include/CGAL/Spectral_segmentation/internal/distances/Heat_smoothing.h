@@ -4,11 +4,11 @@
 #ifndef CGAL_SPECTRAL_SEGMENTATION_INTERNAL_DISTANCES_HEAT_SMOOTHING_H
 #define CGAL_SPECTRAL_SEGMENTATION_INTERNAL_DISTANCES_HEAT_SMOOTHING_H
 
-#include <CGAL/Spectral_segmentation/internal/mesh/Face_graph.h>
-#include <CGAL/Spectral_segmentation/internal/utility/concurrency.h>
-#include <CGAL/Spectral_segmentation/internal/mesh/connected_components.h>
-#include <CGAL/Spectral_segmentation/internal/mesh/surface_integrals.h>
-#include <CGAL/Spectral_segmentation/internal/utility/constants.h>
+#include <CGAL/Spectral_segmentation/internal/surface/Surface.h>
+#include <CGAL/Spectral_segmentation/internal/base/concurrency.h>
+#include <CGAL/Spectral_segmentation/internal/surface/connected_components.h>
+#include <CGAL/Spectral_segmentation/internal/surface/surface_integrals.h>
+#include <CGAL/Spectral_segmentation/internal/base/constants.h>
 
 #include <Eigen/Core>
 #include <Eigen/SparseCholesky>
@@ -45,16 +45,15 @@ class Heat_smoothing
   std::vector<System> systems_;
 
   // Returns the index of the system of each face.
-  std::vector<Index> divide_into_systems(const Face_graph& mesh)
+  std::vector<Index> divide_into_systems(const Surface& mesh)
   {
     constexpr Index small = 1000;
-    std::size_t number_of_components;
-    std::vector<Index> result = connected_components(mesh, number_of_components);
-    std::vector<Index> size(number_of_components, 0), system(number_of_components);
-    for (Index of_face : result)
-      ++size[of_face];
+    const Components components = connected_components(mesh);
+    std::vector<Index> size(components.number, 0), system(components.number);
+    for (Index f = 0; f < mesh.number_of_faces(); ++f)
+      ++size[components[f]];
     Index number = 0, size_of_last = small;
-    for (std::size_t i = 0; i < number_of_components; ++i) {
+    for (std::size_t i = 0; i < components.number; ++i) {
       if (size_of_last >= small) {
         ++number;
         size_of_last = 0;
@@ -62,14 +61,15 @@ class Heat_smoothing
       system[i] = number - 1;
       size_of_last += size[i];
     }
-    for (Index& of_face : result)
-      of_face = system[of_face];
+    std::vector<Index> result(mesh.number_of_faces());
+    for (Index f = 0; f < result.size(); ++f)
+      result[f] = system[components[f]];
     systems_ = std::vector<System>(number);
     return result;
   }
 
   // Returns the flux over an edge in a step.
-  static double flux(const Face_graph& mesh, const std::vector<Vector>& points, Index h,
+  static double flux(const Surface& mesh, const std::vector<Vector>& points, Index h,
                      double step, double smallest_distance)
   {
     const Vector& a = points[mesh.source_vertex(h)];
@@ -77,13 +77,13 @@ class Heat_smoothing
     const Vector middle = (a + b) / 2;
     const double distance =
       (mesh.centroid(h / 3, points) - middle).norm() +
-      (mesh.centroid(mesh.neighbors[h], points) - middle).norm();
+      (mesh.centroid(mesh.neighbor(h), points) - middle).norm();
     return step * (b - a).norm() / (std::max)(distance, smallest_distance);
   }
 
 public:
   // Takes a radius relative to the square root of the area of the mesh, which must not be 0.
-  Heat_smoothing(Execution execution, const Face_graph& mesh, const std::vector<Vector>& points,
+  Heat_smoothing(Execution execution, const Surface& mesh, const std::vector<Vector>& points,
                  double radius)
     : root_of_area_(mesh.number_of_faces())
   {
@@ -112,7 +112,7 @@ public:
         for (Index h = 3 * f; h < 3 * f + 3; ++h) {
           if (mesh.is_border(h))
             continue;
-          const Index g = mesh.neighbors[h];
+          const Index g = mesh.neighbor(h);
           const double root = root_of_area_[f] * root_of_area_[g];
           // The flux is clamped to keep the matrix positive definite in double precision.
           const double outward =

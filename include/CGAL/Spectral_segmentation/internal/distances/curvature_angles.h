@@ -5,9 +5,9 @@
 #define CGAL_SPECTRAL_SEGMENTATION_INTERNAL_DISTANCES_CURVATURE_ANGLES_H
 
 #include <CGAL/Spectral_segmentation/internal/distances/Heat_smoothing.h>
-#include <CGAL/Spectral_segmentation/internal/mesh/Face_graph.h>
-#include <CGAL/Spectral_segmentation/internal/utility/concurrency.h>
-#include <CGAL/Spectral_segmentation/internal/mesh/surface_integrals.h>
+#include <CGAL/Spectral_segmentation/internal/surface/Surface.h>
+#include <CGAL/Spectral_segmentation/internal/base/concurrency.h>
+#include <CGAL/Spectral_segmentation/internal/surface/surface_integrals.h>
 
 #include <CGAL/number_type_config.h>
 
@@ -38,14 +38,14 @@ inline Symmetric_tensor squared(const Vector& v)
 // across the edge, which is negative where the surface is concave. It is found from the curvature
 // tensor of Cohen-Steiner and Morvan (2003), averaged over the radius by diffusion. `radius` is
 // relative to the square root of the area of the mesh.
-inline std::vector<double> curvature_angles(Execution execution, const Face_graph& mesh,
+inline std::vector<double> curvature_angles(Execution execution, const Surface& mesh,
                                        const std::vector<Vector>& points,
                                        const std::vector<Vector>& normals, double radius)
 {
   const auto edge_vector = [&](Index h) -> Vector
   { return points[mesh.target_vertex(h)] - points[mesh.source_vertex(h)]; };
 
-  std::vector<double> angles(mesh.neighbors.size(), 0);
+  std::vector<double> angles(mesh.opposite.size(), 0);
   if (!(total_area(mesh) > 0))
     return angles;
   std::array<Eigen::VectorXd, 6> tensors; // one number per face
@@ -54,7 +54,7 @@ inline std::vector<double> curvature_angles(Execution execution, const Face_grap
   for_each_index(execution, mesh.number_of_faces(), [&](std::size_t i) {
     const Index f = static_cast<Index>(i);
     for (Index h = 3 * f; h < 3 * f + 3; ++h) {
-      const Index g = mesh.neighbors[h];
+      const Index g = mesh.neighbor(h);
       const Vector edge = edge_vector(h);
       const double length = edge.norm();
       const double area = mesh.areas[f] + mesh.areas[g];
@@ -75,7 +75,7 @@ inline std::vector<double> curvature_angles(Execution execution, const Face_grap
 
   const double way = 2 * smoothing.radius();
   for_each_index(execution, angles.size(), [&](std::size_t i) {
-    const Index h = static_cast<Index>(i), f = h / 3, g = mesh.neighbors[h];
+    const Index h = static_cast<Index>(i), f = h / 3, g = mesh.neighbor(h);
     const Vector edge = edge_vector(h);
     const double area = mesh.areas[f] + mesh.areas[g];
     const double squared_length = edge.squared_norm();

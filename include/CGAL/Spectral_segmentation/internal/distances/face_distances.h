@@ -4,10 +4,10 @@
 #ifndef CGAL_SPECTRAL_SEGMENTATION_INTERNAL_DISTANCES_FACE_DISTANCES_H
 #define CGAL_SPECTRAL_SEGMENTATION_INTERNAL_DISTANCES_FACE_DISTANCES_H
 
-#include <CGAL/Spectral_segmentation/internal/mesh/Face_graph.h>
-#include <CGAL/Spectral_segmentation/internal/utility/concurrency.h>
+#include <CGAL/Spectral_segmentation/internal/surface/Surface.h>
+#include <CGAL/Spectral_segmentation/internal/base/concurrency.h>
 #include <CGAL/Spectral_segmentation/internal/distances/curvature_angles.h>
-#include <CGAL/Spectral_segmentation/internal/utility/sorted_indices.h>
+#include <CGAL/Spectral_segmentation/internal/base/sorted_indices.h>
 
 #include <algorithm>
 #include <cmath>
@@ -54,7 +54,7 @@ inline Dihedral dihedral(const Vector& f, const Vector& g, const Vector& edge)
 // Returns unit normals. A face without area takes the normal of the neighbor across its longest
 // edge, so that it does not hide the angle between the faces on its two sides. Its normal is (0, 0,
 // 0) if that fails.
-inline std::vector<Vector> face_normals(Execution execution, const Face_graph& graph,
+inline std::vector<Vector> face_normals(Execution execution, const Surface& graph,
                                         const std::vector<Vector>& points)
 {
   std::vector<Vector> normals(graph.number_of_faces());
@@ -78,7 +78,7 @@ inline std::vector<Vector> face_normals(Execution execution, const Face_graph& g
   for (Index first = 0; first < normals.size(); ++first) {
     Index f = first;
     path.clear();
-    for (; normals[f].is_zero() && !is_visited[f]; f = graph.neighbors[longest_edge(f)]) {
+    for (; normals[f].is_zero() && !is_visited[f]; f = graph.neighbor(longest_edge(f))) {
       is_visited[f] = 1;
       path.push_back(f);
     }
@@ -165,7 +165,7 @@ struct Equalized_angles
 
 // Equalizes dihedral angles; `edges` has one halfedge an edge. Faces without a normal have flat
 // edges.
-inline Equalized_angles equalized_dihedrals(Execution execution, const Face_graph& graph,
+inline Equalized_angles equalized_dihedrals(Execution execution, const Surface& graph,
                                             const std::vector<Vector>& points,
                                             const std::vector<Vector>& normals,
                                             const Distance_weights& weights,
@@ -174,7 +174,7 @@ inline Equalized_angles equalized_dihedrals(Execution execution, const Face_grap
   std::vector<double> angles(edges.size(), 0);
   std::vector<char> is_concave(edges.size(), 0);
   for_each_index(execution, edges.size(), [&](std::size_t e) {
-    const Index h = edges[e], f = h / 3, g = graph.neighbors[h];
+    const Index h = edges[e], f = h / 3, g = graph.neighbor(h);
     if (normals[f].is_zero() || normals[g].is_zero())
       return;
     const Dihedral d = dihedral(normals[f], normals[g],
@@ -193,7 +193,7 @@ inline Equalized_angles equalized_dihedrals(Execution execution, const Face_grap
 }
 
 // Equalizes the curvature at the scale of the shape, which does not depend on the triangulation.
-inline Equalized_angles equalized_bending(Execution execution, const Face_graph& graph,
+inline Equalized_angles equalized_bending(Execution execution, const Surface& graph,
                                           const std::vector<Vector>& points,
                                           const std::vector<Vector>& normals,
                                           const Distance_weights& weights,
@@ -220,7 +220,7 @@ inline Equalized_angles equalized_bending(Execution execution, const Face_graph&
 }
 
 inline std::vector<double> normalized_geodesic_distances(Execution execution,
-                                                         const Face_graph& graph,
+                                                         const Surface& graph,
                                                          const std::vector<Vector>& points,
                                                          const std::vector<Index>& edges)
 {
@@ -229,7 +229,7 @@ inline std::vector<double> normalized_geodesic_distances(Execution execution,
     const Index h = edges[e];
     result[e] = geodesic_distance(
       points[graph.source_vertex(h)], points[graph.target_vertex(h)], graph.centroid(h / 3, points),
-      graph.centroid(graph.neighbors[h], points));
+      graph.centroid(graph.neighbor(h), points));
   });
   normalize_by_mean(result);
   return result;
@@ -237,15 +237,15 @@ inline std::vector<double> normalized_geodesic_distances(Execution execution,
 
 // Fills in the distances of adjacent faces, computed from `points` instead of the graph's own
 // points, and from the normals of the faces at them.
-inline void set_face_distances(Execution execution, Face_graph& graph,
+inline void set_face_distances(Execution execution, Surface& graph,
                                const std::vector<Vector>& points,
                                const std::vector<Vector>& normals,
                                const Distance_weights& given_weights)
 {
   const Distance_weights weights = with_relative_angle_weights(given_weights);
   std::vector<Index> edges; // one halfedge each
-  for (Index h = 0; h < graph.neighbors.size(); ++h)
-    if (h / 3 < graph.neighbors[h])
+  for (Index h = 0; h < graph.number_of_halfedges(); ++h)
+    if (h < graph.opposite[h])
       edges.push_back(h);
 
   std::vector<double> geodesic;
@@ -268,8 +268,8 @@ inline void set_face_distances(Execution execution, Face_graph& graph,
     w.combined = static_cast<float>(
       quantized((1 - weights.geodesic) * equalized.whole[e] + weights.geodesic * geodesic[e]));
     w.centroids = static_cast<float>(
-      (graph.centroid(graph.neighbors[h]) - graph.centroid(h / 3)).norm());
-    graph.weights[graph.opposite(h)] = w;
+      (graph.centroid(graph.neighbor(h)) - graph.centroid(h / 3)).norm());
+    graph.weights[graph.opposite[h]] = w;
   });
 }
 

@@ -4,7 +4,7 @@
 #ifndef CGAL_SPECTRAL_SEGMENTATION_INTERNAL_DISTANCES_LAPLACIAN_SMOOTHING_H
 #define CGAL_SPECTRAL_SEGMENTATION_INTERNAL_DISTANCES_LAPLACIAN_SMOOTHING_H
 
-#include <CGAL/Spectral_segmentation/internal/mesh/Face_graph.h>
+#include <CGAL/Spectral_segmentation/internal/surface/Surface.h>
 
 #include <algorithm>
 #include <cstddef>
@@ -16,14 +16,14 @@ namespace CGAL::Spectral_segmentation::internal {
 // point half the way to the mean of its neighbors; vertices on the border of the mesh stay. Ends
 // early if `go_further()`, asked before each step, is false.
 template <class GoFurther>
-std::vector<Vector> smoothed_points(const Face_graph& graph, std::size_t iterations,
+std::vector<Vector> smoothed_points(const Surface& graph, std::size_t iterations,
                                     const GoFurther& go_further)
 {
   std::vector<Vector> points = graph.points;
   if (iterations == 0)
     return points;
   std::vector<char> is_fixed(points.size(), 0);
-  for (Index h = 0; h < graph.neighbors.size(); ++h)
+  for (Index h = 0; h < graph.opposite.size(); ++h)
     if (graph.is_border(h))
       is_fixed[graph.source_vertex(h)] = is_fixed[graph.target_vertex(h)] = 1;
 
@@ -33,7 +33,7 @@ std::vector<Vector> smoothed_points(const Face_graph& graph, std::size_t iterati
     std::fill(sum.begin(), sum.end(), Vector());
     std::fill(degree.begin(), degree.end(), 0u);
     // One halfedge of each edge starts at an inner vertex. Therefore the mean is unweighted.
-    for (Index h = 0; h < graph.neighbors.size(); ++h) {
+    for (Index h = 0; h < graph.opposite.size(); ++h) {
       sum[graph.source_vertex(h)] += points[graph.target_vertex(h)];
       ++degree[graph.source_vertex(h)];
     }
@@ -44,7 +44,7 @@ std::vector<Vector> smoothed_points(const Face_graph& graph, std::size_t iterati
   return points;
 }
 
-inline std::vector<Vector> smoothed_points(const Face_graph& graph, std::size_t iterations)
+inline std::vector<Vector> smoothed_points(const Surface& graph, std::size_t iterations)
 { return smoothed_points(graph, iterations, [] { return true; }); }
 
 } // namespace CGAL::Spectral_segmentation::internal

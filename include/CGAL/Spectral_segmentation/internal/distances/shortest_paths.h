@@ -4,7 +4,7 @@
 #ifndef CGAL_SPECTRAL_SEGMENTATION_INTERNAL_DISTANCES_SHORTEST_PATHS_H
 #define CGAL_SPECTRAL_SEGMENTATION_INTERNAL_DISTANCES_SHORTEST_PATHS_H
 
-#include <CGAL/Spectral_segmentation/internal/mesh/Face_graph.h>
+#include <CGAL/Spectral_segmentation/internal/surface/Surface.h>
 
 #include <boost/graph/dijkstra_shortest_paths.hpp>
 #include <boost/graph/two_bit_color_map.hpp>
@@ -25,7 +25,7 @@ constexpr double infinite_distance = std::numeric_limits<double>::infinity();
 // distances at which the sources start, and infinity for all other faces; `weight(h)` is the length
 // of the step across the halfedge h.
 template <class Weight, class Visitor>
-void run_dijkstra(const Face_graph& part, const std::vector<Index>& sources, const Weight& weight,
+void run_dijkstra(const Surface& part, const std::vector<Index>& sources, const Weight& weight,
                   std::vector<double>& distance, const Visitor& visitor)
 {
   const boost::typed_identity_property_map<Index> index;
@@ -40,7 +40,7 @@ void run_dijkstra(const Face_graph& part, const std::vector<Index>& sources, con
 typedef float Edge_weights::* Weighting;
 
 // Returns the distances of all faces from `source`.
-inline std::vector<double> shortest_paths(const Face_graph& part, Weighting weighting,
+inline std::vector<double> shortest_paths(const Surface& part, Weighting weighting,
                                           Index source)
 {
   std::vector<double> distance(part.number_of_faces(), infinite_distance);
@@ -67,14 +67,14 @@ class Angle_visitor : public boost::dijkstra_visitor<>
 public:
   explicit Angle_visitor(Geodesic_paths& paths) : paths_(&paths) {}
 
-  void edge_relaxed(Index h, const Face_graph& part) const
+  void edge_relaxed(Index h, const Surface& part) const
   {
     const Index f = source(h, part), g = target(h, part);
     paths_->previous[g] = f;
     paths_->angles[g] = paths_->angles[f] + part.weights[h].angle;
   }
 
-  void edge_not_relaxed(Index h, const Face_graph& part) const
+  void edge_not_relaxed(Index h, const Surface& part) const
   {
     const Index f = source(h, part), g = target(h, part), rival = paths_->previous[g];
     const double weight = part.weights[h].geodesic;
@@ -86,7 +86,7 @@ public:
 };
 
 // Returns the shortest geodesic paths from `source` to all faces.
-inline Geodesic_paths geodesic_paths(const Face_graph& part, Index source)
+inline Geodesic_paths geodesic_paths(const Surface& part, Index source)
 {
   const std::size_t n = part.number_of_faces();
   Geodesic_paths paths{std::vector<double>(n, infinite_distance), std::vector<float>(n, 0),

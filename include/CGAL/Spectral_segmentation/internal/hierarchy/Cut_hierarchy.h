@@ -5,7 +5,7 @@
 #define CGAL_SPECTRAL_SEGMENTATION_INTERNAL_HIERARCHY_CUT_HIERARCHY_H
 
 #include <CGAL/Spectral_segmentation/Part_salience.h>
-#include <CGAL/Spectral_segmentation/internal/utility/Index.h>
+#include <CGAL/Spectral_segmentation/internal/base/Index.h>
 
 #include <CGAL/assertions.h>
 

@@ -6,10 +6,10 @@
 
 #include <CGAL/Spectral_segmentation/internal/hierarchy/Cut_hierarchy.h>
 #include <CGAL/Spectral_segmentation/internal/hierarchy/Nested_ranges.h>
-#include <CGAL/Spectral_segmentation/internal/mesh/Face_graph.h>
-#include <CGAL/Spectral_segmentation/internal/mesh/Symmetric_matrix.h>
-#include <CGAL/Spectral_segmentation/internal/mesh/surface_integrals.h>
-#include <CGAL/Spectral_segmentation/internal/utility/first_fit_classes.h>
+#include <CGAL/Spectral_segmentation/internal/surface/Surface.h>
+#include <CGAL/Spectral_segmentation/internal/base/Symmetric_matrix.h>
+#include <CGAL/Spectral_segmentation/internal/surface/surface_integrals.h>
+#include <CGAL/Spectral_segmentation/internal/base/first_fit_classes.h>
 
 #include <algorithm>
 #include <cmath>
@@ -52,7 +52,7 @@ class Congruent_cuts
 {
   typedef std::vector<std::size_t> Class; // cuts, each given by its turn
 
-  const Face_graph& mesh_;
+  const Surface& mesh_;
   const Cut_hierarchy& cuts_;
   std::vector<Cut_shape> shapes_; // one per cut
   std::vector<double> saliences_; // one per cut
@@ -95,7 +95,7 @@ class Congruent_cuts
         first += of_face / 3 * sum;
         second += of_face / 12 * (squares + Symmetric_matrix::square(sum));
         for (Index h = 3 * f; h < 3 * f + 3; ++h)
-          if (cut_with_rest[mesh_.neighbors[h]] == i)
+          if (cut_with_rest[mesh_.neighbor(h)] == i)
             length += mesh_.length(h) / unit;
       }
       const Vector centroid = first / area;
@@ -170,7 +170,7 @@ class Congruent_cuts
   }
 
 public:
-  Congruent_cuts(const Face_graph& mesh, const Cut_hierarchy& cuts)
+  Congruent_cuts(const Surface& mesh, const Cut_hierarchy& cuts)
     : mesh_(mesh), cuts_(cuts), shapes_(cuts.cut_order.size())
   {
     for (std::size_t node : cuts.cut_order)

@@ -6,7 +6,7 @@
 
 #include <CGAL/Spectral_segmentation/internal/hierarchy/Cut_hierarchy.h>
 #include <CGAL/Spectral_segmentation/internal/hierarchy/Nested_ranges.h>
-#include <CGAL/Spectral_segmentation/internal/mesh/Face_graph.h>
+#include <CGAL/Spectral_segmentation/internal/surface/Surface.h>
 
 #include <algorithm>
 #include <cstddef>
@@ -24,7 +24,7 @@ class Further_cuts
 {
   typedef std::pair<double, std::size_t> Key; // the area and the node of a leaf
 
-  const Face_graph& mesh_;
+  const Surface& mesh_;
   Cut_hierarchy& cuts_;
   Nested_ranges faces_;         // the faces of each node
   std::vector<char> is_in_leaf_; // one per face: in the current leaf, but not reached yet
@@ -73,7 +73,7 @@ class Further_cuts
     reach_group(first, result);
     for (std::size_t i = 0; i < result.size(); ++i)
       for (Index h = 3 * result[i]; h < 3 * result[i] + 3; ++h) {
-        const Index f = mesh_.neighbors[h];
+        const Index f = mesh_.neighbor(h);
         if (!is_in_leaf_[f])
           continue;
         const double of_group = area_of_group(f);
@@ -154,7 +154,7 @@ class Further_cuts
 
 public:
   // Takes the group of each face, or null_index; `group` is empty if there are no groups.
-  Further_cuts(const Face_graph& mesh, Cut_hierarchy& cuts, const std::vector<Index>& group = {})
+  Further_cuts(const Surface& mesh, Cut_hierarchy& cuts, const std::vector<Index>& group = {})
     : mesh_(mesh), cuts_(cuts), faces_(cuts, cuts.leaf), is_in_leaf_(mesh.number_of_faces(), 0),
       next_in_group_(group.size())
   {

@@ -5,7 +5,7 @@
 #define CGAL_SPECTRAL_SEGMENTATION_INTERNAL_HIERARCHY_JOIN_ROOTS_H
 
 #include <CGAL/Spectral_segmentation/internal/hierarchy/Cut_hierarchy.h>
-#include <CGAL/Spectral_segmentation/internal/mesh/component_distances.h>
+#include <CGAL/Spectral_segmentation/internal/grid/component_distances.h>
 
 #include <cstddef>
 #include <limits>
@@ -18,7 +18,7 @@ namespace CGAL::Spectral_segmentation::internal {
 // Returns the same hierarchy below a single root. Components are cut from each other first, the
 // farthest gap before the others, with an infinite salience, so that they come apart at every
 // threshold.
-inline Cut_hierarchy join_roots(Cut_hierarchy cuts, const Face_graph& mesh)
+inline Cut_hierarchy join_roots(Cut_hierarchy cuts, const Surface& mesh)
 {
   const std::size_t roots = cuts.number_of_roots;
   if (roots < 2)

@@ -8,9 +8,9 @@
 #include <CGAL/Spectral_segmentation/internal/hierarchy/numbers_to_search.h>
 #include <CGAL/Spectral_segmentation/internal/bipartition/best_cut.h>
 #include <CGAL/Spectral_segmentation/internal/hierarchy/Cut_hierarchy.h>
-#include <CGAL/Spectral_segmentation/internal/mesh/connected_components.h>
-#include <CGAL/Spectral_segmentation/internal/mesh/extract_part.h>
-#include <CGAL/Spectral_segmentation/internal/utility/Run_monitor.h>
+#include <CGAL/Spectral_segmentation/internal/surface/connected_components.h>
+#include <CGAL/Spectral_segmentation/internal/surface/extract_part.h>
+#include <CGAL/Spectral_segmentation/internal/base/Run_monitor.h>
 
 #include <cstddef>
 #include <optional>
@@ -19,6 +19,13 @@
 #include <vector>
 
 namespace CGAL::Spectral_segmentation::internal {
+
+// Returns a forest with a root for each component.
+inline Cut_hierarchy uncut_hierarchy(const Surface& mesh)
+{
+  return uncut_hierarchy(mesh.components.of_all(mesh.number_of_faces()),
+                         component_areas(mesh, mesh.components));
+}
 
 // Cuts a mesh recursively in two (Section 2). Each connected component is a part from the start.
 class Recursion
@@ -42,7 +49,7 @@ class Recursion
   std::vector<Pending_part> pending_; // one per node; without faces if the node is not pending
   std::set<Key> queue_;               // the pending parts
 
-  void add(std::size_t node, Face_graph graph, std::vector<Index> faces)
+  void add(std::size_t node, Surface graph, std::vector<Index> faces)
   {
     for (Index f : faces)
       hierarchy_.leaf[f] = static_cast<Index>(node);
@@ -74,7 +81,7 @@ class Recursion
     std::vector<Index> faces[2];
     for (std::size_t i = 0; i < cut.side.size(); ++i)
       faces[int(cut.side[i])].push_back(pending.part.faces[i]);
-    std::vector<Face_graph> sides(2);
+    std::vector<Surface> sides(2);
     if (!is_last)
       sides = split(std::move(pending.part.graph), cut.side, 2);
     for (int i = 0; i < 2; ++i)
@@ -141,17 +148,17 @@ class Recursion
   }
 
 public:
-  Recursion(Execution execution, Face_graph mesh, const Best_cut& best_cut, const Options& options,
+  Recursion(Execution execution, Surface mesh, const Best_cut& best_cut, const Options& options,
             Run_monitor& monitor)
     : execution_(execution), options_(options), monitor_(monitor), best_cut_(best_cut)
   {
-    std::size_t number;
-    const std::vector<Index> component = connected_components(mesh, number);
-    hierarchy_ = uncut_hierarchy(component, component_areas(mesh, component, number));
+    hierarchy_ = uncut_hierarchy(mesh);
+    const std::vector<Index> component = hierarchy_.leaf;
+    const std::size_t number = mesh.components.number;
     std::vector<std::vector<Index> > faces(number);
     for (Index f = 0; f < component.size(); ++f)
       faces[component[f]].push_back(f);
-    std::vector<Face_graph> graphs = split(std::move(mesh), component, number);
+    std::vector<Surface> graphs = split(std::move(mesh), component, number);
     for (std::size_t i = 0; i < number; ++i)
       add(i, std::move(graphs[i]), std::move(faces[i]));
   }

@@ -6,9 +6,9 @@
 
 #include <CGAL/Spectral_segmentation/Options.h>
 #include <CGAL/Spectral_segmentation/internal/hierarchy/Cut_hierarchy.h>
-#include <CGAL/Spectral_segmentation/internal/mesh/extract_part.h>
+#include <CGAL/Spectral_segmentation/internal/surface/extract_part.h>
 #include <CGAL/Spectral_segmentation/internal/salience/Cut_evaluator.h>
-#include <CGAL/Spectral_segmentation/internal/utility/Run_monitor.h>
+#include <CGAL/Spectral_segmentation/internal/base/Run_monitor.h>
 
 #include <algorithm>
 #include <cstddef>
@@ -43,7 +43,7 @@ class Region_merging
   };
 
   const Execution execution_;
-  const Face_graph& mesh_;
+  const Surface& mesh_;
   const Evaluation_context& context_;
   const Part_salience& part_salience_;
   Run_monitor& monitor_;
@@ -66,7 +66,7 @@ class Region_merging
     }
     const bool first_is_smaller = area[0] <= area[1];
     normalize_sides(side, area);
-    const Face_graph both = Part_extractor(mesh_)(faces);
+    const Surface both = Part_extractor(mesh_)(faces);
     const Salience_factors factors = Cut_evaluator(both, faces, context_)(side);
     monitor_.control().cut_evaluated({Evaluated_cut::BOUNDARY, faces, side, factors});
     return {salience_of(part_salience_, factors), factors, {area[0], area[1]}, first_is_smaller};
@@ -85,7 +85,7 @@ class Region_merging
     std::set<Pair> neighbors;
     for (Index f : faces)
       for (Index h = 3 * f; h < 3 * f + 3; ++h) {
-        const auto [a, b] = std::minmax({region_[f], region_[mesh_.neighbors[h]]});
+        const auto [a, b] = std::minmax({region_[f], region_[mesh_.neighbor(h)]});
         if (a != b)
           neighbors.insert({a, b});
       }
@@ -139,7 +139,7 @@ class Region_merging
   }
 
 public:
-  Region_merging(Execution execution, const Face_graph& mesh, const Evaluation_context& context,
+  Region_merging(Execution execution, const Surface& mesh, const Evaluation_context& context,
                  const Part_salience& part_salience, Run_monitor& monitor)
     : execution_(execution), mesh_(mesh), context_(context), part_salience_(part_salience),
       monitor_(monitor) {}

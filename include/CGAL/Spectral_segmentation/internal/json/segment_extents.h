@@ -4,7 +4,7 @@
 #ifndef CGAL_SPECTRAL_SEGMENTATION_INTERNAL_JSON_SEGMENT_EXTENTS_H
 #define CGAL_SPECTRAL_SEGMENTATION_INTERNAL_JSON_SEGMENT_EXTENTS_H
 
-#include <CGAL/Spectral_segmentation/internal/utility/Index.h>
+#include <CGAL/Spectral_segmentation/internal/base/Index.h>
 
 #include <algorithm>
 #include <array>

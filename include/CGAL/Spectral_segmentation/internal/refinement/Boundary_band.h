@@ -4,7 +4,7 @@
 #ifndef CGAL_SPECTRAL_SEGMENTATION_INTERNAL_REFINEMENT_BOUNDARY_BAND_H
 #define CGAL_SPECTRAL_SEGMENTATION_INTERNAL_REFINEMENT_BOUNDARY_BAND_H
 
-#include <CGAL/Spectral_segmentation/internal/mesh/Face_graph.h>
+#include <CGAL/Spectral_segmentation/internal/surface/Surface.h>
 
 #include <cstddef>
 #include <utility>
@@ -26,7 +26,7 @@ class Boundary_band
   std::vector<char> is_smooth_; // one per vertex
 
   // Marks the vertices around marked vertices.
-  void grow(const Face_graph& graph, std::vector<char>& is_near) const
+  void grow(const Surface& graph, std::vector<char>& is_near) const
   {
     const std::vector<char> was_near = is_near;
     for (const Corners& c : graph.corners)
@@ -35,7 +35,7 @@ class Boundary_band
   }
 
   // Finds the smooth vertices. A boundary that ends at a border goes on smoothly.
-  void find_smooth_vertices(const Face_graph& graph)
+  void find_smooth_vertices(const Surface& graph)
   {
     const std::size_t n = graph.points.size();
     std::vector<Index> degree(n, 0);
@@ -62,10 +62,10 @@ class Boundary_band
 public:
   std::vector<Index> faces; // faces with a vertex inside
 
-  Boundary_band(const Face_graph& graph, const std::vector<Index>& labels)
+  Boundary_band(const Surface& graph, const std::vector<Index>& labels)
   {
     for (Index h = 0; h < graph.number_of_halfedges(); ++h)
-      if (labels[h / 3] < labels[graph.neighbors[h]])
+      if (labels[h / 3] < labels[graph.neighbor(h)])
         boundary_.emplace_back(graph.source_vertex(h), graph.target_vertex(h));
     find_smooth_vertices(graph);
     is_inside_.assign(graph.points.size(), 0);

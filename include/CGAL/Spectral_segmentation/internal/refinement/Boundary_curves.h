@@ -4,7 +4,7 @@
 #ifndef CGAL_SPECTRAL_SEGMENTATION_INTERNAL_REFINEMENT_BOUNDARY_CURVES_H
 #define CGAL_SPECTRAL_SEGMENTATION_INTERNAL_REFINEMENT_BOUNDARY_CURVES_H
 
-#include <CGAL/Spectral_segmentation/internal/mesh/Face_graph.h>
+#include <CGAL/Spectral_segmentation/internal/surface/Surface.h>
 #include <CGAL/Spectral_segmentation/internal/refinement/Boundary_band.h>
 #include <CGAL/Spectral_segmentation/internal/refinement/Refinement.h>
 #include <CGAL/Spectral_segmentation/internal/refinement/Segment_shares.h>
@@ -29,7 +29,7 @@ class Boundary_curves
 
   typedef std::array<double, 3> Barycentric;
 
-  const Face_graph& graph_;
+  const Surface& graph_;
   const std::vector<Index>& labels_; // one per face
   const Boundary_band& band_;
   std::vector<Index> vertex_label_; // `null_index` on a boundary
@@ -51,7 +51,7 @@ class Boundary_curves
   {
     for (Index f : band_.faces)
       for (Index h = 3 * f; h < 3 * f + 3; ++h)
-        if (is_crossed(h) && (graph_.is_border(h) || h < graph_.opposite(h)))
+        if (is_crossed(h) && (graph_.is_border(h) || h < graph_.opposite[h]))
           visit(h);
   }
 
@@ -59,7 +59,7 @@ class Boundary_curves
   {
     positions_[h] = position;
     if (!graph_.is_border(h))
-      positions_[graph_.opposite(h)] = 1 - position;
+      positions_[graph_.opposite[h]] = 1 - position;
   }
 
   // Returns the fraction of the edge length that each new face must have, so that its area is not
@@ -74,7 +74,7 @@ class Boundary_curves
 
   // Returns the smallest position on an edge; the largest position is as far from its target.
   double smallest_position(Index h) const
-  { return (std::max)(smallest_share(h / 3), smallest_share(graph_.neighbors[h])); }
+  { return (std::max)(smallest_share(h / 3), smallest_share(graph_.neighbor(h))); }
 
   // Returns the next point of the curve in the face of a halfedge that the curve crosses.
   Vector next_point(Index h) const
@@ -91,7 +91,7 @@ class Boundary_curves
   }
 
 public:
-  Boundary_curves(const Face_graph& graph, const std::vector<Index>& labels,
+  Boundary_curves(const Surface& graph, const std::vector<Index>& labels,
                   const Boundary_band& band, const Segment_shares& share)
     : graph_(graph), labels_(labels), band_(band), vertex_label_(graph.points.size(), null_index),
       positions_(graph.number_of_halfedges(), 0.5), is_frozen_(graph.number_of_faces(), 0)
@@ -129,7 +129,7 @@ public:
   }
 
   bool is_crossed(Index h) const
-  { return is_between(h) && !(is_frozen_[h / 3] && is_frozen_[graph_.neighbors[h]]); }
+  { return is_between(h) && !(is_frozen_[h / 3] && is_frozen_[graph_.neighbor(h)]); }
 
   double position(Index h) const { return positions_[h]; }
 
@@ -198,9 +198,9 @@ public:
   void tighten()
   {
     for_each_crossing([&](Index h) {
-      if (is_frozen_[h / 3] || is_frozen_[graph_.neighbors[h]] || graph_.is_border(h))
+      if (is_frozen_[h / 3] || is_frozen_[graph_.neighbor(h)] || graph_.is_border(h))
         return;
-      const Vector p = next_point(h), q = next_point(graph_.opposite(h));
+      const Vector p = next_point(h), q = next_point(graph_.opposite[h]);
       const Vector here = point(h), start = graph_.points[graph_.source_vertex(h)];
       const Vector edge = graph_.points[graph_.target_vertex(h)] - start;
       const double to_p = (p - here).norm(), to_q = (q - here).norm();

@@ -4,8 +4,8 @@
 #ifndef CGAL_SPECTRAL_SEGMENTATION_INTERNAL_REFINEMENT_SEGMENT_KEEPER_H
 #define CGAL_SPECTRAL_SEGMENTATION_INTERNAL_REFINEMENT_SEGMENT_KEEPER_H
 
-#include <CGAL/Spectral_segmentation/internal/mesh/Face_graph.h>
-#include <CGAL/Spectral_segmentation/internal/mesh/connected_components.h>
+#include <CGAL/Spectral_segmentation/internal/surface/Surface.h>
+#include <CGAL/Spectral_segmentation/internal/surface/connected_components.h>
 #include <CGAL/Spectral_segmentation/internal/refinement/Boundary_band.h>
 #include <CGAL/Spectral_segmentation/internal/refinement/Boundary_curves.h>
 
@@ -21,7 +21,7 @@ class Segment_keeper
 {
   static constexpr double smallest_rest = 0.5; // the fraction of the area of a segment
 
-  const Face_graph& graph_;
+  const Surface& graph_;
   const std::vector<Index>& labels_; // one per face
   const Boundary_band& band_;
   std::vector<double> areas_;        // the area of each segment before
@@ -49,9 +49,9 @@ class Segment_keeper
         of_part = l;
       }
     for (Index h = 0; h < graph_.number_of_halfedges(); ++h) {
-      if (h / 3 >= graph_.neighbors[h])
+      if (h / 3 >= graph_.neighbor(h))
         continue;
-      const Index o = graph_.opposite(h);
+      const Index o = graph_.opposite[h];
       for (int half : {0, 1}) {
         const Index l = label(h, half);
         if (l == label(o, 1 - half))
@@ -83,7 +83,7 @@ class Segment_keeper
   }
 
 public:
-  Segment_keeper(const Face_graph& graph, const std::vector<Index>& labels,
+  Segment_keeper(const Surface& graph, const std::vector<Index>& labels,
                  std::size_t number_of_segments, const Boundary_band& band)
     : graph_(graph), labels_(labels), band_(band), areas_(number_of_segments, 0)
   {

@@ -4,9 +4,9 @@
 #ifndef CGAL_SPECTRAL_SEGMENTATION_INTERNAL_REFINEMENT_SEGMENT_SHARES_H
 #define CGAL_SPECTRAL_SEGMENTATION_INTERNAL_REFINEMENT_SEGMENT_SHARES_H
 
-#include <CGAL/Spectral_segmentation/internal/mesh/Face_graph.h>
+#include <CGAL/Spectral_segmentation/internal/surface/Surface.h>
 #include <CGAL/Spectral_segmentation/internal/refinement/Boundary_band.h>
-#include <CGAL/Spectral_segmentation/internal/utility/Packed_graph.h>
+#include <CGAL/Spectral_segmentation/internal/base/Packed_graph.h>
 
 #include <algorithm>
 #include <cmath>
@@ -63,7 +63,7 @@ class Segment_shares
     }
   };
 
-  const Face_graph& graph_;
+  const Surface& graph_;
   std::vector<Shares> shares_; // one list per vertex, in descending order; empty outside the band
 
   double angle(Index h) const
@@ -134,7 +134,7 @@ class Segment_shares
   }
 
 public:
-  Segment_shares(const Face_graph& graph, const std::vector<Index>& labels,
+  Segment_shares(const Surface& graph, const std::vector<Index>& labels,
                  const Boundary_band& band, std::size_t number_of_iterations)
     : graph_(graph), shares_(graph.points.size())
   {

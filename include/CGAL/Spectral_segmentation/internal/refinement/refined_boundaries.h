@@ -4,7 +4,7 @@
 #ifndef CGAL_SPECTRAL_SEGMENTATION_INTERNAL_REFINEMENT_REFINED_BOUNDARIES_H
 #define CGAL_SPECTRAL_SEGMENTATION_INTERNAL_REFINEMENT_REFINED_BOUNDARIES_H
 
-#include <CGAL/Spectral_segmentation/internal/mesh/Face_graph.h>
+#include <CGAL/Spectral_segmentation/internal/surface/Surface.h>
 #include <CGAL/Spectral_segmentation/internal/refinement/Boundary_band.h>
 #include <CGAL/Spectral_segmentation/internal/refinement/Boundary_curves.h>
 #include <CGAL/Spectral_segmentation/internal/refinement/Refinement.h>
@@ -17,7 +17,7 @@
 namespace CGAL::Spectral_segmentation::internal {
 
 // Returns the splits of faces along the curves.
-inline Refinement refinement(const Face_graph& graph, const std::vector<Index>& labels,
+inline Refinement refinement(const Surface& graph, const std::vector<Index>& labels,
                              const Boundary_band& band, const Boundary_curves& curves)
 {
   Refinement result;
@@ -30,7 +30,7 @@ inline Refinement refinement(const Face_graph& graph, const std::vector<Index>& 
       if (curves.is_crossed(h) && point[h] == null_index) {
         point[h] = static_cast<Index>(result.points.size());
         if (!graph.is_border(h))
-          point[graph.opposite(h)] = point[h];
+          point[graph.opposite[h]] = point[h];
         result.points.push_back({h, curves.position(h)});
       }
       has_point |= point[h] != null_index;
@@ -52,7 +52,7 @@ inline Refinement refinement(const Face_graph& graph, const std::vector<Index>& 
 // equal. Then the boundaries become taut.
 //
 // The labels of the faces must be less than `number_of_segments`, and each must have a face.
-inline Refinement refined_boundaries(const Face_graph& graph, const std::vector<Index>& labels,
+inline Refinement refined_boundaries(const Surface& graph, const std::vector<Index>& labels,
                                      std::size_t number_of_segments,
                                      std::size_t number_of_iterations)
 {

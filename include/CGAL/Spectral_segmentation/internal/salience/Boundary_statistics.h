@@ -5,10 +5,10 @@
 #define CGAL_SPECTRAL_SEGMENTATION_INTERNAL_SALIENCE_BOUNDARY_STATISTICS_H
 
 #include <CGAL/Spectral_segmentation/Part_salience.h>
-#include <CGAL/Spectral_segmentation/internal/mesh/Face_graph.h>
-#include <CGAL/Spectral_segmentation/internal/mesh/Symmetric_matrix.h>
-#include <CGAL/Spectral_segmentation/internal/mesh/surface_integrals.h>
-#include <CGAL/Spectral_segmentation/internal/utility/prefetch.h>
+#include <CGAL/Spectral_segmentation/internal/surface/Surface.h>
+#include <CGAL/Spectral_segmentation/internal/base/Symmetric_matrix.h>
+#include <CGAL/Spectral_segmentation/internal/surface/surface_integrals.h>
+#include <CGAL/Spectral_segmentation/internal/base/prefetch.h>
 
 #include <algorithm>
 #include <cmath>
@@ -22,7 +22,7 @@ namespace CGAL::Spectral_segmentation::internal {
 // computing the factors take constant time.
 class Boundary_statistics
 {
-  const Face_graph& part_;
+  const Surface& part_;
   double area_of_part_;
   double largest_angle_ = 0; // over the inner edges of the part
   Vector origin_;            // near the points, so that their squares keep their digits
@@ -59,7 +59,7 @@ class Boundary_statistics
   }
 
 public:
-  explicit Boundary_statistics(const Face_graph& part)
+  explicit Boundary_statistics(const Surface& part)
     : part_(part), area_of_part_(total_area(part)), origin_(part.centroid(0)),
       has_face_(part.number_of_faces(), 0), valence_(part.points.size(), 0)
   {
@@ -78,7 +78,7 @@ public:
       if (part_.is_border(h))
         continue;
       const float concavity = part_.weights[h].concavity;
-      if (has_face_[part_.neighbors[h]]) {
+      if (has_face_[part_.neighbor(h)]) {
         --number_of_edges_;
         concavity_ -= concavity;
         remove_vertex(part_.source_vertex(h));
@@ -98,7 +98,7 @@ public:
   {
     prefetch(&part_.areas[f]);
     prefetch(&part_.corners[f]);
-    prefetch(&part_.neighbors[3 * f]);
+    prefetch(&part_.opposite[3 * f]);
     prefetch(&part_.weights[3 * f]);
     prefetch(&part_.weights[3 * f + 2]);
   }

@@ -5,7 +5,7 @@
 #define CGAL_SPECTRAL_SEGMENTATION_INTERNAL_SALIENCE_CONVEXITY_DEFECT_H
 
 #include <CGAL/Spectral_segmentation/internal/salience/Support_points.h>
-#include <CGAL/Spectral_segmentation/internal/mesh/Face_graph.h>
+#include <CGAL/Spectral_segmentation/internal/surface/Surface.h>
 
 #include <algorithm>
 #include <bitset>
@@ -20,7 +20,7 @@ namespace CGAL::Spectral_segmentation::internal {
 class Convexity_defect
 {
   const Support_points& extreme_points_;
-  const Face_graph& part_;
+  const Surface& part_;
   const std::vector<Index>& faces_; // the faces of the part, by their indices in the mesh
   Support_set of_part_;
   std::vector<float> depths_; // below the hull of the part; they hold for many other hulls
@@ -47,7 +47,7 @@ class Convexity_defect
   }
 
 public:
-  Convexity_defect(const Support_points& support_points, const Face_graph& part,
+  Convexity_defect(const Support_points& support_points, const Surface& part,
              const std::vector<Index>& faces)
     : extreme_points_(support_points), part_(part), faces_(faces), of_part_(support_points(faces))
   {

@@ -5,7 +5,7 @@
 #define CGAL_SPECTRAL_SEGMENTATION_INTERNAL_SALIENCE_CUT_H
 
 #include <CGAL/Spectral_segmentation/Part_salience.h>
-#include <CGAL/Spectral_segmentation/internal/utility/Index.h>
+#include <CGAL/Spectral_segmentation/internal/base/Index.h>
 
 #include <cmath>
 #include <limits>

@@ -7,12 +7,12 @@
 #include <CGAL/Spectral_segmentation/Part_salience.h>
 #include <CGAL/Spectral_segmentation/internal/salience/Cut.h>
 #include <CGAL/Spectral_segmentation/internal/salience/Support_points.h>
-#include <CGAL/Spectral_segmentation/internal/mesh/Face_graph.h>
+#include <CGAL/Spectral_segmentation/internal/surface/Surface.h>
 #include <CGAL/Spectral_segmentation/internal/salience/Convexity_defect.h>
 #include <CGAL/Spectral_segmentation/internal/salience/Boundary_statistics.h>
 #include <CGAL/Spectral_segmentation/internal/salience/faces_near_cut.h>
-#include <CGAL/Spectral_segmentation/internal/mesh/surface_integrals.h>
-#include <CGAL/Spectral_segmentation/internal/utility/constants.h>
+#include <CGAL/Spectral_segmentation/internal/surface/surface_integrals.h>
+#include <CGAL/Spectral_segmentation/internal/base/constants.h>
 
 #include <algorithm>
 #include <cmath>
@@ -27,7 +27,7 @@ struct Evaluation_context
   double area;
   Support_points support_points;
 
-  Evaluation_context(Execution execution, const Face_graph& mesh)
+  Evaluation_context(Execution execution, const Surface& mesh)
     : area(total_area(mesh)), support_points(execution, mesh) {}
 };
 
@@ -36,7 +36,7 @@ struct Evaluation_context
 // area, 1 for the rest.
 class Cut_evaluator
 {
-  const Face_graph& part_;
+  const Surface& part_;
   double area_of_mesh_;
   Convexity_defect convexity_defect_;
   double defect_of_part_;
@@ -94,7 +94,7 @@ class Cut_evaluator
 
 public:
   // Takes a part; `faces` are its faces, by their indices in the mesh.
-  Cut_evaluator(const Face_graph& part, const std::vector<Index>& faces,
+  Cut_evaluator(const Surface& part, const std::vector<Index>& faces,
                 const Evaluation_context& mesh)
     : part_(part), area_of_mesh_(mesh.area), convexity_defect_(mesh.support_points, part, faces),
       defect_of_part_(convexity_defect_.of_part())

@@ -4,8 +4,8 @@
 #ifndef CGAL_SPECTRAL_SEGMENTATION_INTERNAL_SALIENCE_SUPPORT_POINTS_H
 #define CGAL_SPECTRAL_SEGMENTATION_INTERNAL_SALIENCE_SUPPORT_POINTS_H
 
-#include <CGAL/Spectral_segmentation/internal/mesh/Face_graph.h>
-#include <CGAL/Spectral_segmentation/internal/mesh/Principal_frame.h>
+#include <CGAL/Spectral_segmentation/internal/surface/Surface.h>
+#include <CGAL/Spectral_segmentation/internal/surface/Principal_frame.h>
 
 #include <CGAL/number_type_config.h>
 
@@ -156,7 +156,7 @@ class Support_points
 
   static Index block(Index f) { return f / faces_per_block; }
 
-  void set_planes(const Face_graph& mesh, const Principal_frame& frame)
+  void set_planes(const Surface& mesh, const Principal_frame& frame)
   {
     planes_.reserve(mesh.number_of_faces());
     for (Index f = 0; f < mesh.number_of_faces(); ++f) {
@@ -181,7 +181,7 @@ class Support_points
   }
 
 public:
-  Support_points(Execution execution, const Face_graph& mesh) : corners_(mesh.corners)
+  Support_points(Execution execution, const Surface& mesh) : corners_(mesh.corners)
   {
     const Principal_frame frame(execution, mesh);
     points_.reserve(mesh.points.size());

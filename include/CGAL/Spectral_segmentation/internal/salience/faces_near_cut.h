@@ -6,7 +6,7 @@
 
 #include <CGAL/Spectral_segmentation/internal/salience/Cut.h>
 #include <CGAL/Spectral_segmentation/internal/distances/shortest_paths.h>
-#include <CGAL/Spectral_segmentation/internal/mesh/Face_graph.h>
+#include <CGAL/Spectral_segmentation/internal/surface/Surface.h>
 
 #include <algorithm>
 #include <vector>
@@ -20,13 +20,13 @@ struct Face_at_distance
 };
 
 // Returns the halfedges along a cut on its side 0.
-inline std::vector<Index> halfedges_of_cut(const Face_graph& part, const Sides& side)
+inline std::vector<Index> halfedges_of_cut(const Surface& part, const Sides& side)
 {
   std::vector<Index> result;
   for (Index f = 0; f < part.number_of_faces(); ++f)
     if (side[f] == 0)
       for (Index h = 3 * f; h < 3 * f + 3; ++h)
-        if (side[part.neighbors[h]] != 0)
+        if (side[part.neighbor(h)] != 0)
           result.push_back(h);
   return result;
 }
@@ -45,7 +45,7 @@ public:
                     std::vector<Face_at_distance>& faces)
     : distance_(&distance), radius_(radius), faces_(&faces) {}
 
-  void examine_vertex(Index f, const Face_graph&) const
+  void examine_vertex(Index f, const Surface&) const
   {
     if ((*distance_)[f] > radius_)
       throw Radius_reached();
@@ -55,7 +55,7 @@ public:
 
 // Returns the faces on both sides within `radius` of a cut, nearest first, then by their indices.
 // Paths do not cross the cut. They start at the middles of its edges.
-inline std::vector<Face_at_distance> faces_near_cut(const Face_graph& part, const Sides& side,
+inline std::vector<Face_at_distance> faces_near_cut(const Surface& part, const Sides& side,
                                                     const std::vector<Index>& cut, double radius)
 {
   std::vector<double> distance(part.number_of_faces(), infinite_distance);
@@ -63,14 +63,14 @@ inline std::vector<Face_at_distance> faces_near_cut(const Face_graph& part, cons
   for (Index h : cut) {
     const Vector middle =
       (part.points[part.source_vertex(h)] + part.points[part.target_vertex(h)]) / 2;
-    for (Index f : {h / 3, part.neighbors[h]}) {
+    for (Index f : {h / 3, part.neighbor(h)}) {
       if (distance[f] == infinite_distance)
         sources.push_back(f);
       distance[f] = (std::min)(distance[f], (part.centroid(f) - middle).norm());
     }
   }
   const auto step = [&](Index h) -> double {
-    return side[h / 3] == side[part.neighbors[h]] ? part.weights[h].centroids : infinite_distance;
+    return side[h / 3] == side[part.neighbor(h)] ? part.weights[h].centroids : infinite_distance;
   };
   std::vector<Face_at_distance> result;
   try {

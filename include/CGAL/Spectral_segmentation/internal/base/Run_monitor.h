@@ -1,0 +1,139 @@
+// Copyright (c) 2026  The Spectral_segmentation authors.
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_SPECTRAL_SEGMENTATION_INTERNAL_BASE_RUN_MONITOR_H
+#define CGAL_SPECTRAL_SEGMENTATION_INTERNAL_BASE_RUN_MONITOR_H
+
+#include <CGAL/Spectral_segmentation/internal/base/Run_control.h>
+#include <CGAL/Spectral_segmentation/internal/base/concurrency.h>
+
+#include <algorithm>
+#include <atomic>
+#include <cstddef>
+#include <mutex>
+
+namespace CGAL::Spectral_segmentation::internal {
+
+// Thrown to leave a stage when the caller does not want to go further.
+struct Run_stopped {};
+
+// Passes the calls of the stages, which may run in several threads, to the control of the caller,
+// one call at a time. Keeps the fraction of the run that is done.
+class Run_monitor
+{
+  Run_control& control_;
+  std::mutex mutex_;
+  std::atomic<bool> is_stopped_{false};
+  double start_ = 0, end_ = 0; // the range of the current phase within the run
+  double done_ = 0;            // the fraction of the phase that is done
+  double reported_ = 0;        // the fraction of the run that was reported last
+
+  template <class Function>
+  void call(const Function& f)
+  {
+    const std::lock_guard<std::mutex> lock(mutex_);
+    call_isolated(f); // else this thread might take up a part that waits for the lock
+  }
+
+  void report()
+  {
+    constexpr double step = 0.002;
+    const double share = start_ + (end_ - start_) * done_;
+    if (is_stopped_ || share < reported_ + step)
+      return;
+    reported_ = share;
+    control_.progress(share);
+  }
+
+public:
+  explicit Run_monitor(Run_control& control) : control_(control) {}
+
+  Run_control& control() { return control_; }
+
+  void before_part(std::size_t part, std::size_t number_of_faces)
+  { call([&] { control_.before_part(part, number_of_faces); }); }
+
+  void after_part(std::size_t part)
+  { call([&] { control_.after_part(part); }); }
+
+  void after_cut(std::size_t part, const Salience_factors& factors, double salience,
+                 std::size_t number_of_segments)
+  { call([&] { control_.after_cut(part, factors, salience, number_of_segments); }); }
+
+  bool is_stopped() const { return is_stopped_; }
+
+  // Returns false, without another question, once the caller has declined.
+  bool go_further()
+  {
+    if (!is_stopped_)
+      call([&] {
+        if (!is_stopped_) // another thread may have stopped the run meanwhile
+          is_stopped_ = !control_.go_further();
+      });
+    return !is_stopped_;
+  }
+
+  void check()
+  {
+    if (!go_further())
+      throw Run_stopped();
+  }
+
+  // Starts a phase that takes this fraction of the run.
+  void start_phase(double share)
+  {
+    call([&] {
+      start_ = end_;
+      end_ = (std::min)(start_ + share, 1.);
+      done_ = 0;
+      report();
+    });
+  }
+
+  // Adds a fraction to the part of the phase that is done.
+  void advance(double share)
+  {
+    call([&] {
+      done_ = (std::min)(done_ + share, 1.);
+      report();
+    });
+  }
+
+  // Marks a fraction of the rest of the phase as done, if nobody knows how long the phase takes.
+  void approach(double share)
+  {
+    call([&] {
+      done_ += (1 - done_) * share;
+      report();
+    });
+  }
+
+  // Marks at least this fraction of the phase as done.
+  void advance_to(double share)
+  {
+    call([&] {
+      done_ = (std::max)(done_, (std::min)(share, 1.));
+      report();
+    });
+  }
+
+  void finish()
+  {
+    if (!is_stopped_)
+      call([&] { control_.progress(1); });
+  }
+
+  // Runs f(), which is the work of a stage, and returns its result.
+  template <class Function>
+  auto stage(Stage stage, std::size_t part, const Function& f)
+  {
+    call([&] { control_.before_stage(stage, part); });
+    auto result = f();
+    call([&] { control_.after_stage(stage, part); });
+    return result;
+  }
+};
+
+} // namespace CGAL::Spectral_segmentation::internal
+
+#endif // CGAL_SPECTRAL_SEGMENTATION_INTERNAL_BASE_RUN_MONITOR_H

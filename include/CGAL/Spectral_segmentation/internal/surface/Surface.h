@@ -1,0 +1,179 @@
+// Copyright (c) 2026  The Spectral_segmentation authors.
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_SPECTRAL_SEGMENTATION_INTERNAL_SURFACE_SURFACE_H
+#define CGAL_SPECTRAL_SEGMENTATION_INTERNAL_SURFACE_SURFACE_H
+
+#include <CGAL/Spectral_segmentation/internal/base/Index.h>
+#include <CGAL/Spectral_segmentation/internal/base/Vector.h>
+#include <CGAL/Spectral_segmentation/internal/base/concurrency.h>
+
+#include <boost/graph/graph_traits.hpp>
+#include <boost/graph/properties.hpp>
+#include <boost/iterator/counting_iterator.hpp>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <numeric>
+#include <utility>
+#include <vector>
+
+namespace CGAL::Spectral_segmentation::internal {
+
+// The vertices of a face.
+typedef std::array<Index, 3> Corners;
+
+// The weights of an edge for the search (Section 3).
+struct Edge_weights
+{
+  float geodesic = 0;  // G, normalized
+  float angle = 0;     // H, equalized
+  float combined = 0;  // d, Equation 1
+  float concavity = 0; // the part of H that is due to concave edges
+  float centroids = 0; // the straight distance between the centroids of the two faces
+};
+
+// The connected components of a surface, numbered by their first faces.
+struct Components
+{
+  std::size_t number = 1;
+  std::vector<Index> of_face; // empty if there is one component
+
+  Index operator[](std::size_t f) const { return of_face.empty() ? 0 : of_face[f]; }
+
+  // Returns the component of each of n faces.
+  std::vector<Index> of_all(std::size_t n) const
+  {
+    std::vector<Index> result = of_face;
+    result.resize(n, 0);
+    return result;
+  }
+};
+
+// A triangulated surface as arrays, or a part of one: the only mesh inside the engine. It is a
+// model of BGL's `VertexListGraph` and `IncidenceGraph` whose vertices are the faces.
+//
+// Halfedge 3f+i belongs to face f and runs from its corner i to its corner (i+1)%3. A halfedge on
+// the border is its own opposite. Therefore the face across it is its own face, where no graph
+// algorithm takes notice of it. No two halfedges of one face are opposite.
+struct Surface
+{
+  std::vector<Corners> corners;      // one per face
+  std::vector<Index> opposite;       // one per halfedge
+  std::vector<Vector> points;        // one per vertex, finite
+  std::vector<double> areas;         // one per face
+  std::vector<Edge_weights> weights; // one per halfedge; empty if no cut is searched
+  Components components;             // a part that is searched has one
+
+  static Index next(Index h) { return h % 3 == 2 ? h - 2 : h + 1; }
+  static Index previous(Index h) { return h % 3 == 0 ? h + 2 : h - 1; }
+
+  std::size_t number_of_faces() const { return corners.size(); }
+  Index number_of_halfedges() const { return static_cast<Index>(opposite.size()); }
+
+  Index source_vertex(Index h) const { return corners[h / 3][h % 3]; }
+  Index target_vertex(Index h) const { return corners[h / 3][(h + 1) % 3]; }
+  bool is_border(Index h) const { return opposite[h] == h; }
+  Index neighbor(Index h) const { return opposite[h] / 3; } // the face across
+
+  double length(Index h) const
+  { return (points[target_vertex(h)] - points[source_vertex(h)]).norm(); }
+
+  Vector centroid(Index f) const { return centroid(f, points); }
+
+  // Returns the centroid of a face whose vertices are at other points.
+  Vector centroid(Index f, const std::vector<Vector>& other_points) const
+  {
+    const Corners& c = corners[f];
+    return (other_points[c[0]] + other_points[c[1]] + other_points[c[2]]) / 3;
+  }
+
+  // Returns the normal of a face; its length is twice the area.
+  Vector normal(Index f) const
+  {
+    const Corners& c = corners[f];
+    return (points[c[1]] - points[c[0]]).cross(points[c[2]] - points[c[0]]);
+  }
+
+  // BGL
+  typedef Index vertex_descriptor;
+  typedef Index edge_descriptor;
+  typedef boost::undirected_tag directed_category;
+  typedef boost::allow_parallel_edge_tag edge_parallel_category;
+  struct traversal_category : boost::vertex_list_graph_tag, boost::incidence_graph_tag {};
+  typedef boost::counting_iterator<Index> vertex_iterator;
+  typedef boost::counting_iterator<Index> out_edge_iterator;
+  typedef Index vertices_size_type;
+  typedef Index edges_size_type;
+  typedef Index degree_size_type;
+  static vertex_descriptor null_vertex() { return null_index; }
+};
+
+inline void set_areas(Execution execution, Surface& surface)
+{
+  surface.areas.resize(surface.number_of_faces());
+  for_each_index(execution, surface.number_of_faces(), [&](std::size_t f)
+    { surface.areas[f] = surface.normal(static_cast<Index>(f)).norm() / 2; });
+}
+
+inline double total_area(const Surface& surface)
+{ return std::accumulate(surface.areas.begin(), surface.areas.end(), 0.); }
+
+// Moves the points into [-1, 1]^3 and returns the length of 1 in the old unit. It is a power of
+// two, so that scaling rounds nothing.
+inline double normalize(std::vector<Vector>& points)
+{
+  const Bounding_box box(points);
+  const Vector center = box.smallest / 2 + box.largest / 2;
+  const double half_extent = (box.largest / 2 - box.smallest / 2).largest_coordinate();
+  const double unit =
+    half_extent > 0 ? std::ldexp(1., (std::min)(std::ilogb(half_extent) + 1, 1023)) : 1;
+  for (Vector& p : points)
+    p = (p - center) / unit;
+  return unit;
+}
+
+// Renumbers the halfedges one to one: h becomes `place(h)`.
+template <class Place>
+void renumber_halfedges(Surface& surface, const Place& place)
+{
+  std::vector<Index> opposite(surface.opposite.size());
+  for (Index h = 0; h < opposite.size(); ++h)
+    opposite[place(h)] = place(surface.opposite[h]);
+  surface.opposite = std::move(opposite);
+}
+
+// Rotates each face to start at its smallest vertex, so that all models of a mesh give equal
+// arrays.
+inline void start_at_smallest_vertices(Surface& surface)
+{
+  std::vector<unsigned char> shift;
+  shift.reserve(surface.number_of_faces());
+  for (Corners& c : surface.corners) {
+    const auto smallest = std::min_element(c.begin(), c.end());
+    shift.push_back(static_cast<unsigned char>(c.end() - smallest));
+    std::rotate(c.begin(), smallest, c.end());
+  }
+  renumber_halfedges(surface, [&](Index h) { return h - h % 3 + (h % 3 + shift[h / 3]) % 3; });
+}
+
+// BGL
+
+inline Index num_vertices(const Surface& s) { return static_cast<Index>(s.number_of_faces()); }
+
+inline std::pair<Surface::vertex_iterator, Surface::vertex_iterator> vertices(const Surface& s)
+{ return {Surface::vertex_iterator(0), Surface::vertex_iterator(num_vertices(s))}; }
+
+inline std::pair<Surface::out_edge_iterator, Surface::out_edge_iterator>
+out_edges(Index f, const Surface&)
+{ return {Surface::out_edge_iterator(3 * f), Surface::out_edge_iterator(3 * f + 3)}; }
+
+inline Index out_degree(Index, const Surface&) { return 3; }
+inline Index source(Index h, const Surface&) { return h / 3; }
+inline Index target(Index h, const Surface& s) { return s.neighbor(h); }
+
+} // namespace CGAL::Spectral_segmentation::internal
+
+#endif // CGAL_SPECTRAL_SEGMENTATION_INTERNAL_SURFACE_SURFACE_H

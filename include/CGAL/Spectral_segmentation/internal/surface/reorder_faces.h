@@ -1,0 +1,97 @@
+// Copyright (c) 2026  The Spectral_segmentation authors.
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_SPECTRAL_SEGMENTATION_INTERNAL_SURFACE_REORDER_FACES_H
+#define CGAL_SPECTRAL_SEGMENTATION_INTERNAL_SURFACE_REORDER_FACES_H
+
+#include <CGAL/Spectral_segmentation/internal/base/prefetch.h>
+#include <CGAL/Spectral_segmentation/internal/surface/Surface.h>
+
+#include <algorithm>
+#include <array>
+#include <cstddef>
+#include <tuple>
+#include <utility>
+#include <vector>
+
+namespace CGAL::Spectral_segmentation::internal {
+
+// Returns the faces across the edges of a face in ascending order. It sorts without branches, which
+// nobody could predict.
+inline std::array<Index, 3> ascending_neighbors(const Surface& surface, Index f)
+{
+  std::array<Index, 3> faces = {surface.neighbor(3 * f), surface.neighbor(3 * f + 1),
+                                surface.neighbor(3 * f + 2)};
+  for (int i : {0, 1, 0})
+    std::tie(faces[i], faces[i + 1]) = std::minmax({faces[i], faces[i + 1]});
+  return faces;
+}
+
+// Returns the faces in an order in which faces near on the surface are near in memory. The order
+// consists of blocks, each found by a breadth-first search that begins at a face next to an earlier
+// block, or at the first face that is left. Therefore each component is a range, and components
+// keep their order. The order does not depend on the data structure.
+inline std::vector<Index> locality_order(const Surface& surface)
+{
+  constexpr std::size_t size_of_block = 1024; // any size of which the cache holds several
+  const std::size_t n = surface.number_of_faces();
+  std::vector<Index> order, outside; // outside: faces next to the blocks so far
+  order.reserve(n);
+  std::vector<char> is_in_order(n, 0);
+  const auto add = [&](Index f, std::size_t end_of_block) {
+    if (is_in_order[f])
+      return;
+    if (order.size() == end_of_block) {
+      outside.push_back(f);
+      return;
+    }
+    is_in_order[f] = 1;
+    order.push_back(f);
+    prefetch(&surface.opposite[3 * f]);
+  };
+  for (Index first = 0; first < n; ++first)
+    for (outside.push_back(first); !outside.empty();) {
+      const Index seed = outside.back();
+      outside.pop_back();
+      std::size_t next = order.size();
+      const std::size_t end_of_block = next + size_of_block;
+      for (add(seed, end_of_block); next < order.size(); ++next)
+        for (Index f : ascending_neighbors(surface, order[next]))
+          add(f, end_of_block);
+    }
+  return order;
+}
+
+// Puts the faces in an order, and numbers the vertices in the order in which faces use them, so
+// that the vertices of faces near in order are near in memory. Removes vertices without a face.
+inline void reorder_faces(Surface& surface, const std::vector<Index>& order)
+{
+  std::vector<Index> face(order.size()), vertex(surface.points.size(), null_index);
+  for (Index i = 0; i < order.size(); ++i)
+    face[order[i]] = i;
+  renumber_halfedges(surface, [&](Index h) { return 3 * face[h / 3] + h % 3; });
+  std::vector<Corners> corners;
+  std::vector<Vector> points;
+  std::vector<Index> component;
+  corners.reserve(order.size());
+  points.reserve(surface.points.size());
+  for (Index f : order) {
+    corners.push_back(surface.corners[f]);
+    for (Index& v : corners.back()) {
+      if (vertex[v] == null_index) {
+        vertex[v] = static_cast<Index>(points.size());
+        points.push_back(surface.points[v]);
+      }
+      v = vertex[v];
+    }
+    if (surface.components.number > 1)
+      component.push_back(surface.components[f]);
+  }
+  surface.corners = std::move(corners);
+  surface.points = std::move(points);
+  surface.components.of_face = std::move(component);
+}
+
+} // namespace CGAL::Spectral_segmentation::internal
+
+#endif // CGAL_SPECTRAL_SEGMENTATION_INTERNAL_SURFACE_REORDER_FACES_H
