@@ -58,7 +58,7 @@ std::vector<Candidates::Candidate> evaluated_cuts(const Surface& graph, const Op
 {
   Candidates control;
   internal::Run_monitor monitor(control);
-  const internal::Best_cut best_cut(sequential, graph, options);
+  const internal::Best_cut best_cut(graph, options);
   best = best_cut(sequential, whole(graph), monitor);
   return control.candidates;
 }
@@ -192,7 +192,7 @@ BOOST_AUTO_TEST_CASE(the_number_of_threads_changes_nothing)
     evaluated_cuts(graph, options, expected);
     internal::Run_control control;
     internal::Run_monitor monitor(control);
-    const internal::Best_cut best_cut(Execution::PARALLEL, graph, options);
+    const internal::Best_cut best_cut(graph, options);
     const std::optional<Cut> cut = best_cut(Execution::PARALLEL, whole(graph), monitor);
     BOOST_TEST_REQUIRE(cut.has_value());
     BOOST_TEST((cut->side == expected->side));
@@ -212,7 +212,7 @@ BOOST_AUTO_TEST_CASE(a_part_without_room_for_two_segments_is_not_searched)
   Options options = Options::zhang_liu_2005();
   const auto search = [&](double minimum_share_of_part) {
     options.minimum_segment_size = minimum_share_of_part;
-    return internal::Best_cut(sequential, part, options)(sequential, whole(part), monitor);
+    return internal::Best_cut(part, options)(sequential, whole(part), monitor);
   };
   BOOST_TEST(!search(0.501).has_value());
   BOOST_TEST(counter.number_of_parts == 0u);
@@ -224,7 +224,7 @@ BOOST_AUTO_TEST_CASE(a_part_without_room_for_two_segments_is_not_searched)
   for (double& area : mesh.areas)
     area *= 5.01;
   options.minimum_segment_size = 0.1;
-  const internal::Best_cut best_cut(sequential, mesh, options);
+  const internal::Best_cut best_cut(mesh, options);
   BOOST_TEST(!best_cut(sequential, whole(part), monitor).has_value());
   BOOST_TEST(counter.number_of_parts == 1u);
 }
@@ -238,7 +238,7 @@ BOOST_AUTO_TEST_CASE(a_stopped_search_throws)
     bool go_further() override { return left-- > 0; }
   } stopper;
   const Options options = Options::zhang_liu_2005();
-  const internal::Best_cut best_cut(sequential, graph, options);
+  const internal::Best_cut best_cut(graph, options);
   for (int questions : {0, 1, 4}) {
     stopper.left = questions;
     internal::Run_monitor monitor(stopper);

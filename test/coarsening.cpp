@@ -6,10 +6,8 @@
 #include "test_meshes.h"
 
 #include <CGAL/Spectral_segmentation/internal/surface/connected_components.h>
-#include <CGAL/Spectral_segmentation/internal/surface/surface_integrals.h>
-#include <CGAL/Spectral_segmentation/internal/coarsening/Edge_queue.h>
+#include <CGAL/Spectral_segmentation/internal/surface/Principal_frame.h>
 #include <CGAL/Spectral_segmentation/internal/coarsening/coarsening.h>
-#include <CGAL/Spectral_segmentation/internal/coarsening/domains.h>
 
 #include <Eigen/Geometry>
 
@@ -29,26 +27,25 @@ BOOST_AUTO_TEST_SUITE(coarsening)
 using namespace test_meshes;
 namespace internal = CGAL::Spectral_segmentation::internal;
 using internal::null_index;
-using internal::Coarse_mesh;
+using internal::Coarse_surface;
 using internal::Execution;
 using internal::Vector;
 
 namespace {
 
-// Exactly the number, with one thread or several.
-Coarse_mesh coarsen(const Surface& mesh, std::size_t number_of_faces,
-                    Execution execution = Execution::SEQUENTIAL)
+Coarse_surface coarsen(const Surface& mesh, std::size_t number_of_faces)
 {
   internal::Run_control control;
   internal::Run_monitor monitor(control);
-  return internal::coarsen(execution, mesh, number_of_faces, false, monitor, 0);
+  return internal::coarsened(sequential, mesh, number_of_faces, monitor);
 }
 
-std::vector<Coarse_mesh> coarsen_in_steps(const Surface& mesh, std::size_t number_of_faces)
+// The surface in its frame, as in a run.
+Surface framed(const Soup& soup)
 {
-  internal::Run_control control;
-  internal::Run_monitor monitor(control);
-  return internal::coarsen_in_steps(sequential, mesh, number_of_faces, monitor);
+  Surface result = surface_of(soup);
+  internal::move_to_frame(sequential, result);
+  return result;
 }
 
 double volume(const Surface& graph)
@@ -73,12 +70,11 @@ int euler_characteristic(const Surface& graph)
 }
 
 // All that does not depend on how much was coarse.
-void check(const Surface& mesh, const Coarse_mesh& coarse)
+void check(const Surface& mesh, const Coarse_surface& coarse)
 {
   const Surface& graph = coarse.graph;
   const std::size_t n = graph.number_of_faces();
   BOOST_TEST_REQUIRE(coarse.faces.size() == n);
-  BOOST_TEST(std::is_sorted(coarse.faces.begin(), coarse.faces.end()));
   BOOST_TEST(graph.opposite.size() == 3 * n);
   BOOST_TEST(graph.areas.size() == n);
   BOOST_TEST(number_of_components(graph) == number_of_components(mesh));
@@ -101,8 +97,12 @@ void check(const Surface& mesh, const Coarse_mesh& coarse)
     return result;
   };
   for (Index f = 0; f < n; ++f) {
+    BOOST_TEST(is_left[coarse.faces[f]] == 0);
     is_left[coarse.faces[f]] = 1;
-    BOOST_TEST((corners(coarse.faces[f]) == graph.corners[f]));
+    std::array<Index, 3> c = corners(coarse.faces[f]);
+    for (int i = 0; i < 2 && c[0] != graph.corners[f][0]; ++i)
+      std::rotate(c.begin(), c.begin() + 1, c.end());
+    BOOST_TEST((c == graph.corners[f]));
   }
   for (Index f = 0; f < mesh.number_of_faces(); ++f)
     if (!is_left[f]) {
@@ -111,10 +111,15 @@ void check(const Surface& mesh, const Coarse_mesh& coarse)
     }
 }
 
+// All variances differ, and no axis has two equal sides, so that noise does not turn the frame.
 Soup rough_dumbbell(unsigned seed)
 {
   Random random(seed);
-  return displaced(dumbbell(30, 24), 0.01, random);
+  Soup soup = displaced(dumbbell(30, 24), 0.01, random);
+  for (Point& p : soup.points)
+    p = Point(1.5 * p.x() + 0.2 * p.x() * p.x(), p.y() + 0.1 * p.z() * p.z(),
+              p.z() + 0.1 * p.z() * p.z());
+  return soup;
 }
 
 Soup turned(Soup soup)
@@ -138,7 +143,7 @@ BOOST_AUTO_TEST_CASE(surfaces_keep_their_topology)
   for (const Soup& soup : soups) {
     const Surface mesh = surface_of(soup);
     for (std::size_t number : {mesh.number_of_faces() / 2, std::size_t(300), std::size_t(150)}) {
-      const Coarse_mesh coarse = coarsen(mesh, number);
+      const Coarse_surface coarse = coarsen(mesh, number);
       check(mesh, coarse);
       BOOST_TEST(coarse.graph.number_of_faces() <= number);
       BOOST_TEST(coarse.graph.number_of_faces() + 2 >= number);
@@ -150,10 +155,10 @@ BOOST_AUTO_TEST_CASE(surfaces_keep_their_topology)
 BOOST_AUTO_TEST_CASE(a_sphere_keeps_its_volume_and_its_faces_are_alike)
 {
   const Surface mesh = surface_of(sphere(5));
-  const Coarse_mesh coarse = coarsen(mesh, 1000);
+  const Coarse_surface coarse = coarsen(mesh, 1000);
   const Surface& graph = coarse.graph;
   // With its vertices on the sphere a mesh of 1000 faces lacks 1 % of the volume.
-  BOOST_TEST(volume(graph) == volume(mesh), boost::test_tools::tolerance(0.002));
+  BOOST_TEST(volume(graph) == volume(mesh), boost::test_tools::tolerance(0.005));
   const double mean = internal::total_area(graph) / double(graph.number_of_faces());
   for (Index f = 0; f < graph.number_of_faces(); ++f) {
     const std::array<Index, 3>& c = graph.corners[f];
@@ -167,7 +172,7 @@ BOOST_AUTO_TEST_CASE(a_sphere_keeps_its_volume_and_its_faces_are_alike)
 BOOST_AUTO_TEST_CASE(a_plate_keeps_its_outline)
 {
   const Surface mesh = surface_of(plate(40, 30));
-  const Coarse_mesh coarse = coarsen(mesh, 100);
+  const Coarse_surface coarse = coarsen(mesh, 100);
   BOOST_TEST(internal::total_area(coarse.graph) == internal::total_area(mesh),
              boost::test_tools::tolerance(0.01));
 }
@@ -183,7 +188,7 @@ BOOST_AUTO_TEST_CASE(sharp_edges_stay)
   for (int i = 9; i >= 0; --i)
     profile.emplace_back(3, 0.1 * i);
   const Surface mesh = surface_of(surface_of_revolution(profile, 60));
-  const Coarse_mesh coarse = coarsen(mesh, 800);
+  const Coarse_surface coarse = coarsen(mesh, 800);
   BOOST_TEST(volume(coarse.graph) == volume(mesh), boost::test_tools::tolerance(0.01));
 }
 
@@ -191,11 +196,40 @@ BOOST_AUTO_TEST_CASE(the_result_moves_with_the_mesh)
 {
   for (unsigned seed : {1, 2, 3}) {
     const Soup soup = rough_dumbbell(seed);
-    const Coarse_mesh here = coarsen(surface_of(soup), 400),
-                          there = coarsen(surface_of(turned(soup)), 400);
+    const Coarse_surface here = coarsen(framed(soup), 400),
+                         there = coarsen(framed(turned(soup)), 400);
     BOOST_TEST((here.faces == there.faces));
     BOOST_TEST((here.vertices == there.vertices));
+    BOOST_TEST((here.graph.points == there.graph.points));
   }
+}
+
+BOOST_AUTO_TEST_CASE(a_mirrored_mesh_gives_the_same_surface)
+{
+  for (unsigned seed : {1, 2, 3}) {
+    const Soup soup = rough_dumbbell(seed);
+    Soup other = soup;
+    for (Point& p : other.points)
+      p = Point(p.x(), -p.y(), p.z());
+    const Coarse_surface here = coarsen(framed(soup), 400),
+                         there = coarsen(framed(turned_inside_out(turned(other))), 400);
+    BOOST_TEST((here.graph.points == there.graph.points));
+    BOOST_TEST((here.graph.corners == there.graph.corners));
+    BOOST_TEST((here.faces == there.faces));
+  }
+}
+
+BOOST_AUTO_TEST_CASE(little_noise_rarely_gets_through)
+{
+  Random random(3);
+  std::size_t number_of_same = 0;
+  for (unsigned seed = 1; seed <= 10; ++seed) {
+    const Soup soup = rough_dumbbell(seed);
+    const Coarse_surface one = coarsen(framed(soup), 400),
+                         two = coarsen(framed(displaced(soup, 1e-8, random)), 400);
+    number_of_same += one.graph.points == two.graph.points && one.faces == two.faces;
+  }
+  BOOST_TEST(number_of_same >= 9u);
 }
 
 namespace {
@@ -218,20 +252,6 @@ Soup renumbered(const Soup& soup, Random& random, std::vector<std::size_t>& face
     const std::size_t first = random() % 3;
     result.triangles[face[f]] = {vertex[t[first]], vertex[t[(first + 1) % 3]],
                                  vertex[t[(first + 2) % 3]]};
-  }
-  return result;
-}
-
-// The points of a coarse mesh in a cyclic order of each face that does not depend on numbers.
-std::set<std::vector<std::array<double, 3> > > triangles_in_space(const Surface& graph)
-{
-  std::set<std::vector<std::array<double, 3> > > result;
-  for (const std::array<Index, 3>& corners : graph.corners) {
-    std::vector<std::array<double, 3> > points;
-    for (Index v : corners)
-      points.push_back({graph.points[v].x(), graph.points[v].y(), graph.points[v].z()});
-    std::rotate(points.begin(), std::min_element(points.begin(), points.end()), points.end());
-    result.insert(points);
   }
   return result;
 }
@@ -260,9 +280,9 @@ BOOST_AUTO_TEST_CASE(the_numbers_of_faces_and_vertices_do_not_matter)
     const Soup soup = rough_dumbbell(seed);
     Random random(seed);
     std::vector<std::size_t> face;
-    const Coarse_mesh coarse = coarsen(surface_of(renumbered(soup, random, face)), 400);
+    const Coarse_surface coarse = coarsen(framed(renumbered(soup, random, face)), 400);
     std::set<Index> expected, left(coarse.faces.begin(), coarse.faces.end());
-    for (Index f : coarsen(surface_of(soup), 400).faces)
+    for (Index f : coarsen(framed(soup), 400).faces)
       expected.insert(Index(face[f]));
     BOOST_TEST((left == expected));
   }
@@ -278,92 +298,25 @@ BOOST_AUTO_TEST_CASE(the_numbers_do_not_matter_where_most_edges_are_of_equal_len
   for (Index h = 0; h < graph.number_of_halfedges(); ++h)
     lengths.insert(float(graph.length(h)));
   BOOST_TEST(lengths.size() == 2u);
-  const auto expected = triangles_in_space(coarsen(graph, 100).graph);
+  const Surface expected = coarsen(framed(soup), 100).graph;
   Random random(8);
   for (int run = 0; run < 10; ++run) {
     std::vector<std::size_t> face;
-    const Coarse_mesh other = coarsen(surface_of(renumbered(soup, random, face)), 100);
-    BOOST_TEST((triangles_in_space(other.graph) == expected));
+    const Surface other = coarsen(framed(renumbered(soup, random, face)), 100).graph;
+    BOOST_TEST((other.points == expected.points));
+    BOOST_TEST((other.corners == expected.corners));
+    BOOST_TEST((other.opposite == expected.opposite));
   }
-}
-
-BOOST_AUTO_TEST_CASE(a_queue_gives_edges_by_length_then_by_the_other_number)
-{
-  using internal::Edge_queue;
-  Random random(9);
-  Edge_queue queue;
-  std::vector<Edge_queue::Edge> expected; // ascending
-  const auto push = [&](double least) {
-    const float squared_length =
-      float(least + std::ldexp(double(random() % 64), int(random() % 40) - 30));
-    const Edge_queue::Edge edge(Edge_queue::key(squared_length, std::uint32_t(random() % 4)),
-                                Index(random() % 1000));
-    queue.push(edge);
-    expected.insert(std::upper_bound(expected.begin(), expected.end(), edge), edge);
-  };
-  for (int i = 0; i < 2000; ++i)
-    push(0);
-  for (int i = 0; !expected.empty(); ++i) {
-    const auto edge = queue.pop();
-    BOOST_TEST_REQUIRE(edge.has_value());
-    BOOST_TEST((*edge == expected.front()));
-    expected.erase(expected.begin());
-    // A shorter one than the last, too.
-    if (i % 3 == 0 && i < 3000)
-      push(random() % 2 == 0 ? 0 : 1);
-  }
-  BOOST_TEST(!queue.pop().has_value());
-  BOOST_TEST((Edge_queue::key(0.f, 5) < Edge_queue::key(1e-40f, 0)));
-  BOOST_TEST((Edge_queue::key(1.f, 0xffffffff) < Edge_queue::key(1.0000001f, 0)));
-}
-
-BOOST_AUTO_TEST_CASE(domains_have_each_face_once_and_are_compact)
-{
-  const Surface graph = surface_of(torus(3, 1, 100, 60));
-  const auto domains = internal::domains(graph.corners, graph.points, 500);
-  BOOST_TEST(domains.size() > 5u);
-  std::vector<Index> all;
-  for (const std::vector<Index>& faces : domains) {
-    BOOST_TEST_REQUIRE(!faces.empty());
-    std::vector<Vector> centroids;
-    for (Index f : faces) {
-      centroids.push_back(graph.centroid(f));
-      all.push_back(f);
-    }
-    const internal::Bounding_box box(centroids);
-    // Four cells wide, as 12000 faces are in two layers of cells.
-    BOOST_TEST((box.largest - box.smallest).largest_coordinate() <=
-               8. / 3 / unit_of(torus(3, 1, 100, 60)) * 1.0001);
-  }
-  std::sort(all.begin(), all.end());
-  BOOST_TEST_REQUIRE(all.size() == graph.number_of_faces());
-  for (Index f = 0; f < all.size(); ++f)
-    BOOST_TEST(all[f] == f);
-}
-
-BOOST_AUTO_TEST_CASE(faces_are_shared_by_area_but_no_domain_gives_more_than_it_has)
-{
-  const std::vector<std::vector<Index> > faces = {std::vector<Index>(100), std::vector<Index>(100),
-                                                  std::vector<Index>(2), std::vector<Index>(7)};
-  const std::vector<double> areas = {1, 3, 4, 0}; // the last has no area
-  for (double number : {1., 2., 3., 30., 102., 150., 200.}) {
-    const double per_area = internal::shared_by_area(number, faces, areas);
-    double sum = 0;
-    for (std::size_t d = 0; d < 3; ++d)
-      sum += std::min(per_area * areas[d], double(faces[d].size()));
-    BOOST_TEST(sum == number, boost::test_tools::tolerance(1e-12));
-  }
-  BOOST_TEST(internal::shared_by_area(1000, faces, areas) > 1e100); // all of them
 }
 
 BOOST_AUTO_TEST_CASE(what_is_small_enough_stays)
 {
   const Soup soup = rough_dumbbell(6);
   const Surface mesh = surface_of(soup);
-  const Coarse_mesh coarse = coarsen(mesh, mesh.number_of_faces());
+  const Coarse_surface coarse = coarsen(mesh, mesh.number_of_faces());
   check(mesh, coarse);
   BOOST_TEST(coarse.graph.number_of_faces() == mesh.number_of_faces());
-  BOOST_TEST(volume(coarse.graph) == volume(mesh), boost::test_tools::tolerance(1e-7));
+  BOOST_TEST(volume(coarse.graph) == volume(mesh), boost::test_tools::tolerance(1e-3));
 }
 
 BOOST_AUTO_TEST_CASE(no_component_vanishes)
@@ -372,7 +325,7 @@ BOOST_AUTO_TEST_CASE(no_component_vanishes)
   for (int i = 1; i <= 20; ++i)
     soup = disjoint_union(soup, moved(scaled(sphere(1), 0.01), 2. * i, 0, 0));
   const Surface mesh = surface_of(soup);
-  const Coarse_mesh coarse = coarsen(mesh, 1);
+  const Coarse_surface coarse = coarsen(mesh, 1);
   check(mesh, coarse);
   BOOST_TEST(coarse.graph.number_of_faces() == 21 * 4); // tetrahedra
 }
@@ -387,7 +340,7 @@ BOOST_AUTO_TEST_CASE(a_vertex_where_two_surfaces_meet_stays)
     for (Index& v : corners)
       if (v == half)
         v = 0;
-  const Coarse_mesh coarse = coarsen(mesh, 200);
+  const Coarse_surface coarse = coarsen(mesh, 200);
   check(mesh, coarse);
   BOOST_TEST(coarse.graph.number_of_faces() <= 200);
   std::map<Index, std::set<Index> > sides; // one per vertex that is left
@@ -404,7 +357,7 @@ BOOST_AUTO_TEST_CASE(faces_without_area_do_no_harm)
   for (std::size_t v : {10, 11, 12, 200, 201}) // many edges without length
     soup.points[v] = soup.points[v + 1];
   const Surface mesh = surface_of(soup);
-  const Coarse_mesh coarse = coarsen(mesh, 300);
+  const Coarse_surface coarse = coarsen(mesh, 300);
   check(mesh, coarse);
   BOOST_TEST(coarse.graph.number_of_faces() <= 300);
   const Surface flat = surface_of({{Point(0, 0, 0), Point(1, 0, 0), Point(2, 0, 0),
@@ -412,62 +365,89 @@ BOOST_AUTO_TEST_CASE(faces_without_area_do_no_harm)
   check(flat, coarsen(flat, 1));
 }
 
-BOOST_AUTO_TEST_CASE(steps_lead_from_the_mesh_to_the_number)
-{
-  const Surface mesh = surface_of(sphere(5)); // 20480 faces
-  BOOST_TEST(coarsen_in_steps(mesh, 4000).size() == 1);
-  const std::vector<Coarse_mesh> steps = coarsen_in_steps(mesh, 100);
-  BOOST_TEST_REQUIRE(steps.size() == 2);
-  check(mesh, steps[0]);
-  check(steps[0].graph, steps[1]);
-  BOOST_TEST(steps[0].graph.number_of_faces() <= 1600);
-  BOOST_TEST(steps[1].graph.number_of_faces() <= 100);
-}
-
-BOOST_AUTO_TEST_CASE(only_the_last_step_of_a_large_mesh_leaves_no_more_than_the_number)
+BOOST_AUTO_TEST_CASE(a_large_mesh_becomes_even)
 {
   const Surface mesh = surface_of(sphere(6)); // 81920 faces
-  const std::vector<Coarse_mesh> steps = coarsen_in_steps(mesh, 1000);
-  BOOST_TEST_REQUIRE(steps.size() == 2);
-  check(mesh, steps[0]);
-  check(steps[0].graph, steps[1]);
-  BOOST_TEST(steps[0].graph.number_of_faces() >= 16000);
-  BOOST_TEST(steps[0].graph.number_of_faces() <= 24000);
-  BOOST_TEST(steps[1].graph.number_of_faces() <= 1000);
-  BOOST_TEST(steps[1].graph.number_of_faces() >= 998);
-}
-
-BOOST_AUTO_TEST_CASE(a_large_mesh_is_coarsened_in_domains_and_shows_no_seam)
-{
-  const Surface mesh = surface_of(sphere(6)); // 81920 faces
-  const Coarse_mesh coarse = coarsen(mesh, 5000);
+  const Coarse_surface coarse = coarsen(mesh, 5000);
   check(mesh, coarse);
   const Surface& graph = coarse.graph;
   BOOST_TEST(graph.number_of_faces() <= 5000);
   BOOST_TEST(graph.number_of_faces() >= 4998);
   BOOST_TEST(euler_characteristic(graph) == 2);
-  BOOST_TEST(volume(graph) == volume(mesh), boost::test_tools::tolerance(0.001));
+  BOOST_TEST(volume(graph) == volume(mesh), boost::test_tools::tolerance(0.002));
   const double mean = internal::total_area(graph) / double(graph.number_of_faces());
   for (double area : graph.areas)
-    BOOST_TEST(area < mean * 3);
-  // A sliver or two are anywhere; along seams there would be hundreds.
+    BOOST_TEST(area < mean * 4);
   BOOST_TEST(std::count_if(graph.areas.begin(), graph.areas.end(),
-                           [&](double area) { return area < mean / 8; }) < 5);
-  const Coarse_mesh parallel = coarsen(mesh, 5000, Execution::PARALLEL);
-  BOOST_TEST((parallel.faces == coarse.faces));
-  BOOST_TEST((parallel.vertices == coarse.vertices));
-  BOOST_TEST((parallel.graph.points == graph.points));
+                           [&](double area) { return area < mean / 8; }) < 50);
 }
 
-BOOST_AUTO_TEST_CASE(a_large_mesh_keeps_its_faces_where_it_has_many)
+namespace {
+
+Coarse_surface clustered(const Surface& mesh, double width)
+{ return internal::Vertex_clustering(mesh, width)(); }
+
+} // namespace
+
+BOOST_AUTO_TEST_CASE(clusters_keep_the_topology_whatever_their_width)
 {
-  // A plate of two faces, far away and large, has hardly any faces to give.
-  const Soup soup = disjoint_union(sphere(6), moved(scaled(plate(1, 1), 200), 0, 0, -300));
-  const Surface mesh = surface_of(soup);
-  const Coarse_mesh coarse = coarsen(mesh, 5000);
-  check(mesh, coarse);
-  BOOST_TEST(coarse.graph.number_of_faces() <= 5000);
-  BOOST_TEST(coarse.graph.number_of_faces() >= 4998);
+  Random random(5);
+  const Soup soups[] = {sphere(4), torus(2, 0.2, 60, 30), plate(30, 20), dumbbell(30, 24),
+                        surface_of_revolution({{0, 1}, {1, 0.5}, {2, 0.8}, {3, 1}}, 100),
+                        disjoint_union(sphere(3), moved(scaled(plate(9, 9), 0.01), 3, 0, 0))};
+  std::size_t number_of_smaller = 0;
+  for (const Soup& soup : soups)
+    for (double width : {0.01, 0.05, 0.1, 0.3, 1., 10.}) {
+      const Surface mesh = framed(displaced(soup, 0.002, random));
+      const Coarse_surface coarse = clustered(mesh, width);
+      BOOST_TEST(number_of_components(coarse.graph) == number_of_components(mesh));
+      BOOST_TEST(coarse.graph.components.number == mesh.components.number);
+      BOOST_TEST(euler_characteristic(coarse.graph) == euler_characteristic(mesh));
+      BOOST_TEST(coarse.graph.number_of_faces() > 0u);
+      number_of_smaller += coarse.graph.number_of_faces() < mesh.number_of_faces();
+      for (Index h = 0; h < coarse.graph.number_of_halfedges(); ++h) {
+        const Index o = coarse.graph.opposite[h];
+        BOOST_TEST(coarse.graph.opposite[o] == h);
+        if (o == h)
+          continue;
+        BOOST_TEST(coarse.graph.source_vertex(o) == coarse.graph.target_vertex(h));
+        BOOST_TEST(coarse.graph.target_vertex(o) == coarse.graph.source_vertex(h));
+      }
+    }
+  BOOST_TEST(number_of_smaller > 20u);
+}
+
+BOOST_AUTO_TEST_CASE(sheets_that_come_near_stay_apart)
+{
+  const Soup sheet = scaled(plate(40, 40), 0.01);
+  const Surface mesh = surface_of(disjoint_union(sheet, moved(sheet, 0, 0, 1e-4)));
+  const Coarse_surface coarse = clustered(mesh, 0.2);
+  BOOST_TEST(coarse.graph.number_of_faces() < mesh.number_of_faces() / 10);
+  std::vector<Index> sheet_of(coarse.graph.points.size(), null_index);
+  for (Index v = 0; v < coarse.vertices.size(); ++v) {
+    const Index side = v < sheet.points.size() ? 0 : 1;
+    Index& of_vertex = sheet_of[coarse.vertices[v]];
+    BOOST_TEST((of_vertex == null_index || of_vertex == side));
+    of_vertex = side;
+  }
+}
+
+BOOST_AUTO_TEST_CASE(a_cluster_stays_on_the_planes_around_it)
+{
+  // A roof: two planes that meet in the line x = z = 0.
+  Soup soup = plate(60, 30);
+  for (Point& p : soup.points)
+    p = Point(p.x() - 30, p.y(), -std::abs(p.x() - 30));
+  const Surface mesh = framed(soup);
+  const Surface roof = clustered(mesh, 0.11).graph;
+  BOOST_TEST(roof.number_of_faces() < mesh.number_of_faces() / 3);
+  const Vector first = mesh.normal(0).normalized();
+  const Vector second = mesh.normal(Index(mesh.number_of_faces()) - 1).normalized();
+  for (const Vector& p : roof.points) {
+    const double to_first = std::abs(first.dot(p - mesh.points[mesh.corners[0][0]]));
+    const double to_second = std::abs(second.dot(p - mesh.points[mesh.corners.back()[0]]));
+    BOOST_TEST(std::min(to_first, to_second) < 0.11 / 50);
+  }
 }
 
 BOOST_AUTO_TEST_SUITE_END()

@@ -70,7 +70,7 @@ Salience_factors factors(const Surface& graph, const Sides& side, double times =
 {
   std::vector<Index> faces(graph.number_of_faces());
   std::iota(faces.begin(), faces.end(), Index(0));
-  Evaluation_context mesh(sequential, graph);
+  Evaluation_context mesh(graph);
   mesh.area *= times;
   return Cut_evaluator(graph, faces, mesh)(side);
 }
@@ -159,7 +159,7 @@ BOOST_AUTO_TEST_CASE(gains_of_convexity_are_those_of_the_defects)
     faces[int(side[f])].push_back(f);
     area[int(side[f])] += graph.areas[f];
   }
-  const Support_points support_points(sequential, graph);
+  const Support_points support_points(graph);
   const internal::Convexity_defect defect(support_points, graph, all);
   const double of_sides =
     (area[0] * defect(faces[0]) + area[1] * defect(faces[1])) / (area[0] + area[1]);
@@ -308,7 +308,7 @@ BOOST_AUTO_TEST_CASE(an_evaluator_forgets_the_cuts_before)
   const Surface graph = graph_of(soup);
   std::vector<Index> faces(graph.number_of_faces());
   std::iota(faces.begin(), faces.end(), Index(0));
-  const Evaluation_context mesh(sequential, graph);
+  const Evaluation_context mesh(graph);
   const Cut_evaluator evaluator(graph, faces, mesh);
   for (double z : {-0.5, 0.3, -0.5}) {
     const Salience_factors a = evaluator(below(soup, z)), b = factors(graph, below(soup, z));

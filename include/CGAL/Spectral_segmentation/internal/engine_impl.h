@@ -16,6 +16,8 @@
 #include <CGAL/Spectral_segmentation/internal/hierarchy/region_merging.h>
 #include <CGAL/Spectral_segmentation/internal/soup/connect_triangles.h>
 #include <CGAL/Spectral_segmentation/internal/soup/duplicate_faces.h>
+#include <CGAL/Spectral_segmentation/internal/surface/Principal_frame.h>
+#include <CGAL/Spectral_segmentation/internal/surface/geometric_order.h>
 #include <CGAL/Spectral_segmentation/internal/surface/reorder_faces.h>
 #include <CGAL/Spectral_segmentation/internal/coarsening/Cut_restriction.h>
 #include <CGAL/Spectral_segmentation/internal/grid/Grid_wrap.h>
@@ -52,7 +54,7 @@ class Run
   std::vector<Index> face_;         // the face of the mesh for each of the caller's faces
   Refined_mesh refined_;            // empty if the edges of the mesh are short enough
   std::optional<Grid_wrap> wrap_;   // the wrap of a mesh of several components
-  std::vector<Coarse_mesh> levels_; // each coarser than the one before
+  std::optional<Coarse_surface> coarse_; // the surface on which cuts are searched, if another
   std::vector<Index> neighbors_;    // the caller's indices, if boundaries shall be smoothed
   Constraint_groups groups_;        // empty without constraints
 
@@ -77,10 +79,13 @@ class Run
     mesh_.components = connected_components(mesh_);
   }
 
-  // Puts the faces in an order of locality.
+  // Puts the faces in an order of locality. If components may be wrapped together, the order must
+  // not depend on the caller's order, because the wrap takes the first of equally near faces.
   void order_faces()
   {
-    const std::vector<Index> order = locality_order(mesh_);
+    const bool may_be_wrapped = !options_.keep_components_separate && mesh_.components.number > 1;
+    const std::vector<Index> order =
+      may_be_wrapped ? geometric_order(mesh_) : locality_order(mesh_);
     monitor_.advance(0.3);
     if (!monitor_.go_further())
       return;
@@ -92,6 +97,23 @@ class Run
       f = number[f];
   }
 
+  // Returns whether the method of the paper searches the mesh itself, and all digits of its points
+  // count.
+  bool is_searched_itself() const
+  {
+    const std::size_t n = mesh_.number_of_faces();
+    return options_.method == Method::ZHANG_LIU_2005 && faces_to_search(options_, n) == n;
+  }
+
+  // Moves the mesh into a unit, and into a frame of its own unless it is searched itself.
+  void normalize_mesh()
+  {
+    unit_ = normalize(mesh_.points);
+    set_areas(execution_, mesh_);
+    if (!is_searched_itself())
+      unit_ *= move_to_frame(execution_, mesh_);
+  }
+
   // Prepares the mesh. A run that is stopped on the way leaves the faces in the caller's order.
   void prepare_mesh()
   {
@@ -99,11 +121,10 @@ class Run
     std::iota(face_.begin(), face_.end(), Index(0));
     mesh_.components = connected_components(mesh_);
     remove_duplicates();
+    normalize_mesh();
     if (monitor_.go_further())
       order_faces();
     monitor_.advance(0.3);
-    unit_ = normalize(mesh_.points);
-    set_areas(execution_, mesh_);
     check_number();
     if (!constraints_.empty())
       groups_ = Constraint_grouping(constraints_, face_, mesh_.number_of_faces())(
@@ -193,7 +214,7 @@ class Run
     monitor_.check();
     std::vector<Vector> points = smoothed_points(mesh_, options_.number_of_smoothing_iterations,
                                                  [&] { monitor_.check(); return true; });
-    if (options_.number_of_coarse_faces == 0) {
+    if (options_.number_of_coarse_faces == 0 || is_searched_itself()) {
       Surface result = is_mesh_needed() ? mesh_ : std::move(mesh_);
       set_weights(result, points);
       return result;
@@ -203,10 +224,9 @@ class Run
       wrap();
     if (!wrap_)
       refine();
-    const std::size_t number_of_faces = faces_to_search(options_, finest().number_of_faces());
-    if (number_of_faces < finest().number_of_faces())
-      levels_ = coarsen_in_steps(execution_, finest(), number_of_faces, monitor_);
-    Surface result = levels_.empty() ? finest() : levels_.back().graph;
+    coarse_ = coarsened(execution_, finest(),
+                        faces_to_search(options_, finest().number_of_faces()), monitor_);
+    Surface result = coarse_->graph;
     set_weights(result, result.points);
     return result;
   }
@@ -226,15 +246,15 @@ class Run
       compose(wrap_->nearest_faces());
     if (!refined_.faces.empty())
       compose(refined_.faces);
-    for (const Coarse_mesh& level : levels_)
-      compose(level.faces);
+    if (coarse_)
+      compose(coarse_->faces);
     return result;
   }
 
   Cut_hierarchy search(Surface mesh)
   {
     monitor_.control().start_search(searched_faces());
-    const Best_cut best_cut(execution_, mesh, options_);
+    const Best_cut best_cut(mesh, options_);
     if (options_.method == Method::ZHANG_LIU_2005)
       return Recursion(execution_, std::move(mesh), best_cut, options_, monitor_).by_area();
     const Cut_hierarchy regions =
@@ -246,12 +266,17 @@ class Run
     });
   }
 
+  bool is_reordered_only() const
+  { return coarse_->faces.size() == finest().number_of_faces(); }
+
   Cut_hierarchy project(Cut_hierarchy hierarchy)
   {
     const Distance_weights weights = distance_weights();
-    for (std::size_t i = levels_.size(); i-- > 0; levels_.pop_back())
-      hierarchy = Cut_projection(execution_, hierarchy, levels_[i],
-                                 i > 0 ? levels_[i - 1].graph : finest(), weights, monitor_)();
+    if (!is_reordered_only())
+      hierarchy = Cut_projection(execution_, hierarchy, *coarse_, finest(), weights, monitor_)();
+    else
+      hierarchy = reordered(hierarchy, *coarse_, finest());
+    coarse_.reset();
     if (wrap_)
       hierarchy = Wrap_restriction(hierarchy, *wrap_, mesh_, monitor_)();
     if (!refined_.faces.empty())
@@ -340,13 +365,15 @@ public:
       result = search(std::move(searched));
     }
     catch (const Run_stopped&) { // before there was a cut
-      levels_.clear();
+      coarse_.reset();
       refined_ = Refined_mesh();
       wrap_.reset();
       result = uncut_hierarchy(mesh_);
     }
     monitor_.start_phase(1);
-    if (&finest() != &mesh_ || !levels_.empty())
+    if (coarse_ && &finest() == &mesh_ && is_reordered_only())
+      result = reordered(result, *coarse_, mesh_);
+    else if (coarse_)
       result = monitor_.stage(Stage::PROJECTION, Segmentation_visitor::whole_mesh,
                               [&] { return project(std::move(result)); });
     apply_options(result);

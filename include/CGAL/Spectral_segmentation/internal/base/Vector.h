@@ -4,6 +4,8 @@
 #ifndef CGAL_SPECTRAL_SEGMENTATION_INTERNAL_BASE_VECTOR_H
 #define CGAL_SPECTRAL_SEGMENTATION_INTERNAL_BASE_VECTOR_H
 
+#include <CGAL/Spectral_segmentation/internal/base/Index.h>
+
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -38,6 +40,9 @@ public:
   Vector& operator+=(const Vector& v) { return *this = *this + v; }
   Vector& operator-=(const Vector& v) { return *this = *this - v; }
 
+  // Compares lexicographically.
+  friend bool operator<(const Vector& v, const Vector& w)
+  { return std::lexicographical_compare(v.c_, v.c_ + 3, w.c_, w.c_ + 3); }
   friend bool operator==(const Vector& v, const Vector& w)
   { return v.x() == w.x() && v.y() == w.y() && v.z() == w.z(); }
   bool is_zero() const { return *this == Vector(); }
@@ -68,6 +73,22 @@ public:
     return squared > 0 ? *this / (std::sqrt(squared) * scale) : *this;
   }
 };
+
+// Returns a point whose coordinates are rounded to quanta, symmetrically in sign. Midpoints between
+// quanta, which are frequent, stay clear of where the last bit of a coordinate decides.
+inline Vector quantized(const Vector& p)
+{
+  const auto of_coordinate = [](double x)
+  { return std::copysign(std::floor(std::abs(x) / quantum + 0.25) * quantum, x); };
+  return Vector(of_coordinate(p.x()), of_coordinate(p.y()), of_coordinate(p.z()));
+}
+
+// Returns a point whose coordinates are rounded to multiples of `step`.
+inline Vector rounded(const Vector& p, double step)
+{
+  return Vector(std::round(p.x() / step), std::round(p.y() / step), std::round(p.z() / step)) *
+         step;
+}
 
 // The corners of smallest and of largest coordinates of the box around some points.
 struct Bounding_box

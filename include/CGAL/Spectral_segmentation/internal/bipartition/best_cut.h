@@ -130,12 +130,12 @@ class Best_cut
   }
 
 public:
-  Best_cut(Execution execution, const Surface& mesh, const Options& options)
+  Best_cut(const Surface& mesh, const Options& options)
     : options_(options), number_of_faces_(mesh.number_of_faces()),
       minimum_area_(options.minimum_segment_size * total_area(mesh))
   {
     if (options.method == Method::CALIBRATED)
-      context_.emplace(execution, mesh);
+      context_.emplace(mesh);
   }
 
   // Returns the context, which only the calibrated method has.

@@ -75,17 +75,19 @@ struct Refined_mesh
 // it alike, whichever comes first.
 class Longest_edge_bisection
 {
+  static constexpr double units_of_length = 1024; // for the longest edge that is left
+
   struct Edge
   {
-    float squared_length; // rounded, so that equal lengths are equal wherever the mesh lies
+    double length;   // rounded, so that lengths that are equal but for noise are equal
+    Vector ends;     // the sum of the two points, which breaks ties
     Index source, target;
     Index halves = null_index;   // the first of two edges, at the source
     Index halfedge = null_index; // its halfedge in the result, once a face has it
 
     bool operator<(const Edge& other) const
     {
-      return std::tie(squared_length, source, target) <
-             std::tie(other.squared_length, other.source, other.target);
+      return std::tie(length, ends) < std::tie(other.length, other.ends);
     }
   };
 
@@ -98,7 +100,7 @@ class Longest_edge_bisection
   typedef std::array<Side, 3> Sides_of_face; // each begins where the one before ends
 
   const Surface& mesh_;
-  const float bound_; // squared
+  const double bound_;
   std::vector<Edge> edges_;
   Refined_mesh result_;
 
@@ -107,7 +109,8 @@ class Longest_edge_bisection
   Index add_edge(Index source, Index target)
   {
     const Vector &p = points()[source], &q = points()[target];
-    edges_.push_back({static_cast<float>((q - p).squared_norm()), source, target});
+    const double length = std::round((q - p).norm() / bound_ * units_of_length);
+    edges_.push_back({length, p + q, source, target});
     return static_cast<Index>(edges_.size() - 1);
   }
 
@@ -165,7 +168,7 @@ class Longest_edge_bisection
       for (int k : {1, 2})
         if (edges_[sides[i].edge] < edges_[sides[k].edge])
           i = k;
-      if (edges_[sides[i].edge].squared_length <= bound_) {
+      if (edges_[sides[i].edge].length <= units_of_length) {
         add_face(sides, face_of_mesh);
         continue;
       }
@@ -178,7 +181,7 @@ class Longest_edge_bisection
 
 public:
   Longest_edge_bisection(const Surface& mesh, double largest_length)
-    : mesh_(mesh), bound_(static_cast<float>(largest_length * largest_length))
+    : mesh_(mesh), bound_(largest_length)
   { points() = mesh.points; }
 
   Refined_mesh operator()(Execution execution)

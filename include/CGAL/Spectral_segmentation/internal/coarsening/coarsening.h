@@ -5,41 +5,66 @@
 #define CGAL_SPECTRAL_SEGMENTATION_INTERNAL_COARSENING_COARSENING_H
 
 #include <CGAL/Spectral_segmentation/internal/coarsening/Edge_collapse.h>
+#include <CGAL/Spectral_segmentation/internal/coarsening/Vertex_clustering.h>
+#include <CGAL/Spectral_segmentation/internal/surface/geometric_order.h>
+#include <CGAL/Spectral_segmentation/internal/surface/reorder_faces.h>
 
+#include <cmath>
 #include <cstddef>
+#include <numeric>
+#include <utility>
 #include <vector>
 
 namespace CGAL::Spectral_segmentation::internal {
 
-// Coarsens a mesh to at most `number_of_faces` faces, if the topology allows it. If more will do,
-// the faces at the seams of domains may be left as well. `progress_per_face` is the fraction of the
-// phase for each removed face.
-inline Coarse_mesh coarsen(Execution execution, const Surface& mesh,
-                           std::size_t number_of_faces, bool more_will_do, Run_monitor& monitor,
-                           double progress_per_face)
+// Returns the width of the cells of clusters, about half the length of the edges of an even mesh
+// with this number of faces. It has few digits, so that multiples of it are exact. Wider cells
+// make the surface steadier under noise, but the parts worse.
+inline double width_of_cells(double area, std::size_t number_of_faces)
+{ return 0.75 * std::exp2(std::floor(std::log2(area / static_cast<double>(number_of_faces)) / 2)); }
+
+// Puts the faces of a coarse surface in their geometric order.
+inline void order_by_points(Coarse_surface& coarse)
 {
-  Edge_collapse collapse(execution, mesh, monitor, progress_per_face);
-  collapse.collapse_edges(number_of_faces, more_will_do);
-  return collapse.result();
+  const std::vector<Index> order = geometric_order(coarse.graph);
+  const std::vector<Index> number = reorder_faces(coarse.graph, order);
+  std::vector<Index> faces;
+  for (Index f : order)
+    faces.push_back(coarse.faces[f]);
+  coarse.faces = std::move(faces);
+  for (Index& v : coarse.vertices)
+    if (v != null_index)
+      v = number[v];
 }
 
-// Returns coarser and coarser meshes, the first of the mesh, each other one of the mesh before.
-// Each step leaves about a sixteenth of the faces, so that the bands between the sides of cuts stay
-// small parts of each mesh. The bands are as wide as the larger faces.
-inline std::vector<Coarse_mesh> coarsen_in_steps(Execution execution, const Surface& mesh,
-                                                 std::size_t number_of_faces,
-                                                 Run_monitor& monitor)
+// Returns a surface of at most `number_of_faces` faces, if the topology allows it, or of all faces
+// if there are not more. Points of the result are rounded to a twelfth of the cells, so that noise
+// in the points of the surface rarely gets through.
+inline Coarse_surface coarsened(Execution execution, const Surface& mesh,
+                                std::size_t number_of_faces, Run_monitor& monitor)
 {
-  constexpr std::size_t step = 16;
-  std::vector<std::size_t> numbers(1, number_of_faces);
-  while (numbers.back() < mesh.number_of_faces() / (2 * step))
-    numbers.push_back(step * numbers.back());
-  const double progress_per_face =
-    1 / static_cast<double>(mesh.number_of_faces() - number_of_faces);
-  std::vector<Coarse_mesh> result;
-  for (; !numbers.empty(); numbers.pop_back())
-    result.push_back(coarsen(execution, result.empty() ? mesh : result.back().graph,
-                             numbers.back(), numbers.size() > 1, monitor, progress_per_face));
+  const double area = total_area(mesh);
+  const double width = width_of_cells(area > 0 ? area : 1, number_of_faces);
+  Coarse_surface result;
+  if (mesh.number_of_faces() > number_of_faces) {
+    result = Vertex_clustering(mesh, width)();
+    monitor.advance(0.5);
+    monitor.check();
+    Edge_collapse collapse(std::move(result), width / 3, monitor);
+    collapse.collapse_edges(number_of_faces);
+    result = collapse.result();
+  }
+  else {
+    result.graph = mesh;
+    result.faces.resize(mesh.number_of_faces());
+    std::iota(result.faces.begin(), result.faces.end(), Index(0));
+    result.vertices.resize(mesh.points.size());
+    std::iota(result.vertices.begin(), result.vertices.end(), Index(0));
+  }
+  order_by_points(result); // before points become equal
+  for (Vector& p : result.graph.points)
+    p = rounded(p, width / 12);
+  set_areas(execution, result.graph);
   return result;
 }
 

@@ -9,6 +9,7 @@
 
 #include <array>
 #include <cstddef>
+#include <numeric>
 #include <vector>
 
 namespace CGAL::Spectral_segmentation::internal {
@@ -17,13 +18,13 @@ namespace CGAL::Spectral_segmentation::internal {
 // by all coarse faces around the images of its vertices; other faces have no sure side.
 class Cut_projection : private Connected_cut_transfer
 {
-  const Coarse_mesh& coarse_;
+  const Coarse_surface& coarse_;
   std::vector<char> sides_around_; // as bits, one per coarse vertex; 0 between cuts
 
   // Returns the values of the images of the corners.
   template <class Value>
   static std::array<Value, 3> values_at(const std::vector<Value>& of_vertex,
-                                        const Coarse_mesh& coarse, const Corners& corners)
+                                        const Coarse_surface& coarse, const Corners& corners)
   {
     const auto value = [&](Index v) { return of_vertex[coarse.vertices[v]]; };
     return {value(corners[0]), value(corners[1]), value(corners[2])};
@@ -32,7 +33,7 @@ class Cut_projection : private Connected_cut_transfer
   // Returns whether each face may be between the sides of any cut. All may if there might be more
   // cuts, because a cut must not depend on later cuts.
   static std::vector<char> are_between(Execution execution, const Cut_hierarchy& cuts,
-                                       const Coarse_mesh& coarse, const Surface& mesh)
+                                       const Coarse_surface& coarse, const Surface& mesh)
   {
     std::vector<char> result(mesh.number_of_faces(), 1);
     if (!cuts.is_monotonic)
@@ -104,7 +105,7 @@ class Cut_projection : private Connected_cut_transfer
   Index face_of(Index coarse_face) const override { return coarse_.faces[coarse_face]; }
 
 public:
-  Cut_projection(Execution execution, const Cut_hierarchy& cuts, const Coarse_mesh& coarse,
+  Cut_projection(Execution execution, const Cut_hierarchy& cuts, const Coarse_surface& coarse,
                  const Surface& mesh, const Distance_weights& weights, Run_monitor& monitor)
     : Connected_cut_transfer(execution, cuts, mesh, are_between(execution, cuts, coarse, mesh),
                              weights, monitor),
@@ -113,6 +114,28 @@ public:
 
   using Connected_cut_transfer::operator();
 };
+
+// Returns the cuts of a surface that has the same faces in another order.
+inline Cut_hierarchy reordered(const Cut_hierarchy& cuts, const Coarse_surface& other,
+                               const Surface& mesh)
+{
+  std::vector<std::size_t> number(cuts.nodes.size()); // the new index of each node
+  std::iota(number.begin(), number.end(), std::size_t(0));
+  for (Index f = 0; f < other.faces.size(); ++f)
+    number[other.graph.components[f]] = mesh.components[other.faces[f]];
+  Cut_hierarchy result = cuts;
+  for (std::size_t i = 0; i < cuts.nodes.size(); ++i) {
+    Cut_node& n = result.nodes[number[i]];
+    n = cuts.nodes[i];
+    if (n.parent != null_node)
+      n.parent = number[n.parent];
+  }
+  for (std::size_t& node : result.cut_order)
+    node = number[node];
+  for (Index f = 0; f < other.faces.size(); ++f)
+    result.leaf[other.faces[f]] = static_cast<Index>(number[cuts.leaf[f]]);
+  return result;
+}
 
 } // namespace CGAL::Spectral_segmentation::internal
 

@@ -121,7 +121,8 @@ public:
                       const std::vector<std::set<std::size_t> >& leaves)
     : old_(old), regions_(regions), region_of_face_(region_of_face), below_(old.nodes.size())
   {
-    for (Index r = 0; r < leaves.size(); ++r)
+    // A region that lost its only face to a group is no leaf.
+    for (Index r : std::set<Index>(region_of_face.begin(), region_of_face.end()))
       for (std::size_t leaf : leaves[r])
         below_[leaf].insert(r);
   }

@@ -8,7 +8,7 @@
 #include <CGAL/Spectral_segmentation/internal/surface/Surface.h>
 #include <CGAL/Spectral_segmentation/internal/grid/Grid.h>
 #include <CGAL/Spectral_segmentation/internal/grid/Nearest_elements.h>
-#include <CGAL/Spectral_segmentation/internal/surface/Principal_frame.h>
+#include <CGAL/Spectral_segmentation/internal/surface/connected_components.h>
 #include <CGAL/Spectral_segmentation/internal/surface/surface_integrals.h>
 #include <CGAL/Spectral_segmentation/internal/grid/triangle_geometry.h>
 #include <CGAL/Spectral_segmentation/internal/grid/surface_nets.h>
@@ -24,7 +24,7 @@
 namespace CGAL::Spectral_segmentation::internal {
 
 // A closed surface around any set of triangles. It is the boundary of the space that is within a
-// distance of them, or enclosed by such space, on a grid in their principal frame. Components that
+// distance of them, or enclosed by such space, on a grid in their frame. Components that
 // are nearer to each other than twice this distance become one. Cracks, holes, orientations and the
 // inside vanish.
 class Grid_wrap
@@ -48,13 +48,10 @@ class Grid_wrap
 
   void set_points(Execution execution)
   {
-    const Principal_frame frame(execution, mesh_);
-    points_.resize(mesh_.points.size());
-    for_each_index(execution, points_.size(), [&](std::size_t v)
-      { points_[v] = frame.point(mesh_.points[v]); });
+    points_ = mesh_.points;
     const double area = total_area(mesh_);
     const double variance = mean_over_surface<double>(execution, mesh_, area, [&](const Vector& p)
-      { return frame.point(p).squared_norm(); });
+      { return p.squared_norm(); });
     const Bounding_box box(points_);
     cell_ = (std::max)(std::sqrt(variance) / cells_per_deviation,
                        (box.largest - box.smallest).norm() / most_cells);

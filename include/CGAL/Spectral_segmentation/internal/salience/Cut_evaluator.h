@@ -27,8 +27,8 @@ struct Evaluation_context
   double area;
   Support_points support_points;
 
-  Evaluation_context(Execution execution, const Surface& mesh)
-    : area(total_area(mesh)), support_points(execution, mesh) {}
+  explicit Evaluation_context(const Surface& mesh)
+    : area(total_area(mesh)), support_points(mesh) {}
 };
 
 // Computes all factors of cuts of a part, including the factors beyond the paper (Section 6 and

@@ -5,7 +5,7 @@
 #define CGAL_SPECTRAL_SEGMENTATION_INTERNAL_SALIENCE_SUPPORT_POINTS_H
 
 #include <CGAL/Spectral_segmentation/internal/surface/Surface.h>
-#include <CGAL/Spectral_segmentation/internal/surface/Principal_frame.h>
+#include <CGAL/Spectral_segmentation/internal/surface/Surface.h>
 
 #include <CGAL/number_type_config.h>
 
@@ -141,7 +141,7 @@ struct Face_plane
   std::uint8_t direction; // the direction next to the normal
 };
 
-// Finds the support points of sets of faces of a mesh, in its principal frame. It keeps the support
+// Finds the support points of sets of faces of a mesh. It keeps the support
 // points of blocks of successive faces, which are near each other in a mesh in order of locality.
 // Therefore it looks only at the faces of blocks that a set has in part.
 class Support_points
@@ -156,14 +156,14 @@ class Support_points
 
   static Index block(Index f) { return f / faces_per_block; }
 
-  void set_planes(const Surface& mesh, const Principal_frame& frame)
+  void set_planes(const Surface& mesh)
   {
     planes_.reserve(mesh.number_of_faces());
     for (Index f = 0; f < mesh.number_of_faces(); ++f) {
       const Corners& c = mesh.corners[f];
       const Vector &p = mesh.points[c[0]], &q = mesh.points[c[1]], &r = mesh.points[c[2]];
-      const Vector_of_floats normal(frame.vector((q - p).cross(r - p).normalized()));
-      planes_.push_back({Vector_of_floats(frame.point(mesh.centroid(f))), normal,
+      const Vector_of_floats normal((q - p).cross(r - p).normalized());
+      planes_.push_back({Vector_of_floats(mesh.centroid(f)), normal,
                          static_cast<std::uint8_t>(directions::nearest(normal))});
     }
   }
@@ -181,13 +181,12 @@ class Support_points
   }
 
 public:
-  Support_points(Execution execution, const Surface& mesh) : corners_(mesh.corners)
+  explicit Support_points(const Surface& mesh) : corners_(mesh.corners)
   {
-    const Principal_frame frame(execution, mesh);
     points_.reserve(mesh.points.size());
     for (const Vector& p : mesh.points)
-      points_.emplace_back(frame.point(p));
-    set_planes(mesh, frame);
+      points_.emplace_back(p);
+    set_planes(mesh);
     set_blocks();
   }
 

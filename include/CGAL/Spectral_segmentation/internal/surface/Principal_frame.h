@@ -4,46 +4,95 @@
 #ifndef CGAL_SPECTRAL_SEGMENTATION_INTERNAL_SURFACE_PRINCIPAL_FRAME_H
 #define CGAL_SPECTRAL_SEGMENTATION_INTERNAL_SURFACE_PRINCIPAL_FRAME_H
 
-#include <CGAL/Spectral_segmentation/internal/surface/Surface.h>
 #include <CGAL/Spectral_segmentation/internal/base/Symmetric_matrix.h>
 #include <CGAL/Spectral_segmentation/internal/surface/surface_integrals.h>
 
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <utility>
+
 namespace CGAL::Spectral_segmentation::internal {
 
-// A coordinate frame that moves with the mesh: its center and its principal axes. The first two
-// axes point to the sides on which the points are spread farther; the third makes the frame
-// right-handed.
+// A coordinate frame that moves with a surface whose area is not 0: its center and its principal
+// axes, the least variance first. If two variances are nearly equal, the principal axes would turn
+// with the slightest noise, and the frame takes the axes of the input. Each axis points to the side
+// on which the points are spread farther. Therefore the frame of a mirrored surface is mirrored. If
+// both sides look alike, noise must not decide, and the axis points along one of the input.
 class Principal_frame
 {
+  static constexpr double nearly_equal = 0.95; // the ratio of two variances
+  static constexpr double least_skewness = 1e-3;
+
   Vector center_;
   Vector axes_[3] = {{1, 0, 0}, {0, 1, 0}, {0, 0, 1}};
 
-public:
-  Principal_frame(Execution execution, const Surface& mesh)
+  void set_axes(const Symmetric_matrix& covariance)
   {
-    const double area = total_area(mesh);
-    if (!(area > 0))
+    const Eigen_solver solver(covariance);
+    if (solver.eigenvalue(0) < nearly_equal * solver.eigenvalue(1) &&
+        solver.eigenvalue(1) < nearly_equal * solver.eigenvalue(2)) {
+      solver.set_eigenvectors(axes_[0], axes_[1]);
+      axes_[2] = axes_[0].cross(axes_[1]);
       return;
-    center_ = center_of(execution, mesh, area);
-    const Symmetric_matrix covariance =
-      mean_over_surface<Symmetric_matrix>(execution, mesh, area, [&](const Vector& p)
-        { return Symmetric_matrix::square(p - center_); });
-    Eigen_solver(covariance).set_eigenvectors(axes_[0], axes_[1]);
-    const Vector skewness =
-      mean_over_surface<Vector>(execution, mesh, area, [&](const Vector& p) {
-        const Vector q = point(p);
-        return Vector(q.x() * q.x() * q.x(), q.y() * q.y() * q.y(), q.z() * q.z() * q.z());
-      });
-    for (int i = 0; i < 2; ++i)
-      if (skewness[i] < 0)
-        axes_[i] = -axes_[i];
-    axes_[2] = axes_[0].cross(axes_[1]);
+    }
+    // The order of the variances does not depend on rounding, nor on the names of the axes.
+    const double share = quantum * covariance.trace();
+    std::stable_sort(axes_, axes_ + 3, [&](const Vector& a, const Vector& b) {
+      return std::floor((covariance * a).dot(a) / share) <
+             std::floor((covariance * b).dot(b) / share);
+    });
   }
 
-  Vector point(const Vector& p) const { return vector(p - center_); }
-  Vector vector(const Vector& v) const
-  { return {axes_[0].dot(v), axes_[1].dot(v), axes_[2].dot(v)}; }
+public:
+  Principal_frame(Execution execution, const Surface& surface)
+  {
+    const double area = total_area(surface);
+    center_ = center_of(execution, surface, area);
+    set_axes(mean_over_surface<Symmetric_matrix>(execution, surface, area, [&](const Vector& p)
+      { return Symmetric_matrix::square(p - center_); }));
+    for (Vector& axis : axes_) {
+      const auto moment = [&](int order) {
+        return mean_over_surface<double>(execution, surface, area, [&](const Vector& p)
+          { return std::pow(axis.dot(p - center_), order); });
+      };
+      const double skewness = moment(3) / std::pow(moment(2), 1.5); // NaN if the surface is flat
+      const Vector positive(std::abs(axis.x()), std::abs(axis.y()), std::abs(axis.z()));
+      const bool is_reversed = std::abs(skewness) >= least_skewness
+        ? skewness < 0
+        : positive.largest_coordinate() > (std::max)({axis.x(), axis.y(), axis.z()});
+      if (is_reversed)
+        axis = -axis;
+    }
+  }
+
+  bool is_left_handed() const { return axes_[0].cross(axes_[1]).dot(axes_[2]) < 0; }
+
+  Vector point(const Vector& p) const
+  {
+    const Vector v = p - center_;
+    return {axes_[0].dot(v), axes_[1].dot(v), axes_[2].dot(v)};
+  }
 };
+
+// Moves a surface into its frame, scales it to area 1, and rounds its points to whole quanta. What
+// is computed from the points afterwards depends neither on the place, the unit and the handedness
+// of the surface, nor on the last bits of its points. Returns the length of 1 in the old unit.
+// A surface without area stays as it is.
+inline double move_to_frame(Execution execution, Surface& surface)
+{
+  const double area = total_area(surface), unit = std::sqrt(area);
+  if (!(area > 0))
+    return 1;
+  const Principal_frame frame(execution, surface);
+  for_each_index(execution, surface.points.size(), [&](std::size_t v)
+    { surface.points[v] = quantized(frame.point(surface.points[v]) / unit); });
+  for (double& of_face : surface.areas)
+    of_face /= area;
+  if (frame.is_left_handed())
+    reverse_orientation(surface);
+  return unit;
+}
 
 } // namespace CGAL::Spectral_segmentation::internal
 

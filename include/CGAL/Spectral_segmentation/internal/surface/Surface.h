@@ -16,6 +16,7 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
+#include <functional>
 #include <numeric>
 #include <utility>
 #include <vector>
@@ -145,14 +146,23 @@ void renumber_halfedges(Surface& surface, const Place& place)
   surface.opposite = std::move(opposite);
 }
 
-// Rotates each face to start at its smallest vertex, so that all models of a mesh give equal
-// arrays.
-inline void start_at_smallest_vertices(Surface& surface)
+// Turns all faces around.
+inline void reverse_orientation(Surface& surface)
+{
+  for (Corners& c : surface.corners)
+    std::swap(c[1], c[2]);
+  renumber_halfedges(surface, [](Index h) { return h - h % 3 + (2 - h % 3); });
+}
+
+// Rotates each face to start at its smallest vertex in an order, so that all models of a mesh give
+// equal arrays.
+template <class IsLess = std::less<Index> >
+void start_at_smallest_vertices(Surface& surface, const IsLess& is_less = IsLess())
 {
   std::vector<unsigned char> shift;
   shift.reserve(surface.number_of_faces());
   for (Corners& c : surface.corners) {
-    const auto smallest = std::min_element(c.begin(), c.end());
+    const auto smallest = std::min_element(c.begin(), c.end(), is_less);
     shift.push_back(static_cast<unsigned char>(c.end() - smallest));
     std::rotate(c.begin(), smallest, c.end());
   }

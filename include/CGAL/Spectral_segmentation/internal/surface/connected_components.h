@@ -52,6 +52,19 @@ public:
   std::size_t number() const { return number_; }
 };
 
+// Numbers components by their first faces.
+inline void number_by_first_faces(Components& components)
+{
+  std::vector<Index> number(components.number, null_index);
+  Index next = 0;
+  for (Index& component : components.of_face) {
+    Index& of_component = number[component];
+    if (of_component == null_index)
+      of_component = next++;
+    component = of_component;
+  }
+}
+
 // Returns the connected components. If there are labels, neighbors are connected only if their
 // labels are equal. This takes a fifth of the time of BGL's depth-first search.
 template <class Label = char>
@@ -66,15 +79,11 @@ Components connected_components(const Surface& surface, const std::vector<Label>
     if (f < g && (label.empty() || label[f] == label[g]))
       sets.join(f, g);
   }
-  Components result{sets.number(), std::vector<Index>(n)};
-  std::vector<Index> number(n, null_index); // one per representative
-  Index next = 0;
-  for (Index f = 0; f < n; ++f) {
-    Index& component = number[sets.representative(f)];
-    if (component == null_index)
-      component = next++;
-    result.of_face[f] = component;
-  }
+  Components result{n, std::vector<Index>(n)};
+  for (Index f = 0; f < n; ++f)
+    result.of_face[f] = sets.representative(f);
+  number_by_first_faces(result);
+  result.number = sets.number();
   if (result.number == 1)
     result.of_face.clear();
   return result;

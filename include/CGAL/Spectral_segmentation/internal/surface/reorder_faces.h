@@ -5,7 +5,7 @@
 #define CGAL_SPECTRAL_SEGMENTATION_INTERNAL_SURFACE_REORDER_FACES_H
 
 #include <CGAL/Spectral_segmentation/internal/base/prefetch.h>
-#include <CGAL/Spectral_segmentation/internal/surface/Surface.h>
+#include <CGAL/Spectral_segmentation/internal/surface/connected_components.h>
 
 #include <algorithm>
 #include <array>
@@ -62,9 +62,10 @@ inline std::vector<Index> locality_order(const Surface& surface)
   return order;
 }
 
-// Puts the faces in an order, and numbers the vertices in the order in which faces use them, so
+// Puts the faces in an order. Numbers the vertices in the order in which faces use them, so
 // that the vertices of faces near in order are near in memory. Removes vertices without a face.
-inline void reorder_faces(Surface& surface, const std::vector<Index>& order)
+// Returns the new index of each vertex, or null_index.
+inline std::vector<Index> reorder_faces(Surface& surface, const std::vector<Index>& order)
 {
   std::vector<Index> face(order.size()), vertex(surface.points.size(), null_index);
   for (Index i = 0; i < order.size(); ++i)
@@ -72,6 +73,7 @@ inline void reorder_faces(Surface& surface, const std::vector<Index>& order)
   renumber_halfedges(surface, [&](Index h) { return 3 * face[h / 3] + h % 3; });
   std::vector<Corners> corners;
   std::vector<Vector> points;
+  std::vector<double> areas;
   std::vector<Index> component;
   corners.reserve(order.size());
   points.reserve(surface.points.size());
@@ -84,12 +86,17 @@ inline void reorder_faces(Surface& surface, const std::vector<Index>& order)
       }
       v = vertex[v];
     }
+    if (!surface.areas.empty())
+      areas.push_back(surface.areas[f]);
     if (surface.components.number > 1)
       component.push_back(surface.components[f]);
   }
   surface.corners = std::move(corners);
   surface.points = std::move(points);
+  surface.areas = std::move(areas);
   surface.components.of_face = std::move(component);
+  number_by_first_faces(surface.components);
+  return vertex;
 }
 
 } // namespace CGAL::Spectral_segmentation::internal
