@@ -33,11 +33,23 @@ using internal::Vector;
 
 namespace {
 
+// The last surface, with the faces and vertices of the mesh that was given.
 Coarse_surface coarsen(const Surface& mesh, std::size_t number_of_faces)
 {
   internal::Run_control control;
   internal::Run_monitor monitor(control);
-  return internal::coarsened(sequential, mesh, number_of_faces, monitor);
+  std::vector<Coarse_surface> levels =
+    internal::coarsened(sequential, mesh, number_of_faces, monitor);
+  Coarse_surface result = levels.back();
+  for (std::size_t i = levels.size() - 1; i-- > 0;) {
+    for (Index& f : result.faces)
+      f = levels[i].faces[f];
+    std::vector<Index> vertices;
+    for (Index v : levels[i].vertices)
+      vertices.push_back(result.vertices[v]);
+    result.vertices = vertices;
+  }
+  return result;
 }
 
 // The surface in its frame, as in a run.

@@ -48,7 +48,7 @@ const double infinity = std::numeric_limits<double>::infinity();
 struct Run
 {
   Surface mesh;
-  internal::Coarse_surface coarse;
+  std::vector<internal::Coarse_surface> levels;
   Segmentation_hierarchy searched, whole;
 
   // Once the search is done, the caller may stop the run.
@@ -59,8 +59,8 @@ struct Run
     internal::Run_control control;
     internal::Run_monitor monitor(control);
     internal::move_to_frame(sequential, mesh);
-    coarse = internal::coarsened(sequential, mesh, number_of_coarse_faces, monitor);
-    Surface coarsest = coarse.graph;
+    levels = internal::coarsened(sequential, mesh, number_of_coarse_faces, monitor);
+    Surface coarsest = levels.back().graph;
     set_face_distances(coarsest, weights_of_calibrated_method);
     const internal::Best_cut best_cut(coarsest, options);
     const internal::Cut_hierarchy regions =
@@ -76,8 +76,11 @@ struct Run
     } stopping_control;
     internal::Run_monitor stopped_monitor(stopping_control);
     stopped_monitor.go_further();
-    cuts = internal::Cut_projection(sequential, cuts, coarse, mesh, weights_of_calibrated_method,
-                                    is_stopped ? stopped_monitor : monitor)();
+    for (std::size_t i = levels.size(); i-- > 0;)
+      cuts = internal::Cut_projection(sequential, cuts, levels[i],
+                                      i > 0 ? levels[i - 1].graph : mesh,
+                                      weights_of_calibrated_method,
+                                      is_stopped ? stopped_monitor : monitor)();
     whole = Segmentation_hierarchy(std::move(cuts), CGAL::Spectral_segmentation::unlimited,
                                    options.salience_threshold);
   }
@@ -126,7 +129,7 @@ BOOST_AUTO_TEST_CASE(the_cuts_are_those_of_the_coarse_mesh)
       BOOST_TEST(same.factors.cut_strength == cut.factors.cut_strength);
       BOOST_TEST(all.node(same.children[0]).area <= all.node(same.children[1]).area);
       // The coarse mesh has nearly the same areas.
-      BOOST_TEST(std::abs(same.area - cut.area) < 0.08 * all.node(0).area);
+      BOOST_TEST(std::abs(same.area - cut.area) < 0.1 * all.node(0).area);
     }
   }
 }
@@ -134,7 +137,7 @@ BOOST_AUTO_TEST_CASE(the_cuts_are_those_of_the_coarse_mesh)
 BOOST_AUTO_TEST_CASE(faces_far_from_all_cuts_are_where_the_coarse_mesh_has_them)
 {
   const Run run(fine_dumbbell(), 1500);
-  const internal::Coarse_surface& coarse = run.coarse;
+  const internal::Coarse_surface &clusters = run.levels.front(), &coarse = run.levels.back();
   const std::vector<std::size_t> few = leaves(run.searched), all = leaves(run.whole);
   std::vector<std::set<std::size_t> > of_vertex(coarse.graph.points.size());
   for (std::size_t f = 0; f < few.size(); ++f)
@@ -145,9 +148,10 @@ BOOST_AUTO_TEST_CASE(faces_far_from_all_cuts_are_where_the_coarse_mesh_has_them)
   std::size_t number_of_far = 0;
   for (std::size_t f = 0; f < all.size(); ++f) {
     std::set<std::size_t> around;
-    for (Index v : run.mesh.corners[f])
-      around.insert(of_vertex[coarse.vertices[v]].begin(),
-                    of_vertex[coarse.vertices[v]].end());
+    for (Index v : run.mesh.corners[f]) {
+      const std::set<std::size_t>& leaves = of_vertex[coarse.vertices[clusters.vertices[v]]];
+      around.insert(leaves.begin(), leaves.end());
+    }
     if (around.size() == 1) {
       ++number_of_far;
       ++number_of_faces[*around.begin()][all[f]];
@@ -157,14 +161,13 @@ BOOST_AUTO_TEST_CASE(faces_far_from_all_cuts_are_where_the_coarse_mesh_has_them)
   std::set<std::size_t> matches;
   std::size_t number_of_matched = 0;
   for (const auto& [leaf, numbers] : number_of_faces) {
-    if (numbers.size() == 1 && numbers.begin()->second < 50) // a few faces of a leaf that is cut up
-      continue;
     const auto match = std::max_element(numbers.begin(), numbers.end(),
       [](const auto& a, const auto& b) { return a.second < b.second; });
-    BOOST_TEST(matches.insert(match->first).second);
+    if (match->second > all.size() / 50)
+      BOOST_TEST(matches.insert(match->first).second);
     number_of_matched += match->second;
   }
-  BOOST_TEST(double(number_of_matched) > 0.98 * double(number_of_far));
+  BOOST_TEST(double(number_of_matched) > 0.97 * double(number_of_far));
 }
 
 BOOST_AUTO_TEST_CASE(the_neck_is_cut_along_its_shortest_ring)

@@ -54,7 +54,7 @@ class Run
   std::vector<Index> face_;         // the face of the mesh for each of the caller's faces
   Refined_mesh refined_;            // empty if the edges of the mesh are short enough
   std::optional<Grid_wrap> wrap_;   // the wrap of a mesh of several components
-  std::optional<Coarse_surface> coarse_; // the surface on which cuts are searched, if another
+  std::vector<Coarse_surface> levels_; // each coarser than the one before; the last is searched
   std::vector<Index> neighbors_;    // the caller's indices, if boundaries shall be smoothed
   Constraint_groups groups_;        // empty without constraints
 
@@ -79,15 +79,24 @@ class Run
     mesh_.components = connected_components(mesh_);
   }
 
-  // Puts the faces in an order of locality. If components may be wrapped together, the order must
-  // not depend on the caller's order, because the wrap takes the first of equally near faces.
+  // Returns the order in which faces are kept; empty for the order of the caller. A mesh that is
+  // wrapped gets an order of its own, because the wrap takes the first of equally near faces. A
+  // mesh that is only coarsened needs no order, because its coarse surface is put in one.
+  std::vector<Index> order_of_faces()
+  {
+    if (is_searched_itself())
+      return locality_order(mesh_);
+    const bool may_be_wrapped = !options_.keep_components_separate && mesh_.components.number > 1;
+    if (may_be_wrapped || options_.number_of_coarse_faces == 0)
+      return geometric_order(mesh_);
+    return {};
+  }
+
   void order_faces()
   {
-    const bool may_be_wrapped = !options_.keep_components_separate && mesh_.components.number > 1;
-    const std::vector<Index> order =
-      may_be_wrapped ? geometric_order(mesh_) : locality_order(mesh_);
+    const std::vector<Index> order = order_of_faces();
     monitor_.advance(0.3);
-    if (!monitor_.go_further())
+    if (order.empty() || !monitor_.go_further())
       return;
     reorder_faces(mesh_, order);
     std::vector<Index> number(order.size());
@@ -224,9 +233,9 @@ class Run
       wrap();
     if (!wrap_)
       refine();
-    coarse_ = coarsened(execution_, finest(),
+    levels_ = coarsened(execution_, finest(),
                         faces_to_search(options_, finest().number_of_faces()), monitor_);
-    Surface result = coarse_->graph;
+    Surface result = levels_.back().graph;
     set_weights(result, result.points);
     return result;
   }
@@ -246,8 +255,8 @@ class Run
       compose(wrap_->nearest_faces());
     if (!refined_.faces.empty())
       compose(refined_.faces);
-    if (coarse_)
-      compose(coarse_->faces);
+    for (const Coarse_surface& level : levels_)
+      compose(level.faces);
     return result;
   }
 
@@ -267,16 +276,18 @@ class Run
   }
 
   bool is_reordered_only() const
-  { return coarse_->faces.size() == finest().number_of_faces(); }
+  { return levels_.back().faces.size() == finest().number_of_faces(); }
 
   Cut_hierarchy project(Cut_hierarchy hierarchy)
   {
     const Distance_weights weights = distance_weights();
-    if (!is_reordered_only())
-      hierarchy = Cut_projection(execution_, hierarchy, *coarse_, finest(), weights, monitor_)();
-    else
-      hierarchy = reordered(hierarchy, *coarse_, finest());
-    coarse_.reset();
+    if (is_reordered_only()) {
+      hierarchy = reordered(hierarchy, levels_.back(), finest());
+      levels_.clear();
+    }
+    for (std::size_t i = levels_.size(); i-- > 0; levels_.pop_back())
+      hierarchy = Cut_projection(execution_, hierarchy, levels_[i],
+                                 i > 0 ? levels_[i - 1].graph : finest(), weights, monitor_)();
     if (wrap_)
       hierarchy = Wrap_restriction(hierarchy, *wrap_, mesh_, monitor_)();
     if (!refined_.faces.empty())
@@ -365,15 +376,15 @@ public:
       result = search(std::move(searched));
     }
     catch (const Run_stopped&) { // before there was a cut
-      coarse_.reset();
+      levels_.clear();
       refined_ = Refined_mesh();
       wrap_.reset();
       result = uncut_hierarchy(mesh_);
     }
     monitor_.start_phase(1);
-    if (coarse_ && &finest() == &mesh_ && is_reordered_only())
-      result = reordered(result, *coarse_, mesh_);
-    else if (coarse_)
+    if (!levels_.empty() && &finest() == &mesh_ && is_reordered_only())
+      result = reordered(result, levels_.back(), mesh_);
+    else if (!levels_.empty())
       result = monitor_.stage(Stage::PROJECTION, Segmentation_visitor::whole_mesh,
                               [&] { return project(std::move(result)); });
     apply_options(result);

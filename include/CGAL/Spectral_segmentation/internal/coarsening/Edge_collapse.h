@@ -41,7 +41,6 @@ class Edge_collapse : private Surface
   std::vector<Vector> rounded_;  // the positions that decide; after a collapse a middle
   std::vector<Index> became_;    // the vertex that each vertex was joined to, or itself
   std::vector<char> is_fixed_;   // vertices that stay as they are
-  std::vector<Index> faces_, vertices_; // those of the coarse surface that was given
 
   static constexpr std::size_t tries_between_checks = 1 << 12; // a few milliseconds
   static constexpr double smallest_cosine = 0.3; // between a normal before and after a collapse
@@ -238,10 +237,8 @@ class Edge_collapse : private Surface
   }
 
 public:
-  Edge_collapse(Coarse_surface mesh, double step_of_rounding, Run_monitor& monitor)
-    : Surface(std::move(mesh.graph)), monitor_(monitor), became_(points.size()),
-      is_fixed_(points.size(), 0), faces_(std::move(mesh.faces)),
-      vertices_(std::move(mesh.vertices))
+  Edge_collapse(const Surface& mesh, double step_of_rounding, Run_monitor& monitor)
+    : Surface(mesh), monitor_(monitor), became_(points.size()), is_fixed_(points.size(), 0)
   {
     for (const Vector& p : points)
       rounded_.push_back(rounded(p, step_of_rounding));
@@ -295,13 +292,11 @@ public:
     Coarse_surface result;
     Surface& graph = result.graph;
     std::vector<Index> new_vertex(points.size(), null_index), new_face(number_of_faces());
-    std::vector<Index> left;
     for (Index f = 0; f < number_of_faces(); ++f) {
       if (is_gone(f))
         continue;
-      new_face[f] = static_cast<Index>(left.size());
-      left.push_back(f);
-      result.faces.push_back(faces_[f]);
+      new_face[f] = static_cast<Index>(result.faces.size());
+      result.faces.push_back(f);
       if (components.number > 1)
         graph.components.of_face.push_back(components[f]);
       for (Index v : corners[f])
@@ -311,7 +306,7 @@ public:
         }
     }
     graph.components.number = components.number;
-    for (Index f : left) {
+    for (Index f : result.faces) {
       const Corners& c = corners[f];
       graph.corners.push_back({new_vertex[c[0]], new_vertex[c[1]], new_vertex[c[2]]});
       for (Index h = 3 * f; h < 3 * f + 3; ++h)
@@ -322,10 +317,8 @@ public:
       Index last = v;
       while (became_[last] != last)
         last = became_[last] = became_[became_[last]];
-      new_vertex[v] = new_vertex[last];
+      result.vertices.push_back(new_vertex[last]);
     }
-    for (Index v : vertices_)
-      result.vertices.push_back(v == null_index ? v : new_vertex[v]);
     return result;
   }
 };

@@ -37,34 +37,42 @@ inline void order_by_points(Coarse_surface& coarse)
       v = number[v];
 }
 
-// Returns a surface of at most `number_of_faces` faces, if the topology allows it, or of all faces
-// if there are not more. Points of the result are rounded to a twelfth of the cells, so that noise
-// in the points of the surface rarely gets through.
-inline Coarse_surface coarsened(Execution execution, const Surface& mesh,
-                                std::size_t number_of_faces, Run_monitor& monitor)
+// Returns the surface itself as a coarse surface.
+inline Coarse_surface not_coarsened(const Surface& mesh)
+{
+  Coarse_surface result{mesh, std::vector<Index>(mesh.number_of_faces()),
+                        std::vector<Index>(mesh.points.size())};
+  std::iota(result.faces.begin(), result.faces.end(), Index(0));
+  std::iota(result.vertices.begin(), result.vertices.end(), Index(0));
+  return result;
+}
+
+// Returns the surfaces on the way to at most `number_of_faces` faces, each made from the one before,
+// by clusters, then by collapses of edges. If there are not more faces, the only one has them all.
+// Cuts are carried back over both, so that the bands around cuts in the given surface are narrow.
+// Points of the last surface are rounded to a twelfth of the cells, so that noise in the points of
+// the given surface rarely gets through.
+inline std::vector<Coarse_surface> coarsened(Execution execution, const Surface& mesh,
+                                             std::size_t number_of_faces, Run_monitor& monitor)
 {
   const double area = total_area(mesh);
   const double width = width_of_cells(area > 0 ? area : 1, number_of_faces);
-  Coarse_surface result;
+  std::vector<Coarse_surface> result;
   if (mesh.number_of_faces() > number_of_faces) {
-    result = Vertex_clustering(mesh, width)();
+    result.push_back(Vertex_clustering(mesh, width)());
+    set_areas(execution, result.back().graph);
     monitor.advance(0.5);
     monitor.check();
-    Edge_collapse collapse(std::move(result), width / 3, monitor);
+    Edge_collapse collapse(result.back().graph, width / 3, monitor);
     collapse.collapse_edges(number_of_faces);
-    result = collapse.result();
+    result.push_back(collapse.result());
   }
-  else {
-    result.graph = mesh;
-    result.faces.resize(mesh.number_of_faces());
-    std::iota(result.faces.begin(), result.faces.end(), Index(0));
-    result.vertices.resize(mesh.points.size());
-    std::iota(result.vertices.begin(), result.vertices.end(), Index(0));
-  }
-  order_by_points(result); // before points become equal
-  for (Vector& p : result.graph.points)
+  else
+    result.push_back(not_coarsened(mesh));
+  order_by_points(result.back()); // before points become equal
+  for (Vector& p : result.back().graph.points)
     p = rounded(p, width / 12);
-  set_areas(execution, result.graph);
+  set_areas(execution, result.back().graph);
   return result;
 }
 

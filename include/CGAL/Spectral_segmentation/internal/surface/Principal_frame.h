@@ -44,26 +44,35 @@ class Principal_frame
     });
   }
 
+  void set_directions(const Symmetric_matrix& covariance, const Vector& third_moments)
+  {
+    for (int i = 0; i < 3; ++i) {
+      Vector& axis = axes_[i];
+      const double variance = (covariance * axis).dot(axis);
+      const double skewness = third_moments[i] / (variance * std::sqrt(variance)); // maybe NaN
+      const double largest = (std::max)({std::abs(axis.x()), std::abs(axis.y()),
+                                         std::abs(axis.z())});
+      const bool is_reversed = std::abs(skewness) >= least_skewness
+        ? skewness < 0 : largest > axis.largest_coordinate();
+      if (is_reversed)
+        axis = -axis;
+    }
+  }
+
 public:
   Principal_frame(Execution execution, const Surface& surface)
   {
     const double area = total_area(surface);
     center_ = center_of(execution, surface, area);
-    set_axes(mean_over_surface<Symmetric_matrix>(execution, surface, area, [&](const Vector& p)
-      { return Symmetric_matrix::square(p - center_); }));
-    for (Vector& axis : axes_) {
-      const auto moment = [&](int order) {
-        return mean_over_surface<double>(execution, surface, area, [&](const Vector& p)
-          { return std::pow(axis.dot(p - center_), order); });
-      };
-      const double skewness = moment(3) / std::pow(moment(2), 1.5); // NaN if the surface is flat
-      const Vector positive(std::abs(axis.x()), std::abs(axis.y()), std::abs(axis.z()));
-      const bool is_reversed = std::abs(skewness) >= least_skewness
-        ? skewness < 0
-        : positive.largest_coordinate() > (std::max)({axis.x(), axis.y(), axis.z()});
-      if (is_reversed)
-        axis = -axis;
-    }
+    const Symmetric_matrix covariance =
+      mean_over_surface<Symmetric_matrix>(execution, surface, area, [&](const Vector& p)
+        { return Symmetric_matrix::square(p - center_); });
+    set_axes(covariance);
+    set_directions(covariance,
+      mean_over_surface<Vector>(execution, surface, area, [&](const Vector& p) {
+        const Vector q = point(p);
+        return Vector(q.x() * q.x() * q.x(), q.y() * q.y() * q.y(), q.z() * q.z() * q.z());
+      }));
   }
 
   bool is_left_handed() const { return axes_[0].cross(axes_[1]).dot(axes_[2]) < 0; }
