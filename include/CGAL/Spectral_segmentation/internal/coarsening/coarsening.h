@@ -47,8 +47,8 @@ inline Coarse_surface not_coarsened(const Surface& mesh)
   return result;
 }
 
-// Returns the surfaces on the way to at most `number_of_faces` faces, each made from the last one, by
-// clusters, then by collapses of edges. If there are not more faces, the only one has them all.
+// Returns the surfaces on the way to at most `number_of_faces` faces, each made from the last one:
+// by clusters, then by collapses of edges. If there are not more faces, the only surface has all.
 // Cuts are carried back over both, so that the bands around cuts in the given surface are narrow.
 // Points of the last surface are rounded to a twelfth of the cells, so that noise in the points of
 // the given surface rarely gets through.
