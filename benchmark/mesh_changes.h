@@ -10,6 +10,7 @@
 #include <CGAL/AABB_tree.h>
 #include <CGAL/Aff_transformation_3.h>
 #include <CGAL/Polygon_mesh_processing/bbox.h>
+#include <CGAL/Polygon_mesh_processing/orientation.h>
 #include <CGAL/Polygon_mesh_processing/transform.h>
 #include <CGAL/Random.h>
 #include <CGAL/Surface_mesh_simplification/edge_collapse.h>
@@ -90,6 +91,50 @@ inline Changed_mesh moved_rigidly(const Mesh& mesh, CGAL::Random& random)
                                        r(1, 0), r(1, 1), r(1, 2), t.y(),
                                        r(2, 0), r(2, 1), r(2, 2), t.z()), result.mesh);
   return result;
+}
+
+// Returns the mesh with `function(p)` in place of each point p.
+template <class Function>
+Changed_mesh with_points(const Mesh& mesh, const Function& function)
+{
+  Changed_mesh result = with_same_faces(mesh);
+  for (Mesh::Vertex_index v : mesh.vertices())
+    result.mesh.point(v) = function(mesh.point(v));
+  return result;
+}
+
+inline Changed_mesh scaled(const Mesh& mesh, double factor)
+{
+  return with_points(mesh, [factor](const Kernel::Point_3& p)
+    { return Kernel::Point_3(factor * p.x(), factor * p.y(), factor * p.z()); });
+}
+
+inline Changed_mesh shifted(const Mesh& mesh, CGAL::Random&)
+{
+  const Kernel::Vector_3 shift = diagonal(mesh) * Kernel::Vector_3(3.7, -1.3, 0.77);
+  return with_points(mesh, [&](const Kernel::Point_3& p) { return p + shift; });
+}
+
+inline Changed_mesh with_exchanged_axes(const Mesh& mesh, CGAL::Random&)
+{
+  return with_points(mesh, [](const Kernel::Point_3& p)
+    { return Kernel::Point_3(p.y(), p.z(), p.x()); });
+}
+
+inline Changed_mesh mirrored(const Mesh& mesh, CGAL::Random&)
+{
+  Changed_mesh result = with_points(mesh, [](const Kernel::Point_3& p)
+    { return Kernel::Point_3(-p.x(), p.y(), p.z()); });
+  CGAL::Polygon_mesh_processing::reverse_face_orientations(result.mesh);
+  return result;
+}
+
+inline Changed_mesh in_single_precision(const Mesh& mesh, CGAL::Random&)
+{
+  return with_points(mesh, [](const Kernel::Point_3& p) {
+    return Kernel::Point_3(static_cast<float>(p.x()), static_cast<float>(p.y()),
+                           static_cast<float>(p.z()));
+  });
 }
 
 inline std::vector<std::size_t> random_order(std::size_t n, CGAL::Random& random)
@@ -179,8 +224,16 @@ inline Changed_mesh decimated(const Mesh& mesh, std::size_t number_of_edges)
 inline const std::vector<Mesh_change>& mesh_changes()
 {
   static const std::vector<Mesh_change> changes = {
-    {"moved rigidly", moved_rigidly},
+    {"unit x 25.4", [](const Mesh& m, CGAL::Random&) { return scaled(m, 25.4); }},
+    {"unit x 0.001", [](const Mesh& m, CGAL::Random&) { return scaled(m, 0.001); }},
+    {"shifted", shifted},
+    {"axes exchanged", with_exchanged_axes},
     {"renumbered", renumbered},
+    {"mirrored", mirrored},
+    {"moved rigidly", moved_rigidly},
+    {"float32", in_single_precision},
+    {"noise 1e-7", [](const Mesh& m, CGAL::Random& r) { return with_noise(m, r, 1e-7); }},
+    {"noise 1e-5", [](const Mesh& m, CGAL::Random& r) { return with_noise(m, r, 1e-5); }},
     {"noise 0.1 %", [](const Mesh& m, CGAL::Random& r) { return with_noise(m, r, 0.001); }},
     {"noise 0.5 %", [](const Mesh& m, CGAL::Random& r) { return with_noise(m, r, 0.005); }},
     {"subdivided", [](const Mesh& m, CGAL::Random&) { return subdivided(m); }},

@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 /// \file
-/// Rand distance between the result on a mesh and on the same mesh after a change that leaves its
-/// shape as it is, or nearly so.
+/// Rand distance and agreement between the result on a mesh and on the same mesh after a change that
+/// leaves its shape as it is, or nearly so.
 
 #include "for_each_mesh.h"
 #include "mesh_changes.h"
@@ -16,7 +16,10 @@
 #include <cstddef>
 #include <cstdio>
 #include <filesystem>
+#include <map>
+#include <set>
 #include <string>
+#include <utility>
 #include <vector>
 
 using namespace segmentation_benchmark;
@@ -30,23 +33,52 @@ struct Options
   std::size_t threads = 1;
 };
 
-// The distances of one method under one change.
-struct Distances
+// What one change does to one mesh.
+struct Effect
 {
-  Mean mean, identical;
-  double largest = 0;
+  double rand_distance, agreement;
+};
+
+// The effects of one change on all meshes.
+struct Effects
+{
+  Mean rand_distance, agreement, is_identical;
+  double least_agreement = 1;
   std::string worst;
 
-  void add(double distance, const std::string& name)
+  void add(const Effect& e, const std::string& name)
   {
-    mean.add(distance);
-    identical.add(distance == 0);
-    if (distance > largest) {
-      largest = distance;
+    rand_distance.add(e.rand_distance);
+    agreement.add(e.agreement);
+    is_identical.add(e.agreement == 1);
+    if (e.agreement < least_agreement) {
+      least_agreement = e.agreement;
       worst = name;
     }
   }
 };
+
+// Returns the share of faces with the same label, after the labels were matched, those with most
+// faces in common first.
+double agreement(const Labels& a, const Labels& b)
+{
+  std::map<std::pair<std::size_t, std::size_t>, std::size_t> common;
+  for (std::size_t f = 0; f < a.size(); ++f)
+    ++common[{a[f], b[f]}];
+  std::vector<std::pair<std::size_t, std::pair<std::size_t, std::size_t> > > pairs;
+  for (const auto& [labels, number] : common)
+    pairs.push_back({number, labels});
+  std::sort(pairs.rbegin(), pairs.rend());
+  std::set<std::size_t> matched[2];
+  std::size_t result = 0;
+  for (const auto& [number, labels] : pairs)
+    if (matched[0].count(labels.first) == 0 && matched[1].count(labels.second) == 0) {
+      matched[0].insert(labels.first);
+      matched[1].insert(labels.second);
+      result += number;
+    }
+  return static_cast<double>(result) / static_cast<double>(a.size());
+}
 
 void add_options(CLI::App& app, Options& o)
 {
@@ -75,46 +107,48 @@ std::vector<std::filesystem::path> mesh_files(const Options& o)
   return files;
 }
 
-double distance(const std::string& method, const Labels& original, const Changed_mesh& changed)
+Effect effect(const std::string& method, const Labels& original, const Changed_mesh& changed)
 {
   Labels expected;
   for (std::size_t f : changed.original_faces)
     expected.push_back(original[f]);
-  return rand_error(contiguous(expected), default_labels(method, changed.mesh));
+  const Labels labels = default_labels(method, changed.mesh);
+  return {rand_error(contiguous(expected), labels), agreement(expected, labels)};
 }
 
-void print(const std::string& change, const Distances& d)
+void print(const std::string& change, const Effects& e)
 {
-  std::printf("  %-14s %8.4f %8.4f  %7.0f %%  %s\n", change.c_str(), d.mean(), d.largest,
-              100 * d.identical(), d.worst.c_str());
+  std::printf("  %-14s %8.4f  %8.2f %% %6.1f %%  %7.0f %%  %s\n", change.c_str(),
+              e.rand_distance(), 100 * e.agreement(), 100 * e.least_agreement,
+              100 * e.is_identical(), e.worst.c_str());
 }
 
 // One for each change.
-std::vector<double> distances(const std::string& method, const Mesh& mesh, unsigned int seed)
+std::vector<Effect> effects(const std::string& method, const Mesh& mesh, unsigned int seed)
 {
   const Labels original = default_labels(method, mesh);
   CGAL::Random random(seed);
-  std::vector<double> result;
+  std::vector<Effect> result;
   for (const Mesh_change& change : mesh_changes())
-    result.push_back(distance(method, original, change.apply(mesh, random)));
+    result.push_back(effect(method, original, change.apply(mesh, random)));
   return result;
 }
 
 void compare(const Options& o, const std::string& method)
 {
   const std::vector<std::filesystem::path> files = mesh_files(o);
-  std::vector<std::vector<double> > of_mesh(files.size());
+  std::vector<std::vector<Effect> > of_mesh(files.size());
   {
     Progress progress(files.size());
     for_each_mesh(files.size(), o.threads, [&](std::size_t i) {
-      of_mesh[i] = distances(method, read_mesh(files[i]), o.seed);
+      of_mesh[i] = effects(method, read_mesh(files[i]), o.seed);
       progress.step();
     });
   }
-  std::printf("%s\n  %-14s %8s %8s  %9s  %s\n", method.c_str(), "Rand distance", "mean",
-              "largest", "identical", "of mesh");
+  std::printf("%s\n  %-14s %8s  %10s %8s  %9s  %s\n", method.c_str(), "change", "Rand",
+              "agreement", "least", "identical", "of mesh");
   for (std::size_t change = 0; change < mesh_changes().size(); ++change) {
-    Distances all;
+    Effects all;
     for (std::size_t i = 0; i < files.size(); ++i)
       all.add(of_mesh[i][change], files[i].stem().string());
     print(mesh_changes()[change].name, all);
