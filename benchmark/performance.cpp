@@ -224,7 +224,7 @@ void measure_coarsening(benchmark::State& state, Input& input)
     Run_control control;
     internal::Run_monitor monitor(control);
     benchmark::DoNotOptimize(
-      internal::coarsen_in_steps(Execution::SEQUENTIAL, graph, coarse_faces, monitor));
+      internal::coarsened(Execution::SEQUENTIAL, graph, coarse_faces, monitor));
   }
 }
 

@@ -74,8 +74,8 @@ inline void draw_dual_graph(Picture_book& book, const Named_mesh& shape)
                 std::vector<Rgb>(graph.number_of_faces(), white)};
   Picture arcs{shape, "arcs of the dual graph: the darker and thicker, the longer",
                std::vector<Rgb>(graph.number_of_faces(), white)};
-  for (Index h = 0; h < graph.neighbors.size(); ++h) {
-    if (graph.is_border(h) || h > graph.opposite(h))
+  for (Index h = 0; h < graph.number_of_halfedges(); ++h) {
+    if (graph.is_border(h) || h > graph.opposite[h])
       continue;
     const Edge_weights& e = graph.weights[h];
     const Kernel::Point_3 a = point(shape.mesh, graph.source_vertex(h)),
@@ -84,7 +84,7 @@ inline void draw_dual_graph(Picture_book& book, const Named_mesh& shape)
     edges.add_tube(a, b, is_concave ? red : blue, is_concave ? 1.5 : 0.7);
     const Rgb color = mixed({190, 190, 190}, is_concave ? red : Rgb{0, 0, 0}, e.combined);
     const Kernel::Point_3 middle = CGAL::midpoint(a, b);
-    for (Index f : {h / 3, graph.neighbors[h]})
+    for (Index f : {h / 3, graph.neighbor(h)})
       arcs.add_tube(centroid(shape.mesh, f), middle, color, 0.4 + 1.6 * e.combined);
   }
   book.add("face_graph", edges);
@@ -208,8 +208,8 @@ struct Searched_line
 inline void add_cut(Picture& picture, const Surface& graph, const internal::Cut& cut)
 {
   const Mesh& mesh = picture.shape.mesh;
-  for (Index h = 0; h < graph.neighbors.size(); ++h)
-    if (cut.side[h / 3] == 0 && cut.side[graph.neighbors[h]] == 1)
+  for (Index h = 0; h < graph.number_of_halfedges(); ++h)
+    if (cut.side[h / 3] == 0 && cut.side[graph.neighbor(h)] == 1)
       picture.add_tube(point(mesh, graph.source_vertex(h)), point(mesh, graph.target_vertex(h)),
                        red, 3);
 }
