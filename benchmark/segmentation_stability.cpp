@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 /// \file
-/// Rand distance and agreement between the result on a mesh and on the same mesh after a change that
-/// leaves its shape as it is, or nearly so.
+/// Rand distance and agreement between the result on a mesh and on the same mesh after a change
+/// that leaves its shape as it is, or nearly so.
 
 #include "for_each_mesh.h"
 #include "mesh_changes.h"
