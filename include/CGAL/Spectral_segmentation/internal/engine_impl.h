@@ -383,7 +383,7 @@ public:
     }
     monitor_.start_phase(1);
     if (!levels_.empty() && &finest() == &mesh_ && is_reordered_only())
-      result = reordered(result, levels_.back(), mesh_);
+      result = project(std::move(result)); // no work of a stage
     else if (!levels_.empty())
       result = monitor_.stage(Stage::PROJECTION, Segmentation_visitor::whole_mesh,
                               [&] { return project(std::move(result)); });

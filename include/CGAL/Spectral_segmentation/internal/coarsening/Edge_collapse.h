@@ -5,8 +5,8 @@
 #define CGAL_SPECTRAL_SEGMENTATION_INTERNAL_COARSENING_EDGE_COLLAPSE_H
 
 #include <CGAL/Spectral_segmentation/internal/base/Run_monitor.h>
-#include <CGAL/Spectral_segmentation/internal/base/Symmetric_matrix.h>
 #include <CGAL/Spectral_segmentation/internal/coarsening/Coarse_surface.h>
+#include <CGAL/Spectral_segmentation/internal/coarsening/Planes.h>
 
 #include <boost/container/small_vector.hpp>
 
@@ -133,35 +133,23 @@ class Edge_collapse : private Surface
   Vector normal_at(Index h, const Vector& point) const
   { return (points[target_vertex(h)] - point).cross(points[source_vertex(previous(h))] - point); }
 
-  static void add_plane(const Vector& normal, const Vector& offset, Symmetric_matrix& matrix,
-                        Vector& right)
-  {
-    matrix += Symmetric_matrix::square(normal);
-    right += normal * normal.dot(offset);
-  }
-
   // Returns the point nearest to the planes around the two ends of an edge, not far from its
   // middle.
   Vector best_point(Index h, const Index_list& around_u, const Index_list& around_v) const
   {
     const Vector &p = points[source_vertex(h)], &q = points[target_vertex(h)], middle = (p + q) / 2;
-    Symmetric_matrix matrix;
-    Vector right;
+    Planes planes;
     for (const Index_list* around : {&around_u, &around_v})
       for (Index g : *around) {
         const Vector &at = points[source_vertex(g)], n = normal_at(g, at);
-        add_plane(n, at - middle, matrix, right);
+        planes.add(n, at - middle);
         // Planes along the border keep the border where it is.
         for (Index e : {g, previous(g)})
           if (is_border(e))
-            add_plane((points[target_vertex(e)] - points[source_vertex(e)])
-                        .cross(n.stably_normalized()) * (q - p).norm(),
-                      at - middle, matrix, right);
+            planes.add((points[target_vertex(e)] - points[source_vertex(e)])
+                         .cross(n.stably_normalized()) * (q - p).norm(), at - middle);
       }
-    // The regularization keeps the point near the middle along planes that are parallel.
-    const double share = 1e-3 * matrix.trace() + 1e-300;
-    matrix += {share, share, share};
-    const Vector step = matrix.inverse() * right;
+    const Vector step = planes.step_from(Vector(), 1e-3);
     const bool is_near = step.squared_norm() <= (q - p).squared_norm(); // false for NaN
     return quantized(is_near ? middle + step : middle);
   }

@@ -4,8 +4,8 @@
 #ifndef CGAL_SPECTRAL_SEGMENTATION_INTERNAL_COARSENING_VERTEX_CLUSTERING_H
 #define CGAL_SPECTRAL_SEGMENTATION_INTERNAL_COARSENING_VERTEX_CLUSTERING_H
 
-#include <CGAL/Spectral_segmentation/internal/base/Symmetric_matrix.h>
 #include <CGAL/Spectral_segmentation/internal/coarsening/Coarse_surface.h>
+#include <CGAL/Spectral_segmentation/internal/coarsening/Planes.h>
 #include <CGAL/Spectral_segmentation/internal/surface/connected_components.h>
 
 #include <algorithm>
@@ -142,27 +142,19 @@ class Vertex_clustering
     result_.graph.points.resize(next);
   }
 
-  // The planes of the faces around a vertex of the result. Lengths are measured from the center of
-  // the cell.
-  struct Planes
+  // The surroundings of a vertex of the result. Lengths are measured from the center of the cell.
+  struct Surroundings
   {
-    Symmetric_matrix matrix;
-    Vector right;
+    Planes planes; // of the faces
     Vector sum; // of the points, weighted by the areas of the faces around them
     double weight = 0;
     Index vertex = null_index;  // the last one
     bool is_single = true;
-
-    void add(const Vector& normal, const Vector& at)
-    {
-      matrix += Symmetric_matrix::square(normal);
-      right += normal.dot(at) * normal;
-    }
   };
 
   // Adds the plane through a border edge, orthogonal to its face, which keeps the border where it
   // is.
-  void add_border(Index h, const Vector& unit_normal, std::vector<Planes>& planes,
+  void add_border(Index h, const Vector& unit_normal, std::vector<Surroundings>& around,
                   const std::vector<Cell>& cell) const
   {
     const Vector &p = mesh_.points[mesh_.source_vertex(h)],
@@ -170,29 +162,27 @@ class Vertex_clustering
     const Index first = result_.vertices[mesh_.source_vertex(h)],
                 second = result_.vertices[mesh_.target_vertex(h)];
     const Vector normal = (q - p).norm() * (q - p).cross(unit_normal);
-    planes[first].add(normal, p - center(cell[first]));
+    around[first].planes.add(normal, p - center(cell[first]));
     if (second != first)
-      planes[second].add(normal, p - center(cell[second]));
+      around[second].planes.add(normal, p - center(cell[second]));
   }
 
-  Vector best_point(const Planes& planes, const Vector& center) const
+  Vector best_point(const Surroundings& around, const Vector& center) const
   {
-    const Vector mean = planes.sum / planes.weight;
-    const double share = 0.01 * planes.matrix.trace(); // keeps the point near along parallel planes
-    const Symmetric_matrix matrix = planes.matrix + Symmetric_matrix{share, share, share, 0, 0, 0};
-    const Vector step = matrix.inverse() * (planes.right - planes.matrix * mean);
+    const Vector mean = around.sum / around.weight;
+    const Vector step = around.planes.step_from(mean, 0.01);
     const bool is_near = step.squared_norm() <= width_ * width_; // false for NaN
     return quantized(center + (is_near ? mean + step : mean));
   }
 
   void set_points()
   {
-    std::vector<Planes> planes(result_.graph.points.size());
-    std::vector<Cell> cell(planes.size());
+    std::vector<Surroundings> around(result_.graph.points.size());
+    std::vector<Cell> cell(around.size());
     for (Index v = 0; v < mesh_.points.size(); ++v) {
       const Index i = result_.vertices[v];
-      planes[i].is_single = planes[i].vertex == null_index;
-      planes[i].vertex = v;
+      around[i].is_single = around[i].vertex == null_index;
+      around[i].vertex = v;
       cell[i] = cells_[v];
     }
     for (Index f = 0; f < mesh_.number_of_faces(); ++f) {
@@ -200,7 +190,7 @@ class Vertex_clustering
       const Vector normal = mesh_.normal(f);
       for (int k = 0; k < 3; ++k) {
         const Index i = result_.vertices[c[k]];
-        Planes& p = planes[i];
+        Surroundings& p = around[i];
         if (p.is_single)
           continue;
         const Vector at = mesh_.points[c[k]] - center(cell[i]);
@@ -208,15 +198,15 @@ class Vertex_clustering
         p.weight += mesh_.areas[f];
         if ((k > 0 && result_.vertices[c[0]] == i) || (k > 1 && result_.vertices[c[1]] == i))
           continue; // the plane counts once
-        p.add(normal, at);
+        p.planes.add(normal, at);
       }
       for (Index h = 3 * f; h < 3 * f + 3; ++h)
         if (mesh_.is_border(h))
-          add_border(h, normal.stably_normalized(), planes, cell);
+          add_border(h, normal.stably_normalized(), around, cell);
     }
-    for (Index i = 0; i < planes.size(); ++i)
-      result_.graph.points[i] = planes[i].is_single || !(planes[i].weight > 0)
-        ? mesh_.points[planes[i].vertex] : best_point(planes[i], center(cell[i]));
+    for (Index i = 0; i < around.size(); ++i)
+      result_.graph.points[i] = around[i].is_single || !(around[i].weight > 0)
+        ? mesh_.points[around[i].vertex] : best_point(around[i], center(cell[i]));
   }
 
   // Returns the halfedge of the result's faces across h, or h if there is none. A face between that

@@ -123,17 +123,10 @@ inline Cut_hierarchy reordered(const Cut_hierarchy& cuts, const Coarse_surface& 
   std::iota(number.begin(), number.end(), std::size_t(0));
   for (Index f = 0; f < other.faces.size(); ++f)
     number[other.graph.components[f]] = mesh.components[other.faces[f]];
-  Cut_hierarchy result = cuts;
-  for (std::size_t i = 0; i < cuts.nodes.size(); ++i) {
-    Cut_node& n = result.nodes[number[i]];
-    n = cuts.nodes[i];
-    if (n.parent != null_node)
-      n.parent = number[n.parent];
-  }
-  for (std::size_t& node : result.cut_order)
-    node = number[node];
+  Cut_hierarchy result = renumbered(cuts, number);
+  const std::vector<Index> leaf = result.leaf; // one per face of the other surface
   for (Index f = 0; f < other.faces.size(); ++f)
-    result.leaf[other.faces[f]] = static_cast<Index>(number[cuts.leaf[f]]);
+    result.leaf[other.faces[f]] = leaf[f];
   return result;
 }
 

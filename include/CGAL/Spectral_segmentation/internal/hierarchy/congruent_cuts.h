@@ -150,22 +150,12 @@ class Congruent_cuts
         number[cuts_.nodes[cuts_.cut_order[order[i]]].children[k]] =
           cuts_.number_of_roots + 2 * i + k;
 
-    Cut_hierarchy result = cuts_;
-    for (std::size_t i = 0; i < cuts_.nodes.size(); ++i) {
-      Cut_node& n = result.nodes[number[i]];
-      n = cuts_.nodes[i];
-      if (n.parent != null_node)
-        n.parent = number[n.parent];
-      if (n.is_leaf())
-        continue;
-      n.salience = saliences_[turn(i)];
-      for (std::size_t& child : n.children)
-        child = number[child];
+    Cut_hierarchy result = renumbered(cuts_, number);
+    for (std::size_t i = 0; i < order.size(); ++i) {
+      const std::size_t node = number[cuts_.cut_order[order[i]]];
+      result.cut_order[i] = node;
+      result.nodes[node].salience = saliences_[order[i]];
     }
-    for (std::size_t i = 0; i < order.size(); ++i)
-      result.cut_order[i] = number[cuts_.cut_order[order[i]]];
-    for (Index& leaf : result.leaf)
-      leaf = static_cast<Index>(number[leaf]);
     return result;
   }
 
