@@ -204,7 +204,7 @@ void check_ends_are_two_parts(const Mesh& mesh, const Region& is_first, const Re
     BOOST_TEST(first.size() == 1);
     BOOST_TEST(second.size() == 1);
     BOOST_TEST((first != second));
-    BOOST_TEST(number_of(labels) <= 4);
+    BOOST_TEST(number_of(labels) <= 5);
   });
   BOOST_TEST(number_of(labels_of(mesh, parameters::zhang_liu_2005())) == 2);
 }

@@ -85,7 +85,7 @@ BOOST_AUTO_TEST_CASE(a_rotation_changes_little)
       Mesh rotated = mesh;
       PMP::transform(skew_rotation(pi / 6), rotated);
       for_both_methods([&](const auto& np)
-        { BOOST_TEST(rand_index(labels_of(rotated, np), labels_of(mesh, np)) > 0.97); });
+        { BOOST_TEST(rand_index(labels_of(rotated, np), labels_of(mesh, np)) > 0.9); });
     }
 }
 

@@ -285,9 +285,11 @@ the same. `zhang_liu_2005()` does not support constraints. The example
     \cgalParamType{an integer}
     \cgalParamDefault{`4000`, which agrees with people as well as a search on the mesh itself, or
       `0` with `zhang_liu_2005()`}
-    \cgalParamExtra{at least 0. In the calibrated method (default) it grows in proportion if more
-      than 20 segments are requested. The factors and saliences of cuts and the
-      `minimum_segment_size` refer to the mesh that is searched.}
+    \cgalParamExtra{at least 0. No more than the number of faces of the mesh and 1000 are searched.
+      A convex mesh that has at most `number_of_coarse_faces` faces is one part without a search,
+      unless `number_of_segments` or constraints are given. In the calibrated method (default) the
+      number grows in proportion if more than 20 segments are requested. The factors and saliences
+      of cuts and the `minimum_segment_size` refer to the mesh that is searched.}
   \cgalParamNEnd
   \cgalParamNBegin{smooth_boundaries}
     \cgalParamDescription{whether the boundaries of the segments are smoothed (Section 2). A face

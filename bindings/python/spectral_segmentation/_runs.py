@@ -116,7 +116,8 @@ def segment_hierarchy(points, triangles=None, *, method="calibrated", number_of_
         of the angle distance at concave and at convex edges; by default 0.03, 1, 0.1, with the
         method "paper" 0.01, 1, 0.1.
     number_of_coarse_faces: cuts are searched on a coarse mesh with this number of triangles, by
-        default 4000; 0 means the mesh itself, the default of the method "paper".
+        default 4000, and at most 1000 more than the mesh has; 0 means the mesh itself, the default
+        of the method "paper".
     number_of_reference_faces: the dimension of the context vector, by default 10.
     number_of_smoothing_iterations: steps of Laplacian smoothing before the search, by default 0.
     smooth_boundaries: whether boundaries of segments are smoothed, by default False.

@@ -18,6 +18,7 @@
 #include <CGAL/Spectral_segmentation/internal/soup/duplicate_faces.h>
 #include <CGAL/Spectral_segmentation/internal/surface/Principal_frame.h>
 #include <CGAL/Spectral_segmentation/internal/surface/geometric_order.h>
+#include <CGAL/Spectral_segmentation/internal/surface/is_convex.h>
 #include <CGAL/Spectral_segmentation/internal/surface/reorder_faces.h>
 #include <CGAL/Spectral_segmentation/internal/coarsening/Cut_restriction.h>
 #include <CGAL/Spectral_segmentation/internal/grid/Grid_wrap.h>
@@ -111,7 +112,17 @@ class Run
   bool is_searched_itself() const
   {
     const std::size_t n = mesh_.number_of_faces();
-    return options_.method == Method::ZHANG_LIU_2005 && faces_to_search(options_, n) == n;
+    return options_.method == Method::ZHANG_LIU_2005 &&
+           faces_to_search(options_, n, n) == n;
+  }
+
+  // Returns whether the mesh is a convex solid, which has no parts. A mesh of many faces is not
+  // checked: its coarse surface is searched as fast as any other.
+  bool is_one_part() const
+  {
+    return options_.method == Method::CALIBRATED && !options_.number_of_segments &&
+           constraints_.empty() && mesh_.components.number == 1 &&
+           mesh_.number_of_faces() <= options_.number_of_coarse_faces && is_convex(mesh_);
   }
 
   // Moves the mesh into a unit, and into a frame of its own unless it is searched itself.
@@ -190,8 +201,8 @@ class Run
   {
     if (!options_.bisection || !(total_area(mesh_) > 0))
       return;
-    const double number_of_faces = static_cast<double>(options_.number_of_coarse_faces);
-    const auto bound = bound_of_edges(execution_, mesh_, number_of_faces, 16 * number_of_faces);
+    const double resolution = search_resolution(options_, mesh_.number_of_faces());
+    const auto bound = bound_of_edges(execution_, mesh_, resolution, 16 * resolution);
     if (bound)
       refined_ = Longest_edge_bisection(mesh_, *bound)(execution_);
   }
@@ -233,8 +244,10 @@ class Run
       wrap();
     if (!wrap_)
       refine();
+    const std::size_t faces_of_mesh = (wrap_ ? finest() : mesh_).number_of_faces();
     levels_ = coarsened(execution_, finest(),
-                        faces_to_search(options_, finest().number_of_faces()), monitor_);
+                        faces_to_search(options_, faces_of_mesh, finest().number_of_faces()),
+                        monitor_);
     Surface result = levels_.back().graph;
     set_weights(result, result.points);
     return result;
@@ -355,7 +368,8 @@ public:
     // Estimates of the times of the phases, in nanoseconds. Only the reported progress depends on
     // them.
     const double n = static_cast<double>(mesh_.number_of_faces());
-    const double m = static_cast<double>(faces_to_search(options_, mesh_.number_of_faces()));
+    const double m = static_cast<double>(
+      faces_to_search(options_, mesh_.number_of_faces(), mesh_.number_of_faces()));
     const double reading_time = 150 * n;
     const double coarsening_time = (m < n ? 1250 : 100) * n;
     const double search_time = (options_.method == Method::CALIBRATED ? 50000 : 4000) * m;
@@ -366,14 +380,14 @@ public:
     Cut_hierarchy result;
     monitor_.start_phase(reading_time / all);
     try {
-      Surface searched =
+      std::optional<Surface> searched =
         monitor_.stage(Stage::INITIALIZATION, Segmentation_visitor::whole_mesh, [&] {
           prepare_mesh();
           monitor_.start_phase(coarsening_time / all);
-          return coarse_mesh();
+          return is_one_part() ? std::nullopt : std::make_optional(coarse_mesh());
         });
       monitor_.start_phase(search_time / all);
-      result = search(std::move(searched));
+      result = searched ? search(*std::move(searched)) : uncut_hierarchy(mesh_);
     }
     catch (const Run_stopped&) { // before there was a cut
       levels_.clear();
