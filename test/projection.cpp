@@ -10,7 +10,7 @@
 #include <CGAL/Spectral_segmentation/internal/hierarchy/recursion.h>
 #include <CGAL/Spectral_segmentation/internal/hierarchy/region_merging.h>
 #include <CGAL/Spectral_segmentation/internal/coarsening/coarsening.h>
-#include <CGAL/Spectral_segmentation/internal/coarsening/projection.h>
+#include <CGAL/Spectral_segmentation/internal/coarsening/Cut_transfer.h>
 #include <CGAL/Spectral_segmentation/internal/surface/Principal_frame.h>
 #include <CGAL/segment_spectral_recursive.h>
 #include <CGAL/tags.h>
@@ -76,11 +76,18 @@ struct Run
     } stopping_control;
     internal::Run_monitor stopped_monitor(stopping_control);
     stopped_monitor.go_further();
-    for (std::size_t i = levels.size(); i-- > 0;)
-      cuts = internal::Cut_projection(sequential, cuts, levels[i],
-                                      i > 0 ? levels[i - 1].graph : mesh,
-                                      weights_of_calibrated_method,
-                                      is_stopped ? stopped_monitor : monitor)();
+    for (std::size_t i = levels.size(); i-- > 0;) {
+      const Surface& finer = i > 0 ? levels[i - 1].graph : mesh;
+      const auto shares = internal::shares_of_vertices(levels[i].graph, cuts.leaf);
+      const auto for_each_share = [&](Index f, const auto& add) {
+        for (Index v : finer.corners[f])
+          for (const auto& [leaf, share] : shares[levels[i].vertices[v]])
+            add(leaf, share);
+      };
+      cuts = internal::Cut_transfer(sequential, cuts, finer, false, for_each_share,
+                                    weights_of_calibrated_method,
+                                    is_stopped ? stopped_monitor : monitor)();
+    }
     whole = Segmentation_hierarchy(std::move(cuts), CGAL::Spectral_segmentation::unlimited,
                                    options.salience_threshold);
   }
@@ -112,6 +119,38 @@ double length_of_boundaries(const Soup& soup, const Labels& labels)
 }
 
 } // namespace
+
+BOOST_AUTO_TEST_CASE(shares_add_up)
+{
+  // A fan of three faces in two leaves around vertex 0.
+  Surface fan;
+  fan.corners = {{0, 1, 2}, {0, 2, 3}, {0, 3, 1}};
+  fan.points.resize(4);
+  const internal::Leaf_shares of_vertices = internal::shares_of_vertices(fan, {7, 8, 7});
+  BOOST_TEST_REQUIRE(of_vertices.number_of_elements() == 4);
+  BOOST_TEST(of_vertices[0].begin()[0].leaf == 7);
+  BOOST_TEST(of_vertices[0].begin()[0].share == 2 / 3.f);
+  BOOST_TEST(of_vertices[0].begin()[1].leaf == 8);
+  BOOST_TEST(of_vertices[0].begin()[1].share == 1 / 3.f);
+  BOOST_TEST(of_vertices[1].size() == 1);
+  BOOST_TEST(of_vertices[1].begin()[0].share == 1);
+
+  const Surface mesh = surface_of(plate(2, 1));
+  const internal::Refined_mesh refined =
+    internal::Longest_edge_bisection(mesh, 0.2)(sequential);
+  std::vector<Index> leaf(refined.faces.size());
+  for (Index f = 0; f < leaf.size(); ++f)
+    leaf[f] = f % 3;
+  const internal::Leaf_shares of_faces = internal::shares_of_faces(refined, leaf);
+  BOOST_TEST_REQUIRE(of_faces.number_of_elements() == mesh.number_of_faces());
+  BOOST_TEST(!of_faces.are_whole());
+  for (Index f = 0; f < mesh.number_of_faces(); ++f) {
+    double sum = 0;
+    for (const auto& share : of_faces[f])
+      sum += share.share;
+    BOOST_TEST(sum == mesh.areas[f], boost::test_tools::tolerance(1e-5));
+  }
+}
 
 BOOST_AUTO_TEST_CASE(the_cuts_are_those_of_the_coarse_mesh)
 {
@@ -204,7 +243,7 @@ BOOST_AUTO_TEST_CASE(a_very_coarse_surface_ends_at_the_same_neck)
   BOOST_TEST(length_of_boundaries(soup, labels) < 1.1 * 2 * pi * 0.2);
 }
 
-BOOST_AUTO_TEST_CASE(once_the_run_is_stopped_sides_grow_in_place_of_minimum_cuts)
+BOOST_AUTO_TEST_CASE(once_the_run_is_stopped_larger_shares_replace_minimum_cuts)
 {
   const Soup soup = fine_dumbbell();
   const Mesh mesh = mesh_of(soup);

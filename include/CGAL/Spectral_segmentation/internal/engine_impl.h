@@ -20,12 +20,11 @@
 #include <CGAL/Spectral_segmentation/internal/surface/geometric_order.h>
 #include <CGAL/Spectral_segmentation/internal/surface/is_convex.h>
 #include <CGAL/Spectral_segmentation/internal/surface/reorder_faces.h>
-#include <CGAL/Spectral_segmentation/internal/coarsening/Cut_restriction.h>
+#include <CGAL/Spectral_segmentation/internal/coarsening/Cut_transfer.h>
 #include <CGAL/Spectral_segmentation/internal/grid/Grid_wrap.h>
 #include <CGAL/Spectral_segmentation/internal/coarsening/Longest_edge_bisection.h>
-#include <CGAL/Spectral_segmentation/internal/coarsening/Wrap_restriction.h>
 #include <CGAL/Spectral_segmentation/internal/coarsening/coarsening.h>
-#include <CGAL/Spectral_segmentation/internal/coarsening/projection.h>
+#include <CGAL/Spectral_segmentation/internal/coarsening/Leaf_shares.h>
 #include <CGAL/Spectral_segmentation/internal/base/Run_monitor.h>
 #include <CGAL/Spectral_segmentation/internal/constraints/Constraint_groups.h>
 #include <CGAL/Spectral_segmentation/internal/constraints/Constrained_merging.h>
@@ -291,21 +290,43 @@ class Run
   bool is_reordered_only() const
   { return levels_.back().faces.size() == finest().number_of_faces(); }
 
-  Cut_hierarchy project(Cut_hierarchy hierarchy)
+  // Transfers the cuts of another surface to a mesh.
+  template <class For_each_share>
+  Cut_hierarchy transferred(const Cut_hierarchy& cuts, const Surface& mesh, bool is_wrapped,
+                            const For_each_share& for_each_share)
   {
-    const Distance_weights weights = distance_weights();
+    return Cut_transfer(execution_, cuts, mesh, is_wrapped, for_each_share, distance_weights(),
+                        monitor_)();
+  }
+
+  // Projects the cuts of the coarse surface onto the mesh, level by level.
+  Cut_hierarchy project(Cut_hierarchy cuts)
+  {
     if (is_reordered_only()) {
-      hierarchy = reordered(hierarchy, levels_.back(), finest());
+      std::vector<Index> leaf(cuts.leaf.size());
+      for (Index f = 0; f < leaf.size(); ++f)
+        leaf[levels_.back().faces[f]] = cuts.leaf[f];
+      cuts = transferred(cuts, finest(), false,
+                         [&](Index f, const auto& add) { add(leaf[f], 1); });
       levels_.clear();
     }
-    for (std::size_t i = levels_.size(); i-- > 0; levels_.pop_back())
-      hierarchy = Cut_projection(execution_, hierarchy, levels_[i],
-                                 i > 0 ? levels_[i - 1].graph : finest(), weights, monitor_)();
-    if (wrap_)
-      hierarchy = Wrap_restriction(hierarchy, *wrap_, mesh_, monitor_)();
-    if (!refined_.faces.empty())
-      hierarchy = Cut_restriction(execution_, hierarchy, refined_, mesh_, weights, monitor_)();
-    return hierarchy;
+    for (std::size_t i = levels_.size(); i-- > 0; levels_.pop_back()) {
+      const Surface& mesh = i > 0 ? levels_[i - 1].graph : finest();
+      const Leaf_shares shares = shares_of_vertices(levels_[i].graph, cuts.leaf);
+      cuts = transferred(cuts, mesh, false, [&](Index f, const auto& add) {
+        for (Index v : mesh.corners[f])
+          for (const auto& [leaf, share] : shares[levels_[i].vertices[v]])
+            add(leaf, share);
+      });
+    }
+    if (!wrap_ && refined_.faces.empty())
+      return cuts;
+    const Leaf_shares shares =
+      wrap_ ? shares_of_faces(*wrap_, cuts.leaf) : shares_of_faces(refined_, cuts.leaf);
+    return transferred(cuts, mesh_, wrap_.has_value(), [&](Index f, const auto& add) {
+      for (const auto& [leaf, share] : shares[f])
+        add(leaf, share);
+    });
   }
 
   // Changes the hierarchy so that all nodes satisfy the constraints.

@@ -4,48 +4,277 @@
 #ifndef CGAL_SPECTRAL_SEGMENTATION_INTERNAL_COARSENING_CUT_TRANSFER_H
 #define CGAL_SPECTRAL_SEGMENTATION_INTERNAL_COARSENING_CUT_TRANSFER_H
 
+#include <CGAL/Spectral_segmentation/internal/base/Run_monitor.h>
+#include <CGAL/Spectral_segmentation/internal/base/concurrency.h>
+#include <CGAL/Spectral_segmentation/internal/bipartition/min_cut_refinement.h>
+#include <CGAL/Spectral_segmentation/internal/coarsening/Band_cells.h>
+#include <CGAL/Spectral_segmentation/internal/coarsening/Leaf_shares.h>
+#include <CGAL/Spectral_segmentation/internal/distances/face_distances.h>
 #include <CGAL/Spectral_segmentation/internal/hierarchy/Nested_ranges.h>
 #include <CGAL/Spectral_segmentation/internal/salience/Cut.h>
-#include <CGAL/Spectral_segmentation/internal/base/Run_monitor.h>
+#include <CGAL/Spectral_segmentation/internal/surface/extract_part.h>
 
+#include <algorithm>
+#include <cmath>
 #include <cstddef>
 #include <utility>
 #include <vector>
 
 namespace CGAL::Spectral_segmentation::internal {
 
-// Transfers the cuts of another mesh to elements of a mesh (faces, or cells of faces), one by one
-// from the root. The derived class decides on the sides of a cut.
+// Transfers the cuts of another surface of the same shape to a mesh, one by one from the root. The
+// elements that a cut divides are cells. A cell has shares in the leaves of the other surface, and
+// gets the side of a cut in which it has the larger share.
+//
+// If the other surface has the same components, the cells with shares on both sides are a band
+// around the cut, which a minimum cut splits. Then the sides are made connected: all but the
+// largest piece of a side goes to the other side. If the other surface wraps the components, a
+// boundary is expected where a component ends: small pieces of a component go to the other side.
 class Cut_transfer
 {
-protected:
-  enum Side : char { Q, REST, BETWEEN, OUTSIDE }; // the last two are for the derived classes
+  enum Side : char { Q, REST, BETWEEN, OUTSIDE };
+  typedef Nested_ranges::Range Cells;
 
-  typedef Nested_ranges::Range Elements; // the elements of a node
-  const Cut_hierarchy& cuts_; // the cuts of the other mesh
+  const Execution execution_;
+  const Cut_hierarchy& cuts_; // the cuts of the other surface
+  const Surface& mesh_;
+  const bool is_wrapped_;
   Run_monitor& monitor_;
 
-  Cut_transfer(const Cut_hierarchy& cuts, Run_monitor& monitor) : cuts_(cuts), monitor_(monitor) {}
-  ~Cut_transfer() = default;
+  const Nested_ranges leaves_; // the leaves of each node of the other surface
+  const Band_cells cells_;
+  const Leaf_shares shares_;   // of the cells
+  Surface bands_;              // has weights if minimum cuts are made
+  Sides side_;                 // one per cell, by the current cut; all are OUTSIDE between cuts
 
-  // Returns the sides of the elements of a part that is cut like a node of the other mesh: Q or
-  // REST, and both of them if possible.
-  virtual Sides sides(std::size_t node, const Elements& elements) = 0;
+  std::vector<Index> reached_; // the cells that floods reached since start_flood()
+  std::vector<Index> flood_;   // the last start at which each cell was reached
+  Index number_of_floods_ = 0;
 
-  virtual double area(Index element) const = 0;
+  // Returns ranges with the leaves as elements, so that the leaves of each node follow each other.
+  static Nested_ranges ranges_of_leaves(const Cut_hierarchy& cuts)
+  {
+    std::vector<Index> leaves;
+    for (Index i = 0; i < cuts.nodes.size(); ++i)
+      if (cuts.nodes[i].is_leaf())
+        leaves.push_back(i);
+    return Nested_ranges(cuts, leaves);
+  }
 
-private:
-  // Cuts a leaf of the result like a node of the other mesh, and sets the nodes of the result for
-  // the children. Returns whether there was something to cut.
+  // Returns the shares of the cells, in the positions of the leaves among `leaves`.
+  template <class For_each_share>
+  static Leaf_shares shares_of_cells(const Band_cells& cells, const Nested_ranges& leaves,
+                                     const For_each_share& for_each_share)
+  {
+    Leaf_shares result;
+    for (Index cell = 0; cell < cells.number(); ++cell) {
+      result.add_element();
+      for_each_share(cells.first_face(cell), [&](Index leaf, float share)
+        { result.add(static_cast<Index>(leaves.first(leaf)), share); });
+    }
+    return result;
+  }
+
+  // Returns whether each face may be between the sides of any cut. All may if there might be more
+  // cuts, because a cut must not depend on later cuts.
+  template <class For_each_share>
+  static std::vector<char> are_between(Execution execution, const Cut_hierarchy& cuts,
+                                       const Surface& mesh, bool is_wrapped,
+                                       const For_each_share& for_each_share)
+  {
+    std::vector<char> result(mesh.number_of_faces(), 1);
+    if (!cuts.is_monotonic || is_wrapped)
+      return result;
+    constexpr Index several = null_index - 1;
+    std::vector<Index> leaf(mesh.number_of_faces(), null_index);
+    for_each_index(execution, leaf.size(), [&](std::size_t f) {
+      for_each_share(static_cast<Index>(f), [&, f](Index other, float)
+        { leaf[f] = leaf[f] == null_index || leaf[f] == other ? other : several; });
+    });
+    for_each_index(execution, leaf.size(), [&](std::size_t f) {
+      const auto differs = [&](std::size_t i) {
+        const Index other = leaf[mesh.neighbor(static_cast<Index>(3 * f + i))];
+        return other != several && other != leaf[f];
+      };
+      result[f] = leaf[f] == several || differs(0) || differs(1) || differs(2);
+    });
+    return result;
+  }
+
+  void set_bands(Distance_weights weights)
+  {
+    bands_ = Part_extractor(mesh_)(cells_.faces_of_bands());
+    const double area = total_area(bands_); // the radius is relative to it
+    weights.concavity_radius *= area > 0 ? std::sqrt(total_area(mesh_) / area) : 0;
+    set_face_distances(execution_, bands_, bands_.points,
+                       face_normals(execution_, bands_, bands_.points), weights);
+  }
+
+  float share_in(std::size_t node, Index cell) const
+  {
+    const std::size_t first = leaves_.first(node), end = first + leaves_.size(node);
+    float result = 0;
+    for (const auto& [leaf, share] : shares_[cell])
+      if (leaf >= first && leaf < end)
+        result += share;
+    return result;
+  }
+
+  // Gives each cell of a part the side of its larger share, by the cut of a node. Splits the cells
+  // with shares on both sides by the minimum cut, if both sides have other cells.
+  void set_sides(std::size_t node, const Cells& cells)
+  {
+    std::vector<Index> band;
+    bool is_sure[2] = {false, false};
+    for (Index cell : cells) {
+      const float q = share_in(cuts_.nodes[node].children[0], cell);
+      const float rest = share_in(cuts_.nodes[node].children[1], cell);
+      side_[cell] = rest > q ? REST : Q;
+      if (q > 0 && rest > 0 && !cells_.is_core(cell))
+        band.push_back(cell);
+      else if (q > 0 || rest > 0) // not moved here by an earlier cut
+        is_sure[int(side_[cell])] = true;
+    }
+    if (bands_.weights.empty() || !is_sure[0] || !is_sure[1])
+      return;
+    const Sides side = minimum_cut_within(bands_, band, side_);
+    for (Index cell : band)
+      side_[cell] = side[cell];
+  }
+
+  void start_flood()
+  {
+    reached_.clear();
+    ++number_of_floods_;
+  }
+
+  bool is_reached(Index cell) const { return flood_[cell] == number_of_floods_; }
+
+  // Reaches the cells of the part that are connected with a cell, through cells for which f(cell)
+  // is true. Returns their area.
+  template <class Function>
+  double flood(Index first, const Function& f)
+  {
+    std::size_t next = reached_.size();
+    reached_.push_back(first);
+    flood_[first] = number_of_floods_;
+    double area = 0;
+    for (; next < reached_.size(); ++next) {
+      area += cells_.area(reached_[next]);
+      for (Index cell : cells_.neighbors(reached_[next]))
+        if (!is_reached(cell) && side_[cell] != OUTSIDE && f(cell)) {
+          flood_[cell] = number_of_floods_;
+          reached_.push_back(cell);
+        }
+    }
+    return area;
+  }
+
+  double flood_side(Index first)
+  { return flood(first, [&, first](Index cell) { return side_[cell] == side_[first]; }); }
+
+  void change_sides(std::size_t first, std::size_t end)
+  {
+    for (std::size_t i = first; i < end; ++i)
+      side_[reached_[i]] = side_[reached_[i]] == Q ? REST : Q;
+  }
+
+  // Moves all pieces of a side of a connected part, but for the largest, to the other side.
+  void keep_largest(const Cells& cells, Side given)
+  {
+    start_flood();
+    std::vector<std::size_t> first_of_piece; // positions in reached_
+    std::vector<double> areas;
+    for (Index cell : cells)
+      if (side_[cell] == given && !is_reached(cell)) {
+        first_of_piece.push_back(reached_.size());
+        areas.push_back(flood_side(cell));
+      }
+    if (areas.size() < 2)
+      return;
+    const std::size_t largest = std::max_element(areas.begin(), areas.end()) - areas.begin();
+    first_of_piece.push_back(reached_.size());
+    change_sides(0, first_of_piece[largest]);
+    change_sides(first_of_piece[largest + 1], reached_.size());
+  }
+
+  // Gives a side without cells a cell without which the part is still connected.
+  void keep_both_sides(const Cells& cells)
+  {
+    const char first = side_[*cells.begin()];
+    if (std::any_of(cells.begin(), cells.end(), [&](Index c) { return side_[c] != first; }))
+      return;
+    start_flood();
+    flood_side(*cells.begin());
+    change_sides(reached_.size() - 1, reached_.size());
+  }
+
+  // A piece of a component on a side is small if it is less than this fraction of the component
+  // within the part, and of its side.
+  static constexpr double share_of_small_piece = 0.3;
+
+  void move_small_pieces(const Cells& cells)
+  {
+    double area_of_side[2] = {0, 0};
+    for (Index cell : cells)
+      area_of_side[int(side_[cell])] += cells_.area(cell);
+    start_flood();
+    std::vector<Index> first_of_component;
+    std::vector<double> areas;
+    for (Index cell : cells)
+      if (!is_reached(cell)) {
+        first_of_component.push_back(static_cast<Index>(reached_.size()));
+        areas.push_back(flood(cell, [](Index) { return true; }));
+      }
+    first_of_component.push_back(static_cast<Index>(reached_.size()));
+    const std::vector<Index> all = std::move(reached_);
+    start_flood();
+    for (std::size_t i = 0; i < areas.size(); ++i) {
+      std::vector<std::pair<std::size_t, std::size_t> > small;
+      for (Index k = first_of_component[i]; k < first_of_component[i + 1]; ++k)
+        if (!is_reached(all[k])) {
+          const std::size_t begin = reached_.size();
+          const double area = flood_side(all[k]);
+          if (area < share_of_small_piece * areas[i] &&
+              area < share_of_small_piece * area_of_side[int(side_[all[k]])])
+            small.emplace_back(begin, reached_.size());
+        }
+      for (const auto& [first, end] : small)
+        change_sides(first, end);
+    }
+  }
+
+  // Returns the sides of the cells of a part that is cut like a node of the other surface. If the
+  // other surface has the same components, the sides are connected, and both have a cell if the
+  // part has two.
+  Sides sides(std::size_t node, const Cells& cells)
+  {
+    set_sides(node, cells);
+    if (is_wrapped_)
+      move_small_pieces(cells);
+    else {
+      keep_largest(cells, Q);
+      keep_largest(cells, REST);
+      keep_both_sides(cells);
+    }
+    Sides result;
+    result.reserve(cells.size());
+    for (Index cell : cells)
+      result.push_back(std::exchange(side_[cell], char(OUTSIDE)));
+    return result;
+  }
+
+  // Cuts a leaf of the result like a node of the other surface, and sets the nodes of the result
+  // for the children. Returns whether there was something to cut.
   bool cut_as(std::size_t other_node, std::size_t node, Cut_hierarchy& result,
-              Nested_ranges& elements, std::vector<std::size_t>& node_of)
+              Nested_ranges& cells, std::vector<std::size_t>& node_of)
   {
     const auto& children = cuts_.nodes[other_node].children;
-    Sides side = sides(other_node, elements[node]);
+    Sides side = sides(other_node, cells[node]);
     double area_of[2] = {0, 0};
     std::size_t number[2] = {0, 0};
     for (std::size_t i = 0; i < side.size(); ++i) {
-      area_of[int(side[i])] += area(elements[node].begin()[static_cast<std::ptrdiff_t>(i)]);
+      area_of[int(side[i])] += cells_.area(cells[node].begin()[static_cast<std::ptrdiff_t>(i)]);
       ++number[int(side[i])];
     }
     if (number[0] == 0 || number[1] == 0) {
@@ -55,26 +284,68 @@ private:
     const bool is_swapped = area_of[0] > area_of[1];
     normalize_sides(side, area_of);
     result.cut(node, area_of[0], area_of[1]);
-    elements.cut(node, side);
+    cells.cut(node, side);
     for (int s = 0; s < 2; ++s)
       node_of[children[s]] = result.nodes[node].children[is_swapped ? 1 - s : s];
     return true;
   }
 
-protected:
-  // Cuts the roots of the result, whose `leaf` is indexed by element. `node_of` has the root of the
-  // result for each root of the other mesh.
-  Cut_hierarchy transfer(Cut_hierarchy result, std::vector<std::size_t> node_of)
+  // Returns a hierarchy of the mesh whose leaves are cells, and which has the roots of the other
+  // surface that have a face, numbered by their first faces. Sets `node_of` for these roots.
+  Cut_hierarchy roots(std::vector<std::size_t>& node_of) const
   {
+    std::vector<std::size_t> root_of_leaf;
+    for (std::size_t root = 0; root < cuts_.number_of_roots; ++root)
+      root_of_leaf.insert(root_of_leaf.end(), leaves_.size(root), root);
+    const auto is_smaller = [](const auto& a, const auto& b) { return a.share < b.share; };
+    std::vector<Index> root_of_cell(cells_.number());
+    std::vector<double> areas;
+    for (Index f = 0; f < mesh_.number_of_faces(); ++f) {
+      const Index cell = cells_.of_face(f);
+      const auto shares = shares_[cell];
+      const Index leaf = std::max_element(shares.begin(), shares.end(), is_smaller)->leaf;
+      std::size_t& root = node_of[root_of_leaf[leaf]];
+      if (root == null_node) {
+        root = areas.size();
+        areas.push_back(0);
+      }
+      root_of_cell[cell] = static_cast<Index>(root);
+      areas[root] += mesh_.areas[f];
+    }
+    return uncut_hierarchy(std::move(root_of_cell), areas);
+  }
+
+public:
+  // Takes the cuts of another surface, which wraps the mesh or has the same components.
+  // `for_each_share(f, add)` calls add(leaf, share) for each leaf of the cuts that the face f of
+  // the mesh touches, with repetition. Once the caller has stopped the run, no minimum cuts are
+  // made.
+  template <class For_each_share>
+  Cut_transfer(Execution execution, const Cut_hierarchy& cuts, const Surface& mesh, bool is_wrapped,
+               const For_each_share& for_each_share, const Distance_weights& weights,
+               Run_monitor& monitor)
+    : execution_(execution), cuts_(cuts), mesh_(mesh), is_wrapped_(is_wrapped), monitor_(monitor),
+      leaves_(ranges_of_leaves(cuts)),
+      cells_(mesh, are_between(execution, cuts, mesh, is_wrapped, for_each_share)),
+      shares_(shares_of_cells(cells_, leaves_, for_each_share)),
+      side_(cells_.number(), OUTSIDE), flood_(cells_.number(), 0)
+  {
+    if (!is_wrapped && !shares_.are_whole() && !monitor.is_stopped())
+      set_bands(weights);
+  }
+
+  Cut_hierarchy operator()()
+  {
+    std::vector<std::size_t> node_of(cuts_.nodes.size(), null_node);
+    Cut_hierarchy result = roots(node_of);
     result.is_monotonic = cuts_.is_monotonic;
     result.has_all_cuts = cuts_.has_all_cuts;
-    Nested_ranges elements(result, result.leaf);
-    node_of.resize(cuts_.nodes.size(), null_node);
+    Nested_ranges cells(result, result.leaf);
     const double step = 1 / static_cast<double>(cuts_.nodes.size());
     for (std::size_t i = cuts_.number_of_roots; i < cuts_.nodes.size(); i += 2) {
       const std::size_t other_node = cuts_.nodes[i].parent;
       if (node_of[other_node] != null_node &&
-          !cut_as(other_node, node_of[other_node], result, elements, node_of))
+          !cut_as(other_node, node_of[other_node], result, cells, node_of))
         result.has_all_cuts = false;
       monitor_.advance(2 * step);
     }
@@ -91,10 +362,14 @@ protected:
       if (node_of[turn] != null_node && last_of[node_of[turn]] == turn)
         result.cut_order.push_back(node_of[turn]);
 
+    std::vector<Index> leaf_of_cell(cells_.number());
     for (std::size_t i = 0; i < result.nodes.size(); ++i)
       if (result.nodes[i].is_leaf())
-        for (Index element : elements[i])
-          result.leaf[element] = static_cast<Index>(i);
+        for (Index cell : cells[i])
+          leaf_of_cell[cell] = static_cast<Index>(i);
+    result.leaf.resize(mesh_.number_of_faces());
+    for_each_index(execution_, result.leaf.size(), [&](std::size_t f)
+      { result.leaf[f] = leaf_of_cell[cells_.of_face(static_cast<Index>(f))]; });
     return result;
   }
 };
