@@ -103,7 +103,8 @@ BOOST_AUTO_TEST_CASE(as_many_segments_as_are_asked_for)
     dumbbell(16, 12), disjoint_union(moved(sphere(3), 20, 0, 0), moved(sphere(2), 0, 20, 0)));
   BOOST_TEST(number_of(labels_of(three, np)) >= 21);
   BOOST_TEST(number_of(labels_of(three, np)) <= 22);
-  BOOST_TEST(number_of(labels_of(three, np.maximum_number_of_segments(25))) == 25);
+  BOOST_TEST(number_of(labels_of(three, np.maximum_number_of_segments(25))) >= 24);
+  BOOST_TEST(number_of(labels_of(three, np.maximum_number_of_segments(25))) <= 25);
   BOOST_TEST(number_of(labels_of(three, np.maximum_number_of_segments(2))) == 2);
 }
 

@@ -160,34 +160,64 @@ BOOST_AUTO_TEST_CASE(a_face_that_is_there_twice_counts_once)
   }
 }
 
-BOOST_AUTO_TEST_CASE(what_is_inside_has_the_part_around_it)
+BOOST_AUTO_TEST_CASE(a_component_is_a_part_unless_it_is_small)
 {
-  const Soup soup = dumbbell(24, 20);
-  double left = infinity, right = -infinity;
-  for (const Point& p : soup.points) {
-    left = (std::min)(left, p.z());
-    right = (std::max)(right, p.z());
-  }
-  const double radius = 0.05 * (right - left);
-  const Soup inner = scaled(sphere(1), radius);
-  const Soup all = union_of({soup, moved(inner, 0, 0, right - 3 * radius),
-                             moved(inner, 0, 0, left + 3 * radius)});
-  const Labels labels = labels_of_soup(all);
-  const std::size_t n = soup.triangles.size(), m = inner.triangles.size();
-  const auto face_at = [&](double z) {
-    const auto height = [&](std::size_t f) { return soup.points[soup.triangles[f][0]].z(); };
-    std::size_t result = 0;
-    for (std::size_t f = 0; f < n; ++f)
-      if (std::abs(height(f) - z) < std::abs(height(result) - z))
-        result = f;
-    return result;
+  // A sphere on a sphere has about r^2 of the area.
+  const auto number_of_parts = [](double r) {
+    return number_of(labels_of_soup(
+      disjoint_union(sphere(3), moved(scaled(sphere(3), r), 1 + r, 0, 0))));
   };
-  BOOST_TEST(number_of(labels) == number_of(labels_of_soup(soup)));
-  BOOST_TEST(labels[face_at(right)] != labels[face_at(left)]);
+  BOOST_TEST(number_of_parts(0.05) == 1u);
+  BOOST_TEST(number_of_parts(0.08) == 1u);
+  BOOST_TEST(number_of_parts(0.15) == 2u);
+  BOOST_TEST(number_of_parts(1) == 2u);
+}
+
+BOOST_AUTO_TEST_CASE(a_small_component_belongs_to_the_part_that_it_touches)
+{
+  // A dumbbell with a bead at each end
+  const Soup soup = dumbbell(24, 20);
+  double end = 0;
+  for (const Point& p : soup.points)
+    end = (std::max)(end, p.z());
+  const Soup bead = scaled(sphere(1), 0.02 * end);
+  const Labels labels =
+    labels_of_soup(union_of({soup, moved(bead, 0, 0, end), moved(bead, 0, 0, -end)}));
+  const std::size_t n = soup.triangles.size(), m = bead.triangles.size();
+  const auto label_at = [&](bool is_top) {
+    for (std::size_t f = 0; f < n; ++f)
+      for (std::size_t v : soup.triangles[f])
+        if (std::abs(soup.points[v].z() - (is_top ? end : -end)) < 1e-6)
+          return labels[f];
+    return untouched;
+  };
+  BOOST_TEST(label_at(true) != label_at(false));
   for (std::size_t f = 0; f < m; ++f) {
-    BOOST_TEST(labels[n + f] == labels[face_at(right)]);
-    BOOST_TEST(labels[n + m + f] == labels[face_at(left)]);
+    BOOST_TEST(labels[n + f] == label_at(true));
+    BOOST_TEST(labels[n + m + f] == label_at(false));
   }
+}
+
+BOOST_AUTO_TEST_CASE(patches_that_meet_edge_to_edge_are_one_surface)
+{
+  const Soup whole = dumbbell(24, 20);
+  Soup patches[2], all;
+  for (const auto& t : whole.triangles) {
+    const Point c = CGAL::centroid(whole.points[t[0]], whole.points[t[1]], whole.points[t[2]]);
+    patches[c.x() > 0].triangles.push_back(t);
+  }
+  Labels expected;
+  const Labels of_whole = labels_of_soup(whole);
+  for (Soup& patch : patches) {
+    patch.points = whole.points;
+    all = disjoint_union(all, patch);
+    for (const auto& t : patch.triangles)
+      expected.push_back(of_whole[std::size_t(
+        std::find(whole.triangles.begin(), whole.triangles.end(), t) - whole.triangles.begin())]);
+  }
+  const Labels labels = labels_of_soup(all);
+  BOOST_TEST(number_of(labels) == number_of(of_whole));
+  BOOST_TEST(rand_index(labels, expected) > 0.95);
 }
 
 BOOST_AUTO_TEST_CASE(what_nothing_touches_stays_apart_and_is_joined_nearest_first)

@@ -84,7 +84,7 @@ struct Run
           for (const auto& [leaf, share] : shares[levels[i].vertices[v]])
             add(leaf, share);
       };
-      cuts = internal::Cut_transfer(sequential, cuts, finer, false, for_each_share,
+      cuts = internal::Cut_transfer(sequential, cuts, finer, for_each_share,
                                     weights_of_calibrated_method,
                                     is_stopped ? stopped_monitor : monitor)();
     }

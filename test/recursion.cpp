@@ -118,6 +118,7 @@ BOOST_AUTO_TEST_CASE(by_salience_the_most_salient_of_all_cuts_is_made_next)
     weights_of_calibrated_method);
   CGAL::Spectral_segmentation::Options options;
   options.number_of_regions = 9;
+  options.keep_components_separate = true; // else cuts of the smaller one count less
   Search_record record;
   const internal::Cut_hierarchy result =
     over_segmentation(graph, options, sequential, record);

@@ -164,12 +164,11 @@ at most 4000 faces by default. The memory is O(*n*). The section
   \cgalParamNEnd
   \cgalParamNBegin{keep_components_separate}
     \cgalParamDescription{whether each connected component of the mesh is a part from the start. By
-      default components that touch may belong to the same part: if some components touch or
-      nearly touch, a closed surface that wraps all of them is searched in place of the mesh, and
-      each face gets the side of the surface near it. Components that are farther from each other
-      than about a sixtieth of the diagonal of the bounding box never belong to the same part,
-      unless a number of segments requires it. If `number_of_coarse_faces` is 0, no components
-      belong to the same part.}
+      default components whose borders meet edge to edge are one surface, and a component with less
+      than a hundredth of the area belongs to the part with which it has the most contact. A
+      component is cut further only if it is nearly the whole mesh. Components that touch no other
+      are parts, unless a number of segments requires less or they have less than a hundredth of the
+      area of the largest.}
     \cgalParamType{`bool`}
     \cgalParamDefault{`false`, or `true` with `zhang_liu_2005()`, which supports no other value}
   \cgalParamNEnd

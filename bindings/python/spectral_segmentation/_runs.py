@@ -98,7 +98,8 @@ def segment_hierarchy(points, triangles=None, *, method="calibrated", number_of_
     salience_threshold: the smallest salience of a cut; by default 0.40, the probability that people
         cut there, or 0.54 for weighted saliences such as the paper's.
     keep_components_separate: whether each connected component is a part from the start; by default
-        False, with the method "paper" True.
+        False, with the method "paper" True. By default a component with less than a hundredth of
+        the area belongs to the part with which it has the most contact.
     constrained_edges: array_like of integers, shape (k, 2): edges by their points, as of
         `boundary_edges()`, that must be between segments. Edges of one triangle are ignored.
     uncuttable_edges: array_like of integers, shape (k, 2): edges whose triangles must be of

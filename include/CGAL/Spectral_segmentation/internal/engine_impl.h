@@ -10,18 +10,18 @@
 #include <CGAL/Spectral_segmentation/internal/engine.h>
 #include <CGAL/Spectral_segmentation/internal/hierarchy/congruent_cuts.h>
 #include <CGAL/Spectral_segmentation/internal/hierarchy/further_cuts.h>
-#include <CGAL/Spectral_segmentation/internal/hierarchy/join_roots.h>
+#include <CGAL/Spectral_segmentation/internal/hierarchy/Component_merging.h>
 #include <CGAL/Spectral_segmentation/internal/hierarchy/numbers_to_search.h>
 #include <CGAL/Spectral_segmentation/internal/hierarchy/recursion.h>
 #include <CGAL/Spectral_segmentation/internal/hierarchy/region_merging.h>
 #include <CGAL/Spectral_segmentation/internal/soup/connect_triangles.h>
 #include <CGAL/Spectral_segmentation/internal/soup/duplicate_faces.h>
+#include <CGAL/Spectral_segmentation/internal/soup/weld_borders.h>
 #include <CGAL/Spectral_segmentation/internal/surface/Principal_frame.h>
 #include <CGAL/Spectral_segmentation/internal/surface/geometric_order.h>
 #include <CGAL/Spectral_segmentation/internal/surface/is_convex.h>
 #include <CGAL/Spectral_segmentation/internal/surface/reorder_faces.h>
 #include <CGAL/Spectral_segmentation/internal/coarsening/Cut_transfer.h>
-#include <CGAL/Spectral_segmentation/internal/grid/Grid_wrap.h>
 #include <CGAL/Spectral_segmentation/internal/coarsening/Longest_edge_bisection.h>
 #include <CGAL/Spectral_segmentation/internal/coarsening/coarsening.h>
 #include <CGAL/Spectral_segmentation/internal/coarsening/Leaf_shares.h>
@@ -53,7 +53,6 @@ class Run
   double unit_ = 1;                 // the length of 1 in the coordinates of the caller
   std::vector<Index> face_;         // the face of the mesh for each of the caller's faces
   Refined_mesh refined_;            // empty if the edges of the mesh are short enough
-  std::optional<Grid_wrap> wrap_;   // the wrap of a mesh of several components
   std::vector<Coarse_surface> levels_; // each coarser than the one before; the last is searched
   std::vector<Index> neighbors_;    // the caller's indices, if boundaries shall be smoothed
   Constraint_groups groups_;        // empty without constraints
@@ -80,14 +79,14 @@ class Run
   }
 
   // Returns the order in which faces are kept; empty for the order of the caller. A mesh that is
-  // wrapped gets an order of its own, because the wrap takes the first of equally near faces. A
-  // mesh that is only coarsened needs no order, because its coarse surface is put in one.
+  // only coarsened needs no order, because its coarse surface is put in one. Components that are
+  // merged need one, because of equal components the first is merged first.
   std::vector<Index> order_of_faces()
   {
     if (is_searched_itself())
       return locality_order(mesh_);
-    const bool may_be_wrapped = !options_.keep_components_separate && mesh_.components.number > 1;
-    if (may_be_wrapped || options_.number_of_coarse_faces == 0)
+    const bool are_merged = !options_.keep_components_separate && mesh_.components.number > 1;
+    if (are_merged || options_.number_of_coarse_faces == 0)
       return geometric_order(mesh_);
     return {};
   }
@@ -141,6 +140,8 @@ class Run
     mesh_.components = connected_components(mesh_);
     remove_duplicates();
     normalize_mesh();
+    if (!options_.keep_components_separate && mesh_.components.number > 1)
+      weld_borders(mesh_);
     if (monitor_.go_further())
       order_faces();
     monitor_.advance(0.3);
@@ -206,19 +207,8 @@ class Run
       refined_ = Longest_edge_bisection(mesh_, *bound)(execution_);
   }
 
-  // Wraps components that touch. If none touch, the mesh itself is searched.
-  void wrap()
-  {
-    if (mesh_.components.number < 2 || !(total_area(mesh_) > 0))
-      return;
-    wrap_.emplace(execution_, mesh_);
-    monitor_.check();
-    if (wrap_->surface().components.number == mesh_.components.number)
-      wrap_.reset();
-  }
-
   const Surface& finest() const
-  { return wrap_ ? wrap_->surface() : refined_.faces.empty() ? mesh_ : refined_.graph; }
+  { return refined_.faces.empty() ? mesh_ : refined_.graph; }
 
   // Returns whether something is done with the mesh after the search.
   bool is_mesh_needed() const
@@ -239,14 +229,10 @@ class Run
       return result;
     }
     mesh_.points = std::move(points);
-    if (!options_.keep_components_separate)
-      wrap();
-    if (!wrap_)
-      refine();
-    const std::size_t faces_of_mesh = (wrap_ ? finest() : mesh_).number_of_faces();
-    levels_ = coarsened(execution_, finest(),
-                        faces_to_search(options_, faces_of_mesh, finest().number_of_faces()),
-                        monitor_);
+    refine();
+    const std::size_t number = faces_to_search(options_, mesh_.number_of_faces(),
+                                               finest().number_of_faces());
+    levels_ = coarsened(execution_, finest(), number, monitor_);
     Surface result = levels_.back().graph;
     set_weights(result, result.points);
     return result;
@@ -263,8 +249,6 @@ class Run
         composed.push_back(result[f]);
       result = std::move(composed);
     };
-    if (wrap_)
-      compose(wrap_->nearest_faces());
     if (!refined_.faces.empty())
       compose(refined_.faces);
     for (const Coarse_surface& level : levels_)
@@ -292,11 +276,10 @@ class Run
 
   // Transfers the cuts of another surface to a mesh.
   template <class For_each_share>
-  Cut_hierarchy transferred(const Cut_hierarchy& cuts, const Surface& mesh, bool is_wrapped,
+  Cut_hierarchy transferred(const Cut_hierarchy& cuts, const Surface& mesh,
                             const For_each_share& for_each_share)
   {
-    return Cut_transfer(execution_, cuts, mesh, is_wrapped, for_each_share, distance_weights(),
-                        monitor_)();
+    return Cut_transfer(execution_, cuts, mesh, for_each_share, distance_weights(), monitor_)();
   }
 
   // Projects the cuts of the coarse surface onto the mesh, level by level.
@@ -306,24 +289,22 @@ class Run
       std::vector<Index> leaf(cuts.leaf.size());
       for (Index f = 0; f < leaf.size(); ++f)
         leaf[levels_.back().faces[f]] = cuts.leaf[f];
-      cuts = transferred(cuts, finest(), false,
-                         [&](Index f, const auto& add) { add(leaf[f], 1); });
+      cuts = transferred(cuts, finest(), [&](Index f, const auto& add) { add(leaf[f], 1); });
       levels_.clear();
     }
     for (std::size_t i = levels_.size(); i-- > 0; levels_.pop_back()) {
       const Surface& mesh = i > 0 ? levels_[i - 1].graph : finest();
       const Leaf_shares shares = shares_of_vertices(levels_[i].graph, cuts.leaf);
-      cuts = transferred(cuts, mesh, false, [&](Index f, const auto& add) {
+      cuts = transferred(cuts, mesh, [&](Index f, const auto& add) {
         for (Index v : mesh.corners[f])
           for (const auto& [leaf, share] : shares[levels_[i].vertices[v]])
             add(leaf, share);
       });
     }
-    if (!wrap_ && refined_.faces.empty())
+    if (refined_.faces.empty())
       return cuts;
-    const Leaf_shares shares =
-      wrap_ ? shares_of_faces(*wrap_, cuts.leaf) : shares_of_faces(refined_, cuts.leaf);
-    return transferred(cuts, mesh_, wrap_.has_value(), [&](Index f, const auto& add) {
+    const Leaf_shares shares = shares_of_faces(refined_, cuts.leaf);
+    return transferred(cuts, mesh_, [&](Index f, const auto& add) {
       for (const auto& [leaf, share] : shares[f])
         add(leaf, share);
     });
@@ -349,8 +330,8 @@ class Run
   // Joins roots, satisfies constraints, and makes as many cuts as were asked for.
   void apply_options(Cut_hierarchy& hierarchy)
   {
-    if (!options_.keep_components_separate)
-      hierarchy = join_roots(std::move(hierarchy), mesh_);
+    if (!options_.keep_components_separate && hierarchy.number_of_roots > 1)
+      hierarchy = Component_merging(hierarchy, mesh_)();
     if (!constraints_.empty())
       satisfy_constraints(hierarchy);
     if (!options_.number_of_segments || monitor_.is_stopped())
@@ -413,7 +394,6 @@ public:
     catch (const Run_stopped&) { // before there was a cut
       levels_.clear();
       refined_ = Refined_mesh();
-      wrap_.reset();
       result = uncut_hierarchy(mesh_);
     }
     monitor_.start_phase(1);

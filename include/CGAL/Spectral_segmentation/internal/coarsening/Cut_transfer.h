@@ -24,12 +24,9 @@ namespace CGAL::Spectral_segmentation::internal {
 
 // Transfers the cuts of another surface of the same shape to a mesh, one by one from the root. The
 // elements that a cut divides are cells. A cell has shares in the leaves of the other surface, and
-// gets the side of a cut in which it has the larger share.
-//
-// If the other surface has the same components, the cells with shares on both sides are a band
-// around the cut, which a minimum cut splits. Then the sides are made connected: all but the
-// largest piece of a side goes to the other side. If the other surface wraps the components, a
-// boundary is expected where a component ends: small pieces of a component go to the other side.
+// gets the side of a cut in which it has the larger share. The cells with shares on both sides are
+// a band around the cut, which a minimum cut splits. Then the sides are made connected: all but the
+// largest piece of a side goes to the other side.
 class Cut_transfer
 {
   enum Side : char { Q, REST, BETWEEN, OUTSIDE };
@@ -38,7 +35,6 @@ class Cut_transfer
   const Execution execution_;
   const Cut_hierarchy& cuts_; // the cuts of the other surface
   const Surface& mesh_;
-  const bool is_wrapped_;
   Run_monitor& monitor_;
 
   const Nested_ranges leaves_; // the leaves of each node of the other surface
@@ -79,11 +75,10 @@ class Cut_transfer
   // cuts, because a cut must not depend on later cuts.
   template <class For_each_share>
   static std::vector<char> are_between(Execution execution, const Cut_hierarchy& cuts,
-                                       const Surface& mesh, bool is_wrapped,
-                                       const For_each_share& for_each_share)
+                                       const Surface& mesh, const For_each_share& for_each_share)
   {
     std::vector<char> result(mesh.number_of_faces(), 1);
-    if (!cuts.is_monotonic || is_wrapped)
+    if (!cuts.is_monotonic)
       return result;
     constexpr Index several = null_index - 1;
     std::vector<Index> leaf(mesh.number_of_faces(), null_index);
@@ -150,10 +145,8 @@ class Cut_transfer
 
   bool is_reached(Index cell) const { return flood_[cell] == number_of_floods_; }
 
-  // Reaches the cells of the part that are connected with a cell, through cells for which f(cell)
-  // is true. Returns their area.
-  template <class Function>
-  double flood(Index first, const Function& f)
+  // Reaches the cells that are connected with a cell on its side. Returns their area.
+  double flood(Index first)
   {
     std::size_t next = reached_.size();
     reached_.push_back(first);
@@ -162,16 +155,13 @@ class Cut_transfer
     for (; next < reached_.size(); ++next) {
       area += cells_.area(reached_[next]);
       for (Index cell : cells_.neighbors(reached_[next]))
-        if (!is_reached(cell) && side_[cell] != OUTSIDE && f(cell)) {
+        if (!is_reached(cell) && side_[cell] == side_[first]) {
           flood_[cell] = number_of_floods_;
           reached_.push_back(cell);
         }
     }
     return area;
   }
-
-  double flood_side(Index first)
-  { return flood(first, [&, first](Index cell) { return side_[cell] == side_[first]; }); }
 
   void change_sides(std::size_t first, std::size_t end)
   {
@@ -188,7 +178,7 @@ class Cut_transfer
     for (Index cell : cells)
       if (side_[cell] == given && !is_reached(cell)) {
         first_of_piece.push_back(reached_.size());
-        areas.push_back(flood_side(cell));
+        areas.push_back(flood(cell));
       }
     if (areas.size() < 2)
       return;
@@ -205,58 +195,18 @@ class Cut_transfer
     if (std::any_of(cells.begin(), cells.end(), [&](Index c) { return side_[c] != first; }))
       return;
     start_flood();
-    flood_side(*cells.begin());
+    flood(*cells.begin());
     change_sides(reached_.size() - 1, reached_.size());
   }
 
-  // A piece of a component on a side is small if it is less than this fraction of the component
-  // within the part, and of its side.
-  static constexpr double share_of_small_piece = 0.3;
-
-  void move_small_pieces(const Cells& cells)
-  {
-    double area_of_side[2] = {0, 0};
-    for (Index cell : cells)
-      area_of_side[int(side_[cell])] += cells_.area(cell);
-    start_flood();
-    std::vector<Index> first_of_component;
-    std::vector<double> areas;
-    for (Index cell : cells)
-      if (!is_reached(cell)) {
-        first_of_component.push_back(static_cast<Index>(reached_.size()));
-        areas.push_back(flood(cell, [](Index) { return true; }));
-      }
-    first_of_component.push_back(static_cast<Index>(reached_.size()));
-    const std::vector<Index> all = std::move(reached_);
-    start_flood();
-    for (std::size_t i = 0; i < areas.size(); ++i) {
-      std::vector<std::pair<std::size_t, std::size_t> > small;
-      for (Index k = first_of_component[i]; k < first_of_component[i + 1]; ++k)
-        if (!is_reached(all[k])) {
-          const std::size_t begin = reached_.size();
-          const double area = flood_side(all[k]);
-          if (area < share_of_small_piece * areas[i] &&
-              area < share_of_small_piece * area_of_side[int(side_[all[k]])])
-            small.emplace_back(begin, reached_.size());
-        }
-      for (const auto& [first, end] : small)
-        change_sides(first, end);
-    }
-  }
-
-  // Returns the sides of the cells of a part that is cut like a node of the other surface. If the
-  // other surface has the same components, the sides are connected, and both have a cell if the
-  // part has two.
+  // Returns the sides of the cells of a part that is cut like a node of the other surface. They
+  // are connected, and both have a cell if the part has two.
   Sides sides(std::size_t node, const Cells& cells)
   {
     set_sides(node, cells);
-    if (is_wrapped_)
-      move_small_pieces(cells);
-    else {
-      keep_largest(cells, Q);
-      keep_largest(cells, REST);
-      keep_both_sides(cells);
-    }
+    keep_largest(cells, Q);
+    keep_largest(cells, REST);
+    keep_both_sides(cells);
     Sides result;
     result.reserve(cells.size());
     for (Index cell : cells)
@@ -290,21 +240,18 @@ class Cut_transfer
     return true;
   }
 
-  // Returns a hierarchy of the mesh whose leaves are cells, and which has the roots of the other
-  // surface that have a face, numbered by their first faces. Sets `node_of` for these roots.
+  // Returns a hierarchy of the mesh whose leaves are cells. Its roots are numbered by their first
+  // faces. Sets `node_of` for the roots.
   Cut_hierarchy roots(std::vector<std::size_t>& node_of) const
   {
     std::vector<std::size_t> root_of_leaf;
     for (std::size_t root = 0; root < cuts_.number_of_roots; ++root)
       root_of_leaf.insert(root_of_leaf.end(), leaves_.size(root), root);
-    const auto is_smaller = [](const auto& a, const auto& b) { return a.share < b.share; };
     std::vector<Index> root_of_cell(cells_.number());
     std::vector<double> areas;
     for (Index f = 0; f < mesh_.number_of_faces(); ++f) {
       const Index cell = cells_.of_face(f);
-      const auto shares = shares_[cell];
-      const Index leaf = std::max_element(shares.begin(), shares.end(), is_smaller)->leaf;
-      std::size_t& root = node_of[root_of_leaf[leaf]];
+      std::size_t& root = node_of[root_of_leaf[shares_[cell].begin()->leaf]];
       if (root == null_node) {
         root = areas.size();
         areas.push_back(0);
@@ -316,21 +263,21 @@ class Cut_transfer
   }
 
 public:
-  // Takes the cuts of another surface, which wraps the mesh or has the same components.
+  // Takes the cuts of another surface, which has the same components.
   // `for_each_share(f, add)` calls add(leaf, share) for each leaf of the cuts that the face f of
   // the mesh touches, with repetition. Once the caller has stopped the run, no minimum cuts are
   // made.
   template <class For_each_share>
-  Cut_transfer(Execution execution, const Cut_hierarchy& cuts, const Surface& mesh, bool is_wrapped,
+  Cut_transfer(Execution execution, const Cut_hierarchy& cuts, const Surface& mesh,
                const For_each_share& for_each_share, const Distance_weights& weights,
                Run_monitor& monitor)
-    : execution_(execution), cuts_(cuts), mesh_(mesh), is_wrapped_(is_wrapped), monitor_(monitor),
+    : execution_(execution), cuts_(cuts), mesh_(mesh), monitor_(monitor),
       leaves_(ranges_of_leaves(cuts)),
-      cells_(mesh, are_between(execution, cuts, mesh, is_wrapped, for_each_share)),
+      cells_(mesh, are_between(execution, cuts, mesh, for_each_share)),
       shares_(shares_of_cells(cells_, leaves_, for_each_share)),
       side_(cells_.number(), OUTSIDE), flood_(cells_.number(), 0)
   {
-    if (!is_wrapped && !shares_.are_whole() && !monitor.is_stopped())
+    if (!shares_.are_whole() && !monitor.is_stopped())
       set_bands(weights);
   }
 

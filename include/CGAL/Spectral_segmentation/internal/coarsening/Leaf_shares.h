@@ -7,7 +7,6 @@
 #include <CGAL/Spectral_segmentation/internal/base/Packed_graph.h>
 #include <CGAL/Spectral_segmentation/internal/coarsening/Coarse_surface.h>
 #include <CGAL/Spectral_segmentation/internal/coarsening/Longest_edge_bisection.h>
-#include <CGAL/Spectral_segmentation/internal/grid/Grid_wrap.h>
 
 #include <CGAL/Iterator_range.h>
 
@@ -89,22 +88,6 @@ inline Leaf_shares shares_of_faces(const Refined_mesh& refined, const std::vecto
       result.add_element();
     result.add(leaf[f], static_cast<float>(refined.graph.areas[f]));
   }
-  return result;
-}
-
-// Returns the shares, by area, of the faces of a mesh in the leaves of its wrap near them.
-inline Leaf_shares shares_of_faces(const Grid_wrap& wrap, const std::vector<Index>& leaf)
-{
-  std::vector<Index> leaf_of_vertex(wrap.surface().points.size());
-  for (Index f = 0; f < leaf.size(); ++f)
-    for (Index v : wrap.surface().corners[f])
-      leaf_of_vertex[v] = leaf[f];
-  Leaf_shares result;
-  wrap.for_each_piece_and_vertex([&](Index f, double share, Index vertex) {
-    while (result.number_of_elements() <= f)
-      result.add_element();
-    result.add(leaf_of_vertex[vertex], static_cast<float>(share));
-  });
   return result;
 }
 

@@ -5,7 +5,7 @@
 #define CGAL_SPECTRAL_SEGMENTATION_INTERNAL_CONSTRAINTS_REGION_GRAPH_H
 
 #include <CGAL/Spectral_segmentation/internal/surface/Surface.h>
-#include <CGAL/Spectral_segmentation/internal/grid/component_distances.h>
+#include <CGAL/Spectral_segmentation/internal/grid/set_contacts.h>
 #include <CGAL/Spectral_segmentation/internal/constraints/Constraint_groups.h>
 
 #include <algorithm>

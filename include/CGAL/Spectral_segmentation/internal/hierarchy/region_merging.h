@@ -5,7 +5,7 @@
 #define CGAL_SPECTRAL_SEGMENTATION_INTERNAL_HIERARCHY_REGION_MERGING_H
 
 #include <CGAL/Spectral_segmentation/Options.h>
-#include <CGAL/Spectral_segmentation/internal/hierarchy/Cut_hierarchy.h>
+#include <CGAL/Spectral_segmentation/internal/hierarchy/Merge.h>
 #include <CGAL/Spectral_segmentation/internal/surface/extract_part.h>
 #include <CGAL/Spectral_segmentation/internal/salience/Cut_evaluator.h>
 #include <CGAL/Spectral_segmentation/internal/base/Run_monitor.h>
@@ -15,6 +15,7 @@
 #include <iterator>
 #include <numeric>
 #include <set>
+#include <tuple>
 #include <utility>
 #include <vector>
 
@@ -25,22 +26,7 @@ namespace CGAL::Spectral_segmentation::internal {
 // to reach other cuts is undone on the way. The merges in reverse are a hierarchy of cuts.
 class Region_merging
 {
-  typedef std::pair<std::size_t, std::size_t> Pair; // two regions, the lower index first
-
-  // The boundary of two regions as the cut of their union.
-  struct Boundary
-  {
-    double salience;
-    Salience_factors factors;
-    double area[2]; // the areas of the smaller and the larger region
-    bool first_is_smaller;
-  };
-
-  struct Merge
-  {
-    Pair regions; // the two become the first of them
-    Boundary boundary;
-  };
+  typedef std::pair<Index, Index> Pair; // two regions, the lower index first
 
   const Execution execution_;
   const Surface& mesh_;
@@ -49,34 +35,34 @@ class Region_merging
   Run_monitor& monitor_;
 
   std::vector<std::vector<Index> > faces_; // one list per region, ascending
-  std::vector<std::size_t> region_;        // one per face
-  std::vector<Merge> merges_;              // the possible merges of neighbors
+  std::vector<Index> region_;              // one per face
+  std::vector<Merge> merges_;              // possible merges of neighbors, the lower index first
 
-  Boundary evaluated(const Pair& regions) const
+  // Sets the salience and the factors of the boundary of two regions, as the cut of their union.
+  void evaluate(Merge& merge) const
   {
-    const std::vector<Index>& first = faces_[regions.first];
-    const std::vector<Index>& second = faces_[regions.second];
+    const std::vector<Index>& first = faces_[merge.leaves[0]];
+    const std::vector<Index>& second = faces_[merge.leaves[1]];
     std::vector<Index> faces;
     std::merge(first.begin(), first.end(), second.begin(), second.end(), std::back_inserter(faces));
     Sides side;
     double area[2] = {0, 0};
     for (Index f : faces) {
-      side.push_back(region_[f] == regions.first ? 0 : 1);
+      side.push_back(region_[f] == merge.leaves[0] ? 0 : 1);
       area[int(side.back())] += mesh_.areas[f];
     }
-    const bool first_is_smaller = area[0] <= area[1];
     normalize_sides(side, area);
     const Surface both = Part_extractor(mesh_)(faces);
-    const Salience_factors factors = Cut_evaluator(both, faces, context_)(side);
-    monitor_.control().cut_evaluated({Evaluated_cut::BOUNDARY, faces, side, factors});
-    return {salience_of(part_salience_, factors), factors, {area[0], area[1]}, first_is_smaller};
+    merge.factors = Cut_evaluator(both, faces, context_)(side);
+    merge.salience = salience_of(part_salience_, merge.factors);
+    monitor_.control().cut_evaluated({Evaluated_cut::BOUNDARY, faces, side, merge.factors});
   }
 
   // Compares saliences. Ties go to the pair with the lower indices.
   static bool is_less_salient(const Merge& a, const Merge& b)
   {
-    const double of_a = quantized(a.boundary.salience), of_b = quantized(b.boundary.salience);
-    return of_a < of_b || (of_a == of_b && a.regions < b.regions);
+    return std::make_tuple(quantized(a.salience), a.leaves[0], a.leaves[1]) <
+           std::make_tuple(quantized(b.salience), b.leaves[0], b.leaves[1]);
   }
 
   // Evaluates the boundaries of a region with its neighbors, or of all regions.
@@ -90,19 +76,16 @@ class Region_merging
           neighbors.insert({a, b});
       }
     const std::size_t first = merges_.size();
-    for (const Pair& regions : neighbors)
-      merges_.push_back({regions, {}});
-    for_each_index(execution_, neighbors.size(), [&](std::size_t i) {
-      Merge& m = merges_[first + i];
-      m.boundary = evaluated(m.regions);
-    });
+    for (const auto& [a, b] : neighbors)
+      merges_.push_back({{a, b}, 0, {}});
+    for_each_index(execution_, neighbors.size(), [&](std::size_t i)
+      { evaluate(merges_[first + i]); });
   }
 
-  void merge(const Pair& regions)
+  void merge(Index into, Index from)
   {
-    const auto [into, from] = regions;
-    const auto touches = [into = into, from = from](const Merge& m) {
-      const auto [first, second] = m.regions;
+    const auto touches = [into, from](const Merge& m) {
+      const auto [first, second] = m.leaves;
       return first == into || second == into || first == from || second == from;
     };
     merges_.erase(std::remove_if(merges_.begin(), merges_.end(), touches), merges_.end());
@@ -124,7 +107,7 @@ class Region_merging
     std::vector<Merge> merges;
     while (!merges_.empty()) {
       merges.push_back(*std::min_element(merges_.begin(), merges_.end(), is_less_salient));
-      merge(merges.back().regions);
+      merge(merges.back().leaves[0], merges.back().leaves[1]);
       monitor_.approach(1. / static_cast<double>(faces_.size()));
     }
     return merges;
@@ -134,8 +117,7 @@ class Region_merging
   static void make_ultrametric(std::vector<Merge>& merges)
   {
     for (std::size_t k = 1; k < merges.size(); ++k)
-      merges[k].boundary.salience =
-        (std::max)(merges[k].boundary.salience, merges[k - 1].boundary.salience);
+      merges[k].salience = (std::max)(merges[k].salience, merges[k - 1].salience);
   }
 
 public:
@@ -149,53 +131,23 @@ public:
   Cut_hierarchy operator()(const Cut_hierarchy& regions)
   {
     // Regions are numbered by their first faces.
-    std::vector<std::size_t> number(regions.nodes.size(), null_node);
+    std::vector<Index> number(regions.nodes.size(), null_index);
+    std::vector<double> areas;
     for (Index f = 0; f < mesh_.number_of_faces(); ++f) {
-      std::size_t& region = number[regions.leaf[f]];
-      if (region == null_node) {
-        region = faces_.size();
+      Index& region = number[regions.leaf[f]];
+      if (region == null_index) {
+        region = static_cast<Index>(faces_.size());
         faces_.emplace_back();
+        areas.push_back(0);
       }
       region_.push_back(region);
       faces_[region].push_back(f);
+      areas[region] += mesh_.areas[f];
     }
-    const std::vector<std::size_t> region_of_face = region_;
+    const std::vector<Index> region_of_face = region_;
     std::vector<Merge> merges = merge_all();
     make_ultrametric(merges);
-
-    Cut_hierarchy result;
-    result.is_monotonic = true;
-    result.number_of_roots = regions.number_of_roots;
-    result.nodes.resize(result.number_of_roots);
-    for (std::size_t i = 0; i < result.number_of_roots; ++i)
-      result.nodes[i].area = regions.nodes[i].area;
-    // A region that was not merged into another is a root. Roots are numbered like components.
-    std::vector<std::size_t> node(faces_.size()); // the node of each region and all merged into it
-    std::size_t next_root = 0;
-    for (std::size_t region = 0; region < faces_.size(); ++region)
-      if (!faces_[region].empty())
-        node[region] = next_root++;
-    CGAL_assertion(next_root == result.number_of_roots);
-    for (auto m = merges.rbegin(); m != merges.rend(); ++m) {
-      const auto [into, from] = m->regions;
-      const std::size_t parent = node[into];
-      Cut_node& n = result.nodes[parent];
-      n.cut_state = Cut_state::CUT;
-      n.salience = m->boundary.salience;
-      n.factors = m->boundary.factors;
-      result.cut_order.push_back(parent);
-      result.cut(parent, m->boundary.area[0], m->boundary.area[1]);
-      const std::size_t smaller = result.nodes.size() - 2;
-      node[into] = m->boundary.first_is_smaller ? smaller : smaller + 1;
-      node[from] = m->boundary.first_is_smaller ? smaller + 1 : smaller;
-    }
-    for (Cut_node& n : result.nodes)
-      if (n.is_leaf())
-        n.cut_state = Cut_state::NO_CUT;
-    result.leaf.reserve(region_of_face.size());
-    for (std::size_t region : region_of_face)
-      result.leaf.push_back(static_cast<Index>(node[region]));
-    return result;
+    return hierarchy_of_merges(region_of_face, areas, merges);
   }
 };
 

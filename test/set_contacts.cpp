@@ -5,9 +5,8 @@
 
 #include "test_meshes.h"
 
-#include <CGAL/Spectral_segmentation/internal/grid/component_distances.h>
+#include <CGAL/Spectral_segmentation/internal/grid/set_contacts.h>
 #include <CGAL/Spectral_segmentation/internal/surface/connected_components.h>
-#include <CGAL/Spectral_segmentation/internal/grid/Grid_wrap.h>
 
 #include <algorithm>
 #include <cmath>
@@ -17,14 +16,13 @@
 #include <utility>
 #include <vector>
 
-BOOST_AUTO_TEST_SUITE(grid_wrap)
+BOOST_AUTO_TEST_SUITE(set_contacts)
 
 namespace tt = boost::test_tools;
 namespace internal = CGAL::Spectral_segmentation::internal;
 using namespace test_meshes;
 using internal::Bounding_box;
 using internal::Grid;
-using internal::Grid_wrap;
 using internal::Index;
 using internal::Triangle;
 using internal::Vector;
@@ -38,46 +36,6 @@ Vector random_point(Random& random, double extent)
 {
   const double x = random_coordinate(random, extent), y = random_coordinate(random, extent);
   return Vector(x, y, random_coordinate(random, extent));
-}
-
-std::size_t number_of_components(const Surface& graph)
-{ return internal::connected_components(graph).number; }
-
-// Each edge has two faces, and the faces around each vertex are one fan.
-void check_closed_manifold(const Surface& graph)
-{
-  std::vector<std::size_t> faces_around(graph.points.size(), 0);
-  std::vector<Index> outgoing(graph.points.size(), 0);
-  for (Index h = 0; h < graph.number_of_halfedges(); ++h) {
-    BOOST_TEST_REQUIRE(!graph.is_border(h));
-    BOOST_TEST(graph.opposite[graph.opposite[h]] == h);
-    ++faces_around[graph.source_vertex(h)];
-    outgoing[graph.source_vertex(h)] = h;
-  }
-  for (std::size_t v = 0; v < outgoing.size(); ++v) {
-    std::size_t fan = 0;
-    Index h = outgoing[v];
-    do {
-      const Index previous = h % 3 == 0 ? h + 2 : h - 1;
-      h = graph.opposite[previous];
-      ++fan;
-    } while (h != outgoing[v] && fan <= faces_around[v]);
-    BOOST_TEST(fan == faces_around[v]);
-  }
-}
-
-Surface wrap_of(const Soup& soup)
-{
-  const Surface graph = surface_of(soup);
-  return Grid_wrap(sequential, graph).surface();
-}
-
-double volume(const Surface& graph)
-{
-  double result = 0;
-  for (const auto& c : graph.corners)
-    result += graph.points[c[0]].dot(graph.points[c[1]].cross(graph.points[c[2]])) / 6;
-  return result;
 }
 
 } // namespace
@@ -179,64 +137,18 @@ BOOST_AUTO_TEST_CASE(nearest_elements_are_about_those_of_a_search_through_all)
   BOOST_TEST(wrong <= grid.number_of_nodes() / 100);
 }
 
-BOOST_AUTO_TEST_CASE(the_boundary_of_any_solid_becomes_a_closed_manifold)
+BOOST_AUTO_TEST_CASE(contact_grows_with_the_area_of_contact)
 {
-  Random random(5);
-  for (int percent : {10, 50, 90})
-    for (int i = 0; i < 5; ++i) {
-      const Grid grid(Bounding_box({Vector(), Vector(5, 5, 5)}), 3);
-      internal::Grid_function values(grid.number_of_nodes(), 0.7f);
-      std::size_t inside = 0;
-      for (Index node = 0; node < values.size(); ++node) {
-        const Vector p = grid.point(node);
-        if ((std::min)({p.x(), p.y(), p.z()}) >= 0 && p.largest_coordinate() <= 5 &&
-            int(random() % 100) < percent) {
-          values[node] = -0.4f;
-          ++inside;
-        }
-      }
-      const internal::Grid_function given = values;
-      internal::Well_composed_solid(grid, values)();
-      for (Index node = 0; node < values.size(); ++node)
-        BOOST_TEST((given[node] >= 0 || values[node] < 0)); // nothing is taken away
-      const Surface graph = internal::Surface_nets(grid, values)();
-      BOOST_TEST((graph.number_of_faces() > 0) == (inside > 0));
-      check_closed_manifold(graph);
-      BOOST_TEST(volume(graph) > 0);
-    }
-}
-
-BOOST_AUTO_TEST_CASE(the_wrap_of_a_sphere_is_a_larger_sphere)
-{
-  const Surface ball = surface_of(sphere(4));
-  const Surface wrap = Grid_wrap(sequential, ball).surface();
-  check_closed_manifold(wrap);
-  BOOST_TEST(number_of_components(wrap) == 1u);
-  const long vertices = static_cast<long>(wrap.points.size());
-  BOOST_TEST(2 * vertices == 4 + static_cast<long>(wrap.number_of_faces())); // Euler
-  for (const Vector& p : wrap.points)
-    BOOST_TEST(p.norm() / ball.points[0].norm() == 1 + 1.2 / 46, // the offset, in deviations
-               tt::tolerance(0.005));
-}
-
-BOOST_AUTO_TEST_CASE(a_wrap_depends_neither_on_orientations_nor_on_what_is_inside)
-{
-  const Soup alone = torus(3, 1, 40, 20);
-  const Surface wrap = wrap_of(alone), other = wrap_of(turned_inside_out(alone));
-  BOOST_TEST(other.number_of_faces() == wrap.number_of_faces());
-  BOOST_TEST(volume(other) == volume(wrap), tt::tolerance(1e-6));
-  const Surface nested = wrap_of(disjoint_union(sphere(4), scaled(sphere(3), 0.5)));
-  BOOST_TEST(number_of_components(nested) == 1u);
-}
-
-BOOST_AUTO_TEST_CASE(components_near_to_each_other_have_one_wrap)
-{
-  const auto components_at = [](double x) {
-    return number_of_components(wrap_of(disjoint_union(sphere(3), moved(sphere(3), x, 0, 0))));
-  };
-  BOOST_TEST(components_at(1.5) == 1u);
-  BOOST_TEST(components_at(2.02) == 1u);
-  BOOST_TEST(components_at(3) == 2u);
+  // Two plates lie on a plate, one with four times the area of the other.
+  Soup soup = scaled(plate(8, 8), 1. / 8);
+  soup = disjoint_union(soup, moved(scaled(plate(8, 8), 0.4 / 8), 0.05, 0.05, 0.002));
+  soup = disjoint_union(soup, moved(scaled(plate(8, 8), 0.2 / 8), 0.7, 0.7, 0.002));
+  const Surface graph = surface_of(soup);
+  double area[2] = {0, 0};
+  for (const internal::Set_contact& c : internal::set_contacts(graph, graph.components.of_face))
+    if (c.sets[0] == 0)
+      area[c.sets[1] - 1] = double(c.area);
+  BOOST_TEST(area[0] / area[1] == 4, tt::tolerance(0.2));
 }
 
 BOOST_AUTO_TEST_CASE(sets_of_faces_are_joined_nearest_first)
