@@ -198,6 +198,14 @@ BOOST_AUTO_TEST_CASE(a_small_component_belongs_to_the_part_that_it_touches)
   }
 }
 
+BOOST_AUTO_TEST_CASE(a_component_among_equals_is_not_cut)
+{
+  const Soup soup = dumbbell(24, 20);
+  BOOST_TEST(number_of(labels_of_soup(soup)) >= 2u);
+  for (double distance : {1.9, 9.})
+    BOOST_TEST(number_of(labels_of_soup(disjoint_union(soup, moved(soup, distance, 0, 0)))) == 2u);
+}
+
 BOOST_AUTO_TEST_CASE(patches_that_meet_edge_to_edge_are_one_surface)
 {
   const Soup whole = dumbbell(24, 20);

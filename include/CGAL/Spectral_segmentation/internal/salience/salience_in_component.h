@@ -10,14 +10,15 @@
 
 namespace CGAL::Spectral_segmentation::internal {
 
-// Returns the salience of a cut inside of a component that has a share of the area. Who put a
-// model together of components has already separated most of what is separate. The logit is
-// lowered by 24 (1 - share). A salience that is no probability stays.
+// Returns the salience of a cut inside of a component with a share of the area. Who put a model
+// together of components has already separated most of what is separate. Therefore the logit is
+// lowered by 48 (0.9 - share), unless the component is nearly the whole, as a body with eyes and
+// teeth. A salience that is no probability stays.
 inline double salience_in_component(double salience, double share)
 {
-  if (!(salience > 0 && salience < 1) || share >= 1)
+  if (!(salience > 0 && salience < 1) || share >= 0.9)
     return salience;
-  const double odds = salience / (1 - salience) * std::exp(-24 * (1 - share));
+  const double odds = salience / (1 - salience) * std::exp(-48 * (0.9 - share));
   return odds / (1 + odds);
 }
 
