@@ -29,7 +29,7 @@ namespace CGAL::Spectral_segmentation::internal {
 // largest piece of a side goes to the other side.
 class Cut_transfer
 {
-  enum Side : char { Q, REST, BETWEEN, OUTSIDE };
+  enum Side : char { Q, REST, OUTSIDE };
   typedef Nested_ranges::Range Cells;
 
   const Execution execution_;
@@ -46,16 +46,6 @@ class Cut_transfer
   std::vector<Index> reached_; // the cells that floods reached since start_flood()
   std::vector<Index> flood_;   // the last start at which each cell was reached
   Index number_of_floods_ = 0;
-
-  // Returns ranges with the leaves as elements, so that the leaves of each node follow each other.
-  static Nested_ranges ranges_of_leaves(const Cut_hierarchy& cuts)
-  {
-    std::vector<Index> leaves;
-    for (Index i = 0; i < cuts.nodes.size(); ++i)
-      if (cuts.nodes[i].is_leaf())
-        leaves.push_back(i);
-    return Nested_ranges(cuts, leaves);
-  }
 
   // Returns the shares of the cells, in the positions of the leaves among `leaves`.
   template <class For_each_share>
@@ -244,9 +234,7 @@ class Cut_transfer
   // faces. Sets `node_of` for the roots.
   Cut_hierarchy roots(std::vector<std::size_t>& node_of) const
   {
-    std::vector<std::size_t> root_of_leaf;
-    for (std::size_t root = 0; root < cuts_.number_of_roots; ++root)
-      root_of_leaf.insert(root_of_leaf.end(), leaves_.size(root), root);
+    const std::vector<std::size_t> root_of_leaf = roots_of_leaves(cuts_, leaves_);
     std::vector<Index> root_of_cell(cells_.number());
     std::vector<double> areas;
     for (Index f = 0; f < mesh_.number_of_faces(); ++f) {

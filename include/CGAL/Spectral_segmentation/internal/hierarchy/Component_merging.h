@@ -6,6 +6,7 @@
 
 #include <CGAL/Spectral_segmentation/internal/grid/set_contacts.h>
 #include <CGAL/Spectral_segmentation/internal/hierarchy/Merge.h>
+#include <CGAL/Spectral_segmentation/internal/hierarchy/Nested_ranges.h>
 #include <CGAL/Spectral_segmentation/internal/salience/salience_in_component.h>
 
 #include <algorithm>
@@ -51,39 +52,12 @@ class Component_merging
 
   const Cut_hierarchy& cuts_;
   const Surface& mesh_;
-  std::vector<Index> number_of_leaf_;    // one per node
-  std::vector<Index> leaf_;              // one per face
-  std::vector<double> area_of_leaf_;
-  std::vector<std::size_t> root_;        // one per node
+  const Nested_ranges leaves_;                  // the leaves of each node
+  const std::vector<std::size_t> root_of_leaf_; // one per place among the leaves
   double area_ = 0;
-  std::vector<Merge> merges_;
+  std::vector<Merge> merges_;                   // of places of leaves
 
-  void number_leaves()
-  {
-    number_of_leaf_.assign(cuts_.nodes.size(), null_index);
-    root_.resize(cuts_.nodes.size());
-    for (std::size_t i : parents_first(cuts_)) {
-      const Cut_node& n = cuts_.nodes[i];
-      root_[i] = n.parent == null_node ? i : root_[n.parent];
-      if (n.is_leaf()) {
-        number_of_leaf_[i] = static_cast<Index>(area_of_leaf_.size());
-        area_of_leaf_.push_back(n.area);
-      }
-    }
-    for (Index leaf : cuts_.leaf)
-      leaf_.push_back(number_of_leaf_[leaf]);
-    for (std::size_t i = 0; i < cuts_.number_of_roots; ++i)
-      area_ += cuts_.nodes[i].area;
-    if (!(area_ > 0))
-      area_ = 1; // all areas are 0
-  }
-
-  Index any_leaf(std::size_t node) const
-  {
-    while (!cuts_.nodes[node].is_leaf())
-      node = cuts_.nodes[node].children[1];
-    return number_of_leaf_[node];
-  }
+  Index place(std::size_t node) const { return static_cast<Index>(leaves_.first(node)); }
 
   // Adds the cuts of the components as merges.
   void add_cuts()
@@ -91,36 +65,32 @@ class Component_merging
     for (std::size_t i = 0; i < cuts_.nodes.size(); ++i) {
       const Cut_node& n = cuts_.nodes[i];
       if (!n.is_leaf())
-        merges_.push_back({{any_leaf(n.children[0]), any_leaf(n.children[1])},
-                           salience_in_component(n.salience, cuts_.nodes[root_[i]].area / area_),
+        merges_.push_back({{place(n.children[0]), place(n.children[1])},
+                           salience_in_component(
+                             n.salience, cuts_.nodes[root_of_leaf_[place(i)]].area / area_),
                            n.factors});
     }
   }
 
-  std::vector<Neighbors> neighbors() const
+  std::vector<Neighbors> neighbors(const std::vector<Index>& leaf) const
   {
-    std::vector<Index> root_of_leaf(area_of_leaf_.size());
-    for (std::size_t i = 0; i < cuts_.nodes.size(); ++i)
-      if (cuts_.nodes[i].is_leaf())
-        root_of_leaf[number_of_leaf_[i]] = static_cast<Index>(root_[i]);
     std::vector<Neighbors> result(cuts_.number_of_roots);
-    for (const Set_contact& c : set_contacts(mesh_, leaf_)) {
+    for (const Set_contact& c : set_contacts(mesh_, leaf)) {
       const auto [a, b] = c.sets;
-      if (root_of_leaf[a] == root_of_leaf[b])
+      const Index root_a = static_cast<Index>(root_of_leaf_[a]),
+                  root_b = static_cast<Index>(root_of_leaf_[b]);
+      if (root_a == root_b)
         continue;
-      result[root_of_leaf[a]][root_of_leaf[b]].add({c.area, c.squared_gap, {a, b}, c.area,
-                                                    c.squared_gap});
-      result[root_of_leaf[b]][root_of_leaf[a]].add({c.area, c.squared_gap, {b, a}, c.area,
-                                                    c.squared_gap});
+      result[root_a][root_b].add({c.area, c.squared_gap, {a, b}, c.area, c.squared_gap});
+      result[root_b][root_a].add({c.area, c.squared_gap, {b, a}, c.area, c.squared_gap});
     }
     return result;
   }
 
   // Adds the merges of the components.
-  void add_merges()
+  void add_merges(std::vector<Neighbors> neighbors)
   {
     typedef std::pair<double, Index> Sized; // an area, and the set that has it
-    std::vector<Neighbors> neighbors = this->neighbors();
     std::vector<double> area;
     std::set<Sized> sets, apart;
     for (Index i = 0; i < cuts_.number_of_roots; ++i) {
@@ -165,17 +135,31 @@ class Component_merging
 
 public:
   // Takes the cuts of the components, one root for each, and the mesh, whose faces have areas.
-  Component_merging(const Cut_hierarchy& cuts, const Surface& mesh) : cuts_(cuts), mesh_(mesh) {}
+  Component_merging(const Cut_hierarchy& cuts, const Surface& mesh)
+    : cuts_(cuts), mesh_(mesh), leaves_(ranges_of_leaves(cuts)),
+      root_of_leaf_(roots_of_leaves(cuts, leaves_))
+  {
+    for (std::size_t i = 0; i < cuts.number_of_roots; ++i)
+      area_ += cuts.nodes[i].area;
+    if (!(area_ > 0))
+      area_ = 1; // all areas are 0
+  }
 
   // Returns the hierarchy of the whole mesh.
   Cut_hierarchy operator()()
   {
-    number_leaves();
+    std::vector<Index> leaf; // one per face
+    for (Index node : cuts_.leaf)
+      leaf.push_back(place(node));
+    std::vector<double> area_of_leaf(root_of_leaf_.size());
+    for (std::size_t i = 0; i < cuts_.nodes.size(); ++i)
+      if (cuts_.nodes[i].is_leaf())
+        area_of_leaf[place(i)] = cuts_.nodes[i].area;
     add_cuts();
-    add_merges();
+    add_merges(neighbors(leaf));
     std::stable_sort(merges_.begin(), merges_.end(), [](const Merge& a, const Merge& b)
       { return quantized(a.salience) < quantized(b.salience); });
-    Cut_hierarchy result = hierarchy_of_merges(leaf_, area_of_leaf_, merges_);
+    Cut_hierarchy result = hierarchy_of_merges(leaf, area_of_leaf, merges_);
     result.has_all_cuts = cuts_.has_all_cuts;
     return result;
   }

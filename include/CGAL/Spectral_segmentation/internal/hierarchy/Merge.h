@@ -4,7 +4,6 @@
 #ifndef CGAL_SPECTRAL_SEGMENTATION_INTERNAL_HIERARCHY_MERGE_H
 #define CGAL_SPECTRAL_SEGMENTATION_INTERNAL_HIERARCHY_MERGE_H
 
-#include <CGAL/Spectral_segmentation/internal/base/constants.h>
 #include <CGAL/Spectral_segmentation/internal/hierarchy/Cut_hierarchy.h>
 #include <CGAL/Spectral_segmentation/internal/surface/connected_components.h>
 

@@ -91,6 +91,27 @@ public:
   }
 };
 
+// Returns ranges with the leaves as elements, so that the leaves of each node follow each other.
+// `first(leaf)` is the place of a leaf.
+inline Nested_ranges ranges_of_leaves(const Cut_hierarchy& hierarchy)
+{
+  std::vector<Index> leaves;
+  for (Index i = 0; i < hierarchy.nodes.size(); ++i)
+    if (hierarchy.nodes[i].is_leaf())
+      leaves.push_back(i);
+  return Nested_ranges(hierarchy, leaves);
+}
+
+// Returns the root of each leaf, by the places of the leaves in these ranges.
+inline std::vector<std::size_t> roots_of_leaves(const Cut_hierarchy& hierarchy,
+                                                const Nested_ranges& leaves)
+{
+  std::vector<std::size_t> result;
+  for (std::size_t root = 0; root < hierarchy.number_of_roots; ++root)
+    result.insert(result.end(), leaves.size(root), root);
+  return result;
+}
+
 } // namespace internal
 /// \endcond
 
