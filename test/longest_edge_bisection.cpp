@@ -135,6 +135,17 @@ BOOST_AUTO_TEST_CASE(the_bound_gives_about_the_number_of_faces)
     }
 }
 
+BOOST_AUTO_TEST_CASE(a_long_needle_raises_the_bound)
+{
+  for (double length : {1e3, 1e6, 1e9}) {
+    const Surface graph =
+      surface_of({{Point(0, 0, 0), Point(1, 0, 0), Point(1, length, 0)}, {{0, 1, 2}}});
+    const auto bound = bound_of_edges(sequential, graph, 4000, 16 * 4000);
+    BOOST_REQUIRE(bound.has_value());
+    BOOST_TEST(refined(graph, *bound).faces.size() <= 4u * 16 * 4000);
+  }
+}
+
 BOOST_AUTO_TEST_CASE(many_needles_raise_the_bound)
 {
   Soup soup; // 1000 needles side by side, each of which would become hundreds of faces

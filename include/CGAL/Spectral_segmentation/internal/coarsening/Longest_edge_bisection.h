@@ -33,15 +33,16 @@ inline std::vector<double> longest_edges_of_faces(Execution execution, const Sur
   return result;
 }
 
-// Estimates how many faces are added once no edge is longer than a bound. A face becomes a strip if
-// it is narrow, an even mesh if it isn't.
+// Estimates how many faces are added once no edge is longer than a bound. A face becomes an even
+// mesh, but a needle of n bounds of length becomes three needles of n / 2 bounds, and so on.
 inline double number_of_added_faces(const Surface& mesh,
                                     const std::vector<double>& longest_edges, double bound)
 {
   double result = 0;
   for (std::size_t f = 0; f < longest_edges.size(); ++f)
     if (longest_edges[f] > bound)
-      result += 2 * longest_edges[f] / bound + 4 * mesh.areas[f] / (bound * bound);
+      result += std::pow(longest_edges[f] / bound, std::log2(3.)) +
+                4 * mesh.areas[f] / (bound * bound);
   return result;
 }
 
@@ -57,7 +58,7 @@ inline std::optional<double> bound_of_edges(Execution execution, const Surface& 
   const std::vector<double> areas = component_areas(mesh, mesh.components);
   double result =
     (std::max)(edge_length(*std::max_element(areas.begin(), areas.end()), number_of_faces),
-               2 * longest / largest_number_of_added_faces);
+               longest / largest_number_of_added_faces); // not 0
   while (number_of_added_faces(mesh, longest_edges, result) > largest_number_of_added_faces)
     result *= 1.25;
   return longest > result ? std::make_optional(result) : std::nullopt;
