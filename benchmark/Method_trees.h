@@ -62,7 +62,7 @@ Labels best_labels(const Segmentation_hierarchy& tree, const Error& error_of)
   Labels best;
   double least = std::numeric_limits<double>::infinity();
   for (std::size_t n = tree.number_of_roots(); n <= tree.number_of_segments(); ++n) {
-    Labels labels = tree.labels(n, any_salience);
+    Labels labels = labels_of_tree(tree, any_salience, n);
     const double error = error_of(labels);
     if (error < least) {
       least = error;

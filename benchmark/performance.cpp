@@ -205,7 +205,7 @@ void measure_another_number(benchmark::State& state, Input& input)
   const Segmentation_hierarchy& tree = input.tree();
   std::size_t number = 1;
   for (auto _ : state) {
-    benchmark::DoNotOptimize(tree.labels(number, any_salience));
+    benchmark::DoNotOptimize(labels_of_tree(tree, any_salience, number));
     number = 1 + number % tree.number_of_segments();
   }
 }

@@ -8,6 +8,7 @@
 
 #include <CGAL/segment_spectral_recursive.h>
 
+#include <cstddef>
 #include <utility>
 #include <vector>
 
@@ -32,6 +33,16 @@ run_engine(const Mesh& mesh, const Engine_options& options, Execution execution,
   return CGAL::Spectral_segmentation::internal::segmentation_hierarchy(triangles_of(mesh), options,
                                                                        execution, control);
 }
+
+// Returns the labels that a run assigned.
+inline Labels labels_of_run(const CGAL::Spectral_segmentation::Segmentation_hierarchy& tree)
+{ return tree.labels(tree.nodes()); }
+
+// Returns the labels for at most `n` segments, by the cuts of at least this salience.
+inline Labels labels_of_tree(const CGAL::Spectral_segmentation::Segmentation_hierarchy& tree,
+                             double salience_threshold,
+                             std::size_t n = CGAL::Spectral_segmentation::unlimited)
+{ return tree.labels(tree.nodes_above(salience_threshold, n)); }
 
 } // namespace segmentation_benchmark
 

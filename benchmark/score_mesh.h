@@ -159,12 +159,12 @@ class Mesh_scorer
     if (row.protocol == Protocol::AUTO) {
       const double threshold = threshold_.value_or(method.default_threshold);
       const Timed_tree& automatic = trees.down_to(threshold);
-      return score(carried_back(of_row, automatic.tree.labels(any_number, threshold)),
+      return score(carried_back(of_row, labels_of_tree(automatic.tree, threshold, any_number)),
                    automatic.time);
     }
     const Timed_tree& whole = trees.up_to(usual_number_);
     const Labels labels = row.protocol == Protocol::K
-      ? whole.tree.labels(usual_number_, any_salience)
+      ? labels_of_tree(whole.tree, any_salience, usual_number_)
       : best_labels(whole.tree, [&](const Labels& of_tree)
           { return mean_rand_error(carried_back(of_row, of_tree), input_.people); });
     return score(carried_back(of_row, labels), whole.time);

@@ -46,12 +46,12 @@ class Union_scorer
   {
     Method_trees trees(method, input_.mesh);
     if (protocol == Protocol::AUTO)
-      return trees.down_to(method.default_threshold).tree
-        .labels(any_number, method.default_threshold);
+      return labels_of_tree(trees.down_to(method.default_threshold).tree,
+                            method.default_threshold);
     const std::size_t pieces = number_of_segments(input_.truth);
     const Segmentation_hierarchy& whole = trees.up_to(pieces).tree;
     return protocol == Protocol::K
-      ? whole.labels(pieces, any_salience)
+      ? labels_of_tree(whole, any_salience, pieces)
       : best_labels(whole, [this](const Labels& of_tree) { return error_by_area(of_tree); });
   }
 

@@ -4,10 +4,9 @@
 #ifndef SEGMENTATION_BENCHMARK_SEGMENTATION_METHODS_H
 #define SEGMENTATION_BENCHMARK_SEGMENTATION_METHODS_H
 
-#include "princeton_benchmark.h"
+#include "run_engine.h"
 #include "segment_by_sdf.h"
 
-#include <CGAL/segment_spectral_recursive.h>
 #include <CGAL/tags.h>
 
 #include <boost/property_map/vector_property_map.hpp>
@@ -98,7 +97,7 @@ inline Labels default_labels(const std::string& method_name, const Mesh& mesh)
 {
   for (const Tree_method& method : tree_methods())
     if (method.name == method_name)
-      return method.segment(mesh, method.default_threshold, any_number).labels();
+      return labels_of_run(method.segment(mesh, method.default_threshold, any_number));
   for (const Label_method& method : label_methods())
     if (method.name == method_name)
       return method.segment(mesh);

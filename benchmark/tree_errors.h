@@ -49,10 +49,10 @@ inline Tree_errors tree_errors(const Benchmark_mesh& input, const Tree_method& m
   Tree_errors result;
   result.id = input.id;
   result.people = mean_rand_error_of_people(input.people);
-  result.by_default = error(automatic.labels(any_number, method.default_threshold));
+  result.by_default = error(labels_of_tree(automatic, method.default_threshold, any_number));
   for (double threshold : tried_thresholds())
-    result.automatic.push_back(error(automatic.labels(any_number, threshold)));
-  result.k = error(whole.labels(usual_number, any_salience));
+    result.automatic.push_back(error(labels_of_tree(automatic, threshold, any_number)));
+  result.k = error(labels_of_tree(whole, any_salience, usual_number));
   result.best = error(best_labels(whole, input.people));
   result.time = time;
   return result;

@@ -37,7 +37,7 @@ int main(int argc, char* argv[])
     std::cout << number_of_segments << "  " << tree.node(tree.node(i).parent).salience << '\n';
   }
 
-  const std::size_t n = tree.segment_by_number(mesh, segment_ids, wanted);
+  const std::size_t n = tree.write(mesh, segment_ids, tree.nodes(wanted));
   std::cout << n << " segments are written" << std::endl;
   return CGAL::IO::write_polygon_mesh("segments.ply", mesh) ? EXIT_SUCCESS : EXIT_FAILURE;
 }

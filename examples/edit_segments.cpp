@@ -44,7 +44,7 @@ int main(int argc, char* argv[])
     CGAL::segment_spectral_recursive(mesh, segment_ids, params::hierarchy(hierarchy));
 
   // A choice of segments is a vector of nodes. Segment 0 and a neighbor of it become one.
-  std::vector<std::size_t> nodes = hierarchy.segments();
+  std::vector<std::size_t> nodes = hierarchy.nodes();
   std::size_t neighbor = 0;
   for (Mesh::Halfedge_index h : mesh.halfedges())
     if (!mesh.is_border(h) && !mesh.is_border(mesh.opposite(h)) && segment_ids[mesh.face(h)] == 0)
@@ -53,7 +53,7 @@ int main(int argc, char* argv[])
     nodes[0] = hierarchy.merge(nodes[0], nodes[neighbor]);
     nodes.erase(nodes.begin() + static_cast<std::ptrdiff_t>(neighbor));
   }
-  const std::size_t merged = hierarchy.segment_by_nodes(mesh, segment_ids, nodes);
+  const std::size_t merged = hierarchy.write(mesh, segment_ids, nodes);
 
   // The last segment is cut in two: a new cut if it is a leaf.
   const std::size_t node = nodes.back();
@@ -63,7 +63,7 @@ int main(int argc, char* argv[])
     nodes.back() = hierarchy.node(node).children[0];
     nodes.push_back(hierarchy.node(node).children[1]);
   }
-  const std::size_t last = hierarchy.segment_by_nodes(mesh, segment_ids, nodes);
+  const std::size_t last = hierarchy.write(mesh, segment_ids, nodes);
   std::cout << n << " segments, " << merged << " after a merge, " << last << " after a cut"
             << std::endl;
   return CGAL::IO::write_polygon_mesh("segments.ply", mesh) ? EXIT_SUCCESS : EXIT_FAILURE;

@@ -13,6 +13,7 @@
 #include <fstream>
 #include <iostream>
 #include <string>
+#include <vector>
 
 typedef CGAL::Surface_mesh<CGAL::Simple_cartesian<double>::Point_3> Mesh;
 typedef CGAL::Spectral_segmentation::Segmentation_hierarchy Segmentation_hierarchy;
@@ -31,7 +32,7 @@ int save(const std::string& filename)
   const std::size_t n =
     CGAL::segment_spectral_recursive(mesh, segment_ids, params::hierarchy(hierarchy));
   std::ofstream out("hierarchy.json");
-  write_hierarchy(out, hierarchy, hierarchy.segments(), mesh);
+  write_hierarchy(out, hierarchy, hierarchy.nodes(), mesh);
   std::cout << n << " segments, up to " << hierarchy.number_of_segments() << std::endl;
   return EXIT_SUCCESS;
 }
@@ -42,9 +43,10 @@ int load(std::size_t wanted)
   std::ifstream in("hierarchy.json");
   const Segmentation_hierarchy hierarchy = CGAL::Spectral_segmentation::read_hierarchy(in);
   std::ofstream out("segments.txt");
-  for (std::size_t label : hierarchy.labels(wanted))
+  const std::vector<std::size_t> nodes = hierarchy.nodes(wanted);
+  for (std::size_t label : hierarchy.labels(nodes))
     out << label << '\n';
-  std::cout << hierarchy.segments(wanted).size() << " segments are written" << std::endl;
+  std::cout << nodes.size() << " segments are written" << std::endl;
   return EXIT_SUCCESS;
 }
 

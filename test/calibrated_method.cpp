@@ -72,9 +72,10 @@ BOOST_AUTO_TEST_CASE(a_dumbbell_is_cut_at_its_neck)
 
 BOOST_AUTO_TEST_CASE(labels_for_any_number_of_segments_are_those_of_a_fresh_run)
 {
+  const double threshold = hierarchy_of_doll().salience_threshold();
   for (std::size_t n = 1; n <= 8; ++n) {
     const Labels fresh = labels_of(doll(), calibrated().maximum_number_of_segments(n));
-    BOOST_TEST(hierarchy_of_doll().labels(n, hierarchy_of_doll().salience_threshold()) == fresh,
+    BOOST_TEST(labels_above(hierarchy_of_doll(), threshold, n) == fresh,
                boost::test_tools::per_element());
   }
 }
@@ -86,7 +87,7 @@ BOOST_AUTO_TEST_CASE(labels_for_any_number_without_a_threshold_are_those_of_a_fr
   for (std::size_t n = 1; n <= 8; ++n) {
     const Labels fresh = labels_of(doll(), np.maximum_number_of_segments(n));
     BOOST_TEST(number_of(fresh) == n);
-    BOOST_TEST(hierarchy.labels(n, -infinity) == fresh, boost::test_tools::per_element());
+    BOOST_TEST(labels_above(hierarchy, -infinity, n) == fresh, boost::test_tools::per_element());
   }
 }
 
@@ -119,7 +120,7 @@ BOOST_AUTO_TEST_CASE(the_maximum_changes_the_hierarchy_only_above_the_number_of_
     BOOST_TEST(whole.number_of_segments() == 20);
     BOOST_TEST(up_to_30.number_of_segments() == 30);
     for (std::size_t n = 1; n <= 20; ++n)
-      BOOST_TEST((whole.labels(n, -infinity) == up_to_10.labels(n, -infinity)));
+      BOOST_TEST((labels_above(whole, -infinity, n) == labels_above(up_to_10, -infinity, n)));
   }
 }
 
@@ -192,7 +193,7 @@ BOOST_AUTO_TEST_CASE(the_cuts_that_are_evaluated_are_told)
 BOOST_AUTO_TEST_CASE(labels_for_any_threshold_are_those_of_a_fresh_run)
 {
   for (double threshold : {-1., 0.1, 0.3, 0.5, 0.6, 0.8, 0.95, 2.})
-    BOOST_TEST(hierarchy_of_doll().labels(unlimited, threshold) ==
+    BOOST_TEST(labels_above(hierarchy_of_doll(), threshold, unlimited) ==
                labels_of(doll(), calibrated().salience_threshold(threshold)),
                boost::test_tools::per_element());
 }

@@ -242,7 +242,7 @@ BOOST_AUTO_TEST_CASE(what_nothing_touches_stays_apart_and_is_joined_nearest_firs
   const Segmentation_hierarchy hierarchy = hierarchy_of(mesh, parameters::default_values());
   BOOST_TEST(hierarchy.number_of_roots() == 1u);
   BOOST_TEST(hierarchy.node(0).salience == infinity);
-  BOOST_TEST((hierarchy.labels(2, 0.4) == two));
+  BOOST_TEST((labels_above(hierarchy, 0.4, 2) == two));
   const auto apart = parameters::keep_components_separate(true);
   BOOST_TEST(hierarchy_of(mesh, apart).number_of_roots() == 3u);
 }
@@ -291,7 +291,7 @@ BOOST_AUTO_TEST_CASE(a_number_of_segments_refines_the_parts)
     hierarchy_of(mesh, parameters::number_of_segments(60));
   Labels fine = labels_of(mesh, parameters::number_of_segments(60));
   for (std::size_t number : {59, 30, 7, 2, 1}) {
-    const Labels coarse = hierarchy.labels(number, -infinity);
+    const Labels coarse = labels_above(hierarchy, -infinity, number);
     BOOST_TEST(number_of(coarse) == number);
     std::set<std::pair<std::size_t, std::size_t> > pairs;
     for (std::size_t f = 0; f < fine.size(); ++f)

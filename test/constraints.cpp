@@ -294,7 +294,7 @@ BOOST_AUTO_TEST_CASE(random_constraints_on_real_meshes)
       Segmentation_hierarchy hierarchy;
       m.check(labels_of(m.mesh, m.parameters().hierarchy(hierarchy)));
       for (std::size_t k : {hierarchy.number_of_roots(), hierarchy.number_of_segments()})
-        m.check(hierarchy.labels(k, -std::numeric_limits<double>::infinity()));
+        m.check(labels_above(hierarchy, -std::numeric_limits<double>::infinity(), k));
     }
   BOOST_TEST(number_of_contradictions <= 2u);
 }

@@ -63,7 +63,7 @@ bool has_same_bits(double a, double b) { return std::memcmp(&a, &b, sizeof a) ==
 Labels labels_or_nothing(const Segmentation_hierarchy& h, std::size_t n, double threshold)
 {
   try {
-    return h.labels(n, threshold);
+    return labels_above(h, threshold, n);
   }
   catch (const std::out_of_range&) {
     return {};
@@ -85,10 +85,10 @@ void check_equal(const Segmentation_hierarchy& a, const Segmentation_hierarchy& 
     BOOST_TEST(std::memcmp(&m.factors, &n.factors, sizeof m.factors) == 0);
     BOOST_TEST(a.faces(i) == b.faces(i), tt::per_element());
   }
-  BOOST_TEST(a.labels() == b.labels(), tt::per_element());
+  BOOST_TEST(run_labels(a) == run_labels(b), tt::per_element());
   for (std::size_t n = 0; n <= a.number_of_segments(); ++n) {
-    BOOST_TEST(a.labels(n) == b.labels(n), tt::per_element());
-    BOOST_TEST(a.segments(n) == b.segments(n), tt::per_element());
+    BOOST_TEST(labels_of_number(a, n) == labels_of_number(b, n), tt::per_element());
+    BOOST_TEST(a.nodes(n) == b.nodes(n), tt::per_element());
   }
   for (double threshold : {-infinity, 0.2, 0.5, 0.9, infinity})
     for (std::size_t n : {std::size_t(4), unlimited})
@@ -211,7 +211,7 @@ BOOST_AUTO_TEST_CASE(changes_by_hand_are_kept)
 {
   const Mesh mesh = mesh_of(doll());
   Segmentation_hierarchy hierarchy = hierarchy_of(mesh, parameters::default_values());
-  Nodes nodes = hierarchy.segments(5);
+  Nodes nodes = hierarchy.nodes(5);
   nodes[1] = hierarchy.merge(nodes[1], nodes[4]);
   nodes.pop_back();
   check_round_trip(hierarchy);
@@ -228,8 +228,8 @@ BOOST_AUTO_TEST_CASE(the_segments_are_described)
   const Mesh mesh = mesh_of(soup);
   for_both_methods([&](const auto& np) {
     const Segmentation_hierarchy hierarchy = hierarchy_of(mesh, np.salience_threshold(0.3));
-    const Nodes nodes = hierarchy.segments(5);
-    const Labels labels = hierarchy.labels(5);
+    const Nodes nodes = hierarchy.nodes(5);
+    const Labels labels = labels_of_number(hierarchy, 5);
     const std::string text = written(hierarchy, nodes, mesh);
     BOOST_TEST(written(hierarchy, nodes, soup.points, soup.triangles) == text);
     const Json json = Json::parse(text);
@@ -268,7 +268,10 @@ BOOST_AUTO_TEST_CASE(the_segments_are_described)
     for (std::size_t i = 0; i < hierarchy.number_of_nodes(); ++i) {
       const Json& node = json["nodes"][i];
       number_applied += node["is_applied"].get<bool>();
-      BOOST_TEST(node["is_applied"] == (hierarchy.segments_of_node(i, nodes).size() > 1));
+      std::set<std::size_t> segments;
+      for (std::size_t f : hierarchy.faces(i))
+        segments.insert(labels[f]);
+      BOOST_TEST(node["is_applied"] == (segments.size() > 1));
     }
     BOOST_TEST(number_applied == nodes.size() - 1);
   });
@@ -279,7 +282,7 @@ BOOST_AUTO_TEST_CASE(wrong_arguments_are_refused)
   const Mesh mesh = mesh_of(doll());
   const Segmentation_hierarchy hierarchy = small_hierarchy();
   BOOST_CHECK_THROW(written(hierarchy, Nodes{}), std::invalid_argument);
-  BOOST_CHECK_THROW(written(hierarchy, hierarchy.segments(), mesh), std::invalid_argument);
+  BOOST_CHECK_THROW(written(hierarchy, hierarchy.nodes(), mesh), std::invalid_argument);
   std::ostringstream out;
   out.setstate(std::ios::failbit);
   BOOST_CHECK_THROW(write_hierarchy(out, hierarchy), std::runtime_error);
@@ -369,7 +372,7 @@ BOOST_AUTO_TEST_CASE(no_change_of_a_file_does_harm)
       const Segmentation_hierarchy h = read_hierarchy(in, nodes);
       ++number_read;
       for (std::size_t n = 0; n <= h.number_of_segments(); ++n)
-        BOOST_TEST(h.segments(n).size() == (std::max)(n, h.number_of_roots()));
+        BOOST_TEST(h.nodes(n).size() == (std::max)(n, h.number_of_roots()));
       labels_or_nothing(h, unlimited, 0.1);
       BOOST_TEST(written(read_back(written(h, nodes))) == written(h));
     }

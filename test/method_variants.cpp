@@ -47,7 +47,7 @@ std::vector<double> saliences(const Segmentation_hierarchy& tree)
 }
 
 bool are_equal(const Segmentation_hierarchy& a, const Segmentation_hierarchy& b)
-{ return a.labels() == b.labels() && saliences(a) == saliences(b); }
+{ return labels_of_run(a) == labels_of_run(b) && saliences(a) == saliences(b); }
 
 Segmentation_hierarchy default_tree(const Tree_method& method, const Mesh& mesh)
 { return method.segment(mesh, method.default_threshold, any_number); }
@@ -93,14 +93,14 @@ BOOST_AUTO_TEST_CASE(kept_trees_give_the_labels_of_runs)
       }};
     Method_trees trees(counted, mesh);
     for (double threshold : {0.4, 0.5, 0.6})
-      BOOST_TEST((trees.down_to(0.4).tree.labels(any_number, threshold) ==
-                  method.segment(mesh, threshold, any_number).labels()));
+      BOOST_TEST((labels_of_tree(trees.down_to(0.4).tree, threshold, any_number) ==
+                  labels_of_run(method.segment(mesh, threshold, any_number))));
     for (std::size_t n : {1, 2, 5, 20})
-      BOOST_TEST((trees.up_to(n).tree.labels(n, any_salience) ==
-                  method.segment(mesh, any_salience, n).labels()));
+      BOOST_TEST((labels_of_tree(trees.up_to(n).tree, any_salience, n) ==
+                  labels_of_run(method.segment(mesh, any_salience, n))));
     BOOST_TEST(runs == (method.has_whole_trees ? 1u : 2u));
-    BOOST_TEST((trees.up_to(23).tree.labels(23, any_salience) ==
-                method.segment(mesh, any_salience, 23).labels()));
+    BOOST_TEST((labels_of_tree(trees.up_to(23).tree, any_salience, 23) ==
+                labels_of_run(method.segment(mesh, any_salience, 23))));
   }
 }
 
@@ -109,11 +109,14 @@ BOOST_AUTO_TEST_CASE(errors_read_off_trees_are_those_of_runs)
 {
   Benchmark_mesh input{1, two_bodies(), {}};
   for (const Tree_method& method : tree_methods())
-    input.people.push_back(method.segment(input.mesh, any_salience, 6).labels());
+    input.people.push_back(labels_of_run(method.segment(input.mesh, any_salience, 6)));
   for (const Tree_method& method : tree_methods()) {
     const Tree_errors errors = tree_errors(input, method);
     const auto error = [&](double threshold, std::size_t n)
-      { return mean_rand_error(method.segment(input.mesh, threshold, n).labels(), input.people); };
+    {
+      return mean_rand_error(labels_of_run(method.segment(input.mesh, threshold, n)),
+                             input.people);
+    };
     BOOST_TEST(errors.by_default == error(method.default_threshold, any_number));
     BOOST_TEST(errors.automatic.back() == error(tried_thresholds().back(), any_number));
     BOOST_TEST(errors.k == error(any_salience, 6));

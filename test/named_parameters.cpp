@@ -305,7 +305,7 @@ BOOST_AUTO_TEST_CASE(parameters_chain_in_any_order)
   BOOST_TEST(a == b, boost::test_tools::per_element());
   BOOST_TEST(a == c, boost::test_tools::per_element());
   for (const Segmentation_hierarchy* hierarchy : {&hierarchy_1, &hierarchy_2, &hierarchy_3})
-    BOOST_TEST(hierarchy->labels() == a, boost::test_tools::per_element());
+    BOOST_TEST(run_labels(*hierarchy) == a, boost::test_tools::per_element());
 }
 
 BOOST_AUTO_TEST_CASE(a_pack_of_CGAL_is_taken_as_it_is)

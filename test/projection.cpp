@@ -229,7 +229,7 @@ BOOST_AUTO_TEST_CASE(segments_are_connected_for_every_number)
     const Run run(soup, 1000);
     const Mesh mesh = mesh_of(soup);
     for (std::size_t n = 1; n <= run.whole.number_of_segments(); ++n) {
-      const Labels labels = run.whole.labels(n, -infinity);
+      const Labels labels = labels_above(run.whole, -infinity, n);
       BOOST_TEST(number_of_connected_pieces(mesh, labels) == n);
     }
   }
@@ -239,7 +239,7 @@ BOOST_AUTO_TEST_CASE(a_very_coarse_surface_ends_at_the_same_neck)
 {
   const Soup soup = fine_dumbbell(); // 19040 faces
   const Run run(soup, 300);
-  const Labels labels = run.whole.labels(2, -infinity);
+  const Labels labels = labels_above(run.whole, -infinity, 2);
   BOOST_TEST(length_of_boundaries(soup, labels) < 1.1 * 2 * pi * 0.2);
 }
 
@@ -251,7 +251,7 @@ BOOST_AUTO_TEST_CASE(once_the_run_is_stopped_larger_shares_replace_minimum_cuts)
     const Run run(soup, number_of_coarse_faces, true);
     BOOST_TEST(run.whole.number_of_nodes() == run.searched.number_of_nodes());
     for (std::size_t n = 1; n <= run.whole.number_of_segments(); ++n)
-      BOOST_TEST(number_of_connected_pieces(mesh, run.whole.labels(n, -infinity)) == n);
+      BOOST_TEST(number_of_connected_pieces(mesh, labels_above(run.whole, -infinity, n)) == n);
     BOOST_TEST(run.whole.node(1).area > 0.45 * run.whole.node(0).area); // the first cut is the neck
   }
 }
@@ -331,7 +331,7 @@ BOOST_AUTO_TEST_CASE(a_hierarchy_of_the_paper_is_read_off_in_the_order_of_its_ru
     mesh, map_to(labels, mesh), np.maximum_number_of_segments(12).hierarchy(hierarchy));
   for (std::size_t n = 1; n <= 12; ++n) {
     CGAL::segment_spectral_recursive(mesh, map_to(labels, mesh), np.maximum_number_of_segments(n));
-    BOOST_TEST(hierarchy.labels(n, -infinity) == labels, boost::test_tools::per_element());
+    BOOST_TEST(labels_above(hierarchy, -infinity, n) == labels, boost::test_tools::per_element());
   }
 }
 
@@ -352,7 +352,7 @@ BOOST_AUTO_TEST_CASE(parts_of_a_few_searched_faces_are_neither_lost_nor_torn)
           CGAL::segment_spectral_recursive(mesh, map_to(labels, mesh), method.hierarchy(hierarchy));
         BOOST_TEST(number_of_connected_pieces(mesh, labels) == n);
         for (std::size_t i = 1; i <= n; ++i)
-          BOOST_TEST(number_of_connected_pieces(mesh, hierarchy.labels(i, -infinity)) == i);
+          BOOST_TEST(number_of_connected_pieces(mesh, labels_above(hierarchy, -infinity, i)) == i);
       };
       check(np);
       check(np.zhang_liu_2005().maximum_number_of_segments(8));

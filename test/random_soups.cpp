@@ -192,10 +192,10 @@ struct Checker
   void check_nesting(const Segmentation_hierarchy& h, std::size_t number_of_segments,
                      bool smooth_boundaries, bool has_maximum)
   {
-    Labels finer = h.labels(), last = finer;
+    Labels finer = run_labels(h), last = finer;
     check(number_of(finer) == number_of_segments, "labels of the hierarchy");
     for (std::size_t n = number_of_segments; n > 1; --n) {
-      const Labels labels = h.labels(n - 1, h.salience_threshold());
+      const Labels labels = labels_above(h, h.salience_threshold(), n - 1);
       check(number_of(labels) == (std::max)(n - 1, h.number_of_roots()),
             "labels for a number of segments");
       check(smooth_boundaries || is_union_of(labels, finer), "nesting by the number of segments");
@@ -206,7 +206,7 @@ struct Checker
       if (threshold > h.salience_threshold()) {
         Labels labels;
         try {
-          labels = h.labels(number_of_segments, threshold);
+          labels = labels_above(h, threshold, number_of_segments);
         }
         catch (const std::out_of_range&) {
           check(has_maximum, "labels for a threshold are not known");
@@ -308,7 +308,7 @@ struct Checker
     check(labels_of(mesh, np) == labels, "other labels in another run");
     check(labels_of_polyhedron(soup, np) == labels, "other labels for a polyhedron");
     check(hierarchy.number_of_roots() == number_of_roots, "number of roots");
-    check(hierarchy.labels() == labels, "other labels of the hierarchy");
+    check(run_labels(hierarchy) == labels, "other labels of the hierarchy");
     check_hierarchy(hierarchy, mesh);
     check_nesting(hierarchy, n, smooth_boundaries, maximum != unlimited);
     if (!soup.triangles.empty())

@@ -203,8 +203,8 @@ BOOST_AUTO_TEST_CASE(salience_is_that_of_the_cut_between_two_segments)
                  hierarchy.node(smallest_common_node(hierarchy, labels, s, t)).salience);
       // So it is the threshold above which the two are one segment.
       const std::size_t n = number_of(labels);
-      const Labels apart = hierarchy.labels(n, graph[e].salience);
-      const Labels joined = hierarchy.labels(n, std::nextafter(graph[e].salience, 2));
+      const Labels apart = labels_above(hierarchy, graph[e].salience, n);
+      const Labels joined = labels_above(hierarchy, std::nextafter(graph[e].salience, 2), n);
       const auto f = std::find(labels.begin(), labels.end(), s) - labels.begin();
       const auto g = std::find(labels.begin(), labels.end(), t) - labels.begin();
       BOOST_TEST(apart[f] != apart[g]);
@@ -219,10 +219,10 @@ BOOST_AUTO_TEST_CASE(salience_after_segments_were_merged_by_hand)
   const Mesh mesh = mesh_of(read("hand.off"));
   Segmentation_hierarchy hierarchy;
   labels_of(mesh, params::hierarchy(hierarchy));
-  std::vector<std::size_t> nodes = hierarchy.segments(6);
+  std::vector<std::size_t> nodes = hierarchy.nodes(6);
   for (std::size_t b : {3, 4, 5})
     nodes[0] = hierarchy.merge(nodes[0], nodes[b]);
-  Labels labels = hierarchy.labels(hierarchy.number_of_segments());
+  Labels labels = labels_of_number(hierarchy, hierarchy.number_of_segments());
   const auto graph = CGAL::segment_adjacency_graph(
     mesh, boost::make_iterator_property_map(labels.begin(), get(CGAL::face_index, mesh)),
     hierarchy);

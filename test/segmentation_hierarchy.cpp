@@ -135,7 +135,7 @@ void check_labels_of_numbers(const Segmentation_hierarchy& hierarchy, bool smoot
 {
   Labels coarse;
   for (std::size_t n = hierarchy.number_of_roots(); n <= hierarchy.number_of_segments(); ++n) {
-    const Labels labels = hierarchy.labels(n);
+    const Labels labels = labels_of_number(hierarchy, n);
     check_numbering(labels);
     BOOST_TEST(number_of(labels) == n);
     std::set<std::pair<std::size_t, std::size_t> > pairs;
@@ -156,8 +156,9 @@ void check_saliences(const Segmentation_hierarchy& hierarchy)
       continue;
     if (n.parent != Segmentation_hierarchy::null_node)
       BOOST_TEST(n.salience <= hierarchy.node(n.parent).salience);
-    const Labels labels = hierarchy.labels(unlimited, n.salience);
-    BOOST_TEST(labels == hierarchy.labels(number_of(labels)), boost::test_tools::per_element());
+    const Labels labels = labels_above(hierarchy, n.salience, unlimited);
+    BOOST_TEST(labels == labels_of_number(hierarchy, number_of(labels)),
+               boost::test_tools::per_element());
   }
 }
 
@@ -203,7 +204,7 @@ BOOST_AUTO_TEST_CASE(a_hierarchy_without_a_run_is_empty)
   const Segmentation_hierarchy hierarchy;
   BOOST_TEST(hierarchy.number_of_nodes() == 0);
   BOOST_TEST(hierarchy.number_of_segments() == 0);
-  BOOST_TEST(hierarchy.labels().empty());
+  BOOST_TEST(run_labels(hierarchy).empty());
 }
 
 BOOST_AUTO_TEST_CASE(parts_partition_their_parent)
@@ -247,10 +248,10 @@ BOOST_AUTO_TEST_CASE(labels_are_contiguous_and_segments_connected)
         const double smallest = 0.1;
         const Segmentation_hierarchy hierarchy =
           hierarchy_of(mesh, np.salience_threshold(smallest).smooth_boundaries(smoothing));
-        const std::size_t most = number_of(hierarchy.labels());
+        const std::size_t most = number_of(run_labels(hierarchy));
         BOOST_TEST(most > hierarchy.number_of_roots());
         for (std::size_t n = hierarchy.number_of_roots(); n <= most; ++n)
-          BOOST_TEST(check_labels(mesh, hierarchy.labels(n, smallest)) == n);
+          BOOST_TEST(check_labels(mesh, labels_above(hierarchy, smallest, n)) == n);
       });
 }
 
@@ -263,15 +264,15 @@ BOOST_AUTO_TEST_CASE(labels_for_any_number_and_threshold_are_those_of_a_fresh_ru
       Segmentation_hierarchy hierarchy;
       const Labels labels =
         labels_of(mesh, np.salience_threshold(smallest).hierarchy(hierarchy));
-      BOOST_TEST(hierarchy.labels() == labels, boost::test_tools::per_element());
+      BOOST_TEST(run_labels(hierarchy) == labels, boost::test_tools::per_element());
 
       for (std::size_t n = 1; n <= hierarchy.number_of_segments() + 1; ++n)
-        BOOST_TEST(hierarchy.labels(n, smallest) ==
+        BOOST_TEST(labels_above(hierarchy, smallest, n) ==
                    labels_of(mesh, np.salience_threshold(smallest).maximum_number_of_segments(n)),
                    boost::test_tools::per_element());
       for (double threshold : interesting_thresholds(hierarchy, smallest))
         for (std::size_t n : {std::size_t(4), unlimited})
-          BOOST_TEST(hierarchy.labels(n, threshold) ==
+          BOOST_TEST(labels_above(hierarchy, threshold, n) ==
                      labels_of(mesh, np.salience_threshold(threshold)
                                        .maximum_number_of_segments(n)),
                      boost::test_tools::per_element());
@@ -293,15 +294,16 @@ BOOST_AUTO_TEST_CASE(segments_of_fewer_or_more_salient_cuts_are_unions)
       Labels finer(num_faces(mesh));
       std::iota(finer.begin(), finer.end(), std::size_t(0));
       for (double threshold : interesting_thresholds(hierarchy, smallest)) {
-        const Labels labels = hierarchy.labels(unlimited, threshold);
+        const Labels labels = labels_above(hierarchy, threshold, unlimited);
         BOOST_TEST(is_union_of(labels, finer));
         finer = labels;
       }
       // No threshold joins what does not touch.
-      BOOST_TEST(number_of(finer) == number_of(hierarchy.labels(unlimited, infinity)));
-      BOOST_TEST(number_of(hierarchy.labels(1, smallest)) == hierarchy.number_of_roots());
-      for (std::size_t n = 1; n < number_of(hierarchy.labels()); ++n)
-        BOOST_TEST(is_union_of(hierarchy.labels(n, smallest), hierarchy.labels(n + 1, smallest)));
+      BOOST_TEST(number_of(finer) == number_of(labels_above(hierarchy, infinity, unlimited)));
+      BOOST_TEST(number_of(labels_above(hierarchy, smallest, 1)) == hierarchy.number_of_roots());
+      for (std::size_t n = 1; n < number_of(run_labels(hierarchy)); ++n)
+        BOOST_TEST(is_union_of(labels_above(hierarchy, smallest, n),
+                               labels_above(hierarchy, smallest, n + 1)));
     });
 }
 
@@ -311,12 +313,13 @@ BOOST_AUTO_TEST_CASE(a_run_with_a_maximum_gives_labels_up_to_it)
   const auto np = parameters::zhang_liu_2005().salience_threshold(-infinity);
   const Segmentation_hierarchy hierarchy = hierarchy_of(mesh, np.maximum_number_of_segments(6));
   for (std::size_t n = 1; n <= 6; ++n)
-    BOOST_TEST(hierarchy.labels(n, -infinity) == labels_of(mesh, np.maximum_number_of_segments(n)),
+    BOOST_TEST(labels_above(hierarchy, -infinity, n) ==
+                 labels_of(mesh, np.maximum_number_of_segments(n)),
                boost::test_tools::per_element());
-  BOOST_CHECK_THROW(hierarchy.labels(7, -infinity), std::out_of_range);
-  BOOST_CHECK_THROW(hierarchy.labels(unlimited, -infinity), std::out_of_range);
+  BOOST_CHECK_THROW(labels_above(hierarchy, -infinity, 7), std::out_of_range);
+  BOOST_CHECK_THROW(labels_above(hierarchy, -infinity, unlimited), std::out_of_range);
   // No cut reaches this threshold, so the run did not end too early for it.
-  BOOST_TEST(hierarchy.labels(unlimited, infinity) == Labels(num_faces(mesh), 0),
+  BOOST_TEST(labels_above(hierarchy, infinity, unlimited) == Labels(num_faces(mesh), 0),
              boost::test_tools::per_element());
 }
 
@@ -325,10 +328,10 @@ BOOST_AUTO_TEST_CASE(a_run_with_a_threshold_gives_no_labels_below_it)
   const Mesh mesh = mesh_of(doll());
   const Segmentation_hierarchy hierarchy =
     hierarchy_of(mesh, parameters::zhang_liu_2005().salience_threshold(0.5));
-  BOOST_CHECK_THROW(hierarchy.labels(unlimited, 0.2), std::out_of_range);
-  BOOST_CHECK_THROW(hierarchy.labels(unlimited, -infinity), std::out_of_range);
-  BOOST_CHECK_THROW(hierarchy.labels(1, std::nan("")), std::invalid_argument);
-  BOOST_TEST(hierarchy.labels(1, 0.2) == Labels(num_faces(mesh), 0),
+  BOOST_CHECK_THROW(labels_above(hierarchy, 0.2, unlimited), std::out_of_range);
+  BOOST_CHECK_THROW(labels_above(hierarchy, -infinity, unlimited), std::out_of_range);
+  BOOST_CHECK_THROW(labels_above(hierarchy, std::nan(""), 1), std::invalid_argument);
+  BOOST_TEST(labels_above(hierarchy, 0.2, 1) == Labels(num_faces(mesh), 0),
              boost::test_tools::per_element());
 }
 
@@ -338,18 +341,11 @@ BOOST_AUTO_TEST_CASE(labels_are_written_into_a_property_map)
   for_both_methods([&](const auto& np) {
     const Segmentation_hierarchy hierarchy = hierarchy_of(mesh, np.salience_threshold(0.1));
     Labels written;
-    BOOST_TEST(hierarchy.segment_by_number(mesh, map_to(written, mesh), 5) == 5);
-    BOOST_TEST(written == hierarchy.labels(5, 0.1), boost::test_tools::per_element());
-    const std::vector<std::size_t> nodes = hierarchy.segments(5);
-    BOOST_TEST(hierarchy.segment_by_nodes(mesh, map_to(written, mesh), nodes) == 5);
-    BOOST_TEST(written == hierarchy.labels(5), boost::test_tools::per_element());
-    BOOST_TEST(hierarchy.segment_by_number(mesh, map_to(written, mesh), unlimited,
-                                           parameters::salience_threshold(infinity)) == 1);
-
-    const double threshold = hierarchy.node(0).salience;
-    const std::size_t n = hierarchy.segment_by_threshold(mesh, map_to(written, mesh), threshold);
-    BOOST_TEST(written == hierarchy.labels(unlimited, threshold), boost::test_tools::per_element());
-    BOOST_TEST(n == number_of(written));
+    const std::vector<std::size_t> nodes = hierarchy.nodes(5);
+    BOOST_TEST(hierarchy.write(mesh, map_to(written, mesh), nodes) == 5);
+    BOOST_TEST(written == hierarchy.labels(nodes), boost::test_tools::per_element());
+    BOOST_TEST(written == labels_above(hierarchy, 0.1, 5), boost::test_tools::per_element());
+    BOOST_TEST(hierarchy.nodes_above(infinity).size() == 1);
   });
 }
 
@@ -364,7 +360,7 @@ BOOST_AUTO_TEST_CASE(labels_follow_the_face_index_map_of_the_run)
     Segmentation_hierarchy hierarchy;
     const Labels expected = labels_of(mesh, np.face_index_map(backwards).hierarchy(hierarchy));
     Labels written;
-    hierarchy.segment_by_number(mesh, map_to(written, mesh), number_of(expected), of_run);
+    hierarchy.write(mesh, map_to(written, mesh), hierarchy.nodes(), of_run);
     BOOST_TEST(written == expected, boost::test_tools::per_element());
     BOOST_TEST(written[last] == 0);
     std::vector<Face> part = hierarchy.faces(1, mesh, of_run);
@@ -380,7 +376,7 @@ BOOST_AUTO_TEST_CASE(a_hierarchy_of_another_mesh_is_refused)
     hierarchy_of(mesh_of(sphere(1)), parameters::default_values());
   const Mesh other = mesh_of(sphere(2));
   Labels written;
-  BOOST_CHECK_THROW(hierarchy.segment_by_number(other, map_to(written, other), 1),
+  BOOST_CHECK_THROW(hierarchy.write(other, map_to(written, other), hierarchy.nodes()),
                     std::invalid_argument);
   BOOST_CHECK_THROW(hierarchy.faces(0, other), std::invalid_argument);
 }
@@ -394,7 +390,7 @@ BOOST_AUTO_TEST_CASE(a_number_alone_is_exact)
       check_labels_of_numbers(hierarchy, true);
       Labels written;
       const auto by_number = [&](std::size_t n)
-      { return hierarchy.segment_by_number(mesh, map_to(written, mesh), n); };
+      { return hierarchy.write(mesh, map_to(written, mesh), hierarchy.nodes(n)); };
       BOOST_TEST(by_number(0) == hierarchy.number_of_roots());
       BOOST_TEST(by_number(hierarchy.number_of_segments() - 1) ==
                  hierarchy.number_of_segments() - 1);
@@ -403,8 +399,8 @@ BOOST_AUTO_TEST_CASE(a_number_alone_is_exact)
   // The threshold of the run leaves fewer than half of the leaves.
   const Mesh elephant = mesh_of(read("elephant.off"));
   const Segmentation_hierarchy hierarchy = hierarchy_of(elephant, parameters::default_values());
-  BOOST_TEST(number_of(hierarchy.labels()) < 15);
-  BOOST_TEST(check_labels(elephant, hierarchy.labels(15)) == 15);
+  BOOST_TEST(number_of(run_labels(hierarchy)) < 15);
+  BOOST_TEST(check_labels(elephant, labels_of_number(hierarchy, 15)) == 15);
 }
 
 BOOST_AUTO_TEST_CASE(a_convex_mesh_is_cut_only_if_a_number_is_given)
@@ -422,26 +418,17 @@ BOOST_AUTO_TEST_CASE(each_segment_is_a_node)
   for (const Mesh& mesh : several_meshes())
     for_both_methods([&](const auto& np) {
       const Segmentation_hierarchy hierarchy = hierarchy_of(mesh, np.salience_threshold(0.1));
-      BOOST_TEST(hierarchy.segments() == hierarchy.segments(unlimited, 0.1),
+      BOOST_TEST(hierarchy.nodes() == hierarchy.nodes_above(0.1, unlimited),
                  boost::test_tools::per_element());
       for (std::size_t n : {1, 3, 6}) {
-        const std::vector<std::size_t> nodes = hierarchy.segments(n);
-        const Labels labels = hierarchy.labels(n);
+        const std::vector<std::size_t> nodes = hierarchy.nodes(n);
+        const Labels labels = labels_of_number(hierarchy, n);
         BOOST_TEST(nodes.size() == number_of(labels));
-        BOOST_TEST(hierarchy.labels_of_nodes(nodes) == labels, boost::test_tools::per_element());
         for (std::size_t k = 0; k < nodes.size(); ++k) {
           BOOST_TEST(hierarchy.number_of_faces(nodes[k]) ==
                      std::size_t(std::count(labels.begin(), labels.end(), k)));
           for (Face f : hierarchy.faces(nodes[k], mesh))
             BOOST_TEST(labels[f] == k);
-        }
-        for (std::size_t i = 0; i < hierarchy.number_of_nodes(); ++i) {
-          std::set<std::size_t> expected;
-          for (auto f : hierarchy.faces(i))
-            expected.insert(labels[f]);
-          const std::vector<std::size_t> found = hierarchy.segments_of_node(i, nodes);
-          BOOST_TEST(found == Labels(expected.begin(), expected.end()),
-                     boost::test_tools::per_element());
         }
       }
     });
@@ -452,11 +439,11 @@ BOOST_AUTO_TEST_CASE(nodes_that_are_no_segmentation_are_refused)
   const Segmentation_hierarchy hierarchy =
     hierarchy_of(mesh_of(doll()), parameters::default_values());
   const auto [a, b] = hierarchy.node(0).children;
-  BOOST_TEST(number_of(hierarchy.labels_of_nodes({b, a})) == 2);
+  BOOST_TEST(number_of(hierarchy.labels({b, a})) == 2);
   typedef std::vector<std::size_t> Nodes;
   for (const Nodes& nodes : {Nodes{}, Nodes{a}, Nodes{a, b, a}, Nodes{a, b, 0}, Nodes{0, a, b},
                              Nodes{a, b, hierarchy.number_of_nodes()}})
-    BOOST_CHECK_THROW(hierarchy.labels_of_nodes(nodes), std::invalid_argument);
+    BOOST_CHECK_THROW(hierarchy.labels(nodes), std::invalid_argument);
 }
 
 // Labels of as many segments as are left are those before, with the two joined.
@@ -466,8 +453,8 @@ BOOST_AUTO_TEST_CASE(any_two_segments_are_merged)
   for_both_methods([&](const auto& np) {
     const Segmentation_hierarchy before = hierarchy_of(mesh, np.salience_threshold(0.3));
     const std::size_t n = 5;
-    const Labels labels = before.labels(n);
-    const std::vector<std::size_t> nodes = before.segments(n);
+    const Labels labels = labels_of_number(before, n);
+    const std::vector<std::size_t> nodes = before.nodes(n);
     for (std::size_t a = 0; a < n; ++a)
       for (std::size_t b = 0; b < n; ++b) {
         if (a == b)
@@ -482,11 +469,11 @@ BOOST_AUTO_TEST_CASE(any_two_segments_are_merged)
                       union_of(faces_of(h, merged), {})));
           for (std::size_t k = 0; k < n; ++k)
             BOOST_TEST((faces_of(h, nodes[k]) == faces_of(before, nodes[k])));
-          BOOST_TEST(are_same_parts(h.labels(n - 1), joined(labels, a, b)));
+          BOOST_TEST(are_same_parts(labels_of_number(h, n - 1), joined(labels, a, b)));
           std::vector<std::size_t> chosen = nodes;
           chosen[a] = merged;
           chosen.erase(chosen.begin() + std::ptrdiff_t(b));
-          BOOST_TEST(are_same_parts(h.labels_of_nodes(chosen), joined(labels, a, b)));
+          BOOST_TEST(are_same_parts(h.labels(chosen), joined(labels, a, b)));
         }
       }
   });
@@ -561,7 +548,7 @@ BOOST_AUTO_TEST_CASE(changes_that_make_no_sense_are_refused)
 {
   const Mesh mesh = mesh_of(disjoint_union(dumbbell(14, 10), torus(3, 1, 20, 10)));
   Segmentation_hierarchy h = hierarchy_of(mesh, parameters::zhang_liu_2005());
-  const Labels labels = h.labels();
+  const Labels labels = run_labels(h);
   BOOST_TEST_REQUIRE(h.number_of_roots() == 2);
   BOOST_TEST_REQUIRE(!h.node(0).is_leaf());
   BOOST_CHECK_THROW(h.merge(0, 1), std::invalid_argument);
@@ -573,7 +560,7 @@ BOOST_AUTO_TEST_CASE(changes_that_make_no_sense_are_refused)
   const std::size_t leaf = h.number_of_nodes() - 1;
   BOOST_CHECK_THROW(h.split_leaf(leaf, h), std::invalid_argument);
   BOOST_CHECK_THROW(h.split_leaf(leaf, Segmentation_hierarchy()), std::invalid_argument);
-  BOOST_TEST(h.labels() == labels, boost::test_tools::per_element());
+  BOOST_TEST(run_labels(h) == labels, boost::test_tools::per_element());
   BOOST_TEST(h.merge(h.node(0).children[1], h.node(0).children[0]) == 0);
 }
 

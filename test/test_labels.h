@@ -107,6 +107,18 @@ inline std::size_t number_of_connected_pieces(const Mesh& mesh, const Labels& la
     });
 }
 
+// Returns the labels that a run assigned.
+inline Labels run_labels(const CGAL::Spectral_segmentation::Segmentation_hierarchy& hierarchy)
+{ return hierarchy.labels(hierarchy.nodes()); }
+
+inline Labels labels_of_number(const CGAL::Spectral_segmentation::Segmentation_hierarchy& hierarchy,
+                               std::size_t n)
+{ return hierarchy.labels(hierarchy.nodes(n)); }
+
+inline Labels labels_above(const CGAL::Spectral_segmentation::Segmentation_hierarchy& hierarchy,
+                           double threshold, std::size_t maximum_number)
+{ return hierarchy.labels(hierarchy.nodes_above(threshold, maximum_number)); }
+
 // Labels are contiguous and numbered by their first face, which is what is known of any labels.
 inline void check_numbering(const Labels& labels)
 {

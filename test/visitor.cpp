@@ -334,7 +334,7 @@ BOOST_AUTO_TEST_CASE(a_stopped_run_gives_the_labels_of_the_cuts_made_so_far)
         const std::size_t n = number_of(labels);
         BOOST_TEST(n >= segments_before);
         BOOST_TEST(n == hierarchy.number_of_segments());
-        BOOST_TEST((labels == hierarchy.labels()));
+        BOOST_TEST((labels == run_labels(hierarchy)));
         BOOST_TEST((labels == labels_of_run.at(n)));
         segments_before = n;
       }
@@ -348,7 +348,7 @@ BOOST_AUTO_TEST_CASE(a_stopped_hierarchy_does_not_invent_labels)
   Segmentation_hierarchy hierarchy;
   labels_of(doll(), parameters::zhang_liu_2005().visitor(Stop_at(0)).hierarchy(hierarchy));
   BOOST_TEST(hierarchy.number_of_segments() == 1);
-  BOOST_CHECK_THROW(hierarchy.labels(2, 0.5), std::out_of_range);
+  BOOST_CHECK_THROW(labels_above(hierarchy, 0.5, 2), std::out_of_range);
 }
 
 #ifdef CGAL_LINKED_WITH_TBB

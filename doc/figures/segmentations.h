@@ -22,6 +22,8 @@ namespace manual_figures {
 using CGAL::Spectral_segmentation::Segmentation_hierarchy;
 using segmentation_benchmark::Engine_options;
 using segmentation_benchmark::Execution;
+using segmentation_benchmark::labels_of_run;
+using segmentation_benchmark::labels_of_tree;
 
 inline std::size_t number_of_segments(const Labels& labels)
 { return 1 + *std::max_element(labels.begin(), labels.end()); }
@@ -33,7 +35,7 @@ inline Segmentation_hierarchy hierarchy(const Mesh& mesh, const Engine_options& 
 { return segmentation_benchmark::run_engine(mesh, options, Execution::PARALLEL); }
 
 inline Labels segment(const Mesh& mesh, const Engine_options& options)
-{ return hierarchy(mesh, options).labels(); }
+{ return labels_of_run(hierarchy(mesh, options)); }
 
 // Segmentations by the shape diameter function, from values that are computed once.
 class Sdf_segmentation

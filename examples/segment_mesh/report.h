@@ -44,7 +44,7 @@ inline Json hierarchy_report(const CGAL::Spectral_segmentation::Segmentation_hie
                              const Input& input, const std::vector<Index>& label_of_triangle)
 {
   namespace internal = CGAL::Spectral_segmentation::internal;
-  const std::vector<std::size_t> nodes = hierarchy.segments();
+  const std::vector<std::size_t> nodes = hierarchy.nodes();
   const std::vector<std::size_t> labels(label_of_triangle.begin(), label_of_triangle.end());
   return internal::json_of_hierarchy(
     hierarchy, nodes, labels,

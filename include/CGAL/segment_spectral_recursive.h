@@ -80,7 +80,7 @@ std::size_t segment_and_write(Surface triangles, const std::vector<Face>& faces,
     control, constraints);
   if (options.smooth_boundaries)
     control.before_stage(Stage::BOUNDARY_SMOOTHING, Segmentation_visitor::whole_mesh);
-  const std::vector<std::size_t> labels = hierarchy.labels();
+  const std::vector<std::size_t> labels = hierarchy.labels(hierarchy.nodes());
   if (options.smooth_boundaries)
     control.after_stage(Stage::BOUNDARY_SMOOTHING, Segmentation_visitor::whole_mesh);
   const std::size_t number_of_segments = write_labels(faces, labels, segment_ids);

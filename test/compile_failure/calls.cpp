@@ -33,11 +33,11 @@ std::size_t n_03 = CGAL::segment_spectral_recursive(mesh(), ids(), 0.3);  // err
 std::size_t n_04 = CGAL::segment_spectral_recursive<CGAL::Parallel_tag>(mesh(), ids()); // error: Parallel_tag is enabled but TBB is unavailable
 std::size_t n_05 = CGAL::segment_spectral_recursive(mesh(), ids(), CGAL::parameters::number_of_iterations(3)); // error: this pack holds a CGAL named parameter that the package does not use
 
-std::size_t n_06 = hierarchy().segment_by_number(mesh(), ids(), 3, params::smooth_boundaries(true)); // error: the labels of a Segmentation_hierarchy depend on no named parameter but face_index_map
+std::size_t n_06 = hierarchy().write(mesh(), ids(), {0}, params::smooth_boundaries(true)); // error: the labels of a Segmentation_hierarchy depend on no named parameter but face_index_map
 
 std::size_t n_12 = CGAL::segment_spectral_recursive(mesh(), names());           // error: the values of the segment id map must be of an integer type
 std::size_t n_13 = CGAL::segment_spectral_recursive(mesh(), ids_of_vertices()); // error: the keys of the segment id map must be the faces of the mesh
-std::size_t n_14 = hierarchy().segment_by_number(mesh(), ids_of_vertices(), 3); // error: the keys of the segment id map must be the faces of the mesh
+std::size_t n_14 = hierarchy().write(mesh(), ids_of_vertices(), {0}); // error: the keys of the segment id map must be the faces of the mesh
 std::size_t n_15 = CGAL::segment_spectral_recursive(mesh(), not_a_property_map()); // error: the segment ids are given by a property map
 
 // Points and triangles.

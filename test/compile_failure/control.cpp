@@ -71,9 +71,9 @@ std::size_t of_a_mesh(const Mesh& mesh, Segment_ids ids,
          CGAL::segment_spectral_recursive(
            mesh, ids, params::from(CGAL::parameters::random_seed(1)).salience_threshold(0.3)) +
          CGAL::segment_spectral_recursive(mesh, ids, in_a_chain(mesh, hierarchy)) +
-         hierarchy.segment_by_number(mesh, ids, 3) +
-         hierarchy.segment_by_threshold(mesh, ids, 0.9,
-                                        params::face_index_map(get(CGAL::face_index, mesh)));
+         hierarchy.write(mesh, ids, hierarchy.nodes(3)) +
+         hierarchy.write(mesh, ids, hierarchy.nodes_above(0.9),
+                         params::face_index_map(get(CGAL::face_index, mesh)));
 }
 
 std::size_t of_a_soup(const std::vector<std::array<double, 3> >& points,

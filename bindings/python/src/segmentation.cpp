@@ -152,46 +152,33 @@ std::size_t node_of(const Segmentation_hierarchy& h, const py::handle& value)
   return static_cast<std::size_t>(node);
 }
 
-// `n` and `salience_threshold` are the arguments of labels() and segments(), of which each may be
-// None.
-template <class OfRun, class OfNumber, class OfThreshold>
-py::array_t<py::ssize_t> choose(const Segmentation_hierarchy& h, const py::object& n,
-                                const py::object& threshold, const OfRun& of_run,
-                                const OfNumber& of_number, const OfThreshold& of_threshold)
+// Returns the nodes of the segments. `n` and `salience_threshold` may be None.
+std::vector<std::size_t> chosen_nodes(const Segmentation_hierarchy& h, const py::object& n,
+                                      const py::object& threshold)
 {
-  std::size_t number = internal::Hierarchy_access::maximum_number_of_segments(h);
-  if (!n.is_none()) {
-    const py::ssize_t given = integer_of(n);
-    if (given < 1)
-      throw std::invalid_argument("n must be at least 1");
-    number = static_cast<std::size_t>(given);
-  }
-  return array_of(!threshold.is_none() ? of_threshold(number, real_of(threshold)) :
-                  n.is_none() ? of_run() : of_number(number));
+  if (n.is_none())
+    return threshold.is_none() ? h.nodes() : h.nodes_above(real_of(threshold));
+  const py::ssize_t number = integer_of(n);
+  if (number < 1)
+    throw std::invalid_argument("n must be at least 1");
+  return threshold.is_none() ? h.nodes(static_cast<std::size_t>(number))
+                             : h.nodes_above(real_of(threshold), static_cast<std::size_t>(number));
 }
 
 py::array_t<py::ssize_t> labels(const Segmentation_hierarchy& h, const py::object& n,
                                 const py::object& threshold)
-{
-  return choose(h, n, threshold, [&] { return h.labels(); },
-                [&](std::size_t number) { return h.labels(number); },
-                [&](std::size_t number, double t) { return h.labels(number, t); });
-}
+{ return array_of(h.labels(chosen_nodes(h, n, threshold))); }
 
 py::array_t<py::ssize_t> segments(const Segmentation_hierarchy& h, const py::object& n,
                                   const py::object& threshold)
-{
-  return choose(h, n, threshold, [&] { return h.segments(); },
-                [&](std::size_t number) { return h.segments(number); },
-                [&](std::size_t number, double t) { return h.segments(number, t); });
-}
+{ return array_of(chosen_nodes(h, n, threshold)); }
 
 py::array_t<py::ssize_t> labels_of_nodes(const Segmentation_hierarchy& h, const py::iterable& given)
 {
   std::vector<std::size_t> nodes;
   for (const py::handle node : given)
     nodes.push_back(node_of(h, node));
-  return array_of(h.labels_of_nodes(nodes));
+  return array_of(h.labels(nodes));
 }
 
 py::array_t<py::ssize_t> faces(const Segmentation_hierarchy& h, const py::object& node)

@@ -164,7 +164,7 @@ class Segmentation
   {
     if (n.isUndefined())
       return label_of_triangle_;
-    const std::vector<std::size_t> labels = tree_.labels(n.as<std::size_t>());
+    const std::vector<std::size_t> labels = tree_.labels(tree_.nodes(n.as<std::size_t>()));
     return {labels.begin(), labels.end()};
   }
 
@@ -184,7 +184,7 @@ public:
     Progress control(progress);
     tree_ = internal::segmentation_hierarchy(std::move(triangles), options_,
                                              internal::Execution::SEQUENTIAL, control);
-    const std::vector<std::size_t> labels = tree_.labels();
+    const std::vector<std::size_t> labels = tree_.labels(tree_.nodes());
     label_of_triangle_.assign(labels.begin(), labels.end());
   }
 

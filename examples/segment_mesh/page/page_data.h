@@ -97,7 +97,7 @@ inline nlohmann::ordered_json label_exceptions(const Input& input,
                                                const std::vector<Index>& piece_of_polygon,
                                                std::size_t n)
 {
-  const std::vector<std::size_t> labels = tree.labels(n, least_salience(tree));
+  const std::vector<std::size_t> labels = tree.labels(tree.nodes_above(least_salience(tree), n));
   const std::vector<Index> label =
     labels_of_polygons(input, std::vector<Index>(labels.begin(), labels.end()));
   std::map<std::size_t, std::map<Index, std::size_t> > counts; // counts of each label in a segment

@@ -142,8 +142,7 @@ public:
   std::vector<typename boost::graph_traits<TriangleMesh>::face_descriptor>
   faces(size_type i, const TriangleMesh& mesh, const NamedParameters& np = NamedParameters()) const
   {
-    const auto& pack = checked_pack<internal_np::has_only_face_index_map>(np);
-    const auto descriptors = internal::numbered_faces(mesh, pack);
+    const auto descriptors = internal::numbered_faces(mesh, checked_pack(np));
     internal::check_number_of_faces(descriptors.size(), number_of_faces());
     std::vector<typename boost::graph_traits<TriangleMesh>::face_descriptor> result;
     result.reserve(number_of_faces(i));
@@ -157,45 +156,43 @@ public:
 
   /// @}
 
-  /// \name Labels
-  /// A label is a segment id from 0 to the number of segments - 1. Segments are numbered by their
-  /// face of smallest index. Each segment is a node, which `segments()` returns for the same
-  /// arguments as `labels()`. With `smooth_boundaries` the faces of a segment and of its node
-  /// differ along the boundary. All functions take time linear in the number of faces and of cuts.
-  ///
-  /// The functions with a threshold give the labels of a run with these values. They throw
-  /// `std::out_of_range` if they need a cut that is not known because the run ended before it, at
-  /// its maximum number of segments or stopped by its visitor, or had a higher threshold.
+  /// \name Segments
+  /// A choice of segments is a vector of nodes that contain each face exactly once. The functions
+  /// `nodes()` and `nodes_above()` return choices, with the nodes in the order of their faces of
+  /// smallest index. To change a choice by hand, replace a node by its two children, or two
+  /// children by their parent. The label of a face is the position of its node, and so is its
+  /// segment id. All functions take time linear in the number of faces and of cuts.
   /// @{
 
-  /// the labels that the run assigned
-  std::vector<size_type> labels() const { return numbered(nodes_of_run()).labels; }
+  /// the segments that the run returned
+  std::vector<size_type> nodes() const
+  {
+    return in_order(cuts_above(salience_threshold_, (std::min)(number_of_segments(),
+                                                               maximum_number_of_segments_)));
+  }
 
-  /// the label of each face, by its index, for exactly `n` segments, which the first cuts of the
-  /// run make. The number of segments is larger only if there are more roots, and smaller only if
-  /// there are fewer leaves. No threshold applies.
-  std::vector<size_type> labels(size_type n) const { return numbered(first_cuts(n)).labels; }
+  /// exactly `n` segments, which the first cuts of the run make. The number of segments is larger
+  /// only if there are more roots, and smaller only if there are fewer leaves. No threshold
+  /// applies.
+  std::vector<size_type> nodes(size_type n) const { return in_order(first_cuts(n)); }
 
-  /// the label of each face, for cuts with a salience of at least `salience_threshold` and at most
-  /// `maximum_number_of_segments` segments (never fewer than there are roots)
-  std::vector<size_type> labels(size_type maximum_number_of_segments,
-                                double salience_threshold) const
-  { return numbered(cuts_above(maximum_number_of_segments, salience_threshold)).labels; }
+  /// the segments that cuts with a salience of at least `salience_threshold` make, as in a run with
+  /// this threshold, and with the maximum number of segments of this run. Throws
+  /// `std::out_of_range` if this needs a cut that is not known because the run ended before it, at
+  /// its maximum number of segments or stopped by its visitor, or had a higher threshold.
+  std::vector<size_type> nodes_above(double salience_threshold) const
+  { return nodes_above(salience_threshold, maximum_number_of_segments_); }
 
-  /// the node of each segment of `labels()`
-  std::vector<size_type> segments() const { return numbered(nodes_of_run()).nodes; }
+  /// the same, but at most `maximum_number_of_segments` segments, never fewer than there are roots
+  std::vector<size_type> nodes_above(double salience_threshold,
+                                     size_type maximum_number_of_segments) const
+  { return in_order(cuts_above(salience_threshold, maximum_number_of_segments)); }
 
-  /// the node of each segment of `labels(n)`
-  std::vector<size_type> segments(size_type n) const { return numbered(first_cuts(n)).nodes; }
-
-  /// the node of each segment of `labels(maximum_number_of_segments, salience_threshold)`
-  std::vector<size_type> segments(size_type maximum_number_of_segments,
-                                  double salience_threshold) const
-  { return numbered(cuts_above(maximum_number_of_segments, salience_threshold)).nodes; }
-
-  /// the label of each face if these nodes are the segments: the position of its node in `nodes`.
-  /// Throws `std::invalid_argument` if the nodes do not contain each face exactly once.
-  std::vector<size_type> labels_of_nodes(const std::vector<size_type>& nodes) const
+  /// the label of each face, by its index, if these nodes are the segments: the position of its
+  /// node in `nodes`. With `smooth_boundaries` the faces of a segment and of its node differ along
+  /// the boundary. Throws `std::invalid_argument` if the nodes do not contain each face exactly
+  /// once.
+  std::vector<size_type> labels(const std::vector<size_type>& nodes) const
   {
     std::vector<size_type> position(number_of_nodes(), null_node);
     for (size_type k = 0; k < nodes.size(); ++k) {
@@ -222,69 +219,23 @@ public:
     return result;
   }
 
-  /// the labels of the segments that have faces of node `i`, if `nodes` are the segments, as for
-  /// `labels_of_nodes()`: the segments below node `i`, or the segment that contains it
-  std::vector<size_type> segments_of_node(size_type i, const std::vector<size_type>& nodes) const
-  {
-    std::vector<size_type> result;
-    for (size_type k = 0; k < nodes.size(); ++k)
-      if (faces_.first(nodes[k]) < faces_.first(i) + faces_.size(i) &&
-          faces_.first(i) < faces_.first(nodes[k]) + faces_.size(nodes[k]))
-        result.push_back(k);
-    return result;
-  }
-
-  /// writes the labels for exactly `n` segments into a property map, and returns the number of
-  /// segments, which differs from `n` only if there are more roots or fewer leaves. `np` may have a
-  /// `salience_threshold`; then `n` is the largest number of segments, and cuts below the threshold
-  /// are not made. If the run had a `face_index_map`, `np` must have it too. It may have no other
-  /// parameter.
+  /// writes `labels(nodes)` into a property map, and returns the number of segments. If the run had
+  /// a `face_index_map`, `np` must have it too. It may have no other parameter.
   template <class TriangleMesh, class SegmentIdMap,
             class NamedParameters = CGAL::parameters::Default_named_parameters>
-  size_type segment_by_number(const TriangleMesh& mesh, SegmentIdMap segment_ids, size_type n,
-                              const NamedParameters& np = NamedParameters()) const
+  size_type write(const TriangleMesh& mesh, SegmentIdMap segment_ids,
+                  const std::vector<size_type>& nodes,
+                  const NamedParameters& np = NamedParameters()) const
   {
-    using CGAL::parameters::get_parameter;
-    const auto& pack = checked_pack<internal_np::has_only_tags_of_number>(np);
-    if constexpr (internal::is_given<std::decay_t<decltype(pack)>,
-                                     internal_np::salience_threshold_t>)
-      return write(mesh, segment_ids,
-                   labels(n, get_parameter(pack, internal_np::salience_threshold)), pack);
-    else
-      return write(mesh, segment_ids, labels(n), pack);
-  }
-
-  /// writes the labels for cuts with a salience of at least `salience_threshold`, up to the maximum
-  /// number of segments of the run, into a property map, and returns the number of segments. If the
-  /// run had a `face_index_map`, `np` must have it too. It may have no other parameter.
-  template <class TriangleMesh, class SegmentIdMap,
-            class NamedParameters = CGAL::parameters::Default_named_parameters>
-  size_type segment_by_threshold(const TriangleMesh& mesh, SegmentIdMap segment_ids,
-                                 double salience_threshold,
-                                 const NamedParameters& np = NamedParameters()) const
-  {
-    return write(mesh, segment_ids, labels(maximum_number_of_segments_, salience_threshold),
-                 checked_pack<internal_np::has_only_face_index_map>(np));
-  }
-
-  /// writes `labels_of_nodes(nodes)` into a property map, and returns the number of segments. `np`
-  /// is the same as for `segment_by_threshold()`.
-  template <class TriangleMesh, class SegmentIdMap,
-            class NamedParameters = CGAL::parameters::Default_named_parameters>
-  size_type segment_by_nodes(const TriangleMesh& mesh, SegmentIdMap segment_ids,
-                             const std::vector<size_type>& nodes,
-                             const NamedParameters& np = NamedParameters()) const
-  {
-    return write(mesh, segment_ids, labels_of_nodes(nodes),
-                 checked_pack<internal_np::has_only_face_index_map>(np));
+    return internal::write_labels(internal::numbered_faces(mesh, checked_pack(np)), labels(nodes),
+                                  segment_ids);
   }
 
   /// @}
 
   /// \name Changes by Hand
-  /// A choice of segments is a vector of nodes, such as `segments()` returns. To cut a segment
-  /// again, replace its node by the two children. `merge()` makes two nodes the children of one
-  /// node, and `split_leaf()` cuts a leaf. All functions keep working and nodes keep their indices.
+  /// `merge()` makes two nodes the children of one node, and `split_leaf()` cuts a leaf. All
+  /// functions keep working and nodes keep their indices.
   /// Nodes below the given ones, and nodes that share no face with them, also keep their faces.
   /// Both functions take time linear in the number of faces and O(*c* log *c*) in the number *c* of
   /// cuts. If they throw an exception, nothing has changed.
@@ -299,7 +250,7 @@ public:
   /// The cut between `a` and `b` moves as late as possible: directly before the first cut of
   /// either, with the larger salience of their cuts. If both are leaves it comes last, with
   /// salience 0 or the smallest salience, whichever is less. Therefore after two segments of
-  /// `labels(n)` were merged, `labels(n - 1)` has them as one segment.
+  /// `nodes(n)` were merged, `nodes(n - 1)` has them as one segment.
   ///
   /// If `a` and `b` are not siblings, node `b` moves next to node `a`, and the cut that separated
   /// `b` is undone. Nodes that contain only one of the two gain or lose the faces of `b`. Therefore
@@ -362,11 +313,6 @@ public:
 private:
   friend struct internal::Hierarchy_access;
 
-  struct Numbered_segments
-  {
-    std::vector<size_type> nodes, labels;
-  };
-
   void check_node(size_type i) const
   {
     if (i >= number_of_nodes())
@@ -394,12 +340,6 @@ private:
       is_segment[child] = 1;
   }
 
-  std::vector<char> nodes_of_run() const
-  {
-    return cuts_above((std::min)(number_of_segments(), maximum_number_of_segments_),
-                      salience_threshold_);
-  }
-
   // Returns for each node whether it is a segment after the first cuts.
   std::vector<char> first_cuts(size_type number_of_segments) const
   {
@@ -415,8 +355,8 @@ private:
 
   // Returns for each node whether it is a segment of a run with these values, by repeating the
   // decisions of the run in their order.
-  std::vector<char> cuts_above(size_type maximum_number_of_segments,
-                               double salience_threshold) const
+  std::vector<char> cuts_above(double salience_threshold,
+                               size_type maximum_number_of_segments) const
   {
     if (std::isnan(salience_threshold))
       throw std::invalid_argument("Segmentation_hierarchy: the salience threshold is not a number");
@@ -442,39 +382,28 @@ private:
     return is_segment;
   }
 
-  // Numbers the segments by their first face.
-  Numbered_segments numbered(const std::vector<char>& is_segment) const
+  // Returns the segments in the order of their first faces.
+  std::vector<size_type> in_order(const std::vector<char>& is_segment) const
   {
-    std::vector<size_type> nodes;
+    std::vector<size_type> result, nodes;
     for (size_type i = 0; i < number_of_nodes(); ++i)
       if (is_segment[i])
         nodes.push_back(i);
-    Numbered_segments result{{}, labels_of_nodes(nodes)};
-    std::vector<size_type> number(nodes.size(), null_node);
-    for (size_type& label : result.labels) {
-      if (number[label] == null_node) {
-        number[label] = result.nodes.size();
-        result.nodes.push_back(nodes[label]);
-      }
-      label = number[label];
-    }
+    for (size_type label : labels(nodes))
+      if (nodes[label] != null_node)
+        result.push_back(std::exchange(nodes[label], null_node));
     return result;
   }
 
-  template <template <class> class Has_only_known_tags, class NamedParameters>
+  template <class NamedParameters>
   static const auto& checked_pack(const NamedParameters& np)
   {
     const auto& pack = internal::cgal_pack(np);
-    static_assert(Has_only_known_tags<std::decay_t<decltype(pack)> >::value,
+    static_assert(internal_np::has_only_face_index_map<std::decay_t<decltype(pack)> >::value,
                   "the labels of a Segmentation_hierarchy depend on no named parameter but "
-                  "face_index_map, and of segment_by_number salience_threshold");
+                  "face_index_map");
     return pack;
   }
-
-  template <class TriangleMesh, class SegmentIdMap, class CGALNamedParameters>
-  static size_type write(const TriangleMesh& mesh, SegmentIdMap segment_ids,
-                         const std::vector<size_type>& labels, const CGALNamedParameters& np)
-  { return internal::write_labels(internal::numbered_faces(mesh, np), labels, segment_ids); }
 
   internal::Cut_hierarchy cuts_;
   internal::Nested_ranges faces_; // one range per node

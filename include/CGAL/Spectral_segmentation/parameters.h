@@ -161,9 +161,6 @@ struct has_only<CGAL::Named_function_parameters<T, Tag, Base>, Tags...>
 template <class Pack>
 using has_only_face_index_map = has_only<Pack, face_index_t>;
 
-template <class Pack>
-using has_only_tags_of_number = has_only<Pack, face_index_t, salience_threshold_t>;
-
 #define CGAL_SPECTRAL_SEGMENTATION_TAG(name, tag, predicate, what) tag,
 template <class Pack>
 using has_only_known_tags = has_only<Pack,

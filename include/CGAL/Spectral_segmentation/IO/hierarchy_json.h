@@ -56,7 +56,7 @@ inline void write_hierarchy(std::ostream& os, const Segmentation_hierarchy& h,
                             const std::vector<std::size_t>& nodes, const Surface& triangles)
 {
   check_number_of_faces(triangles.corners.size(), h.number_of_faces());
-  const std::vector<std::size_t> labels = h.labels_of_nodes(nodes);
+  const std::vector<std::size_t> labels = h.labels(nodes);
   Json json = json_of_hierarchy(
     h, nodes, labels,
     segment_extents(triangles.points, triangles.corners, labels, nodes.size()));
@@ -100,7 +100,7 @@ their digits. The time is linear in the size of the text, which is 3 bytes for e
 
 \param os the stream
 \param hierarchy the hierarchy
-\param nodes the node of each segment, such as `hierarchy.segments()`
+\param nodes the node of each segment, such as `hierarchy.nodes()`
 
 \throws std::invalid_argument if the nodes do not contain each face exactly once
 \throws std::runtime_error if the stream fails
@@ -109,7 +109,7 @@ inline void write_hierarchy(std::ostream& os, const Segmentation_hierarchy& hier
                             const std::vector<std::size_t>& nodes)
 {
   internal::Json json =
-    internal::json_of_hierarchy(hierarchy, nodes, hierarchy.labels_of_nodes(nodes), {});
+    internal::json_of_hierarchy(hierarchy, nodes, hierarchy.labels(nodes), {});
   internal::add_faces(hierarchy, json);
   internal::write_json(os, json);
 }
@@ -117,7 +117,7 @@ inline void write_hierarchy(std::ostream& os, const Segmentation_hierarchy& hier
 /// \ingroup PkgSpectralSegmentationRef
 /// writes a hierarchy as JSON, with the segments that the run returned; see above.
 inline void write_hierarchy(std::ostream& os, const Segmentation_hierarchy& hierarchy)
-{ write_hierarchy(os, hierarchy, hierarchy.segments()); }
+{ write_hierarchy(os, hierarchy, hierarchy.nodes()); }
 
 /*!
 \ingroup PkgSpectralSegmentationRef
@@ -130,7 +130,7 @@ writes a hierarchy as JSON, with the chosen segments, their neighbors and boundi
 
 \param os the stream
 \param hierarchy the hierarchy
-\param nodes the node of each segment, such as `hierarchy.segments()`
+\param nodes the node of each segment, such as `hierarchy.nodes()`
 \param mesh the mesh of the run
 \param np `vertex_point_map`, `face_index_map` and `geom_traits`, as for
   `segment_spectral_recursive()`
@@ -177,7 +177,7 @@ and triangles.
 
 \param os the stream
 \param hierarchy the hierarchy
-\param nodes the node of each segment, such as `hierarchy.segments()`
+\param nodes the node of each segment, such as `hierarchy.nodes()`
 \param points the points of the run
 \param triangles the triangles of the run, as indices of points
 */

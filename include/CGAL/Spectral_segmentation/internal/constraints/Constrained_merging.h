@@ -4,7 +4,7 @@
 #ifndef CGAL_SPECTRAL_SEGMENTATION_INTERNAL_CONSTRAINTS_CONSTRAINED_MERGING_H
 #define CGAL_SPECTRAL_SEGMENTATION_INTERNAL_CONSTRAINTS_CONSTRAINED_MERGING_H
 
-#include <CGAL/Spectral_segmentation/internal/hierarchy/Cut_hierarchy.h>
+#include <CGAL/Spectral_segmentation/internal/hierarchy/Dendrogram.h>
 #include <CGAL/Spectral_segmentation/internal/constraints/Region_graph.h>
 
 #include <algorithm>
@@ -22,26 +22,16 @@ namespace CGAL::Spectral_segmentation::internal {
 // at the end are the roots.
 class Constrained_merging
 {
-  struct Merge
-  {
-    Index smaller, larger; // the merged region has the lower one of these two indices
-    double areas[2];
-    std::size_t old_node;
-  };
-
   const Cut_hierarchy& old_;
   Region_graph& regions_;
   const std::vector<Index>& region_of_face_;
   std::vector<std::set<Index> > below_; // one per node of the old hierarchy: its regions
-  std::vector<Index> leaf_region_;      // one per region: the region with which it makes a leaf
-  std::vector<Merge> merges_;
+  Dendrogram result_;                   // its leaves are regions
 
   void merge(Index a, Index b, std::size_t old_node)
   {
-    if (quantized(regions_.area(b)) < quantized(regions_.area(a)))
-      std::swap(a, b);
-    const auto areas = std::minmax({regions_.area(a), regions_.area(b)});
-    merges_.push_back({a, b, {areas.first, areas.second}, old_node});
+    const Cut_node& old = old_.nodes[old_node];
+    result_.merges.push_back({{a, b}, old.salience, old.factors});
     regions_.merge(a, b);
   }
 
@@ -68,49 +58,17 @@ class Constrained_merging
   }
 
   // Merges the regions that constraints made of one leaf for good, as far as the constraints allow.
+  // What is left are the leaves of the result.
   void merge_in_leaves()
   {
     for (std::size_t i = 0; i < old_.nodes.size(); ++i)
       if (old_.nodes[i].is_leaf())
         merge_below(i);
-    merges_.clear();
+    result_.merges.clear();
+    for (Index r : region_of_face_)
+      result_.leaf.push_back(regions_.representative(r));
     for (Index r = 0; r < regions_.number(); ++r)
-      leaf_region_.push_back(regions_.representative(r));
-  }
-
-  // Returns the roots in the order of their first faces, and the cuts that undo the merges.
-  Cut_hierarchy hierarchy() const
-  {
-    Cut_hierarchy result;
-    result.is_monotonic = old_.is_monotonic;
-    result.has_all_cuts = old_.has_all_cuts;
-    std::vector<std::size_t> node(regions_.number(), null_node);
-    for (Index r : region_of_face_) {
-      const Index root = regions_.representative(r);
-      if (node[root] == null_node) {
-        node[root] = result.nodes.size();
-        result.nodes.emplace_back();
-        result.nodes.back().area = regions_.area(root);
-      }
-    }
-    result.number_of_roots = result.nodes.size();
-    for (auto m = merges_.rbegin(); m != merges_.rend(); ++m) {
-      const std::size_t parent = node[(std::min)(m->smaller, m->larger)];
-      const Cut_node& old = old_.nodes[m->old_node];
-      result.nodes[parent].cut_state = Cut_state::CUT;
-      result.nodes[parent].salience = old.salience;
-      result.nodes[parent].factors = old.factors;
-      result.cut_order.push_back(parent);
-      result.cut(parent, m->areas[0], m->areas[1]);
-      node[m->smaller] = result.nodes[parent].children[0];
-      node[m->larger] = result.nodes[parent].children[1];
-    }
-    for (Index f = 0; f < region_of_face_.size(); ++f) {
-      const std::size_t leaf = node[leaf_region_[region_of_face_[f]]];
-      result.leaf.push_back(static_cast<Index>(leaf));
-      result.nodes[leaf].cut_state = old_.nodes[old_.leaf[f]].cut_state;
-    }
-    return result;
+      result_.areas.push_back(regions_.area(regions_.representative(r)));
   }
 
 public:
@@ -133,7 +91,8 @@ public:
     for (std::size_t i = old_.cut_order.size(); i-- > 0;)
       if (!old_.nodes[old_.cut_order[i]].is_leaf())
         merge_below(old_.cut_order[i]);
-    return hierarchy();
+    result_.has_all_cuts = old_.has_all_cuts;
+    return hierarchy_of(result_);
   }
 };
 

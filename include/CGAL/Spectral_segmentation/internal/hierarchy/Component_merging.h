@@ -5,7 +5,7 @@
 #define CGAL_SPECTRAL_SEGMENTATION_INTERNAL_HIERARCHY_COMPONENT_MERGING_H
 
 #include <CGAL/Spectral_segmentation/internal/grid/set_contacts.h>
-#include <CGAL/Spectral_segmentation/internal/hierarchy/Merge.h>
+#include <CGAL/Spectral_segmentation/internal/hierarchy/Dendrogram.h>
 #include <CGAL/Spectral_segmentation/internal/hierarchy/Nested_ranges.h>
 #include <CGAL/Spectral_segmentation/internal/salience/salience_in_component.h>
 
@@ -55,27 +55,20 @@ class Component_merging
   const Nested_ranges leaves_;                  // the leaves of each node
   const std::vector<std::size_t> root_of_leaf_; // one per place among the leaves
   double area_ = 0;
-  std::vector<Merge> merges_;                   // of places of leaves
+  Dendrogram result_;
 
-  Index place(std::size_t node) const { return static_cast<Index>(leaves_.first(node)); }
-
-  // Adds the cuts of the components as merges.
-  void add_cuts()
+  // Sets the saliences of the cuts of components.
+  void set_saliences()
   {
-    for (std::size_t i = 0; i < cuts_.nodes.size(); ++i) {
-      const Cut_node& n = cuts_.nodes[i];
-      if (!n.is_leaf())
-        merges_.push_back({{place(n.children[0]), place(n.children[1])},
-                           salience_in_component(
-                             n.salience, cuts_.nodes[root_of_leaf_[place(i)]].area / area_),
-                           n.factors});
-    }
+    for (Merge& m : result_.merges)
+      m.salience = salience_in_component(
+        m.salience, cuts_.nodes[root_of_leaf_[m.leaves[0]]].area / area_);
   }
 
-  std::vector<Neighbors> neighbors(const std::vector<Index>& leaf) const
+  std::vector<Neighbors> neighbors() const
   {
     std::vector<Neighbors> result(cuts_.number_of_roots);
-    for (const Set_contact& c : set_contacts(mesh_, leaf)) {
+    for (const Set_contact& c : set_contacts(mesh_, result_.leaf)) {
       const auto [a, b] = c.sets;
       const Index root_a = static_cast<Index>(root_of_leaf_[a]),
                   root_b = static_cast<Index>(root_of_leaf_[b]);
@@ -99,7 +92,7 @@ class Component_merging
     }
     const auto join = [&](Index a, Index b, double salience) {
       const Neighbor& seam = neighbors[a].at(b);
-      merges_.push_back({{seam.leaves[0], seam.leaves[1]}, salience, {}});
+      result_.merges.push_back({{seam.leaves[0], seam.leaves[1]}, quantized(salience), {}});
       sets.erase({quantized(area[b]), b});
       apart.erase({quantized(area[b]), b});
       for (const auto& [c, neighbor] : neighbors[a]) {
@@ -137,7 +130,7 @@ public:
   // Takes the cuts of the components, one root for each, and the mesh, whose faces have areas.
   Component_merging(const Cut_hierarchy& cuts, const Surface& mesh)
     : cuts_(cuts), mesh_(mesh), leaves_(ranges_of_leaves(cuts)),
-      root_of_leaf_(roots_of_leaves(cuts, leaves_))
+      root_of_leaf_(roots_of_leaves(cuts, leaves_)), result_(dendrogram_of(cuts, leaves_))
   {
     for (std::size_t i = 0; i < cuts.number_of_roots; ++i)
       area_ += cuts.nodes[i].area;
@@ -148,20 +141,10 @@ public:
   // Returns the hierarchy of the whole mesh.
   Cut_hierarchy operator()()
   {
-    std::vector<Index> leaf; // one per face
-    for (Index node : cuts_.leaf)
-      leaf.push_back(place(node));
-    std::vector<double> area_of_leaf(root_of_leaf_.size());
-    for (std::size_t i = 0; i < cuts_.nodes.size(); ++i)
-      if (cuts_.nodes[i].is_leaf())
-        area_of_leaf[place(i)] = cuts_.nodes[i].area;
-    add_cuts();
-    add_merges(neighbors(leaf));
-    std::stable_sort(merges_.begin(), merges_.end(), [](const Merge& a, const Merge& b)
-      { return quantized(a.salience) < quantized(b.salience); });
-    Cut_hierarchy result = hierarchy_of_merges(leaf, area_of_leaf, merges_);
-    result.has_all_cuts = cuts_.has_all_cuts;
-    return result;
+    set_saliences();
+    add_merges(neighbors());
+    sort_merges(result_.merges);
+    return hierarchy_of(result_);
   }
 };
 

@@ -94,26 +94,6 @@ inline Cut_hierarchy uncut_hierarchy(std::vector<Index> component,
   return result;
 }
 
-// Returns the same hierarchy, in which node i has the index `number[i]`.
-inline Cut_hierarchy renumbered(const Cut_hierarchy& cuts, const std::vector<std::size_t>& number)
-{
-  Cut_hierarchy result = cuts;
-  for (std::size_t i = 0; i < cuts.nodes.size(); ++i) {
-    Cut_node& n = result.nodes[number[i]];
-    n = cuts.nodes[i];
-    if (n.parent != null_node)
-      n.parent = number[n.parent];
-    if (!n.is_leaf())
-      for (std::size_t& child : n.children)
-        child = number[child];
-  }
-  for (std::size_t& node : result.cut_order)
-    node = number[node];
-  for (Index& leaf : result.leaf)
-    leaf = static_cast<Index>(number[leaf]);
-  return result;
-}
-
 } // namespace internal
 /// \endcond
 

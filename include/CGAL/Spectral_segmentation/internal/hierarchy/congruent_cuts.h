@@ -4,7 +4,7 @@
 #ifndef CGAL_SPECTRAL_SEGMENTATION_INTERNAL_HIERARCHY_CONGRUENT_CUTS_H
 #define CGAL_SPECTRAL_SEGMENTATION_INTERNAL_HIERARCHY_CONGRUENT_CUTS_H
 
-#include <CGAL/Spectral_segmentation/internal/hierarchy/Cut_hierarchy.h>
+#include <CGAL/Spectral_segmentation/internal/hierarchy/Dendrogram.h>
 #include <CGAL/Spectral_segmentation/internal/hierarchy/Nested_ranges.h>
 #include <CGAL/Spectral_segmentation/internal/surface/Surface.h>
 #include <CGAL/Spectral_segmentation/internal/base/Symmetric_matrix.h>
@@ -137,28 +137,6 @@ class Congruent_cuts
       }
   }
 
-  Cut_hierarchy in_order_of_saliences() const
-  {
-    std::vector<std::size_t> order(saliences_.size()); // a parent stays before its children
-    std::iota(order.begin(), order.end(), std::size_t(0));
-    std::stable_sort(order.begin(), order.end(), [&](std::size_t i, std::size_t j)
-                     { return saliences_[i] > saliences_[j]; });
-    std::vector<std::size_t> number(cuts_.nodes.size()); // the new index of each node
-    std::iota(number.begin(), number.end(), std::size_t(0));
-    for (std::size_t i = 0; i < order.size(); ++i)
-      for (std::size_t k = 0; k < 2; ++k)
-        number[cuts_.nodes[cuts_.cut_order[order[i]]].children[k]] =
-          cuts_.number_of_roots + 2 * i + k;
-
-    Cut_hierarchy result = renumbered(cuts_, number);
-    for (std::size_t i = 0; i < order.size(); ++i) {
-      const std::size_t node = number[cuts_.cut_order[order[i]]];
-      result.cut_order[i] = node;
-      result.nodes[node].salience = saliences_[order[i]];
-    }
-    return result;
-  }
-
 public:
   Congruent_cuts(const Surface& mesh, const Cut_hierarchy& cuts)
     : mesh_(mesh), cuts_(cuts), shapes_(cuts.cut_order.size())
@@ -178,7 +156,11 @@ public:
         saliences_[i] = mean;
     }
     raise_saliences();
-    return in_order_of_saliences();
+    Dendrogram result = dendrogram_of(cuts_, ranges_of_leaves(cuts_));
+    for (std::size_t i = 0; i < saliences_.size(); ++i)
+      result.merges[i].salience = saliences_[saliences_.size() - 1 - i];
+    sort_merges(result.merges);
+    return hierarchy_of(result);
   }
 };
 

@@ -5,7 +5,7 @@
 #define CGAL_SPECTRAL_SEGMENTATION_INTERNAL_HIERARCHY_REGION_MERGING_H
 
 #include <CGAL/Spectral_segmentation/Options.h>
-#include <CGAL/Spectral_segmentation/internal/hierarchy/Merge.h>
+#include <CGAL/Spectral_segmentation/internal/hierarchy/Dendrogram.h>
 #include <CGAL/Spectral_segmentation/internal/surface/extract_part.h>
 #include <CGAL/Spectral_segmentation/internal/salience/Cut_evaluator.h>
 #include <CGAL/Spectral_segmentation/internal/base/Run_monitor.h>
@@ -132,22 +132,22 @@ public:
   {
     // Regions are numbered by their first faces.
     std::vector<Index> number(regions.nodes.size(), null_index);
-    std::vector<double> areas;
+    Dendrogram result;
     for (Index f = 0; f < mesh_.number_of_faces(); ++f) {
       Index& region = number[regions.leaf[f]];
       if (region == null_index) {
         region = static_cast<Index>(faces_.size());
         faces_.emplace_back();
-        areas.push_back(0);
+        result.areas.push_back(0);
       }
       region_.push_back(region);
       faces_[region].push_back(f);
-      areas[region] += mesh_.areas[f];
+      result.areas[region] += mesh_.areas[f];
     }
-    const std::vector<Index> region_of_face = region_;
-    std::vector<Merge> merges = merge_all();
-    make_ultrametric(merges);
-    return hierarchy_of_merges(region_of_face, areas, merges);
+    result.leaf = region_;
+    result.merges = merge_all();
+    make_ultrametric(result.merges);
+    return hierarchy_of(result);
   }
 };
 

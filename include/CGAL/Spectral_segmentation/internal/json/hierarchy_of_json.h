@@ -255,7 +255,7 @@ public:
     for (const Json& segment : array(json, "segments"))
       result.push_back(count(member(segment, "node"), "node", largest_));
     try {
-      h.labels_of_nodes(result);
+      h.labels(result);
     }
     catch (const std::invalid_argument&) {
       fail("the \"segments\" do not have each face once");
