@@ -34,8 +34,8 @@ inline double mean_of(const std::vector<double>& values)
   return mean();
 }
 
-// The mean of the differences between two values of each mesh.
-struct Paired_difference
+// The mean of values of each mesh, as an estimate of that of all meshes.
+struct Estimated_mean
 {
   double mean, standard_error;
 
@@ -44,20 +44,32 @@ struct Paired_difference
   bool is_negative() const { return mean < -2 * standard_error; }
 };
 
-// Compares the meshes where both values are defined; there must be at least two.
-inline Paired_difference paired_difference(const std::vector<double>& a,
-                                           const std::vector<double>& b)
+// Estimates from the values that are defined. The standard error needs two of them at least.
+inline Estimated_mean estimated_mean(const std::vector<double>& values)
 {
   double n = 0, sum = 0, sum_of_squares = 0;
-  for (std::size_t i = 0; i < a.size(); ++i)
-    if (!std::isnan(a[i] - b[i])) {
+  for (double value : values)
+    if (!std::isnan(value)) {
       ++n;
-      sum += a[i] - b[i];
-      sum_of_squares += (a[i] - b[i]) * (a[i] - b[i]);
+      sum += value;
+      sum_of_squares += value * value;
     }
   const double mean = sum / n;
   const double variance = (std::max)(0., sum_of_squares - n * mean * mean) / (n - 1);
   return {mean, std::sqrt(variance / n)};
+}
+
+// The mean of the differences between two values of each mesh.
+typedef Estimated_mean Paired_difference;
+
+// Compares the meshes where both values are defined; there must be at least two.
+inline Paired_difference paired_difference(const std::vector<double>& a,
+                                           const std::vector<double>& b)
+{
+  std::vector<double> differences;
+  for (std::size_t i = 0; i < a.size(); ++i)
+    differences.push_back(a[i] - b[i]);
+  return estimated_mean(differences);
 }
 
 inline const char* verdict(bool is_reproduced)
