@@ -9,6 +9,7 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <functional>
 #include <limits>
 #include <map>
 #include <utility>
@@ -25,11 +26,12 @@ struct Timed_tree
   Time time;
 };
 
-// The trees of a method on a mesh. Each is made when it is first asked for, and kept.
+// The trees of a method on a mesh or a triangle soup. Each is made when it is first asked for, and
+// kept.
 class Method_trees
 {
-  const Tree_method& method_;
-  const Mesh& mesh_;
+  bool has_whole_trees_;
+  std::function<Segmentation_hierarchy(double, std::size_t)> segment_;
   std::map<std::pair<double, std::size_t>, Timed_tree> trees_; // by the arguments of the run
 
   const Timed_tree& run(double threshold, std::size_t maximum_number_of_segments)
@@ -38,17 +40,25 @@ class Method_trees
     const auto found = trees_.find(arguments);
     if (found != trees_.end())
       return found->second;
-    auto [tree, time] =
-      timed([&] { return method_.segment(mesh_, threshold, maximum_number_of_segments); });
+    auto [tree, time] = timed([&] { return segment_(threshold, maximum_number_of_segments); });
     return trees_.emplace(arguments, Timed_tree{std::move(tree), time}).first->second;
   }
 
 public:
-  Method_trees(const Tree_method& method, const Mesh& mesh) : method_(method), mesh_(mesh) {}
+  Method_trees(const Tree_method& method, const Mesh& mesh)
+    : has_whole_trees_(method.has_whole_trees),
+      segment_([&](double threshold, std::size_t n) { return method.segment(mesh, threshold, n); })
+  {}
+
+  Method_trees(const Tree_method& method, const Triangle_soup& soup)
+    : has_whole_trees_(method.has_whole_trees),
+      segment_([&](double threshold, std::size_t n)
+               { return method.segment_soup(soup, threshold, n); })
+  {}
 
   // Has the labels for this threshold and all higher ones.
   const Timed_tree& down_to(double threshold)
-  { return method_.has_whole_trees ? up_to(1) : run(threshold, any_number); }
+  { return has_whole_trees_ ? up_to(1) : run(threshold, any_number); }
 
   // Has the labels for so many segments and all smaller numbers.
   const Timed_tree& up_to(std::size_t number_of_segments)

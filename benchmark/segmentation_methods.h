@@ -6,11 +6,13 @@
 
 #include "run_engine.h"
 #include "segment_by_sdf.h"
+#include "triangle_soup.h"
 
 #include <CGAL/tags.h>
 
 #include <boost/property_map/vector_property_map.hpp>
 
+#include <algorithm>
 #include <cstddef>
 #include <functional>
 #include <limits>
@@ -32,6 +34,9 @@ struct Tree_method
   bool has_whole_trees; // whatever the threshold
   std::function<Segmentation_hierarchy(const Mesh&, double threshold,
                                        std::size_t maximum_number_of_segments)> segment;
+  std::function<Segmentation_hierarchy(const Triangle_soup&, double threshold,
+                                       std::size_t maximum_number_of_segments)>
+    segment_soup = nullptr;
 };
 
 // A method that gives labels only.
@@ -50,20 +55,48 @@ Segmentation_hierarchy hierarchy(const Mesh& mesh, const NamedParameters& np)
   return result;
 }
 
+template <class NamedParameters>
+Segmentation_hierarchy hierarchy(const Triangle_soup& soup, const NamedParameters& np)
+{
+  Segmentation_hierarchy result;
+  CGAL::segment_spectral_recursive(
+    soup.points, soup.triangles,
+    boost::vector_property_map<std::size_t>(static_cast<unsigned>(soup.triangles.size())),
+    np.hierarchy(result));
+  return result;
+}
+
+// Makes a method of its named parameters, parameters(threshold, maximum_number_of_segments).
+template <class Parameters>
+Tree_method tree_method(const char* name, double default_threshold, bool has_whole_trees,
+                        const Parameters& parameters)
+{
+  const auto segment = [parameters](const auto& input, double threshold, std::size_t n)
+    { return hierarchy(input, parameters(threshold, n)); };
+  return {name, default_threshold, has_whole_trees, segment, segment};
+}
+
 inline const std::vector<Tree_method>& tree_methods()
 {
   static const std::vector<Tree_method> methods = {
-    {"calibrated", CGAL::Spectral_segmentation::default_probability_threshold, true,
-     [](const Mesh& mesh, double threshold, std::size_t n) {
-       return hierarchy(mesh, params::salience_threshold(threshold).maximum_number_of_segments(n));
-     }},
-    {"paper", CGAL::Spectral_segmentation::default_salience_threshold, false,
-     [](const Mesh& mesh, double threshold, std::size_t n) {
-       return hierarchy(mesh, params::zhang_liu_2005().salience_threshold(threshold)
-                                .maximum_number_of_segments(n));
-     }},
+    tree_method("calibrated", CGAL::Spectral_segmentation::default_probability_threshold, true,
+                [](double threshold, std::size_t n) {
+                  return params::salience_threshold(threshold).maximum_number_of_segments(n);
+                }),
+    tree_method("paper", CGAL::Spectral_segmentation::default_salience_threshold, false,
+                [](double threshold, std::size_t n) {
+                  return params::zhang_liu_2005().salience_threshold(threshold)
+                           .maximum_number_of_segments(n);
+                }),
   };
   return methods;
+}
+
+inline bool is_tree_method(const std::string& name)
+{
+  const std::vector<Tree_method>& methods = tree_methods();
+  return std::any_of(methods.begin(), methods.end(),
+                     [&name](const Tree_method& method) { return method.name == name; });
 }
 
 inline const std::vector<Label_method>& label_methods()

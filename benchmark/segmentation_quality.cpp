@@ -86,13 +86,6 @@ void add_options(CLI::App& app, Options& o)
     ->check(CLI::Range(1, 1024))->capture_default_str();
 }
 
-bool is_tree_method(const std::string& name)
-{
-  const std::vector<Tree_method>& methods = tree_methods();
-  return std::any_of(methods.begin(), methods.end(),
-                     [&name](const Tree_method& method) { return method.name == name; });
-}
-
 std::vector<Row> selected_rows(const Options& o)
 {
   std::vector<Row> rows;
