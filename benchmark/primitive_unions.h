@@ -5,8 +5,8 @@
 #define SEGMENTATION_BENCHMARK_PRIMITIVE_UNIONS_H
 
 #include "Uniform_random.h"
+#include "known_parts.h"
 #include "primitives.h"
-#include "segmentation_metrics.h"
 
 #include <CGAL/Polygon_mesh_processing/connected_components.h>
 #include <CGAL/Polygon_mesh_processing/corefinement.h>
@@ -34,12 +34,6 @@
 // Mechanical parts whose segmentation is known: unions of primitives, as plates with bosses, pins
 // and ribs, and shafts with flanges. All are made by a seed.
 namespace segmentation_benchmark {
-
-struct Primitive_union
-{
-  Mesh mesh;
-  Labels truth; // the connected piece of the surface of one primitive, per face
-};
 
 // A place on a primitive where another one can stand. Its frame has the origin on the surface and z
 // outwards.
@@ -394,8 +388,6 @@ inline Labels connected_pieces(Mesh& mesh)
 }
 
 // Each primitive shows, and no piece is so small that it is not seen.
-constexpr double least_share_of_area = 0.005;
-
 inline bool is_plain_to_see(const Mesh& mesh, const Face_origins& origins, const Labels& pieces,
                             std::size_t number_of_primitives)
 {
@@ -410,9 +402,10 @@ inline bool is_plain_to_see(const Mesh& mesh, const Face_origins& origins, const
          *std::min_element(areas.begin(), areas.end()) >= least_share_of_area * area;
 }
 
-// Makes a union of three to eight primitives. A union that CGAL fails to make, or that is no good
+// Makes a union of three to eight primitives. Its parts are the connected pieces of the surface of
+// one primitive. A union that CGAL fails to make, or that is no good
 // part, is thrown away, and the next numbers of the seed make another one.
-inline Primitive_union primitive_union(std::uint64_t seed)
+inline Known_parts primitive_union(std::uint64_t seed)
 {
   Uniform_random random(seed);
   const std::size_t number = 3 + random.below(6);
@@ -420,9 +413,9 @@ inline Primitive_union primitive_union(std::uint64_t seed)
     std::optional<Mesh> mesh = united(Primitive_composer(random)(number));
     if (!mesh || !is_solid(*mesh))
       continue;
-    const Labels pieces = connected_pieces(*mesh);
+    Labels pieces = connected_pieces(*mesh);
     if (is_plain_to_see(*mesh, face_origins(*mesh, 0), pieces, number))
-      return {std::move(*mesh), pieces};
+      return parts_of_mesh(std::to_string(seed), std::move(*mesh), std::move(pieces));
   }
   throw std::runtime_error("seed " + std::to_string(seed) + " makes no union of primitives");
 }

@@ -6,22 +6,25 @@
 /// Funkhouser, SIGGRAPH 2009): all metrics of the benchmark, by category and overall, and the
 /// distance from the least Rand error that one segmentation can have with respect to all people,
 /// of which an upper bound is computed. The meshes may also be segmented in other triangulations,
-/// or put together from many closed components, which should give the same parts. Unions of
-/// primitives, whose parts are known, stand for mechanical parts.
+/// or put together from many closed components, which should give the same parts. Other meshes
+/// have parts that are known: unions of primitives, which stand for mechanical parts, and files
+/// with the part of each triangle, which need not form a manifold.
 
 #include "Contact_sheet.h"
 #include "assembled_meshes.h"
 #include "for_each_mesh.h"
+#include "primitive_unions.h"
 #include "program.h"
+#include "score_known_parts.h"
 #include "score_mesh.h"
 #include "score_report.h"
-#include "score_unions.h"
 
 #include <CLI/CLI.hpp>
 
 #include <algorithm>
 #include <cstddef>
 #include <cstdio>
+#include <filesystem>
 #include <optional>
 #include <stdexcept>
 #include <string>
@@ -31,7 +34,7 @@ using namespace segmentation_benchmark;
 
 struct Options
 {
-  std::string folder, ids = "odd", json, sheet, cache, sheet_of_unions;
+  std::string folder, ids = "odd", json, sheet, cache, sheet_of_unions, known_parts;
   std::vector<std::string> methods = method_names();
   std::vector<std::string> protocols = {"auto", "k", "tree"};
   std::vector<std::string> triangulations = {triangulation_names().front()};
@@ -52,14 +55,14 @@ void add_options(CLI::App& app, Options& o)
 {
   app.add_option("folder", o.folder,
                  "holds off/N.off and seg/Benchmark/N/*.seg; may be left out with "
-                 "--primitive-unions")
+                 "--primitive-unions or --known-parts")
     ->check(CLI::ExistingDirectory);
   app.add_option("--ids", o.ids, "odd, even, all, or a list as 1-20,33")->capture_default_str();
   app.add_option("--method", o.methods, "rows of the tables [all]")
     ->check(CLI::IsMember(o.methods));
   app.add_option("--protocol", o.protocols,
-                 "auto: nothing is given; k: people's usual number of parts is; tree: the best "
-                 "number of parts of the tree [all]")
+                 "auto: nothing is given; k: people's usual number of parts is, or that of known "
+                 "parts; tree: the best number of parts of the tree [all]")
     ->check(CLI::IsMember(o.protocols));
   app.add_option("--triangulation", o.triangulations,
                  "in which the meshes are segmented, several for a comparison: as_is; decimated to "
@@ -81,6 +84,10 @@ void add_options(CLI::App& app, Options& o)
   app.add_option("--unions-sheet", o.sheet_of_unions,
                  "writes a picture of each with its true parts, and as the first row cuts it")
     ->type_name("OUT.png");
+  app.add_option("--known-parts", o.known_parts,
+                 "also segments the files NAME.off of a folder, whose triangles need not form a "
+                 "manifold; NAME.truth beside it has the number of the true part of each triangle")
+    ->check(CLI::ExistingDirectory)->type_name("DIR");
   app.add_option("--threads", o.threads,
                  "meshes at a time, each on one thread; with 1, a mesh may use all threads")
     ->check(CLI::Range(1, 1024))->capture_default_str();
@@ -151,63 +158,81 @@ void report_on_benchmark(const Options& o, const std::vector<Row>& rows, Json& j
     sheet->write(o.sheet);
 }
 
-void add_to_sheet(Contact_sheet& sheet, const Primitive_union& input, const Scored_union& scored)
+void add_to_sheet(Contact_sheet& sheet, const Known_parts& input, const Known_parts_score& score)
 {
   char text[40];
-  std::snprintf(text, sizeof text, "%03d", static_cast<int>(scored.seed));
-  sheet.add(text + std::string(" known"), input.mesh, input.truth);
-  const Union_score& first = scored.scores.front();
-  std::snprintf(text, sizeof text, "%03d result %.3f", static_cast<int>(scored.seed),
-                first.by_area);
-  sheet.add(text, input.mesh, first.labels);
+  std::snprintf(text, sizeof text, "%03d", std::stoi(input.name));
+  sheet.add(text + std::string(" known"), *input.mesh, input.truth);
+  std::snprintf(text, sizeof text, "%03d result %.3f", std::stoi(input.name), score.by_area);
+  sheet.add(text, *input.mesh, score.labels);
 }
 
-void report_on_unions(const Options& o, const std::vector<Row>& rows, Json& json)
+// Scores n meshes, make_mesh(0) .. make_mesh(n - 1), and prints the means.
+template <class MakeMesh>
+Json report_on_known_parts(const Options& o, const std::string& kind, const std::vector<Row>& rows,
+                           std::size_t n, const MakeMesh& make_mesh, Contact_sheet* sheet)
 {
-  std::optional<Contact_sheet> sheet;
-  if (!o.sheet_of_unions.empty())
-    sheet.emplace();
-  std::vector<Scored_union> unions(o.unions);
+  std::vector<Scored_known_parts> meshes(n);
   {
-    Progress progress(o.unions);
-    for_each_mesh(o.unions, o.threads, [&](std::size_t i) {
-      Scored_union& scored = unions[i];
-      scored.seed = i + 1;
-      const Primitive_union input = primitive_union(scored.seed);
-      scored.faces = input.mesh.number_of_faces();
-      scored.pieces = number_of_segments(input.truth);
-      for (const Row& row : rows)
-        scored.scores.push_back(Union_scorer(input)(row));
+    Progress progress(n);
+    for_each_mesh(n, o.threads, [&](std::size_t i) {
+      const Known_parts input = make_mesh(i);
+      meshes[i] = Known_parts_scorer(input)(rows);
       if (sheet)
-        add_to_sheet(*sheet, input, scored);
-      for (Union_score& score : scored.scores)
+        add_to_sheet(*sheet, input, meshes[i].scores.front());
+      for (Known_parts_score& score : meshes[i].scores)
         Labels().swap(score.labels);
       progress.step();
     });
   }
-  print_unions(rows, unions);
+  print_known_parts(kind, rows, meshes);
   std::fflush(stdout);
-  json["primitive_unions"] = json_of_unions(rows, unions);
+  return json_of_known_parts(rows, meshes);
+}
+
+Json report_on_unions(const Options& o, const std::vector<Row>& rows)
+{
+  std::optional<Contact_sheet> sheet;
+  if (!o.sheet_of_unions.empty())
+    sheet.emplace();
+  Json json = report_on_known_parts(
+    o, "unions of primitives", rows_of_known_parts(rows, true), o.unions,
+    [](std::size_t i) { return primitive_union(i + 1); }, sheet ? &*sheet : nullptr);
   if (sheet)
     sheet->write(o.sheet_of_unions);
+  return json;
+}
+
+Json report_on_files(const Options& o, const std::vector<Row>& rows)
+{
+  const std::vector<std::filesystem::path> files = off_files(o.known_parts);
+  Json json = report_on_known_parts(
+    o, "files with known parts", rows_of_known_parts(rows, false), files.size(),
+    [&](std::size_t i) { return read_known_parts(files[i]); }, nullptr);
+  for (const Label_method& method : label_methods())
+    if (!is_reference(method.name) && std::count(o.methods.begin(), o.methods.end(), method.name))
+      std::printf("%s is left out: it needs a manifold mesh\n", method.name);
+  return json;
 }
 
 void run(const Options& o)
 {
-  if (o.folder.empty() && o.unions == 0)
-    throw std::invalid_argument("there is nothing to segment: give the folder of the benchmark, or "
-                                "--primitive-unions");
+  if (o.folder.empty() && o.unions == 0 && o.known_parts.empty())
+    throw std::invalid_argument("there is nothing to segment: give the folder of the benchmark, "
+                                "--primitive-unions or --known-parts");
   const std::vector<Row> rows = selected_rows(o);
   Json json;
   if (!o.folder.empty())
     report_on_benchmark(o, rows, json);
-  const std::vector<Row> of_unions = rows_of_unions(rows);
   if (o.unions > 0) {
-    if (of_unions.empty())
-      throw std::invalid_argument("none of the rows can be of unions of primitives");
-    if (!o.folder.empty())
+    if (!json.empty())
       std::printf("\n");
-    report_on_unions(o, of_unions, json);
+    json["primitive_unions"] = report_on_unions(o, rows);
+  }
+  if (!o.known_parts.empty()) {
+    if (!json.empty())
+      std::printf("\n");
+    json["known_parts"] = report_on_files(o, rows);
   }
   write_json(o.json, json);
 }

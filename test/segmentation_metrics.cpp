@@ -140,6 +140,21 @@ BOOST_AUTO_TEST_CASE(hamming_distance_by_hand)
   BOOST_TEST(coarse[HAMMING] == 0.25, tt::tolerance(tolerance));
 }
 
+// The parts of after_2 have two squares each. The first one has 1 of 2 squares in common with the
+// first part of after_1; the second one has 2 of 3 in common with the other part.
+BOOST_AUTO_TEST_CASE(greatest_overlaps_by_hand)
+{
+  const std::vector<double> areas(8, 0.5);
+  const Eigen::ArrayXd same = greatest_overlaps(overlap(after_2, after_2, areas));
+  BOOST_TEST_REQUIRE(same.size() == 2);
+  BOOST_TEST(same(0) == 1);
+  BOOST_TEST(same(1) == 1);
+  const Eigen::ArrayXd shifted = greatest_overlaps(overlap(after_1, after_2, areas));
+  BOOST_TEST_REQUIRE(shifted.size() == 2);
+  BOOST_TEST(shifted(0) == 1 / 2., tt::tolerance(tolerance));
+  BOOST_TEST(shifted(1) == 2 / 3., tt::tolerance(tolerance));
+}
+
 // In after_1 the second square, in a part of 3, is without the 2 squares behind it, which
 // themselves are without 1: (0 + 2/3 + 1/3 + 1/3) / 4. In after_2 each of the first two squares is
 // without the other: (1/2 + 1/2) / 4. The smaller error of each square: 0, 1/2, 0, 0.
