@@ -25,6 +25,7 @@
 #include <CGAL/segment_spectral_recursive.h>
 
 #include <CLI/CLI.hpp>
+#include <boost/property_map/function_property_map.hpp>
 
 #ifdef CGAL_LINKED_WITH_TBB
 #include <tbb/global_control.h>
@@ -90,6 +91,7 @@ struct Options
   std::size_t smoothing_iterations = 0;
   bool smooth_boundaries = false;
   bool keep_components_separate = false;
+  bool keep_groups = false;
   bool refine_boundaries = false;
   bool close = false;
   bool quiet = false;
@@ -215,6 +217,9 @@ void add_options(CLI::App& app, Options& o)
   app.add_flag("--keep-components-separate", o.keep_components_separate,
                "make each connected component a part from the start, as --method paper does; "
                "otherwise components that touch may belong to the same part");
+  app.add_flag("--keep-groups", o.keep_groups,
+               "keep the objects and groups of IN apart as if each was a component; those of .obj, "
+               "and the nodes of files that Assimp reads");
   app.add_flag("--refine-boundaries", o.refine_boundaries,
                "split faces of the written meshes along smooth boundaries; labels still refer to "
                "the faces of IN");
@@ -292,8 +297,11 @@ void check_files(const Options& o)
 std::size_t segment(const Input& input, std::vector<Index>& labels, const Options& o,
                     Segmentation_hierarchy& tree, Run_watch& watch)
 {
-  const auto np =
-    parameters::options(o.segmentation_options()).hierarchy(tree).visitor(std::ref(watch));
+  const std::vector<Index>& groups = input.soup.group_of_polygon;
+  const auto group = boost::make_function_property_map<std::size_t, Index>([&](std::size_t t)
+    { return o.keep_groups && !groups.empty() ? groups[input.polygon_of_triangle[t]] : 0; });
+  const auto np = parameters::options(o.segmentation_options())
+                    .face_group_map(group).hierarchy(tree).visitor(std::ref(watch));
   const auto ids = CGAL::make_property_map(labels);
   try {
     if (o.threads == 1) // starts no thread, so that running out of memory is an exception
@@ -319,6 +327,7 @@ Json parameters_report(const Options& o)
   return {{"method", o.method_name},
           {"maximum_number_of_segments", json_or_null(o.segments)},
           {"keep_components_separate", used.keep_components_separate},
+          {"keep_groups", o.keep_groups},
           {"salience_threshold", used.number_of_segments ? Json() : Json(used.salience_threshold)},
           {"minimum_segment_size", used.minimum_segment_size},
           {"random_seed", json_or_null(o.seed)},

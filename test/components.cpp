@@ -9,6 +9,8 @@
 
 #include <CGAL/segment_spectral_recursive.h>
 
+#include <boost/property_map/function_property_map.hpp>
+
 #include <algorithm>
 #include <cstddef>
 #include <functional>
@@ -226,6 +228,59 @@ BOOST_AUTO_TEST_CASE(patches_that_meet_edge_to_edge_are_one_surface)
   const Labels labels = labels_of_soup(all);
   BOOST_TEST(number_of(labels) == number_of(of_whole));
   BOOST_TEST(rand_index(labels, expected) > 0.95);
+}
+
+// Returns a group for each half of a sphere.
+Labels groups_of_sphere(const Soup& sphere)
+{
+  Labels groups;
+  for (const auto& t : sphere.triangles)
+    groups.push_back(CGAL::centroid(sphere.points[t[0]], sphere.points[t[1]],
+                                    sphere.points[t[2]]).z() > 0 ? 7 : 3);
+  return groups;
+}
+
+BOOST_AUTO_TEST_CASE(groups_count_as_components)
+{
+  const Soup soup = sphere(3);
+  const Labels groups = groups_of_sphere(soup);
+  BOOST_TEST(number_of(labels_of_soup(soup)) == 1u);
+  for_both_methods([&](const auto& np) {
+    const Labels labels = labels_of_soup(soup, np.face_group_map(groups.data()));
+    BOOST_TEST(number_of(labels) == 2u);
+    BOOST_TEST(rand_index(labels, groups) == 1);
+    const Mesh mesh = mesh_of(soup);
+    const auto of_face = boost::make_function_property_map<Mesh::Face_index, int>(
+      [&](Mesh::Face_index f) { return static_cast<int>(groups[f]); });
+    BOOST_TEST(labels_of(mesh, np.face_group_map(of_face)) == labels,
+               boost::test_tools::per_element());
+  });
+  const Soup dumbbell = test_meshes::dumbbell(24, 20);
+  const Labels one_group(dumbbell.triangles.size(), 5);
+  BOOST_TEST(labels_of_soup(dumbbell, parameters::face_group_map(one_group.data())) ==
+               labels_of_soup(dumbbell), boost::test_tools::per_element());
+}
+
+BOOST_AUTO_TEST_CASE(no_leaf_spans_two_groups)
+{
+  // Random groups, and faces twice, in the same or in another group
+  Random random(1);
+  const Soup soup = double_sided(dumbbell(12, 10));
+  for (int i = 0; i < 10; ++i) {
+    Labels groups;
+    for (const auto& t : soup.triangles)
+      groups.push_back(std::size_t(soup.points[t[0]].z() * 2 + 9) % 3 + random() % 2 * (i % 2));
+    Segmentation_hierarchy hierarchy;
+    labels_of_soup(soup, parameters::face_group_map(groups.data()).hierarchy(hierarchy));
+    const std::size_t n = soup.triangles.size() / 2;
+    for (std::size_t node = 0; node < hierarchy.number_of_nodes(); ++node)
+      if (hierarchy.node(node).is_leaf()) {
+        std::set<std::size_t> seen;
+        for (auto f : hierarchy.faces(node))
+          seen.insert(groups[f % n]); // the first of two faces counts
+        BOOST_TEST(seen.size() == 1u);
+      }
+  }
 }
 
 BOOST_AUTO_TEST_CASE(what_nothing_touches_stays_apart_and_is_joined_nearest_first)

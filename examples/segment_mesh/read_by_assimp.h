@@ -284,6 +284,7 @@ class Scene_receiver
       meshes.resize(i.end_of_polygons, i.mesh);
     }
     check(nodes.size() == scene.soup.number_of_polygons());
+    scene.soup.group_of_polygon.assign(nodes.begin(), nodes.end());
     scene.soup.polygon_properties = {{"node", mesh_file::Number_type::INT32, std::move(nodes)},
                                      {"mesh", mesh_file::Number_type::INT32, std::move(meshes)}};
   }

@@ -172,6 +172,16 @@ at most 4000 faces by default. The memory is O(*n*). The section
     \cgalParamType{`bool`}
     \cgalParamDefault{`false`, or `true` with `zhang_liu_2005()`, which supports no other value}
   \cgalParamNEnd
+  \cgalParamNBegin{face_group_map}
+    \cgalParamDescription{the group of each face, such as an object or a material of a file. Groups
+      are kept apart like connected components: no cut is needed between them, and whether a group
+      is a part depends on its area and its contacts. A group of several connected components is
+      several components.}
+    \cgalParamType{a model of `ReadablePropertyMap` with
+      `boost::graph_traits<TriangleMesh>::%face_descriptor` as key type and an integer type as value
+      type}
+    \cgalParamDefault{none: all faces are in one group}
+  \cgalParamNEnd
   \cgalParamNBegin{maximum_number_of_segments}
     \cgalParamDescription{an upper bound on the number of segments. It is exceeded only if
       components are kept apart and there are more components.}
@@ -397,6 +407,7 @@ std::size_t segment_spectral_recursive(const TriangleMesh& mesh, SegmentIdMap se
   if constexpr (internal::has_edge_constraints<Pack>)
     internal::read_edge_constraints(mesh, faces, pack, constraints);
   internal::read_seeds(faces, pack, constraints);
+  triangles.groups = internal::read_groups(faces, pack);
   return internal::segment_and_write<ConcurrencyTag>(std::move(triangles), faces, segment_ids,
                                                      options, constraints, pack);
 }
@@ -428,7 +439,7 @@ triangles of a mesh the ids are the same as with the function for meshes.
   triangle
 \param np an optional sequence of the named parameters above, except `vertex_point_map`,
   `face_index_map`, `geom_traits`, `edge_is_constrained_map` and `edge_is_uncuttable_map`. The key
-  of a `face_seed_map` is the position of a triangle.
+  of a `face_seed_map` or a `face_group_map` is the position of a triangle.
 
 \return the number of segments; 0 if there is no triangle
 
@@ -466,9 +477,10 @@ std::size_t segment_spectral_recursive(const PointRange& points, const TriangleR
 
   const Spectral_segmentation::Options options = internal::read_options(pack);
   internal::Surface soup = internal::read_triangle_soup(points, triangles);
-  internal::connect(soup);
   std::vector<std::size_t> faces(soup.corners.size());
   std::iota(faces.begin(), faces.end(), std::size_t(0));
+  soup.groups = internal::read_groups(faces, pack);
+  internal::connect(soup);
   internal::Constraints constraints;
   internal::read_seeds(faces, pack, constraints);
   return internal::segment_and_write<ConcurrencyTag>(std::move(soup), faces, segment_ids, options,

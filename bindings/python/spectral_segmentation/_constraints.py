@@ -7,14 +7,21 @@ import itertools
 import numpy as np
 
 
-def seeds_array(value, number_of_triangles):
-    seeds = np.asarray(value)
-    if seeds.dtype.kind not in "iu":
-        raise TypeError("face_seeds must be integers, not %s" % seeds.dtype)
-    if seeds.shape != (number_of_triangles,):
-        raise ValueError("face_seeds must have the shape (%d,), one for each triangle, not %s"
-                         % (number_of_triangles, seeds.shape))
-    return seeds.astype(np.int64, copy=False)
+def integers_of_triangles(name, value, number_of_triangles):
+    integers = np.asarray(value)
+    if integers.dtype.kind not in "iu":
+        raise TypeError("%s must be integers, not %s" % (name, integers.dtype))
+    if integers.shape != (number_of_triangles,):
+        raise ValueError("%s must have the shape (%d,), one for each triangle, not %s"
+                         % (name, number_of_triangles, integers.shape))
+    return integers.astype(np.int64, copy=False)
+
+
+def groups_array(value, number_of_triangles):
+    """The groups, numbered from 0; None if there is only one."""
+    groups = integers_of_triangles("face_groups", value, number_of_triangles)
+    names, numbers = np.unique(groups, return_inverse=True)
+    return numbers.astype(np.int64) if len(names) > 1 else None
 
 
 class Edges:

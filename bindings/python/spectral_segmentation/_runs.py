@@ -8,7 +8,7 @@ import numpy as np
 
 from . import _core
 from ._meshes import arrays_of
-from ._constraints import pairs_at_edges, seeds_array
+from ._constraints import groups_array, integers_of_triangles, pairs_at_edges
 
 _METHODS = {"calibrated": False, "paper": True}
 
@@ -71,7 +71,7 @@ def _threads(value):
 
 def segment_hierarchy(points, triangles=None, *, method="calibrated", number_of_segments=None,
                       maximum_number_of_segments=None, salience_threshold=None,
-                      keep_components_separate=None,
+                      keep_components_separate=None, face_groups=None,
                       constrained_edges=None, uncuttable_edges=None,
                       face_seeds=None, minimum_segment_size=None, part_salience=None,
                       salience_weights=None, distance_weights=None, number_of_coarse_faces=None,
@@ -100,6 +100,8 @@ def segment_hierarchy(points, triangles=None, *, method="calibrated", number_of_
     keep_components_separate: whether each connected component is a part from the start; by default
         False, with the method "paper" True. By default a component with less than a hundredth of
         the area belongs to the part with which it has the most contact.
+    face_groups: array_like of integers, shape (m,): the group of each triangle, such as an object
+        of a file. Groups are kept apart like connected components.
     constrained_edges: array_like of integers, shape (k, 2): edges by their points, as of
         `boundary_edges()`, that must be between segments. Edges of one triangle are ignored.
     uncuttable_edges: array_like of integers, shape (k, 2): edges whose triangles must be of
@@ -165,7 +167,9 @@ def segment_hierarchy(points, triangles=None, *, method="calibrated", number_of_
                 given[name] = read(name, value)
     constraints = [*pairs_at_edges(constrained_edges, uncuttable_edges, triangles,
                               len(points)),
-              None if face_seeds is None else seeds_array(face_seeds, len(triangles))]
+              None if face_seeds is None
+              else integers_of_triangles("face_seeds", face_seeds, len(triangles)),
+              None if face_groups is None else groups_array(face_groups, len(triangles))]
     try:
         return _core.segment(
             points, triangles, given, *constraints,

@@ -44,8 +44,12 @@ constexpr bool has_threads = true;
 constexpr bool has_threads = false;
 #endif
 
-// Points of type float or double and integers of 4 or 8 bytes are read where they are.
-internal::Surface read_triangles(const py::array& points, const py::array& triangles)
+typedef std::optional<py::array_t<std::int64_t> > Optional_integers;
+
+// Points of type float or double and integers of 4 or 8 bytes are read where they are. Groups are
+// numbered from 0.
+internal::Surface read_triangles(const py::array& points, const py::array& triangles,
+                                 const Optional_integers& groups)
 {
   internal::Surface result;
   with_rows<float, double>(points, [&](const auto& point_rows) {
@@ -53,11 +57,14 @@ internal::Surface read_triangles(const py::array& points, const py::array& trian
       triangles, [&](const auto& triangle_rows)
       { result = internal::read_triangle_soup(point_rows, triangle_rows); });
   });
+  if (groups) {
+    const auto group = groups->unchecked<1>();
+    for (py::ssize_t f = 0; f < group.shape(0); ++f)
+      result.groups.push_back(static_cast<internal::Index>(group(f)));
+  }
   internal::connect(result);
   return result;
 }
-
-typedef std::optional<py::array_t<std::int64_t> > Optional_integers;
 
 std::vector<internal::Face_pair> read_pairs(const Optional_integers& pairs)
 {
@@ -105,8 +112,8 @@ void with_threads([[maybe_unused]] const std::optional<int>& number, const Funct
 Segmentation_hierarchy segment(const py::array& points, const py::array& triangles,
                                const py::dict& parameters, const Optional_integers& seams,
                                const Optional_integers& uncuttable, const Optional_integers& seeds,
-                               const py::object& salience, const std::optional<int>& threads,
-                               const py::object& progress)
+                               const Optional_integers& groups, const py::object& salience,
+                               const std::optional<int>& threads, const py::object& progress)
 {
   Python_run run(progress);
   const segmentation::Options options = read_parameters(parameters, salience, run);
@@ -121,8 +128,8 @@ Segmentation_hierarchy segment(const py::array& points, const py::array& triangl
       no_python_lock.emplace();
     }
     with_threads(threads, [&](internal::Execution execution) {
-      result = internal::segmentation_hierarchy(read_triangles(points, triangles), options,
-                                                execution, run, constraints);
+      result = internal::segmentation_hierarchy(read_triangles(points, triangles, groups),
+                                                options, execution, run, constraints);
     });
   });
   return result;

@@ -70,6 +70,7 @@ struct Polygon_soup
   std::vector<Index> corners;         // the corners of one polygon after the other
   std::vector<Index> first_corner{0}; // one per polygon, then the number of corners
 
+  std::vector<Index> group_of_polygon; // by the objects and groups of a file; empty if it has none
   // The further properties of a file, if they are asked for
   std::vector<Property> point_properties, polygon_properties;
   // One of the texture coordinates and normals for each corner of OBJ, or null_index; or nothing

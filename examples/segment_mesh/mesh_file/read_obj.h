@@ -11,6 +11,7 @@
 #include <array>
 #include <cstddef>
 #include <iterator>
+#include <map>
 #include <string>
 #include <string_view>
 #include <utility>
@@ -18,8 +19,8 @@
 
 namespace mesh_file {
 
-// The format of Wavefront. Of its statements those of points and faces are read; lines, points,
-// curves, groups, materials and settings are skipped.
+// The format of Wavefront. Of its statements those of points, faces, objects and groups are read;
+// lines, points, curves, materials and settings are skipped.
 class Obj_reader
 {
   static constexpr long long most = null_index - 1;
@@ -30,12 +31,15 @@ class Obj_reader
   // Points may follow the faces that use them.
   long long largest_corner_ = 0;
   Text_scanner largest_at_;
+  std::string object_, group_; // the current names
+  std::map<std::pair<std::string, std::string>, Index> groups_{{{}, 0}};
+  Index number_of_group_ = 0;
 
   static bool is_skipped(std::string_view statement)
   {
     static const std::string_view known[] = {
       "vp", "deg", "bmat", "step", "cstype", "p", "l", "curv", "curv2", "surf", "parm", "trim",
-      "hole", "scrv", "sp", "end", "con", "g", "s", "mg", "o", "bevel", "c_interp", "d_interp",
+      "hole", "scrv", "sp", "end", "con", "s", "mg", "bevel", "c_interp", "d_interp",
       "lod", "usemtl", "mtllib", "shadow_obj", "trace_obj", "ctech", "stech",
       "maplib", "usemap", "bsp", "bzp", "cdc", "cdp", "res"};
     return std::find(std::begin(known), std::end(known), statement) != std::end(known);
@@ -121,6 +125,17 @@ class Obj_reader
     }
   }
 
+  // Reads the name of an object, or the names of a group.
+  void read_group(std::string& name)
+  {
+    text_.skip_word();
+    name.clear();
+    while (!text_.is_at_end_of_line())
+      name.append(text_.word()) += ' ';
+    number_of_group_ = groups_.emplace(std::make_pair(object_, group_),
+                                       static_cast<Index>(groups_.size())).first->second;
+  }
+
   void read_face()
   {
     while (!text_.is_at_end_of_line())
@@ -128,6 +143,7 @@ class Obj_reader
     if (soup_.corners.size() > most)
       text_.fail_with("there are too many corners");
     soup_.end_polygon();
+    soup_.group_of_polygon.push_back(number_of_group_);
   }
 
   void read_statement()
@@ -137,6 +153,8 @@ class Obj_reader
                          statement == "f" || statement == "fo";
     if (is_read)
       text_.skip_word();
+    else if (statement == "g" || statement == "o")
+      read_group(statement == "o" ? object_ : group_);
     else if (statement == "call" || statement == "csh")
       text_.fail_with("other files and commands are not read");
     else if (!is_skipped(statement))
@@ -172,6 +190,8 @@ public:
   {
     while (!text_.is_at_end())
       read_statement();
+    if (groups_.size() == 1)
+      soup_.group_of_polygon.clear();
     if (soup_.points.size() > static_cast<std::size_t>(most))
       throw std::runtime_error("there are too many points");
     if (largest_corner_ > static_cast<long long>(soup_.points.size()))

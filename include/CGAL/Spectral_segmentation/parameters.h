@@ -51,7 +51,9 @@ class Segmentation_hierarchy;
                     f(edge_is_uncuttable_map, edge_is_uncuttable_map_t, is_property_map,           \
                       "takes a property map")                                                      \
                       f(face_seed_map, face_seed_map_t, is_seed_map,                               \
-                        "takes a property map whose values are of a signed integer type")
+                        "takes a property map whose values are of a signed integer type")          \
+                        f(face_group_map, face_group_map_t, is_group_map,                          \
+                          "takes a property map whose values are of an integer type")
 
 // The parameters of the functions that take a segmentation: first CGAL's, then the package's.
 #define CGAL_SPECTRAL_SEGMENTATION_PARAMETERS_OF_CGAL_FOR_RESULTS(f)                             \
@@ -129,11 +131,18 @@ struct is_property_map<T, std::void_t<typename boost::property_traits<T>::value_
   : std::true_type {};
 
 template <class T, class = void>
+struct is_group_map : std::false_type {};
+
+template <class T>
+struct is_group_map<T, std::void_t<typename boost::property_traits<T>::value_type> >
+  : is_count<typename boost::property_traits<T>::value_type> {};
+
+template <class T, class = void>
 struct is_seed_map : std::false_type {};
 
 template <class T>
 struct is_seed_map<T, std::void_t<typename boost::property_traits<T>::value_type> >
-  : std::bool_constant<is_count<typename boost::property_traits<T>::value_type>::value &&
+  : std::bool_constant<is_group_map<T>::value &&
                        std::is_signed<typename boost::property_traits<T>::value_type>::value> {};
 
 template <class T, class = void>

@@ -18,6 +18,7 @@
 #include <CGAL/Spectral_segmentation/internal/soup/duplicate_faces.h>
 #include <CGAL/Spectral_segmentation/internal/soup/weld_borders.h>
 #include <CGAL/Spectral_segmentation/internal/surface/Principal_frame.h>
+#include <CGAL/Spectral_segmentation/internal/surface/face_groups.h>
 #include <CGAL/Spectral_segmentation/internal/surface/geometric_order.h>
 #include <CGAL/Spectral_segmentation/internal/surface/is_convex.h>
 #include <CGAL/Spectral_segmentation/internal/surface/reorder_faces.h>
@@ -137,11 +138,13 @@ class Run
   {
     face_.resize(mesh_.number_of_faces());
     std::iota(face_.begin(), face_.end(), Index(0));
+    separate_groups(mesh_);
     mesh_.components = connected_components(mesh_);
     remove_duplicates();
     normalize_mesh();
     if (!options_.keep_components_separate && mesh_.components.number > 1)
       weld_borders(mesh_);
+    mesh_.groups.clear(); // they are components now
     if (monitor_.go_further())
       order_faces();
     monitor_.advance(0.3);
@@ -424,7 +427,11 @@ Cut_hierarchy segment(Surface surface, const Options& options, Execution executi
 }
 
 CGAL_SPECTRAL_SEGMENTATION_INLINE
-void connect(Surface& soup) { connect_triangles(soup); }
+void connect(Surface& soup)
+{
+  separate_groups(soup);
+  connect_triangles(soup);
+}
 
 } // namespace CGAL::Spectral_segmentation::internal
 

@@ -16,8 +16,10 @@
 #include <boost/property_map/property_map.hpp>
 
 #include <cstdint>
+#include <map>
 #include <stdexcept>
 #include <string>
+#include <type_traits>
 #include <vector>
 
 namespace CGAL::Spectral_segmentation::internal {
@@ -81,6 +83,27 @@ void read_seeds(const std::vector<FaceDescriptor>& faces, const CGALNamedParamet
         constraints.seeds.emplace_back(f, seed);
     }
   }
+}
+
+// Reads the groups of faces that are kept apart like components, of the positions of triangles or of
+// the faces of a mesh. A single group is none.
+template <class FaceDescriptor, class CGALNamedParameters>
+std::vector<Index> read_groups(const std::vector<FaceDescriptor>& faces,
+                               const CGALNamedParameters& np)
+{
+  std::vector<Index> result;
+  if constexpr (is_given<CGALNamedParameters, internal_np::face_group_map_t>) {
+    using boost::get; // finds the overload for pointers
+    const auto map = CGAL::parameters::get_parameter(np, internal_np::face_group_map);
+    typedef typename boost::property_traits<std::decay_t<decltype(map)> >::value_type Group;
+    std::map<Group, Index> number;
+    for (const FaceDescriptor& f : faces)
+      result.push_back(number.emplace(get(map, f), static_cast<Index>(number.size()))
+                         .first->second);
+    if (number.size() == 1)
+      result.clear();
+  }
+  return result;
 }
 
 } // namespace CGAL::Spectral_segmentation::internal

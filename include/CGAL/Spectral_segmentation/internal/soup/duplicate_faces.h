@@ -5,6 +5,7 @@
 #define CGAL_SPECTRAL_SEGMENTATION_INTERNAL_SOUP_DUPLICATE_FACES_H
 
 #include <CGAL/Spectral_segmentation/internal/surface/Surface.h>
+#include <CGAL/Spectral_segmentation/internal/surface/face_groups.h>
 #include <CGAL/Spectral_segmentation/internal/soup/connect_triangles.h>
 
 #include <algorithm>
@@ -91,14 +92,15 @@ public:
 };
 
 // Returns the faces that `first_duplicate` maps to themselves, connected as a soup whose coincident
-// points are merged. This can make one surface of faces that duplicate faces had separated.
+// points of one group are merged. This can make one surface of faces that duplicate faces had separated.
 inline Surface distinct_faces(const Surface& surface, const std::vector<Index>& first_duplicate)
 {
   Surface result;
   result.points = surface.points;
+  const std::vector<Index> group = groups_of_vertices(surface);
   const auto coordinates = [&](Index v) {
     const Vector& p = surface.points[v];
-    return std::make_tuple(p.x(), p.y(), p.z());
+    return std::make_tuple(p.x(), p.y(), p.z(), group[v]);
   };
   std::vector<Index> order(surface.points.size()), number(order.size());
   for (Index v = 0; v < order.size(); ++v)
@@ -112,6 +114,8 @@ inline Surface distinct_faces(const Surface& surface, const std::vector<Index>& 
     if (first_duplicate[f] == f) {
       const Corners& c = surface.corners[f];
       result.corners.push_back({number[c[0]], number[c[1]], number[c[2]]});
+      if (!surface.groups.empty())
+        result.groups.push_back(surface.groups[f]);
     }
   connect_triangles(result);
   return result;

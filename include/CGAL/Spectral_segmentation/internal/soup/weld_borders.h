@@ -7,6 +7,7 @@
 #include <CGAL/Spectral_segmentation/internal/soup/connect_triangles.h>
 #include <CGAL/Spectral_segmentation/internal/surface/Surface.h>
 #include <CGAL/Spectral_segmentation/internal/surface/connected_components.h>
+#include <CGAL/Spectral_segmentation/internal/surface/face_groups.h>
 
 #include <algorithm>
 #include <array>
@@ -18,11 +19,12 @@
 
 namespace CGAL::Spectral_segmentation::internal {
 
-// Returns a representative for each vertex. Vertices on the border that are nearer to each other
-// than `width` have the same; others, up to a few widths apart, may have.
+// Returns a representative for each vertex. Vertices of one group, on the border, that are nearer to
+// each other than `width` have the same; others, up to a few widths apart, may have.
 inline std::vector<Index> welded_vertices(const Surface& surface, double width)
 {
-  typedef std::array<std::int64_t, 3> Cell;
+  typedef std::array<std::int64_t, 4> Cell; // the last coordinate is the group
+  const std::vector<Index> group = groups_of_vertices(surface);
   std::vector<char> is_on_border(surface.points.size(), 0);
   for (Index h = 0; h < surface.number_of_halfedges(); ++h)
     if (surface.is_border(h))
@@ -34,12 +36,12 @@ inline std::vector<Index> welded_vertices(const Surface& surface, double width)
     const Vector& p = surface.points[v];
     if (is_on_border[v])
       vertices.push_back({{std::llround(p.x() / width), std::llround(p.y() / width),
-                           std::llround(p.z() / width)}, v});
+                           std::llround(p.z() / width), group[v]}, v});
   }
   std::sort(vertices.begin(), vertices.end());
   for (const auto& [c, v] : vertices)
     for (int i = 0; i < 14; ++i) { // half of the cells around, and its own
-      const Cell near = {c[0] + i / 9 - 1, c[1] + i / 3 % 3 - 1, c[2] + i % 3 - 1};
+      const Cell near = {c[0] + i / 9 - 1, c[1] + i / 3 % 3 - 1, c[2] + i % 3 - 1, c[3]};
       const auto found = std::lower_bound(vertices.begin(), vertices.end(),
                                           std::make_pair(near, Index(0)));
       if (found != vertices.end() && found->first == near)

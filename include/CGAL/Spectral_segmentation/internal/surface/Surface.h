@@ -64,6 +64,7 @@ struct Surface
   std::vector<Corners> corners;      // one per face
   std::vector<Index> opposite;       // one per halfedge
   std::vector<Vector> points;        // one per vertex, finite
+  std::vector<Index> groups;         // one per face; empty if no faces are kept apart
   std::vector<double> areas;         // one per face
   std::vector<Edge_weights> weights; // one per halfedge; empty if no cut is searched
   Components components;             // a part that is searched has one
