@@ -230,6 +230,20 @@ BOOST_AUTO_TEST_CASE(patches_that_meet_edge_to_edge_are_one_surface)
   BOOST_TEST(rand_index(labels, expected) > 0.95);
 }
 
+BOOST_AUTO_TEST_CASE(a_sheet_under_a_model_changes_nothing_in_it)
+{
+  // Two balls and a bead of 2 % of their area, on a plate of 50 times their area
+  const Soup model = union_of({sphere(3), moved(scaled(sphere(3), 0.5), 0, 0, 1.5),
+                               moved(scaled(sphere(2), 0.16), 1.16, 0, 0)});
+  const Soup sheet = moved(scaled(plate(20, 20), 2), -20, -20, -1);
+  const Labels alone = labels_of_soup(model);
+  BOOST_TEST(number_of(alone) == 3u);
+  const Labels labels = labels_of_soup(disjoint_union(model, sheet));
+  BOOST_TEST(number_of(labels) == 4u);
+  BOOST_TEST(Labels(labels.begin(), labels.begin() + std::ptrdiff_t(alone.size())) == alone,
+             boost::test_tools::per_element());
+}
+
 // Returns a group for each half of a sphere.
 Labels groups_of_sphere(const Soup& sphere)
 {

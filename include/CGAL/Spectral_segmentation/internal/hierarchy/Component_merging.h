@@ -8,8 +8,10 @@
 #include <CGAL/Spectral_segmentation/internal/hierarchy/Dendrogram.h>
 #include <CGAL/Spectral_segmentation/internal/hierarchy/Nested_ranges.h>
 #include <CGAL/Spectral_segmentation/internal/salience/salience_in_component.h>
+#include <CGAL/Spectral_segmentation/internal/surface/Moments.h>
 
 #include <algorithm>
+#include <array>
 #include <cstddef>
 #include <limits>
 #include <map>
@@ -23,7 +25,8 @@ namespace CGAL::Spectral_segmentation::internal {
 // Merges the components of an object that somebody put together. The smallest joins the neighbor
 // with which it has the most contact, and so on. The larger it is, the more salient is its
 // boundary. What touches nothing comes last, with an infinite salience, unless it is tiny beside
-// the largest component.
+// the largest component. A sheet under the object, such as the water under a ship, touches nothing
+// and counts for nothing.
 class Component_merging
 {
   // A set of components, beside another one.
@@ -54,15 +57,44 @@ class Component_merging
   const Surface& mesh_;
   const Nested_ranges leaves_;                  // the leaves of each node
   const std::vector<std::size_t> root_of_leaf_; // one per place among the leaves
-  double area_ = 0;
   Dendrogram result_;
+  const Index sheet_;  // the root that is a sheet under all others, or null_index
+  double area_ = 0;    // without the sheet
+
+  // Returns the largest component if it is flat, and at least twice as long as all others together.
+  Index largest_sheet() const
+  {
+    std::vector<Moments> moments(cuts_.number_of_roots);
+    for (Index f = 0; f < mesh_.number_of_faces(); ++f)
+      moments[root_of_leaf_[result_.leaf[f]]].add(mesh_, f);
+    Index largest = 0;
+    for (Index i = 0; i < moments.size(); ++i)
+      if (moments[i].area > moments[largest].area)
+        largest = i;
+    Moments others;
+    for (Index i = 0; i < moments.size(); ++i)
+      if (i != largest)
+        others += moments[i];
+    if (!(others.area > 0))
+      return null_index;
+    const std::array<double, 3> extents = moments[largest].deviations();
+    const bool is_sheet = extents[0] <= 0.02 * extents[1] &&
+                          extents[2] >= 2 * others.deviations()[2];
+    return is_sheet ? largest : null_index;
+  }
+
+  // Returns the share of a component in the area of all but the sheet, or of the sheet in all.
+  double share(std::size_t root) const
+  {
+    const double area = cuts_.nodes[root].area;
+    return area / (root == sheet_ ? area_ + area : area_);
+  }
 
   // Sets the saliences of the cuts of components.
   void set_saliences()
   {
     for (Merge& m : result_.merges)
-      m.salience = salience_in_component(
-        m.salience, cuts_.nodes[root_of_leaf_[m.leaves[0]]].area / area_);
+      m.salience = salience_in_component(m.salience, share(root_of_leaf_[m.leaves[0]]));
   }
 
   std::vector<Neighbors> neighbors() const
@@ -74,8 +106,9 @@ class Component_merging
                   root_b = static_cast<Index>(root_of_leaf_[b]);
       if (root_a == root_b)
         continue;
-      result[root_a][root_b].add({c.area, c.squared_gap, {a, b}, c.area, c.squared_gap});
-      result[root_b][root_a].add({c.area, c.squared_gap, {b, a}, c.area, c.squared_gap});
+      const std::size_t contact = root_a == sheet_ || root_b == sheet_ ? 0 : c.area;
+      result[root_a][root_b].add({contact, c.squared_gap, {a, b}, contact, c.squared_gap});
+      result[root_b][root_a].add({contact, c.squared_gap, {b, a}, contact, c.squared_gap});
     }
     return result;
   }
@@ -86,9 +119,12 @@ class Component_merging
     typedef std::pair<double, Index> Sized; // an area, and the set that has it
     std::vector<double> area;
     std::set<Sized> sets, apart;
+    double tiny = 0;
     for (Index i = 0; i < cuts_.number_of_roots; ++i) {
       area.push_back(cuts_.nodes[i].area);
       sets.insert({quantized(area[i]), i});
+      if (i != sheet_)
+        tiny = (std::max)(tiny, share_at_threshold * area[i]);
     }
     const auto join = [&](Index a, Index b, double salience) {
       const Neighbor& seam = neighbors[a].at(b);
@@ -110,7 +146,6 @@ class Component_merging
       return std::make_pair(x.second.contact, -x.second.squared_gap) <
              std::make_pair(y.second.contact, -y.second.squared_gap);
     };
-    const double tiny = share_at_threshold * *std::max_element(area.begin(), area.end());
     while (sets.size() + apart.size() > 1) {
       const bool are_all_apart = sets.empty();
       std::set<Sized>& from = are_all_apart ? apart : sets;
@@ -130,10 +165,12 @@ public:
   // Takes the cuts of the components, one root for each, and the mesh, whose faces have areas.
   Component_merging(const Cut_hierarchy& cuts, const Surface& mesh)
     : cuts_(cuts), mesh_(mesh), leaves_(ranges_of_leaves(cuts)),
-      root_of_leaf_(roots_of_leaves(cuts, leaves_)), result_(dendrogram_of(cuts, leaves_))
+      root_of_leaf_(roots_of_leaves(cuts, leaves_)), result_(dendrogram_of(cuts, leaves_)),
+      sheet_(largest_sheet())
   {
     for (std::size_t i = 0; i < cuts.number_of_roots; ++i)
-      area_ += cuts.nodes[i].area;
+      if (i != sheet_)
+        area_ += cuts.nodes[i].area;
     if (!(area_ > 0))
       area_ = 1; // all areas are 0
   }

@@ -7,11 +7,12 @@
 #include <CGAL/Spectral_segmentation/internal/hierarchy/Dendrogram.h>
 #include <CGAL/Spectral_segmentation/internal/hierarchy/Nested_ranges.h>
 #include <CGAL/Spectral_segmentation/internal/surface/Surface.h>
-#include <CGAL/Spectral_segmentation/internal/base/Symmetric_matrix.h>
+#include <CGAL/Spectral_segmentation/internal/surface/Moments.h>
 #include <CGAL/Spectral_segmentation/internal/surface/surface_integrals.h>
 #include <CGAL/Spectral_segmentation/internal/base/first_fit_classes.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstddef>
 #include <numeric>
@@ -24,26 +25,18 @@ namespace CGAL::Spectral_segmentation::internal {
 // mesh's area.
 struct Cut_shape
 {
-  double area = 0;                  // the area of Q, the smaller side
-  double length = 0;                // the length of the cut
-  double distance = 0;              // between the centroids of Q and of its component
-  double deviations[3] = {0, 0, 0}; // standard deviations of Q along its principal axes
+  Shape shape;         // of Q, the smaller side
+  double length = 0;   // the length of the cut
+  double distance = 0; // between the centroids of Q and of its component
 };
 
-// Returns whether parts are congruent. The tolerances are measured. No searched cut depends on
-// them.
+// Returns whether cuts make congruent parts. The tolerances are measured. No searched cut depends
+// on them.
 inline bool are_congruent(const Cut_shape& a, const Cut_shape& b)
 {
-  const auto are_near = [](double x, double y, double tolerance)
-  { return std::abs(x - y) <= tolerance * (std::max)(x, y); };
-  constexpr double of_shape = 0.15, of_length = 0.2, of_place = 0.1;
-  constexpr double thickness = 0.001; // flat parts have a smaller one, of rounding errors
-  bool result = are_near(a.area, b.area, of_shape) && are_near(a.length, b.length, of_length) &&
-                std::abs(a.distance - b.distance) <= of_place;
-  for (int i = 0; i < 3; ++i)
-    result = result &&
-             are_near(a.deviations[i] + thickness, b.deviations[i] + thickness, of_shape);
-  return result;
+  return are_congruent(a.shape, b.shape, 0.001) &&
+         std::abs(a.length - b.length) <= 0.2 * (std::max)(a.length, b.length) &&
+         std::abs(a.distance - b.distance) <= 0.1;
 }
 
 // Gives cuts that make congruent parts, such as the legs of a horse, the mean of their saliences,
@@ -79,30 +72,18 @@ class Congruent_cuts
       const Vector& center = centers[cuts_.cut_order[i]];
       for (Index f : faces[sides[1]])
         cut_with_rest[f] = i;
-      double area = 0, length = 0;
-      Vector first; // moments of Q
-      Symmetric_matrix second;
+      double length = 0;
+      Moments moments; // of Q
       for (Index f : faces[sides[0]]) {
-        Vector sum;
-        Symmetric_matrix squares;
-        for (Index v : mesh_.corners[f]) {
-          const Vector p = (mesh_.points[v] - center) / unit;
-          sum += p;
-          squares += Symmetric_matrix::square(p);
-        }
-        const double of_face = mesh_.areas[f] / area_of_mesh;
-        area += of_face;
-        first += of_face / 3 * sum;
-        second += of_face / 12 * (squares + Symmetric_matrix::square(sum));
+        std::array<Vector, 3> corners;
+        for (std::size_t k = 0; k < 3; ++k)
+          corners[k] = (mesh_.points[mesh_.corners[f][k]] - center) / unit;
+        moments.add(mesh_.areas[f] / area_of_mesh, corners);
         for (Index h = 3 * f; h < 3 * f + 3; ++h)
           if (cut_with_rest[mesh_.neighbor(h)] == i)
             length += mesh_.length(h) / unit;
       }
-      const Vector centroid = first / area;
-      const Eigen_solver variances(second / area - Symmetric_matrix::square(centroid));
-      shapes_[i] = {area, length, centroid.norm(), {}};
-      for (int k = 0; k < 3; ++k)
-        shapes_[i].deviations[k] = std::sqrt((std::max)(variances.eigenvalue(k), 0.));
+      shapes_[i] = {{moments.area, moments.deviations()}, length, moments.centroid().norm()};
     }
   }
 

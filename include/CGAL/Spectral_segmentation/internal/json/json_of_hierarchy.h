@@ -93,6 +93,7 @@ inline Json json_of_segments(const Segmentation_hierarchy& h,
     if (!extents.empty()) {
       segment["neighbors"] = extents[k].neighbors;
       segment["bounding_box"] = {extents[k].smallest, extents[k].largest};
+      segment["class"] = extents[k].segment_class;
     }
     result.push_back(segment);
   }

@@ -6,6 +6,8 @@
 
 #include <CGAL/Spectral_segmentation/internal/base/Index.h>
 
+#include <CGAL/Spectral_segmentation/internal/surface/segment_classes.h>
+
 #include <algorithm>
 #include <array>
 #include <cstddef>
@@ -15,7 +17,7 @@
 
 namespace CGAL::Spectral_segmentation::internal {
 
-// The extent of a segment, and its neighbors.
+// The extent of a segment, its neighbors, and the class of its copies.
 struct Segment_extent
 {
   static constexpr double infinity = std::numeric_limits<double>::infinity();
@@ -23,6 +25,7 @@ struct Segment_extent
   std::array<double, 3> smallest{infinity, infinity, infinity};
   std::array<double, 3> largest{-infinity, -infinity, -infinity};
   std::vector<std::size_t> neighbors; // the segments with which it shares an edge, ascending
+  std::size_t segment_class = 0;      // segments of one class may be copies or mirror images
 };
 
 // Returns the extent of each segment. Points and triangles are arrays of three; labels are below
@@ -69,6 +72,10 @@ std::vector<Segment_extent> segment_extents(const Points& points, const Triangle
     std::sort(list.begin(), list.end());
     list.erase(std::unique(list.begin(), list.end()), list.end());
   }
+  const std::vector<std::size_t> classes =
+    congruence_classes(segment_shapes(points, triangles, labels, number));
+  for (std::size_t i = 0; i < number; ++i)
+    result[i].segment_class = classes[i];
   return result;
 }
 
