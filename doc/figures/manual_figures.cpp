@@ -60,6 +60,7 @@ void draw_all(Picture_book& book, Meshes& meshes)
   draw_samples_and_line(book, meshes["bear"], {right, left});
   draw_tree(book, meshes["triceratops"]);
   draw_parameters(book, meshes["triceratops"], meshes["elephant"], meshes["camel"]);
+  draw_components(book, meshes["bones"]);
   draw_methods(book, {&meshes["elephant"], &meshes["camel"], &meshes["homer"], &meshes["femur"]});
   draw_sdf_comparison(book, {&meshes["elephant"], &meshes["triceratops"], &meshes["camel"],
                              &meshes["homer"]});

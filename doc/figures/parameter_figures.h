@@ -74,6 +74,22 @@ inline void draw_rows_of_tree(Picture_book& book, const Named_mesh& shape)
                  caption_of("maximum_number_of_segments", n, no_limit));
 }
 
+// Ways to choose the parts of a model of many components.
+inline void draw_components(Picture_book& book, const Named_mesh& shape)
+{
+  Row_colors colors;
+  const Segmentation_hierarchy tree = hierarchy(shape.mesh, Engine_options());
+  add_segments(book, "components", shape, colors, labels_of_run(tree), "default");
+  add_segments(book, "components", shape, colors, tree.labels(tree.nodes(6)),
+               "number_of_segments 6");
+  add_segments(book, "components", shape, colors, labels_of_tree(tree, 0.25),
+               "salience_threshold 0.25");
+  Engine_options separate;
+  separate.keep_components_separate = true;
+  add_segments(book, "components", shape, colors, segment(shape.mesh, separate),
+               "keep_components_separate true");
+}
+
 inline void draw_parameters(Picture_book& book, const Named_mesh& limbs, const Named_mesh& coarse,
                             const Named_mesh& fine)
 {

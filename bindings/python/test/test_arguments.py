@@ -109,6 +109,8 @@ def test_triangles(triangles, error, words):
     ({"face_seeds": [1., 2, 3, 4]}, TypeError, "face_seeds must be integers, not float64"),
     ({"face_seeds": [1, 2, 1, 2], "method": "paper"}, ValueError, "face_seeds does not go"),
     ({"face_seeds": [1, 2, 3, 4], "number_of_segments": 2}, ValueError, "need 4 segments"),
+    ({"face_groups": [1, 2, 3]}, ValueError, r"face_groups must have the shape \(4,\)"),
+    ({"face_groups": [1., 2, 3, 4]}, TypeError, "face_groups must be integers, not float64"),
     ({"constrained_edges": [0, 1]}, ValueError,
      r"constrained_edges must have the shape \(k, 2\), two points for each edge, not \(2,\)"),
     ({"uncuttable_edges": [[0., 1]]}, TypeError,

@@ -41,6 +41,21 @@ def test_parameters_are_those_of_the_tool(meshes, tool):
         labels_of_tool(tool, path, "--method", "paper", "--seed", "7"))
 
 
+def test_groups_are_kept_apart_as_by_the_tool(dumbbell, tool, tmp_path):
+    points, triangles = dumbbell
+    groups = np.where(points[triangles].mean(axis=1)[:, 0] > 0, 7, -2)
+    path = tmp_path / "groups.obj"
+    with path.open("w") as file:
+        for point in points:
+            file.write("v %r %r %r\n" % tuple(map(float, point)))
+        for triangle, group in zip(triangles, groups):
+            file.write("g %d\nf %d %d %d\n" % (group, *(triangle + 1)))
+    labels = segment(points, triangles, face_groups=groups)
+    np.testing.assert_array_equal(labels, labels_of_tool(tool, path, "--keep-groups"))
+    np.testing.assert_array_equal(labels, np.where(groups == groups[0], 0, 1))
+    np.testing.assert_array_equal(segment(points, triangles), labels_of_tool(tool, path))
+
+
 def test_dumbbell_is_two_balls_and_a_bar_or_less(dumbbell):
     points, triangles = dumbbell
     heights = points[triangles].mean(axis=1)[:, 2]

@@ -85,8 +85,8 @@ void read_seeds(const std::vector<FaceDescriptor>& faces, const CGALNamedParamet
   }
 }
 
-// Reads the groups of faces that are kept apart like components, of the positions of triangles or of
-// the faces of a mesh. A single group is none.
+// Reads the groups of faces, or of the positions of triangles, that are kept apart like components.
+// A single group is none.
 template <class FaceDescriptor, class CGALNamedParameters>
 std::vector<Index> read_groups(const std::vector<FaceDescriptor>& faces,
                                const CGALNamedParameters& np)

@@ -92,7 +92,8 @@ public:
 };
 
 // Returns the faces that `first_duplicate` maps to themselves, connected as a soup whose coincident
-// points of one group are merged. This can make one surface of faces that duplicate faces had separated.
+// points of one group are merged. This can make one surface of faces that duplicate faces had
+// separated.
 inline Surface distinct_faces(const Surface& surface, const std::vector<Index>& first_duplicate)
 {
   Surface result;

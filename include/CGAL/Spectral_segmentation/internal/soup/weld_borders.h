@@ -19,7 +19,7 @@
 
 namespace CGAL::Spectral_segmentation::internal {
 
-// Returns a representative for each vertex. Vertices of one group, on the border, that are nearer to
+// Returns a representative for each vertex. Vertices of one group on the border that are nearer to
 // each other than `width` have the same; others, up to a few widths apart, may have.
 inline std::vector<Index> welded_vertices(const Surface& surface, double width)
 {
