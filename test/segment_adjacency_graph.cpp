@@ -155,7 +155,7 @@ BOOST_AUTO_TEST_CASE(copies_and_mirror_images_are_of_one_class)
     all = disjoint_union(all, soups[i]);
     labels.resize(all.triangles.size(), i);
   }
-  BOOST_TEST(internal::congruence_classes(internal::segment_shapes(
+  BOOST_TEST(internal::congruence_classes(internal::segment_moments(
                all.points, all.triangles, labels, soups.size())) == expected,
              boost::test_tools::per_element());
 }

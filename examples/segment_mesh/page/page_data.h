@@ -9,6 +9,7 @@
 #include "packed.h"
 
 #include <CGAL/Spectral_segmentation/Segmentation_hierarchy.h>
+#include <CGAL/Spectral_segmentation/internal/surface/segment_classes.h>
 
 #include <nlohmann/json.hpp>
 
@@ -46,6 +47,7 @@ public:
   }
 
   const std::vector<Index>& of_triangles() const { return of_triangles_; }
+  std::size_t number() const { return leaves_.size(); }
 
   std::vector<Index> first_triangles() const
   {
@@ -130,7 +132,24 @@ struct Page_options
   std::size_t most_triangles = 300000; // a phone can turn so many
 };
 
-inline nlohmann::ordered_json hierarchy_data(const Segmentation_hierarchy& tree,
+// Returns a class for each node. Nodes of one class may be copies or mirror images of each other.
+inline std::vector<std::size_t> node_classes(const Input& input, const Segmentation_hierarchy& tree,
+                                             const Pieces& pieces)
+{
+  namespace internal = CGAL::Spectral_segmentation::internal;
+  const std::vector<internal::Moments> of_pieces = internal::segment_moments(
+    input.soup.points, input.triangles, pieces.of_triangles(), pieces.number());
+  std::vector<internal::Moments> result(tree.number_of_nodes());
+  for (std::size_t i = tree.number_of_nodes(), piece = of_pieces.size(); i-- > 0;) {
+    if (tree.node(i).is_leaf())
+      result[i] = of_pieces[--piece];
+    if (tree.node(i).parent != Segmentation_hierarchy::null_node)
+      result[tree.node(i).parent] += result[i];
+  }
+  return internal::congruence_classes(result);
+}
+
+inline nlohmann::ordered_json hierarchy_data(const Input& input, const Segmentation_hierarchy& tree,
                                              const Pieces& pieces)
 {
   nlohmann::ordered_json saliences = nlohmann::ordered_json::array();
@@ -146,6 +165,7 @@ inline nlohmann::ordered_json hierarchy_data(const Segmentation_hierarchy& tree,
           {"cut_nodes", parents},
           {"saliences", saliences},
           {"areas", areas},
+          {"classes", node_classes(input, tree, pieces)},
           {"first_triangles", pieces.first_triangles()}};
 }
 
@@ -183,7 +203,7 @@ inline nlohmann::ordered_json page_data(const Input& input, const Segmentation_h
           {"segments", o.number_of_segments},
           {"salience", o.is_salience_probability ? "probability" : "salience"},
           {"input_triangles", input.triangles.size()},
-          {"hierarchy", hierarchy_data(tree, pieces)},
+          {"hierarchy", hierarchy_data(input, tree, pieces)},
           {"mesh", mesh_data(mesh)},
           {"piece_of_face", packed_runs(piece_of_polygon)},
           {"exceptions", exceptions}};

@@ -333,7 +333,18 @@ export class Viewer {
     ui.swatch.style.background = `rgb(${this.colors[node].map(x => Math.round(255 * x))})`;
     ui.partName.textContent = `Segment ${this.labels.get(node)}`;
     ui.partText.textContent = `${count(faces, "face")}, ` +
-      `${percent(area > 0 ? hierarchy.areas[node] / area : 0)} of the area`;
+      `${percent(area > 0 ? hierarchy.areas[node] / area : 0)} of the area` +
+      this.copiesText(node);
+  }
+
+  // The segments shown that may be copies or mirror images of one.
+  copiesText(node) {
+    const { classes } = this.hierarchy;
+    const copies = [...new Set(this.segmentOfPiece)]
+      .filter(other => other !== node && classes[other] === classes[node])
+      .map(other => this.labels.get(other)).sort((a, b) => a - b);
+    return copies.length === 0 ? "" : `, like segment${copies.length > 1 ? "s" : ""} ` +
+      copies.slice(0, 8).join(", ") + (copies.length > 8 ? " …" : "");
   }
 
   showHidden() {

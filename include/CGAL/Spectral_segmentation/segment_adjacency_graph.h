@@ -143,7 +143,7 @@ make_adjacency_graph(const TriangleMesh& mesh, SegmentIdMap segment_ids,
   for (std::size_t i = 0; i < ids.size(); ++i)
     graph[i].id = ids[i];
   const std::vector<std::size_t> classes =
-    congruence_classes(segment_shapes(surface.points, surface.corners, labels, ids.size()));
+    congruence_classes(segment_moments(surface.points, surface.corners, labels, ids.size()));
   for (std::size_t i = 0; i < ids.size(); ++i)
     graph[i].segment_class = classes[i];
   std::vector<double> area_of_face;

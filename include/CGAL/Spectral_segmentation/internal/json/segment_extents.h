@@ -73,7 +73,7 @@ std::vector<Segment_extent> segment_extents(const Points& points, const Triangle
     list.erase(std::unique(list.begin(), list.end()), list.end());
   }
   const std::vector<std::size_t> classes =
-    congruence_classes(segment_shapes(points, triangles, labels, number));
+    congruence_classes(segment_moments(points, triangles, labels, number));
   for (std::size_t i = 0; i < number; ++i)
     result[i].segment_class = classes[i];
   return result;

@@ -15,11 +15,11 @@
 
 namespace CGAL::Spectral_segmentation::internal {
 
-// Returns the shape of each segment, in a unit that all coordinates are below. Points and triangles
-// are arrays of three; labels are below `number`.
+// Returns the moments of each segment, about a corner of the first triangle, in a unit that all
+// coordinates are below. Points and triangles are arrays of three; labels are below `number`.
 template <class Points, class Triangles, class Labels>
-std::vector<Shape> segment_shapes(const Points& points, const Triangles& triangles,
-                                  const Labels& labels, std::size_t number)
+std::vector<Moments> segment_moments(const Points& points, const Triangles& triangles,
+                                     const Labels& labels, std::size_t number)
 {
   double unit = 0;
   for (const auto& triangle : triangles)
@@ -30,27 +30,24 @@ std::vector<Shape> segment_shapes(const Points& points, const Triangles& triangl
     const auto& p = points[triangles[t][i]];
     return unit > 0 ? Vector(p[0] / unit, p[1] / unit, p[2] / unit) : Vector();
   };
-  std::vector<Moments> moments(number); // about a point of each segment
-  std::vector<Vector> origins(number);
+  std::vector<Moments> result(number);
   for (std::size_t t = 0; t < triangles.size(); ++t) {
-    Moments& m = moments[labels[t]];
-    if (m.area == 0)
-      origins[labels[t]] = vector(t, 0);
-    const Vector& origin = origins[labels[t]];
+    const Vector origin = vector(0, 0);
     const std::array<Vector, 3> corners = {vector(t, 0) - origin, vector(t, 1) - origin,
                                            vector(t, 2) - origin};
-    m.add((corners[1] - corners[0]).cross(corners[2] - corners[0]).norm() / 2, corners);
+    result[labels[t]].add((corners[1] - corners[0]).cross(corners[2] - corners[0]).norm() / 2,
+                          corners);
   }
-  std::vector<Shape> result;
-  for (const Moments& m : moments)
-    result.push_back(m.area > 0 ? Shape{m.area, m.deviations()} : Shape());
   return result;
 }
 
-// Returns a class for each shape, numbered by their first members. The members of a class are
-// congruent to the largest one.
-inline std::vector<std::size_t> congruence_classes(const std::vector<Shape>& shapes)
+// Returns a class for each set of faces, numbered by their first members. The members of a class
+// are congruent to the largest one.
+inline std::vector<std::size_t> congruence_classes(const std::vector<Moments>& moments)
 {
+  std::vector<Shape> shapes;
+  for (const Moments& m : moments)
+    shapes.push_back(m.area > 0 ? Shape{m.area, m.deviations()} : Shape());
   std::vector<std::size_t> by_size(shapes.size());
   std::iota(by_size.begin(), by_size.end(), std::size_t(0));
   std::stable_sort(by_size.begin(), by_size.end(), [&](std::size_t a, std::size_t b)
