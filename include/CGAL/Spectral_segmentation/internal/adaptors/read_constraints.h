@@ -98,7 +98,7 @@ std::vector<Index> read_groups(const std::vector<FaceDescriptor>& faces,
     typedef typename boost::property_traits<std::decay_t<decltype(map)> >::value_type Group;
     std::map<Group, Index> number;
     for (const FaceDescriptor& f : faces)
-      result.push_back(number.emplace(get(map, f), static_cast<Index>(number.size()))
+      result.push_back(number.try_emplace(get(map, f), static_cast<Index>(number.size()))
                          .first->second);
     if (number.size() == 1)
       result.clear();
