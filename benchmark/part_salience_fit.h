@@ -79,9 +79,6 @@ inline Eigen::ArrayXd shares_of_cuts(const Eigen::ArrayXd& logits)
   return 0.9 * odds / odds.sum() + 0.1 / static_cast<double>(logits.size());
 }
 
-// Factors that a fit leaves out.
-typedef std::array<bool, fitted_factors.size()> Left_out_factors;
-
 // The cuts of all meshes, a row each; those of a group follow each other.
 struct Observations
 {
@@ -90,9 +87,7 @@ struct Observations
   std::vector<Eigen::Index> group_sizes;
 };
 
-// A factor that is left out is 0 at all cuts, so that its coefficient becomes 0.
-inline Observations observations(const std::vector<Mesh_cuts>& meshes,
-                                 const Left_out_factors& is_left_out = {})
+inline Observations observations(const std::vector<Mesh_cuts>& meshes)
 {
   Observations result;
   result.factors.resize(number_of_cuts(meshes), fitted_factors.size());
@@ -103,8 +98,7 @@ inline Observations observations(const std::vector<Mesh_cuts>& meshes,
       result.group_sizes.push_back(static_cast<Eigen::Index>(group.cuts.size()));
       for (const Cut_sample& cut : group.cuts) {
         for (std::size_t i = 0; i < fitted_factors.size(); ++i)
-          result.factors(row, i) =
-            is_left_out[i] ? 0 : cut.factors.*fitted_factors[i].factor;
+          result.factors(row, i) = cut.factors.*fitted_factors[i].factor;
         result.agreement[row++] = cut.agreement;
       }
     }
@@ -130,10 +124,9 @@ inline Part_salience_fit part_salience_fit(const Logistic_model& model)
 // After a first fit, some rounds in which the fit minds the cuts that the last one holds for the
 // most salient.
 inline Part_salience_fit fit_part_salience(const std::vector<Mesh_cuts>& meshes,
-                                           std::size_t rounds,
-                                           const Left_out_factors& is_left_out = {})
+                                           std::size_t rounds)
 {
-  const Observations cuts = observations(meshes, is_left_out);
+  const Observations cuts = observations(meshes);
   const Logistic_regression regression(cuts.factors, cuts.agreement);
   const std::vector<double> weights_of_groups = group_weights(meshes);
   Logistic_model model;

@@ -45,7 +45,14 @@ inline Tree_errors tree_errors(const Benchmark_mesh& input, const Tree_method& m
   Method_trees trees(method, input.mesh);
   const Segmentation_hierarchy& automatic = trees.down_to(lowest).tree;
   const auto& [whole, time] = trees.up_to(usual_number);
-  const auto error = [&](const Labels& labels) { return mean_rand_error(labels, input.people); };
+  const auto error = [&](const Labels& labels) {
+    if (input.face_weights.empty())
+      return mean_rand_error(labels, input.people);
+    Mean mean;
+    for (const Labels& person : input.people)
+      mean.add(rand_error_by_area(overlap(labels, person, input.face_weights)));
+    return mean();
+  };
   Tree_errors result;
   result.id = input.id;
   result.people = mean_rand_error_of_people(input.people);
@@ -53,7 +60,7 @@ inline Tree_errors tree_errors(const Benchmark_mesh& input, const Tree_method& m
   for (double threshold : tried_thresholds())
     result.automatic.push_back(error(labels_of_tree(automatic, threshold, any_number)));
   result.k = error(labels_of_tree(whole, any_salience, usual_number));
-  result.best = error(best_labels(whole, input.people));
+  result.best = error(best_labels(whole, error));
   result.time = time;
   return result;
 }

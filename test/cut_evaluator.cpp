@@ -29,6 +29,7 @@ using CGAL::Spectral_segmentation::Salience_factors;
 using internal::Cut_evaluator;
 using internal::Support_points;
 using internal::Edge_weights;
+using internal::Evaluated_cut;
 using internal::Evaluation_context;
 using internal::total_area;
 
@@ -66,14 +67,18 @@ Sides swapped(Sides side)
 }
 
 // Returns the factors of a cut of the whole mesh, as if the area of the mesh were multiplied.
-Salience_factors factors(const Surface& graph, const Sides& side, double times = 1)
+Salience_factors factors(const Surface& graph, const Sides& side, double times = 1,
+                         Evaluated_cut::Kind kind = Evaluated_cut::CANDIDATE)
 {
   std::vector<Index> faces(graph.number_of_faces());
   std::iota(faces.begin(), faces.end(), Index(0));
   Evaluation_context mesh(graph);
   mesh.area *= times;
-  return Cut_evaluator(graph, faces, mesh)(side);
+  return Cut_evaluator(graph, faces, mesh)(side, kind);
 }
+
+Salience_factors factors_of_boundary(const Surface& graph, const Sides& side)
+{ return factors(graph, side, 1, Evaluated_cut::BOUNDARY); }
 
 // 1 x 1 x 2: two cubes on top of each other.
 Soup box()
@@ -240,6 +245,105 @@ BOOST_AUTO_TEST_CASE(expansion_ends_at_four)
   for (Index f = 0; f < side.size(); ++f)
     graph.areas[f] *= side[f] == 1 ? 100 : 1;
   BOOST_TEST(factors(graph, side).expansion_behind_cut == 4);
+}
+
+BOOST_AUTO_TEST_CASE(a_boundary_has_the_factors_of_a_candidate_and_more)
+{
+  const Soup soup = dumbbell(20, 15);
+  const Surface graph = graph_of(soup);
+  const Salience_factors a = factors(graph, below(soup, 0)),
+                         b = factors_of_boundary(graph, below(soup, 0));
+  BOOST_TEST(!a.is_boundary);
+  BOOST_TEST(b.is_boundary);
+  for (std::size_t i = 0; i < internal::named_factors.size(); ++i) {
+    const auto [name, value] = internal::named_factors[i];
+    BOOST_TEST_CONTEXT(name)
+      {
+        const double of_candidate = a.*value, of_boundary = b.*value;
+        BOOST_TEST(of_candidate == (i < 8 ? of_boundary : 0));
+      }
+  }
+}
+
+BOOST_AUTO_TEST_CASE(roundness_of_a_square_a_rectangle_and_a_line)
+{
+  const Soup square = box();
+  BOOST_TEST(factors_of_boundary(graph_of(square), below(square, 1)).roundness == 1,
+             tolerance(1e-7));
+  // The rectangle 1 x 3, by length: x has the variance (6 / 4 + 2 / 12) / 8, y that of a side of
+  // length 3 and of ends at 3/2, (6 * 9 / 12 + 2 * 9 / 4) / 8.
+  Soup wide = box();
+  Surface graph = graph_of(wide);
+  const double r = std::sqrt(0.5); // the corners of the square are at (r, 0), (0, r) and so on
+  const internal::Vector direction(r, r, 0);
+  for (internal::Vector& p : graph.points)
+    p += 2 * p.dot(direction) * direction;
+  BOOST_TEST(factors_of_boundary(graph, below(wide, 1)).roundness ==
+             std::sqrt((6. / 4 + 2. / 12) / (6. * 9 / 12 + 2. * 9 / 4)), tolerance(1e-7));
+  const Salience_factors line =
+    factors_of_boundary(graph_of(plate(4, 1)), {0, 0, 1, 1, 1, 1, 1, 1});
+  BOOST_TEST(std::abs(line.roundness) < 1e-7);
+}
+
+BOOST_AUTO_TEST_CASE(the_rest_is_flat_on_a_plate_and_not_at_all_on_a_tube)
+{
+  BOOST_TEST(factors_of_boundary(graph_of(plate(4, 1)), {0, 0, 1, 1, 1, 1, 1, 1})
+               .flatness_behind_cut == 1, tolerance(1e-9));
+  const Soup cylinder = tube(12, 4, 24);
+  BOOST_TEST(factors_of_boundary(graph_of(cylinder), below(cylinder, 3)).flatness_behind_cut < 0.1);
+}
+
+BOOST_AUTO_TEST_CASE(a_quarter_of_the_length_is_at_most_as_concave_as_the_quartile)
+{
+  const Soup soup = tube(6, 1, 6);
+  Surface graph = graph_of(soup);
+  const Sides side = below(soup, 3);
+  std::vector<Index> cut = internal::halfedges_of_cut(graph, side);
+  BOOST_TEST_REQUIRE(cut.size() == 6u);
+  for (std::size_t i = 0; i < cut.size(); ++i) // of equal lengths, a quarter is 1.5 edges
+    graph.weights[cut[i]].concavity = graph.weights[graph.opposite[cut[i]]].concavity =
+      float((i * 5 + 2) % 6 + 1) / 8;
+  BOOST_TEST(factors_of_boundary(graph, side).lower_quartile_of_concavity == 0.25);
+}
+
+BOOST_AUTO_TEST_CASE(concavity_around_the_cut_sees_twice_as_far)
+{
+  const Soup soup = tube(12, 4, 24);
+  Surface graph = graph_of(soup);
+  const Sides side = below(soup, 3);
+  const double area_of_q = factors(graph, side).size * total_area(graph);
+  const std::vector<Index> cut = internal::halfedges_of_cut(graph, side);
+  std::vector<char> is_near(side.size(), 0);
+  for (const internal::Face_at_distance& f :
+       internal::faces_near_cut(graph, side, cut, 0.7 * std::sqrt(area_of_q)))
+    is_near[f.face] = 1;
+  for (Index h = 0; h < graph.number_of_halfedges(); ++h)
+    graph.weights[h].concavity = is_near[h / 3] || is_near[graph.neighbor(h)] ? 0.25f : 1.f;
+  BOOST_TEST(std::count(is_near.begin(), is_near.end(), 0) > 0);
+  BOOST_TEST(factors_of_boundary(graph, side).concavity_around_cut == 0.25, tolerance(1e-9));
+
+  for (const internal::Face_at_distance& f :
+       internal::faces_near_cut(graph, side, cut, 0.36 * std::sqrt(area_of_q)))
+    for (Index h = 3 * f.face; h < 3 * f.face + 3; ++h)
+      graph.weights[h].concavity = graph.weights[graph.opposite[h]].concavity = 0;
+  const Salience_factors f = factors_of_boundary(graph, side);
+  BOOST_TEST(f.concavity_near_cut == 0);
+  BOOST_TEST(f.concavity_around_cut > 0.08);
+  BOOST_TEST(f.concavity_around_cut < 0.17);
+}
+
+// On both sides of the middle of a cylinder the same area is near.
+BOOST_AUTO_TEST_CASE(expansion_before_the_cut_is_that_of_the_smaller_side)
+{
+  const Soup cylinder = tube(20, 6, 36);
+  const Salience_factors long_side = factors_of_boundary(graph_of(cylinder), below(cylinder, 8));
+  BOOST_TEST(long_side.expansion_before_cut > 0.75);
+  BOOST_TEST(long_side.expansion_before_cut < 1.02);
+  // The side ends within the distance 2 r = 0.7 sqrt(2 pi h), and all of it counts.
+  const Salience_factors short_side = factors_of_boundary(graph_of(cylinder), below(cylinder, 2));
+  const double area = 36 * 2 * std::sin(pi / 36) * 2; // of 36 sides of a prism
+  BOOST_TEST(short_side.expansion_before_cut ==
+             area / (0.7 * std::sqrt(area) * 36 * 2 * std::sin(pi / 36)), tolerance(1e-9));
 }
 
 BOOST_AUTO_TEST_CASE(halves_of_equal_area_swap_their_factors_with_their_labels)

@@ -31,8 +31,11 @@ struct Segmented_mesh
   Labels labels;
 
   explicit Segmented_mesh(const char* name)
-    : soup(read(name)),
-      labels(labels_of(soup, CGAL::Spectral_segmentation::parameters::default_values())) {}
+    : Segmented_mesh(name, CGAL::Spectral_segmentation::parameters::default_values()) {}
+
+  template <class NamedParameters>
+  Segmented_mesh(const char* name, const NamedParameters& np)
+    : soup(read(name)), labels(labels_of(soup, np)) {}
 
   Eigen::Vector3d centroid(std::size_t f) const
   {
@@ -125,10 +128,11 @@ BOOST_AUTO_TEST_CASE(each_tooth_of_a_pinion_is_a_segment)
     teeth.insert(tooth.begin(), tooth.end());
   }
   BOOST_TEST(teeth.size() == gaps.size() - 1);
-  BOOST_TEST(number_of(pinion.labels) == 10);
+  BOOST_TEST(number_of(pinion.labels) >= 9); // the first and the last gap are not compared
+  BOOST_TEST(number_of(pinion.labels) <= 10);
 }
 
-BOOST_AUTO_TEST_CASE(both_arms_of_a_cactus_are_cut_at_the_elbow)
+BOOST_AUTO_TEST_CASE(both_arms_of_a_cactus_are_cut_off)
 {
   const Segmented_mesh cactus("cactus.off");
   const auto is_trunk = [](const Eigen::Vector3d& p) { return p.y() < -0.2 || p.y() > 0.48; };
@@ -141,10 +145,9 @@ BOOST_AUTO_TEST_CASE(both_arms_of_a_cactus_are_cut_at_the_elbow)
     };
     BOOST_TEST(cactus.segments(upper).size() == 1);
     BOOST_TEST(cactus.largest_share(lower) > 0.9);
-    BOOST_TEST(cactus.segments(lower).count(*cactus.segments(upper).begin()) == 0);
     BOOST_TEST(cactus.segments(upper).count(*cactus.segments(is_trunk).begin()) == 0);
   }
-  BOOST_TEST(number_of(cactus.labels) <= 6); // the horizontal piece of an arm may be a part
+  BOOST_TEST(number_of(cactus.labels) <= 5); // an arm may also be cut at the elbow
 }
 
 BOOST_AUTO_TEST_CASE(an_elephant_has_four_legs_apart_from_its_chest)
@@ -167,9 +170,10 @@ BOOST_AUTO_TEST_CASE(an_elephant_has_four_legs_apart_from_its_chest)
   BOOST_TEST(legs.size() == 4);
 }
 
-BOOST_AUTO_TEST_CASE(the_flange_of_a_turbine_is_apart_from_its_hub)
+BOOST_AUTO_TEST_CASE(the_first_cut_of_a_turbine_is_between_its_flange_and_its_hub)
 {
-  const Segmented_mesh turbine("turbine.off"); // around the x axis
+  const Segmented_mesh turbine( // around the x axis
+    "turbine.off", CGAL::Spectral_segmentation::parameters::number_of_segments(2));
   const auto radius = [](const Eigen::Vector3d& p) { return std::hypot(p.y(), p.z()); };
   const auto flange =
     turbine.segments([&](const Eigen::Vector3d& p) { return radius(p) > 0.48; });
@@ -177,5 +181,8 @@ BOOST_AUTO_TEST_CASE(the_flange_of_a_turbine_is_apart_from_its_hub)
   BOOST_TEST(flange.size() == 1);
   BOOST_TEST(hub.count(*flange.begin()) == 0);
 }
+
+BOOST_AUTO_TEST_CASE(a_knot_stays_whole)
+{ BOOST_TEST(number_of(Segmented_mesh("knot1.off").labels) == 1); }
 
 BOOST_AUTO_TEST_SUITE_END()

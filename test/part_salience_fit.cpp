@@ -1,6 +1,7 @@
 // Copyright (c) 2026  The Spectral_segmentation authors.
 // SPDX-License-Identifier: GPL-3.0-or-later
 
+#include "../benchmark/Boundary_network_fit.h"
 #include "../benchmark/part_salience_fit.h"
 #include "../benchmark/tree_errors.h"
 #include "test_meshes.h"
@@ -277,6 +278,84 @@ BOOST_AUTO_TEST_CASE(later_rounds_mind_the_chosen_cut)
   };
   BOOST_TEST(error_at_chosen(0) > 0.1);
   BOOST_TEST(error_at_chosen(3) < error_at_chosen(0) / 3);
+}
+
+// Two factors of a network with one unit, the second an outlier.
+BOOST_AUTO_TEST_CASE(logit_of_a_network_by_hand)
+{
+  Boundary_network network{};
+  network.deviations.fill(1);
+  network.means[0] = 0.1; // of size
+  network.deviations[0] = 0.2;
+  network.constant = 0.5;
+  network.weights[0] = 3;
+  network.units[2].constant = -1;
+  network.units[2].weights[0] = 0.5;
+  network.units[2].weights[8] = 0.25; // of roundness
+  network.units[2].output = 2;
+  Salience_factors factors;
+  factors.size = 0.4;
+  factors.roundness = 7; // counts as 4
+  BOOST_TEST(network.logit(factors) == 0.5 + 3 * 1.5 + 2 * std::tanh(-1 + 0.5 * 1.5 + 0.25 * 4),
+             tt::tolerance(tolerance));
+  factors.is_boundary = true;
+  Calibrated_part_salience salience;
+  salience.boundary_network = network;
+  BOOST_TEST(salience(factors) == 1 / (1 + std::exp(-network.logit(factors))),
+             tt::tolerance(tolerance));
+}
+
+// Areas of 1/2 and 1/2, 1/4 and 3/4 of a mesh, and 1/10 and 1/10 of another.
+BOOST_AUTO_TEST_CASE(weights_of_boundaries_by_hand)
+{
+  const auto boundary = [](double area, double size, double agreement) {
+    Cut_sample cut{{}, agreement};
+    cut.factors.log_relative_part_area = std::log(area);
+    cut.factors.size = size;
+    return Cut_group{Evaluated_cut::BOUNDARY, {cut}};
+  };
+  const Boundary_rows rows = boundary_rows(
+    {{1, {boundary(1, 0.5, 0.3), group_of_size(Evaluated_cut::CANDIDATE, 1),
+          boundary(1, 0.25, 0.6)}},
+     {2, {boundary(0.2, 0.5, 0.9)}}});
+  BOOST_TEST_REQUIRE(rows.factors.size() == 3u);
+  const double first = 0.5, second = std::sqrt(3.) / 4;
+  BOOST_TEST(rows.weights[0] == first / (first + second) / 2, tt::tolerance(tolerance));
+  BOOST_TEST(rows.weights[1] == second / (first + second) / 2, tt::tolerance(tolerance));
+  BOOST_TEST(rows.weights[2] == 0.5, tt::tolerance(tolerance));
+  BOOST_TEST(rows.agreement[1] == 0.6);
+  BOOST_TEST(rows.factors[2].log_relative_part_area == std::log(0.2));
+}
+
+// People cut if one of two factors is large, but not both: no linear function knows that.
+BOOST_AUTO_TEST_CASE(a_network_learns_what_no_linear_function_can)
+{
+  Random random(5);
+  std::uniform_real_distribution<double> number(-1, 1);
+  Boundary_rows rows;
+  rows.agreement.resize(2000);
+  rows.weights = Eigen::ArrayXd::Constant(2000, 1. / 2000);
+  double error_of_mean = 0, error = 0;
+  for (double& agreement : rows.agreement) {
+    Salience_factors factors;
+    factors.roundness = number(random);
+    factors.cut_strength = number(random);
+    agreement = factors.roundness * factors.cut_strength < 0 ? 0.9 : 0.1;
+    rows.factors.push_back(factors);
+    error_of_mean += std::abs(agreement - 0.5) / 2000;
+  }
+  const auto [network, loss] = Boundary_network_fit(rows)();
+  for (std::size_t i = 0; i < 2000; ++i)
+    error += std::abs(1 / (1 + std::exp(-network.logit(rows.factors[i]))) -
+                      rows.agreement[static_cast<Eigen::Index>(i)]) / 2000;
+  BOOST_TEST(error < error_of_mean / 3);
+  BOOST_TEST(loss < 0.6); // ln 2 without the factors, 0.325 at best
+}
+
+BOOST_AUTO_TEST_CASE(a_network_without_boundaries_is_refused)
+{
+  const Boundary_rows rows;
+  BOOST_CHECK_THROW(Boundary_network_fit{rows}, std::invalid_argument);
 }
 
 // One person cuts at the neck, as the tree does first, the other not at all.

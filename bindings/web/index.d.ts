@@ -9,7 +9,7 @@ export interface Options {
   numberOfSegments?: number;
   /** At most this number. */
   maximumNumberOfSegments?: number;
-  /** The smallest salience of a cut: 0.40 by default, 0.54 with the method "paper". */
+  /** The smallest salience of a cut: 0.48 by default, 0.54 with the method "paper". */
   salienceThreshold?: number;
   /** The least share of the area for each side of a cut, from 0 to 0.5. */
   minimumSegmentSize?: number;

@@ -95,7 +95,7 @@ def segment_hierarchy(points, triangles=None, *, method="calibrated", number_of_
     number_of_segments: exactly this number, whatever the saliences are; not together with the next
         two.
     maximum_number_of_segments: at most this number.
-    salience_threshold: the smallest salience of a cut; by default 0.40, the probability that people
+    salience_threshold: the smallest salience of a cut; by default 0.48, the probability that people
         cut there, or 0.54 for weighted saliences such as the paper's.
     keep_components_separate: whether each connected component is a part from the start; by default
         False, with the method "paper" True. By default a component with less than a hundredth of

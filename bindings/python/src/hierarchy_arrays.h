@@ -47,7 +47,7 @@ saliences_of_nodes(const CGAL::Spectral_segmentation::Segmentation_hierarchy& h)
 inline py::dict factors_of_nodes(const CGAL::Spectral_segmentation::Segmentation_hierarchy& h)
 {
   py::dict result;
-  for (const auto& [name, member] : CGAL::Spectral_segmentation::internal::names_of_factors)
+  for (const auto& [name, member] : CGAL::Spectral_segmentation::internal::named_factors)
     result[name] = array_of_nodes<double>(
       h, [&h, factor = member](std::size_t i) { return h.node(i).factors.*factor; });
   return result;

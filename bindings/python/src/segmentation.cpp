@@ -237,7 +237,21 @@ void define_salience_factors(py::module_& m)
     .def_readonly("relative_convexity_gain", &Factors::relative_convexity_gain,
                   "logarithm of the ratio of convexity defects")
     .def_readonly("expansion_behind_cut", &Factors::expansion_behind_cut,
-                  "how fast the rest widens behind the cut, about 1 on a cylinder, at most 4");
+                  "how fast the rest widens behind the cut, about 1 on a cylinder, at most 4")
+    .def_readonly("is_boundary", &Factors::is_boundary,
+                  "whether the cut is the boundary of two regions that may be merged; the factors "
+                  "below are 0 for all other cuts")
+    .def_readonly("roundness", &Factors::roundness, "1 for a circle, 0 for a straight line")
+    .def_readonly("flatness_behind_cut", &Factors::flatness_behind_cut,
+                  "1 if the rest is flat near the boundary, at least 0")
+    .def_readonly("concavity_around_cut", &Factors::concavity_around_cut,
+                  "`concavity_near_cut` within twice the distance")
+    .def_readonly("lower_quartile_of_concavity", &Factors::lower_quartile_of_concavity,
+                  "concavity that three quarters of the boundary reach, in [0, 1]")
+    .def_readonly("expansion_before_cut", &Factors::expansion_before_cut,
+                  "`expansion_behind_cut` of the smaller side, within twice the distance")
+    .def_readonly("number_of_common_neighbors", &Factors::number_of_common_neighbors,
+                  "how many other regions touch both");
 }
 
 void define_hierarchy(py::module_& m)

@@ -4,59 +4,13 @@
 #ifndef CGAL_SPECTRAL_SEGMENTATION_PART_SALIENCE_H
 #define CGAL_SPECTRAL_SEGMENTATION_PART_SALIENCE_H
 
+#include <CGAL/Spectral_segmentation/Salience_factors.h>
+#include <CGAL/Spectral_segmentation/internal/salience/calibrated_boundary_network.h>
+
 #include <cmath>
 
 namespace CGAL {
 namespace Spectral_segmentation {
-
-/// \ingroup PkgSpectralSegmentationRef
-/// The factors of a cut of a part *M* into two sides: the three factors of the paper (Hoffman and
-/// Singh 1997; Zhang and Liu 2005, Section 6), and five more. *Q* is the side of smaller area.
-struct Salience_factors
-{
-  /// <em>V<sub>s</sub></em> = Area(*Q*) / Area(*M*), in [0, 1/2].
-  double size = 0;
-
-  /// <em>V<sub>c</sub></em>, in [0, 1]: the mean, over the edges of the cut, of the equalized angle
-  /// distance at concave edges and 0 at other edges. If the factors beyond the paper are computed,
-  /// an edge counts by its length. Otherwise all edges count the same, and the mean is divided by
-  /// the largest equalized angle distance in *M*.
-  double cut_strength = 0;
-
-  /// <em>V<sub>p</sub></em> = 1 - 4 sqrt(&lambda;<sub>1</sub> &lambda;<sub>2</sub>) / Area(*Q*), at
-  /// most 1 and not bounded from below; the &lambda; are the two largest eigenvalues of the
-  /// covariance matrix of the vertices along the cut.
-  double protrusiveness = 0;
-
-  /// \name Factors beyond the paper
-  /// They are 0 in the method of the paper.
-  /// *L* is the square root of the area of the mesh, and *r* = 0.35 sqrt(Area(*Q*)). The other side
-  /// of the cut is called the rest. The convexity defect of a set of faces is the mean depth of its
-  /// faces below its own convex hull (compare Lien and Amato 2007). *h* is the convexity defect of
-  /// *M*, and *h'* is the mean, by area, of the convexity defects of *Q* and of the rest, both
-  /// divided by *L*.
-  /// @{
-
-  /// ln(Area(*M*) / Area(mesh)), at most 0
-  double log_relative_part_area = 0;
-
-  /// the mean, by length, of the equalized angle distance at concave edges and 0 at other edges, in
-  /// [0, 1]. It is taken over those edges of the faces within the distance *r* of the cut that are
-  /// inner edges of *M*. A cut should be more concave than this mean.
-  double concavity_near_cut = 0;
-
-  /// *h* - *h'*
-  double convexity_gain = 0;
-
-  /// ln((*h* + 0.005) / (*h'* + 0.005)), for parts whose whole convexity defect is small
-  double relative_convexity_gain = 0;
-
-  /// how fast the rest widens behind the cut: its area within the distance *r* of the cut, divided
-  /// by *r* and the length of the cut; about 1 on a cylinder, at most 4
-  double expansion_behind_cut = 0;
-
-  /// @}
-};
 
 /// \ingroup PkgSpectralSegmentationRef
 /// The salience of a part as the weighted sum of its factors (Zhang and Liu 2005, Equation 3).
@@ -75,27 +29,49 @@ struct Weighted_part_salience
 };
 
 /// \ingroup PkgSpectralSegmentationRef
-/// The probability that a person would cut here. It is a logistic function of the factors, fitted
-/// to the human segmentations of the odd half of the Princeton Segmentation Benchmark (Chen,
-/// Golovinskiy, Funkhouser 2009).
+/// The probability that a person would cut here. It is fitted to the human segmentations of the odd
+/// half of the Princeton Segmentation Benchmark (Chen, Golovinskiy, Funkhouser 2009).
 ///
-/// A part is more likely to be cut
-/// - if it is a large fraction of the mesh,
+/// The search chooses among candidate cuts by a logistic function of eight factors. A candidate is
+/// better
+/// - if its part is a large fraction of the mesh,
 /// - if the cut is concave, and more concave than the surface around it,
 /// - if the base is small relative to the part that is cut off,
 /// - if both sides are closer to convex than their union, and
 /// - if the rest widens behind the cut.
+///
+/// Merging decides which boundaries stay. It uses a small network of all factors: a linear function
+/// of the standardized factors and six hyperbolic tangents of linear functions. The table has the
+/// mean change of the logit if a factor grows by one standard deviation, which
+/// benchmark/fit_part_salience prints.
+///
+/// Factor | Change
+/// -------|------:
+/// `cut_strength` | +1.03
+/// `concavity_around_cut` | -0.53
+/// `relative_convexity_gain` | +0.52
+/// `log_relative_part_area` | +0.36
+/// `protrusiveness` | +0.35
+/// `expansion_behind_cut` | +0.34
+/// `flatness_behind_cut` | +0.30
+/// `lower_quartile_of_concavity` | -0.25
+/// `number_of_common_neighbors` | -0.25
+/// `roundness` | +0.23
+/// `convexity_gain` | +0.20
+/// `expansion_before_cut` | +0.13
+/// `concavity_near_cut` | +0.03
+/// `size` | +0.02
+///
 /// \cgalModels{PartSalience}
 struct Calibrated_part_salience
 {
-  /// \name Coefficients
+  /// \name Coefficients for Candidates
   /// The constant and the coefficients of the factors of the same names, in the logit of the
   /// probability.
   /// @{
 
-  // benchmark/fit_part_salience BENCH_DIR --ids odd --searched-faces 0 printed these values, from
-  // 126626 cuts of 190 meshes and without random numbers. The page Performance and Quality of the
-  // manual has the errors.
+  // benchmark/fit_part_salience BENCH_DIR --kind candidates --coarse-faces 0 --passes 1 prints such
+  // values. These are of commit 912f4d6, from 126626 cuts of 190 meshes and without random numbers.
   double constant = -5.292;
   double log_relative_part_area = 0.343;
   double size = -1.366;
@@ -108,15 +84,21 @@ struct Calibrated_part_salience
 
   /// @}
 
+#ifndef DOXYGEN_RUNNING
+  internal::Boundary_network boundary_network = internal::calibrated_boundary_network;
+#endif
+
   /// the probability, in [0, 1]
   double operator()(const Salience_factors& f) const
   {
     const double logit =
-      constant + log_relative_part_area * f.log_relative_part_area + size * f.size +
-      cut_strength * f.cut_strength + concavity_near_cut * f.concavity_near_cut +
-      protrusiveness * f.protrusiveness + convexity_gain * f.convexity_gain +
-      relative_convexity_gain * f.relative_convexity_gain +
-      expansion_behind_cut * f.expansion_behind_cut;
+      f.is_boundary
+        ? boundary_network.logit(f)
+        : constant + log_relative_part_area * f.log_relative_part_area + size * f.size +
+            cut_strength * f.cut_strength + concavity_near_cut * f.concavity_near_cut +
+            protrusiveness * f.protrusiveness + convexity_gain * f.convexity_gain +
+            relative_convexity_gain * f.relative_convexity_gain +
+            expansion_behind_cut * f.expansion_behind_cut;
     return 1 / (1 + std::exp(-logit));
   }
 };
@@ -128,10 +110,12 @@ struct Calibrated_part_salience
 constexpr double default_salience_threshold = 0.54;
 
 /// \ingroup PkgSpectralSegmentationRef
-/// The default of the named parameter `salience_threshold` for any other part salience. It is the
-/// multiple of 0.02 with the smallest Rand error on the odd half of the Princeton benchmark. It is
-/// below 1/2 because a superfluous cut costs less than a missing one.
-constexpr double default_probability_threshold = 0.40;
+/// The default of the named parameter `salience_threshold` for any other part salience.
+///
+/// Between 0.36 and 0.50 the Rand errors of the odd half of the Princeton benchmark and of posed
+/// bodies hardly depend on it. With 0.48 shapes without parts, such as tubes and tori, stay whole.
+/// It is below 1/2 because a superfluous cut costs less than a missing one.
+constexpr double default_probability_threshold = 0.48;
 
 } // namespace Spectral_segmentation
 } // namespace CGAL

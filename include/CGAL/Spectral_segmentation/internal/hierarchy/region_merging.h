@@ -39,6 +39,7 @@ class Region_merging
   std::vector<Merge> merges_;              // possible merges of neighbors, the lower index first
 
   // Sets the salience and the factors of the boundary of two regions, as the cut of their union.
+  // Keeps the number of common neighbors.
   void evaluate(Merge& merge) const
   {
     const std::vector<Index>& first = faces_[merge.leaves[0]];
@@ -53,9 +54,33 @@ class Region_merging
     }
     normalize_sides(side, area);
     const Surface both = Part_extractor(mesh_)(faces);
-    merge.factors = Cut_evaluator(both, faces, context_)(side);
+    const double number_of_common_neighbors = merge.factors.number_of_common_neighbors;
+    merge.factors = Cut_evaluator(both, faces, context_)(side, Evaluated_cut::BOUNDARY);
+    merge.factors.number_of_common_neighbors = number_of_common_neighbors;
     merge.salience = salience_of(part_salience_, merge.factors);
     monitor_.control().cut_evaluated({Evaluated_cut::BOUNDARY, faces, side, merge.factors});
+  }
+
+  // Counts the common neighbors of all pairs. Updates the saliences of the first `number` pairs,
+  // whose other factors stay.
+  void count_common_neighbors(std::size_t number)
+  {
+    std::vector<std::set<Index> > neighbors(faces_.size());
+    for (const Merge& m : merges_) {
+      neighbors[m.leaves[0]].insert(m.leaves[1]);
+      neighbors[m.leaves[1]].insert(m.leaves[0]);
+    }
+    for (std::size_t i = 0; i < merges_.size(); ++i) {
+      Merge& m = merges_[i];
+      const std::set<Index>& second = neighbors[m.leaves[1]];
+      const auto n = std::count_if(neighbors[m.leaves[0]].begin(), neighbors[m.leaves[0]].end(),
+                                   [&](Index region) { return second.count(region) > 0; });
+      if (m.factors.number_of_common_neighbors == static_cast<double>(n))
+        continue;
+      m.factors.number_of_common_neighbors = static_cast<double>(n);
+      if (i < number)
+        m.salience = salience_of(part_salience_, m.factors);
+    }
   }
 
   // Compares saliences. Ties go to the pair with the lower indices.
@@ -78,6 +103,7 @@ class Region_merging
     const std::size_t first = merges_.size();
     for (const auto& [a, b] : neighbors)
       merges_.push_back({{a, b}, 0, {}});
+    count_common_neighbors(first);
     for_each_index(execution_, neighbors.size(), [&](std::size_t i)
       { evaluate(merges_[first + i]); });
   }

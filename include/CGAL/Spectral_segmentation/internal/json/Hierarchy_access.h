@@ -5,6 +5,7 @@
 #define CGAL_SPECTRAL_SEGMENTATION_INTERNAL_JSON_HIERARCHY_ACCESS_H
 
 #include <CGAL/Spectral_segmentation/Segmentation_hierarchy.h>
+#include <CGAL/Spectral_segmentation/internal/salience/Boundary_network.h>
 
 #include <array>
 #include <cstddef>
@@ -29,16 +30,6 @@ constexpr std::array<std::pair<Cut_state, const char*>, 4> names_of_cut_states =
   {Cut_state::NO_CUT, "no cut"},
   {Cut_state::REJECTED, "rejected"},
   {Cut_state::CUT, "cut"}}};
-
-constexpr std::array<std::pair<const char*, double Salience_factors::*>, 8> names_of_factors = {{
-  {"size", &Salience_factors::size},
-  {"cut_strength", &Salience_factors::cut_strength},
-  {"protrusiveness", &Salience_factors::protrusiveness},
-  {"log_relative_part_area", &Salience_factors::log_relative_part_area},
-  {"concavity_near_cut", &Salience_factors::concavity_near_cut},
-  {"convexity_gain", &Salience_factors::convexity_gain},
-  {"relative_convexity_gain", &Salience_factors::relative_convexity_gain},
-  {"expansion_behind_cut", &Salience_factors::expansion_behind_cut}}};
 
 // Numbers that JSON does not have are strings.
 constexpr const char* infinity_string = "infinity";

@@ -128,8 +128,10 @@ class Hierarchy_reader
     if (n.cut_state != Cut_state::CUT && n.cut_state != Cut_state::REJECTED)
       return;
     n.salience = number_but_nan(json, "salience");
-    for (const auto& [name, member_of_factors] : names_of_factors)
-      n.factors.*member_of_factors = number(member(json, "factors"), name);
+    const Json& factors = member(json, "factors");
+    n.factors.is_boundary = flag(factors, "is_boundary");
+    for (const auto& [name, value] : named_factors)
+      n.factors.*value = number(factors, name);
   }
 
   // Checks that each node but the roots is one child of one node, and that all are below the roots.

@@ -32,8 +32,8 @@ inline Json json_of_count(std::size_t i, std::size_t null)
 
 inline Json json_of_factors(const Salience_factors& factors)
 {
-  Json result;
-  for (const auto& [name, member] : names_of_factors)
+  Json result = {{"is_boundary", factors.is_boundary}};
+  for (const auto& [name, member] : named_factors)
     result[name] = json_of_number(factors.*member);
   return result;
 }

@@ -17,6 +17,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <utility>
 #include <vector>
 
 namespace CGAL::Spectral_segmentation::internal {
@@ -59,25 +60,100 @@ class Cut_evaluator
     return length;
   }
 
+  // Returns the ratio of the second and the first standard deviation of the points of a cut.
+  double roundness(const std::vector<Index>& cut, double length) const
+  {
+    Vector sum;
+    const Vector origin = part_.points[part_.source_vertex(cut.front())];
+    Symmetric_matrix squares;
+    for (Index h : cut) {
+      const Vector a = part_.points[part_.source_vertex(h)] - origin,
+                   b = part_.points[part_.target_vertex(h)] - origin, middle = (a + b) / 2;
+      const double share = part_.length(h) / length;
+      sum += share * middle;
+      squares += share / 6 * (Symmetric_matrix::square(a) + Symmetric_matrix::square(b) +
+                              4 * Symmetric_matrix::square(middle)); // Simpson's rule is exact
+    }
+    const Symmetric_matrix covariance = squares - Symmetric_matrix::square(sum);
+    const double first = Eigen_solver(covariance).largest_eigenvalue();
+    const double product = (std::max)(Eigen_solver(covariance.adjugate()).largest_eigenvalue(), 0.);
+    return first > 0 ? (std::min)(std::sqrt(product) / first, 1.) : 0;
+  }
+
+  // Returns the concavity below which a quarter of the length of a cut lies.
+  double lower_quartile_of_concavity(const std::vector<Index>& cut, double length) const
+  {
+    std::vector<std::pair<float, double> > edges; // concavity and length
+    for (Index h : cut)
+      edges.emplace_back(part_.weights[h].concavity, part_.length(h));
+    std::sort(edges.begin(), edges.end());
+    double rest = length / 4;
+    for (const auto& [concavity, l] : edges)
+      if ((rest -= l) <= 0)
+        return concavity;
+    return edges.back().first;
+  }
+
+  typedef std::vector<Face_at_distance> Near_faces;
+
+  // Returns the mean concavity, by length, of the edges of faces.
+  double mean_concavity(Near_faces::const_iterator first, Near_faces::const_iterator end) const
+  {
+    double length = 0, concavity = 0;
+    for (; first != end; ++first)
+      for (Index h = 3 * first->face; h < 3 * first->face + 3; ++h)
+        if (!part_.is_border(h)) {
+          const double l = part_.length(h);
+          length += l;
+          concavity += l * part_.weights[h].concavity;
+        }
+    return length > 0 ? concavity / length : 0;
+  }
+
+  // Returns the area of the faces of one side relative to a strip along the cut.
+  double expansion(Near_faces::const_iterator first, Near_faces::const_iterator end,
+                   const Sides& side, char s, double area_of_strip) const
+  {
+    double area = 0;
+    for (; first != end; ++first)
+      if (side[first->face] == s)
+        area += part_.areas[first->face];
+    return area_of_strip > 0 ? (std::min)(area / area_of_strip, constants::largest_expansion)
+                             : constants::largest_expansion;
+  }
+
+  // Returns the length of the mean normal of the faces of the rest.
+  double flatness_of_rest(Near_faces::const_iterator first, Near_faces::const_iterator end,
+                          const Sides& side) const
+  {
+    double area = 0;
+    Vector sum;
+    for (; first != end; ++first)
+      if (side[first->face] == 1) {
+        const Corners& c = part_.corners[first->face];
+        const Vector& p = part_.points[c[0]];
+        sum += (part_.points[c[1]] - p).cross(part_.points[c[2]] - p) / 2;
+        area += part_.areas[first->face];
+      }
+    return area > 0 ? (std::min)(sum.norm() / area, 1.) : 1;
+  }
+
   void set_neighborhood_factors(const Sides& side, const std::vector<Index>& cut,
                                 double area_of_q, double length, Salience_factors& factors) const
   {
     const double radius = constants::neighborhood_radius * std::sqrt(area_of_q);
-    double area_of_near_rest = 0, length_of_edges = 0, concavity = 0;
-    for (const Face_at_distance& f : faces_near_cut(part_, side, cut, radius)) {
-      if (side[f.face] == 1)
-        area_of_near_rest += part_.areas[f.face];
-      for (Index h = 3 * f.face; h < 3 * f.face + 3; ++h)
-        if (!part_.is_border(h)) {
-          const double l = part_.length(h);
-          length_of_edges += l;
-          concavity += l * part_.weights[h].concavity;
-        }
-    }
-    factors.concavity_near_cut = length_of_edges > 0 ? concavity / length_of_edges : 0;
-    factors.expansion_behind_cut =
-      length > 0 ? (std::min)(area_of_near_rest / (radius * length), constants::largest_expansion)
-                 : constants::largest_expansion;
+    const Near_faces faces =
+      faces_near_cut(part_, side, cut, factors.is_boundary ? 2 * radius : radius);
+    const auto first = faces.begin(), end = faces.end();
+    const auto end_of_near = std::partition_point(first, end, [=](const Face_at_distance& f)
+                                                  { return f.distance <= radius; });
+    factors.concavity_near_cut = mean_concavity(first, end_of_near);
+    factors.expansion_behind_cut = expansion(first, end_of_near, side, 1, radius * length);
+    if (!factors.is_boundary)
+      return;
+    factors.flatness_behind_cut = flatness_of_rest(first, end_of_near, side);
+    factors.concavity_around_cut = mean_concavity(first, end);
+    factors.expansion_before_cut = expansion(first, end, side, 0, 2 * radius * length);
   }
 
   void set_convexity_factors(const std::vector<Index> (&faces)[2], const double (&area)[2],
@@ -100,8 +176,10 @@ public:
       defect_of_part_(convexity_defect_.of_part())
   {}
 
-  // Returns the factors. Both sides must have an area.
-  Salience_factors operator()(const Sides& side) const
+  // Returns the factors of a candidate, or of the boundary of two regions. Both sides must have an
+  // area.
+  Salience_factors operator()(const Sides& side,
+                              Evaluated_cut::Kind kind = Evaluated_cut::CANDIDATE) const
   {
     std::vector<Index> faces[2];
     for (std::vector<Index>& f : faces)
@@ -115,6 +193,11 @@ public:
     Salience_factors factors;
     const std::vector<Index> cut = halfedges_of_cut(part_, side);
     const double length = set_boundary_factors(faces[0], cut, factors);
+    factors.is_boundary = kind == Evaluated_cut::BOUNDARY;
+    if (factors.is_boundary && length > 0) {
+      factors.roundness = roundness(cut, length);
+      factors.lower_quartile_of_concavity = lower_quartile_of_concavity(cut, length);
+    }
     set_neighborhood_factors(side, cut, area[0], length, factors);
     set_convexity_factors(faces, area, factors);
     factors.log_relative_part_area = std::log((area[0] + area[1]) / area_of_mesh_);
