@@ -326,6 +326,47 @@ BOOST_AUTO_TEST_CASE(a_crease_around_a_limb_stays)
   BOOST_TEST(refined(soup, labels).labels() == labels, tt::per_element());
 }
 
+// A wall on a ground, along the stairs y = floor(x): the boundary turns by 90 degrees everywhere.
+BOOST_AUTO_TEST_CASE(a_crease_with_corners_stays)
+{
+  const int n = 6;
+  Soup soup;
+  Labels labels;
+  std::map<std::array<int, 3>, std::size_t> vertices;
+  const auto add = [&](std::size_t label, const std::array<std::array<int, 3>, 4>& corners) {
+    std::array<std::size_t, 4> v;
+    for (std::size_t i = 0; i < 4; ++i) {
+      const auto [found, is_new] = vertices.emplace(corners[i], soup.points.size());
+      if (is_new)
+        soup.points.emplace_back(corners[i][0], corners[i][1], corners[i][2]);
+      v[i] = found->second;
+    }
+    soup.triangles.push_back({v[0], v[1], v[2]});
+    soup.triangles.push_back({v[0], v[2], v[3]});
+    labels.insert(labels.end(), 2, label);
+  };
+  const auto height = [](int x, int y) { return y >= x ? 2 : 0; };
+  for (int x = 0; x < n; ++x)
+    for (int y = 0; y < n; ++y) {
+      const int z = height(x, y);
+      add(z == 0 ? 0 : 1, {{{x, y, z}, {x + 1, y, z}, {x + 1, y + 1, z}, {x, y + 1, z}}});
+      if (z == 0)
+        continue;
+      for (int k = 0; k < 2; ++k) {
+        if (x + 1 < n && height(x + 1, y) == 0)
+          add(1, {{{x + 1, y, k}, {x + 1, y + 1, k}, {x + 1, y + 1, k + 1}, {x + 1, y, k + 1}}});
+        if (y > 0 && height(x, y - 1) == 0)
+          add(1, {{{x, y, k}, {x + 1, y, k}, {x + 1, y, k + 1}, {x, y, k + 1}}});
+      }
+    }
+  Segmented_mesh segmented(soup, labels);
+  const double length = segmented.boundary_length(), ground = segmented.area(0);
+  segmented.refine();
+  // At its ends the boundary leaves the mesh.
+  BOOST_TEST(segmented.boundary_length() == length, tt::tolerance(1e-9));
+  BOOST_TEST(segmented.area(0) == ground, tt::tolerance(1e-9));
+}
+
 BOOST_AUTO_TEST_CASE(a_tube_is_cut_around)
 {
   std::vector<std::pair<double, double> > profile;

@@ -18,12 +18,14 @@ class Boundary_band
   static constexpr int width = 3;             // rings of vertices around the boundary
   static constexpr double smooth_turn = 0.25; // the largest at a vertex where a boundary is smooth
   static constexpr int number_of_spreads = 3; // each by an edge, from vertices that are not smooth
+  static constexpr double cosine_of_crease = 0.77; // 40 degrees between the normals
 
   typedef std::pair<Index, Index> Ends;
 
   std::vector<Ends> boundary_;  // its edges
   std::vector<char> is_inside_; // one per vertex
   std::vector<char> is_smooth_; // one per vertex
+  std::vector<char> is_in_crease_; // one per vertex
 
   // Marks the vertices around marked vertices.
   void grow(const Surface& graph, std::vector<char>& is_near) const
@@ -59,6 +61,34 @@ class Boundary_band
     }
   }
 
+  // Returns whether the surface has a sharp concave crease at the edge of a halfedge.
+  static bool is_crease(const Surface& graph, Index h)
+  {
+    const Index f = h / 3, g = graph.neighbor(h);
+    const auto normal = [&](Index face) {
+      const Corners& c = graph.corners[face];
+      const Vector& p = graph.points[c[0]];
+      return (graph.points[c[1]] - p).cross(graph.points[c[2]] - p).normalized();
+    };
+    const Vector n = normal(f);
+    return n.dot(normal(g)) < cosine_of_crease &&
+           n.dot(graph.centroid(g) - graph.centroid(f)) > 0;
+  }
+
+  // Finds the vertices at which all edges of the boundary are creases.
+  void find_creases(const Surface& graph, const std::vector<Index>& labels)
+  {
+    const std::size_t n = graph.points.size();
+    std::vector<char> has_crease(n, 0), has_other_edge(n, 0);
+    for (Index h = 0; h < graph.number_of_halfedges(); ++h)
+      if (labels[h / 3] < labels[graph.neighbor(h)])
+        for (Index v : {graph.source_vertex(h), graph.target_vertex(h)})
+          (is_crease(graph, h) ? has_crease : has_other_edge)[v] = 1;
+    is_in_crease_.resize(n);
+    for (Index v = 0; v < n; ++v)
+      is_in_crease_[v] = has_crease[v] && !has_other_edge[v];
+  }
+
 public:
   std::vector<Index> faces; // faces with a vertex inside
 
@@ -68,6 +98,7 @@ public:
       if (labels[h / 3] < labels[graph.neighbor(h)])
         boundary_.emplace_back(graph.source_vertex(h), graph.target_vertex(h));
     find_smooth_vertices(graph);
+    find_creases(graph, labels);
     is_inside_.assign(graph.points.size(), 0);
     for (const auto& [v, w] : boundary_)
       is_inside_[v] = is_inside_[w] = 1;
@@ -82,8 +113,9 @@ public:
 
   bool is_inside(Index v) const { return is_inside_[v] != 0; }
 
-  // Returns whether the boundary is smooth at the vertex and for some edges in both directions.
-  bool is_on_smooth_boundary(Index v) const { return is_smooth_[v] != 0; }
+  // Returns whether the boundary stays at the vertex, because it lies in a sharp concave crease, or
+  // is smooth for some edges in both directions.
+  bool is_fixed(Index v) const { return is_smooth_[v] != 0 || is_in_crease_[v] != 0; }
 };
 
 } // namespace CGAL::Spectral_segmentation::internal

@@ -103,7 +103,7 @@ public:
         vertex_label_[v] = labels[f];
     for (Index f : band.faces)
       for (Index v : graph.corners[f])
-        vertex_label_[v] = band.is_on_smooth_boundary(v) ? null_index : share.label_of_largest(v);
+        vertex_label_[v] = band.is_fixed(v) ? null_index : share.label_of_largest(v);
     for_each_crossing([&](Index h) {
       const Index v = graph.source_vertex(h), w = graph.target_vertex(h);
       const Index a = vertex_label_[v], b = vertex_label_[w];

@@ -93,7 +93,7 @@ class Segment_shares
       if (means[v].weight() > 0)
         shares_[v] = means[v].result();
     for (Index v = 0; v < shares_.size(); ++v)
-      if (band.is_on_smooth_boundary(v))
+      if (band.is_fixed(v))
         for (auto& entry : shares_[v])
           entry.second = 1. / static_cast<double>(shares_[v].size());
   }
@@ -116,7 +116,7 @@ class Segment_shares
 
     std::vector<Index> vertices;
     for (Index v = 0; v < graph_.points.size(); ++v)
-      if (band.is_inside(v) && !band.is_on_smooth_boundary(v))
+      if (band.is_inside(v) && !band.is_fixed(v))
         vertices.push_back(v);
     std::vector<Shares> next(vertices.size());
     for (std::size_t iteration = 0; iteration < number_of_iterations; ++iteration) {
