@@ -109,7 +109,7 @@ class Boundary_network_fit
     }
   }
 
-  static double rounded(double number) { return std::round(1e5 * number) / 1e5; }
+  static double rounded(double number) { return std::round(1e5 * number) / 1e5 + 0.; } // no -0
 
   // Adds small units at random to a linear function.
   Vector with_units(Vector linear, std::uint64_t seed) const

@@ -335,7 +335,7 @@ Json json_of(const std::vector<Tree_errors>& meshes)
   return json;
 }
 
-// Returns the number with a sign, and the words of C++ for a list of numbers.
+// Returns numbers as an initializer of an array.
 std::string in_braces(const Boundary_network::Inputs& numbers)
 {
   std::string result = "{{";
