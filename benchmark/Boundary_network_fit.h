@@ -75,7 +75,8 @@ class Boundary_network_fit
   typedef Eigen::VectorXd Vector;
 
   static constexpr Index number_of_inputs = std::tuple_size<Boundary_network::Inputs>::value;
-  static constexpr Index number_of_units = 6;
+  static constexpr Index number_of_units =
+    std::tuple_size<decltype(Boundary_network::units)>::value;
   static constexpr Index size_of_unit = number_of_inputs + 2; // constant, weights, output
 
   const Boundary_rows& rows_;

@@ -133,11 +133,11 @@ auto of_each_mesh(const Options& o, const Function& f)
   return results;
 }
 
-Engine_options options_with(const Calibrated_part_salience& salience, std::size_t coarse_faces)
+Engine_options options_with(const Options& o, const spectral::Part_salience& salience)
 {
   Engine_options result = CGAL::Spectral_segmentation::Options();
   result.part_salience = salience;
-  result.number_of_coarse_faces = coarse_faces;
+  result.number_of_coarse_faces = o.coarse_faces;
   return result;
 }
 
@@ -164,9 +164,8 @@ std::vector<Mesh_cuts> evaluated_cuts(const Options& o,
   const std::vector<std::vector<Mesh_cuts> > of_meshes =
     of_each_mesh(o, [&](const Benchmark_mesh& mesh) {
       std::vector<Mesh_cuts> cuts;
-      Engine_options options = CGAL::Spectral_segmentation::Options();
-      options.number_of_coarse_faces = o.coarse_faces;
-      options.part_salience = salience_of_category(category_of(mesh.id));
+      const Engine_options options =
+        options_with(o, salience_of_category(category_of(mesh.id)));
       if (!has_known_parts(mesh.id) || o.fits_known_parts)
         for (const std::string& triangulation : o.triangulations)
           cuts.push_back(evaluated_cuts(triangulated_as(triangulation, mesh, o.cache), options));
@@ -178,19 +177,15 @@ std::vector<Mesh_cuts> evaluated_cuts(const Options& o,
   return result;
 }
 
-Tree_method method_with(const Calibrated_part_salience& salience, std::size_t coarse_faces)
-{ return method_with("fitted", options_with(salience, coarse_faces), Execution::PARALLEL); }
-
-std::vector<Tree_errors> errors_with(const Options& o, const Saliences& saliences)
+// Returns the errors of each mesh, of runs with a salience for each category.
+template <class SalienceOfCategory>
+std::vector<Tree_errors> errors_with(const Options& o,
+                                     const SalienceOfCategory& salience_of_category)
 {
-  return of_each_mesh(o, [&](const Benchmark_mesh& mesh)
-    { return tree_errors(mesh, method_with(saliences.at(category_of(mesh.id)), o.coarse_faces)); });
-}
-
-std::vector<Tree_errors> errors_with(const Options& o, const Calibrated_part_salience& salience)
-{
-  return of_each_mesh(o, [&](const Benchmark_mesh& mesh)
-    { return tree_errors(mesh, method_with(salience, o.coarse_faces)); });
+  return of_each_mesh(o, [&](const Benchmark_mesh& mesh) {
+    const Engine_options options = options_with(o, salience_of_category(category_of(mesh.id)));
+    return tree_errors(mesh, method_with("fitted", options, Execution::PARALLEL));
+  });
 }
 
 Part_salience_fit fit(const Options& o, const std::vector<Mesh_cuts>& cuts)
@@ -247,8 +242,9 @@ void print_factors(const Options& o, const std::vector<Mesh_cuts>& cuts,
   std::printf("\nLeft out; change of\nRand error%22s%21s%21s%21s\n", "default",
               "best threshold", "k", "tree");
   for (const Named_factor& factor : named_factors) {
+    const Calibrated_part_salience salience = fit(o, without_factor(cuts, factor)).salience;
     const std::vector<Tree_errors> without =
-      errors_with(o, fit(o, without_factor(cuts, factor)).salience);
+      errors_with(o, [&](std::size_t) { return salience; });
     const std::size_t best = best_threshold(mean_tree_errors(without));
     const auto change = [&](const auto& of_without, const auto& of_all) {
       const Paired_difference d =
@@ -443,7 +439,8 @@ void run(const Options& o)
     print_candidates(fit_to_all);
   if (!o.table.empty())
     write_table(o.table, fit_to_all.salience.boundary_network);
-  const std::vector<Tree_errors> errors = errors_with(o, fit_to_all.salience);
+  const std::vector<Tree_errors> errors =
+    errors_with(o, [&](std::size_t) { return fit_to_all.salience; });
   print("Fitted to all meshes", errors);
 
   Json json = {{"cuts", number_of_cuts(cuts)},
@@ -451,7 +448,9 @@ void run(const Options& o)
                {"thresholds", tried_thresholds()},
                {"fitted_to_all", json_of(errors)}};
   if (o.leaves_one_category_out) {
-    const std::vector<Tree_errors> of_left_out = errors_with(o, fits_to_others(o, cuts));
+    const Saliences saliences = fits_to_others(o, cuts);
+    const std::vector<Tree_errors> of_left_out =
+      errors_with(o, [&](std::size_t category) { return saliences.at(category); });
     print("Each category by a fit to the others", of_left_out);
     json["fitted_to_others"] = json_of(of_left_out);
   }

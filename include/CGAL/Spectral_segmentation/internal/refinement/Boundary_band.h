@@ -24,8 +24,7 @@ class Boundary_band
 
   std::vector<Ends> boundary_;  // its edges
   std::vector<char> is_inside_; // one per vertex
-  std::vector<char> is_smooth_; // one per vertex
-  std::vector<char> is_in_crease_; // one per vertex
+  std::vector<char> is_fixed_;  // one per vertex
 
   // Marks the vertices around marked vertices.
   void grow(const Surface& graph, std::vector<char>& is_near) const
@@ -36,8 +35,8 @@ class Boundary_band
         is_near[c[0]] = is_near[c[1]] = is_near[c[2]] = 1;
   }
 
-  // Finds the smooth vertices. A boundary that ends at a border goes on smoothly.
-  void find_smooth_vertices(const Surface& graph)
+  // Fixes the smooth vertices. A boundary that ends at a border goes on smoothly.
+  void fix_smooth_vertices(const Surface& graph)
   {
     const std::size_t n = graph.points.size();
     std::vector<Index> degree(n, 0);
@@ -49,14 +48,14 @@ class Boundary_band
       ++degree[v];
       ++degree[w];
     }
-    is_smooth_.assign(n, 0);
+    is_fixed_.assign(n, 0);
     for (Index v = 0; v < n; ++v)
-      is_smooth_[v] = degree[v] == 1 || (degree[v] == 2 && directions[v].norm() <= smooth_turn);
+      is_fixed_[v] = degree[v] == 1 || (degree[v] == 2 && directions[v].norm() <= smooth_turn);
     for (int i = 0; i < number_of_spreads; ++i) {
-      const std::vector<char> was_smooth = is_smooth_;
+      const std::vector<char> was_smooth = is_fixed_;
       for (const auto& [v, w] : boundary_) {
-        is_smooth_[v] &= was_smooth[w];
-        is_smooth_[w] &= was_smooth[v];
+        is_fixed_[v] &= was_smooth[w];
+        is_fixed_[w] &= was_smooth[v];
       }
     }
   }
@@ -75,8 +74,8 @@ class Boundary_band
            n.dot(graph.centroid(g) - graph.centroid(f)) > 0;
   }
 
-  // Finds the vertices at which all edges of the boundary are creases.
-  void find_creases(const Surface& graph, const std::vector<Index>& labels)
+  // Fixes the vertices at which all edges of the boundary are creases.
+  void fix_creases(const Surface& graph, const std::vector<Index>& labels)
   {
     const std::size_t n = graph.points.size();
     std::vector<char> has_crease(n, 0), has_other_edge(n, 0);
@@ -84,9 +83,8 @@ class Boundary_band
       if (labels[h / 3] < labels[graph.neighbor(h)])
         for (Index v : {graph.source_vertex(h), graph.target_vertex(h)})
           (is_crease(graph, h) ? has_crease : has_other_edge)[v] = 1;
-    is_in_crease_.resize(n);
     for (Index v = 0; v < n; ++v)
-      is_in_crease_[v] = has_crease[v] && !has_other_edge[v];
+      is_fixed_[v] |= has_crease[v] && !has_other_edge[v];
   }
 
 public:
@@ -97,8 +95,8 @@ public:
     for (Index h = 0; h < graph.number_of_halfedges(); ++h)
       if (labels[h / 3] < labels[graph.neighbor(h)])
         boundary_.emplace_back(graph.source_vertex(h), graph.target_vertex(h));
-    find_smooth_vertices(graph);
-    find_creases(graph, labels);
+    fix_smooth_vertices(graph);
+    fix_creases(graph, labels);
     is_inside_.assign(graph.points.size(), 0);
     for (const auto& [v, w] : boundary_)
       is_inside_[v] = is_inside_[w] = 1;
@@ -115,7 +113,7 @@ public:
 
   // Returns whether the boundary stays at the vertex, because it lies in a sharp concave crease, or
   // is smooth for some edges in both directions.
-  bool is_fixed(Index v) const { return is_smooth_[v] != 0 || is_in_crease_[v] != 0; }
+  bool is_fixed(Index v) const { return is_fixed_[v] != 0; }
 };
 
 } // namespace CGAL::Spectral_segmentation::internal
