@@ -64,13 +64,8 @@ class Boundary_band
   static bool is_crease(const Surface& graph, Index h)
   {
     const Index f = h / 3, g = graph.neighbor(h);
-    const auto normal = [&](Index face) {
-      const Corners& c = graph.corners[face];
-      const Vector& p = graph.points[c[0]];
-      return (graph.points[c[1]] - p).cross(graph.points[c[2]] - p).normalized();
-    };
-    const Vector n = normal(f);
-    return n.dot(normal(g)) < cosine_of_crease &&
+    const Vector n = graph.normal(f).normalized();
+    return n.dot(graph.normal(g).normalized()) < cosine_of_crease &&
            n.dot(graph.centroid(g) - graph.centroid(f)) > 0;
   }
 

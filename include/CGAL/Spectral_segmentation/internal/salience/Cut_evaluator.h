@@ -130,9 +130,7 @@ class Cut_evaluator
     Vector sum;
     for (; first != end; ++first)
       if (side[first->face] == 1) {
-        const Corners& c = part_.corners[first->face];
-        const Vector& p = part_.points[c[0]];
-        sum += (part_.points[c[1]] - p).cross(part_.points[c[2]] - p) / 2;
+        sum += part_.normal(first->face) / 2;
         area += part_.areas[first->face];
       }
     return area > 0 ? (std::min)(sum.norm() / area, 1.) : 1;
