@@ -47,6 +47,7 @@
 #include <iostream>
 #include <limits>
 #include <new>
+#include <numeric>
 #include <optional>
 #include <sstream>
 #include <stdexcept>
@@ -92,7 +93,7 @@ struct Options
   bool smooth_boundaries = false;
   bool keep_components_separate = false;
   bool keep_groups = false;
-  bool refine_boundaries = false;
+  bool keep_faces = false;
   bool close = false;
   bool quiet = false;
   bool prints_man_page = false, prints_completion = false;
@@ -220,9 +221,10 @@ void add_options(CLI::App& app, Options& o)
   app.add_flag("--keep-groups", o.keep_groups,
                "keep the objects and groups of IN apart as if each was a component; those of .obj, "
                "and the nodes of files that Assimp reads");
-  app.add_flag("--refine-boundaries", o.refine_boundaries,
-               "split faces of the written meshes along smooth boundaries; labels still refer to "
-               "the faces of IN");
+  app.add_flag("--keep-faces", o.keep_faces,
+               "write meshes and pages with the faces of IN, so that boundaries run along their "
+               "edges in zigzag; otherwise faces are split along smooth boundaries. Labels always "
+               "refer to the faces of IN");
   app.add_flag("--close", o.close,
                "close the segments of --split-dir, and of -o with .glb or .3mf, for example for 3D "
                "printing: with caps that neighbors share, and at holes of the mesh");
@@ -333,7 +335,7 @@ Json parameters_report(const Options& o)
           {"random_seed", json_or_null(o.seed)},
           {"number_of_smoothing_iterations", o.smoothing_iterations},
           {"smooth_boundaries", o.smooth_boundaries},
-          {"refine_boundaries", o.refine_boundaries},
+          {"keep_faces", o.keep_faces},
           {"close", o.close}};
 }
 
@@ -353,6 +355,7 @@ Page_options page_options(const Options& o, std::size_t number_of_segments)
   result.number_of_segments = number_of_segments;
   result.is_salience_probability = !o.uses_paper_method();
   result.smooth_boundaries = o.smooth_boundaries;
+  result.keep_faces = o.keep_faces;
   return result;
 }
 
@@ -376,30 +379,34 @@ Json report(const Options& o, const Input& input, const std::vector<Index>& labe
   return result;
 }
 
-// Writes the input, or its triangles with refined boundaries, as meshes.
+// Writes the input as meshes, with refined boundaries if its faces need not be kept.
 void write_meshes(const Options& o, const Input& input, const std::vector<Index>& label_of_triangle,
                   const std::vector<Index>& label_of_polygon, std::size_t number_of_segments,
                   const Segmentation_hierarchy& tree, Output_files& files)
 {
   const std::vector<Rgb> colors =
     segment_colors(segment_neighbors(input, label_of_triangle, number_of_segments));
-  Labeled_input refined;
-  if (o.refine_boundaries)
-    refined = refined_input(input, label_of_triangle);
-  const Input& written = o.refine_boundaries ? refined.first : input;
-  const std::vector<Index>& labels = o.refine_boundaries ? refined.second : label_of_polygon;
+  const bool is_refined = !o.keep_faces && number_of_segments > 1;
+  Refined_input refined;
+  if (is_refined)
+    refined = Input_refinement(input, label_of_triangle)(label_of_polygon);
+  const Input& written = is_refined ? refined.input : input;
+  const std::vector<Index>& labels = is_refined ? refined.segment : label_of_polygon;
   const std::vector<mesh_file::Part> parts =
     part_tree(tree, label_of_triangle, number_of_segments);
-  // All faces of a refined mesh count as new, because their indices mean nothing in the input.
-  const mesh_file::Segmented_mesh mesh{
-    written.soup, labels, colors, o.refine_boundaries ? 0 : std::size_t(mesh_file::null_index),
-    parts};
+  const mesh_file::Segmented_mesh mesh{written.soup, labels, colors, parts, refined.polygon};
   std::pair<Polygon_soup, std::vector<Index> > closed;
-  if (o.close)
+  std::vector<Index> closed_faces = refined.polygon;
+  if (o.close) {
     closed = closed_soup(written, labels);
-  const mesh_file::Segmented_mesh closed_mesh{
-    closed.first, closed.second, colors,
-    o.refine_boundaries ? 0 : written.soup.number_of_polygons(), parts};
+    if (!is_refined) {
+      closed_faces.resize(input.soup.number_of_polygons());
+      std::iota(closed_faces.begin(), closed_faces.end(), Index(0));
+    }
+    closed_faces.resize(closed.second.size(), mesh_file::null_index);
+  }
+  const mesh_file::Segmented_mesh closed_mesh{closed.first, closed.second, colors, parts,
+                                              closed_faces};
   for (const std::string& name : o.mesh_files)
     write_mesh(files, name, o.close && has_objects(name) ? closed_mesh : mesh);
   if (!o.split_directory.empty())

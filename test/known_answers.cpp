@@ -6,15 +6,19 @@
 #include "test_labels.h"
 #include "test_meshes.h"
 
+#include <CGAL/Spectral_segmentation/refine_segment_boundaries.h>
 #include <CGAL/segment_spectral_recursive.h>
 
 #include <Eigen/Eigenvalues>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstddef>
 #include <iterator>
+#include <map>
 #include <set>
+#include <utility>
 #include <vector>
 
 // The default method on meshes of CGAL, coarse or with long thin triangles, whose parts nobody
@@ -184,5 +188,43 @@ BOOST_AUTO_TEST_CASE(the_first_cut_of_a_turbine_is_between_its_flange_and_its_hu
 
 BOOST_AUTO_TEST_CASE(a_knot_stays_whole)
 { BOOST_TEST(number_of(Segmented_mesh("knot1.off").labels) == 1); }
+
+// Two of its parts meet in a concave crease of long edges, which a smooth boundary would leave.
+BOOST_AUTO_TEST_CASE(refined_boundaries_of_the_anchor_keep_its_long_creases)
+{
+  typedef std::map<std::pair<std::size_t, std::size_t>, std::vector<std::size_t> > Faces_of_edge;
+  const auto faces_of_edges = [](const Soup& soup) {
+    Faces_of_edge result;
+    for (std::size_t f = 0; f < soup.triangles.size(); ++f)
+      for (std::size_t i = 0; i < 3; ++i)
+        result[std::minmax({soup.triangles[f][i], soup.triangles[f][(i + 1) % 3]})].push_back(f);
+    return result;
+  };
+  Segmented_mesh anchor("anchor.off");
+  Soup refined = anchor.soup;
+  Labels labels = anchor.labels;
+  CGAL::refine_segment_boundaries(refined.points, refined.triangles, labels);
+  const Faces_of_edge after = faces_of_edges(refined);
+  const auto normal = [&](std::size_t f) {
+    std::array<Point, 3> p;
+    for (std::size_t i = 0; i < 3; ++i)
+      p[i] = anchor.soup.points[anchor.soup.triangles[f][i]];
+    return CGAL::unit_normal(p[0], p[1], p[2]);
+  };
+  std::size_t creases = 0;
+  for (const auto& [edge, faces] : faces_of_edges(anchor.soup)) {
+    const Eigen::Vector3d step = anchor.centroid(faces[1]) - anchor.centroid(faces[0]);
+    const auto n = normal(faces[0]);
+    if (anchor.labels[faces[0]] == anchor.labels[faces[1]] || n * normal(faces[1]) > 0.5 ||
+        step.dot(Eigen::Vector3d(n.x(), n.y(), n.z())) < 0 ||
+        CGAL::squared_distance(anchor.soup.points[edge.first], anchor.soup.points[edge.second]) <
+          0.45 * 0.45) // edges are 0.14 long in the mean
+      continue;
+    ++creases;
+    BOOST_TEST_REQUIRE(after.count(edge) == 1u);
+    BOOST_TEST(labels[after.at(edge)[0]] != labels[after.at(edge)[1]]);
+  }
+  BOOST_TEST(creases >= 1u);
+}
 
 BOOST_AUTO_TEST_SUITE_END()

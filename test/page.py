@@ -122,7 +122,7 @@ class Page_test(unittest.TestCase):
 
     def test_mesh(self):
         points, faces = read_off(MESHES / "elephant.off")
-        page = self.page(MESHES / "elephant.off")
+        page = self.page(MESHES / "elephant.off", "--keep-faces")
         self.assertEqual(len(page.triangles), len(faces))
         self.assertEqual(len(page.points), len({v for face in faces for v in face}))
         for triangle, face in zip(page.triangles, faces):
@@ -130,6 +130,25 @@ class Page_test(unittest.TestCase):
                 for x, y in zip(page.points[v], points[w]):
                     self.assertAlmostEqual(x, y, delta=0.51 * page.unit)
         self.assertEqual(page.pieces, page.piece_of_face)
+
+    def test_refined_boundaries(self):
+        points, faces = read_off(MESHES / "elephant.off")
+        page = self.page(MESHES / "elephant.off")
+        self.assertGreater(len(page.triangles), len(faces))
+        self.assertEqual(len(page.piece_of_face), len(faces))
+        plain = self.page(MESHES / "elephant.off", "--keep-faces")
+        surfaces = [sum(area(p.points, t) for t in p.triangles) for p in (page, plain)]
+        self.assertAlmostEqual(surfaces[0] / surfaces[1], 1, places=3)
+        lengths = [self.boundary_length(p) for p in (page, plain)]
+        self.assertLess(lengths[0], 0.95 * lengths[1])
+
+    def boundary_length(self, page):
+        pieces = {}
+        for triangle, piece in zip(page.triangles, page.pieces):
+            for i in range(3):
+                pieces.setdefault(frozenset((triangle[i - 1], triangle[i])), set()).add(piece)
+        return sum(math.dist(*(page.points[v] for v in edge))
+                   for edge, beside in pieces.items() if len(beside) > 1)
 
     def test_labels(self):
         page = self.check_labels(MESHES / "elephant.off", (1, 2, 7, 12, 20))

@@ -583,6 +583,212 @@ BOOST_AUTO_TEST_CASE(more_iterations_are_smoother)
   BOOST_TEST(after.boundary_length() == longer);
 }
 
+// The corners of the triangles of a segment by their coordinates, rounded and from the smallest on.
+typedef std::multiset<std::array<std::array<long, 3>, 3> > Triangle_set;
+
+std::map<int, Triangle_set> triangles_of_segments(const Soup& soup, const std::vector<int>& segment)
+{
+  std::map<int, Triangle_set> result;
+  for (std::size_t f = 0; f < segment.size(); ++f) {
+    std::array<std::array<long, 3>, 3> t;
+    for (std::size_t i = 0; i < 3; ++i)
+      for (int k = 0; k < 3; ++k)
+        t[i][std::size_t(k)] = std::lround(1e7 * soup.points[soup.triangles[f][i]][k]);
+    std::rotate(t.begin(), std::min_element(t.begin(), t.end()), t.end());
+    result[segment[f]].insert(t);
+  }
+  return result;
+}
+
+CGAL::Vector_3<Kernel> area_vector(const Soup& soup, std::size_t f)
+{
+  const auto& t = soup.triangles[f];
+  return CGAL::cross_product(soup.points[t[1]] - soup.points[t[0]],
+                             soup.points[t[2]] - soup.points[t[0]]) / 2;
+}
+
+BOOST_AUTO_TEST_CASE(triangles_are_split_like_the_faces_of_their_mesh)
+{
+  const std::vector<Soup> shapes = {plate(12, 9), torus(2, 0.7, 20, 9), sphere(2)};
+  for (unsigned seed = 0; seed < 30; ++seed) {
+    BOOST_TEST_CONTEXT("seed " << seed) {
+      Random random(seed);
+      const Soup before = displaced(shapes[seed % 3], 0.02, random);
+      const Labels labels = random_labels(mesh_of(before), 2 + random() % 5, true, random);
+      const Segmented_mesh mesh = refined(Segmented_mesh(before, labels));
+      Soup expected;
+      std::vector<int> expected_segment;
+      for (Mesh::Vertex_index v : mesh.mesh.vertices())
+        expected.points.push_back(mesh.mesh.point(v));
+      for (Mesh::Face_index f : mesh.mesh.faces()) {
+        expected.triangles.emplace_back();
+        for (Mesh::Vertex_index v : CGAL::vertices_around_face(mesh.mesh.halfedge(f), mesh.mesh))
+          expected.triangles.back().push_back(v);
+        expected_segment.push_back(mesh.segment[f]);
+      }
+
+      Soup after = before;
+      std::vector<int> segment(labels.begin(), labels.end());
+      const auto refinement =
+        CGAL::refine_segment_boundaries(after.points, after.triangles, segment);
+      BOOST_TEST((triangles_of_segments(after, segment) ==
+                  triangles_of_segments(expected, expected_segment)));
+
+      BOOST_TEST_REQUIRE(after.points.size() == before.points.size() + refinement.points.size());
+      for (std::size_t i = 0; i < refinement.points.size(); ++i) {
+        const auto& [f, w] = refinement.points[i];
+        const auto& t = before.triangles[f];
+        const Point mean = CGAL::barycenter(before.points[t[0]], w[0], before.points[t[1]], w[1],
+                                            before.points[t[2]], w[2]);
+        BOOST_TEST(CGAL::squared_distance(mean, after.points[before.points.size() + i]) < 1e-24);
+        BOOST_TEST(w[0] + w[1] + w[2] == 1, tt::tolerance(1e-12));
+      }
+
+      // The parts of each triangle cover it, and are oriented like it.
+      const std::size_t n = before.triangles.size();
+      BOOST_TEST_REQUIRE(segment.size() == n + refinement.triangles.size());
+      BOOST_TEST_REQUIRE(after.triangles.size() == segment.size());
+      std::vector<CGAL::Vector_3<Kernel> > sums;
+      for (std::size_t f = 0; f < n; ++f)
+        sums.push_back(area_vector(after, f));
+      for (std::size_t i = 0; i < refinement.triangles.size(); ++i)
+        sums[refinement.triangles[i]] += area_vector(after, n + i);
+      for (std::size_t f = 0; f < n; ++f)
+        BOOST_TEST((sums[f] - area_vector(before, f)).squared_length() < 1e-24);
+    }
+  }
+}
+
+BOOST_AUTO_TEST_CASE(turned_triangles_stay_turned)
+{
+  Random random(2);
+  const Soup plain = jagged_plate();
+  const Labels labels = jagged_labels(random);
+  Soup turned = plain;
+  for (auto& t : turned.triangles)
+    if (random() % 3 == 0)
+      std::swap(t[1], t[2]);
+  const Soup before = turned;
+  std::vector<int> segment(labels.begin(), labels.end());
+  const auto refinement = CGAL::refine_segment_boundaries(turned.points, turned.triangles, segment);
+  BOOST_TEST(refinement.triangles.size() > 24u);
+  for (std::size_t f = 0; f < turned.triangles.size(); ++f) {
+    const std::size_t whole =
+      f < before.triangles.size() ? f : refinement.triangles[f - before.triangles.size()];
+    BOOST_TEST(area_vector(turned, f).z() * area_vector(before, whole).z() > 0);
+  }
+}
+
+// Three plates meet at the line y = 0, across which their common boundary x = 6 runs in zigzag.
+BOOST_AUTO_TEST_CASE(no_boundary_crosses_an_edge_of_three_triangles)
+{
+  for (unsigned seed = 0; seed < 20; ++seed) {
+    Random random(seed);
+    Soup soup;
+    std::map<std::array<double, 3>, std::size_t> index;
+    std::vector<int> segment;
+    const Soup leaf = displaced(plate(12, 6), 0, random);
+    for (int turn = 0; turn < 3; ++turn)
+      for (const auto& t : leaf.triangles) {
+        soup.triangles.emplace_back();
+        double x = 0;
+        for (std::size_t v : t) {
+          const Point& p = leaf.points[v];
+          const double angle = turn * 2 * pi / 3;
+          const std::array<double, 3> q = {p.x(), p.y() * std::cos(angle), p.y() * std::sin(angle)};
+          const auto known = index.emplace(q, soup.points.size());
+          if (known.second)
+            soup.points.emplace_back(q[0], q[1], q[2]);
+          soup.triangles.back().push_back(known.first->second);
+          x += p.x() / 3;
+        }
+        segment.push_back(x + double(random() % 3) > 7);
+      }
+    const auto before = soup.triangles;
+    const auto refinement = CGAL::refine_segment_boundaries(soup.points, soup.triangles, segment);
+    BOOST_TEST(!refinement.points.empty());
+    for (const auto& [f, w] : refinement.points) {
+      bool is_on_line = true;
+      for (std::size_t i = 0; i < 3; ++i)
+        is_on_line &= w[i] == 0 || (soup.points[before[f][i]].y() == 0 &&
+                                    soup.points[before[f][i]].z() == 0);
+      BOOST_TEST(!is_on_line);
+    }
+  }
+}
+
+// Whatever meets there: the triangles keep their areas, and the caller's data are whole.
+BOOST_AUTO_TEST_CASE(any_triangles_can_be_refined)
+{
+  Random random(1);
+  for (int run = 0; run < 300; ++run) {
+    std::vector<std::array<double, 3> > points(4 + random() % 8);
+    for (auto& p : points)
+      p = {double(random() % 4), double(random() % 4), double(random() % 4)};
+    std::vector<std::array<int, 3> > triangles(random() % 20);
+    std::vector<int> segment(triangles.size());
+    for (std::size_t f = 0; f < triangles.size(); ++f) {
+      for (int& v : triangles[f])
+        v = int(random() % points.size());
+      segment[f] = int(random() % 3);
+    }
+    const auto area = [&] {
+      double sum = 0;
+      for (const auto& t : triangles) {
+        std::array<Point, 3> p;
+        for (std::size_t i = 0; i < 3; ++i)
+          p[i] = Point(points[t[i]][0], points[t[i]][1], points[t[i]][2]);
+        sum += std::sqrt(CGAL::squared_area(p[0], p[1], p[2]));
+      }
+      return sum;
+    };
+    const double before = area();
+    const std::size_t n = triangles.size();
+    const auto refinement = CGAL::refine_segment_boundaries(points, triangles, segment);
+    BOOST_TEST(segment.size() == triangles.size());
+    BOOST_TEST(triangles.size() == n + refinement.triangles.size());
+    BOOST_TEST(area() == before, tt::tolerance(1e-9));
+  }
+}
+
+BOOST_AUTO_TEST_CASE(bad_triangles_are_refused_and_left_as_they_are)
+{
+  const Soup good = plate(4, 4);
+  const std::vector<signed char> ids(good.triangles.size(), 1);
+  const auto is_refused = [](Soup soup, std::vector<signed char> segment, int iterations) {
+    const Soup before = soup;
+    BOOST_CHECK_THROW(CGAL::refine_segment_boundaries(
+                        soup.points, soup.triangles, segment,
+                        CGAL::parameters::number_of_iterations(iterations)),
+                      std::invalid_argument);
+    BOOST_TEST((soup.points == before.points && soup.triangles == before.triangles));
+  };
+  is_refused(good, ids, -1);
+  is_refused(good, std::vector<signed char>(5, 0), 1);
+  Soup bad = good;
+  bad.triangles[3] = {0, 1};
+  is_refused(bad, ids, 1);
+  bad = good;
+  bad.points[5] = Point(0, 0, std::numeric_limits<double>::infinity());
+  is_refused(bad, ids, 1);
+
+  std::vector<Point> points = plate(12, 9).points; // 130 points; a signed char counts to 127
+  points.resize(120);
+  std::vector<std::array<signed char, 3> > triangles;
+  for (const auto& t : plate(12, 9).triangles)
+    if (*std::max_element(t.begin(), t.end()) < 120)
+      triangles.push_back({(signed char)(t[0]), (signed char)(t[1]), (signed char)(t[2])});
+  std::vector<int> segment;
+  Random random(4);
+  for (std::size_t f = 0; f < triangles.size(); ++f)
+    segment.push_back(int(random() % 2));
+  const auto before = triangles;
+  BOOST_CHECK_THROW(CGAL::refine_segment_boundaries(points, triangles, segment),
+                    std::overflow_error);
+  BOOST_TEST((triangles == before));
+  BOOST_TEST(points.size() == 120u);
+}
+
 BOOST_AUTO_TEST_CASE(bad_input_is_refused)
 {
   const Soup soup = plate(4, 4);

@@ -194,9 +194,10 @@ class Tool_test(unittest.TestCase):
                               stderr=subprocess.PIPE, timeout=300, check=False, **how)
 
     def segment(self, mesh, *arguments):
-        """The labels of a run without errors, which also writes out.ply and out.json."""
+        """The labels of a run without errors, which also writes out.ply, with the faces of the
+        mesh, and out.json."""
         done = self.run_tool(mesh, "-o", "out.ply", "--labels", "out.seg", "--json", "out.json",
-                             *arguments)
+                             "--keep-faces", *arguments)
         self.assertEqual((done.returncode, done.stderr), (0, ""), mesh)
         return self.labels()
 
@@ -388,25 +389,32 @@ class Real_meshes(Tool_test):
 
     def test_refined_boundaries(self):
         plain = self.segment(MESHES / "elephant.off")
-        faces = len(self.ply().faces)
-        self.assertIs(self.report()["parameters"]["refine_boundaries"], False)
-        done = self.run_tool(MESHES / "elephant.off", "--refine-boundaries", "-o", "refined.ply",
-                             "--labels", "refined.seg", "--json", "refined.json", "--split-dir",
-                             "refined")
+        ply = self.ply()
+        input_faces = [[ply.points[v] for v in face] for face in ply.faces]
+        self.assertIs(self.report()["parameters"]["keep_faces"], True)
+        done = self.run_tool(MESHES / "elephant.off", "-o", "refined.ply", "--labels",
+                             "refined.seg", "--json", "refined.json", "--split-dir", "refined")
         self.assertEqual((done.returncode, done.stderr), (0, ""))
         labels = [int(line) for line in (self.directory / "refined.seg").read_text().split()]
         self.assertEqual(labels, plain) # of the faces of the input
         refined = read_ply(self.directory / "refined.ply")
-        self.assertGreater(len(refined.faces), faces)
+        self.assertGreater(len(refined.faces), len(input_faces))
         self.assertEqual(set(refined.segments), set(plain))
-        parts = [read_ply(file) for file in sorted((self.directory / "refined").glob("*.ply"))]
-        self.assertEqual([len(part.faces) for part in parts],
-                         [refined.segments.count(i) for i in range(max(plain) + 1)])
-        for file in (self.directory / "refined").glob("*.ply"): # their numbers would be others
-            self.assertNotIn("face", read_ply_rows(file)["face"][0])
+        files = sorted((self.directory / "refined").glob("*.ply"))
+        areas = [0.] * len(input_faces)
+        same_label = 0
+        for i, file in enumerate(files):
+            part = read_ply(file)
+            self.assertEqual(len(part.faces), refined.segments.count(i))
+            for face, row in zip(part.faces, read_ply_rows(file)["face"]):
+                areas[row["face"]] += area(part.points, face)
+                same_label += plain[row["face"]] == i
+        self.assertGreater(same_label / len(refined.faces), 0.9)
+        for whole, face in zip(areas, input_faces):
+            self.assertAlmostEqual(whole, area(face, range(len(face))))
         report = json.loads((self.directory / "refined.json").read_text())
-        self.assertIs(report["parameters"]["refine_boundaries"], True)
-        self.assertEqual(report["faces"], faces)
+        self.assertIs(report["parameters"]["keep_faces"], False)
+        self.assertEqual(report["faces"], len(input_faces))
 
     def assert_tree_of_cuts(self, nodes, children, root):
         """The nodes, by a name, are the nodes of the report's tree that the labels come from."""
@@ -433,9 +441,9 @@ class Real_meshes(Tool_test):
 
     def test_nodes_are_the_cuts(self):
         for options in ((), ("--method", "paper"), ("--segments", 25), ("--close",),
-                        ("--refine-boundaries",)):
+                        ("--close", "--keep-faces")):
             self.segment(MESHES / "elephant.off",
-                         *(o for o in options if o not in ("--close", "--refine-boundaries")))
+                         *(o for o in options if o not in ("--close", "--keep-faces")))
             done = self.run_tool(MESHES / "elephant.off", "-o", "out.glb", *options)
             self.assertEqual((done.returncode, done.stderr), (0, ""))
             nodes = read_glb_nodes(self.directory / "out.glb")
@@ -459,7 +467,7 @@ class Real_meshes(Tool_test):
                              ["segment_%03d" % i for i in range(max(labels) + 1)])
 
     def write_3mf(self, mesh, *options):
-        done = self.run_tool(mesh, "-o", "out.3mf", *options)
+        done = self.run_tool(mesh, "--keep-faces", "-o", "out.3mf", *options)
         if "lib3mf" in done.stderr:
             self.assertEqual(done.returncode, STATUSES.index("usage"))
             self.assertEqual(done.stderr.count("\n"), 1)
@@ -534,7 +542,7 @@ class Real_meshes(Tool_test):
                 for x, y, z in ([points[v] for v in face] for face in faces)) / 6
 
         points, faces = read_off(MESHES / "elephant.off")
-        for options in ((), ("--refine-boundaries",)):
+        for options in ((), ("--keep-faces",)):
             done = self.run_tool(MESHES / "elephant.off", "--close", "--split-dir", "parts",
                                  "--labels", "labels", *options)
             self.assertEqual((done.returncode, done.stderr), (0, ""))
@@ -669,7 +677,7 @@ class Formats(Tool_test):
     def test_written_formats(self):
         number = max(self.expected) + 1
         for extension in ("ply", "obj", "off", "GLB"):
-            done = self.run_tool("in.off", "-o", "out." + extension)
+            done = self.run_tool("in.off", "--keep-faces", "-o", "out." + extension)
             self.assertEqual((done.returncode, done.stderr), (0, ""))
         obj = (self.directory / "out.obj").read_text().splitlines()
         self.assertEqual(obj[0], "mtllib out.mtl")
@@ -702,7 +710,8 @@ class Formats(Tool_test):
                           "parameters.json", "table.jsonl"])
 
     def test_caps_have_no_face_of_the_input(self):
-        done = self.run_tool("in.off", "--close", "--split-dir", "parts", "-o", "plain.ply")
+        done = self.run_tool("in.off", "--close", "--keep-faces", "--split-dir", "parts", "-o",
+                             "plain.ply")
         self.assertEqual((done.returncode, done.stderr), (0, ""))
         self.assertEqual(len(read_ply(self.directory / "plain.ply").faces), len(self.faces))
         numbers = []
@@ -737,7 +746,7 @@ class Formats(Tool_test):
             self.assertEqual(names, ["segment_%03d.%s" % (i, form)
                                      for i in range(max(self.expected) + 1)] + ["segments.json"])
         sizes = collections.Counter(self.expected)
-        self.run_tool("in.off", "--split-dir", "parts", "--split-format", "stl")
+        self.run_tool("in.off", "--keep-faces", "--split-dir", "parts", "--split-format", "stl")
         for i in range(max(self.expected) + 1):
             part = (self.directory / "parts" / ("segment_%03d.stl" % i)).read_bytes()
             self.assertEqual(len(part), 84 + 50 * sizes[i])
@@ -756,8 +765,88 @@ class Formats(Tool_test):
         self.assertIn(b"property uchar quality\n", header)
         self.assertIn(b"property short id\n", header)
 
+    def test_refined_boundaries_keep_what_points_say(self):
+        """New points have the means of the values around them: linear functions stay linear."""
+        z = [p[2] for p in self.points]
+        height = lambda z0: round(200 * (z0 - min(z)) / (max(z) - min(z)))
+        header = ("ply\nformat ascii 1.0\nelement vertex %d\nproperty double x\nproperty double y\n"
+                  "property double z\nproperty double plane\nproperty uchar height\n"
+                  "element face %d\nproperty list uchar int vertex_indices\nproperty int id\n"
+                  "end_header\n" % (len(self.points), len(self.faces)))
+        (self.directory / "in.ply").write_text(
+            header + "".join("%r %r %r %r %d\n" % (*p, 2 * p[0] - p[1], height(p[2]))
+                             for p in self.points) +
+            "".join("3 %d %d %d %d\n" % (*f, i) for i, f in enumerate(self.faces)))
+        done = self.run_tool("in.ply", "-o", "out.ply", "--labels", "out.seg")
+        self.assertEqual((done.returncode, done.stderr), (0, ""))
+        rows = read_ply_rows(self.directory / "out.ply")
+        self.assertGreater(len(rows["face"]), len(self.faces))
+        self.assertEqual({row["id"] for row in rows["face"]}, set(range(len(self.faces))))
+        for row in rows["vertex"]:
+            self.assertAlmostEqual(row["plane"], 2 * row["x"] - row["y"])
+            self.assertAlmostEqual(row["height"], height(row["z"]), delta=2)
+
+        obj = ["v %r %r %r" % p for p in self.points]
+        obj += ["vt %r %r" % (p[0] + 5 * p[2], p[1]) for p in self.points]
+        obj += ["vn %r %r %r" % tuple(x / math.hypot(*p) for x in p) for p in self.points]
+        obj += ["f " + " ".join("%d/%d/%d" % (v + 1, v + 1, v + 1) for v in f) for f in self.faces]
+        (self.directory / "in.obj").write_text("\n".join(obj))
+        done = self.run_tool("in.obj", "-o", "out.obj")
+        self.assertEqual((done.returncode, done.stderr), (0, ""))
+        lines = [line.split() for line in (self.directory / "out.obj").read_text().splitlines()]
+        v, vt, vn = ([tuple(map(float, line[1:])) for line in lines if line and line[0] == kind]
+                     for kind in ("v", "vt", "vn"))
+        self.assertGreater(len(v), len(self.points))
+        self.assertEqual((len(vt), len(vn)), (len(v), len(v))) # one mean of each at a new point
+        for line in lines:
+            for corner in line[1:] if line and line[0] == "f" else ():
+                i, j, k = (int(number) - 1 for number in corner.split("/"))
+                self.assertAlmostEqual(vt[j][0], v[i][0] + 5 * v[i][2])
+                self.assertAlmostEqual(vt[j][1], v[i][1])
+                self.assertAlmostEqual(math.hypot(*vn[k]), 1)
+
+    def test_refined_boundaries_keep_polygons_and_joined_borders(self):
+        """Of quadrangles only those at the boundary are cut; each has its own points in the file,
+        and its texture."""
+        around, rings = 16, 24
+        radius = lambda z: 1 + 0.7 * math.cos(2 * math.pi * z / (rings - 1)) + 0.02 * (z % 3)
+        place = lambda z, i: (radius(z) * math.cos(2 * math.pi * i / around),
+                              radius(z) * math.sin(2 * math.pi * i / around), 0.4 * z)
+        quads = [[place(z, i), place(z, i + 1), place(z + 1, i + 1), place(z + 1, i)]
+                 for z in range(rings - 1) for i in range(around)]
+        obj, number = [], 0
+        for quad in quads:
+            obj += ["v %r %r %r" % p for p in quad] + ["vt %r %r" % (p[2], p[0]) for p in quad]
+            obj.append("f " + " ".join("%d/%d" % (number + i, number + i) for i in range(1, 5)))
+            number += 4
+        (self.directory / "in.obj").write_text("\n".join(obj))
+        done = self.run_tool("in.obj", "--segments", 2, "-o", "out.obj", "--split-dir", "parts")
+        self.assertEqual((done.returncode, done.stderr), (0, ""))
+        lines = [line.split() for line in (self.directory / "out.obj").read_text().splitlines()]
+        v, vt = ([tuple(map(float, line[1:])) for line in lines if line and line[0] == kind]
+                 for kind in ("v", "vt"))
+        faces = [[tuple(int(n) - 1 for n in corner.split("/")) for corner in line[1:]]
+                 for line in lines if line and line[0] == "f"]
+        sizes = collections.Counter(map(len, faces))
+        self.assertGreater(sizes[4], len(quads) - 4 * around)
+        self.assertGreater(sizes[3], 2 * around)
+        for face in faces:
+            for i, j in face:
+                self.assertAlmostEqual(vt[j][0], v[i][2])
+                self.assertAlmostEqual(vt[j][1], v[i][0])
+        # The border between the parts is at the same points on both sides.
+        edges = [set(), set()]
+        for part, found in enumerate(edges):
+            ply = read_ply(self.directory / "parts" / ("segment_%03d.ply" % part))
+            count = collections.Counter(
+                frozenset(tuple(round(x, 9) for x in ply.points[w]) for w in (face[i - 1], face[i]))
+                for face in ply.faces for i in range(len(face)))
+            found.update(edge for edge, n in count.items() if n == 1)
+        self.assertGreaterEqual(len(edges[0] & edges[1]), around)
+        self.assertEqual(len(edges[0] ^ edges[1]), 2 * around) # the ends of the tube
+
     def test_other_formats_need_assimp(self):
-        self.run_tool("in.off", "-o", "in.glb")
+        self.run_tool("in.off", "--keep-faces", "-o", "in.glb")
         done = self.run_tool("in.glb", "--labels", "out.seg")
         if done.returncode != 0:
             self.assertIn("Assimp", done.stderr)
@@ -1225,7 +1314,7 @@ class Printing(Tool_test):
         self.assertEqual(done.returncode, 0)
         for option in ("-o", "--labels", "--json", "--split-dir", "--segments", "--seed",
                        "--method", "--salience-threshold", "--threads", "--smooth",
-                       "--smooth-boundaries", "--refine-boundaries", "--quiet", "--version"):
+                       "--smooth-boundaries", "--keep-faces", "--quiet", "--version"):
             self.assertIn(option, done.stdout)
 
     def test_existing_files_are_replaced(self):

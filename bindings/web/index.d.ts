@@ -48,7 +48,8 @@ export interface Segmentation {
   /** The label of each face: of the run, or of exactly `n` segments, or as near to `n` as there
    *  are components and cuts. The same labels as those of the C++ library and its tool. */
   labels(n?: number): Uint32Array;
-  /** A colored mesh in the format that the name tells: .ply, .glb, .off or .obj. */
+  /** A colored mesh in the format that the name tells: .ply, .glb, .off or .obj. Its faces are
+   *  split along smooth boundaries between the segments. */
   write(name: string, n?: number): Uint8Array;
   /** All cuts, as `segment_mesh --hierarchy` writes them. */
   toJSON(): object;

@@ -127,8 +127,8 @@ def test_damaged_files_give_a_mesh_or_a_sentence(meshes, tmp_path):
 
 def test_written_files_are_those_of_the_tool(meshes, tool, tmp_path):
     source = meshes / "elephant.off"
-    subprocess.run([tool, source, "--quiet", "-o", tmp_path / "tool.off", "--labels",
-                    tmp_path / "labels"], check=True)
+    subprocess.run([tool, source, "--quiet", "--keep-faces", "-o", tmp_path / "tool.off",
+                    "--labels", tmp_path / "labels"], check=True)
     labels = np.loadtxt(tmp_path / "labels", int)
     mesh = read(source)
     write(tmp_path / "own.off", mesh.points, mesh.triangles, labels)

@@ -17,6 +17,7 @@
 #include <segment_mesh/page/page_data.h>
 #include <segment_mesh/part_tree.h>
 #include <segment_mesh/read_input.h>
+#include <segment_mesh/refined_input.h>
 #include <segment_mesh/write_meshes.h>
 
 #include <emscripten/bind.h>
@@ -201,11 +202,12 @@ public:
     const std::vector<Index> of_faces = segment_mesh::labels_of_polygons(*input_, of_triangles);
     const std::vector<mesh_file::Rgb> colors = segment_mesh::segment_colors(
       segment_mesh::segment_neighbors(*input_, of_triangles, number));
-    const std::vector<mesh_file::Part> parts =
-      segment_mesh::part_tree(tree_, of_triangles, number);
+    const segment_mesh::Refined_input refined =
+      segment_mesh::Input_refinement(*input_, of_triangles)(of_faces);
     std::ostringstream out;
-    mesh_file::write_mesh_file(
-      out, extension, {input_->soup, of_faces, colors, mesh_file::null_index, parts});
+    mesh_file::write_mesh_file(out, extension,
+                               {refined.input.soup, refined.segment, colors,
+                                segment_mesh::part_tree(tree_, of_triangles, number)});
     return typed_array_of_bytes(out.str());
   }
 

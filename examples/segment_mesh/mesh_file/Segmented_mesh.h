@@ -40,8 +40,9 @@ struct Segmented_mesh
   const Polygon_soup& soup;
   const std::vector<Index>& segment; // one per polygon
   const std::vector<Rgb>& colors;    // one per segment
-  std::size_t first_new = null_index; // polygons from here on are no faces of the input
-  std::vector<Part> parts = {};       // contain each segment once; empty if there is no tree
+  std::vector<Part> parts = {};  // contain each segment once; empty if there is no tree
+  std::vector<Index> faces = {}; // of the input that the polygons are or lie in, or null_index;
+                                 // empty if the polygons are the faces of the input
 };
 
 // 000, 001 ... 1000
@@ -299,8 +300,7 @@ public:
 
   std::size_t number_of_segments() const { return mesh_.colors.size(); }
 
-  // Its polygons have the further property `face`: their numbers in the input, or -1 for new ones;
-  // but not if all are new.
+  // Its polygons have the further property `face`: their numbers in the input, or -1 for new ones.
   Polygon_soup operator()(std::size_t segment)
   {
     const Polygon_soup& soup = mesh_.soup;
@@ -322,10 +322,10 @@ public:
     result.normals = taken(soup.normals, normals_.elements());
     append_taken(soup.point_properties, points_.elements(), result.point_properties);
     // If two properties have one name, the first is written.
-    if (mesh_.first_new > 0) {
-      result.polygon_properties.push_back({"face", Number_type::INT32, {}});
-      for (Index i : polygons)
-        result.polygon_properties[0].values.push_back(i < mesh_.first_new ? double(i) : -1.);
+    result.polygon_properties.push_back({"face", Number_type::INT32, {}});
+    for (Index i : polygons) {
+      const Index face = mesh_.faces.empty() ? i : mesh_.faces[i];
+      result.polygon_properties[0].values.push_back(face == null_index ? -1. : double(face));
     }
     append_taken(soup.polygon_properties, polygons, result.polygon_properties);
     for (Renumbering* r : {&points_, &textures_, &normals_})

@@ -48,7 +48,7 @@ export function decode({ name, segments, salience, input_triangles, hierarchy, m
                          piece_of_face, exceptions }) {
   const pieces = runs(mesh.pieces);
   const numberShown = pieces.length;
-  const notes = numberShown === input_triangles ? [] :
+  const notes = numberShown >= input_triangles ? [] :
     [`The mesh shown is simplified to ${numberShown.toLocaleString("en")} triangles; labels are ` +
      "those of all faces."];
   return {

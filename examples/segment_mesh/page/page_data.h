@@ -10,6 +10,7 @@
 
 #include <CGAL/Spectral_segmentation/Segmentation_hierarchy.h>
 #include <CGAL/Spectral_segmentation/internal/surface/segment_classes.h>
+#include <CGAL/Spectral_segmentation/refine_segment_boundaries.h>
 
 #include <nlohmann/json.hpp>
 
@@ -129,6 +130,7 @@ struct Page_options
   std::string name;
   std::size_t number_of_segments;      // that the page shows first
   bool is_salience_probability, smooth_boundaries;
+  bool keep_faces = false;             // otherwise boundaries are refined
   std::size_t most_triangles = 300000; // a phone can turn so many
 };
 
@@ -169,6 +171,15 @@ inline nlohmann::ordered_json hierarchy_data(const Input& input, const Segmentat
           {"first_triangles", pieces.first_triangles()}};
 }
 
+// Returns the mesh for the eye: with refined boundaries, or with fewer triangles.
+inline Page_mesh page_mesh(const Input& input, const Pieces& pieces, const Page_options& o)
+{
+  Page_mesh result{input.soup.points, input.triangles, pieces.of_triangles()};
+  if (!o.keep_faces && pieces.number() > 1 && input.triangles.size() <= o.most_triangles)
+    CGAL::refine_segment_boundaries(result.points, result.triangles, result.pieces);
+  return simplified(result, o.most_triangles);
+}
+
 inline nlohmann::ordered_json mesh_data(const Page_mesh& mesh)
 {
   const Page_cube cube(mesh);
@@ -197,14 +208,12 @@ inline nlohmann::ordered_json page_data(const Input& input, const Segmentation_h
     for (std::size_t n = tree.number_of_roots(); n <= tree.number_of_segments(); ++n)
       exceptions[std::to_string(n)] =
         label_exceptions(input, tree, pieces.segments(n), piece_of_polygon, n);
-  const Page_mesh mesh = simplified({input.soup.points, input.triangles, pieces.of_triangles()},
-                                    o.most_triangles);
   return {{"name", o.name},
           {"segments", o.number_of_segments},
           {"salience", o.is_salience_probability ? "probability" : "salience"},
           {"input_triangles", input.triangles.size()},
           {"hierarchy", hierarchy_data(input, tree, pieces)},
-          {"mesh", mesh_data(mesh)},
+          {"mesh", mesh_data(page_mesh(input, pieces, o))},
           {"piece_of_face", packed_runs(piece_of_polygon)},
           {"exceptions", exceptions}};
 }

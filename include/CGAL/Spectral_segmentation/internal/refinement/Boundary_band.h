@@ -6,6 +6,7 @@
 
 #include <CGAL/Spectral_segmentation/internal/surface/Surface.h>
 
+#include <algorithm>
 #include <cstddef>
 #include <utility>
 #include <vector>
@@ -19,6 +20,7 @@ class Boundary_band
   static constexpr double smooth_turn = 0.25; // the largest at a vertex where a boundary is smooth
   static constexpr int number_of_spreads = 3; // each by an edge, from vertices that are not smooth
   static constexpr double cosine_of_crease = 0.77; // 40 degrees between the normals
+  static constexpr double long_crease = 3;         // in mean edge lengths
 
   typedef std::pair<Index, Index> Ends;
 
@@ -69,21 +71,56 @@ class Boundary_band
            n.dot(graph.centroid(g) - graph.centroid(f)) > 0;
   }
 
-  // Fixes the vertices at which all edges of the boundary are creases.
+  // Fixes the vertices at which all edges of the boundary are creases, and the ends of long
+  // creases. The faces along creases between fixed vertices keep their labels.
   void fix_creases(const Surface& graph, const std::vector<Index>& labels)
   {
     const std::size_t n = graph.points.size();
-    std::vector<char> has_crease(n, 0), has_other_edge(n, 0);
+    double mean_length = 0;
     for (Index h = 0; h < graph.number_of_halfedges(); ++h)
-      if (labels[h / 3] < labels[graph.neighbor(h)])
-        for (Index v : {graph.source_vertex(h), graph.target_vertex(h)})
-          (is_crease(graph, h) ? has_crease : has_other_edge)[v] = 1;
+      mean_length += graph.length(h) / graph.number_of_halfedges();
+    std::vector<Index> creases; // a halfedge of each
+    std::vector<char> is_end(n, 0), has_other_edge(n, 0);
+    for (Index h = 0; h < graph.number_of_halfedges(); ++h)
+      if (labels[h / 3] < labels[graph.neighbor(h)]) {
+        const bool is_in_crease = is_crease(graph, h);
+        if (is_in_crease)
+          creases.push_back(h);
+        for (Index v : {graph.source_vertex(h), graph.target_vertex(h)}) {
+          (is_in_crease ? is_end : has_other_edge)[v] = 1;
+          is_fixed_[v] |= is_in_crease && graph.length(h) > long_crease * mean_length;
+        }
+      }
     for (Index v = 0; v < n; ++v)
-      is_fixed_[v] |= has_crease[v] && !has_other_edge[v];
+      is_fixed_[v] |= is_end[v] && !has_other_edge[v];
+    for (Index h : creases)
+      if (is_fixed(graph.source_vertex(h)) && is_fixed(graph.target_vertex(h))) {
+        kept_faces.push_back(h / 3);
+        kept_faces.push_back(graph.neighbor(h));
+      }
+  }
+
+  // Fixes the ends of an edge with more than two faces: some of its sides have no neighbor, and
+  // would not be cut at the same point.
+  void fix_crowded_edges(const Surface& graph)
+  {
+    const auto ends = [&](Index h)
+    { return Ends(std::minmax({graph.source_vertex(h), graph.target_vertex(h)})); };
+    std::vector<Ends> borders;
+    for (Index h = 0; h < graph.number_of_halfedges(); ++h)
+      if (graph.is_border(h))
+        borders.push_back(ends(h));
+    std::sort(borders.begin(), borders.end());
+    for (Index h = 0; h < graph.number_of_halfedges(); ++h) {
+      const auto [first, last] = std::equal_range(borders.begin(), borders.end(), ends(h));
+      if (last - first > (graph.is_border(h) ? 1 : 0))
+        is_fixed_[first->first] = is_fixed_[first->second] = 1;
+    }
   }
 
 public:
-  std::vector<Index> faces; // faces with a vertex inside
+  std::vector<Index> faces;      // faces with a vertex inside
+  std::vector<Index> kept_faces; // faces that keep their labels
 
   Boundary_band(const Surface& graph, const std::vector<Index>& labels)
   {
@@ -92,6 +129,7 @@ public:
         boundary_.emplace_back(graph.source_vertex(h), graph.target_vertex(h));
     fix_smooth_vertices(graph);
     fix_creases(graph, labels);
+    fix_crowded_edges(graph);
     is_inside_.assign(graph.points.size(), 0);
     for (const auto& [v, w] : boundary_)
       is_inside_[v] = is_inside_[w] = 1;

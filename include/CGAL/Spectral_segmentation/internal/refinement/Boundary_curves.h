@@ -104,6 +104,8 @@ public:
     for (Index f : band.faces)
       for (Index v : graph.corners[f])
         vertex_label_[v] = band.is_fixed(v) ? null_index : share.label_of_largest(v);
+    for (Index f : band.kept_faces)
+      freeze(f);
     for_each_crossing([&](Index h) {
       const Index v = graph.source_vertex(h), w = graph.target_vertex(h);
       const Index a = vertex_label_[v], b = vertex_label_[w];
