@@ -78,9 +78,10 @@ curves run through. Each new face gets the id of the segment on its side.
 The boundaries of a segmentation run in zigzag, because they run along edges of the mesh. This
 function moves them, by a few edges at most, to where a smoothed indicator function of the segments
 jumps. If three segments meet, their curves meet too. A boundary that is already smooth stays where
-it is, and so does a boundary in a crease that is concave by more than 40 degrees. The surface stays the same set of points up to rounding, because new vertices lie on edges
-and in faces of the mesh. All old vertices stay, with their points, and a face that is split becomes
-one of its parts. The topology of the mesh does not change.
+it is, and so does a boundary in a crease that is concave by more than 40 degrees. The surface stays
+the same set of points up to rounding, because new vertices lie on edges and in faces of the mesh.
+All old vertices stay, with their points, and a face that is split becomes one of its parts. The
+topology of the mesh does not change.
 
 No segment vanishes or loses more than half of its area, and no segment falls into more connected
 components than it had. If curves would cause this, as around a segment of a few faces, the boundary
