@@ -555,6 +555,11 @@ Json run_of_batch(const Options& o)
 #endif
   try {
     check_files(o);
+    std::vector<std::string> files = o.mesh_files;
+    files.insert(files.end(), {o.label_file, o.hierarchy_file, o.page_file});
+    for (const std::string& name : files)
+      if (!name.empty() && is_stream(name)) // nobody may read it
+        throw_cannot_write(name, "it is not a file");
     return run(o);
   }
   catch (...) {

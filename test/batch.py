@@ -129,6 +129,61 @@ def check_long_table(directory, tool):
               "the lines of the long table")
 
 
+def check_hostile_lists(directory, tool):
+    """Lists and directories that stopped a batch for ever, or mixed up its results."""
+    small = blob(random.Random(2))
+    for name in ("a.off", "b.off"):
+        (directory / name).write_text(small)
+
+    def batch(*arguments, program=(tool,)):
+        return subprocess.run([*program, *arguments], cwd=directory, capture_output=True,
+                              text=True, timeout=60, check=False)
+
+    # The substitution is a child of the tool, because bash executes its last command in place.
+    done = batch(program=("bash", "-c", "exec \"$0\" --out-dir child --list <(ls a.off b.off)",
+                          tool))
+    check((done.returncode, done.stderr) == (0, "") and "2 meshes" in done.stdout,
+          "a batch with a child of another: " + done.stderr)
+    (directory / "long").write_text("x" * 70000 + "\na.off\n")
+    done = batch("--out-dir", "out_long", "--list", "long")
+    check(done.returncode == 8 and "1 mesh segmented, 1 failed" in done.stdout,
+          "a line of 70,000 bytes: " + done.stderr)
+    (directory / "zero").write_bytes(b"a.off\0b\n")
+    for name, words in (("zero", "has a zero byte in line 1"), (".", "cannot be opened")):
+        done = batch("--out-dir", "out_zero", "--list", name)
+        check(done.returncode == 3 and words in done.stderr, "the list %s: %s" %
+              (name, done.stderr))
+
+    for content in ("", "{", "[]"):
+        batch("--out-dir", "parameters", "--segments", "2", "a.off")
+        (directory / "parameters/parameters.json").write_text(content)
+        done = batch("--out-dir", "parameters", "--segments", "3", "b.off")
+        check(done.returncode == 2 and "other parameters" in done.stderr,
+              "damaged parameters: " + done.stderr)
+        for file in (directory / "parameters").iterdir():
+            file.unlink()
+
+    for i, name in enumerate(("table.jsonl", "parameters.json", "a.off.json", "a.off.labels")):
+        (directory / ("fifo%d" % i)).mkdir()
+        os.mkfifo(directory / ("fifo%d" % i) / name)
+        done = batch("--out-dir", "fifo%d" % i, "a.off")
+        check(done.returncode in (7, 8), "a pipe in the place of " + name)
+    (directory / "link").symlink_to("nowhere/nothing")
+    done = batch("--out-dir", "link", "a.off")
+    check(done.returncode == 7 and "link: it is not a directory" in done.stderr,
+          "a link to nothing: " + done.stderr)
+
+    if sys.platform == "linux": # other systems refuse such names
+        names = [b"\xfe.off", b"\xff.off", b"\xc3\xbc.off"]
+        for name in names:
+            (directory / os.fsdecode(name)).write_text(small)
+        done = subprocess.run([tool, *names, "--out-dir", "out"], cwd=directory,
+                              capture_output=True, check=False)
+        check(done.returncode == 0, "names that are no UTF-8")
+        check(sorted(r["input"] for r in rows(directory)) == ["%FE.off", "%FF.off", "\u00fc.off"],
+              "rows of names that are no UTF-8")
+
+
 def main():
     parser = argparse.ArgumentParser(description=__doc__)
     parser.add_argument("tool", type=os.path.abspath)
@@ -136,6 +191,8 @@ def main():
     options = parser.parse_args()
     with tempfile.TemporaryDirectory() as name:
         check_long_table(pathlib.Path(name), options.tool)
+    with tempfile.TemporaryDirectory() as name:
+        check_hostile_lists(pathlib.Path(name), options.tool)
     with tempfile.TemporaryDirectory() as name:
         directory = pathlib.Path(name)
         expected = make_inputs(directory, options.count)

@@ -44,22 +44,30 @@ inline Path place_of(const std::string& input)
   return result;
 }
 
-// Names, one a line.
+// Returns the names in a list, one a line.
 inline std::vector<std::string> read_list(const std::string& name)
 {
+  const auto fail = [&](const std::string& what)
+  { throw Failure(Status::INPUT, "the list " + name + ' ' + what); };
   std::ifstream file;
   if (name != "-") {
+    std::error_code ignored;
     file.open(name);
-    if (!file)
-      throw Failure(Status::INPUT, "the list " + name + " cannot be opened");
+    if (!file || std::filesystem::is_directory(name, ignored))
+      fail("cannot be opened");
   }
   std::vector<std::string> result;
-  for (std::string line; std::getline(name == "-" ? std::cin : file, line);) {
+  std::istream& in = name == "-" ? std::cin : file;
+  for (std::string line; std::getline(in, line);) {
     if (!line.empty() && line.back() == '\r')
       line.pop_back();
+    if (line.find('\0') != std::string::npos)
+      fail("has a zero byte in line " + std::to_string(result.size() + 1) + ", so it is no text");
     if (!line.empty())
       result.push_back(line);
   }
+  if (in.bad())
+    fail("cannot be read");
   return result;
 }
 
@@ -105,7 +113,8 @@ private:
     const Path file = directory_ / "parameters.json";
     std::ifstream in(file);
     if (in) {
-      if (Json::parse(in, nullptr, false) != parameters)
+      const Json earlier = Json::parse(in, nullptr, false);
+      if (earlier.is_discarded() || earlier != parameters) // what is discarded differs from nothing
         throw Failure(Status::USAGE, "the results in " + directory_.string() +
                                        " have other parameters: see " + file.string());
       return;
@@ -117,19 +126,42 @@ private:
 
   Path path_of(const std::string& input) const { return directory_ / place_of(input); }
 
+  // Throws if two inputs have the same place of outputs, or the same name in the table.
   static void check_places(const std::vector<std::string>& inputs)
   {
     typedef std::pair<std::string, std::string> Place_and_input;
     std::vector<Place_and_input> places = {{"parameters", "'parameters'"}}; // a file of the batch
+    const auto check = [&] {
+      std::sort(places.begin(), places.end());
+      const auto same = std::adjacent_find(places.begin(), places.end(),
+                                           [](const Place_and_input& a, const Place_and_input& b)
+                                           { return a.first == b.first; });
+      if (same != places.end())
+        throw Failure(Status::USAGE, "the inputs " + same->second + " and " + (same + 1)->second +
+                                       " would have the same outputs");
+      places.clear();
+    };
     for (const std::string& input : inputs)
       places.emplace_back(place_of(input).string(), input);
-    std::sort(places.begin(), places.end());
-    const auto same = std::adjacent_find(places.begin(), places.end(),
-                                         [](const Place_and_input& a, const Place_and_input& b)
-                                         { return a.first == b.first; });
-    if (same != places.end())
-      throw Failure(Status::USAGE, "the inputs " + same->second + " and " + (same + 1)->second +
-                                     " would have the same outputs");
+    check();
+    for (const std::string& input : inputs)
+      places.emplace_back(Mesh_table::name_in_table(input), input);
+    check();
+  }
+
+  // Throws if a file that the batch reads or writes is something else, which might wait for ever.
+  void check_files(const std::vector<std::string>& inputs) const
+  {
+    std::vector<Path> files = {directory_ / ".lock", directory_ / "parameters.json",
+                               directory_ / "table.jsonl"};
+    for (const std::string& input : inputs)
+      files.push_back(path_of(input) += ".json");
+    for (const Path& file : files) {
+      std::error_code ignored;
+      const std::filesystem::file_status status = std::filesystem::status(file, ignored);
+      if (exists(status) && !is_regular_file(status))
+        throw_cannot_write(file, "it is not a file");
+    }
   }
 
   static bool is_newer(const Path& a, const Path& b)
@@ -193,7 +225,9 @@ public:
     std::error_code error;
     std::filesystem::create_directories(directory_, error);
     if (!std::filesystem::is_directory(directory_))
-      throw_cannot_write(directory_, error ? error.message() : "it is not a directory");
+      throw_cannot_write(directory_, error && !is_symlink(directory_) ? error.message()
+                                                                      : "it is not a directory");
+    check_files(inputs);
     lock();
     check_parameters(parameters);
     Mesh_table table(directory_ / "table.jsonl");
@@ -202,8 +236,9 @@ public:
     const auto end_run = [&] {
       const Child_runs::Ended_run ended = runs.wait();
       const std::string& input = inputs[ended.number];
-      const Json row = ended.result
+      Json row = ended.result
         ? *ended.result : report(input, path_of(input), failure_of_signal(ended.signal));
+      row["input"] = Mesh_table::name_in_table(input);
       table.add(row);
       ++done_;
       failed_ += row.value("status", "") != name_of(Status::OK);

@@ -8,6 +8,7 @@
 #include "report.h"
 
 #ifndef _WIN32
+#include <poll.h>
 #include <signal.h>
 #include <sys/types.h>
 #include <sys/wait.h>
@@ -20,7 +21,6 @@
 #include <cerrno>
 #include <cstddef>
 #include <functional>
-#include <map>
 #include <optional>
 #include <string>
 #include <utility>
@@ -62,16 +62,27 @@ public:
 private:
   struct Child
   {
+    pid_t process;
     std::size_t number;
-    int result; // the end of a pipe
+    int descriptor;     // the end of a pipe
+    std::string result; // what has come out of it
   };
 
-  std::map<pid_t, Child> children_;
+  std::vector<Child> children_;
 
   [[noreturn]] static void fail()
   { throw Failure(Status::BUG, "the system starts no further process"); }
 
-  // The result is short, and so fits in the pipe before it is read.
+  static void send(int descriptor, const std::string& text)
+  {
+    for (std::size_t sent = 0; sent < text.size();) {
+      const ssize_t size = write(descriptor, text.data() + sent, text.size() - sent);
+      if (size < 0 && errno != EINTR)
+        _exit(1);
+      sent += static_cast<std::size_t>(size > 0 ? size : 0);
+    }
+  }
+
   [[noreturn]] static void run_in_child(const Run& run, int descriptor, pid_t parent)
   {
 #ifdef __linux__
@@ -79,21 +90,49 @@ private:
 #endif
     if (getppid() != parent) // it died before
       _exit(1);
-    const std::string result = run().dump(-1, ' ', false, Json::error_handler_t::replace);
-    const bool is_sent = write(descriptor, result.data(), result.size()) > 0;
-    _exit(is_sent ? 0 : 1); // runs no destructors, because the parent still has the objects
+    send(descriptor, run().dump(-1, ' ', false, Json::error_handler_t::replace));
+    _exit(0); // runs no destructors, because the parent still has the objects
   }
 
-  static std::string read_all(int descriptor)
+  // Reads what a child has sent, and returns whether the child has closed its end.
+  static bool read_some(Child& child)
   {
-    std::string result;
     char buffer[4096];
-    for (ssize_t size; (size = read(descriptor, buffer, sizeof buffer)) != 0;) {
-      if (size < 0 && errno != EINTR)
-        break;
-      result.append(buffer, static_cast<std::size_t>(size > 0 ? size : 0));
+    const ssize_t size = read(child.descriptor, buffer, sizeof buffer);
+    if (size > 0)
+      child.result.append(buffer, static_cast<std::size_t>(size));
+    return size == 0 || (size < 0 && errno != EINTR);
+  }
+
+  // Returns the place of a child that has closed its end of the pipe, and reads what all send until
+  // then: a child with a long result does not end before.
+  std::size_t next_to_end()
+  {
+    while (true) {
+      std::vector<pollfd> requests;
+      for (const Child& child : children_)
+        requests.push_back({child.descriptor, POLLIN, 0});
+      if (poll(requests.data(), static_cast<nfds_t>(requests.size()), -1) < 0 && errno != EINTR)
+        throw Failure(Status::BUG, "the system does not tell when a process ends");
+      for (std::size_t i = 0; i < requests.size(); ++i)
+        if (requests[i].revents != 0 && read_some(children_[i]))
+          return i;
     }
-    close(descriptor);
+  }
+
+  // Waits for the end of a child that has closed its end of the pipe. This process may have other
+  // children, which are not touched.
+  Ended_run end(std::size_t i)
+  {
+    const Child child = std::move(children_[i]);
+    children_.erase(children_.begin() + static_cast<std::ptrdiff_t>(i));
+    close(child.descriptor);
+    int status = 0;
+    while (waitpid(child.process, &status, 0) < 0 && errno == EINTR) {}
+    Ended_run result{child.number, std::nullopt, WIFSIGNALED(status) ? WTERMSIG(status) : 0};
+    Json sent = Json::parse(child.result, nullptr, false);
+    if (!sent.is_discarded())
+      result.result = std::move(sent);
     return result;
   }
 
@@ -104,10 +143,10 @@ public:
 
   ~Child_runs()
   {
-    for (const auto& child : children_)
-      kill(child.first, SIGTERM);
+    for (const Child& child : children_)
+      kill(child.process, SIGTERM);
     while (!children_.empty())
-      wait();
+      end(children_.size() - 1);
   }
 
   std::size_t size() const { return children_.size(); }
@@ -129,24 +168,11 @@ public:
       close(descriptors[0]);
       fail();
     }
-    children_[child] = {number, descriptors[0]};
+    children_.push_back({child, number, descriptors[0], ""});
   }
 
-  // The next one to end.
-  Ended_run wait()
-  {
-    int status = 0;
-    pid_t process = 0;
-    while ((process = waitpid(-1, &status, 0)) < 0 && errno == EINTR) {}
-    const auto found = children_.find(process);
-    const Child child = found->second;
-    children_.erase(found);
-    Ended_run result{child.number, std::nullopt, WIFSIGNALED(status) ? WTERMSIG(status) : 0};
-    const Json sent = Json::parse(read_all(child.result), nullptr, false);
-    if (!sent.is_discarded())
-      result.result = sent;
-    return result;
-  }
+  // Returns the next one to end.
+  Ended_run wait() { return end(next_to_end()); }
 #endif
 };
 

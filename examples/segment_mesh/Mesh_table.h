@@ -33,9 +33,22 @@ class Mesh_table
 public:
   explicit Mesh_table(const Path& name) : name_(name) {}
 
-  // Returns the name as the table has it, where invalid UTF-8 is replaced.
+  // Returns the name as the table has it. If it is no UTF-8, its bytes beyond ASCII are %80 to %FF.
   static std::string name_in_table(const std::string& input)
-  { return Json::parse(text(input)).get<std::string>(); }
+  {
+    if (Json::parse(text(input)) == Json(input))
+      return input;
+    std::string result;
+    for (char c : input)
+      if (static_cast<signed char>(c) >= 0)
+        result += c;
+      else {
+        const char* const digits = "0123456789ABCDEF";
+        const unsigned byte = static_cast<unsigned char>(c);
+        result += {'%', digits[byte / 16], digits[byte % 16]};
+      }
+    return result;
+  }
 
   void add(const Json& row)
   {
