@@ -13,6 +13,7 @@
 #include <cstddef>
 #include <limits>
 #include <random>
+#include <set>
 #include <stdexcept>
 #include <vector>
 
@@ -184,6 +185,56 @@ BOOST_AUTO_TEST_CASE(duplicate_points)
 {
   const Soup soup = loose_triangles(dumbbell(10, 8));
   BOOST_TEST(check_runs(mesh_of(soup)) <= 5u);
+}
+
+// Shapes whose time or memory was quadratic, or worse, in the number of faces.
+BOOST_AUTO_TEST_CASE(thousands_of_faces_meet)
+{
+  const auto number_of_segments = [](const Soup& soup) {
+    Labels labels(soup.triangles.size(), untouched);
+    const std::size_t n = CGAL::segment_spectral_recursive(soup.points, soup.triangles,
+                                                           CGAL::make_property_map(labels));
+    BOOST_TEST(std::set<std::size_t>(labels.begin(), labels.end()).size() == n);
+    BOOST_TEST(*std::max_element(labels.begin(), labels.end()) + 1 == n);
+    return n;
+  };
+  std::mt19937 engine(1);
+  const auto coordinate = [&] { return double(engine()) / double(engine.max()) - 0.5; };
+  const std::size_t n = 10000;
+
+  Soup at_an_edge{{Point(0, 0, 0), Point(0, 0, 1)}, {}};
+  for (std::size_t i = 0; i < n; ++i) {
+    const double angle = 2 * pi * double(i) / double(n);
+    at_an_edge.points.emplace_back(std::cos(angle), std::sin(angle), 0.5);
+    at_an_edge.triangles.push_back({0, 1, i + 2});
+  }
+  number_of_segments(at_an_edge);
+
+  Soup at_a_vertex{{Point(0, 0, 0)}, {}};
+  for (std::size_t i = 0; i < 2 * n; ++i)
+    at_a_vertex.points.emplace_back(coordinate(), coordinate(), coordinate());
+  for (std::size_t i = 0; i < n; ++i)
+    at_a_vertex.triangles.push_back({0, 2 * i + 1, 2 * i + 2});
+  number_of_segments(at_a_vertex);
+
+  Soup at_a_place{std::vector<Point>(3 * n, Point(1, 2, 3)), {}};
+  for (std::size_t i = 0; i < n; ++i)
+    at_a_place.triangles.push_back({3 * i, 3 * i + 1, 3 * i + 2});
+  BOOST_TEST(number_of_segments(at_a_place) == n);
+
+  Soup crowd;
+  for (int i = 0; i < 100; ++i)
+    crowd.points.emplace_back(coordinate(), coordinate(), coordinate());
+  for (std::size_t i = 0; i < n; ++i)
+    crowd.triangles.push_back({engine() % 100, engine() % 100, engine() % 100});
+  number_of_segments(crowd);
+
+  Soup spheres; // 300 in each other, nearly at the same place
+  for (int i = 0; i < 300; ++i)
+    spheres = disjoint_union(spheres, transformed(sphere(1), [&](const Point& p) {
+      return Point((1 + 0.001 * i) * p.x(), (1 + 0.001 * i) * p.y(), (1 + 0.001 * i) * p.z());
+    }));
+  number_of_segments(spheres);
 }
 
 BOOST_AUTO_TEST_CASE(slivers)

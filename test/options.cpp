@@ -134,6 +134,10 @@ BOOST_AUTO_TEST_CASE(values_out_of_range_are_refused_by_name)
     check_refused("concavity_radius", [&](Options& o) { o.concavity_radius = bad; });
   }
   check_refused("number_of_reference_faces", [](Options& o) { o.number_of_reference_faces = 0; });
+  check_refused("number_of_reference_faces",
+                [](Options& o) { o.number_of_reference_faces = 1001; });
+  check_refused("number_of_smoothing_iterations",
+                [](Options& o) { o.number_of_smoothing_iterations = 100001; });
   check_refused("number_of_regions", [](Options& o) { o.number_of_regions = 0; });
 }
 

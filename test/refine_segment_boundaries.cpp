@@ -764,6 +764,7 @@ BOOST_AUTO_TEST_CASE(bad_triangles_are_refused_and_left_as_they_are)
     BOOST_TEST((soup.points == before.points && soup.triangles == before.triangles));
   };
   is_refused(good, ids, -1);
+  is_refused(good, ids, 100001);
   is_refused(good, std::vector<signed char>(5, 0), 1);
   Soup bad = good;
   bad.triangles[3] = {0, 1};

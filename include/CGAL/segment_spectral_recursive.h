@@ -349,7 +349,7 @@ the same. `zhang_liu_2005()` does not support constraints. The example
     \cgalParamDescription{the dimension *k* of the context vector of a face (Section 4)}
     \cgalParamType{an integer}
     \cgalParamDefault{`10`; the result depends little on it, the time is linear in it}
-    \cgalParamExtra{at least 1}
+    \cgalParamExtra{from 1 to 1000}
   \cgalParamNEnd
   \cgalParamNBegin{number_of_smoothing_iterations}
     \cgalParamDescription{the steps of Laplacian smoothing on a copy of the points. Face distances
@@ -357,7 +357,7 @@ the same. `zhang_liu_2005()` does not support constraints. The example
       searched on one.}
     \cgalParamType{an integer}
     \cgalParamDefault{`0`; a few steps help on noisy scans}
-    \cgalParamExtra{at least 0}
+    \cgalParamExtra{from 0 to 100000}
   \cgalParamNEnd
   \cgalParamNBegin{random_seed}
     \cgalParamDescription{chooses the first reference face of each part at random, as in the paper}

@@ -59,7 +59,7 @@ struct Options
   double minimum_segment_size = 0.003;                       ///< in [0, 0.5]
   Part_salience part_salience = Calibrated_part_salience();  ///< not empty
   std::size_t number_of_coarse_faces = 4000;               ///< with 0 the mesh itself is searched
-  std::size_t number_of_smoothing_iterations = 0;            ///< smooths the points
+  std::size_t number_of_smoothing_iterations = 0; ///< smooths the points, at most 10^5 times
   bool smooth_boundaries = false;                           ///< smooths the labels
 
   /// \name Parameters of the Paper
@@ -67,7 +67,7 @@ struct Options
   double geodesic_weight = 0.03;              ///< the first of `distance_weights`, in [0, 1]
   double concave_angle_weight = 1;            ///< the second, finite and not negative
   double convex_angle_weight = 0.1;           ///< the third, finite and not negative
-  std::size_t number_of_reference_faces = 10; ///< at least 1
+  std::size_t number_of_reference_faces = 10; ///< from 1 to 1000
   std::optional<std::uint64_t> random_seed;   ///< chooses the first reference faces at random
   /// @}
 
@@ -137,6 +137,9 @@ inline void check(const Options& o)
   require(is_weight(o.concave_angle_weight) && is_weight(o.convex_angle_weight),
           "the second and third of distance_weights", "finite and not negative");
   require(o.number_of_reference_faces >= 1, "number_of_reference_faces", "at least 1");
+  require(o.number_of_reference_faces <= 1000, "number_of_reference_faces", "at most 1000");
+  require(o.number_of_smoothing_iterations <= 100000, "number_of_smoothing_iterations",
+          "at most 100000");
   require(is_weight(o.concavity_radius), "concavity_radius", "finite and not negative");
   require(o.number_of_regions >= 1, "number_of_regions", "at least 1");
 }

@@ -50,9 +50,9 @@ std::size_t read_number_of_iterations(const Pack& pack)
     CGAL::parameters::get_parameter(pack, CGAL::internal_np::number_of_iterations), 15);
   static_assert(Spectral_segmentation::internal_np::is_count<std::decay_t<decltype(iterations)> >
                   ::value, "number_of_iterations takes an integer");
-  if (iterations < decltype(iterations)(0))
-    throw std::invalid_argument("refine_segment_boundaries: number_of_iterations must be at least "
-                                "0");
+  if (iterations < decltype(iterations)(0) || static_cast<std::size_t>(iterations) > 100000)
+    throw std::invalid_argument("refine_segment_boundaries: number_of_iterations must be from 0 to "
+                                "100000");
   return static_cast<std::size_t>(iterations);
 }
 
@@ -116,7 +116,7 @@ two. The memory is O(*n*).
       farther from the edges that they replace.}
     \cgalParamType{an integer}
     \cgalParamDefault{`15`}
-    \cgalParamExtra{at least 0; with 0 the curves only cut off the corners of the boundaries}
+    \cgalParamExtra{from 0 to 100000; with 0 the curves only cut off the corners of the boundaries}
   \cgalParamNEnd
   \cgalParamNBegin{vertex_point_map}
     \cgalParamDescription{the points of the vertices of `mesh`}
@@ -138,7 +138,7 @@ two. The memory is O(*n*).
 \return the number of faces that were split
 
 \throws std::invalid_argument if a face is not a triangle, a coordinate is not finite, or
-  `number_of_iterations` is negative
+  `number_of_iterations` is out of its range
 
 If the function throws an exception, the mesh and the ids have not been changed, unless the mesh or
 a property map throws while it grows.
@@ -241,7 +241,7 @@ orientation.
 
 \throws std::invalid_argument if a triangle does not have three corners, a corner is not the index
   of a point, a coordinate of a corner is not finite, the number of ids is not the number of
-  triangles, or `number_of_iterations` is negative
+  triangles, or `number_of_iterations` is out of its range
 \throws std::overflow_error if there are more points than the type of the corners can number
 
 If the input causes an exception, nothing has been changed.

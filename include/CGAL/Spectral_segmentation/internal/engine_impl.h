@@ -144,6 +144,8 @@ class Run
     normalize_mesh();
     if (!options_.keep_components_separate && mesh_.components.number > 1)
       weld_borders(mesh_);
+    if (mesh_.components.number > 1) // thousands may share a vertex, and all their leaves
+      separate_vertices(mesh_, mesh_.components);
     mesh_.groups.clear(); // they are components now
     if (monitor_.go_further())
       order_faces();

@@ -8,6 +8,7 @@
 #include <CGAL/Spectral_segmentation/internal/grid/Grid.h>
 #include <CGAL/Spectral_segmentation/internal/grid/Nearest_elements.h>
 #include <CGAL/Spectral_segmentation/internal/surface/connected_components.h>
+#include <CGAL/Spectral_segmentation/internal/surface/number_of_added_faces.h>
 #include <CGAL/Spectral_segmentation/internal/grid/triangle_geometry.h>
 
 #include <algorithm>
@@ -20,7 +21,7 @@
 namespace CGAL::Spectral_segmentation::internal {
 
 // The contact of two sets of faces. Lengths are measured in cells of a grid of at most a hundred
-// cells along the mesh.
+// cells along the longest side of the bounding box.
 struct Set_contact
 {
   Index sets[2]; // the smaller first
@@ -28,16 +29,27 @@ struct Set_contact
   std::size_t area; // where the sets are nearer than 1.5 cells, in faces of cells
 };
 
+// Returns how many cells there are along the longest side of the bounding box. Few faces get few
+// cells. Cells are larger if faces would be cut into more than a million pieces: large faces, of
+// which there are few in a usual mesh, or many needles.
+inline double number_of_cells(const Surface& mesh, double extent)
+{
+  constexpr double largest_number_of_pieces = 1e6;
+  const std::vector<double> longest = longest_edges_of_faces(Execution::SEQUENTIAL, mesh);
+  double result = (std::min)(100., 4 * std::sqrt(static_cast<double>(mesh.number_of_faces())));
+  while (result > 1 &&
+         number_of_added_faces(mesh, longest, extent / result) > largest_number_of_pieces)
+    result *= 0.8;
+  return result;
+}
+
 // Returns the contacts of sets that are neighbors, the smallest gap first. They connect all sets.
 inline std::vector<Set_contact> set_contacts(const Surface& mesh,
                                              const std::vector<Index>& set_of_face)
 {
-  // The cells are counted along the longest side of the bounding box. Few faces get few cells.
-  const double number_of_cells =
-    (std::min)(100., 4 * std::sqrt(static_cast<double>(mesh.number_of_faces())));
   Bounding_box box(mesh.points);
   const double extent = (box.largest - box.smallest).largest_coordinate();
-  const double scale = extent > 0 ? number_of_cells / extent : 0;
+  const double scale = extent > 0 ? number_of_cells(mesh, extent) / extent : 0;
   std::vector<Vector> points; // one per piece
   std::vector<Index> set;     // one per piece
   for (Index f = 0; f < mesh.number_of_faces(); ++f) {

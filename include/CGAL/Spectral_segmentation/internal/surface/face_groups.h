@@ -22,27 +22,34 @@ inline std::vector<Index> groups_of_vertices(const Surface& surface)
   return result;
 }
 
+// Gives each part its own vertices, by copies. A part is a set of faces, which has a number.
+template <class PartOfFace>
+void separate_vertices(Surface& surface, const PartOfFace& part_of_face)
+{
+  std::vector<Index> part(surface.points.size(), null_index); // the part that keeps the vertex
+  std::map<std::pair<Index, Index>, Index> copies;            // of a vertex, for another part
+  for (Index f = 0; f < surface.number_of_faces(); ++f)
+    for (Index& v : surface.corners[f]) {
+      const Index p = part_of_face[f];
+      if (part[v] == null_index)
+        part[v] = p;
+      if (part[v] == p)
+        continue;
+      const auto [copy, is_new] =
+        copies.emplace(std::make_pair(v, p), static_cast<Index>(surface.points.size()));
+      if (is_new)
+        surface.points.push_back(Vector(surface.points[v]));
+      v = copy->second;
+    }
+}
+
 // Separates the groups of faces: each gets its own vertices, and edges between groups become
 // borders.
 inline void separate_groups(Surface& surface)
 {
   if (surface.groups.empty())
     return;
-  std::vector<Index> group(surface.points.size(), null_index); // the group that keeps the vertex
-  std::map<std::pair<Index, Index>, Index> copies;             // of a vertex, for another group
-  for (Index f = 0; f < surface.number_of_faces(); ++f)
-    for (Index& v : surface.corners[f]) {
-      const Index g = surface.groups[f];
-      if (group[v] == null_index)
-        group[v] = g;
-      if (group[v] == g)
-        continue;
-      const auto [copy, is_new] =
-        copies.emplace(std::make_pair(v, g), static_cast<Index>(surface.points.size()));
-      if (is_new)
-        surface.points.push_back(surface.points[v]);
-      v = copy->second;
-    }
+  separate_vertices(surface, surface.groups);
   for (Index h = 0; h < surface.opposite.size(); ++h)
     if (const Index o = surface.opposite[h]; surface.groups[h / 3] != surface.groups[o / 3]) {
       surface.opposite[h] = h;
