@@ -11,6 +11,7 @@
 #include "segment_mesh/Run_watch.h"
 #include "segment_mesh/closed_soup.h"
 #include "segment_mesh/is_terminal.h"
+#include "segment_mesh/mesh_file/is_inside_out.h"
 #include "segment_mesh/option_texts.h"
 #include "segment_mesh/page/write_page.h"
 #include "segment_mesh/part_tree.h"
@@ -93,6 +94,7 @@ struct Options
   bool smooth_boundaries = false;
   bool keep_components_separate = false;
   bool keep_groups = false;
+  bool allow_external_files = false;
   bool keep_faces = false;
   bool close = false;
   bool quiet = false;
@@ -221,6 +223,10 @@ void add_options(CLI::App& app, Options& o)
   app.add_flag("--keep-groups", o.keep_groups,
                "keep the objects and groups of IN apart as if each was a component; those of .obj, "
                "and the nodes of files that Assimp reads");
+  app.add_flag("--allow-external-files", o.allow_external_files,
+               "read files that IN names, such as buffers of glTF, wherever they are; otherwise "
+               "they must be in the folder of IN, so that a file from a stranger cannot publish "
+               "yours");
   app.add_flag("--keep-faces", o.keep_faces,
                "write meshes and pages with the faces of IN, so that boundaries run along their "
                "edges in zigzag; otherwise faces are split along smooth boundaries. Labels always "
@@ -449,7 +455,14 @@ Json run(const Options& o)
   const Expected_seconds first_guess(bytes, bytes / 20, writes_triangles);
   watch.start_phase("reading", first_guess.reading, first_guess.joining + first_guess.segmenting +
                                                       first_guess.writing);
-  Scene scene = read_scene(o.input, writes_meshes);
+  Scene scene;
+  try {
+    scene = read_scene(o.input, writes_meshes, {o.time_limit, o.allow_external_files});
+  }
+  catch (const Failure&) {
+    watch.end_phase(); // fails if the reader has taken all the time
+    throw;
+  }
   const Expected_seconds expected(bytes, static_cast<double>(scene.soup.number_of_polygons()),
                                   writes_triangles);
   watch.start_phase("joining", expected.joining, expected.segmenting + expected.writing);
@@ -487,6 +500,10 @@ Json run(const Options& o)
   if (!o.quiet) {
     print_summary(o.writes_to_standard_output() ? std::cerr : std::cout, o, input,
                   number_of_segments, watch.seconds());
+    if (mesh_file::is_inside_out(input.soup.points, input.triangles))
+      std::cerr << "segment_mesh: warning: the faces of " << o.input << " point inwards; turned "
+                   "around, they may have other parts, because parts end in concave seams"
+                << std::endl;
     if (o.segments && number_of_segments > *o.segments)
       std::cerr << "segment_mesh: warning: more than " << *o.segments
                 << " segments, because each connected component is at least one" << std::endl;

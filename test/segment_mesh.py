@@ -17,6 +17,7 @@ import struct
 import subprocess
 import sys
 import tempfile
+import time
 import unittest
 import xml.etree.ElementTree
 import zipfile
@@ -534,6 +535,31 @@ class Real_meshes(Tool_test):
         self.assert_failure("output", "in.off", "-o", "large.3mf",
                             sentence="too large for the numbers of 3MF")
 
+    def test_too_small_for_3mf(self):
+        points, faces = read_off(MESHES / "elephant.off")
+        self.write_off([tuple(1e-7 * x for x in p) for p in points], faces)
+        self.assert_failure("output", "in.off", "-o", "small.3mf", sentence="too small for")
+
+    def test_too_large_for_stl(self):
+        points, faces = read_off(MESHES / "elephant.off")
+        self.write_off([tuple(1e40 * x for x in p) for p in points], faces)
+        self.assert_failure("output", "in.off", "--split-dir", "parts", "--split-format", "stl",
+                            sentence="too large for the numbers of STL")
+
+    def test_inside_out(self):
+        """Only a closed mesh whose faces agree has an inside."""
+        points, faces = read_off(MESHES / "elephant.off")
+        turned = [face[::-1] for face in faces]
+        for given, warns in ((faces, False), (turned, True), (turned[1:], False),
+                             (faces[:1] + turned[1:], False)):
+            done = self.run_tool(self.write_off(points, given), "--labels", "out.seg")
+            self.assertEqual(done.returncode, 0)
+            self.assertEqual("the faces of in.off point inwards" in done.stderr, warns)
+
+    def test_obj_needs_a_name_in_one_line(self):
+        self.assert_failure("usage", MESHES / "elephant.off", "-o", "a\nb.obj",
+                            sentence="line break")
+
     def test_closed_parts_fill_the_mesh(self):
         def volume(points, faces):
             return sum(
@@ -1025,6 +1051,38 @@ class Scenes(Tool_test):
                 points = self.ply().points
                 for face, written in zip(self.faces, self.ply().faces):
                     self.assertEqual([self.points[v] for v in face], [points[v] for v in written])
+
+    def test_files_outside_of_the_folder(self):
+        """Are read on request only, whatever way a file names them."""
+        text, data = gltf(self.nodes, False)
+        (self.directory / "in").mkdir()
+        (self.directory / "inside").mkdir() # begins like the folder
+        for place in ("outside.bin", "inside/outside.bin", "in/beside.bin"):
+            (self.directory / place).write_bytes(data)
+        (self.directory / "in/link.bin").symlink_to("../outside.bin")
+        (self.directory / "in/link_beside.bin").symlink_to("beside.bin")
+        os.mkfifo(self.directory / "in/pipe.bin")
+        name = "in/a.gltf"
+
+        def run(uri, *options):
+            buffer = b'"buffers": [{"uri": "%s", ' % str(uri).encode()
+            (self.directory / name).write_bytes(text.replace(b'"buffers": [{', buffer))
+            return self.run_tool(name, "--labels", "out.seg", "--quiet", *options)
+
+        self.assertEqual((run("beside.bin").returncode, run("link_beside.bin").returncode), (0, 0))
+        expected = self.labels()
+        for uri in ("../outside.bin", "../inside/outside.bin", "link.bin"):
+            done = run(uri)
+            self.assertEqual(done.returncode, STATUSES.index("mesh"), uri)
+            self.assertIn("--allow-external-files reads it", done.stderr)
+            self.assertEqual(run(uri, "--allow-external-files").returncode, 0)
+            self.assertEqual(self.labels(), expected)
+        for uri in ("pipe.bin", self.directory / "outside.bin"):
+            self.assertEqual(run(uri).returncode, STATUSES.index("mesh"), uri)
+        start = time.monotonic() # the time limit holds for the reader, too
+        done = run("pipe.bin", "--allow-external-files", "--time-limit", "1")
+        self.assertEqual(done.returncode, STATUSES.index("time"), done.stderr)
+        self.assertLess(time.monotonic() - start, 20)
 
     def test_damaged_files(self):
         cases = {extension: [writer(self.nodes)[:-3000], b"", b"Dear Sir"]

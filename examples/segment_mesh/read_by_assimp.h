@@ -13,6 +13,7 @@
 #include <cstdint>
 #include <exception>
 #include <filesystem>
+#include <limits>
 #include <stdexcept>
 #include <string>
 #include <string_view>
@@ -27,6 +28,7 @@
 #ifdef SEGMENT_MESH_READS_BY_ASSIMP
 #include "read_in_child_process.h"
 
+#include <assimp/DefaultIOSystem.h>
 #include <assimp/Exceptional.h>
 #include <assimp/Importer.hpp>
 #include <assimp/config.h>
@@ -41,6 +43,13 @@ struct Scene
 {
   mesh_file::Polygon_soup soup;
   std::vector<std::string> node_names, mesh_names; // as in the file, but without control characters
+};
+
+// What a file may make the program do.
+struct Reading_limits
+{
+  double seconds = std::numeric_limits<double>::infinity();
+  bool allows_external_files = false; // files outside of its folder, which it names
 };
 
 #ifdef SEGMENT_MESH_READS_BY_ASSIMP
@@ -194,18 +203,65 @@ inline std::string error_sentence(const Assimp::Importer& importer)
   return is_clear_sentence(result) ? result : own_sentence;
 }
 
+// The file that the user has named, and the files in its folder, also behind links: the file names
+// them, and who has made it may not be trusted. Other files are not there for Assimp.
+class Files_of_folder : public Assimp::DefaultIOSystem
+{
+  const std::string name_;
+  const std::filesystem::path folder_;
+  mutable std::string refused_;
+
+  bool is_allowed(const std::string& name) const
+  {
+    std::error_code error;
+    const std::filesystem::path file = std::filesystem::canonical(name, error);
+    if (name == name_ || error) // what does not exist cannot be opened
+      return true;
+    const bool is_inside =
+      std::mismatch(folder_.begin(), folder_.end(), file.begin(), file.end()).first ==
+      folder_.end();
+    if (is_inside && is_regular_file(file))
+      return true;
+    if (refused_.empty())
+      refused_ = name;
+    return false;
+  }
+
+public:
+  explicit Files_of_folder(const std::string& name)
+    : name_(name), folder_(std::filesystem::canonical(name).parent_path()) {}
+
+  bool Exists(const char* name) const override
+  { return is_allowed(name) && DefaultIOSystem::Exists(name); }
+
+  Assimp::IOStream* Open(const char* name, const char* mode) override
+  { return is_allowed(name) ? DefaultIOSystem::Open(name, mode) : nullptr; }
+
+  // Returns a sentence about a file that was not opened, or an empty one.
+  std::string error() const
+  {
+    if (refused_.empty())
+      return "";
+    std::string name = refused_.substr(0, 100);
+    std::replace_if(name.begin(), name.end(), [](char c) { return c < ' ' || c > '~'; }, '?');
+    return "it names " + name + ", which is no file in its folder; --allow-external-files reads it";
+  }
+};
+
 // In the child process: sends an error sentence, which may be empty, and the scene.
-inline void send_scene(const std::string& name, Child_output output)
+inline void send_scene(const std::string& name, bool allows_external_files, Child_output output)
 {
   Assimp::Importer importer;
+  Files_of_folder* const files = allows_external_files ? nullptr : new Files_of_folder(name);
+  importer.SetIOHandler(files); // which owns them; without, any file may be read
   importer.SetPropertyBool(AI_CONFIG_IMPORT_NO_SKELETON_MESHES, true);
   const auto send_error = [&](const std::string& sentence)
   { output.send(std::vector<char>(sentence.begin(), sentence.end())); };
   const aiScene* const scene = importer.ReadFile(name, 0);
-  if (!scene) {
-    send_error(error_sentence(importer));
-    return;
-  }
+  if (files && !files->error().empty())
+    return send_error(files->error());
+  if (!scene)
+    return send_error(error_sentence(importer));
   try {
     const Scene_flattening flattening(*scene);
     send_error("");
@@ -311,12 +367,12 @@ public:
 };
 
 // For a file of this size. A file may name others, which also need memory.
-inline Child_limits limits_of_assimp(double size_of_file)
+inline Child_limits limits_of_assimp(double size_of_file, double seconds)
 {
   const double physical_memory =
     static_cast<double>(sysconf(_SC_PHYS_PAGES)) * static_cast<double>(sysconf(_SC_PAGESIZE));
   const double memory = (std::min)(4e9 + 64 * size_of_file, physical_memory);
-  return {static_cast<std::size_t>(memory), 60 + size_of_file / 1e6};
+  return {static_cast<std::size_t>(memory), (std::min)(60 + size_of_file / 1e6, seconds)};
 }
 
 // The extension has its dot; its case does not matter.
@@ -325,27 +381,24 @@ inline bool assimp_reads(const std::string& extension)
 
 // Reads glTF, FBX, Collada and all else that Assimp reads, with all transformations applied; a
 // mirrored mesh keeps its outside. Throws `std::runtime_error`, with a sentence.
-inline Scene read_by_assimp(const std::string& name, const Child_limits& limits)
-{
-  Child_process child(limits, [&](Child_output output) { send_scene(name, output); });
-  return Scene_receiver(child)();
-}
-
-inline Scene read_by_assimp(const std::string& name)
+inline Scene read_by_assimp(const std::string& name, const Reading_limits& limits = {})
 {
   if (!assimp_reads(std::filesystem::path(name).extension().string()))
     throw std::runtime_error("the formats are OFF, OBJ, PLY, STL and those of Assimp, such as "
                              "glTF, FBX and Collada");
   std::error_code error;
   const std::uintmax_t size = std::filesystem::file_size(name, error);
-  return read_by_assimp(name, limits_of_assimp(error ? 0 : static_cast<double>(size)));
+  Child_process child(limits_of_assimp(error ? 0 : static_cast<double>(size), limits.seconds),
+                      [&](Child_output output)
+                      { send_scene(name, limits.allows_external_files, output); });
+  return Scene_receiver(child)();
 }
 
 #else
 
 inline bool assimp_reads(const std::string&) { return false; }
 
-inline Scene read_by_assimp(const std::string&)
+inline Scene read_by_assimp(const std::string&, const Reading_limits& = {})
 {
 #ifdef SEGMENT_MESH_WITH_ASSIMP
   throw std::runtime_error("the formats are OFF, OBJ, PLY and STL; glTF, FBX and more need a POSIX "

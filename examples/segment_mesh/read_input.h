@@ -71,7 +71,8 @@ inline void check_is_file(const std::string& name)
 
 // Throws `Failure` if the file has no mesh. Names of nodes and meshes are those of formats that
 // Assimp reads.
-inline Scene read_scene(const std::string& name, bool keeps_properties)
+inline Scene read_scene(const std::string& name, bool keeps_properties,
+                        const Reading_limits& limits = {})
 {
   const bool is_stream = name == "-";
   if (!is_stream)
@@ -81,7 +82,7 @@ inline Scene read_scene(const std::string& name, bool keeps_properties)
   Scene scene;
   try {
     if (format == mesh_file::Format::UNKNOWN && !is_stream) {
-      scene = read_by_assimp(name);
+      scene = read_by_assimp(name, limits);
     }
     else {
       const std::string bytes = read_bytes(name);

@@ -17,8 +17,10 @@
 
 #include <Model/COM/NMR_DLLInterfaces.h>
 
+#include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <limits>
 #include <memory>
 #include <vector>
 #endif
@@ -91,6 +93,23 @@ class Lib3mf_writer
   template <class T>
   static std::string bytes_of(const std::vector<T>& values)
   { return {reinterpret_cast<const char*>(values.data()), values.size() * sizeof(T)}; }
+
+  // Throws if the six decimals of the numbers would lose the shape.
+  void check_size() const
+  {
+    double extent = 0;
+    for (std::size_t k = 0; k < 3; ++k) {
+      double smallest = std::numeric_limits<double>::infinity(), largest = -smallest;
+      for (Index v : mesh_.soup.corners) {
+        smallest = (std::min)(smallest, mesh_.soup.points[v][k]);
+        largest = (std::max)(largest, mesh_.soup.points[v][k]);
+      }
+      extent = (std::max)(extent, largest - smallest);
+    }
+    if (extent > 0 && extent < 1e-3)
+      throw Failure(Status::OUTPUT, "the mesh is too small for the numbers of 3MF, which are "
+                                    "millimeters with six decimals; scale it");
+  }
 
   static NMR::MODELMESHVERTEX vertex(const mesh_file::Point& point)
   {
@@ -213,6 +232,7 @@ public:
 
   void operator()(std::ostream& out)
   {
+    check_size();
     call(NMR::lib3mf_model_setunit, model_, DWORD(NMR::MODELUNIT_MILLIMETER));
     const Object root = root_object();
     if (root.instance) {
@@ -229,7 +249,8 @@ public:
   }
 };
 
-// `out` must be at its begin, and one that can seek. Throws if the coordinates are too large.
+// `out` must be at its begin, and one that can seek. Throws if the coordinates are too large or the
+// mesh is too small.
 inline void write_3mf(std::ostream& out, const mesh_file::Segmented_mesh& mesh)
 { Lib3mf_writer{mesh}(out); }
 

@@ -54,6 +54,10 @@ inline void check_output_format(const std::filesystem::path& name, bool is_part)
   if (!has_lib3mf && is_3mf(mesh_file::output_extension(name)))
     throw Failure(Status::USAGE, "cannot write " + name.string() + ": this build has no 3MF, which "
                                  "needs lib3mf at build time");
+  const std::string file = name.filename().string();
+  if (mesh_file::output_extension(name) == ".obj" && file.find_first_of("\r\n") != file.npos)
+    throw Failure(Status::USAGE, "the name of an OBJ file has a line break, but the file has to "
+                                 "name its materials in one line");
   try {
     mesh_file::check_output_format(name, is_part, has_lib3mf ? ".3mf" : "");
   }
@@ -66,9 +70,13 @@ inline void write_mesh(std::ostream& out, const std::string& extension,
                        const mesh_file::Segmented_mesh& mesh, const std::string& materials = "")
 {
   if (is_3mf(extension))
-    write_3mf(out, mesh);
-  else
+    return write_3mf(out, mesh);
+  try {
     mesh_file::write_mesh_file(out, extension, mesh, materials);
+  }
+  catch (const std::runtime_error& e) { // a coordinate is too large for the format
+    throw Failure(Status::OUTPUT, e.what());
+  }
 }
 
 // In the format that the name tells. OBJ has its colors in a file beside it.
