@@ -16,6 +16,7 @@
 #include <array>
 #include <cstddef>
 #include <cstring>
+#include <ctime>
 #include <functional>
 #include <iterator>
 #include <limits>
@@ -349,6 +350,36 @@ BOOST_AUTO_TEST_CASE(each_contradiction_is_named)
   BOOST_CHECK_THROW(read_back(std::string(1000000, '[')), std::runtime_error);
   const std::string deep = std::string(100000, '[') + std::string(100000, ']');
   BOOST_CHECK_THROW(read_back("{\"format\": " + deep + "}"), std::runtime_error);
+}
+
+// Compared with nlohmann-json, whose objects are search trees.
+BOOST_AUTO_TEST_CASE(reading_takes_linear_time)
+{
+  CGAL::Spectral_segmentation::internal::Cut_hierarchy cuts;
+  cuts.number_of_roots = 1;
+  cuts.nodes.resize(1);
+  cuts.nodes[0].area = 40001;
+  for (std::size_t i = 0; i < 80000; i += 2) { // each cut separates one face
+    cuts.cut(i, 1, cuts.nodes[i].area - 1);
+    cuts.nodes[i].cut_state = CGAL::Spectral_segmentation::internal::Cut_state::CUT;
+    cuts.cut_order.push_back(i);
+    cuts.leaf.push_back(static_cast<Index>(i + 1));
+  }
+  cuts.leaf.push_back(80000);
+  const std::string many_cuts = written(Segmentation_hierarchy(cuts, unlimited, 0), Nodes{0});
+  std::string many_keys = written(small_hierarchy());
+  many_keys.resize(many_keys.rfind('}'));
+  for (int i = 0; i < 100000; ++i)
+    many_keys += ",\"key" + std::to_string(i) + "\":0";
+  many_keys += "}";
+  const auto seconds = [](const auto& function) {
+    const std::clock_t start = std::clock();
+    function();
+    return double(std::clock() - start) / CLOCKS_PER_SEC;
+  };
+  for (const std::string& text : {many_cuts, many_keys})
+    BOOST_TEST(seconds([&] { read_back(text); }) <
+               2 * seconds([&] { return nlohmann::json::parse(text); }));
 }
 
 // Whatever is read is a hierarchy whose functions work.
