@@ -210,6 +210,23 @@ BOOST_AUTO_TEST_CASE(a_hierarchy_with_constraints_is_read_back)
   check_round_trip(hierarchy_of(mesh, parameters::face_seed_map(seeds).smooth_boundaries(true)));
 }
 
+// With a large minimum size the search finds few cuts, and segments are halved.
+BOOST_AUTO_TEST_CASE(an_exact_number_of_segments_is_read_back)
+{
+  for (unsigned seed = 0; seed < 200; ++seed)
+    BOOST_TEST_CONTEXT("seed " << seed) {
+      Random random(seed);
+      const std::size_t nu = 3 + random() % 3, nv = 3 + random() % 3;
+      const Mesh mesh = mesh_of(displaced(torus(1, 0.4, nu, nv), 0.1, random));
+      const std::size_t n = 2 + random() % (num_faces(mesh) - 1);
+      const Segmentation_hierarchy hierarchy = hierarchy_of(
+        mesh, parameters::zhang_liu_2005().number_of_segments(n).minimum_segment_size(0.25));
+      for (std::size_t k = 1; k <= n; ++k)
+        BOOST_TEST(number_of(labels_of_number(hierarchy, k)) == k);
+      check_round_trip(hierarchy);
+    }
+}
+
 BOOST_AUTO_TEST_CASE(changes_by_hand_are_kept)
 {
   const Mesh mesh = mesh_of(doll());
