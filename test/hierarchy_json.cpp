@@ -20,6 +20,7 @@
 #include <functional>
 #include <iterator>
 #include <limits>
+#include <numeric>
 #include <random>
 #include <set>
 #include <sstream>
@@ -239,6 +240,39 @@ BOOST_AUTO_TEST_CASE(changes_by_hand_are_kept)
   Nodes again;
   check_equal(read_hierarchy(in, again), hierarchy);
   BOOST_TEST(again == nodes, tt::per_element());
+}
+
+BOOST_AUTO_TEST_CASE(a_hierarchy_of_duplicate_faces_is_read_back)
+{
+  std::size_t changes = 0;
+  for (unsigned seed = 0; seed < 20; ++seed)
+    BOOST_TEST_CONTEXT("seed " << seed) {
+      Random random(seed);
+      Soup soup = displaced(seed % 2 == 0 ? sphere(2) : dumbbell(8, 8), 0.3, random);
+      const std::size_t n = soup.triangles.size();
+      std::vector<std::size_t> first(n);
+      std::iota(first.begin(), first.end(), std::size_t(0));
+      for (std::size_t i = 0; i < n; ++i) {
+        first.push_back(random() % n);
+        soup.triangles.push_back(soup.triangles[first.back()]);
+      }
+      Segmentation_hierarchy hierarchy;
+      Labels labels(2 * n);
+      CGAL::segment_spectral_recursive(
+        soup.points, soup.triangles, labels.data(),
+        parameters::hierarchy(hierarchy).number_of_segments(8).smooth_boundaries(true));
+      for (std::size_t k = 1; k <= 8; ++k) {
+        labels = labels_of_number(hierarchy, k);
+        BOOST_TEST(number_of(labels) == k);
+        for (std::size_t f = 0; f < labels.size(); ++f)
+          BOOST_TEST(labels[f] == labels[first[f]]);
+      }
+      for (std::size_t i : hierarchy.nodes())
+        for (std::size_t f : hierarchy.faces(i))
+          changes += labels[f] != labels[*hierarchy.faces(i).begin()];
+      check_round_trip(hierarchy);
+    }
+  BOOST_TEST(changes > 100);
 }
 
 // Compared with the halfedges and the faces of the segments.

@@ -166,8 +166,8 @@ class Run
     return result;
   }
 
-  // Sets the neighbors. Duplicate faces have equal neighbors. A constrained face is its own
-  // neighbor, so that its label stays.
+  // Sets the neighbors. A constrained face is its own neighbor, so that its label stays. The only
+  // neighbor of a duplicate face is the first face with the same points.
   void set_neighbors()
   {
     const std::vector<Index> callers_face = callers_faces();
@@ -175,7 +175,9 @@ class Run
     for (Index h = 0; h < neighbors_.size(); ++h) {
       const Index f = face_[h / 3];
       const bool is_constrained = !constraints_.empty() && groups_.group[f] != null_index;
-      neighbors_[h] = is_constrained ? h / 3 : callers_face[mesh_.neighbor(3 * f + h % 3)];
+      const bool is_duplicate = callers_face[f] != h / 3;
+      neighbors_[h] = is_constrained ? h / 3
+        : callers_face[is_duplicate ? f : mesh_.neighbor(3 * f + h % 3)];
     }
   }
 

@@ -216,9 +216,13 @@ class Hierarchy_reader
   }
 
   // Returns whether two neighbors are mutual. Smoothing then ends because each step makes
-  // boundaries shorter. A constrained face has itself for neighbors, and is not smoothed.
+  // boundaries shorter. A face with three equal neighbors is never smoothed, because it is
+  // constrained and has itself for neighbors, or because it is a duplicate.
   bool is_neighbor(Index f, Index g) const
-  { return f == g || edges_to(f, g) == edges_to(g, f) || edges_to(g, g) == 3; }
+  {
+    return f == g || edges_to(f, g) == edges_to(g, f) || edges_to(g, g) == 3 ||
+           edges_to(f, g) == 3;
+  }
 
   void read_neighbors()
   {
