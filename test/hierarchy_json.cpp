@@ -14,6 +14,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <cstddef>
 #include <cstring>
 #include <ctime>
@@ -273,6 +274,32 @@ BOOST_AUTO_TEST_CASE(a_hierarchy_of_duplicate_faces_is_read_back)
       check_round_trip(hierarchy);
     }
   BOOST_TEST(changes > 100);
+}
+
+// Compared with the areas in a smaller unit. Powers of two round nothing; the largest is 4e300.
+BOOST_AUTO_TEST_CASE(the_largest_coordinates_have_areas)
+{
+  Soup creased = plate(6, 4); // some faces have no area
+  for (Point& p : creased.points)
+    if (p.x() < 2.5)
+      p = Point(0, p.y(), 0);
+  for (const Soup& soup : {sphere(1), plate(6, 4), creased})
+    for_both_methods([&](const auto& np) {
+      const std::size_t n = soup.triangles.size();
+      const Segmentation_hierarchy expected =
+        hierarchy_of(mesh_of(soup), np.number_of_segments(n));
+      for (int exponent : {498, 510, 520, 700, 998}) {
+        const Mesh mesh = mesh_of(scaled(soup, std::ldexp(1., exponent)));
+        const Segmentation_hierarchy hierarchy = hierarchy_of(mesh, np.number_of_segments(n));
+        for (std::size_t k = 1; k <= n; ++k)
+          BOOST_TEST(labels_of_number(hierarchy, k) == labels_of_number(expected, k),
+                     tt::per_element());
+        for (std::size_t i = 0; i < hierarchy.number_of_nodes(); ++i)
+          BOOST_TEST(hierarchy.node(i).area == std::ldexp(expected.node(i).area, 2 * exponent));
+        check_round_trip(hierarchy);
+        check_equal(read_back(written(hierarchy, hierarchy.nodes(7), mesh)), hierarchy);
+      }
+    });
 }
 
 // Compared with the halfedges and the faces of the segments.

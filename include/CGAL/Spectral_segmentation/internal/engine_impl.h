@@ -350,7 +350,8 @@ class Run
         std::to_string(hierarchy.number_of_segments()) + " segments");
   }
 
-  // Converts face indices and areas back to the caller's indices and unit.
+  // Converts face indices and areas back to the caller's indices and unit. The square of the unit
+  // may be infinite even if an area is not.
   void convert(Cut_hierarchy& hierarchy) const
   {
     std::vector<Index> leaf;
@@ -359,7 +360,7 @@ class Run
       leaf.push_back(hierarchy.leaf[f]);
     hierarchy.leaf = std::move(leaf);
     for (Cut_node& node : hierarchy.nodes)
-      node.area *= unit_ * unit_;
+      node.area = node.area * unit_ * unit_;
   }
 
 public:
