@@ -14,11 +14,14 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <cstddef>
 #include <cstring>
+#include <ctime>
 #include <functional>
 #include <iterator>
 #include <limits>
+#include <numeric>
 #include <random>
 #include <set>
 #include <sstream>
@@ -209,6 +212,23 @@ BOOST_AUTO_TEST_CASE(a_hierarchy_with_constraints_is_read_back)
   check_round_trip(hierarchy_of(mesh, parameters::face_seed_map(seeds).smooth_boundaries(true)));
 }
 
+// With a large minimum size the search finds few cuts, and segments are halved.
+BOOST_AUTO_TEST_CASE(an_exact_number_of_segments_is_read_back)
+{
+  for (unsigned seed = 0; seed < 200; ++seed)
+    BOOST_TEST_CONTEXT("seed " << seed) {
+      Random random(seed);
+      const std::size_t nu = 3 + random() % 3, nv = 3 + random() % 3;
+      const Mesh mesh = mesh_of(displaced(torus(1, 0.4, nu, nv), 0.1, random));
+      const std::size_t n = 2 + random() % (num_faces(mesh) - 1);
+      const Segmentation_hierarchy hierarchy = hierarchy_of(
+        mesh, parameters::zhang_liu_2005().number_of_segments(n).minimum_segment_size(0.25));
+      for (std::size_t k = 1; k <= n; ++k)
+        BOOST_TEST(number_of(labels_of_number(hierarchy, k)) == k);
+      check_round_trip(hierarchy);
+    }
+}
+
 BOOST_AUTO_TEST_CASE(changes_by_hand_are_kept)
 {
   const Mesh mesh = mesh_of(doll());
@@ -221,6 +241,65 @@ BOOST_AUTO_TEST_CASE(changes_by_hand_are_kept)
   Nodes again;
   check_equal(read_hierarchy(in, again), hierarchy);
   BOOST_TEST(again == nodes, tt::per_element());
+}
+
+BOOST_AUTO_TEST_CASE(a_hierarchy_of_duplicate_faces_is_read_back)
+{
+  std::size_t changes = 0;
+  for (unsigned seed = 0; seed < 20; ++seed)
+    BOOST_TEST_CONTEXT("seed " << seed) {
+      Random random(seed);
+      Soup soup = displaced(seed % 2 == 0 ? sphere(2) : dumbbell(8, 8), 0.3, random);
+      const std::size_t n = soup.triangles.size();
+      std::vector<std::size_t> first(n);
+      std::iota(first.begin(), first.end(), std::size_t(0));
+      for (std::size_t i = 0; i < n; ++i) {
+        first.push_back(random() % n);
+        soup.triangles.push_back(soup.triangles[first.back()]);
+      }
+      Segmentation_hierarchy hierarchy;
+      Labels labels(2 * n);
+      CGAL::segment_spectral_recursive(
+        soup.points, soup.triangles, labels.data(),
+        parameters::hierarchy(hierarchy).number_of_segments(8).smooth_boundaries(true));
+      for (std::size_t k = 1; k <= 8; ++k) {
+        labels = labels_of_number(hierarchy, k);
+        BOOST_TEST(number_of(labels) == k);
+        for (std::size_t f = 0; f < labels.size(); ++f)
+          BOOST_TEST(labels[f] == labels[first[f]]);
+      }
+      for (std::size_t i : hierarchy.nodes())
+        for (std::size_t f : hierarchy.faces(i))
+          changes += labels[f] != labels[*hierarchy.faces(i).begin()];
+      check_round_trip(hierarchy);
+    }
+  BOOST_TEST(changes > 100);
+}
+
+// Compared with the areas in a smaller unit. Powers of two round nothing; the largest is 4e300.
+BOOST_AUTO_TEST_CASE(the_largest_coordinates_have_areas)
+{
+  Soup creased = plate(6, 4); // some faces have no area
+  for (Point& p : creased.points)
+    if (p.x() < 2.5)
+      p = Point(0, p.y(), 0);
+  for (const Soup& soup : {sphere(1), plate(6, 4), creased})
+    for_both_methods([&](const auto& np) {
+      const std::size_t n = soup.triangles.size();
+      const Segmentation_hierarchy expected =
+        hierarchy_of(mesh_of(soup), np.number_of_segments(n));
+      for (int exponent : {498, 510, 520, 700, 998}) {
+        const Mesh mesh = mesh_of(scaled(soup, std::ldexp(1., exponent)));
+        const Segmentation_hierarchy hierarchy = hierarchy_of(mesh, np.number_of_segments(n));
+        for (std::size_t k = 1; k <= n; ++k)
+          BOOST_TEST(labels_of_number(hierarchy, k) == labels_of_number(expected, k),
+                     tt::per_element());
+        for (std::size_t i = 0; i < hierarchy.number_of_nodes(); ++i)
+          BOOST_TEST(hierarchy.node(i).area == std::ldexp(expected.node(i).area, 2 * exponent));
+        check_round_trip(hierarchy);
+        check_equal(read_back(written(hierarchy, hierarchy.nodes(7), mesh)), hierarchy);
+      }
+    });
 }
 
 // Compared with the halfedges and the faces of the segments.
@@ -349,6 +428,36 @@ BOOST_AUTO_TEST_CASE(each_contradiction_is_named)
   BOOST_CHECK_THROW(read_back(std::string(1000000, '[')), std::runtime_error);
   const std::string deep = std::string(100000, '[') + std::string(100000, ']');
   BOOST_CHECK_THROW(read_back("{\"format\": " + deep + "}"), std::runtime_error);
+}
+
+// Compared with nlohmann-json, whose objects are search trees.
+BOOST_AUTO_TEST_CASE(reading_takes_linear_time)
+{
+  CGAL::Spectral_segmentation::internal::Cut_hierarchy cuts;
+  cuts.number_of_roots = 1;
+  cuts.nodes.resize(1);
+  cuts.nodes[0].area = 40001;
+  for (std::size_t i = 0; i < 80000; i += 2) { // each cut separates one face
+    cuts.cut(i, 1, cuts.nodes[i].area - 1);
+    cuts.nodes[i].cut_state = CGAL::Spectral_segmentation::internal::Cut_state::CUT;
+    cuts.cut_order.push_back(i);
+    cuts.leaf.push_back(static_cast<Index>(i + 1));
+  }
+  cuts.leaf.push_back(80000);
+  const std::string many_cuts = written(Segmentation_hierarchy(cuts, unlimited, 0), Nodes{0});
+  std::string many_keys = written(small_hierarchy());
+  many_keys.resize(many_keys.rfind('}'));
+  for (int i = 0; i < 100000; ++i)
+    many_keys += ",\"key" + std::to_string(i) + "\":0";
+  many_keys += "}";
+  const auto seconds = [](const auto& function) {
+    const std::clock_t start = std::clock();
+    function();
+    return double(std::clock() - start) / CLOCKS_PER_SEC;
+  };
+  for (const std::string& text : {many_cuts, many_keys})
+    BOOST_TEST(seconds([&] { read_back(text); }) <
+               2 * seconds([&] { return nlohmann::json::parse(text); }));
 }
 
 // Whatever is read is a hierarchy whose functions work.

@@ -80,7 +80,9 @@ public:
     /// twice for a leaf
     size_type children[2];
 
-    double area;           ///< in the square of the unit of the mesh's coordinates
+    /// in the square of the unit of the mesh's coordinates; infinite if it is above the largest
+    /// number
+    double area;
     Cut_state cut_state;   ///< the outcome of the search for its cut
 
     /// the salience of the best cut; 0 if there is none or it was not searched, infinite between

@@ -24,7 +24,6 @@
 #include <istream>
 #include <ostream>
 #include <stdexcept>
-#include <string>
 #include <type_traits>
 #include <vector>
 
@@ -62,27 +61,6 @@ inline void write_hierarchy(std::ostream& os, const Segmentation_hierarchy& h,
     segment_extents(triangles.points, triangles.corners, labels, nodes.size()));
   add_faces(h, json);
   write_json(os, json);
-}
-
-// Parses the JSON of a hierarchy, which is five levels deep. Rejects deeper JSON, because it could
-// overflow the stack.
-inline Json parsed(std::istream& is)
-{
-  const auto check_depth = [](int depth, Json::parse_event_t, const Json&) {
-    if (depth > 10)
-      throw std::runtime_error("read_hierarchy: the JSON is nested too deep");
-    return true;
-  };
-  try {
-    return Json::parse(is, check_depth);
-  }
-  catch (const Json::parse_error& e) {
-    throw std::runtime_error("read_hierarchy: the JSON is not well-formed at byte " +
-                             std::to_string(e.byte));
-  }
-  catch (const Json::exception&) {
-    throw std::runtime_error("read_hierarchy: a number is too large");
-  }
 }
 
 } // namespace internal
@@ -208,10 +186,7 @@ time and the memory are linear in the size of the text.
   itself, or has another version
 */
 inline Segmentation_hierarchy read_hierarchy(std::istream& is)
-{
-  const internal::Json json = internal::parsed(is);
-  return internal::Hierarchy_reader(json)();
-}
+{ return internal::Hierarchy_reader(is)(); }
 
 /*!
 \ingroup PkgSpectralSegmentationRef
@@ -223,9 +198,9 @@ reads a hierarchy, like the function above, and the nodes of the chosen segments
 */
 inline Segmentation_hierarchy read_hierarchy(std::istream& is, std::vector<std::size_t>& nodes)
 {
-  const internal::Json json = internal::parsed(is);
-  Segmentation_hierarchy result = internal::Hierarchy_reader(json)();
-  nodes = internal::Hierarchy_reader::segments(json, result);
+  internal::Hierarchy_reader reader(is);
+  Segmentation_hierarchy result = reader();
+  nodes = reader.segments(result);
   return result;
 }
 

@@ -168,8 +168,8 @@ class Run
     return result;
   }
 
-  // Sets the neighbors. Duplicate faces have equal neighbors. A constrained face is its own
-  // neighbor, so that its label stays.
+  // Sets the neighbors. A constrained face is its own neighbor, so that its label stays. The only
+  // neighbor of a duplicate face is the first face with the same points.
   void set_neighbors()
   {
     const std::vector<Index> callers_face = callers_faces();
@@ -177,7 +177,9 @@ class Run
     for (Index h = 0; h < neighbors_.size(); ++h) {
       const Index f = face_[h / 3];
       const bool is_constrained = !constraints_.empty() && groups_.group[f] != null_index;
-      neighbors_[h] = is_constrained ? h / 3 : callers_face[mesh_.neighbor(3 * f + h % 3)];
+      const bool is_duplicate = callers_face[f] != h / 3;
+      neighbors_[h] = is_constrained ? h / 3
+        : callers_face[is_duplicate ? f : mesh_.neighbor(3 * f + h % 3)];
     }
   }
 
@@ -350,7 +352,8 @@ class Run
         std::to_string(hierarchy.number_of_segments()) + " segments");
   }
 
-  // Converts face indices and areas back to the caller's indices and unit.
+  // Converts face indices and areas back to the caller's indices and unit. The square of the unit
+  // may be infinite even if an area is not.
   void convert(Cut_hierarchy& hierarchy) const
   {
     std::vector<Index> leaf;
@@ -359,7 +362,7 @@ class Run
       leaf.push_back(hierarchy.leaf[f]);
     hierarchy.leaf = std::move(leaf);
     for (Cut_node& node : hierarchy.nodes)
-      node.area *= unit_ * unit_;
+      node.area = node.area * unit_ * unit_;
   }
 
 public:

@@ -31,11 +31,17 @@ inline std::size_t segment_around_tooth(const std::vector<Index>& neighbors,
 // into which it sticks, so that two edges of the boundary become one; then the face behind it may
 // be a tooth. No segment is emptied or disconnected, because a tooth touches its own segment along
 // one edge only. A morphological opening with the ball of radius two made boundaries longer, and
-// they turned more from edge to edge.
+// they turned more from edge to edge. A duplicate face, whose neighbors are three times the first
+// face with the same points, keeps the label of that face.
 inline void remove_teeth(const std::vector<Index>& neighbors, std::vector<std::size_t>& labels)
 {
   std::vector<Index> faces(labels.size());
   std::iota(faces.begin(), faces.end(), Index(0));
+  std::vector<Index> duplicates; // and other faces with one neighbor, which are no teeth
+  for (Index f : faces)
+    if (neighbors[3 * f + 1] == neighbors[3 * f] && neighbors[3 * f + 2] == neighbors[3 * f] &&
+        labels[f] == labels[neighbors[3 * f]])
+      duplicates.push_back(f);
   while (!faces.empty()) {
     std::vector<Index> next; // faces with a neighbor that has changed
     for (Index f : faces) {
@@ -47,6 +53,8 @@ inline void remove_teeth(const std::vector<Index>& neighbors, std::vector<std::s
     }
     faces.swap(next);
   }
+  for (Index f : duplicates)
+    labels[f] = labels[neighbors[3 * f]];
 }
 
 } // namespace CGAL::Spectral_segmentation::internal

@@ -171,8 +171,13 @@ public:
   // Cuts until there are this many leaves, or every leaf is a face or a group.
   void operator()(std::size_t number_of_segments)
   {
+    // A leaf that was searched in vain gets a new turn if it is cut.
+    std::vector<std::size_t>& order = cuts_.cut_order;
+    order.erase(std::remove_if(order.begin(), order.end(),
+                               [&](std::size_t i) { return cuts_.nodes[i].is_leaf(); }),
+                order.end());
     double salience = 0; // no larger than the salience of any cut
-    for (std::size_t turn : cuts_.cut_order)
+    for (std::size_t turn : order)
       salience = (std::min)(salience, cuts_.nodes[turn].salience);
     for (std::size_t i = 0; i < cuts_.nodes.size(); ++i)
       if (cuts_.nodes[i].is_leaf())

@@ -6,12 +6,13 @@
 
 #include <CGAL/Spectral_segmentation/Segmentation_hierarchy.h>
 #include <CGAL/Spectral_segmentation/internal/json/Hierarchy_access.h>
-
-#include <nlohmann/json.hpp>
+#include <CGAL/Spectral_segmentation/internal/json/Json_values.h>
 
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <cstring>
+#include <istream>
 #include <limits>
 #include <stdexcept>
 #include <string>
@@ -24,101 +25,120 @@ namespace CGAL::Spectral_segmentation::internal {
 // hierarchy rely on, and throws `std::runtime_error`.
 class Hierarchy_reader
 {
-  typedef nlohmann::ordered_json Json;
-
   static constexpr std::size_t largest_ = null_index / 3 - 1;
 
-  const Json& json_;
+  const Json_values json_;
+  const Json_value& root_;
   Cut_hierarchy cuts_;
+  std::vector<std::size_t> number_of_faces_; // one per node
 
   [[noreturn]] static void fail(const std::string& what)
   { throw std::runtime_error("read_hierarchy: " + what); }
 
-  static const Json& member(const Json& object, const std::string& key)
+  [[noreturn]] static void fail(const char* key, const char* what)
+  { fail("\"" + std::string(key) + "\" " + what); }
+
+  // Returns the first member with this key, or null.
+  const Json_value* find(const Json_value& object, const char* key) const
   {
-    if (!object.is_object())
-      fail("there is something else than the object with \"" + key + "\"");
-    const auto found = object.find(key);
-    if (found == object.end())
-      fail("\"" + key + "\" is missing");
-    return *found;
+    for (const Json_value& value : object)
+      if (std::strcmp(json_.key(value), key) == 0)
+        return &value;
+    return nullptr;
   }
 
-  static const Json& array(const Json& object, const std::string& key)
+  const Json_value& member(const Json_value& object, const char* key) const
   {
-    const Json& result = member(object, key);
-    if (!result.is_array())
-      fail("\"" + key + "\" is not an array");
+    if (object.kind != Json_kind::object)
+      fail("there is something else than the object with \"" + std::string(key) + "\"");
+    const Json_value* result = find(object, key);
+    if (result == nullptr)
+      fail(key, "is missing");
+    return *result;
+  }
+
+  const Json_value& array(const Json_value& object, const char* key) const
+  {
+    const Json_value& result = member(object, key);
+    if (result.kind != Json_kind::array)
+      fail(key, "is not an array");
     return result;
   }
 
-  static std::size_t count(const Json& value, const std::string& key, std::size_t largest)
+  static std::size_t count(const Json_value& value, const char* key, std::size_t largest)
   {
-    if (!value.is_number_unsigned() || value.get<std::size_t>() > largest)
-      fail("a number of \"" + key + "\" is not an integer in its range");
-    return value.get<std::size_t>();
+    if (value.kind != Json_kind::number_unsigned || value.count > largest)
+      fail("a number of \"" + std::string(key) + "\" is not an integer in its range");
+    return static_cast<std::size_t>(value.count);
   }
 
-  static bool flag(const Json& object, const std::string& key)
+  bool flag(const Json_value& object, const char* key) const
   {
-    const Json& value = member(object, key);
-    if (!value.is_boolean())
-      fail("\"" + key + "\" is neither true nor false");
-    return value.get<bool>();
+    const Json_value& value = member(object, key);
+    if (value.kind != Json_kind::boolean)
+      fail(key, "is neither true nor false");
+    return value.count != 0;
   }
 
-  static double number(const Json& object, const std::string& key)
+  bool is_string(const Json_value& value, const char* string) const
+  { return value.kind == Json_kind::string && std::strcmp(json_.string(value), string) == 0; }
+
+  double number(const Json_value& object, const char* key) const
   {
-    const Json& value = member(object, key);
-    if (value == infinity_string)
+    const Json_value& value = member(object, key);
+    if (value.is_number())
+      return value.number;
+    if (is_string(value, infinity_string))
       return std::numeric_limits<double>::infinity();
-    if (value == minus_infinity_string)
+    if (is_string(value, minus_infinity_string))
       return -std::numeric_limits<double>::infinity();
-    if (value == nan_string)
-      return std::numeric_limits<double>::quiet_NaN();
-    if (!value.is_number())
-      fail("\"" + key + "\" is not a number");
-    return value.get<double>();
+    if (!is_string(value, nan_string))
+      fail(key, "is not a number");
+    return std::numeric_limits<double>::quiet_NaN();
   }
 
-  static double number_but_nan(const Json& object, const std::string& key)
+  double number_but_nan(const Json_value& object, const char* key) const
   {
     const double result = number(object, key);
     if (std::isnan(result))
-      fail("\"" + key + "\" is not a number");
+      fail(key, "is not a number");
     return result;
   }
 
-  static Cut_state cut_state(const Json& node)
+  Cut_state cut_state(const Json_value& node) const
   {
+    const Json_value& value = member(node, "cut_state");
     for (const auto& [state, name] : names_of_cut_states)
-      if (member(node, "cut_state") == name)
+      if (is_string(value, name))
         return state;
-    fail("\"cut_state\" is none of its words");
+    fail("cut_state", "is none of its words");
   }
 
-  std::size_t node_index(const Json& value, const std::string& key) const
+  std::size_t node_index(const Json_value& value, const char* key) const
   {
     if (cuts_.nodes.empty())
       fail("there are no nodes");
     return count(value, key, cuts_.nodes.size() - 1);
   }
 
-  void read_node(const Json& json, std::size_t i)
+  void read_node(const Json_value& json, std::size_t i)
   {
     Cut_node& n = cuts_.nodes[i];
     if (node_index(member(json, "id"), "id") != i)
       fail("the nodes are not in the order of their \"id\"");
-    const Json& parent = member(json, "parent");
-    if (parent.is_null() != (i < cuts_.number_of_roots))
+    const Json_value& parent = member(json, "parent");
+    const bool is_root = parent.kind == Json_kind::null;
+    if (is_root != (i < cuts_.number_of_roots))
       fail("the first nodes are not the roots");
-    if (!parent.is_null())
+    if (!is_root)
       n.parent = node_index(parent, "parent");
-    const Json& children = array(json, "children");
-    if (children.size() != 0 && children.size() != 2)
+    const Json_value& children = array(json, "children");
+    if (children.count != 0 && children.count != 2)
       fail("a node has not two \"children\"");
-    for (std::size_t k = 0; k < children.size(); ++k)
-      n.children[k] = node_index(children[k], "children");
+    std::size_t* next = n.children;
+    for (const Json_value& child : children)
+      *next++ = node_index(child, "children");
+    number_of_faces_.push_back(count(member(json, "faces"), "faces", largest_));
     n.area = number_but_nan(json, "area");
     if (n.area < 0)
       fail("an \"area\" is negative");
@@ -128,7 +148,7 @@ class Hierarchy_reader
     if (n.cut_state != Cut_state::CUT && n.cut_state != Cut_state::REJECTED)
       return;
     n.salience = number_but_nan(json, "salience");
-    const Json& factors = member(json, "factors");
+    const Json_value& factors = member(json, "factors");
     n.factors.is_boundary = flag(factors, "is_boundary");
     for (const auto& [name, value] : named_factors)
       n.factors.*value = number(factors, name);
@@ -156,7 +176,7 @@ class Hierarchy_reader
   void read_order()
   {
     std::vector<char> is_read(cuts_.nodes.size(), 0);
-    for (const Json& value : array(json_, "cut_order")) {
+    for (const Json_value& value : array(root_, "cut_order")) {
       const std::size_t i = node_index(value, "cut_order");
       const std::size_t parent = cuts_.nodes[i].parent;
       if (is_read[i] || (parent != null_node && !is_read[parent]))
@@ -169,24 +189,23 @@ class Hierarchy_reader
         fail("a node with children is missing in \"cut_order\"");
   }
 
-  void read_faces(const Json& nodes)
+  void read_faces()
   {
     std::vector<std::size_t> size(cuts_.nodes.size(), 0);
-    for (const Json& value : array(json_, "leaf_of_face")) {
+    for (const Json_value& value : array(root_, "leaf_of_face")) {
       const std::size_t leaf = node_index(value, "leaf_of_face");
       if (!cuts_.nodes[leaf].is_leaf())
         fail("a node of \"leaf_of_face\" has children");
       cuts_.leaf.push_back(static_cast<Index>(leaf));
       ++size[leaf];
     }
-    if (cuts_.leaf.size() != count(member(json_, "number_of_faces"), "number_of_faces", largest_))
+    if (cuts_.leaf.size() != count(member(root_, "number_of_faces"), "number_of_faces", largest_))
       fail("\"leaf_of_face\" has not \"number_of_faces\" numbers");
     const std::vector<std::size_t> order = parents_first(cuts_);
     for (std::size_t k = order.size(); k-- > cuts_.number_of_roots;)
       size[cuts_.nodes[order[k]].parent] += size[order[k]];
-    for (std::size_t i = 0; i < size.size(); ++i)
-      if (size[i] == 0 || count(member(nodes[i], "faces"), "faces", largest_) != size[i])
-        fail("a node has not as many \"faces\" as \"leaf_of_face\" says");
+    if (size != number_of_faces_ || std::count(size.begin(), size.end(), std::size_t(0)) > 0)
+      fail("a node has not as many \"faces\" as \"leaf_of_face\" says");
   }
 
   // Returns how many of the three edges of a face lead to another face.
@@ -197,19 +216,23 @@ class Hierarchy_reader
   }
 
   // Returns whether two neighbors are mutual. Smoothing then ends because each step makes
-  // boundaries shorter. A constrained face has itself for neighbors, and is not smoothed.
+  // boundaries shorter. A face with three equal neighbors is never smoothed, because it is
+  // constrained and has itself for neighbors, or because it is a duplicate.
   bool is_neighbor(Index f, Index g) const
-  { return f == g || edges_to(f, g) == edges_to(g, f) || edges_to(g, g) == 3; }
+  {
+    return f == g || edges_to(f, g) == edges_to(g, f) || edges_to(g, g) == 3 ||
+           edges_to(f, g) == 3;
+  }
 
   void read_neighbors()
   {
-    if (!json_.contains("neighbors_of_faces"))
+    if (find(root_, "neighbors_of_faces") == nullptr)
       return;
-    const Json& neighbors = array(json_, "neighbors_of_faces");
+    const Json_value& neighbors = array(root_, "neighbors_of_faces");
     const std::size_t n = cuts_.leaf.size();
-    if (n == 0 || neighbors.size() != 3 * n)
+    if (n == 0 || neighbors.count != 3 * n)
       fail("\"neighbors_of_faces\" has not three numbers for each face");
-    for (const Json& value : neighbors)
+    for (const Json_value& value : neighbors)
       cuts_.neighbors.push_back(
         static_cast<Index>(count(value, "neighbors_of_faces", n - 1)));
     for (std::size_t h = 0; h < 3 * n; ++h) {
@@ -219,42 +242,46 @@ class Hierarchy_reader
   }
 
 public:
-  explicit Hierarchy_reader(const Json& json) : json_(json) {}
+  explicit Hierarchy_reader(std::istream& is) : json_(is), root_(json_.root()) {}
 
   Segmentation_hierarchy operator()()
   {
-    if (!json_.is_object() || !json_.contains("format") || json_["format"] != name_of_format)
+    if (root_.kind != Json_kind::object || find(root_, "format") == nullptr ||
+        !is_string(member(root_, "format"), name_of_format))
       fail("this is not a hierarchy");
-    if (member(json_, "version") != version_of_format)
+    const Json_value& version = member(root_, "version");
+    if (!version.is_number() || version.number != version_of_format)
       fail("its version is not " + std::to_string(version_of_format));
-    const Json& nodes = array(json_, "nodes");
-    if (nodes.size() > largest_)
+    const Json_value& nodes = array(root_, "nodes");
+    if (nodes.count > largest_)
       fail("there are too many nodes");
-    cuts_.nodes.resize(nodes.size());
+    cuts_.nodes.resize(static_cast<std::size_t>(nodes.count));
     cuts_.number_of_roots =
-      count(member(json_, "number_of_roots"), "number_of_roots", nodes.size());
-    cuts_.is_monotonic = flag(json_, "is_monotonic");
-    cuts_.has_all_cuts = flag(json_, "has_all_cuts");
-    for (std::size_t i = 0; i < nodes.size(); ++i)
-      read_node(nodes[i], i);
+      count(member(root_, "number_of_roots"), "number_of_roots", cuts_.nodes.size());
+    cuts_.is_monotonic = flag(root_, "is_monotonic");
+    cuts_.has_all_cuts = flag(root_, "has_all_cuts");
+    std::size_t i = 0;
+    for (const Json_value& node : nodes)
+      read_node(node, i++);
     check_tree();
     read_order();
-    read_faces(nodes);
+    read_faces();
     read_neighbors();
 
-    const double threshold = number_but_nan(json_, "salience_threshold");
-    const Json& maximum = member(json_, "maximum_number_of_segments");
+    const double threshold = number_but_nan(root_, "salience_threshold");
+    const Json_value& maximum = member(root_, "maximum_number_of_segments");
     return Segmentation_hierarchy(
       std::move(cuts_),
-      maximum.is_null() ? unlimited : count(maximum, "maximum_number_of_segments", unlimited),
+      maximum.kind == Json_kind::null
+        ? unlimited : count(maximum, "maximum_number_of_segments", unlimited),
       threshold);
   }
 
   // Returns the nodes of the segments that were written.
-  static std::vector<std::size_t> segments(const Json& json, const Segmentation_hierarchy& h)
+  std::vector<std::size_t> segments(const Segmentation_hierarchy& h) const
   {
     std::vector<std::size_t> result;
-    for (const Json& segment : array(json, "segments"))
+    for (const Json_value& segment : array(root_, "segments"))
       result.push_back(count(member(segment, "node"), "node", largest_));
     try {
       h.labels(result);
