@@ -535,6 +535,20 @@ class Real_meshes(Tool_test):
         self.assert_failure("output", "in.off", "-o", "large.3mf",
                             sentence="too large for the numbers of 3MF")
 
+    def test_own_3mf_is_read(self):
+        labels = self.segment(MESHES / "elephant.off")
+        self.write_3mf(MESHES / "elephant.off")
+        again = self.segment("out.3mf")
+        self.assertEqual(len(again), len(labels))
+        points, faces = read_off(MESHES / "elephant.off")
+        ply = self.ply()
+        surfaces = [sorted(area(p, face) for face in f) for p, f in
+                    ((points, faces), (ply.points, ply.faces))]
+        for given, read in zip(*surfaces):
+            self.assertAlmostEqual(given, read, places=6)
+        (self.directory / "bad.3mf").write_bytes((self.directory / "out.3mf").read_bytes()[:5000])
+        self.assert_failure("mesh", "bad.3mf", "--labels", "x", sentence="cannot be read")
+
     def test_too_small_for_3mf(self):
         points, faces = read_off(MESHES / "elephant.off")
         self.write_off([tuple(1e-7 * x for x in p) for p in points], faces)
@@ -860,6 +874,13 @@ class Formats(Tool_test):
             for i, j in face:
                 self.assertAlmostEqual(vt[j][0], v[i][2])
                 self.assertAlmostEqual(vt[j][1], v[i][0])
+        # Closed parts are closed for programs, too, which tell points by their numbers.
+        done = self.run_tool("in.obj", "--segments", 2, "--close", "--split-dir", "closed")
+        self.assertEqual((done.returncode, done.stderr), (0, ""))
+        for part in (self.directory / "closed").glob("*.ply"):
+            count = collections.Counter(frozenset((face[i - 1], face[i]))
+                                        for face in read_ply(part).faces for i in range(len(face)))
+            self.assertEqual(set(count.values()), {2})
         # The border between the parts is at the same points on both sides.
         edges = [set(), set()]
         for part, found in enumerate(edges):

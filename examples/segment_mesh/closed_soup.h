@@ -14,12 +14,34 @@
 
 namespace segment_mesh {
 
-// The polygons, and after them the triangles that close their segments; and the segment of each.
-// Further properties of new points and triangles are 0.
+// Gives the corners of polygons the points of their triangles, whose borders are joined.
+inline void join_borders(const Input& input, Polygon_soup& soup)
+{
+  mesh_file::Polygon_triangulation triangulate(input.soup.points);
+  std::vector<Index> joined(input.soup.points.size()); // of the corners of a polygon
+  std::vector<Triangle> given;                         // the triangles before borders were joined
+  for (std::size_t i = 0, t = 0; i < soup.number_of_polygons(); ++i) {
+    for (Index v : input.soup.polygon(i))
+      joined[v] = v;
+    given.clear();
+    triangulate(input.soup.polygon(i), given);
+    for (const Triangle& g : given) {
+      for (std::size_t k = 0; k < 3; ++k)
+        joined[g[k]] = input.triangles[t][k];
+      ++t;
+    }
+    for (std::size_t c = soup.first_corner[i]; c < soup.first_corner[i + 1]; ++c)
+      soup.corners[c] = joined[soup.corners[c]];
+  }
+}
+
+// Returns the polygons, and after them the triangles that close their segments; and the segment of
+// each. Borders of the input are joined. Further properties of new points and triangles are 0.
 inline std::pair<Polygon_soup, std::vector<Index> > closed_soup(const Input& input,
                                                                 std::vector<Index> segment)
 {
   Polygon_soup soup = input.soup;
+  join_borders(input, soup);
   std::vector<Triangle> triangles = input.triangles;
   std::vector<Index> segment_of_triangle;
   for (Index polygon : input.polygon_of_triangle)

@@ -4,8 +4,8 @@
 #ifndef SEGMENT_MESH_READ_BY_ASSIMP_H
 #define SEGMENT_MESH_READ_BY_ASSIMP_H
 
+#include "Scene.h"
 #include "mesh_file/Point_numbering.h"
-#include "mesh_file/Polygon_soup.h"
 
 #include <algorithm>
 #include <cmath>
@@ -26,7 +26,7 @@
 #endif
 
 #ifdef SEGMENT_MESH_READS_BY_ASSIMP
-#include "read_in_child_process.h"
+#include "read_scene_in_child.h"
 
 #include <assimp/DefaultIOSystem.h>
 #include <assimp/Exceptional.h>
@@ -37,32 +37,11 @@
 
 namespace segment_mesh {
 
-// The meshes of a file at all nodes that show them. Each polygon has the number of its node and of
-// its mesh, as the polygon properties "node" and "mesh".
-struct Scene
-{
-  mesh_file::Polygon_soup soup;
-  std::vector<std::string> node_names, mesh_names; // as in the file, but without control characters
-};
-
-// What a file may make the program do.
-struct Reading_limits
-{
-  double seconds = std::numeric_limits<double>::infinity();
-  bool allows_external_files = false; // files outside of its folder, which it names
-};
-
 #ifdef SEGMENT_MESH_READS_BY_ASSIMP
-
-// The polygons of one mesh at one node; they come after those of the instance before.
-struct Mesh_instance
-{
-  mesh_file::Index node, mesh, end_of_polygons;
-};
 
 // Lists the polygons of a scene, in the child process. Points and lines are no polygons. The
 // vertices of a mesh that differ only in a normal or the like become one point.
-class Scene_flattening
+class Scene_flattening : public Flat_scene
 {
   typedef mesh_file::Index Index;
   typedef aiMatrix4x4t<double> Transformation;
@@ -139,7 +118,7 @@ class Scene_flattening
     const Transformation transformation =
       transformation_of_parent * static_cast<Transformation>(node.mTransformation);
     const Index number = number_of_nodes_++;
-    append_name(node.mName, node_names);
+    append_name(node.mName.C_Str(), node_names);
     if (node.mNumMeshes > 0 && transformation != Transformation())
       soup.coordinate_type = mesh_file::Number_type::FLOAT64;
     for (unsigned i = 0; i < node.mNumMeshes; ++i)
@@ -151,37 +130,20 @@ class Scene_flattening
     }
   }
 
-  static void append_name(const aiString& name, std::vector<char>& names)
-  {
-    const std::string_view text = name.C_Str();
-    names.insert(names.end(), text.begin(), text.end());
-    names.push_back('\0');
-  }
-
   Index number_of_nodes_ = 0;
 
 public:
-  mesh_file::Polygon_soup soup;
-  std::vector<Mesh_instance> instances;
-  std::vector<char> node_names, mesh_names; // each ends with a zero
-
   explicit Scene_flattening(const aiScene& scene) : scene_(scene)
   {
     soup.coordinate_type = mesh_file::Number_type::FLOAT32;
     for (unsigned i = 0; i < scene.mNumMeshes; ++i) {
       local_points_.push_back(local_points(*scene.mMeshes[i]));
-      append_name(scene.mMeshes[i]->mName, mesh_names);
+      append_name(scene.mMeshes[i]->mName.C_Str(), mesh_names);
     }
     if (scene.mRootNode)
       add_node(*scene.mRootNode, Transformation());
   }
 };
-
-inline bool is_clear_sentence(std::string_view text)
-{
-  return !text.empty() && text.size() < 300 &&
-         std::all_of(text.begin(), text.end(), [](char c) { return c >= ' ' && c <= '~'; });
-}
 
 // Returns the message of Assimp about a file that it does not read, in one line, if it is in clear
 // words.
@@ -249,130 +211,23 @@ public:
 };
 
 // In the child process: sends an error sentence, which may be empty, and the scene.
-inline void send_scene(const std::string& name, bool allows_external_files, Child_output output)
+inline void send_by_assimp(const std::string& name, bool allows_external_files, Child_output output)
 {
   Assimp::Importer importer;
   Files_of_folder* const files = allows_external_files ? nullptr : new Files_of_folder(name);
   importer.SetIOHandler(files); // which owns them; without, any file may be read
   importer.SetPropertyBool(AI_CONFIG_IMPORT_NO_SKELETON_MESHES, true);
-  const auto send_error = [&](const std::string& sentence)
-  { output.send(std::vector<char>(sentence.begin(), sentence.end())); };
   const aiScene* const scene = importer.ReadFile(name, 0);
   if (files && !files->error().empty())
-    return send_error(files->error());
+    return send_error(files->error(), output);
   if (!scene)
-    return send_error(error_sentence(importer));
+    return send_error(error_sentence(importer), output);
   try {
-    const Scene_flattening flattening(*scene);
-    send_error("");
-    output.send(std::vector<mesh_file::Number_type>{flattening.soup.coordinate_type});
-    output.send(flattening.soup.points);
-    output.send(flattening.soup.corners);
-    output.send(flattening.soup.first_corner);
-    output.send(flattening.instances);
-    output.send(flattening.node_names);
-    output.send(flattening.mesh_names);
+    send_scene(Scene_flattening(*scene), output);
   }
   catch (const std::runtime_error& e) {
-    send_error(e.what());
+    send_error(e.what(), output);
   }
-}
-
-// Takes the scene from the child process, and believes nothing.
-class Scene_receiver
-{
-  typedef mesh_file::Index Index;
-
-  Child_process& child_;
-
-  static void check(bool condition)
-  {
-    if (!condition)
-      throw std::runtime_error("the reader of this format crashed");
-  }
-
-  std::vector<std::string> receive_names()
-  {
-    std::vector<std::string> result;
-    const std::vector<char> names = child_.receive<char>();
-    for (auto i = names.begin(); i != names.end();) {
-      const auto end = std::find(i, names.end(), '\0');
-      check(end != names.end());
-      result.emplace_back(i, end);
-      std::replace_if(result.back().begin(), result.back().end(),
-                      [](char c) { return (c >= 0 && c < ' ') || c == 127; }, '?');
-      i = end + 1;
-    }
-    return result;
-  }
-
-  mesh_file::Polygon_soup receive_soup()
-  {
-    mesh_file::Polygon_soup soup;
-    const std::vector<mesh_file::Number_type> type = child_.receive<mesh_file::Number_type>();
-    check(type.size() == 1);
-    soup.coordinate_type = type[0] == mesh_file::Number_type::FLOAT32
-      ? mesh_file::Number_type::FLOAT32 : mesh_file::Number_type::FLOAT64;
-    soup.points = child_.receive<mesh_file::Point>();
-    for (const mesh_file::Point& p : soup.points)
-      if (!std::isfinite(p[0]) || !std::isfinite(p[1]) || !std::isfinite(p[2]))
-        throw std::runtime_error("a coordinate is not finite"); // a transformation may do this
-    soup.corners = child_.receive<Index>();
-    check(std::all_of(soup.corners.begin(), soup.corners.end(),
-                      [&](Index v) { return v < soup.points.size(); }));
-    soup.first_corner = child_.receive<Index>();
-    check(!soup.first_corner.empty() && soup.first_corner.front() == 0 &&
-          soup.first_corner.back() == soup.corners.size() &&
-          std::is_sorted(soup.first_corner.begin(), soup.first_corner.end()));
-    return soup;
-  }
-
-  static void add_properties(const std::vector<Mesh_instance>& instances, Scene& scene)
-  {
-    std::vector<double> nodes, meshes;
-    nodes.reserve(scene.soup.number_of_polygons());
-    meshes.reserve(scene.soup.number_of_polygons());
-    for (const Mesh_instance& i : instances) {
-      check(i.node < scene.node_names.size() && i.mesh < scene.mesh_names.size() &&
-            nodes.size() <= i.end_of_polygons &&
-            i.end_of_polygons <= scene.soup.number_of_polygons());
-      nodes.resize(i.end_of_polygons, i.node);
-      meshes.resize(i.end_of_polygons, i.mesh);
-    }
-    check(nodes.size() == scene.soup.number_of_polygons());
-    scene.soup.group_of_polygon.assign(nodes.begin(), nodes.end());
-    scene.soup.polygon_properties = {{"node", mesh_file::Number_type::INT32, std::move(nodes)},
-                                     {"mesh", mesh_file::Number_type::INT32, std::move(meshes)}};
-  }
-
-public:
-  explicit Scene_receiver(Child_process& child) : child_(child) {}
-
-  Scene operator()()
-  {
-    const std::vector<char> bytes = child_.receive<char>();
-    const std::string error(bytes.begin(), bytes.end());
-    if (!error.empty()) {
-      check(is_clear_sentence(error));
-      throw std::runtime_error(error);
-    }
-    Scene scene;
-    scene.soup = receive_soup();
-    const std::vector<Mesh_instance> instances = child_.receive<Mesh_instance>();
-    scene.node_names = receive_names();
-    scene.mesh_names = receive_names();
-    add_properties(instances, scene);
-    return scene;
-  }
-};
-
-// For a file of this size. A file may name others, which also need memory.
-inline Child_limits limits_of_assimp(double size_of_file, double seconds)
-{
-  const double physical_memory =
-    static_cast<double>(sysconf(_SC_PHYS_PAGES)) * static_cast<double>(sysconf(_SC_PAGESIZE));
-  const double memory = (std::min)(4e9 + 64 * size_of_file, physical_memory);
-  return {static_cast<std::size_t>(memory), (std::min)(60 + size_of_file / 1e6, seconds)};
 }
 
 // The extension has its dot; its case does not matter.
@@ -386,12 +241,8 @@ inline Scene read_by_assimp(const std::string& name, const Reading_limits& limit
   if (!assimp_reads(std::filesystem::path(name).extension().string()))
     throw std::runtime_error("the formats are OFF, OBJ, PLY, STL and those of Assimp, such as "
                              "glTF, FBX and Collada");
-  std::error_code error;
-  const std::uintmax_t size = std::filesystem::file_size(name, error);
-  Child_process child(limits_of_assimp(error ? 0 : static_cast<double>(size), limits.seconds),
-                      [&](Child_output output)
-                      { send_scene(name, limits.allows_external_files, output); });
-  return Scene_receiver(child)();
+  return read_scene_in_child(name, limits.seconds, [&](Child_output output)
+    { send_by_assimp(name, limits.allows_external_files, output); });
 }
 
 #else

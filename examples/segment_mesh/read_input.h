@@ -10,6 +10,7 @@
 #include "mesh_file/read_mesh_file.h"
 #include "mesh_file/stitch_borders.h"
 #include "read_by_assimp.h"
+#include "read_by_lib3mf.h"
 
 #include <algorithm>
 #include <cmath>
@@ -82,7 +83,10 @@ inline Scene read_scene(const std::string& name, bool keeps_properties,
   Scene scene;
   try {
     if (format == mesh_file::Format::UNKNOWN && !is_stream) {
-      scene = read_by_assimp(name, limits);
+      const std::string extension = std::filesystem::path(name).extension().string();
+      const bool is_3mf = extension == ".3mf" || extension == ".3MF";
+      scene = reads_by_lib3mf && is_3mf ? read_by_lib3mf(name, limits)
+                                        : read_by_assimp(name, limits);
     }
     else {
       const std::string bytes = read_bytes(name);

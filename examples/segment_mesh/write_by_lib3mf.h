@@ -4,24 +4,23 @@
 #ifndef SEGMENT_MESH_WRITE_BY_LIB3MF_H
 #define SEGMENT_MESH_WRITE_BY_LIB3MF_H
 
-#include "Failure.h"
 #include "mesh_file/Segmented_mesh.h"
 
 #include <ostream>
+#include <stdexcept>
 #include <string>
 
 #ifdef SEGMENT_MESH_WITH_LIB3MF
+#include "Lib3mf.h"
+
 #include <boost/uuid/name_generator_sha1.hpp>
 #include <boost/uuid/uuid.hpp>
 #include <boost/uuid/uuid_io.hpp>
-
-#include <Model/COM/NMR_DLLInterfaces.h>
 
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
 #include <limits>
-#include <memory>
 #include <vector>
 #endif
 
@@ -40,49 +39,17 @@ class Lib3mf_writer
 {
   typedef mesh_file::Index Index;
 
-  struct Release
-  {
-    void operator()(NMR::PLib3MFBase* instance) const { NMR::lib3mf_release(instance); }
-  };
-
-  typedef std::unique_ptr<NMR::PLib3MFBase, Release> Instance; // an object of the library
-
   // The object of a part. There is none if the part has no triangles.
   struct Object
   {
-    Instance instance;
+    Lib3mf instance;
     std::string identifier;
   };
 
   const mesh_file::Segmented_mesh& mesh_;
   mesh_file::Segment_extraction extract_;
-  Instance model_, materials_;
-
-  template <class Result>
-  static void check(Result result, NMR::PLib3MFBase* instance)
-  {
-    if (result == 0)
-      return;
-    LPCSTR message = nullptr;
-    DWORD code;
-    if (instance)
-      NMR::lib3mf_getlasterror(instance, &code, &message);
-    throw Failure(Status::OUTPUT,
-                  std::string("lib3mf reports ") + (message ? message : "an error"));
-  }
-
-  template <class Function, class... Arguments>
-  static void call(Function function, const Instance& instance, Arguments... arguments)
-  { check(function(instance.get(), arguments...), instance.get()); }
-
-  // For functions whose last argument takes a new instance.
-  template <class Function, class... Arguments>
-  static Instance made(Function function, const Instance& instance, Arguments... arguments)
-  {
-    NMR::PLib3MFBase* result = nullptr;
-    check(function(instance.get(), arguments..., &result), instance.get());
-    return Instance(result);
-  }
+  const Lib3mf model_ = Lib3mf::model();
+  const Lib3mf materials_ = model_.made(NMR::lib3mf_model_addbasematerialgroup);
 
   static std::string identifier_of(const std::string& content)
   {
@@ -107,8 +74,8 @@ class Lib3mf_writer
       extent = (std::max)(extent, largest - smallest);
     }
     if (extent > 0 && extent < 1e-3)
-      throw Failure(Status::OUTPUT, "the mesh is too small for the numbers of 3MF, which are "
-                                    "millimeters with six decimals; scale it");
+      throw std::runtime_error("the mesh is too small for the numbers of 3MF, millimeters with six "
+                               "decimals; scale it");
   }
 
   static NMR::MODELMESHVERTEX vertex(const mesh_file::Point& point)
@@ -117,7 +84,7 @@ class Lib3mf_writer
     NMR::MODELMESHVERTEX result;
     for (std::size_t k = 0; k < 3; ++k) {
       if (std::abs(point[k]) > largest)
-        throw Failure(Status::OUTPUT, "a coordinate is too large for the numbers of 3MF");
+        throw std::runtime_error("a coordinate is too large for the numbers of 3MF");
       result.m_fPosition[k] = static_cast<float>(point[k]);
     }
     return result;
@@ -125,21 +92,21 @@ class Lib3mf_writer
 
   void name(const Object& object, const std::string& name) const
   {
-    call(NMR::lib3mf_object_setnameutf8, object.instance, name.c_str());
-    call(NMR::lib3mf_object_setuuidutf8, object.instance, object.identifier.c_str());
+    object.instance.call(NMR::lib3mf_object_setnameutf8, name.c_str());
+    object.instance.call(NMR::lib3mf_object_setuuidutf8, object.identifier.c_str());
   }
 
-  void set_material(const Instance& object, Index segment) const
+  void set_material(const Lib3mf& object, Index segment) const
   {
     const mesh_file::Rgb& c = mesh_.colors[segment];
     DWORD group, material;
-    call(NMR::lib3mf_basematerial_getresourceid, materials_, &group);
-    call(NMR::lib3mf_basematerial_addmaterialutf8, materials_,
+    materials_.call(NMR::lib3mf_basematerial_getresourceid, &group);
+    materials_.call(NMR::lib3mf_basematerial_addmaterialutf8,
          mesh_file::segment_name(segment).c_str(), c[0], c[1], c[2], &material);
-    call(NMR::lib3mf_basematerial_setdisplaycolorrgba, materials_, material, c[0], c[1], c[2],
+    materials_.call(NMR::lib3mf_basematerial_setdisplaycolorrgba, material, c[0], c[1], c[2],
          BYTE(255));
-    const Instance properties = made(NMR::lib3mf_object_createdefaultpropertyhandler, object);
-    call(NMR::lib3mf_defaultpropertyhandler_setbasematerial, properties, group, material);
+    const Lib3mf properties = object.made(NMR::lib3mf_object_createdefaultpropertyhandler);
+    properties.call(NMR::lib3mf_defaultpropertyhandler_setbasematerial, group, material);
   }
 
   Object mesh_object(Index segment)
@@ -154,16 +121,16 @@ class Lib3mf_writer
     for (const mesh_file::Point& p : soup.points)
       vertices.push_back(vertex(p));
     const std::string segment_name = mesh_file::segment_name(segment);
-    Object result{made(NMR::lib3mf_model_addmeshobject, model_),
+    Object result{model_.made(NMR::lib3mf_model_addmeshobject),
                   identifier_of(segment_name + bytes_of(vertices) + bytes_of(triangles))};
-    call(NMR::lib3mf_meshobject_setgeometry, result.instance, vertices.data(),
+    result.instance.call(NMR::lib3mf_meshobject_setgeometry, vertices.data(),
          static_cast<DWORD>(vertices.size()), triangles.data(),
          static_cast<DWORD>(triangles.size()));
     name(result, segment_name);
     BOOL is_closed;
-    call(NMR::lib3mf_meshobject_ismanifoldandoriented, result.instance, &is_closed);
+    result.instance.call(NMR::lib3mf_meshobject_ismanifoldandoriented, &is_closed);
     if (!is_closed)
-      call(NMR::lib3mf_object_settype, result.instance, DWORD(NMR::MODELOBJECTTYPE_SURFACE));
+      result.instance.call(NMR::lib3mf_object_settype, DWORD(NMR::MODELOBJECTTYPE_SURFACE));
     set_material(result.instance, segment);
     return result;
   }
@@ -176,13 +143,13 @@ class Lib3mf_writer
       content += c->identifier;
     if (content == object_name)
       return {};
-    Object result{made(NMR::lib3mf_model_addcomponentsobject, model_), identifier_of(content)};
+    Object result{model_.made(NMR::lib3mf_model_addcomponentsobject), identifier_of(content)};
     name(result, object_name);
     for (const Object* c : components)
       if (c->instance) {
-        const Instance component = made(NMR::lib3mf_componentsobject_addcomponent, result.instance,
+        const Lib3mf component = result.instance.made(NMR::lib3mf_componentsobject_addcomponent,
                                         c->instance.get(), nullptr);
-        call(NMR::lib3mf_component_setuuidutf8, component,
+        component.call(NMR::lib3mf_component_setuuidutf8,
              identifier_of(result.identifier + c->identifier).c_str());
       }
     return result;
@@ -222,29 +189,23 @@ class Lib3mf_writer
   }
 
 public:
-  explicit Lib3mf_writer(const mesh_file::Segmented_mesh& mesh) : mesh_(mesh), extract_(mesh)
-  {
-    NMR::PLib3MFBase* model = nullptr;
-    check(NMR::lib3mf_createmodel(&model), nullptr);
-    model_.reset(model);
-    materials_ = made(NMR::lib3mf_model_addbasematerialgroup, model_);
-  }
+  explicit Lib3mf_writer(const mesh_file::Segmented_mesh& mesh) : mesh_(mesh), extract_(mesh) {}
 
   void operator()(std::ostream& out)
   {
     check_size();
-    call(NMR::lib3mf_model_setunit, model_, DWORD(NMR::MODELUNIT_MILLIMETER));
+    model_.call(NMR::lib3mf_model_setunit, DWORD(NMR::MODELUNIT_MILLIMETER));
     const Object root = root_object();
     if (root.instance) {
-      const Instance item =
-        made(NMR::lib3mf_model_addbuilditem, model_, root.instance.get(), nullptr);
-      call(NMR::lib3mf_builditem_setuuidutf8, item,
+      const Lib3mf item =
+        model_.made(NMR::lib3mf_model_addbuilditem, root.instance.get(), nullptr);
+      item.call(NMR::lib3mf_builditem_setuuidutf8,
            identifier_of("item" + root.identifier).c_str());
     }
-    call(NMR::lib3mf_model_setbuilduuidutf8, model_,
+    model_.call(NMR::lib3mf_model_setbuilduuidutf8,
          identifier_of("build" + root.identifier).c_str());
-    const Instance writer = made(NMR::lib3mf_model_querywriter, model_, "3mf");
-    call(NMR::lib3mf_writer_writetocallback, writer, reinterpret_cast<void*>(&write_bytes),
+    const Lib3mf writer = model_.made(NMR::lib3mf_model_querywriter, "3mf");
+    writer.call(NMR::lib3mf_writer_writetocallback, reinterpret_cast<void*>(&write_bytes),
          reinterpret_cast<void*>(&seek), static_cast<void*>(&out));
   }
 };
@@ -259,7 +220,7 @@ inline void write_3mf(std::ostream& out, const mesh_file::Segmented_mesh& mesh)
 constexpr bool has_lib3mf = false;
 
 inline void write_3mf(std::ostream&, const mesh_file::Segmented_mesh&)
-{ throw Failure(Status::USAGE, "3MF is not written by this build: it needs lib3mf at build time"); }
+{ throw std::runtime_error("this build is without lib3mf"); }
 
 #endif
 

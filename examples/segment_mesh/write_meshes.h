@@ -69,12 +69,13 @@ inline void check_output_format(const std::filesystem::path& name, bool is_part)
 inline void write_mesh(std::ostream& out, const std::string& extension,
                        const mesh_file::Segmented_mesh& mesh, const std::string& materials = "")
 {
-  if (is_3mf(extension))
-    return write_3mf(out, mesh);
   try {
-    mesh_file::write_mesh_file(out, extension, mesh, materials);
+    if (is_3mf(extension))
+      write_3mf(out, mesh);
+    else
+      mesh_file::write_mesh_file(out, extension, mesh, materials);
   }
-  catch (const std::runtime_error& e) { // a coordinate is too large for the format
+  catch (const std::runtime_error& e) { // for example, a coordinate is too large for the format
     throw Failure(Status::OUTPUT, e.what());
   }
 }
