@@ -28,6 +28,7 @@ inline void separate_groups(Surface& surface)
 {
   if (surface.groups.empty())
     return;
+  start_at_smallest_vertices(surface); // as in a mesh, so that copies get the same indices
   std::vector<Index> group(surface.points.size(), null_index); // the group that keeps the vertex
   std::map<std::pair<Index, Index>, Index> copies;             // of a vertex, for another group
   for (Index f = 0; f < surface.number_of_faces(); ++f)
@@ -48,6 +49,7 @@ inline void separate_groups(Surface& surface)
       surface.opposite[h] = h;
       surface.opposite[o] = o;
     }
+  start_at_smallest_vertices(surface);
 }
 
 } // namespace CGAL::Spectral_segmentation::internal
