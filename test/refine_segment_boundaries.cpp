@@ -751,6 +751,24 @@ BOOST_AUTO_TEST_CASE(any_triangles_can_be_refined)
   }
 }
 
+// A triangle of a third segment touches the corner of a plate that is far from the boundary.
+BOOST_AUTO_TEST_CASE(segments_may_share_a_vertex_away_from_boundaries)
+{
+  Random random(3);
+  Soup soup = displaced(plate(20, 2), 0.1, random);
+  std::vector<int> segment;
+  for (const auto& t : soup.triangles)
+    segment.push_back(soup.points[t[0]].x() < 3 + int(random() % 2));
+  const std::size_t corner = soup.points.size() - 1;
+  soup.points.insert(soup.points.end(), {{21, 2, 0}, {21, 3, 0}});
+  soup.triangles.push_back({corner, corner + 1, corner + 2});
+  segment.push_back(7);
+  const auto refinement = CGAL::refine_segment_boundaries(soup.points, soup.triangles, segment);
+  BOOST_TEST(!refinement.points.empty());
+  for (std::size_t f = 0; f < segment.size(); ++f)
+    BOOST_TEST((segment[f] == 7) == (soup.triangles[f][1] == corner + 1));
+}
+
 BOOST_AUTO_TEST_CASE(bad_triangles_are_refused_and_left_as_they_are)
 {
   const Soup good = plate(4, 4);

@@ -11,6 +11,8 @@
 
 #include <Eigen/Core>
 
+#include <boost/property_map/function_property_map.hpp>
+
 #include <algorithm>
 #include <array>
 #include <cstddef>
@@ -104,6 +106,23 @@ BOOST_AUTO_TEST_CASE(labels_are_those_of_the_mesh)
         const auto all_cuts = np.salience_threshold(0).minimum_segment_size(0);
         BOOST_TEST((labels_of_triangles(soups()[i], np) == labels_of(soups()[i], np)));
         BOOST_TEST((labels_of_triangles(soups()[i], all_cuts) == labels_of(soups()[i], all_cuts)));
+      }
+  });
+}
+
+BOOST_AUTO_TEST_CASE(labels_with_groups_are_those_of_the_mesh)
+{
+  const auto group = [](std::size_t f) { return int(f / 40 % 3); };
+  for_both_methods([&](const auto& np) {
+    for (std::size_t i = 0; i < soups().size(); ++i)
+      BOOST_TEST_CONTEXT("soup " << i) {
+        const auto all_cuts =
+          np.salience_threshold(0).minimum_segment_size(0).number_of_coarse_faces(20);
+        const Labels expected =
+          labels_of(soups()[i], all_cuts.face_group_map(
+                                  boost::make_function_property_map<Mesh::Face_index>(group)));
+        BOOST_TEST((labels_of_triangles(soups()[i], all_cuts.face_group_map(
+                      boost::make_function_property_map<std::size_t>(group))) == expected));
       }
   });
 }

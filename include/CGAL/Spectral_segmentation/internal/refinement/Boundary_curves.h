@@ -94,16 +94,18 @@ public:
   Boundary_curves(const Surface& graph, const std::vector<Index>& labels,
                   const Boundary_band& band, const Segment_shares& share)
     : graph_(graph), labels_(labels), band_(band), vertex_label_(graph.points.size(), null_index),
-      positions_(graph.number_of_halfedges(), 0.5), is_frozen_(graph.number_of_faces(), 0)
+      positions_(graph.number_of_halfedges(), 0.5), is_frozen_(graph.number_of_faces(), 1)
   {
     for (double area : graph.areas)
       mean_area_ += area / static_cast<double>(graph.number_of_faces());
     for (Index f = 0; f < graph.number_of_faces(); ++f)
       for (Index v : graph.corners[f])
         vertex_label_[v] = labels[f];
-    for (Index f : band.faces)
+    for (Index f : band.faces) {
+      is_frozen_[f] = 0;
       for (Index v : graph.corners[f])
         vertex_label_[v] = band.is_fixed(v) ? null_index : share.label_of_largest(v);
+    }
     for (Index f : band.kept_faces)
       freeze(f);
     for_each_crossing([&](Index h) {

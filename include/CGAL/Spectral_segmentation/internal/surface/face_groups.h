@@ -26,6 +26,7 @@ inline std::vector<Index> groups_of_vertices(const Surface& surface)
 template <class PartOfFace>
 void separate_vertices(Surface& surface, const PartOfFace& part_of_face)
 {
+  start_at_smallest_vertices(surface); // so that copies get the same indices in soups and meshes
   std::vector<Index> part(surface.points.size(), null_index); // the part that keeps the vertex
   std::map<std::pair<Index, Index>, Index> copies;            // of a vertex, for another part
   for (Index f = 0; f < surface.number_of_faces(); ++f)
@@ -41,6 +42,7 @@ void separate_vertices(Surface& surface, const PartOfFace& part_of_face)
         surface.points.push_back(Vector(surface.points[v]));
       v = copy->second;
     }
+  start_at_smallest_vertices(surface);
 }
 
 // Separates the groups of faces: each gets its own vertices, and edges between groups become
