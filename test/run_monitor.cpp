@@ -198,6 +198,20 @@ BOOST_AUTO_TEST_CASE(what_is_told_of_parts_is_passed_on)
   BOOST_TEST(&monitor.control() == &parts);
 }
 
+BOOST_AUTO_TEST_CASE(counted_steps_ask_the_caller_now_and_then)
+{
+  Stopper stopper(20);
+  Run_monitor monitor(stopper);
+  for (int i = 0; i < 100000; ++i)
+    monitor.count_steps(10);
+  BOOST_TEST(stopper.asked >= 3); // a million steps take some milliseconds
+  BOOST_TEST(stopper.asked < 20);
+  for (int i = 0; i < 100; ++i)
+    monitor.count_steps(1000000); // of one call
+  BOOST_TEST(stopper.asked == 20); // no question after the answer
+  BOOST_TEST(monitor.is_stopped());
+}
+
 BOOST_AUTO_TEST_CASE(the_caller_is_called_by_one_thread_at_a_time)
 {
   struct Alone : Run_control

@@ -151,6 +151,28 @@ BOOST_AUTO_TEST_CASE(contact_grows_with_the_area_of_contact)
   BOOST_TEST(area[0] / area[1] == 4, tt::tolerance(0.2));
 }
 
+BOOST_AUTO_TEST_CASE(steps_are_counted_all_along)
+{
+  // There are 64 cells along the mesh, and pieces of less than half a cell.
+  const Soup soup = disjoint_union(plate(8, 8), moved(plate(8, 8), 0, 0, 0.3));
+  const Surface graph = surface_of(soup);
+  std::size_t all = 0;
+  const auto contacts = [&](const internal::Step_counter& count_steps)
+  { return internal::set_contacts(graph, graph.components.of_face, count_steps).size(); };
+  BOOST_TEST(contacts([&](std::size_t number) { all += number; }) == 1);
+  BOOST_TEST(all > 2 * 2 * 64 * 64);
+  struct Ended {};
+  for (std::size_t end : {std::size_t(1), all / 4, all / 2, all - 1}) {
+    std::size_t left = end;
+    const auto count = [&](std::size_t number) {
+      if (number > left)
+        throw Ended();
+      left -= number;
+    };
+    BOOST_CHECK_THROW(contacts(count), Ended);
+  }
+}
+
 BOOST_AUTO_TEST_CASE(sets_of_faces_are_joined_nearest_first)
 {
   Soup soup;

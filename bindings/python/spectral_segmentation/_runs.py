@@ -127,8 +127,9 @@ def segment_hierarchy(points, triangles=None, *, method="calibrated", number_of_
     random_seed: chooses reference faces at random, as in the paper.
     threads: at most this number of threads; by default all that the machine has.
     progress: is called with the share of the run that is done, from 0 to 1, in the caller's thread.
-        If it returns False the run ends, and the result has the cuts made so far. If it raises an
-        exception, the run ends with that. So it does with KeyboardInterrupt after Ctrl-C.
+        If it returns False, or another value but None that counts as false, the run ends, and the
+        result has the cuts made so far. If it raises an exception, the run ends with that. So it
+        does with KeyboardInterrupt after Ctrl-C.
 
     Raises TypeError or ValueError if an argument has a wrong type, shape or range, or seeds and
     edges contradict each other; OverflowError if a number is too large; MemoryError if there is not

@@ -4,29 +4,54 @@
 #ifndef SPECTRAL_SEGMENTATION_PYTHON_PYTHON_RUN_H
 #define SPECTRAL_SEGMENTATION_PYTHON_PYTHON_RUN_H
 
+#include "Worker.h"
+#include "python_lock.h"
+
 #include <CGAL/Spectral_segmentation/internal/base/Run_control.h>
 
 #include <pybind11/pybind11.h>
+
+#include <unistd.h>
 
 #include <atomic>
 #include <chrono>
 #include <condition_variable>
 #include <exception>
 #include <mutex>
+#include <set>
 #include <thread>
+#include <utility>
+#include <vector>
 
 namespace python {
 
 namespace py = pybind11;
 
-// A run in a thread of its own, without Python's lock. The caller's thread waits: there, and only
-// there, signals are handled and progress is told, for Python handles signals in its main thread.
+// A run in another thread, without Python's lock. The caller's thread waits: there, and only there,
+// signals are handled and progress is told, for Python handles signals in its main thread.
 class Python_run : public CGAL::Spectral_segmentation::internal::Run_control
 {
 public:
   struct Abandoned {}; // unwinds the run, whose result nobody will see
 
 private:
+  // What Python's lock guards. A process that was forked has none of the threads of its parent.
+  struct Process
+  {
+    pid_t id = getpid();
+    std::vector<Worker*> idle; // TBB keeps memory for each thread that ever called it
+    std::set<Python_run*> runs;
+    std::thread::id ending_thread; // the one that ends the process
+  };
+
+  static Process& process()
+  {
+    static Process result;
+    if (result.id != getpid())
+      result = Process();
+    return result;
+  }
+
   const py::object progress_; // a callable or None
   std::mutex mutex_;
   std::condition_variable changed_;
@@ -37,15 +62,23 @@ private:
   std::atomic<bool> is_stopped_{false}, is_abandoned_{false};
   double told_share_ = 0;
 
-  // Holding Python's lock.
-  void call_python(double share)
+  // Ends the thread without a message.
+  [[noreturn]] static void throw_system_exit()
+  {
+    PyErr_SetNone(PyExc_SystemExit);
+    throw py::error_already_set();
+  }
+
+  // Handles signals and tells the progress, holding Python's lock.
+  void report(double share)
   {
     if (PyErr_CheckSignals() != 0)
       throw py::error_already_set();
     if (progress_.is_none() || share <= told_share_ || is_stopped_)
       return;
     told_share_ = share;
-    if (progress_(share).is(py::bool_(false)))
+    const py::object answer = call(progress_, py::float_(share));
+    if (!answer.is_none() && !py::bool_(answer))
       is_stopped_ = true;
   }
 
@@ -62,9 +95,9 @@ private:
       const double share = share_;
       lock.unlock();
       {
-        const py::gil_scoped_acquire python_lock;
+        const Python_lock python_lock;
         try {
-          call_python(share);
+          report(share);
         }
         catch (...) {
           abandon(std::current_exception());
@@ -100,30 +133,58 @@ public:
     is_abandoned_ = true;
   }
 
+  // Ends all runs because the process ends, and waits until they have ended, but not for ever.
+  static void end_all()
+  {
+    Process& p = process();
+    p.ending_thread = std::this_thread::get_id();
+    for (Python_run* run : p.runs)
+      run->is_abandoned_ = true;
+    const auto limit = std::chrono::steady_clock::now() + std::chrono::seconds(3);
+    while (!p.runs.empty() && std::chrono::steady_clock::now() < limit) {
+      const No_python_lock no_python_lock;
+      std::this_thread::sleep_for(std::chrono::milliseconds(1));
+    }
+  }
+
   // Calls `work`. Exceptions are those of `work`, of the callables and of signals.
   template <class Function>
   void operator()(const Function& work)
   {
-    {
-      const py::gil_scoped_release no_python_lock;
-      std::thread worker([&] {
-        std::exception_ptr error;
-        try {
-          work();
-        }
-        catch (...) {
-          error = std::current_exception();
-        }
-        const std::lock_guard<std::mutex> lock(mutex_);
-        error_ = error;
-        is_done_ = true;
-        changed_.notify_one();
-      });
-      wait();
-      worker.join();
+    Process& p = process();
+    if (p.ending_thread != std::thread::id() && p.ending_thread != std::this_thread::get_id())
+      throw_system_exit();
+    Worker* worker = nullptr;
+    if (p.idle.empty())
+      worker = new Worker;
+    else {
+      worker = p.idle.back();
+      p.idle.pop_back();
     }
+    p.runs.insert(this);
+    worker->start([&] {
+      std::exception_ptr error;
+      try {
+        work();
+      }
+      catch (...) {
+        error = std::current_exception();
+      }
+      const std::lock_guard<std::mutex> lock(mutex_);
+      error_ = error;
+      is_done_ = true;
+      changed_.notify_one();
+    });
+    {
+      const No_python_lock no_python_lock;
+      wait();
+    }
+    p.runs.erase(this);
+    p.idle.push_back(worker);
+    if (is_abandoned_ && !error_of_python_)
+      throw_system_exit();
     if (!error_of_python_ && !error_)
-      call_python(share_); // the last one
+      report(share_); // the last one
     if (error_of_python_)
       std::rethrow_exception(error_of_python_);
     if (error_)

@@ -4,6 +4,7 @@
 #include "mesh_files.h"
 
 #include "arrays.h"
+#include "python_lock.h"
 
 #include <segment_mesh/mesh_file/Polygon_soup.h>
 #include <segment_mesh/mesh_file/Polygon_triangulation.h>
@@ -53,7 +54,7 @@ static py::tuple parse_mesh(const py::bytes& bytes, const std::string& extension
   std::vector<Triangle> triangles;
   std::vector<Index> polygon_of_triangle;
   try {
-    const py::gil_scoped_release no_python_lock;
+    const No_python_lock no_python_lock;
     soup = mesh_file::read_mesh_file(contents, mesh_file::format_of_extension(extension), false);
     mesh_file::Polygon_triangulation triangulate(soup.points);
     triangles.reserve(soup.number_of_polygons());
@@ -110,7 +111,7 @@ static py::tuple format_mesh(const std::string& extension, const Contiguous<doub
   const mesh_file::Segmented_mesh mesh{soup, label_of_triangle, color_of_segment};
   std::ostringstream out, out_of_materials;
   try {
-    const py::gil_scoped_release no_python_lock;
+    const No_python_lock no_python_lock;
     mesh_file::write_mesh_file(out, extension, mesh, materials);
     if (!materials.empty())
       mesh_file::write_mtl(out_of_materials, mesh);

@@ -5,6 +5,7 @@
 #define SPECTRAL_SEGMENTATION_PYTHON_READ_PARAMETERS_H
 
 #include "Python_run.h"
+#include "python_lock.h"
 
 #include <CGAL/Spectral_segmentation/Options.h>
 #include <CGAL/Spectral_segmentation/internal/adaptors/read_options.h>
@@ -33,9 +34,9 @@ public:
 
   double operator()(const segmentation::Salience_factors& factors) const
   {
-    const py::gil_scoped_acquire python_lock;
+    const Python_lock python_lock;
     try {
-      return (*function_)(factors).cast<double>();
+      return call(*function_, py::cast(factors)).cast<double>();
     }
     catch (py::cast_error&) {
       run_->abandon(std::make_exception_ptr(py::type_error("part_salience must return a number")));

@@ -8,6 +8,7 @@
 #include "arrays.h"
 #include "hierarchy_arrays.h"
 #include "mesh_files.h"
+#include "python_lock.h"
 #include "read_parameters.h"
 
 #include <CGAL/Spectral_segmentation/IO/hierarchy_json.h>
@@ -26,6 +27,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <exception>
+#include <functional>
 #include <optional>
 #include <sstream>
 #include <stdexcept>
@@ -46,22 +48,32 @@ constexpr bool has_threads = false;
 
 typedef std::optional<py::array_t<std::int64_t> > Optional_integers;
 
-// Points of type float or double and integers of 4 or 8 bytes are read where they are. Groups are
-// numbered from 0.
-internal::Surface read_triangles(const py::array& points, const py::array& triangles,
-                                 const Optional_integers& groups)
+typedef std::function<internal::Surface()> Reader;
+
+// Returns a function that reads arrays without Python's lock, which even a look at their types
+// needs. Points of type float or double and integers of 4 or 8 bytes are read where they are.
+Reader reader_of(const py::array& points, const py::array& triangles)
 {
-  internal::Surface result;
-  with_rows<float, double>(points, [&](const auto& point_rows) {
-    with_rows<std::int32_t, std::int64_t, std::uint32_t, std::uint64_t>(
-      triangles, [&](const auto& triangle_rows)
-      { result = internal::read_triangle_soup(point_rows, triangle_rows); });
+  return with_rows<float, double>(points, [&](const auto& point_rows) {
+    return with_rows<std::int32_t, std::int64_t, std::uint32_t, std::uint64_t>(
+      triangles, [&](const auto& triangle_rows) -> Reader {
+        return [point_rows, triangle_rows]
+        { return internal::read_triangle_soup(point_rows, triangle_rows); };
+      });
   });
+}
+
+// Groups are numbered from 0.
+internal::Surface read_triangles(const Reader& read, const Optional_integers& groups,
+                                 Python_run& run)
+{
+  internal::Surface result = read();
   if (groups) {
     const auto group = groups->unchecked<1>();
     for (py::ssize_t f = 0; f < group.shape(0); ++f)
       result.groups.push_back(static_cast<internal::Index>(group(f)));
   }
+  run.go_further(); // may throw
   internal::connect(result);
   return result;
 }
@@ -118,18 +130,19 @@ Segmentation_hierarchy segment(const py::array& points, const py::array& triangl
   Python_run run(progress);
   const segmentation::Options options = read_parameters(parameters, salience, run);
   const internal::Constraints constraints = read_constraints(seams, uncuttable, seeds);
+  const Reader read = reader_of(points, triangles);
   Segmentation_hierarchy result;
   run([&] {
     // Python would make a state of this thread for each call of the salience.
-    std::optional<py::gil_scoped_acquire> state;
-    std::optional<py::gil_scoped_release> no_python_lock;
+    std::optional<Python_lock> state;
+    std::optional<No_python_lock> no_python_lock;
     if (!salience.is_none()) {
       state.emplace();
       no_python_lock.emplace();
     }
     with_threads(threads, [&](internal::Execution execution) {
-      result = internal::segmentation_hierarchy(read_triangles(points, triangles, groups),
-                                                options, execution, run, constraints);
+      result = internal::segmentation_hierarchy(read_triangles(read, groups, run), options,
+                                                execution, run, constraints);
     });
   });
   return result;
@@ -356,4 +369,5 @@ PYBIND11_MODULE(_core, m)
   define_hierarchy(m);
   define_mesh_files(m);
   m.def("segment", segment);
+  py::module_::import("atexit").attr("register")(py::cpp_function(Python_run::end_all));
 }

@@ -45,11 +45,20 @@ def test_progress_cancels(dumbbell):
     assert len(part.labels()) == len(dumbbell[1])
 
 
-@pytest.mark.parametrize("answer", [None, True, 0, "no"])
-def test_only_false_cancels(bumpy_dumbbell, answer):
-    expected = segment(*bumpy_dumbbell, **PAPER)
-    np.testing.assert_array_equal(
-        segment(*bumpy_dumbbell, **PAPER, progress=lambda share: answer), expected)
+@pytest.mark.parametrize("answer, cancels", [
+    (None, False), (True, False), (np.True_, False), ("no", False), (np.float64(0.5) < 1, False),
+    (False, True), (np.False_, True), (0, True), (np.float64(0.5) < 0, True)])
+def test_answers_that_count_as_false_cancel(dumbbell, answer, cancels):
+    shares = []
+
+    def progress(share):
+        shares.append(share)
+        return answer
+
+    segment(*dumbbell, progress=progress)
+    assert (len(shares) == 1) == cancels
+    with pytest.raises(ValueError, match="truth value"):
+        segment(*dumbbell, progress=lambda share: np.array([True, False]))
 
 
 def test_errors_of_callables_are_those_of_the_run(dumbbell):
@@ -96,6 +105,29 @@ except KeyboardInterrupt:
         assert process.communicate(timeout=60)[0] == "interrupted [0]\n"
 
 
+def test_a_signal_ends_a_run_on_triangles_that_are_not_connected():
+    """The search takes a small part of that run; the contacts of the triangles take the rest."""
+    random = np.random.default_rng(1)
+    points, triangles = random.random((500, 3)), random.integers(0, 500, (1000, 3))
+    delays = []
+
+    def stop(signal_number, frame):
+        delays.append(time.perf_counter())
+        raise OwnError
+
+    before = signal.signal(signal.SIGALRM, stop)
+    try:
+        for delay in (0.2, 0.4, 0.6, 0.8):
+            signal.setitimer(signal.ITIMER_REAL, delay)
+            with pytest.raises(OwnError):
+                segment(points, triangles, threads=1)
+            delays.append(time.perf_counter() - delays.pop())
+    finally:
+        signal.setitimer(signal.ITIMER_REAL, 0)
+        signal.signal(signal.SIGALRM, before)
+    assert min(delays) < 0.2 and max(delays) < 1 # the machine may be busy
+
+
 def test_other_threads_of_python_go_on(dumbbell):
     times, is_done = [], threading.Event()
 
@@ -132,6 +164,97 @@ def test_runs_in_several_threads():
         np.testing.assert_array_equal(a, b)
 
 
+def test_runs_in_several_threads_count_references_to_types():
+    """Python's counts are not for several threads; 0 would free a type that NumPy needs."""
+    program = """
+import sys, threading
+import numpy as np
+from spectral_segmentation import segment
+points = np.eye(3)
+triangles = [np.array([[0, 1, 2]], type) for type in ("i4", "i8", "u4", "u8")]
+types = [np.dtype(type) for type in ("f4", "f8", "i4", "i8", "u4", "u8")]
+def run():
+    for i in range(2000):
+        segment(points, triangles[i % 4], threads=1, number_of_coarse_faces=0)
+def counts():
+    return [sys.getrefcount(type) for type in types]
+run()
+before = counts()
+threads = [threading.Thread(target=run) for _ in range(3)]
+for thread in threads:
+    thread.start()
+for thread in threads:
+    thread.join()
+assert counts() == before
+"""
+    subprocess.run([sys.executable, "-c", program], check=True, timeout=120)
+
+
+# What a daemon thread does while the process ends: `busy` has a long run, `sleep` a callable that
+# does not return, and the others a loop of short calls.
+END_OF_PROCESS = """
+import sys, threading, time
+import numpy as np
+from spectral_segmentation import read, segment
+n = 500
+grid = np.stack(np.meshgrid(np.arange(n), np.arange(n)), -1).reshape(-1, 2)
+points = np.column_stack([grid, 20 * np.sin(grid[:, 0] / 50)])
+a = (np.arange(n - 1)[:, None] * n + np.arange(n - 1)).ravel()
+triangles = np.concatenate([np.stack([a, a + 1, a + n], 1), np.stack([a + 1, a + n + 1, a + n], 1)])
+small = np.eye(3), [[0, 1, 2]]
+is_started = threading.Event()
+def tell(share):
+    is_started.set()
+def tell_size(factors):
+    is_started.set()
+    return factors.size
+def sleep(_):
+    is_started.set()
+    time.sleep(100)
+def loop(f):
+    while True:
+        f()
+        is_started.set()
+def read_file():
+    try:
+        read(sys.argv[2])
+    except ValueError:
+        pass
+actions = {
+    "busy": lambda: segment(points, triangles, progress=tell),
+    "busy_salience": lambda: segment(points, triangles, part_salience=tell_size),
+    "sleep": lambda: segment(points, triangles, progress=sleep),
+    "sleep_salience": lambda: segment(points, triangles, part_salience=sleep),
+    "short": lambda: loop(lambda: segment(*small, number_of_coarse_faces=0, progress=tell)),
+    "read": lambda: loop(read_file)}
+for _ in range(2):
+    threading.Thread(target=actions[sys.argv[1]], daemon=True).start()
+is_started.wait()
+time.sleep(0.05)
+print("ended")
+"""
+
+
+@pytest.mark.parametrize("action", ["busy", "busy_salience", "sleep", "sleep_salience", "short",
+                                    "read"])
+def test_the_process_ends_while_daemon_threads_run(action):
+    done = subprocess.run([sys.executable, "-c", END_OF_PROCESS, action, __file__],
+                          stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True, timeout=60)
+    assert (done.returncode, done.stdout, done.stderr) == (0, "ended\n", "")
+
+
+def test_handlers_at_exit_can_run():
+    program = """
+import atexit
+import numpy as np
+atexit.register(lambda: print(segment(np.eye(3), [[0, 1, 2]])))
+from spectral_segmentation import segment # whose handler is called first
+"""
+    done = subprocess.run([sys.executable, "-c", program], stdout=subprocess.PIPE, text=True,
+                          check=True, timeout=60)
+    assert done.stdout == "[0]\n"
+
+
 def test_the_number_of_threads_makes_no_difference(dumbbell):
     expected = segment(*dumbbell, threads=1)
     for number in (2, 3, None, 10**9):
@@ -159,6 +282,29 @@ if __name__ == "__main__":
     done = subprocess.run([sys.executable, "-c", program, str(__file__).rpartition("/")[0]],
                           stdout=subprocess.PIPE, text=True, check=True, timeout=120)
     assert done.stdout == "".join("%s\n" % labels.tolist() for labels in expected)
+
+
+def test_a_thousand_runs_with_threads_need_no_thread_and_no_memory_each():
+    """TBB keeps 8 KB for each thread that ever called it."""
+    program = """
+import resource
+import numpy as np
+from spectral_segmentation import segment
+def run(number):
+    for _ in range(number):
+        segment(np.eye(3), [[0, 1, 2]], number_of_coarse_faces=0)
+def memory():
+    return int(open("/proc/self/statm").read().split()[1]) * resource.getpagesize()
+run(100)
+before = memory()
+run(1000)
+print(memory() - before)
+"""
+    if not sys.platform.startswith("linux"):
+        pytest.skip("/proc is of Linux")
+    done = subprocess.run([sys.executable, "-c", program], stdout=subprocess.PIPE, text=True,
+                          check=True, timeout=60)
+    assert int(done.stdout) < 1_000_000
 
 
 def test_a_thousand_runs_leave_no_memory():

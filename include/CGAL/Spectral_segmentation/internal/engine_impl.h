@@ -338,7 +338,7 @@ class Run
   void apply_options(Cut_hierarchy& hierarchy)
   {
     if (!options_.keep_components_separate && hierarchy.number_of_roots > 1)
-      hierarchy = Component_merging(hierarchy, mesh_)();
+      hierarchy = Component_merging(hierarchy, mesh_, monitor_)();
     if (!constraints_.empty())
       satisfy_constraints(hierarchy);
     if (!options_.number_of_segments || monitor_.is_stopped())

@@ -24,6 +24,7 @@ class Run_monitor
   Run_control& control_;
   std::mutex mutex_;
   std::atomic<bool> is_stopped_{false};
+  std::atomic<std::size_t> steps_{0}; // counted since the last question
   double start_ = 0, end_ = 0; // the range of the current phase within the run
   double done_ = 0;            // the fraction of the phase that is done
   double reported_ = 0;        // the fraction of the run that was reported last
@@ -77,6 +78,17 @@ public:
   {
     if (!go_further())
       throw Run_stopped();
+  }
+
+  // Counts short steps, and asks the caller every few milliseconds. The answer only counts for
+  // later stages, but an exception of the caller ends the loop.
+  void count_steps(std::size_t number)
+  {
+    constexpr std::size_t steps_between_questions = 1 << 17;
+    const std::size_t steps = steps_.load(std::memory_order_relaxed) + number; // may lose some
+    steps_.store(steps % steps_between_questions, std::memory_order_relaxed);
+    if (steps >= steps_between_questions)
+      go_further();
   }
 
   // Starts a phase that takes this fraction of the run.

@@ -50,13 +50,15 @@ class Cut_transfer
   // Returns the shares of the cells, in the positions of the leaves among `leaves`.
   template <class For_each_share>
   static Leaf_shares shares_of_cells(const Band_cells& cells, const Nested_ranges& leaves,
-                                     const For_each_share& for_each_share)
+                                     const For_each_share& for_each_share, Run_monitor& monitor)
   {
     Leaf_shares result;
     for (Index cell = 0; cell < cells.number(); ++cell) {
       result.add_element();
       for_each_share(cells.first_face(cell), [&](Index leaf, float share)
         { result.add(static_cast<Index>(leaves.first(leaf)), share); });
+      const std::size_t number = result[cell].size();
+      monitor.count_steps(number * number);
     }
     return result;
   }
@@ -262,7 +264,7 @@ public:
     : execution_(execution), cuts_(cuts), mesh_(mesh), monitor_(monitor),
       leaves_(ranges_of_leaves(cuts)),
       cells_(mesh, are_between(execution, cuts, mesh, for_each_share)),
-      shares_(shares_of_cells(cells_, leaves_, for_each_share)),
+      shares_(shares_of_cells(cells_, leaves_, for_each_share, monitor)),
       side_(cells_.number(), OUTSIDE), flood_(cells_.number(), 0)
   {
     if (!shares_.are_whole() && !monitor.is_stopped())
@@ -283,6 +285,7 @@ public:
           !cut_as(other_node, node_of[other_node], result, cells, node_of))
         result.has_all_cuts = false;
       monitor_.advance(2 * step);
+      monitor_.go_further(); // may throw
     }
     std::vector<std::size_t> last_of(result.nodes.size()); // per node: the last that became it
     for (std::size_t i = 0; i < cuts_.nodes.size(); ++i)

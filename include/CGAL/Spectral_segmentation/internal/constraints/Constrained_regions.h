@@ -296,7 +296,7 @@ public:
     Region_graph result = graph();
     join_strips(result);
     if (!keep_components_separate)
-      result.close_gaps(mesh_, region_);
+      result.close_gaps(mesh_, region_, [&](std::size_t n) { monitor_.count_steps(n); });
     return result;
   }
 

@@ -69,7 +69,8 @@ public:
 
   // Adds contacts along a minimum spanning tree of the regions if the mesh has several components,
   // so that regions of different components can be merged.
-  void close_gaps(const Surface& mesh, const std::vector<Index>& region)
+  void close_gaps(const Surface& mesh, const std::vector<Index>& region,
+                  const Step_counter& count_steps)
   {
     if (mesh.components.number == 1)
       return;
@@ -81,7 +82,8 @@ public:
       }
       set.push_back(number[r]);
     }
-    for (const auto& [a, b] : nearest_sets_of_faces(mesh, set, region_of_number.size()))
+    for (const auto& [a, b] :
+         nearest_sets_of_faces(mesh, set, region_of_number.size(), count_steps))
       add_contact(region_of_number[a], region_of_number[b], {});
   }
 

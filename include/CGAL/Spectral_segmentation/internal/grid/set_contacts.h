@@ -14,6 +14,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <functional>
 #include <tuple>
 #include <utility>
 #include <vector>
@@ -43,9 +44,13 @@ inline double number_of_cells(const Surface& mesh, double extent)
   return result;
 }
 
+// Receives numbers of short steps that were made, and may throw.
+typedef std::function<void(std::size_t)> Step_counter;
+
 // Returns the contacts of sets that are neighbors, the smallest gap first. They connect all sets.
-inline std::vector<Set_contact> set_contacts(const Surface& mesh,
-                                             const std::vector<Index>& set_of_face)
+inline std::vector<Set_contact> set_contacts(
+  const Surface& mesh, const std::vector<Index>& set_of_face,
+  const Step_counter& count_steps = [](std::size_t) {})
 {
   Bounding_box box(mesh.points);
   const double extent = (box.largest - box.smallest).largest_coordinate();
@@ -54,25 +59,33 @@ inline std::vector<Set_contact> set_contacts(const Surface& mesh,
   std::vector<Index> set;     // one per piece
   for (Index f = 0; f < mesh.number_of_faces(); ++f) {
     const Corners& c = mesh.corners[f];
+    const std::size_t first = points.size();
     for_each_piece({scale * mesh.points[c[0]], scale * mesh.points[c[1]],
                     scale * mesh.points[c[2]]}, 1, [&](const Triangle& piece, double) {
       points.push_back((piece[0] + piece[1] + piece[2]) / 3);
       set.push_back(set_of_face[f]);
     });
+    count_steps(points.size() - first);
   }
   const Grid grid(Bounding_box(points), 1);
   const auto squared_distance = [&](Index i, const Vector& p)
   { return (points[i] - p).squared_norm(); };
-  const auto reaches = [](Index, float) { return true; };
+  const auto reaches = [&](Index, float) {
+    count_steps(1);
+    return true;
+  };
   Nearest_elements<decltype(squared_distance), decltype(reaches)>
     nearest(grid, squared_distance, reaches);
-  for (Index i = 0; i < points.size(); ++i)
+  for (Index i = 0; i < points.size(); ++i) {
     for (Index node : grid.corners(grid.cell(points[i])))
       nearest.offer(node, i);
+    count_steps(1);
+  }
   nearest.propagate();
 
   std::vector<Set_contact> gaps;
   const auto add_gap = [&](Index i, Index j, bool is_face) {
+    count_steps(1);
     if (set[i] == set[j])
       return;
     constexpr double largest_squared_gap = 1.5 * 1.5;
@@ -89,8 +102,10 @@ inline std::vector<Set_contact> set_contacts(const Surface& mesh,
         add_gap(nearest.element(node), nearest.element(neighbor), true);
     });
   const auto key = [](const Set_contact& c) { return std::tie(c.sets[0], c.sets[1]); };
-  std::sort(gaps.begin(), gaps.end(),
-            [&](const Set_contact& a, const Set_contact& b) { return key(a) < key(b); });
+  std::sort(gaps.begin(), gaps.end(), [&](const Set_contact& a, const Set_contact& b) {
+    count_steps(1);
+    return key(a) < key(b);
+  });
   std::vector<Set_contact> result;
   for (const Set_contact& gap : gaps)
     if (result.empty() || key(result.back()) != key(gap))
@@ -99,7 +114,8 @@ inline std::vector<Set_contact> set_contacts(const Surface& mesh,
       result.back().squared_gap = (std::min)(result.back().squared_gap, gap.squared_gap);
       result.back().area += gap.area;
     }
-  std::sort(result.begin(), result.end(), [](const Set_contact& a, const Set_contact& b) {
+  std::sort(result.begin(), result.end(), [&](const Set_contact& a, const Set_contact& b) {
+    count_steps(1);
     return std::tie(a.squared_gap, a.sets[0], a.sets[1]) <
            std::tie(b.squared_gap, b.sets[0], b.sets[1]);
   });
@@ -110,13 +126,14 @@ inline std::vector<Set_contact> set_contacts(const Surface& mesh,
 // first.
 inline std::vector<std::pair<Index, Index> >
 nearest_sets_of_faces(const Surface& mesh, const std::vector<Index>& set_of_face,
-                      std::size_t number_of_sets)
+                      std::size_t number_of_sets,
+                      const Step_counter& count_steps = [](std::size_t) {})
 {
   std::vector<std::pair<Index, Index> > result;
   Face_components joined(number_of_sets);
   for (Index i = 0; i < number_of_sets; ++i)
     joined.add(i);
-  for (const Set_contact& c : set_contacts(mesh, set_of_face))
+  for (const Set_contact& c : set_contacts(mesh, set_of_face, count_steps))
     if (joined.representative(c.sets[0]) != joined.representative(c.sets[1])) {
       joined.join(c.sets[0], c.sets[1]);
       result.emplace_back(c.sets[0], c.sets[1]);

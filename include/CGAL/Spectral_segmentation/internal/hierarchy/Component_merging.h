@@ -4,6 +4,7 @@
 #ifndef CGAL_SPECTRAL_SEGMENTATION_INTERNAL_HIERARCHY_COMPONENT_MERGING_H
 #define CGAL_SPECTRAL_SEGMENTATION_INTERNAL_HIERARCHY_COMPONENT_MERGING_H
 
+#include <CGAL/Spectral_segmentation/internal/base/Run_monitor.h>
 #include <CGAL/Spectral_segmentation/internal/grid/set_contacts.h>
 #include <CGAL/Spectral_segmentation/internal/hierarchy/Dendrogram.h>
 #include <CGAL/Spectral_segmentation/internal/hierarchy/Nested_ranges.h>
@@ -55,6 +56,7 @@ class Component_merging
 
   const Cut_hierarchy& cuts_;
   const Surface& mesh_;
+  Run_monitor& monitor_;
   const Nested_ranges leaves_;                  // the leaves of each node
   const std::vector<std::size_t> root_of_leaf_; // one per place among the leaves
   Dendrogram result_;
@@ -100,7 +102,9 @@ class Component_merging
   std::vector<Neighbors> neighbors() const
   {
     std::vector<Neighbors> result(cuts_.number_of_roots);
-    for (const Set_contact& c : set_contacts(mesh_, result_.leaf)) {
+    const auto count_steps = [&](std::size_t number) { monitor_.count_steps(number); };
+    for (const Set_contact& c : set_contacts(mesh_, result_.leaf, count_steps)) {
+      count_steps(1000); // of a map
       const auto [a, b] = c.sets;
       const Index root_a = static_cast<Index>(root_of_leaf_[a]),
                   root_b = static_cast<Index>(root_of_leaf_[b]);
@@ -134,6 +138,7 @@ class Component_merging
         tiny = (std::max)(tiny, share_at_threshold * area[i]);
     }
     const auto join = [&](Index a, Index b, double salience) {
+      monitor_.count_steps(100 * neighbors[a].size());
       const Neighbor& seam = neighbors[a].at(b);
       result_.merges.push_back({{seam.leaves[0], seam.leaves[1]}, quantized(salience), {}});
       sets.erase(key[b]);
@@ -171,8 +176,8 @@ class Component_merging
 
 public:
   // Takes the cuts of the components, one root for each, and the mesh, whose faces have areas.
-  Component_merging(const Cut_hierarchy& cuts, const Surface& mesh)
-    : cuts_(cuts), mesh_(mesh), leaves_(ranges_of_leaves(cuts)),
+  Component_merging(const Cut_hierarchy& cuts, const Surface& mesh, Run_monitor& monitor)
+    : cuts_(cuts), mesh_(mesh), monitor_(monitor), leaves_(ranges_of_leaves(cuts)),
       root_of_leaf_(roots_of_leaves(cuts, leaves_)), result_(dendrogram_of(cuts, leaves_)),
       sheet_(largest_sheet())
   {

@@ -104,8 +104,10 @@ class Region_merging
     for (const auto& [a, b] : neighbors)
       merges_.push_back({{a, b}, 0, {}});
     count_common_neighbors(first);
-    for_each_index(execution_, neighbors.size(), [&](std::size_t i)
-      { evaluate(merges_[first + i]); });
+    for_each_index(execution_, neighbors.size(), [&](std::size_t i) {
+      monitor_.go_further(); // may throw
+      evaluate(merges_[first + i]);
+    });
   }
 
   void merge(Index into, Index from)
