@@ -217,10 +217,8 @@ inline void check_closing(const Soup& before, const Ids& old_ids, const Mesh* me
       if (v != w)
         ++number_at_edge[{ids[f], v, w}];
     }
-  for (const auto& [edge, number] : number_at_edge) {
+  for (const auto& [edge, number] : number_at_edge)
     require(number % 2 == 0, "an edge of a closed segment has an even number of triangles");
-    require(!mesh || number == 2, "an edge of a closed segment of a mesh has two triangles");
-  }
   if (mesh && CGAL::is_closed(*mesh))
     require(std::abs(volume(soup) - volume(before)) <= 1e-9 * double(ids.size()),
             "closed segments have the volume of the closed mesh");

@@ -170,7 +170,7 @@ public:
   std::vector<size_type> nodes() const
   {
     return in_order(cuts_above(salience_threshold_, (std::min)(number_of_segments(),
-                                                               maximum_number_of_segments_)));
+                                                               maximum_number_of_segments_), false));
   }
 
   /// exactly `n` segments, which the first cuts of the run make. The number of segments is larger
@@ -356,9 +356,9 @@ private:
   }
 
   // Returns for each node whether it is a segment of a run with these values, by repeating the
-  // decisions of the run in their order.
-  std::vector<char> cuts_above(double salience_threshold,
-                               size_type maximum_number_of_segments) const
+  // decisions of the run in their order. Throws if such a run would have to search further.
+  std::vector<char> cuts_above(double salience_threshold, size_type maximum_number_of_segments,
+                               bool searches_further = true) const
   {
     if (std::isnan(salience_threshold))
       throw std::invalid_argument("Segmentation_hierarchy: the salience threshold is not a number");
@@ -375,7 +375,7 @@ private:
       cut(i, is_segment);
       ++number;
     }
-    if (number < maximum_number_of_segments)
+    if (searches_further && number < maximum_number_of_segments)
       for (size_type i = 0; i < number_of_nodes(); ++i)
         if (is_segment[i] && cuts_.nodes[i].cut_state == Cut_state::NOT_SEARCHED)
           throw std::out_of_range("Segmentation_hierarchy: the run ended before it searched the "

@@ -34,9 +34,10 @@ cap of a segment, turned over, also goes to the segment on its other side. If th
 segments, each gets the sector of the cap between its edges and a new point in the middle of the
 loop, provided these edges are at least a tenth of the loop. Therefore the closed segments fit
 together, even where three of them meet, and the sum of their volumes is the volume of the closed
-surface. Afterwards each edge of a segment belongs to an even number of its triangles, and to
-exactly two if the triangles are those of a mesh. Caps are oriented like most of the triangles at
-their loop. They may intersect the surface where it is concave.
+surface. Afterwards each edge of a segment belongs to an even number of its triangles: nearly always
+to two if the triangles are those of a mesh, but to four where caps touch each other. Caps are
+oriented like most of the triangles at their loop. They may intersect the surface where it is
+concave.
 
 The time is O(*n* log *n*) for *n* triangles, plus the time of
 `CGAL::Polygon_mesh_processing::triangulate_hole_polyline()` for each loop.

@@ -78,7 +78,7 @@ inline Cut_hierarchy hierarchy_of(const Dendrogram& d)
   for (const Merge& m : d.merges) {
     Index a = sets.representative(m.leaves[0]), b = sets.representative(m.leaves[1]);
     CGAL_precondition(a != b);
-    if (quantized(area[a]) > quantized(area[b]))
+    if (area[a] > (1 + 1e-9) * area[b]) // areas that are equal but for noise do not decide
       std::swap(a, b);
     joins.push_back({{a, b}, {(std::min)(area[a], area[b]), (std::max)(area[a], area[b])}});
     sets.join(a, b);

@@ -5,7 +5,6 @@
 #define CGAL_SPECTRAL_SEGMENTATION_INTERNAL_SALIENCE_SUPPORT_POINTS_H
 
 #include <CGAL/Spectral_segmentation/internal/surface/Surface.h>
-#include <CGAL/Spectral_segmentation/internal/surface/Surface.h>
 
 #include <CGAL/number_type_config.h>
 
@@ -104,7 +103,11 @@ struct Support_set
   directions::Distances distances;
   std::array<Index, directions::number> points;
 
-  Support_set() { distances.fill(-std::numeric_limits<float>::infinity()); }
+  Support_set()
+  {
+    distances.fill(-std::numeric_limits<float>::infinity());
+    points.fill(0); // of faces without a finite distance
+  }
 
   template <class PointAt>
   void add(const directions::Distances& others, const PointAt& point_at)
