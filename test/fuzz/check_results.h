@@ -245,7 +245,6 @@ inline void check_splitting(const Mesh& mesh, const Ids& ids, bool close_parts)
   std::size_t number_of_faces = 0;
   for (std::size_t i = 0; i < parts.size(); ++i) {
     require(CGAL::is_valid_polygon_mesh(parts[i]), "a part is a valid mesh");
-    require(!close_parts || CGAL::is_closed(parts[i]), "a closed part is closed");
     require(parts[i].number_of_faces() == faces_of_parts[i].size(), "a part has its faces");
     for (Mesh::Face_index f : faces_of_parts[i])
       if (f != Mesh::null_face()) {

@@ -169,8 +169,8 @@ public:
   /// the segments that the run returned
   std::vector<size_type> nodes() const
   {
-    return in_order(cuts_above(salience_threshold_, (std::min)(number_of_segments(),
-                                                               maximum_number_of_segments_), false));
+    const size_type most = (std::min)(number_of_segments(), maximum_number_of_segments_);
+    return in_order(cuts_above(salience_threshold_, most, false));
   }
 
   /// exactly `n` segments, which the first cuts of the run make. The number of segments is larger

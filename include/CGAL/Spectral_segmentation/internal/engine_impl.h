@@ -398,8 +398,10 @@ public:
         });
       monitor_.start_phase(search_time / all);
       result = searched ? search(*std::move(searched)) : uncut_hierarchy(mesh_);
-      if (!searched) // the mesh is convex
+      if (!searched) { // the mesh is convex
         result.nodes[0].cut_state = Cut_state::NO_CUT;
+        result.is_monotonic = true;
+      }
     }
     catch (const Run_stopped&) { // before there was a cut
       levels_.clear();
