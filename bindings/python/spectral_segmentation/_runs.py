@@ -133,7 +133,8 @@ def segment_hierarchy(points, triangles=None, *, method="calibrated", number_of_
 
     Raises TypeError or ValueError if an argument has a wrong type, shape or range, or seeds and
     edges contradict each other; OverflowError if a number is too large; MemoryError if there is not
-    enough memory.
+    enough memory. Warns with UserWarning if the triangles are a closed surface that points inwards:
+    turned around, it may have other parts.
     """
     points, triangles = arrays_of(points, triangles)
     if method not in _METHODS:

@@ -15,6 +15,8 @@
 #include <CGAL/assertions_behaviour.h>
 #include <CGAL/segment_spectral_recursive.h>
 
+#include <segment_mesh/mesh_file/is_inside_out.h>
+
 #include <pybind11/numpy.h>
 #include <pybind11/pybind11.h>
 #include <pybind11/stl.h>
@@ -63,11 +65,12 @@ Reader reader_of(const py::array& points, const py::array& triangles)
   });
 }
 
-// Groups are numbered from 0.
+// Groups are numbered from 0. Sets whether the triangles are a closed surface that points inwards.
 internal::Surface read_triangles(const Reader& read, const Optional_integers& groups,
-                                 Python_run& run)
+                                 Python_run& run, bool& is_inside_out)
 {
   internal::Surface result = read();
+  is_inside_out = mesh_file::is_inside_out(result.points, result.corners);
   if (groups) {
     const auto group = groups->unchecked<1>();
     for (py::ssize_t f = 0; f < group.shape(0); ++f)
@@ -131,6 +134,7 @@ Segmentation_hierarchy segment(const py::array& points, const py::array& triangl
   const segmentation::Options options = read_parameters(parameters, salience, run);
   const internal::Constraints constraints = read_constraints(seams, uncuttable, seeds);
   const Reader read = reader_of(points, triangles);
+  bool is_inside_out = false;
   Segmentation_hierarchy result;
   run([&] {
     // Python would make a state of this thread for each call of the salience.
@@ -141,10 +145,14 @@ Segmentation_hierarchy segment(const py::array& points, const py::array& triangl
       no_python_lock.emplace();
     }
     with_threads(threads, [&](internal::Execution execution) {
-      result = internal::segmentation_hierarchy(read_triangles(read, groups, run), options,
-                                                execution, run, constraints);
+      result = internal::segmentation_hierarchy(
+        read_triangles(read, groups, run, is_inside_out), options, execution, run, constraints);
     });
   });
+  const char* const warning = "the triangles point inwards; turned around, they may have other "
+                              "parts, because parts end in concave seams";
+  if (is_inside_out && PyErr_WarnEx(PyExc_UserWarning, warning, 2) != 0)
+    throw py::error_already_set(); // warnings are errors
   return result;
 }
 

@@ -29,14 +29,15 @@ inline std::uint64_t number_of_edge(Index source, Index target)
 
 // Returns whether a surface is closed, all its triangles have the same orientation, and they point
 // inwards: in sum, each edge is passed as often in one direction as in the other, and the volume is
-// negative.
-inline bool is_inside_out(const std::vector<Point>& points, const std::vector<Triangle>& triangles)
+// negative. Points have the coordinates p[0], p[1] and p[2].
+template <class AnyPoint>
+bool is_inside_out(const std::vector<AnyPoint>& points, const std::vector<Triangle>& triangles)
 {
   if (triangles.empty())
     return false;
   std::uint64_t edges = 0;
   double volume = 0, size = 0;
-  const Point& origin = points[triangles[0][0]];
+  const AnyPoint& origin = points[triangles[0][0]];
   for (const Triangle& t : triangles) {
     double p[3][3];
     for (std::size_t i = 0; i < 3; ++i) {
