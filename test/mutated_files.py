@@ -259,6 +259,8 @@ def run(tool, folder, number, case, number_of_faces):
     elif done.returncode == 4:
         wrong = check_sentence(error) or (number_of_faces is not None and "a sound file is refused")
         wrong = wrong or (labels.exists() and "labels with exit code 4")
+    elif done.returncode == 7 and "a coordinate is too large for the numbers of GLB" in error:
+        wrong = check_sentence(error) or (labels.exists() and "labels with exit code 7")
     else:
         wrong = "exit code %d" % done.returncode
     path.unlink()
