@@ -74,12 +74,9 @@ std::size_t close_segments(PointRange& points, TriangleRange& triangles,
 
   const internal::Surface soup =
     internal::read_triangle_soup(points, triangles, "close_segments");
-  if (segment_ids.size() != soup.corners.size())
-    throw std::invalid_argument("close_segments: there must be an id for each triangle");
   std::vector<internal::Index> labels;
-  const auto ids = internal::labels_of_ids(
-    std::vector<typename SegmentIdRange::value_type>(segment_ids.begin(), segment_ids.end()),
-    labels);
+  const auto ids =
+    internal::read_segments(soup.corners.size(), segment_ids, labels, "close_segments");
   const internal::Caps caps =
     internal::Segment_capping(soup.points)(soup.corners, labels, ids.size());
   if (!caps.points.empty() && points.size() + caps.points.size() - 1 >

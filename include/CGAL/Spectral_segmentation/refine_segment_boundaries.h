@@ -56,15 +56,6 @@ std::size_t read_number_of_iterations(const Pack& pack)
   return static_cast<std::size_t>(iterations);
 }
 
-// Returns the refinement of a surface, whose points are normalized for it.
-inline Refinement refined_boundaries(Surface& surface, const std::vector<Index>& labels,
-                                     std::size_t number_of_segments, std::size_t iterations)
-{
-  normalize(surface.points);
-  set_areas(Execution::SEQUENTIAL, surface);
-  return refined_boundaries(std::as_const(surface), labels, number_of_segments, iterations);
-}
-
 } // namespace internal
 } // namespace Spectral_segmentation
 /// \endcond
@@ -267,12 +258,9 @@ refine_segment_boundaries(PointRange& points, TriangleRange& triangles,
   const std::size_t iterations = internal::read_number_of_iterations(pack);
   internal::Surface surface =
     internal::read_triangle_soup(points, triangles, "refine_segment_boundaries");
-  if (segment_ids.size() != surface.corners.size())
-    throw std::invalid_argument("refine_segment_boundaries: there must be an id for each triangle");
   std::vector<internal::Index> labels;
-  const auto ids = internal::labels_of_ids(
-    std::vector<typename SegmentIdRange::value_type>(segment_ids.begin(), segment_ids.end()),
-    labels);
+  const auto ids = internal::read_segments(surface.corners.size(), segment_ids, labels,
+                                           "refine_segment_boundaries");
   const std::vector<internal::Corners> given = surface.corners;
   const std::vector<internal::Vector> given_points = surface.points;
   internal::connect_triangles(surface);

@@ -10,6 +10,9 @@
 #include <boost/property_map/property_map.hpp>
 
 #include <algorithm>
+#include <cstddef>
+#include <stdexcept>
+#include <string>
 #include <vector>
 
 namespace CGAL::Spectral_segmentation::internal {
@@ -42,6 +45,21 @@ read_segments(const std::vector<FaceDescriptor>& faces, SegmentIdMap segment_ids
       id_of_face.push_back(get(segment_ids, f));
   }
   return labels_of_ids(id_of_face, labels);
+}
+
+// Maps the ids of a number of triangles to labels, and returns the sorted ids. Throws
+// `std::invalid_argument` if there are more or fewer ids. The message begins with `function`, the
+// name of the function that the caller called.
+template <class SegmentIdRange>
+std::vector<typename SegmentIdRange::value_type>
+read_segments(std::size_t number_of_triangles, const SegmentIdRange& segment_ids,
+              std::vector<Index>& labels, const std::string& function)
+{
+  if (segment_ids.size() != number_of_triangles)
+    throw std::invalid_argument(function + ": there must be an id for each triangle");
+  return labels_of_ids(
+    std::vector<typename SegmentIdRange::value_type>(segment_ids.begin(), segment_ids.end()),
+    labels);
 }
 
 } // namespace CGAL::Spectral_segmentation::internal

@@ -136,6 +136,11 @@ public:
   }
 };
 
+// Returns the product of the two largest eigenvalues of a covariance matrix. It is the largest
+// eigenvalue of the adjugate. Found as one root, it is accurate even if the second one vanishes.
+inline double product_of_largest_eigenvalues(const Symmetric_matrix& covariance)
+{ return (std::max)(Eigen_solver(covariance.adjugate()).largest_eigenvalue(), 0.); }
+
 } // namespace CGAL::Spectral_segmentation::internal
 
 #endif // CGAL_SPECTRAL_SEGMENTATION_INTERNAL_BASE_SYMMETRIC_MATRIX_H

@@ -22,9 +22,7 @@ class Boundary_band
   static constexpr double cosine_of_crease = 0.77; // 40 degrees between the normals
   static constexpr double long_crease = 3;         // in mean edge lengths
 
-  typedef std::pair<Index, Index> Ends;
-
-  std::vector<Ends> boundary_;  // its edges
+  std::vector<Index> boundary_; // a halfedge of each of its edges
   std::vector<char> is_inside_; // one per vertex
   std::vector<char> is_fixed_;  // one per vertex
 
@@ -43,7 +41,8 @@ class Boundary_band
     const std::size_t n = graph.points.size();
     std::vector<Index> degree(n, 0);
     std::vector<Vector> directions(n); // each the sum of the directions to boundary neighbors
-    for (const auto& [v, w] : boundary_) {
+    for (Index h : boundary_) {
+      const Index v = graph.source_vertex(h), w = graph.target_vertex(h);
       const Vector direction = (graph.points[w] - graph.points[v]).normalized();
       directions[v] += direction;
       directions[w] -= direction;
@@ -55,7 +54,8 @@ class Boundary_band
       is_fixed_[v] = degree[v] == 1 || (degree[v] == 2 && directions[v].norm() <= smooth_turn);
     for (int i = 0; i < number_of_spreads; ++i) {
       const std::vector<char> was_smooth = is_fixed_;
-      for (const auto& [v, w] : boundary_) {
+      for (Index h : boundary_) {
+        const Index v = graph.source_vertex(h), w = graph.target_vertex(h);
         is_fixed_[v] &= was_smooth[w];
         is_fixed_[w] &= was_smooth[v];
       }
@@ -73,7 +73,7 @@ class Boundary_band
 
   // Fixes the vertices at which all edges of the boundary are creases, and the ends of long
   // creases. The faces along creases between fixed vertices keep their labels.
-  void fix_creases(const Surface& graph, const std::vector<Index>& labels)
+  void fix_creases(const Surface& graph)
   {
     const std::size_t n = graph.points.size();
     double mean_length = 0;
@@ -81,16 +81,15 @@ class Boundary_band
       mean_length += graph.length(h) / graph.number_of_halfedges();
     std::vector<Index> creases; // a halfedge of each
     std::vector<char> is_end(n, 0), has_other_edge(n, 0);
-    for (Index h = 0; h < graph.number_of_halfedges(); ++h)
-      if (labels[h / 3] < labels[graph.neighbor(h)]) {
-        const bool is_in_crease = is_crease(graph, h);
-        if (is_in_crease)
-          creases.push_back(h);
-        for (Index v : {graph.source_vertex(h), graph.target_vertex(h)}) {
-          (is_in_crease ? is_end : has_other_edge)[v] = 1;
-          is_fixed_[v] |= is_in_crease && graph.length(h) > long_crease * mean_length;
-        }
+    for (Index h : boundary_) {
+      const bool is_in_crease = is_crease(graph, h);
+      if (is_in_crease)
+        creases.push_back(h);
+      for (Index v : {graph.source_vertex(h), graph.target_vertex(h)}) {
+        (is_in_crease ? is_end : has_other_edge)[v] = 1;
+        is_fixed_[v] |= is_in_crease && graph.length(h) > long_crease * mean_length;
       }
+    }
     for (Index v = 0; v < n; ++v)
       is_fixed_[v] |= is_end[v] && !has_other_edge[v];
     for (Index h : creases)
@@ -104,6 +103,7 @@ class Boundary_band
   // would not be cut at the same point.
   void fix_crowded_edges(const Surface& graph)
   {
+    typedef std::pair<Index, Index> Ends;
     const auto ends = [&](Index h)
     { return Ends(std::minmax({graph.source_vertex(h), graph.target_vertex(h)})); };
     std::vector<Ends> borders;
@@ -126,13 +126,13 @@ public:
   {
     for (Index h = 0; h < graph.number_of_halfedges(); ++h)
       if (labels[h / 3] < labels[graph.neighbor(h)])
-        boundary_.emplace_back(graph.source_vertex(h), graph.target_vertex(h));
+        boundary_.push_back(h);
     fix_smooth_vertices(graph);
-    fix_creases(graph, labels);
+    fix_creases(graph);
     fix_crowded_edges(graph);
     is_inside_.assign(graph.points.size(), 0);
-    for (const auto& [v, w] : boundary_)
-      is_inside_[v] = is_inside_[w] = 1;
+    for (Index h : boundary_)
+      is_inside_[graph.source_vertex(h)] = is_inside_[graph.target_vertex(h)] = 1;
     for (int ring = 1; ring < width; ++ring)
       grow(graph, is_inside_);
     for (Index f = 0; f < graph.number_of_faces(); ++f) {

@@ -51,11 +51,14 @@ inline Refinement refinement(const Surface& graph, const std::vector<Index>& lab
 // share. If the ends of an edge have two labels, the boundary crosses it where both shares are
 // equal. Then the boundaries become taut.
 //
-// The labels of the faces must be less than `number_of_segments`, and each must have a face.
-inline Refinement refined_boundaries(const Surface& graph, const std::vector<Index>& labels,
+// The labels of the faces must be less than `number_of_segments`, and each must have a face. The
+// points of the surface are normalized, and its areas are set.
+inline Refinement refined_boundaries(Surface& graph, const std::vector<Index>& labels,
                                      std::size_t number_of_segments,
                                      std::size_t number_of_iterations)
 {
+  normalize(graph.points);
+  set_areas(Execution::SEQUENTIAL, graph);
   constexpr int number_of_rounds = 2, number_of_steps = 10;
   const Boundary_band band(graph, labels);
   if (band.faces.empty())

@@ -119,11 +119,8 @@ public:
 
     const double n = static_cast<double>(number_of_vertices_);
     const Symmetric_matrix covariance = sum_of_squares_ / n - Symmetric_matrix::square(sum_ / n);
-    // The product of the two largest eigenvalues is the largest eigenvalue of the adjugate. Found
-    // as one root, it is accurate even if the cut is nearly straight and the second one vanishes.
-    const double product =
-      (std::max)(Eigen_solver(covariance.adjugate()).largest_eigenvalue(), 0.);
-    result.protrusiveness = 1 - 4 * std::sqrt(product) / smaller_area();
+    result.protrusiveness =
+      1 - 4 * std::sqrt(product_of_largest_eigenvalues(covariance)) / smaller_area();
     return result;
   }
 };

@@ -43,8 +43,8 @@ class Cut_evaluator
   double defect_of_part_;
 
   // Sets size, cut strength by length and protrusiveness; returns the length of the cut.
-  double set_boundary_factors(const std::vector<Index>& faces_of_q, const std::vector<Index>& cut,
-                    Salience_factors& factors) const
+  double set_cut_factors(const std::vector<Index>& faces_of_q, const std::vector<Index>& cut,
+                         Salience_factors& factors) const
   {
     Boundary_statistics q(part_);
     for (Index f : faces_of_q)
@@ -76,7 +76,7 @@ class Cut_evaluator
     }
     const Symmetric_matrix covariance = squares - Symmetric_matrix::square(sum);
     const double first = Eigen_solver(covariance).largest_eigenvalue();
-    const double product = (std::max)(Eigen_solver(covariance.adjugate()).largest_eigenvalue(), 0.);
+    const double product = product_of_largest_eigenvalues(covariance);
     return first > 0 ? (std::min)(std::sqrt(product) / first, 1.) : 0;
   }
 
@@ -190,7 +190,7 @@ public:
 
     Salience_factors factors;
     const std::vector<Index> cut = halfedges_of_cut(part_, side);
-    const double length = set_boundary_factors(faces[0], cut, factors);
+    const double length = set_cut_factors(faces[0], cut, factors);
     factors.is_boundary = kind == Evaluated_cut::BOUNDARY;
     if (factors.is_boundary && length > 0) {
       factors.roundness = roundness(cut, length);

@@ -163,9 +163,7 @@ class Support_points
   {
     planes_.reserve(mesh.number_of_faces());
     for (Index f = 0; f < mesh.number_of_faces(); ++f) {
-      const Corners& c = mesh.corners[f];
-      const Vector &p = mesh.points[c[0]], &q = mesh.points[c[1]], &r = mesh.points[c[2]];
-      const Vector_of_floats normal((q - p).cross(r - p).normalized());
+      const Vector_of_floats normal(mesh.normal(f).normalized());
       planes_.push_back({Vector_of_floats(mesh.centroid(f)), normal,
                          static_cast<std::uint8_t>(directions::nearest(normal))});
     }
