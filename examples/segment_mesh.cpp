@@ -402,10 +402,12 @@ void write_meshes(const Options& o, const Input& input, const std::vector<Index>
     part_tree(tree, label_of_triangle, number_of_segments);
   const mesh_file::Segmented_mesh mesh{written.soup, labels, colors, parts, refined.polygon};
   std::pair<Polygon_soup, std::vector<Index> > closed;
-  std::vector<Index> closed_faces = refined.polygon;
+  std::vector<Index> closed_faces;
   if (o.close) {
     closed = closed_soup(written, labels);
-    if (!is_refined) {
+    if (is_refined)
+      closed_faces = refined.polygon;
+    else {
       closed_faces.resize(input.soup.number_of_polygons());
       std::iota(closed_faces.begin(), closed_faces.end(), Index(0));
     }

@@ -8,6 +8,8 @@
 #include "report.h"
 
 #ifndef _WIN32
+#include "write_all.h"
+
 #include <poll.h>
 #include <signal.h>
 #include <sys/types.h>
@@ -73,16 +75,6 @@ private:
   [[noreturn]] static void fail()
   { throw Failure(Status::BUG, "the system starts no further process"); }
 
-  static void send(int descriptor, const std::string& text)
-  {
-    for (std::size_t sent = 0; sent < text.size();) {
-      const ssize_t size = write(descriptor, text.data() + sent, text.size() - sent);
-      if (size < 0 && errno != EINTR)
-        _exit(1);
-      sent += static_cast<std::size_t>(size > 0 ? size : 0);
-    }
-  }
-
   [[noreturn]] static void run_in_child(const Run& run, int descriptor, pid_t parent)
   {
 #ifdef __linux__
@@ -90,7 +82,8 @@ private:
 #endif
     if (getppid() != parent) // it died before
       _exit(1);
-    send(descriptor, run().dump(-1, ' ', false, Json::error_handler_t::replace));
+    const std::string result = run().dump(-1, ' ', false, Json::error_handler_t::replace);
+    write_all(descriptor, result.data(), result.size());
     _exit(0); // runs no destructors, because the parent still has the objects
   }
 

@@ -9,16 +9,11 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstddef>
-#include <cstdint>
 #include <exception>
 #include <filesystem>
-#include <limits>
 #include <stdexcept>
 #include <string>
-#include <string_view>
 #include <system_error>
-#include <utility>
 #include <vector>
 
 #if defined(SEGMENT_MESH_WITH_ASSIMP) && (defined(__unix__) || defined(__APPLE__))

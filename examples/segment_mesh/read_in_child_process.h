@@ -4,6 +4,8 @@
 #ifndef SEGMENT_MESH_READ_IN_CHILD_PROCESS_H
 #define SEGMENT_MESH_READ_IN_CHILD_PROCESS_H
 
+#include "write_all.h"
+
 #include <algorithm>
 #include <cerrno>
 #include <chrono>
@@ -51,19 +53,6 @@ class Child_output
 {
   int descriptor_;
 
-  void send(const void* data, std::size_t size)
-  {
-    for (const char* bytes = static_cast<const char*>(data); size > 0;) {
-      const ssize_t written = write(descriptor_, bytes, size);
-      if (written < 0 && errno == EINTR)
-        continue;
-      if (written < 0)
-        _exit(EXIT_FAILURE); // nobody reads
-      bytes += written;
-      size -= static_cast<std::size_t>(written);
-    }
-  }
-
 public:
   explicit Child_output(int descriptor) : descriptor_(descriptor) {}
 
@@ -72,8 +61,8 @@ public:
   {
     static_assert(std::is_trivially_copyable_v<T>);
     const std::uint64_t size = values.size();
-    send(&size, sizeof size);
-    send(values.data(), values.size() * sizeof(T));
+    write_all(descriptor_, &size, sizeof size);
+    write_all(descriptor_, values.data(), values.size() * sizeof(T));
   }
 };
 

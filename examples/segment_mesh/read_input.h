@@ -83,10 +83,10 @@ inline Scene read_scene(const std::string& name, bool keeps_properties,
   Scene scene;
   try {
     if (format == mesh_file::Format::UNKNOWN && !is_stream) {
-      const std::string extension = std::filesystem::path(name).extension().string();
-      const bool is_3mf = extension == ".3mf" || extension == ".3MF";
-      scene = reads_by_lib3mf && is_3mf ? read_by_lib3mf(name, limits)
-                                        : read_by_assimp(name, limits);
+      const std::string extension =
+        mesh_file::lower_case(std::filesystem::path(name).extension().string());
+      scene = reads_by_lib3mf && extension == ".3mf" ? read_by_lib3mf(name, limits)
+                                                     : read_by_assimp(name, limits);
     }
     else {
       const std::string bytes = read_bytes(name);
