@@ -40,9 +40,6 @@ namespace {
 const double infinity = std::numeric_limits<double>::infinity();
 const std::size_t unlimited = (std::numeric_limits<std::size_t>::max)();
 
-std::size_t random_number(Random& random, std::size_t smallest, std::size_t largest)
-{ return smallest + random() % (largest - smallest + 1); }
-
 double random_share(Random& random) { return double(random() % 1001) / 1000; }
 
 // Unit cubes that hang together, so that their boundary has limbs, handles and hollows. Where it is
@@ -61,22 +58,9 @@ Soup random_cubes(Random& random)
   return soup;
 }
 
-// Any triangles between few points.
-Soup random_triangles(Random& random)
+Soup random_oriented_triangles(Random& random)
 {
-  Soup soup;
-  const std::size_t number_of_vertices = random_number(random, 3, 12);
-  for (std::size_t v = 0; v < number_of_vertices; ++v) {
-    const double x = double(random() % 4), y = double(random() % 4), z = double(random() % 4);
-    soup.points.emplace_back(x, y, z);
-  }
-  const std::size_t number_of_triangles = random_number(random, 1, 25);
-  while (soup.triangles.size() < number_of_triangles) {
-    const std::size_t a = random() % number_of_vertices, b = random() % number_of_vertices,
-                      c = random() % number_of_vertices;
-    if (a != b && b != c && c != a)
-      soup.triangles.push_back({a, b, c});
-  }
+  Soup soup = random_triangles(random, 12, 25);
   PMP::orient_polygon_soup(soup.points, soup.triangles);
   return soup;
 }
@@ -85,7 +69,7 @@ Soup random_piece(Random& random)
 {
   switch (random() % 6) {
   case 0: return random_cubes(random);
-  case 1: return random_triangles(random);
+  case 1: return random_oriented_triangles(random);
   case 2: return plate(random_number(random, 1, 12), random_number(random, 1, 8));
   case 3: return dumbbell(random_number(random, 3, 12), random_number(random, 2, 8));
   case 4:

@@ -722,16 +722,8 @@ BOOST_AUTO_TEST_CASE(any_triangles_can_be_refined)
 {
   Random random(1);
   for (int run = 0; run < 300; ++run) {
-    std::vector<std::array<double, 3> > points(4 + random() % 8);
-    for (auto& p : points)
-      p = {double(random() % 4), double(random() % 4), double(random() % 4)};
-    std::vector<std::array<int, 3> > triangles(random() % 20);
-    std::vector<int> segment(triangles.size());
-    for (std::size_t f = 0; f < triangles.size(); ++f) {
-      for (int& v : triangles[f])
-        v = int(random() % points.size());
-      segment[f] = int(random() % 3);
-    }
+    Any_triangles any(random);
+    auto& [points, triangles, segment] = any;
     const auto area = [&] {
       double sum = 0;
       for (const auto& t : triangles) {

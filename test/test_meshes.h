@@ -18,6 +18,7 @@
 #include <CGAL/Simple_cartesian.h>
 #include <CGAL/Surface_mesh.h>
 
+#include <array>
 #include <cmath>
 #include <cstddef>
 #include <map>
@@ -275,6 +276,48 @@ inline Soup displaced(Soup soup, double amount, Random& random)
   }
   return soup;
 }
+
+inline std::size_t random_number(Random& random, std::size_t smallest, std::size_t largest)
+{ return smallest + random() % (largest - smallest + 1); }
+
+// Returns triangles of three different points each, of few points.
+inline Soup random_triangles(Random& random, std::size_t most_points, std::size_t most_triangles)
+{
+  Soup soup;
+  const std::size_t number_of_points = random_number(random, 3, most_points);
+  for (std::size_t v = 0; v < number_of_points; ++v) {
+    const double x = double(random() % 4), y = double(random() % 4), z = double(random() % 4);
+    soup.points.emplace_back(x, y, z);
+  }
+  const std::size_t number_of_triangles = random_number(random, 1, most_triangles);
+  while (soup.triangles.size() < number_of_triangles) {
+    const std::size_t a = random() % number_of_points, b = random() % number_of_points,
+                      c = random() % number_of_points;
+    if (a != b && b != c && c != a)
+      soup.triangles.push_back({a, b, c});
+  }
+  return soup;
+}
+
+// Triangles of any points, also of one point, and their ids.
+struct Any_triangles
+{
+  std::vector<std::array<double, 3> > points;
+  std::vector<std::array<int, 3> > triangles;
+  std::vector<int> segment;
+
+  explicit Any_triangles(Random& random) : points(4 + random() % 8)
+  {
+    for (auto& p : points)
+      p = {double(random() % 4), double(random() % 4), double(random() % 4)};
+    triangles.resize(random() % 20);
+    for (auto& t : triangles) {
+      for (int& v : t)
+        v = int(random() % points.size());
+      segment.push_back(int(random() % 3));
+    }
+  }
+};
 
 typedef CGAL::Spectral_segmentation::internal::Surface Surface;
 typedef CGAL::Spectral_segmentation::internal::Index Index;

@@ -3,6 +3,7 @@
 
 #include <boost/test/unit_test.hpp>
 
+#include "Event_visitor.h"
 #include "box_figures.h"
 #include "test_labels.h"
 #include "test_meshes.h"
@@ -168,33 +169,26 @@ struct Failure : std::runtime_error
 };
 
 // Throws at the event of the given number.
-struct Throwing_visitor : Segmentation_visitor
+struct Throwing_visitor : Event_visitor<Throwing_visitor>
 {
   std::size_t remaining_events;
   explicit Throwing_visitor(std::size_t event) : remaining_events(event) {}
 
-  void count()
+  void event()
   {
     if (remaining_events-- == 0)
       throw Failure();
   }
-  void before_stage(Stage, std::size_t) { count(); }
-  void after_stage(Stage, std::size_t) { count(); }
-  void before_part(std::size_t, std::size_t) { count(); }
-  void after_part(std::size_t) { count(); }
-  void after_cut(std::size_t, const Salience_factors&, double, std::size_t) { count(); }
-  void progress(double) { count(); }
-  bool go_further() { count(); return true; }
 };
 
 // Notices calls at the same time.
-struct Lonely_visitor : Segmentation_visitor
+struct Lonely_visitor : Event_visitor<Lonely_visitor>
 {
   std::atomic<int> callers{0};
   std::atomic<bool> met_another{false};
   std::size_t number_of_calls = 0; // without a lock, for the thread sanitizer
 
-  void call()
+  void event()
   {
     if (++callers != 1)
       met_another = true;
@@ -202,13 +196,6 @@ struct Lonely_visitor : Segmentation_visitor
       ++number_of_calls;
     --callers;
   }
-  void before_stage(Stage, std::size_t) { call(); }
-  void after_stage(Stage, std::size_t) { call(); }
-  void before_part(std::size_t, std::size_t) { call(); }
-  void after_part(std::size_t) { call(); }
-  void after_cut(std::size_t, const Salience_factors&, double, std::size_t) { call(); }
-  void progress(double) { call(); }
-  bool go_further() { call(); return true; }
 };
 
 } // namespace

@@ -21,9 +21,6 @@ namespace random_runs {
 
 using namespace test_meshes;
 
-inline std::size_t random_number(Random& random, std::size_t smallest, std::size_t largest)
-{ return smallest + random() % (largest - smallest + 1); }
-
 inline double random_fraction(Random& random) { return double(random() % 1025) / 1024; }
 
 inline bool one_in(Random& random, unsigned n) { return random() % n == 0; }
@@ -54,25 +51,6 @@ inline Soup random_cubes(Random& random)
     cells.insert(cell);
   }
   return boundary_of(cells);
-}
-
-// Any triangles between few points.
-inline Soup random_triangles(Random& random)
-{
-  Soup soup;
-  const std::size_t number_of_points = random_number(random, 3, 15);
-  for (std::size_t v = 0; v < number_of_points; ++v) {
-    const double x = double(random() % 4), y = double(random() % 4), z = double(random() % 4);
-    soup.points.emplace_back(x, y, z);
-  }
-  const std::size_t number_of_triangles = random_number(random, 1, 40);
-  while (soup.triangles.size() < number_of_triangles) {
-    const std::size_t a = random() % number_of_points, b = random() % number_of_points,
-                      c = random() % number_of_points;
-    if (a != b && b != c && c != a)
-      soup.triangles.push_back({a, b, c});
-  }
-  return soup;
 }
 
 // Triangles around one vertex, or at one edge.
@@ -128,7 +106,7 @@ inline Soup random_piece(Random& random)
 {
   const std::size_t m = random_number(random, 3, 14), n = random_number(random, 3, 8);
   switch (random() % 10) {
-  case 0: return random_triangles(random);
+  case 0: return random_triangles(random, 15, 40);
   case 1: return random_fan(random);
   case 2: return rounded(moebius_strip(m));
   case 3: return plate(m - 2, n - 2);

@@ -4,6 +4,7 @@
 #ifndef SPECTRAL_SEGMENTATION_TEST_FUZZ_RUN_OF_SOUP_H
 #define SPECTRAL_SEGMENTATION_TEST_FUZZ_RUN_OF_SOUP_H
 
+#include "../Event_visitor.h"
 #include "random_meshes.h"
 
 #include <CGAL/Spectral_segmentation/IO/hierarchy_json.h>
@@ -30,10 +31,7 @@ namespace random_runs {
 namespace parameters = CGAL::Spectral_segmentation::parameters;
 using CGAL::Spectral_segmentation::Method;
 using CGAL::Spectral_segmentation::Options;
-using CGAL::Spectral_segmentation::Salience_factors;
 using CGAL::Spectral_segmentation::Segmentation_hierarchy;
-using CGAL::Spectral_segmentation::Segmentation_visitor;
-using CGAL::Spectral_segmentation::Stage;
 
 typedef std::vector<std::size_t> Labels;
 
@@ -143,28 +141,21 @@ inline std::vector<int> random_groups(std::size_t number_of_faces, Random& rando
 struct Visitor_failure {};
 
 // Counts the calls, and at one of them throws or stops the run.
-struct Visitor : Segmentation_visitor
+struct Visitor : Event_visitor<Visitor>
 {
   static constexpr std::size_t never = std::size_t(-1);
 
   std::size_t number_of_calls = 0, throws_at = never, stops_at = never;
 
-  void count()
+  void event()
   {
     if (number_of_calls++ == throws_at)
       throw Visitor_failure();
   }
 
-  void before_stage(Stage, std::size_t) { count(); }
-  void after_stage(Stage, std::size_t) { count(); }
-  void before_part(std::size_t, std::size_t) { count(); }
-  void after_part(std::size_t) { count(); }
-  void after_cut(std::size_t, const Salience_factors&, double, std::size_t) { count(); }
-  void progress(double) { count(); }
-
   bool go_further()
   {
-    count();
+    event();
     return number_of_calls <= stops_at;
   }
 };

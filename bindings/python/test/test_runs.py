@@ -79,16 +79,21 @@ def test_errors_of_callables_are_those_of_the_run(dumbbell):
         segment(*dumbbell, progress=lambda: True)
 
 
-def test_control_c_ends_a_run():
-    program = """
-import signal
+# The begin of programs: a sheet of n x n points with waves, as `points` and `triangles`.
+SHEET = """
 import numpy as np
-from spectral_segmentation import segment
-n = 1000
+n = %d
 grid = np.stack(np.meshgrid(np.arange(n), np.arange(n)), -1).reshape(-1, 2)
 points = np.column_stack([grid, 20 * np.sin(grid[:, 0] / 50)])
 a = (np.arange(n - 1)[:, None] * n + np.arange(n - 1)).ravel()
 triangles = np.concatenate([np.stack([a, a + 1, a + n], 1), np.stack([a + 1, a + n + 1, a + n], 1)])
+"""
+
+
+def test_control_c_ends_a_run():
+    program = SHEET % 1000 + """
+import signal
+from spectral_segmentation import segment
 signal.signal(signal.SIGINT, signal.default_int_handler) # shells have it ignored in the background
 print("started", flush=True)
 try:
@@ -192,15 +197,9 @@ assert counts() == before
 
 # What a daemon thread does while the process ends: `busy` has a long run, `sleep` a callable that
 # does not return, and the others a loop of short calls.
-END_OF_PROCESS = """
+END_OF_PROCESS = SHEET % 500 + """
 import sys, threading, time
-import numpy as np
 from spectral_segmentation import read, segment
-n = 500
-grid = np.stack(np.meshgrid(np.arange(n), np.arange(n)), -1).reshape(-1, 2)
-points = np.column_stack([grid, 20 * np.sin(grid[:, 0] / 50)])
-a = (np.arange(n - 1)[:, None] * n + np.arange(n - 1)).ravel()
-triangles = np.concatenate([np.stack([a, a + 1, a + n], 1), np.stack([a + 1, a + n + 1, a + n], 1)])
 small = np.eye(3), [[0, 1, 2]]
 is_started = threading.Event()
 def tell(share):
