@@ -459,7 +459,8 @@ Json run(const Options& o)
                                                       first_guess.writing);
   Scene scene;
   try {
-    scene = read_scene(o.input, writes_meshes, {o.time_limit, o.allow_external_files});
+    scene = read_scene(o.input, writes_meshes,
+                       {o.time_limit, o.jobs.value_or(1), o.allow_external_files});
   }
   catch (const Failure&) {
     watch.end_phase(); // fails if the reader has taken all the time
@@ -586,19 +587,21 @@ Json run_of_batch(const Options& o)
   }
 }
 
-Status run_batch(const Options& o)
+Status run_batch(Options o)
 {
   std::vector<std::string> inputs = o.inputs;
   if (!o.list_file.empty())
     for (std::string& name : read_list(o.list_file))
       inputs.push_back(std::move(name));
   const std::size_t cores = (std::max)(1u, std::thread::hardware_concurrency());
+  o.jobs = std::clamp(o.jobs.value_or(cores / o.threads.value_or(1)), std::size_t(1),
+                      (std::max)(inputs.size(), std::size_t(1)));
   const Json parameters = {{"version", CGAL_SPECTRAL_SEGMENTATION_VERSION},
                            {"parameters", parameters_report(o)},
                            {"outputs", o.output_formats}};
   Batch batch(o.output_directory, !o.quiet && standard_error_is_terminal());
   const Batch::Counts counts = batch(
-    inputs, parameters, o.jobs.value_or((std::max)(cores / o.threads.value_or(1), std::size_t(1))),
+    inputs, parameters, *o.jobs,
     [&](const std::string& input, const Path& path)
     { return run_of_batch(options_of_mesh(o, input, path)); },
     [&](const std::string& input, const Path& path, const Failure& failure)

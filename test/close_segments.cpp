@@ -19,7 +19,6 @@
 #include <cstddef>
 #include <limits>
 #include <map>
-#include <random>
 #include <stdexcept>
 #include <string>
 #include <utility>
@@ -210,27 +209,6 @@ BOOST_AUTO_TEST_CASE(closed_segments_stay_as_they_are)
   Soup none;
   std::vector<int> no_segment;
   BOOST_TEST(CGAL::close_segments(none.points, none.triangles, no_segment) == 0);
-}
-
-// Whatever meets there and however it is turned, each edge gets an even number of triangles.
-BOOST_AUTO_TEST_CASE(any_triangles_can_be_closed)
-{
-  std::mt19937 random(1);
-  for (int run = 0; run < 200; ++run) {
-    Any_triangles any(random);
-    auto& [points, triangles, segment] = any;
-    CGAL::close_segments(points, triangles, segment);
-    BOOST_TEST(segment.size() == triangles.size());
-    std::map<std::array<int, 3>, int> number;
-    for (std::size_t f = 0; f < triangles.size(); ++f)
-      for (std::size_t i = 0; i < 3; ++i) {
-        const int v = triangles[f][i], w = triangles[f][(i + 1) % 3];
-        if (v != w)
-          ++number[{segment[f], (std::min)(v, w), (std::max)(v, w)}];
-      }
-    for (const auto& [edge, n] : number)
-      BOOST_TEST(n % 2 == 0);
-  }
 }
 
 BOOST_AUTO_TEST_CASE(bad_input_is_refused_and_left_as_it_is)

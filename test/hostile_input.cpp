@@ -21,7 +21,6 @@ BOOST_AUTO_TEST_SUITE(hostile_input)
 
 using namespace test_meshes;
 namespace parameters = CGAL::Spectral_segmentation::parameters;
-namespace PMP = CGAL::Polygon_mesh_processing;
 using CGAL::Spectral_segmentation::Segmentation_hierarchy;
 
 namespace {
@@ -77,45 +76,6 @@ const std::vector<Soup>& soups()
     dumbbell(12, 10), plate(9, 7), dented(dumbbell(14, 10), 1), dented(torus(3, 1, 20, 12), 2),
     dented(sphere(2), 3), disjoint_union(dumbbell(10, 8), torus(3, 1, 14, 8))};
   return result;
-}
-
-// Triangles at random between few vertices, each of which is taken unless it spoils the manifold.
-Mesh random_mesh(std::mt19937& engine, int extent)
-{
-  const std::size_t number_of_vertices = 3 + engine() % 8, trials = 1 + engine() % 40;
-  Mesh mesh;
-  for (std::size_t v = 0; v < number_of_vertices; ++v) {
-    const auto coordinate = [&] { return double(engine() % (extent + 1)); };
-    const double x = coordinate(), y = coordinate(), z = coordinate();
-    mesh.add_vertex(Point(x, y, z));
-  }
-  for (std::size_t i = 0; i < trials; ++i) {
-    const Mesh::Vertex_index a(engine() % number_of_vertices), b(engine() % number_of_vertices),
-                             c(engine() % number_of_vertices);
-    if (a != b && b != c && c != a)
-      mesh.add_face(a, b, c);
-  }
-  return mesh;
-}
-
-// Any triangles at random, made a manifold by CGAL.
-Mesh repaired_random_mesh(std::mt19937& engine, int extent)
-{
-  Soup soup;
-  const std::size_t number_of_vertices = 3 + engine() % 8, number_of_triangles = 1 + engine() % 15;
-  for (std::size_t v = 0; v < number_of_vertices; ++v) {
-    const auto coordinate = [&] { return double(engine() % (extent + 1)); };
-    const double x = coordinate(), y = coordinate(), z = coordinate();
-    soup.points.emplace_back(x, y, z);
-  }
-  while (soup.triangles.size() < number_of_triangles) {
-    const std::size_t a = engine() % number_of_vertices, b = engine() % number_of_vertices,
-                      c = engine() % number_of_vertices;
-    if (a != b && b != c && c != a)
-      soup.triangles.push_back({a, b, c});
-  }
-  PMP::orient_polygon_soup(soup.points, soup.triangles);
-  return mesh_of(soup);
 }
 
 } // namespace
@@ -296,25 +256,6 @@ BOOST_AUTO_TEST_CASE(a_face_that_is_not_a_triangle_is_refused)
   const std::size_t n = soup.points.size();
   soup.triangles.push_back({n - 4, n - 3, n - 2, n - 1});
   check_refused(mesh_of(soup));
-}
-
-BOOST_AUTO_TEST_CASE(random_tiny_meshes)
-{
-  for (unsigned seed = 0; seed < 900; ++seed)
-    BOOST_TEST_CONTEXT("seed " << seed) {
-      std::mt19937 engine(seed);
-      const int extent = 1 + seed % 4;
-      const Mesh mesh =
-        seed % 2 == 0 ? random_mesh(engine, extent) : repaired_random_mesh(engine, extent);
-      for_both_methods([&](const auto& np) {
-        const auto on_itself = np.number_of_coarse_faces(0);
-        check_run(mesh, on_itself);
-        check_run(mesh, on_itself.salience_threshold(-infinity).minimum_segment_size(0)
-                          .smooth_boundaries(true));
-      });
-      if (seed % 150 == 0) // a search on thousands of faces takes its time
-        check_runs(mesh);
-    }
 }
 
 BOOST_AUTO_TEST_SUITE_END()

@@ -2,6 +2,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 #include "../examples/segment_mesh/mesh_file/read_mesh_file.h"
+#ifdef __unix__
+#include "../examples/segment_mesh/read_scene_in_child.h"
+#endif
 
 #include <algorithm>
 #include <boost/test/unit_test.hpp>
@@ -666,5 +669,18 @@ BOOST_AUTO_TEST_CASE(further_numbers_need_not_be_finite)
   const std::string off = "OFF\n3 1 0\n0 0 0 nan\n1 0 0\n0 1 0\n3 0 1 2 inf\n";
   BOOST_TEST(mesh_file::read_mesh_file(off, Format::OFF, false).number_of_polygons() == 1u);
 }
+
+#ifdef __unix__
+BOOST_AUTO_TEST_CASE(jobs_share_the_memory)
+{
+  const auto memory = [](std::size_t number_of_jobs) {
+    segment_mesh::Reading_limits limits;
+    limits.number_of_jobs = number_of_jobs;
+    return segment_mesh::child_limits(0, limits).memory;
+  };
+  BOOST_TEST(memory(1) <= 4000000000u);
+  BOOST_TEST(memory(1000) <= memory(500) / 2 + 1);
+}
+#endif
 
 BOOST_AUTO_TEST_SUITE_END()

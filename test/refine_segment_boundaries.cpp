@@ -717,32 +717,6 @@ BOOST_AUTO_TEST_CASE(no_boundary_crosses_an_edge_of_three_triangles)
   }
 }
 
-// Whatever meets there: the triangles keep their areas, and the caller's data are whole.
-BOOST_AUTO_TEST_CASE(any_triangles_can_be_refined)
-{
-  Random random(1);
-  for (int run = 0; run < 300; ++run) {
-    Any_triangles any(random);
-    auto& [points, triangles, segment] = any;
-    const auto area = [&] {
-      double sum = 0;
-      for (const auto& t : triangles) {
-        std::array<Point, 3> p;
-        for (std::size_t i = 0; i < 3; ++i)
-          p[i] = Point(points[t[i]][0], points[t[i]][1], points[t[i]][2]);
-        sum += std::sqrt(CGAL::squared_area(p[0], p[1], p[2]));
-      }
-      return sum;
-    };
-    const double before = area();
-    const std::size_t n = triangles.size();
-    const auto refinement = CGAL::refine_segment_boundaries(points, triangles, segment);
-    BOOST_TEST(segment.size() == triangles.size());
-    BOOST_TEST(triangles.size() == n + refinement.triangles.size());
-    BOOST_TEST(area() == before, tt::tolerance(1e-9));
-  }
-}
-
 // A triangle of a third segment touches the corner of a plate that is far from the boundary.
 BOOST_AUTO_TEST_CASE(segments_may_share_a_vertex_away_from_boundaries)
 {

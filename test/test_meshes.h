@@ -299,26 +299,6 @@ inline Soup random_triangles(Random& random, std::size_t most_points, std::size_
   return soup;
 }
 
-// Triangles of any points, also of one point, and their ids.
-struct Any_triangles
-{
-  std::vector<std::array<double, 3> > points;
-  std::vector<std::array<int, 3> > triangles;
-  std::vector<int> segment;
-
-  explicit Any_triangles(Random& random) : points(4 + random() % 8)
-  {
-    for (auto& p : points)
-      p = {double(random() % 4), double(random() % 4), double(random() % 4)};
-    triangles.resize(random() % 20);
-    for (auto& t : triangles) {
-      for (int& v : t)
-        v = int(random() % points.size());
-      segment.push_back(int(random() % 3));
-    }
-  }
-};
-
 typedef CGAL::Spectral_segmentation::internal::Surface Surface;
 typedef CGAL::Spectral_segmentation::internal::Index Index;
 constexpr CGAL::Spectral_segmentation::internal::Execution sequential =

@@ -6,6 +6,7 @@
 
 #include "mesh_file/Polygon_soup.h"
 
+#include <cstddef>
 #include <limits>
 #include <string>
 #include <vector>
@@ -24,6 +25,7 @@ struct Scene
 struct Reading_limits
 {
   double seconds = std::numeric_limits<double>::infinity();
+  std::size_t number_of_jobs = 1; // which share the memory of the machine
   bool allows_external_files = false; // files outside of its folder, which it names
 };
 

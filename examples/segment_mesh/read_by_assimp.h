@@ -236,7 +236,7 @@ inline Scene read_by_assimp(const std::string& name, const Reading_limits& limit
   if (!assimp_reads(std::filesystem::path(name).extension().string()))
     throw std::runtime_error("the formats are OFF, OBJ, PLY, STL and those of Assimp, such as "
                              "glTF, FBX and Collada");
-  return read_scene_in_child(name, limits.seconds, [&](Child_output output)
+  return read_scene_in_child(name, limits, [&](Child_output output)
     { send_by_assimp(name, limits.allows_external_files, output); });
 }
 

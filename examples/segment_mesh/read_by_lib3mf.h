@@ -79,7 +79,7 @@ inline void send_by_lib3mf(const std::string& name, Child_output output)
 // Reads 3MF. Throws `std::runtime_error`, with a sentence.
 inline Scene read_by_lib3mf(const std::string& name, const Reading_limits& limits = {})
 {
-  return read_scene_in_child(name, limits.seconds,
+  return read_scene_in_child(name, limits,
                              [&](Child_output output) { send_by_lib3mf(name, output); });
 }
 

@@ -151,23 +151,24 @@ public:
 };
 
 // For a file of this size. A file may name others, which also need memory.
-inline Child_limits child_limits(double size_of_file, double seconds)
+inline Child_limits child_limits(double size_of_file, const Reading_limits& limits)
 {
   const double physical_memory =
     static_cast<double>(sysconf(_SC_PHYS_PAGES)) * static_cast<double>(sysconf(_SC_PAGESIZE));
-  const double memory = (std::min)(4e9 + 64 * size_of_file, physical_memory);
-  return {static_cast<std::size_t>(memory), (std::min)(60 + size_of_file / 1e6, seconds)};
+  const double memory = (std::min)(
+    4e9 + 64 * size_of_file, physical_memory / static_cast<double>(limits.number_of_jobs));
+  return {static_cast<std::size_t>(memory), (std::min)(60 + size_of_file / 1e6, limits.seconds)};
 }
 
 // Reads a file by a function of a library, which may crash on damaged files, in a child process.
 // The function takes a `Child_output`, and sends a scene or an error. Throws `std::runtime_error`,
 // with a sentence.
 template <class Send>
-Scene read_scene_in_child(const std::string& name, double seconds, const Send& send)
+Scene read_scene_in_child(const std::string& name, const Reading_limits& limits, const Send& send)
 {
   std::error_code error;
   const std::uintmax_t size = std::filesystem::file_size(name, error);
-  Child_process child(child_limits(error ? 0 : static_cast<double>(size), seconds), send);
+  Child_process child(child_limits(error ? 0 : static_cast<double>(size), limits), send);
   return Scene_receiver(child)();
 }
 

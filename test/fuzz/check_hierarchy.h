@@ -126,6 +126,7 @@ inline void check_forest(const Segmentation_hierarchy& h, bool is_changed)
             "children know their parent");
     require(h.number_of_faces(n.children[0]) + h.number_of_faces(n.children[1]) ==
               h.number_of_faces(i), "children have the faces of their parent");
+    require(is_changed || (n.children[0] > i && n.children[1] > i), "children come after parents");
     require(a.area <= b.area, "the smaller child comes first");
     require(is_changed || !std::isfinite(n.area) ||
               std::abs(a.area + b.area - n.area) <= 1e-9 * n.area,

@@ -105,7 +105,7 @@ inline Soup random_tube(Random& random)
 inline Soup random_piece(Random& random)
 {
   const std::size_t m = random_number(random, 3, 14), n = random_number(random, 3, 8);
-  switch (random() % 10) {
+  switch (random() % 11) {
   case 0: return random_triangles(random, 15, 40);
   case 1: return random_fan(random);
   case 2: return rounded(moebius_strip(m));
@@ -114,7 +114,8 @@ inline Soup random_piece(Random& random)
   case 5: return rounded(dumbbell(m, n));
   case 6: return rounded(sphere(random() % 3));
   case 7: return rounded(random_tube(random));
-  case 8: return rounded(loose_triangles(torus(3, 1, m, 3)));
+  case 8: return rounded(connected_sum(sphere(random() % 3), torus(3, 1, m, 5)));
+  case 9: return rounded(loose_triangles(torus(3, 1, m, 3)));
   default: return random_cubes(random);
   }
 }
