@@ -6,6 +6,7 @@
 /// not 0, standard error has an error message in one line.
 
 #include "segment_mesh/Batch.h"
+#include "segment_mesh/Constraints.h"
 #include "segment_mesh/Failure.h"
 #include "segment_mesh/Output_files.h"
 #include "segment_mesh/Run_watch.h"
@@ -80,7 +81,8 @@ struct Options
   std::string list_file, output_directory; // used by batches
   std::vector<std::string> output_formats = {"labels"};
   std::optional<std::size_t> jobs;
-  std::string input, label_file, report_file, hierarchy_file, page_file, split_directory;
+  std::string input, seed_file, edge_file;
+  std::string label_file, report_file, hierarchy_file, page_file, split_directory;
   std::vector<std::string> mesh_files; // used by single runs, too
   std::string split_format = "ply";
   std::string method_name = "calibrated";
@@ -203,6 +205,12 @@ void add_options(CLI::App& app, Options& o)
   app.add_option("--seed", o.seed,
                  "seed for random first reference faces; without it they are not random")
     ->type_name("S")->check(CLI::Range(std::int64_t(0), largest));
+  add_file("--seeds", o.seed_file,
+           "seed of each face of IN, one per line: faces with one seed belong to the same segment, "
+           "those with different seeds to different segments; -1 is no seed");
+  add_file("--edges", o.edge_file,
+           "edges of IN that must lie between segments, or must not, one per line: the indices of "
+           "two points, from 0, and 'cut' or 'keep'");
   app.add_option("--threads", o.threads,
                  "number of threads; does not change the result [all; 1 with --out-dir]")
     ->type_name("N")->check(CLI::Range(1, 1024));
@@ -278,6 +286,8 @@ void check_usage(const Options& o)
   if (!o.mesh_files.empty() || !o.label_file.empty() || !o.report_file.empty() ||
       !o.hierarchy_file.empty() || !o.page_file.empty() || !o.split_directory.empty())
     throw Failure(Status::USAGE, "with --out-dir, choose the outputs with --outputs");
+  if (!o.seed_file.empty() || !o.edge_file.empty())
+    throw Failure(Status::USAGE, "--seeds and --edges are of one mesh, not of those of --out-dir");
 }
 
 // Finds the errors in the files that can be found before a long run.
@@ -299,7 +309,18 @@ void check_files(const Options& o)
       std::none_of(o.mesh_files.begin(), o.mesh_files.end(), has_objects))
     throw Failure(Status::USAGE, "--close needs an output of separate segments: --split-dir, or -o "
                                  "with .glb or .3mf");
-  check_outputs({o.input}, outputs, o.split_directory);
+  check_outputs({o.input, o.seed_file, o.edge_file}, outputs, o.split_directory);
+}
+
+template <class NamedParameters>
+std::size_t segment(const Input& input, std::vector<Index>& labels, const Options& o,
+                    const NamedParameters& np)
+{
+  const auto ids = CGAL::make_property_map(labels);
+  if (o.threads == 1) // starts no thread, so that running out of memory is an exception
+    return CGAL::segment_spectral_recursive<CGAL::Sequential_tag>(input.soup.points,
+                                                                  input.triangles, ids, np);
+  return CGAL::segment_spectral_recursive(input.soup.points, input.triangles, ids, np);
 }
 
 std::size_t segment(const Input& input, std::vector<Index>& labels, const Options& o,
@@ -310,12 +331,26 @@ std::size_t segment(const Input& input, std::vector<Index>& labels, const Option
     { return o.keep_groups && !groups.empty() ? groups[input.polygon_of_triangle[t]] : 0; });
   const auto np = parameters::options(o.segmentation_options())
                     .face_group_map(group).hierarchy(tree).visitor(std::ref(watch));
-  const auto ids = CGAL::make_property_map(labels);
+  Constraints constraints(input);
+  if (!o.seed_file.empty())
+    constraints.read_seeds(o.seed_file);
+  if (!o.edge_file.empty())
+    constraints.read_edges(o.edge_file);
   try {
-    if (o.threads == 1) // starts no thread, so that running out of memory is an exception
-      return CGAL::segment_spectral_recursive<CGAL::Sequential_tag>(input.soup.points,
-                                                                    input.triangles, ids, np);
-    return CGAL::segment_spectral_recursive(input.soup.points, input.triangles, ids, np);
+    if (!constraints.has_seeds() && !constraints.has_edges())
+      return segment(input, labels, o, np);
+    typedef std::pair<std::size_t, std::size_t> Edge;
+    const auto edges = [&](bool must_be_cut) {
+      return boost::make_function_property_map<Edge, bool>([&constraints, must_be_cut](Edge e)
+        { return constraints.is_given(e, must_be_cut); });
+    };
+    const auto seeds = boost::make_function_property_map<std::size_t, std::int64_t>(
+      [&](std::size_t t) { return constraints.seed(t); });
+    if (!constraints.has_edges())
+      return segment(input, labels, o, np.face_seed_map(seeds));
+    return segment(input, labels, o, np.face_seed_map(seeds)
+                                       .edge_is_constrained_map(edges(true))
+                                       .edge_is_uncuttable_map(edges(false)));
   }
   catch (const std::invalid_argument& e) { // "segment_spectral_recursive: message"
     const std::string sentence = e.what();
@@ -336,6 +371,8 @@ Json parameters_report(const Options& o)
           {"maximum_number_of_segments", json_or_null(o.segments)},
           {"keep_components_separate", used.keep_components_separate},
           {"keep_groups", o.keep_groups},
+          {"seeds", o.seed_file.empty() ? Json() : Json(o.seed_file)},
+          {"edges", o.edge_file.empty() ? Json() : Json(o.edge_file)},
           {"salience_threshold", used.number_of_segments ? Json() : Json(used.salience_threshold)},
           {"minimum_segment_size", used.minimum_segment_size},
           {"random_seed", json_or_null(o.seed)},

@@ -9,6 +9,7 @@
 #include <CGAL/segment_spectral_recursive.h>
 
 #include <boost/pending/disjoint_sets.hpp>
+#include <boost/property_map/function_property_map.hpp>
 #include <boost/property_map/property_map.hpp>
 
 #include <array>
@@ -267,6 +268,32 @@ BOOST_AUTO_TEST_CASE(points_and_triangles)
   const std::size_t n = CGAL::segment_spectral_recursive(
     soup.points, soup.triangles, labels.data(), parameters::face_seed_map(seed.data()));
   BOOST_TEST(n == 1u);
+}
+
+BOOST_AUTO_TEST_CASE(edges_of_points_and_triangles)
+{
+  const Soup soup = sphere(3);
+  Constrained_mesh m(soup);
+  for (std::size_t e : {10, 40, 41, 300})
+    m.is_seam[Edge(unsigned(e))] = true;
+  m.is_uncuttable[Edge(100)] = m.is_uncuttable[Edge(101)] = true;
+  typedef std::pair<std::size_t, std::size_t> Ends;
+  const auto map_of = [&m](const Mesh::Property_map<Edge, bool>& given) {
+    std::set<Ends> edges;
+    for (Edge e : m.mesh.edges())
+      if (given[e])
+        edges.insert(std::minmax({std::size_t(m.mesh.vertex(e, 0)),
+                                  std::size_t(m.mesh.vertex(e, 1))}));
+    return boost::make_function_property_map<Ends>([edges](const Ends& e)
+      { return edges.count(e) > 0; });
+  };
+  Labels labels(soup.triangles.size(), untouched);
+  CGAL::segment_spectral_recursive(
+    soup.points, soup.triangles, labels.data(),
+    parameters::edge_is_constrained_map(map_of(m.is_seam))
+      .edge_is_uncuttable_map(map_of(m.is_uncuttable)));
+  m.check(labels);
+  BOOST_TEST(labels == m.labels(), boost::test_tools::per_element());
 }
 
 BOOST_AUTO_TEST_CASE(random_constraints_on_real_meshes)

@@ -1248,6 +1248,69 @@ class Soups(Tool_test):
         self.assertEqual(self.ply().points, points)
 
 
+class Constraints(Tool_test):
+
+    def setUp(self):
+        super().setUp()
+        self.points, self.faces = dumbbell()
+        self.mesh = self.write_off(self.points, self.faces)
+
+    def write(self, name, lines):
+        (self.directory / name).write_text("".join(line + "\n" for line in lines))
+        return name
+
+    def test_seeds_join_segments(self):
+        self.assertEqual(max(self.segment(self.mesh)), 1)
+        seeds = [-1] * len(self.faces)
+        seeds[0] = seeds[-1] = 4
+        self.write("seeds", map(str, seeds))
+        self.assertEqual(max(self.segment(self.mesh, "--seeds", "seeds")), 0)
+        self.assertEqual(self.report()["parameters"]["seeds"], "seeds")
+
+    def test_labels_are_seeds(self):
+        labels = [int(f > 100) for f in range(len(self.faces))]
+        self.write("seeds", map(str, labels))
+        self.assertEqual(self.segment(self.mesh, "--seeds", "seeds"), labels)
+
+    def test_edges(self):
+        labels = self.segment(self.mesh)
+        faces_at = {}
+        for f, face in enumerate(self.faces):
+            for i in range(3):
+                faces_at.setdefault(tuple(sorted((face[i], face[i - 2]))), []).append(f)
+        seam = [e for e, (f, g) in faces_at.items() if labels[f] != labels[g]]
+        self.write("edges", ["%d %d keep" % e for e in seam])
+        labels = self.segment(self.mesh, "--edges", "edges")
+        for e in seam:
+            f, g = faces_at[e]
+            self.assertEqual(labels[f], labels[g])
+        ring = [(1 + 3 * 16 + i, 1 + 3 * 16 + (i + 1) % 16) for i in range(16)]
+        self.write("edges", ["%d %d cut" % e for e in ring])
+        labels = self.segment(self.mesh, "--edges", "edges")
+        for e in ring:
+            f, g = faces_at[tuple(sorted(e))]
+            self.assertNotEqual(labels[f], labels[g])
+
+    def test_bad_files(self):
+        n = len(self.faces)
+        for lines, sentence in ((["1"], "1 lines"), (["x"] * n, "line 1: a seed is"),
+                                (["1 2"] * n, "line 1: there is more")):
+            self.write("seeds", lines)
+            self.assert_failure("usage", self.mesh, "--seeds", "seeds", sentence=sentence)
+        for line, sentence in (("1 2", "line 1: an edge is"), ("1 2 glue", "line 1: an edge is"),
+                               ("1 -2 cut", "line 1: an edge is"), ("0 1 cut x", "more than"),
+                               ("0 99999 cut", "line 1: an edge is"), ("0 60 cut", "no edge")):
+            self.write("edges", [line])
+            self.assert_failure("usage", self.mesh, "--edges", "edges", sentence=sentence)
+        self.assert_failure("input", self.mesh, "--edges", "nothing", sentence="cannot be read")
+        self.write("edges", ["0 1 cut"])
+        self.write("seeds", ["3"] * n)
+        self.assert_failure("usage", self.mesh, "--seeds", "seeds", "--edges", "edges",
+                            sentence="is constrained")
+        self.assert_failure("usage", self.mesh, "--seeds", "seeds", "--out-dir", "out",
+                            sentence="of one mesh")
+
+
 class Failures(Tool_test):
 
     def setUp(self):

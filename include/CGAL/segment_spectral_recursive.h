@@ -438,14 +438,16 @@ triangles of a mesh the ids are the same as with the function for meshes.
 \param segment_ids receives the id of the segment of each triangle; the key is the position of the
   triangle
 \param np an optional sequence of the named parameters above, except `vertex_point_map`,
-  `face_index_map`, `geom_traits`, `edge_is_constrained_map` and `edge_is_uncuttable_map`. The key
-  of a `face_seed_map` or a `face_group_map` is the position of a triangle.
+  `face_index_map` and `geom_traits`. The key of a `face_seed_map` or a `face_group_map` is the
+  position of a triangle. The key of an `edge_is_constrained_map` or `edge_is_uncuttable_map` is a
+  `std::pair<std::size_t, std::size_t>` with the indices of the two points, the smaller first. Only
+  edges between neighbors count.
 
 \return the number of segments; 0 if there is no triangle
 
 \throws std::invalid_argument if a triangle does not have three corners, a corner is not the index
-  of a point, a coordinate of a corner is not finite, a number is out of its range, seeds
-  contradict each other, or the number of segments does not allow all seeds to be satisfied
+  of a point, a coordinate of a corner is not finite, a number is out of its range, constraints
+  contradict each other, or the number of segments does not allow all constraints to be satisfied
 \throws std::overflow_error if there are more segments than the value type of `segment_ids` can
   count
 
@@ -471,17 +473,20 @@ std::size_t segment_spectral_recursive(const PointRange& points, const TriangleR
                 !internal::is_given<Pack, internal_np::geom_traits_t>,
                 "vertex_point_map, face_index_map and geom_traits are of meshes, not of points and "
                 "triangles");
-  static_assert(!internal::has_edge_constraints<Pack>,
-                "edge_is_constrained_map and edge_is_uncuttable_map are of meshes, not of points "
-                "and triangles, which have no edges that could be named");
 
   const Spectral_segmentation::Options options = internal::read_options(pack);
   internal::Surface soup = internal::read_triangle_soup(points, triangles);
   std::vector<std::size_t> faces(soup.corners.size());
   std::iota(faces.begin(), faces.end(), std::size_t(0));
   soup.groups = internal::read_groups(faces, pack);
-  internal::connect(soup);
   internal::Constraints constraints;
+  if constexpr (internal::has_edge_constraints<Pack>) {
+    const std::vector<internal::Corners> corners = soup.corners;
+    internal::connect(soup);
+    internal::read_edge_constraints(soup, corners, pack, constraints);
+  }
+  else
+    internal::connect(soup);
   internal::read_seeds(faces, pack, constraints);
   return internal::segment_and_write<ConcurrencyTag>(std::move(soup), faces, segment_ids, options,
                                                      constraints, pack);

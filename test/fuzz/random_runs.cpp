@@ -9,6 +9,7 @@
 
 #include "check_hierarchy.h"
 #include "check_results.h"
+#include "random_constraints.h"
 #include "random_meshes.h"
 #include "run_of_soup.h"
 
@@ -60,6 +61,16 @@ class Random_run
   bool has_random_ids_ = false;
 
   std::size_t number_of_faces() const { return soup_.triangles.size(); }
+  const Mesh* mesh() const { return mesh_ ? &*mesh_ : nullptr; }
+
+  // Runs on the soup, or on the mesh if edges are constrained.
+  template <class Tag = CGAL::Sequential_tag>
+  Outcome run_once(Visitor& visitor,
+                   const Segmentation_hierarchy& before = Segmentation_hierarchy()) const
+  {
+    return parameters_.edges.empty() ? run<Tag>(soup_, parameters_, visitor, before)
+                                     : run<Tag>(*mesh_, parameters_, visitor, before);
+  }
 
   bool are_valid_triangles() const
   {
@@ -95,6 +106,18 @@ class Random_run
     const Options& o = parameters_.options;
     if (!has_valid_triangles_ || !has_valid_options_)
       return false;
+    if (parameters_.has_constraints()) {
+      if (is_contradiction(mesh(), parameters_, number_of_faces()))
+        return false;
+      if (o.method == Method::ZHANG_LIU_2005) // border edges do not count
+        return parameters_.seeds.empty() ? std::nullopt : std::optional<bool>(false);
+      // Seeds may have no path between them, and the constraints may need more segments than are
+      // allowed, or allow fewer. Duplicate faces are one face, and groups are kept apart.
+      if (!parameters_.seeds.empty() || o.number_of_segments || !parameters_.groups.empty() ||
+          o.maximum_number_of_segments != CGAL::Spectral_segmentation::unlimited ||
+          number_of_distinct_faces() < number_of_faces())
+        return std::nullopt;
+    }
     if (!o.number_of_segments)
       return true;
     const std::size_t n = *o.number_of_segments;
@@ -106,13 +129,10 @@ class Random_run
     return std::nullopt;
   }
 
-  // The same run on the same triangles in another form, or with threads.
-  template <class Tag = CGAL::Sequential_tag, class Shape>
-  void check_same(const Shape& shape, const Outcome& expected, const char* what)
+  // The same run on a mesh instead of a soup, or with threads.
+  void check_same(const Outcome& outcome, const Outcome& expected, const char* what)
   {
     step_ = what;
-    Visitor visitor;
-    const Outcome outcome = run<Tag>(shape, parameters_, visitor);
     require(outcome.error == expected.error, std::string("the same error by ") + what);
     require(outcome.labels == expected.labels, std::string("the same labels by ") + what);
     require(written(outcome.hierarchy) == written(expected.hierarchy),
@@ -142,16 +162,17 @@ class Random_run
     visitor.throws_at = random_() % number_of_calls;
     step_ = "a run whose visitor throws";
     Outcome outcome = one_in(random_, 2)
-      ? run<CGAL::Parallel_tag>(soup_, parameters_, visitor, before)
-      : run(soup_, parameters_, visitor, before);
+      ? run_once<CGAL::Parallel_tag>(visitor, before) : run_once(visitor, before);
     require(!outcome.error.empty() || visitor.number_of_calls <= visitor.throws_at,
             "an exception of the visitor passes through");
     step_ = "a run that is stopped";
     visitor = Visitor();
     visitor.stops_at = random_() % number_of_calls;
-    outcome = run(soup_, parameters_, visitor);
-    if (outcome.error.empty())
-      check_hierarchy(outcome.hierarchy, parameters_, neighbors, 0, false);
+    outcome = run_once(visitor);
+    if (!outcome.error.empty())
+      return;
+    check_hierarchy(outcome.hierarchy, parameters_, neighbors, 0, false);
+    check_constraints(mesh(), parameters_, outcome.hierarchy);
   }
 
   void check_overflow(const Outcome& expected)
@@ -194,14 +215,13 @@ class Random_run
     if (one_in(random_, 3))
       for (int& id : ids)
         id = 1000 * id - 1500;
-    const Mesh* mesh = mesh_ ? &*mesh_ : nullptr;
     step_ = "refine_segment_boundaries";
-    check_refining(soup_, ids, mesh, random_);
+    check_refining(soup_, ids, mesh(), random_);
     step_ = "close_segments";
-    check_closing(soup_, ids, mesh, random_);
+    check_closing(soup_, ids, mesh(), random_);
     step_ = "split_into_segments";
-    if (mesh)
-      check_splitting(*mesh, ids, one_in(random_, 2));
+    if (mesh_)
+      check_splitting(*mesh_, ids, one_in(random_, 2));
   }
 
 public:
@@ -222,13 +242,15 @@ public:
     has_valid_triangles_ = are_valid_triangles();
     if (is_manifold())
       mesh_ = mesh_of(soup_);
+    if (one_in(random_, 3))
+      add_constraints(number_of_faces(), mesh(), parameters_, random_);
   }
 
   void operator()()
   {
     step_ = "a run";
     Visitor visitor;
-    const Outcome outcome = run(soup_, parameters_, visitor);
+    const Outcome outcome = run_once(visitor);
     if (!has_valid_triangles_ || !has_valid_options_) {
       require(!outcome.error.empty(), "bad input is refused");
       return;
@@ -240,10 +262,11 @@ public:
     const std::optional<bool> is_expected = is_allowed(number_of_components);
     require(!is_expected || outcome.error.empty() == *is_expected,
             "the number of segments is allowed, or there is an exception: " + outcome.error);
-    if (mesh_)
-      check_same(*mesh_, outcome, "a run on a mesh");
+    Visitor other_visitor;
+    if (mesh_ && parameters_.edges.empty())
+      check_same(run(*mesh_, parameters_, other_visitor), outcome, "a run on a mesh");
     if (one_in(random_, 2))
-      check_same<CGAL::Parallel_tag>(soup_, outcome, "a run with threads");
+      check_same(run_once<CGAL::Parallel_tag>(other_visitor), outcome, "a run with threads");
     if (!outcome.error.empty() || outcome.labels.empty())
       return;
 
@@ -253,7 +276,8 @@ public:
     const std::size_t n = number_of(outcome.labels);
     const std::size_t number_of_roots =
       o.keep_components_separate ? number_of_components : 1;
-    require(h.number_of_roots() == number_of_roots,
+    require(h.number_of_roots() == number_of_roots ||
+              (parameters_.has_constraints() && h.number_of_roots() > number_of_roots),
             "the roots are the components, or all: " + std::to_string(h.number_of_roots()) +
               " instead of " + std::to_string(number_of_roots));
     require(!o.number_of_segments || n == *o.number_of_segments,
@@ -264,9 +288,12 @@ public:
             "segments are connected");
     check_hierarchy(h, parameters_, neighbors, are_connected ? number_of_components : 0,
                     o.method == Method::CALIBRATED);
-    if (parameters_.groups.empty() && one_in(random_, 4))
+    check_constraints(mesh(), parameters_, outcome.labels, "the segments");
+    check_constraints(mesh(), parameters_, h);
+    const bool has_options_only = parameters_.groups.empty() && !parameters_.has_constraints();
+    if (has_options_only && one_in(random_, 4))
       check_overflow(outcome);
-    if (mesh_ && parameters_.groups.empty() && one_in(random_, 4))
+    if (mesh_ && has_options_only && one_in(random_, 4))
       check_polyhedron(outcome);
     check_ends(visitor.number_of_calls, h, neighbors);
     check_changes(h, neighbors);

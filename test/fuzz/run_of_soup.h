@@ -15,6 +15,7 @@
 #include <boost/property_map/function_property_map.hpp>
 #include <boost/property_map/property_map.hpp>
 
+#include <algorithm>
 #include <cstddef>
 #include <functional>
 #include <limits>
@@ -22,6 +23,7 @@
 #include <sstream>
 #include <stdexcept>
 #include <string>
+#include <type_traits>
 #include <utility>
 #include <vector>
 
@@ -60,7 +62,10 @@ struct Parameters
 {
   Options options;
   std::vector<int> groups; // of the faces; empty for no face_group_map
-  // Constraints belong here; with_parameters() passes them on.
+  std::vector<int> seeds;  // of the faces; empty for no face_seed_map
+  std::vector<char> edges; // of a mesh: 'c' if constrained, 'u' if uncuttable; empty for no maps
+
+  bool has_constraints() const { return !seeds.empty() || !edges.empty(); }
 };
 
 inline std::ostream& operator<<(std::ostream& os, const Parameters& p)
@@ -79,7 +84,10 @@ inline std::ostream& operator<<(std::ostream& os, const Parameters& p)
             << o.geodesic_weight << ',' << o.concave_angle_weight << ',' << o.convex_angle_weight
             << " number_of_reference_faces=" << o.number_of_reference_faces
             << " random_seed=" << (o.random_seed ? std::to_string(*o.random_seed) : "none")
-            << " face_groups=" << !p.groups.empty();
+            << " face_groups=" << !p.groups.empty() << " seeds="
+            << p.seeds.size() - std::size_t(std::count(p.seeds.begin(), p.seeds.end(), -1))
+            << " constrained_edges=" << std::count(p.edges.begin(), p.edges.end(), 'c')
+            << " uncuttable_edges=" << std::count(p.edges.begin(), p.edges.end(), 'u');
 }
 
 inline Options random_options(std::size_t number_of_faces, Random& random)
@@ -174,7 +182,27 @@ struct Outcome
   std::string error; // empty without an exception
 };
 
-// Calls f with the named parameters of a run, for `Face` as the key of maps.
+// Calls f with the named parameters and the constraints of a run, for `Face` as the key of maps.
+template <class Face, class NamedParameters, class Function>
+std::size_t with_constraints(const Parameters& p, const NamedParameters& np, const Function& f)
+{
+  if (!p.has_constraints())
+    return f(np);
+  const auto with_seeds = np.face_seed_map(boost::make_function_property_map<Face>(
+    [&p](const Face& face) { return p.seeds.empty() ? -1 : p.seeds[std::size_t(face)]; }));
+  if constexpr (std::is_same<Face, Mesh::Face_index>::value)
+    if (!p.edges.empty()) {
+      const auto map_of = [&p](char kind) {
+        return boost::make_function_property_map<Mesh::Edge_index>(
+          [&p, kind](const Mesh::Edge_index& e) { return p.edges[std::size_t(e)] == kind; });
+      };
+      return f(with_seeds.edge_is_constrained_map(map_of('c'))
+                 .edge_is_uncuttable_map(map_of('u')));
+    }
+  return f(with_seeds);
+}
+
+// Calls f with the named parameters of a run.
 template <class Face, class Function>
 std::size_t with_parameters(const Parameters& p, Segmentation_hierarchy& hierarchy,
                             Visitor& visitor, const Function& f)
@@ -182,9 +210,9 @@ std::size_t with_parameters(const Parameters& p, Segmentation_hierarchy& hierarc
   const auto np =
     parameters::options(p.options).hierarchy(hierarchy).visitor(std::ref(visitor));
   if (p.groups.empty())
-    return f(np);
-  return f(np.face_group_map(boost::make_function_property_map<Face>(
-    [&p](const Face& face) { return p.groups[std::size_t(face)]; })));
+    return with_constraints<Face>(p, np, f);
+  return with_constraints<Face>(p, np.face_group_map(boost::make_function_property_map<Face>(
+    [&p](const Face& face) { return p.groups[std::size_t(face)]; })), f);
 }
 
 template <class Tag, class Map, class NamedParameters>

@@ -29,10 +29,12 @@
 #include <CGAL/Spectral_segmentation/internal/base/Run_monitor.h>
 #include <CGAL/Spectral_segmentation/internal/constraints/Constraint_groups.h>
 #include <CGAL/Spectral_segmentation/internal/constraints/Constrained_merging.h>
-#include <CGAL/Spectral_segmentation/internal/constraints/Constrained_regions.h>
+#include <CGAL/Spectral_segmentation/internal/constraints/Forced_cuts.h>
+#include <CGAL/Spectral_segmentation/internal/constraints/Set_connection.h>
 
 #include <algorithm>
 #include <cstddef>
+#include <iterator>
 #include <numeric>
 #include <optional>
 #include <stdexcept>
@@ -57,6 +59,7 @@ class Run
   std::vector<Coarse_surface> levels_; // each coarser than the one before; the last is searched
   std::vector<Index> neighbors_;    // the caller's indices, if boundaries shall be smoothed
   Constraint_groups groups_;        // empty without constraints
+  std::vector<Index> leaf_of_group_; // of the cuts so far; empty without constraints
 
   Distance_weights distance_weights() const
   {
@@ -152,8 +155,7 @@ class Run
     monitor_.advance(0.3);
     check_number();
     if (!constraints_.empty())
-      groups_ = Constraint_grouping(constraints_, face_, mesh_.number_of_faces())(
-        mesh_, options_.keep_components_separate);
+      groups_ = Constraint_grouping(constraints_, face_, mesh_)(options_.keep_components_separate);
     if (options_.smooth_boundaries)
       set_neighbors();
   }
@@ -263,6 +265,17 @@ class Run
     return result;
   }
 
+  // Returns the vertex of the coarsest mesh for each vertex of the mesh, or null_index.
+  std::vector<Index> searched_vertices() const
+  {
+    std::vector<Index> result(mesh_.points.size());
+    std::iota(result.begin(), result.end(), Index(0));
+    for (const Coarse_surface& level : levels_)
+      for (Index& v : result)
+        v = v == null_index ? v : level.vertices[v];
+    return result;
+  }
+
   Cut_hierarchy search(Surface mesh)
   {
     monitor_.control().start_search(searched_faces());
@@ -274,19 +287,48 @@ class Run
     return monitor_.stage(Stage::MERGING, Segmentation_visitor::whole_mesh, [&] {
       const Cut_hierarchy merges = Region_merging(execution_, mesh, best_cut.context(),
                                                   options_.part_salience, monitor_)(regions);
-      return Congruent_cuts(mesh, merges)();
+      Cut_hierarchy result = Congruent_cuts(mesh, merges)();
+      if (!constraints_.empty()) {
+        const std::vector<Index> vertices = searched_vertices();
+        Forced_cuts cuts(mesh_, vertices, mesh, groups_, result, monitor_);
+        cuts();
+        leaf_of_group_ = cuts.leaves_of_groups();
+      }
+      return result;
     });
   }
 
   bool is_reordered_only() const
   { return levels_.back().faces.size() == finest().number_of_faces(); }
 
-  // Transfers the cuts of another surface to a mesh.
+  // Transfers the cuts of another surface to a mesh. In the end, constrained faces belong wholly to
+  // the leaves of their groups.
   template <class For_each_share>
   Cut_hierarchy transferred(const Cut_hierarchy& cuts, const Surface& mesh,
                             const For_each_share& for_each_share)
   {
-    return Cut_transfer(execution_, cuts, mesh, for_each_share, distance_weights(), monitor_)();
+    if (leaf_of_group_.empty())
+      return Cut_transfer(execution_, cuts, mesh, for_each_share, distance_weights(), monitor_)();
+    const auto fixed_leaf = [&](Index f) {
+      const Index group = &mesh == &mesh_ ? groups_.group[f] : null_index;
+      return group == null_index ? null_index : leaf_of_group_[group];
+    };
+    Cut_transfer transfer(execution_, cuts, mesh, [&](Index f, const auto& add) {
+      if (const Index leaf = fixed_leaf(f); leaf != null_index)
+        add(leaf, 1);
+      else
+        for_each_share(f, add);
+    }, distance_weights(), monitor_);
+    if (&mesh == &mesh_) {
+      std::vector<Index> fixed;
+      std::copy_if(groups_.faces.begin(), groups_.faces.end(), std::back_inserter(fixed),
+                   [&](Index f) { return fixed_leaf(f) != null_index; });
+      transfer.fix(fixed);
+    }
+    const Cut_hierarchy result = transfer();
+    for (Index& leaf : leaf_of_group_)
+      leaf = leaf == null_index ? leaf : transfer.leaf_of(leaf, result);
+    return result;
   }
 
   // Projects the cuts of the coarse surface onto the mesh, level by level.
@@ -321,11 +363,10 @@ class Run
   void satisfy_constraints(Cut_hierarchy& hierarchy)
   {
     const std::size_t number_of_roots = hierarchy.number_of_roots;
-    Constrained_regions regions(execution_, hierarchy, mesh_, distance_weights(),
-                                options_.minimum_segment_size, monitor_, groups_);
-    Region_graph graph = regions(options_.keep_components_separate);
-    hierarchy =
-      Constrained_merging(hierarchy, graph, regions.region_of_faces(), regions.leaves())();
+    groups_ = Set_connection(mesh_, hierarchy.leaf, hierarchy.nodes.size(),
+                             groups_)(callers_faces());
+    hierarchy = Constrained_merging(mesh_, groups_, options_.minimum_segment_size, hierarchy,
+                                    monitor_)();
     const std::size_t number = hierarchy.number_of_roots;
     if (number > number_of_roots && number > maximum_number(options_))
       throw std::invalid_argument(
@@ -344,7 +385,10 @@ class Run
     if (!options_.number_of_segments || monitor_.is_stopped())
       return;
     const std::size_t number = *options_.number_of_segments;
-    Further_cuts(mesh_, hierarchy, groups_.group)(number);
+    std::vector<Index> sets;
+    for (Index f = 0; f < groups_.group.size(); ++f)
+      sets.push_back(groups_.set(f));
+    Further_cuts(mesh_, hierarchy, sets)(number);
     if (hierarchy.number_of_segments() < number)
       throw std::invalid_argument(
         "segment_spectral_recursive: number_of_segments is " + std::to_string(number) +
@@ -414,6 +458,9 @@ public:
     else if (!levels_.empty())
       result = monitor_.stage(Stage::PROJECTION, Segmentation_visitor::whole_mesh,
                               [&] { return project(std::move(result)); });
+    else if (!leaf_of_group_.empty())
+      result = transferred(result, mesh_,
+                           [&](Index f, const auto& add) { add(result.leaf[f], 1); });
     apply_options(result);
     convert(result);
     result.neighbors = std::move(neighbors_);

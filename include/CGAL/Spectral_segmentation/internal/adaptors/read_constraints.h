@@ -7,6 +7,7 @@
 #include <CGAL/Spectral_segmentation/internal/constraints/Constraints.h>
 #include <CGAL/Spectral_segmentation/internal/adaptors/numbered_descriptors.h>
 #include <CGAL/Spectral_segmentation/internal/adaptors/read_options.h>
+#include <CGAL/Spectral_segmentation/internal/surface/Surface.h>
 #include <CGAL/Spectral_segmentation/parameters.h>
 
 #include <CGAL/Named_function_parameters.h>
@@ -15,11 +16,14 @@
 #include <boost/graph/graph_traits.hpp>
 #include <boost/property_map/property_map.hpp>
 
+#include <algorithm>
+#include <cstddef>
 #include <cstdint>
 #include <map>
 #include <stdexcept>
 #include <string>
 #include <type_traits>
+#include <utility>
 #include <vector>
 
 namespace CGAL::Spectral_segmentation::internal {
@@ -39,8 +43,26 @@ bool edge_value(const CGALNamedParameters& np, Tag tag, const EdgeDescriptor& e)
     return false;
 }
 
-// Reads the constraints on edges. Ignores border edges, including edges to faces outside of a
-// filtered mesh. Throws `std::invalid_argument` for an edge that is in both maps.
+// Adds the constraint on an edge between two faces. Throws `std::invalid_argument` if both maps
+// have the edge.
+template <class CGALNamedParameters, class EdgeDescriptor>
+void add_edge_constraint(const CGALNamedParameters& np, const EdgeDescriptor& e, Index f, Index g,
+                         Constraints& constraints)
+{
+  const bool is_seam = edge_value(np, CGAL::internal_np::edge_is_constrained, e);
+  const bool is_uncuttable = edge_value(np, internal_np::edge_is_uncuttable_map, e);
+  if (is_seam && is_uncuttable)
+    throw std::invalid_argument(
+      "segment_spectral_recursive: the edge between the faces " + std::to_string(f) + " and " +
+      std::to_string(g) + " is in both edge_is_constrained_map and edge_is_uncuttable_map");
+  if (is_seam)
+    constraints.cannot_link.push_back({f, g});
+  if (is_uncuttable)
+    constraints.must_link.push_back({f, g});
+}
+
+// Reads the constraints on edges of a mesh. Ignores border edges, including edges to faces outside
+// of a filtered mesh.
 template <class TriangleMesh, class FaceDescriptor, class CGALNamedParameters>
 void read_edge_constraints(const TriangleMesh& mesh, const std::vector<FaceDescriptor>& faces,
                            const CGALNamedParameters& np, Constraints& constraints)
@@ -53,20 +75,30 @@ void read_edge_constraints(const TriangleMesh& mesh, const std::vector<FaceDescr
       if (across == boost::graph_traits<TriangleMesh>::null_face())
         continue;
       const Index g = face_number(across);
-      if (g == null_index || g < f)
-        continue;
-      const auto e = edge(h, mesh);
-      const bool is_seam = edge_value(np, CGAL::internal_np::edge_is_constrained, e);
-      const bool is_uncuttable = edge_value(np, internal_np::edge_is_uncuttable_map, e);
-      if (is_seam && is_uncuttable)
-        throw std::invalid_argument(
-          "segment_spectral_recursive: the edge between the faces " + std::to_string(f) + " and " +
-          std::to_string(g) + " is in both edge_is_constrained_map and edge_is_uncuttable_map");
-      if (is_seam)
-        constraints.cannot_link.push_back({f, g});
-      if (is_uncuttable)
-        constraints.must_link.push_back({f, g});
+      if (g != null_index && f < g)
+        add_edge_constraint(np, edge(h, mesh), f, g, constraints);
     }
+}
+
+// Reads the constraints on edges of triangles with these corners, which were made a surface. An
+// edge is given by its two corners, the smaller first.
+template <class CGALNamedParameters>
+void read_edge_constraints(const Surface& surface, const std::vector<Corners>& corners,
+                           const CGALNamedParameters& np, Constraints& constraints)
+{
+  for (Index h = 0; h < surface.number_of_halfedges(); ++h) {
+    const Index f = h / 3, g = surface.neighbor(h);
+    if (f >= g)
+      continue;
+    std::vector<std::size_t> common;
+    for (Index v : corners[f])
+      if (std::find(corners[g].begin(), corners[g].end(), v) != corners[g].end())
+        common.push_back(v);
+    std::sort(common.begin(), common.end());
+    for (std::size_t i = 1; i < common.size(); ++i)
+      for (std::size_t j = 0; j < i; ++j)
+        add_edge_constraint(np, std::make_pair(common[j], common[i]), f, g, constraints);
+  }
 }
 
 // Reads the seeds of faces, or of the positions of triangles.

@@ -42,6 +42,8 @@ class Cut_transfer
   const Leaf_shares shares_;   // of the cells
   Surface bands_;              // has weights if minimum cuts are made
   Sides side_;                 // one per cell, by the current cut; all are OUTSIDE between cuts
+  std::vector<std::size_t> node_of_; // the node of the result for each node of the other surface
+  std::vector<char> is_fixed_; // one per cell; empty if no cells are
 
   std::vector<Index> reached_; // the cells that floods reached since start_flood()
   std::vector<Index> flood_;   // the last start at which each cell was reached
@@ -162,7 +164,8 @@ class Cut_transfer
   }
 
   // Moves all pieces of a side of a connected part, but for the largest, to the other side.
-  void keep_largest(const Cells& cells, Side given)
+  // Optionally moves no piece with fixed cells.
+  void keep_largest(const Cells& cells, Side given, bool moves_fixed_cells)
   {
     start_flood();
     std::vector<std::size_t> first_of_piece; // positions in reached_
@@ -176,11 +179,17 @@ class Cut_transfer
       return;
     const std::size_t largest = std::max_element(areas.begin(), areas.end()) - areas.begin();
     first_of_piece.push_back(reached_.size());
-    change_sides(0, first_of_piece[largest]);
-    change_sides(first_of_piece[largest + 1], reached_.size());
+    const auto is_fixed = [this](Index cell) { return is_fixed_[cell] != 0; };
+    for (std::size_t i = 0; i < areas.size(); ++i) {
+      const auto first = reached_.begin() + static_cast<std::ptrdiff_t>(first_of_piece[i]),
+                 end = reached_.begin() + static_cast<std::ptrdiff_t>(first_of_piece[i + 1]);
+      if (i != largest && (moves_fixed_cells || std::none_of(first, end, is_fixed)))
+        change_sides(first_of_piece[i], first_of_piece[i + 1]);
+    }
   }
 
-  // Gives a side without cells a cell without which the part is still connected.
+  // Gives a side without cells a cell without which the part is still connected, unless it is
+  // fixed.
   void keep_both_sides(const Cells& cells)
   {
     const char first = side_[*cells.begin()];
@@ -188,16 +197,21 @@ class Cut_transfer
       return;
     start_flood();
     flood(*cells.begin());
-    change_sides(reached_.size() - 1, reached_.size());
+    if (is_fixed_.empty() || !is_fixed_[reached_.back()])
+      change_sides(reached_.size() - 1, reached_.size());
   }
 
   // Returns the sides of the cells of a part that is cut like a node of the other surface. They
-  // are connected, and both have a cell if the part has two.
+  // are connected, and both have a cell if the part has two. What fixed cells separate from the
+  // rest of a side moves first, as it may join them with their own side.
   Sides sides(std::size_t node, const Cells& cells)
   {
     set_sides(node, cells);
-    keep_largest(cells, Q);
-    keep_largest(cells, REST);
+    for (bool moves_fixed_cells : {false, true})
+      if (moves_fixed_cells || !is_fixed_.empty()) {
+        keep_largest(cells, Q, moves_fixed_cells);
+        keep_largest(cells, REST, moves_fixed_cells);
+      }
     keep_both_sides(cells);
     Sides result;
     result.reserve(cells.size());
@@ -209,7 +223,7 @@ class Cut_transfer
   // Cuts a leaf of the result like a node of the other surface, and sets the nodes of the result
   // for the children. Returns whether there was something to cut.
   bool cut_as(std::size_t other_node, std::size_t node, Cut_hierarchy& result,
-              Nested_ranges& cells, std::vector<std::size_t>& node_of)
+              Nested_ranges& cells)
   {
     const auto& children = cuts_.nodes[other_node].children;
     Sides side = sides(other_node, cells[node]);
@@ -220,7 +234,7 @@ class Cut_transfer
       ++number[int(side[i])];
     }
     if (number[0] == 0 || number[1] == 0) {
-      node_of[children[number[0] == 0 ? 1 : 0]] = node;
+      node_of_[children[number[0] == 0 ? 1 : 0]] = node;
       return false;
     }
     const bool is_swapped = area_of[0] > area_of[1];
@@ -228,20 +242,20 @@ class Cut_transfer
     result.cut(node, area_of[0], area_of[1]);
     cells.cut(node, side);
     for (int s = 0; s < 2; ++s)
-      node_of[children[s]] = result.nodes[node].children[is_swapped ? 1 - s : s];
+      node_of_[children[s]] = result.nodes[node].children[is_swapped ? 1 - s : s];
     return true;
   }
 
   // Returns a hierarchy of the mesh whose leaves are cells. Its roots are numbered by their first
-  // faces. Sets `node_of` for the roots.
-  Cut_hierarchy roots(std::vector<std::size_t>& node_of) const
+  // faces. Sets `node_of_` for the roots.
+  Cut_hierarchy roots()
   {
     const std::vector<std::size_t> root_of_leaf = roots_of_leaves(cuts_, leaves_);
     std::vector<Index> root_of_cell(cells_.number());
     std::vector<double> areas;
     for (Index f = 0; f < mesh_.number_of_faces(); ++f) {
       const Index cell = cells_.of_face(f);
-      std::size_t& root = node_of[root_of_leaf[shares_[cell].begin()->leaf]];
+      std::size_t& root = node_of_[root_of_leaf[shares_[cell].begin()->leaf]];
       if (root == null_node) {
         root = areas.size();
         areas.push_back(0);
@@ -265,7 +279,8 @@ public:
       leaves_(ranges_of_leaves(cuts)),
       cells_(mesh, are_between(execution, cuts, mesh, for_each_share)),
       shares_(shares_of_cells(cells_, leaves_, for_each_share, monitor)),
-      side_(cells_.number(), OUTSIDE), flood_(cells_.number(), 0)
+      side_(cells_.number(), OUTSIDE), node_of_(cuts.nodes.size(), null_node),
+      flood_(cells_.number(), 0)
   {
     if (!shares_.are_whole() && !monitor.is_stopped())
       set_bands(weights);
@@ -273,32 +288,31 @@ public:
 
   Cut_hierarchy operator()()
   {
-    std::vector<std::size_t> node_of(cuts_.nodes.size(), null_node);
-    Cut_hierarchy result = roots(node_of);
+    Cut_hierarchy result = roots();
     result.is_monotonic = cuts_.is_monotonic;
     result.has_all_cuts = cuts_.has_all_cuts;
     Nested_ranges cells(result, result.leaf);
     const double step = 1 / static_cast<double>(cuts_.nodes.size());
     for (std::size_t i = cuts_.number_of_roots; i < cuts_.nodes.size(); i += 2) {
       const std::size_t other_node = cuts_.nodes[i].parent;
-      if (node_of[other_node] != null_node &&
-          !cut_as(other_node, node_of[other_node], result, cells, node_of))
+      if (node_of_[other_node] != null_node &&
+          !cut_as(other_node, node_of_[other_node], result, cells))
         result.has_all_cuts = false;
       monitor_.advance(2 * step);
       monitor_.go_further(); // may throw
     }
     std::vector<std::size_t> last_of(result.nodes.size()); // per node: the last that became it
     for (std::size_t i = 0; i < cuts_.nodes.size(); ++i)
-      if (node_of[i] != null_node) {
-        Cut_node& n = result.nodes[node_of[i]];
-        last_of[node_of[i]] = i;
+      if (node_of_[i] != null_node) {
+        Cut_node& n = result.nodes[node_of_[i]];
+        last_of[node_of_[i]] = i;
         n.cut_state = cuts_.nodes[i].cut_state;
         n.salience = cuts_.nodes[i].salience;
         n.factors = cuts_.nodes[i].factors;
       }
     for (std::size_t turn : cuts_.cut_order)
-      if (node_of[turn] != null_node && last_of[node_of[turn]] == turn)
-        result.cut_order.push_back(node_of[turn]);
+      if (node_of_[turn] != null_node && last_of[node_of_[turn]] == turn)
+        result.cut_order.push_back(node_of_[turn]);
 
     std::vector<Index> leaf_of_cell(cells_.number());
     for (std::size_t i = 0; i < result.nodes.size(); ++i)
@@ -309,6 +323,25 @@ public:
     for_each_index(execution_, result.leaf.size(), [&](std::size_t f)
       { result.leaf[f] = leaf_of_cell[cells_.of_face(static_cast<Index>(f))]; });
     return result;
+  }
+
+  // Keeps these faces on the sides of their shares where possible. To be called before the cuts.
+  void fix(const std::vector<Index>& faces)
+  {
+    is_fixed_.assign(cells_.number(), 0);
+    for (Index f : faces)
+      is_fixed_[cells_.of_face(f)] = 1;
+  }
+
+  // Returns a leaf of the result within the node that a leaf of the other surface became.
+  Index leaf_of(Index other, const Cut_hierarchy& result) const
+  {
+    std::size_t i = other;
+    while (node_of_[i] == null_node)
+      i = cuts_.nodes[i].parent;
+    for (i = node_of_[i]; !result.nodes[i].is_leaf();)
+      i = result.nodes[i].children[1];
+    return static_cast<Index>(i);
   }
 };
 

@@ -4,94 +4,298 @@
 #ifndef CGAL_SPECTRAL_SEGMENTATION_INTERNAL_CONSTRAINTS_CONSTRAINED_MERGING_H
 #define CGAL_SPECTRAL_SEGMENTATION_INTERNAL_CONSTRAINTS_CONSTRAINED_MERGING_H
 
+#include <CGAL/Spectral_segmentation/internal/base/Run_monitor.h>
+#include <CGAL/Spectral_segmentation/internal/constraints/Constraint_groups.h>
 #include <CGAL/Spectral_segmentation/internal/hierarchy/Dendrogram.h>
-#include <CGAL/Spectral_segmentation/internal/constraints/Region_graph.h>
+#include <CGAL/Spectral_segmentation/internal/surface/surface_integrals.h>
 
 #include <algorithm>
 #include <cstddef>
+#include <map>
 #include <set>
 #include <utility>
 #include <vector>
 
 namespace CGAL::Spectral_segmentation::internal {
 
-// Merges regions that satisfy constraints, in the order in which the cuts of the old hierarchy are
-// undone, the least salient first. If a region on one side of an old cut can be merged with a
-// region on the other side, they are merged with the salience of the cut. Unconstrained regions are
-// merged as before. Regions that a constraint keeps apart are not merged. The regions that remain
+// Makes a hierarchy whose nodes satisfy the constraints from one whose nodes do not.
+//
+// First it cuts leaves into regions until no region, and no regions that a set of groups joins,
+// hold sets that must be apart. Then it merges the regions of each set. Then it undoes the cuts of
+// the hierarchy, the least salient first: if a region on one side of a cut can be merged with a
+// region on the other side, they are merged with the salience of the cut. The regions that remain
 // at the end are the roots.
 class Constrained_merging
 {
-  const Cut_hierarchy& old_;
-  Region_graph& regions_;
-  const std::vector<Index>& region_of_face_;
-  std::vector<std::set<Index> > below_; // one per node of the old hierarchy: its regions
-  Dendrogram result_;                   // its leaves are regions
-
-  void merge(Index a, Index b, std::size_t old_node)
+  // A region that joins two sets that must be apart, or two on the way between such sets.
+  struct Conflict
   {
-    const Cut_node& old = old_.nodes[old_node];
-    result_.merges.push_back({{a, b}, old.salience, old.factors});
-    regions_.merge(a, b);
+    Index region = null_index, sets[2] = {null_index, null_index};
+  };
+
+  const Surface& mesh_;
+  const Constraint_groups& groups_;
+  const double minimum_area_;
+  Run_monitor& monitor_;
+  const Cut_hierarchy& cuts_;
+
+  std::vector<Index> region_;         // one per face
+  std::vector<Index> leaf_of_region_;
+  std::map<Index, std::set<Index> > regions_of_, sets_in_; // of each set, and in each region
+
+  Separated_sets regions_;
+  std::vector<double> areas_;
+  std::vector<std::map<Index, double> > lengths_; // of the boundary with each neighbor
+  Dendrogram result_;                             // its leaves are regions
+
+  // Makes the connected pieces of leaves between forced boundaries regions.
+  void split_at_seams()
+  {
+    std::vector<char> is_cut(cuts_.nodes.size(), 0);
+    for (Index f : groups_.faces)
+      for (Index h = 3 * f; h < 3 * f + 3; ++h)
+        if (groups_.is_seam[h] && cuts_.leaf[f] == cuts_.leaf[mesh_.neighbor(h)])
+          is_cut[cuts_.leaf[f]] = 1;
+    Face_components pieces(region_.size());
+    for (Index f = 0; f < region_.size(); ++f)
+      if (is_cut[region_[f]])
+        pieces.add(f);
+    for (Index f = 0; f < region_.size(); ++f)
+      if (is_cut[region_[f]])
+        for (Index h = 3 * f; h < 3 * f + 3; ++h)
+          if (!groups_.is_seam[h] && region_[mesh_.neighbor(h)] == region_[f])
+            pieces.join(f, mesh_.neighbor(h));
+    std::map<Index, Index> region_of_piece;
+    for (Index f = 0; f < region_.size(); ++f)
+      if (is_cut[cuts_.leaf[f]]) {
+        const auto [piece, is_new] = region_of_piece.emplace(
+          pieces.representative(f), static_cast<Index>(leaf_of_region_.size()));
+        if (is_new)
+          leaf_of_region_.push_back(cuts_.leaf[f]);
+        region_[f] = piece->second;
+      }
   }
 
-  // Merges the two sides of a cut if each is one region, otherwise the regions that touch.
-  void merge_below(std::size_t node)
+  // Returns a region to cut on the shortest way over regions and sets from a set to another.
+  Conflict conflict_between(Index from, Index to) const
   {
-    std::set<Index>& all = below_[node];
-    if (!old_.nodes[node].is_leaf()) {
-      const std::size_t (&children)[2] = old_.nodes[node].children;
-      const std::set<Index> first = regions_.representatives(below_[children[0]]);
-      const std::set<Index> second = regions_.representatives(below_[children[1]]);
-      if (first.size() == 1 && second.size() == 1 && *first.begin() != *second.begin() &&
-          !regions_.are_apart(*first.begin(), *second.begin()))
-        merge(*first.begin(), *second.begin(), node);
-      all = first;
-      all.insert(second.begin(), second.end());
+    std::map<Index, Conflict> previous = {{from, {}}};
+    std::vector<Index> reached(1, from);
+    for (std::size_t i = 0; !previous.count(to); ++i)
+      for (Index region : regions_of_.at(reached[i]))
+        for (Index set : sets_in_.at(region))
+          if (previous.emplace(set, Conflict{region, {reached[i], set}}).second)
+            reached.push_back(set);
+    return previous.at(to);
+  }
+
+  // Returns a conflict; its region is null_index if there is none.
+  Conflict find_conflict()
+  {
+    regions_of_.clear();
+    sets_in_.clear();
+    for (Index f : groups_.faces) {
+      regions_of_[groups_.set(f)].insert(region_[f]);
+      sets_in_[region_[f]].insert(groups_.set(f));
     }
-    all = regions_.representatives(all);
-    for (Face_pair pair = regions_.longest_boundary(all); pair[0] != null_index;
-         pair = regions_.longest_boundary(all)) {
-      merge(pair[0], pair[1], node);
-      all = regions_.representatives(all);
+    Separated_sets joined(groups_.sets.number()); // the sets that regions join
+    for (const auto& in_region : sets_in_)
+      for (Index set : in_region.second)
+        joined.merge(*in_region.second.begin(), set);
+    std::map<Index, Index> seeded; // a set with a seed for sets that are joined
+    for (const auto& of_set : regions_of_) {
+      const Index a = of_set.first, root = joined.representative(a);
+      for (Index b : groups_.sets.apart_from(a))
+        if (joined.representative(b) == root)
+          return conflict_between(a, b);
+      if (groups_.sets.seed(a) != null_index)
+        if (const Index b = seeded.emplace(root, a).first->second; b != a)
+          return conflict_between(a, b);
+    }
+    return {};
+  }
+
+  // Cuts a region between two sets. If both have seeds, each face joins the nearer, by the number
+  // of faces on the way. Otherwise the first is cut off. Other sets in the region stay whole.
+  void cut(const Conflict& conflict)
+  {
+    const Index region = conflict.region, cut_off = static_cast<Index>(leaf_of_region_.size());
+    constexpr Index joined = null_index; // the region of faces that stay, until the end
+    std::map<Index, std::vector<Index> > faces_of_set; // within the region
+    for (Index f : groups_.faces)
+      if (region_[f] == region)
+        faces_of_set[groups_.set(f)].push_back(f);
+    std::vector<Index> reached;
+    const auto reach = [&](Index f, Index side) {
+      if (region_[f] != region)
+        return;
+      const std::vector<Index> all =
+        groups_.group[f] == null_index ? std::vector<Index>(1, f) : faces_of_set.at(groups_.set(f));
+      for (Index g : all)
+        region_[g] = side;
+      reached.insert(reached.end(), all.begin(), all.end());
+    };
+    reach(faces_of_set.at(conflict.sets[0]).front(), cut_off);
+    if (groups_.sets.seed(conflict.sets[0]) == null_index ||
+        groups_.sets.seed(conflict.sets[1]) == null_index)
+      reached.clear();
+    reach(faces_of_set.at(conflict.sets[1]).front(), joined);
+    for (std::size_t i = 0; i < reached.size(); ++i)
+      for (Index h = 3 * reached[i]; h < 3 * reached[i] + 3; ++h)
+        reach(mesh_.neighbor(h), region_[reached[i]]);
+    for (Index& r : region_) // what is connected with the first set alone joins it
+      r = r == region ? cut_off : r == joined ? region : r;
+    leaf_of_region_.push_back(Index(leaf_of_region_[region]));
+  }
+
+  void merge_regions(Index a, Index b)
+  {
+    const auto [into, from] =
+      std::minmax({regions_.representative(a), regions_.representative(b)});
+    if (into == from)
+      return;
+    regions_.merge(into, from);
+    areas_[into] += areas_[from];
+    for (const auto& [c, length] : std::exchange(lengths_[from], {})) {
+      lengths_[c].erase(from);
+      if (c != into) {
+        lengths_[c][into] += length;
+        lengths_[into][c] += length;
+      }
     }
   }
 
-  // Merges the regions that constraints made of one leaf for good, as far as the constraints allow.
-  // What is left are the leaves of the result.
-  void merge_in_leaves()
+  // Sets what is known of regions, and merges those of each set.
+  void set_regions()
   {
-    for (std::size_t i = 0; i < old_.nodes.size(); ++i)
-      if (old_.nodes[i].is_leaf())
-        merge_below(i);
-    result_.merges.clear();
-    for (Index r : region_of_face_)
-      result_.leaf.push_back(regions_.representative(r));
-    for (Index r = 0; r < regions_.number(); ++r)
-      result_.areas.push_back(regions_.area(regions_.representative(r)));
+    regions_ = Separated_sets(leaf_of_region_.size());
+    areas_.assign(leaf_of_region_.size(), 0);
+    lengths_.resize(leaf_of_region_.size());
+    for (Index f = 0; f < region_.size(); ++f) {
+      areas_[region_[f]] += mesh_.areas[f];
+      for (Index h = 3 * f; h < 3 * f + 3; ++h)
+        if (const Index b = region_[mesh_.neighbor(h)]; b != region_[f])
+          lengths_[region_[f]][b] += groups_.is_seam[h] ? 0 : mesh_.length(h);
+    }
+    for (const auto& [set, regions] : regions_of_)
+      for (Index region : regions)
+        merge_regions(*regions.begin(), region);
+    for (const auto& [set, regions] : regions_of_) {
+      if (groups_.sets.seed(set) != null_index)
+        regions_.set_seed(*regions.begin(), groups_.sets.seed(set));
+      for (Index other : groups_.sets.apart_from(set))
+        regions_.separate(*regions.begin(), *regions_of_.at(other).begin());
+    }
+  }
+
+  // Returns the neighbor with which a region can be merged along the longest boundary, and its
+  // length; null_index if there is none. If `among` is given, the neighbor is one of these.
+  std::pair<Index, double> longest_neighbor(Index a, const std::set<Index>* among = nullptr) const
+  {
+    std::pair<Index, double> result(null_index, -1);
+    for (const auto& [b, length] : lengths_[a])
+      if (quantized(length) > result.second && (!among || among->count(b)) &&
+          !regions_.are_apart(a, b))
+        result = {b, quantized(length)};
+    return result;
+  }
+
+  // Merges each region beside a forced boundary that is small, or a strip along another boundary,
+  // with its neighbor, because the forced boundary is meant to be the boundary.
+  void merge_small_regions()
+  {
+    constexpr double area_of_strip = 0.1; // relative to the square of the length of the boundary
+    for (Index a = 0; a < lengths_.size(); ++a)
+      if (!lengths_[a].empty() && !regions_.apart_from(a).empty())
+        if (const auto [b, length] = longest_neighbor(a);
+            b != null_index &&
+            areas_[a] < (std::max)(minimum_area_, area_of_strip * length * length))
+          merge_regions(a, b);
+  }
+
+  std::set<Index> representatives(const std::set<Index>& regions) const
+  {
+    std::set<Index> result;
+    for (Index a : regions)
+      result.insert(regions_.representative(a));
+    return result;
+  }
+
+  // Merges regions by `merge(a, b)` until no two that touch can be merged, first along the longest
+  // boundary.
+  template <class Merge>
+  void merge_all(std::set<Index>& regions, const Merge& merge) const
+  {
+    regions = representatives(regions);
+    while (regions.size() > 1) {
+      std::pair<double, std::pair<Index, Index> > best(-1, {null_index, null_index});
+      for (Index a : regions)
+        if (const auto [b, length] = longest_neighbor(a, &regions); length > best.first)
+          best = {length, {a, b}};
+      if (best.first < 0)
+        return;
+      merge(best.second.first, best.second.second);
+      regions = representatives(regions);
+    }
+  }
+
+  // Merges the regions on the two sides of a cut if each is one, or else those that touch. All
+  // regions of different components do. Returns the regions that are left.
+  std::set<Index> undo(const Cut_node& cut, const std::vector<Index>& component,
+                       const std::set<Index>& one, const std::set<Index>& other)
+  {
+    const std::set<Index> first = representatives(one), second = representatives(other);
+    const bool are_single = first.size() == 1 && second.size() == 1;
+    if (are_single || component[*first.begin()] != component[*second.begin()])
+      for (Index a : first)
+        for (Index b : second)
+          if (a != b)
+            lengths_[b][a] = lengths_[a][b];
+    std::set<Index> all = first;
+    all.insert(second.begin(), second.end());
+    merge_all(all, [&](Index a, Index b) {
+      result_.merges.push_back({{a, b}, cut.salience, cut.factors});
+      merge_regions(a, b);
+    });
+    return all;
   }
 
 public:
-  // `leaves` holds for each region the leaves of the old hierarchy from which it was made. The call
-  // of the object merges `regions`.
-  Constrained_merging(const Cut_hierarchy& old, Region_graph& regions,
-                      const std::vector<Index>& region_of_face,
-                      const std::vector<std::set<std::size_t> >& leaves)
-    : old_(old), regions_(regions), region_of_face_(region_of_face), below_(old.nodes.size())
+  // Takes cuts whose leaves are connected, in each component, and groups that are, too.
+  Constrained_merging(const Surface& mesh, const Constraint_groups& groups,
+                      double minimum_segment_size, const Cut_hierarchy& cuts, Run_monitor& monitor)
+    : mesh_(mesh), groups_(groups), minimum_area_(minimum_segment_size * total_area(mesh)),
+      monitor_(monitor), cuts_(cuts), region_(cuts.leaf)
   {
-    // A region that lost its only face to a group is no leaf.
-    for (Index r : std::set<Index>(region_of_face.begin(), region_of_face.end()))
-      for (std::size_t leaf : leaves[r])
-        below_[leaf].insert(r);
+    for (Index i = 0; i < cuts.nodes.size(); ++i)
+      leaf_of_region_.push_back(i);
   }
 
   Cut_hierarchy operator()()
   {
-    merge_in_leaves();
-    for (std::size_t i = old_.cut_order.size(); i-- > 0;)
-      if (!old_.nodes[old_.cut_order[i]].is_leaf())
-        merge_below(old_.cut_order[i]);
-    result_.has_all_cuts = old_.has_all_cuts;
+    split_at_seams();
+    for (Conflict c = find_conflict(); c.region != null_index; c = find_conflict()) {
+      monitor_.go_further(); // may throw
+      cut(c);
+    }
+    set_regions();
+    merge_small_regions();
+    std::vector<Index> component(leaf_of_region_.size(), 0); // of some face
+    std::vector<std::set<Index> > below(cuts_.nodes.size());  // the regions below each node
+    for (Index f = 0; f < region_.size(); ++f) {
+      component[region_[f]] = mesh_.components[f];
+      below[leaf_of_region_[region_[f]]].insert(region_[f]);
+    }
+    for (std::set<Index>& regions : below)
+      merge_all(regions, [this](Index a, Index b) { merge_regions(a, b); });
+    for (Index r : region_)
+      result_.leaf.push_back(regions_.representative(r));
+    result_.areas = areas_;
+    for (std::size_t i = cuts_.cut_order.size(); i-- > 0;)
+      if (const Cut_node& n = cuts_.nodes[cuts_.cut_order[i]]; !n.is_leaf())
+        below[cuts_.cut_order[i]] =
+          undo(n, component, below[n.children[0]], below[n.children[1]]);
+    result_.has_all_cuts = cuts_.has_all_cuts;
     return hierarchy_of(result_);
   }
 };

@@ -5,7 +5,7 @@
 #define CGAL_SPECTRAL_SEGMENTATION_INTERNAL_HIERARCHY_FURTHER_CUTS_H
 
 #include <CGAL/Spectral_segmentation/internal/hierarchy/Cut_hierarchy.h>
-#include <CGAL/Spectral_segmentation/internal/hierarchy/Nested_ranges.h>
+#include <CGAL/Spectral_segmentation/internal/hierarchy/Leaf_cutter.h>
 #include <CGAL/Spectral_segmentation/internal/surface/Surface.h>
 
 #include <algorithm>
@@ -19,14 +19,14 @@ namespace CGAL::Spectral_segmentation::internal {
 
 // Cuts leaves of a hierarchy further, if the search found fewer cuts than were asked for. It cuts
 // the largest leaf in two, between its components if it has several, else in halves of about the
-// same area. Groups of faces, each in one leaf, stay whole.
+// same area. Groups of faces, each connected and in one leaf, stay whole.
 class Further_cuts
 {
   typedef std::pair<double, std::size_t> Key; // the area and the node of a leaf
 
   const Surface& mesh_;
   Cut_hierarchy& cuts_;
-  Nested_ranges faces_;         // the faces of each node
+  Leaf_cutter cutter_;
   std::vector<char> is_in_leaf_; // one per face: in the current leaf, but not reached yet
   std::priority_queue<Key> queue_;
   std::vector<Index> next_in_group_; // one per face, in a circle; empty if there are no groups
@@ -43,9 +43,8 @@ class Further_cuts
   void enqueue(std::size_t leaf)
   {
     std::size_t size_of_group = 0;
-    if (faces_.size(leaf) > 0)
-      for_each_in_group(*faces_[leaf].begin(), [&](Index) { ++size_of_group; });
-    if (faces_.size(leaf) > size_of_group)
+    for_each_in_group(cutter_.first_face(leaf), [&](Index) { ++size_of_group; });
+    if (cutter_.number_of_faces(leaf) > size_of_group)
       queue_.push({quantized(cuts_.nodes[leaf].area), leaf});
   }
 
@@ -95,7 +94,7 @@ class Further_cuts
   // connected, both sides are connected.
   std::vector<Index> side(std::size_t leaf)
   {
-    const std::vector<Index> faces(faces_[leaf].begin(), faces_[leaf].end());
+    const std::vector<Index> faces = cutter_.faces(leaf);
     const double all = cuts_.nodes[leaf].area * 2 + 1; // more than there is
     set_in_leaf(faces, true);
     const std::vector<Index> component = reached_from(faces.front(), all);
@@ -125,37 +124,23 @@ class Further_cuts
     return result;
   }
 
-  void cut(std::size_t leaf, double salience)
+  void cut(std::size_t leaf)
   {
     const std::vector<Index> q = side(leaf);
-    double area[2] = {0, cuts_.nodes[leaf].area};
     set_in_leaf(q, true);
-    for (Index f : q)
-      area[0] += mesh_.areas[f];
-    area[1] = (std::max)(area[1] - area[0], 0.);
-    const bool is_swapped = area[0] > area[1];
-    std::vector<char> sides;
-    for (Index f : faces_[leaf])
-      sides.push_back((is_in_leaf_[f] != 0) == is_swapped);
+    Sides sides;
+    for (Index f : cutter_.faces(leaf))
+      sides.push_back(is_in_leaf_[f] == 0);
     set_in_leaf(q, false);
-    if (is_swapped)
-      std::swap(area[0], area[1]);
-    cuts_.cut(leaf, area[0], area[1]);
-    faces_.cut(leaf, sides);
-    Cut_node& n = cuts_.nodes[leaf];
-    n.cut_state = Cut_state::CUT;
-    n.salience = salience;
-    cuts_.cut_order.push_back(leaf);
-    for (std::size_t child : n.children) {
-      cuts_.nodes[child].cut_state = Cut_state::NO_CUT;
+    cutter_.cut(leaf, std::move(sides));
+    for (std::size_t child : cuts_.nodes[leaf].children)
       enqueue(child);
-    }
   }
 
 public:
   // Takes the group of each face, or null_index; `group` is empty if there are no groups.
   Further_cuts(const Surface& mesh, Cut_hierarchy& cuts, const std::vector<Index>& group = {})
-    : mesh_(mesh), cuts_(cuts), faces_(cuts, cuts.leaf), is_in_leaf_(mesh.number_of_faces(), 0),
+    : mesh_(mesh), cuts_(cuts), cutter_(mesh, cuts), is_in_leaf_(mesh.number_of_faces(), 0),
       next_in_group_(group.size())
   {
     std::iota(next_in_group_.begin(), next_in_group_.end(), Index(0));
@@ -176,21 +161,14 @@ public:
     order.erase(std::remove_if(order.begin(), order.end(),
                                [&](std::size_t i) { return cuts_.nodes[i].is_leaf(); }),
                 order.end());
-    double salience = 0; // no larger than the salience of any cut
-    for (std::size_t turn : order)
-      salience = (std::min)(salience, cuts_.nodes[turn].salience);
     for (std::size_t i = 0; i < cuts_.nodes.size(); ++i)
       if (cuts_.nodes[i].is_leaf())
         enqueue(i);
     while (cuts_.number_of_segments() < number_of_segments && !queue_.empty()) {
       const std::size_t leaf = queue_.top().second;
       queue_.pop();
-      cut(leaf, salience);
+      cut(leaf);
     }
-    for (std::size_t i = 0; i < cuts_.nodes.size(); ++i)
-      if (cuts_.nodes[i].is_leaf())
-        for (Index f : faces_[i])
-          cuts_.leaf[f] = static_cast<Index>(i);
   }
 };
 
