@@ -34,7 +34,6 @@
 
 #include <algorithm>
 #include <cstddef>
-#include <iterator>
 #include <numeric>
 #include <optional>
 #include <stdexcept>
@@ -309,22 +308,13 @@ class Run
   {
     if (leaf_of_group_.empty())
       return Cut_transfer(execution_, cuts, mesh, for_each_share, distance_weights(), monitor_)();
-    const auto fixed_leaf = [&](Index f) {
-      const Index group = &mesh == &mesh_ ? groups_.group[f] : null_index;
-      return group == null_index ? null_index : leaf_of_group_[group];
-    };
     Cut_transfer transfer(execution_, cuts, mesh, [&](Index f, const auto& add) {
-      if (const Index leaf = fixed_leaf(f); leaf != null_index)
-        add(leaf, 1);
+      const Index group = &mesh == &mesh_ ? groups_.group[f] : null_index;
+      if (group != null_index && leaf_of_group_[group] != null_index)
+        add(leaf_of_group_[group], 1);
       else
         for_each_share(f, add);
     }, distance_weights(), monitor_);
-    if (&mesh == &mesh_) {
-      std::vector<Index> fixed;
-      std::copy_if(groups_.faces.begin(), groups_.faces.end(), std::back_inserter(fixed),
-                   [&](Index f) { return fixed_leaf(f) != null_index; });
-      transfer.fix(fixed);
-    }
     const Cut_hierarchy result = transfer();
     for (Index& leaf : leaf_of_group_)
       leaf = leaf == null_index ? leaf : transfer.leaf_of(leaf, result);

@@ -43,7 +43,6 @@ class Cut_transfer
   Surface bands_;              // has weights if minimum cuts are made
   Sides side_;                 // one per cell, by the current cut; all are OUTSIDE between cuts
   std::vector<std::size_t> node_of_; // the node of the result for each node of the other surface
-  std::vector<char> is_fixed_; // one per cell; empty if no cells are
 
   std::vector<Index> reached_; // the cells that floods reached since start_flood()
   std::vector<Index> flood_;   // the last start at which each cell was reached
@@ -164,8 +163,7 @@ class Cut_transfer
   }
 
   // Moves all pieces of a side of a connected part, but for the largest, to the other side.
-  // Optionally moves no piece with fixed cells.
-  void keep_largest(const Cells& cells, Side given, bool moves_fixed_cells)
+  void keep_largest(const Cells& cells, Side given)
   {
     start_flood();
     std::vector<std::size_t> first_of_piece; // positions in reached_
@@ -179,17 +177,11 @@ class Cut_transfer
       return;
     const std::size_t largest = std::max_element(areas.begin(), areas.end()) - areas.begin();
     first_of_piece.push_back(reached_.size());
-    const auto is_fixed = [this](Index cell) { return is_fixed_[cell] != 0; };
-    for (std::size_t i = 0; i < areas.size(); ++i) {
-      const auto first = reached_.begin() + static_cast<std::ptrdiff_t>(first_of_piece[i]),
-                 end = reached_.begin() + static_cast<std::ptrdiff_t>(first_of_piece[i + 1]);
-      if (i != largest && (moves_fixed_cells || std::none_of(first, end, is_fixed)))
-        change_sides(first_of_piece[i], first_of_piece[i + 1]);
-    }
+    change_sides(0, first_of_piece[largest]);
+    change_sides(first_of_piece[largest + 1], reached_.size());
   }
 
-  // Gives a side without cells a cell without which the part is still connected, unless it is
-  // fixed.
+  // Gives a side without cells a cell without which the part is still connected.
   void keep_both_sides(const Cells& cells)
   {
     const char first = side_[*cells.begin()];
@@ -197,21 +189,16 @@ class Cut_transfer
       return;
     start_flood();
     flood(*cells.begin());
-    if (is_fixed_.empty() || !is_fixed_[reached_.back()])
-      change_sides(reached_.size() - 1, reached_.size());
+    change_sides(reached_.size() - 1, reached_.size());
   }
 
   // Returns the sides of the cells of a part that is cut like a node of the other surface. They
-  // are connected, and both have a cell if the part has two. What fixed cells separate from the
-  // rest of a side moves first, as it may join them with their own side.
+  // are connected, and both have a cell if the part has two.
   Sides sides(std::size_t node, const Cells& cells)
   {
     set_sides(node, cells);
-    for (bool moves_fixed_cells : {false, true})
-      if (moves_fixed_cells || !is_fixed_.empty()) {
-        keep_largest(cells, Q, moves_fixed_cells);
-        keep_largest(cells, REST, moves_fixed_cells);
-      }
+    keep_largest(cells, Q);
+    keep_largest(cells, REST);
     keep_both_sides(cells);
     Sides result;
     result.reserve(cells.size());
@@ -323,14 +310,6 @@ public:
     for_each_index(execution_, result.leaf.size(), [&](std::size_t f)
       { result.leaf[f] = leaf_of_cell[cells_.of_face(static_cast<Index>(f))]; });
     return result;
-  }
-
-  // Keeps these faces on the sides of their shares where possible. To be called before the cuts.
-  void fix(const std::vector<Index>& faces)
-  {
-    is_fixed_.assign(cells_.number(), 0);
-    for (Index f : faces)
-      is_fixed_[cells_.of_face(f)] = 1;
   }
 
   // Returns a leaf of the result within the node that a leaf of the other surface became.

@@ -261,7 +261,7 @@ class Constrained_merging
   }
 
 public:
-  // Takes cuts whose leaves are connected, in each component, and groups that are, too.
+  // Takes cuts whose leaves are connected in each component. The groups of each set are, too.
   Constrained_merging(const Surface& mesh, const Constraint_groups& groups,
                       double minimum_segment_size, const Cut_hierarchy& cuts, Run_monitor& monitor)
     : mesh_(mesh), groups_(groups), minimum_area_(minimum_segment_size * total_area(mesh)),

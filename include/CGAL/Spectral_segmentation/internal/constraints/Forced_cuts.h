@@ -4,7 +4,6 @@
 #ifndef CGAL_SPECTRAL_SEGMENTATION_INTERNAL_CONSTRAINTS_FORCED_CUTS_H
 #define CGAL_SPECTRAL_SEGMENTATION_INTERNAL_CONSTRAINTS_FORCED_CUTS_H
 
-#include <CGAL/Spectral_segmentation/internal/base/Packed_graph.h>
 #include <CGAL/Spectral_segmentation/internal/base/Run_monitor.h>
 #include <CGAL/Spectral_segmentation/internal/bipartition/cut_proposals.h>
 #include <CGAL/Spectral_segmentation/internal/bipartition/face_orders.h>
@@ -43,27 +42,15 @@ class Forced_cuts
   Leaf_cutter cutter_;
 
   std::vector<Index> seams_;       // the halfedges at forced boundaries
-  std::vector<Index> place_;       // of the halfedges in halfedges_around_
-  Packed_graph halfedges_around_;  // of each vertex
+  std::vector<std::vector<Index> > halfedges_from_; // each vertex of the search surface
   Separated_sets classes_;         // first those of banks, one for each of seams_
   std::map<Index, Index> class_of_seed_;
   std::vector<Index> label_;       // the class of each coarse face, or null_index
 
-  static std::vector<Packed_graph::Ends> arcs(const Surface& surface)
+  const std::vector<Index>& halfedges_from(Index vertex) const
   {
-    std::vector<Packed_graph::Ends> result;
-    for (Index h = 0; h < surface.number_of_halfedges(); ++h)
-      result.emplace_back(surface.source_vertex(h), h);
-    return result;
-  }
-
-  Iterator_range<const Index*> halfedges_from(Index vertex) const
-  {
-    const Index* first = halfedges_around_.targets.data();
-    if (vertex == null_index) // it is left from no face
-      return make_range(first, first);
-    return make_range(first + halfedges_around_.first_arc[vertex],
-                      first + halfedges_around_.first_arc[vertex + 1]);
+    static const std::vector<Index> none;
+    return vertex == null_index ? none : halfedges_from_[vertex]; // null: left from no face
   }
 
   Index class_of_bank(Index h) const
@@ -231,21 +218,6 @@ class Forced_cuts
     return sides_of(growth, size_of_best);
   }
 
-  // Moves a cut to the minimum cut near it, unless that falls into more pieces. Faces with a class
-  // stay.
-  static void refine(const Surface& part, const std::vector<Index>& label, Sides& side)
-  {
-    double area[2] = {0, 0};
-    std::vector<char> is_fixed;
-    for (Index f = 0; f < side.size(); ++f) {
-      area[int(side[f])] += part.areas[f];
-      is_fixed.push_back(label[f] != null_index);
-    }
-    Sides refined = minimum_cut_around(part, side, (std::min)(area[0], area[1]), is_fixed);
-    if (connected_components(part, refined).number == 2)
-      side = std::move(refined);
-  }
-
   // Separates two classes in a leaf. Faces on the wrong side lose their class.
   void cut(std::size_t leaf, Index a, Index b)
   {
@@ -255,8 +227,6 @@ class Forced_cuts
       label.push_back(label_[f]);
     const Surface part = Part_extractor(coarse_)(faces);
     std::optional<Sides> side = cheapest_cut(part, label, a, b);
-    if (side)
-      refine(part, label, *side);
     for (std::size_t i = 0; i < faces.size(); ++i)
       if (label[i] == (!side || (*side)[i] == 0 ? b : a))
         label_[faces[i]] = null_index;
@@ -269,10 +239,11 @@ public:
   Forced_cuts(const Surface& mesh, const std::vector<Index>& vertex, const Surface& coarse,
               const Constraint_groups& groups, Cut_hierarchy& cuts, Run_monitor& monitor)
     : mesh_(mesh), vertex_(vertex), coarse_(coarse), groups_(groups), monitor_(monitor),
-      cuts_(cuts), cutter_(coarse, cuts),
-      halfedges_around_(coarse.points.size(), arcs(coarse), place_),
+      cuts_(cuts), cutter_(coarse, cuts), halfedges_from_(coarse.points.size()),
       label_(coarse.number_of_faces(), null_index)
   {
+    for (Index h = 0; h < coarse.number_of_halfedges(); ++h)
+      halfedges_from_[coarse.source_vertex(h)].push_back(h);
     for (Index h = 0; h < groups.is_seam.size(); ++h)
       if (groups.is_seam[h])
         seams_.push_back(h);
