@@ -115,36 +115,55 @@ class Constrained_merging
     return {};
   }
 
-  // Cuts a region between two sets. If both have seeds, each face joins the nearer, by the number
-  // of faces on the way. Otherwise the first is cut off. Other sets in the region stay whole.
+  // Cuts a region between two sets. Each face joins the nearer, by the number of faces on the way.
+  // Unless both sets have seeds, this ends where one of them reaches another region, with which it
+  // can be merged; then the rest stays with the other. Other sets in the region stay whole.
   void cut(const Conflict& conflict)
   {
-    const Index region = conflict.region, cut_off = static_cast<Index>(leaf_of_region_.size());
-    constexpr Index joined = null_index; // the region of faces that stay, until the end
-    std::map<Index, std::vector<Index> > faces_of_set; // within the region
+    constexpr Index stays = null_index;
+    const Index region = conflict.region, new_region = static_cast<Index>(leaf_of_region_.size());
+    const Index labels[2] = {new_region, new_region + 1}; // while the region is cut
+    std::map<Index, std::vector<Index> > faces_of_set;    // within the region
     for (Index f : groups_.faces)
       if (region_[f] == region)
         faces_of_set[groups_.set(f)].push_back(f);
     std::vector<Index> reached;
-    const auto reach = [&](Index f, Index side) {
+    const auto reach = [&](Index f, Index label) {
       if (region_[f] != region)
         return;
       const std::vector<Index> all =
         groups_.group[f] == null_index ? std::vector<Index>(1, f) : faces_of_set.at(groups_.set(f));
       for (Index g : all)
-        region_[g] = side;
+        region_[g] = label;
       reached.insert(reached.end(), all.begin(), all.end());
     };
-    reach(faces_of_set.at(conflict.sets[0]).front(), cut_off);
-    if (groups_.sets.seed(conflict.sets[0]) == null_index ||
-        groups_.sets.seed(conflict.sets[1]) == null_index)
-      reached.clear();
-    reach(faces_of_set.at(conflict.sets[1]).front(), joined);
+    bool are_seeds = true;
+    for (int i : {0, 1}) {
+      are_seeds = are_seeds && groups_.sets.seed(conflict.sets[i]) != null_index;
+      reach(faces_of_set.at(conflict.sets[i]).front(), labels[i]);
+    }
+    Index label = labels[0]; // of the faces that are cut off
+    bool is_at_end = false;
+    for (std::size_t i = 0; i < reached.size() && !is_at_end; ++i)
+      for (Index h = 3 * reached[i]; h < 3 * reached[i] + 3; ++h)
+        if (const Index f = mesh_.neighbor(h), r = region_[f]; groups_.is_seam[h])
+          continue;
+        else if (r == region)
+          reach(f, region_[reached[i]]);
+        else if (!are_seeds && r != labels[0] && r != labels[1]) {
+          label = region_[reached[i]];
+          is_at_end = true;
+        }
+
+    for (Index f : std::exchange(reached, {}))
+      if (region_[f] != label)
+        region_[f] = region;
+    reach(faces_of_set.at(conflict.sets[label == labels[0] ? 1 : 0]).front(), stays);
     for (std::size_t i = 0; i < reached.size(); ++i)
       for (Index h = 3 * reached[i]; h < 3 * reached[i] + 3; ++h)
-        reach(mesh_.neighbor(h), region_[reached[i]]);
-    for (Index& r : region_) // what is connected with the first set alone joins it
-      r = r == region ? cut_off : r == joined ? region : r;
+        reach(mesh_.neighbor(h), stays);
+    for (Index& r : region_)
+      r = r == stays ? region : r == region || r == label ? new_region : r;
     leaf_of_region_.push_back(Index(leaf_of_region_[region]));
   }
 
