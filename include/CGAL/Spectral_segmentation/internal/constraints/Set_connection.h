@@ -5,15 +5,13 @@
 #define CGAL_SPECTRAL_SEGMENTATION_INTERNAL_CONSTRAINTS_SET_CONNECTION_H
 
 #include <CGAL/Spectral_segmentation/internal/constraints/Constraint_groups.h>
+#include <CGAL/Spectral_segmentation/internal/distances/shortest_paths.h>
 
 #include <algorithm>
-#include <array>
+#include <cmath>
 #include <cstddef>
-#include <functional>
 #include <map>
-#include <queue>
 #include <set>
-#include <tuple>
 #include <utility>
 #include <vector>
 
@@ -54,38 +52,72 @@ class Set_connection
     return result;
   }
 
-  // Returns a path from a group to another group of its set, which it is not joined with, by the
-  // fewest leaves with other seeds, then the fewest leaves, then the fewest faces; empty if there
-  // is none. It avoids banned groups.
-  Faces path(Index group, const std::vector<char>& is_banned) const
+  // Ends a search once it has reached all faces of a set but those of one group.
+  struct Reached_set {};
+
+  class Reached_set_visitor : public boost::dijkstra_visitor<>
   {
-    typedef std::tuple<std::size_t, std::size_t, std::size_t, Index, Index> Entry; // costs, face,
-    std::priority_queue<Entry, std::vector<Entry>, std::greater<Entry> > queue;    // its previous
-    std::map<Index, Index> previous;
-    for (Index f : faces_[group])
-      queue.push({0, 0, 0, f, f});
-    while (!queue.empty()) {
-      const auto [seeds, leaves, length, f, before] = queue.top();
-      queue.pop();
-      if (!previous.emplace(f, before).second)
-        continue;
-      const Index other = groups_.group[f];
-      if (other != null_index && other != group &&
-          groups_.sets.representative(other) == groups_.sets.representative(group)) {
-        Faces result(1, f);
-        while (previous.at(result.back()) != result.back())
-          result.push_back(previous.at(result.back()));
-        return result;
-      }
-      for (Index h = 3 * f; h < 3 * f + 3; ++h) {
-        const Index g = mesh_.neighbor(h), of_g = groups_.group[g];
-        if (previous.count(g) || (of_g != null_index && is_banned[of_g]))
-          continue;
-        const bool is_new = leaf_[f] != leaf_[g];
-        queue.push({seeds + (is_new && has_seed_[leaf_[g]]), leaves + is_new, length + 1, g, f});
-      }
+    const Constraint_groups* groups_;
+    Index group_;
+    std::size_t* missing_;
+
+  public:
+    Reached_set_visitor(const Constraint_groups& groups, Index group, std::size_t& missing)
+      : groups_(&groups), group_(group), missing_(&missing) {}
+
+    void examine_vertex(Index f, const Surface&) const
+    {
+      if (groups_->group[f] != group_ && groups_->set(f) == groups_->sets.representative(group_) &&
+          --*missing_ == 0)
+        throw Reached_set();
     }
-    return {};
+  };
+
+  // Returns the cost of the step across a halfedge. Paths run over the fewest leaves with seeds,
+  // then over the fewest leaves, then over the fewest faces. They avoid banned groups.
+  double cost(Index h, const std::vector<char>& is_banned) const
+  {
+    const Index g = mesh_.neighbor(h);
+    if (groups_.group[g] != null_index && is_banned[groups_.group[g]])
+      return infinite_distance;
+    if (leaf_[h / 3] == leaf_[g])
+      return 1;
+    return has_seed_[leaf_[g]] ? std::ldexp(1., 40) : std::ldexp(1., 20);
+  }
+
+  // Returns the costs of the paths from a group to the other groups of its set in its component.
+  std::vector<double> costs(Index group, const std::vector<char>& is_banned) const
+  {
+    const Index component = mesh_.components[faces_[group].front()];
+    std::size_t missing = 0;
+    for (Index i = 0; i < faces_.size(); ++i)
+      if (i != group && !faces_[i].empty() && mesh_.components[faces_[i].front()] == component &&
+          groups_.sets.representative(i) == groups_.sets.representative(group))
+        missing += faces_[i].size();
+    std::vector<double> result(mesh_.number_of_faces(), infinite_distance);
+    for (Index f : faces_[group])
+      result[f] = 0;
+    try {
+      run_dijkstra(mesh_, faces_[group], [&](Index h) { return cost(h, is_banned); }, result,
+                   Reached_set_visitor(groups_, group, missing));
+    }
+    catch (const Reached_set&) {
+    }
+    return result;
+  }
+
+  // Returns the cheapest path from a face back to where the costs begin.
+  Faces path(Index f, const std::vector<double>& costs, const std::vector<char>& is_banned) const
+  {
+    Faces result(1, f);
+    while (costs[result.back()] > 0)
+      for (Index h = 3 * result.back(), end = h + 3; h < end; ++h)
+        if (const Index g = mesh_.neighbor(h);
+            costs[g] + cost(mesh_.opposite[h], is_banned) == costs[result.back()]) {
+          result.push_back(g);
+          break;
+        }
+    return result;
   }
 
   // Makes the faces of a path, and all groups that it meets, a part of a group. Returns the first
@@ -123,11 +155,16 @@ class Set_connection
     for (Index i = 0; i < faces_.size(); ++i)
       is_banned[i] = groups_.sets.are_apart(i, group);
     while (!std::all_of(groups.begin(), groups.end(), is_joined)) {
-      const Faces faces = path(group, is_banned);
-      if (faces.empty())
-        return false;
-      if (const Index other = absorb(group, faces); other != null_index)
-        is_banned[other] = 1;
+      const std::vector<double> costs_of_paths = costs(group, is_banned);
+      Index conflict = null_index;
+      for (auto i = groups.begin(); i != groups.end() && conflict == null_index; ++i)
+        if (!is_joined(*i)) {
+          if (costs_of_paths[first_face_[*i]] == infinite_distance)
+            return false;
+          conflict = absorb(group, path(first_face_[*i], costs_of_paths, is_banned));
+        }
+      if (conflict != null_index)
+        is_banned[conflict] = 1;
     }
     return true;
   }
