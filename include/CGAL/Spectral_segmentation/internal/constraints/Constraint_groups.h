@@ -72,16 +72,8 @@ class Constraint_grouping
                         " and " + std::to_string(seed) + ", but are joined by edges that must not "
                         "be cut, or are one face twice");
     }
-    std::vector<Index> first_with_seed(mesh_.number_of_faces(), null_index);
-    for (const auto& [f, seed] : constraints_.seeds) {
-      const Index first = first_of_seed_.emplace(seed, f).first->second;
-      sets_.join(number_[first], number_[f]);
-      first_with_seed[number_[f]] = first;
-    }
     for (const auto& [f, seed] : constraints_.seeds)
-      for (Index h = 3 * number_[f]; h < 3 * number_[f] + 3; ++h)
-        if (first_with_seed[mesh_.neighbor(h)] == first_with_seed[number_[f]])
-          groups_.join(number_[f], mesh_.neighbor(h));
+      sets_.join(number_[first_of_seed_.emplace(seed, f).first->second], number_[f]);
     for (const auto& [f, g] : constraints_.cannot_link)
       if (set_of(f) == set_of(g))
         fail_constraint("the edge between " + names_of_faces(f, g) + " is constrained, but the two "

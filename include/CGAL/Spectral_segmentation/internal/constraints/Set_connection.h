@@ -124,14 +124,17 @@ class Set_connection
   // group that is apart from it; then it changes nothing. Otherwise returns null_index.
   Index absorb(Index group, const Faces& path)
   {
-    Separated_sets sets = groups_.sets;
+    std::vector<Index> met(1, groups_.sets.representative(group));
     for (Index f : path)
-      if (const Index other = groups_.group[f]; other != null_index) {
-        if (sets.are_apart(group, other))
-          return other;
-        sets.merge(group, other);
+      if (const Index set = groups_.set(f);
+          set != null_index && std::find(met.begin(), met.end(), set) == met.end()) {
+        for (Index other : met)
+          if (groups_.sets.are_apart(set, other))
+            return groups_.group[f];
+        met.push_back(set);
       }
-    groups_.sets = std::move(sets);
+    for (Index set : met)
+      groups_.sets.merge(group, set);
     const auto add = [&](Index f) {
       groups_.group[f] = group;
       faces_[group].push_back(f);
