@@ -173,15 +173,24 @@ BOOST_AUTO_TEST_CASE(steps_are_counted_all_along)
   }
 }
 
-BOOST_AUTO_TEST_CASE(sets_of_faces_are_joined_nearest_first)
+// The edges of a minimum spanning tree, by Kruskal's algorithm.
+BOOST_AUTO_TEST_CASE(nearest_sets_come_first)
 {
   Soup soup;
   const double x[4] = {0, 10, 13, 30}; // centers of spheres of radius 1
   for (double center : x)
     soup = disjoint_union(soup, moved(sphere(2), center, 0, 0));
   const Surface graph = surface_of(soup);
-  const auto pairs = internal::nearest_sets_of_faces(graph, graph.components.of_face,
-                                                     graph.components.number);
+  internal::Face_components joined(graph.components.number);
+  for (Index i = 0; i < graph.components.number; ++i)
+    joined.add(i);
+  std::vector<std::pair<Index, Index> > pairs;
+  for (const internal::Set_contact& c :
+       internal::set_contacts(graph, graph.components.of_face, [](std::size_t) {}))
+    if (joined.representative(c.sets[0]) != joined.representative(c.sets[1])) {
+      joined.join(c.sets[0], c.sets[1]);
+      pairs.emplace_back(c.sets[0], c.sets[1]);
+    }
   const std::vector<std::pair<Index, Index> > expected = {{1, 2}, {0, 1}, {2, 3}};
   BOOST_TEST((pairs == expected));
 }

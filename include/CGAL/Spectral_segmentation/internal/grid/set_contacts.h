@@ -7,7 +7,6 @@
 #include <CGAL/Spectral_segmentation/internal/surface/Surface.h>
 #include <CGAL/Spectral_segmentation/internal/grid/Grid.h>
 #include <CGAL/Spectral_segmentation/internal/grid/Nearest_elements.h>
-#include <CGAL/Spectral_segmentation/internal/surface/connected_components.h>
 #include <CGAL/Spectral_segmentation/internal/surface/number_of_added_faces.h>
 #include <CGAL/Spectral_segmentation/internal/grid/triangle_geometry.h>
 
@@ -16,7 +15,6 @@
 #include <cstddef>
 #include <functional>
 #include <tuple>
-#include <utility>
 #include <vector>
 
 namespace CGAL::Spectral_segmentation::internal {
@@ -119,26 +117,6 @@ inline std::vector<Set_contact> set_contacts(
     return std::tie(a.squared_gap, a.sets[0], a.sets[1]) <
            std::tie(b.squared_gap, b.sets[0], b.sets[1]);
   });
-  return result;
-}
-
-// Returns the pairs of sets of faces that a minimum spanning tree of the sets joins, the nearest
-// first.
-inline std::vector<std::pair<Index, Index> >
-nearest_sets_of_faces(const Surface& mesh, const std::vector<Index>& set_of_face,
-                      std::size_t number_of_sets,
-                      const Step_counter& count_steps = [](std::size_t) {})
-{
-  std::vector<std::pair<Index, Index> > result;
-  Face_components joined(number_of_sets);
-  for (Index i = 0; i < number_of_sets; ++i)
-    joined.add(i);
-  for (const Set_contact& c : set_contacts(mesh, set_of_face, count_steps))
-    if (joined.representative(c.sets[0]) != joined.representative(c.sets[1])) {
-      joined.join(c.sets[0], c.sets[1]);
-      result.emplace_back(c.sets[0], c.sets[1]);
-    }
-  CGAL_postcondition(result.size() + 1 == number_of_sets);
   return result;
 }
 
