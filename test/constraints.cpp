@@ -3,20 +3,18 @@
 
 #include <boost/test/unit_test.hpp>
 
+#include "Face_constraints.h"
 #include "test_labels.h"
 #include "test_meshes.h"
 
 #include <CGAL/segment_spectral_recursive.h>
 
-#include <boost/pending/disjoint_sets.hpp>
 #include <boost/property_map/function_property_map.hpp>
 #include <boost/property_map/property_map.hpp>
 
-#include <array>
 #include <cstddef>
 #include <functional>
 #include <limits>
-#include <map>
 #include <set>
 #include <stdexcept>
 #include <string>
@@ -56,11 +54,7 @@ struct Constrained_mesh
              .face_seed_map(seed);
   }
 
-  std::array<std::size_t, 2> faces_at(Edge e) const
-  {
-    const auto h = mesh.halfedge(e);
-    return {mesh.face(h), mesh.face(mesh.opposite(h))};
-  }
+  Two_faces faces_at(Edge e) const { return ::faces_at(mesh, e); }
 
   // The edge between two faces.
   Edge edge_between(std::size_t f, std::size_t g) const
@@ -90,52 +84,28 @@ struct Constrained_mesh
     return result;
   }
 
-  // By definition.
-  void check(const Labels& labels) const
+  Face_constraints face_constraints() const
   {
-    for (Edge e : inner_edges()) {
-      const auto [f, g] = faces_at(e);
-      if (is_seam[e])
-        BOOST_TEST(labels[f] != labels[g]);
-      if (is_uncuttable[e])
-        BOOST_TEST(labels[f] == labels[g]);
-    }
-    std::map<int, std::set<std::size_t> > segments_of_seed;
-    std::map<std::size_t, std::set<int> > seeds_of_segment;
+    Face_constraints result;
     for (Face f : mesh.faces())
-      if (seed[f] >= 0) {
-        segments_of_seed[seed[f]].insert(labels[f]);
-        seeds_of_segment[labels[f]].insert(seed[f]);
-      }
-    for (const auto& entry : segments_of_seed)
-      BOOST_TEST(entry.second.size() == 1u);
-    for (const auto& entry : seeds_of_segment)
-      BOOST_TEST(entry.second.size() == 1u);
+      result.seeds.push_back(seed[f]);
+    for (Edge e : inner_edges()) {
+      if (is_seam[e])
+        result.apart.push_back(faces_at(e));
+      if (is_uncuttable[e])
+        result.together.push_back(faces_at(e));
+    }
+    return result;
   }
 
-  // Whether faces that must be together are joined with those that must be apart.
-  bool has_contradiction() const
+  void check(const Labels& labels) const
   {
-    std::vector<std::size_t> rank(num_faces(mesh)), parent(num_faces(mesh));
-    boost::disjoint_sets<std::size_t*, std::size_t*> sets(rank.data(), parent.data());
-    for (std::size_t f = 0; f < parent.size(); ++f)
-      sets.make_set(f);
-    std::map<int, std::size_t> first;
-    for (Face f : mesh.faces())
-      if (seed[f] >= 0)
-        sets.union_set(first.emplace(seed[f], f).first->second, std::size_t(f));
-    for (Edge e : inner_edges())
-      if (is_uncuttable[e])
-        sets.union_set(faces_at(e)[0], faces_at(e)[1]);
-    std::set<std::size_t> set_of_seeds;
-    for (const auto& entry : first)
-      if (!set_of_seeds.insert(sets.find_set(entry.second)).second)
-        return true;
-    for (Edge e : inner_edges())
-      if (is_seam[e] && sets.find_set(faces_at(e)[0]) == sets.find_set(faces_at(e)[1]))
-        return true;
-    return false;
+    for (const std::string& sentence : face_constraints().violations(labels))
+      BOOST_ERROR("not so: " << sentence);
   }
+
+  bool has_contradiction() const
+  { return face_constraints().are_contradictory(num_faces(mesh)); }
 
   Labels labels() const { return labels_of(mesh, parameters()); }
 

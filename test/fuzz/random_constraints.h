@@ -4,25 +4,15 @@
 #ifndef SPECTRAL_SEGMENTATION_TEST_FUZZ_RANDOM_CONSTRAINTS_H
 #define SPECTRAL_SEGMENTATION_TEST_FUZZ_RANDOM_CONSTRAINTS_H
 
+#include "../Face_constraints.h"
 #include "run_of_soup.h"
 
-#include <boost/pending/disjoint_sets.hpp>
-
-#include <array>
 #include <cstddef>
-#include <map>
-#include <set>
 #include <string>
 #include <vector>
 
 // Constraints at random, and what they mean.
 namespace random_runs {
-
-inline std::array<std::size_t, 2> faces_at(const Mesh& mesh, Mesh::Edge_index e)
-{
-  const Mesh::Halfedge_index h = mesh.halfedge(e);
-  return {std::size_t(mesh.face(h)), std::size_t(mesh.face(mesh.opposite(h)))};
-}
 
 // Returns the faces within some steps over edges from a face at random.
 inline std::vector<char> random_ball(const Mesh& mesh, Random& random)
@@ -72,55 +62,24 @@ inline void add_constraints(std::size_t number_of_faces, const Mesh* mesh, Param
   }
 }
 
-// Whether faces that must be together are joined with those that must be apart.
-inline bool is_contradiction(const Mesh* mesh, const Parameters& p, std::size_t number_of_faces)
+inline Face_constraints face_constraints(const Mesh* mesh, const Parameters& p)
 {
-  std::vector<std::size_t> rank(number_of_faces), parent(number_of_faces);
-  boost::disjoint_sets<std::size_t*, std::size_t*> sets(rank.data(), parent.data());
-  for (std::size_t f = 0; f < number_of_faces; ++f)
-    sets.make_set(f);
-  std::map<int, std::size_t> first;
-  for (std::size_t f = 0; f < p.seeds.size(); ++f)
-    if (p.seeds[f] >= 0)
-      sets.union_set(first.emplace(p.seeds[f], f).first->second, f);
-  const auto for_each_edge = [&](char kind, const auto& visit) {
-    for (std::size_t e = 0; e < p.edges.size(); ++e)
-      if (p.edges[e] == kind && !mesh->is_border(Mesh::Edge_index(unsigned(e)))) {
-        const auto [f, g] = faces_at(*mesh, Mesh::Edge_index(unsigned(e)));
-        visit(f, g);
-      }
-  };
-  for_each_edge('u', [&](std::size_t f, std::size_t g) { sets.union_set(f, g); });
-  std::set<std::size_t> seeded;
-  bool result = false;
-  for (const auto& [seed, f] : first)
-    result |= !seeded.insert(sets.find_set(f)).second;
-  for_each_edge('c', [&](std::size_t f, std::size_t g)
-    { result |= sets.find_set(f) == sets.find_set(g); });
+  Face_constraints result;
+  result.seeds = p.seeds;
+  for (std::size_t i = 0; i < p.edges.size(); ++i) {
+    const Mesh::Edge_index e(static_cast<unsigned>(i));
+    if (p.edges[i] != '-' && !mesh->is_border(e))
+      (p.edges[i] == 'c' ? result.apart : result.together).push_back(faces_at(*mesh, e));
+  }
   return result;
 }
 
 inline void check_constraints(const Mesh* mesh, const Parameters& p, const Labels& labels,
                               const std::string& where)
 {
-  std::map<int, std::set<std::size_t> > segments_of;
-  std::map<std::size_t, std::set<int> > seeds_in;
-  for (std::size_t f = 0; f < p.seeds.size(); ++f)
-    if (p.seeds[f] >= 0) {
-      segments_of[p.seeds[f]].insert(labels[f]);
-      seeds_in[labels[f]].insert(p.seeds[f]);
-    }
-  for (const auto& of_seed : segments_of)
-    require(of_seed.second.size() == 1, "faces with one seed are in one segment of " + where);
-  for (const auto& in_segment : seeds_in)
-    require(in_segment.second.size() == 1, "seeds are in different segments of " + where);
-  for (std::size_t e = 0; e < p.edges.size(); ++e)
-    if (p.edges[e] != '-' && !mesh->is_border(Mesh::Edge_index(unsigned(e)))) {
-      const auto [f, g] = faces_at(*mesh, Mesh::Edge_index(unsigned(e)));
-      require((labels[f] == labels[g]) == (p.edges[e] == 'u'),
-              std::string(p.edges[e] == 'u' ? "an uncuttable edge is not cut by "
-                                            : "a constrained edge is cut by ") + where);
-    }
+  const std::vector<std::string> violations = face_constraints(mesh, p).violations(labels);
+  if (!violations.empty())
+    throw Broken_invariant(violations.front() + ", in " + where);
 }
 
 // All nodes are between the roots and the leaves, so that these satisfy the constraints for all.

@@ -107,7 +107,7 @@ class Random_run
     if (!has_valid_triangles_ || !has_valid_options_)
       return false;
     if (parameters_.has_constraints()) {
-      if (is_contradiction(mesh(), parameters_, number_of_faces()))
+      if (face_constraints(mesh(), parameters_).are_contradictory(number_of_faces()))
         return false;
       if (o.method == Method::ZHANG_LIU_2005) // border edges do not count
         return parameters_.seeds.empty() ? std::nullopt : std::optional<bool>(false);
