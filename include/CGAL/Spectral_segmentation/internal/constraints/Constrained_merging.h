@@ -144,16 +144,17 @@ class Constrained_merging
     }
     Index label = labels[0]; // of the faces that are cut off
     bool is_at_end = false;
-    for (std::size_t i = 0; i < reached.size() && !is_at_end; ++i)
-      for (Index h = 3 * reached[i]; h < 3 * reached[i] + 3; ++h)
-        if (const Index f = mesh_.neighbor(h), r = region_[f]; groups_.is_seam[h])
+    for (std::size_t i = 0; i < reached.size() && !is_at_end; ++i) {
+      const Index f = reached[i];
+      for (Index h = 3 * f; h < 3 * f + 3; ++h) {
+        if (groups_.is_seam[h])
           continue;
-        else if (r == region)
-          reach(f, region_[reached[i]]);
-        else if (!are_seeds && r != labels[0] && r != labels[1]) {
-          label = region_[reached[i]];
-          is_at_end = true;
-        }
+        const Index r = region_[mesh_.neighbor(h)];
+        reach(mesh_.neighbor(h), region_[f]);
+        is_at_end |= !are_seeds && r != region && r != labels[0] && r != labels[1];
+      }
+      label = is_at_end ? region_[f] : label;
+    }
 
     for (Index f : std::exchange(reached, {}))
       if (region_[f] != label)
@@ -299,12 +300,13 @@ public:
     }
     set_regions();
     merge_small_regions();
-    std::vector<Index> component(leaf_of_region_.size(), 0); // of some face
-    std::vector<std::set<Index> > below(cuts_.nodes.size());  // the regions below each node
-    for (Index f = 0; f < region_.size(); ++f) {
-      component[region_[f]] = mesh_.components[f];
-      below[leaf_of_region_[region_[f]]].insert(region_[f]);
-    }
+    std::vector<Index> component(leaf_of_region_.size(), null_index); // of the first face
+    std::vector<std::set<Index> > below(cuts_.nodes.size()); // the regions below each node
+    for (Index f = 0; f < region_.size(); ++f)
+      if (Index& of_region = component[region_[f]]; of_region == null_index) {
+        of_region = mesh_.components[f];
+        below[leaf_of_region_[region_[f]]].insert(region_[f]);
+      }
     for (std::set<Index>& regions : below)
       merge_all(regions, [this](Index a, Index b) { merge_regions(a, b); });
     for (Index r : region_)

@@ -118,9 +118,25 @@ class Forced_cuts
     return best.second;
   }
 
+  // The number of votes for each pair of an element and a value.
+  typedef std::map<std::pair<Index, Index>, std::size_t> Votes;
+
+  // Returns the value with the most votes for each of n elements; null_index without votes.
+  static std::vector<Index> most_votes(const Votes& votes, std::size_t n)
+  {
+    std::vector<Index> result(n, null_index);
+    std::vector<std::size_t> most(n, 0);
+    for (const auto& [vote, number] : votes)
+      if (number > most[vote.first]) {
+        most[vote.first] = number;
+        result[vote.first] = vote.second;
+      }
+    return result;
+  }
+
   void set_labels()
   {
-    std::map<std::pair<Index, Index>, std::size_t> votes; // for a coarse face and a class
+    Votes votes; // for a coarse face and a class
     for (Index h : seams_)
       if (const Index k = coarse_halfedge(h); k != null_index) {
         ++votes[{k / 3, class_of_bank(h)}];
@@ -131,12 +147,7 @@ class Forced_cuts
       if (const Index seed = groups_.sets.seed(groups_.group[f]); seed != null_index)
         if (const Index g = coarse_face(f); g != null_index)
           ++votes[{g, class_of_seed_.at(seed)}];
-    std::vector<std::size_t> most(label_.size(), 0);
-    for (const auto& [vote, number] : votes)
-      if (number > most[vote.first]) {
-        most[vote.first] = number;
-        label_[vote.first] = vote.second;
-      }
+    label_ = most_votes(votes, coarse_.number_of_faces());
   }
 
   // Returns two classes of faces of a leaf that must be apart; null_index twice if there are none.
@@ -239,8 +250,7 @@ public:
   Forced_cuts(const Surface& mesh, const std::vector<Index>& vertex, const Surface& coarse,
               const Constraint_groups& groups, Cut_hierarchy& cuts, Run_monitor& monitor)
     : mesh_(mesh), vertex_(vertex), coarse_(coarse), groups_(groups), monitor_(monitor),
-      cuts_(cuts), cutter_(coarse, cuts), halfedges_from_(coarse.points.size()),
-      label_(coarse.number_of_faces(), null_index)
+      cuts_(cuts), cutter_(coarse, cuts), halfedges_from_(coarse.points.size())
   {
     for (Index h = 0; h < coarse.number_of_halfedges(); ++h)
       halfedges_from_[coarse.source_vertex(h)].push_back(h);
@@ -272,7 +282,7 @@ public:
       ++size[groups_.group[f]];
     for (Index h : seams_)
       ++size[groups_.group[h / 3]];
-    std::map<std::pair<Index, Index>, std::size_t> votes; // for a group and a leaf
+    Votes votes; // for a group and a leaf
     for (Index f : groups_.faces) {
       if (size[groups_.group[f]] == 1)
         continue;
@@ -286,14 +296,7 @@ public:
         g = coarse_.components[i] == mesh_.components[f] ? i : g;
       ++votes[{groups_.group[f], cuts_.leaf[g]}];
     }
-    std::vector<Index> result(size.size(), null_index);
-    std::vector<std::size_t> most(size.size(), 0);
-    for (const auto& [vote, number] : votes)
-      if (number > most[vote.first]) {
-        most[vote.first] = number;
-        result[vote.first] = vote.second;
-      }
-    return result;
+    return most_votes(votes, size.size());
   }
 };
 
