@@ -6,7 +6,7 @@
 
 #include "princeton_benchmark.h"
 
-#include "../examples/segment_mesh/segment_colors.h"
+#include "../bindings/files/segment_colors.h"
 
 #include <CGAL/IO/Color.h>
 #include <CGAL/IO/PLY.h>

@@ -4,7 +4,7 @@
 #ifndef SEGMENTATION_BENCHMARK_FOR_EACH_MESH_H
 #define SEGMENTATION_BENCHMARK_FOR_EACH_MESH_H
 
-#include "../examples/segment_mesh/is_terminal.h"
+#include "../bindings/command_line/is_terminal.h"
 
 #ifdef CGAL_LINKED_WITH_TBB
 #include <tbb/global_control.h>

@@ -24,7 +24,7 @@
 #include "sized_mesh.h"
 #include "with_threads.h"
 
-#include "../examples/segment_mesh/Run_watch.h"
+#include "../bindings/command_line/Run_watch.h"
 
 #include <CGAL/Spectral_segmentation/internal/distances/shortest_paths.h>
 #include <CGAL/Spectral_segmentation/internal/coarsening/coarsening.h>

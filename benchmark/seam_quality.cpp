@@ -13,7 +13,7 @@
 #include "segmentation_metrics.h"
 #include "timed.h"
 
-#include <CGAL/Spectral_segmentation/refine_segment_boundaries.h>
+#include <CGAL/Segmented_mesh/refine_segment_boundaries.h>
 #include <CGAL/segment_spectral_recursive.h>
 
 #include <CGAL/Polygon_mesh_processing/measure.h>

@@ -13,7 +13,7 @@
 #include "sized_mesh.h"
 #include "with_threads.h"
 
-#include "../examples/segment_mesh/Run_watch.h"
+#include "../bindings/command_line/Run_watch.h"
 
 #include <CGAL/segment_spectral_recursive.h>
 

@@ -3,8 +3,8 @@
 
 #include <CGAL/Polygon_mesh_processing/measure.h>
 #include <CGAL/Simple_cartesian.h>
-#include <CGAL/Spectral_segmentation/refine_segment_boundaries.h>
-#include <CGAL/Spectral_segmentation/split_into_segments.h>
+#include <CGAL/Segmented_mesh/refine_segment_boundaries.h>
+#include <CGAL/Segmented_mesh/split_into_segments.h>
 #include <CGAL/Surface_mesh.h>
 #include <CGAL/boost/graph/IO/polygon_mesh_io.h>
 #include <CGAL/segment_spectral_recursive.h>

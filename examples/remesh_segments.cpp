@@ -4,7 +4,7 @@
 #include <CGAL/Polygon_mesh_processing/connected_components.h>
 #include <CGAL/Polygon_mesh_processing/remesh.h>
 #include <CGAL/Simple_cartesian.h>
-#include <CGAL/Spectral_segmentation/segment_boundaries.h>
+#include <CGAL/Segmented_mesh/segment_boundaries.h>
 #include <CGAL/Surface_mesh.h>
 #include <CGAL/boost/graph/IO/polygon_mesh_io.h>
 #include <CGAL/segment_spectral_recursive.h>

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 #include <CGAL/Simple_cartesian.h>
-#include <CGAL/Spectral_segmentation/segment_boundaries.h>
+#include <CGAL/Segmented_mesh/segment_boundaries.h>
 #include <CGAL/Surface_mesh.h>
 #include <CGAL/boost/graph/IO/polygon_mesh_io.h>
 #include <CGAL/segment_spectral_recursive.h>

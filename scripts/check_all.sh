@@ -68,23 +68,24 @@ echo "=== instructions of a run"
 cmake --build "$build/g++-release" --target check_instructions || failed+=(instructions)
 
 echo "=== many meshes"
-test/batch.py "$build/g++-release/examples/segment_mesh" --count 200 || failed+=(batch)
-scripts/check_slurm.sh "$build/g++-release/examples/segment_mesh" \
+test/batch.py "$build/g++-release/bindings/command_line/segment_mesh" --count 200 || failed+=(batch)
+scripts/check_slurm.sh "$build/g++-release/bindings/command_line/segment_mesh" \
   "$build/g++-release/data/meshes" || failed+=(slurm)
 
 echo "=== Blender"
 PYTHONPATH="$build/g++-release/bindings/python" \
   blender -b -noaudio --factory-startup --python-exit-code 1 \
   -P bindings/blender/test/segment_parts_in_blender.py -- \
-  "$build/g++-release/examples/segment_mesh" "$build/g++-release/data/meshes" || failed+=(blender)
+  "$build/g++-release/bindings/command_line/segment_mesh" "$build/g++-release/data/meshes" ||
+  failed+=(blender)
 
 echo "=== Python, installed"
-scripts/check_python.sh "$build/g++-release/examples/segment_mesh" \
+scripts/check_python.sh "$build/g++-release/bindings/command_line/segment_mesh" \
   "$build/g++-release/data/meshes" || failed+=(python)
 
 echo "=== web"
 bindings/web/build.sh "$build/web" &&
-  ALL_MESHES=1 bindings/web/test.sh "$build/g++-release/examples/segment_mesh" \
+  ALL_MESHES=1 bindings/web/test.sh "$build/g++-release/bindings/command_line/segment_mesh" \
     "$build/g++-release/data/meshes" "$build/web" || failed+=(web)
 
 echo "=== other machines"

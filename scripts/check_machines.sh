@@ -124,7 +124,8 @@ compile $labels labels-arm64 aarch64-linux-gnu-g++ -O2 -ffp-contract=fast -stati
 check_machine arm64 qemu-aarch64 "$build/labels-arm64"
 
 compile $labels labels.exe x86_64-w64-mingw32-g++-posix -O2 -static
-compile examples/segment_mesh.cpp segment_mesh.exe x86_64-w64-mingw32-g++-posix -O2 -static
+compile bindings/command_line/segment_mesh.cpp segment_mesh.exe \
+  x86_64-w64-mingw32-g++-posix -O2 -static
 export WINEPREFIX=$build/wine WINEDEBUG=-all
 wine wineboot > "$build/wineboot.log" 2>&1
 check_machine windows wine "$build/labels.exe"

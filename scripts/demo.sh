@@ -14,7 +14,7 @@ cmake -S . -B build -DCMAKE_BUILD_TYPE=Release \
 cmake --build build --target segment_mesh
 
 mkdir -p out
-build/examples/segment_mesh build/data/meshes/elephant.off -o out/elephant.ply
+build/bindings/command_line/segment_mesh build/data/meshes/elephant.off -o out/elephant.ply
 scripts/render.py out/elephant.ply -o out/elephant.png --azimuth 150
 echo "colored mesh: $PWD/out/elephant.ply"
 echo "picture:      $PWD/out/elephant.png"

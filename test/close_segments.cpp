@@ -6,8 +6,8 @@
 #include "test_labels.h"
 #include "test_meshes.h"
 
-#include <CGAL/Spectral_segmentation/close_segments.h>
-#include <CGAL/Spectral_segmentation/split_into_segments.h>
+#include <CGAL/Segmented_mesh/close_segments.h>
+#include <CGAL/Segmented_mesh/split_into_segments.h>
 
 #include <CGAL/Polygon_mesh_processing/measure.h>
 #include <CGAL/Polyhedron_3.h>

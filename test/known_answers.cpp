@@ -6,7 +6,7 @@
 #include "test_labels.h"
 #include "test_meshes.h"
 
-#include <CGAL/Spectral_segmentation/refine_segment_boundaries.h>
+#include <CGAL/Segmented_mesh/refine_segment_boundaries.h>
 #include <CGAL/segment_spectral_recursive.h>
 
 #include <Eigen/Eigenvalues>

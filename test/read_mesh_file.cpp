@@ -1,9 +1,9 @@
 // Copyright (c) 2026  The Spectral_segmentation authors.
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#include "../examples/segment_mesh/mesh_file/read_mesh_file.h"
+#include "../bindings/files/read_mesh_file.h"
 #ifdef __unix__
-#include "../examples/segment_mesh/read_scene_in_child.h"
+#include "../bindings/files/read_scene_in_child.h"
 #endif
 
 #include <algorithm>

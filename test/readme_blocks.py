@@ -160,10 +160,10 @@ class Readme(unittest.TestCase):
                 for group in command.split()[1:]:
                     self.assertRegex(setup, r"(?m)^    %s\)" % group)
         others = {command.split()[0] for command in commands} - set(scripts)
-        self.assertLessEqual(others, {"build/examples/segment_mesh", "cmake",
+        self.assertLessEqual(others, {"build/bindings/command_line/segment_mesh", "cmake",
                                       "/usr/bin/python3", "my_env/bin/pip",
                                       "-DSPECTRAL_SEGMENTATION_BUILD_EXAMPLES=OFF"})
-        self.assertTrue((SOURCE / "examples/segment_mesh.cpp").exists())
+        self.assertTrue((SOURCE / "bindings/command_line/segment_mesh.cpp").exists())
         self.assertTrue((SOURCE / "doc/CMakeLists.txt").exists())
         for path in re.findall(r"\]\((?!https?:)([^)]*)\)", self.readme):
             self.assertTrue((SOURCE / path).exists(), path)

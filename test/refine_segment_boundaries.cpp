@@ -6,7 +6,7 @@
 #include "test_labels.h"
 #include "test_meshes.h"
 
-#include <CGAL/Spectral_segmentation/refine_segment_boundaries.h>
+#include <CGAL/Segmented_mesh/refine_segment_boundaries.h>
 
 #include <CGAL/Exact_predicates_exact_constructions_kernel.h>
 #include <CGAL/Linear_cell_complex_for_bgl_combinatorial_map_helper.h>

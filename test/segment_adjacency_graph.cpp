@@ -7,7 +7,7 @@
 #include "test_labels.h"
 #include "test_meshes.h"
 
-#include <CGAL/Spectral_segmentation/segment_adjacency_graph.h>
+#include <CGAL/Segmented_mesh/segment_adjacency_graph.h>
 
 #include <CGAL/Exact_predicates_exact_constructions_kernel.h>
 #include <CGAL/Polyhedron_3.h>

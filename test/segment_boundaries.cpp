@@ -7,7 +7,7 @@
 #include "test_labels.h"
 #include "test_meshes.h"
 
-#include <CGAL/Spectral_segmentation/segment_boundaries.h>
+#include <CGAL/Segmented_mesh/segment_boundaries.h>
 
 #include <CGAL/Polygon_mesh_processing/connected_components.h>
 #include <CGAL/Polyhedron_3.h>

@@ -1,7 +1,7 @@
 // Copyright (c) 2026  The Spectral_segmentation authors.
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#include "../examples/segment_mesh/mesh_file/write_mesh_file.h"
+#include "../bindings/files/write_mesh_file.h"
 
 #include <boost/test/unit_test.hpp>
 

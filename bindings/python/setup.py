@@ -19,8 +19,7 @@ from setuptools.command.sdist import sdist
 HERE = pathlib.Path(__file__).resolve().parent
 ROOT = HERE if (HERE / "include").is_dir() else HERE.parent.parent
 # What is compiled, or belongs to it, outside of this folder
-SHARED = ["LICENSE", "include", "examples/segment_mesh/mesh_file",
-          "examples/segment_mesh/segment_colors.h"]
+SHARED = ["LICENSE", "include", "bindings/files"]
 
 TBB_PROGRAM = """
 #include <tbb/task_arena.h>
@@ -83,7 +82,7 @@ setup(
     ext_modules=[Pybind11Extension(
         "spectral_segmentation._core",
         ["src/engine.cpp", "src/mesh_files.cpp", "src/segmentation.cpp"],
-        include_dirs=[str(ROOT / "include"), str(ROOT / "examples"), *eigen_folders()],
+        include_dirs=[str(ROOT / "include"), str(ROOT / "bindings"), *eigen_folders()],
         define_macros=[("CGAL_SPECTRAL_SEGMENTATION_COMPILED", "1"), ("NDEBUG", "1")],
         # Labels do not depend on whether the processor has fused multiplications.
         extra_compile_args=["-O2", "-g0", "-ffp-contract=off"],

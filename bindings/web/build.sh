@@ -23,7 +23,7 @@ version=$(sed -n 's/.*_VERSION "\(.*\)"/\1/p' \
 flags=(-std=c++17 -DNDEBUG -fexceptions -ffp-contract=off -msimd128 -Wall -Wextra
   -DCGAL_SPECTRAL_SEGMENTATION_COMPILED
   -DCGAL_DISABLE_GMP -DCGAL_NO_GMP -DCGAL_DISABLE_ROUNDING_MATH_CHECK
-  "-I$root/include" "-I$root/examples" -isystem "$build/include")
+  "-I$root/include" "-I$root/bindings" -isystem "$build/include")
 export NODE_PATH=/usr/share/nodejs # where Debian has acorn, which the linker needs
 mkdir -p "$build/package"
 em++ "${flags[@]}" -O3 -c "$here/src/engine.cpp" -o "$build/engine.o"
@@ -34,14 +34,14 @@ em++ "${flags[@]}" -O3 "$build/engine.o" "$build/segmentation.o" -o "$build/pack
 
 sed "s/@version@/$version/" "$here/package.json.in" > "$build/package/package.json"
 cp "$here"/*.js "$here"/*.d.ts "$here/README.md" "$root/LICENSE" \
-  "$root"/examples/segment_mesh/page/{decode,hierarchy}.js "$build/package"
+  "$root"/bindings/command_line/page/{decode,hierarchy}.js "$build/package"
 (cd "$build" && npm pack --silent ./package)
 
 # The page: the viewer of `segment_mesh --html`, three.js, and meshes of libcgal-demo as samples.
 mkdir -p "$build/try/samples"
 cp "$here"/page/* "$build"/package/{index,worker,worker_client,module,decode,hierarchy}.js \
-  "$build/package/module.wasm" "$root"/examples/segment_mesh/page/{viewer,colors,scene}.js \
-  "$root/examples/segment_mesh/page/viewer.css" /usr/share/javascript/three/three.min.js \
+  "$build/package/module.wasm" "$root"/bindings/command_line/page/{viewer,colors,scene}.js \
+  "$root/bindings/command_line/page/viewer.css" /usr/share/javascript/three/three.min.js \
   /usr/share/javascript/three/examples/js/{controls/OrbitControls,loaders/GLTFLoader}.js \
   "$build/try"
 samples=(hand.off elephant.off camel.off) # small ones first

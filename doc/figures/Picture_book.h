@@ -5,7 +5,7 @@
 #define MANUAL_FIGURES_PICTURE_BOOK_H
 
 #include "../../benchmark/princeton_benchmark.h"
-#include "segment_mesh/segment_colors.h"
+#include "files/segment_colors.h"
 
 #include <CGAL/IO/Color.h>
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>

@@ -4,7 +4,7 @@
 #ifndef MANUAL_FIGURES_ROW_COLORS_H
 #define MANUAL_FIGURES_ROW_COLORS_H
 
-#include "segment_mesh/segment_colors.h"
+#include "files/segment_colors.h"
 
 #include <algorithm>
 #include <cstddef>

@@ -6,9 +6,9 @@
 
 #include "check_hierarchy.h"
 
-#include <CGAL/Spectral_segmentation/close_segments.h>
-#include <CGAL/Spectral_segmentation/refine_segment_boundaries.h>
-#include <CGAL/Spectral_segmentation/split_into_segments.h>
+#include <CGAL/Segmented_mesh/close_segments.h>
+#include <CGAL/Segmented_mesh/refine_segment_boundaries.h>
+#include <CGAL/Segmented_mesh/split_into_segments.h>
 
 #include <CGAL/boost/graph/helpers.h>
 

@@ -3,10 +3,10 @@
 
 // A target of libFuzzer for the reader of one format, by -DFUZZED_FORMAT=OFF, OBJ, PLY or STL.
 
-#include "../../examples/segment_mesh/mesh_file/Polygon_soup.h"
-#include "../../examples/segment_mesh/mesh_file/Polygon_triangulation.h"
-#include "../../examples/segment_mesh/mesh_file/read_mesh_file.h"
-#include "../../examples/segment_mesh/mesh_file/stitch_borders.h"
+#include "../../bindings/files/Polygon_soup.h"
+#include "../../bindings/files/Polygon_triangulation.h"
+#include "../../bindings/files/read_mesh_file.h"
+#include "../../bindings/files/stitch_borders.h"
 
 #include <sanitizer/allocator_interface.h>
 

@@ -6,13 +6,13 @@
 #include "arrays.h"
 #include "python_lock.h"
 
-#include <segment_mesh/mesh_file/Polygon_soup.h>
-#include <segment_mesh/mesh_file/Polygon_triangulation.h>
-#include <segment_mesh/mesh_file/Segmented_mesh.h>
-#include <segment_mesh/mesh_file/read_mesh_file.h>
-#include <segment_mesh/mesh_file/stitch_borders.h>
-#include <segment_mesh/mesh_file/write_mesh_file.h>
-#include <segment_mesh/segment_colors.h>
+#include <files/Polygon_soup.h>
+#include <files/Polygon_triangulation.h>
+#include <files/Segmented_mesh.h>
+#include <files/read_mesh_file.h>
+#include <files/stitch_borders.h>
+#include <files/write_mesh_file.h>
+#include <files/segment_colors.h>
 
 #include <pybind11/numpy.h>
 #include <pybind11/stl.h>

@@ -15,7 +15,7 @@
 #include <CGAL/assertions_behaviour.h>
 #include <CGAL/segment_spectral_recursive.h>
 
-#include <segment_mesh/mesh_file/is_inside_out.h>
+#include <files/is_inside_out.h>
 
 #include <pybind11/numpy.h>
 #include <pybind11/pybind11.h>

@@ -12,13 +12,13 @@
 #include <CGAL/Spectral_segmentation/internal/adaptors/segmentation_hierarchy.h>
 #include <CGAL/Spectral_segmentation/version.h>
 
-#include <segment_mesh/mesh_file/Segmented_mesh.h>
-#include <segment_mesh/mesh_file/write_mesh_file.h>
-#include <segment_mesh/page/page_data.h>
-#include <segment_mesh/part_tree.h>
-#include <segment_mesh/read_input.h>
-#include <segment_mesh/refined_input.h>
-#include <segment_mesh/write_meshes.h>
+#include <files/Segmented_mesh.h>
+#include <files/write_mesh_file.h>
+#include <command_line/page/page_data.h>
+#include <command_line/part_tree.h>
+#include <command_line/read_input.h>
+#include <command_line/refined_input.h>
+#include <command_line/write_meshes.h>
 
 #include <emscripten/bind.h>
 #include <emscripten/val.h>

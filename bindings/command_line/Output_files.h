@@ -1,0 +1,210 @@
+// Copyright (c) 2026  The Spectral_segmentation authors.
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef SEGMENT_MESH_OUTPUT_FILES_H
+#define SEGMENT_MESH_OUTPUT_FILES_H
+
+#include "Signal_handlers.h"
+#include "check_outputs.h"
+#include "../files/Segmented_mesh.h"
+
+#ifndef _WIN32
+#include <sys/stat.h>
+#include <unistd.h>
+#endif
+
+#include <algorithm>
+#include <cstddef>
+#include <cstdio>
+#include <filesystem>
+#include <fstream>
+#include <iostream>
+#include <random>
+#include <set>
+#include <sstream>
+#include <string>
+#include <system_error>
+#include <utility>
+#include <vector>
+
+namespace segment_mesh {
+
+// The files that a run leaves. Each is written under a temporary name in the directory of its own;
+// all get their names in `commit()`, when they are complete. What was not committed is removed, by
+// a signal too; a run that is killed leaves its temporary files. To be used by one thread.
+class Output_files
+{
+  struct File
+  {
+    Path name, temporary, target; // the target is behind the links of the name
+  };
+
+  // Changed under `Signal_block` only, for `remove_temporaries()` is called by a signal.
+  std::vector<File> files_;
+  Path new_directory_;
+
+  std::vector<std::pair<Path, std::string> > streams_; // their names and contents
+  Path split_directory_;
+  std::set<std::string> segment_files_, earlier_segment_files_;
+  Signal_handlers handlers_;
+
+  // Only what signal handlers may do.
+  static void remove(const Path& name)
+  {
+#ifdef _WIN32
+    std::error_code ignored;
+    std::filesystem::remove(name, ignored);
+#else
+    if (unlink(name.c_str()) != 0)
+      rmdir(name.c_str());
+#endif
+  }
+
+  static void remove_temporaries(void* of)
+  {
+    const Output_files& files = *static_cast<const Output_files*>(of);
+    for (std::size_t i = 0; i < files.files_.size(); ++i)
+      remove(files.files_[i].temporary);
+    remove(files.new_directory_);
+  }
+
+  static std::string temporary_name()
+  {
+    std::random_device random;
+    char digits[number_of_temporary_digits + 1];
+    std::snprintf(digits, sizeof digits, "%08x%08x", random(), random());
+    return temporary_start + digits + temporary_end;
+  }
+
+  // Takes owner and mode as far as permitted.
+  static void take_owner_and_mode([[maybe_unused]] const Path& temporary,
+                                  [[maybe_unused]] const Path& target)
+  {
+#ifndef _WIN32
+    struct stat status;
+    if (stat(target.c_str(), &status) != 0)
+      return;
+    const uid_t same_user = static_cast<uid_t>(-1);
+    [[maybe_unused]] const bool is_group_kept =
+      chown(temporary.c_str(), status.st_uid, status.st_gid) == 0 ||
+      chown(temporary.c_str(), same_user, status.st_gid) == 0;
+    chmod(temporary.c_str(), status.st_mode & 0777);
+#endif
+  }
+
+  static void write_stream(const Path& name, const std::string& content)
+  {
+    if (is_standard_output(name)) {
+      if (!(std::cout << content << std::flush))
+        throw Failure(Status::OUTPUT, "cannot write to standard output");
+      return;
+    }
+    std::ofstream out(name, std::ios::binary);
+    out << content;
+    out.close();
+    if (!out)
+      throw_cannot_write(name);
+  }
+
+  // A failure of the last step, which the checks before did not foresee.
+  [[noreturn]] void throw_cannot_rename(std::size_t number_of_outputs, const std::string& reason)
+  {
+    const std::size_t number_written = number_of_outputs - files_.size();
+    throw_cannot_write(files_.back().name, reason + (number_written == 0 ? "" :
+                         "; " + std::to_string(number_written) + " of " +
+                         std::to_string(number_of_outputs) + " outputs were written before"));
+  }
+
+  // Before an old file is touched.
+  void check_targets() const
+  {
+    for (const File& f : files_)
+      check_output_name(f.name);
+  }
+
+public:
+  Output_files() : handlers_(remove_temporaries, this) {}
+  Output_files(const Output_files&) = delete;
+  Output_files& operator=(const Output_files&) = delete;
+
+  ~Output_files() { remove_temporaries(this); }
+
+  // `writer` writes the content to a stream.
+  template <class Writer>
+  void write(const Path& name, const Writer& writer)
+  {
+    check_output_name(name);
+    if (is_stream(name)) {
+      std::ostringstream out;
+      writer(out);
+      streams_.emplace_back(name, out.str());
+      return;
+    }
+    const Path target = behind_links(name);
+    const Path temporary = target.parent_path() / temporary_name();
+    {
+      const Signal_block block;
+      files_.push_back({name, temporary, target});
+    }
+    std::ofstream out(temporary, std::ios::binary);
+    take_owner_and_mode(temporary, target);
+    writer(out);
+    out.close();
+    if (!out)
+      throw_cannot_write(name);
+  }
+
+  // Prepares `commit()` to remove the files that an earlier run wrote to the directory, or left
+  // there when it was killed. Two runs at a time must not write to one directory.
+  void start_segments(const Path& directory)
+  {
+    split_directory_ = split_directory_of(directory);
+    earlier_segment_files_ = earlier_segment_files(split_directory_);
+    for (const File& f : files_) // this run may have other outputs there
+      earlier_segment_files_.erase(f.temporary.filename().string());
+    if (std::filesystem::is_directory(split_directory_))
+      return;
+    const Signal_block block;
+    std::error_code error;
+    if (!std::filesystem::create_directory(split_directory_, error))
+      throw_cannot_write(split_directory_, error.message());
+    new_directory_ = split_directory_;
+  }
+
+  // Into the files segment_000, segment_001 ... with the extension.
+  template <class Writer>
+  void write_segment(std::size_t i, const std::string& extension, const Writer& writer)
+  {
+    const std::string name = mesh_file::segment_name(i) + extension;
+    write(split_directory_ / name, writer);
+    segment_files_.insert(name);
+  }
+
+  // A signal comes before or after it, but for what streams have got. The index of segments gets
+  // its name first, so that a later run knows the files even if this one is killed.
+  void commit()
+  {
+    if (!split_directory_.empty())
+      write(split_directory_ / segment_index_name,
+            [&](std::ostream& out) { out << segment_index(segment_files_); });
+    for (const auto& stream : streams_)
+      write_stream(stream.first, stream.second);
+    check_targets();
+    const Signal_block block;
+    for (const std::string& name : earlier_segment_files_)
+      if (segment_files_.count(name) == 0)
+        remove(split_directory_ / name);
+    const std::size_t number_of_outputs = files_.size();
+    for (; !files_.empty(); files_.pop_back()) {
+      std::error_code error;
+      std::filesystem::rename(files_.back().temporary, files_.back().target, error);
+      if (error)
+        throw_cannot_rename(number_of_outputs, error.message());
+    }
+    new_directory_.clear();
+  }
+};
+
+} // namespace segment_mesh
+
+#endif // SEGMENT_MESH_OUTPUT_FILES_H

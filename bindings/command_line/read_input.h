@@ -1,0 +1,211 @@
+// Copyright (c) 2026  The Spectral_segmentation authors.
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef SEGMENT_MESH_READ_INPUT_H
+#define SEGMENT_MESH_READ_INPUT_H
+
+#include "Failure.h"
+#include "../files/Polygon_soup.h"
+#include "../files/Polygon_triangulation.h"
+#include "../files/read_mesh_file.h"
+#include "../files/stitch_borders.h"
+#include "../files/read_by_assimp.h"
+#include "../files/read_by_lib3mf.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <filesystem>
+#include <fstream>
+#include <iostream>
+#include <iterator>
+#include <stdexcept>
+#include <string>
+#include <system_error>
+#include <utility>
+#include <vector>
+
+namespace segment_mesh {
+
+using mesh_file::Index;
+using mesh_file::Point;
+using mesh_file::Polygon;
+using mesh_file::Polygon_soup;
+using mesh_file::Triangle;
+
+// The bytes of a file, or of standard input if the name is "-".
+inline std::string read_bytes(const std::string& name)
+{
+  if (name == "-")
+    return std::string(std::istreambuf_iterator<char>(std::cin), {});
+  std::ifstream in(name, std::ios::binary);
+  std::string result(std::filesystem::file_size(name), '\0');
+  in.read(result.data(), static_cast<std::streamsize>(result.size()));
+  if (in.bad())
+    throw std::runtime_error("the system cannot read it");
+  result.resize(static_cast<std::size_t>(in.gcount()));
+  return result;
+}
+
+// In bytes; 0 if it is not known beforehand.
+inline double size_of_file(const std::string& name)
+{
+  std::error_code error;
+  const std::uintmax_t result = std::filesystem::file_size(name, error);
+  return error ? 0 : static_cast<double>(result);
+}
+
+inline void check_is_file(const std::string& name)
+{
+  std::error_code error;
+  const std::filesystem::file_status status = std::filesystem::status(name, error);
+  if (status.type() == std::filesystem::file_type::not_found)
+    throw Failure(Status::INPUT, "there is no file " + name);
+  if (error)
+    throw Failure(Status::INPUT, name + " cannot be opened: " + error.message());
+  if (!std::filesystem::is_regular_file(status))
+    throw Failure(Status::INPUT, name + " is not a file");
+  if (!std::ifstream(name))
+    throw Failure(Status::INPUT, name + " cannot be opened");
+}
+
+// Throws `Failure` if the file has no mesh. Names of nodes and meshes are those of formats that
+// Assimp reads.
+inline Scene read_scene(const std::string& name, bool keeps_properties,
+                        const Reading_limits& limits = {})
+{
+  const bool is_stream = name == "-";
+  if (!is_stream)
+    check_is_file(name);
+  const mesh_file::Format format =
+    mesh_file::format_of_extension(std::filesystem::path(name).extension().string());
+  Scene scene;
+  try {
+    if (format == mesh_file::Format::UNKNOWN && !is_stream) {
+      const std::string extension =
+        mesh_file::lower_case(std::filesystem::path(name).extension().string());
+      scene = reads_by_lib3mf && extension == ".3mf" ? read_by_lib3mf(name, limits)
+                                                     : read_by_assimp(name, limits);
+    }
+    else {
+      const std::string bytes = read_bytes(name);
+      scene.soup = mesh_file::read_mesh_file(
+        bytes, is_stream ? mesh_file::format_of_contents(bytes) : format, keeps_properties);
+    }
+  }
+  catch (const std::runtime_error& e) {
+    throw Failure(Status::MESH, name + " cannot be read: " + e.what());
+  }
+  if (scene.soup.number_of_polygons() == 0)
+    throw Failure(Status::MESH, name + " has no faces");
+  return scene;
+}
+
+// The triangles of all polygons of a file, which are segmented.
+struct Input
+{
+  Polygon_soup soup;
+  std::vector<std::string> node_names, mesh_names;
+  std::vector<Triangle> triangles;
+  std::vector<Index> polygon_of_triangle; // ascends
+};
+
+// Finds the triangles, and joins their borders where the points are repeated.
+inline Input triangulated(Scene scene)
+{
+  Input input;
+  input.node_names = std::move(scene.node_names);
+  input.mesh_names = std::move(scene.mesh_names);
+  input.soup = std::move(scene.soup);
+  const Polygon_soup& soup = input.soup;
+  input.triangles.reserve(soup.number_of_polygons());
+  input.polygon_of_triangle.reserve(soup.number_of_polygons());
+  mesh_file::Polygon_triangulation triangulate(soup.points);
+  for (Index i = 0; i < soup.number_of_polygons(); ++i) {
+    triangulate(soup.polygon(i), input.triangles);
+    input.polygon_of_triangle.resize(input.triangles.size(), i);
+  }
+  mesh_file::Border_stitching(soup.points, input.triangles)();
+  return input;
+}
+
+// The points that triangles have.
+inline std::size_t number_of_vertices(const Input& input)
+{
+  std::vector<char> is_used(input.soup.points.size(), 0);
+  for (const Triangle& t : input.triangles)
+    for (Index v : t)
+      is_used[v] = 1;
+  return static_cast<std::size_t>(std::count(is_used.begin(), is_used.end(), 1));
+}
+
+// Twice the area of a triangle.
+inline double area(const Input& input, std::size_t triangle)
+{
+  const Triangle& t = input.triangles[triangle];
+  const Point &p = input.soup.points[t[0]], &q = input.soup.points[t[1]],
+              &r = input.soup.points[t[2]];
+  Point a;
+  for (std::size_t k = 0; k < 3; ++k) {
+    const std::size_t l = (k + 1) % 3, m = (k + 2) % 3;
+    a[k] = (q[l] - p[l]) * (r[m] - p[m]) - (q[m] - p[m]) * (r[l] - p[l]);
+  }
+  return std::hypot(a[0], a[1], a[2]);
+}
+
+// Returns the label of largest area among the triangles of one polygon.
+inline Index largest_label(const Input& input, const std::vector<Index>& label_of_triangle,
+                           std::size_t begin, std::size_t end)
+{
+  std::vector<std::pair<Index, double> > areas;
+  for (std::size_t t = begin; t < end; ++t) {
+    const auto found = std::find_if(areas.begin(), areas.end(), [&](const auto& a)
+                                    { return a.first == label_of_triangle[t]; });
+    if (found == areas.end())
+      areas.emplace_back(label_of_triangle[t], area(input, t));
+    else
+      found->second += area(input, t);
+  }
+  return std::max_element(areas.begin(), areas.end(), [](const auto& a, const auto& b)
+                          { return a.second < b.second; })->first;
+}
+
+// A polygon without a triangle takes the label of one that it touches, else 0.
+inline void borrow_labels(const Polygon_soup& soup, std::vector<Index>& labels)
+{
+  if (std::find(labels.begin(), labels.end(), mesh_file::null_index) == labels.end())
+    return;
+  std::vector<Index> label_of_point(soup.points.size(), mesh_file::null_index);
+  for (std::size_t i = labels.size(); i-- > 0;) // the first polygon at a point counts
+    if (labels[i] != mesh_file::null_index)
+      for (Index v : soup.polygon(i))
+        label_of_point[v] = labels[i];
+  for (std::size_t i = 0; i < labels.size(); ++i)
+    if (labels[i] == mesh_file::null_index) {
+      const Polygon polygon = soup.polygon(i);
+      const Index* const v = std::find_if(polygon.begin(), polygon.end(), [&](Index p)
+                                          { return label_of_point[p] != mesh_file::null_index; });
+      labels[i] = v == polygon.end() ? 0 : label_of_point[*v];
+    }
+}
+
+// The label of each polygon.
+inline std::vector<Index> labels_of_polygons(const Input& input,
+                                             const std::vector<Index>& label_of_triangle)
+{
+  const std::vector<Index>& polygons = input.polygon_of_triangle;
+  std::vector<Index> result(input.soup.number_of_polygons(), mesh_file::null_index);
+  for (std::size_t begin = 0, end; begin < polygons.size(); begin = end) {
+    for (end = begin + 1; end < polygons.size() && polygons[end] == polygons[begin];)
+      ++end;
+    result[polygons[begin]] = end - begin == 1
+      ? label_of_triangle[begin] : largest_label(input, label_of_triangle, begin, end);
+  }
+  borrow_labels(input.soup, result);
+  return result;
+}
+
+} // namespace segment_mesh
+
+#endif // SEGMENT_MESH_READ_INPUT_H

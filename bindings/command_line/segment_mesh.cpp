@@ -1,0 +1,716 @@
+// Copyright (c) 2026  The Spectral_segmentation authors.
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+/// \file
+/// Command line tool that segments mesh files. The exit status reports how a run ended. If it is
+/// not 0, standard error has an error message in one line.
+
+#include "Batch.h"
+#include "Constraints.h"
+#include "Failure.h"
+#include "Output_files.h"
+#include "Run_watch.h"
+#include "closed_soup.h"
+#include "is_terminal.h"
+#include "../files/is_inside_out.h"
+#include "option_texts.h"
+#include "page/write_page.h"
+#include "part_tree.h"
+#include "process_memory.h"
+#include "read_input.h"
+#include "refined_input.h"
+#include "report.h"
+#include "write_meshes.h"
+
+#include <CGAL/assertions_behaviour.h>
+#include <CGAL/property_map.h>
+#include <CGAL/segment_spectral_recursive.h>
+
+#include <CLI/CLI.hpp>
+#include <boost/property_map/function_property_map.hpp>
+
+#ifdef CGAL_LINKED_WITH_TBB
+#include <tbb/global_control.h>
+#endif
+
+#ifndef _WIN32
+#include <unistd.h>
+#endif
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <cstdlib>
+#include <exception>
+#include <filesystem>
+#include <functional>
+#include <iomanip>
+#include <iostream>
+#include <limits>
+#include <new>
+#include <numeric>
+#include <optional>
+#include <sstream>
+#include <stdexcept>
+#include <string>
+#include <thread>
+#include <utility>
+#include <vector>
+
+namespace parameters = CGAL::Spectral_segmentation::parameters;
+using CGAL::Spectral_segmentation::Segmentation_hierarchy;
+using namespace segment_mesh;
+
+typedef CGAL::Spectral_segmentation::Options Segmentation_options;
+
+Segmentation_options defaults(bool uses_paper_method)
+{ return uses_paper_method ? Segmentation_options::zhang_liu_2005() : Segmentation_options(); }
+
+// Returns the text of the two defaults of an option for the help.
+std::string both_defaults(double Segmentation_options::*number)
+{
+  std::ostringstream out;
+  out << " [" << defaults(false).*number << ", paper " << defaults(true).*number << ']';
+  return out.str();
+}
+
+struct Options
+{
+  std::vector<std::string> inputs;
+  std::string list_file, output_directory; // used by batches
+  std::vector<std::string> output_formats = {"labels"};
+  std::optional<std::size_t> jobs;
+  std::string input, seed_file, edge_file;
+  std::string label_file, report_file, hierarchy_file, page_file, split_directory;
+  std::vector<std::string> mesh_files; // used by single runs, too
+  std::string split_format = "ply";
+  std::string method_name = "calibrated";
+  std::optional<std::size_t> segments;
+  std::optional<double> threshold, minimum_size;
+  std::optional<std::uint64_t> seed;
+  std::optional<std::size_t> threads;
+  double time_limit = std::numeric_limits<double>::infinity();   // in seconds
+  double memory_limit = std::numeric_limits<double>::infinity(); // in 10^6 bytes
+  std::size_t smoothing_iterations = 0;
+  bool smooth_boundaries = false;
+  bool keep_components_separate = false;
+  bool keep_groups = false;
+  bool allow_external_files = false;
+  bool keep_faces = false;
+  bool close = false;
+  bool quiet = false;
+  bool prints_man_page = false, prints_completion = false;
+
+  bool uses_paper_method() const { return method_name == "paper"; }
+
+  bool writes_to_standard_output() const
+  {
+    return is_standard_output(label_file) || is_standard_output(report_file) ||
+           is_standard_output(hierarchy_file) || is_standard_output(page_file);
+  }
+
+  Segmentation_options segmentation_options() const
+  {
+    Segmentation_options result = defaults(uses_paper_method());
+    if (segments && !threshold) // a number without a threshold is exact
+      result.number_of_segments = segments;
+    else if (segments)
+      result.maximum_number_of_segments = *segments;
+    result.salience_threshold = threshold.value_or(result.salience_threshold);
+    result.minimum_segment_size = minimum_size.value_or(result.minimum_segment_size);
+    result.keep_components_separate |= keep_components_separate;
+    result.number_of_smoothing_iterations = smoothing_iterations;
+    result.smooth_boundaries = smooth_boundaries;
+    result.random_seed = seed;
+    return result;
+  }
+};
+
+const std::vector<std::string> output_formats = {"labels", "hierarchy", "ply", "obj", "off",
+                                                 "glb", "3mf", "parts", "html"};
+
+void add_options(CLI::App& app, Options& o)
+{
+  const std::int64_t largest = (std::numeric_limits<std::uint32_t>::max)();
+  const CLI::Validator not_empty(
+    [](const std::string& name) { return std::string(name.empty() ? "the path is empty" : ""); },
+    "");
+  const auto add_file = [&](const char* name, std::string& file, const char* description) {
+    return app.add_option(name, file, description)->type_name("FILE")->check(not_empty);
+  };
+  app.add_option("IN", o.inputs, "mesh or polygon soup: .off, .obj, .ply, .stl"
+#ifdef SEGMENT_MESH_WITH_ASSIMP
+                 ", .glb, .fbx and others that Assimp reads"
+#endif
+                 "; - reads standard input; several IN need --out-dir")
+    ->type_name("FILE")->check(not_empty);
+  CLI::Option* const out_dir =
+    add_file("--out-dir", o.output_directory,
+             "directory for the outputs of each IN under its path, such as DIR/IN.json, and for "
+             "DIR/table.jsonl with a line for each IN; meshes that an earlier run finished are "
+             "skipped")
+      ->type_name("DIR");
+  add_file("--list", o.list_file,
+           "file with the paths of further IN, one per line; - reads standard input");
+  app.add_option("--outputs", o.output_formats,
+                 "outputs in --out-dir besides the reports: colored meshes by their format, "
+                 "'parts' as with --split-dir, 'html' as with --html, 'hierarchy' and 'labels'")
+    ->type_name("F")->delimiter(',')->allow_extra_args(false)
+    ->check(CLI::IsMember(output_formats))->needs(out_dir)->capture_default_str();
+  app.add_option("--jobs", o.jobs, "number of meshes that --out-dir segments at a time [all cores]")
+    ->type_name("N")->check(CLI::Range(1, 1024))->needs(out_dir);
+  app.add_option("-o", o.mesh_files,
+                 "mesh with a color for each segment: .ply with the face property 'segment', .obj "
+                 "with groups and with materials in a .mtl, .off, or with the tree of parts .glb"
+#ifdef SEGMENT_MESH_WITH_LIB3MF
+                 " or .3mf, in millimeters"
+#endif
+                 "; may be repeated")
+    ->type_name("FILE")->allow_extra_args(false)->check(not_empty);
+  add_file("--labels", o.label_file,
+           "label of each face of IN, one per line; a polygon that a boundary cuts gets the label "
+           "of the segment that covers most of it; - writes to standard output");
+  add_file("--json", o.report_file,
+           "report with counts, seconds per stage summed over all parts, parameters, segments and "
+           "hierarchy of cuts; - writes to standard output");
+  add_file("--hierarchy", o.hierarchy_file,
+           "hierarchy of cuts with the leaf of each face, which gives other numbers of segments "
+           "without a new run; - writes to standard output");
+  add_file("--html", o.page_file,
+           "page for a browser that shows the segments, or fewer or more of them; - writes to "
+           "standard output");
+  add_file("--split-dir", o.split_directory,
+           "directory for one file per segment; replaces the files of an earlier run")
+    ->type_name("DIR");
+  app.add_option("--split-format", o.split_format, "format of the files in --split-dir")
+    ->type_name("F")->check(CLI::IsMember({"ply", "obj", "off", "stl", "glb", "3mf"}))
+    ->capture_default_str();
+  app.add_option("--method", o.method_name,
+                 "calibrated: the calibrated method (default), which cuts where people cut; paper: "
+                 "the method of Zhang and Liu 2005")
+    ->type_name("M")->check(CLI::IsMember({"calibrated", "paper"}))->capture_default_str();
+  app.add_option("--segments", o.segments,
+                 "exact number of segments; with --salience-threshold the largest number")
+    ->type_name("N")->check(CLI::Range(std::int64_t(1), largest));
+  app.add_option("--salience-threshold", o.threshold,
+                 "smallest salience of a cut; with --method calibrated the probability that a "
+                 "person would cut there" +
+                   both_defaults(&Segmentation_options::salience_threshold))
+    ->type_name("T");
+  app.add_option("--minimum-segment-size", o.minimum_size,
+                 "smallest area of a side of a cut, as a fraction of the area of the mesh" +
+                   both_defaults(&Segmentation_options::minimum_segment_size))
+    ->type_name("S")->check(CLI::Range(0., 0.5));
+  app.add_option("--seed", o.seed,
+                 "seed for random first reference faces; without it they are not random")
+    ->type_name("S")->check(CLI::Range(std::int64_t(0), largest));
+  add_file("--seeds", o.seed_file,
+           "seed of each face of IN, one per line: faces with one seed belong to the same segment, "
+           "those with different seeds to different segments; -1 is no seed");
+  add_file("--edges", o.edge_file,
+           "edges of IN that must lie between segments, or must not, one per line: the indices of "
+           "two points, from 0, and 'cut' or 'keep'");
+  app.add_option("--threads", o.threads,
+                 "number of threads; does not change the result [all; 1 with --out-dir]")
+    ->type_name("N")->check(CLI::Range(1, 1024));
+  app.add_option("--time-limit", o.time_limit, "stop a run that takes more than S seconds [none]")
+    ->type_name("S")->check(CLI::Range(1e-3, 1e9));
+  app.add_option("--memory-limit", o.memory_limit,
+                 "stop a run that needs more than M million bytes of address space; implies "
+                 "--threads 1 [none]")
+    ->type_name("M")->check(CLI::Range(1., 1e9));
+  app.add_option("--smooth", o.smoothing_iterations,
+                 "number of steps of Laplacian smoothing before distances are computed [0]")
+    ->type_name("N")->check(CLI::Range(std::int64_t(0), largest));
+  app.add_flag("--smooth-boundaries", o.smooth_boundaries,
+               "smooth the boundaries between segments by removing teeth of single faces");
+  app.add_flag("--keep-components-separate", o.keep_components_separate,
+               "make each connected component a part from the start, as --method paper does; "
+               "otherwise components that touch may belong to the same part");
+  app.add_flag("--keep-groups", o.keep_groups,
+               "keep the objects and groups of IN apart as if each was a component; those of .obj, "
+               "and the nodes of files that Assimp reads");
+  app.add_flag("--allow-external-files", o.allow_external_files,
+               "read files that IN names, such as buffers of glTF, wherever they are; otherwise "
+               "they must be in the folder of IN, so that a file from a stranger cannot publish "
+               "yours");
+  app.add_flag("--keep-faces", o.keep_faces,
+               "write meshes and pages with the faces of IN, so that boundaries run along their "
+               "edges in zigzag; otherwise faces are split along smooth boundaries. Labels always "
+               "refer to the faces of IN");
+  app.add_flag("--close", o.close,
+               "close the segments of --split-dir, and of -o with .glb or .3mf, for example for 3D "
+               "printing: with caps that neighbors share, and at holes of the mesh");
+  app.add_flag("--quiet", o.quiet, "print neither progress nor a summary");
+  app.allow_windows_style_options(false); // a path may begin with a slash
+  app.set_version_flag("--version", "segment_mesh " CGAL_SPECTRAL_SEGMENTATION_VERSION);
+  app.add_flag("--print-man-page", o.prints_man_page)->group("");
+  app.add_flag("--print-bash-completion", o.prints_completion)->group("");
+  app.footer("The exit status is 0 for success, 1 for a bug, 2 for wrong usage, 3 if an input "
+             "cannot be opened, 4 if an input has no mesh, 5 for lack of memory, 6 after the time "
+             "limit, 7 if an output cannot be written, and 8 if runs of --out-dir failed. The "
+             "reports of --json have its name as 'status'.");
+}
+
+// Returns whether each segment in the file is an object of its own, which may have caps.
+bool has_objects(const std::string& mesh_file)
+{
+  const std::string extension = mesh_file::output_extension(mesh_file);
+  return extension == ".glb" || is_3mf(extension);
+}
+
+// Finds the errors that can be found before any run.
+void check_usage(const Options& o)
+{
+#ifndef CGAL_LINKED_WITH_TBB
+  if (o.threads && *o.threads > 1)
+    throw Failure(Status::USAGE, "--threads above 1 needs TBB, but this build is without TBB");
+#endif
+  if (std::isnan(o.time_limit) || std::isnan(o.memory_limit))
+    throw Failure(Status::USAGE, "--time-limit and --memory-limit must be numbers");
+  if (std::isfinite(o.memory_limit) && o.threads.value_or(1) > 1)
+    throw Failure(Status::USAGE, "--memory-limit allows only one thread; leave out --threads");
+  if (o.threshold && std::isnan(*o.threshold))
+    throw Failure(Status::USAGE, "--salience-threshold must be a number");
+  if (o.threshold && !o.uses_paper_method() && !(*o.threshold >= 0 && *o.threshold <= 1))
+    throw Failure(Status::USAGE, "--salience-threshold must be between 0 and 1 with --method "
+                                 "calibrated, because it is a probability");
+  if (o.output_directory.empty()) {
+    if (o.inputs.empty() && o.list_file.empty())
+      throw Failure(Status::USAGE, "no input mesh given; see --help");
+    if (o.inputs.size() > 1 || !o.list_file.empty())
+      throw Failure(Status::USAGE, "several input meshes need --out-dir");
+    return;
+  }
+  if (!o.mesh_files.empty() || !o.label_file.empty() || !o.report_file.empty() ||
+      !o.hierarchy_file.empty() || !o.page_file.empty() || !o.split_directory.empty())
+    throw Failure(Status::USAGE, "with --out-dir, choose the outputs with --outputs");
+  if (!o.seed_file.empty() || !o.edge_file.empty())
+    throw Failure(Status::USAGE, "--seeds and --edges are of one mesh, not of those of --out-dir");
+}
+
+// Finds the errors in the files that can be found before a long run.
+void check_files(const Options& o)
+{
+  std::vector<std::filesystem::path> outputs = {o.label_file, o.report_file, o.hierarchy_file,
+                                                o.page_file};
+  if (!o.page_file.empty())
+    check_page();
+  for (const std::string& name : o.mesh_files) {
+    check_output_format(name, false);
+    outputs.push_back(name);
+    if (mesh_file::output_extension(name) == ".obj")
+      outputs.push_back(mesh_file::name_of_materials(name));
+  }
+  if (!o.split_directory.empty())
+    check_output_format("segment." + o.split_format, true);
+  if (o.close && o.split_directory.empty() &&
+      std::none_of(o.mesh_files.begin(), o.mesh_files.end(), has_objects))
+    throw Failure(Status::USAGE, "--close needs an output of separate segments: --split-dir, or -o "
+                                 "with .glb or .3mf");
+  check_outputs({o.input, o.seed_file, o.edge_file}, outputs, o.split_directory);
+}
+
+template <class NamedParameters>
+std::size_t segment(const Input& input, std::vector<Index>& labels, const Options& o,
+                    const NamedParameters& np)
+{
+  const auto ids = CGAL::make_property_map(labels);
+  if (o.threads == 1) // starts no thread, so that running out of memory is an exception
+    return CGAL::segment_spectral_recursive<CGAL::Sequential_tag>(input.soup.points,
+                                                                  input.triangles, ids, np);
+  return CGAL::segment_spectral_recursive(input.soup.points, input.triangles, ids, np);
+}
+
+std::size_t segment(const Input& input, std::vector<Index>& labels, const Options& o,
+                    Segmentation_hierarchy& tree, Run_watch& watch)
+{
+  const std::vector<Index>& groups = input.soup.group_of_polygon;
+  const auto group = boost::make_function_property_map<std::size_t, Index>([&](std::size_t t)
+    { return o.keep_groups && !groups.empty() ? groups[input.polygon_of_triangle[t]] : 0; });
+  const auto np = parameters::options(o.segmentation_options())
+                    .face_group_map(group).hierarchy(tree).visitor(std::ref(watch));
+  Constraints constraints(input);
+  if (!o.seed_file.empty())
+    constraints.read_seeds(o.seed_file);
+  if (!o.edge_file.empty())
+    constraints.read_edges(o.edge_file);
+  try {
+    if (!constraints.has_seeds() && !constraints.has_edges())
+      return segment(input, labels, o, np);
+    typedef std::pair<std::size_t, std::size_t> Edge;
+    const auto edges = [&](bool must_be_cut) {
+      return boost::make_function_property_map<Edge, bool>([&constraints, must_be_cut](Edge e)
+        { return constraints.is_given(e, must_be_cut); });
+    };
+    const auto seeds = boost::make_function_property_map<std::size_t, std::int64_t>(
+      [&](std::size_t t) { return constraints.seed(t); });
+    if (!constraints.has_edges())
+      return segment(input, labels, o, np.face_seed_map(seeds));
+    return segment(input, labels, o, np.face_seed_map(seeds)
+                                       .edge_is_constrained_map(edges(true))
+                                       .edge_is_uncuttable_map(edges(false)));
+  }
+  catch (const std::invalid_argument& e) { // "segment_spectral_recursive: message"
+    const std::string sentence = e.what();
+    throw Failure(Status::USAGE, sentence.substr(sentence.find(": ") + 2));
+  }
+}
+
+template <class T>
+Json json_or_null(const std::optional<T>& value)
+{ return value ? Json(*value) : Json(); }
+
+// Returns the parameters of a run. The threshold is null if it has no effect. Parameters without an
+// option have the defaults of the version.
+Json parameters_report(const Options& o)
+{
+  const Segmentation_options used = o.segmentation_options();
+  return {{"method", o.method_name},
+          {"maximum_number_of_segments", json_or_null(o.segments)},
+          {"keep_components_separate", used.keep_components_separate},
+          {"keep_groups", o.keep_groups},
+          {"seeds", o.seed_file.empty() ? Json() : Json(o.seed_file)},
+          {"edges", o.edge_file.empty() ? Json() : Json(o.edge_file)},
+          {"salience_threshold", used.number_of_segments ? Json() : Json(used.salience_threshold)},
+          {"minimum_segment_size", used.minimum_segment_size},
+          {"random_seed", json_or_null(o.seed)},
+          {"number_of_smoothing_iterations", o.smoothing_iterations},
+          {"smooth_boundaries", o.smooth_boundaries},
+          {"keep_faces", o.keep_faces},
+          {"close", o.close}};
+}
+
+// Returns the part of the report that says how a run ended; it is the whole report of a failed run.
+Json status_report(const Options& o, Status status, const std::string& message)
+{
+  return {{"version", CGAL_SPECTRAL_SEGMENTATION_VERSION},
+          {"input", o.input},
+          {"status", name_of(status)},
+          {"message", message}};
+}
+
+Page_options page_options(const Options& o, std::size_t number_of_segments)
+{
+  Page_options result;
+  result.name = std::filesystem::path(o.input).filename().string();
+  result.number_of_segments = number_of_segments;
+  result.is_salience_probability = !o.uses_paper_method();
+  result.smooth_boundaries = o.smooth_boundaries;
+  result.keep_faces = o.keep_faces;
+  return result;
+}
+
+Json report(const Options& o, const Input& input, const std::vector<Index>& labels,
+            std::size_t number_of_segments, const Segmentation_hierarchy& tree,
+            const Run_watch& watch)
+{
+  Json result = status_report(o, Status::OK, "");
+  result.update({
+          {"input_faces", input.soup.number_of_polygons()},
+          {"faces", input.triangles.size()},
+          {"vertices", number_of_vertices(input)},
+          {"node_names", input.node_names},
+          {"mesh_names", input.mesh_names},
+          {"segments", number_of_segments},
+          {"seconds", seconds_report(watch)},
+          {"peak_memory", peak_memory()},
+          {"threads", json_or_null(o.threads)},
+          {"parameters", parameters_report(o)},
+          {"hierarchy", hierarchy_report(tree, input, labels)}});
+  return result;
+}
+
+// Writes the input as meshes, with refined boundaries if its faces need not be kept.
+void write_meshes(const Options& o, const Input& input, const std::vector<Index>& label_of_triangle,
+                  const std::vector<Index>& label_of_polygon, std::size_t number_of_segments,
+                  const Segmentation_hierarchy& tree, Output_files& files)
+{
+  const std::vector<Rgb> colors =
+    segment_colors(segment_neighbors(input, label_of_triangle, number_of_segments));
+  const bool is_refined = !o.keep_faces && number_of_segments > 1;
+  Refined_input refined;
+  if (is_refined)
+    refined = Input_refinement(input, label_of_triangle)(label_of_polygon);
+  const Input& written = is_refined ? refined.input : input;
+  const std::vector<Index>& labels = is_refined ? refined.segment : label_of_polygon;
+  const std::vector<mesh_file::Part> parts =
+    part_tree(tree, label_of_triangle, number_of_segments);
+  const mesh_file::Segmented_mesh mesh{written.soup, labels, colors, parts, refined.polygon};
+  std::pair<Polygon_soup, std::vector<Index> > closed;
+  std::vector<Index> closed_faces;
+  if (o.close) {
+    closed = closed_soup(written, labels);
+    if (is_refined)
+      closed_faces = refined.polygon;
+    else {
+      closed_faces.resize(input.soup.number_of_polygons());
+      std::iota(closed_faces.begin(), closed_faces.end(), Index(0));
+    }
+    closed_faces.resize(closed.second.size(), mesh_file::null_index);
+  }
+  const mesh_file::Segmented_mesh closed_mesh{closed.first, closed.second, colors, parts,
+                                              closed_faces};
+  for (const std::string& name : o.mesh_files)
+    write_mesh(files, name, o.close && has_objects(name) ? closed_mesh : mesh);
+  if (!o.split_directory.empty())
+    write_segments(files, o.split_directory, '.' + o.split_format, o.close ? closed_mesh : mesh);
+}
+
+void print_summary(std::ostream& out, const Options& o, const Input& input,
+                   std::size_t number_of_segments, double seconds)
+{
+  out << o.input << ": " << input.soup.number_of_polygons() << " faces, " << number_of_segments
+      << (number_of_segments == 1 ? " segment, " : " segments, ") << std::fixed
+      << std::setprecision(2) << seconds << " s, " << peak_memory() / 1000000 << " MB" << std::endl;
+  if (!out)
+    throw_cannot_write("the summary");
+}
+
+// Estimates of the times of the phases. Only the reported progress depends on them.
+struct Expected_seconds
+{
+  double reading, joining, segmenting, writing;
+
+  Expected_seconds(double bytes, double faces, bool writes_triangles)
+    : reading(4e-9 * bytes), joining(1e-7 * faces), segmenting(0.2 + 1.5e-6 * faces),
+      writing((writes_triangles ? 3e-7 : 5e-8) * faces) {}
+};
+
+// Segments a mesh and writes the outputs. Returns a row of the table of a batch.
+Json run(const Options& o)
+{
+  limit_memory(1e6 * o.memory_limit);
+#ifdef CGAL_LINKED_WITH_TBB
+  std::optional<tbb::global_control> limit;
+  if (o.threads)
+    limit.emplace(tbb::global_control::max_allowed_parallelism, *o.threads);
+#endif
+  Run_watch watch(!o.quiet && standard_error_is_terminal(), o.time_limit);
+  const bool writes_meshes = !o.mesh_files.empty() || !o.split_directory.empty();
+  const bool writes_triangles = writes_meshes || !o.page_file.empty();
+  const double bytes = size_of_file(o.input);
+  const Expected_seconds first_guess(bytes, bytes / 20, writes_triangles);
+  watch.start_phase("reading", first_guess.reading, first_guess.joining + first_guess.segmenting +
+                                                      first_guess.writing);
+  Scene scene;
+  try {
+    scene = read_scene(o.input, writes_meshes,
+                       {o.time_limit, o.jobs.value_or(1), o.allow_external_files});
+  }
+  catch (const Failure&) {
+    watch.end_phase(); // fails if the reader has taken all the time
+    throw;
+  }
+  const Expected_seconds expected(bytes, static_cast<double>(scene.soup.number_of_polygons()),
+                                  writes_triangles);
+  watch.start_phase("joining", expected.joining, expected.segmenting + expected.writing);
+  Input input = triangulated(std::move(scene));
+  if (input.triangles.empty())
+    throw Failure(Status::MESH, o.input + " has no face with three different corners");
+
+  watch.start_phase("segmentation", expected.segmenting, expected.writing);
+  std::vector<Index> labels(input.triangles.size());
+  Segmentation_hierarchy tree;
+  const std::size_t number_of_segments = segment(input, labels, o, tree, watch);
+
+  watch.start_phase("writing", expected.writing, 0);
+  const std::vector<Index> label_of_polygon = labels_of_polygons(input, labels);
+  Output_files files;
+  if (!o.label_file.empty())
+    files.write(o.label_file, [&](std::ostream& out) { write_labels(out, label_of_polygon); });
+  if (writes_meshes)
+    write_meshes(o, input, labels, label_of_polygon, number_of_segments, tree, files);
+  if (!o.hierarchy_file.empty())
+    files.write(o.hierarchy_file,
+                [&](std::ostream& out) { write_hierarchy(out, tree, input, labels); });
+  if (!o.page_file.empty())
+    files.write(o.page_file, [&](std::ostream& out) {
+      write_page(out, page_data(input, tree, page_options(o, number_of_segments)));
+    });
+  watch.end_phase();
+  if (!o.report_file.empty()) // written last, because it holds the time of the others
+    files.write(o.report_file, [&](std::ostream& out) {
+      out << report(o, input, labels, number_of_segments, tree, watch)
+               .dump(1, ' ', false, Json::error_handler_t::replace) << "\n";
+    });
+  files.commit();
+  watch.hide();
+  if (!o.quiet) {
+    print_summary(o.writes_to_standard_output() ? std::cerr : std::cout, o, input,
+                  number_of_segments, watch.seconds());
+    if (mesh_file::is_inside_out(input.soup.points, input.triangles))
+      std::cerr << "segment_mesh: warning: the faces of " << o.input << " point inwards; turned "
+                   "around, they may have other parts, because parts end in concave seams"
+                << std::endl;
+    if (o.segments && number_of_segments > *o.segments)
+      std::cerr << "segment_mesh: warning: more than " << *o.segments
+                << " segments, because each connected component is at least one" << std::endl;
+  }
+  return {{"input", o.input},
+          {"status", name_of(Status::OK)},
+          {"message", ""},
+          {"faces", input.soup.number_of_polygons()},
+          {"segments", number_of_segments},
+          {"seconds", watch.seconds()},
+          {"peak_memory", peak_memory()}};
+}
+
+// Writes the report of a run that failed, if requested. Returns the row of the run in a table.
+Json report_failure(const Options& o, const Failure& failure)
+{
+  if (!o.report_file.empty())
+    try {
+      Output_files files;
+      files.write(o.report_file, [&](std::ostream& out) {
+        out << status_report(o, failure.status, failure.what())
+                 .dump(1, ' ', false, Json::error_handler_t::replace) << "\n";
+      });
+      files.commit();
+    }
+    catch (const std::exception&) { // only the first failure counts
+    }
+  return {{"input", o.input},
+          {"status", name_of(failure.status)},
+          {"message", failure.what()},
+          {"faces", nullptr},
+          {"segments", nullptr},
+          {"seconds", nullptr},
+          {"peak_memory", nullptr}};
+}
+
+// Returns the options of one mesh of a batch. The names of its outputs begin with `path`.
+Options options_of_mesh(const Options& batch, const std::string& input, const Path& path)
+{
+  Options o = batch;
+  o.input = input;
+  o.quiet = true;
+  o.threads = batch.threads.value_or(1);
+  o.report_file = path.string() + ".json";
+  for (const std::string& format : batch.output_formats) {
+    const std::string name = path.string() + '.' + format;
+    if (format == "labels")
+      o.label_file = name;
+    else if (format == "hierarchy")
+      o.hierarchy_file = name + ".json";
+    else if (format == "html")
+      o.page_file = name;
+    else if (format == "parts")
+      o.split_directory = name;
+    else
+      o.mesh_files.push_back(name);
+  }
+  return o;
+}
+
+Json run_of_batch(const Options& o)
+{
+#ifndef _WIN32
+  if (std::isfinite(o.time_limit))
+    alarm(static_cast<unsigned>(o.time_limit) + 5); // stops code that does not check the limit
+#endif
+  try {
+    check_files(o);
+    std::vector<std::string> files = o.mesh_files;
+    files.insert(files.end(), {o.label_file, o.hierarchy_file, o.page_file});
+    for (const std::string& name : files)
+      if (!name.empty() && is_stream(name)) // nobody may read it
+        throw_cannot_write(name, "it is not a file");
+    return run(o);
+  }
+  catch (...) {
+    return report_failure(o, current_failure(o.input));
+  }
+}
+
+Status run_batch(Options o)
+{
+  std::vector<std::string> inputs = o.inputs;
+  if (!o.list_file.empty())
+    for (std::string& name : read_list(o.list_file))
+      inputs.push_back(std::move(name));
+  const std::size_t cores = (std::max)(1u, std::thread::hardware_concurrency());
+  o.jobs = std::clamp(o.jobs.value_or(cores / o.threads.value_or(1)), std::size_t(1),
+                      (std::max)(inputs.size(), std::size_t(1)));
+  const Json parameters = {{"version", CGAL_SPECTRAL_SEGMENTATION_VERSION},
+                           {"parameters", parameters_report(o)},
+                           {"outputs", o.output_formats}};
+  Batch batch(o.output_directory, !o.quiet && standard_error_is_terminal());
+  const Batch::Counts counts = batch(
+    inputs, parameters, *o.jobs,
+    [&](const std::string& input, const Path& path)
+    { return run_of_batch(options_of_mesh(o, input, path)); },
+    [&](const std::string& input, const Path& path, const Failure& failure)
+    { return report_failure(options_of_mesh(o, input, path), failure); });
+  if (!o.quiet)
+    std::cout << counts.done - counts.failed
+              << (counts.done - counts.failed == 1 ? " mesh segmented, " : " meshes segmented, ")
+              << counts.failed << " failed, " << counts.kept << " done before; see "
+              << (Path(o.output_directory) / "table.jsonl").string() << std::endl;
+  return counts.failed > 0 ? Status::SOME_FAILED : Status::OK;
+}
+
+int fail(const Failure& failure)
+{
+  std::string sentence = failure.what();
+  std::replace(sentence.begin(), sentence.end(), '\n', ' ');
+  std::cerr << "segment_mesh: " << sentence << std::endl;
+  return static_cast<int>(failure.status);
+}
+
+// Returns the failure that CLI11 has found. For an unknown option it suggests a similar one.
+Failure failure_of_usage(const CLI::App& app, const CLI::ParseError& error)
+{
+  for (const std::string& word : app.remaining())
+    if (word.size() > 1 && word[0] == '-') {
+      const std::string similar = similar_option(app, word);
+      return Failure(Status::USAGE, "unknown option " + word +
+                                      (similar.empty() ? "; see --help"
+                                                       : "; did you mean " + similar + "?"));
+    }
+  return Failure(Status::USAGE, error.what());
+}
+
+int main(int argc, char* argv[])
+{
+  // Keeps CGAL from printing the errors that it throws.
+  CGAL::set_error_handler([](const char*, const char*, const char*, int, const char*) {});
+  CGAL::set_warning_handler([](const char*, const char*, const char*, int, const char*) {});
+  Options options;
+  CLI::App app("Cuts a mesh into the parts that a person would name.",
+               "segment_mesh");
+  try {
+    add_options(app, options);
+    app.parse(argc, argv);
+    if (options.prints_man_page || options.prints_completion) {
+      std::cout << (options.prints_man_page ? man_page(app) : bash_completion(app));
+      return EXIT_SUCCESS;
+    }
+    check_usage(options);
+    if (!options.output_directory.empty())
+      return static_cast<int>(run_batch(options));
+    options.input = options.inputs.front();
+    if (std::isfinite(options.memory_limit))
+      options.threads = 1;
+    check_files(options);
+  }
+  catch (const CLI::Success& e) {
+    return app.exit(e);
+  }
+  catch (const CLI::ParseError& e) {
+    return fail(failure_of_usage(app, e));
+  }
+  catch (...) {
+    return fail(current_failure(options.input));
+  }
+  try {
+    run(options);
+    return EXIT_SUCCESS;
+  }
+  catch (...) {
+    const Failure failure = current_failure(options.input);
+    report_failure(options, failure);
+    return fail(failure);
+  }
+}

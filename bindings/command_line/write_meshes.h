@@ -1,0 +1,123 @@
+// Copyright (c) 2026  The Spectral_segmentation authors.
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef SEGMENT_MESH_WRITE_MESHES_H
+#define SEGMENT_MESH_WRITE_MESHES_H
+
+#include "Failure.h"
+#include "Output_files.h"
+#include "../files/Segmented_mesh.h"
+#include "../files/write_mesh_file.h"
+#include "read_input.h"
+#include "../files/segment_colors.h"
+#include "../files/write_by_lib3mf.h"
+
+#include <algorithm>
+#include <cstddef>
+#include <filesystem>
+#include <ostream>
+#include <stdexcept>
+#include <string>
+#include <vector>
+
+namespace segment_mesh {
+
+// For each segment those that it touches. Some that touch only beside a third may be missing.
+inline std::vector<std::vector<std::size_t> >
+segment_neighbors(const Input& input, const std::vector<Index>& segment_of_triangle,
+                  std::size_t number_of_segments)
+{
+  std::vector<std::vector<std::size_t> > neighbors(number_of_segments);
+  std::vector<Index> first_segment(input.soup.points.size(), mesh_file::null_index); // at a point
+  for (std::size_t t = 0; t < input.triangles.size(); ++t)
+    for (Index v : input.triangles[t]) {
+      const Index b = segment_of_triangle[t];
+      if (first_segment[v] == mesh_file::null_index)
+        first_segment[v] = b;
+      const Index a = first_segment[v];
+      if (a != b) {
+        neighbors[a].push_back(b);
+        neighbors[b].push_back(a);
+      }
+    }
+  for (std::vector<std::size_t>& list : neighbors) {
+    std::sort(list.begin(), list.end());
+    list.erase(std::unique(list.begin(), list.end()), list.end());
+  }
+  return neighbors;
+}
+
+// Throws `Failure` if a file of this name would be of no format, or of one that this
+// build does not write.
+inline void check_output_format(const std::filesystem::path& name, bool is_part)
+{
+  if (!has_lib3mf && is_3mf(mesh_file::output_extension(name)))
+    throw Failure(Status::USAGE, "cannot write " + name.string() + ": this build has no 3MF, which "
+                                 "needs lib3mf at build time");
+  const std::string file = name.filename().string();
+  if (mesh_file::output_extension(name) == ".obj" && file.find_first_of("\r\n") != file.npos)
+    throw Failure(Status::USAGE, "the name of an OBJ file has a line break, but the file has to "
+                                 "name its materials in one line");
+  try {
+    mesh_file::check_output_format(name, is_part, has_lib3mf ? ".3mf" : "");
+  }
+  catch (const std::runtime_error& e) {
+    throw Failure(Status::USAGE, e.what());
+  }
+}
+
+inline void write_mesh(std::ostream& out, const std::string& extension,
+                       const mesh_file::Segmented_mesh& mesh, const std::string& materials = "")
+{
+  try {
+    if (is_3mf(extension))
+      write_3mf(out, mesh);
+    else
+      mesh_file::write_mesh_file(out, extension, mesh, materials);
+  }
+  catch (const std::runtime_error& e) { // for example, a coordinate is too large for the format
+    throw Failure(Status::OUTPUT, e.what());
+  }
+}
+
+// In the format that the name tells. OBJ has its colors in a file beside it.
+inline void write_mesh(Output_files& files, const std::filesystem::path& name,
+                       const mesh_file::Segmented_mesh& mesh)
+{
+  const std::string extension = mesh_file::output_extension(name);
+  const std::filesystem::path materials = mesh_file::name_of_materials(name);
+  files.write(name, [&](std::ostream& out)
+              { write_mesh(out, extension, mesh, materials.filename().string()); });
+  if (extension == ".obj")
+    files.write(materials, [&](std::ostream& out) { mesh_file::write_mtl(out, mesh); });
+}
+
+// One mesh a segment, in the files segment_000, segment_001 ... with the extension.
+inline void write_segments(Output_files& files, const std::filesystem::path& directory,
+                           const std::string& extension, const mesh_file::Segmented_mesh& mesh)
+{
+  files.start_segments(directory);
+  mesh_file::Segment_extraction extract(mesh);
+  for (std::size_t s = 0; s < extract.number_of_segments(); ++s) {
+    const Polygon_soup part = extract(s);
+    const std::vector<Index> segment(part.number_of_polygons(), static_cast<Index>(s));
+    const mesh_file::Segmented_mesh written{part, segment, mesh.colors};
+    files.write_segment(s, extension, [&](std::ostream& out)
+                        { write_mesh(out, extension, written); });
+  }
+}
+
+// One a line.
+inline void write_labels(std::ostream& out, const std::vector<Index>& labels)
+{
+  std::string lines;
+  for (Index label : labels) {
+    lines += std::to_string(label);
+    lines += '\n';
+  }
+  out << lines;
+}
+
+} // namespace segment_mesh
+
+#endif // SEGMENT_MESH_WRITE_MESHES_H

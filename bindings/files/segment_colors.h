@@ -1,0 +1,122 @@
+// Copyright (c) 2026  The Spectral_segmentation authors.
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef SEGMENT_MESH_SEGMENT_COLORS_H
+#define SEGMENT_MESH_SEGMENT_COLORS_H
+
+#include "Segmented_mesh.h"
+
+#include <boost/gil.hpp>
+#include <boost/gil/extension/toolbox/color_spaces/hsv.hpp>
+#include <boost/gil/extension/toolbox/color_spaces/lab.hpp>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <deque>
+#include <numeric>
+#include <unordered_set>
+#include <vector>
+
+namespace segment_mesh {
+
+using mesh_file::Rgb;
+
+// A color, and where it lies in CIELAB, in which distance is difference for the eye.
+struct Color
+{
+  Rgb rgb;
+  std::array<float, 3> lab;
+};
+
+inline float difference(const Color& a, const Color& b)
+{ return std::hypot(a.lab[0] - b.lab[0], a.lab[1] - b.lab[1], a.lab[2] - b.lab[2]); }
+
+// An endless sequence of colors. No two are equal, and those near each other in the sequence are
+// far apart: the hue turns by the golden angle, saturation and value run through a sequence of low
+// discrepancy.
+class Color_sequence
+{
+  std::size_t next_ = 1;
+  std::unordered_set<std::uint32_t> used_;
+
+  static Color color(std::size_t i)
+  {
+    const auto fraction = [i](double step) { return std::fmod(static_cast<double>(i) * step, 1.); };
+    const boost::gil::hsv32f_pixel_t hsv(
+      static_cast<float>(fraction(0.6180339887498949)),
+      static_cast<float>(0.35 + 0.55 * fraction(0.7548776662466927)),
+      static_cast<float>(0.65 + 0.35 * fraction(0.5698402909980532)));
+    boost::gil::rgb8_pixel_t rgb;
+    boost::gil::color_convert(hsv, rgb);
+    boost::gil::lab32f_pixel_t lab;
+    boost::gil::color_convert(rgb, lab);
+    return {{rgb[0], rgb[1], rgb[2]}, {lab[0], lab[1], lab[2]}};
+  }
+
+public:
+  Color operator()()
+  {
+    // Past some millions of colors there are hardly any new ones: then old ones must do.
+    for (int attempt = 0; attempt < 100; ++attempt) {
+      const Color c = color(next_++);
+      if (used_.insert(c.rgb[0] << 16 | c.rgb[1] << 8 | c.rgb[2]).second)
+        return c;
+    }
+    return color(next_++);
+  }
+};
+
+// Gives each segment its own color, unlike those of its neighbors. `neighbors` are symmetric lists.
+//
+// Segments with many neighbors choose first. Each takes the first color that differs enough from
+// its neighbors', among some that were passed over and some new ones, else the one that differs
+// most. Colors passed over too often are dropped, so that the number of candidates is bounded.
+inline std::vector<Rgb> segment_colors(const std::vector<std::vector<std::size_t> >& neighbors)
+{
+  const float enough = 45;
+  const std::size_t number_of_candidates = 64;
+  const std::size_t number_kept = 32;
+
+  std::vector<std::size_t> order(neighbors.size());
+  std::iota(order.begin(), order.end(), std::size_t(0));
+  std::stable_sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b)
+                   { return neighbors[a].size() > neighbors[b].size(); });
+
+  Color_sequence sequence;
+  std::deque<Color> candidates;
+  std::vector<Color> colors(neighbors.size());
+  std::vector<char> is_colored(neighbors.size(), 0);
+  for (std::size_t segment : order) {
+    std::size_t best = 0;
+    float largest = -1;
+    for (std::size_t i = 0; i < number_of_candidates && largest < enough; ++i) {
+      if (i == candidates.size())
+        candidates.push_back(sequence());
+      float smallest = enough;
+      for (std::size_t neighbor : neighbors[segment])
+        if (is_colored[neighbor])
+          smallest = (std::min)(smallest, difference(candidates[i], colors[neighbor]));
+      if (smallest > largest) {
+        largest = smallest;
+        best = i;
+      }
+    }
+    colors[segment] = candidates[best];
+    is_colored[segment] = 1;
+    candidates.erase(candidates.begin() + static_cast<std::ptrdiff_t>(best));
+    while (candidates.size() > number_kept)
+      candidates.pop_front();
+  }
+
+  std::vector<Rgb> result;
+  for (const Color& c : colors)
+    result.push_back(c.rgb);
+  return result;
+}
+
+} // namespace segment_mesh
+
+#endif // SEGMENT_MESH_SEGMENT_COLORS_H

@@ -1,0 +1,98 @@
+// Copyright (c) 2026  The Spectral_segmentation authors.
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_SEGMENTED_MESH_CLOSE_SEGMENTS_H
+#define CGAL_SEGMENTED_MESH_CLOSE_SEGMENTS_H
+
+#include <CGAL/Segmented_mesh/internal/capping/Segment_capping.h>
+#include <CGAL/Segmented_mesh/internal/adaptors/read_segments.h>
+#include <CGAL/Segmented_mesh/internal/base.h>
+#include <CGAL/Spectral_segmentation/internal/adaptors/read_triangle_soup.h>
+
+#include <cstddef>
+#include <limits>
+#include <stdexcept>
+#include <vector>
+
+namespace CGAL {
+
+/*!
+\ingroup PkgSpectralSegmentationRef
+
+appends triangles that close each segment of a range of triangles. They close its boundaries to
+other segments, and the borders of the surface that it holds.
+
+The border of a segment consists of the edges that an odd number of its triangles have. It is
+divided into loops, and each loop gets a cap. If the loop deviates from a plane by at most a tenth
+of the diagonal of its bounding box, the cap is a Delaunay triangulation in the projection to that
+plane. Otherwise it is a surface that bends little and has a small area. The vertices of these caps
+are the vertices of the loop. In three cases the cap is a fan around a new point in the middle of
+the loop instead: there is no such cap, an edge of the cap would also be an edge of other triangles,
+or a loop that is not flat is longer than 50 times that diagonal.
+
+The holes of the surface are closed first, then the segments, in ascending order of their area. The
+cap of a segment, turned over, also goes to the segment on its other side. If there are several such
+segments, each gets the sector of the cap between its edges and a new point in the middle of the
+loop, provided these edges are at least a tenth of the loop. Therefore the closed segments fit
+together, even where three of them meet, and the sum of their volumes is the volume of the closed
+surface. Afterwards each edge of a segment belongs to an even number of its triangles: nearly always
+to two if the triangles are those of a mesh, but to four where caps touch each other. Caps are
+oriented like most of the triangles at their loop. They may intersect the surface where it is
+concave.
+
+The time is O(*n* log *n*) for *n* triangles, plus the time of
+`CGAL::Polygon_mesh_processing::triangulate_hole_polyline()` for each loop.
+
+\tparam PointRange a sequence container of points that can be made from three `double`, with the
+  coordinates `p[0]`, `p[1]` and `p[2]`, such as `CGAL::Point_3` and `std::array<double, 3>`
+\tparam TriangleRange a sequence container of ranges of three integers, such as
+  `std::array<std::size_t, 3>` and `std::vector<std::size_t>`
+\tparam SegmentIdRange a sequence container of integers
+
+\param points the points; new points are appended
+\param triangles the corners of each triangle, as indices of points; the triangles of caps are
+  appended
+\param segment_ids the id of the segment of each triangle: any integers; the ids of caps are
+  appended
+
+\return the number of triangles that were appended
+
+\throws std::invalid_argument if a triangle does not have three corners, a corner is not the index
+  of a point, a coordinate of a corner is not finite, or the number of ids is not the number of
+  triangles
+\throws std::overflow_error if there are more points than the type of the corners can number
+
+If the input causes an exception, nothing has been changed.
+*/
+template <class PointRange, class TriangleRange, class SegmentIdRange>
+std::size_t close_segments(PointRange& points, TriangleRange& triangles,
+                           SegmentIdRange& segment_ids)
+{
+  namespace internal = Segmented_mesh::internal;
+  typedef typename PointRange::value_type Point;
+  typedef typename TriangleRange::value_type Triangle;
+  typedef internal::Element<Triangle> Corner;
+
+  const internal::Surface soup =
+    internal::read_triangle_soup(points, triangles, "close_segments");
+  std::vector<internal::Index> labels;
+  const auto ids =
+    internal::read_segments(soup.corners.size(), segment_ids, labels, "close_segments");
+  const internal::Caps caps =
+    internal::Segment_capping(soup.points)(soup.corners, labels, ids.size());
+  if (!caps.points.empty() && points.size() + caps.points.size() - 1 >
+                                static_cast<std::size_t>((std::numeric_limits<Corner>::max)()))
+    throw std::overflow_error("close_segments: the type of the corners is too small for the number "
+                              "of points");
+  for (const internal::Vector& p : caps.points)
+    points.push_back(Point{p.x(), p.y(), p.z()});
+  for (const internal::Corners& t : caps.triangles)
+    triangles.push_back(Triangle{Corner(t[0]), Corner(t[1]), Corner(t[2])});
+  for (internal::Index label : caps.segment)
+    segment_ids.push_back(ids[label]);
+  return caps.triangles.size();
+}
+
+} // namespace CGAL
+
+#endif // CGAL_SEGMENTED_MESH_CLOSE_SEGMENTS_H
