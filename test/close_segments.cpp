@@ -10,6 +10,8 @@
 #include <CGAL/Segmented_mesh/split_into_segments.h>
 
 #include <CGAL/Polygon_mesh_processing/measure.h>
+#include <CGAL/Polygon_mesh_processing/orientation.h>
+#include <CGAL/Polygon_mesh_processing/self_intersections.h>
 #include <CGAL/Polyhedron_3.h>
 #include <CGAL/boost/graph/helpers.h>
 
@@ -68,6 +70,14 @@ std::vector<int> segments_by(const Soup& soup, Function id_at)
   return result;
 }
 
+// Closes segments and returns the number of triangles that were appended.
+std::size_t number_of_caps(Soup& soup, std::vector<int>& segment)
+{
+  const std::size_t n = soup.triangles.size();
+  CGAL::close_segments(soup.points, soup.triangles, segment);
+  return soup.triangles.size() - n;
+}
+
 Point center(const Soup& soup, std::size_t f)
 {
   const auto& t = soup.triangles[f];
@@ -86,7 +96,7 @@ BOOST_AUTO_TEST_CASE(prism_cut_in_its_middle_gets_two_flat_polygons)
   Soup soup = prism(n);
   std::vector<int> segment = segments_by(soup, [](const Point& p) { return p.z() < 1 ? 7 : -3; });
   const std::size_t triangles = soup.triangles.size(), points = soup.points.size();
-  BOOST_TEST(CGAL::close_segments(soup.points, soup.triangles, segment) == 2 * (n - 2));
+  BOOST_TEST(number_of_caps(soup, segment) == 2 * (n - 2));
   BOOST_TEST(soup.points.size() == points);
   BOOST_TEST(segment.size() == triangles + 2 * (n - 2));
   for (std::size_t f = triangles; f < soup.triangles.size(); ++f)
@@ -111,7 +121,7 @@ BOOST_AUTO_TEST_CASE(gear_with_many_teeth_gets_flat_caps)
     soup.triangles.push_back({b, b + 1, a + 1});
   }
   std::vector<int> segment(soup.triangles.size(), 0);
-  BOOST_TEST(CGAL::close_segments(soup.points, soup.triangles, segment) == 2 * (n - 2));
+  BOOST_TEST(number_of_caps(soup, segment) == 2 * (n - 2));
   BOOST_TEST(is_closed(soup, segment));
   BOOST_TEST(volumes(soup, segment)[0] == double(n) / 4 * std::sin(2 * pi / double(n)),
              tt::tolerance(1e-9));
@@ -133,7 +143,7 @@ BOOST_AUTO_TEST_CASE(border_that_fills_space_gets_fans)
     soup.triangles.push_back({b, b + 1, a + 1});
   }
   std::vector<int> segment(soup.triangles.size(), 0);
-  BOOST_TEST(CGAL::close_segments(soup.points, soup.triangles, segment) == 2 * n);
+  BOOST_TEST(number_of_caps(soup, segment) == 2 * n);
   BOOST_TEST(is_closed(soup, segment));
 }
 
@@ -164,7 +174,7 @@ BOOST_AUTO_TEST_CASE(three_sectors_that_meet_at_the_axis_fit)
     return int((std::atan2(p.y(), p.x()) + pi) / (2 * pi) * 3);
   });
   const double whole = volumes(soup, std::vector<int>(segment.size(), 0))[0];
-  BOOST_TEST(CGAL::close_segments(soup.points, soup.triangles, segment) > 0);
+  BOOST_TEST(number_of_caps(soup, segment) > 0);
   BOOST_TEST(is_closed(soup, segment));
   const std::map<int, double> parts = volumes(soup, segment);
   BOOST_TEST(parts.size() == 3);
@@ -192,7 +202,7 @@ BOOST_AUTO_TEST_CASE(cap_whose_edge_is_taken_is_a_fan)
   Soup soup{{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}},
             {{0, 2, 1}, {0, 1, 3}, {1, 2, 3}, {0, 3, 2}}};
   std::vector<int> segment = {0, 0, 1, 1};
-  BOOST_TEST(CGAL::close_segments(soup.points, soup.triangles, segment) == 8);
+  BOOST_TEST(number_of_caps(soup, segment) == 8);
   BOOST_REQUIRE(soup.points.size() == 5);
   BOOST_TEST(soup.points[4] == Point(0.25, 0.25, 0.25));
   BOOST_TEST(is_closed(soup, segment));
@@ -205,10 +215,10 @@ BOOST_AUTO_TEST_CASE(closed_segments_stay_as_they_are)
 {
   Soup soup = sphere(1);
   std::vector<int> segment(soup.triangles.size(), 4);
-  BOOST_TEST(CGAL::close_segments(soup.points, soup.triangles, segment) == 0);
+  BOOST_TEST(number_of_caps(soup, segment) == 0);
   Soup none;
   std::vector<int> no_segment;
-  BOOST_TEST(CGAL::close_segments(none.points, none.triangles, no_segment) == 0);
+  BOOST_TEST(number_of_caps(none, no_segment) == 0);
 }
 
 BOOST_AUTO_TEST_CASE(bad_input_is_refused_and_left_as_it_is)
@@ -263,9 +273,17 @@ BOOST_AUTO_TEST_CASE(open_parts_have_the_faces_of_their_segments)
   }
 }
 
-BOOST_AUTO_TEST_CASE(closed_parts_fill_real_meshes)
+// Returns what `CGAL::Segmented_mesh::Closed_segment` tells, as CGAL finds it for the mesh of a part.
+bool is_solid(const Mesh& part)
 {
-  for (const char* name : {"elephant", "hand", "homer", "cow"}) {
+  return CGAL::is_closed(part) && PMP::volume(part) > 0 && !PMP::does_self_intersect(part) &&
+         PMP::is_outward_oriented(part);
+}
+
+// Their boundaries have folds and teeth, so that flat caps would leave the solid.
+BOOST_AUTO_TEST_CASE(closed_parts_of_real_meshes_are_solid)
+{
+  for (const char* name : {"elephant", "hand", "homer", "oblong", "part", "joint"}) {
     BOOST_TEST_CONTEXT(name) {
       const Mesh mesh = mesh_of(read(name + std::string(".off")));
       Labels labels;
@@ -273,14 +291,17 @@ BOOST_AUTO_TEST_CASE(closed_parts_fill_real_meshes)
       const std::size_t n = CGAL::segment_spectral_recursive(mesh, segment_ids);
       std::vector<Mesh> parts;
       std::vector<std::vector<Mesh::Face_index> > faces;
-      CGAL::split_into_segments(mesh, segment_ids, parts,
-                                params::faces_of_parts(faces).close_parts(true));
+      const auto segments = CGAL::split_into_segments(
+        mesh, segment_ids, parts, params::faces_of_parts(faces).close_parts(true));
       BOOST_REQUIRE(parts.size() == n);
+      BOOST_REQUIRE(segments.size() == n);
       double sum = 0;
       std::size_t number = 0;
       for (std::size_t s = 0; s < n; ++s) {
-        BOOST_TEST(CGAL::is_closed(parts[s]));
-        BOOST_TEST(PMP::volume(parts[s]) > 0);
+        BOOST_TEST(is_solid(parts[s]));
+        BOOST_TEST(segments[s].id == s);
+        BOOST_TEST(segments[s].is_solid());
+        BOOST_TEST(segments[s].volume == PMP::volume(parts[s]), tt::tolerance(1e-9));
         sum += PMP::volume(parts[s]);
         for (Mesh::Face_index f : faces[s])
           number += f != Mesh::null_face();
@@ -290,6 +311,71 @@ BOOST_AUTO_TEST_CASE(closed_parts_fill_real_meshes)
       BOOST_TEST(sum == PMP::volume(mesh), tt::tolerance(1e-9));
     }
   }
+}
+
+// One of its segments is a flat base, whose cap must not lie in it.
+BOOST_AUTO_TEST_CASE(base_of_a_prism_that_is_inside_out_becomes_solid)
+{
+  const Soup soup = turned_inside_out(prism(12));
+  const Mesh mesh = mesh_of(soup);
+  Labels labels;
+  const auto segment_ids = map_to(labels, mesh);
+  for (Mesh::Face_index f : mesh.faces())
+    labels[f] = center(soup, f).z() > 1.9 ? 1 : 0;
+  std::vector<Mesh> parts;
+  CGAL::split_into_segments(mesh, segment_ids, parts, params::close_parts(true));
+  BOOST_REQUIRE(parts.size() == 2);
+  BOOST_TEST(is_solid(parts[0]));
+  BOOST_TEST(is_solid(parts[1]));
+  BOOST_TEST(PMP::volume(parts[0]) + PMP::volume(parts[1]) == -PMP::volume(mesh),
+             tt::tolerance(1e-12));
+}
+
+// Each property fails alone. The volumes are worked out by hand.
+BOOST_AUTO_TEST_CASE(what_does_not_hold_is_told)
+{
+  const auto told = [](Soup soup) {
+    std::vector<int> segment(soup.triangles.size(), 7);
+    const auto result = CGAL::close_segments(soup.points, soup.triangles, segment);
+    BOOST_REQUIRE(result.size() == 1);
+    BOOST_TEST(result[0].id == 7);
+    return result[0];
+  };
+  const auto add_tetrahedron = [](Soup& soup, const std::vector<Point>& corners) {
+    const std::size_t n = soup.points.size();
+    soup.points.insert(soup.points.end(), corners.begin(), corners.end());
+    for (const auto& t : std::vector<std::vector<std::size_t> >{
+           {0, 2, 1}, {0, 1, 3}, {1, 2, 3}, {0, 3, 2}})
+      soup.triangles.push_back({n + t[0], n + t[1], n + t[2]});
+  };
+  const std::vector<Point> corners = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}};
+  Soup soup;
+  add_tetrahedron(soup, corners);
+  BOOST_TEST(told(soup).is_solid());
+  BOOST_TEST(told(soup).volume == 1. / 6, tt::tolerance(1e-12));
+
+  const Soup inside_out = turned_inside_out(soup);
+  BOOST_TEST(!told(inside_out).is_outward_oriented);
+  BOOST_TEST(told(inside_out).is_manifold);
+  BOOST_TEST(!told(inside_out).has_self_intersections);
+
+  Soup two = soup; // the second one intersects the first
+  add_tetrahedron(two, {{0.1, 0.1, 0.1}, {1.1, 0.1, 0.1}, {0.1, 1.1, 0.1}, {0.1, 0.1, 1.1}});
+  BOOST_TEST(told(two).has_self_intersections);
+  BOOST_TEST(told(two).is_manifold);
+  BOOST_TEST(told(two).volume == 1. / 3, tt::tolerance(1e-12));
+
+  Soup pinched = soup; // both have the vertex 0
+  add_tetrahedron(pinched, {{0, 0, 0}, {-1, 0, 0}, {0, 0, -1}, {0, -1, 0}});
+  for (auto& t : pinched.triangles)
+    std::replace(t.begin(), t.end(), std::size_t(4), std::size_t(0));
+  BOOST_TEST(told(pinched).is_closed);
+  BOOST_TEST(!told(pinched).is_manifold);
+
+  Soup edge = soup; // a third triangle at an edge, which a flat cap doubles
+  edge.triangles.push_back({0, 1, 2});
+  BOOST_TEST(!told(edge).is_closed);
+  BOOST_TEST(!told(edge).is_solid());
 }
 
 BOOST_AUTO_TEST_CASE(parts_of_a_polyhedron)

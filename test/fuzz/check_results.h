@@ -10,6 +10,8 @@
 #include <CGAL/Segmented_mesh/refine_segment_boundaries.h>
 #include <CGAL/Segmented_mesh/split_into_segments.h>
 
+#include <CGAL/Polygon_mesh_processing/measure.h>
+#include <CGAL/Polygon_mesh_processing/self_intersections.h>
 #include <CGAL/boost/graph/helpers.h>
 
 #include <algorithm>
@@ -19,6 +21,7 @@
 #include <cstring>
 #include <limits>
 #include <map>
+#include <set>
 #include <stdexcept>
 #include <string>
 #include <tuple>
@@ -205,9 +208,8 @@ inline void check_closing(const Soup& before, const Ids& old_ids, const Mesh* me
 {
   Soup soup = before;
   Ids ids = old_ids;
-  const std::size_t n = CGAL::close_segments(soup.points, soup.triangles, ids);
-  require(soup.triangles.size() == before.triangles.size() + n &&
-            ids.size() == soup.triangles.size(), "caps are counted");
+  const auto segments = CGAL::close_segments(soup.points, soup.triangles, ids);
+  require(ids.size() == soup.triangles.size(), "each triangle of a cap has an id");
   require(std::equal(before.triangles.begin(), before.triangles.end(), soup.triangles.begin()) &&
             std::equal(old_ids.begin(), old_ids.end(), ids.begin()), "caps come last");
   std::map<std::tuple<int, std::size_t, std::size_t>, std::size_t> number_at_edge;
@@ -217,8 +219,15 @@ inline void check_closing(const Soup& before, const Ids& old_ids, const Mesh* me
       if (v != w)
         ++number_at_edge[{ids[f], v, w}];
     }
-  for (const auto& [edge, number] : number_at_edge)
+  std::set<int> other_than_two; // the segments with other edges than such of two triangles
+  for (const auto& [edge, number] : number_at_edge) {
     require(number % 2 == 0, "an edge of a closed segment has an even number of triangles");
+    if (number != 2)
+      other_than_two.insert(std::get<0>(edge));
+  }
+  for (const auto& segment : segments)
+    require(!segment.is_closed || other_than_two.count(segment.id) == 0,
+            "an edge of a closed segment has two triangles");
   if (mesh && CGAL::is_closed(*mesh))
     require(std::abs(volume(soup) - volume(before)) <= 1e-9 * double(ids.size()),
             "closed segments have the volume of the closed mesh");
@@ -236,16 +245,21 @@ inline void check_splitting(const Mesh& mesh, const Ids& ids, bool close_parts)
     result.erase(std::unique(result.begin(), result.end()), result.end());
     return result;
   }();
+  namespace PMP = CGAL::Polygon_mesh_processing;
   std::vector<Mesh> parts;
   std::vector<std::vector<Mesh::Face_index> > faces_of_parts;
-  CGAL::split_into_segments(copy, id, parts,
-                            parameters::close_parts(close_parts).faces_of_parts(faces_of_parts));
+  const auto segments = CGAL::split_into_segments(
+    copy, id, parts, parameters::close_parts(close_parts).faces_of_parts(faces_of_parts));
   require(parts.size() == sorted.size() && faces_of_parts.size() == sorted.size(),
           "each segment is a part");
   std::size_t number_of_faces = 0;
   for (std::size_t i = 0; i < parts.size(); ++i) {
     require(CGAL::is_valid_polygon_mesh(parts[i]), "a part is a valid mesh");
     require(parts[i].number_of_faces() == faces_of_parts[i].size(), "a part has its faces");
+    if (close_parts)
+      require(segments[i].is_solid() ==
+                (CGAL::is_closed(parts[i]) && PMP::volume(parts[i]) > 0 &&
+                 !PMP::does_self_intersect(parts[i])), "a part is told to be solid if it is");
     for (Mesh::Face_index f : faces_of_parts[i])
       if (f != Mesh::null_face()) {
         ++number_of_faces;

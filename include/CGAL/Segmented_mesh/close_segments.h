@@ -4,7 +4,9 @@
 #ifndef CGAL_SEGMENTED_MESH_CLOSE_SEGMENTS_H
 #define CGAL_SEGMENTED_MESH_CLOSE_SEGMENTS_H
 
+#include <CGAL/Segmented_mesh/Closed_segment.h>
 #include <CGAL/Segmented_mesh/internal/capping/Segment_capping.h>
+#include <CGAL/Segmented_mesh/internal/capping/check_segment.h>
 #include <CGAL/Segmented_mesh/internal/adaptors/read_segments.h>
 #include <CGAL/Segmented_mesh/internal/base.h>
 #include <CGAL/Spectral_segmentation/internal/adaptors/read_triangle_soup.h>
@@ -23,22 +25,28 @@ appends triangles that close each segment of a range of triangles. They close it
 other segments, and the borders of the surface that it holds.
 
 The border of a segment consists of the edges that an odd number of its triangles have. It is
-divided into loops, and each loop gets a cap. If the loop deviates from a plane by at most a tenth
-of the diagonal of its bounding box, the cap is a Delaunay triangulation in the projection to that
-plane. Otherwise it is a surface that bends little and has a small area. The vertices of these caps
-are the vertices of the loop. In three cases the cap is a fan around a new point in the middle of
-the loop instead: there is no such cap, an edge of the cap would also be an edge of other triangles,
-or a loop that is not flat is longer than 50 times that diagonal.
+divided into loops, and each loop gets a cap. The holes of the surface are closed first, then the
+segments, in ascending order of their area. The cap of a segment, turned over, also goes to the
+segment on its other side. If there are several such segments, each gets the sector of the cap
+between its edges and a new point in the middle of the loop, provided these edges are at least a
+tenth of the loop. Therefore the closed segments fit together, even where three of them meet, and
+the sum of their volumes is the volume of the closed surface.
 
-The holes of the surface are closed first, then the segments, in ascending order of their area. The
-cap of a segment, turned over, also goes to the segment on its other side. If there are several such
-segments, each gets the sector of the cap between its edges and a new point in the middle of the
-loop, provided these edges are at least a tenth of the loop. Therefore the closed segments fit
-together, even where three of them meet, and the sum of their volumes is the volume of the closed
-surface. Afterwards each edge of a segment belongs to an even number of its triangles: nearly always
-to two if the triangles are those of a mesh, but to four where caps touch each other. Caps are
-oriented like most of the triangles at their loop. They may intersect the surface where it is
-concave.
+Several caps are tried in this order. The first one that lies inside the surface, and intersects
+neither it nor other caps, is taken:
+-# triangles between the vertices of the loop: a Delaunay triangulation in the projection to a plane
+   if the loop deviates from it by at most a tenth of the diagonal of its bounding box, otherwise a
+   surface that bends little and has a small area;
+-# a fan around a new point in the middle of the loop;
+-# a strip that leads from the loop to the inside of the surface, for half an edge, two edges, or a
+   tenth of an edge, and such triangles inside;
+-# for all loops of the segment together, a copy of its triangles that is moved inwards for less
+   than an edge, so that the segment becomes a shell.
+
+If none does, the first cap whose edges have no further triangles stays. This is so for loops around
+a cavity or a tunnel that is narrower than an edge, or if the surface intersects itself. The result
+tells for each segment whether it bounds a solid, and if not, why. A surface that is inside out
+stays so, and its segments are told not to be oriented outward.
 
 The time is O(*n* log *n*) for *n* triangles, plus the time of
 `CGAL::Polygon_mesh_processing::triangulate_hole_polyline()` for each loop.
@@ -55,7 +63,8 @@ The time is O(*n* log *n*) for *n* triangles, plus the time of
 \param segment_ids the id of the segment of each triangle: any integers; the ids of caps are
   appended
 
-\return the number of triangles that were appended
+\return what holds for each closed segment, in ascending order of the ids, as
+  `CGAL::Segmented_mesh::Closed_segment`
 
 \throws std::invalid_argument if a triangle does not have three corners, a corner is not the index
   of a point, a coordinate of a corner is not finite, or the number of ids is not the number of
@@ -65,8 +74,12 @@ The time is O(*n* log *n*) for *n* triangles, plus the time of
 If the input causes an exception, nothing has been changed.
 */
 template <class PointRange, class TriangleRange, class SegmentIdRange>
-std::size_t close_segments(PointRange& points, TriangleRange& triangles,
-                           SegmentIdRange& segment_ids)
+#ifdef DOXYGEN_RUNNING
+std::vector<Segmented_mesh::Closed_segment<Id> >
+#else
+std::vector<Segmented_mesh::Closed_segment<typename SegmentIdRange::value_type> >
+#endif
+close_segments(PointRange& points, TriangleRange& triangles, SegmentIdRange& segment_ids)
 {
   namespace internal = Segmented_mesh::internal;
   typedef typename PointRange::value_type Point;
@@ -78,19 +91,20 @@ std::size_t close_segments(PointRange& points, TriangleRange& triangles,
   std::vector<internal::Index> labels;
   const auto ids =
     internal::read_segments(soup.corners.size(), segment_ids, labels, "close_segments");
-  const internal::Caps caps =
-    internal::Segment_capping(soup.points)(soup.corners, labels, ids.size());
+  const internal::Segment_capping capping(soup.points, soup.corners, labels, ids.size());
+  const internal::Caps& caps = capping.caps();
   if (!caps.points.empty() && points.size() + caps.points.size() - 1 >
                                 static_cast<std::size_t>((std::numeric_limits<Corner>::max)()))
     throw std::overflow_error("close_segments: the type of the corners is too small for the number "
                               "of points");
+  auto result = internal::closed_segments(capping, ids);
   for (const internal::Vector& p : caps.points)
     points.push_back(Point{p.x(), p.y(), p.z()});
   for (const internal::Corners& t : caps.triangles)
     triangles.push_back(Triangle{Corner(t[0]), Corner(t[1]), Corner(t[2])});
   for (internal::Index label : caps.segment)
     segment_ids.push_back(ids[label]);
-  return caps.triangles.size();
+  return result;
 }
 
 } // namespace CGAL

@@ -4,7 +4,10 @@
 #ifndef CGAL_SEGMENTED_MESH_SPLIT_INTO_SEGMENTS_H
 #define CGAL_SEGMENTED_MESH_SPLIT_INTO_SEGMENTS_H
 
+#include <CGAL/Segmented_mesh/Closed_segment.h>
 #include <CGAL/Segmented_mesh/internal/capping/Segment_capping.h>
+#include <CGAL/Segmented_mesh/internal/capping/check_segment.h>
+#include <CGAL/Segmented_mesh/internal/triangle_sides.h>
 #include <CGAL/Segmented_mesh/internal/adaptors/read_segments.h>
 #include <CGAL/Segmented_mesh/internal/base.h>
 #include <CGAL/Spectral_segmentation/internal/adaptors/read_triangle_mesh.h>
@@ -15,7 +18,9 @@
 #include <CGAL/boost/graph/named_params_helper.h>
 
 #include <boost/graph/graph_traits.hpp>
+#include <boost/property_map/property_map.hpp>
 
+#include <array>
 #include <cstddef>
 #include <type_traits>
 #include <utility>
@@ -43,31 +48,42 @@ public:
   explicit Part_builder(const std::vector<Point>& points)
     : points_(points), number_(points.size(), null_index) {}
 
-  // Makes the i-th triangle the i-th face. Doubles the points where the part is not a manifold.
+  // Makes the i-th triangle the i-th face. Doubles the points where the part is no manifold.
   template <class Mesh>
-  void operator()(const std::vector<Corners>& triangles, Mesh& mesh)
+  void operator()(const std::vector<Corners>& triangles, bool is_manifold, Mesh& mesh)
   {
     namespace PMP = CGAL::Polygon_mesh_processing;
     std::vector<Point> points;
-    std::vector<std::vector<std::size_t> > polygons;
+    std::vector<std::array<std::size_t, 3> > polygons;
     for (const Corners& t : triangles) {
-      std::vector<std::size_t> polygon;
-      for (Index v : t) {
+      for (Index v : t)
         if (number_[v] == null_index) {
           number_[v] = static_cast<Index>(points.size());
           points.push_back(points_[v]);
         }
-        polygon.push_back(number_[v]);
-      }
-      polygons.push_back(std::move(polygon));
+      polygons.push_back({number_[t[0]], number_[t[1]], number_[t[2]]});
     }
     for (const Corners& t : triangles)
       for (Index v : t)
         number_[v] = null_index;
-    PMP::orient_polygon_soup(points, polygons);
+    if (!is_manifold)
+      PMP::orient_polygon_soup(points, polygons);
     PMP::polygon_soup_to_polygon_mesh(points, polygons, mesh);
   }
 };
+
+// Turns the parts of a surface that is inside out.
+template <class Id>
+void turn(std::vector<std::vector<Corners> >& triangles, std::vector<Closed_segment<Id> >& segments)
+{
+  for (std::vector<Corners>& part : triangles)
+    for (Corners& t : part)
+      std::swap(t[1], t[2]);
+  for (Closed_segment<Id>& s : segments) {
+    s.volume = -s.volume;
+    s.is_outward_oriented = s.volume > 0;
+  }
+}
 
 } // namespace internal
 } // namespace Segmented_mesh
@@ -81,7 +97,7 @@ makes a mesh of each segment of a triangle mesh, open or closed.
 A part has the faces of its segment in their order, with unchanged points. If a part touches itself
 at a vertex, that vertex is doubled. With `close_parts(true)` the faces of caps follow. They close
 the boundaries of the part to other segments and the borders of the mesh, as `close_segments()`
-does.
+does. If the closed surface is inside out, its parts are turned.
 
 The time is O(*n* log *n*) for *n* faces, plus the time of closing.
 
@@ -130,14 +146,24 @@ The time is O(*n* log *n*) for *n* faces, plus the time of closing.
   \cgalParamNEnd
 \cgalNamedParamsEnd
 
+\return with `close_parts(true)` what holds for each part, in the order of the parts, as
+  `CGAL::Segmented_mesh::Closed_segment`; otherwise nothing
+
 \throws std::invalid_argument if a face is not a triangle or a coordinate is not finite. In
   this case nothing has been appended.
 */
 template <class TriangleMesh, class SegmentIdMap, class PartRange,
           class NamedParameters = CGAL::parameters::Default_named_parameters>
-void split_into_segments(const TriangleMesh& mesh, SegmentIdMap segment_ids, PartRange& parts,
-                         const NamedParameters& np = NamedParameters())
+#ifdef DOXYGEN_RUNNING
+std::vector<Segmented_mesh::Closed_segment<Id> >
+#else
+std::vector<Segmented_mesh::Closed_segment<
+  typename boost::property_traits<SegmentIdMap>::value_type> >
+#endif
+split_into_segments(const TriangleMesh& mesh, SegmentIdMap segment_ids, PartRange& parts,
+                    const NamedParameters& np = NamedParameters())
 {
+  typedef typename boost::property_traits<SegmentIdMap>::value_type Id;
   namespace internal = Segmented_mesh::internal;
   namespace tags = Spectral_segmentation::internal_np;
   using CGAL::parameters::choose_parameter;
@@ -162,7 +188,8 @@ void split_into_segments(const TriangleMesh& mesh, SegmentIdMap segment_ids, Par
   for (auto v : vertices(mesh))
     points.push_back(get(point_map, v));
   std::vector<internal::Index> labels;
-  const std::size_t n = internal::read_segments(faces_of_mesh, segment_ids, labels).size();
+  const auto ids = internal::read_segments(faces_of_mesh, segment_ids, labels);
+  const std::size_t n = ids.size();
 
   std::vector<std::vector<internal::Corners> > triangles_of_part(n);
   std::vector<std::vector<face_descriptor> > faces_of_part(n);
@@ -170,23 +197,32 @@ void split_into_segments(const TriangleMesh& mesh, SegmentIdMap segment_ids, Par
     triangles_of_part[labels[f]].push_back(triangles.corners[f]);
     faces_of_part[labels[f]].push_back(faces_of_mesh[f]);
   }
+  std::vector<Segmented_mesh::Closed_segment<Id> > result;
   if (choose_parameter(get_parameter(pack, tags::close_parts), false)) {
-    const internal::Caps caps =
-      internal::Segment_capping(triangles.points)(triangles.corners, labels, n);
+    const internal::Segment_capping capping(triangles.points, triangles.corners, labels, n);
+    const internal::Caps& caps = capping.caps();
+    result = internal::closed_segments(capping, ids);
     for (const internal::Vector& p : caps.points)
       points.push_back(Point(p.x(), p.y(), p.z()));
     for (std::size_t i = 0; i < caps.triangles.size(); ++i) {
       triangles_of_part[caps.segment[i]].push_back(caps.triangles[i]);
       faces_of_part[caps.segment[i]].push_back(Graph_traits::null_face());
     }
+    if (capping.is_inside_out())
+      internal::turn(triangles_of_part, result);
   }
   internal::Part_builder<Point> build(points);
-  for (const std::vector<internal::Corners>& part : triangles_of_part) {
+  for (std::size_t i = 0; i < n; ++i) {
+    const std::vector<internal::Corners>& part = triangles_of_part[i];
+    const bool is_manifold = result.empty()
+                               ? internal::is_manifold(part, internal::sorted_sides(part))
+                               : result[i].is_manifold;
     parts.emplace_back();
-    build(part, parts.back());
+    build(part, is_manifold, parts.back());
   }
   if constexpr (internal::is_given<Pack, tags::faces_of_parts_t>)
     get_parameter(pack, tags::faces_of_parts).get() = std::move(faces_of_part);
+  return result;
 }
 
 } // namespace CGAL

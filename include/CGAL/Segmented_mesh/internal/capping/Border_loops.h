@@ -23,9 +23,14 @@ typedef std::pair<Index, Index> Vertex_pair;
 
 inline Vertex_pair vertex_pair(Index v, Index w) { return {(std::min)(v, w), (std::max)(v, w)}; }
 
-// The edges that an odd number of triangles of a set have. The number is positive if the triangles
-// pass the edge from its smaller to its larger vertex, negative if back.
-typedef std::map<Vertex_pair, int> Border;
+struct Border_edge
+{
+  int direction; // positive if its triangles pass it from its smaller to its larger vertex
+  Index apex;    // the third corner of one of its triangles
+};
+
+// The edges that an odd number of triangles of a set have.
+typedef std::map<Vertex_pair, Border_edge> Border;
 
 // Splits a border into loops that pass no vertex twice, against the direction of most of the
 // triangles at them. Loops contain all border edges, however the triangles meet and are oriented,
@@ -90,12 +95,12 @@ class Border_loops
 public:
   explicit Border_loops(const Border& border)
   {
-    for (const auto& [edge, direction] : border) {
-      unused_[edge.first].emplace_back(edge.second, direction);
-      unused_[edge.second].emplace_back(edge.first, -direction);
+    for (const auto& [vertices, edge] : border) {
+      unused_[vertices.first].emplace_back(vertices.second, edge.direction);
+      unused_[vertices.second].emplace_back(vertices.first, -edge.direction);
     }
-    for (const auto& [edge, direction] : border)
-      walk(edge.first);
+    for (const auto& [vertices, edge] : border)
+      walk(vertices.first);
   }
 
   const std::vector<std::vector<Index> >& operator()() const { return loops_; }

@@ -4,20 +4,18 @@
 #ifndef CGAL_SEGMENTED_MESH_INTERNAL_CAPPING_SEGMENT_CAPPING_H
 #define CGAL_SEGMENTED_MESH_INTERNAL_CAPPING_SEGMENT_CAPPING_H
 
-#include <CGAL/Segmented_mesh/internal/base.h>
-#include <CGAL/Segmented_mesh/internal/capping/Border_loops.h>
+#include <CGAL/Segmented_mesh/internal/capping/Segment_borders.h>
+#include <CGAL/Segmented_mesh/internal/capping/Triangle_tree.h>
+#include <CGAL/Segmented_mesh/internal/capping/most_visible_normal.h>
 #include <CGAL/Segmented_mesh/internal/capping/triangulated_loop.h>
-#include <CGAL/Spectral_segmentation/internal/surface/Surface.h>
-
-#include <CGAL/assertions.h>
 
 #include <algorithm>
+#include <cmath>
 #include <cstddef>
-#include <functional>
-#include <map>
+#include <limits>
 #include <numeric>
 #include <set>
-#include <tuple>
+#include <unordered_map>
 #include <utility>
 #include <vector>
 
@@ -36,86 +34,40 @@ struct Caps
 // together, even where three of them meet.
 class Segment_capping
 {
-  typedef std::vector<Index> Loop;
-
-  // A part of a loop, as a range of its edges.
-  struct Arc
+  // A piece of a cap, with the segment on its other side.
+  struct Piece
   {
     Index segment;
-    std::size_t begin, end;
-    double length;
-  };
-
-  struct Cap
-  {
-    Index segment; // the segment on its other side
     std::vector<Corners> triangles;
   };
 
-  const std::vector<Vector>& points_;
-  std::vector<Border> border_;                               // one per segment
-  std::map<Vertex_pair, std::vector<Index> > segments_at_;   // the segments whose border it is in
+  typedef std::vector<Piece> Cap;
+
+  // A way to make a cap: its rim leads inwards for `depth` edges of the loop.
+  struct Shape
+  {
+    double depth;
+    bool is_fan; // around a new point in the middle
+  };
+
+  // The shapes in ascending order of effort. All but the first two are for loops whose caps would
+  // leave the solid near the loop, because its vertices zigzag or lie in a concave fold.
+  static constexpr Shape shapes_[] = {{0, false}, {0, true}, {0.5, false}, {2, false}, {0.1, false}};
+
+  std::size_t number_of_given_points_;
+  std::vector<Vector> points_;  // with the new points
+  std::unordered_map<Index, Vector> normals_; // outward, at the given points of borders
+  std::vector<std::vector<Corners> > triangles_; // of each segment, with its caps
+  Segment_borders borders_;
+  Triangle_tree tree_;
   std::set<Vertex_pair> taken_; // edges of triangles and caps, where one more triangle is too many
+  double orientation_ = 1;      // -1 if the surface is inside out
   Caps result_;
-
-  void add_border_edge(Index segment, const Vertex_pair& edge, int direction)
-  {
-    border_[segment].emplace(edge, direction);
-    segments_at_[edge].push_back(segment);
-  }
-
-  // Adds a triangle. A second triangle at an edge removes the edge from the border.
-  void add_triangle(Index segment, const Corners& t)
-  {
-    result_.triangles.push_back(t);
-    result_.segment.push_back(segment);
-    for (int i = 0; i < 3; ++i) {
-      const Index v = t[i], w = t[(i + 1) % 3];
-      const Vertex_pair edge = vertex_pair(v, w);
-      if (border_[segment].erase(edge) == 0) {
-        add_border_edge(segment, edge, v < w ? 1 : -1);
-        continue;
-      }
-      std::vector<Index>& segments = segments_at_[edge];
-      segments.erase(std::find(segments.begin(), segments.end(), segment));
-    }
-  }
-
-  // Finds the edges that an odd number of triangles of a segment have.
-  void find_borders(const std::vector<Corners>& triangles, const std::vector<Index>& segment)
-  {
-    struct Edge
-    {
-      Index segment;
-      Vertex_pair vertices;
-      int direction;
-      bool operator<(const Edge& e) const
-      { return std::tie(segment, vertices) < std::tie(e.segment, e.vertices); }
-    };
-    std::vector<Edge> edges;
-    edges.reserve(3 * triangles.size());
-    for (std::size_t f = 0; f < triangles.size(); ++f)
-      for (int i = 0; i < 3; ++i) {
-        const Index v = triangles[f][i], w = triangles[f][(i + 1) % 3];
-        if (v != w)
-          edges.push_back({segment[f], vertex_pair(v, w), v < w ? 1 : -1});
-      }
-    std::sort(edges.begin(), edges.end());
-    for (auto begin = edges.begin(), end = begin; begin != edges.end(); begin = end) {
-      int direction = 0;
-      for (; end != edges.end() && !(*begin < *end); ++end)
-        direction += end->direction;
-      if ((end - begin) % 2 == 1)
-        add_border_edge(begin->segment, begin->vertices, direction);
-    }
-  }
 
   // Takes the edges between vertices of borders, because other edges cannot be edges of a cap.
   void take_edges(const std::vector<Corners>& triangles)
   {
-    std::vector<char> is_at_border(points_.size(), 0);
-    for (const auto& [edge, segments] : segments_at_)
-      is_at_border[edge.first] = is_at_border[edge.second] = 1;
+    const std::vector<char> is_at_border = borders_.vertices(points_.size());
     for (const Corners& t : triangles)
       for (int i = 0; i < 3; ++i) {
         const Index v = t[i], w = t[(i + 1) % 3];
@@ -124,16 +76,26 @@ class Segment_capping
       }
   }
 
-  const Vector& point(Index v) const
-  { return v < points_.size() ? points_[v] : result_.points[v - points_.size()]; }
+  void add_triangle(Index segment, const Corners& t)
+  {
+    result_.triangles.push_back(t);
+    result_.segment.push_back(segment);
+    triangles_[segment].push_back(t);
+    borders_.add_triangle(segment, t);
+  }
+
+  Index add_point(const Vector& p)
+  {
+    points_.push_back(p);
+    return static_cast<Index>(points_.size() - 1);
+  }
 
   Index add_middle(const Loop& loop)
   {
     Vector middle;
     for (Index v : loop)
-      middle += point(v) / static_cast<double>(loop.size());
-    result_.points.push_back(middle);
-    return static_cast<Index>(points_.size() + result_.points.size() - 1);
+      middle += points_[v] / static_cast<double>(loop.size());
+    return add_point(middle);
   }
 
   std::vector<Corners> fan(const Loop& loop)
@@ -145,169 +107,343 @@ class Segment_capping
     return result;
   }
 
-  std::vector<Corners> triangles_in(const Loop& loop)
+  // Returns triangles between the vertices of a loop; none if CGAL finds none.
+  std::vector<Corners> triangles_in(const Loop& loop) const
   {
     std::vector<Vector> points;
     for (Index v : loop)
-      points.push_back(point(v));
+      points.push_back(points_[v]);
     std::vector<Corners> triangles = triangulated_loop(std::move(points));
-    std::vector<Vertex_pair> inner_edges;
-    const auto n = static_cast<Index>(loop.size());
-    for (Corners& t : triangles) {
-      for (const auto& [i, j] : {Vertex_pair(t[0], t[1]), {t[1], t[2]}, {t[0], t[2]}})
-        if (j - i > 1 && j - i < n - 1)
-          inner_edges.push_back(vertex_pair(loop[i], loop[j]));
+    for (Corners& t : triangles)
       t = {loop[t[0]], loop[t[1]], loop[t[2]]};
-    }
-    if (triangles.empty() || std::any_of(inner_edges.begin(), inner_edges.end(), [&](const auto& e)
-                                         { return taken_.count(e) > 0; }))
-      return fan(loop);
-    taken_.insert(inner_edges.begin(), inner_edges.end());
     return triangles;
   }
 
-  // Returns the first segment at a border edge, except `other_than`.
-  Index segment_at(Index v, Index w, Index other_than) const
+  // Returns the outward normal of a triangle, of length 1 unless the triangle is degenerate.
+  Vector outward_normal(const Corners& t) const
   {
-    for (Index s : segments_at_.at(vertex_pair(v, w)))
-      if (s != other_than)
-        return s;
-    CGAL_assertion_msg(false, "a border edge of one segment only");
-    return null_index;
+    const Vector normal = (points_[t[1]] - points_[t[0]]).cross(points_[t[2]] - points_[t[0]]);
+    const double norm = normal.norm();
+    return norm > 0 ? normal * (orientation_ / norm) : Vector();
   }
 
-  // Splits a loop where another segment begins, by the segment of each edge.
-  std::vector<Arc> arcs(Loop& loop, std::vector<Index>& segments) const
+  // Returns the copy of a loop that lies inside the surface, `depth` edges deep, and is smoother.
+  // Vertices of other caps, which lie inside, stay.
+  Loop moved_inwards(const Loop& loop, double depth)
   {
-    const auto change = std::adjacent_find(segments.begin(), segments.end(),
-                                           std::not_equal_to<Index>());
-    const auto first = change == segments.end() ? 0 : change + 1 - segments.begin();
-    std::rotate(segments.begin(), segments.begin() + first, segments.end());
-    std::rotate(loop.begin(), loop.begin() + first, loop.end());
-    std::vector<Arc> result;
-    for (std::size_t i = 0; i < loop.size(); ++i) {
-      if (i == 0 || segments[i] != segments[i - 1])
-        result.push_back({segments[i], i, i, 0});
-      ++result.back().end;
-      result.back().length += (point(loop[(i + 1) % loop.size()]) - point(loop[i])).norm();
+    const std::size_t n = loop.size();
+    const auto before = [n](std::size_t i) { return (i + n - 1) % n; };
+    const auto after = [n](std::size_t i) { return (i + 1) % n; };
+    std::vector<char> moves(n);
+    std::vector<Vector> moved(n);
+    for (std::size_t i = 0; i < n; ++i) {
+      const Index u = loop[before(i)], v = loop[i], w = loop[after(i)];
+      moves[i] = (std::max)({u, v, w}) < number_of_given_points_;
+      moved[i] = points_[v];
+      if (moves[i])
+        moved[i] -= depth / 2 * normals_.at(v) * ((points_[u] - points_[v]).norm() +
+                                               (points_[w] - points_[v]).norm());
+    }
+    for (int round = 0; round < 3; ++round) {
+      const std::vector<Vector> given = moved;
+      for (std::size_t i = 0; i < n; ++i)
+        if (moves[i])
+          moved[i] = (given[before(i)] + 2 * given[i] + given[after(i)]) / 4;
+    }
+    Loop result;
+    for (std::size_t i = 0; i < n; ++i)
+      result.push_back(moves[i] ? add_point(moved[i]) : loop[i]);
+    return result;
+  }
+
+  // Appends a strip between a range of edges of a loop and of its copy, which may share vertices.
+  static void add_strip(const Loop& loop, const Loop& copy, std::size_t begin, std::size_t end,
+                        std::vector<Corners>& triangles)
+  {
+    for (std::size_t i = begin; i < end; ++i) {
+      const std::size_t j = (i + 1) % loop.size();
+      if (copy[j] != loop[j])
+        triangles.push_back({loop[i], loop[j], copy[j]});
+      if (copy[i] != loop[i])
+        triangles.push_back({loop[i], copy[j], copy[i]});
+    }
+  }
+
+  // Returns a cap with a piece for each arc of a loop; more than one are sectors around a new point
+  // in the middle. It is empty if there is no such cap.
+  Cap make_cap(const Loop& loop, const std::vector<Arc>& arcs, const Shape& shape)
+  {
+    const Loop rim = shape.depth > 0 ? moved_inwards(loop, shape.depth) : loop;
+    const bool has_sectors = arcs.size() > 1;
+    const Index middle = has_sectors ? add_middle(rim) : null_index;
+    Cap result;
+    for (const Arc& a : arcs) {
+      Loop sector;
+      if (has_sectors)
+        sector.push_back(middle);
+      for (std::size_t i = a.begin; i < a.end + has_sectors; ++i)
+        sector.push_back(rim[i % rim.size()]);
+      Piece piece{a.segment, shape.is_fan ? fan(sector) : triangles_in(sector)};
+      if (piece.triangles.empty())
+        return {};
+      add_strip(loop, rim, a.begin, a.end, piece.triangles);
+      result.push_back(std::move(piece));
     }
     return result;
   }
 
-  // Gives a loop to the segment that has most of it if it has more arcs than can be long.
-  void unite_many_arcs(Loop& loop, std::vector<Index>& segments) const
+  // Returns whether an edge of a cap, except those of the border, is already an edge of others.
+  bool takes_an_edge_twice(const Cap& cap, const Border& border) const
   {
-    const std::vector<Arc> all = arcs(loop, segments);
-    if (all.size() <= 50)
-      return;
-    std::map<Index, double> lengths;
-    for (const Arc& a : all)
-      lengths[a.segment] += a.length;
-    const Index longest = std::max_element(lengths.begin(), lengths.end(), [](auto& a, auto& b)
-                                           { return a.second < b.second; })->first;
-    std::fill(segments.begin(), segments.end(), longest);
+    for (const Piece& piece : cap)
+      for (const Corners& t : piece.triangles)
+        for (int i = 0; i < 3; ++i) {
+          const Vertex_pair edge = vertex_pair(t[i], t[(i + 1) % 3]);
+          if (taken_.count(edge) > 0 && border.count(edge) == 0)
+            return true;
+        }
+    return false;
   }
 
-  // Returns the arcs of a loop, by the segments at it except `other_than`. Arcs of less than a
-  // tenth of the loop go to the longer arc beside them, because their sectors would be splinters.
-  std::vector<Arc> long_arcs(Loop& loop, Index other_than) const
+  // Returns whether a triangle (v, w, x) of a cap leaves the border edge (v, w) to the inside of the
+  // solid, or along its surface. The triangles of the surface there are (w, v, a) and (v, w, b).
+  bool leads_inwards(const Corners& t, Index a, Index b) const
   {
-    std::vector<Index> segments;
-    for (std::size_t i = 0; i < loop.size(); ++i)
-      segments.push_back(segment_at(loop[i], loop[(i + 1) % loop.size()], other_than));
-    unite_many_arcs(loop, segments);
-    for (;;) {
-      const std::vector<Arc> result = arcs(loop, segments);
-      double length = 0;
-      for (const Arc& a : result)
-        length += a.length;
-      const auto i = std::min_element(result.begin(), result.end(), [](const Arc& a, const Arc& b)
-                                      { return a.length < b.length; });
-      if (result.size() == 1 || i->length >= length / 10)
-        return result;
-      const Arc &before = i == result.begin() ? result.back() : *(i - 1),
-                &after = i == result.end() - 1 ? result.front() : *(i + 1);
-      for (std::size_t e = i->begin; e < i->end; ++e)
-        segments[e] = (before.length < after.length ? after : before).segment;
+    const auto v = exact_point(points_[t[0]]), w = exact_point(points_[t[1]]),
+               x = exact_point(points_[t[2]]);
+    const auto inside = orientation_ > 0 ? CGAL::NEGATIVE : CGAL::POSITIVE;
+    const auto p = exact_point(points_[a]), q = exact_point(points_[b]);
+    const auto side_of_a = CGAL::orientation(w, v, p, x), side_of_b = CGAL::orientation(v, w, q, x);
+    const bool is_convex = CGAL::orientation(w, v, p, q) == inside;
+    const bool is_beyond_a = side_of_a != inside && side_of_a != CGAL::ZERO,
+               is_beyond_b = side_of_b != inside && side_of_b != CGAL::ZERO;
+    return is_convex ? !is_beyond_a && !is_beyond_b : !is_beyond_a || !is_beyond_b;
+  }
+
+  // Returns whether a cap of a segment leaves the border of the segment to the inside of the solid.
+  bool leads_inwards(const Cap& cap, Index segment, const Border& border) const
+  {
+    for (const Piece& piece : cap)
+      for (const Corners& t : piece.triangles)
+        for (int i = 0; i < 3; ++i) {
+          const Index v = t[i], w = t[(i + 1) % 3];
+          const auto edge = border.find(vertex_pair(v, w));
+          if (edge == border.end())
+            continue;
+          const Index other = borders_.segment_at(v, w, segment);
+          if (!leads_inwards({v, w, t[(i + 2) % 3]}, edge->second.apex,
+                             borders_.border(other).at(edge->first).apex))
+            return false;
+        }
+    return true;
+  }
+
+  // Returns whether a cap intersects neither itself nor the surface and its caps.
+  bool is_free(const Cap& cap) const
+  {
+    std::vector<Corners> triangles;
+    for (const Piece& piece : cap)
+      triangles.insert(triangles.end(), piece.triangles.begin(), piece.triangles.end());
+    return std::none_of(triangles.begin(), triangles.end(), [this](const Corners& t)
+                        { return is_degenerate(points_, t) || tree_.intersects(t); }) &&
+           !do_self_intersect(points_, triangles);
+  }
+
+  // Returns the cap of a loop with the first shape that intersects nothing. If there is none, the
+  // shape is that of least effort, and `all_free` becomes false.
+  Cap best_cap(Loop loop, Index segment, const Border& border, bool& all_free)
+  {
+    const std::vector<Arc> arcs = borders_.long_arcs(points_, loop, segment);
+    const std::size_t n = points_.size();
+    const Shape* first = nullptr;
+    for (const Shape& shape : shapes_) {
+      Cap cap = make_cap(loop, arcs, shape);
+      if (!cap.empty() && !takes_an_edge_twice(cap, border)) {
+        if ((segment == null_index || leads_inwards(cap, segment, border)) && is_free(cap))
+          return cap;
+        first = first ? first : &shape;
+      }
+      points_.resize(n);
     }
+    all_free = false;
+    return make_cap(loop, arcs, first ? *first : shapes_[1]);
   }
 
-  // Makes a cap for each of the segments that hold the edges of a loop, except `other_than`. The
-  // caps are one piece, or sectors around a new point in the middle.
-  std::vector<Cap> caps(Loop loop, Index other_than)
+  // Returns a cap of all loops of a segment, which makes a shell of the segment: a copy of its
+  // triangles, moved inwards for a fraction of their edges. The segment on its other side is the
+  // one that has most of the border.
+  Cap shell(Index segment, const std::vector<Loop>& loops, double depth)
   {
-    const std::vector<Arc> arcs_of_loop = long_arcs(loop, other_than);
-    if (arcs_of_loop.size() == 1)
-      return {{arcs_of_loop[0].segment, triangles_in(loop)}};
-    const Index middle = add_middle(loop);
-    std::vector<Cap> result;
-    for (const Arc& a : arcs_of_loop) {
-      Loop sector = {middle};
-      for (std::size_t i = a.begin; i <= a.end; ++i)
-        sector.push_back(loop[i % loop.size()]);
-      result.push_back({a.segment, triangles_in(sector)});
+    struct Vertex
+    {
+      std::vector<Vector> normals; // of the triangles at it
+      double shortest_edge = (std::numeric_limits<double>::infinity)();
+      Index copy = null_index;
+    };
+    std::unordered_map<Index, Vertex> vertices;
+    const std::vector<Corners>& triangles = triangles_[segment];
+    for (const Corners& t : triangles) {
+      const Vector normal = outward_normal(t);
+      for (int i = 0; i < 3; ++i) {
+        Vertex& v = vertices[t[i]];
+        v.normals.push_back(normal);
+        for (Index w : t)
+          if (w != t[i])
+            v.shortest_edge =
+              (std::min)(v.shortest_edge, (points_[w] - points_[t[i]]).norm());
+      }
+    }
+    for (const Loop& loop : loops)
+      for (Index v : loop)
+        if (v < number_of_given_points_) // where the inside of the segment may be outside of others
+          vertices[v].normals = {normals_.at(v)};
+
+    Cap result(1);
+    const auto copy = [&](Index v) {
+      Vertex& vertex = vertices[v];
+      if (vertex.copy == null_index)
+        vertex.copy = add_point(
+          points_[v] - depth * vertex.shortest_edge * most_visible_normal(vertex.normals));
+      return vertex.copy;
+    };
+    for (const Corners& t : triangles)
+      result[0].triangles.push_back({copy(t[0]), copy(t[2]), copy(t[1])});
+    double longest = -1;
+    for (Loop loop : loops) {
+      for (const Arc& a : borders_.long_arcs(points_, loop, segment))
+        if (a.length > longest) {
+          longest = a.length;
+          result[0].segment = a.segment;
+        }
+      Loop copies;
+      for (Index v : loop)
+        copies.push_back(copy(v));
+      add_strip(loop, copies, 0, loop.size(), result[0].triangles);
     }
     return result;
+  }
+
+  // Adds a cap to the segments on both of its sides.
+  void add(const Cap& cap, Index segment)
+  {
+    for (const Piece& piece : cap)
+      for (const Corners& t : piece.triangles) {
+        if (segment != null_index)
+          add_triangle(segment, t);
+        add_triangle(piece.segment, segment == null_index ? t : Corners{t[0], t[2], t[1]});
+        for (int i = 0; i < 3; ++i)
+          taken_.insert(vertex_pair(t[i], t[(i + 1) % 3]));
+      }
   }
 
   // Closes a segment. Each edge of its border has another segment, because the surface is closed.
+  // With `null_index` it closes the surface.
   void close(Index segment)
   {
-    const Border_loops loops(border_[segment]);
-    for (const Loop& loop : loops())
-      for (const Cap& cap : caps(loop, segment))
-        for (const Corners& t : cap.triangles) {
-          add_triangle(segment, t);
-          add_triangle(cap.segment, {t[0], t[2], t[1]});
-        }
-  }
-
-  void close_surface()
-  {
-    Border border;
-    for (const auto& [edge, segments] : segments_at_)
-      if (segments.size() % 2 == 1)
-        border.emplace(edge, border_[segments[0]].at(edge));
+    const Border border =
+      segment == null_index ? borders_.border_of_surface() : borders_.border(segment);
     const Border_loops loops(border);
-    for (const Loop& loop : loops())
-      for (const Cap& cap : caps(loop, null_index))
-        for (const Corners& t : cap.triangles)
-          add_triangle(cap.segment, t);
+    const std::size_t number_of_points = points_.size(), number_in_tree = tree_.size();
+    bool all_free = true;
+    std::vector<Cap> caps;
+    for (const Loop& loop : loops()) {
+      caps.push_back(best_cap(loop, segment, border, all_free));
+      for (const Piece& piece : caps.back())
+        tree_.insert(piece.triangles);
+    }
+    if (!all_free && segment != null_index) {
+      const std::vector<Vector> new_points(
+        points_.begin() + static_cast<std::ptrdiff_t>(number_of_points), points_.end());
+      tree_.resize(number_in_tree);
+      points_.resize(number_of_points);
+      for (double depth : {0.3, 0.1, 0.03}) {
+        const Cap cap = shell(segment, loops(), depth);
+        if (!is_free(cap)) {
+          points_.resize(number_of_points);
+          continue;
+        }
+        caps = {cap};
+        all_free = true;
+        break;
+      }
+      if (!all_free)
+        points_.insert(points_.end(), new_points.begin(), new_points.end());
+      for (const Cap& cap : caps)
+        for (const Piece& piece : cap)
+          tree_.insert(piece.triangles);
+    }
+    for (const Cap& cap : caps)
+      add(cap, segment);
+    tree_.update();
   }
 
-  static std::vector<double> areas(const std::vector<Vector>& points,
-                                   const std::vector<Corners>& triangles,
-                                   const std::vector<Index>& segment, std::size_t n)
+  double signed_volume() const
   {
-    std::vector<double> result(n, 0);
-    for (std::size_t f = 0; f < triangles.size(); ++f) {
-      const Corners& t = triangles[f];
-      result[segment[f]] +=
-        (points[t[1]] - points[t[0]]).cross(points[t[2]] - points[t[0]]).norm();
+    double result = 0;
+    for (const std::vector<Corners>& triangles : triangles_)
+      for (const Corners& t : triangles)
+        result += points_[t[0]].dot(points_[t[1]].cross(points_[t[2]]));
+    return result;
+  }
+
+  // Computes the normals of the surface at the vertices of borders.
+  void compute_normals()
+  {
+    const std::vector<char> is_at_border = borders_.vertices(number_of_given_points_);
+    std::unordered_map<Index, std::vector<Vector> > normals;
+    for (const std::vector<Corners>& triangles : triangles_)
+      for (const Corners& t : triangles)
+        for (Index v : t)
+          if (v < number_of_given_points_ && is_at_border[v])
+            normals[v].push_back(outward_normal(t));
+    for (const auto& [v, normals_at_v] : normals)
+      normals_[v] = most_visible_normal(normals_at_v);
+  }
+
+  // Returns the segments in ascending order of their areas.
+  std::vector<Index> order() const
+  {
+    std::vector<double> area;
+    for (const std::vector<Corners>& triangles : triangles_) {
+      area.push_back(0);
+      for (const Corners& t : triangles)
+        area.back() += (points_[t[1]] - points_[t[0]]).cross(points_[t[2]] - points_[t[0]]).norm();
     }
+    std::vector<Index> result(area.size());
+    std::iota(result.begin(), result.end(), Index(0));
+    std::stable_sort(result.begin(), result.end(),
+                     [&area](Index a, Index b) { return area[a] < area[b]; });
     return result;
   }
 
 public:
-  explicit Segment_capping(const std::vector<Vector>& points) : points_(points) {}
-
-  // Closes segments; `segment` holds the segment of each triangle, from 0 to n - 1. Call this once.
-  Caps operator()(const std::vector<Corners>& triangles, const std::vector<Index>& segment,
-                  std::size_t n)
+  // `segment` holds the segment of each triangle, from 0 to n - 1.
+  Segment_capping(const std::vector<Vector>& points, const std::vector<Corners>& triangles,
+                  const std::vector<Index>& segment, std::size_t n)
+    : number_of_given_points_(points.size()), points_(points), triangles_(n), borders_(triangles, segment, n), tree_(points_, triangles)
   {
-    border_.resize(n);
-    find_borders(triangles, segment);
+    for (std::size_t f = 0; f < triangles.size(); ++f)
+      triangles_[segment[f]].push_back(triangles[f]);
     take_edges(triangles);
-    close_surface();
-    const std::vector<double> area = areas(points_, triangles, segment, n);
-    std::vector<Index> order(n);
-    std::iota(order.begin(), order.end(), Index(0));
-    std::stable_sort(order.begin(), order.end(),
-                     [&area](Index a, Index b) { return area[a] < area[b]; });
-    for (Index s : order)
+    compute_normals();
+    close(null_index);
+    orientation_ = signed_volume() < 0 ? -1 : 1;
+    compute_normals();
+    for (Index s : order())
       close(s);
-    return std::move(result_);
+    result_.points.assign(points_.begin() + static_cast<std::ptrdiff_t>(number_of_given_points_),
+                          points_.end());
   }
+
+  Segment_capping(const Segment_capping&) = delete;
+  Segment_capping& operator=(const Segment_capping&) = delete;
+
+  const Caps& caps() const { return result_; }
+  bool is_inside_out() const { return orientation_ < 0; }
+
+  // Returns all points, and the triangles of a segment with its caps.
+  const std::vector<Vector>& points() const { return points_; }
+  const std::vector<Corners>& triangles(Index segment) const { return triangles_[segment]; }
 };
 
 } // namespace CGAL::Segmented_mesh::internal

@@ -1,0 +1,79 @@
+// Copyright (c) 2026  The Spectral_segmentation authors.
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_SEGMENTED_MESH_INTERNAL_CAPPING_TRIANGLE_INTERSECTION_H
+#define CGAL_SEGMENTED_MESH_INTERNAL_CAPPING_TRIANGLE_INTERSECTION_H
+
+#include <CGAL/Segmented_mesh/internal/base.h>
+
+#include <CGAL/Box_intersection_d/Box_with_info_d.h>
+#include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
+#include <CGAL/box_intersection_d.h>
+#include <CGAL/intersections.h>
+
+#include <algorithm>
+#include <vector>
+
+namespace CGAL::Segmented_mesh::internal {
+
+typedef CGAL::Exact_predicates_inexact_constructions_kernel Exact_predicates;
+
+inline Exact_predicates::Point_3 exact_point(const Vector& p) { return {p.x(), p.y(), p.z()}; }
+
+inline Exact_predicates::Triangle_3 exact_triangle(const std::vector<Vector>& points,
+                                                   const Corners& t)
+{ return {exact_point(points[t[0]]), exact_point(points[t[1]]), exact_point(points[t[2]])}; }
+
+// Reorders the corners of a triangle so that those that another triangle has, too, come first.
+// Returns their number.
+inline int move_shared_corners_first(Corners& t, const Corners& other)
+{
+  const auto is_shared = [&](Index v)
+  { return std::find(other.begin(), other.end(), v) != other.end(); };
+  return static_cast<int>(std::partition(t.begin(), t.end(), is_shared) - t.begin());
+}
+
+// Returns whether two triangles, which are not degenerate, meet elsewhere than in the corners and
+// edges that they share. CGAL has this test for the faces of one mesh only.
+inline bool do_intersect(const std::vector<Vector>& points, Corners s, Corners t)
+{
+  const int n = move_shared_corners_first(s, t);
+  move_shared_corners_first(t, s);
+  if (n == 3)
+    return true;
+  const auto edge = [&](const Corners& c)
+  { return Exact_predicates::Segment_3(exact_point(points[c[1]]), exact_point(points[c[2]])); };
+  if (n == 2) {
+    const auto v = exact_point(points[s[0]]), w = exact_point(points[s[1]]),
+               p = exact_point(points[s[2]]), q = exact_point(points[t[2]]);
+    return CGAL::coplanar(v, w, p, q) && CGAL::coplanar_orientation(v, w, p, q) == CGAL::POSITIVE;
+  }
+  if (n == 1)
+    return CGAL::do_intersect(edge(s), exact_triangle(points, t)) ||
+           CGAL::do_intersect(edge(t), exact_triangle(points, s));
+  return CGAL::do_intersect(exact_triangle(points, s), exact_triangle(points, t));
+}
+
+inline bool is_degenerate(const std::vector<Vector>& points, const Corners& t)
+{
+  return CGAL::collinear(exact_point(points[t[0]]), exact_point(points[t[1]]),
+                         exact_point(points[t[2]]));
+}
+
+// Returns whether two of a set of triangles, which are not degenerate, intersect each other.
+inline bool do_self_intersect(const std::vector<Vector>& points,
+                              const std::vector<Corners>& triangles)
+{
+  typedef CGAL::Box_intersection_d::Box_with_info_d<double, 3, Index> Box;
+  std::vector<Box> boxes;
+  for (std::size_t i = 0; i < triangles.size(); ++i)
+    boxes.emplace_back(exact_triangle(points, triangles[i]).bbox(), static_cast<Index>(i));
+  bool result = false;
+  CGAL::box_self_intersection_d(boxes.begin(), boxes.end(), [&](const Box& a, const Box& b) {
+    result = result || do_intersect(points, triangles[a.info()], triangles[b.info()]); });
+  return result;
+}
+
+} // namespace CGAL::Segmented_mesh::internal
+
+#endif // CGAL_SEGMENTED_MESH_INTERNAL_CAPPING_TRIANGLE_INTERSECTION_H

@@ -1,0 +1,108 @@
+// Copyright (c) 2026  The Spectral_segmentation authors.
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_SEGMENTED_MESH_INTERNAL_TRIANGLE_SIDES_H
+#define CGAL_SEGMENTED_MESH_INTERNAL_TRIANGLE_SIDES_H
+
+#include <CGAL/Segmented_mesh/internal/base.h>
+
+#include <boost/pending/disjoint_sets.hpp>
+
+#include <algorithm>
+#include <cstddef>
+#include <tuple>
+#include <utility>
+#include <vector>
+
+namespace CGAL::Segmented_mesh::internal {
+
+// A side of a triangle, from its smaller to its larger vertex.
+struct Triangle_side
+{
+  std::pair<Index, Index> vertices;
+  bool is_forward;  // as the triangle passes it
+  Index corners[2]; // the corners of the triangle at its vertices, numbered from 0 to 3 n - 1
+
+  bool operator<(const Triangle_side& s) const
+  { return std::tie(vertices, is_forward) < std::tie(s.vertices, s.is_forward); }
+};
+
+inline std::vector<Triangle_side> sorted_sides(const std::vector<Corners>& triangles)
+{
+  std::vector<Triangle_side> result;
+  result.reserve(3 * triangles.size());
+  for (std::size_t t = 0; t < triangles.size(); ++t)
+    for (std::size_t i = 0; i < 3; ++i) {
+      const std::size_t j = (i + 1) % 3;
+      Index v = triangles[t][i], w = triangles[t][j];
+      Index a = static_cast<Index>(3 * t + i), b = static_cast<Index>(3 * t + j);
+      const bool is_forward = v < w;
+      if (!is_forward) {
+        std::swap(v, w);
+        std::swap(a, b);
+      }
+      result.push_back({{v, w}, is_forward, {a, b}});
+    }
+  std::sort(result.begin(), result.end());
+  return result;
+}
+
+// Calls f with the first and the number of the sides at each edge.
+template <class Function>
+void for_each_edge(const std::vector<Triangle_side>& sides, const Function& f)
+{
+  for (std::size_t begin = 0, end = 0; begin < sides.size(); begin = end) {
+    while (end < sides.size() && sides[end].vertices == sides[begin].vertices)
+      ++end;
+    f(begin, end - begin);
+  }
+}
+
+// Returns whether two sides of triangles pass an edge in opposite directions.
+inline bool are_opposite(const Triangle_side& s, const Triangle_side& t)
+{ return s.is_forward != t.is_forward && s.vertices.first != s.vertices.second; }
+
+// Returns whether each edge has two triangles that pass it in opposite directions.
+inline bool is_closed(const std::vector<Triangle_side>& sides)
+{
+  bool result = true;
+  for_each_edge(sides, [&](std::size_t i, std::size_t n)
+    { result = result && n == 2 && are_opposite(sides[i], sides[i + 1]); });
+  return result;
+}
+
+// Returns whether triangles are an oriented manifold, with or without a border. Then an edge has at
+// most two of them, and there are as many fans, which are sets of corners that edges connect, as
+// vertices.
+inline bool is_manifold(const std::vector<Corners>& triangles,
+                        const std::vector<Triangle_side>& sides)
+{
+  const std::size_t n = sides.size();
+  std::vector<Index> parent(n), rank(n, 0);
+  boost::disjoint_sets<Index*, Index*> fans(rank.data(), parent.data());
+  for (std::size_t i = 0; i < n; ++i)
+    fans.make_set(static_cast<Index>(i));
+  bool has_manifold_edges = true;
+  for_each_edge(sides, [&](std::size_t i, std::size_t number) {
+    if (number == 2 && are_opposite(sides[i], sides[i + 1]))
+      for (int k : {0, 1})
+        fans.union_set(sides[i].corners[k], sides[i + 1].corners[k]);
+    else if (number > 1)
+      has_manifold_edges = false;
+  });
+  if (!has_manifold_edges)
+    return false;
+  std::size_t number_of_fans = 0;
+  for (std::size_t i = 0; i < n; ++i)
+    number_of_fans += parent[i] == i;
+  std::vector<Index> vertices;
+  for (const Corners& t : triangles)
+    vertices.insert(vertices.end(), t.begin(), t.end());
+  std::sort(vertices.begin(), vertices.end());
+  const auto end = std::unique(vertices.begin(), vertices.end());
+  return number_of_fans == static_cast<std::size_t>(end - vertices.begin());
+}
+
+} // namespace CGAL::Segmented_mesh::internal
+
+#endif // CGAL_SEGMENTED_MESH_INTERNAL_TRIANGLE_SIDES_H
