@@ -7,7 +7,7 @@
 if(NOT TARGET Spectral_segmentation_compiled)
   set(source ${CMAKE_CURRENT_BINARY_DIR}/Spectral_segmentation_engine.cpp)
   file(CONFIGURE OUTPUT ${source}
-    CONTENT "#include <CGAL/Spectral_segmentation/internal/engine_impl.h>\n")
+    CONTENT "#include <CGAL/Spectral_segmentation/compiled.h>\n")
   add_library(Spectral_segmentation_compiled STATIC EXCLUDE_FROM_ALL ${source})
   add_library(Spectral_segmentation::compiled ALIAS Spectral_segmentation_compiled)
   target_compile_definitions(Spectral_segmentation_compiled

@@ -12,6 +12,7 @@
 #include <boost/property_map/function_property_map.hpp>
 #include <boost/property_map/property_map.hpp>
 
+#include <array>
 #include <cstddef>
 #include <functional>
 #include <limits>
@@ -264,6 +265,25 @@ BOOST_AUTO_TEST_CASE(edges_of_points_and_triangles)
       .edge_is_uncuttable_map(map_of(m.is_uncuttable)));
   m.check(labels);
   BOOST_TEST(labels == m.labels(), boost::test_tools::per_element());
+}
+
+BOOST_AUTO_TEST_CASE(edge_of_three_triangles)
+{
+  typedef std::pair<std::size_t, std::size_t> Ends;
+  const std::vector<std::array<double, 3> > points = {
+    {0, 0, 0}, {0, 0, 1}, {1, 0, 0}, {-1, 1, 0}, {-1, -1, 0}};
+  const std::vector<std::array<int, 3> > triangles = {{0, 1, 2}, {1, 0, 3}, {0, 1, 4}};
+  const auto is_edge = boost::make_function_property_map<Ends>(
+    [](const Ends& e) { return e == Ends(0, 1); });
+  const auto np = parameters::salience_threshold(std::numeric_limits<double>::infinity());
+  Labels labels(3, untouched);
+  const auto segment = [&](const auto& parameters)
+    { return CGAL::segment_spectral_recursive(points, triangles, labels.data(), parameters); };
+  BOOST_TEST(segment(np) == 1u);
+  BOOST_TEST(segment(np.edge_is_constrained_map(is_edge)) == 3u);
+  const auto all_cuts = parameters::salience_threshold(-std::numeric_limits<double>::infinity());
+  BOOST_TEST(segment(all_cuts) == 3u);
+  BOOST_TEST(segment(all_cuts.edge_is_uncuttable_map(is_edge)) == 1u);
 }
 
 BOOST_AUTO_TEST_CASE(random_constraints_on_real_meshes)

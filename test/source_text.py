@@ -1,10 +1,11 @@
 #!/usr/bin/env python3
 # Copyright (c) 2026  The Spectral_segmentation authors.
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""source_text.py SOURCE_DIR: checks the layout of the sources, and how comments begin.
+"""source_text.py SOURCE_DIR: checks the layout of the sources, and what they name.
 
 Lines have at most 100 columns, and no tabs or blanks at the end. A comment in include/ begins with
-its subject or its verb.
+its subject or its verb. Bindings and examples use public headers and names only, and the
+segmentation includes no header of Segmented_mesh.
 """
 
 import pathlib
@@ -15,6 +16,13 @@ FOLDERS = ("include", "examples", "bindings", "benchmark", "test", "scripts", "d
 SUFFIXES = (".h", ".cpp", ".py", ".pyi", ".js", ".mjs", ".ts", ".cmake", ".sh")
 LONG_LINES = ("test/compile_failure/",) # each line has the error that it must cause
 OPENING = re.compile(r"\s*// (Of|As|But|Where|What|Without) ")
+# Words that files must not have
+FORBIDDEN = (
+    (re.compile(r"(bindings|examples)/"),
+     re.compile(r"#include .CGAL/.*\binternal/|\binternal::|::internal\b|namespace internal\b"),
+     "a header or a name of internal"),
+    (re.compile(r"include/CGAL/(?!Segmented_mesh/)"),
+     re.compile(r"#include .CGAL/Segmented_mesh/"), "a header of Segmented_mesh"))
 
 
 def problems(path, name):
@@ -27,6 +35,9 @@ def problems(path, name):
         begins_comment = not previous.lstrip().startswith("//")
         if name.startswith("include/") and begins_comment and OPENING.match(line):
             yield number, "a comment that begins with neither its subject nor its verb"
+        for names, words, problem in FORBIDDEN:
+            if names.match(name) and words.search(line):
+                yield number, problem
         previous = line
 
 

@@ -12,9 +12,9 @@
 
 #include <nlohmann/json.hpp>
 
-#include <cstddef>
 #include <ostream>
-#include <vector>
+#include <sstream>
+#include <string>
 
 namespace segment_mesh {
 
@@ -39,29 +39,36 @@ inline Json seconds_report(const Run_watch& watch)
           {"total", watch.seconds()}};
 }
 
-// The hierarchy with the segments of the run. Faces are the triangles of the input.
-inline Json hierarchy_report(const CGAL::Spectral_segmentation::Segmentation_hierarchy& hierarchy,
-                             const Input& input, const std::vector<Index>& label_of_triangle)
+// The JSON of the hierarchy with the segments of the run. Faces are the triangles of the input.
+inline std::string
+hierarchy_text(const CGAL::Spectral_segmentation::Segmentation_hierarchy& hierarchy,
+               const Input& input)
 {
-  namespace internal = CGAL::Spectral_segmentation::internal;
-  const std::vector<std::size_t> nodes = hierarchy.nodes();
-  const std::vector<std::size_t> labels(label_of_triangle.begin(), label_of_triangle.end());
-  return internal::json_of_hierarchy(
-    hierarchy, nodes, labels,
-    internal::segment_extents(input.soup.points, input.triangles, labels, nodes.size()));
+  std::ostringstream out;
+  write_hierarchy(out, hierarchy, hierarchy.nodes(), input.soup.points, input.triangles);
+  return out.str();
 }
 
-// The same with the leaf of each face; if there are larger polygons, also with their numbers.
+// The same without the data of faces.
+inline Json hierarchy_report(const CGAL::Spectral_segmentation::Segmentation_hierarchy& hierarchy,
+                             const Input& input)
+{
+  Json json = Json::parse(hierarchy_text(hierarchy, input));
+  json.erase("leaf_of_face");
+  json.erase("neighbors_of_faces");
+  return json;
+}
+
+// The same with the data of faces; if there are larger polygons, also with their numbers.
 inline void write_hierarchy(std::ostream& out,
                             const CGAL::Spectral_segmentation::Segmentation_hierarchy& hierarchy,
-                            const Input& input, const std::vector<Index>& label_of_triangle)
+                            const Input& input)
 {
-  namespace internal = CGAL::Spectral_segmentation::internal;
-  Json json = hierarchy_report(hierarchy, input, label_of_triangle);
-  internal::add_faces(hierarchy, json);
+  std::string text = hierarchy_text(hierarchy, input);
   if (input.triangles.size() != input.soup.number_of_polygons())
-    json["input_face_of_face"] = input.polygon_of_triangle;
-  internal::write_json(out, json);
+    text.replace(text.rfind("\n}"), std::string::npos,
+                 ",\n\"input_face_of_face\": " + Json(input.polygon_of_triangle).dump() + "\n}\n");
+  out << text;
 }
 
 } // namespace segment_mesh

@@ -402,9 +402,8 @@ Page_options page_options(const Options& o, std::size_t number_of_segments)
   return result;
 }
 
-Json report(const Options& o, const Input& input, const std::vector<Index>& labels,
-            std::size_t number_of_segments, const Segmentation_hierarchy& tree,
-            const Run_watch& watch)
+Json report(const Options& o, const Input& input, std::size_t number_of_segments,
+            const Segmentation_hierarchy& tree, const Run_watch& watch)
 {
   Json result = status_report(o, Status::OK, "");
   result.update({
@@ -418,7 +417,7 @@ Json report(const Options& o, const Input& input, const std::vector<Index>& labe
           {"peak_memory", peak_memory()},
           {"threads", json_or_null(o.threads)},
           {"parameters", parameters_report(o)},
-          {"hierarchy", hierarchy_report(tree, input, labels)}});
+          {"hierarchy", hierarchy_report(tree, input)}});
   return result;
 }
 
@@ -523,8 +522,7 @@ Json run(const Options& o)
   if (writes_meshes)
     write_meshes(o, input, labels, label_of_polygon, number_of_segments, tree, files);
   if (!o.hierarchy_file.empty())
-    files.write(o.hierarchy_file,
-                [&](std::ostream& out) { write_hierarchy(out, tree, input, labels); });
+    files.write(o.hierarchy_file, [&](std::ostream& out) { write_hierarchy(out, tree, input); });
   if (!o.page_file.empty())
     files.write(o.page_file, [&](std::ostream& out) {
       write_page(out, page_data(input, tree, page_options(o, number_of_segments)));
@@ -532,7 +530,7 @@ Json run(const Options& o)
   watch.end_phase();
   if (!o.report_file.empty()) // written last, because it holds the time of the others
     files.write(o.report_file, [&](std::ostream& out) {
-      out << report(o, input, labels, number_of_segments, tree, watch)
+      out << report(o, input, number_of_segments, tree, watch)
                .dump(1, ' ', false, Json::error_handler_t::replace) << "\n";
     });
   files.commit();

@@ -5,12 +5,10 @@
 #define SEGMENT_MESH_MESH_FILE_IS_INSIDE_OUT_H
 
 #include "Polygon_soup.h"
-#include "Polygon_triangulation.h"
 
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
-#include <vector>
 
 namespace mesh_file {
 
@@ -29,21 +27,22 @@ inline std::uint64_t number_of_edge(Index source, Index target)
 
 // Returns whether a surface is closed, all its triangles have the same orientation, and they point
 // inwards: in sum, each edge is passed as often in one direction as in the other, and the volume is
-// negative. Points have the coordinates p[0], p[1] and p[2].
-template <class AnyPoint>
-bool is_inside_out(const std::vector<AnyPoint>& points, const std::vector<Triangle>& triangles)
+// negative. Points and triangles have elements [0], [1] and [2].
+template <class Points, class Triangles>
+bool is_inside_out(const Points& points, const Triangles& triangles)
 {
   if (triangles.empty())
     return false;
   std::uint64_t edges = 0;
   double volume = 0, size = 0;
-  const AnyPoint& origin = points[triangles[0][0]];
-  for (const Triangle& t : triangles) {
+  const auto& origin = points[triangles[0][0]];
+  for (const auto& t : triangles) {
     double p[3][3];
     for (std::size_t i = 0; i < 3; ++i) {
-      edges += number_of_edge(t[i], t[(i + 1) % 3]);
+      edges += number_of_edge(static_cast<Index>(t[i]), static_cast<Index>(t[(i + 1) % 3]));
+      const auto& corner = points[t[i]];
       for (std::size_t k = 0; k < 3; ++k)
-        p[i][k] = points[t[i]][k] - origin[k];
+        p[i][k] = corner[k] - origin[k];
     }
     const double terms[6] = {p[0][0] * p[1][1] * p[2][2], p[0][1] * p[1][2] * p[2][0],
                              p[0][2] * p[1][0] * p[2][1], -p[0][2] * p[1][1] * p[2][0],

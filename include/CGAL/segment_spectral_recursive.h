@@ -440,8 +440,8 @@ triangles of a mesh the ids are the same as with the function for meshes.
 \param np an optional sequence of the named parameters above, except `vertex_point_map`,
   `face_index_map` and `geom_traits`. The key of a `face_seed_map` or a `face_group_map` is the
   position of a triangle. The key of an `edge_is_constrained_map` or `edge_is_uncuttable_map` is a
-  `std::pair<std::size_t, std::size_t>` with the indices of the two points, the smaller first. Only
-  edges between neighbors count.
+  `std::pair<std::size_t, std::size_t>` with the indices of the two points, the smaller first. The
+  constraint holds for any two triangles at the edge, neighbors or not.
 
 \return the number of segments; 0 if there is no triangle
 
@@ -480,13 +480,9 @@ std::size_t segment_spectral_recursive(const PointRange& points, const TriangleR
   std::iota(faces.begin(), faces.end(), std::size_t(0));
   soup.groups = internal::read_groups(faces, pack);
   internal::Constraints constraints;
-  if constexpr (internal::has_edge_constraints<Pack>) {
-    const std::vector<internal::Corners> corners = soup.corners;
-    internal::connect(soup);
-    internal::read_edge_constraints(soup, corners, pack, constraints);
-  }
-  else
-    internal::connect(soup);
+  if constexpr (internal::has_edge_constraints<Pack>)
+    internal::read_edge_constraints(soup.corners, pack, constraints);
+  internal::connect(soup);
   internal::read_seeds(faces, pack, constraints);
   return internal::segment_and_write<ConcurrencyTag>(std::move(soup), faces, segment_ids, options,
                                                      constraints, pack);

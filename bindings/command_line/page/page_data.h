@@ -10,7 +10,7 @@
 #include "packed.h"
 
 #include <CGAL/Spectral_segmentation/Segmentation_hierarchy.h>
-#include <CGAL/Spectral_segmentation/internal/surface/segment_classes.h>
+#include <CGAL/Spectral_segmentation/node_classes.h>
 #include <CGAL/Segmented_mesh/refine_segment_boundaries.h>
 
 #include <nlohmann/json.hpp>
@@ -135,23 +135,6 @@ struct Page_options
   std::size_t most_triangles = 300000; // a phone can turn so many
 };
 
-// Returns a class for each node. Nodes of one class may be copies or mirror images of each other.
-inline std::vector<std::size_t> node_classes(const Input& input, const Segmentation_hierarchy& tree,
-                                             const Pieces& pieces)
-{
-  namespace internal = CGAL::Spectral_segmentation::internal;
-  const std::vector<internal::Moments> of_pieces = internal::segment_moments(
-    input.soup.points, input.triangles, pieces.of_triangles(), pieces.number());
-  std::vector<internal::Moments> result(tree.number_of_nodes());
-  for (std::size_t i = tree.number_of_nodes(), piece = of_pieces.size(); i-- > 0;) {
-    if (tree.node(i).is_leaf())
-      result[i] = of_pieces[--piece];
-    if (tree.node(i).parent != Segmentation_hierarchy::null_node)
-      result[tree.node(i).parent] += result[i];
-  }
-  return internal::congruence_classes(result);
-}
-
 inline nlohmann::ordered_json hierarchy_data(const Input& input, const Segmentation_hierarchy& tree,
                                              const Pieces& pieces)
 {
@@ -168,7 +151,7 @@ inline nlohmann::ordered_json hierarchy_data(const Input& input, const Segmentat
           {"cut_nodes", parents},
           {"saliences", saliences},
           {"areas", areas},
-          {"classes", node_classes(input, tree, pieces)},
+          {"classes", node_classes(tree, input.soup.points, input.triangles)},
           {"first_triangles", pieces.first_triangles()}};
 }
 

@@ -8,7 +8,7 @@ import numpy as np
 
 from . import _core
 from ._meshes import arrays_of
-from ._constraints import groups_array, integers_of_triangles, pairs_at_edges
+from ._constraints import edges_arrays, integers_of_triangles
 
 _METHODS = {"calibrated": False, "paper": True}
 
@@ -167,11 +167,11 @@ def segment_hierarchy(points, triangles=None, *, method="calibrated", number_of_
         for name, value in parameters.items():
             if value is not None:
                 given[name] = read(name, value)
-    constraints = [*pairs_at_edges(constrained_edges, uncuttable_edges, triangles,
-                              len(points)),
+    constraints = [*edges_arrays(constrained_edges, uncuttable_edges, triangles, len(points)),
               None if face_seeds is None
               else integers_of_triangles("face_seeds", face_seeds, len(triangles)),
-              None if face_groups is None else groups_array(face_groups, len(triangles))]
+              None if face_groups is None
+              else integers_of_triangles("face_groups", face_groups, len(triangles))]
     try:
         return _core.segment(
             points, triangles, given, *constraints,

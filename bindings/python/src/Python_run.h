@@ -7,7 +7,7 @@
 #include "Worker.h"
 #include "python_lock.h"
 
-#include <CGAL/Spectral_segmentation/internal/base/Run_control.h>
+#include <CGAL/Spectral_segmentation/Segmentation_visitor.h>
 
 #include <pybind11/pybind11.h>
 
@@ -29,7 +29,7 @@ namespace py = pybind11;
 
 // A run in another thread, without Python's lock. The caller's thread waits: there, and only there,
 // signals are handled and progress is told, for Python handles signals in its main thread.
-class Python_run : public CGAL::Spectral_segmentation::internal::Run_control
+class Python_run : public CGAL::Spectral_segmentation::Segmentation_visitor
 {
 public:
   struct Abandoned {}; // unwinds the run, whose result nobody will see
@@ -110,14 +110,14 @@ private:
 public:
   explicit Python_run(const py::object& progress) : progress_(progress) {}
 
-  void progress(double share) override
+  void progress(double share)
   {
     const std::lock_guard<std::mutex> lock(mutex_);
     share_ = share;
     changed_.notify_one();
   }
 
-  bool go_further() override
+  bool go_further()
   {
     if (is_abandoned_)
       throw Abandoned();

@@ -17,12 +17,18 @@ namespace python {
 
 namespace py = pybind11;
 
-// The rows of an array of three columns, read where they are. It has to outlive this range.
+// The rows of an array of three columns, whose numbers are read where they are, as `Number`. The
+// array has to outlive this range.
 template <class Number>
 class Rows
 {
+public:
+  typedef Number (*Read)(const char*);
+
+private:
   const char* data_;
   py::ssize_t size_, row_stride_, column_stride_; // the strides in bytes
+  Read read_;
 
 public:
   class Iterator
@@ -33,14 +39,7 @@ public:
   public:
     Iterator(const Rows* rows, py::ssize_t i) : rows_(rows), i_(i) {}
 
-    std::array<Number, 3> operator*() const
-    {
-      std::array<Number, 3> result;
-      const char* const row = rows_->data_ + i_ * rows_->row_stride_;
-      for (int k = 0; k < 3; ++k)
-        std::memcpy(&result[k], row + k * rows_->column_stride_, sizeof(Number));
-      return result;
-    }
+    std::array<Number, 3> operator*() const { return (*rows_)[i_]; }
 
     Iterator& operator++()
     {
@@ -51,29 +50,40 @@ public:
     bool operator!=(const Iterator& other) const { return i_ != other.i_; }
   };
 
-  explicit Rows(const py::array& array)
+  Rows(const py::array& array, Read read)
     : data_(static_cast<const char*>(array.data())), size_(array.shape(0)),
-      row_stride_(array.strides(0)), column_stride_(array.strides(1)) {}
+      row_stride_(array.strides(0)), column_stride_(array.strides(1)), read_(read) {}
 
+  bool empty() const { return size_ == 0; }
+  std::size_t size() const { return static_cast<std::size_t>(size_); }
   Iterator begin() const { return {this, 0}; }
   Iterator end() const { return {this, size_}; }
+
+  std::array<Number, 3> operator[](py::ssize_t i) const
+  {
+    const char* const row = data_ + i * row_stride_;
+    return {read_(row), read_(row + column_stride_), read_(row + 2 * column_stride_)};
+  }
 };
 
-template <class Number>
-bool has_type(const py::array& array)
-{ return py::isinstance<py::array_t<Number> >(array); }
-
-// Calls f(rows) with the rows of an array of one of these types.
-template <class Number, class... Numbers, class Function>
-auto with_rows(const py::array& array, const Function& f)
+// Returns a number of another type that is at an address.
+template <class Number, class Stored>
+Number read_as(const char* address)
 {
-  if constexpr (sizeof...(Numbers) > 0) {
-    if (!has_type<Number>(array))
-      return with_rows<Numbers...>(array, f);
-  }
-  else if (!has_type<Number>(array))
+  Stored result;
+  std::memcpy(&result, address, sizeof result);
+  return static_cast<Number>(result);
+}
+
+// Returns the rows of an array of one of the types `Stored`.
+template <class Number, class... Stored>
+Rows<Number> rows_of(const py::array& array)
+{
+  typename Rows<Number>::Read read = nullptr;
+  ((read = py::isinstance<py::array_t<Stored> >(array) ? &read_as<Number, Stored> : read), ...);
+  if (!read)
     throw std::invalid_argument("an array has another type than it should");
-  return f(Rows<Number>(array));
+  return Rows<Number>(array, read);
 }
 
 // An array of `shape` that takes over a vector, whose elements consist of numbers of that type.

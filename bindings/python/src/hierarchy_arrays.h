@@ -4,8 +4,8 @@
 #ifndef SPECTRAL_SEGMENTATION_PYTHON_HIERARCHY_ARRAYS_H
 #define SPECTRAL_SEGMENTATION_PYTHON_HIERARCHY_ARRAYS_H
 
+#include <CGAL/Spectral_segmentation/Salience_factors.h>
 #include <CGAL/Spectral_segmentation/Segmentation_hierarchy.h>
-#include <CGAL/Spectral_segmentation/internal/json/Hierarchy_access.h>
 
 #include <pybind11/numpy.h>
 
@@ -16,6 +16,41 @@
 namespace python {
 
 namespace py = pybind11;
+
+typedef CGAL::Spectral_segmentation::Salience_factors Factors;
+
+struct Factor
+{
+  const char* name;
+  double Factors::*value;
+  const char* documentation;
+};
+
+// All factors that are numbers. Those from the roundness on are 0 but for boundaries.
+constexpr Factor all_factors[] = {
+  {"size", &Factors::size, "share of the part's area, in [0, 1/2]"},
+  {"cut_strength", &Factors::cut_strength, "concavity of the cut, in [0, 1]"},
+  {"protrusiveness", &Factors::protrusiveness, "at most 1"},
+  {"log_relative_part_area", &Factors::log_relative_part_area,
+   "logarithm of the part's share of the area of the mesh, at most 0"},
+  {"concavity_near_cut", &Factors::concavity_near_cut, "in [0, 1]"},
+  {"convexity_gain", &Factors::convexity_gain,
+   "how much closer to convex the sides are than the part"},
+  {"relative_convexity_gain", &Factors::relative_convexity_gain,
+   "logarithm of the ratio of convexity defects"},
+  {"expansion_behind_cut", &Factors::expansion_behind_cut,
+   "how fast the rest widens behind the cut, about 1 on a cylinder, at most 4"},
+  {"roundness", &Factors::roundness, "1 for a circle, 0 for a straight line"},
+  {"flatness_behind_cut", &Factors::flatness_behind_cut,
+   "1 if the rest is flat near the boundary, at least 0"},
+  {"concavity_around_cut", &Factors::concavity_around_cut,
+   "`concavity_near_cut` within twice the distance"},
+  {"lower_quartile_of_concavity", &Factors::lower_quartile_of_concavity,
+   "concavity that three quarters of the boundary reach, in [0, 1]"},
+  {"expansion_before_cut", &Factors::expansion_before_cut,
+   "`expansion_behind_cut` of the smaller side, within twice the distance"},
+  {"number_of_common_neighbors", &Factors::number_of_common_neighbors,
+   "how many other regions touch both"}};
 
 // One number of each node, as an array.
 template <class Number, class Function>
@@ -47,9 +82,9 @@ saliences_of_nodes(const CGAL::Spectral_segmentation::Segmentation_hierarchy& h)
 inline py::dict factors_of_nodes(const CGAL::Spectral_segmentation::Segmentation_hierarchy& h)
 {
   py::dict result;
-  for (const auto& [name, member] : CGAL::Spectral_segmentation::internal::named_factors)
-    result[name] = array_of_nodes<double>(
-      h, [&h, factor = member](std::size_t i) { return h.node(i).factors.*factor; });
+  for (const Factor& factor : all_factors)
+    result[factor.name] =
+      array_of_nodes<double>(h, [&](std::size_t i) { return h.node(i).factors.*factor.value; });
   return result;
 }
 

@@ -8,19 +8,20 @@
 #include "python_lock.h"
 
 #include <CGAL/Spectral_segmentation/Options.h>
-#include <CGAL/Spectral_segmentation/internal/adaptors/read_options.h>
 
 #include <pybind11/pybind11.h>
 #include <pybind11/stl.h>
 
 #include <array>
+#include <cstddef>
 #include <exception>
+#include <stdexcept>
+#include <string>
 #include <type_traits>
 
 namespace python {
 
 namespace segmentation = CGAL::Spectral_segmentation;
-namespace internal = CGAL::Spectral_segmentation::internal;
 namespace py = pybind11;
 
 // Calls a salience of Python's. Copies are made without Python's lock, so they own nothing.
@@ -59,8 +60,13 @@ inline segmentation::Options read_parameters(const py::dict& given, const py::ob
       value = given[name].cast<std::decay_t<decltype(value)> >();
   };
   const auto read_count = [&](const char* name, int least, auto& value) {
-    if (given.contains(name))
-      value = internal::to_count(given[name].cast<long long>(), name, least);
+    if (!given.contains(name))
+      return;
+    const long long count = given[name].cast<long long>();
+    if (count < least)
+      throw std::invalid_argument(std::string("segment_spectral_recursive: ") + name +
+                                  " must be at least " + std::to_string(least));
+    value = static_cast<std::size_t>(count);
   };
 
   bool uses_paper_method = false;

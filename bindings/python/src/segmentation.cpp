@@ -13,9 +13,13 @@
 
 #include <CGAL/Spectral_segmentation/IO/hierarchy_json.h>
 #include <CGAL/assertions_behaviour.h>
+#include <CGAL/property_map.h>
 #include <CGAL/segment_spectral_recursive.h>
+#include <CGAL/tags.h>
 
 #include <files/is_inside_out.h>
+
+#include <boost/property_map/function_property_map.hpp>
 
 #include <pybind11/numpy.h>
 #include <pybind11/pybind11.h>
@@ -50,78 +54,48 @@ constexpr bool has_threads = false;
 
 typedef std::optional<py::array_t<std::int64_t> > Optional_integers;
 
-typedef std::function<internal::Surface()> Reader;
+typedef std::pair<std::size_t, std::size_t> Edge;
 
-// Returns a function that reads arrays without Python's lock, which even a look at their types
-// needs. Points of type float or double and integers of 4 or 8 bytes are read where they are.
-Reader reader_of(const py::array& points, const py::array& triangles)
+// Returns edges in ascending order, each given by its two points, the smaller first.
+std::vector<Edge> read_edges(const Optional_integers& given)
 {
-  return with_rows<float, double>(points, [&](const auto& point_rows) {
-    return with_rows<std::int32_t, std::int64_t, std::uint32_t, std::uint64_t>(
-      triangles, [&](const auto& triangle_rows) -> Reader {
-        return [point_rows, triangle_rows]
-        { return internal::read_triangle_soup(point_rows, triangle_rows); };
-      });
-  });
-}
-
-// Groups are numbered from 0. Sets whether the triangles are a closed surface that points inwards.
-internal::Surface read_triangles(const Reader& read, const Optional_integers& groups,
-                                 Python_run& run, bool& is_inside_out)
-{
-  internal::Surface result = read();
-  is_inside_out = mesh_file::is_inside_out(result.points, result.corners);
-  if (groups) {
-    const auto group = groups->unchecked<1>();
-    for (py::ssize_t f = 0; f < group.shape(0); ++f)
-      result.groups.push_back(static_cast<internal::Index>(group(f)));
+  std::vector<Edge> result;
+  if (given) {
+    const auto edge = given->unchecked<2>();
+    for (py::ssize_t i = 0; i < edge.shape(0); ++i)
+      result.emplace_back(edge(i, 0), edge(i, 1));
   }
-  run.go_further(); // may throw
-  internal::connect(result);
+  std::sort(result.begin(), result.end());
   return result;
 }
 
-std::vector<internal::Face_pair> read_pairs(const Optional_integers& pairs)
+// Returns a property map of edges: whether an edge is among those given, which must outlive it.
+auto edge_map(const std::vector<Edge>& edges)
 {
-  std::vector<internal::Face_pair> result;
-  if (pairs) {
-    const auto pair = pairs->unchecked<2>();
-    for (py::ssize_t i = 0; i < pair.shape(0); ++i)
-      result.push_back({static_cast<internal::Index>(pair(i, 0)),
-                        static_cast<internal::Index>(pair(i, 1))});
-  }
-  return result;
+  return boost::make_function_property_map<Edge>(
+    [&edges](const Edge& e) { return std::binary_search(edges.begin(), edges.end(), e); });
 }
 
-internal::Constraints read_constraints(const Optional_integers& seams,
-                                       const Optional_integers& uncuttable,
-                                       const Optional_integers& seeds)
+// Returns a property map of triangles, whose values are -1 if no numbers are given.
+auto triangle_map(const Optional_integers& given)
 {
-  internal::Constraints result;
-  result.cannot_link = read_pairs(seams);
-  result.must_link = read_pairs(uncuttable);
-  if (seeds) {
-    const auto seed = seeds->unchecked<1>();
-    for (py::ssize_t f = 0; f < seed.shape(0); ++f)
-      if (seed(f) >= 0)
-        result.seeds.emplace_back(static_cast<internal::Index>(f), seed(f));
-  }
-  return result;
+  return boost::make_function_property_map<std::size_t>([&given](std::size_t t) -> std::int64_t
+    { return given ? *given->data(static_cast<py::ssize_t>(t)) : -1; });
 }
 
-// Calls f(execution) so that at most this number of threads work on it; all if there is none.
+// Calls f(tag) so that at most this number of threads work on it; all if there is none.
 template <class Function>
 void with_threads([[maybe_unused]] const std::optional<int>& number, const Function& f)
 {
 #ifdef CGAL_LINKED_WITH_TBB
   if (!number)
-    f(internal::Execution::PARALLEL);
+    f(CGAL::Parallel_tag());
   else if (*number > 1) // TBB would print a warning for more than there are
     tbb::task_arena(std::min(*number, tbb::this_task_arena::max_concurrency()))
-      .execute([&] { f(internal::Execution::PARALLEL); });
+      .execute([&] { f(CGAL::Parallel_tag()); });
   else
 #endif
-    f(internal::Execution::SEQUENTIAL);
+    f(CGAL::Sequential_tag());
 }
 
 Segmentation_hierarchy segment(const py::array& points, const py::array& triangles,
@@ -132,10 +106,19 @@ Segmentation_hierarchy segment(const py::array& points, const py::array& triangl
 {
   Python_run run(progress);
   const segmentation::Options options = read_parameters(parameters, salience, run);
-  const internal::Constraints constraints = read_constraints(seams, uncuttable, seeds);
-  const Reader read = reader_of(points, triangles);
-  bool is_inside_out = false;
+  const Rows<double> point_rows = rows_of<double, float, double>(points);
+  const Rows<std::int64_t> triangle_rows =
+    rows_of<std::int64_t, std::int32_t, std::int64_t, std::uint32_t, std::uint64_t>(triangles);
+  const std::vector<Edge> seam_edges = read_edges(seams);
+  const std::vector<Edge> uncuttable_edges = read_edges(uncuttable);
   Segmentation_hierarchy result;
+  const auto np = segmentation::parameters::options(options)
+                    .edge_is_constrained_map(edge_map(seam_edges))
+                    .edge_is_uncuttable_map(edge_map(uncuttable_edges))
+                    .face_seed_map(triangle_map(seeds))
+                    .face_group_map(triangle_map(groups))
+                    .hierarchy(result).visitor(std::ref(run));
+  bool is_inside_out = false;
   run([&] {
     // Python would make a state of this thread for each call of the salience.
     std::optional<Python_lock> state;
@@ -144,10 +127,12 @@ Segmentation_hierarchy segment(const py::array& points, const py::array& triangl
       state.emplace();
       no_python_lock.emplace();
     }
-    with_threads(threads, [&](internal::Execution execution) {
-      result = internal::segmentation_hierarchy(
-        read_triangles(read, groups, run, is_inside_out), options, execution, run, constraints);
+    std::vector<std::size_t> ids(triangle_rows.size());
+    with_threads(threads, [&](auto tag) {
+      CGAL::segment_spectral_recursive<decltype(tag)>(point_rows, triangle_rows,
+                                                      CGAL::make_property_map(ids), np);
     });
+    is_inside_out = mesh_file::is_inside_out(point_rows, triangle_rows);
   });
   const char* const warning = "the triangles point inwards; turned around, they may have other "
                               "parts, because parts end in concave seams";
@@ -242,37 +227,17 @@ Segmentation_hierarchy from_json(const std::string& text)
 
 void define_salience_factors(py::module_& m)
 {
-  typedef segmentation::Salience_factors Factors;
-  py::class_<Factors>(m, "SalienceFactors",
-                      "The factors of a cut of a part into two sides, which `part_salience` is "
-                      "called with. `size`, `cut_strength` and `protrusiveness` are those of the "
-                      "paper; the others are 0 in its method.")
-    .def_readonly("size", &Factors::size, "share of the part's area, in [0, 1/2]")
-    .def_readonly("cut_strength", &Factors::cut_strength, "concavity of the cut, in [0, 1]")
-    .def_readonly("protrusiveness", &Factors::protrusiveness, "at most 1")
-    .def_readonly("log_relative_part_area", &Factors::log_relative_part_area,
-                  "logarithm of the part's share of the area of the mesh, at most 0")
-    .def_readonly("concavity_near_cut", &Factors::concavity_near_cut, "in [0, 1]")
-    .def_readonly("convexity_gain", &Factors::convexity_gain,
-                  "how much closer to convex the sides are than the part")
-    .def_readonly("relative_convexity_gain", &Factors::relative_convexity_gain,
-                  "logarithm of the ratio of convexity defects")
-    .def_readonly("expansion_behind_cut", &Factors::expansion_behind_cut,
-                  "how fast the rest widens behind the cut, about 1 on a cylinder, at most 4")
-    .def_readonly("is_boundary", &Factors::is_boundary,
-                  "whether the cut is the boundary of two regions that may be merged; the factors "
-                  "below are 0 for all other cuts")
-    .def_readonly("roundness", &Factors::roundness, "1 for a circle, 0 for a straight line")
-    .def_readonly("flatness_behind_cut", &Factors::flatness_behind_cut,
-                  "1 if the rest is flat near the boundary, at least 0")
-    .def_readonly("concavity_around_cut", &Factors::concavity_around_cut,
-                  "`concavity_near_cut` within twice the distance")
-    .def_readonly("lower_quartile_of_concavity", &Factors::lower_quartile_of_concavity,
-                  "concavity that three quarters of the boundary reach, in [0, 1]")
-    .def_readonly("expansion_before_cut", &Factors::expansion_before_cut,
-                  "`expansion_behind_cut` of the smaller side, within twice the distance")
-    .def_readonly("number_of_common_neighbors", &Factors::number_of_common_neighbors,
-                  "how many other regions touch both");
+  py::class_<Factors> factors(
+    m, "SalienceFactors",
+    "The factors of a cut of a part into two sides, which `part_salience` is called with. `size`, "
+    "`cut_strength` and `protrusiveness` are those of the paper; the others are 0 in its method.");
+  factors.def_readonly("is_boundary", &Factors::is_boundary,
+                       "whether the cut is the boundary of two regions that may be merged; "
+                       "`roundness`, `flatness_behind_cut`, `concavity_around_cut`, "
+                       "`lower_quartile_of_concavity`, `expansion_before_cut` and "
+                       "`number_of_common_neighbors` are 0 for all other cuts");
+  for (const Factor& factor : all_factors)
+    factors.def_readonly(factor.name, factor.value, factor.documentation);
 }
 
 void define_hierarchy(py::module_& m)

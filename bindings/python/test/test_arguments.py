@@ -120,7 +120,7 @@ def test_triangles(triangles, error, words):
     ({"constrained_edges": [[0, 4]]}, ValueError, r"the edge \(0, 4\), which no triangle"),
     ({"constrained_edges": [[-1, 0]]}, ValueError, r"the edge \(-1, 0\), which no triangle"),
     ({"constrained_edges": [[0, 1], [1, 2]], "uncuttable_edges": [[1, 0]]}, ValueError,
-     "the edge between the triangles 0 and 1 is in both"),
+     "the edge between the faces 0 and 1 is in both"),
     ({"constrained_edges": [[0, 1]], "face_seeds": [1, 1, -1, -1]}, ValueError,
      "faces 0 and 1"),
     ({"constrained_edges": [], "method": "paper"}, ValueError, "does not go with the method"),

@@ -71,6 +71,9 @@ def test_nodes(elephant, hierarchy):
     np.testing.assert_array_equal(nodes["salience"], hierarchy.saliences)
     for name, factor in hierarchy.factors.items():
         np.testing.assert_array_equal(nodes[name], factor)
+    written = json.loads(hierarchy.to_json())["nodes"][0]["factors"]
+    assert {name: factor[0] for name, factor in hierarchy.factors.items()} == {
+        name: value for name, value in written.items() if name != "is_boundary"}
 
 
 def test_segments_are_nodes(hierarchy):

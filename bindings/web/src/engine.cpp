@@ -2,4 +2,4 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 // The engine, as the CMake target Spectral_segmentation::compiled has it.
-#include <CGAL/Spectral_segmentation/internal/engine_impl.h>
+#include <CGAL/Spectral_segmentation/compiled.h>

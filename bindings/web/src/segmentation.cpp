@@ -7,10 +7,11 @@
 #include <CGAL/Spectral_segmentation/IO/hierarchy_json.h>
 #include <CGAL/Spectral_segmentation/Options.h>
 #include <CGAL/Spectral_segmentation/Segmentation_hierarchy.h>
-#include <CGAL/Spectral_segmentation/internal/adaptors/read_options.h>
-#include <CGAL/Spectral_segmentation/internal/adaptors/read_triangle_soup.h>
-#include <CGAL/Spectral_segmentation/internal/adaptors/segmentation_hierarchy.h>
+#include <CGAL/Spectral_segmentation/Segmentation_visitor.h>
 #include <CGAL/Spectral_segmentation/version.h>
+#include <CGAL/property_map.h>
+#include <CGAL/segment_spectral_recursive.h>
+#include <CGAL/tags.h>
 
 #include <files/Segmented_mesh.h>
 #include <files/write_mesh_file.h>
@@ -27,6 +28,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <exception>
+#include <functional>
 #include <memory>
 #include <new>
 #include <sstream>
@@ -38,7 +40,6 @@
 namespace web {
 
 namespace segmentation = CGAL::Spectral_segmentation;
-namespace internal = CGAL::Spectral_segmentation::internal;
 using emscripten::val;
 using segment_mesh::Index;
 using segment_mesh::Input;
@@ -112,7 +113,7 @@ public:
 };
 
 // Asks a function of JavaScript, which returns whether to go on.
-class Progress : public internal::Run_control
+class Progress : public segmentation::Segmentation_visitor
 {
   const val& function_;
   bool goes_on_ = true;
@@ -120,13 +121,13 @@ class Progress : public internal::Run_control
 public:
   explicit Progress(const val& function) : function_(function) {}
 
-  void progress(double share) override
+  void progress(double share)
   {
     if (goes_on_ && !function_.isUndefined())
       goes_on_ = function_(share).as<bool>();
   }
 
-  bool go_further() override { return goes_on_; }
+  bool go_further() { return goes_on_; }
 };
 
 segmentation::Options read_options(const val& given)
@@ -140,8 +141,12 @@ segmentation::Options read_options(const val& given)
       value = given[name].as<std::decay_t<decltype(value)> >();
   };
   const auto read_count = [&](const char* name, int least, auto& value) {
-    if (!given[name].isUndefined())
-      value = internal::to_count(given[name].as<int>(), name, least);
+    if (given[name].isUndefined())
+      return;
+    const int count = given[name].as<int>();
+    if (count < least)
+      throw std::invalid_argument(std::string(name) + " must be at least " + std::to_string(least));
+    value = static_cast<std::size_t>(count);
   };
   read_count("numberOfSegments", 1, o.number_of_segments);
   read_count("maximumNumberOfSegments", 1, o.maximum_number_of_segments);
@@ -179,14 +184,11 @@ public:
   Segmentation(const Mesh& mesh, const val& options, const val& progress)
     : input_(mesh.input()), options_(read_options(options))
   {
-    internal::Surface triangles =
-      internal::read_triangle_soup(input_->soup.points, input_->triangles);
-    internal::connect(triangles);
-    Progress control(progress);
-    tree_ = internal::segmentation_hierarchy(std::move(triangles), options_,
-                                             internal::Execution::SEQUENTIAL, control);
-    const std::vector<std::size_t> labels = tree_.labels(tree_.nodes());
-    label_of_triangle_.assign(labels.begin(), labels.end());
+    Progress visitor(progress);
+    label_of_triangle_.resize(input_->triangles.size());
+    CGAL::segment_spectral_recursive<CGAL::Sequential_tag>(
+      input_->soup.points, input_->triangles, CGAL::make_property_map(label_of_triangle_),
+      segmentation::parameters::options(options_).hierarchy(tree_).visitor(std::ref(visitor)));
   }
 
   std::size_t number_of_segments() const { return number_of_labels(label_of_triangle_); }

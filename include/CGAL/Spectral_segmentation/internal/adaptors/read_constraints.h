@@ -80,25 +80,30 @@ void read_edge_constraints(const TriangleMesh& mesh, const std::vector<FaceDescr
     }
 }
 
-// Reads the constraints on edges of triangles with these corners, which were made a surface. An
-// edge is given by its two corners, the smaller first.
+// Reads the constraints on edges of triangles with these corners. An edge is given by its two
+// corners, the smaller first, and joins or separates all its triangles.
 template <class CGALNamedParameters>
-void read_edge_constraints(const Surface& surface, const std::vector<Corners>& corners,
-                           const CGALNamedParameters& np, Constraints& constraints)
+void read_edge_constraints(const std::vector<Corners>& corners, const CGALNamedParameters& np,
+                           Constraints& constraints)
 {
-  for (Index h = 0; h < surface.number_of_halfedges(); ++h) {
-    const Index f = h / 3, g = surface.neighbor(h);
-    if (f >= g)
-      continue;
-    std::vector<std::size_t> common;
-    for (Index v : corners[f])
-      if (std::find(corners[g].begin(), corners[g].end(), v) != corners[g].end())
-        common.push_back(v);
-    std::sort(common.begin(), common.end());
-    for (std::size_t i = 1; i < common.size(); ++i)
-      for (std::size_t j = 0; j < i; ++j)
-        add_edge_constraint(np, std::make_pair(common[j], common[i]), f, g, constraints);
-  }
+  std::map<std::pair<std::size_t, std::size_t>, std::vector<Index> > faces_at;
+  for (Index f = 0; f < corners.size(); ++f)
+    for (std::size_t i = 0; i < 3; ++i) {
+      const auto [v, w] = std::minmax(corners[f][i], corners[f][(i + 1) % 3]);
+      const std::pair<std::size_t, std::size_t> edge(v, w);
+      if (!edge_value(np, CGAL::internal_np::edge_is_constrained, edge) &&
+          !edge_value(np, internal_np::edge_is_uncuttable_map, edge))
+        continue;
+      std::vector<Index>& faces = faces_at[edge];
+      if (faces.empty() || faces.back() != f) // a degenerate triangle may have it twice
+        faces.push_back(f);
+    }
+  for (const auto& [edge, faces] : faces_at)
+    for (std::size_t j = 1; j < faces.size(); ++j)
+      for (std::size_t i = 0; i < j; ++i)
+        add_edge_constraint(np, edge, faces[i], faces[j], constraints);
+  for (std::vector<Face_pair>* pairs : {&constraints.cannot_link, &constraints.must_link})
+    std::sort(pairs->begin(), pairs->end());
 }
 
 // Reads the seeds of faces, or of the positions of triangles.
