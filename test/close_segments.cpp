@@ -273,7 +273,7 @@ BOOST_AUTO_TEST_CASE(open_parts_have_the_faces_of_their_segments)
   }
 }
 
-// Returns what `CGAL::Segmented_mesh::Closed_segment` tells, as CGAL finds it for the mesh of a part.
+// Returns what `Closed_segment` tells, as CGAL finds it for the mesh of a part.
 bool is_solid(const Mesh& part)
 {
   return CGAL::is_closed(part) && PMP::volume(part) > 0 && !PMP::does_self_intersect(part) &&

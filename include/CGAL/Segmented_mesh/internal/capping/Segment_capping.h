@@ -52,7 +52,8 @@ class Segment_capping
 
   // The shapes in ascending order of effort. All but the first two are for loops whose caps would
   // leave the solid near the loop, because its vertices zigzag or lie in a concave fold.
-  static constexpr Shape shapes_[] = {{0, false}, {0, true}, {0.5, false}, {2, false}, {0.1, false}};
+  static constexpr Shape shapes_[] = {
+    {0, false}, {0, true}, {0.5, false}, {2, false}, {0.1, false}};
 
   std::size_t number_of_given_points_;
   std::vector<Vector> points_;  // with the new points
@@ -205,8 +206,8 @@ class Segment_capping
     return false;
   }
 
-  // Returns whether a triangle (v, w, x) of a cap leaves the border edge (v, w) to the inside of the
-  // solid, or along its surface. The triangles of the surface there are (w, v, a) and (v, w, b).
+  // Returns whether a triangle (v, w, x) of a cap leaves the border edge (v, w) to the inside of
+  // the solid, or along its surface. The triangles of the surface there are (w, v, a) and (v, w, b).
   bool leads_inwards(const Corners& t, Index a, Index b) const
   {
     const auto v = exact_point(points_[t[0]]), w = exact_point(points_[t[1]]),
@@ -420,7 +421,8 @@ public:
   // `segment` holds the segment of each triangle, from 0 to n - 1.
   Segment_capping(const std::vector<Vector>& points, const std::vector<Corners>& triangles,
                   const std::vector<Index>& segment, std::size_t n)
-    : number_of_given_points_(points.size()), points_(points), triangles_(n), borders_(triangles, segment, n), tree_(points_, triangles)
+    : number_of_given_points_(points.size()), points_(points), triangles_(n),
+      borders_(triangles, segment, n), tree_(points_, triangles)
   {
     for (std::size_t f = 0; f < triangles.size(); ++f)
       triangles_[segment[f]].push_back(triangles[f]);

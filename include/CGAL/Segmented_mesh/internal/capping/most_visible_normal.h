@@ -12,10 +12,10 @@
 
 namespace CGAL::Segmented_mesh::internal {
 
-// Returns the unit vector whose largest angle to the normals is smallest, or 0 if it has a right
-// angle with one. The mean of normals often has larger angles at sharp edges, and a point that moves
-// against it leaves the solid. The vector points to the point nearest to 0 in the convex hull of the
-// normals, which the algorithm of Frank and Wolfe finds.
+// Returns the unit vector whose largest angle to the normals is smallest, or 0 if that is a right
+// angle or more. The mean of normals often has larger angles at sharp edges, and a point that moves
+// against it leaves the solid. The vector points to the point nearest to 0 in the convex hull of
+// the normals, which the algorithm of Frank and Wolfe finds.
 inline Vector most_visible_normal(const std::vector<Vector>& normals)
 {
   Vector result;
