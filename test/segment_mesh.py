@@ -763,6 +763,25 @@ class Formats(Tool_test):
             self.assertIn(True, is_cap)
         self.assertEqual(sorted(numbers), list(range(len(self.faces))))
 
+    def test_closed_segments_are_reported(self):
+        # Two tetrahedra that intersect, as one segment
+        points = [(0, 0, 0), (1, 0, 0), (0, 1, 0), (0, 0, 1)]
+        points += [tuple(x + 0.2 for x in p) for p in points]
+        faces = [(0, 2, 1), (0, 1, 3), (1, 2, 3), (0, 3, 2)]
+        faces += [tuple(v + 4 for v in face) for face in faces]
+        write_off(self.directory / "two.off", points, faces)
+        for name, is_solid in (("in.off", True), ("two.off", False)):
+            done = self.run_tool(name, "--close", "--split-dir", "parts", "--json", "report.json",
+                                 "--segments", 1 if name == "two.off" else 8)
+            self.assertEqual(done.returncode, 0)
+            self.assertEqual("bounds no solid: 0 (intersects itself)" in done.stderr, not is_solid)
+            told = json.loads((self.directory / "report.json").read_text())["closed_segments"]
+            index = json.loads((self.directory / "parts/segments.json").read_text())
+            self.assertEqual(told, index["closed_segments"])
+            self.assertEqual([s["label"] for s in told], list(range(len(told))))
+            self.assertEqual({s["is_solid"] for s in told}, {is_solid})
+            self.assertEqual({s["has_self_intersections"] for s in told}, {not is_solid})
+
     def test_closing_needs_separate_segments(self):
         for options in ((), ("-o", "out.ply")):
             self.assert_failure("usage", "in.off", "--close", *options,

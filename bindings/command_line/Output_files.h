@@ -46,6 +46,7 @@ class Output_files
   std::vector<std::pair<Path, std::string> > streams_; // their names and contents
   Path split_directory_;
   std::set<std::string> segment_files_, earlier_segment_files_;
+  nlohmann::ordered_json closed_segments_; // of the index
   Signal_handlers handlers_;
 
   // Only what signal handlers may do.
@@ -156,8 +157,10 @@ public:
 
   // Prepares `commit()` to remove the files that an earlier run wrote to the directory, or left
   // there when it was killed. Two runs at a time must not write to one directory.
-  void start_segments(const Path& directory)
+  void start_segments(const Path& directory,
+                      const nlohmann::ordered_json& closed_segments = nullptr)
   {
+    closed_segments_ = closed_segments;
     split_directory_ = split_directory_of(directory);
     earlier_segment_files_ = earlier_segment_files(split_directory_);
     for (const File& f : files_) // this run may have other outputs there
@@ -186,7 +189,7 @@ public:
   {
     if (!split_directory_.empty())
       write(split_directory_ / segment_index_name,
-            [&](std::ostream& out) { out << segment_index(segment_files_); });
+            [&](std::ostream& out) { out << segment_index(segment_files_, closed_segments_); });
     for (const auto& stream : streams_)
       write_stream(stream.first, stream.second);
     check_targets();

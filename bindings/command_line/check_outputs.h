@@ -173,9 +173,13 @@ inline bool is_temporary_file(const std::string& name)
          name.compare(end, temporary_end.size(), temporary_end) == 0;
 }
 
-inline std::string segment_index(const std::set<std::string>& files)
+inline std::string segment_index(const std::set<std::string>& files,
+                                 const nlohmann::ordered_json& closed_segments)
 {
-  return nlohmann::ordered_json({{"writer", "segment_mesh"}, {"files", files}}).dump(1) + "\n";
+  nlohmann::ordered_json result = {{"writer", "segment_mesh"}, {"files", files}};
+  if (!closed_segments.empty())
+    result["closed_segments"] = closed_segments;
+  return result.dump(1) + "\n";
 }
 
 // The files of segments that an earlier run wrote, and temporary files if it was killed; none if

@@ -8,7 +8,10 @@
 
 #include <CGAL/Segmented_mesh/close_segments.h>
 
+#include <nlohmann/json.hpp>
+
 #include <cstddef>
+#include <string>
 #include <utility>
 #include <vector>
 
@@ -35,10 +38,18 @@ inline void join_borders(const Input& input, Polygon_soup& soup)
   }
 }
 
-// Returns the polygons, and after them the triangles that close their segments; and the segment of
-// each. Borders of the input are joined. Further properties of new points and triangles are 0.
-inline std::pair<Polygon_soup, std::vector<Index> > closed_soup(const Input& input,
-                                                                std::vector<Index> segment)
+typedef std::vector<CGAL::Segmented_mesh::Closed_segment<Index> > Closed_segments;
+
+struct Closed_soup
+{
+  Polygon_soup soup;
+  std::vector<Index> segment; // one per polygon
+  Closed_segments segments;
+};
+
+// Returns the polygons, and after them the triangles that close their segments. Borders of the
+// input are joined. Further properties of new points and triangles are 0.
+inline Closed_soup closed_soup(const Input& input, std::vector<Index> segment)
 {
   Polygon_soup soup = input.soup;
   join_borders(input, soup);
@@ -47,7 +58,8 @@ inline std::pair<Polygon_soup, std::vector<Index> > closed_soup(const Input& inp
   for (Index polygon : input.polygon_of_triangle)
     segment_of_triangle.push_back(segment[polygon]);
   const std::size_t first_cap = triangles.size();
-  CGAL::close_segments(soup.points, triangles, segment_of_triangle);
+  Closed_segments closed_segments =
+    CGAL::close_segments(soup.points, triangles, segment_of_triangle);
   for (std::size_t t = first_cap; t < triangles.size(); ++t) {
     soup.corners.insert(soup.corners.end(), triangles[t].begin(), triangles[t].end());
     soup.end_polygon();
@@ -60,7 +72,44 @@ inline std::pair<Polygon_soup, std::vector<Index> > closed_soup(const Input& inp
   for (std::vector<Index>* list : {&soup.texture_of_corner, &soup.normal_of_corner})
     if (!list->empty())
       list->resize(soup.corners.size(), mesh_file::null_index);
-  return {std::move(soup), std::move(segment)};
+  return {std::move(soup), std::move(segment), std::move(closed_segments)};
+}
+
+// Returns what holds for each closed segment.
+inline nlohmann::ordered_json closed_report(const Closed_segments& segments)
+{
+  auto result = nlohmann::ordered_json::array();
+  for (const auto& s : segments)
+    result.push_back({{"label", s.id},
+                      {"is_solid", s.is_solid()},
+                      {"is_closed", s.is_closed},
+                      {"is_manifold", s.is_manifold},
+                      {"is_outward_oriented", s.is_outward_oriented},
+                      {"has_self_intersections", s.has_self_intersections},
+                      {"volume", s.volume}});
+  return result;
+}
+
+// Returns a sentence about the segments that bound no solid; it is empty if all do.
+inline std::string closed_warning(const Closed_segments& segments)
+{
+  std::string list;
+  std::size_t n = 0;
+  for (const auto& s : segments) {
+    if (s.is_solid())
+      continue;
+    const char* reason = !s.is_closed              ? "not closed"
+                         : s.has_self_intersections ? "intersects itself"
+                         : !s.is_manifold           ? "touches itself"
+                                                    : "inside out";
+    if (++n <= 10)
+      list += (n > 1 ? ", " : "") + std::to_string(s.id) + " (" + reason + ")";
+  }
+  if (n == 0)
+    return "";
+  return std::to_string(n) + " of " + std::to_string(segments.size()) +
+         (segments.size() == 1 ? " closed segment bounds" : " closed segments bound") +
+         " no solid: " + list + (n > 10 ? " ..." : "");
 }
 
 } // namespace segment_mesh

@@ -403,7 +403,8 @@ Page_options page_options(const Options& o, std::size_t number_of_segments)
 }
 
 Json report(const Options& o, const Input& input, std::size_t number_of_segments,
-            const Segmentation_hierarchy& tree, const Run_watch& watch)
+            const Segmentation_hierarchy& tree, const Run_watch& watch,
+            const Closed_segments& closed_segments)
 {
   Json result = status_report(o, Status::OK, "");
   result.update({
@@ -417,14 +418,18 @@ Json report(const Options& o, const Input& input, std::size_t number_of_segments
           {"peak_memory", peak_memory()},
           {"threads", json_or_null(o.threads)},
           {"parameters", parameters_report(o)},
+          {"closed_segments", closed_report(closed_segments)},
           {"hierarchy", hierarchy_report(tree, input)}});
   return result;
 }
 
-// Writes the input as meshes, with refined boundaries if its faces need not be kept.
-void write_meshes(const Options& o, const Input& input, const std::vector<Index>& label_of_triangle,
-                  const std::vector<Index>& label_of_polygon, std::size_t number_of_segments,
-                  const Segmentation_hierarchy& tree, Output_files& files)
+// Writes the input as meshes, with refined boundaries if its faces need not be kept. Returns what
+// holds for the closed segments, if any.
+Closed_segments write_meshes(const Options& o, const Input& input,
+                             const std::vector<Index>& label_of_triangle,
+                             const std::vector<Index>& label_of_polygon,
+                             std::size_t number_of_segments, const Segmentation_hierarchy& tree,
+                             Output_files& files)
 {
   const std::vector<Rgb> colors =
     segment_colors(segment_neighbors(input, label_of_triangle, number_of_segments));
@@ -437,7 +442,7 @@ void write_meshes(const Options& o, const Input& input, const std::vector<Index>
   const std::vector<mesh_file::Part> parts =
     part_tree(tree, label_of_triangle, number_of_segments);
   const mesh_file::Segmented_mesh mesh{written.soup, labels, colors, parts, refined.polygon};
-  std::pair<Polygon_soup, std::vector<Index> > closed;
+  Closed_soup closed;
   std::vector<Index> closed_faces;
   if (o.close) {
     closed = closed_soup(written, labels);
@@ -447,14 +452,16 @@ void write_meshes(const Options& o, const Input& input, const std::vector<Index>
       closed_faces.resize(input.soup.number_of_polygons());
       std::iota(closed_faces.begin(), closed_faces.end(), Index(0));
     }
-    closed_faces.resize(closed.second.size(), mesh_file::null_index);
+    closed_faces.resize(closed.segment.size(), mesh_file::null_index);
   }
-  const mesh_file::Segmented_mesh closed_mesh{closed.first, closed.second, colors, parts,
+  const mesh_file::Segmented_mesh closed_mesh{closed.soup, closed.segment, colors, parts,
                                               closed_faces};
   for (const std::string& name : o.mesh_files)
     write_mesh(files, name, o.close && has_objects(name) ? closed_mesh : mesh);
   if (!o.split_directory.empty())
-    write_segments(files, o.split_directory, '.' + o.split_format, o.close ? closed_mesh : mesh);
+    write_segments(files, o.split_directory, '.' + o.split_format, o.close ? closed_mesh : mesh,
+                   closed_report(closed.segments));
+  return closed.segments;
 }
 
 void print_summary(std::ostream& out, const Options& o, const Input& input,
@@ -519,8 +526,10 @@ Json run(const Options& o)
   Output_files files;
   if (!o.label_file.empty())
     files.write(o.label_file, [&](std::ostream& out) { write_labels(out, label_of_polygon); });
+  Closed_segments closed_segments;
   if (writes_meshes)
-    write_meshes(o, input, labels, label_of_polygon, number_of_segments, tree, files);
+    closed_segments =
+      write_meshes(o, input, labels, label_of_polygon, number_of_segments, tree, files);
   if (!o.hierarchy_file.empty())
     files.write(o.hierarchy_file, [&](std::ostream& out) { write_hierarchy(out, tree, input); });
   if (!o.page_file.empty())
@@ -530,7 +539,7 @@ Json run(const Options& o)
   watch.end_phase();
   if (!o.report_file.empty()) // written last, because it holds the time of the others
     files.write(o.report_file, [&](std::ostream& out) {
-      out << report(o, input, number_of_segments, tree, watch)
+      out << report(o, input, number_of_segments, tree, watch, closed_segments)
                .dump(1, ' ', false, Json::error_handler_t::replace) << "\n";
     });
   files.commit();
@@ -542,6 +551,8 @@ Json run(const Options& o)
       std::cerr << "segment_mesh: warning: the faces of " << o.input << " point inwards; turned "
                    "around, they may have other parts, because parts end in concave seams"
                 << std::endl;
+    if (const std::string warning = closed_warning(closed_segments); !warning.empty())
+      std::cerr << "segment_mesh: warning: " << warning << std::endl;
     if (o.segments && number_of_segments > *o.segments)
       std::cerr << "segment_mesh: warning: more than " << *o.segments
                 << " segments, because each connected component is at least one" << std::endl;

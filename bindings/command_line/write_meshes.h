@@ -92,11 +92,13 @@ inline void write_mesh(Output_files& files, const std::filesystem::path& name,
     files.write(materials, [&](std::ostream& out) { mesh_file::write_mtl(out, mesh); });
 }
 
-// One mesh a segment, in the files segment_000, segment_001 ... with the extension.
+// Writes a mesh for each segment, in the files segment_000, segment_001 ... with the extension, and
+// what holds for the closed segments.
 inline void write_segments(Output_files& files, const std::filesystem::path& directory,
-                           const std::string& extension, const mesh_file::Segmented_mesh& mesh)
+                           const std::string& extension, const mesh_file::Segmented_mesh& mesh,
+                           const nlohmann::ordered_json& closed_segments)
 {
-  files.start_segments(directory);
+  files.start_segments(directory, closed_segments);
   mesh_file::Segment_extraction extract(mesh);
   for (std::size_t s = 0; s < extract.number_of_segments(); ++s) {
     const Polygon_soup part = extract(s);

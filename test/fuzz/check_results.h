@@ -10,8 +10,9 @@
 #include <CGAL/Segmented_mesh/refine_segment_boundaries.h>
 #include <CGAL/Segmented_mesh/split_into_segments.h>
 
-#include <CGAL/Polygon_mesh_processing/measure.h>
+#include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 #include <CGAL/Polygon_mesh_processing/self_intersections.h>
+#include <CGAL/boost/graph/copy_face_graph.h>
 #include <CGAL/boost/graph/helpers.h>
 
 #include <algorithm>
@@ -235,6 +236,14 @@ inline void check_closing(const Soup& before, const Ids& old_ids, const Mesh* me
     { CGAL::close_segments(s.points, s.triangles, i); });
 }
 
+// Returns what CGAL finds with a kernel that makes no errors.
+inline bool does_self_intersect(const Mesh& mesh)
+{
+  CGAL::Surface_mesh<CGAL::Exact_predicates_inexact_constructions_kernel::Point_3> copy;
+  CGAL::copy_face_graph(mesh, copy);
+  return CGAL::Polygon_mesh_processing::does_self_intersect(copy);
+}
+
 inline void check_splitting(const Mesh& mesh, const Ids& ids, bool close_parts)
 {
   Mesh copy = mesh;
@@ -245,7 +254,6 @@ inline void check_splitting(const Mesh& mesh, const Ids& ids, bool close_parts)
     result.erase(std::unique(result.begin(), result.end()), result.end());
     return result;
   }();
-  namespace PMP = CGAL::Polygon_mesh_processing;
   std::vector<Mesh> parts;
   std::vector<std::vector<Mesh::Face_index> > faces_of_parts;
   const auto segments = CGAL::split_into_segments(
@@ -257,9 +265,9 @@ inline void check_splitting(const Mesh& mesh, const Ids& ids, bool close_parts)
     require(CGAL::is_valid_polygon_mesh(parts[i]), "a part is a valid mesh");
     require(parts[i].number_of_faces() == faces_of_parts[i].size(), "a part has its faces");
     if (close_parts)
-      require(segments[i].is_solid() ==
-                (CGAL::is_closed(parts[i]) && PMP::volume(parts[i]) > 0 &&
-                 !PMP::does_self_intersect(parts[i])), "a part is told to be solid if it is");
+      require((segments[i].is_manifold && !segments[i].has_self_intersections) ==
+                (CGAL::is_closed(parts[i]) && !does_self_intersect(parts[i])),
+              "a part is told to be closed and free of self-intersections if it is");
     for (Mesh::Face_index f : faces_of_parts[i])
       if (f != Mesh::null_face()) {
         ++number_of_faces;

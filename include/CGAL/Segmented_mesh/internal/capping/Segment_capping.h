@@ -207,18 +207,17 @@ class Segment_capping
   }
 
   // Returns whether a triangle (v, w, x) of a cap leaves the border edge (v, w) to the inside of
-  // the solid, or along its surface. The triangles of the surface there are (w, v, a) and (v, w, b).
+  // the solid, or along its surface. The surface has the triangles (w, v, a) and (v, w, b) there.
   bool leads_inwards(const Corners& t, Index a, Index b) const
   {
     const auto v = exact_point(points_[t[0]]), w = exact_point(points_[t[1]]),
                x = exact_point(points_[t[2]]);
-    const auto inside = orientation_ > 0 ? CGAL::NEGATIVE : CGAL::POSITIVE;
     const auto p = exact_point(points_[a]), q = exact_point(points_[b]);
-    const auto side_of_a = CGAL::orientation(w, v, p, x), side_of_b = CGAL::orientation(v, w, q, x);
-    const bool is_convex = CGAL::orientation(w, v, p, q) == inside;
-    const bool is_beyond_a = side_of_a != inside && side_of_a != CGAL::ZERO,
-               is_beyond_b = side_of_b != inside && side_of_b != CGAL::ZERO;
-    return is_convex ? !is_beyond_a && !is_beyond_b : !is_beyond_a || !is_beyond_b;
+    const auto outside = orientation_ > 0 ? CGAL::POSITIVE : CGAL::NEGATIVE;
+    const bool is_convex = CGAL::orientation(w, v, p, q) == -outside;
+    const bool is_before_a = CGAL::orientation(w, v, p, x) != outside,
+               is_before_b = CGAL::orientation(v, w, q, x) != outside;
+    return is_convex ? is_before_a && is_before_b : is_before_a || is_before_b;
   }
 
   // Returns whether a cap of a segment leaves the border of the segment to the inside of the solid.
@@ -390,7 +389,7 @@ class Segment_capping
   // Computes the normals of the surface at the vertices of borders.
   void compute_normals()
   {
-    const std::vector<char> is_at_border = borders_.vertices(number_of_given_points_);
+    const std::vector<char> is_at_border = borders_.vertices(points_.size());
     std::unordered_map<Index, std::vector<Vector> > normals;
     for (const std::vector<Corners>& triangles : triangles_)
       for (const Corners& t : triangles)
