@@ -869,8 +869,9 @@ class Formats(Tool_test):
         and its texture."""
         around, rings = 16, 24
         radius = lambda z: 1 + 0.7 * math.cos(2 * math.pi * z / (rings - 1)) + 0.02 * (z % 3)
-        place = lambda z, i: (radius(z) * math.cos(2 * math.pi * i / around),
-                              radius(z) * math.sin(2 * math.pi * i / around), 0.4 * z)
+        angle = lambda i: 2 * math.pi * (i % around) / around # the same points at both ends
+        place = lambda z, i: (radius(z) * math.cos(angle(i)), radius(z) * math.sin(angle(i)),
+                              0.4 * z)
         quads = [[place(z, i), place(z, i + 1), place(z + 1, i + 1), place(z + 1, i)]
                  for z in range(rings - 1) for i in range(around)]
         obj, number = [], 0

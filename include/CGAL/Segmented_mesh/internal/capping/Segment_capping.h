@@ -57,24 +57,34 @@ class Segment_capping
 
   std::size_t number_of_given_points_;
   std::vector<Vector> points_;  // with the new points
-  std::unordered_map<Index, Vector> normals_; // outward, at the given points of borders
   std::vector<std::vector<Corners> > triangles_; // of each segment, with its caps
   Segment_borders borders_;
+  std::vector<char> is_done_; // one per segment, whether it is closed
   Triangle_tree tree_;
   std::set<Vertex_pair> taken_; // edges of triangles and caps, where one more triangle is too many
   double orientation_ = 1;      // -1 if the surface is inside out
+
+  // The segments and the normals of the triangles at each vertex of a border, or of a cap.
+  std::unordered_map<Index, std::vector<std::pair<Index, Vector> > > normals_;
   Caps result_;
 
-  // Takes the edges between vertices of borders, because other edges cannot be edges of a cap.
-  void take_edges(const std::vector<Corners>& triangles)
+  // Takes the triangles of the segments, their normals at the borders, and the edges between
+  // vertices of borders, because other edges cannot be edges of a cap.
+  void take(const std::vector<Corners>& triangles, const std::vector<Index>& segment)
   {
     const std::vector<char> is_at_border = borders_.vertices(points_.size());
-    for (const Corners& t : triangles)
+    for (std::size_t f = 0; f < triangles.size(); ++f) {
+      const Corners& t = triangles[f];
+      triangles_[segment[f]].push_back(t);
       for (int i = 0; i < 3; ++i) {
         const Index v = t[i], w = t[(i + 1) % 3];
-        if (is_at_border[v] && is_at_border[w])
+        if (!is_at_border[v])
+          continue;
+        normals_[v].emplace_back(segment[f], normal(t));
+        if (is_at_border[w])
           taken_.insert(vertex_pair(v, w));
       }
+    }
   }
 
   void add_triangle(Index segment, const Corners& t)
@@ -83,6 +93,8 @@ class Segment_capping
     result_.segment.push_back(segment);
     triangles_[segment].push_back(t);
     borders_.add_triangle(segment, t);
+    for (Index v : t)
+      normals_[v].emplace_back(segment, normal(t));
   }
 
   Index add_point(const Vector& p)
@@ -120,53 +132,56 @@ class Segment_capping
     return triangles;
   }
 
-  // Returns the outward normal of a triangle, of length 1 unless the triangle is degenerate.
-  Vector outward_normal(const Corners& t) const
+  // Returns the normal of a triangle, of length 1 unless the triangle is degenerate.
+  Vector normal(const Corners& t) const
   {
-    const Vector normal = (points_[t[1]] - points_[t[0]]).cross(points_[t[2]] - points_[t[0]]);
-    const double norm = normal.norm();
-    return norm > 0 ? normal * (orientation_ / norm) : Vector();
+    const Vector n = (points_[t[1]] - points_[t[0]]).cross(points_[t[2]] - points_[t[0]]);
+    const double norm = n.norm();
+    return norm > 0 ? n / norm : n;
   }
 
-  // Returns the copy of a loop that lies inside the surface, `depth` edges deep, and is smoother.
-  // Vertices of other caps, which lie inside, stay.
+  // Returns a direction at a vertex of a border that leads into the solid that is left, which
+  // consists of the segments that are not closed yet.
+  Vector inward(Index v) const
+  {
+    std::vector<Vector> normals;
+    for (const auto& [segment, n] : normals_.at(v))
+      if (!is_done_[segment])
+        normals.push_back(n);
+    return -orientation_ * most_visible_normal(normals);
+  }
+
+  // Returns the copy of a loop that lies inside the solid, `depth` edges deep, and is smoother.
   Loop moved_inwards(const Loop& loop, double depth)
   {
     const std::size_t n = loop.size();
     const auto before = [n](std::size_t i) { return (i + n - 1) % n; };
     const auto after = [n](std::size_t i) { return (i + 1) % n; };
-    std::vector<char> moves(n);
     std::vector<Vector> moved(n);
     for (std::size_t i = 0; i < n; ++i) {
-      const Index u = loop[before(i)], v = loop[i], w = loop[after(i)];
-      moves[i] = (std::max)({u, v, w}) < number_of_given_points_;
-      moved[i] = points_[v];
-      if (moves[i])
-        moved[i] -= depth / 2 * normals_.at(v) * ((points_[u] - points_[v]).norm() +
-                                               (points_[w] - points_[v]).norm());
+      const Vector &p = points_[loop[before(i)]], &q = points_[loop[i]],
+                   &r = points_[loop[after(i)]];
+      moved[i] = q + depth / 2 * ((p - q).norm() + (r - q).norm()) * inward(loop[i]);
     }
     for (int round = 0; round < 3; ++round) {
       const std::vector<Vector> given = moved;
       for (std::size_t i = 0; i < n; ++i)
-        if (moves[i])
-          moved[i] = (given[before(i)] + 2 * given[i] + given[after(i)]) / 4;
+        moved[i] = (given[before(i)] + 2 * given[i] + given[after(i)]) / 4;
     }
     Loop result;
-    for (std::size_t i = 0; i < n; ++i)
-      result.push_back(moves[i] ? add_point(moved[i]) : loop[i]);
+    for (const Vector& p : moved)
+      result.push_back(add_point(p));
     return result;
   }
 
-  // Appends a strip between a range of edges of a loop and of its copy, which may share vertices.
+  // Appends a strip between a range of edges of a loop and of its copy.
   static void add_strip(const Loop& loop, const Loop& copy, std::size_t begin, std::size_t end,
                         std::vector<Corners>& triangles)
   {
     for (std::size_t i = begin; i < end; ++i) {
       const std::size_t j = (i + 1) % loop.size();
-      if (copy[j] != loop[j])
-        triangles.push_back({loop[i], loop[j], copy[j]});
-      if (copy[i] != loop[i])
-        triangles.push_back({loop[i], copy[j], copy[i]});
+      triangles.push_back({loop[i], loop[j], copy[j]});
+      triangles.push_back({loop[i], copy[j], copy[i]});
     }
   }
 
@@ -187,7 +202,8 @@ class Segment_capping
       Piece piece{a.segment, shape.is_fan ? fan(sector) : triangles_in(sector)};
       if (piece.triangles.empty())
         return {};
-      add_strip(loop, rim, a.begin, a.end, piece.triangles);
+      if (shape.depth > 0)
+        add_strip(loop, rim, a.begin, a.end, piece.triangles);
       result.push_back(std::move(piece));
     }
     return result;
@@ -239,7 +255,7 @@ class Segment_capping
   }
 
   // Returns whether a cap intersects neither itself nor the surface and its caps.
-  bool is_free(const Cap& cap) const
+  bool is_free(const Cap& cap)
   {
     std::vector<Corners> triangles;
     for (const Piece& piece : cap)
@@ -276,34 +292,34 @@ class Segment_capping
   {
     struct Vertex
     {
-      std::vector<Vector> normals; // of the triangles at it
+      std::vector<Vector> normals; // of the triangles of the segment at it
+      Vector inward;
       double shortest_edge = (std::numeric_limits<double>::infinity)();
       Index copy = null_index;
     };
     std::unordered_map<Index, Vertex> vertices;
     const std::vector<Corners>& triangles = triangles_[segment];
     for (const Corners& t : triangles) {
-      const Vector normal = outward_normal(t);
       for (int i = 0; i < 3; ++i) {
         Vertex& v = vertices[t[i]];
-        v.normals.push_back(normal);
+        v.normals.push_back(normal(t));
         for (Index w : t)
           if (w != t[i])
             v.shortest_edge =
               (std::min)(v.shortest_edge, (points_[w] - points_[t[i]]).norm());
       }
     }
+    for (auto& [v, vertex] : vertices)
+      vertex.inward = -orientation_ * most_visible_normal(vertex.normals);
     for (const Loop& loop : loops)
       for (Index v : loop)
-        if (v < number_of_given_points_) // where the inside of the segment may be outside of others
-          vertices[v].normals = {normals_.at(v)};
+        vertices[v].inward = inward(v);
 
     Cap result(1);
     const auto copy = [&](Index v) {
       Vertex& vertex = vertices[v];
       if (vertex.copy == null_index)
-        vertex.copy = add_point(
-          points_[v] - depth * vertex.shortest_edge * most_visible_normal(vertex.normals));
+        vertex.copy = add_point(points_[v] + depth * vertex.shortest_edge * vertex.inward);
       return vertex.copy;
     };
     for (const Corners& t : triangles)
@@ -355,6 +371,7 @@ class Segment_capping
       const std::vector<Vector> new_points(
         points_.begin() + static_cast<std::ptrdiff_t>(number_of_points), points_.end());
       tree_.resize(number_in_tree);
+      tree_.update();
       points_.resize(number_of_points);
       for (double depth : {0.3, 0.1, 0.03}) {
         const Cap cap = shell(segment, loops(), depth);
@@ -374,6 +391,8 @@ class Segment_capping
     }
     for (const Cap& cap : caps)
       add(cap, segment);
+    if (segment != null_index)
+      is_done_[segment] = 1;
     tree_.update();
   }
 
@@ -384,20 +403,6 @@ class Segment_capping
       for (const Corners& t : triangles)
         result += points_[t[0]].dot(points_[t[1]].cross(points_[t[2]]));
     return result;
-  }
-
-  // Computes the normals of the surface at the vertices of borders.
-  void compute_normals()
-  {
-    const std::vector<char> is_at_border = borders_.vertices(points_.size());
-    std::unordered_map<Index, std::vector<Vector> > normals;
-    for (const std::vector<Corners>& triangles : triangles_)
-      for (const Corners& t : triangles)
-        for (Index v : t)
-          if (v < number_of_given_points_ && is_at_border[v])
-            normals[v].push_back(outward_normal(t));
-    for (const auto& [v, normals_at_v] : normals)
-      normals_[v] = most_visible_normal(normals_at_v);
   }
 
   // Returns the segments in ascending order of their areas.
@@ -421,15 +426,11 @@ public:
   Segment_capping(const std::vector<Vector>& points, const std::vector<Corners>& triangles,
                   const std::vector<Index>& segment, std::size_t n)
     : number_of_given_points_(points.size()), points_(points), triangles_(n),
-      borders_(triangles, segment, n), tree_(points_, triangles)
+      borders_(triangles, segment, n), is_done_(n, 0), tree_(points_, triangles)
   {
-    for (std::size_t f = 0; f < triangles.size(); ++f)
-      triangles_[segment[f]].push_back(triangles[f]);
-    take_edges(triangles);
-    compute_normals();
+    take(triangles, segment);
     close(null_index);
     orientation_ = signed_volume() < 0 ? -1 : 1;
-    compute_normals();
     for (Index s : order())
       close(s);
     result_.points.assign(points_.begin() + static_cast<std::ptrdiff_t>(number_of_given_points_),

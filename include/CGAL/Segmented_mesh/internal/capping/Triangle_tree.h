@@ -58,6 +58,7 @@ class Triangle_tree
   std::vector<Corners> triangles_;       // not degenerate
   CGAL::AABB_tree<Traits> tree_;         // of the first triangles
   std::size_t number_in_tree_ = 0;
+  std::size_t number_of_tests_ = 0;      // one by one, since the tree was built
 
   void build()
   {
@@ -66,6 +67,7 @@ class Triangle_tree
       tree_.insert(Primitive(static_cast<Index>(i), *this));
     tree_.build();
     number_in_tree_ = triangles_.size();
+    number_of_tests_ = 0;
   }
 
 public:
@@ -92,16 +94,17 @@ public:
   // Removes triangles at the end that were inserted after the last update.
   void resize(std::size_t size) { triangles_.resize(size); }
 
-  // Puts the triangles in the tree if there are many that are not.
+  // Puts the triangles in the tree if to test them one by one has taken longer than that.
   void update()
   {
-    if (triangles_.size() - number_in_tree_ > 1000 + number_in_tree_ / 10)
+    if (number_of_tests_ > 10 * triangles_.size())
       build();
   }
 
   // Returns whether a triangle, which is not degenerate, intersects one that the tree holds.
-  bool intersects(const Corners& t) const
+  bool intersects(const Corners& t)
   {
+    number_of_tests_ += triangles_.size() - number_in_tree_;
     for (std::size_t i = number_in_tree_; i < triangles_.size(); ++i)
       if (do_intersect(points_, t, triangles_[i]))
         return true;
