@@ -4,6 +4,7 @@
 """Tests an example: examples.py EXAMPLE MESHES, with the directory of CGAL's meshes."""
 
 import collections
+import json
 import math
 import os
 import pathlib
@@ -14,6 +15,7 @@ import subprocess
 import sys
 import tempfile
 import unittest
+from xml.etree import ElementTree
 
 from segment_mesh import dumbbell, read_off, tube, write_off
 
@@ -42,6 +44,14 @@ def read_ply(path):
     assert len(rows) == counts["face"] and all(row[0] == 3 for row in rows)
     return (points, [row[1:4] for row in rows],
             {name: [row[4 + i] for row in rows] for i, name in enumerate(names["face"])})
+
+
+def read_stl(path):
+    """Points and faces of a binary STL; equal points are one."""
+    numbers, faces = {}, []
+    for row in struct.iter_unpack("<12fH", path.read_bytes()[84:]):
+        faces.append([numbers.setdefault(row[i:i + 3], len(numbers)) for i in (3, 6, 9)])
+    return list(numbers), faces
 
 
 def cross(a, b):
@@ -347,22 +357,71 @@ class Example(unittest.TestCase):
         self.assertGreater(red[last], 245)
 
     def test_collision_shapes(self):
-        n, number_of_faces, percentage = self.numbers(
+        n, number_of_faces, percentage, mass = self.numbers(
             r"(\d+) convex shapes with (\d+) faces in place of 5558; "
-            r"they take ([\d.]+) % of the space of one shape around all", self.run_example())
-        points, faces, _ = read_ply(self.directory / "collision_shapes.ply")
-        self.assertEqual(len(faces), number_of_faces)
-        self.assertTrue(is_closed(faces))
-        shapes = [(outer_planes(points, shape), {v for face in shape for v in face})
-                  for shape in connected_sets(faces)]
-        self.assertEqual(len(shapes), n)
-        for planes, vertices in shapes:
-            self.assertTrue(all(is_inside(points[v], planes, 1e-6) for v in vertices))
+            r"they take ([\d.]+) % of the space of one shape around all; ([\d.]+) kg by the mesh",
+            self.run_example())
+        shapes, hulls_volume, sum_of_faces = [], 0, 0
+        urdf = ElementTree.parse(self.directory / "collision_shapes.urdf").getroot()
+        files = [mesh.get("filename") for mesh in urdf.findall("link/collision/geometry/mesh")]
+        for name in files:
+            points, faces = read_stl(self.directory / name)
+            self.assertTrue(is_closed(faces))
+            sum_of_faces += len(faces)
+            hulls_volume += volume(points, faces)
+            shapes.append(outer_planes(points, faces))
+            self.assertTrue(all(is_inside(p, shapes[-1], 1e-6) for p in points))
+        self.assertEqual((len(files), sum_of_faces), (n, number_of_faces))
         mesh_points, mesh_faces = read_off(MESHES / "elephant.off")
         for p in mesh_points:
-            self.assertTrue(any(is_inside(p, planes, 1e-6) for planes, _ in shapes))
-        self.assertGreater(volume(points, faces), volume(mesh_points, mesh_faces))
+            self.assertTrue(any(is_inside(p, planes, 1e-6) for planes in shapes))
+        self.assertGreater(hulls_volume, volume(mesh_points, mesh_faces))
         self.assertLess(percentage, 100)
+        self.assertAlmostEqual(mass / (1000 * volume(mesh_points, mesh_faces)), 1, places=4)
+        self.assertTrue((self.directory / urdf.find("link/visual/geometry/mesh")
+                         .get("filename")).exists())
+        mjcf = ElementTree.parse(self.directory / "collision_shapes.xml").getroot()
+        self.assertEqual([mesh.get("file") for mesh in mjcf.findall("asset/mesh")], files)
+        self.assertEqual([geom.get("mesh") for geom in mjcf.findall("worldbody/body/geom")],
+                         [mesh.get("name") for mesh in mjcf.findall("asset/mesh")])
+
+        points, faces = dumbbell()
+        self.run_example(self.write(points, faces))
+        urdf = ElementTree.parse(self.directory / "collision_shapes.urdf").getroot()
+        mass = float(urdf.find("link/inertial/mass").get("value"))
+        center = [float(x) for x in urdf.find("link/inertial/origin").get("xyz").split()]
+        self.assertAlmostEqual(mass / (1000 * volume(points, faces)), 1, places=6)
+        for x, middle in zip(center, (0, 0, 8)):
+            self.assertAlmostEqual(x, middle, delta=0.1)
+        inertia = urdf.find("link/inertial/inertia")
+        body = ElementTree.parse(
+            self.directory / "collision_shapes.xml").getroot().find("worldbody/body/inertial")
+        self.assertEqual(body.get("fullinertia").split(), [
+            inertia.get(name) for name in ("ixx", "iyy", "izz", "ixy", "ixz", "iyz")])
+        self.assertAlmostEqual(float(inertia.get("ixx")) / float(inertia.get("iyy")), 1, places=2)
+        self.assertLess(float(inertia.get("izz")), float(inertia.get("ixx")))
+
+    def test_joints_of_parts(self):
+        """The joint of two balls on the z axis is the ring between them."""
+        self.assertEqual(self.run_example(self.write(*dumbbell())), "2 parts, 1 joints\n")
+        result = json.loads((self.directory / "joints.json").read_text())
+        joint, = result["joints"]
+        self.assertEqual((joint["parts"], joint["is_loop"]), ([0, 1], True))
+        for x, middle in zip(joint["center"], (0, 0, 8)):
+            self.assertAlmostEqual(x, middle, delta=0.6)
+        direction = 1 if result["parts"][1]["center"][2] > joint["center"][2] else -1
+        self.assertGreater(direction * joint["axis"][2], 0.9)
+        self.assertAlmostEqual(joint["length"] / (2 * math.pi * joint["radius"]), 1, delta=0.2)
+
+        n, joints = self.numbers(r"(\d+) parts, (\d+) joints", self.run_example())
+        result = json.loads((self.directory / "joints.json").read_text())
+        self.assertEqual((len(result["parts"]), len(result["joints"])), (n, joints))
+        points, faces = read_off(MESHES / "elephant.off")
+        area = sum(dot(normal, normal) ** 0.5 / 2 for _, normal in outer_planes(points, faces))
+        self.assertAlmostEqual(sum(part["area"] for part in result["parts"]) / area, 1, places=6)
+        for joint in result["joints"]:
+            self.assertLess(joint["parts"][0], joint["parts"][1])
+            self.assertAlmostEqual(dot(joint["axis"], joint["axis"]), 1, places=6)
 
     def test_curve_skeleton_of_parts(self):
         self.assertEqual(self.run_example(self.write(*dumbbell())), "2 parts, 1 joints\n")
