@@ -1,6 +1,7 @@
 // Copyright (c) 2026  The Spectral_segmentation authors.
 // SPDX-License-Identifier: GPL-3.0-or-later
 
+#include "../bindings/files/read_materials.h"
 #include "../bindings/files/read_mesh_file.h"
 #ifdef __unix__
 #include "../bindings/files/read_scene_in_child.h"
@@ -14,6 +15,8 @@
 #include <cstddef>
 #include <cstdint>
 #include <cstring>
+#include <functional>
+#include <map>
 #include <stdexcept>
 #include <string>
 #include <vector>
@@ -315,6 +318,56 @@ BOOST_AUTO_TEST_CASE(obj_texture_and_normals)
   const Polygon_soup unused = mesh_file::read_obj("v 0 0 0\nvt 0 0\nvn 0 0 1\nf 1 1 1\n", true);
   BOOST_TEST(unused.texture_of_corner.empty());
   BOOST_TEST(unused.normal_of_corner.empty());
+}
+
+BOOST_AUTO_TEST_CASE(obj_names_materials)
+{
+  const std::string file =
+    "mtllib a b.mtl \nmtllib c.mtl\nv 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\nusemtl  red, or #2\n"
+    "f 1 2 3\nusemtl\nf 1 2 3\nusemtl red, or #2\nf 1 2 3\n";
+  const Polygon_soup soup = mesh_file::read_obj(file, true);
+  BOOST_TEST(soup.material_files == (std::vector<std::string>{"a b.mtl", "c.mtl"}),
+             boost::test_tools::per_element());
+  BOOST_REQUIRE(soup.materials.size() == 2u);
+  BOOST_TEST(soup.materials[0].name == "red, or #2");
+  BOOST_TEST(soup.materials[1].name == "");
+  BOOST_TEST((soup.material_of_polygon == std::vector<Index>{null_index, 0, 1, 0}));
+  BOOST_TEST(mesh_file::read_obj(file, false).material_of_polygon.empty());
+  BOOST_TEST(mesh_file::read_obj("v 0 0 0\nf 1 1 1\n", true).material_of_polygon.empty());
+}
+
+BOOST_AUTO_TEST_CASE(materials_of_mtl)
+{
+  const segment_mesh::Input_folder nowhere("", true);
+  Polygon_soup soup;
+  soup.materials = {{"a b", {}}, {"c", {}}};
+  segment_mesh::Material_reader reader(nowhere, soup);
+  std::map<std::string, mesh_file::Material*, std::less<> > materials;
+  for (mesh_file::Material& m : soup.materials)
+    materials.emplace(m.name, &m);
+  reader.read_mtl("Kd 9 9 9\n# no\n newmtl a b \r\n\tKd 1 0  0\r\n"
+                  "map_Kd -s 2 2 -bm 1 -o 1 x y.png\nnewmtl unused\nmap_Kd z.png\n"
+                  "newmtl c\nmap_kd x y.png\nbump -mm 0 1 2.png\nmap_Ks -clamp\nnorm\n"
+                  "newmtl a b\nKd 8 8 8", materials);
+  const auto check_statement = [&](std::size_t material, std::size_t i, const std::string& text,
+                                   std::size_t image) {
+    BOOST_REQUIRE(i < soup.materials[material].statements.size());
+    BOOST_TEST(soup.materials[material].statements[i].text == text);
+    BOOST_TEST(soup.materials[material].statements[i].image == image);
+  };
+  const std::size_t none = mesh_file::Material::no_image;
+  BOOST_TEST(soup.materials[0].statements.size() == 2u);
+  check_statement(0, 0, "Kd 1 0  0", none);
+  check_statement(0, 1, "map_Kd -s 2 2 -bm 1 -o 1", 0);
+  BOOST_TEST(soup.materials[1].statements.size() == 4u);
+  check_statement(1, 0, "map_kd", 0);
+  check_statement(1, 1, "bump -mm 0 1", 1);
+  check_statement(1, 2, "map_Ks", 2); // the name of a file
+  check_statement(1, 3, "norm", none);
+  const std::vector<std::string> missing{"x y.png", "2.png", "-clamp"};
+  BOOST_TEST(reader.missing_files() == missing, boost::test_tools::per_element());
+  for (std::size_t i = 0; i < 3; ++i)
+    BOOST_TEST(soup.images[i].name == missing[i]);
 }
 
 BOOST_AUTO_TEST_CASE(obj_contradictions)

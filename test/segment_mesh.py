@@ -21,6 +21,7 @@ import time
 import unittest
 import xml.etree.ElementTree
 import zipfile
+import zlib
 
 TOOL = None
 MESHES = None
@@ -1118,6 +1119,159 @@ class Scenes(Tool_test):
                     name = self.write(extension, content)
                     self.assert_failure("mesh", name, "-o", "out.ply", "--labels", "out.seg",
                                         sentence=name + " cannot be read: ")
+
+
+def png(red):
+    """The bytes of a picture of one pixel."""
+    def chunk(kind, content):
+        return (struct.pack(">I", len(content)) + kind + content +
+                struct.pack(">I", zlib.crc32(kind + content)))
+
+    return (b"\x89PNG\r\n\x1a\n" + chunk(b"IHDR", struct.pack(">2I5B", 1, 1, 8, 2, 0, 0, 0)) +
+            chunk(b"IDAT", zlib.compress(bytes([0, red, 0, 0]))) + chunk(b"IEND", b""))
+
+
+# A triangle, the bytes of its texture, and the name of its material. A corner is a point, texture
+# coordinates and a normal in one tuple.
+Textured = collections.namedtuple("Textured", "corners image material")
+
+
+def rotated(corners):
+    """The corners of a triangle, from the smallest."""
+    i = corners.index(min(corners))
+    return (*corners[i:], *corners[:i])
+
+
+def read_textured_obj(path):
+    """The triangles of an OBJ, sorted; and by materials the statements without textures."""
+    values, triangles, images, statements = {"v": [], "vt": [], "vn": []}, [], {}, {}
+    used, group = None, None
+    for line in path.read_text().splitlines():
+        kind, _, rest = line.partition(" ")
+        if kind == "mtllib":
+            for row in (path.parent / rest).read_text().splitlines():
+                key, _, value = row.partition(" ")
+                if key == "newmtl":
+                    name = value
+                    images[name], statements[name] = None, []
+                elif key == "map_Kd":
+                    images[name] = (path.parent / value).read_bytes()
+                else:
+                    statements[name].append(row)
+        elif kind == "usemtl":
+            used = rest
+        elif kind in values:
+            values[kind].append(tuple(map(float, rest.split())))
+        elif kind == "f":
+            corners = [tuple(int(i) - 1 for i in word.split("/")) for word in rest.split()]
+            triangles.append(Textured(rotated([
+                sum((values[kind][i] for kind, i in zip(("v", "vt", "vn"), corner)), ())
+                for corner in corners]), images[used], used))
+    return sorted(triangles), statements
+
+
+class Materials(Tool_test):
+    """Two balls with a neck, which have materials and pictures of their own."""
+
+    def setUp(self):
+        super().setUp()
+        points, faces = dumbbell()
+        exact = lambda x: round(1024 * x) / 1024 # as float
+        points = [tuple(map(exact, p)) for p in points]
+        self.images = {"left": png(10), "right, or so": png(20)}
+        (self.directory / "in").mkdir()
+        for file, (name, image) in zip(("a b.png", "c.png"), self.images.items()):
+            (self.directory / "in" / file).write_bytes(image)
+        lines = ["mtllib the materials.mtl"]
+        lines += ["v %r %r %r" % p for p in points]
+        lines += ["vt %r %r" % (exact(p[0] / 16), exact(p[2] / 32)) for p in points]
+        # Their lengths as float are 1.
+        lines += ["vn 1 0 0", "vn 0 0 -1"]
+        for i, f in enumerate(faces):
+            if i % (len(faces) // 2) == 0:
+                lines.append("usemtl " + list(self.images)[2 * i // len(faces)])
+            lines.append("f " + " ".join("%d/%d/%d" % (v + 1, v + 1, 1 + i % 2) for v in f))
+        (self.directory / "in/in.obj").write_text("\n".join(lines))
+        self.statements = {"left": ["Kd 1 0.5 0.25", "illum 2"], "right, or so": ["Ks 1 1 1"]}
+        (self.directory / "in/the materials.mtl").write_text(
+            "newmtl left\nKd 1 0.5 0.25\nillum 2\nmap_Kd .\\a b.png\n\n"
+            "newmtl right, or so\nmap_Kd /home/me/c.png\nKs 1 1 1\n")
+        # The tool of tests reads the names of files plainly.
+        plain = self.directory / "plain"
+        plain.mkdir()
+        (plain / "in.obj").write_text("\n".join(["mtllib m.mtl", *lines[1:]]))
+        (plain / "m.mtl").write_text("newmtl left\nmap_Kd 1.png\nnewmtl right, or so\nmap_Kd 2.png")
+        for i, image in enumerate(self.images.values()):
+            (plain / ("%d.png" % (i + 1))).write_bytes(image)
+        self.expected, _ = read_textured_obj(plain / "in.obj")
+        self.assertEqual({t.image for t in self.expected}, set(self.images.values()))
+
+    def run_well(self, *arguments):
+        done = self.run_tool(*arguments)
+        self.assertEqual((done.returncode, done.stderr), (0, ""), arguments)
+
+    def test_obj(self):
+        self.run_well("in/in.obj", "--keep-faces", "-o", "out.obj", "--keep-materials",
+                      "--split-dir", "parts", "--split-format", "obj")
+        triangles, statements = read_textured_obj(self.directory / "out.obj")
+        self.assertEqual(triangles, self.expected)
+        self.assertEqual(statements, self.statements)
+        parts = [read_textured_obj(p) for p in (self.directory / "parts").glob("*.obj")]
+        self.assertGreater(len(parts), 1)
+        self.assertEqual(sorted(sum((triangles for triangles, _ in parts), [])), self.expected)
+        for triangles, statements in parts: # without materials of others
+            self.assertEqual(statements.keys(), {t.material for t in triangles})
+        self.run_well("out.obj", "--keep-faces", "-o", "again.obj", "--keep-materials")
+        self.assertEqual(read_textured_obj(self.directory / "again.obj"),
+                         read_textured_obj(self.directory / "out.obj"))
+        self.run_well("in/in.obj", "--split-dir", "parts") # which removes the pictures
+        self.assertEqual({p.suffix for p in (self.directory / "parts").iterdir()},
+                         {".ply", ".json"})
+
+    def test_refined_and_closed(self):
+        """New points have texture coordinates, and caps have a plain material."""
+        self.run_well("in/in.obj", "--close", "--split-dir", "parts", "--split-format", "obj")
+        number_of_caps = 0
+        for path in (self.directory / "parts").glob("*.obj"):
+            triangles, _ = read_textured_obj(path)
+            for t in triangles:
+                if t.material == "plain":
+                    number_of_caps += 1
+                    self.assertEqual(({len(c) for c in t.corners}, t.image), ({3}, None))
+                    continue
+                for x, _, z, u, v, *_ in t.corners:
+                    self.assertAlmostEqual(16 * u, x, delta=0.02)
+                    self.assertAlmostEqual(32 * v, z, delta=0.04)
+                self.assertEqual(t.image, self.images[t.material])
+        self.assertGreater(number_of_caps, 0)
+
+    def test_missing_files(self):
+        """Are told; those of other folders are only read on request."""
+        (self.directory / "in/c.png").rename(self.directory / "c.png")
+        mtl = self.directory / "in/the materials.mtl"
+        mtl.write_text(mtl.read_text().replace("/home/me/c.png", "../c.png"))
+        command = ("in/in.obj", "--keep-faces", "-o", "out.obj", "--keep-materials", "--json",
+                   "out.json")
+        done = self.run_tool(*command)
+        self.assertEqual((done.returncode, done.stderr),
+                         (0, "segment_mesh: warning: '../c.png' cannot be read in the folder of "
+                             "in/in.obj\n"))
+        self.assertEqual(self.report()["missing_files"], ["../c.png"])
+        self.assertEqual((self.directory / "out.mtl").read_text(),
+                         "newmtl left\nKd 1 0.5 0.25\nillum 2\nmap_Kd out_texture_000.png\n"
+                         "newmtl right, or so\nmap_Kd ../c.png\nKs 1 1 1\n")
+        self.run_well(*command, "--allow-external-files")
+        self.assertEqual(read_textured_obj(self.directory / "out.obj")[0], self.expected)
+        mtl.unlink()
+        done = self.run_tool(*command)
+        self.assertIn("'the' and other files of materials cannot be read", done.stderr)
+        self.assertEqual((self.directory / "out.mtl").read_text(),
+                         "newmtl left\nnewmtl right, or so\n")
+
+    def test_wrong_usage(self):
+        for options in ((), ("-o", "out.ply")):
+            self.assert_failure("usage", "in/in.obj", "--keep-materials", *options,
+                                sentence="--keep-materials needs -o with .obj")
 
 
 class Soups(Tool_test):

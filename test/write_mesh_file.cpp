@@ -12,6 +12,7 @@
 #include <cstdint>
 #include <cstring>
 #include <limits>
+#include <memory>
 #include <sstream>
 #include <stdexcept>
 #include <string>
@@ -300,7 +301,7 @@ BOOST_AUTO_TEST_CASE(obj_has_groups_and_materials)
     "g segment_000\nusemtl segment_000\n"
     "f 1 3 4 2\nf 1 2 6 5\nf 3 7 8 4\nf 1 5 7 3\nf 2 4 8 6\n"
     "g segment_001\nusemtl segment_001\nf 5 6 8 7\n");
-  BOOST_TEST(written(mesh_file::write_mtl, cube.mesh()) ==
+  BOOST_TEST(written(mesh_file::write_mtl, cube.mesh(), std::vector<std::string>()) ==
     "newmtl segment_000\nKd 1 0 0.039215688\nnewmtl segment_001\nKd 0.5019608 0.78431374 0\n");
 }
 
@@ -324,6 +325,34 @@ BOOST_AUTO_TEST_CASE(obj_keeps_texture_coordinates_and_normals)
   BOOST_TEST(written_part(".obj", mesh, 1000) ==
     "v 0.1 0 0\nv 1 0 0\nv 0 -2.5 0\nvt 0.25 1\nvt 0 0.5\nvn 1 0 0\nvn 0 0 1\n"
     "g segment_1000\nf 1/1/1 2//2 3/2\n");
+}
+
+BOOST_AUTO_TEST_CASE(obj_keeps_materials)
+{
+  Cube cube;
+  const auto bytes = std::make_shared<const std::string>("\x89PNG");
+  cube.soup.images = {{"lost.tga", nullptr}, {"a.png", bytes}};
+  cube.soup.materials = {{"red", {{"Kd 1 0 0", mesh_file::Material::no_image}, {"map_Kd -s 2", 1}}},
+                         {"red", {{"map_Ka", 0}}}, {"unused", {}}};
+  const Index none = mesh_file::null_index;
+  cube.soup.material_of_polygon = {0, 0, none, 0, 1, 1};
+  Segmented_mesh mesh = cube.mesh();
+  mesh.keeps_materials = true;
+  BOOST_TEST(contains(written_as(".obj", mesh, "a.mtl"),
+    "g segment_000\nusemtl red\nf 1 3 4 2\nusemtl plain\nf 1 2 6 5\nusemtl red\nf 3 7 8 4\n"
+    "usemtl red_\nf 1 5 7 3\nf 2 4 8 6\ng segment_001\nusemtl red\nf 5 6 8 7\n"));
+  const std::vector<std::string> files{"", "mesh_texture_001.png"};
+  BOOST_TEST(written(mesh_file::write_mtl, mesh, files) ==
+    "newmtl red\nKd 1 0 0\nmap_Kd -s 2 mesh_texture_001.png\nnewmtl red_\nmap_Ka lost.tga\n"
+    "newmtl plain\nKd 0.8 0.8 0.8\n");
+
+  const Polygon_soup part = Segment_extraction(mesh)(1);
+  const std::vector<Index> segment{1};
+  BOOST_TEST(written(mesh_file::write_mtl, Segmented_mesh{part, segment, cube.colors, {}, {}, true},
+                     files) == "newmtl red\nKd 1 0 0\nmap_Kd -s 2 mesh_texture_001.png\n");
+  BOOST_TEST(mesh_file::names_for_mtl({{"", {}}, {" a ", {}}, {"x\ny", {}}}) ==
+               (std::vector<std::string>{"material_", "material a _", "x_y", "plain"}),
+             boost::test_tools::per_element());
 }
 
 BOOST_AUTO_TEST_CASE(off_has_colors_of_faces)

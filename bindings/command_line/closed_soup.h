@@ -36,7 +36,8 @@ inline void join_borders(const Input& input, Polygon_soup& soup)
 }
 
 // Returns the polygons, and after them the triangles that close their segments; and the segment of
-// each. Borders of the input are joined. Further properties of new points and triangles are 0.
+// each. Borders of the input are joined. Further properties of new points and triangles are 0; new
+// triangles have no material.
 inline std::pair<Polygon_soup, std::vector<Index> > closed_soup(const Input& input,
                                                                 std::vector<Index> segment)
 {
@@ -60,6 +61,8 @@ inline std::pair<Polygon_soup, std::vector<Index> > closed_soup(const Input& inp
   for (std::vector<Index>* list : {&soup.texture_of_corner, &soup.normal_of_corner})
     if (!list->empty())
       list->resize(soup.corners.size(), mesh_file::null_index);
+  if (!soup.material_of_polygon.empty())
+    soup.material_of_polygon.resize(soup.number_of_polygons(), mesh_file::null_index);
   return {std::move(soup), std::move(segment)};
 }
 

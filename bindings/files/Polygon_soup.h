@@ -4,6 +4,8 @@
 #ifndef SEGMENT_MESH_MESH_FILE_POLYGON_SOUP_H
 #define SEGMENT_MESH_MESH_FILE_POLYGON_SOUP_H
 
+#include "Material.h"
+
 #include <array>
 #include <cmath>
 #include <cstddef>
@@ -78,6 +80,11 @@ struct Polygon_soup
   std::vector<Index> texture_of_corner;
   std::vector<Point> normals;
   std::vector<Index> normal_of_corner;
+  // One of the materials for each polygon, or null_index; or nothing
+  std::vector<Material> materials;
+  std::vector<Index> material_of_polygon;
+  std::vector<Image> images; // of the materials
+  std::vector<std::string> material_files; // of the materials of OBJ, as it names them
 
   std::size_t number_of_polygons() const { return first_corner.size() - 1; }
 

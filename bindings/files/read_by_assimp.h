@@ -4,6 +4,7 @@
 #ifndef SEGMENT_MESH_READ_BY_ASSIMP_H
 #define SEGMENT_MESH_READ_BY_ASSIMP_H
 
+#include "Input_folder.h"
 #include "Scene.h"
 #include "Point_numbering.h"
 
@@ -160,24 +161,19 @@ inline std::string error_sentence(const Assimp::Importer& importer)
   return is_clear_sentence(result) ? result : own_sentence;
 }
 
-// The file that the user has named, and the files in its folder, also behind links: the file names
-// them, and who has made it may not be trusted. Other files are not there for Assimp.
+// The file that the user has named, and the files in its folder. Other files are not there for
+// Assimp.
 class Files_of_folder : public Assimp::DefaultIOSystem
 {
   const std::string name_;
-  const std::filesystem::path folder_;
+  const Input_folder folder_;
   mutable std::string refused_;
 
   bool is_allowed(const std::string& name) const
   {
     std::error_code error;
     const std::filesystem::path file = std::filesystem::canonical(name, error);
-    if (name == name_ || error) // what does not exist cannot be opened
-      return true;
-    const bool is_inside =
-      std::mismatch(folder_.begin(), folder_.end(), file.begin(), file.end()).first ==
-      folder_.end();
-    if (is_inside && is_regular_file(file))
+    if (name == name_ || error || folder_.is_readable(file)) // what is not there cannot be opened
       return true;
     if (refused_.empty())
       refused_ = name;
@@ -186,7 +182,7 @@ class Files_of_folder : public Assimp::DefaultIOSystem
 
 public:
   explicit Files_of_folder(const std::string& name)
-    : name_(name), folder_(std::filesystem::canonical(name).parent_path()) {}
+    : name_(name), folder_(name, false) {}
 
   bool Exists(const char* name) const override
   { return is_allowed(name) && DefaultIOSystem::Exists(name); }
