@@ -1170,6 +1170,45 @@ def read_textured_obj(path):
     return sorted(triangles), statements
 
 
+def read_textured_glb(path):
+    """The triangles of a GLB, sorted; and its materials by their names. Corners as in OBJ."""
+    content = path.read_bytes()
+    (size,) = struct.unpack_from("<I", content, 12)
+    json_ = json.loads(content[20:20 + size])
+    data = content[28 + size:]
+
+    def view(i):
+        v = json_["bufferViews"][i]
+        return data[v["byteOffset"]:v["byteOffset"] + v["byteLength"]]
+
+    def rows(i):
+        accessor = json_["accessors"][i]
+        code = {"SCALAR": "<I", "VEC2": "<2f", "VEC3": "<3f"}[accessor["type"]]
+        result = list(struct.iter_unpack(code, view(accessor["bufferView"])))
+        assert len(result) == accessor["count"]
+        return result
+
+    def image_of(material):
+        texture = material.get("pbrMetallicRoughness", {}).get("baseColorTexture")
+        if texture is None:
+            return None
+        image = json_["images"][json_["textures"][texture["index"]]["source"]]
+        assert image["mimeType"] == "image/png"
+        return view(image["bufferView"])
+
+    triangles = []
+    for node in json_["nodes"]: # whose transformations are empty
+        primitives = json_["meshes"][node["mesh"]]["primitives"] if "mesh" in node else []
+        for p in primitives:
+            material = json_["materials"][p["material"]]
+            vertices = [position + (uv[0], 1 - uv[1]) + normal for position, uv, normal in zip(
+                *(rows(p["attributes"][kind]) for kind in ("POSITION", "TEXCOORD_0", "NORMAL")))]
+            for corners in zip(*[iter(rows(p["indices"]))] * 3):
+                triangles.append(Textured(rotated([vertices[v] for v, in corners]),
+                                          image_of(material), material["name"]))
+    return sorted(triangles), {m["name"]: m for m in json_["materials"]}
+
+
 class Materials(Tool_test):
     """Two balls with a neck, which have materials and pictures of their own."""
 
@@ -1245,6 +1284,115 @@ class Materials(Tool_test):
                 self.assertEqual(t.image, self.images[t.material])
         self.assertGreater(number_of_caps, 0)
 
+    def test_glb(self):
+        self.run_well("in/in.obj", "--keep-faces", "-o", "out.glb", "--keep-materials",
+                      "--split-dir", "parts", "--split-format", "glb")
+        triangles, materials = read_textured_glb(self.directory / "out.glb")
+        self.assertEqual(triangles, self.expected)
+        surface = materials["left"]["pbrMetallicRoughness"]
+        self.assertEqual((surface["metallicFactor"], surface["roughnessFactor"]), (0, 1))
+        linear = lambda c: ((c + 0.055) / 1.055) ** 2.4 # of sRGB
+        for c, expected in zip(surface["baseColorFactor"], (1, linear(0.5), linear(0.25), 1)):
+            self.assertAlmostEqual(c, expected)
+        parts = [read_textured_glb(p) for p in (self.directory / "parts").glob("*.glb")]
+        self.assertGreater(len(parts), 1)
+        self.assertEqual(sorted(sum((triangles for triangles, _ in parts), [])), self.expected)
+        for triangles, materials in parts: # without materials of others
+            self.assertEqual(materials.keys(), {t.material for t in triangles})
+        names = [node["name"] for node in read_glb_nodes(self.directory / "out.glb")]
+        self.run_well("in/in.obj", "--keep-faces", "-o", "out.glb") # has the same tree
+        self.assertEqual([n["name"] for n in read_glb_nodes(self.directory / "out.glb")], names)
+
+    def textured_gltf(self):
+        """Writes the triangles as glTF below a node that is translated: one picture is a file, the
+        other one in the buffer."""
+        data, views, accessors, primitives = b"", [], [], []
+
+        def add(content):
+            nonlocal data
+            views.append({"buffer": 0, "byteOffset": len(data), "byteLength": len(content)})
+            data += content + bytes(-len(content) % 4)
+            return len(views) - 1
+
+        for material, name in enumerate(self.images):
+            corners = [c for t in self.expected if t.material == name for c in t.corners]
+            columns = [[(x, y, z - 8) for x, y, z, *_ in corners],
+                       [(u, 1 - v) for _, _, _, u, v, *_ in corners], [c[5:] for c in corners]]
+            for rows in columns:
+                accessors.append({
+                    "bufferView": add(b"".join(struct.pack("<%df" % len(r), *r) for r in rows)),
+                    "componentType": 5126, "count": len(rows), "type": "VEC%d" % len(rows[0])})
+            accessors[-3].update(min=list(map(min, zip(*columns[0]))),
+                                 max=list(map(max, zip(*columns[0]))))
+            primitives.append({"material": material, "attributes": {
+                kind: 3 * material + i for i, kind in enumerate(("POSITION", "TEXCOORD_0",
+                                                                 "NORMAL"))}})
+        image = add(self.images["left"])
+        materials = [
+            {"name": "left", "doubleSided": True, "alphaMode": "MASK", "alphaCutoff": 0.25,
+             "pbrMetallicRoughness": {
+                 "baseColorFactor": [0.5, 0.25, 0.125, 1], "metallicFactor": 0.75,
+                 "roughnessFactor": 0.5, "baseColorTexture": {"index": 0, "extensions": {
+                     "KHR_texture_transform": {"offset": [0.25, 0.5], "rotation": 0.5,
+                                               "scale": [2, 4]}}}},
+             "emissiveFactor": [0, 0.5, 1], "normalTexture": {"index": 1, "scale": 0.5}},
+            {"name": "right, or so", "pbrMetallicRoughness": {"baseColorTexture": {"index": 1}},
+             "extensions": {"KHR_materials_clearcoat": {
+                 "clearcoatFactor": 0.5, "clearcoatTexture": {"index": 0}}}}]
+        text = json.dumps({
+            "asset": {"version": "2.0"}, "scene": 0, "scenes": [{"nodes": [0]}],
+            "nodes": [{"mesh": 0, "translation": [0, 0, 8]}],
+            "meshes": [{"primitives": primitives}], "materials": materials,
+            "accessors": accessors, "bufferViews": views,
+            "textures": [{"source": 0, "sampler": 0}, {"source": 1}],
+            "samplers": [{"wrapS": 33071, "wrapT": 33648, "magFilter": 9728}],
+            "images": [{"bufferView": image, "mimeType": "image/png"}, {"uri": "c%20%25.png"}],
+            "extensionsUsed": ["KHR_texture_transform", "KHR_materials_clearcoat"],
+            "buffers": [{"byteLength": len(data), "uri": "data:application/octet-stream;base64," +
+                         base64.b64encode(data).decode()}]})
+        (self.directory / "in/in.gltf").write_text(text)
+        (self.directory / "in/c %.png").write_bytes(self.images["right, or so"])
+
+    def test_gltf(self):
+        self.textured_gltf()
+        command = ("in/in.gltf", "--keep-faces", "-o", "out.glb", "-o", "out.obj",
+                   "--keep-materials", "--split-dir", "parts", "--split-format", "glb")
+        if "Assimp at build time" in self.run_tool(*command).stderr:
+            self.skipTest("the tool was built without Assimp")
+        self.run_well(*command)
+        triangles, materials = read_textured_glb(self.directory / "out.glb")
+        self.assertEqual(triangles, self.expected)
+        left, right = (materials[name] for name in self.images)
+        surface = left["pbrMetallicRoughness"]
+        self.assertEqual(surface["baseColorFactor"], [0.5, 0.25, 0.125, 1])
+        self.assertEqual((surface["metallicFactor"], surface["roughnessFactor"]), (0.75, 0.5))
+        transform = surface["baseColorTexture"]["extensions"]["KHR_texture_transform"]
+        for key, expected in (("offset", [0.25, 0.5]), ("rotation", [0.5]), ("scale", [2, 4])):
+            values = transform[key] if key != "rotation" else [transform[key]]
+            for value, x in zip(values, expected):
+                self.assertAlmostEqual(value, x, places=6)
+        self.assertEqual((left["alphaMode"], left["alphaCutoff"], left["doubleSided"],
+                          left["emissiveFactor"], left["normalTexture"]["scale"]),
+                         ("MASK", 0.25, True, [0, 0.5, 1], 0.5))
+        self.assertIs(right["doubleSided"], False)
+        coat = right["extensions"]["KHR_materials_clearcoat"]
+        self.assertEqual((coat["clearcoatFactor"], "clearcoatTexture" in coat), (0.5, True))
+        content = (self.directory / "out.glb").read_bytes()
+        self.assertIn(b'"extensionsUsed":["KHR_materials_clearcoat","KHR_texture_transform"]',
+                      content)
+        self.assertIn(b'{"magFilter":9728,"wrapS":33071,"wrapT":33648}', content)
+        parts = [read_textured_glb(p) for p in (self.directory / "parts").glob("*.glb")]
+        self.assertEqual(sorted(sum((triangles for triangles, _ in parts), [])), self.expected)
+        mtl = (self.directory / "out.mtl").read_text().splitlines()
+        for line in ("newmtl left", "newmtl right, or so", "Pm 0.75", "Pr 0.5",
+                     "norm out_texture_001.png", "map_Kd out_texture_001.png"):
+            self.assertIn(line, mtl)
+        self.assertTrue(any(line.startswith("Kd 0.7353") for line in mtl), mtl) # of sRGB
+        # A GLB of the tool is read again.
+        self.run_well("out.glb", "--keep-faces", "-o", "again.glb", "--keep-materials")
+        triangles, again = read_textured_glb(self.directory / "again.glb")
+        self.assertEqual((triangles, again.keys()), (self.expected, materials.keys()))
+
     def test_missing_files(self):
         """Are told; those of other folders are only read on request."""
         (self.directory / "in/c.png").rename(self.directory / "c.png")
@@ -1271,7 +1419,7 @@ class Materials(Tool_test):
     def test_wrong_usage(self):
         for options in ((), ("-o", "out.ply")):
             self.assert_failure("usage", "in/in.obj", "--keep-materials", *options,
-                                sentence="--keep-materials needs -o with .obj")
+                                sentence="--keep-materials needs -o with .obj or .glb")
 
 
 class Soups(Tool_test):

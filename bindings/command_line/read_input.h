@@ -93,9 +93,13 @@ inline Scene read_scene(const std::string& name, bool keeps_properties,
       const std::string bytes = read_bytes(name);
       scene.soup = mesh_file::read_mesh_file(
         bytes, is_stream ? mesh_file::format_of_contents(bytes) : format, keeps_properties);
+    }
+    if (limits.reads_materials) {
       const Input_folder folder(name, limits.allows_external_files);
       Material_reader reader(folder, scene.soup);
-      if (limits.reads_materials)
+      if (format == mesh_file::Format::UNKNOWN && !is_stream)
+        reader.read_descriptions();
+      else
         reader.read_material_files();
       scene.missing_files = reader.missing_files();
     }

@@ -76,7 +76,10 @@ std::string both_defaults(double Segmentation_options::*number)
 }
 
 bool can_have_materials(const std::string& mesh_file)
-{ return mesh_file::output_extension(mesh_file) == ".obj"; }
+{
+  const std::string extension = mesh_file::output_extension(mesh_file);
+  return extension == ".obj" || extension == ".glb";
+}
 
 struct Options
 {
@@ -255,8 +258,8 @@ void add_options(CLI::App& app, Options& o)
                "close the segments of --split-dir, and of -o with .glb or .3mf, for example for 3D "
                "printing: with caps that neighbors share, and at holes of the mesh");
   app.add_flag("--keep-materials", o.keep_materials,
-               "write -o with .obj with the materials and textures of IN, if it has any, instead "
-               "of a color for each segment; the parts of --split-dir always have them");
+               "write -o with .obj or .glb with the materials and textures of IN, if it has any, "
+               "instead of a color for each segment; the parts of --split-dir always have them");
   app.add_flag("--quiet", o.quiet, "print neither progress nor a summary");
   app.allow_windows_style_options(false); // a path may begin with a slash
   app.set_version_flag("--version", "segment_mesh " CGAL_SPECTRAL_SEGMENTATION_VERSION);
@@ -325,7 +328,7 @@ void check_files(const Options& o)
     throw Failure(Status::USAGE, "--close needs an output of separate segments: --split-dir, or -o "
                                  "with .glb or .3mf");
   if (o.keep_materials && !o.writes_materials())
-    throw Failure(Status::USAGE, "--keep-materials needs -o with .obj");
+    throw Failure(Status::USAGE, "--keep-materials needs -o with .obj or .glb");
   check_outputs({o.input, o.seed_file, o.edge_file}, outputs, o.split_directory);
 }
 

@@ -5,6 +5,7 @@
 #define SEGMENT_MESH_INPUT_FOLDER_H
 
 #include <algorithm>
+#include <charconv>
 #include <cstddef>
 #include <cstdint>
 #include <filesystem>
@@ -24,6 +25,24 @@ class Input_folder
   std::filesystem::path folder_; // empty if there is none
   bool allows_external_files_;
 
+  // Replaces the likes of %20 by what they stand for.
+  static std::string without_escapes(const std::string& address)
+  {
+    std::string result;
+    for (std::size_t i = 0; i < address.size(); ++i) {
+      unsigned char byte = 0;
+      const char* const digits = address.data() + i + 1;
+      if (address[i] == '%' && i + 2 < address.size() &&
+          std::from_chars(digits, digits + 2, byte, 16).ptr == digits + 2) {
+        result += static_cast<char>(byte);
+        i += 2;
+      }
+      else
+        result += address[i];
+    }
+    return result;
+  }
+
 public:
   Input_folder(const std::string& input, bool allows_external_files)
     : allows_external_files_(allows_external_files)
@@ -42,13 +61,13 @@ public:
               folder_.end());
   }
 
-  // Returns the bytes of a file by its name in the input, which may be of another system; or null.
-  // A path that leads nowhere may still have the name of a file in the folder.
+  // Returns the bytes of a file by its name in the input, which may be of another system or an
+  // address; or null. A path that leads nowhere may still have the name of a file in the folder.
   std::shared_ptr<const std::string> read(std::string name) const
   {
     std::replace(name.begin(), name.end(), '\\', '/');
-    const std::filesystem::path path(name);
-    for (const std::filesystem::path& p : {path, path.filename()}) {
+    const std::filesystem::path path(name), decoded(without_escapes(name));
+    for (const std::filesystem::path& p : {path, decoded, decoded.filename()}) {
       std::error_code error;
       const std::filesystem::path file = std::filesystem::canonical(folder_ / p, error);
       if (error || folder_.empty() || !is_readable(file))

@@ -48,6 +48,7 @@ struct Material
 
   std::string name;
   std::vector<Statement> statements;
+  std::string gltf; // the same as JSON; its textures have images as "index", and their "sampler"
 };
 
 } // namespace mesh_file

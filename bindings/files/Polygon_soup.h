@@ -19,6 +19,7 @@
 namespace mesh_file {
 
 typedef std::array<double, 3> Point;
+typedef std::array<double, 4> Texture_point; // two pairs of texture coordinates; v points upwards
 typedef std::uint32_t Index;
 
 constexpr Index null_index = (std::numeric_limits<Index>::max)();
@@ -75,8 +76,8 @@ struct Polygon_soup
   std::vector<Index> group_of_polygon; // by the objects and groups of a file; empty if it has none
   // The further properties of a file, if they are asked for
   std::vector<Property> point_properties, polygon_properties;
-  // One of the texture coordinates and normals for each corner of OBJ, or null_index; or nothing
-  std::vector<std::array<double, 2> > texture_coordinates;
+  // One of the texture coordinates and normals for each corner, or null_index; or nothing
+  std::vector<Texture_point> texture_coordinates;
   std::vector<Index> texture_of_corner;
   std::vector<Point> normals;
   std::vector<Index> normal_of_corner;

@@ -7,6 +7,9 @@
 #include "Input_folder.h"
 #include "Polygon_soup.h"
 #include "Text_scanner.h"
+#include "gltf_materials.h"
+
+#include <nlohmann/json.hpp>
 
 #include <algorithm>
 #include <cstddef>
@@ -14,6 +17,7 @@
 #include <iterator>
 #include <map>
 #include <memory>
+#include <stdexcept>
 #include <string>
 #include <string_view>
 #include <utility>
@@ -29,7 +33,7 @@ class Material_reader
 
   const Input_folder& folder_;
   mesh_file::Polygon_soup& soup_;
-  std::map<std::string, std::size_t, std::less<> > images_; // their numbers by their names
+  std::map<std::string, std::size_t> images_; // their numbers by their names
   std::vector<std::string> missing_files_;
 
   std::shared_ptr<const std::string> read(const std::string& name)
@@ -40,14 +44,21 @@ class Material_reader
     return result;
   }
 
-  std::size_t image(std::string_view name)
+  // Returns the number of an image by its name.
+  std::size_t image(std::string name)
   {
-    const auto found = images_.find(name);
-    if (found != images_.end())
-      return found->second;
-    const std::size_t number = soup_.images.size();
-    soup_.images.push_back({std::string(name), read(std::string(name))});
-    return images_.emplace(name, number).first->second;
+    const auto [place, is_new] = images_.emplace(name, soup_.images.size());
+    if (is_new) {
+      std::shared_ptr<const std::string> bytes = read(name);
+      soup_.images.push_back({in_one_line(std::move(name)), std::move(bytes)});
+    }
+    return place->second;
+  }
+
+  static std::string in_one_line(std::string text)
+  {
+    std::replace_if(text.begin(), text.end(), [](char c) { return c >= 0 && c < ' '; }, '?');
+    return text;
   }
 
   static bool is_map(const std::string& statement)
@@ -90,7 +101,11 @@ class Material_reader
 
 public:
   Material_reader(const Input_folder& folder, mesh_file::Polygon_soup& soup)
-    : folder_(folder), soup_(soup) {}
+    : folder_(folder), soup_(soup)
+  {
+    for (const mesh_file::Image& i : soup_.images)
+      images_.emplace(i.name, images_.size());
+  }
 
   // The first material of a name counts.
   void read_mtl(std::string_view file, std::map<std::string, Material*, std::less<> >& materials)
@@ -111,7 +126,7 @@ public:
         const std::size_t size_of_options = arguments.size() - name.size();
         std::string_view options = arguments.substr(0, size_of_options);
         options = options.substr(0, options.find_last_not_of(" \t") + 1);
-        material->statements.push_back({joined(statement, options), image(name)});
+        material->statements.push_back({joined(statement, options), image(std::string(name))});
       }
       else if (material)
         material->statements.push_back({joined(statement, arguments), Material::no_image});
@@ -132,6 +147,42 @@ public:
         if (const auto part = read(std::string(rest.substr(0, rest.find_first_of(" \t")))))
           read_mtl(*part, materials);
     }
+    for (Material& m : soup_.materials)
+      m.gltf = mesh_file::gltf_of_mtl(m);
+  }
+
+  // Reads what `Assimp_material` describes.
+  void read_description(Material& material)
+  {
+    const std::string description = std::move(material.gltf);
+    material.gltf.clear();
+    try {
+      nlohmann::json json = nlohmann::json::parse(description);
+      if (json.contains("mtl")) {
+        for (const nlohmann::json& s : json["mtl"])
+          if (s.is_array())
+            material.statements.push_back({in_one_line(s.at(0)), image(s.at(1))});
+          else
+            material.statements.push_back({in_one_line(s), Material::no_image});
+        material.gltf = mesh_file::gltf_of_mtl(material);
+        return;
+      }
+      mesh_file::for_each_texture(json, [&](nlohmann::json& texture)
+                                  { texture["index"] = image(texture.at("index")); });
+      material.statements = mesh_file::mtl_of_gltf(json);
+      material.gltf = json.dump();
+    }
+    catch (const nlohmann::json::exception&) { // a broken child may send anything
+    }
+    catch (const std::out_of_range&) {
+    }
+  }
+
+  // Reads the materials from the descriptions in the soup.
+  void read_descriptions()
+  {
+    for (Material& m : soup_.materials)
+      read_description(m);
   }
 
   // The names of those that were not found, or not allowed.

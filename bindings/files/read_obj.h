@@ -82,7 +82,7 @@ class Obj_reader
     const double u = any_number();
     const double v = text_.is_at_end_of_line() ? 0 : any_number();
     if (keeps_properties_)
-      soup_.texture_coordinates.push_back({u, v});
+      soup_.texture_coordinates.push_back({u, v, 0, 0});
   }
 
   void read_normal()
@@ -148,7 +148,7 @@ class Obj_reader
       ? materials_.emplace(name, static_cast<Index>(materials_.size())).first->second
       : found->second;
     if (number_of_material_ == soup_.materials.size())
-      soup_.materials.push_back({std::string(name), {}});
+      soup_.materials.push_back({std::string(name), {}, {}});
   }
 
   void read_face()

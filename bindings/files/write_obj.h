@@ -93,11 +93,11 @@ class Obj_writer
         out_.decimal(soup.points[v], soup.coordinate_type);
         out_.text("\n");
       }
-    for (const auto& [u, v] : soup.texture_coordinates) {
+    for (const Texture_point& t : soup.texture_coordinates) {
       out_.text("vt ");
-      out_.decimal(u);
+      out_.decimal(t[0]);
       out_.text(" ");
-      out_.decimal(v);
+      out_.decimal(t[1]);
       out_.text("\n");
     }
     for (const Point& normal : soup.normals) {
