@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 #include "../bindings/command_line/Output_files.h"
+#include "../bindings/files/Segmented_mesh.h"
 
 #include <boost/test/unit_test.hpp>
 
@@ -95,7 +96,7 @@ void write_segments(const Path& directory, std::size_t n, const std::string& ext
   Output_files files;
   files.start_segments(directory);
   for (std::size_t i = 0; i < n; ++i)
-    files.write_segment(i, extension, text("new"));
+    files.write_segment(mesh_file::segment_name(i) + extension, text("new"));
   files.commit();
 }
 
@@ -185,7 +186,7 @@ BOOST_AUTO_TEST_CASE(all_files_or_none)
     files.write("a", text("new a"));
     files.write("b", text("new b"));
     files.start_segments("parts");
-    files.write_segment(0, ".ply", text("part"));
+    files.write_segment("segment_000.ply", text("part"));
     BOOST_TEST(content("a") == old_content);
     BOOST_TEST(!std::filesystem::exists("b"));
   }
@@ -393,7 +394,7 @@ BOOST_AUTO_TEST_CASE(segments_of_an_earlier_run)
   {
     Output_files files; // it fails
     files.start_segments("parts");
-    files.write_segment(0, ".obj", text("new"));
+    files.write_segment("segment_000.obj", text("new"));
   }
   BOOST_TEST(names_in("parts") == two, boost::test_tools::per_element());
   write_segments("parts", 1, ".obj");
@@ -480,7 +481,7 @@ BOOST_AUTO_TEST_CASE(targets_that_change_during_a_run)
   {
     Output_files files;
     files.start_segments("parts");
-    files.write_segment(0, ".ply", text("newer"));
+    files.write_segment("segment_000.ply", text("newer"));
     std::filesystem::remove("parts/segment_000.ply");
     std::filesystem::create_directory("parts/segment_000.ply");
     BOOST_CHECK_THROW(files.commit(), std::runtime_error);
@@ -510,8 +511,8 @@ Names leave_temporary_files(const Path& split_directory)
   const pid_t child = start_child([&] {
     Output_files files;
     files.start_segments(split_directory);
-    for (int i = 0; i < 3; ++i)
-      files.write_segment(static_cast<std::size_t>(i), ".ply", [&](std::ostream& out) {
+    for (std::size_t i = 0; i < 3; ++i)
+      files.write_segment(mesh_file::segment_name(i) + ".ply", [&](std::ostream& out) {
         out << "half";
         if (i == 2)
           raise(SIGKILL);
@@ -626,7 +627,7 @@ BOOST_AUTO_TEST_CASE(signals_in_any_thread)
           raise(number);
         std::thread([&] { usleep(20000); raise(number); }).detach();
         for (std::size_t i = 0;; ++i) // while the signal is handled there, files are made here
-          files.write_segment(i, ".ply", text("new"));
+          files.write_segment(mesh_file::segment_name(i) + ".ply", text("new"));
       }) == number);
       BOOST_TEST(names_in(".").empty());
     }
@@ -694,7 +695,7 @@ BOOST_AUTO_TEST_CASE(signals_at_random_times)
     files.write("a", megabytes(20));
     files.write("b", megabytes(10));
     files.start_segments("parts");
-    files.write_segment(0, ".ply", megabytes(20));
+    files.write_segment("segment_000.ply", megabytes(20));
     files.commit();
   };
   typedef std::chrono::steady_clock Clock;

@@ -1,6 +1,7 @@
 // Copyright (c) 2026  The Spectral_segmentation authors.
 // SPDX-License-Identifier: GPL-3.0-or-later
 
+#include "../bindings/files/read_materials.h"
 #include "../bindings/files/read_mesh_file.h"
 #ifdef __unix__
 #include "../bindings/files/read_scene_in_child.h"
@@ -14,6 +15,8 @@
 #include <cstddef>
 #include <cstdint>
 #include <cstring>
+#include <functional>
+#include <map>
 #include <stdexcept>
 #include <string>
 #include <vector>
@@ -302,7 +305,7 @@ BOOST_AUTO_TEST_CASE(obj_texture_and_normals)
   const Polygon_soup soup = mesh_file::read_obj(
     "v 0 0 0\nv 1 0 0\nv 0 1 0\nvt 0.25\nvt 0.5 1 9\nvn 0 0 1\nvn 1 0 0\n"
     "f 1/2/1 2/1/2 3/-1/-1\nf 1//2 2/1 3\nf 1/3/3 2/0/0 3\n", true);
-  const std::vector<std::array<double, 2> > coordinates{{0.25, 0}, {0.5, 1}};
+  const std::vector<mesh_file::Texture_point> coordinates{{0.25, 0, 0, 0}, {0.5, 1, 0, 0}};
   const Points normals{{0, 0, 1}, {1, 0, 0}};
   const Index no = null_index;
   const std::vector<Index> textures{1, 0, 1, no, 0, no, no, no, no};
@@ -315,6 +318,108 @@ BOOST_AUTO_TEST_CASE(obj_texture_and_normals)
   const Polygon_soup unused = mesh_file::read_obj("v 0 0 0\nvt 0 0\nvn 0 0 1\nf 1 1 1\n", true);
   BOOST_TEST(unused.texture_of_corner.empty());
   BOOST_TEST(unused.normal_of_corner.empty());
+}
+
+BOOST_AUTO_TEST_CASE(obj_names_materials)
+{
+  const std::string file =
+    "mtllib a b.mtl \nmtllib c.mtl\nv 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\nusemtl  red, or #2\n"
+    "f 1 2 3\nusemtl\nf 1 2 3\nusemtl red, or #2\nf 1 2 3\n";
+  const Polygon_soup soup = mesh_file::read_obj(file, true);
+  BOOST_TEST(soup.material_files == (std::vector<std::string>{"a b.mtl", "c.mtl"}),
+             boost::test_tools::per_element());
+  BOOST_REQUIRE(soup.materials.size() == 2u);
+  BOOST_TEST(soup.materials[0].name == "red, or #2");
+  BOOST_TEST(soup.materials[1].name == "");
+  BOOST_TEST((soup.material_of_polygon == std::vector<Index>{null_index, 0, 1, 0}));
+  BOOST_TEST(mesh_file::read_obj(file, false).material_of_polygon.empty());
+  BOOST_TEST(mesh_file::read_obj("v 0 0 0\nf 1 1 1\n", true).material_of_polygon.empty());
+}
+
+BOOST_AUTO_TEST_CASE(materials_of_mtl)
+{
+  const segment_mesh::Input_folder nowhere("", true);
+  Polygon_soup soup;
+  soup.materials = {{"a b", {}, {}}, {"c", {}, {}}};
+  segment_mesh::Material_reader reader(nowhere, soup);
+  std::map<std::string, mesh_file::Material*, std::less<> > materials;
+  for (mesh_file::Material& m : soup.materials)
+    materials.emplace(m.name, &m);
+  reader.read_mtl("Kd 9 9 9\n# no\n newmtl a b \r\n\tKd 1 0  0\r\n"
+                  "map_Kd -s 2 2 -bm 1 -o 1 x y.png\nnewmtl unused\nmap_Kd z.png\n"
+                  "newmtl c\nmap_kd x y.png\nbump -mm 0 1 2.png\nmap_Ks -clamp\nnorm\n"
+                  "newmtl a b\nKd 8 8 8", materials);
+  const auto check_statement = [&](std::size_t material, std::size_t i, const std::string& text,
+                                   std::size_t image) {
+    BOOST_REQUIRE(i < soup.materials[material].statements.size());
+    BOOST_TEST(soup.materials[material].statements[i].text == text);
+    BOOST_TEST(soup.materials[material].statements[i].image == image);
+  };
+  const std::size_t none = mesh_file::Material::no_image;
+  BOOST_TEST(soup.materials[0].statements.size() == 2u);
+  check_statement(0, 0, "Kd 1 0  0", none);
+  check_statement(0, 1, "map_Kd -s 2 2 -bm 1 -o 1", 0);
+  BOOST_TEST(soup.materials[1].statements.size() == 4u);
+  check_statement(1, 0, "map_kd", 0);
+  check_statement(1, 1, "bump -mm 0 1", 1);
+  check_statement(1, 2, "map_Ks", 2); // the name of a file
+  check_statement(1, 3, "norm", none);
+  const std::vector<std::string> missing{"x y.png", "2.png", "-clamp"};
+  BOOST_TEST(reader.missing_files() == missing, boost::test_tools::per_element());
+  for (std::size_t i = 0; i < 3; ++i)
+    BOOST_TEST(soup.images[i].name == missing[i]);
+}
+
+BOOST_AUTO_TEST_CASE(gltf_of_mtl)
+{
+  const auto converted = [](const mesh_file::Material& material)
+  { return nlohmann::json::parse(mesh_file::gltf_of_mtl(material)); };
+  const nlohmann::json plain = converted({});
+  BOOST_TEST(plain["pbrMetallicRoughness"]["metallicFactor"] == 0);
+  BOOST_TEST(plain["pbrMetallicRoughness"]["roughnessFactor"] == 1);
+  BOOST_TEST(plain["doubleSided"] == true);
+  BOOST_TEST(!plain.contains("alphaMode"));
+
+  const nlohmann::json json = converted({"", {{"Kd 9 9 9"}, {"Kd 0.5 nan -1"}, {"Ks 0.1"}, {"Ns 6"},
+                                              {"D 0.25"}, {"Ke 1 0 7"}, {"Pm 0.5"}, {"Kx # ?"},
+                                              {"map_kd -s 2", 3}, {"map_Pr", 1}, {"map_Pm", 1},
+                                              {"norm", 2}, {"bump", 4}}, ""});
+  const nlohmann::json& surface = json["pbrMetallicRoughness"];
+  const std::vector<double> color = surface["baseColorFactor"];
+  BOOST_TEST(color[0] == 0.21404, boost::test_tools::tolerance(1e-5)); // as tables of sRGB say
+  BOOST_TEST((color[1] == 0 && color[2] == 0 && color[3] == 0.25));
+  BOOST_TEST(json["alphaMode"] == "BLEND");
+  BOOST_TEST(json["emissiveFactor"] == nlohmann::json({1, 0, 1}));
+  BOOST_TEST(surface["metallicFactor"] == 0.5);
+  BOOST_TEST(surface["roughnessFactor"] == 1); // the map has all of it
+  BOOST_TEST(surface["baseColorTexture"]["index"] == 3);
+  BOOST_TEST(surface["metallicRoughnessTexture"]["index"] == 1);
+  BOOST_TEST(json["normalTexture"]["index"] == 2);
+  BOOST_TEST(converted({"", {{"Ks 1 1 1"}, {"Ns 6"}}, ""})["pbrMetallicRoughness"]
+               ["roughnessFactor"] == 0.5);
+  BOOST_TEST(converted({"", {{"Kd spectral a.rfl"}, {"Tr 1"}}, ""})["pbrMetallicRoughness"]
+               ["baseColorFactor"][3] == 0);
+}
+
+BOOST_AUTO_TEST_CASE(descriptions_of_a_broken_child)
+{
+  const segment_mesh::Input_folder nowhere("", true);
+  for (const char* description : {"", "{", "[]", "7", R"({"mtl":7})", R"({"mtl":[[]]})",
+                                  R"({"mtl":[7]})", R"({"mtl":[["map_Kd",7]]})",
+                                  R"({"normalTexture":{"index":-1}})",
+                                  R"({"pbrMetallicRoughness":{"baseColorFactor":[1]}})",
+                                  R"({"normalTexture":{"index":"a","extensions":)"
+                                  R"({"KHR_texture_transform":{}}}})"}) {
+    Polygon_soup soup;
+    soup.materials = {{"a", {}, description}};
+    segment_mesh::Material_reader(nowhere, soup).read_descriptions();
+    BOOST_TEST(soup.materials[0].gltf == "", description);
+  }
+  Polygon_soup soup;
+  soup.materials = {{"a", {}, R"({"mtl":["Kd 1\nnewmtl b",["map_Kd","x\ny"]]})"}};
+  segment_mesh::Material_reader(nowhere, soup).read_descriptions();
+  BOOST_TEST(soup.materials[0].statements[0].text == "Kd 1?newmtl b");
+  BOOST_TEST(soup.images[0].name == "x?y");
 }
 
 BOOST_AUTO_TEST_CASE(obj_contradictions)

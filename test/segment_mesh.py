@@ -21,6 +21,7 @@ import time
 import unittest
 import xml.etree.ElementTree
 import zipfile
+import zlib
 
 TOOL = None
 MESHES = None
@@ -1138,6 +1139,307 @@ class Scenes(Tool_test):
                     name = self.write(extension, content)
                     self.assert_failure("mesh", name, "-o", "out.ply", "--labels", "out.seg",
                                         sentence=name + " cannot be read: ")
+
+
+def png(red):
+    """The bytes of a picture of one pixel."""
+    def chunk(kind, content):
+        return (struct.pack(">I", len(content)) + kind + content +
+                struct.pack(">I", zlib.crc32(kind + content)))
+
+    return (b"\x89PNG\r\n\x1a\n" + chunk(b"IHDR", struct.pack(">2I5B", 1, 1, 8, 2, 0, 0, 0)) +
+            chunk(b"IDAT", zlib.compress(bytes([0, red, 0, 0]))) + chunk(b"IEND", b""))
+
+
+# A triangle, the bytes of its texture, and the name of its material. A corner is a point, texture
+# coordinates and a normal in one tuple.
+Textured = collections.namedtuple("Textured", "corners image material")
+
+
+def rotated(corners):
+    """The corners of a triangle, from the smallest."""
+    i = corners.index(min(corners))
+    return (*corners[i:], *corners[:i])
+
+
+def read_textured_obj(path):
+    """The triangles of an OBJ, sorted; and by materials the statements without textures."""
+    values, triangles, images, statements = {"v": [], "vt": [], "vn": []}, [], {}, {}
+    used, group = None, None
+    for line in path.read_text().splitlines():
+        kind, _, rest = line.partition(" ")
+        if kind == "mtllib":
+            for row in (path.parent / rest).read_text().splitlines():
+                key, _, value = row.partition(" ")
+                if key == "newmtl":
+                    name = value
+                    images[name], statements[name] = None, []
+                elif key == "map_Kd":
+                    images[name] = (path.parent / value).read_bytes()
+                else:
+                    statements[name].append(row)
+        elif kind == "usemtl":
+            used = rest
+        elif kind in values:
+            values[kind].append(tuple(map(float, rest.split())))
+        elif kind == "f":
+            corners = [tuple(int(i) - 1 for i in word.split("/")) for word in rest.split()]
+            triangles.append(Textured(rotated([
+                sum((values[kind][i] for kind, i in zip(("v", "vt", "vn"), corner)), ())
+                for corner in corners]), images[used], used))
+    return sorted(triangles), statements
+
+
+def read_textured_glb(path):
+    """The triangles of a GLB, sorted; and its materials by their names. Corners as in OBJ."""
+    content = path.read_bytes()
+    (size,) = struct.unpack_from("<I", content, 12)
+    json_ = json.loads(content[20:20 + size])
+    data = content[28 + size:]
+
+    def view(i):
+        v = json_["bufferViews"][i]
+        return data[v["byteOffset"]:v["byteOffset"] + v["byteLength"]]
+
+    def rows(i):
+        accessor = json_["accessors"][i]
+        code = {"SCALAR": "<I", "VEC2": "<2f", "VEC3": "<3f"}[accessor["type"]]
+        result = list(struct.iter_unpack(code, view(accessor["bufferView"])))
+        assert len(result) == accessor["count"]
+        return result
+
+    def image_of(material):
+        texture = material.get("pbrMetallicRoughness", {}).get("baseColorTexture")
+        if texture is None:
+            return None
+        image = json_["images"][json_["textures"][texture["index"]]["source"]]
+        assert image["mimeType"] == "image/png"
+        return view(image["bufferView"])
+
+    triangles = []
+    for node in json_["nodes"]: # whose transformations are empty
+        primitives = json_["meshes"][node["mesh"]]["primitives"] if "mesh" in node else []
+        for p in primitives:
+            material = json_["materials"][p["material"]]
+            vertices = [position + (uv[0], 1 - uv[1]) + normal for position, uv, normal in zip(
+                *(rows(p["attributes"][kind]) for kind in ("POSITION", "TEXCOORD_0", "NORMAL")))]
+            for corners in zip(*[iter(rows(p["indices"]))] * 3):
+                triangles.append(Textured(rotated([vertices[v] for v, in corners]),
+                                          image_of(material), material["name"]))
+    return sorted(triangles), {m["name"]: m for m in json_["materials"]}
+
+
+class Materials(Tool_test):
+    """Two balls with a neck, which have materials and pictures of their own."""
+
+    def setUp(self):
+        super().setUp()
+        points, faces = dumbbell()
+        exact = lambda x: round(1024 * x) / 1024 # as float
+        points = [tuple(map(exact, p)) for p in points]
+        self.images = {"left": png(10), "right, or so": png(20)}
+        (self.directory / "in").mkdir()
+        for file, (name, image) in zip(("a b.png", "c.png"), self.images.items()):
+            (self.directory / "in" / file).write_bytes(image)
+        lines = ["mtllib the materials.mtl"]
+        lines += ["v %r %r %r" % p for p in points]
+        lines += ["vt %r %r" % (exact(p[0] / 16), exact(p[2] / 32)) for p in points]
+        # Their lengths as float are 1.
+        lines += ["vn 1 0 0", "vn 0 0 -1"]
+        for i, f in enumerate(faces):
+            if i % (len(faces) // 2) == 0:
+                lines.append("usemtl " + list(self.images)[2 * i // len(faces)])
+            lines.append("f " + " ".join("%d/%d/%d" % (v + 1, v + 1, 1 + i % 2) for v in f))
+        (self.directory / "in/in.obj").write_text("\n".join(lines))
+        self.statements = {"left": ["Kd 1 0.5 0.25", "illum 2"], "right, or so": ["Ks 1 1 1"]}
+        (self.directory / "in/the materials.mtl").write_text(
+            "newmtl left\nKd 1 0.5 0.25\nillum 2\nmap_Kd .\\a b.png\n\n"
+            "newmtl right, or so\nmap_Kd /home/me/c.png\nKs 1 1 1\n")
+        # The tool of tests reads the names of files plainly.
+        plain = self.directory / "plain"
+        plain.mkdir()
+        (plain / "in.obj").write_text("\n".join(["mtllib m.mtl", *lines[1:]]))
+        (plain / "m.mtl").write_text("newmtl left\nmap_Kd 1.png\nnewmtl right, or so\nmap_Kd 2.png")
+        for i, image in enumerate(self.images.values()):
+            (plain / ("%d.png" % (i + 1))).write_bytes(image)
+        self.expected, _ = read_textured_obj(plain / "in.obj")
+        self.assertEqual({t.image for t in self.expected}, set(self.images.values()))
+
+    def run_well(self, *arguments):
+        done = self.run_tool(*arguments)
+        self.assertEqual((done.returncode, done.stderr), (0, ""), arguments)
+
+    def test_obj(self):
+        self.run_well("in/in.obj", "--keep-faces", "-o", "out.obj", "--keep-materials",
+                      "--split-dir", "parts", "--split-format", "obj")
+        triangles, statements = read_textured_obj(self.directory / "out.obj")
+        self.assertEqual(triangles, self.expected)
+        self.assertEqual(statements, self.statements)
+        parts = [read_textured_obj(p) for p in (self.directory / "parts").glob("*.obj")]
+        self.assertGreater(len(parts), 1)
+        self.assertEqual(sorted(sum((triangles for triangles, _ in parts), [])), self.expected)
+        for triangles, statements in parts: # without materials of others
+            self.assertEqual(statements.keys(), {t.material for t in triangles})
+        self.run_well("out.obj", "--keep-faces", "-o", "again.obj", "--keep-materials")
+        self.assertEqual(read_textured_obj(self.directory / "again.obj"),
+                         read_textured_obj(self.directory / "out.obj"))
+        self.run_well("in/in.obj", "--split-dir", "parts") # which removes the pictures
+        self.assertEqual({p.suffix for p in (self.directory / "parts").iterdir()},
+                         {".ply", ".json"})
+
+    def test_refined_and_closed(self):
+        """New points have texture coordinates, and caps have a plain material."""
+        self.run_well("in/in.obj", "--close", "--split-dir", "parts", "--split-format", "obj")
+        number_of_caps = 0
+        for path in (self.directory / "parts").glob("*.obj"):
+            triangles, _ = read_textured_obj(path)
+            for t in triangles:
+                if t.material == "plain":
+                    number_of_caps += 1
+                    self.assertEqual(({len(c) for c in t.corners}, t.image), ({3}, None))
+                    continue
+                for x, _, z, u, v, *_ in t.corners:
+                    self.assertAlmostEqual(16 * u, x, delta=0.02)
+                    self.assertAlmostEqual(32 * v, z, delta=0.04)
+                self.assertEqual(t.image, self.images[t.material])
+        self.assertGreater(number_of_caps, 0)
+
+    def test_glb(self):
+        self.run_well("in/in.obj", "--keep-faces", "-o", "out.glb", "--keep-materials",
+                      "--split-dir", "parts", "--split-format", "glb")
+        triangles, materials = read_textured_glb(self.directory / "out.glb")
+        self.assertEqual(triangles, self.expected)
+        surface = materials["left"]["pbrMetallicRoughness"]
+        self.assertEqual((surface["metallicFactor"], surface["roughnessFactor"]), (0, 1))
+        linear = lambda c: ((c + 0.055) / 1.055) ** 2.4 # of sRGB
+        for c, expected in zip(surface["baseColorFactor"], (1, linear(0.5), linear(0.25), 1)):
+            self.assertAlmostEqual(c, expected)
+        parts = [read_textured_glb(p) for p in (self.directory / "parts").glob("*.glb")]
+        self.assertGreater(len(parts), 1)
+        self.assertEqual(sorted(sum((triangles for triangles, _ in parts), [])), self.expected)
+        for triangles, materials in parts: # without materials of others
+            self.assertEqual(materials.keys(), {t.material for t in triangles})
+        names = [node["name"] for node in read_glb_nodes(self.directory / "out.glb")]
+        self.run_well("in/in.obj", "--keep-faces", "-o", "out.glb") # has the same tree
+        self.assertEqual([n["name"] for n in read_glb_nodes(self.directory / "out.glb")], names)
+
+    def textured_gltf(self):
+        """Writes the triangles as glTF below a node that is translated: one picture is a file, the
+        other one in the buffer."""
+        data, views, accessors, primitives = b"", [], [], []
+
+        def add(content):
+            nonlocal data
+            views.append({"buffer": 0, "byteOffset": len(data), "byteLength": len(content)})
+            data += content + bytes(-len(content) % 4)
+            return len(views) - 1
+
+        for material, name in enumerate(self.images):
+            corners = [c for t in self.expected if t.material == name for c in t.corners]
+            columns = [[(x, y, z - 8) for x, y, z, *_ in corners],
+                       [(u, 1 - v) for _, _, _, u, v, *_ in corners], [c[5:] for c in corners]]
+            for rows in columns:
+                accessors.append({
+                    "bufferView": add(b"".join(struct.pack("<%df" % len(r), *r) for r in rows)),
+                    "componentType": 5126, "count": len(rows), "type": "VEC%d" % len(rows[0])})
+            accessors[-3].update(min=list(map(min, zip(*columns[0]))),
+                                 max=list(map(max, zip(*columns[0]))))
+            primitives.append({"material": material, "attributes": {
+                kind: 3 * material + i for i, kind in enumerate(("POSITION", "TEXCOORD_0",
+                                                                 "NORMAL"))}})
+        image = add(self.images["left"])
+        materials = [
+            {"name": "left", "doubleSided": True, "alphaMode": "MASK", "alphaCutoff": 0.25,
+             "pbrMetallicRoughness": {
+                 "baseColorFactor": [0.5, 0.25, 0.125, 1], "metallicFactor": 0.75,
+                 "roughnessFactor": 0.5, "baseColorTexture": {"index": 0, "extensions": {
+                     "KHR_texture_transform": {"offset": [0.25, 0.5], "rotation": 0.5,
+                                               "scale": [2, 4]}}}},
+             "emissiveFactor": [0, 0.5, 1], "normalTexture": {"index": 1, "scale": 0.5}},
+            {"name": "right, or so", "pbrMetallicRoughness": {"baseColorTexture": {"index": 1}},
+             "extensions": {"KHR_materials_clearcoat": {
+                 "clearcoatFactor": 0.5, "clearcoatTexture": {"index": 0}}}}]
+        text = json.dumps({
+            "asset": {"version": "2.0"}, "scene": 0, "scenes": [{"nodes": [0]}],
+            "nodes": [{"mesh": 0, "translation": [0, 0, 8]}],
+            "meshes": [{"primitives": primitives}], "materials": materials,
+            "accessors": accessors, "bufferViews": views,
+            "textures": [{"source": 0, "sampler": 0}, {"source": 1}],
+            "samplers": [{"wrapS": 33071, "wrapT": 33648, "magFilter": 9728}],
+            "images": [{"bufferView": image, "mimeType": "image/png"}, {"uri": "c%20%25.png"}],
+            "extensionsUsed": ["KHR_texture_transform", "KHR_materials_clearcoat"],
+            "buffers": [{"byteLength": len(data), "uri": "data:application/octet-stream;base64," +
+                         base64.b64encode(data).decode()}]})
+        (self.directory / "in/in.gltf").write_text(text)
+        (self.directory / "in/c %.png").write_bytes(self.images["right, or so"])
+
+    def test_gltf(self):
+        self.textured_gltf()
+        command = ("in/in.gltf", "--keep-faces", "-o", "out.glb", "-o", "out.obj",
+                   "--keep-materials", "--split-dir", "parts", "--split-format", "glb")
+        if "Assimp at build time" in self.run_tool(*command).stderr:
+            self.skipTest("the tool was built without Assimp")
+        self.run_well(*command)
+        triangles, materials = read_textured_glb(self.directory / "out.glb")
+        self.assertEqual(triangles, self.expected)
+        left, right = (materials[name] for name in self.images)
+        surface = left["pbrMetallicRoughness"]
+        self.assertEqual(surface["baseColorFactor"], [0.5, 0.25, 0.125, 1])
+        self.assertEqual((surface["metallicFactor"], surface["roughnessFactor"]), (0.75, 0.5))
+        transform = surface["baseColorTexture"]["extensions"]["KHR_texture_transform"]
+        for key, expected in (("offset", [0.25, 0.5]), ("rotation", [0.5]), ("scale", [2, 4])):
+            values = transform[key] if key != "rotation" else [transform[key]]
+            for value, x in zip(values, expected):
+                self.assertAlmostEqual(value, x, places=6)
+        self.assertEqual((left["alphaMode"], left["alphaCutoff"], left["doubleSided"],
+                          left["emissiveFactor"], left["normalTexture"]["scale"]),
+                         ("MASK", 0.25, True, [0, 0.5, 1], 0.5))
+        self.assertIs(right["doubleSided"], False)
+        coat = right["extensions"]["KHR_materials_clearcoat"]
+        self.assertEqual((coat["clearcoatFactor"], "clearcoatTexture" in coat), (0.5, True))
+        content = (self.directory / "out.glb").read_bytes()
+        self.assertIn(b'"extensionsUsed":["KHR_materials_clearcoat","KHR_texture_transform"]',
+                      content)
+        self.assertIn(b'{"magFilter":9728,"wrapS":33071,"wrapT":33648}', content)
+        parts = [read_textured_glb(p) for p in (self.directory / "parts").glob("*.glb")]
+        self.assertEqual(sorted(sum((triangles for triangles, _ in parts), [])), self.expected)
+        mtl = (self.directory / "out.mtl").read_text().splitlines()
+        for line in ("newmtl left", "newmtl right, or so", "Pm 0.75", "Pr 0.5",
+                     "norm out_texture_001.png", "map_Kd out_texture_001.png"):
+            self.assertIn(line, mtl)
+        self.assertTrue(any(line.startswith("Kd 0.7353") for line in mtl), mtl) # of sRGB
+        # A GLB of the tool is read again.
+        self.run_well("out.glb", "--keep-faces", "-o", "again.glb", "--keep-materials")
+        triangles, again = read_textured_glb(self.directory / "again.glb")
+        self.assertEqual((triangles, again.keys()), (self.expected, materials.keys()))
+
+    def test_missing_files(self):
+        """Are told; those of other folders are only read on request."""
+        (self.directory / "in/c.png").rename(self.directory / "c.png")
+        mtl = self.directory / "in/the materials.mtl"
+        mtl.write_text(mtl.read_text().replace("/home/me/c.png", "../c.png"))
+        command = ("in/in.obj", "--keep-faces", "-o", "out.obj", "--keep-materials", "--json",
+                   "out.json")
+        done = self.run_tool(*command)
+        self.assertEqual((done.returncode, done.stderr),
+                         (0, "segment_mesh: warning: '../c.png' cannot be read in the folder of "
+                             "in/in.obj\n"))
+        self.assertEqual(self.report()["missing_files"], ["../c.png"])
+        self.assertEqual((self.directory / "out.mtl").read_text(),
+                         "newmtl left\nKd 1 0.5 0.25\nillum 2\nmap_Kd out_texture_000.png\n"
+                         "newmtl right, or so\nmap_Kd ../c.png\nKs 1 1 1\n")
+        self.run_well(*command, "--allow-external-files")
+        self.assertEqual(read_textured_obj(self.directory / "out.obj")[0], self.expected)
+        mtl.unlink()
+        done = self.run_tool(*command)
+        self.assertIn("'the' and other files of materials cannot be read", done.stderr)
+        self.assertEqual((self.directory / "out.mtl").read_text(),
+                         "newmtl left\nnewmtl right, or so\n")
+
+    def test_wrong_usage(self):
+        for options in ((), ("-o", "out.ply")):
+            self.assert_failure("usage", "in/in.obj", "--keep-materials", *options,
+                                sentence="--keep-materials needs -o with .obj or .glb")
 
 
 class Soups(Tool_test):

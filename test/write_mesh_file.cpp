@@ -12,6 +12,7 @@
 #include <cstdint>
 #include <cstring>
 #include <limits>
+#include <memory>
 #include <sstream>
 #include <stdexcept>
 #include <string>
@@ -300,7 +301,7 @@ BOOST_AUTO_TEST_CASE(obj_has_groups_and_materials)
     "g segment_000\nusemtl segment_000\n"
     "f 1 3 4 2\nf 1 2 6 5\nf 3 7 8 4\nf 1 5 7 3\nf 2 4 8 6\n"
     "g segment_001\nusemtl segment_001\nf 5 6 8 7\n");
-  BOOST_TEST(written(mesh_file::write_mtl, cube.mesh()) ==
+  BOOST_TEST(written(mesh_file::write_mtl, cube.mesh(), std::vector<std::string>()) ==
     "newmtl segment_000\nKd 1 0 0.039215688\nnewmtl segment_001\nKd 0.5019608 0.78431374 0\n");
 }
 
@@ -309,7 +310,7 @@ BOOST_AUTO_TEST_CASE(obj_keeps_texture_coordinates_and_normals)
   const Index none = mesh_file::null_index;
   Polygon_soup soup = soup_of({{0.1f, 0, 0}, {1, 0, 0}, {0, -2.5, 0}, {1e300, 0, 0}},
                               {{0, 1, 2}, {2, 3, 1}, {0, 1}});
-  soup.texture_coordinates = {{0.25, 1}, {0, 0.5}};
+  soup.texture_coordinates = {{0.25, 1, 0, 0}, {0, 0.5, 0, 0}};
   soup.texture_of_corner = {0, none, 1, 1, none, 1, 0, 0};
   soup.normals = {{1, 0, 0}, {0, 0, 1}};
   soup.normal_of_corner = {0, 1, none, none, none, 1, 0, 0};
@@ -324,6 +325,35 @@ BOOST_AUTO_TEST_CASE(obj_keeps_texture_coordinates_and_normals)
   BOOST_TEST(written_part(".obj", mesh, 1000) ==
     "v 0.1 0 0\nv 1 0 0\nv 0 -2.5 0\nvt 0.25 1\nvt 0 0.5\nvn 1 0 0\nvn 0 0 1\n"
     "g segment_1000\nf 1/1/1 2//2 3/2\n");
+}
+
+BOOST_AUTO_TEST_CASE(obj_keeps_materials)
+{
+  Cube cube;
+  const auto bytes = std::make_shared<const std::string>("\x89PNG");
+  cube.soup.images = {{"lost.tga", nullptr}, {"a.png", bytes}};
+  const mesh_file::Material::Statement red{"Kd 1 0 0"};
+  cube.soup.materials = {{"red", {red, {"map_Kd -s 2", 1}}, {}},
+                         {"red", {{"map_Ka", 0}}, {}}, {"unused", {}, {}}};
+  const Index none = mesh_file::null_index;
+  cube.soup.material_of_polygon = {0, 0, none, 0, 1, 1};
+  Segmented_mesh mesh = cube.mesh();
+  mesh.keeps_materials = true;
+  BOOST_TEST(contains(written_as(".obj", mesh, "a.mtl"),
+    "g segment_000\nusemtl red\nf 1 3 4 2\nusemtl plain\nf 1 2 6 5\nusemtl red\nf 3 7 8 4\n"
+    "usemtl red_\nf 1 5 7 3\nf 2 4 8 6\ng segment_001\nusemtl red\nf 5 6 8 7\n"));
+  const std::vector<std::string> files{"", "mesh_texture_001.png"};
+  BOOST_TEST(written(mesh_file::write_mtl, mesh, files) ==
+    "newmtl red\nKd 1 0 0\nmap_Kd -s 2 mesh_texture_001.png\nnewmtl red_\nmap_Ka lost.tga\n"
+    "newmtl plain\nKd 0.8 0.8 0.8\n");
+
+  const Polygon_soup part = Segment_extraction(mesh)(1);
+  const std::vector<Index> segment{1};
+  BOOST_TEST(written(mesh_file::write_mtl, Segmented_mesh{part, segment, cube.colors, {}, {}, true},
+                     files) == "newmtl red\nKd 1 0 0\nmap_Kd -s 2 mesh_texture_001.png\n");
+  BOOST_TEST(mesh_file::names_for_mtl({{"", {}, {}}, {" a ", {}, {}}, {"x\ny", {}, {}}}) ==
+               (std::vector<std::string>{"material_", "material a _", "x_y", "plain"}),
+             boost::test_tools::per_element());
 }
 
 BOOST_AUTO_TEST_CASE(off_has_colors_of_faces)
@@ -419,6 +449,77 @@ BOOST_AUTO_TEST_CASE(glb_has_a_mesh_for_each_segment)
   // Only the pyramids of the three far sides, with their tip at the origin, have a volume.
   BOOST_TEST(glb.six_volumes(0) == 4);
   BOOST_TEST(glb.six_volumes(1) == 2);
+}
+
+BOOST_AUTO_TEST_CASE(glb_keeps_materials)
+{
+  Cube cube;
+  const auto bytes = std::make_shared<const std::string>("\xFF\xD8\xFF of five");
+  cube.soup.images = {{"lost.tga", nullptr}, {"a.jpg", bytes}};
+  cube.soup.materials = {
+    {"two", {}, R"({"normalTexture":{"index":0},"pbrMetallicRoughness":{"baseColorTexture":)"
+                R"({"index":1,"sampler":{"wrapS":33071},"texCoord":1}},"extensions":{"B":{}}})"},
+    {"unused", {}, "{}"}, {"broken", {}, "{"}};
+  const Index none = mesh_file::null_index;
+  cube.soup.material_of_polygon = {0, 2, none, 0, 0, 0};
+  // The first polygon has two points with the same, and one without texture coordinates.
+  cube.soup.texture_coordinates = {{0.25, 1, 0.5, 0.75}, {NAN, 1e300, 0, 0}};
+  cube.soup.texture_of_corner.assign(24, 0);
+  cube.soup.texture_of_corner[2] = 1;
+  cube.soup.texture_of_corner[3] = none;
+  cube.soup.normals = {{0, 0, -2}, {0, 0, 0}};
+  cube.soup.normal_of_corner.assign(24, 0);
+  cube.soup.normal_of_corner[8] = none; // in the polygon without material
+  cube.soup.normal_of_corner[4] = 1;    // in the one with a broken material
+  Segmented_mesh mesh = cube.mesh();
+  mesh.keeps_materials = true;
+  const Glb glb(written_as(".glb", mesh));
+  const nlohmann::json& json = glb.json;
+
+  BOOST_TEST(json["materials"].size() == 3u);
+  BOOST_TEST(json["materials"][1]["name"] == "plain");
+  BOOST_TEST(json["materials"][2] == nlohmann::json({{"name", "broken"}}));
+  BOOST_TEST(json["extensionsUsed"] == nlohmann::json::array({"B"}));
+  const nlohmann::json& two = json["materials"][0];
+  const std::size_t color = two["pbrMetallicRoughness"]["baseColorTexture"]["index"];
+  const std::size_t normal = two["normalTexture"]["index"];
+  BOOST_TEST(!two["pbrMetallicRoughness"]["baseColorTexture"].contains("sampler"));
+  const std::size_t sampler = json["textures"][color]["sampler"];
+  BOOST_TEST(json["samplers"][sampler] == nlohmann::json({{"wrapS", 33071}}));
+  BOOST_TEST(!json["textures"][normal].contains("sampler"));
+  BOOST_TEST(json["images"][json["textures"][normal]["source"].get<int>()] ==
+             nlohmann::json({{"name", "lost.tga"}, {"uri", "lost.tga"}}));
+  const nlohmann::json& image = json["images"][json["textures"][color]["source"].get<int>()];
+  BOOST_TEST(image["mimeType"] == "image/jpeg");
+  const nlohmann::json& view = json["bufferViews"][image["bufferView"].get<int>()];
+  BOOST_TEST(glb.data.substr(view["byteOffset"], view["byteLength"]) == *bytes);
+
+  const nlohmann::json& primitives = json["meshes"][0]["primitives"];
+  BOOST_REQUIRE(primitives.size() == 2u); // the material, and the polygon without one
+  const auto& attributes = primitives[0]["attributes"];
+  const auto values = [&](const char* name, std::size_t size) {
+    const std::size_t accessor = attributes[name];
+    const std::size_t count = json["accessors"][accessor]["count"];
+    return glb.accessor(accessor).take<float>(size * count);
+  };
+  // The point 4 has different texture coordinates in two polygons, and so has 2.
+  BOOST_TEST(values("POSITION", 3).size() == 3u * 10);
+  const Numbers first = values("TEXCOORD_0", 2), second = values("TEXCOORD_1", 2);
+  BOOST_TEST((first[0] == 0.25 && first[1] == 0 && second[0] == 0.5 && second[1] == 0.25));
+  for (std::size_t i = 0; i < first.size(); i += 2) // nothing but the two, and none
+    BOOST_TEST(((first[i] == 0.25 && first[i + 1] == 0) || first[i] == 0));
+  const Numbers normals = values("NORMAL", 3);
+  BOOST_TEST(normals.size() == 3u * 10);
+  BOOST_TEST(normals[2] == -1);
+  BOOST_TEST(primitives[1]["attributes"].contains("TEXCOORD_0"));
+  BOOST_TEST(!primitives[1]["attributes"].contains("TEXCOORD_1"));
+  BOOST_TEST(!primitives[1]["attributes"].contains("NORMAL"));
+  BOOST_TEST(!json["meshes"][1]["primitives"][0]["attributes"].contains("NORMAL"));
+
+  mesh.keeps_materials = false;
+  const Glb colored(written_as(".glb", mesh));
+  BOOST_TEST(colored.json["materials"][0]["name"] == "segment_000");
+  BOOST_TEST(!colored.json.contains("images"));
 }
 
 BOOST_AUTO_TEST_CASE(glb_has_the_tree_of_parts)

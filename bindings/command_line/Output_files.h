@@ -6,7 +6,6 @@
 
 #include "Signal_handlers.h"
 #include "check_outputs.h"
-#include "../files/Segmented_mesh.h"
 
 #ifndef _WIN32
 #include <sys/stat.h>
@@ -174,11 +173,10 @@ public:
     new_directory_ = split_directory_;
   }
 
-  // Into the files segment_000, segment_001 ... with the extension.
+  // Takes a name for which `is_segment_file()` is true.
   template <class Writer>
-  void write_segment(std::size_t i, const std::string& extension, const Writer& writer)
+  void write_segment(const std::string& name, const Writer& writer)
   {
-    const std::string name = mesh_file::segment_name(i) + extension;
     write(split_directory_ / name, writer);
     segment_files_.insert(name);
   }

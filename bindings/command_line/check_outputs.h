@@ -148,12 +148,12 @@ inline bool is_same_output(const Path& a, const Path& b)
 // A directory of segments has an index of them, by which a later run knows what it may remove.
 const char* const segment_index_name = "segments.json";
 
-// segment_000.ply, segment_1000.obj ...
+// segment_000.ply, segment_1000.obj, texture_000.png ...
 inline bool is_segment_file(const std::string& name)
 {
-  const std::string start = "segment_";
+  const std::string start = name.substr(0, 8); // which are equally long
   const std::size_t dot = name.find_first_not_of("0123456789", start.size());
-  return name.compare(0, start.size(), start) == 0 && dot != std::string::npos &&
+  return (start == "segment_" || start == "texture_") && dot != std::string::npos &&
          dot >= start.size() + 3 && name[dot] == '.' &&
          name.find_first_of("./\\", dot + 1) == std::string::npos;
 }

@@ -48,7 +48,8 @@ struct Closed_soup
 };
 
 // Returns the polygons, and after them the triangles that close their segments. Borders of the
-// input are joined. Further properties of new points and triangles are 0.
+// input are joined. Further properties of new points and triangles are 0;
+// new triangles have no material.
 inline Closed_soup closed_soup(const Input& input, std::vector<Index> segment)
 {
   Polygon_soup soup = input.soup;
@@ -72,6 +73,8 @@ inline Closed_soup closed_soup(const Input& input, std::vector<Index> segment)
   for (std::vector<Index>* list : {&soup.texture_of_corner, &soup.normal_of_corner})
     if (!list->empty())
       list->resize(soup.corners.size(), mesh_file::null_index);
+  if (!soup.material_of_polygon.empty())
+    soup.material_of_polygon.resize(soup.number_of_polygons(), mesh_file::null_index);
   return {std::move(soup), std::move(segment), std::move(closed_segments)};
 }
 

@@ -7,6 +7,7 @@
 #include "Failure.h"
 #include "../files/Polygon_soup.h"
 #include "../files/Polygon_triangulation.h"
+#include "../files/read_materials.h"
 #include "../files/read_mesh_file.h"
 #include "../files/stitch_borders.h"
 #include "../files/read_by_assimp.h"
@@ -93,6 +94,15 @@ inline Scene read_scene(const std::string& name, bool keeps_properties,
       scene.soup = mesh_file::read_mesh_file(
         bytes, is_stream ? mesh_file::format_of_contents(bytes) : format, keeps_properties);
     }
+    if (limits.reads_materials) {
+      const Input_folder folder(name, limits.allows_external_files);
+      Material_reader reader(folder, scene.soup);
+      if (format == mesh_file::Format::UNKNOWN && !is_stream)
+        reader.read_descriptions();
+      else
+        reader.read_material_files();
+      scene.missing_files = reader.missing_files();
+    }
   }
   catch (const std::runtime_error& e) {
     throw Failure(Status::MESH, name + " cannot be read: " + e.what());
@@ -106,7 +116,7 @@ inline Scene read_scene(const std::string& name, bool keeps_properties,
 struct Input
 {
   Polygon_soup soup;
-  std::vector<std::string> node_names, mesh_names;
+  std::vector<std::string> node_names, mesh_names, missing_files;
   std::vector<Triangle> triangles;
   std::vector<Index> polygon_of_triangle; // ascends
 };
@@ -117,6 +127,7 @@ inline Input triangulated(Scene scene)
   Input input;
   input.node_names = std::move(scene.node_names);
   input.mesh_names = std::move(scene.mesh_names);
+  input.missing_files = std::move(scene.missing_files);
   input.soup = std::move(scene.soup);
   const Polygon_soup& soup = input.soup;
   input.triangles.reserve(soup.number_of_polygons());

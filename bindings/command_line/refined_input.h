@@ -130,6 +130,8 @@ class Input_refinement
     to_.end_polygon();
     if (!from_.group_of_polygon.empty())
       to_.group_of_polygon.push_back(from_.group_of_polygon[polygon]);
+    if (!from_.material_of_polygon.empty())
+      to_.material_of_polygon.push_back(from_.material_of_polygon[polygon]);
     for (std::size_t i = 0; i < from_.polygon_properties.size(); ++i)
       to_.polygon_properties[i].values.push_back(from_.polygon_properties[i].values[polygon]);
   }
@@ -186,13 +188,14 @@ class Input_refinement
     to_.texture_of_corner.clear();
     to_.normal_of_corner.clear();
     to_.group_of_polygon.clear();
+    to_.material_of_polygon.clear();
     for (mesh_file::Property& p : to_.polygon_properties)
       p.values.clear();
   }
 
 public:
   Input_refinement(const Input& input, const std::vector<Index>& segment_of_triangle)
-    : input_(input), from_(input.soup), scene_{input.soup, input.node_names, input.mesh_names},
+    : input_(input), from_(input.soup), scene_{input.soup, input.node_names, input.mesh_names, {}},
       to_(scene_.soup), points_(from_.points), triangles_(input.triangles),
       segment_of_triangle_(segment_of_triangle)
   {

@@ -75,6 +75,12 @@ std::string both_defaults(double Segmentation_options::*number)
   return out.str();
 }
 
+bool can_have_materials(const std::string& mesh_file)
+{
+  const std::string extension = mesh_file::output_extension(mesh_file);
+  return extension == ".obj" || extension == ".glb";
+}
+
 struct Options
 {
   std::vector<std::string> inputs;
@@ -99,6 +105,7 @@ struct Options
   bool allow_external_files = false;
   bool keep_faces = false;
   bool close = false;
+  bool keep_materials = false;
   bool quiet = false;
   bool prints_man_page = false, prints_completion = false;
 
@@ -108,6 +115,14 @@ struct Options
   {
     return is_standard_output(label_file) || is_standard_output(report_file) ||
            is_standard_output(hierarchy_file) || is_standard_output(page_file);
+  }
+
+  // Returns whether a file has the materials of the input.
+  bool writes_materials() const
+  {
+    return (!split_directory.empty() && can_have_materials("part." + split_format)) ||
+           (keep_materials &&
+            std::any_of(mesh_files.begin(), mesh_files.end(), can_have_materials));
   }
 
   Segmentation_options segmentation_options() const
@@ -242,6 +257,9 @@ void add_options(CLI::App& app, Options& o)
   app.add_flag("--close", o.close,
                "close the segments of --split-dir, and of -o with .glb or .3mf, for example for 3D "
                "printing: with caps that neighbors share, and at holes of the mesh");
+  app.add_flag("--keep-materials", o.keep_materials,
+               "write -o with .obj or .glb with the materials and textures of IN, if it has any, "
+               "instead of a color for each segment; the parts of --split-dir always have them");
   app.add_flag("--quiet", o.quiet, "print neither progress nor a summary");
   app.allow_windows_style_options(false); // a path may begin with a slash
   app.set_version_flag("--version", "segment_mesh " CGAL_SPECTRAL_SEGMENTATION_VERSION);
@@ -309,6 +327,8 @@ void check_files(const Options& o)
       std::none_of(o.mesh_files.begin(), o.mesh_files.end(), has_objects))
     throw Failure(Status::USAGE, "--close needs an output of separate segments: --split-dir, or -o "
                                  "with .glb or .3mf");
+  if (o.keep_materials && !o.writes_materials())
+    throw Failure(Status::USAGE, "--keep-materials needs -o with .obj or .glb");
   check_outputs({o.input, o.seed_file, o.edge_file}, outputs, o.split_directory);
 }
 
@@ -379,7 +399,8 @@ Json parameters_report(const Options& o)
           {"number_of_smoothing_iterations", o.smoothing_iterations},
           {"smooth_boundaries", o.smooth_boundaries},
           {"keep_faces", o.keep_faces},
-          {"close", o.close}};
+          {"close", o.close},
+          {"keep_materials", o.keep_materials}};
 }
 
 // Returns the part of the report that says how a run ended; it is the whole report of a failed run.
@@ -413,6 +434,7 @@ Json report(const Options& o, const Input& input, std::size_t number_of_segments
           {"vertices", number_of_vertices(input)},
           {"node_names", input.node_names},
           {"mesh_names", input.mesh_names},
+          {"missing_files", input.missing_files},
           {"segments", number_of_segments},
           {"seconds", seconds_report(watch)},
           {"peak_memory", peak_memory()},
@@ -441,7 +463,8 @@ Closed_segments write_meshes(const Options& o, const Input& input,
   const std::vector<Index>& labels = is_refined ? refined.segment : label_of_polygon;
   const std::vector<mesh_file::Part> parts =
     part_tree(tree, label_of_triangle, number_of_segments);
-  const mesh_file::Segmented_mesh mesh{written.soup, labels, colors, parts, refined.polygon};
+  const mesh_file::Segmented_mesh mesh{written.soup, labels, colors, parts, refined.polygon,
+                                       o.keep_materials};
   Closed_soup closed;
   std::vector<Index> closed_faces;
   if (o.close) {
@@ -455,7 +478,7 @@ Closed_segments write_meshes(const Options& o, const Input& input,
     closed_faces.resize(closed.segment.size(), mesh_file::null_index);
   }
   const mesh_file::Segmented_mesh closed_mesh{closed.soup, closed.segment, colors, parts,
-                                              closed_faces};
+                                              closed_faces, o.keep_materials};
   for (const std::string& name : o.mesh_files)
     write_mesh(files, name, o.close && has_objects(name) ? closed_mesh : mesh);
   if (!o.split_directory.empty())
@@ -503,7 +526,8 @@ Json run(const Options& o)
   Scene scene;
   try {
     scene = read_scene(o.input, writes_meshes,
-                       {o.time_limit, o.jobs.value_or(1), o.allow_external_files});
+                       {o.time_limit, o.jobs.value_or(1), o.allow_external_files,
+                        o.writes_materials()});
   }
   catch (const Failure&) {
     watch.end_phase(); // fails if the reader has taken all the time
@@ -553,6 +577,11 @@ Json run(const Options& o)
                 << std::endl;
     if (const std::string warning = closed_warning(closed_segments); !warning.empty())
       std::cerr << "segment_mesh: warning: " << warning << std::endl;
+    if (!input.missing_files.empty())
+      std::cerr << "segment_mesh: warning: " << mesh_file::in_quotes(input.missing_files[0])
+                << (input.missing_files.size() > 1 ? " and other files of materials" : "")
+                << " cannot be read"
+                << (o.allow_external_files ? "" : " in the folder of " + o.input) << std::endl;
     if (o.segments && number_of_segments > *o.segments)
       std::cerr << "segment_mesh: warning: more than " << *o.segments
                 << " segments, because each connected component is at least one" << std::endl;

@@ -80,7 +80,24 @@ inline void write_mesh(std::ostream& out, const std::string& extension,
   }
 }
 
-// In the format that the name tells. OBJ has its colors in a file beside it.
+// Writes images by a function that takes names of files and writers. Returns the names, which are
+// empty for missing images.
+template <class Write>
+std::vector<std::string> write_images(const std::vector<mesh_file::Image>& images,
+                                      const std::string& start, const Write& write)
+{
+  std::vector<std::string> names;
+  for (std::size_t i = 0; i < images.size(); ++i) {
+    names.emplace_back();
+    if (!images[i].bytes)
+      continue;
+    names[i] = start + mesh_file::three_digits(i) + "." + mesh_file::type_of(images[i]);
+    write(names[i], [&](std::ostream& out) { out << *images[i].bytes; });
+  }
+  return names;
+}
+
+// In the format that the name tells. OBJ has its materials and their images in files beside it.
 inline void write_mesh(Output_files& files, const std::filesystem::path& name,
                        const mesh_file::Segmented_mesh& mesh)
 {
@@ -88,24 +105,40 @@ inline void write_mesh(Output_files& files, const std::filesystem::path& name,
   const std::filesystem::path materials = mesh_file::name_of_materials(name);
   files.write(name, [&](std::ostream& out)
               { write_mesh(out, extension, mesh, materials.filename().string()); });
-  if (extension == ".obj")
-    files.write(materials, [&](std::ostream& out) { mesh_file::write_mtl(out, mesh); });
+  if (extension != ".obj")
+    return;
+  std::vector<std::string> images;
+  if (mesh.has_materials())
+    images = write_images(mesh.soup.images, name.stem().string() + "_texture_",
+                          [&](const std::string& image, const auto& writer)
+                          { files.write(name.parent_path() / image, writer); });
+  files.write(materials, [&](std::ostream& out) { mesh_file::write_mtl(out, mesh, images); });
 }
 
 // Writes a mesh for each segment, in the files segment_000, segment_001 ... with the extension, and
-// what holds for the closed segments.
+// what holds for the closed segments. The meshes have the materials of the whole, if there are any.
 inline void write_segments(Output_files& files, const std::filesystem::path& directory,
                            const std::string& extension, const mesh_file::Segmented_mesh& mesh,
                            const nlohmann::ordered_json& closed_segments)
 {
   files.start_segments(directory, closed_segments);
   mesh_file::Segment_extraction extract(mesh);
+  const bool has_mtl = extension == ".obj" && !mesh.soup.materials.empty();
+  std::vector<std::string> images;
+  if (has_mtl)
+    images = write_images(mesh.soup.images, "texture_",
+                          [&](const std::string& name, const auto& writer)
+                          { files.write_segment(name, writer); });
   for (std::size_t s = 0; s < extract.number_of_segments(); ++s) {
     const Polygon_soup part = extract(s);
     const std::vector<Index> segment(part.number_of_polygons(), static_cast<Index>(s));
-    const mesh_file::Segmented_mesh written{part, segment, mesh.colors};
-    files.write_segment(s, extension, [&](std::ostream& out)
-                        { write_mesh(out, extension, written); });
+    const mesh_file::Segmented_mesh written{part, segment, mesh.colors, {}, {}, true};
+    const std::string name = mesh_file::segment_name(s);
+    files.write_segment(name + extension, [&](std::ostream& out)
+                        { write_mesh(out, extension, written, has_mtl ? name + ".mtl" : ""); });
+    if (has_mtl)
+      files.write_segment(name + ".mtl", [&](std::ostream& out)
+                          { mesh_file::write_mtl(out, written, images); });
   }
 }
 

@@ -4,6 +4,8 @@
 #ifndef SEGMENT_MESH_MESH_FILE_POLYGON_SOUP_H
 #define SEGMENT_MESH_MESH_FILE_POLYGON_SOUP_H
 
+#include "Material.h"
+
 #include <array>
 #include <cmath>
 #include <cstddef>
@@ -17,6 +19,7 @@
 namespace mesh_file {
 
 typedef std::array<double, 3> Point;
+typedef std::array<double, 4> Texture_point; // two pairs of texture coordinates; v points upwards
 typedef std::uint32_t Index;
 
 constexpr Index null_index = (std::numeric_limits<Index>::max)();
@@ -73,11 +76,16 @@ struct Polygon_soup
   std::vector<Index> group_of_polygon; // by the objects and groups of a file; empty if it has none
   // The further properties of a file, if they are asked for
   std::vector<Property> point_properties, polygon_properties;
-  // One of the texture coordinates and normals for each corner of OBJ, or null_index; or nothing
-  std::vector<std::array<double, 2> > texture_coordinates;
+  // One of the texture coordinates and normals for each corner, or null_index; or nothing
+  std::vector<Texture_point> texture_coordinates;
   std::vector<Index> texture_of_corner;
   std::vector<Point> normals;
   std::vector<Index> normal_of_corner;
+  // One of the materials for each polygon, or null_index; or nothing
+  std::vector<Material> materials;
+  std::vector<Index> material_of_polygon;
+  std::vector<Image> images; // of the materials
+  std::vector<std::string> material_files; // of the materials of OBJ, as it names them
 
   std::size_t number_of_polygons() const { return first_corner.size() - 1; }
 

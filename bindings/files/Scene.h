@@ -19,6 +19,7 @@ struct Scene
 {
   mesh_file::Polygon_soup soup;
   std::vector<std::string> node_names, mesh_names; // as in the file, but without control characters
+  std::vector<std::string> missing_files; // of materials and textures
 };
 
 // What a file may make the program do.
@@ -27,6 +28,7 @@ struct Reading_limits
   double seconds = std::numeric_limits<double>::infinity();
   std::size_t number_of_jobs = 1; // which share the memory of the machine
   bool allows_external_files = false; // files outside of its folder, which it names
+  bool reads_materials = false; // and the images of materials
 };
 
 } // namespace segment_mesh

@@ -43,6 +43,9 @@ struct Segmented_mesh
   std::vector<Part> parts = {};  // contain each segment once; empty if there is no tree
   std::vector<Index> faces = {}; // of the input that the polygons are or lie in, or null_index;
                                  // empty if the polygons are the faces of the input
+  bool keeps_materials = false;  // writes those of the soup instead of the colors
+
+  bool has_materials() const { return keeps_materials && !soup.materials.empty(); }
 };
 
 // 000, 001 ... 1000
@@ -117,6 +120,26 @@ inline std::vector<Index> polygons_sorted_by_segment(const Segmented_mesh& mesh)
     next[s] += next[s - 1];
   for (Index i = 0; i < mesh.segment.size(); ++i)
     result[next[mesh.segment[i] - smallest]++] = i;
+  return result;
+}
+
+// The number of materials stands for none.
+inline Index material_of(const Polygon_soup& soup, std::size_t polygon)
+{
+  const Index result = soup.material_of_polygon[polygon];
+  return result == null_index ? static_cast<Index>(soup.materials.size()) : result;
+}
+
+// Those of polygons, in ascending order.
+inline std::vector<Index> used_materials(const Polygon_soup& soup)
+{
+  std::vector<char> is_used(soup.materials.size() + 1, 0);
+  for (std::size_t i = 0; i < soup.number_of_polygons(); ++i)
+    is_used[material_of(soup, i)] = 1;
+  std::vector<Index> result;
+  for (Index m = 0; m < is_used.size(); ++m)
+    if (is_used[m])
+      result.push_back(m);
   return result;
 }
 
@@ -328,6 +351,10 @@ public:
       result.polygon_properties[0].values.push_back(face == null_index ? -1. : double(face));
     }
     append_taken(soup.polygon_properties, polygons, result.polygon_properties);
+    result.materials = soup.materials;
+    result.images = soup.images;
+    if (!soup.material_of_polygon.empty())
+      result.material_of_polygon = taken(soup.material_of_polygon, polygons);
     for (Renumbering* r : {&points_, &textures_, &normals_})
       r->clear();
     return result;

@@ -141,6 +141,20 @@ public:
     return result;
   }
 
+  // What is left of the line, without the blanks around it, and with what looks like a comment. It
+  // stays.
+  std::string_view peek_rest_of_line() const
+  {
+    const char *first = position_, *last = position_;
+    while (last != end_ && !is_end_of_line(*last))
+      ++last;
+    while (first != last && is_blank(*first))
+      ++first;
+    while (last != first && is_blank(last[-1]))
+      --last;
+    return {first, static_cast<std::size_t>(last - first)};
+  }
+
   // The next word, which stays; empty at the end of the text.
   std::string_view peek_word() const
   {

@@ -4,6 +4,7 @@
 #ifndef SEGMENT_MESH_READ_BY_ASSIMP_H
 #define SEGMENT_MESH_READ_BY_ASSIMP_H
 
+#include "Input_folder.h"
 #include "Scene.h"
 #include "Point_numbering.h"
 
@@ -28,6 +29,8 @@
 #include <assimp/Importer.hpp>
 #include <assimp/config.h>
 #include <assimp/scene.h>
+
+#include "assimp_materials.h"
 #endif
 
 namespace segment_mesh {
@@ -41,11 +44,12 @@ class Scene_flattening : public Flat_scene
   typedef mesh_file::Index Index;
   typedef aiMatrix4x4t<double> Transformation;
 
-  // The points of one mesh.
+  // The points of one mesh, and the texture coordinates in the order of its vertices.
   struct Local_points
   {
     std::vector<mesh_file::Point> points;
     std::vector<Index> point_of_vertex; // null_index if no polygon uses it
+    Index first_texture = mesh_file::null_index; // in the soup, if it has any
   };
 
   static bool is_polygon(const aiFace& face) { return face.mNumIndices >= 3; }
@@ -73,7 +77,74 @@ class Scene_flattening : public Flat_scene
   }
 
   const aiScene& scene_;
+  const bool reads_materials_;
   std::vector<Local_points> local_points_; // one per mesh
+  std::vector<std::vector<int> > coordinates_of_material_;
+
+  void check_size() const
+  {
+    if ((std::max)({soup.points.size(), soup.corners.size(), soup.normals.size(),
+                    soup.texture_coordinates.size()}) >= mesh_file::null_index)
+      throw std::runtime_error("there are too many points or corners");
+  }
+
+  // Adds the two sets of texture coordinates that the material uses first.
+  void add_textures(const aiMesh& mesh, Local_points& local)
+  {
+    std::vector<int> sets = coordinates_of_material_.at(mesh.mMaterialIndex);
+    if (sets.empty())
+      sets = {0};
+    sets.resize(2, AI_MAX_NUMBER_OF_TEXTURECOORDS); // which no mesh has
+    const auto has_set = [&](std::size_t i)
+    { return mesh.HasTextureCoords(static_cast<unsigned>(sets[i])); };
+    if (!has_set(0))
+      return;
+    local.first_texture = static_cast<Index>(soup.texture_coordinates.size());
+    for (unsigned v = 0; v < mesh.mNumVertices; ++v) {
+      mesh_file::Texture_point t{};
+      for (std::size_t i = 0; i < 2; ++i)
+        if (has_set(i)) {
+          t[2 * i] = mesh.mTextureCoords[sets[i]][v].x;
+          t[2 * i + 1] = mesh.mTextureCoords[sets[i]][v].y;
+        }
+      soup.texture_coordinates.push_back(t);
+    }
+    check_size();
+  }
+
+  // Adds the normals of a mesh at a node.
+  void add_normals(const aiMesh& mesh, const Transformation& transformation)
+  {
+    const aiMatrix3x3t<double> turn =
+      aiMatrix3x3t<double>(transformation).Inverse().Transpose();
+    for (unsigned v = 0; v < mesh.mNumVertices; ++v) {
+      const aiVector3D& m = mesh.mNormals[v];
+      const aiVector3t<double> n = turn * aiVector3t<double>(m.x, m.y, m.z);
+      const double length = n.Length();
+      if (length > 0 && std::isfinite(length))
+        soup.normals.push_back({n.x / length, n.y / length, n.z / length});
+      else
+        soup.normals.push_back({}); // no corner has it
+    }
+    check_size();
+  }
+
+  void add_materials()
+  {
+    for (unsigned i = 0; i < scene_.mNumMaterials; ++i) {
+      Assimp_material describe(scene_, *scene_.mMaterials[i]);
+      append_name(describe(), materials);
+      append_name(scene_.mMaterials[i]->GetName().C_Str(), material_names);
+      coordinates_of_material_.push_back(describe.coordinates());
+    }
+    for (unsigned i = 0; i < scene_.mNumTextures; ++i) {
+      const aiTexture& t = *scene_.mTextures[i];
+      const char* const bytes = reinterpret_cast<const char*>(t.pcData);
+      if (t.mHeight == 0 && bytes) // no file otherwise
+        images.insert(images.end(), bytes, bytes + t.mWidth);
+      ends_of_images.push_back(images.size());
+    }
+  }
 
   void add_points(const std::vector<mesh_file::Point>& points, const Transformation& transformation)
   {
@@ -81,8 +152,7 @@ class Scene_flattening : public Flat_scene
       const aiVector3t<double> q = transformation * aiVector3t<double>(p[0], p[1], p[2]);
       soup.points.push_back({q.x, q.y, q.z});
     }
-    if (soup.points.size() >= mesh_file::null_index)
-      throw std::runtime_error("there are too many points");
+    check_size();
   }
 
   void add_instance(const Transformation& transformation, Index node, Index mesh)
@@ -91,18 +161,31 @@ class Scene_flattening : public Flat_scene
       throw std::runtime_error("a node has a mesh that is not there");
     const Index first_point = static_cast<Index>(soup.points.size());
     add_points(local_points_[mesh].points, transformation);
+    const Index first_texture = local_points_[mesh].first_texture;
+    const Index first_normal = static_cast<Index>(soup.normals.size());
+    const bool has_normals = reads_materials_ && scene_.mMeshes[mesh]->HasNormals();
+    if (has_normals)
+      add_normals(*scene_.mMeshes[mesh], transformation);
     const bool is_mirrored = transformation.Determinant() < 0;
     for (unsigned f = 0; f < scene_.mMeshes[mesh]->mNumFaces; ++f) {
       const aiFace& face = scene_.mMeshes[mesh]->mFaces[f];
       if (!is_polygon(face))
         continue;
-      for (unsigned i = 0; i < face.mNumIndices; ++i)
-        soup.corners.push_back(first_point + local_points_[mesh].point_of_vertex[face.mIndices[i]]);
-      if (is_mirrored)
-        std::reverse(soup.corners.end() - face.mNumIndices, soup.corners.end());
-      if (soup.corners.size() >= mesh_file::null_index)
-        throw std::runtime_error("there are too many corners");
+      for (unsigned i = 0; i < face.mNumIndices; ++i) {
+        const unsigned v = face.mIndices[is_mirrored ? face.mNumIndices - 1 - i : i];
+        soup.corners.push_back(first_point + local_points_[mesh].point_of_vertex[v]);
+        if (!reads_materials_)
+          continue;
+        soup.texture_of_corner.push_back(
+          first_texture == mesh_file::null_index ? first_texture : first_texture + v);
+        soup.normal_of_corner.push_back(
+          has_normals && soup.normals[first_normal + v] != mesh_file::Point{}
+            ? first_normal + v : mesh_file::null_index);
+      }
+      check_size();
       soup.end_polygon();
+      if (reads_materials_)
+        soup.material_of_polygon.push_back(scene_.mMeshes[mesh]->mMaterialIndex);
     }
     instances.push_back({node, mesh, static_cast<Index>(soup.number_of_polygons())});
   }
@@ -128,11 +211,16 @@ class Scene_flattening : public Flat_scene
   Index number_of_nodes_ = 0;
 
 public:
-  explicit Scene_flattening(const aiScene& scene) : scene_(scene)
+  Scene_flattening(const aiScene& scene, bool reads_materials)
+    : scene_(scene), reads_materials_(reads_materials && scene.mNumMaterials > 0)
   {
+    if (reads_materials_)
+      add_materials();
     soup.coordinate_type = mesh_file::Number_type::FLOAT32;
     for (unsigned i = 0; i < scene.mNumMeshes; ++i) {
       local_points_.push_back(local_points(*scene.mMeshes[i]));
+      if (reads_materials_)
+        add_textures(*scene.mMeshes[i], local_points_.back());
       append_name(scene.mMeshes[i]->mName.C_Str(), mesh_names);
     }
     if (scene.mRootNode)
@@ -160,24 +248,19 @@ inline std::string error_sentence(const Assimp::Importer& importer)
   return is_clear_sentence(result) ? result : own_sentence;
 }
 
-// The file that the user has named, and the files in its folder, also behind links: the file names
-// them, and who has made it may not be trusted. Other files are not there for Assimp.
+// The file that the user has named, and the files in its folder. Other files are not there for
+// Assimp.
 class Files_of_folder : public Assimp::DefaultIOSystem
 {
   const std::string name_;
-  const std::filesystem::path folder_;
+  const Input_folder folder_;
   mutable std::string refused_;
 
   bool is_allowed(const std::string& name) const
   {
     std::error_code error;
     const std::filesystem::path file = std::filesystem::canonical(name, error);
-    if (name == name_ || error) // what does not exist cannot be opened
-      return true;
-    const bool is_inside =
-      std::mismatch(folder_.begin(), folder_.end(), file.begin(), file.end()).first ==
-      folder_.end();
-    if (is_inside && is_regular_file(file))
+    if (name == name_ || error || folder_.is_readable(file)) // what is not there cannot be opened
       return true;
     if (refused_.empty())
       refused_ = name;
@@ -186,7 +269,7 @@ class Files_of_folder : public Assimp::DefaultIOSystem
 
 public:
   explicit Files_of_folder(const std::string& name)
-    : name_(name), folder_(std::filesystem::canonical(name).parent_path()) {}
+    : name_(name), folder_(name, false) {}
 
   bool Exists(const char* name) const override
   { return is_allowed(name) && DefaultIOSystem::Exists(name); }
@@ -206,10 +289,12 @@ public:
 };
 
 // In the child process: sends an error sentence, which may be empty, and the scene.
-inline void send_by_assimp(const std::string& name, bool allows_external_files, Child_output output)
+inline void send_by_assimp(const std::string& name, const Reading_limits& limits,
+                           Child_output output)
 {
   Assimp::Importer importer;
-  Files_of_folder* const files = allows_external_files ? nullptr : new Files_of_folder(name);
+  Files_of_folder* const files =
+    limits.allows_external_files ? nullptr : new Files_of_folder(name);
   importer.SetIOHandler(files); // which owns them; without, any file may be read
   importer.SetPropertyBool(AI_CONFIG_IMPORT_NO_SKELETON_MESHES, true);
   const aiScene* const scene = importer.ReadFile(name, 0);
@@ -218,7 +303,7 @@ inline void send_by_assimp(const std::string& name, bool allows_external_files, 
   if (!scene)
     return send_error(error_sentence(importer), output);
   try {
-    send_scene(Scene_flattening(*scene), output);
+    send_scene(Scene_flattening(*scene, limits.reads_materials), output);
   }
   catch (const std::runtime_error& e) {
     send_error(e.what(), output);
@@ -237,7 +322,7 @@ inline Scene read_by_assimp(const std::string& name, const Reading_limits& limit
     throw std::runtime_error("the formats are OFF, OBJ, PLY, STL and those of Assimp, such as "
                              "glTF, FBX and Collada");
   return read_scene_in_child(name, limits, [&](Child_output output)
-    { send_by_assimp(name, limits.allows_external_files, output); });
+    { send_by_assimp(name, limits, output); });
 }
 
 #else

@@ -10,6 +10,7 @@
 #include <algorithm>
 #include <array>
 #include <cstddef>
+#include <functional>
 #include <iterator>
 #include <map>
 #include <string>
@@ -19,8 +20,8 @@
 
 namespace mesh_file {
 
-// The format of Wavefront. Of its statements those of points, faces, objects and groups are read;
-// lines, points, curves, materials and settings are skipped.
+// The format of Wavefront. Of its statements those of points, faces, objects, groups and names of
+// materials are read; lines, points, curves and settings are skipped.
 class Obj_reader
 {
   static constexpr long long most = null_index - 1;
@@ -34,13 +35,15 @@ class Obj_reader
   std::string object_, group_; // the current names
   std::map<std::pair<std::string, std::string>, Index> groups_{{{}, 0}};
   Index number_of_group_ = 0;
+  std::map<std::string, Index, std::less<> > materials_;
+  Index number_of_material_ = null_index;
 
   static bool is_skipped(std::string_view statement)
   {
     static const std::string_view known[] = {
       "vp", "deg", "bmat", "step", "cstype", "p", "l", "curv", "curv2", "surf", "parm", "trim",
       "hole", "scrv", "sp", "end", "con", "s", "mg", "bevel", "c_interp", "d_interp",
-      "lod", "usemtl", "mtllib", "shadow_obj", "trace_obj", "ctech", "stech",
+      "lod", "shadow_obj", "trace_obj", "ctech", "stech",
       "maplib", "usemap", "bsp", "bzp", "cdc", "cdp", "res"};
     return std::find(std::begin(known), std::end(known), statement) != std::end(known);
   }
@@ -79,7 +82,7 @@ class Obj_reader
     const double u = any_number();
     const double v = text_.is_at_end_of_line() ? 0 : any_number();
     if (keeps_properties_)
-      soup_.texture_coordinates.push_back({u, v});
+      soup_.texture_coordinates.push_back({u, v, 0, 0});
   }
 
   void read_normal()
@@ -136,6 +139,18 @@ class Obj_reader
                                        static_cast<Index>(groups_.size())).first->second;
   }
 
+  void read_material()
+  {
+    text_.skip_word();
+    const std::string_view name = text_.peek_rest_of_line();
+    const auto found = materials_.find(name);
+    number_of_material_ = found == materials_.end()
+      ? materials_.emplace(name, static_cast<Index>(materials_.size())).first->second
+      : found->second;
+    if (number_of_material_ == soup_.materials.size())
+      soup_.materials.push_back({std::string(name), {}, {}});
+  }
+
   void read_face()
   {
     while (!text_.is_at_end_of_line())
@@ -144,6 +159,7 @@ class Obj_reader
       text_.fail_with("there are too many corners");
     soup_.end_polygon();
     soup_.group_of_polygon.push_back(number_of_group_);
+    soup_.material_of_polygon.push_back(number_of_material_);
   }
 
   void read_statement()
@@ -155,6 +171,12 @@ class Obj_reader
       text_.skip_word();
     else if (statement == "g" || statement == "o")
       read_group(statement == "o" ? object_ : group_);
+    else if (statement == "usemtl")
+      read_material();
+    else if (statement == "mtllib") {
+      text_.skip_word();
+      soup_.material_files.emplace_back(text_.peek_rest_of_line());
+    }
     else if (statement == "call" || statement == "csh")
       text_.fail_with("other files and commands are not read");
     else if (!is_skipped(statement))
@@ -192,6 +214,12 @@ public:
       read_statement();
     if (groups_.size() == 1)
       soup_.group_of_polygon.clear();
+    if (!keeps_properties_) {
+      soup_.materials.clear();
+      soup_.material_files.clear();
+    }
+    if (soup_.materials.empty())
+      soup_.material_of_polygon.clear();
     if (soup_.points.size() > static_cast<std::size_t>(most))
       throw std::runtime_error("there are too many points");
     if (largest_corner_ > static_cast<long long>(soup_.points.size()))

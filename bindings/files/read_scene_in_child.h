@@ -12,6 +12,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <filesystem>
+#include <memory>
 #include <stdexcept>
 #include <string>
 #include <string_view>
@@ -33,6 +34,10 @@ struct Flat_scene
   mesh_file::Polygon_soup soup;
   std::vector<Mesh_instance> instances;
   std::vector<char> node_names, mesh_names; // each ends with a zero
+  // The soup has numbers of materials, of which these are the names and descriptions; and the bytes
+  // of the images in the file, one after the other
+  std::vector<char> material_names, materials, images;
+  std::vector<std::size_t> ends_of_images;
 
   static void append_name(std::string_view name, std::vector<char>& names)
   {
@@ -54,6 +59,15 @@ inline void send_scene(const Flat_scene& scene, Child_output output)
   output.send(scene.instances);
   output.send(scene.node_names);
   output.send(scene.mesh_names);
+  output.send(scene.soup.texture_coordinates);
+  output.send(scene.soup.texture_of_corner);
+  output.send(scene.soup.normals);
+  output.send(scene.soup.normal_of_corner);
+  output.send(scene.material_names);
+  output.send(scene.materials);
+  output.send(scene.soup.material_of_polygon);
+  output.send(scene.images);
+  output.send(scene.ends_of_images);
 }
 
 inline bool is_clear_sentence(std::string_view text)
@@ -111,6 +125,41 @@ class Scene_receiver
     return soup;
   }
 
+  // Returns a list that is empty or has one number below a bound, or null_index, for each element.
+  std::vector<Index> receive_numbers(std::size_t number_of_elements, std::size_t bound)
+  {
+    std::vector<Index> result = child_.receive<Index>();
+    check(result.empty() || result.size() == number_of_elements);
+    check(std::all_of(result.begin(), result.end(), [&](Index i)
+                      { return i < bound || i == mesh_file::null_index; }));
+    return result;
+  }
+
+  // Receives the materials, and the images in the file, which get the names *0, *1 ...
+  void receive_appearance(mesh_file::Polygon_soup& soup)
+  {
+    soup.texture_coordinates = child_.receive<mesh_file::Texture_point>();
+    soup.texture_of_corner = receive_numbers(soup.corners.size(), soup.texture_coordinates.size());
+    soup.normals = child_.receive<mesh_file::Point>();
+    soup.normal_of_corner = receive_numbers(soup.corners.size(), soup.normals.size());
+    const std::vector<std::string> names = receive_names(), materials = receive_names();
+    check(names.size() == materials.size());
+    for (std::size_t i = 0; i < names.size(); ++i)
+      soup.materials.push_back({names[i], {}, materials[i]});
+    soup.material_of_polygon = receive_numbers(soup.number_of_polygons(), names.size());
+    check(soup.material_of_polygon.size() ==
+          (soup.materials.empty() ? 0 : soup.number_of_polygons()));
+    const std::vector<char> images = child_.receive<char>();
+    std::size_t begin = 0;
+    for (std::size_t end : child_.receive<std::size_t>()) {
+      check(begin <= end && end <= images.size());
+      soup.images.push_back({"*" + std::to_string(soup.images.size()),
+                             begin == end ? nullptr : std::make_shared<const std::string>(
+                               images.data() + begin, end - begin)});
+      begin = end;
+    }
+  }
+
   static void add_properties(const std::vector<Mesh_instance>& instances, Scene& scene)
   {
     std::vector<double> nodes, meshes;
@@ -146,6 +195,7 @@ public:
     scene.node_names = receive_names();
     scene.mesh_names = receive_names();
     add_properties(instances, scene);
+    receive_appearance(scene.soup);
     return scene;
   }
 };
