@@ -773,7 +773,7 @@ class Formats(Tool_test):
         write_off(self.directory / "two.off", points, faces)
         for name, is_solid in (("in.off", True), ("two.off", False)):
             done = self.run_tool(name, "--close", "--split-dir", "parts", "--json", "report.json",
-                                 "--segments", 1 if name == "two.off" else 8)
+                                 "--segments", 1 if name == "two.off" else 4)
             self.assertEqual(done.returncode, 0)
             self.assertEqual("bounds no solid: 0 (intersects itself)" in done.stderr, not is_solid)
             told = json.loads((self.directory / "report.json").read_text())["closed_segments"]
@@ -789,6 +789,44 @@ class Formats(Tool_test):
                                 sentence="--close needs an output of separate segments")
         done = self.run_tool("in.off", "--close", "-o", "out.glb")
         self.assertEqual((done.returncode, done.stderr), (0, ""))
+
+    def test_unit_and_scale(self):
+        def extent(points):
+            return [max(x) - min(x) for x in zip(*points)]
+
+        def extent_of(*arguments):
+            done = self.run_tool("in.off", "--keep-faces", *arguments)
+            self.assertEqual((done.returncode, done.stderr), (0, ""), arguments)
+            name = self.directory / arguments[1]
+            if name.suffix == ".ply":
+                return extent(read_ply(name).points)
+            if name.suffix == ".3mf":
+                return extent([p for o in read_3mf(name)[0].values() for p in o.points])
+            content = name.read_bytes()
+            (size,) = struct.unpack_from("<I", content, 12)
+            accessors = json.loads(content[20:20 + size])["accessors"]
+            return extent([a[end] for a in accessors if "min" in a for end in ("min", "max")])
+
+        def check(factor, *arguments):
+            for x, expected in zip(extent_of(*arguments), extent(self.points)):
+                self.assertAlmostEqual(x / expected, factor, delta=1e-5 * factor)
+
+        check(1, "-o", "out.glb")
+        check(0.0254, "-o", "out.glb", "--unit", "in")
+        check(1, "-o", "out.ply", "-o", "out.glb", "--unit", "in")
+        check(3, "-o", "out.ply", "--scale", "3", "--labels", "out.seg", "--json", "out.json")
+        self.assertEqual(self.labels(), self.expected)
+        self.assertEqual(self.report()["parameters"]["scale"], 3)
+        check(3, "-o", "out.glb", "--unit", "mm", "--scale", "3000")
+        for options, sentence in ((("--unit", "in"), "--unit needs an output that has a unit"),
+                                  (("-o", "a.glb", "--unit", "yard"), "--unit"),
+                                  (("-o", "a.glb", "--scale", "0"), "--scale"),
+                                  (("-o", "a.glb", "--scale", "nan"), "--scale")):
+            self.assert_failure("usage", "in.off", *options, sentence=sentence)
+        if "lib3mf" not in self.run_tool("in.off", "-o", "out.3mf").stderr:
+            check(1, "-o", "out.3mf")
+            check(25.4, "-o", "out.3mf", "--unit", "in")
+            check(500, "-o", "out.3mf", "--unit", "m", "--scale", "0.5")
 
     def test_3mf_needs_lib3mf(self):
         done = self.run_tool("in.off", "-o", "out.3mf", "--split-dir", "parts", "--split-format",

@@ -48,6 +48,7 @@
 #include <iomanip>
 #include <iostream>
 #include <limits>
+#include <map>
 #include <new>
 #include <numeric>
 #include <optional>
@@ -73,6 +74,14 @@ std::string both_defaults(double Segmentation_options::*number)
   std::ostringstream out;
   out << " [" << defaults(false).*number << ", paper " << defaults(true).*number << ']';
   return out.str();
+}
+
+// Returns whether each segment in the file is an object of its own, which may have caps. These
+// formats also have a unit.
+bool has_objects(const std::string& mesh_file)
+{
+  const std::string extension = mesh_file::output_extension(mesh_file);
+  return extension == ".glb" || is_3mf(extension);
 }
 
 bool can_have_materials(const std::string& mesh_file)
@@ -106,6 +115,8 @@ struct Options
   bool keep_faces = false;
   bool close = false;
   bool keep_materials = false;
+  std::string unit;
+  double scale = 1;
   bool quiet = false;
   bool prints_man_page = false, prints_completion = false;
 
@@ -115,6 +126,20 @@ struct Options
   {
     return is_standard_output(label_file) || is_standard_output(report_file) ||
            is_standard_output(hierarchy_file) || is_standard_output(page_file);
+  }
+
+  // Returns 0 if the unit is not known.
+  double millimeters() const
+  {
+    static const std::map<std::string, double> units{
+      {"", 0}, {"um", 1e-3}, {"mm", 1}, {"cm", 10}, {"m", 1e3}, {"in", 25.4}, {"ft", 304.8}};
+    return units.at(unit);
+  }
+
+  bool writes_unit() const
+  {
+    return (!split_directory.empty() && has_objects("part." + split_format)) ||
+           std::any_of(mesh_files.begin(), mesh_files.end(), has_objects);
   }
 
   // Returns whether a file has the materials of the input.
@@ -179,7 +204,7 @@ void add_options(CLI::App& app, Options& o)
                  "mesh with a color for each segment: .ply with the face property 'segment', .obj "
                  "with groups and with materials in a .mtl, .off, or with the tree of parts .glb"
 #ifdef SEGMENT_MESH_WITH_LIB3MF
-                 " or .3mf, in millimeters"
+                 " or .3mf"
 #endif
                  "; may be repeated")
     ->type_name("FILE")->allow_extra_args(false)->check(not_empty);
@@ -259,7 +284,14 @@ void add_options(CLI::App& app, Options& o)
                "printing: with caps that neighbors share, and at holes of the mesh");
   app.add_flag("--keep-materials", o.keep_materials,
                "write -o with .obj or .glb with the materials and textures of IN, if it has any, "
-               "instead of a color for each segment; the parts of --split-dir always have them");
+               "instead of a color for each segment; parts of --split-dir in these formats always "
+               "have them");
+  app.add_option("--unit", o.unit,
+                 "unit of the coordinates of IN, so that .3mf has millimeters and .glb meters; "
+                 "without it coordinates stay")
+    ->type_name("U")->check(CLI::IsMember({"um", "mm", "cm", "m", "in", "ft"}));
+  app.add_option("--scale", o.scale, "factor of all coordinates that are written [1]")
+    ->type_name("F")->check(CLI::Range(1e-9, 1e9));
   app.add_flag("--quiet", o.quiet, "print neither progress nor a summary");
   app.allow_windows_style_options(false); // a path may begin with a slash
   app.set_version_flag("--version", "segment_mesh " CGAL_SPECTRAL_SEGMENTATION_VERSION);
@@ -271,13 +303,6 @@ void add_options(CLI::App& app, Options& o)
              "reports of --json have its name as 'status'.");
 }
 
-// Returns whether each segment in the file is an object of its own, which may have caps.
-bool has_objects(const std::string& mesh_file)
-{
-  const std::string extension = mesh_file::output_extension(mesh_file);
-  return extension == ".glb" || is_3mf(extension);
-}
-
 // Finds the errors that can be found before any run.
 void check_usage(const Options& o)
 {
@@ -285,8 +310,8 @@ void check_usage(const Options& o)
   if (o.threads && *o.threads > 1)
     throw Failure(Status::USAGE, "--threads above 1 needs TBB, but this build is without TBB");
 #endif
-  if (std::isnan(o.time_limit) || std::isnan(o.memory_limit))
-    throw Failure(Status::USAGE, "--time-limit and --memory-limit must be numbers");
+  if (std::isnan(o.time_limit) || std::isnan(o.memory_limit) || std::isnan(o.scale))
+    throw Failure(Status::USAGE, "--time-limit, --memory-limit and --scale must be numbers");
   if (std::isfinite(o.memory_limit) && o.threads.value_or(1) > 1)
     throw Failure(Status::USAGE, "--memory-limit allows only one thread; leave out --threads");
   if (o.threshold && std::isnan(*o.threshold))
@@ -329,6 +354,8 @@ void check_files(const Options& o)
                                  "with .glb or .3mf");
   if (o.keep_materials && !o.writes_materials())
     throw Failure(Status::USAGE, "--keep-materials needs -o with .obj or .glb");
+  if (!o.unit.empty() && !o.writes_unit())
+    throw Failure(Status::USAGE, "--unit needs an output that has a unit: .glb or .3mf");
   check_outputs({o.input, o.seed_file, o.edge_file}, outputs, o.split_directory);
 }
 
@@ -400,7 +427,9 @@ Json parameters_report(const Options& o)
           {"smooth_boundaries", o.smooth_boundaries},
           {"keep_faces", o.keep_faces},
           {"close", o.close},
-          {"keep_materials", o.keep_materials}};
+          {"keep_materials", o.keep_materials},
+          {"unit", o.unit.empty() ? Json() : Json(o.unit)},
+          {"scale", o.scale}};
 }
 
 // Returns the part of the report that says how a run ended; it is the whole report of a failed run.
@@ -480,10 +509,10 @@ Closed_segments write_meshes(const Options& o, const Input& input,
   const mesh_file::Segmented_mesh closed_mesh{closed.soup, closed.segment, colors, parts,
                                               closed_faces, o.keep_materials};
   for (const std::string& name : o.mesh_files)
-    write_mesh(files, name, o.close && has_objects(name) ? closed_mesh : mesh);
+    write_mesh(files, name, o.close && has_objects(name) ? closed_mesh : mesh, o.millimeters());
   if (!o.split_directory.empty())
     write_segments(files, o.split_directory, '.' + o.split_format, o.close ? closed_mesh : mesh,
-                   closed_report(closed.segments));
+                   o.millimeters(), closed_report(closed.segments));
   return closed.segments;
 }
 
@@ -547,6 +576,13 @@ Json run(const Options& o)
 
   watch.start_phase("writing", expected.writing, 0);
   const std::vector<Index> label_of_polygon = labels_of_polygons(input, labels);
+  if (o.scale != 1) { // the labels do not depend on it
+    mesh_file::scale(input.soup, o.scale);
+    for (Index v : input.soup.corners)
+      for (double c : input.soup.points[v])
+        if (!std::isfinite(c))
+          throw Failure(Status::OUTPUT, "--scale makes the coordinates too large");
+  }
   Output_files files;
   if (!o.label_file.empty())
     files.write(o.label_file, [&](std::ostream& out) { write_labels(out, label_of_polygon); });

@@ -66,9 +66,22 @@ inline void check_output_format(const std::filesystem::path& name, bool is_part)
   }
 }
 
+// Returns the factor to the unit of a format, if it has one: 3MF has millimeters, and glTF meters.
+// The unit of a mesh is given in millimeters, or 0 if it is unknown.
+inline double factor_of_format(const std::string& extension, double unit)
+{ return unit == 0 ? 1 : is_3mf(extension) ? unit : extension == ".glb" ? unit / 1000 : 1; }
+
 inline void write_mesh(std::ostream& out, const std::string& extension,
-                       const mesh_file::Segmented_mesh& mesh, const std::string& materials = "")
+                       const mesh_file::Segmented_mesh& mesh, double unit,
+                       const std::string& materials = "")
 {
+  const double factor = factor_of_format(extension, unit);
+  if (factor != 1) {
+    Polygon_soup scaled = mesh.soup;
+    mesh_file::scale(scaled, factor);
+    return write_mesh(out, extension, {scaled, mesh.segment, mesh.colors, mesh.parts, mesh.faces,
+                                       mesh.keeps_materials}, 0, materials);
+  }
   try {
     if (is_3mf(extension))
       write_3mf(out, mesh);
@@ -99,12 +112,12 @@ std::vector<std::string> write_images(const std::vector<mesh_file::Image>& image
 
 // In the format that the name tells. OBJ has its materials and their images in files beside it.
 inline void write_mesh(Output_files& files, const std::filesystem::path& name,
-                       const mesh_file::Segmented_mesh& mesh)
+                       const mesh_file::Segmented_mesh& mesh, double unit)
 {
   const std::string extension = mesh_file::output_extension(name);
   const std::filesystem::path materials = mesh_file::name_of_materials(name);
   files.write(name, [&](std::ostream& out)
-              { write_mesh(out, extension, mesh, materials.filename().string()); });
+              { write_mesh(out, extension, mesh, unit, materials.filename().string()); });
   if (extension != ".obj")
     return;
   std::vector<std::string> images;
@@ -119,7 +132,7 @@ inline void write_mesh(Output_files& files, const std::filesystem::path& name,
 // what holds for the closed segments. The meshes have the materials of the whole, if there are any.
 inline void write_segments(Output_files& files, const std::filesystem::path& directory,
                            const std::string& extension, const mesh_file::Segmented_mesh& mesh,
-                           const nlohmann::ordered_json& closed_segments)
+                           double unit, const nlohmann::ordered_json& closed_segments)
 {
   files.start_segments(directory, closed_segments);
   mesh_file::Segment_extraction extract(mesh);
@@ -135,7 +148,8 @@ inline void write_segments(Output_files& files, const std::filesystem::path& dir
     const mesh_file::Segmented_mesh written{part, segment, mesh.colors, {}, {}, true};
     const std::string name = mesh_file::segment_name(s);
     files.write_segment(name + extension, [&](std::ostream& out)
-                        { write_mesh(out, extension, written, has_mtl ? name + ".mtl" : ""); });
+                        { write_mesh(out, extension, written, unit, has_mtl ? name + ".mtl" : "");
+                        });
     if (has_mtl)
       files.write_segment(name + ".mtl", [&](std::ostream& out)
                           { mesh_file::write_mtl(out, written, images); });

@@ -96,6 +96,15 @@ struct Polygon_soup
   void end_polygon() { first_corner.push_back(static_cast<Index>(corners.size())); }
 };
 
+// Multiplies the coordinates, also those that are not finite.
+inline void scale(Polygon_soup& soup, double factor)
+{
+  for (Point& p : soup.points)
+    for (double& c : p)
+      c *= factor;
+  soup.coordinate_type = Number_type::FLOAT64;
+}
+
 } // namespace mesh_file
 
 #endif // SEGMENT_MESH_MESH_FILE_POLYGON_SOUP_H

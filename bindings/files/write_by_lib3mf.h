@@ -75,7 +75,7 @@ class Lib3mf_writer
     }
     if (extent > 0 && extent < 1e-3)
       throw std::runtime_error("the mesh is too small for the numbers of 3MF, millimeters with six "
-                               "decimals; scale it");
+                               "decimals; --unit or --scale makes it larger");
   }
 
   static NMR::MODELMESHVERTEX vertex(const mesh_file::Point& point)
