@@ -10,8 +10,8 @@ namespace CGAL {
 namespace Segmented_mesh {
 
 /// \ingroup PkgSpectralSegmentationRef
-/// What holds for the triangles of a segment and its caps, as `CGAL::close_segments()` and
-/// `CGAL::split_into_segments()` return it.
+/// The properties of a segment with its caps, as `CGAL::close_segments()` and
+/// `CGAL::split_into_segments()` return them.
 template <class Id = std::size_t>
 struct Closed_segment
 {
@@ -23,7 +23,7 @@ struct Closed_segment
   /// whether it is closed, and the triangles at each vertex are one fan
   bool is_manifold = false;
 
-  /// whether it is closed and its signed volume is positive
+  /// whether it is closed and its signed volume is positive; of several components the sum counts
   bool is_outward_oriented = false;
 
   /// whether triangles meet elsewhere than in common vertices and edges, or one is degenerate

@@ -29,8 +29,9 @@ divided into loops, and each loop gets a cap. The holes of the surface are close
 segments, in ascending order of their area. The cap of a segment, turned over, also goes to the
 segment on its other side. If there are several such segments, each gets the sector of the cap
 between its edges and a new point in the middle of the loop, provided these edges are at least a
-tenth of the loop. Therefore the closed segments fit together, even where three of them meet, and
-the sum of their volumes is the volume of the closed surface.
+tenth of the loop, and other segments begin at most 50 times around it. Therefore the closed
+segments fit together, even where three of them meet, and the sum of their volumes is the volume of
+the closed surface.
 
 Several caps are tried in this order. The first one that lies inside the surface, and intersects
 neither it nor other caps, is taken:
@@ -45,11 +46,12 @@ neither it nor other caps, is taken:
 
 If none does, the first cap whose edges have no further triangles stays. This is so for loops around
 a cavity or a tunnel that is narrower than an edge, or if the surface intersects itself. The result
-tells for each segment whether it bounds a solid, and if not, why. A surface that is inside out
-stays so, and its segments are told not to be oriented outward.
+states for each segment whether it bounds a solid, and if not, why. A surface that is inside out
+stays so, and its segments are reported as not oriented outward.
 
-The time is O(*n* log *n*) for *n* triangles, plus the time of
-`CGAL::Polygon_mesh_processing::triangulate_hole_polyline()` for each loop.
+The time is O(*n* log *n*) for *n* triangles, plus O(*l*^2) for each loop of *l* edges that gets a
+fan, plus the time of `CGAL::Polygon_mesh_processing::triangulate_hole_polyline()` for each loop
+that is not flat.
 
 \tparam PointRange a sequence container of points that can be made from three `double`, with the
   coordinates `p[0]`, `p[1]` and `p[2]`, such as `CGAL::Point_3` and `std::array<double, 3>`
@@ -63,7 +65,7 @@ The time is O(*n* log *n*) for *n* triangles, plus the time of
 \param segment_ids the id of the segment of each triangle: any integers; the ids of caps are
   appended
 
-\return what holds for each closed segment, in ascending order of the ids, as
+\return the properties of each closed segment, in ascending order of the ids, as
   `CGAL::Segmented_mesh::Closed_segment`
 
 \throws std::invalid_argument if a triangle does not have three corners, a corner is not the index

@@ -80,7 +80,7 @@ void turn(std::vector<std::vector<Corners> >& triangles, std::vector<Closed_segm
     for (Corners& t : part)
       std::swap(t[1], t[2]);
   for (Closed_segment<Id>& s : segments) {
-    s.volume = -s.volume;
+    s.volume = 0 - s.volume;
     s.is_outward_oriented = s.volume > 0;
   }
 }
@@ -95,9 +95,10 @@ void turn(std::vector<std::vector<Corners> >& triangles, std::vector<Closed_segm
 makes a mesh of each segment of a triangle mesh, open or closed.
 
 A part has the faces of its segment in their order, with unchanged points. If a part touches itself
-at a vertex, that vertex is doubled. With `close_parts(true)` the faces of caps follow. They close
-the boundaries of the part to other segments and the borders of the mesh, as `close_segments()`
-does. If the closed surface is inside out, its parts are turned.
+at a vertex, that vertex is doubled, and if it is no oriented manifold, some faces may be turned.
+With `close_parts(true)` the faces of caps follow. They close the boundaries of the part to other
+segments and the borders of the mesh, as `close_segments()` does. If the closed surface is inside
+out, its parts are turned.
 
 The time is O(*n* log *n*) for *n* faces, plus the time of closing.
 
@@ -146,7 +147,7 @@ The time is O(*n* log *n*) for *n* faces, plus the time of closing.
   \cgalParamNEnd
 \cgalNamedParamsEnd
 
-\return with `close_parts(true)` what holds for each part, in the order of the parts, as
+\return with `close_parts(true)` the properties of each part, in the order of the parts, as
   `CGAL::Segmented_mesh::Closed_segment`; otherwise nothing
 
 \throws std::invalid_argument if a face is not a triangle or a coordinate is not finite. In

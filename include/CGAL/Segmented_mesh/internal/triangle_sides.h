@@ -87,7 +87,7 @@ inline bool is_manifold(const std::vector<Corners>& triangles,
     if (number == 2 && are_opposite(sides[i], sides[i + 1]))
       for (int k : {0, 1})
         fans.union_set(sides[i].corners[k], sides[i + 1].corners[k]);
-    else if (number > 1)
+    else if (number > 1 || sides[i].vertices.first == sides[i].vertices.second)
       has_manifold_edges = false;
   });
   if (!has_manifold_edges)

@@ -98,7 +98,7 @@ public:
           edges.push_back({segment[f], vertex_pair(v, w), v < w ? 1 : -1,
                            triangles[f][(i + 2) % 3]});
       }
-    std::sort(edges.begin(), edges.end());
+    std::stable_sort(edges.begin(), edges.end());
     for (auto begin = edges.begin(), end = begin; begin != edges.end(); begin = end) {
       int direction = 0;
       for (; end != edges.end() && !(*begin < *end); ++end)

@@ -7,6 +7,7 @@
 #include <CGAL/Segmented_mesh/internal/capping/Segment_borders.h>
 #include <CGAL/Segmented_mesh/internal/capping/Triangle_tree.h>
 #include <CGAL/Segmented_mesh/internal/capping/most_visible_normal.h>
+#include <CGAL/Segmented_mesh/internal/capping/triangle_intersection.h>
 #include <CGAL/Segmented_mesh/internal/capping/triangulated_loop.h>
 
 #include <algorithm>
@@ -56,7 +57,8 @@ class Segment_capping
     {0, false}, {0, true}, {0.5, false}, {2, false}, {0.1, false}};
 
   std::size_t number_of_given_points_;
-  std::vector<Vector> points_;  // with the new points
+  double unit_;                 // a power of 2, so that to divide by it rounds nothing
+  std::vector<Vector> points_;  // in this unit, so that no volume overflows; with the new points
   std::vector<std::vector<Corners> > triangles_; // of each segment, with its caps
   Segment_borders borders_;
   std::vector<char> is_done_; // one per segment, whether it is closed
@@ -209,14 +211,18 @@ class Segment_capping
     return result;
   }
 
-  // Returns whether an edge of a cap, except those of the border, is already an edge of others.
-  bool takes_an_edge_twice(const Cap& cap, const Border& border) const
+  // Returns whether an edge of a cap of a loop, except those of the loop, is already an edge of
+  // others.
+  bool takes_an_edge_twice(const Cap& cap, const Loop& loop) const
   {
+    std::set<Vertex_pair> edges;
+    for (std::size_t i = 0; i < loop.size(); ++i)
+      edges.insert(vertex_pair(loop[i], loop[(i + 1) % loop.size()]));
     for (const Piece& piece : cap)
       for (const Corners& t : piece.triangles)
         for (int i = 0; i < 3; ++i) {
           const Vertex_pair edge = vertex_pair(t[i], t[(i + 1) % 3]);
-          if (taken_.count(edge) > 0 && border.count(edge) == 0)
+          if (taken_.count(edge) > 0 && edges.count(edge) == 0)
             return true;
         }
     return false;
@@ -274,7 +280,7 @@ class Segment_capping
     const Shape* first = nullptr;
     for (const Shape& shape : shapes_) {
       Cap cap = make_cap(loop, arcs, shape);
-      if (!cap.empty() && !takes_an_edge_twice(cap, border)) {
+      if (!cap.empty() && !takes_an_edge_twice(cap, loop)) {
         if ((segment == null_index || leads_inwards(cap, segment, border)) && is_free(cap))
           return cap;
         first = first ? first : &shape;
@@ -366,12 +372,12 @@ class Segment_capping
       caps.push_back(best_cap(loop, segment, border, all_free));
       for (const Piece& piece : caps.back())
         tree_.insert(piece.triangles);
+      tree_.update();
     }
-    if (!all_free && segment != null_index) {
+    if (!all_free && segment != null_index && !has_degenerate_triangle(segment)) {
       const std::vector<Vector> new_points(
         points_.begin() + static_cast<std::ptrdiff_t>(number_of_points), points_.end());
       tree_.resize(number_in_tree);
-      tree_.update();
       points_.resize(number_of_points);
       for (double depth : {0.3, 0.1, 0.03}) {
         const Cap cap = shell(segment, loops(), depth);
@@ -396,13 +402,40 @@ class Segment_capping
     tree_.update();
   }
 
+  bool has_degenerate_triangle(Index segment) const
+  {
+    return std::any_of(triangles_[segment].begin(), triangles_[segment].end(),
+                       [this](const Corners& t) { return is_degenerate(points_, t); });
+  }
+
+  // Returns the signed volume of the closed surface. It is summed around a point of the surface,
+  // because far from it the terms would cancel each other.
   double signed_volume() const
   {
     double result = 0;
+    const Vector* origin = nullptr;
     for (const std::vector<Corners>& triangles : triangles_)
-      for (const Corners& t : triangles)
-        result += points_[t[0]].dot(points_[t[1]].cross(points_[t[2]]));
+      for (const Corners& t : triangles) {
+        origin = origin ? origin : &points_[t[0]];
+        result += tetrahedron_volume(*origin, points_[t[0]], points_[t[1]], points_[t[2]]);
+      }
     return result;
+  }
+
+  static std::vector<Vector> divided(std::vector<Vector> points, double unit)
+  {
+    for (Vector& p : points)
+      p = p / unit;
+    return points;
+  }
+
+  // Returns the unit in which the largest coordinate is about 1.
+  static double unit_of(const std::vector<Vector>& points)
+  {
+    double largest = 0;
+    for (const Vector& p : points)
+      largest = (std::max)({largest, std::abs(p.x()), std::abs(p.y()), std::abs(p.z())});
+    return largest > 0 ? std::ldexp(1., std::clamp(std::ilogb(largest), -1022, 1023)) : 1;
   }
 
   // Returns the segments in ascending order of their areas.
@@ -425,16 +458,17 @@ public:
   // `segment` holds the segment of each triangle, from 0 to n - 1.
   Segment_capping(const std::vector<Vector>& points, const std::vector<Corners>& triangles,
                   const std::vector<Index>& segment, std::size_t n)
-    : number_of_given_points_(points.size()), points_(points), triangles_(n),
-      borders_(triangles, segment, n), is_done_(n, 0), tree_(points_, triangles)
+    : number_of_given_points_(points.size()), unit_(unit_of(points)),
+      points_(divided(points, unit_)), triangles_(n), borders_(triangles, segment, n),
+      is_done_(n, 0), tree_(points_, triangles)
   {
     take(triangles, segment);
     close(null_index);
     orientation_ = signed_volume() < 0 ? -1 : 1;
     for (Index s : order())
       close(s);
-    result_.points.assign(points_.begin() + static_cast<std::ptrdiff_t>(number_of_given_points_),
-                          points_.end());
+    for (std::size_t v = number_of_given_points_; v < points_.size(); ++v)
+      result_.points.push_back(points_[v] * unit_);
   }
 
   Segment_capping(const Segment_capping&) = delete;
@@ -443,7 +477,8 @@ public:
   const Caps& caps() const { return result_; }
   bool is_inside_out() const { return orientation_ < 0; }
 
-  // Returns all points, and the triangles of a segment with its caps.
+  // Returns all points, in the unit, and the triangles of a segment with its caps.
+  double unit() const { return unit_; }
   const std::vector<Vector>& points() const { return points_; }
   const std::vector<Corners>& triangles(Index segment) const { return triangles_[segment]; }
 };

@@ -91,8 +91,13 @@ public:
                  [&](const Corners& t) { return !is_degenerate(points_, t); });
   }
 
-  // Removes triangles at the end that were inserted after the last update.
-  void resize(std::size_t size) { triangles_.resize(size); }
+  // Removes triangles at the end.
+  void resize(std::size_t size)
+  {
+    triangles_.resize(size);
+    if (number_in_tree_ > size)
+      build();
+  }
 
   // Puts the triangles in the tree if to test them one by one has taken longer than that.
   void update()

@@ -15,7 +15,7 @@
 
 namespace CGAL::Segmented_mesh::internal {
 
-// Returns what holds for the triangles of a closed segment, all but its id.
+// Returns the properties of the triangles of a closed segment, all but its id.
 template <class Id>
 Closed_segment<Id> check_segment(const std::vector<Vector>& points,
                                  const std::vector<Corners>& triangles)
@@ -27,8 +27,7 @@ Closed_segment<Id> check_segment(const std::vector<Vector>& points,
   if (result.is_closed && !triangles.empty()) {
     const Vector origin = points[triangles[0][0]];
     for (const Corners& t : triangles)
-      result.volume +=
-        (points[t[0]] - origin).dot((points[t[1]] - origin).cross(points[t[2]] - origin)) / 6;
+      result.volume += tetrahedron_volume(origin, points[t[0]], points[t[1]], points[t[2]]);
   }
   result.is_outward_oriented = result.volume > 0;
   result.has_self_intersections =
@@ -38,7 +37,7 @@ Closed_segment<Id> check_segment(const std::vector<Vector>& points,
   return result;
 }
 
-// Returns what holds for each segment, in the order of their ids.
+// Returns the properties of each segment, in the order of their ids.
 template <class Id>
 std::vector<Closed_segment<Id> > closed_segments(const Segment_capping& capping,
                                                  const std::vector<Id>& ids)
@@ -48,6 +47,7 @@ std::vector<Closed_segment<Id> > closed_segments(const Segment_capping& capping,
     result.push_back(
       check_segment<Id>(capping.points(), capping.triangles(static_cast<Index>(i))));
     result.back().id = ids[i];
+    result.back().volume *= capping.unit() * capping.unit() * capping.unit();
   }
   return result;
 }

@@ -12,6 +12,7 @@
 #include <CGAL/intersections.h>
 
 #include <algorithm>
+#include <cstddef>
 #include <vector>
 
 namespace CGAL::Segmented_mesh::internal {
@@ -53,6 +54,11 @@ inline bool do_intersect(const std::vector<Vector>& points, Corners s, Corners t
            CGAL::do_intersect(edge(t), exact_triangle(points, s));
   return CGAL::do_intersect(exact_triangle(points, s), exact_triangle(points, t));
 }
+
+// Returns the signed volume of a tetrahedron.
+inline double tetrahedron_volume(const Vector& o, const Vector& p, const Vector& q,
+                                 const Vector& r)
+{ return (p - o).dot((q - o).cross(r - o)) / 6; }
 
 inline bool is_degenerate(const std::vector<Vector>& points, const Corners& t)
 {
