@@ -5,8 +5,7 @@
 #define CGAL_SEGMENTED_MESH_INTERNAL_TRIANGLE_SIDES_H
 
 #include <CGAL/Segmented_mesh/internal/base.h>
-
-#include <boost/pending/disjoint_sets.hpp>
+#include <CGAL/Spectral_segmentation/internal/surface/connected_components.h>
 
 #include <algorithm>
 #include <cstddef>
@@ -78,29 +77,25 @@ inline bool is_manifold(const std::vector<Corners>& triangles,
                         const std::vector<Triangle_side>& sides)
 {
   const std::size_t n = sides.size();
-  std::vector<Index> parent(n), rank(n, 0);
-  boost::disjoint_sets<Index*, Index*> fans(rank.data(), parent.data());
+  Face_components fans(n); // of corners
   for (std::size_t i = 0; i < n; ++i)
-    fans.make_set(static_cast<Index>(i));
+    fans.add(static_cast<Index>(i));
   bool has_manifold_edges = true;
   for_each_edge(sides, [&](std::size_t i, std::size_t number) {
     if (number == 2 && are_opposite(sides[i], sides[i + 1]))
       for (int k : {0, 1})
-        fans.union_set(sides[i].corners[k], sides[i + 1].corners[k]);
+        fans.join(sides[i].corners[k], sides[i + 1].corners[k]);
     else if (number > 1 || sides[i].vertices.first == sides[i].vertices.second)
       has_manifold_edges = false;
   });
   if (!has_manifold_edges)
     return false;
-  std::size_t number_of_fans = 0;
-  for (std::size_t i = 0; i < n; ++i)
-    number_of_fans += parent[i] == i;
   std::vector<Index> vertices;
   for (const Corners& t : triangles)
     vertices.insert(vertices.end(), t.begin(), t.end());
   std::sort(vertices.begin(), vertices.end());
   const auto end = std::unique(vertices.begin(), vertices.end());
-  return number_of_fans == static_cast<std::size_t>(end - vertices.begin());
+  return fans.number() == static_cast<std::size_t>(end - vertices.begin());
 }
 
 } // namespace CGAL::Segmented_mesh::internal
