@@ -18,6 +18,7 @@
 #include <CGAL/Simple_cartesian.h>
 #include <CGAL/Surface_mesh.h>
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstddef>
@@ -70,6 +71,26 @@ inline Soup plate(std::size_t nx, std::size_t ny)
   return soup;
 }
 
+// Splits each face in four at the midpoints of its edges. Face 4f + i is a part of face f.
+inline Soup subdivided(const Soup& soup)
+{
+  Soup result;
+  result.points = soup.points;
+  std::map<std::pair<std::size_t, std::size_t>, std::size_t> midpoints;
+  const auto midpoint = [&](std::size_t i, std::size_t j) {
+    const auto [entry, is_new] = midpoints.emplace(std::minmax(i, j), result.points.size());
+    if (is_new)
+      result.points.push_back(CGAL::midpoint(soup.points[i], soup.points[j]));
+    return entry->second;
+  };
+  for (const std::vector<std::size_t>& t : soup.triangles) {
+    const std::size_t a = midpoint(t[0], t[1]), b = midpoint(t[1], t[2]), c = midpoint(t[2], t[0]);
+    result.triangles.insert(result.triangles.end(),
+                            {{t[0], a, c}, {t[1], b, a}, {t[2], c, b}, {a, b, c}});
+  }
+  return result;
+}
+
 // The unit sphere: an icosahedron, each face cut in four `level` times; 20 * 4^level faces.
 inline Soup sphere(std::size_t level)
 {
@@ -100,22 +121,10 @@ inline Soup sphere(std::size_t level)
         }
 
   for (; level > 0; --level) {
-    std::map<std::pair<std::size_t, std::size_t>, std::size_t> midpoints;
-    const auto midpoint = [&](std::size_t i, std::size_t j) {
-      const auto [entry, is_new] = midpoints.emplace(std::minmax(i, j), soup.points.size());
-      if (is_new) {
-        const Point p = CGAL::midpoint(soup.points[i], soup.points[j]);
-        add(p.x(), p.y(), p.z());
-      }
-      return entry->second;
-    };
-    std::vector<std::vector<std::size_t> > finer;
-    for (const std::vector<std::size_t>& t : soup.triangles) {
-      const std::size_t a = midpoint(t[0], t[1]), b = midpoint(t[1], t[2]),
-                        c = midpoint(t[2], t[0]);
-      finer.insert(finer.end(), {{t[0], a, c}, {t[1], b, a}, {t[2], c, b}, {a, b, c}});
-    }
-    soup.triangles.swap(finer);
+    const Soup finer = subdivided(soup);
+    for (std::size_t v = soup.points.size(); v < finer.points.size(); ++v)
+      add(finer.points[v].x(), finer.points[v].y(), finer.points[v].z());
+    soup.triangles = finer.triangles;
   }
   return soup;
 }

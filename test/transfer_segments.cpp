@@ -70,25 +70,6 @@ Ids random_ids(std::size_t n, std::mt19937& random)
   return result;
 }
 
-// Splits each face in four at the midpoints of its edges. Face 4f + i is a part of face f.
-Soup subdivided(const Soup& soup)
-{
-  Soup result{soup.points, {}};
-  std::map<std::pair<std::size_t, std::size_t>, std::size_t> midpoints;
-  const auto midpoint = [&](std::size_t i, std::size_t j) {
-    const auto [entry, is_new] = midpoints.emplace(std::minmax(i, j), result.points.size());
-    if (is_new)
-      result.points.push_back(CGAL::midpoint(soup.points[i], soup.points[j]));
-    return entry->second;
-  };
-  for (const std::vector<std::size_t>& t : soup.triangles) {
-    const std::size_t a = midpoint(t[0], t[1]), b = midpoint(t[1], t[2]), c = midpoint(t[2], t[0]);
-    result.triangles.insert(result.triangles.end(),
-                            {{t[0], a, c}, {t[1], b, a}, {t[2], c, b}, {a, b, c}});
-  }
-  return result;
-}
-
 // Puts the faces, the vertices and the corners of each face in random order. Returns the place of
 // each new face in the old order.
 std::vector<std::size_t> shuffle(Soup& soup, std::mt19937& random)

@@ -12,9 +12,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
-#include <map>
 #include <numeric>
-#include <utility>
 #include <vector>
 
 // How the labels of a changed mesh are related to those of the mesh.
@@ -88,26 +86,6 @@ std::vector<std::size_t> numbers(std::size_t n)
 {
   std::vector<std::size_t> result(n);
   std::iota(result.begin(), result.end(), std::size_t(0));
-  return result;
-}
-
-// Each triangle becomes four in its plane; those of triangle f are 4 f .. 4 f + 3.
-Soup subdivided(const Soup& soup)
-{
-  Soup result;
-  result.points = soup.points;
-  std::map<std::pair<std::size_t, std::size_t>, std::size_t> midpoints;
-  const auto midpoint = [&](std::size_t i, std::size_t j) {
-    const auto [entry, is_new] = midpoints.emplace(std::minmax(i, j), result.points.size());
-    if (is_new)
-      result.points.push_back(CGAL::midpoint(soup.points[i], soup.points[j]));
-    return entry->second;
-  };
-  for (const std::vector<std::size_t>& t : soup.triangles) {
-    const std::size_t a = midpoint(t[0], t[1]), b = midpoint(t[1], t[2]), c = midpoint(t[2], t[0]);
-    result.triangles.insert(result.triangles.end(),
-                            {{t[0], a, c}, {t[1], b, a}, {t[2], c, b}, {a, b, c}});
-  }
   return result;
 }
 
