@@ -389,20 +389,12 @@ std::size_t segment_spectral_recursive(const TriangleMesh& mesh, SegmentIdMap se
                                        const NamedParameters& np = NamedParameters())
 {
   namespace internal = Spectral_segmentation::internal;
-  using CGAL::parameters::choose_parameter;
-  using CGAL::parameters::get_parameter;
-
   const auto& pack = internal::cgal_pack(np);
   typedef std::decay_t<decltype(pack)> Pack;
-  typedef typename GetGeomTraits<TriangleMesh, Pack>::type Geom_traits;
 
   const Spectral_segmentation::Options options = internal::read_options(pack);
   const auto faces = internal::numbered_faces(mesh, pack);
-  internal::Surface triangles = internal::read_triangle_mesh(
-    mesh, faces,
-    choose_parameter(get_parameter(pack, internal_np::vertex_point),
-                     get_const_property_map(CGAL::vertex_point, mesh)),
-    choose_parameter<Geom_traits>(get_parameter(pack, internal_np::geom_traits)));
+  internal::Surface triangles = internal::read_mesh_with_parameters(mesh, faces, pack);
   internal::Constraints constraints;
   if constexpr (internal::has_edge_constraints<Pack>)
     internal::read_edge_constraints(mesh, faces, pack, constraints);

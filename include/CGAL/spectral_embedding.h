@@ -183,7 +183,6 @@ spectral_embedding(const TriangleMesh& mesh, FaceCoordinateMap coordinates,
 
   const auto& pack = internal::checked_pack<internal::has_only_embedding_tags>(np);
   typedef std::decay_t<decltype(pack)> Pack;
-  typedef typename GetGeomTraits<TriangleMesh, Pack>::type Geom_traits;
   typedef typename boost::graph_traits<TriangleMesh>::face_descriptor Face;
 
   Spectral_segmentation::Options o =
@@ -196,13 +195,7 @@ spectral_embedding(const TriangleMesh& mesh, FaceCoordinateMap coordinates,
 
   const std::vector<Face> faces = internal::numbered_faces(mesh, pack, "spectral_embedding");
   const internal::Surface graph = internal::weighted_face_graph(
-    internal::read_triangle_mesh(
-      mesh, faces,
-      choose_parameter(get_parameter(pack, tags::vertex_point_t()),
-                       get_const_property_map(CGAL::vertex_point, mesh)),
-      choose_parameter<Geom_traits>(get_parameter(pack, tags::geom_traits_t())),
-      "spectral_embedding"),
-    o);
+    internal::read_mesh_with_parameters(mesh, faces, pack, "spectral_embedding"), o);
   internal::check_embedding_input(graph);
   std::vector<internal::Index> samples;
   if constexpr (internal::is_given<Pack, tags::sample_faces_t>)

@@ -122,22 +122,12 @@ Segment_adjacency_graph<typename boost::property_traits<SegmentIdMap>::value_typ
 make_adjacency_graph(const TriangleMesh& mesh, SegmentIdMap segment_ids,
                      const Segmentation_hierarchy* hierarchy, const NamedParameters& np)
 {
-  namespace tags = internal_np;
-  using CGAL::parameters::choose_parameter;
-  using CGAL::parameters::get_parameter;
   typedef typename boost::property_traits<SegmentIdMap>::value_type Id;
 
   const auto& pack = checked_pack<has_only_adjacency_tags>(np);
-  typedef std::decay_t<decltype(pack)> Pack;
-  typedef typename GetGeomTraits<TriangleMesh, Pack>::type Geom_traits;
-  const auto point_map = choose_parameter(get_parameter(pack, tags::vertex_point_t()),
-                                          get_const_property_map(CGAL::vertex_point, mesh));
-
   const auto faces_of_mesh = numbered_faces(mesh, pack, "segment_adjacency_graph");
-  Surface surface = read_triangle_mesh(
-    mesh, faces_of_mesh, point_map,
-    choose_parameter<Geom_traits>(get_parameter(pack, tags::geom_traits_t())),
-    "segment_adjacency_graph");
+  Surface surface =
+    read_mesh_with_parameters(mesh, faces_of_mesh, pack, "segment_adjacency_graph");
   const double unit = normalize(surface.points);
   std::vector<Index> labels;
   const std::vector<Id> ids = read_segments(faces_of_mesh, segment_ids, labels);

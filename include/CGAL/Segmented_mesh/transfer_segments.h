@@ -11,14 +11,12 @@
 #include <CGAL/Spectral_segmentation/parameters.h>
 
 #include <CGAL/Named_function_parameters.h>
-#include <CGAL/boost/graph/named_params_helper.h>
 
 #include <boost/graph/graph_traits.hpp>
 #include <boost/property_map/property_map.hpp>
 
 #include <cstddef>
 #include <stdexcept>
-#include <type_traits>
 #include <vector>
 
 namespace CGAL {
@@ -30,23 +28,6 @@ namespace internal {
 template <class Pack>
 using has_only_transfer_tags =
   internal_np::has_only<Pack, internal_np::vertex_point_t, internal_np::geom_traits_t>;
-
-// Reads one of the two meshes of a transfer.
-template <class TriangleMesh, class FaceDescriptor, class NamedParameters>
-Surface read_mesh_of_transfer(const TriangleMesh& mesh, const std::vector<FaceDescriptor>& faces,
-                              const NamedParameters& np)
-{
-  using CGAL::parameters::choose_parameter;
-  using CGAL::parameters::get_parameter;
-  const auto& pack = checked_pack<has_only_transfer_tags>(np);
-  typedef typename GetGeomTraits<TriangleMesh, std::decay_t<decltype(pack)> >::type Geom_traits;
-  return read_triangle_mesh(
-    mesh, faces,
-    choose_parameter(get_parameter(pack, internal_np::vertex_point_t()),
-                     get_const_property_map(CGAL::vertex_point, mesh)),
-    choose_parameter<Geom_traits>(get_parameter(pack, internal_np::geom_traits_t())),
-    "transfer_segments");
-}
 
 } // namespace internal
 } // namespace Segmented_mesh
@@ -129,9 +110,12 @@ void transfer_segments(const FromMesh& from, FromSegmentIdMap from_ids, const To
 
   const std::vector<From_face> from_faces(faces(from).begin(), faces(from).end());
   const std::vector<To_face> to_faces(faces(to).begin(), faces(to).end());
-  const internal::Surface from_surface =
-    internal::read_mesh_of_transfer(from, from_faces, np_from);
-  const internal::Surface to_surface = internal::read_mesh_of_transfer(to, to_faces, np_to);
+  const internal::Surface from_surface = internal::read_mesh_with_parameters(
+    from, from_faces, internal::checked_pack<internal::has_only_transfer_tags>(np_from),
+    "transfer_segments");
+  const internal::Surface to_surface = internal::read_mesh_with_parameters(
+    to, to_faces, internal::checked_pack<internal::has_only_transfer_tags>(np_to),
+    "transfer_segments");
   std::vector<internal::Index> labels;
   const auto ids = internal::read_segments(from_faces, from_ids, labels);
   if (to_faces.empty())

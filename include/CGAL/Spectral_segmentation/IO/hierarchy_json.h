@@ -129,18 +129,11 @@ void write_hierarchy(std::ostream& os, const Segmentation_hierarchy& hierarchy,
                      const std::vector<std::size_t>& nodes, const TriangleMesh& mesh,
                      const NamedParameters& np = NamedParameters())
 {
-  using CGAL::parameters::choose_parameter;
-  using CGAL::parameters::get_parameter;
   const auto& pack = internal::checked_pack<internal::has_only_mesh_tags>(np);
-  typedef typename GetGeomTraits<TriangleMesh, std::decay_t<decltype(pack)> >::type Geom_traits;
   internal::write_hierarchy(
     os, hierarchy, nodes,
-    internal::read_triangle_mesh(
-      mesh, internal::numbered_faces(mesh, pack),
-      choose_parameter(get_parameter(pack, internal_np::vertex_point_t()),
-                       get_const_property_map(CGAL::vertex_point, mesh)),
-      choose_parameter<Geom_traits>(get_parameter(pack, internal_np::geom_traits_t())),
-      "write_hierarchy"));
+    internal::read_mesh_with_parameters(mesh, internal::numbered_faces(mesh, pack), pack,
+                                        "write_hierarchy"));
 }
 #endif
 

@@ -7,7 +7,9 @@
 #include <CGAL/Spectral_segmentation/internal/surface/Surface.h>
 #include <CGAL/Spectral_segmentation/internal/adaptors/numbered_descriptors.h>
 
+#include <CGAL/Named_function_parameters.h>
 #include <CGAL/boost/graph/helpers.h>
+#include <CGAL/boost/graph/named_params_helper.h>
 #include <CGAL/number_utils.h>
 
 #include <boost/graph/graph_traits.hpp>
@@ -87,6 +89,23 @@ Surface read_triangle_mesh(const TriangleMesh& mesh, const std::vector<FaceDescr
                                   " has a coordinate that is not finite");
   }
   return surface;
+}
+
+// Does the same with the points and the kernel of named parameters, or those of the mesh.
+template <class TriangleMesh, class FaceDescriptor, class CGALNamedParameters>
+Surface read_mesh_with_parameters(const TriangleMesh& mesh,
+                                  const std::vector<FaceDescriptor>& faces,
+                                  const CGALNamedParameters& np,
+                                  const std::string& function = "segment_spectral_recursive")
+{
+  using CGAL::parameters::choose_parameter;
+  using CGAL::parameters::get_parameter;
+  typedef typename GetGeomTraits<TriangleMesh, CGALNamedParameters>::type Geom_traits;
+  return read_triangle_mesh(
+    mesh, faces,
+    choose_parameter(get_parameter(np, CGAL::internal_np::vertex_point),
+                     get_const_property_map(CGAL::vertex_point, mesh)),
+    choose_parameter<Geom_traits>(get_parameter(np, CGAL::internal_np::geom_traits)), function);
 }
 
 } // namespace CGAL::Spectral_segmentation::internal
