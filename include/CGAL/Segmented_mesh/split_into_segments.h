@@ -201,13 +201,12 @@ split_into_segments(const TriangleMesh& mesh, SegmentIdMap segment_ids, PartRang
   std::vector<Segmented_mesh::Closed_segment<Id> > result;
   if (choose_parameter(get_parameter(pack, tags::close_parts), false)) {
     const internal::Segment_capping capping(triangles.points, triangles.corners, labels, n);
-    const internal::Caps& caps = capping.caps();
     result = internal::closed_segments(capping, ids);
-    for (const internal::Vector& p : caps.points)
+    for (const internal::Vector& p : capping.caps().points)
       points.push_back(Point(p.x(), p.y(), p.z()));
-    for (std::size_t i = 0; i < caps.triangles.size(); ++i) {
-      triangles_of_part[caps.segment[i]].push_back(caps.triangles[i]);
-      faces_of_part[caps.segment[i]].push_back(Graph_traits::null_face());
+    for (std::size_t i = 0; i < n; ++i) {
+      triangles_of_part[i] = capping.triangles(static_cast<internal::Index>(i));
+      faces_of_part[i].resize(triangles_of_part[i].size(), Graph_traits::null_face());
     }
     if (capping.is_inside_out())
       internal::turn(triangles_of_part, result);

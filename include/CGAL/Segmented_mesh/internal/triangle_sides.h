@@ -8,6 +8,7 @@
 #include <CGAL/Spectral_segmentation/internal/surface/connected_components.h>
 
 #include <algorithm>
+#include <array>
 #include <cstddef>
 #include <tuple>
 #include <utility>
@@ -19,13 +20,17 @@ namespace CGAL::Segmented_mesh::internal {
 struct Triangle_side
 {
   std::pair<Index, Index> vertices;
-  bool is_forward;  // as the triangle passes it
-  Index corners[2]; // the corners of the triangle at its vertices, numbered from 0 to 3 n - 1
+  bool is_forward;               // as the triangle passes it
+  std::array<Index, 2> corners;  // of the triangle at its vertices, numbered from 0 to 3 n - 1
+
+  Index triangle() const { return corners[0] / 3; }
+  Index apex() const { return 3 - corners[0] % 3 - corners[1] % 3; } // the corner opposite of it
 
   bool operator<(const Triangle_side& s) const
-  { return std::tie(vertices, is_forward) < std::tie(s.vertices, s.is_forward); }
+  { return std::tie(vertices, corners) < std::tie(s.vertices, s.corners); }
 };
 
+// Returns the sides by their edges, and those of an edge in the order of the triangles.
 inline std::vector<Triangle_side> sorted_sides(const std::vector<Corners>& triangles)
 {
   std::vector<Triangle_side> result;
@@ -40,7 +45,7 @@ inline std::vector<Triangle_side> sorted_sides(const std::vector<Corners>& trian
         std::swap(v, w);
         std::swap(a, b);
       }
-      result.push_back({{v, w}, is_forward, {a, b}});
+      result.push_back({{v, w}, is_forward, {{a, b}}});
     }
   std::sort(result.begin(), result.end());
   return result;

@@ -6,6 +6,7 @@
 
 #include <CGAL/Segmented_mesh/internal/base.h>
 #include <CGAL/Segmented_mesh/internal/capping/Border_loops.h>
+#include <CGAL/Segmented_mesh/internal/triangle_sides.h>
 
 #include <CGAL/assertions.h>
 
@@ -13,7 +14,6 @@
 #include <cstddef>
 #include <functional>
 #include <map>
-#include <tuple>
 #include <vector>
 
 namespace CGAL::Segmented_mesh::internal {
@@ -75,36 +75,21 @@ class Segment_borders
   }
 
 public:
-  // `segment` holds the segment of each triangle, from 0 to n - 1.
-  Segment_borders(const std::vector<Corners>& triangles, const std::vector<Index>& segment,
-                  std::size_t n)
-    : border_(n)
+  // Finds the borders of segments, whose triangles are given.
+  explicit Segment_borders(const std::vector<std::vector<Corners> >& triangles)
+    : border_(triangles.size())
   {
-    struct Edge
-    {
-      Index segment;
-      Vertex_pair vertices;
-      int direction;
-      Index apex;
-      bool operator<(const Edge& e) const
-      { return std::tie(segment, vertices) < std::tie(e.segment, e.vertices); }
-    };
-    std::vector<Edge> edges;
-    edges.reserve(3 * triangles.size());
-    for (std::size_t f = 0; f < triangles.size(); ++f)
-      for (int i = 0; i < 3; ++i) {
-        const Index v = triangles[f][i], w = triangles[f][(i + 1) % 3];
-        if (v != w)
-          edges.push_back({segment[f], vertex_pair(v, w), v < w ? 1 : -1,
-                           triangles[f][(i + 2) % 3]});
-      }
-    std::stable_sort(edges.begin(), edges.end());
-    for (auto begin = edges.begin(), end = begin; begin != edges.end(); begin = end) {
-      int direction = 0;
-      for (; end != edges.end() && !(*begin < *end); ++end)
-        direction += end->direction;
-      if ((end - begin) % 2 == 1)
-        add_edge(begin->segment, begin->vertices, {direction, begin->apex});
+    for (Index s = 0; s < triangles.size(); ++s) {
+      const std::vector<Triangle_side> sides = sorted_sides(triangles[s]);
+      for_each_edge(sides, [&](std::size_t first, std::size_t n) {
+        const Triangle_side& side = sides[first];
+        if (n % 2 == 0 || side.vertices.first == side.vertices.second)
+          return;
+        int direction = 0;
+        for (std::size_t i = first; i < first + n; ++i)
+          direction += sides[i].is_forward ? 1 : -1;
+        add_edge(s, side.vertices, {direction, triangles[s][side.triangle()][side.apex()]});
+      });
     }
   }
 

@@ -70,19 +70,28 @@ class Segment_capping
   std::unordered_map<Index, std::vector<std::pair<Index, Vector> > > normals_;
   Caps result_;
 
-  // Takes the triangles of the segments, their normals at the borders, and the edges between
-  // vertices of borders, because other edges cannot be edges of a cap.
+  static std::vector<std::vector<Corners> >
+  triangles_of_segments(const std::vector<Corners>& triangles, const std::vector<Index>& segment,
+                        std::size_t n)
+  {
+    std::vector<std::vector<Corners> > result(n);
+    for (std::size_t f = 0; f < triangles.size(); ++f)
+      result[segment[f]].push_back(triangles[f]);
+    return result;
+  }
+
+  // Takes the normals of triangles at the borders, and the edges between vertices of borders,
+  // because other edges cannot be edges of a cap.
   void take(const std::vector<Corners>& triangles, const std::vector<Index>& segment)
   {
     const std::vector<char> is_at_border = borders_.vertices(points_.size());
     for (std::size_t f = 0; f < triangles.size(); ++f) {
       const Corners& t = triangles[f];
-      triangles_[segment[f]].push_back(t);
       for (int i = 0; i < 3; ++i) {
         const Index v = t[i], w = t[(i + 1) % 3];
         if (!is_at_border[v])
           continue;
-        normals_[v].emplace_back(segment[f], normal(t));
+        normals_[v].emplace_back(segment[f], normal(points_, t).normalized());
         if (is_at_border[w])
           taken_.insert(vertex_pair(v, w));
       }
@@ -96,7 +105,7 @@ class Segment_capping
     triangles_[segment].push_back(t);
     borders_.add_triangle(segment, t);
     for (Index v : t)
-      normals_[v].emplace_back(segment, normal(t));
+      normals_[v].emplace_back(segment, normal(points_, t).normalized());
   }
 
   Index add_point(const Vector& p)
@@ -132,14 +141,6 @@ class Segment_capping
     for (Corners& t : triangles)
       t = {loop[t[0]], loop[t[1]], loop[t[2]]};
     return triangles;
-  }
-
-  // Returns the normal of a triangle, of length 1 unless the triangle is degenerate.
-  Vector normal(const Corners& t) const
-  {
-    const Vector n = (points_[t[1]] - points_[t[0]]).cross(points_[t[2]] - points_[t[0]]);
-    const double norm = n.norm();
-    return norm > 0 ? n / norm : n;
   }
 
   // Returns a direction at a vertex of a border that leads into the solid that is left, which
@@ -308,7 +309,7 @@ class Segment_capping
     for (const Corners& t : triangles) {
       for (int i = 0; i < 3; ++i) {
         Vertex& v = vertices[t[i]];
-        v.normals.push_back(normal(t));
+        v.normals.push_back(normal(points_, t).normalized());
         for (Index w : t)
           if (w != t[i])
             v.shortest_edge =
@@ -445,7 +446,7 @@ class Segment_capping
     for (const std::vector<Corners>& triangles : triangles_) {
       area.push_back(0);
       for (const Corners& t : triangles)
-        area.back() += (points_[t[1]] - points_[t[0]]).cross(points_[t[2]] - points_[t[0]]).norm();
+        area.back() += normal(points_, t).norm();
     }
     std::vector<Index> result(area.size());
     std::iota(result.begin(), result.end(), Index(0));
@@ -459,8 +460,8 @@ public:
   Segment_capping(const std::vector<Vector>& points, const std::vector<Corners>& triangles,
                   const std::vector<Index>& segment, std::size_t n)
     : number_of_given_points_(points.size()), unit_(unit_of(points)),
-      points_(divided(points, unit_)), triangles_(n), borders_(triangles, segment, n),
-      is_done_(n, 0), tree_(points_, triangles)
+      points_(divided(points, unit_)), triangles_(triangles_of_segments(triangles, segment, n)),
+      borders_(triangles_), is_done_(n, 0), tree_(points_, triangles)
   {
     take(triangles, segment);
     close(null_index);

@@ -31,8 +31,7 @@ inline Vector most_visible_normal(const std::vector<Vector>& normals)
       break;
     result += (std::min)(1., decrease / squared_length) * change;
   }
-  const double norm = result.norm();
-  return norm > 0 ? result / norm : result;
+  return result.normalized();
 }
 
 } // namespace CGAL::Segmented_mesh::internal

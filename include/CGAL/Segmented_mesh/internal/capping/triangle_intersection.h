@@ -55,6 +55,10 @@ inline bool do_intersect(const std::vector<Vector>& points, Corners s, Corners t
   return CGAL::do_intersect(exact_triangle(points, s), exact_triangle(points, t));
 }
 
+// Returns the normal of a triangle; its length is twice the area.
+inline Vector normal(const std::vector<Vector>& points, const Corners& t)
+{ return (points[t[1]] - points[t[0]]).cross(points[t[2]] - points[t[0]]); }
+
 // Returns the signed volume of a tetrahedron.
 inline double tetrahedron_volume(const Vector& o, const Vector& p, const Vector& q,
                                  const Vector& r)

@@ -98,14 +98,11 @@ inline std::vector<Corners> flat_triangulation(const std::vector<Vector>& loop, 
   Vector middle;
   for (const Vector& p : loop)
     middle += p / static_cast<double>(loop.size());
-  Vector z = normal(loop, middle);
-  if (!(z.norm() > 0))
+  const Vector z = normal(loop, middle).normalized();
+  if (z.is_zero())
     return {};
-  z = z / z.norm();
-  Vector x = std::abs(z.x()) < 0.5 ? Vector(1, 0, 0) : Vector(0, 1, 0);
-  x = x - x.dot(z) * z;
-  x = x / x.norm();
-  const Vector y = z.cross(x);
+  const Vector axis = std::abs(z.x()) < 0.5 ? Vector(1, 0, 0) : Vector(0, 1, 0);
+  const Vector x = (axis - axis.dot(z) * z).normalized(), y = z.cross(x);
   std::vector<Exact_predicates::Point_2> polygon;
   for (const Vector& p : loop) {
     if (!(std::abs((p - middle).dot(z)) <= distance))
