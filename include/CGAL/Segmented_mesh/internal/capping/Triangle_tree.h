@@ -70,6 +70,8 @@ class Triangle_tree
     number_of_tests_ = 0;
   }
 
+  CGAL::Bbox_3 box_of(const Corners& t) const { return exact_triangle(points_, t).bbox(); }
+
 public:
   // Leaves degenerate triangles out, because CGAL does not intersect them.
   Triangle_tree(const std::vector<Vector>& points, const std::vector<Corners>& triangles)
@@ -110,8 +112,9 @@ public:
   bool intersects(const Corners& t)
   {
     number_of_tests_ += triangles_.size() - number_in_tree_;
+    const CGAL::Bbox_3 box = box_of(t);
     for (std::size_t i = number_in_tree_; i < triangles_.size(); ++i)
-      if (do_intersect(points_, t, triangles_[i]))
+      if (CGAL::do_overlap(box, box_of(triangles_[i])) && do_intersect(points_, t, triangles_[i]))
         return true;
     if (number_in_tree_ == 0)
       return false;

@@ -34,6 +34,27 @@ inline int move_shared_corners_first(Corners& t, const Corners& other)
   return static_cast<int>(std::partition(t.begin(), t.end(), is_shared) - t.begin());
 }
 
+// Returns the normal of a triangle; its length is twice the area.
+inline Vector normal(const std::vector<Vector>& points, const Corners& t)
+{ return (points[t[1]] - points[t[0]]).cross(points[t[2]] - points[t[0]]); }
+
+// Returns whether the line of an edge of a triangle, seen along a coordinate axis, contains the
+// first n corners, which both triangles have, and has the others on its other side.
+inline bool has_separating_edge(const std::vector<Vector>& points, const Corners& s,
+                                const Corners& t, int n, int axis)
+{
+  const auto projection = [&](Index v)
+  { return Exact_predicates::Point_2(points[v][(axis + 1) % 3], points[v][(axis + 2) % 3]); };
+  for (int i = n; i < 3; ++i) {
+    const auto v = projection(s[(i + 1) % 3]), w = projection(s[(i + 2) % 3]);
+    const auto side = CGAL::orientation(v, w, projection(s[i]));
+    if (side != CGAL::COLLINEAR && std::all_of(t.begin() + n, t.end(), [&](Index x)
+                                     { return CGAL::orientation(v, w, projection(x)) == -side; }))
+      return true;
+  }
+  return false;
+}
+
 // Returns whether two triangles, which are not degenerate, meet elsewhere than in the corners and
 // edges that they share. CGAL has this test for the faces of one mesh only.
 inline bool do_intersect(const std::vector<Vector>& points, Corners s, Corners t)
@@ -49,15 +70,14 @@ inline bool do_intersect(const std::vector<Vector>& points, Corners s, Corners t
                p = exact_point(points[s[2]]), q = exact_point(points[t[2]]);
     return CGAL::coplanar(v, w, p, q) && CGAL::coplanar_orientation(v, w, p, q) == CGAL::POSITIVE;
   }
+  for (int axis = 0; axis < 3; ++axis)
+    if (has_separating_edge(points, s, t, n, axis) || has_separating_edge(points, t, s, n, axis))
+      return false;
   if (n == 1)
     return CGAL::do_intersect(edge(s), exact_triangle(points, t)) ||
            CGAL::do_intersect(edge(t), exact_triangle(points, s));
   return CGAL::do_intersect(exact_triangle(points, s), exact_triangle(points, t));
 }
-
-// Returns the normal of a triangle; its length is twice the area.
-inline Vector normal(const std::vector<Vector>& points, const Corners& t)
-{ return (points[t[1]] - points[t[0]]).cross(points[t[2]] - points[t[0]]); }
 
 // Returns the signed volume of a tetrahedron.
 inline double tetrahedron_volume(const Vector& o, const Vector& p, const Vector& q,
@@ -78,9 +98,12 @@ inline bool do_self_intersect(const std::vector<Vector>& points,
   std::vector<Box> boxes;
   for (std::size_t i = 0; i < triangles.size(); ++i)
     boxes.emplace_back(exact_triangle(points, triangles[i]).bbox(), static_cast<Index>(i));
+  std::vector<const Box*> pointers; // they are faster to sort
+  for (const Box& b : boxes)
+    pointers.push_back(&b);
   bool result = false;
-  CGAL::box_self_intersection_d(boxes.begin(), boxes.end(), [&](const Box& a, const Box& b) {
-    result = result || do_intersect(points, triangles[a.info()], triangles[b.info()]); });
+  CGAL::box_self_intersection_d(pointers.begin(), pointers.end(), [&](const Box* a, const Box* b) {
+    result = result || do_intersect(points, triangles[a->info()], triangles[b->info()]); });
   return result;
 }
 
