@@ -1818,6 +1818,7 @@ class Printing(Tool_test):
                        "--method", "--salience-threshold", "--threads", "--smooth",
                        "--smooth-boundaries", "--keep-faces", "--quiet", "--version"):
             self.assertIn(option, done.stdout)
+        self.assertLessEqual(max(map(len, done.stdout.splitlines())), 80)
 
     def test_existing_files_are_replaced(self):
         (self.directory / "target.seg").write_text("old")

@@ -11,18 +11,45 @@
 #include <algorithm>
 #include <cstddef>
 #include <numeric>
+#include <sstream>
 #include <string>
 #include <vector>
 
 namespace segment_mesh {
 
-// All that have a group, as those without one are not shown.
+struct Example
+{
+  const char *command, *effect;
+};
+
+const Example examples[] = {
+  {"segment_mesh hand.off --html hand.html", "shows the parts in a browser."},
+  {"segment_mesh hand.off -o hand.glb -o hand.ply --segments 6", "writes exactly six parts."},
+  {"segment_mesh hand.stl --split-dir parts --split-format 3mf --close --unit mm",
+   "writes closed parts for 3D printing."},
+  {"segment_mesh scan.obj --split-dir parts --split-format glb",
+   "writes parts with the textures of the scan."},
+  {"segment_mesh *.off --out-dir results --outputs labels,html --time-limit 60",
+   "segments many meshes, and leaves out those that were finished before."}};
+
+struct Exit_status
+{
+  int status;
+  const char* meaning;
+};
+
+const Exit_status exit_statuses[] = {
+  {0, "success"}, {1, "a bug"}, {2, "wrong usage"}, {3, "an input cannot be opened"},
+  {4, "an input has no mesh"}, {5, "lack of memory"}, {6, "the time limit was reached"},
+  {7, "an output cannot be written"}, {8, "runs of --out-dir failed"}};
+
+// Returns the options that have a group, because those without one are not shown.
 inline std::vector<const CLI::Option*> documented_options(const CLI::App& app)
 {
   return app.get_options([](const CLI::Option* option) { return !option->get_group().empty(); });
 }
 
-// -o, --labels ...
+// Returns the names of an option, such as -o.
 inline std::vector<std::string> names_of(const CLI::Option& option)
 {
   std::vector<std::string> result;
@@ -33,7 +60,14 @@ inline std::vector<std::string> names_of(const CLI::Option& option)
   return result;
 }
 
-// The words that an option takes, which CLI11 writes as TYPE:{first,second}.
+// Returns the word for the value of an option, such as FILE; it is empty for a flag.
+inline std::string value_name(const CLI::Option& option)
+{
+  const std::string type = option.get_type_name();
+  return option.get_items_expected_max() > 0 ? type.substr(0, type.find(':')) : std::string();
+}
+
+// Returns the words that an option takes, which CLI11 writes as TYPE:{first,second}.
 inline std::vector<std::string> choices_of(const CLI::Option& option)
 {
   const std::string type = option.get_type_name();
@@ -43,38 +77,111 @@ inline std::vector<std::string> choices_of(const CLI::Option& option)
   return CLI::detail::split(type.substr(begin + 2, end - begin - 2), ',');
 }
 
-// For man(1), in its language.
+// Returns the description of an option with its choices and its default.
+inline std::string description_of(const CLI::Option& option)
+{
+  std::string result = option.get_description();
+  const std::vector<std::string> choices = choices_of(option);
+  if (!choices.empty())
+    result += "; one of " + CLI::detail::join(choices, ", ");
+  if (!option.get_default_str().empty())
+    result += " [" + CLI::detail::trim_copy(option.get_default_str()) + "]";
+  return result;
+}
+
+// Breaks a text into lines of at most `width` bytes, unless a word is longer.
+inline std::string wrapped(const std::string& text, std::size_t width)
+{
+  std::istringstream words(text);
+  std::string result, word;
+  for (std::size_t column = 0; words >> word; column += word.size()) {
+    if (column > 0 && column + 1 + word.size() > width) {
+      result += '\n';
+      column = 0;
+    }
+    else if (column > 0) {
+      result += ' ';
+      ++column;
+    }
+    result += word;
+  }
+  return result;
+}
+
+// Writes the help for a terminal of 80 columns.
+class Help_formatter : public CLI::Formatter
+{
+  static constexpr std::size_t width_ = 80, column_ = 28;
+
+public:
+  Help_formatter() { column_width(column_); }
+
+  std::string make_option_opts(const CLI::Option* option) const override
+  { return value_name(*option).empty() ? "" : ' ' + value_name(*option); }
+
+  std::string make_option_desc(const CLI::Option* option) const override
+  { return wrapped(description_of(*option), width_ - column_); }
+
+  std::string make_footer(const CLI::App*) const override
+  {
+    std::string result = "Examples:\n", statuses;
+    for (const Example& e : examples)
+      result += std::string("  ") + e.command + "\n      " + e.effect + '\n';
+    for (const Exit_status& s : exit_statuses)
+      statuses += (statuses.empty() ? "" : ", ") + std::to_string(s.status) + ' ' + s.meaning;
+    return result + "\nExit status:\n  " +
+           CLI::detail::find_and_replace(wrapped(statuses, width_ - 2), "\n", "\n  ") + '\n';
+  }
+};
+
+// Returns the manual page, in the language of man(1).
 inline std::string man_page(const CLI::App& app)
 {
-  const auto escaped = [](std::string text) {
+  const auto escaped = [](const std::string& text) {
     std::string result;
     for (char c : text)
       result += c == '\\' ? std::string("\\e") : c == '-' ? std::string("\\-") : std::string(1, c);
     return result;
   };
-  std::string options;
-  for (const CLI::Option* option : documented_options(app)) {
-    std::string heading;
-    for (const std::string& name : names_of(*option))
-      heading += (heading.empty() ? "\\fB" : ", \\fB") + escaped(name) + "\\fR";
-    const std::string type = option->get_type_name();
-    if (option->get_positional())
-      heading = "\\fI" + escaped(option->get_name(true)) + "\\fR";
-    else if (option->get_items_expected_max() > 0)
-      heading += " \\fI" + escaped(type.substr(0, type.find(':'))) + "\\fR";
-    std::string text = escaped(option->get_description());
-    for (const std::string& choice : choices_of(*option))
-      text += (choice == choices_of(*option).front() ? "; one of " : ", ") + escaped(choice);
-    options += ".TP\n" + heading + "\n" + text + "\n";
+  const auto entry = [](const std::string& heading, const std::string& text)
+  { return ".TP\n" + heading + '\n' + text + '\n'; };
+  std::string options, example_list, statuses;
+  for (const std::string& group : app.get_groups()) {
+    if (group.empty())
+      continue;
+    options += ".SS " + group + '\n';
+    for (const CLI::Option* option : documented_options(app)) {
+      if (option->get_group() != group)
+        continue;
+      std::string heading;
+      for (const std::string& name : names_of(*option))
+        heading += (heading.empty() ? "\\fB" : ", \\fB") + escaped(name) + "\\fR";
+      if (option->get_positional())
+        heading = "\\fI" + escaped(option->get_name(true)) + "\\fR";
+      else if (!value_name(*option).empty())
+        heading += " \\fI" + escaped(value_name(*option)) + "\\fR";
+      options += entry(heading, escaped(description_of(*option)));
+    }
   }
+  for (const Example& e : examples)
+    example_list += entry(std::string("\\fB") + escaped(e.command) + "\\fR", escaped(e.effect));
+  for (const Exit_status& s : exit_statuses)
+    statuses += entry(std::to_string(s.status), escaped(s.meaning));
   return ".TH SEGMENT_MESH 1 \"\" \"segment_mesh " CGAL_SPECTRAL_SEGMENTATION_VERSION "\"\n"
          ".SH NAME\nsegment_mesh \\- cuts a mesh into the parts that a person would name\n"
          ".SH SYNOPSIS\n.B segment_mesh\n\\fIIN\\fR ... [\\fIoptions\\fR]\n"
+         ".SH DESCRIPTION\n"
+         "Reads a mesh or polygon soup, finds its parts, such as legs, fingers, a handle or a lid, "
+         "and writes them in the formats that the options ask for. Without an output it prints a "
+         "summary. The number of parts need not be given. The same input gives the same parts on "
+         "every run, with any number of threads.\n"
          ".SH OPTIONS\n" + options +
-         ".SH EXIT STATUS\n" + escaped(app.get_footer()) + "\n";
+         ".SH EXIT STATUS\n" + statuses +
+         "The reports of " + escaped("--json") + " have the status by name.\n"
+         ".SH EXAMPLES\n" + example_list;
 }
 
-// For bash: names of options, their choices, and else names of files.
+// Returns the completion for bash: names of options, their choices, and else names of files.
 inline std::string bash_completion(const CLI::App& app)
 {
   std::string names, cases;
@@ -97,7 +204,7 @@ inline std::string bash_completion(const CLI::App& app)
          "complete -o bashdefault -o default -F _segment_mesh segment_mesh\n";
 }
 
-// How many characters must be changed, inserted or left out (Levenshtein 1966).
+// Returns how many characters must be changed, inserted or left out (Levenshtein 1966).
 inline std::size_t edit_distance(const std::string& a, const std::string& b)
 {
   std::vector<std::size_t> row(b.size() + 1); // to the first characters of b
@@ -114,7 +221,7 @@ inline std::size_t edit_distance(const std::string& a, const std::string& b)
   return row.back();
 }
 
-// The name of an option that may have been meant; empty if none is like it.
+// Returns the name of an option that may have been meant; empty if none is like it.
 inline std::string similar_option(const CLI::App& app, std::string word)
 {
   word = word.substr(0, word.find('='));

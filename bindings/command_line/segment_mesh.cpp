@@ -49,6 +49,7 @@
 #include <iostream>
 #include <limits>
 #include <map>
+#include <memory>
 #include <new>
 #include <numeric>
 #include <optional>
@@ -170,36 +171,36 @@ struct Options
 const std::vector<std::string> output_formats = {"labels", "hierarchy", "ply", "obj", "off",
                                                  "glb", "3mf", "parts", "html"};
 
-void add_options(CLI::App& app, Options& o)
+// The largest value of options that are 32-bit numbers
+const std::int64_t largest_number = (std::numeric_limits<std::uint32_t>::max)();
+
+CLI::Validator not_empty()
 {
-  const std::int64_t largest = (std::numeric_limits<std::uint32_t>::max)();
-  const CLI::Validator not_empty(
-    [](const std::string& name) { return std::string(name.empty() ? "the path is empty" : ""); },
-    "");
-  const auto add_file = [&](const char* name, std::string& file, const char* description) {
-    return app.add_option(name, file, description)->type_name("FILE")->check(not_empty);
-  };
+  return CLI::Validator([](const std::string& name)
+    { return std::string(name.empty() ? "the path is empty" : ""); }, "");
+}
+
+CLI::Option* add_file(CLI::App& app, const char* name, std::string& file, const char* description)
+{ return app.add_option(name, file, description)->type_name("FILE")->check(not_empty()); }
+
+void add_input_options(CLI::App& app, Options& o)
+{
+  app.option_defaults()->group("Input");
   app.add_option("IN", o.inputs, "mesh or polygon soup: .off, .obj, .ply, .stl"
 #ifdef SEGMENT_MESH_WITH_ASSIMP
                  ", .glb, .fbx and others that Assimp reads"
 #endif
                  "; - reads standard input; several IN need --out-dir")
-    ->type_name("FILE")->check(not_empty);
-  CLI::Option* const out_dir =
-    add_file("--out-dir", o.output_directory,
-             "directory for the outputs of each IN under its path, such as DIR/IN.json, and for "
-             "DIR/table.jsonl with a line for each IN; meshes that an earlier run finished are "
-             "skipped")
-      ->type_name("DIR");
-  add_file("--list", o.list_file,
-           "file with the paths of further IN, one per line; - reads standard input");
-  app.add_option("--outputs", o.output_formats,
-                 "outputs in --out-dir besides the reports: colored meshes by their format, "
-                 "'parts' as with --split-dir, 'html' as with --html, 'hierarchy' and 'labels'")
-    ->type_name("F")->delimiter(',')->allow_extra_args(false)
-    ->check(CLI::IsMember(output_formats))->needs(out_dir)->capture_default_str();
-  app.add_option("--jobs", o.jobs, "number of meshes that --out-dir segments at a time [all cores]")
-    ->type_name("N")->check(CLI::Range(1, 1024))->needs(out_dir);
+    ->type_name("FILE")->check(not_empty());
+  app.add_flag("--allow-external-files", o.allow_external_files,
+               "read files that IN names, such as buffers of glTF, wherever they are; otherwise "
+               "they must be in the folder of IN, so that a file from a stranger cannot publish "
+               "yours");
+}
+
+void add_output_options(CLI::App& app, Options& o)
+{
+  app.option_defaults()->group("Output");
   app.add_option("-o", o.mesh_files,
                  "mesh with a color for each segment: .ply with the face property 'segment', .obj "
                  "with groups and with materials in a .mtl, .off, or with the tree of parts .glb"
@@ -207,74 +208,31 @@ void add_options(CLI::App& app, Options& o)
                  " or .3mf"
 #endif
                  "; may be repeated")
-    ->type_name("FILE")->allow_extra_args(false)->check(not_empty);
-  add_file("--labels", o.label_file,
+    ->type_name("FILE")->allow_extra_args(false)->check(not_empty());
+  add_file(app, "--labels", o.label_file,
            "label of each face of IN, one per line; a polygon that a boundary cuts gets the label "
            "of the segment that covers most of it; - writes to standard output");
-  add_file("--json", o.report_file,
+  add_file(app, "--json", o.report_file,
            "report with counts, seconds per stage summed over all parts, parameters, segments and "
            "hierarchy of cuts; - writes to standard output");
-  add_file("--hierarchy", o.hierarchy_file,
+  add_file(app, "--hierarchy", o.hierarchy_file,
            "hierarchy of cuts with the leaf of each face, which gives other numbers of segments "
            "without a new run; - writes to standard output");
-  add_file("--html", o.page_file,
+  add_file(app, "--html", o.page_file,
            "page for a browser that shows the segments, or fewer or more of them; - writes to "
            "standard output");
-  add_file("--split-dir", o.split_directory,
+  add_file(app, "--split-dir", o.split_directory,
            "directory for one file per segment; replaces the files of an earlier run")
     ->type_name("DIR");
   app.add_option("--split-format", o.split_format, "format of the files in --split-dir")
     ->type_name("F")->check(CLI::IsMember({"ply", "obj", "off", "stl", "glb", "3mf"}))
     ->capture_default_str();
-  app.add_option("--method", o.method_name,
-                 "calibrated: the calibrated method (default), which cuts where people cut; paper: "
-                 "the method of Zhang and Liu 2005")
-    ->type_name("M")->check(CLI::IsMember({"calibrated", "paper"}))->capture_default_str();
-  app.add_option("--segments", o.segments,
-                 "exact number of segments; with --salience-threshold the largest number")
-    ->type_name("N")->check(CLI::Range(std::int64_t(1), largest));
-  app.add_option("--salience-threshold", o.threshold,
-                 "smallest salience of a cut; with --method calibrated the probability that a "
-                 "person would cut there" +
-                   both_defaults(&Segmentation_options::salience_threshold))
-    ->type_name("T");
-  app.add_option("--minimum-segment-size", o.minimum_size,
-                 "smallest area of a side of a cut, as a fraction of the area of the mesh" +
-                   both_defaults(&Segmentation_options::minimum_segment_size))
-    ->type_name("S")->check(CLI::Range(0., 0.5));
-  app.add_option("--seed", o.seed,
-                 "seed for random first reference faces; without it they are not random")
-    ->type_name("S")->check(CLI::Range(std::int64_t(0), largest));
-  add_file("--seeds", o.seed_file,
-           "seed of each face of IN, one per line: faces with one seed belong to the same segment, "
-           "those with different seeds to different segments; -1 is no seed");
-  add_file("--edges", o.edge_file,
-           "edges of IN that must lie between segments, or must not, one per line: the indices of "
-           "two points, from 0, and 'cut' or 'keep'");
-  app.add_option("--threads", o.threads,
-                 "number of threads; does not change the result [all; 1 with --out-dir]")
-    ->type_name("N")->check(CLI::Range(1, 1024));
-  app.add_option("--time-limit", o.time_limit, "stop a run that takes more than S seconds [none]")
-    ->type_name("S")->check(CLI::Range(1e-3, 1e9));
-  app.add_option("--memory-limit", o.memory_limit,
-                 "stop a run that needs more than M million bytes of address space; implies "
-                 "--threads 1 [none]")
-    ->type_name("M")->check(CLI::Range(1., 1e9));
-  app.add_option("--smooth", o.smoothing_iterations,
-                 "number of steps of Laplacian smoothing before distances are computed [0]")
-    ->type_name("N")->check(CLI::Range(std::int64_t(0), largest));
-  app.add_flag("--smooth-boundaries", o.smooth_boundaries,
-               "smooth the boundaries between segments by removing teeth of single faces");
-  app.add_flag("--keep-components-separate", o.keep_components_separate,
-               "make each connected component a part from the start, as --method paper does; "
-               "otherwise components that touch may belong to the same part");
-  app.add_flag("--keep-groups", o.keep_groups,
-               "keep the objects and groups of IN apart as if each was a component; those of .obj, "
-               "and the nodes of files that Assimp reads");
-  app.add_flag("--allow-external-files", o.allow_external_files,
-               "read files that IN names, such as buffers of glTF, wherever they are; otherwise "
-               "they must be in the folder of IN, so that a file from a stranger cannot publish "
-               "yours");
+  app.add_flag("--quiet", o.quiet, "print neither progress nor a summary");
+}
+
+void add_written_mesh_options(CLI::App& app, Options& o)
+{
+  app.option_defaults()->group("Written meshes");
   app.add_flag("--keep-faces", o.keep_faces,
                "write meshes and pages with the faces of IN, so that boundaries run along their "
                "edges in zigzag; otherwise faces are split along smooth boundaries. Labels always "
@@ -292,15 +250,105 @@ void add_options(CLI::App& app, Options& o)
     ->type_name("U")->check(CLI::IsMember({"um", "mm", "cm", "m", "in", "ft"}));
   app.add_option("--scale", o.scale, "factor of all coordinates that are written [1]")
     ->type_name("F")->check(CLI::Range(1e-9, 1e9));
-  app.add_flag("--quiet", o.quiet, "print neither progress nor a summary");
+}
+
+void add_segmentation_options(CLI::App& app, Options& o)
+{
+  app.option_defaults()->group("Segmentation");
+  app.add_option("--segments", o.segments,
+                 "exact number of segments; with --salience-threshold the largest number")
+    ->type_name("N")->check(CLI::Range(std::int64_t(1), largest_number));
+  app.add_option("--salience-threshold", o.threshold,
+                 "smallest salience of a cut; with --method calibrated the probability that a "
+                 "person would cut there" +
+                   both_defaults(&Segmentation_options::salience_threshold))
+    ->type_name("T");
+  app.add_option("--minimum-segment-size", o.minimum_size,
+                 "smallest area of a side of a cut, as a fraction of the area of the mesh" +
+                   both_defaults(&Segmentation_options::minimum_segment_size))
+    ->type_name("S")->check(CLI::Range(0., 0.5));
+  app.add_flag("--keep-components-separate", o.keep_components_separate,
+               "make each connected component a part from the start, as --method paper does; "
+               "otherwise components that touch may belong to the same part");
+  app.add_flag("--keep-groups", o.keep_groups,
+               "keep the objects and groups of IN apart as if each was a component; those of .obj, "
+               "and the nodes of files that Assimp reads");
+  app.add_flag("--smooth-boundaries", o.smooth_boundaries,
+               "smooth the boundaries between segments by removing teeth of single faces");
+  app.add_option("--smooth", o.smoothing_iterations,
+                 "number of steps of Laplacian smoothing before distances are computed [0]")
+    ->type_name("N")->check(CLI::Range(std::int64_t(0), largest_number));
+  app.add_option("--method", o.method_name,
+                 "calibrated cuts where people cut; paper is the method of Zhang and Liu 2005")
+    ->type_name("M")->check(CLI::IsMember({"calibrated", "paper"}))->capture_default_str();
+  app.add_option("--seed", o.seed,
+                 "seed for random first reference faces; without it they are not random")
+    ->type_name("S")->check(CLI::Range(std::int64_t(0), largest_number));
+}
+
+void add_constraint_options(CLI::App& app, Options& o)
+{
+  app.option_defaults()->group("Constraints");
+  add_file(app, "--seeds", o.seed_file,
+           "seed of each face of IN, one per line: faces with one seed belong to the same segment, "
+           "those with different seeds to different segments; -1 is no seed");
+  add_file(app, "--edges", o.edge_file,
+           "edges of IN that must lie between segments, or must not, one per line: the indices of "
+           "two points, from 0, and 'cut' or 'keep'");
+}
+
+void add_batch_options(CLI::App& app, Options& o)
+{
+  app.option_defaults()->group("Many meshes");
+  CLI::Option* const out_dir =
+    add_file(app, "--out-dir", o.output_directory,
+             "directory for the outputs of each IN under its path, such as DIR/IN.json, and for "
+             "DIR/table.jsonl with a line for each IN; meshes that an earlier run finished are "
+             "skipped")
+      ->type_name("DIR");
+  add_file(app, "--list", o.list_file,
+           "file with the paths of further IN, one per line; - reads standard input");
+  app.add_option("--outputs", o.output_formats,
+                 "outputs in --out-dir besides the reports: colored meshes by their format, "
+                 "'parts' as with --split-dir, 'html' as with --html, 'hierarchy' and 'labels'")
+    ->type_name("F")->delimiter(',')->allow_extra_args(false)
+    ->check(CLI::IsMember(output_formats))->needs(out_dir)->default_str("labels");
+  app.add_option("--jobs", o.jobs, "number of meshes that --out-dir segments at a time [all cores]")
+    ->type_name("N")->check(CLI::Range(1, 1024))->needs(out_dir);
+}
+
+void add_resource_options(CLI::App& app, Options& o)
+{
+  app.option_defaults()->group("Resources");
+  app.add_option("--threads", o.threads,
+                 "number of threads; does not change the result [all; 1 with --out-dir]")
+    ->type_name("N")->check(CLI::Range(1, 1024));
+  app.add_option("--time-limit", o.time_limit, "stop a run that takes more than S seconds [none]")
+    ->type_name("S")->check(CLI::Range(1e-3, 1e9));
+  app.add_option("--memory-limit", o.memory_limit,
+                 "stop a run that needs more than M million bytes of address space; implies "
+                 "--threads 1 [none]")
+    ->type_name("M")->check(CLI::Range(1., 1e9));
+}
+
+void add_options(CLI::App& app, Options& o)
+{
+  app.formatter(std::make_shared<Help_formatter>());
   app.allow_windows_style_options(false); // a path may begin with a slash
-  app.set_version_flag("--version", "segment_mesh " CGAL_SPECTRAL_SEGMENTATION_VERSION);
+  app.set_help_flag();
+  add_input_options(app, o);
+  add_output_options(app, o);
+  add_written_mesh_options(app, o);
+  add_segmentation_options(app, o);
+  add_constraint_options(app, o);
+  add_batch_options(app, o);
+  add_resource_options(app, o);
+  app.option_defaults()->group("Help");
+  app.set_help_flag("-h,--help", "print this help");
+  app.set_version_flag("--version", "segment_mesh " CGAL_SPECTRAL_SEGMENTATION_VERSION,
+                       "print the version");
   app.add_flag("--print-man-page", o.prints_man_page)->group("");
   app.add_flag("--print-bash-completion", o.prints_completion)->group("");
-  app.footer("The exit status is 0 for success, 1 for a bug, 2 for wrong usage, 3 if an input "
-             "cannot be opened, 4 if an input has no mesh, 5 for lack of memory, 6 after the time "
-             "limit, 7 if an output cannot be written, and 8 if runs of --out-dir failed. The "
-             "reports of --json have its name as 'status'.");
 }
 
 // Finds the errors that can be found before any run.
@@ -322,8 +370,11 @@ void check_usage(const Options& o)
   if (o.output_directory.empty()) {
     if (o.inputs.empty() && o.list_file.empty())
       throw Failure(Status::USAGE, "no input mesh given; see --help");
-    if (o.inputs.size() > 1 || !o.list_file.empty())
-      throw Failure(Status::USAGE, "several input meshes need --out-dir");
+    if (!o.list_file.empty())
+      throw Failure(Status::USAGE, "--list needs --out-dir");
+    if (o.inputs.size() > 1)
+      throw Failure(Status::USAGE, "several input meshes (" + CLI::detail::join(o.inputs, ", ") +
+                                     ") need --out-dir; -o takes one FILE each time");
     return;
   }
   if (!o.mesh_files.empty() || !o.label_file.empty() || !o.report_file.empty() ||
