@@ -3,6 +3,7 @@
 
 // Calls that the functions refuse.
 
+#include <CGAL/Segmented_mesh/split_into_segments.h>
 #include <CGAL/segment_spectral_recursive.h>
 
 #include <CGAL/Simple_cartesian.h>
@@ -10,6 +11,7 @@
 
 #include <array>
 #include <cstddef>
+#include <functional>
 #include <map>
 #include <string>
 #include <vector>
@@ -60,3 +62,20 @@ std::size_t n_09 = CGAL::segment_spectral_recursive(Points(), Triangles(), Ids_o
 std::size_t n_10 = CGAL::segment_spectral_recursive(Points(), Triangles(), Ids_of_positions(), params::geom_traits(Kernel())); // error: vertex_point_map, face_index_map and geom_traits are of meshes
 std::size_t n_11 = CGAL::segment_spectral_recursive(Points(), Triangles(), Ids_of_positions(), 0.3f); // error: the last argument is not a pack of named parameters
 std::size_t n_16 = CGAL::segment_spectral_recursive(Points(), Triangles(), ids()); // error: the keys of the segment id map must be the faces of the mesh, or the positions of triangles
+
+// Constraints with other keys, a result of another kind, and a visitor of another class.
+
+struct No_visitor
+{
+  bool go_further() { return true; }
+};
+
+Mesh::Property_map<Mesh::Halfedge_index, bool> flags_of_halfedges();
+std::map<int, Mesh> no_sequence;
+No_visitor no_visitor;
+
+std::size_t n_17 = CGAL::segment_spectral_recursive(mesh(), ids(), params::face_seed_map(ids_of_vertices())); // error: the keys of face_seed_map and face_group_map must be the faces of the mesh
+std::size_t n_18 = CGAL::segment_spectral_recursive(mesh(), ids(), params::edge_is_constrained_map(flags_of_halfedges())); // error: the keys of face_seed_map and face_group_map must be the faces of the mesh
+std::size_t n_19 = CGAL::segment_spectral_recursive(mesh(), ids(), params::number_of_segments("5")); // error: number_of_segments takes an integer
+std::size_t n_20 = CGAL::segment_spectral_recursive(mesh(), ids(), params::visitor(std::ref(no_visitor))); // error: visitor takes a class derived from Segmentation_visitor
+auto n_21 = CGAL::split_into_segments(mesh(), ids(), no_sequence); // error: the parts are received by a sequence of meshes

@@ -15,7 +15,14 @@ auto pack_01 = params::vertex_point_map(5);              // error: vertex_point_
 auto pack_02 = params::face_index_map(5);                // error: face_index_map takes a property map
 auto pack_03 = params::geom_traits(3);                   // error: geom_traits takes a class with the functor Compute_x_3
 auto pack_04 = params::random_seed(1.5);                 // error: random_seed takes an integer
-auto pack_05 = params::visitor(3);                       // error: visitor takes a class derived from Segmentation_visitor
+auto pack_05 = params::visitor(3); // error: visitor takes a class derived from Segmentation_visitor that redefines one of its functions, or std::ref to one; is a name misspelt
+struct Misspelt_visitor : CGAL::Spectral_segmentation::Segmentation_visitor
+{
+  bool go_futher() { return false; }
+};
+
+auto pack_05b = params::visitor(Misspelt_visitor()); // error: visitor takes a class derived from Segmentation_visitor that redefines one of its functions, or std::ref to one; is a name misspelt
+
 auto pack_06 = params::maximum_number_of_segments(true); // error: maximum_number_of_segments takes an integer
 auto pack_07 = params::maximum_number_of_segments(2.5);  // error: maximum_number_of_segments takes an integer
 auto pack_08 = params::minimum_segment_size("small");    // error: minimum_segment_size takes a number

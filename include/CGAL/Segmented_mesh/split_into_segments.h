@@ -37,6 +37,14 @@ using has_only_split_tags =
   internal_np::has_only<Pack, internal_np::vertex_point_t, internal_np::geom_traits_t,
                         internal_np::close_parts_t, internal_np::faces_of_parts_t>;
 
+template <class Range, class = void>
+struct is_sequence : std::false_type {};
+
+template <class Range>
+struct is_sequence<Range, std::void_t<decltype(std::declval<Range&>().emplace_back()),
+                                      decltype(std::declval<Range&>().back())> >
+  : std::true_type {};
+
 // Makes a mesh from some triangles.
 template <class Point>
 class Part_builder
@@ -211,14 +219,18 @@ split_into_segments(const TriangleMesh& mesh, SegmentIdMap segment_ids, PartRang
     if (capping.is_inside_out())
       internal::turn(triangles_of_part, result);
   }
-  internal::Part_builder<Point> build(points);
-  for (std::size_t i = 0; i < n; ++i) {
-    const std::vector<internal::Corners>& part = triangles_of_part[i];
-    const bool is_manifold = result.empty()
-                               ? internal::is_manifold(part, internal::sorted_sides(part))
-                               : result[i].is_manifold;
-    parts.emplace_back();
-    build(part, is_manifold, parts.back());
+  static_assert(internal::is_sequence<PartRange>::value,
+                "the parts are received by a sequence of meshes, such as a std::vector");
+  if constexpr (internal::is_sequence<PartRange>::value) { // else no second error
+    internal::Part_builder<Point> build(points);
+    for (std::size_t i = 0; i < n; ++i) {
+      const std::vector<internal::Corners>& part = triangles_of_part[i];
+      const bool is_manifold = result.empty()
+                                 ? internal::is_manifold(part, internal::sorted_sides(part))
+                                 : result[i].is_manifold;
+      parts.emplace_back();
+      build(part, is_manifold, parts.back());
+    }
   }
   if constexpr (internal::is_given<Pack, tags::faces_of_parts_t>)
     get_parameter(pack, tags::faces_of_parts).get() = std::move(faces_of_part);

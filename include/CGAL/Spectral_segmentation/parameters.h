@@ -33,7 +33,8 @@ class Segmentation_hierarchy;
   f(geom_traits, geom_traits_t, has_coordinates, "takes a class with the functor Compute_x_3")  \
   f(random_seed, random_seed_t, is_count, "takes an integer")                                   \
   f(visitor, visitor_t, is_visitor,                                                             \
-    "takes a class derived from Segmentation_visitor, or std::ref to one")
+    "takes a class derived from Segmentation_visitor that redefines one of its functions, or "  \
+    "std::ref to one; is a name misspelt?")
 
 #define CGAL_SPECTRAL_SEGMENTATION_PARAMETERS(f)                                                   \
   f(number_of_segments, number_of_segments_t, is_count, "takes an integer")                        \
@@ -117,11 +118,35 @@ struct is_part_salience<
   T, std::void_t<std::invoke_result_t<const T&, const Salience_factors&> > >
   : is_real<std::decay_t<std::invoke_result_t<const T&, const Salience_factors&> > > {};
 
-template <class T>
-struct is_visitor : std::is_base_of<Segmentation_visitor, T> {};
+template <class V> using before_stage_of = decltype(&V::before_stage);
+template <class V> using after_stage_of = decltype(&V::after_stage);
+template <class V> using before_part_of = decltype(&V::before_part);
+template <class V> using after_part_of = decltype(&V::after_part);
+template <class V> using after_cut_of = decltype(&V::after_cut);
+template <class V> using progress_of = decltype(&V::progress);
+template <class V> using go_further_of = decltype(&V::go_further);
+
+// Tells whether a visitor has its own function. If it overloads it, there is no single address.
+template <template <class> class Function, class Visitor, class = void>
+struct redefines : std::true_type {};
+
+template <template <class> class Function, class Visitor>
+struct redefines<Function, Visitor, std::void_t<Function<Visitor> > >
+  : std::bool_constant<!std::is_same<Function<Visitor>, Function<Segmentation_visitor> >::value> {};
+
+template <class Visitor, template <class> class... Functions>
+using redefines_one_of = std::bool_constant<(redefines<Functions, Visitor>::value || ...)>;
 
 template <class T>
-struct is_visitor<std::reference_wrapper<T> > : std::is_base_of<Segmentation_visitor, T> {};
+struct is_visitor
+  : std::bool_constant<std::is_same<T, Segmentation_visitor>::value ||
+                       (std::is_base_of<Segmentation_visitor, T>::value &&
+                        redefines_one_of<T, before_stage_of, after_stage_of, before_part_of,
+                                         after_part_of, after_cut_of, progress_of,
+                                         go_further_of>::value)> {};
+
+template <class T>
+struct is_visitor<std::reference_wrapper<T> > : is_visitor<std::remove_const_t<T> > {};
 
 template <class T, class = void>
 struct is_property_map : std::false_type {};
@@ -233,7 +258,10 @@ public:
   auto name(const T& value) const                                                   \
   {                                                                                 \
     static_assert(internal_np::predicate<T>::value, #name " " what);                \
-    return with<internal_np::tag>(value);                                           \
+    if constexpr (internal_np::predicate<T>::value) /* else no second error */      \
+      return with<internal_np::tag>(value);                                         \
+    else                                                                            \
+      return *this;                                                                 \
   }
 
   CGAL_SPECTRAL_SEGMENTATION_PARAMETERS_OF_CGAL(CGAL_SPECTRAL_SEGMENTATION_MEMBER)

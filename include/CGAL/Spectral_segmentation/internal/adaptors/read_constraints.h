@@ -7,6 +7,7 @@
 #include <CGAL/Spectral_segmentation/internal/constraints/Constraints.h>
 #include <CGAL/Spectral_segmentation/internal/adaptors/numbered_descriptors.h>
 #include <CGAL/Spectral_segmentation/internal/adaptors/read_options.h>
+#include <CGAL/Spectral_segmentation/internal/adaptors/segment_id_map.h>
 #include <CGAL/Spectral_segmentation/internal/surface/Surface.h>
 #include <CGAL/Spectral_segmentation/parameters.h>
 
@@ -33,11 +34,29 @@ constexpr bool has_edge_constraints =
   is_given<CGALNamedParameters, internal_np::edge_is_constrained_t> ||
   is_given<CGALNamedParameters, internal_np::edge_is_uncuttable_map_t>;
 
+// Returns whether the caller gave a map. A static_assert reports one whose keys are others.
+template <class Key, class Tag, class CGALNamedParameters>
+constexpr bool has_map()
+{
+  if constexpr (is_given<CGALNamedParameters, Tag>) {
+    typedef std::decay_t<decltype(CGAL::parameters::get_parameter(
+      std::declval<const CGALNamedParameters&>(), Tag()))> Map;
+    constexpr bool result = is_key_of<Key, typename boost::property_traits<Map>::key_type>::value;
+    static_assert(result, "the keys of face_seed_map and face_group_map must be the faces of the "
+                          "mesh, or the positions of triangles; those of edge_is_constrained_map "
+                          "and edge_is_uncuttable_map its edges, or pairs of positions of points");
+    return result;
+  }
+  else {
+    return false;
+  }
+}
+
 // Returns the value of an edge map; `false` if the caller gave none.
 template <class Tag, class CGALNamedParameters, class EdgeDescriptor>
 bool edge_value(const CGALNamedParameters& np, Tag tag, const EdgeDescriptor& e)
 {
-  if constexpr (is_given<CGALNamedParameters, Tag>)
+  if constexpr (has_map<EdgeDescriptor, Tag, CGALNamedParameters>())
     return static_cast<bool>(get(CGAL::parameters::get_parameter(np, tag), e));
   else
     return false;
@@ -111,7 +130,7 @@ template <class FaceDescriptor, class CGALNamedParameters>
 void read_seeds(const std::vector<FaceDescriptor>& faces, const CGALNamedParameters& np,
                 Constraints& constraints)
 {
-  if constexpr (is_given<CGALNamedParameters, internal_np::face_seed_map_t>) {
+  if constexpr (has_map<FaceDescriptor, internal_np::face_seed_map_t, CGALNamedParameters>()) {
     using boost::get; // finds the overload for pointers
     const auto map = CGAL::parameters::get_parameter(np, internal_np::face_seed_map);
     for (Index f = 0; f < faces.size(); ++f) {
@@ -129,7 +148,7 @@ std::vector<Index> read_groups(const std::vector<FaceDescriptor>& faces,
                                const CGALNamedParameters& np)
 {
   std::vector<Index> result;
-  if constexpr (is_given<CGALNamedParameters, internal_np::face_group_map_t>) {
+  if constexpr (has_map<FaceDescriptor, internal_np::face_group_map_t, CGALNamedParameters>()) {
     using boost::get; // finds the overload for pointers
     const auto map = CGAL::parameters::get_parameter(np, internal_np::face_group_map);
     typedef typename boost::property_traits<std::decay_t<decltype(map)> >::value_type Group;

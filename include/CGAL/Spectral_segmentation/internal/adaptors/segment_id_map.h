@@ -33,7 +33,8 @@ constexpr bool is_segment_id_map()
 {
   constexpr bool is_map = is_any_property_map<SegmentIdMap>::value;
   static_assert(is_map, "the segment ids are given by a property map: for a std::map m that is "
-                        "boost::make_assoc_property_map(m)");
+                        "boost::make_assoc_property_map(m), for a std::vector v of the ids of "
+                        "faces with the numbers 0, 1, ... CGAL::make_property_map(v)");
   if constexpr (is_map) {
     typedef boost::property_traits<SegmentIdMap> Traits;
     constexpr bool has_faces = is_key_of<Face, typename Traits::key_type>::value;
