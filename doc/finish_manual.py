@@ -16,7 +16,7 @@ import pathlib
 import re
 import sys
 
-ROW = re.compile(r"  \['(\w+)_\d+',\['(.*?)',(\[.*\])\]\],?$", re.MULTILINE)
+ROW = re.compile(r"  \['\w+',\['(.*?)',(\[.*\])\]\],?$", re.MULTILINE)
 SECTION = re.compile(r'<h[1-6]><a class="anchor" id="(\w+)"></a>\s*(.*?)</h[1-6]>', re.DOTALL)
 PARAMETER = re.compile(r'<h2 class="memtitle">.*?</span>(\w+\(\))|<td class="paramname named">(\w+)')
 
@@ -61,8 +61,8 @@ def extend_search(folder, found):
     data = (folder / "searchdata.js").read_text()
     letters = re.search(r'0: "(.*?)"', data)[1]
     rows = {}
-    for path in folder.glob("all_*.js"):
-        for _, name, links in ROW.findall(path.read_text()):
+    for number in range(len(letters)): # other files are left from an earlier build
+        for name, links in ROW.findall((folder / ("all_%x.js" % number)).read_text()):
             found.append((name, links))
     for name, links in found:
         for key in keys(name):
@@ -70,8 +70,8 @@ def extend_search(folder, found):
     all_letters = letters + "".join(sorted(set(rows) - set(letters)))
     (folder / "searchdata.js").write_text(data.replace('"%s"' % letters, '"%s"' % all_letters, 1))
     for number, letter in enumerate(all_letters):
-        # Names that begin with a key come before those that only contain it.
-        order = sorted(rows.get(letter, ()), key=lambda row: (row[0], row[0] != identifier(row[1])))
+        # Names that begin with what is typed come before those that only contain it.
+        order = sorted(rows.get(letter, ()), key=lambda row: (row[0] != identifier(row[1]), row))
         lines = ["  ['%s_%d',['%s',%s]]" % (key, i, name, ",".join(rows[letter][key, name]))
                  for i, (key, name) in enumerate(order)]
         script = "all_%x.js" % number
