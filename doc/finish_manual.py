@@ -61,9 +61,8 @@ def extend_search(folder, found):
     data = (folder / "searchdata.js").read_text()
     letters = re.search(r'0: "(.*?)"', data)[1]
     rows = {}
-    for number in range(len(letters)): # other files are left from an earlier build
-        for name, links in ROW.findall((folder / ("all_%x.js" % number)).read_text()):
-            found.append((name, links))
+    for path in folder.glob("all_*.js"):
+        found.extend(ROW.findall(path.read_text()))
     for name, links in found:
         for key in keys(name):
             rows.setdefault(key[0], {}).setdefault((key, name), []).append(links)
