@@ -7,7 +7,9 @@ Changes the pages of a manual where Doxygen has no setting for it:
 
 - The search also finds named parameters and the titles of sections, and finds every name by each
   of its words. Doxygen indexes neither, and compares the beginnings of names only.
-- The tree of pages shows names without their namespaces, for which it has no room.
+- The tree of pages shows names without namespaces and template parameters, for which it has no
+  room.
+- The menu leads to the reference, without a page between them that lists only its two groups.
 - Concepts are called concepts, and name no header, because they have none.
 """
 
@@ -18,7 +20,8 @@ import sys
 
 ROW = re.compile(r"  \['\w+',\['(.*?)',(\[.*\])\]\],?$", re.MULTILINE)
 SECTION = re.compile(r'<h[1-6]><a class="anchor" id="(\w+)"></a>\s*(.*?)</h[1-6]>', re.DOTALL)
-PARAMETER = re.compile(r'<h2 class="memtitle">.*?</span>(\w+\(\))|<td class="paramname named">(\w+)')
+PARAMETER = re.compile(
+    r'<h2 class="memtitle">.*?</span>(\w+\(\))|<td class="paramname named">(\w+)')
 
 
 def identifier(words):
@@ -50,7 +53,8 @@ def mark_parameters(page, text):
         if match[1]:
             return match[0]
         anchor = "named_parameter_%d_%s" % (len(found), match[2])
-        found.append((match[2], "['../%s#%s',1,'named parameter of %s']" % (page, anchor, function)))
+        link = "['../%s#%s',1,'named parameter of %s']" % (page, anchor, function)
+        found.append((match[2], link))
         return '<td class="paramname named" id="%s">%s' % (anchor, match[2])
 
     return PARAMETER.sub(mark, text), found
@@ -91,7 +95,7 @@ def main():
         sections += find_sections(path.name, text)
         text, found = mark_parameters(path.name, text)
         parameters += found
-        if "<b>Concept</b>" in text:
+        if 'Concepts.html">Concepts</a></div>' in text:
             text = re.sub("Class Reference", "Concept Reference", text)
             text = re.sub(r"<p><code>#include.*</code></p>\n", "", text)
         path.write_text(text)
@@ -99,7 +103,11 @@ def main():
         sys.exit("finish_manual.py: there are no sections, or no named parameters")
     extend_search(folder / "search", parameters + sections)
     for path in folder.glob("group__*.js"):
-        path.write_text(re.sub(r'\[ "(?:\w+::)+', '[ "', path.read_text()))
+        names = re.sub(r'\[ "(?:\w+::)*(\w+)(?:< .*? >)?"', r'[ "\1"', path.read_text())
+        path.write_text(names)
+    menu = folder / "menudata.js"
+    reference = "group__PkgSpectralSegmentationRef.html"
+    menu.write_text(menu.read_text().replace("modules.html", reference))
 
 
 if __name__ == "__main__":
