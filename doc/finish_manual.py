@@ -52,7 +52,7 @@ def mark_parameters(page, text):
         function = match[1] or function
         if match[1]:
             return match[0]
-        anchor = "named_parameter_%d_%s" % (len(found), match[2])
+        anchor = function[:-2] + "_" + match[2]
         link = "['../%s#%s',1,'named parameter of %s']" % (page, anchor, function)
         found.append((match[2], link))
         return '<td class="paramname named" id="%s">%s' % (anchor, match[2])
