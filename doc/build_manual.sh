@@ -8,7 +8,9 @@
 
 set -euo pipefail
 mkdir -p "$4/pictures"
-rm -rf "$4/try"
+# Pages of an earlier build go; the pictures, and the shapes that they lead to, are made before.
+find "$4" -mindepth 1 -maxdepth 1 ! -name pictures ! -name pages -exec rm -r {} +
 [[ -z ${5:-} ]] || cp -r "$5" "$4/try"
 "$1" "$2"
+"$3" "$(dirname "$0")/finish_manual.py" "$4"
 "$3" "$(dirname "$0")/check_links.py" "$4"

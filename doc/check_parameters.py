@@ -1,9 +1,9 @@
 #!/usr/bin/env python3
 # Copyright (c) 2026  The Spectral_segmentation authors.
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""check_parameters.py HEADER TEXT
+"""check_parameters.py HEADER TEXT...
 
-Fails if the text, the user manual, leaves out a named parameter that the header documents.
+Fails if the texts, pages of the manual, leave out a named parameter that the header documents.
 """
 
 import pathlib
@@ -12,13 +12,14 @@ import sys
 
 
 def main():
-    if len(sys.argv) != 3:
+    if len(sys.argv) < 3:
         sys.exit(__doc__)
-    header, text = (pathlib.Path(name).read_text() for name in sys.argv[1:])
+    header, *texts = (pathlib.Path(name).read_text() for name in sys.argv[1:])
+    text = "".join(texts)
     names = re.findall(r"\\cgalParamNBegin\{(\w+)\}", header)
     missing = [name for name in names if not re.search(r"(`|params::)" + name + r"\b", text)]
     if missing or not names:
-        sys.exit("The user manual does not name: " + (", ".join(missing) or "any parameter"))
+        sys.exit("The manual does not name: " + (", ".join(missing) or "any parameter"))
 
 
 if __name__ == "__main__":

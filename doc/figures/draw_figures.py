@@ -41,7 +41,7 @@ LAYOUTS = {
     # Of a mesh that is long and low
     "tree": (4, (480, 290)),
     "salience_threshold": (4, (480, 290)),
-    "maximum_number_of_segments": (4, (480, 290)),
+    "number_of_segments": (4, (480, 290)),
     "number_of_regions": (4, (480, 290)),
 }
 USUAL_LAYOUT = (4, (480, 400))

@@ -274,11 +274,10 @@ inline void draw_tree(Picture_book& book, const Named_mesh& shape)
 {
   const Segmentation_hierarchy tree = hierarchy(shape.mesh, Engine_options());
   Row_colors colors;
-  const double none = -std::numeric_limits<double>::infinity();
-  const Labels regions = labels_of_tree(tree, none, tree.number_of_segments());
-  for (std::size_t n : {std::size_t(2), std::size_t(4), std::size_t(8)})
-    add_segments(book, "tree", shape, colors, labels_of_tree(tree, none, n),
-                 "at most " + std::to_string(n));
+  const Labels regions = tree.labels(tree.nodes(tree.number_of_segments()));
+  for (std::size_t n : {2, 4, 8})
+    add_segments(book, "tree", shape, colors, tree.labels(tree.nodes(n)),
+                 "nodes(" + std::to_string(n) + ")");
   const std::vector<Rgb> of_regions = colors(regions);
   book.add("tree",
            {shape, "all leaves: " + count(tree.number_of_segments(), "regions"), of_regions});

@@ -61,17 +61,14 @@ inline Named_mesh noisy(const Named_mesh& shape, double share)
 inline void draw_rows_of_tree(Picture_book& book, const Named_mesh& shape)
 {
   const Segmentation_hierarchy tree = hierarchy(shape.mesh, Engine_options());
-  const std::size_t no_limit = (std::numeric_limits<std::size_t>::max)();
-  const double infinity = std::numeric_limits<double>::infinity();
   Row_colors colors;
   for (double threshold : {0.9, 0.6, tree.salience_threshold(), 0.1})
     add_segments(book, "salience_threshold", shape, colors, labels_of_tree(tree, threshold),
                  caption_of("salience_threshold", threshold, tree.salience_threshold()));
   colors = Row_colors();
   for (std::size_t n : {2, 5, 10, 20})
-    add_segments(book, "maximum_number_of_segments", shape, colors,
-                 labels_of_tree(tree, -infinity, n),
-                 caption_of("maximum_number_of_segments", n, no_limit));
+    add_segments(book, "number_of_segments", shape, colors, tree.labels(tree.nodes(n)),
+                 "number_of_segments " + std::to_string(n));
 }
 
 // Ways to choose the parts of a model of many components.

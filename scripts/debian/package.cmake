@@ -1,8 +1,8 @@
 # Copyright (c) 2026  The Spectral_segmentation authors.
 # SPDX-License-Identifier: GPL-3.0-or-later
 
-# The Debian packages, of the headers, of the command line tool and for Python: `cpack` in the build
-# folder makes them.
+# The Debian packages, of the headers, of the command line tool, for Python, and of the manual:
+# `cpack` in the build folder makes them.
 
 set(CPACK_GENERATOR DEB)
 set(CPACK_PACKAGE_NAME spectral-segmentation)
@@ -10,6 +10,7 @@ set(CPACK_DEB_COMPONENT_INSTALL ON)
 set(CPACK_DEBIAN_DEV_PACKAGE_NAME libcgal-spectral-segmentation-dev)
 set(CPACK_DEBIAN_TOOL_PACKAGE_NAME segment-mesh)
 set(CPACK_DEBIAN_PYTHON_PACKAGE_NAME python3-spectral-segmentation)
+set(CPACK_DEBIAN_DOC_PACKAGE_NAME libcgal-spectral-segmentation-doc)
 # Debian wants an address, and the project has none: RFC 2606 keeps .invalid for such a case.
 set(CPACK_PACKAGE_CONTACT "Spectral_segmentation authors <noreply@spectral-segmentation.invalid>"
   CACHE STRING "Name and address of the maintainer of the Debian package")
@@ -22,6 +23,8 @@ set(CPACK_DEBIAN_DEV_PACKAGE_ARCHITECTURE all)
 set(CPACK_DEBIAN_DEV_PACKAGE_SECTION libdevel)
 set(CPACK_DEBIAN_DEV_PACKAGE_DEPENDS "libcgal-dev (>= 5.5), libeigen3-dev")
 set(CPACK_DEBIAN_DEV_PACKAGE_RECOMMENDS libtbb-dev)
+set(CPACK_DEBIAN_DEV_PACKAGE_SUGGESTS
+  "libcgal-spectral-segmentation-doc, nlohmann-json3-dev")
 set(CPACK_DEBIAN_TOOL_PACKAGE_SECTION graphics)
 find_program(DPKG_SHLIBDEPS dpkg-shlibdeps)
 if(DPKG_SHLIBDEPS)
@@ -36,6 +39,8 @@ endif()
 set(CPACK_DEBIAN_PYTHON_PACKAGE_SECTION python)
 set(CPACK_DEBIAN_PYTHON_PACKAGE_CONTROL_EXTRA
   ${CMAKE_CURRENT_LIST_DIR}/python/postinst ${CMAKE_CURRENT_LIST_DIR}/python/prerm)
+set(CPACK_DEBIAN_DOC_PACKAGE_ARCHITECTURE all)
+set(CPACK_DEBIAN_DOC_PACKAGE_SECTION doc)
 set(CPACK_STRIP_FILES ON)
 set(CPACK_DEBIAN_PACKAGE_CONTROL_STRICT_PERMISSION ON)
 set(CPACK_DEBIAN_TOOL_DESCRIPTION
@@ -48,6 +53,9 @@ set(CPACK_DEBIAN_PYTHON_DESCRIPTION
 
 It takes NumPy arrays of points and triangles, and meshes of trimesh, Open3D,
 PyVista and meshio.")
+set(CPACK_DEBIAN_DOC_DESCRIPTION
+"Manual of the library, the command line tool and the Python package that cut a
+mesh into the parts that a person would name.")
 set(CPACK_DEBIAN_DEV_DESCRIPTION
 "Header-only C++17 library for CGAL that cuts a triangle mesh into the parts
 that a person would name, such as legs, trunk and ears.
@@ -64,7 +72,7 @@ configure_file(${PROJECT_SOURCE_DIR}/CHANGELOG.md ${debian_dir}/changelog COPYON
 find_program(GZIP gzip)
 if(GZIP)
   execute_process(COMMAND ${GZIP} -9nf changelog changelog.Debian WORKING_DIRECTORY ${debian_dir})
-  foreach(component IN ITEMS DEV TOOL PYTHON)
+  foreach(component IN ITEMS DEV TOOL PYTHON DOC)
     string(TOLOWER debian_${component} name)
     install(FILES
       ${CMAKE_CURRENT_LIST_DIR}/copyright
@@ -85,9 +93,13 @@ endif()
 if(debian_python_version)
   list(APPEND CPACK_COMPONENTS_ALL python debian_python)
 endif()
+# There is a package of the manual if the target doc has built it before `cpack` runs.
+get_directory_property(CPACK_SPECTRAL_SEGMENTATION_MANUAL DIRECTORY ${PROJECT_SOURCE_DIR}/doc
+  DEFINITION manual_dir)
+set(CPACK_PROJECT_CONFIG_FILE ${CMAKE_CURRENT_LIST_DIR}/add_manual.cmake)
 
 include(CPack)
-foreach(component IN ITEMS dev tool python)
+foreach(component IN ITEMS dev tool python doc)
   cpack_add_component_group(${component})
   cpack_add_component(${component} GROUP ${component})
   cpack_add_component(debian_${component} GROUP ${component})

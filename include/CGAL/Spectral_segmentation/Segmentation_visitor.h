@@ -26,8 +26,8 @@ enum class Stage
 
 /// \ingroup PkgSpectralSegmentationRef
 /// Receives the progress of a run and may cancel it. All functions do nothing by default: derive
-/// from this class and redefine those you need. The functions are not virtual; a derived class that
-/// redefines none of them is an error at compile time.
+/// from this class and redefine those you need. The functions are not virtual: a run never calls a
+/// function whose name is misspelt. The compiler finds this only if the class redefines no other.
 ///
 /// A part is identified by the index of its node in the `Segmentation_hierarchy` of the run. In the
 /// calibrated method (default), which merges regions after the search, it is identified by its
