@@ -3,9 +3,14 @@
 """An add-on for Blender: cuts the active mesh object into the parts that a person would name."""
 
 import functools
+import importlib.util
 import os
+import pathlib
+import platform
 import re
+import sys
 import tempfile
+import zipfile
 
 import bmesh
 import bpy
@@ -17,14 +22,37 @@ bl_info = {
     "version": (0, 1, 0),
     "blender": (3, 4, 0),
     "location": "View3D > Object > Segment into Parts; View3D > Sidebar > Segment",
-    "description": "Cuts a mesh into the parts that a person would name. Needs the Python package "
-                   "spectral_segmentation",
+    "description": "Cuts a mesh into the parts that a person would name",
     "category": "Object",
 }
 
 ATTRIBUTE = "segment"
 # What this add-on has made, also where Blender has added a number
 OWN_NAME = re.compile(r"segment_\d{3,}(\.\d{3,})?$")
+
+
+def unpack_wheel():
+    """Lets Python find the package in the add-on's own wheel, as Blender does from 4.2 on."""
+    if importlib.util.find_spec("spectral_segmentation"):
+        return
+    wheels = pathlib.Path(__file__).resolve().parent / "wheels"
+    system = {"darwin": "macosx", "win32": "win"}.get(sys.platform, sys.platform)
+    for wheel in wheels.glob("*-cp%d%d-*.whl" % sys.version_info[:2]):
+        tag = wheel.stem.split("-")[-1]
+        if system in tag and tag.endswith(platform.machine().lower()):
+            folder = wheels / wheel.stem
+            try:
+                if not folder.is_dir(): # Python loads compiled code from a file of its own only.
+                    with tempfile.TemporaryDirectory(dir=wheels) as unfinished:
+                        unpacked = pathlib.Path(unfinished, "unpacked")
+                        zipfile.ZipFile(wheel).extractall(unpacked)
+                        unpacked.rename(folder)
+            except (OSError, zipfile.BadZipFile) as error:
+                raise ImportError("the add-on's wheel cannot be unpacked: %s" % error) from None
+            sys.path.append(str(folder))
+            return
+    raise ImportError("the add-on has no wheel for Python %d.%d on %s %s" % (
+        *sys.version_info[:2], platform.system(), platform.machine()))
 
 
 def segment_name(label):
@@ -57,7 +85,7 @@ def ply_of(mesh, scale):
 @functools.lru_cache(maxsize=2)
 def search(ply, method, **limit):
     """The triangles of the mesh and the hierarchy of its cuts, of which a slider asks again."""
-    import spectral_segmentation # when it is needed, so that the add-on can tell that it is missing
+    import spectral_segmentation
     with tempfile.TemporaryDirectory() as folder:
         path = os.path.join(folder, "mesh.ply")
         with open(path, "wb") as file:
@@ -278,12 +306,13 @@ class OBJECT_OT_segment_into_parts(bpy.types.Operator):
     def execute(self, context):
         object = context.active_object
         try:
+            unpack_wheel() # only now, so that the add-on can tell what is missing
             labels, colors = self.segment(object)
         except ImportError as error:
             self.report({'ERROR'}, "The Python package spectral_segmentation cannot be loaded; the "
                         "README of the add-on tells how to install it: %s" % error)
             return {'CANCELLED'}
-        except (ValueError, OverflowError, MemoryError) as error:
+        except (ValueError, OverflowError, MemoryError, OSError) as error:
             self.report({'ERROR'}, "Not segmented: %s" % error)
             return {'CANCELLED'}
         for identifier, _, _, write in RESULTS:
