@@ -78,6 +78,12 @@ PYTHONPATH="$build/g++-release/bindings/python" \
   -P bindings/blender/test/segment_parts_in_blender.py -- \
   "$build/g++-release/bindings/command_line/segment_mesh" "$build/g++-release/data/meshes" ||
   failed+=(blender)
+empty=$(mktemp -d)
+/usr/bin/python3 bindings/blender/build_zip.py "$empty/segment_parts.zip" &&
+  BLENDER_USER_CONFIG="$empty" BLENDER_USER_SCRIPTS="$empty" \
+    blender -b -noaudio --factory-startup --python-exit-code 1 \
+    -P bindings/blender/test/zip_in_blender.py -- "$empty/segment_parts.zip" ||
+  failed+=(blender_zip)
 
 echo "=== Python, installed"
 scripts/check_python.sh "$build/g++-release/bindings/command_line/segment_mesh" \

@@ -1,11 +1,15 @@
 # Copyright (c) 2026  The Spectral_segmentation authors.
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""An add-on for Blender: cuts the active mesh object into the parts that a person would name."""
+"""An add-on for Blender: cuts mesh objects into the parts that a person would name."""
 
-import functools
+import importlib.util
 import os
-import re
+import pathlib
+import platform
+import sys
 import tempfile
+import threading
+import zipfile
 
 import bmesh
 import bpy
@@ -17,14 +21,43 @@ bl_info = {
     "version": (0, 1, 0),
     "blender": (3, 4, 0),
     "location": "View3D > Object > Segment into Parts; View3D > Sidebar > Segment",
-    "description": "Cuts a mesh into the parts that a person would name. Needs the Python package "
-                   "spectral_segmentation",
+    "description": "Cuts a mesh into the parts that a person would name",
     "category": "Object",
 }
 
 ATTRIBUTE = "segment"
-# What this add-on has made, also where Blender has added a number
-OWN_NAME = re.compile(r"segment_\d{3,}(\.\d{3,})?$")
+# The custom property of what this add-on has made; for materials and groups it has their names, so
+# that those which the user renames are the user's.
+MARK = "segment_parts"
+FORMER_MATERIAL = "segment_former_material" # attribute of faces: the index of the slot
+
+
+class Cancelled(Exception):
+    """Ends a search from its progress function."""
+
+
+def unpack_wheel():
+    """Lets Python find the package in the add-on's own wheel, as Blender does from 4.2 on."""
+    if importlib.util.find_spec("spectral_segmentation"):
+        return
+    wheels = pathlib.Path(__file__).resolve().parent / "wheels"
+    system = {"darwin": "macosx", "win32": "win"}.get(sys.platform, sys.platform)
+    for wheel in wheels.glob("*-cp%d%d-*.whl" % sys.version_info[:2]):
+        tag = wheel.stem.split("-")[-1]
+        if system in tag and tag.endswith(platform.machine().lower()):
+            folder = wheels / wheel.stem
+            try:
+                if not folder.is_dir(): # Python loads compiled code from a file of its own only.
+                    with tempfile.TemporaryDirectory(dir=wheels) as unfinished:
+                        unpacked = pathlib.Path(unfinished, "unpacked")
+                        zipfile.ZipFile(wheel).extractall(unpacked)
+                        unpacked.rename(folder)
+            except (OSError, zipfile.BadZipFile) as error:
+                raise ImportError("the add-on's wheel cannot be unpacked: %s" % error) from None
+            sys.path.append(str(folder))
+            return
+    raise ImportError("the add-on has no wheel for Python %d.%d on %s %s" % (
+        *sys.version_info[:2], platform.system(), platform.machine()))
 
 
 def segment_name(label):
@@ -37,55 +70,90 @@ def integers(collection, attribute):
     return result
 
 
-def ply_of(mesh, scale):
-    """The polygons as a file of PLY, which is read as the tool `segment_mesh` reads it."""
-    points = np.empty(3 * len(mesh.vertices), np.float32)
-    mesh.vertices.foreach_get("co", points)
+def flags(collection, attribute):
+    result = np.empty(len(collection), bool)
+    collection.foreach_get(attribute, result)
+    return result
+
+
+def polygons_of(mesh):
+    return (integers(mesh.loops, "vertex_index"), integers(mesh.polygons, "loop_start"),
+            integers(mesh.polygons, "loop_total"))
+
+
+def points_of(object, depsgraph):
+    """Returns the points as they look. Raises ValueError if modifiers make other faces."""
+
+    def read(mesh):
+        points = np.empty(3 * len(mesh.vertices), np.float32)
+        mesh.vertices.foreach_get("co", points)
+        return points.reshape(-1, 3)
+
+    if len(object.modifiers) == 0 and object.data.shape_keys is None:
+        return read(object.data)
+    evaluated = object.evaluated_get(depsgraph)
+    mesh = evaluated.to_mesh()
+    try:
+        if not all(map(np.array_equal, polygons_of(mesh), polygons_of(object.data))):
+            names = [modifier.name for modifier in object.modifiers if modifier.show_viewport]
+            raise ValueError("modifiers (%s) change its faces; apply them by Object > Convert > "
+                             "Mesh, or disable them in the viewport" % ", ".join(names))
+        return read(mesh)
+    finally:
+        evaluated.to_mesh_clear()
+
+
+def ply_of(object, depsgraph):
+    """Returns the polygons as a PLY file, which the package reads as `segment_mesh` does."""
+    points = points_of(object, depsgraph)
     if not np.isfinite(points).all():
         raise ValueError("the mesh has coordinates that are not finite")
-    points = points.reshape(-1, 3) * np.asarray(scale, np.float32)
-    polygons = np.insert(integers(mesh.loops, "vertex_index"),
-                         integers(mesh.polygons, "loop_start"),
-                         integers(mesh.polygons, "loop_total"))
+    scale = [abs(s) for s in object.matrix_world.to_scale()]
+    if max(scale) - min(scale) > 1e-6 * max(scale): # An even scale does not change the shape.
+        points = points * np.asarray(scale, np.float32)
+    corners, starts, totals = polygons_of(object.data)
+    polygons = np.insert(corners, starts, totals)
     header = ("ply\nformat binary_little_endian 1.0\nelement vertex %d\nproperty float x\n"
               "property float y\nproperty float z\nelement face %d\n"
-              "property list int int vertex_indices\nend_header\n"
-              % (len(points), len(mesh.polygons)))
+              "property list int int vertex_indices\nend_header\n" % (len(points), len(totals)))
     return header.encode() + points.astype("<f4").tobytes() + polygons.astype("<i4").tobytes()
 
 
-@functools.lru_cache(maxsize=2)
-def search(ply, method, **limit):
-    """The triangles of the mesh and the hierarchy of its cuts, of which a slider asks again."""
-    import spectral_segmentation # when it is needed, so that the add-on can tell that it is missing
-    with tempfile.TemporaryDirectory() as folder:
-        path = os.path.join(folder, "mesh.ply")
-        with open(path, "wb") as file:
-            file.write(ply)
-        mesh = spectral_segmentation.read(path)
-    manager = bpy.context.window_manager
-    manager.progress_begin(0, 100)
-    try:
-        hierarchy = spectral_segmentation.segment_hierarchy(
-            mesh, method=method, progress=lambda share: manager.progress_update(100 * share),
-            **limit)
-    finally:
-        manager.progress_end()
-    return mesh, hierarchy
+searches = {} # what a slider asks again, the last one used last
 
 
-def segment_triangles(ply, method, number, threshold):
-    """The triangles and their labels: those of `segment()`, if possible of a run that was made."""
-    mesh, hierarchy = search(ply, method)
+def search(ply, method, progress, **limit):
+    """Returns the triangles of the mesh and the hierarchy of its cuts."""
+    import spectral_segmentation
+    key = (ply, method, *limit.items())
+    found = searches.pop(key, None)
+    if found is None:
+        with tempfile.TemporaryDirectory() as folder:
+            path = os.path.join(folder, "mesh.ply")
+            with open(path, "wb") as file:
+                file.write(ply)
+            mesh = spectral_segmentation.read(path)
+        found = mesh, spectral_segmentation.segment_hierarchy(mesh, method=method,
+                                                              progress=progress, **limit)
+    searches[key] = found
+    return found
+
+
+def segment_triangles(ply, method, number, threshold, progress):
+    """Returns the triangles and the labels of `segment()`, if possible without a new search."""
+    mesh, hierarchy = search(ply, method, progress)
     if number is not None:
+        if number > len(mesh.triangles):
+            raise ValueError("%d parts are more than the %d triangles of the mesh"
+                             % (number, len(mesh.triangles)))
         if number > hierarchy.number_of_segments:
-            mesh, hierarchy = search(ply, method, number_of_segments=number)
+            mesh, hierarchy = search(ply, method, progress, number_of_segments=number)
         return mesh, hierarchy.labels(number)
     if threshold is not None:
         try:
             return mesh, hierarchy.labels(salience_threshold=threshold)
         except ValueError: # cuts are needed that the run did not make
-            return mesh, search(ply, method, salience_threshold=threshold)[1].labels()
+            return mesh, search(ply, method, progress, salience_threshold=threshold)[1].labels()
     return mesh, hierarchy.labels()
 
 
@@ -110,53 +178,112 @@ def linear(colors):
     return np.concatenate([c, np.ones((len(c), 1))], axis=1).tolist()
 
 
+def remove_layer(mesh, name):
+    """Removes an attribute, and returns its values, or None if there is none."""
+    layer = mesh.attributes.get(name)
+    if layer is None:
+        return None
+    values = flags(layer.data, "value") if layer.data_type == 'BOOLEAN' else \
+        integers(layer.data, "value")
+    mesh.attributes.remove(layer)
+    return values
+
+
+def add_layer(mesh, name, data_type, domain, values):
+    mesh.attributes.new(name, data_type, domain).data.foreach_set("value", values)
+
+
+def remove_attribute(object):
+    if MARK not in object.data:
+        return False
+    del object.data[MARK]
+    return remove_layer(object.data, ATTRIBUTE) is not None
+
+
 def write_attribute(object, labels, colors):
-    attributes = object.data.attributes
-    if ATTRIBUTE in attributes:
-        attributes.remove(attributes[ATTRIBUTE])
-    attributes.new(ATTRIBUTE, 'INT', 'FACE').data.foreach_set("value", labels)
+    remove_attribute(object)
+    add_layer(object.data, ATTRIBUTE, 'INT', 'FACE', labels)
+    object.data[MARK] = True
 
 
-def remove_own(groups):
-    for group in [group for group in groups if OWN_NAME.match(group.name)]:
-        groups.remove(group)
+def remove_groups(owner, key, groups):
+    names = owner.get(key)
+    if names is None:
+        return False
+    for name in names.split("\n"):
+        if name in groups:
+            groups.remove(groups[name])
+    del owner[key]
+    return True
+
+
+def add_groups(owner, key, groups, number):
+    result = [groups.new(name=segment_name(label)) for label in range(number)]
+    owner[key] = "\n".join(group.name for group in result)
+    return result
+
+
+def remove_face_maps(object):
+    return remove_groups(object, MARK + "_face_maps", object.face_maps)
 
 
 def write_face_maps(object, labels, colors):
-    remove_own(object.face_maps)
+    remove_face_maps(object)
     first = len(object.face_maps)
-    for label in range(len(colors)):
-        object.face_maps.new(name=segment_name(label))
+    add_groups(object, MARK + "_face_maps", object.face_maps, len(colors))
     layers = object.data.face_maps
     (layers.active or layers.new()).data.foreach_set("value", first + labels)
 
 
+def remove_vertex_groups(object):
+    # The mesh has the names of the groups, also for other objects with this mesh.
+    return remove_groups(object.data, MARK + "_vertex_groups", object.vertex_groups)
+
+
 def write_vertex_groups(object, labels, colors):
-    remove_own(object.vertex_groups)
+    remove_vertex_groups(object)
     vertices = integers(object.data.loops, "vertex_index")
     of_corner = np.repeat(labels, integers(object.data.polygons, "loop_total"))
-    for label in range(len(colors)):
-        group = object.vertex_groups.new(name=segment_name(label))
+    groups = add_groups(object.data, MARK + "_vertex_groups", object.vertex_groups, len(colors))
+    for label, group in enumerate(groups):
         group.add(np.unique(vertices[of_corner == label]).tolist(), 1, 'REPLACE')
 
 
+def remove_materials(object):
+    """Removes the add-on's materials. Faces that have them get back what they had before."""
+    mesh = object.data
+    slots = mesh.materials
+    is_own = np.array([slot is not None and slot.get(MARK) == slot.name for slot in slots], bool)
+    former = remove_layer(mesh, FORMER_MATERIAL)
+    if not is_own.any():
+        return False
+    index = np.minimum(integers(mesh.polygons, "material_index"), len(slots) - 1)
+    index = np.where(is_own[index], 0 if former is None else former,
+                     np.cumsum(~is_own)[index] - 1)
+    for i in np.flatnonzero(is_own)[::-1].tolist():
+        material = slots.pop(index=i)
+        if material.users == 0:
+            bpy.data.materials.remove(material)
+    index = np.clip(index, 0, max(len(slots) - 1, 0)).astype(np.int32)
+    mesh.polygons.foreach_set("material_index", index)
+    return True
+
+
 def write_materials(object, labels, colors):
-    slots = object.data.materials
-    for i in reversed(range(len(slots))):
-        if slots[i] is not None and OWN_NAME.match(slots[i].name):
-            material = slots.pop(index=i)
-            if material.users == 0:
-                bpy.data.materials.remove(material)
-    first = len(slots)
+    remove_materials(object)
+    mesh = object.data
+    add_layer(mesh, FORMER_MATERIAL, 'INT', 'FACE', integers(mesh.polygons, "material_index"))
+    first = len(mesh.materials)
     for label, color in enumerate(linear(colors)):
         material = bpy.data.materials.new(segment_name(label))
+        material[MARK] = material.name
         material.diffuse_color = color # in Solid mode
         material.use_nodes = True
         for node in material.node_tree.nodes:
             if node.type == 'BSDF_PRINCIPLED':
                 node.inputs["Base Color"].default_value = color
-        slots.append(material)
-    object.data.polygons.foreach_set("material_index", first + labels)
+        mesh.materials.append(material)
+    mesh.polygons.foreach_set("material_index", first + labels)
 
 
 def split(bm, labels):
@@ -199,20 +326,91 @@ def write_objects(object, labels, colors):
 # What is written, in this order: the separate objects have what was written before.
 RESULTS = [
     ('MATERIALS', "Materials", "A material for each part, unlike those of its neighbors",
-     write_materials),
-    ('VERTEX_GROUPS', "Vertex Groups", "A group of the vertices of each part", write_vertex_groups),
-    ('FACE_MAPS', "Face Maps", "A face map for each part", write_face_maps),
+     write_materials, remove_materials),
+    ('VERTEX_GROUPS', "Vertex Groups", "A group of the vertices of each part", write_vertex_groups,
+     remove_vertex_groups),
+    ('FACE_MAPS', "Face Maps", "A face map for each part", write_face_maps, remove_face_maps),
     ('ATTRIBUTE', "Face Attribute", "The number of the part of each face, from 0, as the integer "
-     "attribute 'segment'", write_attribute),
+     "attribute 'segment'", write_attribute, remove_attribute),
     ('OBJECTS', "Separate Objects", "An object for each part, in a collection of its own; the "
-     "object itself is hidden", write_objects),
+     "object itself is hidden", write_objects, None),
 ]
 if "face_maps" not in bpy.types.Object.bl_rna.properties: # Blender 4
     RESULTS = [result for result in RESULTS if result[0] != 'FACE_MAPS']
 
 
+class Run:
+    """A run for all selected objects. Only `search` may be called in another thread."""
+
+    def __init__(self, operator, context):
+        unpack_wheel() # only now, so that the add-on can tell what is missing
+        import spectral_segmentation # for an error before the run
+        if not operator.results:
+            raise ValueError("no result is chosen")
+        self.method = operator.method.lower()
+        self.number = operator.number if operator.choice == 'NUMBER' else None
+        self.threshold = round(operator.salience_threshold, 6) \
+            if operator.choice == 'THRESHOLD' else None # a property of 32 bits
+        self.share = 0 # that is done
+        self.is_cancelled = False
+        self.error = None
+        self.inputs = []  # objects and their meshes
+        self.outputs = [] # objects, the labels of their polygons, and the colors of the parts
+        self.skipped = [] # sentences
+        depsgraph = context.evaluated_depsgraph_get()
+        for object in context.selected_objects:
+            try:
+                check(object, operator.results)
+                self.inputs.append((object, object.name, len(object.data.polygons),
+                                    ply_of(object, depsgraph)))
+            except ValueError as error:
+                self.skipped.append("%s: %s" % (object.name, error))
+        if not self.inputs:
+            raise ValueError("; ".join(self.skipped) or "no object is selected")
+
+    def search(self, tell):
+        """Finds the parts, and tells the share that is done. Nothing of Blender is called."""
+        from spectral_segmentation import segment_colors
+        for i, (object, name, number_of_polygons, ply) in enumerate(self.inputs):
+
+            def progress(share):
+                if self.is_cancelled:
+                    raise Cancelled
+                self.share = (i + share) / len(self.inputs)
+                tell(self.share)
+
+            try:
+                mesh, labels = segment_triangles(ply, self.method, self.number, self.threshold,
+                                                 progress)
+            except (ValueError, OverflowError) as error:
+                self.skipped.append("%s: %s" % (name, error))
+                continue
+            self.outputs.append((object, labels_of_polygons(mesh, labels, number_of_polygons),
+                                 segment_colors(mesh.triangles, labels)))
+        if not self.outputs:
+            raise ValueError("; ".join(self.skipped))
+
+    def search_in_thread(self):
+        try:
+            self.search(lambda share: None)
+        except BaseException as error: # finish() raises it.
+            self.error = error
+
+
+def check(object, results):
+    """Raises ValueError if the object cannot be segmented."""
+    if object.type != 'MESH':
+        raise ValueError("the object is no mesh")
+    if object.library is not None or object.data.library is not None:
+        raise ValueError("the object is linked from another file; make it local first")
+    if len(object.data.polygons) == 0:
+        raise ValueError("the mesh has no faces")
+    if 'ATTRIBUTE' in results and ATTRIBUTE in object.data.attributes and MARK not in object.data:
+        raise ValueError("the mesh has an attribute '%s' of yours; rename that first" % ATTRIBUTE)
+
+
 class OBJECT_OT_segment_into_parts(bpy.types.Operator):
-    """Cut the active mesh into the parts that a person would name"""
+    """Cut the selected meshes into the parts that a person would name"""
 
     bl_idname = "object.segment_into_parts"
     bl_label = "Segment into Parts"
@@ -255,44 +453,118 @@ class OBJECT_OT_segment_into_parts(bpy.types.Operator):
         layout.prop(self, "method")
         layout.column().prop(self, "results")
 
-    def segment(self, object):
-        """The label of each polygon, and the colors of the parts. Nothing is written here."""
-        if object is None or object.type != 'MESH':
-            raise ValueError("the active object is no mesh")
-        if object.library is not None or object.data.library is not None:
-            raise ValueError("the object is linked from another file; make it local first")
-        if len(object.data.polygons) == 0:
-            raise ValueError("the mesh has no faces")
-        scale = [abs(s) for s in object.matrix_world.to_scale()]
-        if max(scale) - min(scale) <= 1e-6 * max(scale): # which is no matter of the shape
-            scale = (1, 1, 1)
-        mesh, labels = segment_triangles(
-            ply_of(object.data, scale), self.method.lower(),
-            self.number if self.choice == 'NUMBER' else None,
-            # a property of 32 bits
-            round(self.salience_threshold, 6) if self.choice == 'THRESHOLD' else None)
-        from spectral_segmentation import segment_colors
-        return (labels_of_polygons(mesh, labels, len(object.data.polygons)),
-                segment_colors(mesh.triangles, labels))
-
-    def execute(self, context):
-        object = context.active_object
-        try:
-            labels, colors = self.segment(object)
-        except ImportError as error:
+    def report_error(self, error):
+        if isinstance(error, ImportError):
             self.report({'ERROR'}, "The Python package spectral_segmentation cannot be loaded; the "
                         "README of the add-on tells how to install it: %s" % error)
-            return {'CANCELLED'}
-        except (ValueError, OverflowError, MemoryError) as error:
+        elif isinstance(error, (ValueError, OverflowError, MemoryError, OSError)):
             self.report({'ERROR'}, "Not segmented: %s" % error)
+        else:
+            raise error
+        return {'CANCELLED'}
+
+    def execute(self, context):
+        manager = context.window_manager
+        manager.progress_begin(0, 100)
+        try:
+            run = Run(self, context)
+            run.search(lambda share: manager.progress_update(100 * share))
+        except Exception as error:
+            return self.report_error(error)
+        finally:
+            manager.progress_end()
+        return self.write(context, run)
+
+    def invoke(self, context, event):
+        if bpy.app.background:
+            return self.execute(context)
+        try:
+            self.run = Run(self, context)
+        except Exception as error:
+            return self.report_error(error)
+        self.thread = threading.Thread(target=self.run.search_in_thread, daemon=True)
+        self.thread.start()
+        self.thread.join(0.2)
+        if not self.thread.is_alive():
+            return self.finish(context)
+        manager = context.window_manager
+        manager.progress_begin(0, 100)
+        self.timer = manager.event_timer_add(0.1, window=context.window)
+        manager.modal_handler_add(self)
+        return {'RUNNING_MODAL'}
+
+    def modal(self, context, event):
+        if event.type == 'ESC':
+            self.cancel(context)
+            self.report({'INFO'}, "Cancelled: nothing is segmented")
             return {'CANCELLED'}
-        for identifier, _, _, write in RESULTS:
-            if identifier in self.results:
-                write(object, labels, colors)
-        object.data.update()
-        if self.choice != 'NUMBER':
-            self.number = len(colors) # where the slider starts
-        self.report({'INFO'}, "Number of parts: %d" % len(colors))
+        if event.type == 'TIMER':
+            if not self.thread.is_alive():
+                self.end_modal(context)
+                return self.finish(context)
+            context.window_manager.progress_update(100 * self.run.share)
+            context.workspace.status_text_set("Segment into Parts: %d %%     Esc: Cancel"
+                                              % (100 * self.run.share))
+        return {'RUNNING_MODAL'}
+
+    def end_modal(self, context):
+        context.window_manager.event_timer_remove(self.timer)
+        context.window_manager.progress_end()
+        context.workspace.status_text_set(None)
+
+    def cancel(self, context):
+        """Ends the run; Blender calls this too. The thread ends at its next call of progress."""
+        self.run.is_cancelled = True
+        self.end_modal(context)
+
+    def finish(self, context):
+        if self.run.error is not None:
+            return self.report_error(self.run.error)
+        return self.write(context, self.run)
+
+    def write(self, context, run):
+        active = context.active_object
+        for object, labels, colors in run.outputs:
+            for identifier, _, _, write, _ in RESULTS:
+                if identifier in self.results:
+                    write(object, labels, colors)
+            object.data.update()
+        while len(searches) > 2 * len(run.inputs):
+            del searches[next(iter(searches))]
+        numbers = {object.name: len(colors) for object, _, colors in run.outputs}
+        total = sum(numbers.values())
+        if self.choice != 'NUMBER': # where the slider starts
+            self.number = numbers.get(active.name if active else None, max(numbers.values()))
+        for sentence in run.skipped:
+            self.report({'WARNING'}, "Skipped %s" % sentence)
+        self.report({'INFO'}, "Number of parts: %d" % total if len(numbers) == 1 else
+                    "Number of parts: %d in %d objects" % (total, len(numbers)))
+        return {'FINISHED'}
+
+
+class OBJECT_OT_remove_segmentation(bpy.types.Operator):
+    """Remove what Segment into Parts has made of the selected meshes, but separate objects"""
+
+    bl_idname = "object.remove_segmentation"
+    bl_label = "Remove Segmentation"
+    bl_options = {'REGISTER', 'UNDO'}
+
+    @classmethod
+    def poll(cls, context):
+        cls.poll_message_set("Only in Object Mode")
+        return context.mode == 'OBJECT'
+
+    def execute(self, context):
+        number = 0
+        for object in context.selected_objects:
+            if object.type == 'MESH' and object.library is None and object.data.library is None:
+                removed = [remove(object) for *_, remove in RESULTS if remove is not None]
+                number += any(removed)
+                object.data.update()
+        if number == 0:
+            self.report({'ERROR'}, "No selected object has a segmentation")
+            return {'CANCELLED'}
+        self.report({'INFO'}, "Segmentations removed: %d" % number)
         return {'FINISHED'}
 
 
@@ -304,20 +576,26 @@ class VIEW3D_PT_segment_into_parts(bpy.types.Panel):
 
     def draw(self, context):
         self.layout.operator(OBJECT_OT_segment_into_parts.bl_idname, icon='MOD_EXPLODE')
+        self.layout.operator(OBJECT_OT_remove_segmentation.bl_idname, icon='X')
 
 
 def draw_menu(self, context):
     self.layout.separator()
     self.layout.operator(OBJECT_OT_segment_into_parts.bl_idname)
+    self.layout.operator(OBJECT_OT_remove_segmentation.bl_idname)
+
+
+CLASSES = [OBJECT_OT_segment_into_parts, OBJECT_OT_remove_segmentation,
+           VIEW3D_PT_segment_into_parts]
 
 
 def register():
-    bpy.utils.register_class(OBJECT_OT_segment_into_parts)
-    bpy.utils.register_class(VIEW3D_PT_segment_into_parts)
+    for cls in CLASSES:
+        bpy.utils.register_class(cls)
     bpy.types.VIEW3D_MT_object.append(draw_menu)
 
 
 def unregister():
     bpy.types.VIEW3D_MT_object.remove(draw_menu)
-    bpy.utils.unregister_class(VIEW3D_PT_segment_into_parts)
-    bpy.utils.unregister_class(OBJECT_OT_segment_into_parts)
+    for cls in reversed(CLASSES):
+        bpy.utils.unregister_class(cls)

@@ -3,7 +3,7 @@
 """Builds the package from the headers of the repository, or from their copies in an sdist.
 
 CPPFLAGS may name the folders of CGAL, Boost, Eigen, nlohmann-json and TBB, such as
--I/opt/cgal/include.
+-I/opt/cgal/include. With SPECTRAL_SEGMENTATION_WITHOUT_TBB=1 the extension needs no other library.
 """
 
 import os
@@ -41,6 +41,8 @@ def eigen_folders():
 class Build(build_ext):
 
     def has_tbb(self):
+        if os.environ.get("SPECTRAL_SEGMENTATION_WITHOUT_TBB") == "1":
+            return False
         with tempfile.TemporaryDirectory() as folder:
             source = os.path.join(folder, "tbb.cpp")
             pathlib.Path(source).write_text(TBB_PROGRAM)

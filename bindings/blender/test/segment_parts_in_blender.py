@@ -23,6 +23,7 @@ import segment_parts # after the path is known
 
 TOOL, MESHES = sys.argv[sys.argv.index("--") + 1:]
 segment = bpy.ops.object.segment_into_parts
+remove = bpy.ops.object.remove_segmentation
 HAS_FACE_MAPS = "face_maps" in bpy.types.Object.bl_rna.properties
 
 
@@ -161,18 +162,61 @@ class Labels(Object_test):
         expected = spectral_segmentation.segment(points, faces_of(thing.data), number_of_segments=5)
         self.assertEqual(self.labels(thing, choice='NUMBER', number=5), expected.tolist())
 
-    def test_modifiers_are_left_out(self):
+    def test_modifiers_and_shape_keys_that_keep_faces_change_the_shape(self):
+        thing = add_elephant()
+        before = self.labels(thing, choice='NUMBER', number=5)
+        points, triangles = np.array(points_of(thing.data), np.float32), faces_of(thing.data)
+        middle = (points[:, 2].min() + points[:, 2].max()) / 2
+        points[points[:, 2] > middle, 2] += 3
+        expected = spectral_segmentation.segment(points, triangles, number_of_segments=5).tolist()
+        self.assertNotEqual(before, expected)
+
+        thing.shape_key_add(name="Basis")
+        key = thing.shape_key_add(name="Long")
+        key.data.foreach_set("co", points.ravel())
+        key.value = 1
+        self.assertEqual(self.labels(thing, choice='NUMBER', number=5), expected)
+        key.value = 0
+        self.assertEqual(self.labels(thing, choice='NUMBER', number=5), before)
+        thing.shape_key_clear()
+
+        group = thing.vertex_groups.new(name="upper")
+        group.add(np.flatnonzero(points[:, 2] > middle).tolist(), 1, 'REPLACE')
+        modifier = thing.modifiers.new("Displace", 'DISPLACE')
+        modifier.direction, modifier.mid_level, modifier.strength = 'Z', 0, 3
+        modifier.vertex_group = "upper"
+        self.assertEqual(self.labels(thing, choice='NUMBER', number=5), expected)
+        modifier.show_viewport = False
+        self.assertEqual(self.labels(thing, choice='NUMBER', number=5), before)
+
+    def test_modifier_that_is_not_seen_is_left_out(self):
         thing = add_suzanne()
         before = self.labels(thing)
-        thing.modifiers.new("Subdivision", 'SUBSURF').levels = 2
+        thing.modifiers.new("Subdivision", 'SUBSURF').show_viewport = False
         self.assertEqual(self.labels(thing), before)
+
+    def test_all_selected_meshes(self):
+        elephant = add_elephant()
+        expected = self.labels(elephant, choice='NUMBER', number=5)
+        bpy.ops.object.light_add()
+        light = bpy.context.object
+        points = add_object("Points", [(0, 0, 0), (1, 0, 0)], [])
+        suzanne = add_suzanne()
+        other = add_elephant()
+        for thing in (elephant, light, points, suzanne):
+            thing.select_set(True)
+        other.select_set(False)
+        labels = self.labels(suzanne, choice='NUMBER', number=5)
+        self.assertEqual(set(labels), set(range(5)))
+        self.assertEqual(attribute_of(elephant.data), expected)
+        self.assertNotIn("segment", other.data.attributes)
 
 
 class Slider(Object_test):
 
     def setUp(self):
         super().setUp()
-        segment_parts.search.cache_clear()
+        segment_parts.searches.clear()
         self.searches = 0
         search = spectral_segmentation.segment_hierarchy
 
@@ -269,6 +313,50 @@ class Results(Object_test):
             node = material.node_tree.nodes["Principled BSDF"]
             self.assertEqual(node.inputs["Base Color"].default_value[:], material.diffuse_color[:])
 
+    def test_names_of_the_user_stay(self):
+        thing = add_suzanne()
+        names_of_user = ["segment_000", "segment_007"]
+        for name in names_of_user:
+            thing.data.materials.append(bpy.data.materials.new(name))
+            thing.vertex_groups.new(name=name)
+        for number in (5, 3):
+            segment(choice='NUMBER', number=number, results=self.all_results())
+            self.assertEqual([m.name for m in thing.data.materials],
+                             names_of_user + ["segment_000.001"] + names(number)[1:])
+            self.assertEqual([g.name for g in thing.vertex_groups],
+                             names_of_user + ["segment_000.001"] + names(number)[1:])
+        thing.data.materials[3].name = "head"
+        remove()
+        self.assertEqual([m.name for m in thing.data.materials], names_of_user + ["head"])
+        self.assertEqual([g.name for g in thing.vertex_groups], names_of_user)
+
+    def test_remove_brings_everything_back(self):
+        thing = add_suzanne()
+        mesh = thing.data
+        for name in ("fur", "eyes", "nose"):
+            mesh.materials.append(bpy.data.materials.new(name))
+        faces = len(mesh.polygons)
+        before = (np.arange(faces) * 7 % 3).tolist()
+        mesh.polygons.foreach_set("material_index", before)
+        attributes = mesh.attributes.keys()
+        for number in (5, 8):
+            segment(choice='NUMBER', number=number, results=self.all_results())
+        with self.assertRaisesRegex(RuntimeError, "attribute 'segment' of yours"):
+            del mesh["segment_parts"]
+            segment(results={'ATTRIBUTE'})
+        mesh["segment_parts"] = True
+        mesh.polygons[0].material_index = 1 # The user gives a face another material meanwhile.
+        before[0] = 1
+        self.assertEqual(remove(), {'FINISHED'})
+        self.assertEqual([p.material_index for p in mesh.polygons], before)
+        self.assertEqual([m.name for m in mesh.materials], ["fur", "eyes", "nose"])
+        self.assertEqual([m.name for m in bpy.data.materials], ["eyes", "fur", "nose"])
+        self.assertEqual(len(thing.vertex_groups), 0)
+        self.assertEqual(mesh.attributes.keys(), attributes)
+        self.assertEqual((list(mesh.keys()), list(thing.keys())), ([], []))
+        with self.assertRaisesRegex(RuntimeError, "No selected object has a segmentation"):
+            remove()
+
     def test_objects_are_the_parts(self):
         for add in (add_suzanne, add_elephant):
             whole = add()
@@ -326,11 +414,23 @@ class Errors(Object_test):
             self.assertNotIn("segment", mesh.attributes)
 
     def test_no_object(self):
-        self.assert_error("the active object is no mesh")
+        self.assert_error("no object is selected")
 
     def test_object_that_is_no_mesh(self):
         bpy.ops.object.light_add()
-        self.assert_error("the active object is no mesh")
+        self.assert_error("Point: the object is no mesh")
+
+    def test_no_result(self):
+        add_suzanne()
+        with self.assertRaisesRegex(RuntimeError, "no result is chosen"):
+            segment(results=set())
+
+    def test_modifiers_that_change_faces(self):
+        thing = add_suzanne()
+        thing.modifiers.new("Subdivision", 'SUBSURF')
+        self.assert_error(r"Suzanne: modifiers \(Subdivision\) change its faces; apply them")
+        bpy.ops.object.convert(target='MESH')
+        self.assertEqual(segment(results={'ATTRIBUTE'}), {'FINISHED'})
 
     def test_mesh_without_faces(self):
         add_object("Points", [(0, 0, 0), (1, 0, 0)], [])
@@ -343,7 +443,7 @@ class Errors(Object_test):
 
     def test_more_parts_than_triangles(self):
         add_object("Triangle", [(0, 0, 0), (1, 0, 0), (0, 1, 0)], [(0, 1, 2)])
-        self.assert_error("number_of_segments is 2", choice='NUMBER', number=2)
+        self.assert_error("2 parts are more than the 1 triangles", choice='NUMBER', number=2)
 
     def test_edit_mode(self):
         thing = add_suzanne()
@@ -361,12 +461,12 @@ class Errors(Object_test):
             with bpy.data.libraries.load(path, link=True) as (there, here):
                 here.objects = there.objects
             bpy.context.scene.collection.objects.link(here.objects[0])
-            bpy.context.view_layer.objects.active = here.objects[0]
+            here.objects[0].select_set(True)
             self.assert_error("linked from another file")
 
     def test_package_that_is_missing(self):
         add_suzanne()
-        segment_parts.search.cache_clear()
+        segment_parts.searches.clear()
         sys.modules["spectral_segmentation"] = None
         try:
             self.assert_error("The Python package spectral_segmentation cannot be loaded")
