@@ -32,6 +32,12 @@ def version():
     return re.search(r'VERSION "(.*)"', header).group(1)
 
 
+def headers():
+    """The files that the sources include: a change of any makes the extension outdated."""
+    return [str(path) for folder in (ROOT / "include", ROOT / "bindings/files", HERE / "src")
+            for path in sorted(folder.rglob("*.h"))]
+
+
 def eigen_folders():
     prefixes = ["/usr", "/usr/local", "/opt/homebrew"]
     folders = [os.path.join(prefix, "include", "eigen3") for prefix in prefixes]
@@ -55,6 +61,11 @@ class Build(build_ext):
                 print("No TBB: the package is built without threads")
                 return False
         return True
+
+    def finalize_options(self):
+        super().finalize_options()
+        # Nobody knows whether headers of other folders have changed.
+        self.force = bool(self.force or os.environ.get("CPPFLAGS"))
 
     def build_extensions(self):
         if self.has_tbb():
@@ -85,6 +96,7 @@ setup(
         "spectral_segmentation._core",
         ["src/engine.cpp", "src/mesh_files.cpp", "src/segmentation.cpp"],
         include_dirs=[str(ROOT / "include"), str(ROOT / "bindings"), *eigen_folders()],
+        depends=[__file__, *headers()],
         define_macros=[("CGAL_SPECTRAL_SEGMENTATION_COMPILED", "1"), ("NDEBUG", "1")],
         # Labels do not depend on whether the processor has fused multiplications.
         extra_compile_args=["-O2", "-g0", "-ffp-contract=off"],

@@ -7,13 +7,19 @@
 """
 
 from ._boundaries import boundary_edges, segment_adjacency, segment_colors
-from ._core import Hierarchy, SalienceFactors, __version__
+from ._core import __version__
 from ._files import Mesh, read, write
+from ._hierarchy import Hierarchy
 from ._runs import segment, segment_hierarchy
+from ._salience import SalienceFactors
 
 #: What `cut_state` in `Hierarchy.nodes` is an index of. In the default method every cut is known
 #: and a node without one is a leaf.
 CUT_STATES = ("not searched", "no cut", "rejected", "cut")
 
-__all__ = ["CUT_STATES", "Hierarchy", "Mesh", "SalienceFactors", "boundary_edges", "read",
-           "segment", "segment_adjacency", "segment_colors", "segment_hierarchy", "write"]
+__all__ = ["CUT_STATES", "Hierarchy", "Mesh", "SalienceFactors", "__version__", "boundary_edges",
+           "read", "segment", "segment_adjacency", "segment_colors", "segment_hierarchy", "write"]
+
+for _name in __all__:
+    if hasattr(globals()[_name], "__module__"):
+        globals()[_name].__module__ = __name__ # where users find it

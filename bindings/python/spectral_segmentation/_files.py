@@ -2,9 +2,7 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Files of meshes, by the readers and writers of the tool `segment_mesh`."""
 
-import contextlib
 import os
-import secrets
 from collections import namedtuple
 
 import numpy as np
@@ -12,6 +10,7 @@ import numpy as np
 from . import _core
 from ._boundaries import segment_colors
 from ._meshes import arrays_of, labels_array
+from ._replace_file import replace_file
 
 _READ = (".off", ".obj", ".ply", ".stl")
 _WRITTEN = (".ply", ".obj", ".off", ".glb", ".stl")
@@ -50,21 +49,6 @@ def read(path):
     if len(mesh.triangles) == 0:
         raise ValueError("%s has no face with three different corners" % path)
     return mesh
-
-
-def _replace(path, contents):
-    """Writes a file that is complete or, after an error, what it was."""
-    temporary = os.path.join(os.path.dirname(path), ".%s.tmp" % secrets.token_hex(8))
-    try:
-        with open(temporary, "xb") as file:
-            file.write(contents)
-        os.replace(temporary, path)
-    except BaseException as error:
-        with contextlib.suppress(OSError):
-            os.remove(temporary)
-        if isinstance(error, OSError):
-            error.filename, error.filename2 = path, None # the name that the caller knows
-        raise
 
 
 def write(path, points, triangles=None, labels=None, *, colors=None):
@@ -107,36 +91,5 @@ def write(path, points, triangles=None, labels=None, *, colors=None):
         np.ascontiguousarray(triangles, np.uint32), labels.astype(np.uint32),
         np.ascontiguousarray(colors, np.uint8), os.path.basename(materials))
     if materials:
-        _replace(materials, of_materials)
-    _replace(path, contents)
-
-
-def _save(hierarchy, path):
-    """save(path)
-
-    Writes the hierarchy to a file of JSON, which `load()`, the C++ library and its tool read. An
-    existing file is replaced only when the new one is complete.
-
-    Raises OSError if the file cannot be written.
-    """
-    _replace(os.fsdecode(path), hierarchy.to_json().encode())
-
-
-def _load(path):
-    """load(path) -> Hierarchy
-
-    Reads a file of `save()`, the C++ library, or `segment_mesh --hierarchy`.
-
-    Raises OSError if the file cannot be read, ValueError if it has no hierarchy.
-    """
-    path = os.fsdecode(path)
-    with open(path, "rb") as file:
-        contents = file.read()
-    try:
-        return _core.Hierarchy.from_json(contents.decode(errors="replace"))
-    except ValueError as error:
-        raise ValueError("%s cannot be read: %s" % (path, error)) from None
-
-
-_core.Hierarchy.save = _save
-_core.Hierarchy.load = staticmethod(_load)
+        replace_file(materials, of_materials)
+    replace_file(path, contents)

@@ -2,66 +2,28 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Runs of the segmentation."""
 
-import operator
-
-import numpy as np
+import difflib
+import inspect
 
 from . import _core
-from ._meshes import arrays_of
+from ._checks import flag, function, integer, real, three_numbers
 from ._constraints import edges_arrays, integers_of_triangles
+from ._hierarchy import Hierarchy
+from ._meshes import arrays_of
+from ._salience import SalienceFactors
 
 _METHODS = {"calibrated": False, "paper": True}
 
 
-def _integer(name, value, largest=2**63 - 1):
-    if isinstance(value, (bool, np.bool_)):
-        raise TypeError("%s must be an integer, not a bool" % name)
-    try:
-        result = operator.index(value)
-    except TypeError:
-        raise TypeError("%s must be an integer, not %s" % (name, type(value).__name__)) from None
-    if result > largest:
-        raise OverflowError("%s is too large: %d" % (name, result))
-    return max(result, -2**63)
-
-
-def _real(name, value):
-    if isinstance(value, (bool, np.bool_, str, bytes)) or not hasattr(value, "__float__"):
-        raise TypeError("%s must be a number, not %s" % (name, type(value).__name__))
-    return float(value)
-
-
-def _flag(name, value):
-    if not isinstance(value, (bool, np.bool_)):
-        raise TypeError("%s must be a bool, not %s" % (name, type(value).__name__))
-    return bool(value)
-
-
-def _three_numbers(name, value):
-    try:
-        numbers = list(value)
-    except TypeError:
-        raise TypeError("%s must be three numbers" % name) from None
-    if len(numbers) != 3:
-        raise ValueError("%s must be three numbers, not %d" % (name, len(numbers)))
-    return [_real(name, number) for number in numbers]
-
-
-def _callable(name, value):
-    if value is not None and not callable(value):
-        raise TypeError("%s must be callable, not %s" % (name, type(value).__name__))
-    return value
-
-
 def _random_seed(name, value):
-    seed = _integer(name, value, 2**64 - 1)
+    seed = integer(name, value, 2**64 - 1)
     if seed < 0:
         raise ValueError("%s must not be negative" % name)
     return seed
 
 
 def _threads(value):
-    number = _integer("threads", value)
+    number = integer("threads", value)
     if number < 1:
         raise ValueError("threads must be at least 1")
     if number > 1 and not _core.HAS_THREADS:
@@ -137,12 +99,13 @@ def segment_hierarchy(points, triangles=None, *, method="calibrated", number_of_
     turned around, it may have other parts.
     """
     points, triangles = arrays_of(points, triangles)
-    if method not in _METHODS:
+    if not isinstance(method, str) or method not in _METHODS:
         raise ValueError("method must be 'calibrated' or 'paper', not %r" % (method,))
     if number_of_segments is not None and not (maximum_number_of_segments is None and
                                                salience_threshold is None):
         raise ValueError("number_of_segments goes neither with maximum_number_of_segments nor "
                          "with salience_threshold")
+    function("part_salience", part_salience)
     if part_salience is not None and salience_weights is not None:
         raise ValueError("part_salience does not go with salience_weights")
     for name, value in (("constrained_edges", constrained_edges),
@@ -152,16 +115,16 @@ def segment_hierarchy(points, triangles=None, *, method="calibrated", number_of_
             raise ValueError("%s does not go with the method 'paper'" % name)
     given = {"uses_paper_method": _METHODS[method]}
     for read, parameters in (
-            (_integer, {"number_of_segments": number_of_segments,
+            (integer, {"number_of_segments": number_of_segments,
                         "maximum_number_of_segments": maximum_number_of_segments,
                         "number_of_coarse_faces": number_of_coarse_faces,
                         "number_of_reference_faces": number_of_reference_faces,
                         "number_of_smoothing_iterations": number_of_smoothing_iterations}),
-            (_real, {"salience_threshold": salience_threshold,
+            (real, {"salience_threshold": salience_threshold,
                      "minimum_segment_size": minimum_segment_size}),
-            (_flag, {"keep_components_separate": keep_components_separate,
+            (flag, {"keep_components_separate": keep_components_separate,
                      "smooth_boundaries": smooth_boundaries}),
-            (_three_numbers, {"salience_weights": salience_weights,
+            (three_numbers, {"salience_weights": salience_weights,
                               "distance_weights": distance_weights}),
             (_random_seed, {"random_seed": random_seed})):
         for name, value in parameters.items():
@@ -173,10 +136,11 @@ def segment_hierarchy(points, triangles=None, *, method="calibrated", number_of_
               None if face_groups is None
               else integers_of_triangles("face_groups", face_groups, len(triangles))]
     try:
-        return _core.segment(
+        return Hierarchy._of(_core.segment(
             points, triangles, given, *constraints,
-            _callable("part_salience", part_salience),
-            None if threads is None else _threads(threads), _callable("progress", progress))
+            None if part_salience is None
+            else lambda factors: part_salience(SalienceFactors._make(factors)),
+            None if threads is None else _threads(threads), function("progress", progress)))
     except MemoryError:
         raise MemoryError("there is not enough memory for %d triangles" % len(triangles)) from None
 
@@ -190,7 +154,14 @@ def segment(points, triangles=None, **parameters):
     The parameters and exceptions are those of `segment_hierarchy()`, whose result gives the labels
     for other numbers of segments without another run.
     """
+    known = _SIGNATURE.parameters
+    for name in parameters:
+        if name not in known:
+            near = difflib.get_close_matches(name, known, 1, 0.4)
+            raise TypeError("segment() has no parameter %r%s" % (
+                name, "; did you mean %r?" % near[0] if near else ""))
     return segment_hierarchy(points, triangles, **parameters).labels()
 
 
-segment.__wrapped__ = segment_hierarchy # for help() and inspect: the names of the parameters
+_SIGNATURE = inspect.signature(segment_hierarchy)
+segment.__signature__ = _SIGNATURE # for help() and inspect

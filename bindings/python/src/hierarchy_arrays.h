@@ -10,6 +10,7 @@
 #include <pybind11/numpy.h>
 
 #include <cstddef>
+#include <iterator>
 #include <string>
 #include <vector>
 
@@ -23,34 +24,35 @@ struct Factor
 {
   const char* name;
   double Factors::*value;
-  const char* documentation;
 };
 
-// All factors that are numbers. Those from the roundness on are 0 but for boundaries.
+// All factors that are numbers.
 constexpr Factor all_factors[] = {
-  {"size", &Factors::size, "share of the part's area, in [0, 1/2]"},
-  {"cut_strength", &Factors::cut_strength, "concavity of the cut, in [0, 1]"},
-  {"protrusiveness", &Factors::protrusiveness, "at most 1"},
-  {"log_relative_part_area", &Factors::log_relative_part_area,
-   "logarithm of the part's share of the area of the mesh, at most 0"},
-  {"concavity_near_cut", &Factors::concavity_near_cut, "in [0, 1]"},
-  {"convexity_gain", &Factors::convexity_gain,
-   "how much closer to convex the sides are than the part"},
-  {"relative_convexity_gain", &Factors::relative_convexity_gain,
-   "logarithm of the ratio of convexity defects"},
-  {"expansion_behind_cut", &Factors::expansion_behind_cut,
-   "how fast the rest widens behind the cut, about 1 on a cylinder, at most 4"},
-  {"roundness", &Factors::roundness, "1 for a circle, 0 for a straight line"},
-  {"flatness_behind_cut", &Factors::flatness_behind_cut,
-   "1 if the rest is flat near the boundary, at least 0"},
-  {"concavity_around_cut", &Factors::concavity_around_cut,
-   "`concavity_near_cut` within twice the distance"},
-  {"lower_quartile_of_concavity", &Factors::lower_quartile_of_concavity,
-   "concavity that three quarters of the boundary reach, in [0, 1]"},
-  {"expansion_before_cut", &Factors::expansion_before_cut,
-   "`expansion_behind_cut` of the smaller side, within twice the distance"},
-  {"number_of_common_neighbors", &Factors::number_of_common_neighbors,
-   "how many other regions touch both"}};
+  {"size", &Factors::size},
+  {"cut_strength", &Factors::cut_strength},
+  {"protrusiveness", &Factors::protrusiveness},
+  {"log_relative_part_area", &Factors::log_relative_part_area},
+  {"concavity_near_cut", &Factors::concavity_near_cut},
+  {"convexity_gain", &Factors::convexity_gain},
+  {"relative_convexity_gain", &Factors::relative_convexity_gain},
+  {"expansion_behind_cut", &Factors::expansion_behind_cut},
+  {"roundness", &Factors::roundness},
+  {"flatness_behind_cut", &Factors::flatness_behind_cut},
+  {"concavity_around_cut", &Factors::concavity_around_cut},
+  {"lower_quartile_of_concavity", &Factors::lower_quartile_of_concavity},
+  {"expansion_before_cut", &Factors::expansion_before_cut},
+  {"number_of_common_neighbors", &Factors::number_of_common_neighbors}};
+
+// Returns all factors, in the order of the fields of Python's `SalienceFactors`.
+inline py::tuple tuple_of(const Factors& factors)
+{
+  constexpr std::size_t number = std::size(all_factors);
+  py::tuple result(number + 1);
+  for (std::size_t i = 0; i < number; ++i)
+    result[i] = py::float_(factors.*all_factors[i].value);
+  result[number] = py::bool_(factors.is_boundary);
+  return result;
+}
 
 // One number of each node, as an array.
 template <class Number, class Function>

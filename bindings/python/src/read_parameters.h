@@ -5,6 +5,7 @@
 #define SPECTRAL_SEGMENTATION_PYTHON_READ_PARAMETERS_H
 
 #include "Python_run.h"
+#include "hierarchy_arrays.h"
 #include "python_lock.h"
 
 #include <CGAL/Spectral_segmentation/Options.h>
@@ -13,6 +14,7 @@
 #include <pybind11/stl.h>
 
 #include <array>
+#include <cmath>
 #include <cstddef>
 #include <exception>
 #include <stdexcept>
@@ -37,7 +39,10 @@ public:
   {
     const Python_lock python_lock;
     try {
-      return call(*function_, py::cast(factors)).cast<double>();
+      const auto result = call(*function_, tuple_of(factors)).cast<double>();
+      if (!std::isnan(result))
+        return result;
+      run_->abandon(std::make_exception_ptr(py::value_error("part_salience returned NaN")));
     }
     catch (py::cast_error&) {
       run_->abandon(std::make_exception_ptr(py::type_error("part_salience must return a number")));
@@ -64,8 +69,8 @@ inline segmentation::Options read_parameters(const py::dict& given, const py::ob
       return;
     const long long count = given[name].cast<long long>();
     if (count < least)
-      throw std::invalid_argument(std::string("segment_spectral_recursive: ") + name +
-                                  " must be at least " + std::to_string(least));
+      throw std::invalid_argument(std::string(name) + " must be at least " +
+                                  std::to_string(least));
     value = static_cast<std::size_t>(count);
   };
 

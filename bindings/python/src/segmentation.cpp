@@ -8,6 +8,7 @@
 #include "arrays.h"
 #include "hierarchy_arrays.h"
 #include "mesh_files.h"
+#include "message_of_python.h"
 #include "python_lock.h"
 #include "read_parameters.h"
 
@@ -141,71 +142,15 @@ Segmentation_hierarchy segment(const py::array& points, const py::array& triangl
   return result;
 }
 
-py::ssize_t integer_of(const py::handle& value)
+// Returns the nodes of the segments.
+std::vector<std::size_t> chosen_nodes(const Segmentation_hierarchy& h,
+                                      const std::optional<std::size_t>& n,
+                                      const std::optional<double>& threshold)
 {
-  const py::ssize_t result = PyNumber_AsSsize_t(value.ptr(), PyExc_OverflowError);
-  if (result == -1 && PyErr_Occurred())
-    throw py::error_already_set();
-  return result;
+  if (!threshold)
+    return n ? h.nodes(*n) : h.nodes();
+  return n ? h.nodes_above(*threshold, *n) : h.nodes_above(*threshold);
 }
-
-double real_of(const py::handle& value)
-{
-  const double result = PyFloat_AsDouble(value.ptr());
-  if (result == -1 && PyErr_Occurred())
-    throw py::error_already_set();
-  return result;
-}
-
-std::size_t node_of(const Segmentation_hierarchy& h, const py::handle& value)
-{
-  const py::ssize_t node = integer_of(value);
-  if (node < 0 || static_cast<std::size_t>(node) >= h.number_of_nodes())
-    throw std::invalid_argument("there is no node " + std::to_string(node));
-  return static_cast<std::size_t>(node);
-}
-
-// Returns the nodes of the segments. `n` and `salience_threshold` may be None.
-std::vector<std::size_t> chosen_nodes(const Segmentation_hierarchy& h, const py::object& n,
-                                      const py::object& threshold)
-{
-  if (n.is_none())
-    return threshold.is_none() ? h.nodes() : h.nodes_above(real_of(threshold));
-  const py::ssize_t number = integer_of(n);
-  if (number < 1)
-    throw std::invalid_argument("n must be at least 1");
-  return threshold.is_none() ? h.nodes(static_cast<std::size_t>(number))
-                             : h.nodes_above(real_of(threshold), static_cast<std::size_t>(number));
-}
-
-py::array_t<py::ssize_t> labels(const Segmentation_hierarchy& h, const py::object& n,
-                                const py::object& threshold)
-{ return array_of(h.labels(chosen_nodes(h, n, threshold))); }
-
-py::array_t<py::ssize_t> segments(const Segmentation_hierarchy& h, const py::object& n,
-                                  const py::object& threshold)
-{ return array_of(chosen_nodes(h, n, threshold)); }
-
-py::array_t<py::ssize_t> labels_of_nodes(const Segmentation_hierarchy& h, const py::iterable& given)
-{
-  std::vector<std::size_t> nodes;
-  for (const py::handle node : given)
-    nodes.push_back(node_of(h, node));
-  return array_of(h.labels(nodes));
-}
-
-py::array_t<py::ssize_t> faces(const Segmentation_hierarchy& h, const py::object& node)
-{
-  const auto range = h.faces(node_of(h, node));
-  return array_of(std::vector<std::size_t>(range.begin(), range.end()));
-}
-
-std::size_t merge(Segmentation_hierarchy& h, const py::object& a, const py::object& b)
-{ return h.merge(node_of(h, a), node_of(h, b)); }
-
-void split_leaf(Segmentation_hierarchy& h, const py::object& leaf,
-                const Segmentation_hierarchy& part)
-{ h.split_leaf(node_of(h, leaf), part); }
 
 std::string to_json(const Segmentation_hierarchy& h)
 {
@@ -221,101 +166,39 @@ Segmentation_hierarchy from_json(const std::string& text)
     return segmentation::read_hierarchy(in);
   }
   catch (const std::runtime_error& e) {
-    throw py::value_error(e.what());
+    throw py::value_error(message_of_python(e));
   }
 }
 
-void define_salience_factors(py::module_& m)
-{
-  py::class_<Factors> factors(
-    m, "SalienceFactors",
-    "The factors of a cut of a part into two sides, which `part_salience` is called with. `size`, "
-    "`cut_strength` and `protrusiveness` are those of the paper; the others are 0 in its method.");
-  factors.def_readonly("is_boundary", &Factors::is_boundary,
-                       "whether the cut is the boundary of two regions that may be merged; "
-                       "`roundness`, `flatness_behind_cut`, `concavity_around_cut`, "
-                       "`lower_quartile_of_concavity`, `expansion_before_cut` and "
-                       "`number_of_common_neighbors` are 0 for all other cuts");
-  for (const Factor& factor : all_factors)
-    factors.def_readonly(factor.name, factor.value, factor.documentation);
-}
-
+// The module's own Python checks the types of all arguments, and that nodes exist.
 void define_hierarchy(py::module_& m)
 {
   typedef Segmentation_hierarchy H;
-  py::class_<H>(m, "Hierarchy",
-                "The cuts of a run, as a forest of binary trees of nodes, which are numbered from "
-                "0. `segment_hierarchy()` makes one.\n\n"
-                "It can be pickled and copied. Methods of one hierarchy wait for each other.")
-    .def_property_readonly("number_of_faces", [](const H& h) { return h.number_of_faces(); },
-                           "the number of triangles of the mesh")
-    .def_property_readonly("number_of_nodes", &H::number_of_nodes,
-                           "the number of nodes, leaves too")
-    .def_property_readonly("number_of_roots", &H::number_of_roots,
-                           "The roots are the nodes from 0 to `number_of_roots - 1`.")
-    .def_property_readonly("number_of_segments", &H::number_of_segments,
-                           "the number of leaves: the most segments that can be asked for")
-    .def_property_readonly("salience_threshold", &H::salience_threshold,
-                           "the salience threshold of the run")
-    .def_property_readonly("nodes", table_of_nodes,
-                           "A structured array with a row for each node: `parent`, `first_child` "
-                           "(the side of smaller area, to which the factors belong), "
-                           "`second_child`, all -1 for none; `number_of_faces`; `area`, in the "
-                           "square of the unit of the points; `cut_state`, an index of "
-                           "`CUT_STATES`; `salience` of its best cut, 0 if there is none; and the "
-                           "factors of that cut, named as in `SalienceFactors`. pandas makes a "
-                           "table of it.")
-    .def_property_readonly("children", children_of_nodes,
-                           "shape (number_of_nodes, 2), -1 for a leaf")
-    .def_property_readonly("saliences", saliences_of_nodes,
-                           "of the best cut of each node, shape (number_of_nodes,)")
-    .def_property_readonly("factors", factors_of_nodes,
-                           "of the best cut of each node, by name: a dict of arrays of shape "
-                           "(number_of_nodes,)")
-    .def("labels", labels, py::arg("n") = py::none(), py::kw_only(),
-         py::arg("salience_threshold") = py::none(),
-         "labels(n=None, *, salience_threshold=None) -> array of int, shape (number_of_faces,)\n\n"
-         "The label of each triangle. Without arguments those of the run; with `n` exactly `n` "
-         "segments, or as near to it as there are roots and leaves; with `salience_threshold` "
-         "those of a run with this threshold, and with both at most `n`. Nothing is searched "
-         "again.\n\n"
-         "Raises ValueError if a cut is needed that the run did not search, `n` is below 1, or "
-         "`salience_threshold` is not a number.")
-    .def("segments", segments, py::arg("n") = py::none(), py::kw_only(),
-         py::arg("salience_threshold") = py::none(),
-         "segments(n=None, *, salience_threshold=None) -> array of int\n\n"
-         "The node of each segment of `labels()` with the same arguments.")
-    .def("labels_of_nodes", labels_of_nodes, py::arg("nodes"),
-         "labels_of_nodes(nodes) -> array of int, shape (number_of_faces,)\n\n"
-         "The label of each triangle if the segments are these nodes.\n\n"
-         "Raises ValueError if the nodes do not contain each triangle exactly once.")
-    .def("faces", faces, py::arg("node"),
-         "faces(node) -> array of int\n\n"
-         "The triangles of a node. Raises ValueError if there is no such node.")
-    .def("merge", merge, py::arg("a"), py::arg("b"),
-         "merge(a, b) -> node\n\n"
-         "Makes two nodes the children of one, and returns that. Of two that are no siblings, `b` "
-         "is moved to the place of `a`. No other node gets another number.\n\n"
-         "Raises ValueError if one contains the other, or they have different roots.")
-    .def("split_leaf", split_leaf, py::arg("leaf"), py::arg("part"),
-         "split_leaf(leaf, part)\n\n"
-         "Cuts a leaf as `part`, the hierarchy of a run on `triangles[hierarchy.faces(leaf)]`.\n\n"
-         "Raises ValueError if `leaf` is no leaf, or `part` has another number of triangles or "
-         "several roots.")
-    .def("to_json", to_json, "to_json() -> str\n\nThe hierarchy as JSON, which the C++ library and "
-                             "its tool write and read too.")
-    .def_static("from_json", from_json, py::arg("text"),
-                "from_json(text) -> Hierarchy\n\n"
-                "Reads what `to_json()`, the C++ library or `segment_mesh --hierarchy` has "
-                "written. Any text gives a hierarchy or a ValueError.")
-    .def(py::pickle([](const H& h) { return py::bytes(to_json(h)); },
-                    [](const py::bytes& text) { return from_json(text); }))
-    .def("__copy__", [](const H& h) { return H(h); })
-    .def("__deepcopy__", [](const H& h, const py::dict&) { return H(h); })
-    .def("__repr__", [](const H& h) {
-      return "<Hierarchy of " + std::to_string(h.number_of_faces()) + " faces, " +
-             std::to_string(h.number_of_nodes()) + " nodes>";
-    });
+  typedef std::vector<std::size_t> Nodes;
+  py::class_<H>(m, "Hierarchy")
+    .def_property_readonly("number_of_faces", [](const H& h) { return h.number_of_faces(); })
+    .def_property_readonly("number_of_nodes", &H::number_of_nodes)
+    .def_property_readonly("number_of_roots", &H::number_of_roots)
+    .def_property_readonly("number_of_segments", &H::number_of_segments)
+    .def_property_readonly("salience_threshold", &H::salience_threshold)
+    .def_property_readonly("nodes", table_of_nodes)
+    .def_property_readonly("children", children_of_nodes)
+    .def_property_readonly("saliences", saliences_of_nodes)
+    .def_property_readonly("factors", factors_of_nodes)
+    .def("segments", [](const H& h, const std::optional<std::size_t>& n,
+                        const std::optional<double>& threshold)
+                     { return array_of(chosen_nodes(h, n, threshold)); })
+    .def("labels_of_nodes", [](const H& h, const Nodes& nodes)
+                            { return array_of(h.labels(nodes)); })
+    .def("faces", [](const H& h, std::size_t node) {
+      const auto range = h.faces(node);
+      return array_of(Nodes(range.begin(), range.end()));
+    })
+    .def("merge", &H::merge)
+    .def("split_leaf", &H::split_leaf)
+    .def("to_json", to_json)
+    .def_static("from_json", from_json)
+    .def("copy", [](const H& h) { return H(h); });
 }
 
 } // namespace
@@ -329,16 +212,16 @@ PYBIND11_MODULE(_core, m)
     try {
       std::rethrow_exception(error);
     }
+    catch (const std::invalid_argument& e) {
+      PyErr_SetString(PyExc_ValueError, message_of_python(e).c_str());
+    }
     catch (const std::out_of_range& e) { // pybind11 takes it for that of a container
-      PyErr_SetString(PyExc_ValueError, e.what());
+      PyErr_SetString(PyExc_ValueError, message_of_python(e).c_str());
     }
   });
 
-  py::options options;
-  options.disable_function_signatures(); // the docstrings have better ones
   m.attr("__version__") = CGAL_SPECTRAL_SEGMENTATION_VERSION;
   m.attr("HAS_THREADS") = has_threads;
-  define_salience_factors(m);
   define_hierarchy(m);
   define_mesh_files(m);
   m.def("segment", segment);

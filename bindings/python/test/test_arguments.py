@@ -2,6 +2,7 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """What is no argument is refused by an exception that names it."""
 
+import re
 import subprocess
 import sys
 
@@ -63,6 +64,7 @@ def test_triangles(triangles, error, words):
 @pytest.mark.parametrize("parameters, error, words", [
     ({"method": "zhang"}, ValueError, "method must be 'calibrated' or 'paper', not 'zhang'"),
     ({"method": None}, ValueError, "method must be"),
+    ({"method": ["paper"]}, ValueError, "method must be"),
     ({"methods": "paper"}, TypeError, "methods"),
     ({"number_of_segments": 0}, ValueError, "number_of_segments must be at least 1"),
     ({"number_of_segments": -3}, ValueError, "number_of_segments must be at least 1"),
@@ -84,7 +86,7 @@ def test_triangles(triangles, error, words):
     ({"keep_components_separate": 1}, TypeError,
      "keep_components_separate must be a bool, not int"),
     ({"keep_components_separate": False, "method": "paper"}, ValueError,
-     "keep_components_separate must be true"),
+     "keep_components_separate must be True with the method 'paper'"),
     ({"smooth_boundaries": "yes"}, TypeError, "smooth_boundaries must be a bool"),
     ({"minimum_segment_size": 0.6}, ValueError, r"minimum_segment_size must be in \[0, 0.5\]"),
     ({"minimum_segment_size": -1}, ValueError, "minimum_segment_size must be in"),
@@ -120,15 +122,17 @@ def test_triangles(triangles, error, words):
     ({"constrained_edges": [[0, 4]]}, ValueError, r"the edge \(0, 4\), which no triangle"),
     ({"constrained_edges": [[-1, 0]]}, ValueError, r"the edge \(-1, 0\), which no triangle"),
     ({"constrained_edges": [[0, 1], [1, 2]], "uncuttable_edges": [[1, 0]]}, ValueError,
-     "the edge between the faces 0 and 1 is in both"),
+     "triangles 0 and 1 is in both constrained_edges and uncuttable_edges"),
     ({"constrained_edges": [[0, 1]], "face_seeds": [1, 1, -1, -1]}, ValueError,
-     "faces 0 and 1"),
+     "triangles 0 and 1"),
     ({"constrained_edges": [], "method": "paper"}, ValueError, "does not go with the method"),
 ])
 def test_parameters(parameters, error, words):
     for function in (segment, segment_hierarchy):
-        with pytest.raises(error, match=words):
+        with pytest.raises(error, match=words) as raised:
             function(POINTS, TRIANGLES, **parameters)
+        assert not re.search("segment_spectral_recursive|_map|zhang", str(raised.value)) or \
+            parameters.get("method") == "zhang"
 
 
 def test_missing_and_positional_arguments():
@@ -138,6 +142,8 @@ def test_missing_and_positional_arguments():
         segment(POINTS)
     with pytest.raises(TypeError):
         segment(POINTS, TRIANGLES, "paper")
+    with pytest.raises(TypeError, match="segment.. has no parameter 'n_segments'; did you mean"):
+        segment(POINTS, TRIANGLES, n_segments=7)
 
 
 @pytest.mark.parametrize("labels, error, words", [
@@ -161,10 +167,16 @@ def test_hierarchy():
     for call, error, words in (
             (lambda: hierarchy.labels(0), ValueError, "n must be at least 1"),
             (lambda: hierarchy.labels(-2**40), ValueError, "n must be at least 1"),
-            (lambda: hierarchy.labels(salience_threshold=float("nan")), ValueError, "not a number"),
+            (lambda: hierarchy.labels(salience_threshold=float("nan")), ValueError,
+             "^the salience threshold is not a number"),
             (lambda: hierarchy.labels("3"), TypeError, "str"),
             (lambda: hierarchy.labels(2.5), TypeError, "float"),
-            (lambda: hierarchy.labels(2**70), OverflowError, "int"),
+            (lambda: hierarchy.labels(2**70), OverflowError, "n is too large"),
+            (lambda: hierarchy.labels(1, 2), TypeError, r"labels\(\) takes from 1 to 2 positional"),
+            (lambda: hierarchy.merge(1), TypeError, "missing 1 required positional argument: 'b'"),
+            (lambda: hierarchy.labels_of_nodes(5), TypeError, "nodes must be integers, not int"),
+            (lambda: hierarchy.split_leaf(3, "x"), TypeError, "part must be a Hierarchy, not str"),
+            (lambda: hierarchy.from_json(5), TypeError, "text must be a str, not int"),
             (lambda: hierarchy.segments(salience_threshold="x"), TypeError, "str"),
             (lambda: hierarchy.faces(1000), ValueError, "there is no node 1000"),
             (lambda: hierarchy.faces(-1), ValueError, "there is no node -1"),
@@ -177,8 +189,8 @@ def test_hierarchy():
             (lambda: hierarchy.merge(-1, 0), ValueError, "there is no node -1"),
             (lambda: hierarchy.split_leaf(0, hierarchy), ValueError, "only a leaf"),
             (lambda: hierarchy.from_json("{"), ValueError, "not well-formed"),
-            (lambda: hierarchy.from_json("[1]"), ValueError, "read_hierarchy"),
-            (lambda: type(hierarchy)(), TypeError, "")):
+            (lambda: hierarchy.from_json("[1]"), ValueError, "^this is not a hierarchy"),
+            (lambda: type(hierarchy)(), TypeError, r"segment_hierarchy\(\), .* makes a Hierarchy")):
         with pytest.raises(error, match=words):
             call()
     stopped = segment_hierarchy(POINTS, TRIANGLES, method="paper", salience_threshold=0.9)

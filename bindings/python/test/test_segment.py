@@ -8,7 +8,7 @@ import warnings
 import numpy as np
 import pytest
 
-from spectral_segmentation import boundary_edges, read, segment, segment_hierarchy
+from spectral_segmentation import SalienceFactors, boundary_edges, read, segment, segment_hierarchy
 
 
 def labels_of_tool(tool, path, *options):
@@ -191,6 +191,9 @@ def test_own_salience(dumbbell):
     as_weights = segment(*dumbbell, method="paper", salience_weights=(1, 0, 0),
                          salience_threshold=0.2)
     np.testing.assert_array_equal(hierarchy.labels(), as_weights)
+    with pytest.raises(ValueError, match="part_salience returned NaN"):
+        segment(*dumbbell, method="paper", part_salience=lambda factors: float("nan"))
+    assert salience(SalienceFactors(size=0.25)) == 0.25
 
 
 def test_numbers_of_numpy_are_numbers(dumbbell):

@@ -1,0 +1,306 @@
+# Copyright (c) 2026  The Spectral_segmentation authors.
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""All cuts of a run."""
+
+import os
+
+from . import _core
+from ._checks import integer, real
+from ._replace_file import replace_file
+
+
+class Hierarchy:
+    """The cuts of a run, as a forest of binary trees.
+
+    `segment_hierarchy()` makes a hierarchy, and so do `load()` and `from_json()`. Nodes are
+    numbered from 0. A hierarchy can be pickled and copied.
+
+    Examples
+    --------
+    >>> hierarchy = segment_hierarchy(mesh)
+    >>> labels = hierarchy.labels(5)
+    """
+
+    __slots__ = ("_core", "__weakref__")
+
+    def __init__(self):
+        raise TypeError("segment_hierarchy(), Hierarchy.load() or Hierarchy.from_json() makes a "
+                        "Hierarchy")
+
+    @classmethod
+    def _of(cls, core):
+        result = object.__new__(cls)
+        result._core = core
+        return result
+
+    def __copy__(self):
+        return Hierarchy._of(self._core.copy())
+
+    def __deepcopy__(self, memo):
+        return self.__copy__()
+
+    def __reduce__(self):
+        return Hierarchy.from_json, (self.to_json(),)
+
+    def __repr__(self):
+        return "<Hierarchy of %d faces, %d nodes>" % (self.number_of_faces, self.number_of_nodes)
+
+    def _node(self, name, value):
+        node = integer(name, value)
+        if not 0 <= node < self.number_of_nodes:
+            raise ValueError("%s: there is no node %d in a hierarchy of %d nodes"
+                             % (name, node, self.number_of_nodes))
+        return node
+
+    @property
+    def number_of_faces(self):
+        """int: the number of triangles of the mesh."""
+        return self._core.number_of_faces
+
+    @property
+    def number_of_nodes(self):
+        """int: the number of nodes, leaves too."""
+        return self._core.number_of_nodes
+
+    @property
+    def number_of_roots(self):
+        """int: the number of roots, which are the nodes from 0 to `number_of_roots - 1`."""
+        return self._core.number_of_roots
+
+    @property
+    def number_of_segments(self):
+        """int: the number of leaves, the most segments that can be asked for."""
+        return self._core.number_of_segments
+
+    @property
+    def salience_threshold(self):
+        """float: the salience threshold of the run."""
+        return self._core.salience_threshold
+
+    @property
+    def nodes(self):
+        """ndarray: a structured array with a row for each node, of which pandas makes a table.
+
+        Its fields are `parent`, `first_child` (the side of smaller area, to which the factors
+        belong) and `second_child`, which are -1 for none; `number_of_faces`; `area`, in the square
+        of the unit of the points; `cut_state`, an index of `CUT_STATES`; `salience` of the best
+        cut, 0 if there is none; and the factors of that cut, named as in `SalienceFactors`.
+        """
+        return self._core.nodes
+
+    @property
+    def children(self):
+        """ndarray of int, shape (number_of_nodes, 2): the children of each node, -1 for a leaf."""
+        return self._core.children
+
+    @property
+    def saliences(self):
+        """ndarray of float, shape (number_of_nodes,): the salience of each node's best cut."""
+        return self._core.saliences
+
+    @property
+    def factors(self):
+        """dict of str to ndarray of float: the factors of each node's best cut, by name."""
+        return self._core.factors
+
+    def segments(self, n=None, *, salience_threshold=None):
+        """Returns the node of each segment of `labels()` with the same arguments.
+
+        Parameters
+        ----------
+        n, salience_threshold : optional
+            See `labels()`.
+
+        Returns
+        -------
+        ndarray of int, shape (number of segments,)
+        """
+        if n is not None:
+            n = integer("n", n)
+            if n < 1:
+                raise ValueError("n must be at least 1")
+        if salience_threshold is not None:
+            salience_threshold = real("salience_threshold", salience_threshold)
+        return self._core.segments(n, salience_threshold)
+
+    def labels(self, n=None, *, salience_threshold=None):
+        """Returns the label of each triangle. Nothing is searched again.
+
+        Parameters
+        ----------
+        n : int, optional
+            The number of segments, as near to it as there are roots and leaves. Together with
+            `salience_threshold` the most segments. By default the segments are those of the run.
+        salience_threshold : float, optional
+            The smallest salience of a cut, as in a run with this threshold.
+
+        Returns
+        -------
+        ndarray of int, shape (number_of_faces,)
+
+        Raises
+        ------
+        ValueError
+            If a cut is needed that the run did not search, `n` is below 1, or `salience_threshold`
+            is not a number.
+        """
+        return self._core.labels_of_nodes(self.segments(n, salience_threshold=salience_threshold))
+
+    def labels_of_nodes(self, nodes):
+        """Returns the label of each triangle if the segments are these nodes.
+
+        Parameters
+        ----------
+        nodes : iterable of int
+            The node of each segment. Each triangle must be in exactly one of them.
+
+        Returns
+        -------
+        ndarray of int, shape (number_of_faces,)
+
+        Raises
+        ------
+        ValueError
+            If there is no such node, or the nodes do not contain each triangle exactly once.
+        """
+        try:
+            nodes = list(nodes)
+        except TypeError:
+            raise TypeError("nodes must be integers, not %s" % type(nodes).__name__) from None
+        return self._core.labels_of_nodes([self._node("nodes", node) for node in nodes])
+
+    def faces(self, node):
+        """Returns the triangles of a node.
+
+        Parameters
+        ----------
+        node : int
+
+        Returns
+        -------
+        ndarray of int
+            The indices of the triangles, in ascending order.
+
+        Raises
+        ------
+        ValueError
+            If there is no such node.
+        """
+        return self._core.faces(self._node("node", node))
+
+    def merge(self, a, b):
+        """Makes two nodes the children of one node.
+
+        If the nodes are not siblings, `b` moves to the place of `a`. No other node gets another
+        number.
+
+        Parameters
+        ----------
+        a, b : int
+            Two nodes.
+
+        Returns
+        -------
+        int
+            Their parent.
+
+        Raises
+        ------
+        ValueError
+            If one contains the other, or they have different roots.
+        """
+        return self._core.merge(self._node("a", a), self._node("b", b))
+
+    def split_leaf(self, leaf, part):
+        """Cuts a leaf as another hierarchy does.
+
+        Parameters
+        ----------
+        leaf : int
+            A node without children.
+        part : Hierarchy
+            The result of a run on `triangles[hierarchy.faces(leaf)]`.
+
+        Raises
+        ------
+        ValueError
+            If `leaf` is no leaf, or `part` has another number of triangles or several roots.
+        """
+        if not isinstance(part, Hierarchy):
+            raise TypeError("part must be a Hierarchy, not %s" % type(part).__name__)
+        self._core.split_leaf(self._node("leaf", leaf), part._core)
+
+    def to_json(self):
+        """Returns the hierarchy as JSON, which the C++ library and its tool write and read too.
+
+        Returns
+        -------
+        str
+        """
+        return self._core.to_json()
+
+    @staticmethod
+    def from_json(text):
+        """Reads a hierarchy from a text of `to_json()`, the C++ library or its tool.
+
+        Parameters
+        ----------
+        text : str or bytes
+
+        Returns
+        -------
+        Hierarchy
+
+        Raises
+        ------
+        ValueError
+            If the text is not a hierarchy.
+        """
+        if isinstance(text, (bytes, bytearray)):
+            text = text.decode(errors="replace")
+        if not isinstance(text, str):
+            raise TypeError("text must be a str, not %s" % type(text).__name__)
+        return Hierarchy._of(_core.Hierarchy.from_json(text))
+
+    def save(self, path):
+        """Writes the hierarchy to a file of JSON, which `load()`, the library and its tool read.
+
+        An existing file is replaced only when the new one is complete.
+
+        Parameters
+        ----------
+        path : path_like
+
+        Raises
+        ------
+        OSError
+            If the file cannot be written.
+        """
+        replace_file(os.fsdecode(path), self.to_json().encode())
+
+    @staticmethod
+    def load(path):
+        """Reads a file of `save()`, the C++ library, or `segment_mesh --hierarchy`.
+
+        Parameters
+        ----------
+        path : path_like
+
+        Returns
+        -------
+        Hierarchy
+
+        Raises
+        ------
+        OSError
+            If the file cannot be read.
+        ValueError
+            If it has no hierarchy.
+        """
+        path = os.fsdecode(path)
+        with open(path, "rb") as file:
+            contents = file.read()
+        try:
+            return Hierarchy.from_json(contents)
+        except ValueError as error:
+            raise ValueError("%s cannot be read: %s" % (path, error)) from None

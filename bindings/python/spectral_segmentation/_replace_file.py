@@ -1,0 +1,22 @@
+# Copyright (c) 2026  The Spectral_segmentation authors.
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Files that are never half written."""
+
+import contextlib
+import os
+import secrets
+
+
+def replace_file(path, contents):
+    """Writes a file that is complete or, after an error, what it was."""
+    temporary = os.path.join(os.path.dirname(path), ".%s.tmp" % secrets.token_hex(8))
+    try:
+        with open(temporary, "xb") as file:
+            file.write(contents)
+        os.replace(temporary, path)
+    except BaseException as error:
+        with contextlib.suppress(OSError):
+            os.remove(temporary)
+        if isinstance(error, OSError):
+            error.filename, error.filename2 = path, None # the name that the caller knows
+        raise
