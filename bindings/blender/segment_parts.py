@@ -494,7 +494,7 @@ class OBJECT_OT_segment_into_parts(bpy.types.Operator):
         return {'RUNNING_MODAL'}
 
     def modal(self, context, event):
-        if event.type == 'ESC':
+        if event.type == 'ESC' and event.value == 'PRESS':
             self.cancel(context)
             self.report({'INFO'}, "Cancelled: nothing is segmented")
             return {'CANCELLED'}
