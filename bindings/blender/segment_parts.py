@@ -286,6 +286,44 @@ def write_materials(object, labels, colors):
     mesh.polygons.foreach_set("material_index", first + labels)
 
 
+def remove_edges(mesh, flag, layer):
+    own = remove_layer(mesh, layer)
+    if own is None:
+        return False
+    mesh.edges.foreach_set(flag, flags(mesh.edges, flag) & ~own)
+    return True
+
+
+def write_edges(mesh, labels, flag, layer):
+    """Sets the flag of the edges between parts, and keeps in an attribute which had it not."""
+    remove_edges(mesh, flag, layer)
+    edges = integers(mesh.loops, "edge_index")
+    of_corner = np.repeat(labels, integers(mesh.polygons, "loop_total"))
+    last = np.empty(len(mesh.edges), labels.dtype) # the label of one of the faces at each edge
+    last[edges] = of_corner
+    is_boundary = np.zeros(len(mesh.edges), bool)
+    is_boundary[edges[last[edges] != of_corner]] = True
+    before = flags(mesh.edges, flag)
+    add_layer(mesh, layer, 'BOOLEAN', 'EDGE', is_boundary & ~before)
+    mesh.edges.foreach_set(flag, before | is_boundary)
+
+
+def write_seams(object, labels, colors):
+    write_edges(object.data, labels, "use_seam", "segment_seam")
+
+
+def remove_seams(object):
+    return remove_edges(object.data, "use_seam", "segment_seam")
+
+
+def write_sharp_edges(object, labels, colors):
+    write_edges(object.data, labels, "use_edge_sharp", "segment_sharp")
+
+
+def remove_sharp_edges(object):
+    return remove_edges(object.data, "use_edge_sharp", "segment_sharp")
+
+
 def split(bm, labels):
     """Yields each label and a BMesh of its faces. To copy all for each would take longer."""
     present = np.unique(labels)
@@ -332,6 +370,10 @@ RESULTS = [
     ('FACE_MAPS', "Face Maps", "A face map for each part", write_face_maps, remove_face_maps),
     ('ATTRIBUTE', "Face Attribute", "The number of the part of each face, from 0, as the integer "
      "attribute 'segment'", write_attribute, remove_attribute),
+    ('SEAMS', "Seams", "A seam for UV unwrapping along the boundaries of parts", write_seams,
+     remove_seams),
+    ('SHARP_EDGES', "Sharp Edges", "Sharp edges along the boundaries of parts", write_sharp_edges,
+     remove_sharp_edges),
     ('OBJECTS', "Separate Objects", "An object for each part, in a collection of its own; the "
      "object itself is hidden", write_objects, None),
 ]
@@ -494,7 +536,7 @@ class OBJECT_OT_segment_into_parts(bpy.types.Operator):
         return {'RUNNING_MODAL'}
 
     def modal(self, context, event):
-        if event.type == 'ESC':
+        if event.type == 'ESC' and event.value == 'PRESS':
             self.cancel(context)
             self.report({'INFO'}, "Cancelled: nothing is segmented")
             return {'CANCELLED'}

@@ -266,6 +266,13 @@ class Results(Object_test):
             inside = {v.index for v in mesh.vertices for g in v.groups if g.group == group}
             self.assertEqual(inside, {v for p in mesh.polygons if labels[p.index] == label
                                       for v in p.vertices})
+        labels_at = {}
+        for polygon, label in zip(mesh.polygons, labels.tolist()):
+            for key in polygon.edge_keys:
+                labels_at.setdefault(key, set()).add(label)
+        boundary = {key for key, labels in labels_at.items() if len(labels) > 1}
+        self.assertEqual({edge.key for edge in mesh.edges if edge.use_seam}, boundary)
+        self.assertEqual({edge.key for edge in mesh.edges if edge.use_edge_sharp}, boundary)
         if HAS_FACE_MAPS:
             maps = [face_map.name for face_map in thing.face_maps]
             self.assertEqual(maps[-number:], names(number))
@@ -273,7 +280,7 @@ class Results(Object_test):
             self.assertEqual(values, (len(maps) - number + labels).tolist())
 
     def all_results(self):
-        results = {'MATERIALS', 'VERTEX_GROUPS', 'ATTRIBUTE'}
+        results = {'MATERIALS', 'VERTEX_GROUPS', 'ATTRIBUTE', 'SEAMS', 'SHARP_EDGES'}
         return results | {'FACE_MAPS'} if HAS_FACE_MAPS else results
 
     def test_results_hold_faces_of_labels(self):
@@ -338,6 +345,9 @@ class Results(Object_test):
         faces = len(mesh.polygons)
         before = (np.arange(faces) * 7 % 3).tolist()
         mesh.polygons.foreach_set("material_index", before)
+        edges = list(range(0, len(mesh.edges), 3))
+        for edge in edges:
+            mesh.edges[edge].use_seam = mesh.edges[edge].use_edge_sharp = True
         attributes = mesh.attributes.keys()
         for number in (5, 8):
             segment(choice='NUMBER', number=number, results=self.all_results())
@@ -349,6 +359,8 @@ class Results(Object_test):
         before[0] = 1
         self.assertEqual(remove(), {'FINISHED'})
         self.assertEqual([p.material_index for p in mesh.polygons], before)
+        self.assertEqual([edge.index for edge in mesh.edges if edge.use_seam], edges)
+        self.assertEqual([edge.index for edge in mesh.edges if edge.use_edge_sharp], edges)
         self.assertEqual([m.name for m in mesh.materials], ["fur", "eyes", "nose"])
         self.assertEqual([m.name for m in bpy.data.materials], ["eyes", "fur", "nose"])
         self.assertEqual(len(thing.vertex_groups), 0)
