@@ -20,7 +20,7 @@ trap 'rm -rf "$work"' EXIT
 cd "$work"
 mkdir clone clone/bindings
 cp -r "$root"/{README.md,LICENSE,examples,include,scripts} clone
-cp -r "$root"/bindings/{files,python} clone/bindings
+cp -r "$root"/bindings/{command_line,files,python} clone/bindings
 
 lines=$(sed -n 's/^    \(.*my_env.*\)/\1/p' clone/README.md)
 [[ $(wc -l <<< "$lines") -eq 2 ]]

@@ -19,7 +19,7 @@ from setuptools.command.sdist import sdist
 HERE = pathlib.Path(__file__).resolve().parent
 ROOT = HERE if (HERE / "include").is_dir() else HERE.parent.parent
 # What is compiled, or belongs to it, outside of this folder
-SHARED = ["LICENSE", "include", "bindings/files"]
+SHARED = ["LICENSE", "include", "bindings/files", "bindings/command_line"]
 
 TBB_PROGRAM = """
 #include <tbb/task_arena.h>
@@ -34,8 +34,9 @@ def version():
 
 def headers():
     """The files that the sources include: a change of any makes the extension outdated."""
-    return [str(path) for folder in (ROOT / "include", ROOT / "bindings/files", HERE / "src")
-            for path in sorted(folder.rglob("*.h"))]
+    folders = [ROOT / "include", ROOT / "bindings/files", ROOT / "bindings/command_line",
+               HERE / "src"]
+    return [str(path) for folder in folders for path in sorted(folder.rglob("*.h"))]
 
 
 def eigen_folders():

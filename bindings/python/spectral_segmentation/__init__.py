@@ -17,8 +17,9 @@ from ._salience import SalienceFactors
 #: and a node without one is a leaf.
 CUT_STATES = ("not searched", "no cut", "rejected", "cut")
 
-__all__ = ["CUT_STATES", "Hierarchy", "Mesh", "SalienceFactors", "__version__", "boundary_edges",
-           "read", "segment", "segment_adjacency", "segment_colors", "segment_hierarchy", "write"]
+__all__ = ["CUT_STATES", "Hierarchy", "Mesh", "SalienceFactors", "__version__",
+           "boundary_edges", "read", "segment", "segment_adjacency", "segment_colors",
+           "segment_hierarchy", "write"]
 
 for _name in __all__:
     if hasattr(globals()[_name], "__module__"):

@@ -10,8 +10,9 @@ from numpy.typing import ArrayLike, NDArray
 
 CUT_STATES: Tuple[str, str, str, str]
 __version__: str
-__all__ = ["CUT_STATES", "Hierarchy", "Mesh", "SalienceFactors", "__version__", "boundary_edges",
-           "read", "segment", "segment_adjacency", "segment_colors", "segment_hierarchy", "write"]
+__all__ = ["CUT_STATES", "Hierarchy", "Mesh", "SalienceFactors", "__version__",
+           "boundary_edges", "read", "segment", "segment_adjacency", "segment_colors",
+           "segment_hierarchy", "write"]
 
 _Path = Union[str, bytes, "os.PathLike[str]", "os.PathLike[bytes]"]
 
@@ -72,6 +73,7 @@ class Mesh(NamedTuple):
     points: NDArray[np.float64]
     triangles: NDArray[np.int32]
     polygon_of_triangle: NDArray[np.int32]
+    labels: Optional[NDArray[np.intp]] = None
 
 # `points` may be a mesh of another library, which has no type in common with the others.
 def segment(
@@ -92,9 +94,9 @@ def segment(
     salience_weights: Optional[Sequence[float]] = None,
     distance_weights: Optional[Sequence[float]] = None,
     number_of_coarse_faces: Optional[int] = None,
-    number_of_reference_faces: Optional[int] = None,
-    number_of_smoothing_iterations: Optional[int] = None,
-    smooth_boundaries: Optional[bool] = None,
+    number_of_reference_faces: int = 10,
+    number_of_smoothing_iterations: int = 0,
+    smooth_boundaries: bool = False,
     random_seed: Optional[int] = None,
     threads: Optional[int] = None,
     progress: Optional[Callable[[float], object]] = None,
@@ -118,27 +120,29 @@ def segment_hierarchy(
     salience_weights: Optional[Sequence[float]] = None,
     distance_weights: Optional[Sequence[float]] = None,
     number_of_coarse_faces: Optional[int] = None,
-    number_of_reference_faces: Optional[int] = None,
-    number_of_smoothing_iterations: Optional[int] = None,
-    smooth_boundaries: Optional[bool] = None,
+    number_of_reference_faces: int = 10,
+    number_of_smoothing_iterations: int = 0,
+    smooth_boundaries: bool = False,
     random_seed: Optional[int] = None,
     threads: Optional[int] = None,
     progress: Optional[Callable[[float], object]] = None,
 ) -> Hierarchy: ...
 
 def boundary_edges(
-    triangles: ArrayLike, labels: ArrayLike
+    points: Any, triangles: Optional[ArrayLike] = None, labels: Optional[ArrayLike] = None
 ) -> Tuple[NDArray[np.intp], NDArray[np.intp]]: ...
 def segment_adjacency(
-    points: ArrayLike, triangles: ArrayLike, labels: ArrayLike
+    points: Any, triangles: Optional[ArrayLike] = None, labels: Optional[ArrayLike] = None
 ) -> Tuple[NDArray[np.intp], NDArray[np.float64]]: ...
-def segment_colors(triangles: ArrayLike, labels: ArrayLike) -> NDArray[np.uint8]: ...
+def segment_colors(
+    points: Any, triangles: Optional[ArrayLike] = None, labels: Optional[ArrayLike] = None
+) -> NDArray[np.uint8]: ...
 def read(path: _Path) -> Mesh: ...
 def write(
     path: _Path,
     points: Any,
-    triangles: Optional[ArrayLike] = None,
-    labels: Optional[ArrayLike] = None,
+    triangles: Union[ArrayLike, Hierarchy, None] = None,
+    labels: Union[ArrayLike, Hierarchy, None] = None,
     *,
     colors: Optional[ArrayLike] = None,
 ) -> None: ...

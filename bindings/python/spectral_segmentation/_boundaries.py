@@ -5,45 +5,85 @@
 import numpy as np
 
 from . import _core
-from ._meshes import labels_array, points_array, triangles_array
+from ._meshes import surface_and_labels
+
+_MESH = """points : array_like of real numbers, shape (n, 3), or mesh
+        The points, or a mesh of any kind that `segment()` takes. Labels follow a mesh directly, as
+        in `%s(mesh, labels)`.%s
+    triangles : array_like of integers, shape (m, 3), or polygons, optional
+        The indices of the corners in `points`.
+    labels : array_like of integers, shape (m,)
+        The label of each triangle or polygon, from 0 on."""
+_RAISES = """Raises
+    ------
+    TypeError, ValueError
+        If an argument has a wrong type, shape or range."""
 
 
-def boundary_edges(triangles, labels):
-    """The edges between different segments.
+def _described(function):
+    """Fills in what the functions have in common."""
+    no_points = "" if function is segment_adjacency else \
+        " The points are not needed: `%s(triangles, labels)` is enough." % function.__name__
+    mesh = _MESH % (function.__name__, no_points and "\n       " + no_points)
+    if function.__doc__: # there is none with python -OO
+        function.__doc__ = function.__doc__.format(mesh=mesh, raises=_RAISES)
+    return function
 
-    triangles: array_like of integers, shape (m, 3).
-    labels: array_like of integers, shape (m,), from 0 on.
 
-    Returns two arrays of int of shape (k, 2): the points of each edge, and the two labels at it;
-    the smaller one first. Edges are sorted by their points. An edge with three labels or more comes
-    once for each label and the next larger one.
-
-    Raises TypeError or ValueError if an argument has a wrong type, shape or range.
-    """
-    triangles = triangles_array(triangles).astype(np.intp, copy=False)
-    labels = labels_array(labels, len(triangles))
-    edges = np.concatenate([triangles[:, [0, 1]], triangles[:, [1, 2]], triangles[:, [2, 0]]])
+def _edges_between(surface, labels):
+    """The points of each edge between different labels, and these labels."""
+    corners = surface.corners.astype(np.intp, copy=False)
+    ends = np.cumsum(surface.sizes)
+    following = np.arange(1, len(corners) + 1)
+    following[ends - 1] = ends - surface.sizes
+    edges = np.stack([corners, corners[following]], axis=1)
     edges.sort(axis=1)
-    of_edge = np.tile(labels, 3)
+    of_edge = np.repeat(labels, surface.sizes)
     order = np.lexsort((of_edge, edges[:, 1], edges[:, 0]))
     edges, of_edge = edges[order], of_edge[order]
     between = np.flatnonzero((edges[1:] == edges[:-1]).all(axis=1) & (of_edge[1:] != of_edge[:-1]))
     return edges[between], np.stack([of_edge[between], of_edge[between + 1]], axis=1)
 
 
-def segment_adjacency(points, triangles, labels):
-    """Which segments have an edge in common.
+def boundary_edges(points, triangles=None, labels=None):
+    """Returns the edges between different segments.
 
-    points, triangles: the mesh, as for `segment()`.
-    labels: array_like of integers, shape (m,), from 0 on.
+    Parameters
+    ----------
+    {mesh}
 
-    Returns an array of int of shape (k, 2), the pairs of labels, sorted, and an array of float of
-    shape (k,), the lengths of their common boundaries, in the unit of the points.
+    Returns
+    -------
+    edges : ndarray of int, shape (k, 2)
+        The points of each edge, the smaller one first. Edges are sorted by their points. An edge
+        with three labels or more comes once for each label and the next larger one.
+    labels : ndarray of int, shape (k, 2)
+        The two labels at each edge, the smaller one first.
 
-    Raises TypeError or ValueError if an argument has a wrong type, shape or range.
+    {raises}
     """
-    points = points_array(points).astype(float, copy=False)
-    edges, labels = boundary_edges(triangles, labels)
+    return _edges_between(*surface_and_labels(points, triangles, labels))
+
+
+def segment_adjacency(points, triangles=None, labels=None):
+    """Returns which segments have an edge in common.
+
+    Parameters
+    ----------
+    {mesh}
+
+    Returns
+    -------
+    pairs : ndarray of int, shape (k, 2)
+        The pairs of labels, sorted.
+    lengths : ndarray of float, shape (k,)
+        The lengths of their common boundaries, in the unit of the points.
+
+    {raises}
+    """
+    surface, labels = surface_and_labels(points, triangles, labels, needs_points=True)
+    points = surface.points.astype(float, copy=False)
+    edges, labels = _edges_between(surface, labels)
     if edges.size > 0 and not (edges.min() >= 0 and edges.max() < len(points)):
         raise ValueError("triangles have corners that are no indices of points")
     pairs, place = np.unique(labels, axis=0, return_inverse=True)
@@ -51,10 +91,10 @@ def segment_adjacency(points, triangles, labels):
     return pairs, np.bincount(place.ravel(), lengths, len(pairs))
 
 
-def _neighbors(triangles, labels, number_of_segments):
+def _neighbors(surface, labels, number_of_segments):
     """For each segment a list of those that it touches at a point."""
-    corners = triangles.ravel()
-    of_corner = np.repeat(labels, 3)
+    corners = surface.corners
+    of_corner = np.repeat(labels, surface.sizes)
     first = np.empty(corners.max(initial=-1) + 1, np.intp) # label at each point
     first[corners[::-1]] = of_corner[::-1]
     pairs = np.stack([first[corners], of_corner], axis=1)
@@ -64,18 +104,28 @@ def _neighbors(triangles, labels, number_of_segments):
     return [part.tolist() for part in np.split(pairs[:, 1], ends)] if number_of_segments else []
 
 
-def segment_colors(triangles, labels):
-    """A color for each segment, unlike those of its neighbors, as the tool `segment_mesh` gives.
-
-    triangles: array_like of integers, shape (m, 3).
-    labels: array_like of integers, shape (m,), from 0 on.
-
-    Returns an array of uint8 of shape (number of segments, 3): red, green and blue.
-
-    Raises TypeError or ValueError if an argument has a wrong type, shape or range.
-    """
-    triangles = triangles_array(triangles).astype(np.intp, copy=False)
-    labels = labels_array(labels, len(triangles))
-    if triangles.size > 0 and triangles.min() < 0:
+def colors_of(surface, labels):
+    if surface.corners.min(initial=0) < 0:
         raise ValueError("triangles have corners that are negative")
-    return _core.segment_colors(_neighbors(triangles, labels, labels.max(initial=-1) + 1))
+    return _core.segment_colors(_neighbors(surface, labels, labels.max(initial=-1) + 1))
+
+
+def segment_colors(points, triangles=None, labels=None):
+    """Returns a color for each segment, unlike those of its neighbors, as the tool gives.
+
+    Parameters
+    ----------
+    {mesh}
+
+    Returns
+    -------
+    ndarray of uint8, shape (number of segments, 3)
+        Red, green and blue.
+
+    {raises}
+    """
+    return colors_of(*surface_and_labels(points, triangles, labels))
+
+
+for _function in (boundary_edges, segment_adjacency, segment_colors):
+    _described(_function)

@@ -4,9 +4,11 @@
 
 import numpy as np
 
+from ._meshes import array
+
 
 def integers_of_triangles(name, value, number_of_triangles):
-    integers = np.asarray(value)
+    integers = array(name, value)
     if integers.dtype.kind not in "iu":
         raise TypeError("%s must be integers, not %s" % (name, integers.dtype))
     if integers.shape != (number_of_triangles,):
@@ -29,7 +31,7 @@ def edges_arrays(constrained, uncuttable, triangles, number_of_points):
     known_keys = keys_of(triangles[:, [0, 1, 1, 2, 2, 0]].reshape(-1, 2))
 
     def read(name, value):
-        edges = np.asarray(value)
+        edges = array(name, value)
         if edges.size == 0:
             return np.empty((0, 2), np.int64)
         if edges.dtype.kind not in "iu":

@@ -8,17 +8,28 @@ from collections import namedtuple
 import numpy as np
 
 from . import _core
-from ._boundaries import segment_colors
-from ._meshes import arrays_of, labels_array
+from ._boundaries import colors_of
+from ._hierarchy import Hierarchy
+from ._meshes import array, is_flat, labels_array, surface_of
 from ._replace_file import replace_file
 
 _READ = (".off", ".obj", ".ply", ".stl")
 _WRITTEN = (".ply", ".obj", ".off", ".glb", ".stl")
 
-Mesh = namedtuple("Mesh", "points triangles polygon_of_triangle")
-Mesh.__doc__ = """A mesh that `read()` returns: `points`, shape (n, 3), float64; `triangles`, shape
-(m, 3), int32; `polygon_of_triangle`, shape (m,), int32, which polygon of the file each triangle is
-of."""
+Mesh = namedtuple("Mesh", "points triangles polygon_of_triangle labels", defaults=[None])
+Mesh.__doc__ = """A mesh that `read()` returns.
+
+Parameters
+----------
+points : ndarray of float64, shape (n, 3)
+triangles : ndarray of int32, shape (m, 3)
+    The indices of the corners in `points`.
+polygon_of_triangle : ndarray of int32, shape (m,)
+    The polygon of the file that each triangle is of.
+labels : ndarray of int, shape (m,), or None
+    The segment of each triangle, if the file has segments: as the property `segment` of PLY, or as
+    the objects and groups of OBJ, which are numbered in the order of the file.
+"""
 
 
 def _extension(path, known):
@@ -29,23 +40,47 @@ def _extension(path, known):
     return extension
 
 
+def _labels_of_file(segments, extension):
+    if len(segments) == 0 or not (segments == np.floor(segments)).all():
+        return None
+    if extension == ".obj":
+        segments = np.unique(segments, return_inverse=True)[1]
+    return segments.astype(np.intp)
+
+
 def read(path):
-    """Reads the mesh of a file of OFF, OBJ, PLY or STL, as its name tells, and returns a `Mesh`.
+    """Reads the mesh of a file of OFF, OBJ, PLY or STL, as its name tells.
 
-    Polygons are cut into triangles. Where a file repeats points along a seam, or for each triangle
-    as in STL, the triangles there have the first of them, so that they are neighbors.
+    Polygons are cut into triangles. If a file repeats points along a seam, or for each triangle as
+    in STL, the triangles there get the first of them, so that they are neighbors.
 
-    Raises OSError if the file cannot be opened, ValueError with the line or byte at fault if its
-    contents contradict the format, or if it has no polygon.
+    Parameters
+    ----------
+    path : path_like
+
+    Returns
+    -------
+    Mesh
+        The points, the triangles, the polygon of each triangle, and the labels that `write()` put
+        into PLY or OBJ. Files of OFF, GLB and STL keep no labels for `read()`.
+
+    Raises
+    ------
+    OSError
+        If the file cannot be opened.
+    ValueError
+        If its contents contradict the format, with the line or byte at fault, or if it has no
+        polygon.
     """
     path = os.fsdecode(path)
     extension = _extension(path, _READ)
     with open(path, "rb") as file:
         contents = file.read()
     try:
-        mesh = Mesh(*_core.parse_mesh(contents, extension))
+        *arrays, segments = _core.parse_mesh(contents, extension)
     except ValueError as error:
         raise ValueError("%s cannot be read: %s" % (path, error)) from None
+    mesh = Mesh(*arrays, _labels_of_file(segments, extension))
     if len(mesh.triangles) == 0:
         raise ValueError("%s has no face with three different corners" % path)
     return mesh
@@ -54,31 +89,47 @@ def read(path):
 def write(path, points, triangles=None, labels=None, *, colors=None):
     """Writes a mesh in the format that the name tells: PLY, OBJ, OFF, GLB, or STL without labels.
 
-    points, triangles: the mesh, as for `segment()`; points of float32 are written with as few
-        digits as these have.
-    labels: array_like of integers, shape (m,), from 0 on: the segment of each triangle. PLY has
-        them as the property 'segment' of faces, OBJ as groups, GLB as nodes. By default all are 0.
-    colors: array_like of integers from 0 to 255, shape (number of segments, 3), by default those of
-        `segment_colors()`. OBJ has them in a file of materials beside it, which is written too.
+    An existing file is replaced only when the new one is complete.
 
-    Raises OSError if the file cannot be written, TypeError or ValueError if an argument has a wrong
-    type, shape or range. An existing file is replaced only when the new one is complete.
+    Parameters
+    ----------
+    path : path_like
+    points : array_like of real numbers, shape (n, 3), or mesh
+        The points, or a mesh of any kind that `segment()` takes. Labels follow a mesh directly, as
+        in `write(path, mesh, labels)`. Points of float32 are written with as few digits as these
+        have.
+    triangles : array_like of integers, shape (m, 3), or polygons, optional
+        The indices of the corners in `points`.
+    labels : array_like of integers, shape (m,), or Hierarchy, default: 0 for all
+        The segment of each triangle or polygon, from 0 on. PLY has them as the property `segment`
+        of faces, OBJ as groups, GLB as nodes.
+    colors : array_like of integers from 0 to 255, shape (number of segments, 3), optional
+        By default those of `segment_colors()`. OBJ has them in a file of materials beside it, which
+        is written too.
+
+    Raises
+    ------
+    OSError
+        If the file cannot be written.
+    TypeError, ValueError
+        If an argument has a wrong type, shape or range.
     """
     path = os.fsdecode(path)
     extension = _extension(path, _WRITTEN)
-    points, triangles = arrays_of(points, triangles)
-    if triangles.size > 0 and not (triangles.min() >= 0 and triangles.max() < len(points)):
-        raise ValueError("triangles have corners that are no indices of points")
-    if not np.isfinite(points[triangles.ravel()]).all():
-        raise ValueError("points have coordinates that are not finite")
+    if labels is None and (isinstance(triangles, Hierarchy) or is_flat(triangles)):
+        triangles, labels = None, triangles
+    surface = surface_of(points, triangles)
+    if isinstance(labels, Hierarchy):
+        labels = labels.labels()
     if labels is None:
-        labels = np.zeros(len(triangles), np.intp)
+        labels = np.zeros(len(surface), np.intp)
     elif extension == ".stl":
         raise ValueError("STL has no labels")
-    labels = labels_array(labels, len(triangles))
+    labels = labels_array(labels, len(surface))
+    core = surface.core # which checks the mesh
     if colors is None:
-        colors = segment_colors(triangles, labels)
-    colors = np.asarray(colors)
+        colors = colors_of(surface, labels)
+    colors = array("colors", colors)
     number_of_segments = labels.max(initial=-1) + 1
     if colors.dtype.kind not in "iu" or colors.ndim != 2 or colors.shape[1] != 3 or \
             len(colors) < number_of_segments:
@@ -86,10 +137,9 @@ def write(path, points, triangles=None, labels=None, *, colors=None):
     if colors.size > 0 and not (colors.min() >= 0 and colors.max() <= 255):
         raise ValueError("colors must be from 0 to 255")
     materials = os.path.splitext(path)[0] + ".mtl" if extension == ".obj" else ""
-    contents, of_materials = _core.format_mesh(
-        extension, np.ascontiguousarray(points, np.float64), points.dtype == np.float32,
-        np.ascontiguousarray(triangles, np.uint32), labels.astype(np.uint32),
-        np.ascontiguousarray(colors, np.uint8), os.path.basename(materials))
+    contents, of_materials = core.format(extension, labels.astype(np.uint32),
+                                         np.ascontiguousarray(colors, np.uint8),
+                                         os.path.basename(materials))
     if materials:
         replace_file(materials, of_materials)
     replace_file(path, contents)

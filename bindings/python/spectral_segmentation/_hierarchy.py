@@ -4,6 +4,8 @@
 
 import os
 
+import numpy as np
+
 from . import _core
 from ._checks import integer, real
 from ._replace_file import replace_file
@@ -15,32 +17,41 @@ class Hierarchy:
     `segment_hierarchy()` makes a hierarchy, and so do `load()` and `from_json()`. Nodes are
     numbered from 0. A hierarchy can be pickled and copied.
 
+    If the run was given polygons, labels and `faces()` are those of polygons: a polygon has the
+    label with the largest area of its triangles. Nodes, JSON and files are those of the triangles.
+
     Examples
     --------
     >>> hierarchy = segment_hierarchy(mesh)
     >>> labels = hierarchy.labels(5)
     """
 
-    __slots__ = ("_core", "__weakref__")
+    __slots__ = ("_core", "_surface", "__weakref__")
 
     def __init__(self):
         raise TypeError("segment_hierarchy(), Hierarchy.load() or Hierarchy.from_json() makes a "
                         "Hierarchy")
 
     @classmethod
-    def _of(cls, core):
+    def _of(cls, core, surface=None):
+        """The hierarchy of triangles, or with a surface the one of its polygons."""
         result = object.__new__(cls)
         result._core = core
+        result._surface = surface
         return result
 
+    @classmethod
+    def _restored(cls, text, surface):
+        return cls._of(_core.Hierarchy.from_json(text), surface)
+
     def __copy__(self):
-        return Hierarchy._of(self._core.copy())
+        return Hierarchy._of(self._core.copy(), self._surface)
 
     def __deepcopy__(self, memo):
         return self.__copy__()
 
     def __reduce__(self):
-        return Hierarchy.from_json, (self.to_json(),)
+        return Hierarchy._restored, (self.to_json(), self._surface)
 
     def __repr__(self):
         return "<Hierarchy of %d faces, %d nodes>" % (self.number_of_faces, self.number_of_nodes)
@@ -54,8 +65,8 @@ class Hierarchy:
 
     @property
     def number_of_faces(self):
-        """int: the number of triangles of the mesh."""
-        return self._core.number_of_faces
+        """int: the number of triangles or polygons of the mesh."""
+        return self._core.number_of_faces if self._surface is None else len(self._surface)
 
     @property
     def number_of_nodes(self):
@@ -124,7 +135,7 @@ class Hierarchy:
         return self._core.segments(n, salience_threshold)
 
     def labels(self, n=None, *, salience_threshold=None):
-        """Returns the label of each triangle. Nothing is searched again.
+        """Returns the label of each triangle or polygon. Nothing is searched again.
 
         Parameters
         ----------
@@ -144,10 +155,14 @@ class Hierarchy:
             If a cut is needed that the run did not search, `n` is below 1, or `salience_threshold`
             is not a number.
         """
-        return self._core.labels_of_nodes(self.segments(n, salience_threshold=salience_threshold))
+        return self._labels(self.segments(n, salience_threshold=salience_threshold))
+
+    def _labels(self, nodes):
+        labels = self._core.labels_of_nodes(nodes)
+        return labels if self._surface is None else self._surface.labels_of_faces(labels)
 
     def labels_of_nodes(self, nodes):
-        """Returns the label of each triangle if the segments are these nodes.
+        """Returns the label of each triangle or polygon if the segments are these nodes.
 
         Parameters
         ----------
@@ -167,10 +182,10 @@ class Hierarchy:
             nodes = list(nodes)
         except TypeError:
             raise TypeError("nodes must be integers, not %s" % type(nodes).__name__) from None
-        return self._core.labels_of_nodes([self._node("nodes", node) for node in nodes])
+        return self._labels([self._node("nodes", node) for node in nodes])
 
     def faces(self, node):
-        """Returns the triangles of a node.
+        """Returns the triangles or polygons of a node.
 
         Parameters
         ----------
@@ -179,14 +194,19 @@ class Hierarchy:
         Returns
         -------
         ndarray of int
-            The indices of the triangles, in ascending order.
+            Their indices, in ascending order.
 
         Raises
         ------
         ValueError
             If there is no such node.
         """
-        return self._core.faces(self._node("node", node))
+        faces = self._core.faces(self._node("node", node))
+        if self._surface is None:
+            return faces
+        is_inside = np.zeros(self._core.number_of_faces, np.uint32)
+        is_inside[faces] = 1
+        return np.flatnonzero(self._surface.labels_of_faces(is_inside))
 
     def merge(self, a, b):
         """Makes two nodes the children of one node.
@@ -228,6 +248,9 @@ class Hierarchy:
         """
         if not isinstance(part, Hierarchy):
             raise TypeError("part must be a Hierarchy, not %s" % type(part).__name__)
+        if self._surface is not None:
+            raise ValueError("a hierarchy of polygons cannot be cut further; cut the polygons into "
+                             "triangles before the first run")
         self._core.split_leaf(self._node("leaf", leaf), part._core)
 
     def to_json(self):

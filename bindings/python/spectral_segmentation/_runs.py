@@ -9,7 +9,7 @@ from . import _core
 from ._checks import flag, function, integer, real, three_numbers
 from ._constraints import edges_arrays, integers_of_triangles
 from ._hierarchy import Hierarchy
-from ._meshes import arrays_of
+from ._meshes import surface_of
 from ._salience import SalienceFactors
 
 _METHODS = {"calibrated": False, "paper": True}
@@ -26,9 +26,99 @@ def _threads(value):
     number = integer("threads", value)
     if number < 1:
         raise ValueError("threads must be at least 1")
-    if number > 1 and not _core.HAS_THREADS:
-        raise ValueError("this build has no threads, as it is without TBB")
     return min(number, 1024)
+
+
+_PARAMETERS = """Parameters
+    ----------
+    points : array_like of real numbers, shape (n, 3), or mesh
+        The points, in any unit; or a mesh: what `read()` returns, a tuple (points, triangles), or
+        an object of trimesh, Open3D, PyVista, VTK, meshio, manifold3d or pymeshlab. Arrays of
+        float32 and float64 are read without a copy.
+    triangles : array_like of integers, shape (m, 3), or polygons, optional
+        The indices of the corners in `points`. Arrays of 4 and 8 bytes an integer are read without
+        a copy. Edges may have any number of triangles, and the orientation may vary. Polygons are
+        an array of shape (m, k) or a list of rows; they are cut into triangles, and a polygon gets
+        the label with the largest area.
+    method : {{"calibrated", "paper"}}, default: "calibrated"
+        "calibrated" cuts where people cut; "paper" is the method of Zhang and Liu 2005,
+        `zhang_liu_2005()` in C++.
+    number_of_segments : int, optional
+        Exactly this number, whatever the saliences are. Not together with the next two.
+    maximum_number_of_segments : int, optional
+        At most this number; by default there is no limit.
+    salience_threshold : float, default: 0.48, or 0.54 for weighted saliences such as the paper's
+        The smallest salience of a cut. The salience of the calibrated method is the probability
+        that people cut there.
+    keep_components_separate : bool, default: False, or True with the method "paper"
+        Whether each connected component is a part from the start. Otherwise a component with less
+        than a hundredth of the area belongs to the part with which it has the most contact.
+    face_groups : array_like of integers, shape (m,), optional
+        The group of each triangle or polygon, such as an object of a file. Groups are kept apart
+        like connected components.
+    constrained_edges : array_like of integers, shape (k, 2), optional
+        Edges by their points, as of `boundary_edges()`, that must be between segments. Edges of
+        one triangle are ignored.
+    uncuttable_edges : array_like of integers, shape (k, 2), optional
+        Edges whose triangles must be of one segment.
+    face_seeds : array_like of integers, shape (m,), optional
+        Triangles with the same number are of one segment, and those with different numbers are
+        not. Negative numbers mean nothing. Neither this nor the two for edges go with the method
+        "paper".
+    minimum_segment_size : float, default: 0.003, or 0.005 with the method "paper"
+        The least share of the area of the mesh for each side of a cut, in [0, 0.5].
+    part_salience : callable, optional
+        Your own salience of a cut, which takes `SalienceFactors` and returns a number. It is called
+        from several threads, one at a time. Give `salience_threshold` with it.
+    salience_weights : three floats, optional
+        The weights of size, cut strength and protrusiveness in a weighted salience: not negative,
+        with sum 1. Not together with `part_salience`.
+    distance_weights : three floats, default: (0.03, 1, 0.1), or (0.01, 1, 0.1) with "paper"
+        The weight of the geodesic distance, in [0, 1], and the factors of the angle distance at
+        concave and at convex edges.
+    number_of_coarse_faces : int, default: 4000, or 0 with the method "paper"
+        Cuts are searched on a coarse mesh with this number of triangles, and at most 1000 more
+        than the mesh has. 0 means the mesh itself.
+    number_of_reference_faces : int, default: 10
+        The dimension of the context vector, at most 1000.
+    number_of_smoothing_iterations : int, default: 0
+        Steps of Laplacian smoothing before the search, at most 100000.
+    smooth_boundaries : bool, default: False
+        Whether boundaries of segments are smoothed.
+    random_seed : int, optional
+        Chooses reference faces at random, as in the paper. By default they are not random.
+    threads : int, default: all that the machine has
+        At most this number of threads. Wheels are built without TBB, and use one.
+    progress : callable, optional
+        Is called with the share of the run that is done, from 0 to 1, in the caller's thread. If it
+        returns False, or another value but None that counts as false, the run ends, and the result
+        has the cuts made so far. If it raises an exception, the run ends with that. So it does with
+        KeyboardInterrupt after Ctrl-C.
+
+    Returns
+    -------
+    {returns}
+
+    Raises
+    ------
+    TypeError, ValueError
+        If an argument has a wrong type, shape or range, or seeds and edges contradict each other.
+    OverflowError
+        If a number is too large.
+    MemoryError
+        If there is not enough memory.
+
+    Warns
+    -----
+    UserWarning
+        If the triangles are a closed surface that points inwards: turned around, it may have other
+        parts.
+
+    Notes
+    -----
+    The same input gives the same result on every run, with any number of threads. The lock of
+    Python is released: several threads may run at a time. The arrays must not change meanwhile.
+    The manual of the C++ library tells more."""
 
 
 def segment_hierarchy(points, triangles=None, *, method="calibrated", number_of_segments=None,
@@ -37,68 +127,19 @@ def segment_hierarchy(points, triangles=None, *, method="calibrated", number_of_
                       constrained_edges=None, uncuttable_edges=None,
                       face_seeds=None, minimum_segment_size=None, part_salience=None,
                       salience_weights=None, distance_weights=None, number_of_coarse_faces=None,
-                      number_of_reference_faces=None, number_of_smoothing_iterations=None,
-                      smooth_boundaries=None, random_seed=None, threads=None, progress=None):
-    """Cuts a triangle mesh into parts, and returns all cuts with their salience.
+                      number_of_reference_faces=10, number_of_smoothing_iterations=0,
+                      smooth_boundaries=False, random_seed=None, threads=None, progress=None):
+    """Cuts a mesh into parts, and returns all cuts with their salience.
 
-    The same input gives the same result on every run, with any number of threads. The lock of
-    Python is released: several threads may run at a time. The arrays must not change meanwhile.
+    {parameters}
 
-    Parameters, all but the mesh being optional; the manual of the C++ library tells more:
-
-    points: array_like of real numbers, shape (n, 3), in any unit; or a mesh: what `read()` returns,
-        or an object of trimesh, Open3D, PyVista or meshio. Arrays of float32 and float64 are read
-        without a copy.
-    triangles: array_like of integers, shape (m, 3), the indices of the corners in `points`. Arrays
-        of 4 and 8 bytes an integer are read without a copy. Edges may have any number of
-        triangles, and the orientation may vary.
-    method: "calibrated", which cuts where people cut, or "paper", that of Zhang and Liu 2005,
-        `zhang_liu_2005()` in C++.
-    number_of_segments: exactly this number, whatever the saliences are; not together with the next
-        two.
-    maximum_number_of_segments: at most this number.
-    salience_threshold: the smallest salience of a cut; by default 0.48, the probability that people
-        cut there, or 0.54 for weighted saliences such as the paper's.
-    keep_components_separate: whether each connected component is a part from the start; by default
-        False, with the method "paper" True. By default a component with less than a hundredth of
-        the area belongs to the part with which it has the most contact.
-    face_groups: array_like of integers, shape (m,): the group of each triangle, such as an object
-        of a file. Groups are kept apart like connected components.
-    constrained_edges: array_like of integers, shape (k, 2): edges by their points, as of
-        `boundary_edges()`, that must be between segments. Edges of one triangle are ignored.
-    uncuttable_edges: array_like of integers, shape (k, 2): edges whose triangles must be of
-        one segment.
-    face_seeds: array_like of integers, shape (m,). Triangles with the same number are of one
-        segment, those with different numbers are not; negative numbers mean nothing. Neither
-        this nor the two for edges go with the method "paper".
-    minimum_segment_size: the least share of the area of the mesh for each side of a cut, in
-        [0, 0.5]; by default 0.003, with the method "paper" 0.005.
-    part_salience: your own salience of a cut, a callable that takes `SalienceFactors` and returns a
-        number. It is called from several threads, one at a time. Give `salience_threshold` with it.
-    salience_weights: three numbers, not negative, with sum 1: the weights of size, cut strength and
-        protrusiveness in a weighted salience. Not together with `part_salience`.
-    distance_weights: three numbers: the weight of the geodesic distance, in [0, 1], and the factors
-        of the angle distance at concave and at convex edges; by default 0.03, 1, 0.1, with the
-        method "paper" 0.01, 1, 0.1.
-    number_of_coarse_faces: cuts are searched on a coarse mesh with this number of triangles, by
-        default 4000, and at most 1000 more than the mesh has; 0 means the mesh itself, the default
-        of the method "paper".
-    number_of_reference_faces: the dimension of the context vector, by default 10.
-    number_of_smoothing_iterations: steps of Laplacian smoothing before the search, by default 0.
-    smooth_boundaries: whether boundaries of segments are smoothed, by default False.
-    random_seed: chooses reference faces at random, as in the paper.
-    threads: at most this number of threads; by default all that the machine has.
-    progress: is called with the share of the run that is done, from 0 to 1, in the caller's thread.
-        If it returns False, or another value but None that counts as false, the run ends, and the
-        result has the cuts made so far. If it raises an exception, the run ends with that. So it
-        does with KeyboardInterrupt after Ctrl-C.
-
-    Raises TypeError or ValueError if an argument has a wrong type, shape or range, or seeds and
-    edges contradict each other; OverflowError if a number is too large; MemoryError if there is not
-    enough memory. Warns with UserWarning if the triangles are a closed surface that points inwards:
-    turned around, it may have other parts.
+    Examples
+    --------
+    >>> hierarchy = segment_hierarchy(points, triangles)
+    >>> hierarchy.labels(5)
     """
-    points, triangles = arrays_of(points, triangles)
+    surface = surface_of(points, triangles)
+    points, triangles = surface.points, surface.triangles
     if not isinstance(method, str) or method not in _METHODS:
         raise ValueError("method must be 'calibrated' or 'paper', not %r" % (method,))
     if number_of_segments is not None and not (maximum_number_of_segments is None and
@@ -130,29 +171,34 @@ def segment_hierarchy(points, triangles=None, *, method="calibrated", number_of_
         for name, value in parameters.items():
             if value is not None:
                 given[name] = read(name, value)
-    constraints = [*edges_arrays(constrained_edges, uncuttable_edges, triangles, len(points)),
-              None if face_seeds is None
-              else integers_of_triangles("face_seeds", face_seeds, len(triangles)),
-              None if face_groups is None
-              else integers_of_triangles("face_groups", face_groups, len(triangles))]
+    constraints = [
+        *edges_arrays(constrained_edges, uncuttable_edges, triangles, len(points)),
+        *(None if value is None
+          else surface.values_of_triangles(integers_of_triangles(name, value, len(surface)))
+          for name, value in (("face_seeds", face_seeds), ("face_groups", face_groups)))]
     try:
-        return Hierarchy._of(_core.segment(
+        core = _core.segment(
             points, triangles, given, *constraints,
             None if part_salience is None
             else lambda factors: part_salience(SalienceFactors._make(factors)),
-            None if threads is None else _threads(threads), function("progress", progress)))
+            None if threads is None else _threads(threads), function("progress", progress))
     except MemoryError:
         raise MemoryError("there is not enough memory for %d triangles" % len(triangles)) from None
+    return Hierarchy._of(core, surface if surface.has_polygons else None)
 
 
 def segment(points, triangles=None, **parameters):
-    """Cuts a triangle mesh into the parts that a person would name.
+    """Cuts a mesh into the parts that a person would name.
 
-    Returns the label of each triangle, an array of int of shape (m,). Labels go from 0 to the
-    number of segments - 1; segments are numbered by their first triangle.
+    `segment_hierarchy()` has the same parameters. Its result gives the labels for other numbers of
+    segments without another run.
 
-    The parameters and exceptions are those of `segment_hierarchy()`, whose result gives the labels
-    for other numbers of segments without another run.
+    {parameters}
+
+    Examples
+    --------
+    >>> labels = segment(points, triangles)
+    >>> labels = segment(mesh, number_of_segments=7)
     """
     known = _SIGNATURE.parameters
     for name in parameters:
@@ -165,3 +211,11 @@ def segment(points, triangles=None, **parameters):
 
 _SIGNATURE = inspect.signature(segment_hierarchy)
 segment.__signature__ = _SIGNATURE # for help() and inspect
+for _function, _returns in ((segment, """ndarray of int, shape (m,)
+        The label of each triangle or polygon, from 0 to the number of segments - 1. Segments are
+        numbered by their first triangle."""),
+                            (segment_hierarchy, """Hierarchy
+        All cuts, and the labels for each number of segments.""")):
+    if _function.__doc__: # there is none with python -OO
+        _function.__doc__ = _function.__doc__.format(
+            parameters=_PARAMETERS.format(returns=_returns))

@@ -6,6 +6,7 @@
 #include "arrays.h"
 #include "python_lock.h"
 
+#include <command_line/read_input.h>
 #include <files/Polygon_soup.h>
 #include <files/Polygon_triangulation.h>
 #include <files/Segmented_mesh.h>
@@ -34,6 +35,19 @@ using mesh_file::Point;
 using mesh_file::Polygon_soup;
 using mesh_file::Rgb;
 using mesh_file::Triangle;
+using segment_mesh::Input;
+
+static void triangulate(const Polygon_soup& soup, std::vector<Triangle>& triangles,
+                        std::vector<Index>& polygon_of_triangle)
+{
+  mesh_file::Polygon_triangulation triangulate_polygon(soup.points);
+  triangles.reserve(soup.number_of_polygons());
+  polygon_of_triangle.reserve(soup.number_of_polygons());
+  for (Index i = 0; i < soup.number_of_polygons(); ++i) {
+    triangulate_polygon(soup.polygon(i), triangles);
+    polygon_of_triangle.resize(triangles.size(), i);
+  }
+}
 
 // Indices are below 2^32 - 1 and, in files of less than 8 GB, below 2^31.
 template <class Element>
@@ -46,36 +60,75 @@ py::array_t<std::int32_t> array_of_indices(std::vector<Element> elements,
   return array_of<std::int32_t>(std::move(elements), shape);
 }
 
-// The points, the triangles, and the polygon of each triangle.
+// Removes the points that triangles had before their borders were stitched, but no longer have.
+static void remove_joined_points(std::vector<Point>& points, const std::vector<char>& was_used,
+                                 std::vector<Triangle>& triangles)
+{
+  std::vector<char> is_used(points.size(), 0);
+  for (const Triangle& t : triangles)
+    for (Index v : t)
+      is_used[v] = 1;
+  std::vector<Index> number(points.size(), mesh_file::null_index);
+  Index size = 0;
+  for (Index v = 0; v < points.size(); ++v)
+    if (is_used[v] || !was_used[v]) {
+      number[v] = size;
+      points[size++] = points[v];
+    }
+  points.resize(size);
+  for (Triangle& t : triangles)
+    for (Index& v : t)
+      v = number[v];
+}
+
+// Returns a number for each polygon: its segment, if PLY has that property, or else the object and
+// group that it has in OBJ; nothing if there are none.
+static std::vector<double> segments_of(const Polygon_soup& soup)
+{
+  for (const mesh_file::Property& p : soup.polygon_properties)
+    if (p.name == "segment")
+      return p.values;
+  return {soup.group_of_polygon.begin(), soup.group_of_polygon.end()};
+}
+
+// Returns the points, the triangles, and the polygon and the segment of each triangle.
 static py::tuple parse_mesh(const py::bytes& bytes, const std::string& extension)
 {
   const std::string_view contents = bytes;
   Polygon_soup soup;
   std::vector<Triangle> triangles;
   std::vector<Index> polygon_of_triangle;
+  std::vector<double> segments;
+  std::size_t number_of_polygons = 0;
   try {
     const No_python_lock no_python_lock;
-    soup = mesh_file::read_mesh_file(contents, mesh_file::format_of_extension(extension), false);
-    mesh_file::Polygon_triangulation triangulate(soup.points);
-    triangles.reserve(soup.number_of_polygons());
-    polygon_of_triangle.reserve(soup.number_of_polygons());
-    for (Index i = 0; i < soup.number_of_polygons(); ++i) {
-      triangulate(soup.polygon(i), triangles);
-      polygon_of_triangle.resize(triangles.size(), i);
-    }
+    const mesh_file::Format format = mesh_file::format_of_extension(extension);
+    soup = mesh_file::read_mesh_file(contents, format, format == mesh_file::Format::PLY);
+    number_of_polygons = soup.number_of_polygons();
+    triangulate(soup, triangles, polygon_of_triangle);
+    std::vector<char> is_used(soup.points.size(), 0);
+    for (const Triangle& t : triangles)
+      for (Index v : t)
+        is_used[v] = 1;
     mesh_file::Border_stitching(soup.points, triangles)();
+    remove_joined_points(soup.points, is_used, triangles);
+    const std::vector<double> segment_of_polygon = segments_of(soup);
+    if (!segment_of_polygon.empty())
+      for (Index i : polygon_of_triangle)
+        segments.push_back(segment_of_polygon[i]);
   }
   catch (const std::runtime_error& e) {
     throw py::value_error(e.what());
   }
   const auto number_of_points = static_cast<py::ssize_t>(soup.points.size());
   const auto number_of_triangles = static_cast<py::ssize_t>(triangles.size());
+  const auto number_of_segments = static_cast<py::ssize_t>(segments.size());
   return py::make_tuple(
     array_of<double>(std::move(soup.points), {number_of_points, 3}),
     array_of_indices(std::move(triangles), {number_of_triangles, 3},
                      static_cast<std::size_t>(number_of_points)),
-    array_of_indices(std::move(polygon_of_triangle), {number_of_triangles},
-                     soup.number_of_polygons()));
+    array_of_indices(std::move(polygon_of_triangle), {number_of_triangles}, number_of_polygons),
+    array_of<double>(std::move(segments), {number_of_segments}));
 }
 
 // Elements of which each is some numbers of a contiguous array.
@@ -91,24 +144,64 @@ std::vector<Element> vector_of(const Array& array)
 template <class Number>
 using Contiguous = py::array_t<Number, py::array::c_style>;
 
-// The contents of the file, and of that of its materials. The module's own Python has checked the
-// arguments.
-static py::tuple format_mesh(const std::string& extension, const Contiguous<double>& points,
-                             bool has_float_points, const Contiguous<std::uint32_t>& triangles,
-                             const Contiguous<std::uint32_t>& labels,
-                             const Contiguous<std::uint8_t>& colors, const std::string& materials)
+// Returns the polygons of arrays, whose corners are points, and their triangles. Triangles stay as
+// they are.
+static Input polygons_of(const Contiguous<double>& points, bool has_float_points,
+                         const Contiguous<std::uint32_t>& corners,
+                         const Contiguous<std::uint32_t>& sizes)
 {
-  Polygon_soup soup;
+  Input input;
+  Polygon_soup& soup = input.soup;
   soup.points = vector_of<Point>(points);
   soup.coordinate_type =
     has_float_points ? mesh_file::Number_type::FLOAT32 : mesh_file::Number_type::FLOAT64;
-  for (const Triangle& t : vector_of<Triangle>(triangles)) {
-    soup.corners.insert(soup.corners.end(), t.begin(), t.end());
-    soup.end_polygon();
+  soup.corners = vector_of<Index>(corners);
+  bool has_triangles_only = true;
+  for (Index size : vector_of<Index>(sizes)) {
+    has_triangles_only = has_triangles_only && size == 3;
+    soup.first_corner.push_back(soup.first_corner.back() + size);
   }
-  const std::vector<Index> label_of_triangle = vector_of<Index>(labels);
+  if (!has_triangles_only)
+    triangulate(soup, input.triangles, input.polygon_of_triangle);
+  else
+    for (Index i = 0; i < soup.number_of_polygons(); ++i) {
+      const mesh_file::Polygon t = soup.polygon(i);
+      input.triangles.push_back({t[0], t[1], t[2]});
+      input.polygon_of_triangle.push_back(i);
+    }
+  return input;
+}
+
+static py::array_t<std::int32_t> triangles_of(const Input& input)
+{
+  return array_of_indices(input.triangles, {static_cast<py::ssize_t>(input.triangles.size()), 3},
+                          input.soup.points.size());
+}
+
+static py::array_t<std::int32_t> polygons_of_triangles(const Input& input)
+{
+  return array_of_indices(input.polygon_of_triangle,
+                          {static_cast<py::ssize_t>(input.polygon_of_triangle.size())},
+                          input.soup.number_of_polygons());
+}
+
+static py::array_t<py::ssize_t> labels_of_polygons(const Input& input,
+                                                   const Contiguous<std::uint32_t>& labels)
+{
+  const std::vector<Index> result =
+    segment_mesh::labels_of_polygons(input, vector_of<Index>(labels));
+  return array_of(std::vector<std::size_t>(result.begin(), result.end()));
+}
+
+// Returns the contents of the file, and of that of its materials. The module's own Python has
+// checked the arguments.
+static py::tuple format_mesh(const Input& input, const std::string& extension,
+                             const Contiguous<std::uint32_t>& labels,
+                             const Contiguous<std::uint8_t>& colors, const std::string& materials)
+{
+  const std::vector<Index> label_of_polygon = vector_of<Index>(labels);
   const std::vector<Rgb> color_of_segment = vector_of<Rgb>(colors);
-  const mesh_file::Segmented_mesh mesh{soup, label_of_triangle, color_of_segment};
+  const mesh_file::Segmented_mesh mesh{input.soup, label_of_polygon, color_of_segment};
   std::ostringstream out, out_of_materials;
   try {
     const No_python_lock no_python_lock;
@@ -131,8 +224,13 @@ segment_colors(const std::vector<std::vector<std::size_t> >& neighbors)
 
 void define_mesh_files(py::module_& m)
 {
+  py::class_<Input>(m, "Polygons")
+    .def(py::init(&polygons_of))
+    .def_property_readonly("triangles", triangles_of)
+    .def_property_readonly("polygon_of_triangle", polygons_of_triangles)
+    .def("labels", labels_of_polygons)
+    .def("format", format_mesh);
   m.def("parse_mesh", parse_mesh);
-  m.def("format_mesh", format_mesh);
   m.def("segment_colors", segment_colors);
 }
 

@@ -47,12 +47,6 @@ using segmentation::Segmentation_hierarchy;
 
 namespace {
 
-#ifdef CGAL_LINKED_WITH_TBB
-constexpr bool has_threads = true;
-#else
-constexpr bool has_threads = false;
-#endif
-
 typedef std::optional<py::array_t<std::int64_t> > Optional_integers;
 
 typedef std::pair<std::size_t, std::size_t> Edge;
@@ -221,7 +215,6 @@ PYBIND11_MODULE(_core, m)
   });
 
   m.attr("__version__") = CGAL_SPECTRAL_SEGMENTATION_VERSION;
-  m.attr("HAS_THREADS") = has_threads;
   define_hierarchy(m);
   define_mesh_files(m);
   m.def("segment", segment);

@@ -52,6 +52,23 @@ def test_round_trips(dumbbell, tmp_path, extension, kind):
     assert {p.suffix for p in tmp_path.iterdir()} == suffixes
 
 
+def test_labels_are_read_back(dumbbell, tmp_path):
+    points, triangles = dumbbell
+    labels = segment_hierarchy(points, triangles).labels(3)
+    write(tmp_path / "mesh.ply", points, triangles, labels)
+    mesh = read(tmp_path / "mesh.ply")
+    np.testing.assert_array_equal(mesh.points, points) # also of those that are on boundaries
+    np.testing.assert_array_equal(mesh.triangles, triangles)
+    np.testing.assert_array_equal(mesh.labels, labels)
+    write(tmp_path / "mesh.obj", points, triangles, labels)
+    mesh = read(tmp_path / "mesh.obj") # which has the triangles of one segment after the other
+    order = np.argsort(labels, kind="stable")
+    np.testing.assert_array_equal(mesh.triangles, triangles[order])
+    np.testing.assert_array_equal(mesh.labels, labels[order])
+    write(tmp_path / "mesh.off", points, triangles, labels)
+    assert read(tmp_path / "mesh.off").labels is None
+
+
 def test_names_may_be_bytes(dumbbell, tmp_path):
     """Also such as are no text."""
     path = os.fsencode(tmp_path) + b"/\xff.ply"

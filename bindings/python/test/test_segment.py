@@ -102,14 +102,14 @@ def test_types_and_strides_make_no_difference(bumpy_dumbbell):
 
 
 def test_arrays_of_common_types_are_not_copied():
-    from spectral_segmentation._meshes import points_array, triangles_array
+    from spectral_segmentation._meshes import Surface, points_array
     for kind in ("f4", "f8"):
         array = np.zeros((8, 3), kind)[::2]
         assert points_array(array) is not None
         assert np.shares_memory(points_array(array), array)
     for kind in ("i4", "u4", "i8", "u8"):
         array = np.zeros((8, 6), kind)[:, ::2]
-        assert np.shares_memory(triangles_array(array), array)
+        assert np.shares_memory(Surface(None, array).triangles, array)
 
 
 def test_arguments_are_not_changed_and_may_be_read_only(dumbbell):
