@@ -18,7 +18,7 @@ if (!files.length) {
   console.error("web.mjs PACKAGE ARRAYS_CALL RUNS MESH ...");
   process.exit(1);
 }
-const { load } = await import(path.resolve(packageFolder, "index.js"));
+const { load } = await import(path.resolve(packageFolder, "index_node.js"));
 
 const median = numbers => numbers.sort((a, b) => a - b)[numbers.length >> 1];
 

@@ -6,7 +6,8 @@
 # All programs and tests under g++ and clang++, each in Release with warnings as errors and in Debug
 # with sanitizers, each header alone, the readers under a fuzzer, an hour of random runs with
 # sanitizers, the number of instructions of a run, the labels on other machines, the add-on in
-# Blender, the installed Python package, the web page, and many meshes, also on a cluster of Slurm.
+# Blender, the installed Python package, the web page, the npm package with bundlers from the npm
+# registry, and many meshes, also on a cluster of Slurm.
 # With --cgal, Release once more against the CGAL whose CGALConfig.cmake is in DIR. Takes long;
 # builds in build-check/ or the --build folder. Needs to be root, clang, and the packages of
 # `setup.sh build test python python_examples performance machines cluster blender web`.
@@ -93,6 +94,7 @@ echo "=== web"
 bindings/web/build.sh "$build/web" &&
   ALL_MESHES=1 bindings/web/test.sh "$build/g++-release/bindings/command_line/segment_mesh" \
     "$build/g++-release/data/meshes" "$build/web" || failed+=(web)
+bindings/web/test/bundlers.py "$build"/web/spectral-segmentation-*.tgz || failed+=(bundlers)
 
 echo "=== other machines"
 scripts/check_machines.sh --build "$build/machines" || failed+=(machines)

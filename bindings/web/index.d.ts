@@ -71,5 +71,10 @@ export interface Module {
   segment(mesh: Mesh, options?: RunOptions): Segmentation;
 }
 
+export interface LoadOptions {
+  /** Where module.wasm is, by default beside the module. In Node, a URL of a file. */
+  wasmUrl?: string | URL;
+}
+
 /** A new instance of the module, with a memory of its own. Works in browsers and in Node. */
-export function load(): Promise<Module>;
+export function load(options?: LoadOptions): Promise<Module>;

@@ -1,7 +1,7 @@
 // Copyright (c) 2026  The Spectral_segmentation authors.
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-import type { Options } from "./index.js";
+import type { LoadOptions, Options } from "./index.js";
 
 /** A file, or a mesh as arrays as for `Module.mesh()`. */
 export type Input = { name: string; bytes: Uint8Array } |
@@ -20,7 +20,10 @@ export interface Model {
 /** The segmentation of one mesh in a worker. The memory is given back by `close()`, before which a
  *  program in Node does not end. */
 export class SegmentationWorker {
-  /** `progress` is told the share of the run that is done. */
+  /** The worker starts with the first call below. */
+  constructor(options?: LoadOptions);
+  /** `progress` is told the share of the run that is done. If the promise is rejected, the former
+   *  segmentation stays. */
   segment(input: Input, options?: Options, progress?: (share: number) => void):
     Promise<{ model: Model; numberOfSegments: number }>;
   /** These are those of `Segmentation`, of the last mesh; rejected with an Error without one. */

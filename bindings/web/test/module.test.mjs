@@ -6,14 +6,17 @@
 
 import assert from "node:assert/strict";
 import { execFileSync } from "node:child_process";
-import { mkdtempSync, readFileSync, readdirSync, rmSync, writeFileSync } from "node:fs";
+import {
+  copyFileSync, mkdtempSync, readFileSync, readdirSync, rmSync, writeFileSync
+} from "node:fs";
 import { tmpdir } from "node:os";
 import path from "node:path";
 import test from "node:test";
+import { pathToFileURL } from "node:url";
 
 const { PACKAGE, MESHES, SEGMENT_MESH, ALL_MESHES } = process.env;
-const { load } = await import(path.resolve(PACKAGE, "index.js"));
-const { SegmentationWorker } = await import(path.resolve(PACKAGE, "worker_client.js"));
+const { load } = await import(path.resolve(PACKAGE, "index_node.js"));
+const { SegmentationWorker } = await import(path.resolve(PACKAGE, "worker_client_node.js"));
 const { faceLabels, Hierarchy } = await import(path.resolve(PACKAGE, "hierarchy.js"));
 const segmentation = await load();
 
@@ -213,6 +216,20 @@ test("memory is given back", async () => {
   assert.ok(memory() - before < 4e6);
 });
 
+test("module.wasm may be elsewhere", async t => {
+  const wasmUrl = pathToFileURL(path.join(scratch(t), "other.wasm"));
+  await assert.rejects(load({ wasmUrl }), /no such file.*other.wasm/);
+  copyFileSync(path.join(PACKAGE, "module.wasm"), wasmUrl);
+  assert.equal((await load({ wasmUrl: wasmUrl.href })).version, segmentation.version);
+  const worker = new SegmentationWorker({ wasmUrl });
+  const points = new Float64Array([0, 0, 0, 1, 0, 0, 0, 1, 0]), triangles = Uint16Array.of(0, 1, 2);
+  assert.equal((await worker.segment({ points, triangles })).numberOfSegments, 1);
+  worker.close();
+  const unused = new SegmentationWorker();
+  await assert.rejects(unused.labels(), /no segmentation yet/);
+  unused.close();
+});
+
 test("a worker does the same, and ends at once", async () => {
   const worker = new SegmentationWorker();
   const shares = [];
@@ -235,7 +252,7 @@ test("a worker does the same, and ends at once", async () => {
   await assert.rejects(worker.segment({ bytes: elephant, name: "a.off" },
                                       { salienceThreshold: NaN }),
                        /salience_threshold must be a number/);
-  await assert.rejects(worker.labels(), /no segmentation yet/);
+  assert.deepEqual(await worker.toJSON(), run.toJSON(), "the last good run stays");
   const large = worker.segment({ bytes: elephant, name: "elephant.off" },
                                { method: "paper" });
   const start = performance.now();
