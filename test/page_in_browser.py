@@ -58,6 +58,28 @@ viewer.scene.picture(async blob => {
 """
 
 
+# The box around what the picture shows, and its size.
+FIND_EXTENT = """
+const done = arguments[0];
+requestAnimationFrame(() => setTimeout(() => viewer.scene.picture(async blob => {
+  const image = await createImageBitmap(blob);
+  const context = new OffscreenCanvas(image.width, image.height).getContext("2d");
+  context.drawImage(image, 0, 0);
+  const { data } = context.getImageData(0, 0, image.width, image.height);
+  const box = [Infinity, Infinity, -1, -1];
+  for (let i = 3; i < data.length; i += 4)
+    if (data[i] > 0) {
+      const [x, y] = [(i >> 2) % image.width, Math.floor((i >> 2) / image.width)];
+      box[0] = Math.min(box[0], x);
+      box[1] = Math.min(box[1], y);
+      box[2] = Math.max(box[2], x);
+      box[3] = Math.max(box[3], y);
+    }
+  done([...box, image.width, image.height]);
+})));
+"""
+
+
 # What is seen by those who lack one of two kinds of cones, on linear RGB: Vienot, Brettel, Mollon,
 # "Digital Video Colourmaps for Checking the Legibility of Displays by Dichromats", 1999.
 VISIONS = {
@@ -257,14 +279,34 @@ class Page_in_browser_test(unittest.TestCase):
         self.show_plain()
         self.set_number(8)
         before = self.colors()
+        self.check_fit()
         self.press("x")
         after = self.colors()
+        self.check_fit()
         moved = [c for c in after if c in before and after[c] != before[c]]
         self.assertGreaterEqual(len(moved), len(before) - 1)
         self.press("x")
         self.assertEqual(self.colors(), before)
         self.press("e")
         self.assertNotEqual(self.colors(), before)
+
+    def check_fit(self):
+        """The picture leaves a margin of the stage, which is narrow in one direction."""
+        left, top, right, bottom, width, height = self.browser.execute_async_script(FIND_EXTENT)
+        margins = [min(left, width - 1 - right) / width, min(top, height - 1 - bottom) / height]
+        self.assertGreater(min(margins), 0.01)
+        self.assertLess(min(margins), 0.06)
+
+    def test_first_view(self):
+        """Another stage is filled as well, and the elephant shows its 12 segments standing."""
+        self.open()
+        self.check_fit()
+        self.assertFalse(self.part("up").is_selected())
+        self.show_plain()
+        self.assertEqual(len(self.colors()), 12)
+        self.browser.execute_cdp_cmd("Emulation.setDeviceMetricsOverride", {
+            "width": 900, "height": 500, "deviceScaleFactor": 1, "mobile": False})
+        self.check_fit()
 
     def camera(self):
         return self.browser.execute_script("return viewer.scene.camera.position.toArray()")
@@ -277,7 +319,8 @@ class Page_in_browser_test(unittest.TestCase):
         turned = self.camera()
         self.assertNotEqual(turned, first)
         self.assertFalse(self.part("card").is_displayed()) # it was no click
-        radius = lambda p: sum(x * x for x in p) ** 0.5
+        target = self.browser.execute_script("return viewer.scene.controls.target.toArray()")
+        radius = lambda p: math.dist(p, target)
         self.assertAlmostEqual(radius(turned), radius(first))
         self.browser.execute_script(
             "arguments[0].dispatchEvent(new WheelEvent('wheel', {deltaY: -100}))", canvas)

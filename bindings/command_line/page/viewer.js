@@ -115,6 +115,7 @@ export class Viewer {
     this.fill();
     this.listen();
     this.setNumber(model.segments);
+    this.ui.up.checked = this.scene.chooseView(this.segmentOfPiece);
   }
 
   // For each piece those that it touches.
