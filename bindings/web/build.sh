@@ -40,7 +40,7 @@ cp "$here"/*.js "$here"/*.d.ts "$here/README.md" "$root/LICENSE" \
 # The page: the viewer of `segment_mesh --html`, three.js, and meshes of libcgal-demo as samples.
 mkdir -p "$build/try/samples"
 cp "$here"/page/* "$build"/package/{index,worker,worker_client,module,decode,hierarchy}.js \
-  "$build/package/module.wasm" "$root"/bindings/command_line/page/{viewer,colors,first_view,scene}.js \
+  "$build/package/module.wasm" "$root"/bindings/command_line/page/{viewer,colors,first_view,glb,scene}.js \
   "$root/bindings/command_line/page/viewer.css" /usr/share/javascript/three/three.min.js \
   /usr/share/javascript/three/examples/js/{controls/OrbitControls,loaders/GLTFLoader}.js \
   "$build/try"

@@ -222,6 +222,18 @@ export class Scene {
     this.fit();
   }
 
+  // Turns the camera around its target by two angles, and multiplies its distance.
+  turn(sideways, upwards, factor) {
+    const { THREE } = globalThis;
+    const { target } = this.controls;
+    const place = new THREE.Spherical().setFromVector3(this.camera.position.clone().sub(target));
+    place.set(place.radius * factor, place.phi - upwards, place.theta + sideways).makeSafe();
+    this.camera.position.setFromSpherical(place).add(target);
+    this.isFitted = false;
+    this.controls.update();
+    this.draw();
+  }
+
   // Moves the camera, which goes on to look in its direction, so that all points fill the stage.
   fit() {
     this.camera.updateMatrixWorld();
