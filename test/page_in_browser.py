@@ -4,6 +4,7 @@
 """Tests the page of `segment_mesh --html` in Chromium: page_in_browser.py TOOL MESHES CHROMIUM
 CHROMEDRIVER, with the directory of CGAL's meshes."""
 
+import json
 import math
 import os
 import pathlib
@@ -55,6 +56,28 @@ viewer.scene.picture(async blob => {
     }
   done(result);
 });
+"""
+
+
+# The box around what the picture shows, and its size.
+FIND_EXTENT = """
+const done = arguments[0];
+requestAnimationFrame(() => setTimeout(() => viewer.scene.picture(async blob => {
+  const image = await createImageBitmap(blob);
+  const context = new OffscreenCanvas(image.width, image.height).getContext("2d");
+  context.drawImage(image, 0, 0);
+  const { data } = context.getImageData(0, 0, image.width, image.height);
+  const box = [Infinity, Infinity, -1, -1];
+  for (let i = 3; i < data.length; i += 4)
+    if (data[i] > 0) {
+      const [x, y] = [(i >> 2) % image.width, Math.floor((i >> 2) / image.width)];
+      box[0] = Math.min(box[0], x);
+      box[1] = Math.min(box[1], y);
+      box[2] = Math.max(box[2], x);
+      box[3] = Math.max(box[3], y);
+    }
+  done([...box, image.width, image.height]);
+})));
 """
 
 
@@ -122,6 +145,7 @@ class Page_in_browser_test(unittest.TestCase):
         self.browser.execute_cdp_cmd("Emulation.setEmulatedMedia", {"features": [
             {"name": "prefers-color-scheme", "value": "dark" if is_dark else "light"}]})
         self.browser.get((self.directory / "page.html").as_uri())
+        self.browser.execute_script("document.querySelector('canvas')?.focus()")
 
     def tearDown(self):
         self.assertEqual([line for line in self.browser.get_log("browser")
@@ -137,7 +161,7 @@ class Page_in_browser_test(unittest.TestCase):
         return int(self.part("number").text)
 
     def set_number(self, n):
-        step = Keys.ARROW_RIGHT if n > self.number() else Keys.ARROW_LEFT
+        step = Keys.PAGE_UP if n > self.number() else Keys.PAGE_DOWN
         self.press(*[step] * abs(n - self.number()))
         self.assertEqual(self.number(), n)
 
@@ -225,7 +249,7 @@ class Page_in_browser_test(unittest.TestCase):
             self.assertEqual(self.part("swatch").value_of_css_property("background-color")
                              .replace("rgba", "rgb").replace(", 1)", ")"),
                              "rgb(%s)" % color.replace(",", ", "))
-            label_of[color] = self.part("partName").text
+            label_of[color] = self.part("partName").get_attribute("placeholder")
             count = self.labels(5).split().count(label_of[color].split()[1].encode())
             self.assertIn("%s faces" % format(count, ","), self.part("partText").text)
         self.assertEqual(len(set(label_of.values())), len(colors))
@@ -240,13 +264,84 @@ class Page_in_browser_test(unittest.TestCase):
         self.assertEqual(set(self.colors()), {color})
         self.press("a", Keys.ESCAPE)
         self.assertEqual(set(self.colors()), set(colors))
+        self.click(place)
+        self.press("i")
+        self.set_number(3) # of larger segments, all of which are shown
+        self.assertFalse(self.part("hiddenNote").is_displayed())
+
+    def shown_labels(self):
+        return self.browser.execute_script("return viewer.labelText()").encode()
+
+    def test_edits(self):
+        """Merges what the last cut has made, cuts it again, undoes, and saves a name."""
+        self.open()
+        self.set_number(5)
+        a, b = self.browser.execute_script("""
+            const four = viewer.hierarchy.segmentOfPiece(4), five = viewer.segmentOfPiece;
+            const a = four.findIndex((node, i) => five.some((other, j) =>
+              four[j] === node && other !== five[i]));
+            return [a, five.findIndex((other, j) => four[j] === four[a] && other !== five[a])];""")
+        self.browser.execute_script("viewer.take(%d); viewer.take(%d, true)" % (a, b))
+        self.assertEqual(self.number(), 4)
+        self.assertEqual(self.shown_labels(), self.labels(4))
+        self.assertIn("Merged. 4 segments", self.part("said").get_attribute("textContent"))
+        self.part("cut").click()
+        self.assertEqual(self.number(), 5)
+        self.assertEqual(self.shown_labels(), self.labels(5))
+        self.part("undo").click()
+        self.part("undo").click()
+        self.assertFalse(self.part("undo").is_enabled())
+        self.part("redo").click()
+        self.assertEqual(self.number(), 4)
+        self.part("partName").send_keys("rump" + Keys.ENTER)
+        self.part("saveglb").click()
+        glb = self.downloaded("elephant_4.glb")
+        self.assertEqual(struct.unpack("<3I", glb[:12]), (0x46546c67, 2, len(glb)))
+        size, = struct.unpack("<I", glb[12:16])
+        document = json.loads(glb[20:20 + size])
+        self.assertEqual(size % 4, 0)
+        self.assertEqual(document["buffers"][0]["byteLength"], len(glb) - 28 - size)
+        names = [node["name"] for node in document["nodes"]]
+        self.assertEqual(len(names), 4)
+        self.assertIn("rump", names)
+        self.assertEqual(len([name for name in names if name.startswith("Segment ")]), 3)
+        points = [float(x) for line in (MESHES / "elephant.off").read_text().split("\n")[1:]
+                  for x in line.split() if len(line.split()) == 3 and "." in line]
+        ends = [a for a in document["accessors"] if "min" in a]
+        for k in range(3):
+            self.assertAlmostEqual(min(a["min"][k] for a in ends), min(points[k::3]), 3)
+            self.assertAlmostEqual(max(a["max"][k] for a in ends), max(points[k::3]), 3)
+        self.part("saveLabels").click()
+        self.assertEqual(self.downloaded("elephant_4.seg"), self.labels(4))
+        (name,) = json.loads(self.downloaded("elephant_4_names.json")).values()
+        self.assertEqual(name, "rump")
+
+    def test_keyboard(self):
+        self.open()
+        canvas = self.browser.find_element(By.TAG_NAME, "canvas")
+        self.assertIn("elephant.off", canvas.accessible_name)
+        self.assertEqual(canvas.aria_role, "application")
+        first = self.camera()
+        self.press(Keys.ARROW_LEFT, Keys.ARROW_UP)
+        turned = self.camera()
+        self.assertGreater(math.dist(first, turned), 0.2)
+        self.press("n")
+        said = self.part("said").get_attribute("textContent")
+        self.assertRegex(said, "^Segment 0, [0-9,]+ faces")
+        self.press("m", "n", "m")
+        self.assertEqual(self.number(), 11)
+        self.press("u")
+        self.assertEqual(self.number(), 12)
+        self.part("slider").send_keys("u", "y", "x", "m") # letters are commands of the picture only
+        self.assertEqual(self.number(), 12)
+        self.assertEqual(self.part("explosion").get_attribute("value"), "0")
 
     def test_downloads(self):
         self.open()
         self.set_number(7)
         self.part("saveLabels").click()
         self.assertEqual(self.downloaded("elephant_7.seg"), self.labels(7))
-        self.press("p")
+        self.part("savePicture").click()
         picture = self.downloaded("elephant_7.png")
         self.assertEqual(picture[:8], b"\x89PNG\r\n\x1a\n")
         size = self.browser.find_element(By.TAG_NAME, "canvas").size
@@ -257,14 +352,34 @@ class Page_in_browser_test(unittest.TestCase):
         self.show_plain()
         self.set_number(8)
         before = self.colors()
+        self.check_fit()
         self.press("x")
         after = self.colors()
+        self.check_fit()
         moved = [c for c in after if c in before and after[c] != before[c]]
         self.assertGreaterEqual(len(moved), len(before) - 1)
         self.press("x")
         self.assertEqual(self.colors(), before)
         self.press("e")
         self.assertNotEqual(self.colors(), before)
+
+    def check_fit(self):
+        """The picture leaves a margin of the stage, which is narrow in one direction."""
+        left, top, right, bottom, width, height = self.browser.execute_async_script(FIND_EXTENT)
+        margins = [min(left, width - 1 - right) / width, min(top, height - 1 - bottom) / height]
+        self.assertGreater(min(margins), 0.01)
+        self.assertLess(min(margins), 0.06)
+
+    def test_first_view(self):
+        """Another stage is filled as well, and the elephant shows its 12 segments standing."""
+        self.open()
+        self.check_fit()
+        self.assertFalse(self.part("up").is_selected())
+        self.show_plain()
+        self.assertEqual(len(self.colors()), 12)
+        self.browser.execute_cdp_cmd("Emulation.setDeviceMetricsOverride", {
+            "width": 900, "height": 500, "deviceScaleFactor": 1, "mobile": False})
+        self.check_fit()
 
     def camera(self):
         return self.browser.execute_script("return viewer.scene.camera.position.toArray()")
@@ -277,7 +392,8 @@ class Page_in_browser_test(unittest.TestCase):
         turned = self.camera()
         self.assertNotEqual(turned, first)
         self.assertFalse(self.part("card").is_displayed()) # it was no click
-        radius = lambda p: sum(x * x for x in p) ** 0.5
+        target = self.browser.execute_script("return viewer.scene.controls.target.toArray()")
+        radius = lambda p: math.dist(p, target)
         self.assertAlmostEqual(radius(turned), radius(first))
         self.browser.execute_script(
             "arguments[0].dispatchEvent(new WheelEvent('wheel', {deltaY: -100}))", canvas)

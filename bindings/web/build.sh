@@ -41,7 +41,7 @@ cp "$here"/*.js "$here"/*.d.ts "$here/README.md" "$root/LICENSE" \
 mkdir -p "$build/try/samples"
 cp "$here"/page/* \
   "$build"/package/{api,client,decode,hierarchy,index,module,worker,worker_actions,worker_client}.js \
-  "$build/package/module.wasm" "$root"/bindings/command_line/page/{viewer,colors,scene}.js \
+  "$build/package/module.wasm" "$root"/bindings/command_line/page/{viewer,colors,first_view,glb,scene}.js \
   "$root/bindings/command_line/page/viewer.css" /usr/share/javascript/three/three.min.js \
   /usr/share/javascript/three/examples/js/{controls/OrbitControls,loaders/GLTFLoader}.js \
   "$build/try"

@@ -35,7 +35,7 @@ const fromCones = [[4.0767416621, -3.3077115913, 0.2309699292],
 const labOfLinear = rgb => product(toLab, product(toCones, rgb).map(Math.cbrt));
 const linearOfLab = lab => product(fromCones, product(fromLab, lab).map(x => x ** 3));
 const encoded = x => x <= 0.0031308 ? 12.92 * x : 1.055 * x ** (1 / 2.4) - 0.055;
-const decoded = x => x <= 0.04045 ? x / 12.92 : ((x + 0.055) / 1.055) ** 2.4;
+export const decoded = x => x <= 0.04045 ? x / 12.92 : ((x + 0.055) / 1.055) ** 2.4;
 
 // A color with what each kind of people sees of it.
 function seen(rgb) {

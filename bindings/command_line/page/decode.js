@@ -56,7 +56,8 @@ export function decode({ name, segments, salience, input_triangles, is_inside_ou
   return {
     name, segments, salience, notes, pieceOfFace: runs(piece_of_face),
     mesh: { points: Float32Array.from(sums(mesh.points, 3)),
-            triangles: Uint32Array.from(sums(mesh.triangles, 1)), pieces },
+            triangles: Uint32Array.from(sums(mesh.triangles, 1)), pieces,
+            corner: mesh.corner, unit: mesh.unit },
     hierarchy: { roots: hierarchy.roots, cutNodes: hierarchy.cut_nodes,
                  saliences: hierarchy.saliences.map(x => x ?? Infinity), areas: hierarchy.areas,
                  classes: hierarchy.classes, firstTriangles: hierarchy.first_triangles },

@@ -32,24 +32,36 @@ export class Hierarchy {
     });
   }
 
-  // The nodes of n segments in the order of their labels, which is that of their first triangles.
-  segments(n) {
+  // The segments of pieces in the order of their labels, which is that of their first triangles.
+  order(segmentOfPiece) {
     const first = new Map();
-    this.segmentOfPiece(n).forEach((node, piece) => {
+    segmentOfPiece.forEach((node, piece) => {
       first.set(node, Math.min(first.get(node) ?? Infinity, this.firstTriangles[piece]));
     });
     return [...first.keys()].sort((a, b) => first.get(a) - first.get(b));
   }
 
-  // The salience of the cut that makes n segments of one fewer.
-  salience(n) { return this.saliences[n - this.roots - 1]; }
+  // Returns the pieces on the two sides of the first cut through some pieces, that of larger area
+  // first, and the node of the other side; or undefined for one piece.
+  split(pieces) {
+    const area = side => side.reduce((sum, piece) => sum + this.areas[this.leaves[piece]], 0);
+    for (let n = this.roots; pieces.length > 1; ++n) {
+      const nodes = this.segmentOfPiece(n);
+      const sides = [true, false].map(isFirst =>
+        pieces.filter(piece => (nodes[piece] === nodes[pieces[0]]) === isFirst));
+      if (sides[1].length > 0) {
+        const [kept, cut] = area(sides[0]) < area(sides[1]) ? sides.reverse() : sides;
+        return { kept, cut, node: nodes[cut[0]] };
+      }
+    }
+  }
 }
 
 // The label of each node that is a segment, and the label of each face. Where pieces do not tell a
 // label, `exceptions` has it: for each n {segments: Map, faces, labels}.
 export function labelOfSegment(hierarchy, n, exceptions) {
   return exceptions?.[n]?.segments ??
-    new Map(hierarchy.segments(n).map((node, label) => [node, label]));
+    new Map(hierarchy.order(hierarchy.segmentOfPiece(n)).map((node, label) => [node, label]));
 }
 
 export function faceLabels(hierarchy, n, pieceOfFace, exceptions) {

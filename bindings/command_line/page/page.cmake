@@ -13,7 +13,8 @@ if(NOT THREE_MIN_JS OR NOT THREE_ORBIT_CONTROLS_JS)
   return()
 endif()
 
-set(page_files page.html viewer.css hierarchy.js colors.js scene.js viewer.js decode.js)
+set(page_files page.html viewer.css hierarchy.js colors.js first_view.js glb.js scene.js
+  viewer.js decode.js)
 list(TRANSFORM page_files PREPEND ${CMAKE_CURRENT_LIST_DIR}/)
 list(APPEND page_files ${THREE_MIN_JS} ${THREE_ORBIT_CONTROLS_JS})
 set(page_sources ${CMAKE_CURRENT_BINARY_DIR}/segment_mesh_page_sources.cpp)

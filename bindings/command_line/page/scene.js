@@ -4,6 +4,8 @@
 // The picture: a mesh whose pieces have colors, can be moved and hidden. It needs the global THREE
 // with its OrbitControls.
 
+import { firstViews } from "./first_view.js";
+
 function inUnitBall(points) {
   const low = [Infinity, Infinity, Infinity], high = [-Infinity, -Infinity, -Infinity];
   points.forEach((x, i) => {
@@ -81,7 +83,8 @@ export class Scene {
     this.element = element;
     this.pieces = pieces;
     Object.assign(this, split(mesh));
-    const normals = pointNormals(mesh.points, mesh.triangles);
+    const normals = mesh.normals = pointNormals(mesh.points, mesh.triangles);
+    this.input = mesh;
     const taken = from => {
       const result = new Float32Array(3 * this.origins.length);
       this.origins.forEach((v, i) => result.set(from.subarray(3 * v, 3 * v + 3), 3 * i));
@@ -165,10 +168,10 @@ export class Scene {
     this.controls.minDistance = 0.2;
     this.controls.maxDistance = 40;
     this.controls.addEventListener("change", () => this.draw());
+    this.controls.addEventListener("start", () => { this.isFitted = false; });
+    this.explosion = 0;
     this.observer = new ResizeObserver(() => this.resize());
     this.observer.observe(this.element);
-    this.resize();
-    this.resetCamera();
   }
 
   buildMaterials() {
@@ -198,15 +201,67 @@ export class Scene {
     this.renderer.setSize(width, height);
     this.camera.aspect = width / height;
     this.camera.updateProjectionMatrix();
+    if (this.isFitted)
+      this.fit();
     this.draw();
   }
 
+  // Chooses the view to begin with, and returns whether z is up in it.
+  chooseView(segmentOfPiece) {
+    this.views = firstViews(this.input, segmentOfPiece);
+    const isZ = this.views[1].value > this.views[0].value;
+    this.setUp(isZ);
+    return isZ;
+  }
+
   resetCamera() {
-    const half = Math.PI / 180 * this.camera.fov / 2;
-    const narrow = Math.atan(Math.tan(half) * Math.min(1, this.camera.aspect));
-    this.camera.position.set(0.5, 0.35, 0.8).setLength(1.05 / Math.sin(narrow));
+    const [x, y, z] = this.views[+this.isZUp].direction;
     this.controls.target.set(0, 0, 0);
+    this.camera.position.set(...this.isZUp ? [x, z, -y] : [x, y, z]);
     this.controls.update();
+    this.fit();
+  }
+
+  // Turns the camera around its target by two angles, and multiplies its distance.
+  turn(sideways, upwards, factor) {
+    const { THREE } = globalThis;
+    const { target } = this.controls;
+    const place = new THREE.Spherical().setFromVector3(this.camera.position.clone().sub(target));
+    place.set(place.radius * factor, place.phi - upwards, place.theta + sideways).makeSafe();
+    this.camera.position.setFromSpherical(place).add(target);
+    this.isFitted = false;
+    this.controls.update();
+    this.draw();
+  }
+
+  // Moves the camera, which goes on to look in its direction, so that all points fill the stage.
+  fit() {
+    this.camera.updateMatrixWorld();
+    this.group.updateMatrixWorld();
+    const [right, top, back] = [0, 1, 2].map(k =>
+      new globalThis.THREE.Vector3().setFromMatrixColumn(this.camera.matrixWorld, k));
+    const toGroup = new globalThis.THREE.Matrix4().getInverse(this.group.matrixWorld);
+    const [r, t, b] = [right, top, back].map(axis => axis.clone().transformDirection(toGroup));
+    const slope = 0.92 * Math.tan(Math.PI / 180 * this.camera.fov / 2);
+    const slopes = [slope * this.camera.aspect, slope]; // of the sides of what is seen
+    const most = [-Infinity, -Infinity, -Infinity, -Infinity]; // where sides meet the plane z = 0
+    const { array } = this.positions;
+    for (let i = 0; i < array.length; i += 3) {
+      const z = b.x * array[i] + b.y * array[i + 1] + b.z * array[i + 2];
+      for (let k = 0; k < 2; ++k) {
+        const axis = k === 0 ? r : t;
+        const x = axis.x * array[i] + axis.y * array[i + 1] + axis.z * array[i + 2];
+        most[2 * k] = Math.max(most[2 * k], x + slopes[k] * z);
+        most[2 * k + 1] = Math.max(most[2 * k + 1], -x + slopes[k] * z);
+      }
+    }
+    const distance = Math.max(...[0, 1].map(k =>
+      (most[2 * k] + most[2 * k + 1]) / (2 * slopes[k])));
+    this.controls.target.copy(right).multiplyScalar((most[0] - most[1]) / 2)
+      .addScaledVector(top, (most[2] - most[3]) / 2);
+    this.camera.position.copy(this.controls.target).addScaledVector(back, distance);
+    this.controls.update();
+    this.isFitted = true;
     this.draw();
   }
 
@@ -233,6 +288,9 @@ export class Scene {
       }
     this.seamLines.geometry.setIndex(this.index(Uint32Array.from(ends)));
     this.geometry.boundingSphere = null; // points have moved
+    if (this.isFitted || explosion !== this.explosion)
+      this.fit();
+    this.explosion = explosion;
     this.draw();
   }
 
@@ -249,8 +307,9 @@ export class Scene {
   }
 
   setUp(isZ) {
+    this.isZUp = isZ;
     this.group.rotation.x = isZ ? -Math.PI / 2 : 0;
-    this.draw();
+    this.resetCamera();
   }
 
   // The piece at a place of the window, or undefined.

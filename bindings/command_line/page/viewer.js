@@ -1,6 +1,7 @@
 // Copyright (c) 2026  The Spectral_segmentation authors.
 // SPDX-License-Identifier: GPL-3.0-or-later
 
+import { glbOf } from "./glb.js";
 import { Hierarchy, faceLabels, labelOfSegment } from "./hierarchy.js";
 import { nodeColors } from "./colors.js";
 import { Scene } from "./scene.js";
@@ -12,7 +13,10 @@ const markup = `
   </div>
   <div class="card" data-id="card" hidden>
     <span class="swatch" data-id="swatch"></span>
-    <div><strong data-id="partName"></strong><br><span data-id="partText"></span></div>
+    <div><input type="text" data-id="partName" maxlength="80"><br>
+      <span data-id="partText"></span></div>
+    <button type="button" data-id="merge">Merge</button>
+    <button type="button" data-id="cut">Cut</button>
     <button type="button" data-id="isolate">Isolate</button>
     <button type="button" data-id="hide">Hide</button>
     <button type="button" data-id="deselect" aria-label="Close">×</button>
@@ -29,7 +33,7 @@ const markup = `
   </div>
   <div class="cuts">
     <svg class="strip" data-id="strip" preserveAspectRatio="none" role="img"></svg>
-    <p data-id="cutText" aria-live="polite"></p>
+    <p data-id="cutText"></p>
   </div>
   <label class="row">Explosion
     <input type="range" data-id="explosion" min="0" max="1" step="0.01" value="0"></label>
@@ -44,7 +48,10 @@ const markup = `
     <label><input type="checkbox" data-id="up"> z is up</label>
   </div>
   <div class="buttons">
+    <button type="button" data-id="undo">Undo</button>
+    <button type="button" data-id="redo">Redo</button>
     <button type="button" data-id="saveLabels">Save labels</button>
+    <button type="button" data-id="saveglb">Save GLB</button>
     <button type="button" data-id="savePicture">Save picture</button>
     <button type="button" data-id="reset">Reset view</button>
   </div>
@@ -55,15 +62,26 @@ const markup = `
       <dt>wheel, pinch</dt><dd>zoom</dd>
       <dt>right button, two fingers</dt><dd>pan</dd>
       <dt>click, tap</dt><dd>select a segment</dd>
-      <dt>← →</dt><dd>fewer, more segments</dd>
+      <dt>Shift and click</dt><dd>merge it with the selected one</dd>
+    </dl>
+    <p>Keys while the picture has the focus:</p>
+    <dl>
+      <dt>arrows, + −</dt><dd>turn, zoom</dd>
+      <dt>N, Shift+N</dt><dd>select the next, previous segment</dd>
+      <dt>Page up, page down</dt><dd>more, fewer segments</dd>
+      <dt>M</dt><dd>merge: once on each of two segments</dd>
+      <dt>C, U, Y</dt><dd>cut, undo, redo</dd>
       <dt>I, H, A</dt><dd>isolate, hide, show all</dd>
       <dt>X</dt><dd>explode</dd>
       <dt>B, E, S</dt><dd>seams, edges, shading</dd>
       <dt>Z, R</dt><dd>z is up, reset view</dd>
-      <dt>L, P</dt><dd>save labels, picture</dd>
+      <dt>L, G, P</dt><dd>save labels, GLB, picture</dd>
       <dt>Esc</dt><dd>select nothing</dd>
     </dl>
   </details>
+  <p>Spectral_segmentation is free software, under the
+    <a href="https://www.gnu.org/licenses/gpl-3.0.html">GPL</a>, 3.0 or later.</p>
+  <p class="said" data-id="said" role="status"></p>
 </form>`;
 
 export function save(blob, name) {
@@ -83,13 +101,15 @@ const percent = share => `${(100 * share).toPrecision(share < 0.1 ? 2 : 3)} %`;
 //
 // The model has
 // - name: of the mesh;
-// - mesh: {points, triangles, pieces}, see Scene;
+// - mesh: {points, triangles, pieces}, see Scene; {corner, unit} place the points;
 // - hierarchy: the arguments of Hierarchy;
 // - pieceOfFace: the piece of each face of the input; and, if these do not tell all labels,
 //   exceptions, see faceLabels();
 // - segments: the number of segments to begin with;
 // - salience: what the number of a cut is called, as "probability";
-// - notes: sentences to show, if any.
+// - notes: sentences to show, if any;
+// - glb: a function that returns the file of a number of segments, if there is a better one than
+//   that of the mesh shown.
 export class Viewer {
 
   constructor(element, model) {
@@ -98,6 +118,10 @@ export class Viewer {
     this.hierarchy = new Hierarchy(model.hierarchy);
     this.isHidden = new Uint8Array(this.hierarchy.leaves.length);
     this.selected = undefined; // a piece, which stands for its segment
+    this.merged = undefined;   // a piece whose segment waits for another one
+    this.names = new Map();    // of segments
+    this.past = [];            // states for undo, and those for redo
+    this.future = [];
     element.classList.add("segment-viewer");
     element.innerHTML = markup;
     this.ui = Object.fromEntries([...element.querySelectorAll("[data-id]")]
@@ -114,7 +138,8 @@ export class Viewer {
     this.colors = nodeColors(this.hierarchy, this.neighbors());
     this.fill();
     this.listen();
-    this.setNumber(model.segments);
+    this.apply(this.stateOf(model.segments));
+    this.ui.up.checked = this.scene.chooseView(this.segmentOfPiece);
   }
 
   // For each piece those that it touches.
@@ -130,6 +155,11 @@ export class Viewer {
   // Fills in the content that does not change.
   fill() {
     const { ui, model, hierarchy } = this;
+    const { canvas } = this.scene;
+    canvas.tabIndex = 0;
+    canvas.setAttribute("role", "application"); // its keys are its own
+    canvas.setAttribute("aria-label", `Picture of ${model.name}. Arrows turn it, N selects the ` +
+                                      "next segment.");
     ui.name.textContent = model.name;
     ui.counts.textContent = [`${count(model.pieceOfFace.length, "face")}.`,
                              ...model.notes ?? []].join(" ");
@@ -171,17 +201,23 @@ export class Viewer {
     on(ui.seams, "change", () => this.scene.setVisible("seamLines", ui.seams.checked));
     on(ui.edges, "change", () => this.scene.setVisible("edgeLines", ui.edges.checked));
     on(ui.up, "change", () => this.scene.setUp(ui.up.checked));
+    on(ui.partName, "change", () => this.rename(ui.partName.value));
+    on(ui.merge, "click", () => this.startMerge());
+    on(ui.cut, "click", () => this.cut());
+    on(ui.undo, "click", () => this.undo());
+    on(ui.redo, "click", () => this.redo());
     on(ui.isolate, "click", () => this.isolate());
     on(ui.hide, "click", () => this.hide());
     on(ui.showAll, "click", () => this.showAll());
     on(ui.deselect, "click", () => this.select(undefined));
     on(ui.saveLabels, "click", () => this.saveLabels());
+    on(ui.saveglb, "click", () => this.saveGlb());
     on(ui.savePicture, "click", () => this.savePicture());
     on(ui.reset, "click", () => this.scene.resetCamera());
     on(this.element.querySelector("form"), "submit", event => event.preventDefault());
     this.listenToStrip(on);
     this.listenToStage(on);
-    on(document, "keydown", event => this.press(event));
+    on(this.scene.canvas, "keydown", event => this.press(event));
   }
 
   // A drag along the strip moves through the cuts.
@@ -212,7 +248,7 @@ export class Viewer {
     });
     on(canvas, "pointerup", event => {
       if (start && Math.hypot(event.clientX - start.clientX, event.clientY - start.clientY) < 6)
-        this.select(this.scene.pick(event.clientX, event.clientY));
+        this.take(this.scene.pick(event.clientX, event.clientY), event.shiftKey);
       start = undefined;
     });
   }
@@ -221,11 +257,23 @@ export class Viewer {
     if (event.ctrlKey || event.metaKey || event.altKey)
       return;
     const { ui } = this;
-    const isRange = event.target.type === "range"; // it has its own arrows
     const toggle = part => part.click();
+    const turn = (sideways, upwards, factor = 1) =>
+      this.scene.turn(sideways * Math.PI / 12, upwards * Math.PI / 12, factor);
     const actions = {
-      ArrowLeft: () => this.setNumber(this.number - 1),
-      ArrowRight: () => this.setNumber(this.number + 1),
+      ArrowLeft: () => turn(-1, 0),
+      ArrowRight: () => turn(1, 0),
+      ArrowUp: () => turn(0, 1),
+      ArrowDown: () => turn(0, -1),
+      "+": () => turn(0, 0, 0.8),
+      "-": () => turn(0, 0, 1.25),
+      PageDown: () => this.setNumber(this.number - 1),
+      PageUp: () => this.setNumber(this.number + 1),
+      n: () => this.selectNext(event.shiftKey ? -1 : 1),
+      m: () => this.startMerge(),
+      c: () => this.cut(),
+      u: () => this.undo(),
+      y: () => this.redo(),
       i: () => this.isolate(),
       h: () => this.hide(),
       a: () => this.showAll(),
@@ -242,33 +290,84 @@ export class Viewer {
       z: () => toggle(ui.up),
       r: () => this.scene.resetCamera(),
       l: () => this.saveLabels(),
+      g: () => this.saveGlb(),
       p: () => this.savePicture(),
       Escape: () => this.select(undefined)
     };
     const key = event.key.length === 1 ? event.key.toLowerCase() : event.key;
-    if (!(key in actions) || (isRange && key.startsWith("Arrow")) ||
-        event.target.matches?.("select, input[type=text]"))
+    if (!Object.hasOwn(actions, key))
       return;
     event.preventDefault();
     actions[key]();
   }
 
+  // Tells a screen reader.
+  say(text) { this.ui.said.textContent = text; }
+
+  // The state with the first cuts of the hierarchy. A segment is a node; after edits the nodes only
+  // are its numbers, which have names and colors.
+  stateOf(number) {
+    const { roots, most } = this.hierarchy;
+    const n = Math.min(Math.max(number, roots), most);
+    return { number: n, segmentOfPiece: this.hierarchy.segmentOfPiece(n), isEdited: false,
+             names: this.names };
+  }
+
   setNumber(number) {
+    const state = this.stateOf(number);
+    if (this.isEdited) // which can be undone
+      this.change(state);
+    else
+      this.apply(state);
+    this.say(`${count(this.number, "segment")}. ${this.ui.cutText.textContent}`);
+  }
+
+  change(state) {
+    const { number, segmentOfPiece, isEdited, names } = this;
+    this.past.push({ number, segmentOfPiece, isEdited, names });
+    this.future = [];
+    this.apply(state);
+  }
+
+  edit(segmentOfPiece, names = this.names) {
+    this.change({ number: new Set(segmentOfPiece).size, segmentOfPiece, isEdited: true, names });
+  }
+
+  // Goes from a list of states to the last one of another list.
+  travel(from, to, text) {
+    const { number, segmentOfPiece, isEdited, names } = this;
+    if (from.length === 0)
+      return;
+    to.push({ number, segmentOfPiece, isEdited, names });
+    this.apply(from.pop());
+    this.say(`${text}. ${count(this.number, "segment")}.`);
+  }
+
+  undo() { this.travel(this.past, this.future, "Undone"); }
+  redo() { this.travel(this.future, this.past, "Redone"); }
+
+  apply(state) {
     const { hierarchy, ui } = this;
-    this.number = Math.min(Math.max(number, hierarchy.roots), hierarchy.most);
-    this.segmentOfPiece = hierarchy.segmentOfPiece(this.number);
-    this.labels = labelOfSegment(hierarchy, this.number, this.model.exceptions);
+    if (state.segmentOfPiece !== this.segmentOfPiece && !state.isEdited)
+      this.isHidden.fill(0); // a segment is hidden as a whole or not at all
+    Object.assign(this, state);
+    this.merged = undefined;
+    this.labels = this.isEdited
+      ? new Map(hierarchy.order(this.segmentOfPiece).map((segment, label) => [segment, label]))
+      : labelOfSegment(hierarchy, this.number, this.model.exceptions);
     ui.slider.value = ui.number.value = this.number;
-    ui.fewer.disabled = this.number === hierarchy.roots;
-    ui.more.disabled = this.number === hierarchy.most;
+    ui.fewer.disabled = this.number <= hierarchy.roots;
+    ui.more.disabled = this.number >= hierarchy.most;
+    ui.undo.disabled = this.past.length === 0;
+    ui.redo.disabled = this.future.length === 0;
     const last = this.number - hierarchy.roots - 1;
     [...ui.strip.children].forEach((bar, i) => {
       bar.setAttribute("class", i < last ? "made" : i === last ? "made last" : "");
     });
     const suggestion = this.number === this.model.segments ? "" :
-      ` The tool chose ${this.model.segments}.`;
-    ui.cutText.textContent = (last < 0 ? "No cut." : `Last cut: ${this.cutText(last)}.`) +
-                             suggestion;
+      ` ${this.model.segments} segments are suggested.`;
+    ui.cutText.textContent = (this.isEdited ? "Edited by hand." : last < 0 ? "No cut." :
+                              `Last cut: ${this.cutText(last)}.`) + suggestion;
     this.show();
   }
 
@@ -278,9 +377,99 @@ export class Viewer {
       .filter(other => this.segmentOfPiece[other] === this.segmentOfPiece[piece]);
   }
 
+  nameOf(segment) { return this.names.get(segment) ?? `Segment ${this.labels.get(segment)}`; }
+
+  area(pieces) {
+    const { areas, leaves } = this.hierarchy;
+    return pieces.reduce((sum, piece) => sum + areas[leaves[piece]], 0);
+  }
+
   select(piece) {
     this.selected = piece;
+    if (piece === undefined)
+      this.merged = undefined;
     this.show();
+    this.say(piece === undefined ? "No segment is selected." :
+      `${this.nameOf(this.segmentOfPiece[piece])}, ${this.ui.partText.textContent}`);
+  }
+
+  // Selects the segment of a piece, or merges it with the one that waits for it.
+  take(piece, isToMerge = false) {
+    const other = this.merged ?? (isToMerge ? this.selected : undefined);
+    if (other !== undefined && piece !== undefined)
+      this.merge(other, piece);
+    else
+      this.select(piece);
+  }
+
+  // Selects the segment of the next label, or the previous one for the step -1.
+  selectNext(step) {
+    const segments = this.hierarchy.order(this.segmentOfPiece).filter(segment =>
+      this.segmentOfPiece.some((other, piece) => other === segment && !this.isHidden[piece]));
+    const i = segments.indexOf(this.segmentOfPiece[this.selected]);
+    const next = segments.at(i < 0 ? (step > 0 ? 0 : -1) : (i + step) % segments.length);
+    this.select(this.segmentOfPiece.indexOf(next));
+  }
+
+  // The first call takes the selected segment, the second one merges it with that selected then.
+  startMerge() {
+    if (this.selected === undefined)
+      return;
+    if (this.merged !== undefined) {
+      this.merge(this.merged, this.selected);
+      return;
+    }
+    this.merged = this.selected;
+    this.show();
+    this.say(this.ui.partText.textContent);
+  }
+
+  // Merges two segments. The larger one keeps its name and color.
+  merge(a, b) {
+    this.merged = undefined;
+    const sides = [a, b].map(piece => this.piecesWith(piece));
+    const [kept, other] = (this.area(sides[0]) < this.area(sides[1]) ? [b, a] : [a, b])
+      .map(piece => this.segmentOfPiece[piece]);
+    this.selected = b;
+    if (kept === other) {
+      this.select(b);
+      return;
+    }
+    const names = new Map(this.names);
+    if (!names.has(kept) && names.has(other))
+      names.set(kept, names.get(other));
+    names.delete(other);
+    this.edit(this.segmentOfPiece.map(segment => segment === other ? kept : segment), names);
+    this.say(`Merged. ${count(this.number, "segment")}.`);
+  }
+
+  // Cuts the selected segment where the hierarchy cuts it next.
+  cut() {
+    const sides = this.selected !== undefined &&
+                  this.hierarchy.split(this.piecesWith(this.selected));
+    if (!sides)
+      return;
+    const used = new Set(this.segmentOfPiece);
+    const usedColors = new Set([...used].map(segment => this.colors[segment].join()));
+    const free = [sides.node, ...this.colors.keys()].filter(node => !used.has(node));
+    const segment = free.find(node => !usedColors.has(this.colors[node].join())) ?? free[0];
+    const names = new Map(this.names);
+    names.delete(segment);
+    this.edit(this.segmentOfPiece.map((old, piece) =>
+      sides.cut.includes(piece) ? segment : old), names);
+    this.say(`Cut. ${count(this.number, "segment")}.`);
+  }
+
+  rename(text) {
+    const segment = this.segmentOfPiece[this.selected];
+    const names = new Map(this.names);
+    if (text.trim())
+      names.set(segment, text.trim());
+    else
+      names.delete(segment);
+    const { number, segmentOfPiece, isEdited } = this;
+    this.change({ number, segmentOfPiece, isEdited, names });
+    this.say(`The segment is named ${this.nameOf(segment)}.`);
   }
 
   isolate() {
@@ -290,6 +479,7 @@ export class Viewer {
     for (const piece of this.piecesWith(this.selected))
       this.isHidden[piece] = 0;
     this.show();
+    this.say(this.ui.hiddenText.textContent);
   }
 
   hide() {
@@ -298,11 +488,13 @@ export class Viewer {
     for (const piece of this.piecesWith(this.selected))
       this.isHidden[piece] = 1;
     this.select(undefined);
+    this.say(this.ui.hiddenText.textContent);
   }
 
   showAll() {
     this.isHidden.fill(0);
     this.show();
+    this.say("All segments are shown.");
   }
 
   show() {
@@ -320,21 +512,27 @@ export class Viewer {
   }
 
   showSelection() {
-    const { ui, selected, hierarchy } = this;
+    const { ui, selected } = this;
     ui.card.hidden = selected === undefined;
     if (selected === undefined)
       return;
     const node = this.segmentOfPiece[selected];
+    const pieces = this.piecesWith(selected);
     const isIn = new Uint8Array(this.isHidden.length);
-    for (const piece of this.piecesWith(selected))
+    for (const piece of pieces)
       isIn[piece] = 1;
     const faces = this.model.pieceOfFace.reduce((sum, piece) => sum + isIn[piece], 0);
-    const area = hierarchy.areas.slice(0, hierarchy.roots).reduce((sum, a) => sum + a, 0);
+    const area = this.area([...this.segmentOfPiece.keys()]);
     ui.swatch.style.background = `rgb(${this.colors[node].map(x => Math.round(255 * x))})`;
-    ui.partName.textContent = `Segment ${this.labels.get(node)}`;
-    ui.partText.textContent = `${count(faces, "face")}, ` +
-      `${percent(area > 0 ? hierarchy.areas[node] / area : 0)} of the area` +
-      this.copiesText(node);
+    ui.partName.value = this.names.get(node) ?? "";
+    ui.partName.placeholder = `Segment ${this.labels.get(node)}`;
+    ui.partName.setAttribute("aria-label", `Name of segment ${this.labels.get(node)}`);
+    ui.merge.setAttribute("aria-pressed", this.merged !== undefined);
+    ui.cut.disabled = pieces.length === 1;
+    ui.partText.textContent = this.merged === selected
+      ? "Choose the segment to merge it with." : `${count(faces, "face")}, ` +
+        `${percent(area > 0 ? this.area(pieces) / area : 0)} of the area` +
+        (this.isEdited ? "" : this.copiesText(node));
   }
 
   // The segments shown that may be copies or mirror images of one.
@@ -361,8 +559,9 @@ export class Viewer {
 
   // The text of `segment_mesh --labels` for the number shown.
   labelText() {
-    const labels = faceLabels(this.hierarchy, this.number, this.model.pieceOfFace,
-                              this.model.exceptions);
+    const labelOfPiece = this.segmentOfPiece.map(segment => this.labels.get(segment));
+    const labels = this.isEdited ? this.model.pieceOfFace.map(piece => labelOfPiece[piece]) :
+      faceLabels(this.hierarchy, this.number, this.model.pieceOfFace, this.model.exceptions);
     return labels.join("\n") + "\n";
   }
 
@@ -373,6 +572,23 @@ export class Viewer {
 
   saveLabels() {
     save(new Blob([this.labelText()], { type: "text/plain" }), this.fileName(".seg"));
+    const names = [...this.labels].filter(([segment]) => this.names.has(segment))
+      .map(([segment, label]) => [label, this.names.get(segment)]);
+    if (names.length > 0)
+      save(new Blob([JSON.stringify(Object.fromEntries(names), undefined, 2) + "\n"],
+                    { type: "application/json" }), this.fileName("_names.json"));
+  }
+
+  // Edits and names are only in a file of the mesh shown.
+  async saveGlb() {
+    const { model, segmentOfPiece } = this;
+    const segments = [...this.labels].sort(([, a], [, b]) => a - b).map(([segment]) =>
+      ({ segment, name: this.nameOf(segment), color: this.colors[segment] }));
+    const hasOwn = this.isEdited || segments.some(({ segment }) => this.names.has(segment));
+    const blob = model.glb && !hasOwn ? await model.glb(this.number)
+                                      : glbOf(model.mesh, segmentOfPiece, segments);
+    if (blob)
+      save(blob, this.fileName(".glb"));
   }
 
   savePicture() { this.scene.picture(blob => save(blob, this.fileName(".png"))); }

@@ -16,8 +16,19 @@ function loadScript(name) {
 const compressions = ["KHR_draco_mesh_compression", "EXT_meshopt_compression",
                       "KHR_mesh_quantization"];
 
+function parsed(bytes) {
+  try {
+    return JSON.parse(new TextDecoder().decode(bytes));
+  }
+  catch {
+    throw new Error("its text is no JSON, so it is damaged or no glTF");
+  }
+}
+
 // Keeps only the shape, because the rest would only be fetched and decoded in vain.
 function onlyShape(json) {
+  if (!json?.meshes?.length)
+    throw new Error("it has no mesh");
   const compression = compressions.find(name => json.extensionsRequired?.includes(name));
   if (compression)
     throw new Error(`it is compressed by ${compression}, which is not read here`);
@@ -42,14 +53,13 @@ const isGlb = bytes => new TextDecoder().decode(bytes.subarray(0, 4)) === "glTF"
 function shapeOf(bytes) {
   if (!isGlb(bytes))
     return new TextEncoder().encode(JSON.stringify(
-      onlyShape(JSON.parse(new TextDecoder().decode(bytes))))).buffer;
+      onlyShape(parsed(bytes)))).buffer;
   const view = new DataView(bytes.buffer, bytes.byteOffset, bytes.byteLength);
   if (bytes.length < 20 || view.getUint32(8, true) > bytes.length ||
       20 + view.getUint32(12, true) > bytes.length)
     throw new Error(`it ends after ${bytes.length} bytes, within its data`);
   const end = 20 + view.getUint32(12, true); // of the JSON
-  const text = JSON.stringify(onlyShape(JSON.parse(
-    new TextDecoder().decode(bytes.subarray(20, end)))));
+  const text = JSON.stringify(onlyShape(parsed(bytes.subarray(20, end))));
   const json = new TextEncoder().encode(text + " ".repeat(3)); // room to align
   const size = json.length - json.length % 4;
   const result = new Uint8Array(20 + size + bytes.length - end);
@@ -110,8 +120,11 @@ function plyOf({ points, triangles }) {
 export async function gltfAsPly(bytes) {
   if (!globalThis.THREE.GLTFLoader)
     await loadScript("GLTFLoader.js");
+  const shape = shapeOf(bytes);
   const file = await new Promise((resolve, reject) =>
-    new globalThis.THREE.GLTFLoader().parse(shapeOf(bytes), "", resolve, reject));
+    new globalThis.THREE.GLTFLoader().parse(shape, "", resolve, reject)).catch(({ message }) => {
+    throw new Error(`its data contradict each other: ${message}`);
+  });
   file.scene.updateMatrixWorld(true);
   const mesh = { points: [], triangles: [] };
   collect(file.scene, mesh);

@@ -15,8 +15,8 @@ let viewer;
 let prepared; // a worker
 
 function fail(sentence) {
+  ui.failure.hidden = false;
   ui.error.textContent = sentence;
-  ui.error.hidden = false;
 }
 
 function tell(stage, share = undefined) {
@@ -40,23 +40,33 @@ function cancel() {
   ui.method.value = shown?.method ?? ui.method.value;
 }
 
-async function saveMesh(extension) {
+// Returns the file of a number of segments, or tells why there is none.
+async function meshFile(extension, number) {
   try {
-    const bytes = await shown.worker.write(`mesh${extension}`, viewer.number);
-    save(new Blob([bytes]), viewer.fileName(extension));
+    return new Blob([await shown.worker.write(`mesh${extension}`, number)]);
   }
   catch (error) {
     fail(`The mesh cannot be saved: ${error.message}`);
   }
 }
 
-function addSaveButton(text, extension) {
+async function savePly() {
+  if (viewer.isEdited) {
+    fail("PLY is saved without edits: undo them, or save GLB or labels.");
+    return;
+  }
+  const file = await meshFile(".ply", viewer.number);
+  if (file)
+    save(file, viewer.fileName(".ply"));
+}
+
+function addPlyButton() {
   const button = document.createElement("button");
   button.type = "button";
-  button.textContent = text;
-  button.dataset.id = `save${extension.slice(1)}`;
-  button.addEventListener("click", () => saveMesh(extension));
-  viewer.ui.savePicture.before(button);
+  button.textContent = "Save PLY";
+  button.dataset.id = "saveply";
+  button.addEventListener("click", savePly);
+  viewer.ui.saveglb.before(button);
 }
 
 function show(job, model) {
@@ -66,8 +76,7 @@ function show(job, model) {
   document.body.classList.remove("empty");
   shown = job;
   globalThis.viewer = viewer = new Viewer(ui.viewer, model); // global for tests and the curious
-  addSaveButton("Save PLY", ".ply");
-  addSaveButton("Save GLB", ".glb");
+  addPlyButton();
   ui.viewer.querySelector("form").append(ui.privacy);
   document.title = `${model.name}: its parts`;
 }
@@ -80,12 +89,12 @@ async function readableFile({ name, read }) {
 }
 
 // The mesh that is shown stays until the next one is cut.
-async function segment(name, read) {
+async function segment(name, read, notes = []) {
   running?.worker.close();
-  const job = running = { name, read, method: ui.method.value,
+  const job = running = { name, read, notes, method: ui.method.value,
                           worker: prepared ?? new SegmentationWorker() };
   prepared = undefined;
-  ui.error.hidden = true;
+  ui.failure.hidden = true;
   tell(`Reading ${name}`);
   try {
     const file = await readableFile(job);
@@ -98,7 +107,8 @@ async function segment(name, read) {
     if (running !== job)
       return;
     stop();
-    show(job, { ...model, name });
+    show(job, { ...model, name, notes: [...model.notes, ...notes],
+                glb: number => meshFile(".glb", number) });
   }
   catch (error) {
     if (running !== job && shown !== job) // cancelled
@@ -108,7 +118,14 @@ async function segment(name, read) {
   }
 }
 
-const take = file => segment(file.name, async () => new Uint8Array(await file.arrayBuffer()));
+// Takes the first mesh of some files, such as OBJ with MTL.
+function take(files) {
+  const isMesh = ({ name }) => /\.(off|obj|ply|stl|glb|gltf)$/i.test(name);
+  const file = files.find(isMesh) ?? files[0];
+  const others = files.filter(other => other !== file).map(({ name }) => name);
+  segment(file.name, async () => new Uint8Array(await file.arrayBuffer()),
+          others.length > 0 ? [`Not read: ${others.join(", ")}.`] : []);
+}
 
 async function fetched(address) {
   const response = await fetch(address);
@@ -118,8 +135,8 @@ async function fetched(address) {
 }
 
 ui.file.addEventListener("change", () => {
-  if (ui.file.files[0])
-    take(ui.file.files[0]);
+  if (ui.file.files.length > 0)
+    take([...ui.file.files]);
   ui.file.value = ""; // so that the same file can be chosen again
 });
 for (const name of samples)
@@ -132,8 +149,10 @@ ui.sample.addEventListener("change", () => {
 ui.method.addEventListener("change", () => {
   const job = running ?? shown;
   if (job)
-    segment(job.name, job.read);
+    segment(job.name, job.read, job.notes);
 });
+ui.welcome.addEventListener("click", () => ui.file.click());
+ui.closeError.addEventListener("click", () => { ui.failure.hidden = true; });
 ui.cancel.addEventListener("click", cancel);
 
 addEventListener("dragover", event => {
@@ -147,8 +166,10 @@ addEventListener("dragleave", event => {
 addEventListener("drop", event => {
   event.preventDefault();
   document.body.classList.remove("dragged");
-  if (event.dataTransfer.files[0])
-    take(event.dataTransfer.files[0]);
+  if (event.dataTransfer.files.length > 0)
+    take([...event.dataTransfer.files]);
+  else
+    fail("This is no file. Drop a mesh in a file of OFF, OBJ, PLY, STL or GLB.");
 });
 document.documentElement.dataset.ready = "";
 

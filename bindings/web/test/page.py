@@ -110,11 +110,11 @@ class Page_test(unittest.TestCase):
     def choose(self, path):
         self.by_id("file").send_keys(str(path))
 
-    def drop(self, path):
+    def drop(self, *paths):
         for kind in ("dragEnter", "dragOver", "drop"):
             self.browser.execute_cdp_cmd("Input.dispatchDragEvent", {
                 "type": kind, "x": 200, "y": 500,
-                "data": {"items": [], "files": [str(path)], "dragOperationsMask": 1}})
+                "data": {"items": [], "files": [*map(str, paths)], "dragOperationsMask": 1}})
 
     def wait_for(self, name):
         self.wait(lambda: self.by_id("error").is_displayed() or
@@ -155,8 +155,11 @@ class Page_test(unittest.TestCase):
     def test_elephant(self):
         self.open()
         path = MESHES / "elephant.off"
-        self.drop(path)
+        materials = self.directory / "elephant.mtl"
+        materials.write_text("newmtl skin")
+        self.drop(materials, path)
         self.wait_for("elephant.off")
+        self.assertIn("Not read: elephant.mtl.", self.part("counts").text)
         self.assertEqual(self.number(), len(set(tool(path, "--labels", "-")[0].split())))
         self.assertGreaterEqual(len(self.colors()), 10)
         self.set_number(5)
@@ -168,6 +171,14 @@ class Page_test(unittest.TestCase):
             tools = self.directory / ("tool." + extension)
             tool(path, "--segments", 5, "-o", tools)
             self.assertEqual(mine, tools.read_bytes(), extension)
+        self.browser.execute_script(
+            "for (const piece of viewer.segmentOfPiece.keys())"
+            "  if (viewer.number === 5) { viewer.select(piece); viewer.cut(); }")
+        self.assertEqual(self.number(), 6)
+        glb = self.saved("saveglb", "elephant_6.glb")
+        self.assertEqual(glb.count(b'"Segment '), 3 * 6) # nodes, meshes, materials
+        self.part("saveply").click()
+        self.assertIn("PLY is saved without edits", self.error())
 
     def test_methods(self):
         self.open()
@@ -203,8 +214,13 @@ class Page_test(unittest.TestCase):
                 ("empty.ply", b"", ""), ("noise.stl", bytes(range(256)) * 9, ""),
                 ("mesh.xyz", text, "the format is unknown"),
                 ("short.glb", b"glTF\2\0\0\0\xff\0\0\0\x10\0\0\0JSON", "it ends after 20 bytes"),
-                ("text.gltf", b"hello", "JSON"),
-                ("far.gltf", b'{"buffers": [{"uri": "http://example.org/points.bin"}]}',
+                ("text.gltf", b"hello", "it is damaged or no glTF"),
+                ("empty.gltf", b"{}", "it has no mesh"),
+                ("lost.gltf", b'{"meshes": [{"primitives": [{"attributes": {"POSITION": 7}}]}], '
+                 b'"nodes": [{"mesh": 0}], "scenes": [{"nodes": [0]}], "scene": 0}',
+                 "its data contradict each other"),
+                ("far.gltf", b'{"meshes": [{"primitives": []}], '
+                 b'"buffers": [{"uri": "http://example.org/points.bin"}]}',
                  "in another file, http://example.org/points.bin")]:
             path = self.directory / name
             path.write_bytes(contents)
@@ -217,6 +233,8 @@ class Page_test(unittest.TestCase):
                 self.assertIn(sentence.split("cannot be cut: ")[1], tool(path)[1])
             self.assertEqual(self.part("name").text, "hand.off")
             self.assertEqual(self.shown_labels(), labels)
+        self.by_id("closeError").click()
+        self.assertFalse(self.by_id("error").is_displayed())
         self.assertIn("hand", self.browser.title)
         self.assertGreater(len(self.saved("saveply", "hand_%d.ply" % self.number())), 1000)
 
@@ -229,6 +247,9 @@ class Page_test(unittest.TestCase):
             write_grid(large, 700)
         self.choose(large)
         self.wait(lambda: "Cutting" in self.by_id("stage").text)
+        name = self.part("name").rect # which is not covered
+        bar = self.by_id("progress").rect
+        self.assertLessEqual(bar["x"] + bar["width"], name["x"])
         self.by_id("cancel").click()
         self.assertFalse(self.by_id("progress").is_displayed())
         self.assertEqual(self.part("name").text, "hand.off")
