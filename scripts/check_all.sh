@@ -79,6 +79,9 @@ PYTHONPATH="$build/g++-release/bindings/python" \
   -P bindings/blender/test/segment_parts_in_blender.py -- \
   "$build/g++-release/bindings/command_line/segment_mesh" "$build/g++-release/data/meshes" ||
   failed+=(blender)
+PYTHONPATH="$build/g++-release/bindings/python" xvfb-run -a blender -noaudio --factory-startup \
+  --enable-event-simulate --python-exit-code 1 -P bindings/blender/test/escape_in_blender.py ||
+  failed+=(blender_escape)
 empty=$(mktemp -d)
 /usr/bin/python3 bindings/blender/build_zip.py "$empty/segment_parts.zip" &&
   BLENDER_USER_CONFIG="$empty" BLENDER_USER_SCRIPTS="$empty" \

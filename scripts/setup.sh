@@ -30,7 +30,7 @@ for group in "$@"; do
     cluster) packages+=(slurm-wlm munge) ;;
     python_examples)
       packages+=(python3-matplotlib python3-pandas python3-vtk9 python3-distributed xvfb xauth) ;;
-    blender) packages+=(blender) ;;
+    blender) packages+=(blender xvfb xauth) ;;
     web)
       packages+=(emscripten node-acorn node-typescript libfast-float-dev libfmt-dev chromium
                  chromium-driver python3-selenium)

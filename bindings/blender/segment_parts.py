@@ -119,7 +119,7 @@ def ply_of(object, depsgraph):
     return header.encode() + points.astype("<f4").tobytes() + polygons.astype("<i4").tobytes()
 
 
-searches = {} # what a slider asks again, the last one used last
+searches = {} # the results that a slider asks for again, in the order of their last use
 
 
 def search(ply, method, progress, **limit):
@@ -295,7 +295,7 @@ def remove_edges(mesh, flag, layer):
 
 
 def write_edges(mesh, labels, flag, layer):
-    """Sets the flag of the edges between parts, and keeps in an attribute which had it not."""
+    """Sets the flag of the edges between parts. An attribute keeps which edges did not have it."""
     remove_edges(mesh, flag, layer)
     edges = integers(mesh.loops, "edge_index")
     of_corner = np.repeat(labels, integers(mesh.polygons, "loop_total"))
@@ -396,9 +396,9 @@ class Run:
         self.share = 0 # that is done
         self.is_cancelled = False
         self.error = None
-        self.inputs = []  # objects and their meshes
-        self.outputs = [] # objects, the labels of their polygons, and the colors of the parts
-        self.skipped = [] # sentences
+        self.inputs = []  # each object, its name, its number of polygons, and these as a PLY file
+        self.outputs = [] # each object, the labels of its polygons, and the colors of its parts
+        self.skipped = [] # the reasons
         depsgraph = context.evaluated_depsgraph_get()
         for object in context.selected_objects:
             try:
