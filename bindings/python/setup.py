@@ -3,7 +3,8 @@
 """Builds the package from the headers of the repository, or from their copies in an sdist.
 
 CPPFLAGS may name the folders of CGAL, Boost, Eigen, nlohmann-json and TBB, such as
--I/opt/cgal/include.
+-I/opt/cgal/include. SPECTRAL_SEGMENTATION_TBB=0 leaves out TBB, so that the package needs no
+library, but has no threads.
 """
 
 import os
@@ -73,6 +74,8 @@ class BuildPy(build_py):
 class Build(build_ext):
 
     def has_tbb(self):
+        if os.environ.get("SPECTRAL_SEGMENTATION_TBB") == "0":
+            return False
         with tempfile.TemporaryDirectory() as folder:
             source = os.path.join(folder, "tbb.cpp")
             pathlib.Path(source).write_text(TBB_PROGRAM)
