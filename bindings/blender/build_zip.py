@@ -25,7 +25,7 @@ def build_wheel(folder):
     # A build folder of its own: one of an earlier build would give a module with TBB.
     settings = pathlib.Path(folder, "setup.cfg")
     settings.write_text("[build]\nbuild_base = %s\n" % pathlib.Path(folder, "build"))
-    environment = dict(os.environ, SPECTRAL_SEGMENTATION_WITHOUT_TBB="1",
+    environment = dict(os.environ, SPECTRAL_SEGMENTATION_TBB="0",
                        DIST_EXTRA_CONFIG=str(settings))
     subprocess.run([sys.executable, "-m", "pip", "wheel", "--no-build-isolation", "--no-deps",
                     "--wheel-dir", folder, HERE.parent / "python"], env=environment, check=True)

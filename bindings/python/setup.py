@@ -3,7 +3,8 @@
 """Builds the package from the headers of the repository, or from their copies in an sdist.
 
 CPPFLAGS may name the folders of CGAL, Boost, Eigen, nlohmann-json and TBB, such as
--I/opt/cgal/include. With SPECTRAL_SEGMENTATION_WITHOUT_TBB=1 the extension needs no other library.
+-I/opt/cgal/include. SPECTRAL_SEGMENTATION_TBB=0 leaves out TBB, so that the package needs no
+library, but has no threads.
 """
 
 import os
@@ -14,12 +15,14 @@ import tempfile
 
 from pybind11.setup_helpers import ParallelCompile, Pybind11Extension, build_ext
 from setuptools import setup
+from setuptools.command.build_py import build_py
 from setuptools.command.sdist import sdist
 
 HERE = pathlib.Path(__file__).resolve().parent
 ROOT = HERE if (HERE / "include").is_dir() else HERE.parent.parent
 # What is compiled, or belongs to it, outside of this folder
 SHARED = ["LICENSE", "include", "bindings/files", "bindings/command_line"]
+THREE_JS = ["three.min.js", "OrbitControls.js"] # of the page, as in page.cmake
 
 TBB_PROGRAM = """
 #include <tbb/task_arena.h>
@@ -45,10 +48,33 @@ def eigen_folders():
     return [folder for folder in folders if os.path.isdir(folder)]
 
 
+def three_js_files():
+    """The files of three.js: those of an sdist, or those of Debian's package libjs-three."""
+    debian = pathlib.Path("/usr/share/javascript/three")
+    for folders in ([HERE / "three"] * 2, [debian, debian / "examples/js/controls"]):
+        files = [folder / name for folder, name in zip(folders, THREE_JS)]
+        if all(file.is_file() for file in files):
+            return files
+    print("No three.js: the package makes no page")
+    return []
+
+
+class BuildPy(build_py):
+
+    def run(self):
+        super().run()
+        target = pathlib.Path(self.build_lib, "spectral_segmentation", "page")
+        target.mkdir(parents=True, exist_ok=True)
+        page = ROOT / "bindings/command_line/page"
+        for file in [*page.glob("*.html"), *page.glob("*.css"), *page.glob("*.js"),
+                     *three_js_files()]:
+            shutil.copyfile(file, target / file.name)
+
+
 class Build(build_ext):
 
     def has_tbb(self):
-        if os.environ.get("SPECTRAL_SEGMENTATION_WITHOUT_TBB") == "1":
+        if os.environ.get("SPECTRAL_SEGMENTATION_TBB") == "0":
             return False
         with tempfile.TemporaryDirectory() as folder:
             source = os.path.join(folder, "tbb.cpp")
@@ -87,15 +113,18 @@ class Sdist(sdist):
                 shutil.copytree(ROOT / name, target, dirs_exist_ok=True)
             else:
                 shutil.copyfile(ROOT / name, target)
+        for file in three_js_files():
+            pathlib.Path(base_dir, "three").mkdir(exist_ok=True)
+            shutil.copyfile(file, pathlib.Path(base_dir, "three", file.name))
 
 
 ParallelCompile("SPECTRAL_SEGMENTATION_JOBS").install()
 setup(
     version=version(),
-    cmdclass={"build_ext": Build, "sdist": Sdist},
+    cmdclass={"build_ext": Build, "build_py": BuildPy, "sdist": Sdist},
     ext_modules=[Pybind11Extension(
         "spectral_segmentation._core",
-        ["src/engine.cpp", "src/mesh_files.cpp", "src/segmentation.cpp"],
+        ["src/engine.cpp", "src/mesh_files.cpp", "src/page.cpp", "src/segmentation.cpp"],
         include_dirs=[str(ROOT / "include"), str(ROOT / "bindings"), *eigen_folders()],
         depends=[__file__, *headers()],
         define_macros=[("CGAL_SPECTRAL_SEGMENTATION_COMPILED", "1"), ("NDEBUG", "1")],

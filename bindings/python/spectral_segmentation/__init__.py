@@ -10,6 +10,7 @@ from ._boundaries import boundary_edges, segment_adjacency, segment_colors
 from ._core import __version__
 from ._files import Mesh, read, write
 from ._hierarchy import Hierarchy
+from ._page import View, view
 from ._runs import segment, segment_hierarchy
 from ._salience import SalienceFactors
 
@@ -17,9 +18,9 @@ from ._salience import SalienceFactors
 #: and a node without one is a leaf.
 CUT_STATES = ("not searched", "no cut", "rejected", "cut")
 
-__all__ = ["CUT_STATES", "Hierarchy", "Mesh", "SalienceFactors", "__version__",
+__all__ = ["CUT_STATES", "Hierarchy", "Mesh", "SalienceFactors", "View", "__version__",
            "boundary_edges", "read", "segment", "segment_adjacency", "segment_colors",
-           "segment_hierarchy", "write"]
+           "segment_hierarchy", "view", "write"]
 
 for _name in __all__:
     if hasattr(globals()[_name], "__module__"):

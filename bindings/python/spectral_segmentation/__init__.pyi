@@ -10,9 +10,9 @@ from numpy.typing import ArrayLike, NDArray
 
 CUT_STATES: Tuple[str, str, str, str]
 __version__: str
-__all__ = ["CUT_STATES", "Hierarchy", "Mesh", "SalienceFactors", "__version__",
+__all__ = ["CUT_STATES", "Hierarchy", "Mesh", "SalienceFactors", "View", "__version__",
            "boundary_edges", "read", "segment", "segment_adjacency", "segment_colors",
-           "segment_hierarchy", "write"]
+           "segment_hierarchy", "view", "write"]
 
 _Path = Union[str, bytes, "os.PathLike[str]", "os.PathLike[bytes]"]
 
@@ -74,6 +74,11 @@ class Mesh(NamedTuple):
     triangles: NDArray[np.int32]
     polygon_of_triangle: NDArray[np.int32]
     labels: Optional[NDArray[np.intp]] = None
+
+class View:
+    @property
+    def html(self) -> str: ...
+    def _repr_html_(self) -> str: ...
 
 # `points` may be a mesh of another library, which has no type in common with the others.
 def segment(
@@ -137,6 +142,14 @@ def segment_adjacency(
 def segment_colors(
     points: Any, triangles: Optional[ArrayLike] = None, labels: Optional[ArrayLike] = None
 ) -> NDArray[np.uint8]: ...
+def view(
+    mesh: Any,
+    hierarchy: Optional[Hierarchy] = None,
+    *,
+    n: Optional[int] = None,
+    name: str = "mesh",
+    height: int = 600,
+) -> View: ...
 def read(path: _Path) -> Mesh: ...
 def write(
     path: _Path,

@@ -11,10 +11,11 @@ from . import _core
 from ._boundaries import colors_of
 from ._hierarchy import Hierarchy
 from ._meshes import array, is_flat, labels_array, surface_of
+from ._page import page_of
 from ._replace_file import replace_file
 
 _READ = (".off", ".obj", ".ply", ".stl")
-_WRITTEN = (".ply", ".obj", ".off", ".glb", ".stl")
+_WRITTEN = (".ply", ".obj", ".off", ".glb", ".stl", ".html")
 
 Mesh = namedtuple("Mesh", "points triangles polygon_of_triangle labels", defaults=[None])
 Mesh.__doc__ = """A mesh that `read()` returns.
@@ -87,7 +88,10 @@ def read(path):
 
 
 def write(path, points, triangles=None, labels=None, *, colors=None):
-    """Writes a mesh in the format that the name tells: PLY, OBJ, OFF, GLB, or STL without labels.
+    """Writes a mesh in the format that the name tells: PLY, OBJ, OFF, GLB, STL or HTML.
+
+    STL has no labels. HTML is a page that shows the mesh, with a slider for the number of segments;
+    it needs a `Hierarchy` in place of labels.
 
     An existing file is replaced only when the new one is complete.
 
@@ -119,6 +123,11 @@ def write(path, points, triangles=None, labels=None, *, colors=None):
     if labels is None and (isinstance(triangles, Hierarchy) or is_flat(triangles)):
         triangles, labels = None, triangles
     surface = surface_of(points, triangles)
+    if extension == ".html":
+        if colors is not None:
+            raise ValueError("a page chooses its colors itself")
+        name = os.path.splitext(os.path.basename(path))[0]
+        return replace_file(path, page_of(surface, labels, name))
     if isinstance(labels, Hierarchy):
         labels = labels.labels()
     if labels is None:

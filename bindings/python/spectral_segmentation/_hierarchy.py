@@ -18,7 +18,8 @@ class Hierarchy:
     numbered from 0. A hierarchy can be pickled and copied.
 
     If the run was given polygons, labels and `faces()` are those of polygons: a polygon has the
-    label with the largest area of its triangles. Nodes, JSON and files are those of the triangles.
+    label with the largest area of its triangles, and a segment with the largest area of no polygon
+    is missing. Nodes, JSON and files are those of the triangles.
 
     Examples
     --------

@@ -204,6 +204,7 @@ def _arrays_of_mesh(mesh):
     """The points and polygons of an object, before they are checked."""
     if isinstance(mesh, (str, bytes, os.PathLike)):
         raise TypeError("a mesh is needed, not the name of a file: read(%r) reads it" % (mesh,))
+    kind = type(mesh).__name__
     if isinstance(mesh, dict):
         mesh = SimpleNamespace(**{key: value for key, value in mesh.items()
                                   if isinstance(key, str)})
@@ -224,7 +225,7 @@ def _arrays_of_mesh(mesh):
         return mesh.points, _polygons_with_counts(faces) if faces.ndim == 1 else faces
     if has("GetCells") or has("celltypes"): # VTK, PyVista
         raise TypeError("%s has cells in place of polygons; vtkGeometryFilter, or PyVista's "
-                        "extract_surface(), makes a surface of it" % type(mesh).__name__)
+                        "extract_surface(), makes a surface of it" % kind)
     if has("points", "cells"): # meshio
         return mesh.points, _polygons_of_cells(mesh.cells)
     if has("vertex", "triangle"): # Open3D's tensors
@@ -238,13 +239,12 @@ def _arrays_of_mesh(mesh):
     if has("vertex_matrix", "face_matrix"): # pymeshlab
         return mesh.vertex_matrix(), mesh.face_matrix()
     if has("geometry"): # trimesh
-        raise TypeError("%s has several meshes; give one of them, such as scene.to_mesh()"
-                        % type(mesh).__name__)
+        raise TypeError("%s has several meshes; give one of them, such as scene.to_mesh()" % kind)
     if isinstance(mesh, tuple) and len(mesh) == 2:
         return mesh
     raise TypeError("triangles are missing, and %s is no mesh of a known kind: give a tuple "
                     "(points, triangles), or an object of trimesh, Open3D, PyVista, VTK, meshio, "
-                    "manifold3d or pymeshlab" % type(mesh).__name__)
+                    "manifold3d or pymeshlab" % kind)
 
 
 def surface_of(points, triangles=None):

@@ -9,6 +9,7 @@
 #include "hierarchy_arrays.h"
 #include "mesh_files.h"
 #include "message_of_python.h"
+#include "page.h"
 #include "python_lock.h"
 #include "read_parameters.h"
 
@@ -217,6 +218,7 @@ PYBIND11_MODULE(_core, m)
   m.attr("__version__") = CGAL_SPECTRAL_SEGMENTATION_VERSION;
   define_hierarchy(m);
   define_mesh_files(m);
+  define_page(m);
   m.def("segment", segment);
   py::module_::import("atexit").attr("register")(py::cpp_function(Python_run::end_all));
 }

@@ -2,14 +2,17 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Files of meshes."""
 
+import html
 import os
 import random
+import re
 import subprocess
 
 import numpy as np
 import pytest
 
-from spectral_segmentation import Hierarchy, read, segment_colors, segment_hierarchy, write
+from spectral_segmentation import (Hierarchy, read, segment_colors, segment_hierarchy, view,
+                                   write)
 
 QUAD_AND_TRIANGLE = """OFF
 5 2 0
@@ -150,3 +153,35 @@ def test_written_files_are_those_of_the_tool(meshes, tool, tmp_path):
     mesh = read(source)
     write(tmp_path / "own.off", mesh.points, mesh.triangles, labels)
     assert (tmp_path / "own.off").read_bytes() == (tmp_path / "tool.off").read_bytes()
+
+
+def test_the_page_is_the_one_of_the_tool(meshes, tool, tmp_path):
+    source = meshes / "elephant.off"
+    subprocess.run([tool, source, "--quiet", "--html", tmp_path / "tool.html"], check=True)
+    mesh = read(source)
+    shown = view(mesh, segment_hierarchy(mesh), name="elephant.off")
+    assert shown.html.encode() == (tmp_path / "tool.html").read_bytes()
+    source_of_frame = re.search('srcdoc="([^"]*)"', shown._repr_html_()).group(1)
+    assert source_of_frame.isascii() # for any charset of the notebook
+    assert html.unescape(source_of_frame) == shown.html
+
+
+def test_pages(dumbbell, tmp_path):
+    points, triangles = dumbbell
+    hierarchy = segment_hierarchy(points, triangles, method="paper", number_of_segments=3,
+                                  smooth_boundaries=True)
+    path = tmp_path / "dumbbell.html"
+    try:
+        write(path, (points, triangles), hierarchy)
+    except RuntimeError as error:
+        pytest.skip(str(error))
+    page = path.read_text()
+    assert "<title>dumbbell" in page and '"salience":"salience"' in page
+    assert '"segments":2,' in view(dumbbell, hierarchy, n=2).html
+    for labels, words in ((hierarchy.labels(), "needs a Hierarchy, .* not ndarray"),
+                          (None, "needs a Hierarchy, .* not NoneType")):
+        with pytest.raises(TypeError, match=words):
+            write(path, points, triangles, labels)
+    with pytest.raises(ValueError, match="the hierarchy has %d triangles" % len(triangles)):
+        view((points, triangles[1:]), hierarchy)
+    assert path.read_text() == page
