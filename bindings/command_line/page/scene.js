@@ -83,7 +83,7 @@ export class Scene {
     this.element = element;
     this.pieces = pieces;
     Object.assign(this, split(mesh));
-    const normals = mesh.normals = pointNormals(mesh.points, mesh.triangles);
+    const normals = pointNormals(mesh.points, mesh.triangles);
     this.input = mesh;
     const taken = from => {
       const result = new Float32Array(3 * this.origins.length);
