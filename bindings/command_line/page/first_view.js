@@ -8,47 +8,48 @@ const cross = (a, b) => [0, 1, 2].map(k => a[(k + 1) % 3] * b[(k + 2) % 3] -
                                            a[(k + 2) % 3] * b[(k + 1) % 3]);
 const length = a => Math.hypot(...a);
 
-// Returns points [x, y, z, piece], as many in each triangle as its weight asks for.
-function samplePoints({ points, triangles, pieces }, weights, number) {
-  const step = weights.reduce((sum, weight) => sum + weight, 0) / number;
+// Returns points at equal distances of area, {point, normal, piece} each.
+function samplesOf({ points, triangles, pieces }, number) {
+  const corners = t => [0, 1, 2].map(k => 3 * triangles[3 * t + k])
+    .map(v => [points[v], points[v + 1], points[v + 2]]);
+  const normal = ([p, q, r]) => cross(q.map((x, k) => x - p[k]), r.map((x, k) => x - p[k]));
+  const areas = Float64Array.from(pieces, (_, t) => length(normal(corners(t))));
+  const step = areas.reduce((sum, area) => sum + area, 0) / number;
   const result = [];
   let sum = 0;
-  weights.forEach((weight, t) => {
-    for (sum += weight; sum > step * (result.length + 0.5) && result.length < number;) {
+  areas.forEach((area, t) => {
+    for (sum += area; sum > step * (result.length + 0.5) && result.length < number;) {
       const i = result.length + 1; // these two irrational steps fill a square evenly
       let [a, b] = [0.7548776662 * i % 1, 0.5698402910 * i % 1];
       if (a + b > 1)
         [a, b] = [1 - a, 1 - b];
-      const [p, q, r] = triangles.subarray(3 * t, 3 * t + 3).map(v => 3 * v);
-      result.push([0, 1, 2].map(k => (1 - a - b) * points[p + k] + a * points[q + k] +
-                                     b * points[r + k]));
-      result[i - 1].push(pieces[t]);
+      const [p, q, r] = corners(t);
+      result.push({ point: p.map((x, k) => (1 - a - b) * x + a * q[k] + b * r[k]),
+                    normal: normal([p, q, r]).map(x => x / area), piece: pieces[t] });
     }
   });
   return result;
 }
 
-// Returns samples of the surface, and behind them as many where it bends.
-function samplesOf(mesh, number) {
-  const { points, triangles, pieces, normals } = mesh;
-  const at = (array, v) => [array[3 * v], array[3 * v + 1], array[3 * v + 2]];
-  const areas = new Float64Array(pieces.length), bends = new Float64Array(pieces.length);
-  pieces.forEach((_, t) => {
-    const corners = [0, 1, 2].map(k => triangles[3 * t + k]);
-    const [p, q, r] = corners.map(v => at(points, v));
-    areas[t] = length(cross(q.map((x, k) => x - p[k]), r.map((x, k) => x - p[k])));
-    const units = corners.map(v => at(normals, v)).map(n => n.map(x => x / (length(n) || 1)));
-    const mean = units[0].map((x, k) => (x + units[1][k] + units[2][k]) / 3);
-    bends[t] = Math.max(1 - length(mean), 0);
-  });
-  return [areas, bends].flatMap(weights => samplePoints(mesh, weights, number));
+// Sets for each sample how much the surface bends around it, from 0 to 1: faces and fingers do.
+function findBends(samples) {
+  const cells = new Map();
+  for (const sample of samples) {
+    const key = sample.point.map(x => Math.floor(8 * x)).join();
+    cells.set(key, [...cells.get(key) ?? [], sample]);
+  }
+  for (const cell of cells.values()) {
+    const sums = [0, 1, 2].map(k => cell.reduce((sum, { normal }) => sum + normal[k], 0));
+    for (const sample of cell)
+      sample.bend = 1 - length(sums) / cell.length;
+  }
 }
 
-// Returns whether samples stand on a plane: their mean is above the lowest ones.
-function stands(samples, up) {
-  const lowest = Math.min(...samples.map(p => dot(p, up)));
-  const feet = samples.filter(p => dot(p, up) < lowest + 0.04);
-  const mean = [0, 1, 2].map(k => samples.reduce((sum, p) => sum + p[k], 0) / samples.length);
+// Returns whether points stand on a plane: their mean is above the lowest ones.
+function stands(points, up) {
+  const lowest = Math.min(...points.map(p => dot(p, up)));
+  const feet = points.filter(p => dot(p, up) < lowest + 0.04);
+  const mean = [0, 1, 2].map(k => points.reduce((sum, p) => sum + p[k], 0) / points.length);
   const side = [1, 0, 0], front = cross(side, up);
   return Array.from({ length: 32 }, (_, i) => Math.PI * i / 16).every(angle => {
     const direction = side.map((x, k) => Math.cos(angle) * x + Math.sin(angle) * front[k]);
@@ -56,60 +57,55 @@ function stands(samples, up) {
   });
 }
 
-// Returns which samples are seen in a picture, and the area that they cover.
+// Returns the samples that are seen in a picture, and the area that all cover.
 function look(samples, direction, right, top) {
   const size = 48;
   const cell = x => Math.min(Math.floor((1 + x) / 2 * size), size - 1);
   const depths = new Float32Array(size * size).fill(-Infinity);
-  const cells = samples.map(p => size * cell(dot(p, top)) + cell(dot(p, right)));
-  const depth = samples.map(p => dot(p, direction));
+  const cells = samples.map(({ point }) => size * cell(dot(point, top)) + cell(dot(point, right)));
+  const depth = samples.map(({ point }) => dot(point, direction));
   cells.forEach((cell, i) => { depths[cell] = Math.max(depths[cell], depth[i]); });
-  return { isSeen: cells.map((cell, i) => depth[i] > depths[cell] - 0.06),
+  return { seen: samples.filter((_, i) => depth[i] > depths[cells[i]] - 0.06),
            area: new Set(cells).size };
 }
 
 // Degrees above the horizon, and how much less of them is liked.
-const elevations = [[-15, 0.15], [0, 0.03], [15, 0], [30, 0.05], [60, 0.15], [85, 0.15]];
+const elevations = [[-15, 0.15], [0, 0.03], [15, 0], [30, 0.08], [60, 0.15], [85, 0.15]];
 
 // Returns the best view of a mesh in the unit ball with y up and that with z up: each has the
 // direction to the eye, and a value.
 export function firstViews(mesh, segmentOfPiece) {
-  const number = 1500;
-  const samples = samplesOf(mesh, number);
-  const totals = new Map();
-  for (const p of samples) {
-    p[3] = segmentOfPiece[p[3]];
-    totals.set(p[3], (totals.get(p[3]) ?? 0) + 1);
-  }
+  const samples = samplesOf(mesh, 2500);
+  findBends(samples);
+  const segmentOf = ({ piece }) => segmentOfPiece[piece];
+  const counts = list => {
+    const result = new Map();
+    list.forEach(sample => result.set(segmentOf(sample), (result.get(segmentOf(sample)) ?? 0) + 1));
+    return result;
+  };
+  const totals = counts(samples);
   const views = [];
   for (const up of [[0, 1, 0], [0, 0, 1]]) {
     const side = [1, 0, 0], front = cross(side, up);
-    const bonus = (stands(samples.slice(0, number), up) ? 0.12 : 0) + (up[1] ? 0.05 : 0);
+    const bonus = (stands(samples.map(({ point }) => point), up) ? 0.12 : 0) + (up[1] ? 0.05 : 0);
     for (const [elevation, malus] of elevations)
       for (let azimuth = 0; azimuth < 360; azimuth += 20) {
         const [e, a] = [elevation, azimuth].map(x => Math.PI / 180 * x);
         const direction = side.map((x, k) => Math.cos(e) *
           (Math.sin(a) * x + Math.cos(a) * front[k]) + Math.sin(e) * up[k]);
         const right = side.map((x, k) => Math.cos(a) * x - Math.sin(a) * front[k]);
-        const { isSeen, area } = look(samples, direction, right, cross(direction, right));
-        const counts = new Map();
-        let details = 0;
-        isSeen.forEach((isSeen, i) => {
-          if (!isSeen)
-            return;
-          counts.set(samples[i][3], (counts.get(samples[i][3]) ?? 0) + 1);
-          details += i >= number;
-        });
+        const { seen, area } = look(samples, direction, right, cross(direction, right));
         let segments = 0; // one that is seen by a third counts in full
-        for (const [segment, count] of counts)
+        for (const [segment, count] of counts(seen))
           segments += Math.min(1, 3 * count / totals.get(segment)) / totals.size;
-        views.push({ direction, up, area, details, value: 0.7 * segments + bonus - malus });
+        views.push({ direction, up, area, bends: seen.reduce((sum, { bend }) => sum + bend, 0),
+                     value: 0.7 * segments + bonus - malus });
       }
   }
-  const [mostArea, mostDetails] = ["area", "details"].map(name =>
-    Math.max(1, ...views.map(view => view[name])));
+  const [mostArea, mostBends] = ["area", "bends"].map(name =>
+    Math.max(...views.map(view => view[name])) || 1);
   for (const view of views)
-    view.value += view.area / mostArea + 0.7 * view.details / mostDetails;
+    view.value += view.area / mostArea + 0.5 * view.bends / mostBends;
   return [1, 2].map(k => views.filter(({ up }) => up[k] === 1)
     .reduce((best, view) => view.value > best.value ? view : best));
 }

@@ -83,7 +83,7 @@ export class Scene {
     this.element = element;
     this.pieces = pieces;
     Object.assign(this, split(mesh));
-    const normals = mesh.normals = pointNormals(mesh.points, mesh.triangles);
+    const normals = pointNormals(mesh.points, mesh.triangles);
     this.input = mesh;
     const taken = from => {
       const result = new Float32Array(3 * this.origins.length);
@@ -184,11 +184,16 @@ export class Scene {
       flat: new THREE.MeshPhongMaterial({ ...phong, flatShading: true }),
       none: new THREE.MeshBasicMaterial(common)
     };
-    // Triangles may have any orientation, so their normals are turned to the camera.
+    // Triangles may have any orientation, so their normals are turned to the camera. Beside sharp
+    // edges and slivers, the normals of points mean little: the triangle has its own one there.
+    this.materials.smooth.extensions = { derivatives: true };
     this.materials.smooth.onBeforeCompile = shader => {
       shader.fragmentShader = shader.fragmentShader.replace(
         "#include <normal_fragment_begin>",
-        `vec3 normal = normalize(vNormal);
+        `vec3 own = normalize(cross(dFdx(vViewPosition), dFdy(vViewPosition)));
+         vec3 normal = normalize(vNormal);
+         if (dot(normal, own) < 0.0) normal = -normal;
+         normal = normalize(mix(own, normal, smoothstep(0.6, 0.9, dot(normal, own))));
          if (dot(normal, vViewPosition) < 0.0) normal = -normal;
          vec3 geometryNormal = normal;`);
     };

@@ -406,6 +406,8 @@ export class Viewer {
   selectNext(step) {
     const segments = this.hierarchy.order(this.segmentOfPiece).filter(segment =>
       this.segmentOfPiece.some((other, piece) => other === segment && !this.isHidden[piece]));
+    if (segments.length === 0) // all are hidden
+      return;
     const i = segments.indexOf(this.segmentOfPiece[this.selected]);
     const next = segments.at(i < 0 ? (step > 0 ? 0 : -1) : (i + step) % segments.length);
     this.select(this.segmentOfPiece.indexOf(next));
@@ -461,6 +463,8 @@ export class Viewer {
   }
 
   rename(text) {
+    if (this.selected === undefined)
+      return;
     const segment = this.segmentOfPiece[this.selected];
     const names = new Map(this.names);
     if (text.trim())
