@@ -264,7 +264,7 @@ class Page_test(unittest.TestCase):
     def test_many_in_a_row(self):
         """More than a browser has contexts of WebGL, of which Chromium warns."""
         self.open()
-        for i in range(20):
+        for i in range(18):
             name = ["hand.off", "anchor.off"][i % 2]
             self.choose(MESHES / name)
             self.wait_for(name)
