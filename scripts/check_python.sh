@@ -28,6 +28,7 @@ lines=$(sed -n 's/^    \(.*my_env.*\)/\1/p' clone/README.md)
 clone/my_env/bin/python -m pytest -q -p no:cacheprovider "$root/bindings/python/test"
 
 (cd clone/bindings/python && /usr/bin/python3 setup.py -q sdist bdist_wheel)
+/usr/bin/python3 -m zipfile -l clone/bindings/python/dist/*.whl | grep -q 'dist-info/.*LICENSE'
 for name in sdist wheel; do
   /usr/bin/python3 -m venv --system-site-packages "from_$name"
 done
@@ -36,5 +37,6 @@ from_wheel/bin/pip install clone/bindings/python/dist/*.whl
 for name in sdist wheel; do
   "from_$name/bin/python" -c "import numpy, spectral_segmentation as s
 assert s.__file__.startswith('$work/from_$name')
-assert s.segment(numpy.eye(3), [[0, 1, 2]]).tolist() == [0]"
+mesh = (numpy.eye(3), [[0, 1, 2]])
+assert s.segment(mesh).tolist() == [0] and s.view(mesh).html"
 done
