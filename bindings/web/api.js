@@ -7,37 +7,105 @@ import createModule from "./module.js";
 
 const writtenFormats = [".glb", ".obj", ".off", ".ply"];
 
-// The types of options; numbers with whether they are integers.
-const optionTypes = {
-  method: "method", numberOfSegments: "integer", maximumNumberOfSegments: "integer",
-  salienceThreshold: "number", minimumSegmentSize: "number", numberOfSmoothingIterations: "integer",
-  keepComponentsSeparate: "boolean", smoothBoundaries: "boolean", progress: "function"
+const isList = value =>
+  Array.isArray(value) || ArrayBuffer.isView(value) && !(value instanceof DataView);
+const clamped = integer => Math.max(-(2 ** 31), Math.min(integer, 2 ** 31 - 1)); // for the module
+const isNumber = value => typeof value === "number";
+
+// The kinds of options, and what the value of one must be.
+const kinds = {
+  method: [value => value === "calibrated" || value === "paper", "'calibrated' or 'paper'"],
+  integer: [Number.isInteger, "an integer"],
+  number: [isNumber, "a number"],
+  boolean: [value => typeof value === "boolean", "a boolean"],
+  function: [value => typeof value === "function", "a function"],
+  seed: [value => Number.isSafeInteger(value) && value >= 0, "an integer, not negative"],
+  weights: [value => isList(value) && value.length === 3 && value.every(isNumber),
+            "three numbers"],
+  integers: [value => isList(value) && value.every(each => each === (each | 0)),
+             "an array of integers of 32 bits"]
 };
+
+const choiceKinds = {
+  numberOfSegments: "integer", maximumNumberOfSegments: "integer", salienceThreshold: "number"
+};
+
+const optionKinds = {
+  ...choiceKinds,
+  method: "method", minimumSegmentSize: "number", salienceWeights: "weights",
+  distanceWeights: "weights", numberOfCoarseFaces: "integer", numberOfReferenceFaces: "integer",
+  numberOfSmoothingIterations: "integer", randomSeed: "seed", keepComponentsSeparate: "boolean",
+  smoothBoundaries: "boolean", faceGroups: "integers", faceSeeds: "integers",
+  constrainedEdges: "integers", uncuttableEdges: "integers", progress: "function"
+};
+
+// The names of options in messages of the library.
+const optionOfName = {
+  edge_is_constrained_map: "constrainedEdges", edge_is_uncuttable_map: "uncuttableEdges",
+  face_seed_map: "faceSeeds", face_group_map: "faceGroups",
+  "zhang_liu_2005()": "the method 'paper'"
+};
+for (const name of Object.keys(optionKinds))
+  optionOfName[name.replace(/[A-Z]/g, letter => `_${letter.toLowerCase()}`)] = name;
+
+const translated = message => message
+  .replace(/^(segment_spectral_recursive|Segmentation_hierarchy): /, "")
+  .replace(/[a-z]+(_[a-z0-9]+)+(\(\))?/g, name => optionOfName[name] ?? name);
 
 const extensionOf = name => (/\.[^./\\]*$/.exec(name)?.[0] ?? "").toLowerCase();
 
-function checkOption(name, value) {
-  const type = optionTypes[name];
-  if (type === undefined)
-    throw new TypeError(`there is no option ${name}`);
-  const isRight = type === "method" ? value === "calibrated" || value === "paper" :
-    type === "integer" ? Number.isInteger(value) && Math.abs(value) < 2 ** 31 :
-    typeof value === type;
-  if (!isRight)
-    throw new TypeError(`${name} must be ${type === "method" ? "'calibrated' or 'paper'" :
-                                           `${type === "integer" ? "an" : "a"} ${type}`}`);
-}
-
-function checkedOptions(options) {
+function checkedOptions(options, kindOfOption = optionKinds) {
+  if (typeof options !== "object" || options === null || isList(options))
+    throw new TypeError("options must be an object, such as { numberOfSegments: 5 }");
   const given = Object.fromEntries(
     Object.entries(options).filter(([, value]) => value !== undefined));
-  for (const [name, value] of Object.entries(given))
-    checkOption(name, value);
+  for (const [name, value] of Object.entries(given)) {
+    if (!Object.hasOwn(kindOfOption, name))
+      throw new TypeError(`there is no option ${name}`);
+    const [isRight, sentence] = kinds[kindOfOption[name]];
+    if (!isRight(value))
+      throw new TypeError(`${name} must be ${sentence}`);
+    if (kindOfOption[name] === "integer")
+      given[name] = clamped(value);
+  }
   if (given.numberOfSegments !== undefined &&
       (given.maximumNumberOfSegments ?? given.salienceThreshold) !== undefined)
     throw new TypeError("numberOfSegments goes neither with maximumNumberOfSegments nor with " +
                         "salienceThreshold");
   return given;
+}
+
+const constraints = ["constrainedEdges", "uncuttableEdges", "faceSeeds"];
+
+// Returns the options for the module, which takes constraints as arrays of one type.
+function checkedRunOptions(options, mesh) {
+  const given = checkedOptions(options);
+  for (const name of [...constraints, "faceGroups"].filter(each => each in given)) {
+    if (given.method === "paper" && constraints.includes(name))
+      throw new TypeError(`${name} does not go with the method 'paper'`);
+    const numbers = given[name] = Int32Array.from(given[name]);
+    if (name.startsWith("face") && numbers.length !== mesh.numberOfFaces)
+      throw new TypeError(`${name} must have ${mesh.numberOfFaces} integers, one for each face, ` +
+                          `not ${numbers.length}`);
+    if (name.endsWith("Edges") && numbers.length % 2 !== 0)
+      throw new TypeError(`${name} must have two points for each edge, not ${numbers.length} ` +
+                          "in all");
+  }
+  return given;
+}
+
+// Returns which segments a run has to give, for the module; undefined for those of the run.
+function checkedChoice(choice) {
+  if (choice === undefined)
+    return undefined;
+  const given = checkedOptions(isNumber(choice) ? { numberOfSegments: choice } : choice,
+                               choiceKinds);
+  for (const name of ["numberOfSegments", "maximumNumberOfSegments"])
+    if (given[name] < 1)
+      throw new TypeError(`${name} must be at least 1`);
+  if (Number.isNaN(given.salienceThreshold))
+    throw new TypeError("salienceThreshold must be a number");
+  return Object.keys(given).length > 0 ? given : undefined;
 }
 
 function checkedTriples(name, value, types) {
@@ -46,13 +114,6 @@ function checkedTriples(name, value, types) {
   if (value.length % 3 !== 0)
     throw new TypeError(`${name} must have three numbers each, not ${value.length} in all`);
   return value;
-}
-
-// Checks that `value` is undefined or the number of segments to give.
-function checkedNumber(value) {
-  if (value !== undefined && !(Number.isInteger(value) && value >= 1))
-    throw new TypeError("the number of segments must be an integer, at least 1");
-  return value && Math.min(value, 2 ** 31); // more than fits into the module's integers is all
 }
 
 // Calls a function of the module, whose exceptions are numbers here.
@@ -67,56 +128,71 @@ function call(module, what, action) {
     if (typeof error !== "number")
       throw error;
     const { isMemory, message } = module.errorOf(error);
-    throw isMemory ? outOfMemory() : new Error(message.replace("segment_spectral_recursive: ", ""));
+    throw isMemory ? outOfMemory() : new Error(translated(message));
   }
 }
 
-class Mesh {
-  #module;
+const registry = globalThis.FinalizationRegistry &&
+  new FinalizationRegistry(handle => handle.delete());
 
-  constructor(module, handle) {
-    this.#module = module;
-    this.handle = handle;
-  }
-
-  #get(name) {
-    return call(this.#module, "for the arrays of a mesh", () => this.handle[name]());
-  }
-
-  get numberOfFaces() { return this.#get("numberOfFaces"); }
-  get points() { return this.#get("points"); }
-  get triangles() { return this.#get("triangles"); }
-  get faceOfTriangle() { return this.#get("faceOfTriangle"); }
-  free() { this.handle.delete(); }
-}
-
-class Segmentation {
+// An object in the memory of a module. It is freed by `free()`, or some time after its last use.
+class Owned {
   #module;
   #handle;
 
   constructor(module, handle) {
     this.#module = module;
     this.#handle = handle;
+    registry?.register(this, handle, this);
   }
 
-  #call(what, action) { return call(this.#module, what, () => action(this.#handle)); }
+  // Calls a function with the object of the module.
+  call(what, action) {
+    if (!this.#handle)
+      throw new Error(`${this.description} was freed`);
+    return call(this.#module, what, () => action(this.#handle));
+  }
 
-  get numberOfSegments() { return this.#handle.numberOfSegments(); }
-  get maximumNumberOfSegments() { return this.#handle.maximumNumberOfSegments(); }
-  labels(n) { return this.#call("for labels", handle => handle.labels(checkedNumber(n))); }
-  toJSON() { return JSON.parse(this.#call("for JSON", handle => handle.json())); }
+  isOf(module) { return module === this.#module; }
+
+  free() {
+    registry?.unregister(this);
+    this.#handle?.delete();
+    this.#handle = undefined;
+  }
+}
+
+if (Symbol.dispose)
+  Owned.prototype[Symbol.dispose] = Owned.prototype.free;
+
+class Mesh extends Owned {
+  #get(name) { return this.call("for the arrays of a mesh", handle => handle[name]()); }
+
+  get description() { return "the mesh"; }
+  get numberOfFaces() { return this.#get("numberOfFaces"); }
+  get points() { return this.#get("points"); }
+  get triangles() { return this.#get("triangles"); }
+  get faceOfTriangle() { return this.#get("faceOfTriangle"); }
+}
+
+class Segmentation extends Owned {
+  get description() { return "the segmentation"; }
+  get numberOfSegments() { return this.call("", handle => handle.numberOfSegments()); }
+  get maximumNumberOfSegments() {
+    return this.call("", handle => handle.maximumNumberOfSegments());
+  }
+  labels(choice) { return this.call("for labels", handle => handle.labels(checkedChoice(choice))); }
+  toJSON() { return JSON.parse(this.call("for JSON", handle => handle.json())); }
   pageData(name = "") {
-    return JSON.parse(this.#call("for a page", handle => handle.pageData(String(name))));
+    return JSON.parse(this.call("for a page", handle => handle.pageData(String(name))));
   }
 
-  write(name, n) {
+  write(name, choice) {
     const extension = extensionOf(name);
     if (!writtenFormats.includes(extension))
       throw new TypeError(`the name must end in ${writtenFormats.join(", ")}, not ${name}`);
-    return this.#call("for a file", handle => handle.write(extension, checkedNumber(n)));
+    return this.call("for a file", handle => handle.write(extension, checkedChoice(choice)));
   }
-
-  free() { this.#handle.delete(); }
 }
 
 class Module {
@@ -144,7 +220,9 @@ class Module {
   segment(mesh, options = {}) {
     if (!(mesh instanceof Mesh))
       throw new TypeError("mesh must be what read() or mesh() returns");
-    const { progress, ...others } = checkedOptions(options);
+    if (!mesh.isOf(this.#module))
+      throw new TypeError("mesh must be of the same instance of the module, as load() returns it");
+    const { progress, ...others } = checkedRunOptions(options, mesh);
     let error;
     // An exception that passed through the module would leave its memory behind.
     const told = progress && (share => {
@@ -156,8 +234,8 @@ class Module {
         return false;
       }
     });
-    const handle = call(this.#module, `for ${mesh.numberOfFaces} faces`, () =>
-      new this.#module.Segmentation(mesh.handle, others, told));
+    const handle = mesh.call(`for ${mesh.numberOfFaces} faces`, handleOfMesh =>
+      new this.#module.Segmentation(handleOfMesh, others, told));
     if (error) {
       handle.delete();
       throw error;

@@ -77,14 +77,16 @@ export class Client {
   }
 
   async segment({ bytes, points, triangles, name = "mesh" }, options = {}, progress = undefined) {
+    if (options?.progress !== undefined)
+      throw new TypeError("progress is the third argument of segment(), not an option");
     const { data, numberOfSegments } = await this.#request(
       "segment", { file: bytes, points, triangles, name, options, wasmUrl: this.#wasmUrl },
       progress);
     return { model: decode(data), numberOfSegments };
   }
 
-  write(name, n) { return this.#request("write", { name, n }); }
-  labels(n) { return this.#request("labels", { n }); }
+  write(name, choice) { return this.#request("write", { name, choice }); }
+  labels(choice) { return this.#request("labels", { choice }); }
   toJSON() { return this.#request("toJSON", {}); }
   close() { this.#end(new DOMException("the worker is closed", "AbortError")); }
 }

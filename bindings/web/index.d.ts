@@ -1,24 +1,58 @@
 // Copyright (c) 2026  The Spectral_segmentation authors.
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-/** The parameters of a run; those of the C++ library, whose manual tells more. */
-export interface Options {
-  /** "calibrated", the default, cuts where people cut; "paper" is Zhang and Liu 2005. */
-  method?: "calibrated" | "paper";
+/** Which segments are given. */
+export interface Choice {
   /** Exactly this number, whatever the saliences are; not together with the next two. */
   numberOfSegments?: number;
   /** At most this number. */
   maximumNumberOfSegments?: number;
-  /** The smallest salience of a cut: 0.48 by default, 0.54 with the method "paper". */
+  /** The smallest salience of a cut: by default 0.48, the probability that people cut there, or
+   *  0.54 for weighted saliences such as those of the method "paper". */
   salienceThreshold?: number;
-  /** The least share of the area for each side of a cut, from 0 to 0.5. */
+}
+
+export type Integers = Int32Array | Uint32Array | Uint16Array | Int16Array | Uint8Array |
+  Int8Array | readonly number[];
+
+/** The parameters of a run; those of the C++ library, whose manual tells more. */
+export interface Options extends Choice {
+  /** "calibrated", the default, cuts where people cut; "paper" is Zhang and Liu 2005. */
+  method?: "calibrated" | "paper";
+  /** The least share of the area for each side of a cut, from 0 to 0.5: by default 0.003, with the
+   *  method "paper" 0.005. */
   minimumSegmentSize?: number;
+  /** Edges that must be between segments, each given by the indices of its two points. The
+   *  constraints, which are this and the next two, do not go with the method "paper". */
+  constrainedEdges?: Integers;
+  /** Edges whose triangles must be of one segment, given like `constrainedEdges`. */
+  uncuttableEdges?: Integers;
+  /** A number for each face. Faces with the same number are of one segment, those with different
+   *  numbers are not; negative numbers mean nothing. */
+  faceSeeds?: Integers;
+  /** The group of each face, such as an object of a file. Groups are kept apart like connected
+   *  components. */
+  faceGroups?: Integers;
+  /** Whether each connected component is a part from the start: by default false, with the method
+   *  "paper" true. */
+  keepComponentsSeparate?: boolean;
+  /** The weights of size, cut strength and protrusiveness in a weighted salience: three numbers,
+   *  not negative, with sum 1. */
+  salienceWeights?: readonly number[] | Float64Array;
+  /** The weight of the geodesic distance, from 0 to 1, and the factors of the angle distance at
+   *  concave and at convex edges: by default 0.03, 1, 0.1, with the method "paper" 0.01, 1, 0.1. */
+  distanceWeights?: readonly number[] | Float64Array;
+  /** Cuts are searched on a coarse mesh with this number of triangles: by default 4000. 0 means the
+   *  mesh itself, the default of the method "paper". */
+  numberOfCoarseFaces?: number;
+  /** The dimension of the context vector, from 1 to 1000; 10 by default. */
+  numberOfReferenceFaces?: number;
   /** Steps of Laplacian smoothing before the search; 0 by default. */
   numberOfSmoothingIterations?: number;
-  /** Whether each connected component is a part from the start. */
-  keepComponentsSeparate?: boolean;
   /** Whether boundaries of segments are smoothed; false by default. */
   smoothBoundaries?: boolean;
+  /** Chooses reference faces at random, as in the paper: an integer from 0 to 2^53 - 1. */
+  randomSeed?: number;
 }
 
 export interface RunOptions extends Options {
@@ -27,7 +61,9 @@ export interface RunOptions extends Options {
   progress?: (share: number) => boolean | void;
 }
 
-/** A mesh in the memory of the module, which keeps it until `free()`. */
+/** A mesh in the memory of the module. `free()` gives the memory back at once, a second call does
+ *  nothing, and any other use of a freed mesh throws an Error. Without `free()` the memory is given
+ *  back some time after the last use. */
 export interface Mesh {
   /** Of the file, polygons being single faces; else the number of triangles. */
   readonly numberOfFaces: number;
@@ -40,17 +76,18 @@ export interface Mesh {
   free(): void;
 }
 
-/** A run, in the memory of the module, which keeps it until `free()`. */
+/** A run, in the memory of the module; `free()` does the same as that of `Mesh`. */
 export interface Segmentation {
   readonly numberOfSegments: number;
   /** The most that can be asked for below. */
   readonly maximumNumberOfSegments: number;
   /** The label of each face: of the run, or of exactly `n` segments, or as near to `n` as there
-   *  are components and cuts. The same labels as those of the C++ library and its tool. */
-  labels(n?: number): Uint32Array;
+   *  are components and cuts, or of another choice. The same labels as those of the C++ library and
+   *  its tool. */
+  labels(n?: number | Choice): Uint32Array;
   /** A colored mesh in the format that the name tells: .ply, .glb, .off or .obj. Its faces are
    *  split along smooth boundaries between the segments. */
-  write(name: string, n?: number): Uint8Array;
+  write(name: string, n?: number | Choice): Uint8Array;
   /** All cuts, as `segment_mesh --hierarchy` writes them. */
   toJSON(): object;
   /** What `decode()` of decode.js makes the model of a Viewer of. */

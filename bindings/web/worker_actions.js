@@ -29,13 +29,14 @@ export function answerer(load, send) {
     async segment({ file, points, triangles, name, options, wasmUrl }, id) {
       const module = await load({ wasmUrl });
       const mesh = file ? module.read(file, name) : module.mesh(points, triangles);
-      const next = module.segment(mesh, { ...options, progress: teller(id) });
+      const next = module.segment(
+        mesh, options instanceof Object ? { ...options, progress: teller(id) } : options);
       mesh.free(); // but for what the segmentation needs of it
       segmentation = next; // the instance of the former one goes with it
       return { data: segmentation.pageData(name), numberOfSegments: segmentation.numberOfSegments };
     },
-    write({ name, n }) { return existing().write(name, n); },
-    labels({ n }) { return existing().labels(n); },
+    write({ name, choice }) { return existing().write(name, choice); },
+    labels({ choice }) { return existing().labels(choice); },
     toJSON() { return existing().toJSON(); }
   };
 

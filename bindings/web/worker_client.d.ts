@@ -1,7 +1,7 @@
 // Copyright (c) 2026  The Spectral_segmentation authors.
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-import type { LoadOptions, Options } from "./index.js";
+import type { Choice, LoadOptions, Options } from "./index.js";
 
 /** A file, or a mesh as arrays as for `Module.mesh()`. */
 export type Input = { name: string; bytes: Uint8Array } |
@@ -27,8 +27,8 @@ export class SegmentationWorker {
   segment(input: Input, options?: Options, progress?: (share: number) => void):
     Promise<{ model: Model; numberOfSegments: number }>;
   /** These are those of `Segmentation`, of the last mesh; rejected with an Error without one. */
-  write(name: string, n?: number): Promise<Uint8Array>;
-  labels(n?: number): Promise<Uint32Array>;
+  write(name: string, n?: number | Choice): Promise<Uint8Array>;
+  labels(n?: number | Choice): Promise<Uint32Array>;
   toJSON(): Promise<object>;
   /** Ends the worker, at once. Promises that are not settled are rejected with a DOMException
    *  "AbortError". */

@@ -21,6 +21,8 @@
 #include <command_line/refined_input.h>
 #include <command_line/write_meshes.h>
 
+#include <boost/property_map/function_property_map.hpp>
+
 #include <emscripten/bind.h>
 #include <emscripten/val.h>
 
@@ -65,6 +67,17 @@ std::vector<Triple> triples_of(const val& array)
   std::vector<Triple> result(array["length"].as<std::size_t>() / 3);
   val(emscripten::typed_memory_view(3 * result.size(), reinterpret_cast<Number*>(result.data())))
     .call<void>("set", array);
+  return result;
+}
+
+// The numbers of a typed array; none if it is undefined.
+std::vector<std::int32_t> integers_of(const val& array)
+{
+  std::vector<std::int32_t> result;
+  if (!array.isUndefined()) {
+    result.resize(array["length"].as<std::size_t>());
+    val(emscripten::typed_memory_view(result.size(), result.data())).call<void>("set", array);
+  }
   return result;
 }
 
@@ -130,6 +143,75 @@ public:
   bool go_further() { return goes_on_; }
 };
 
+typedef std::pair<std::size_t, std::size_t> Edge;
+
+Edge edge_of(std::size_t a, std::size_t b) { return std::minmax(a, b); }
+
+std::vector<Edge> sorted_edges(const std::vector<mesh_file::Triangle>& triangles)
+{
+  std::vector<Edge> result;
+  for (const mesh_file::Triangle& t : triangles)
+    for (std::size_t i = 0; i < 3; ++i)
+      result.push_back(edge_of(t[i], t[(i + 1) % 3]));
+  std::sort(result.begin(), result.end());
+  return result;
+}
+
+// The constraints of a run, as maps of triangles and edges.
+class Constraints
+{
+  const std::vector<Index>& face_of_triangle_;
+  std::vector<std::int32_t> seed_of_face_;
+  std::vector<std::int32_t> group_of_face_;
+  std::vector<Edge> constrained_edges_;
+  std::vector<Edge> uncuttable_edges_;
+
+  static std::vector<Edge> read_edges(const Input& input, const val& given, const char* name)
+  {
+    const std::vector<std::int32_t> corners = integers_of(given[name]);
+    std::vector<Edge> result;
+    if (corners.empty())
+      return result;
+    const std::vector<Edge> known = sorted_edges(input.triangles);
+    for (std::size_t i = 0; i < corners.size(); i += 2) {
+      result.push_back(edge_of(corners[i], corners[i + 1]));
+      if (!std::binary_search(known.begin(), known.end(), result.back()))
+        throw std::invalid_argument(
+          std::string(name) + " has the edge (" + std::to_string(corners[i]) + ", " +
+          std::to_string(corners[i + 1]) + "), which no triangle has");
+    }
+    std::sort(result.begin(), result.end());
+    return result;
+  }
+
+  static auto edge_map(const std::vector<Edge>& edges)
+  {
+    return boost::make_function_property_map<Edge>(
+      [&edges](const Edge& e) { return std::binary_search(edges.begin(), edges.end(), e); });
+  }
+
+  auto triangle_map(const std::vector<std::int32_t>& value_of_face) const
+  {
+    return boost::make_function_property_map<std::size_t>([&](std::size_t t) {
+      return value_of_face.empty() ? -1 : value_of_face[face_of_triangle_[t]];
+    });
+  }
+
+public:
+  Constraints(const Input& input, const val& given)
+    : face_of_triangle_(input.polygon_of_triangle),
+      seed_of_face_(integers_of(given["faceSeeds"])),
+      group_of_face_(integers_of(given["faceGroups"])),
+      constrained_edges_(read_edges(input, given, "constrainedEdges")),
+      uncuttable_edges_(read_edges(input, given, "uncuttableEdges"))
+  {}
+
+  auto seed_map() const { return triangle_map(seed_of_face_); }
+  auto group_map() const { return triangle_map(group_of_face_); }
+  auto constrained_edge_map() const { return edge_map(constrained_edges_); }
+  auto uncuttable_edge_map() const { return edge_map(uncuttable_edges_); }
+};
+
 segmentation::Options read_options(const val& given)
 {
   const bool uses_paper_method =
@@ -140,6 +222,7 @@ segmentation::Options read_options(const val& given)
     if (!given[name].isUndefined())
       value = given[name].as<std::decay_t<decltype(value)> >();
   };
+  const auto weight = [&](const char* name, int i) { return given[name][i].as<double>(); };
   const auto read_count = [&](const char* name, int least, auto& value) {
     if (given[name].isUndefined())
       return;
@@ -148,12 +231,27 @@ segmentation::Options read_options(const val& given)
       throw std::invalid_argument(std::string(name) + " must be at least " + std::to_string(least));
     value = static_cast<std::size_t>(count);
   };
+  if (!given["salienceWeights"].isUndefined()) {
+    const char* const name = "salienceWeights";
+    o.part_salience =
+      segmentation::Weighted_part_salience{weight(name, 0), weight(name, 1), weight(name, 2)};
+    o.salience_threshold = segmentation::default_salience_threshold;
+  }
+  if (!given["distanceWeights"].isUndefined()) {
+    o.geodesic_weight = weight("distanceWeights", 0);
+    o.concave_angle_weight = weight("distanceWeights", 1);
+    o.convex_angle_weight = weight("distanceWeights", 2);
+  }
+  if (!given["randomSeed"].isUndefined()) // numbers of JavaScript are doubles
+    o.random_seed = static_cast<std::uint64_t>(given["randomSeed"].as<double>());
   read_count("numberOfSegments", 1, o.number_of_segments);
   read_count("maximumNumberOfSegments", 1, o.maximum_number_of_segments);
   read("salienceThreshold", o.salience_threshold);
   read("keepComponentsSeparate", o.keep_components_separate);
   read("minimumSegmentSize", o.minimum_segment_size);
   read("smoothBoundaries", o.smooth_boundaries);
+  read_count("numberOfReferenceFaces", 1, o.number_of_reference_faces);
+  read_count("numberOfCoarseFaces", 0, o.number_of_coarse_faces);
   read_count("numberOfSmoothingIterations", 0, o.number_of_smoothing_iterations);
   check(o);
   return o;
@@ -166,11 +264,19 @@ class Segmentation
   segmentation::Segmentation_hierarchy tree_;
   std::vector<Index> label_of_triangle_; // one per triangle of the run
 
-  std::vector<Index> labels_of_triangles(const val& n) const
+  // `choice` is undefined for the segments of the run, else an object with numbers.
+  std::vector<Index> labels_of_triangles(const val& choice) const
   {
-    if (n.isUndefined())
+    if (choice.isUndefined())
       return label_of_triangle_;
-    const std::vector<std::size_t> labels = tree_.labels(tree_.nodes(n.as<std::size_t>()));
+    const auto number = [&](const char* name, auto otherwise) {
+      return choice[name].isUndefined() ? otherwise : choice[name].as<decltype(otherwise)>();
+    };
+    const std::size_t exact = number("numberOfSegments", std::size_t(0));
+    const std::vector<std::size_t> labels = tree_.labels(
+      exact > 0 ? tree_.nodes(exact)
+                : tree_.nodes_above(number("salienceThreshold", tree_.salience_threshold()),
+                                    number("maximumNumberOfSegments", segmentation::unlimited)));
     return {labels.begin(), labels.end()};
   }
 
@@ -185,21 +291,27 @@ public:
     : input_(mesh.input()), options_(read_options(options))
   {
     Progress visitor(progress);
+    const Constraints constraints(*input_, options);
     label_of_triangle_.resize(input_->triangles.size());
     CGAL::segment_spectral_recursive<CGAL::Sequential_tag>(
       input_->soup.points, input_->triangles, CGAL::make_property_map(label_of_triangle_),
-      segmentation::parameters::options(options_).hierarchy(tree_).visitor(std::ref(visitor)));
+      segmentation::parameters::options(options_)
+        .edge_is_constrained_map(constraints.constrained_edge_map())
+        .edge_is_uncuttable_map(constraints.uncuttable_edge_map())
+        .face_seed_map(constraints.seed_map())
+        .face_group_map(constraints.group_map())
+        .hierarchy(tree_).visitor(std::ref(visitor)));
   }
 
   std::size_t number_of_segments() const { return number_of_labels(label_of_triangle_); }
   std::size_t maximum_number_of_segments() const { return tree_.number_of_segments(); }
 
-  val labels(const val& n) const
-  { return typed_array(segment_mesh::labels_of_polygons(*input_, labels_of_triangles(n))); }
+  val labels(const val& choice) const
+  { return typed_array(segment_mesh::labels_of_polygons(*input_, labels_of_triangles(choice))); }
 
-  val write(const std::string& extension, const val& n) const
+  val write(const std::string& extension, const val& choice) const
   {
-    const std::vector<Index> of_triangles = labels_of_triangles(n);
+    const std::vector<Index> of_triangles = labels_of_triangles(choice);
     const std::size_t number = number_of_labels(of_triangles);
     const std::vector<Index> of_faces = segment_mesh::labels_of_polygons(*input_, of_triangles);
     const std::vector<mesh_file::Rgb> colors = segment_mesh::segment_colors(
@@ -227,7 +339,8 @@ public:
     segment_mesh::Page_options options;
     options.name = name;
     options.number_of_segments = number_of_segments();
-    options.is_salience_probability = options_.method == segmentation::Method::CALIBRATED;
+    options.is_salience_probability =
+      options_.part_salience.target<segmentation::Calibrated_part_salience>() != nullptr;
     options.smooth_boundaries = options_.smooth_boundaries;
     return segment_mesh::page_data(*input_, tree_, options)
       .dump(-1, ' ', false, nlohmann::ordered_json::error_handler_t::replace);

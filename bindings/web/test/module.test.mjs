@@ -98,6 +98,72 @@ test("a run gives the labels of all numbers, also as its page does", () => {
   run.free();
 });
 
+test("labels of a choice are those of a run with it", () => {
+  const mesh = segmentation.read(elephant, "elephant.off");
+  const run = segmentation.segment(mesh);
+  for (const choice of [{}, { numberOfSegments: 4 }, { salienceThreshold: 0.7 },
+                        { salienceThreshold: 0.2, maximumNumberOfSegments: 14 },
+                        { maximumNumberOfSegments: 3 }])
+    assert.deepEqual(run.labels(choice), segmentation.segment(mesh, choice).labels());
+  assert.deepEqual(run.write("x.off", { numberOfSegments: 4 }), run.write("x.off", 4));
+});
+
+test("constraints hold", () => {
+  const mesh = segmentation.read(elephant, "elephant.off");
+  const { triangles, numberOfFaces } = mesh;
+  const plain = segmentation.segment(mesh).labels();
+  const opposite = Math.floor(numberOfFaces / 2);
+  const faceSeeds = new Int32Array(numberOfFaces).fill(-1);
+  const segmentSizes = new Map();
+  for (const label of plain)
+    segmentSizes.set(label, (segmentSizes.get(label) ?? 0) + 1);
+  const [largest] = [...segmentSizes].reduce((a, b) => b[1] > a[1] ? b : a);
+  const inLargest = [...plain.keys()].filter(face => plain[face] === largest);
+  const [a, b] = [inLargest[0], inLargest[inLargest.length - 1]];
+  const c = plain.findIndex(label => label !== largest);
+  faceSeeds[a] = 0;
+  faceSeeds[b] = 1; // apart, although of one segment before
+  faceSeeds[c] = 0; // together, although of two
+  const seeded = segmentation.segment(mesh, { faceSeeds }).labels();
+  assert.notEqual(seeded[a], seeded[b]);
+  assert.equal(seeded[a], seeded[c]);
+
+  const edge = [triangles[3 * a], triangles[3 * a + 1]];
+  const facesAtEdge = edge => [...Array(numberOfFaces).keys()].filter(
+    face => edge.every(point => triangles.subarray(3 * face, 3 * face + 3).includes(point)));
+  const [f, g] = facesAtEdge(edge);
+  assert.equal(plain[f], plain[g]);
+  const constrained = segmentation.segment(mesh, { constrainedEdges: edge }).labels();
+  assert.notEqual(constrained[f], constrained[g]);
+  // All edges uncuttable: one segment.
+  const whole = segmentation.segment(mesh, { uncuttableEdges: Array.from(triangles).flatMap(
+    (corner, i) => [corner, triangles[i % 3 === 2 ? i - 2 : i + 1]]) });
+  assert.equal(whole.numberOfSegments, 1);
+  // Two halves as groups: no segment has faces of both.
+  const faceGroups = Array.from(plain, (_, face) => Number(face < opposite));
+  const grouped = segmentation.segment(mesh, { faceGroups, keepComponentsSeparate: true }).labels();
+  const labelsOf = group => new Set(grouped.filter((_, face) => faceGroups[face] === group));
+  assert.ok([...labelsOf(0)].every(label => !labelsOf(1).has(label)));
+});
+
+test("options for experts change what they say", () => {
+  const mesh = segmentation.read(elephant, "elephant.off");
+  const file = path.join(MESHES, "elephant.off");
+  const labels = options => segmentation.segment(mesh, options).labels();
+  const paper = labels({ method: "paper" });
+  assert.deepEqual(paper, labels({ method: "paper", distanceWeights: [0.01, 1, 0.1],
+                                   numberOfCoarseFaces: 0, numberOfReferenceFaces: 10 }));
+  assert.notDeepEqual(paper, labels({ method: "paper", distanceWeights: [0.9, 1, 0.1] }));
+  assert.equal(text(labels({ method: "paper", randomSeed: 7 })),
+               labelsOfTool(file, "--method", "paper", "--seed", "7"));
+  assert.deepEqual(paper, labels({ method: "paper", salienceWeights: [0.1, 0.6, 0.3] }));
+  const bySize = segmentation.segment(mesh, { method: "paper", salienceWeights: [1, 0, 0] });
+  const cuts = bySize.toJSON().nodes.filter(node => node.salience !== null);
+  assert.ok(cuts.length > 0);
+  for (const { salience, factors } of cuts)
+    assert.ok(Math.abs(salience - factors.size) < 1e-9);
+});
+
 test("arrays and files give the same", () => {
   const mesh = segmentation.read(elephant, "elephant.off");
   assert.equal(mesh.numberOfFaces, mesh.triangles.length / 3);
@@ -120,8 +186,17 @@ test("written files are those of the tool", t => {
   assert.throws(() => run.write("x.xyz"), /the name must end in .glb/);
 });
 
-test("what is wrong is named", () => {
+test("what is wrong is named", async () => {
   const mesh = tetrahedron();
+  const other = await load();
+  const freed = tetrahedron();
+  const freedRun = segmentation.segment(freed);
+  for (const object of [freed, freedRun, freed, freedRun])
+    object.free();
+  const disposed = tetrahedron();
+  disposed[Symbol.dispose]?.();
+  if (Symbol.dispose)
+    assert.throws(() => disposed.points, /the mesh was freed/);
   for (const [action, type, message] of [
     [() => segmentation.read("OFF", "a.off"), TypeError, /bytes must be a Uint8Array/],
     [() => segmentation.read(new Uint8Array(3), "a.xyz"), Error, /the format is unknown/],
@@ -141,11 +216,36 @@ test("what is wrong is named", () => {
      /method must be 'calibrated'/],
     [() => segmentation.segment(mesh, { numberOfSegments: 2.5 }), TypeError, /must be an integer/],
     [() => segmentation.segment(mesh, { numberOfSegments: 0 }), Error, /at least 1/],
-    [() => segmentation.segment(mesh, { numberOfSegments: 5 }), Error, /can have 1 to 4/],
+    [() => segmentation.segment(mesh, { numberOfSegments: 5 }), Error,
+     /^numberOfSegments is 5.* can have 1 to 4/],
+    [() => segmentation.segment(mesh, null), TypeError, /options must be an object/],
+    [() => segmentation.segment(mesh, 5), TypeError, /options must be an object/],
+    [() => segmentation.segment(mesh, { toString: 5 }), TypeError, /no option toString/],
+    [() => other.segment(mesh), TypeError, /same instance/],
+    [() => segmentation.segment(freed), Error, /the mesh was freed/],
+    [() => freed.points, Error, /the mesh was freed/],
+    [() => freedRun.labels(), Error, /the segmentation was freed/],
+    [() => segmentation.segment(mesh, { faceSeeds: [0, 1] }), TypeError, /must have 4 integers/],
+    [() => segmentation.segment(mesh, { faceSeeds: [0, 1, 2, 0.5] }), TypeError, /array of int/],
+    [() => segmentation.segment(mesh, { constrainedEdges: [0] }), TypeError, /two points/],
+    [() => segmentation.segment(mesh, { constrainedEdges: [0, 1, 0, 9] }), Error,
+     /^constrainedEdges has the edge \(0, 9\), which no triangle has/],
+    [() => segmentation.segment(mesh, { constrainedEdges: [0, 1], uncuttableEdges: [1, 0] }), Error,
+     /constrainedEdges and uncuttableEdges/],
+    [() => segmentation.segment(mesh, { method: "paper", faceSeeds: [0, 1, 2, 3] }), TypeError,
+     /faceSeeds does not go with the method 'paper'/],
+    [() => segmentation.segment(mesh, { method: "paper", keepComponentsSeparate: false }), Error,
+     /^keepComponentsSeparate must be true with the method 'paper'/],
+    [() => segmentation.segment(mesh, { distanceWeights: [1, 2] }), TypeError, /three numbers/],
+    [() => segmentation.segment(mesh, { distanceWeights: [2, 1, 1] }), Error, /distanceWeights/],
+    [() => segmentation.segment(mesh, { salienceWeights: [1, 1, 1] }), Error, /salienceWeights/],
+    [() => segmentation.segment(mesh, { randomSeed: -1 }), TypeError, /randomSeed must be/],
+    [() => segmentation.segment(mesh).labels({ method: "paper" }), TypeError, /no option method/],
+    [() => segmentation.segment(mesh).labels({ salienceThreshold: NaN }), TypeError, /a number/],
     [() => segmentation.segment(mesh, { numberOfSegments: 2, salienceThreshold: 1 }),
      TypeError, /neither/],
     [() => segmentation.segment(mesh, { salienceThreshold: NaN }), Error, /number/],
-    [() => segmentation.segment(mesh, { minimumSegmentSize: 2 }), Error, /minimum_segment_size/],
+    [() => segmentation.segment(mesh, { minimumSegmentSize: 2 }), Error, /^minimumSegmentSize/],
     [() => segmentation.segment(mesh, { progress: 1 }), TypeError, /progress must be a function/],
     [() => segmentation.segment(mesh).labels(0), TypeError, /at least 1/]])
     assert.throws(action, error => error.constructor === type && message.test(error.message),
@@ -243,15 +343,20 @@ test("a worker does the same, and ends at once", async () => {
     assert.deepEqual(faceLabels(hierarchy, n, model.pieceOfFace, model.exceptions), run.labels(n));
     assert.deepEqual(await worker.labels(n), run.labels(n));
   }
+  const choice = { salienceThreshold: 0.7, maximumNumberOfSegments: 3 };
+  assert.deepEqual(await worker.labels(choice), run.labels(choice));
   assert.deepEqual(await worker.write("x.glb", 5), run.write("x.glb", 5));
   assert.deepEqual(await worker.toJSON(), run.toJSON());
   await assert.rejects(worker.segment({ bytes: Buffer.from("OFF x"), name: "a.off" }),
                        /line 1: 'x' is not a number of points/);
   await assert.rejects(worker.segment({ bytes: elephant, name: "a.off" }, { progress() {} }),
-                       { name: "DataCloneError" });
+                       /progress is the third argument/);
+  for (const options of [null, 5])
+    await assert.rejects(worker.segment({ bytes: elephant, name: "a.off" }, options),
+                         { name: "TypeError", message: /options must be an object/ });
   await assert.rejects(worker.segment({ bytes: elephant, name: "a.off" },
                                       { salienceThreshold: NaN }),
-                       /salience_threshold must be a number/);
+                       /salienceThreshold must be a number/);
   assert.deepEqual(await worker.toJSON(), run.toJSON(), "the last good run stays");
   const large = worker.segment({ bytes: elephant, name: "elephant.off" },
                                { method: "paper" });
@@ -272,11 +377,11 @@ test("the package runs in an empty folder as its README says", t => {
   const blocks = [...readFileSync(path.join(PACKAGE, "README.md"), "utf8")
     .matchAll(/```js\n([^]*?)```/g)].map(match => match[1]);
   assert.equal(blocks.length, 2);
-  const read = 'import { readFileSync } from "node:fs";\n' +
-    `const bytes = readFileSync(${JSON.stringify(path.join(MESHES, "elephant.off"))});\n`;
-  blocks.forEach((block, i) => {
-    writeFileSync(path.join(folder, `block${i}.js`), `${read}${block}
-      console.log("segments", new Set(labels).size);`);
+  copyFileSync(path.join(MESHES, "elephant.off"), path.join(folder, "elephant.off"));
+  const file = 'import { readFileSync } from "node:fs";\n' +
+    'const file = new Blob([readFileSync("elephant.off")]);\n';
+  [blocks[0], file + blocks[1]].forEach((block, i) => {
+    writeFileSync(path.join(folder, `block${i}.js`), block);
     assert.match(execFileSync("node", [`block${i}.js`], { cwd: folder, encoding: "utf8" }),
                  i === 0 ? /segments 12$/m : /segments 5$/m);
   });

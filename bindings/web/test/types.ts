@@ -18,6 +18,10 @@ export async function allowed(bytes: Uint8Array): Promise<Uint32Array[]> {
                                          share => console.log(share));
   const labels = await worker.labels(model.segments);
   worker.close();
+  const constrained = module.segment(mesh, {
+    faceSeeds: new Int32Array(mesh.numberOfFaces), constrainedEdges: [0, 1],
+    uncuttableEdges: mesh.triangles, distanceWeights: [0.1, 1, 0.2], randomSeed: 1 });
+  constrained.labels({ salienceThreshold: 0.6, maximumNumberOfSegments: 3 });
   return [labels, run.labels(), module.segment(sameMesh).labels(5)];
 }
 
@@ -25,6 +29,8 @@ export async function forbidden(mesh: Mesh): Promise<void> {
   const module = await load();
   // @ts-expect-error: there is no such option
   module.segment(mesh, { segments: 5 });
+  // @ts-expect-error: a choice has no method
+  module.segment(mesh).labels({ method: "paper" });
   // @ts-expect-error: there is no such method
   module.segment(mesh, { method: "zhang_liu_2005" });
   // @ts-expect-error: arrays of numbers
