@@ -97,7 +97,8 @@ echo "=== web"
 bindings/web/build.sh "$build/web" &&
   ALL_MESHES=1 bindings/web/test.sh "$build/g++-release/bindings/command_line/segment_mesh" \
     "$build/g++-release/data/meshes" "$build/web" || failed+=(web)
-bindings/web/test/bundlers.py "$build"/web/spectral-segmentation-*.tgz || failed+=(bundlers)
+/usr/bin/python3 bindings/web/test/bundlers.py "$build"/web/spectral-segmentation-*.tgz ||
+  failed+=(bundlers)
 
 echo "=== other machines"
 scripts/check_machines.sh --build "$build/machines" || failed+=(machines)
