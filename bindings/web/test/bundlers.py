@@ -5,8 +5,6 @@
 [PACKAGE@VERSION ...], where the tarball is what build.sh makes. The bundlers come from the npm
 registry; versions may be given, such as vite@5."""
 
-import functools
-import http.server
 import json
 import pathlib
 import re
@@ -14,10 +12,11 @@ import shutil
 import subprocess
 import sys
 import tempfile
-import threading
 import unittest
 
 from selenium.webdriver.support.ui import WebDriverWait
+
+from local_server import start_server
 
 sys.path.insert(0, str(pathlib.Path(__file__).resolve().parents[3] / "test"))
 import page_in_browser
@@ -43,14 +42,6 @@ load().then(s => tell(s.segment(s.mesh(points, triangles)).numberOfSegments), fa
 
 # What README.md says of the dev server before Vite 8.
 OLD_VITE = 'export default { optimizeDeps: { exclude: ["spectral-segmentation"] } };'
-
-
-class Handler(http.server.SimpleHTTPRequestHandler):
-    extensions_map = {**http.server.SimpleHTTPRequestHandler.extensions_map,
-                      ".js": "text/javascript", ".wasm": "application/wasm"}
-
-    def log_message(self, *_):
-        pass
 
 
 class Bundlers_test(unittest.TestCase):
@@ -89,11 +80,7 @@ class Bundlers_test(unittest.TestCase):
         return self.browser.title
 
     def check(self, folder):
-        server = http.server.ThreadingHTTPServer(
-            ("127.0.0.1", 0), functools.partial(Handler, directory=self.folder / folder))
-        self.addCleanup(server.server_close)
-        threading.Thread(target=server.serve_forever, daemon=True).start()
-        self.addCleanup(server.shutdown)
+        server = start_server(self.folder / folder, self.addCleanup)
         self.assertEqual(self.title_of("http://127.0.0.1:%d/" % server.server_port),
                          "1; worker 1;")
 

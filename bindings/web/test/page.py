@@ -4,14 +4,11 @@
 """Tests the page to drop a mesh on in Chromium: page.py FOLDER TOOL MESHES CHROMIUM CHROMEDRIVER,
 with the folder of the page, the native segment_mesh, and the directory of CGAL's meshes."""
 
-import functools
-import http.server
 import os
 import pathlib
 import subprocess
 import sys
 import tempfile
-import threading
 import time
 import unittest
 
@@ -20,6 +17,8 @@ from selenium.webdriver.common.action_chains import ActionChains
 from selenium.webdriver.common.by import By
 from selenium.webdriver.common.keys import Keys
 from selenium.webdriver.support.ui import Select, WebDriverWait
+
+from local_server import Handler, start_server
 
 sys.path.insert(0, str(pathlib.Path(__file__).resolve().parents[3] / "test"))
 import page_in_browser # the tests of the viewer
@@ -45,17 +44,6 @@ addEventListener("drop", () => {
 """
 
 
-class Handler(http.server.SimpleHTTPRequestHandler):
-    """Remembers what is asked."""
-
-    requests = []
-    extensions_map = {**http.server.SimpleHTTPRequestHandler.extensions_map,
-                      ".js": "text/javascript", ".wasm": "application/wasm"}
-
-    def log_message(self, *_):
-        self.requests.append((self.command, self.path))
-
-
 def tool(*arguments):
     run = subprocess.run([TOOL, *map(str, arguments), "--quiet"], stdout=subprocess.PIPE,
                          stderr=subprocess.PIPE)
@@ -69,11 +57,7 @@ class Page_test(unittest.TestCase):
         directory = tempfile.TemporaryDirectory()
         cls.addClassCleanup(directory.cleanup)
         cls.directory = pathlib.Path(directory.name)
-        cls.server = http.server.ThreadingHTTPServer(
-            ("127.0.0.1", 0), functools.partial(Handler, directory=FOLDER))
-        cls.addClassCleanup(cls.server.server_close)
-        threading.Thread(target=cls.server.serve_forever, daemon=True).start()
-        cls.addClassCleanup(cls.server.shutdown)
+        cls.server = start_server(FOLDER, cls.addClassCleanup)
         cls.browser = page_in_browser.start_browser(
             directory.name, "--host-resolver-rules=MAP mesh.test 127.0.0.1")
         cls.addClassCleanup(cls.browser.quit)
