@@ -166,13 +166,16 @@ class Constraints
   std::vector<Edge> constrained_edges_;
   std::vector<Edge> uncuttable_edges_;
 
-  static std::vector<Edge> read_edges(const Input& input, const val& given, const char* name)
+  // `known` are the edges of the mesh, sorted. They are found when they are first needed.
+  static std::vector<Edge> read_edges(const Input& input, const val& given, const char* name,
+                                      std::vector<Edge>& known)
   {
     const std::vector<std::int32_t> corners = integers_of(given[name]);
     std::vector<Edge> result;
     if (corners.empty())
       return result;
-    const std::vector<Edge> known = sorted_edges(input.triangles);
+    if (known.empty())
+      known = sorted_edges(input.triangles);
     for (std::size_t i = 0; i < corners.size(); i += 2) {
       result.push_back(edge_of(corners[i], corners[i + 1]));
       if (!std::binary_search(known.begin(), known.end(), result.back()))
@@ -201,10 +204,12 @@ public:
   Constraints(const Input& input, const val& given)
     : face_of_triangle_(input.polygon_of_triangle),
       seed_of_face_(integers_of(given["faceSeeds"])),
-      group_of_face_(integers_of(given["faceGroups"])),
-      constrained_edges_(read_edges(input, given, "constrainedEdges")),
-      uncuttable_edges_(read_edges(input, given, "uncuttableEdges"))
-  {}
+      group_of_face_(integers_of(given["faceGroups"]))
+  {
+    std::vector<Edge> known;
+    constrained_edges_ = read_edges(input, given, "constrainedEdges", known);
+    uncuttable_edges_ = read_edges(input, given, "uncuttableEdges", known);
+  }
 
   auto seed_map() const { return triangle_map(seed_of_face_); }
   auto group_map() const { return triangle_map(group_of_face_); }
