@@ -4,6 +4,8 @@
 #ifndef SEGMENT_MESH_OPTION_TEXTS_H
 #define SEGMENT_MESH_OPTION_TEXTS_H
 
+#include "Failure.h"
+
 #include <CGAL/Spectral_segmentation/version.h>
 
 #include <CLI/CLI.hpp>
@@ -34,14 +36,19 @@ const Example examples[] = {
 
 struct Exit_status
 {
-  int status;
+  Status status;
   const char* meaning;
 };
 
 const Exit_status exit_statuses[] = {
-  {0, "success"}, {1, "a bug"}, {2, "wrong usage"}, {3, "an input cannot be opened"},
-  {4, "an input has no mesh"}, {5, "lack of memory"}, {6, "the time limit was reached"},
-  {7, "an output cannot be written"}, {8, "runs of --out-dir failed"}};
+  {Status::OK, "success"}, {Status::BUG, "a bug"}, {Status::USAGE, "wrong usage"},
+  {Status::INPUT, "an input cannot be opened"}, {Status::MESH, "an input has no mesh"},
+  {Status::MEMORY, "lack of memory"}, {Status::TIME, "the time limit was reached"},
+  {Status::OUTPUT, "an output cannot be written"},
+  {Status::SOME_FAILED, "runs of --out-dir failed"}};
+
+inline std::string number_of(const Exit_status& s)
+{ return std::to_string(static_cast<int>(s.status)); }
 
 // Returns the options that have a group, because those without one are not shown.
 inline std::vector<const CLI::Option*> documented_options(const CLI::App& app)
@@ -128,7 +135,7 @@ public:
     for (const Example& e : examples)
       result += std::string("  ") + e.command + "\n      " + e.effect + '\n';
     for (const Exit_status& s : exit_statuses)
-      statuses += (statuses.empty() ? "" : ", ") + std::to_string(s.status) + ' ' + s.meaning;
+      statuses += (statuses.empty() ? "" : ", ") + number_of(s) + ' ' + s.meaning;
     return result + "\nExit status:\n  " +
            CLI::detail::find_and_replace(wrapped(statuses, width_ - 2), "\n", "\n  ") + '\n';
   }
@@ -166,7 +173,7 @@ inline std::string man_page(const CLI::App& app)
   for (const Example& e : examples)
     example_list += entry(std::string("\\fB") + escaped(e.command) + "\\fR", escaped(e.effect));
   for (const Exit_status& s : exit_statuses)
-    statuses += entry(std::to_string(s.status), escaped(s.meaning));
+    statuses += entry(number_of(s), escaped(s.meaning));
   return ".TH SEGMENT_MESH 1 \"\" \"segment_mesh " CGAL_SPECTRAL_SEGMENTATION_VERSION "\"\n"
          ".SH NAME\nsegment_mesh \\- cuts a mesh into the parts that a person would name\n"
          ".SH SYNOPSIS\n.B segment_mesh\n\\fIIN\\fR ... [\\fIoptions\\fR]\n"
