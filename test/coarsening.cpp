@@ -9,6 +9,8 @@
 #include <CGAL/Spectral_segmentation/internal/surface/Principal_frame.h>
 #include <CGAL/Spectral_segmentation/internal/coarsening/coarsening.h>
 
+#include <CGAL/Polygon_mesh_processing/repair_polygon_soup.h>
+
 #include <Eigen/Geometry>
 
 #include <algorithm>

@@ -9,6 +9,7 @@
 #include <CGAL/Spectral_segmentation/internal/hierarchy/Nested_ranges.h>
 #include <CGAL/Spectral_segmentation/internal/hierarchy/recursion.h>
 #include <CGAL/Spectral_segmentation/internal/hierarchy/region_merging.h>
+#include <CGAL/Spectral_segmentation/internal/surface/extract_part.h>
 
 #include <algorithm>
 #include <atomic>

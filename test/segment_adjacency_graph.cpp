@@ -10,6 +10,7 @@
 #include <CGAL/Segmented_mesh/segment_adjacency_graph.h>
 
 #include <CGAL/Exact_predicates_exact_constructions_kernel.h>
+#include <CGAL/Polygon_mesh_processing/polygon_soup_to_polygon_mesh.h>
 #include <CGAL/Polyhedron_3.h>
 #include <CGAL/boost/graph/generators.h>
 
