@@ -18,6 +18,7 @@ namespace segmentation_benchmark {
 typedef CGAL::Spectral_segmentation::Options Engine_options;
 typedef CGAL::Spectral_segmentation::internal::Execution Execution;
 typedef CGAL::Spectral_segmentation::internal::Run_control Run_control;
+typedef CGAL::Spectral_segmentation::internal::Feature_source Feature_source;
 
 inline CGAL::Spectral_segmentation::internal::Surface triangles_of(const Mesh& mesh)
 {
@@ -28,10 +29,11 @@ inline CGAL::Spectral_segmentation::internal::Surface triangles_of(const Mesh& m
 
 inline CGAL::Spectral_segmentation::Segmentation_hierarchy
 run_engine(const Mesh& mesh, const Engine_options& options, Execution execution,
-           Run_control&& control = Run_control())
+           Run_control&& control = Run_control(), const Feature_source& features = Feature_source())
 {
-  return CGAL::Spectral_segmentation::internal::segmentation_hierarchy(triangles_of(mesh), options,
-                                                                       execution, control);
+  namespace internal = CGAL::Spectral_segmentation::internal;
+  return internal::segmentation_hierarchy(triangles_of(mesh), options, execution, control,
+                                          internal::Constraints(), features);
 }
 
 // Returns the labels that a run assigned.

@@ -159,6 +159,7 @@ BOOST_AUTO_TEST_CASE(each_of_the_defaults_is_the_one_that_is_documented)
   const auto by_default = parameters::default_values();
   check(by_default, by_default.salience_threshold(
                       CGAL::Spectral_segmentation::default_probability_threshold));
+  check(by_default, by_default.feature_weight(0.5));
   check(by_default, by_default.minimum_segment_size(0.003));
   check(by_default, by_default.part_salience(Calibrated_part_salience()));
   check(by_default, by_default.distance_weights(0.03, 1, 0.1));
@@ -501,6 +502,9 @@ BOOST_AUTO_TEST_CASE(numbers_out_of_range_are_refused_by_name)
   check_refused("maximum_number_of_segments", parameters::maximum_number_of_segments(0));
   check_refused("maximum_number_of_segments", parameters::maximum_number_of_segments(-3));
   check_refused("maximum_number_of_segments", parameters::maximum_number_of_segments(0u));
+  check_refused("feature_weight", parameters::feature_weight(-0.001));
+  check_refused("feature_weight", parameters::feature_weight(1.001));
+  check_refused("feature_weight", parameters::feature_weight(not_a_number));
   check_refused("minimum_segment_size", parameters::minimum_segment_size(-0.001));
   check_refused("minimum_segment_size", parameters::minimum_segment_size(0.501));
   check_refused("minimum_segment_size", parameters::minimum_segment_size(not_a_number));
@@ -533,6 +537,8 @@ BOOST_AUTO_TEST_CASE(the_ends_of_the_ranges_are_taken)
   const auto is_taken = [&](const auto& np) { return number_of(labels_of_doll(np)) <= n; };
   BOOST_TEST(is_taken(parameters::salience_threshold(-infinity).maximum_number_of_segments(2)));
   BOOST_TEST(is_taken(parameters::salience_threshold(infinity)));
+  BOOST_TEST(is_taken(parameters::feature_weight(0)));
+  BOOST_TEST(is_taken(parameters::feature_weight(1)));
   BOOST_TEST(is_taken(parameters::minimum_segment_size(0)));
   BOOST_TEST(is_taken(parameters::minimum_segment_size(0.5)));
   BOOST_TEST(is_taken(parameters::salience_weights(1, 0, 0)));

@@ -85,7 +85,7 @@ struct Run
             add(leaf, share);
       };
       cuts = internal::Cut_transfer(sequential, cuts, finer, for_each_share,
-                                    weights_of_calibrated_method,
+                                    weights_of_calibrated_method, [](const auto&, Surface&) {},
                                     is_stopped ? stopped_monitor : monitor)();
     }
     whole = Segmentation_hierarchy(std::move(cuts), CGAL::Spectral_segmentation::unlimited,

@@ -1651,6 +1651,60 @@ class Constraints(Tool_test):
             f, g = faces_at[tuple(sorted(e))]
             self.assertNotEqual(labels[f], labels[g])
 
+    def test_features(self):
+        is_left = [sum(self.points[v][0] for v in face) > 0 for face in self.faces]
+        n = len(self.faces)
+        without = self.segment(self.mesh)
+        names = [self.write("labels.csv", ("-7" if left else "4" for left in is_left)),
+                 self.write("numbers.csv", ["stress; angle"] +
+                            ["%d;1e-3 " % (1e6 + left) for left in is_left])]
+        numbers = [x for left in is_left for x in (2.5 if left else 1.5, 7.)]
+        for name, kind, order, shape, values in (
+                ("c.npy", "f8", "False", (n, 2), numbers),
+                ("f.npy", "f4", "True", (n, 2), numbers[::2] + numbers[1::2]),
+                ("i.npy", "i4", "False", (n,), list(map(int, is_left)))):
+            header = "{'descr': '<%s', 'fortran_order': %s, 'shape': %s, }\n" % (kind, order, shape)
+            code = "<%d%s" % (len(values), {"f8": "d", "f4": "f", "i4": "i"}[kind])
+            (self.directory / name).write_bytes(
+                b"\x93NUMPY\x01\x00" + struct.pack("<H", len(header)) + header.encode() +
+                struct.pack(code, *values))
+            names.append(name)
+        for name in names:
+            labels = self.segment(self.mesh, "--features", name, "--feature-weight", 1,
+                                  "--segments", 2)
+            number = sum(bool(label) == left for label, left in zip(labels, is_left))
+            self.assertGreater(max(number, n - number), 0.9 * n)
+            self.assertEqual(self.report()["parameters"]["features"], name)
+            self.assertEqual(
+                self.segment(self.mesh, "--features", name, "--feature-weight", 0), without)
+        self.segment(self.mesh)
+        self.assertIsNone(self.report()["parameters"]["feature_weight"])
+
+    def test_bad_features(self):
+        n = len(self.faces)
+        for lines, kind, sentence in (
+                (["1"], "usage", "1 vectors, but the mesh has"),
+                (["1 2"] * (n - 1) + ["1"], "input", "line %d has 1 numbers" % n),
+                (["1"] * (n - 1) + ["x"], "input", "'x', which is no number"),
+                (["1", ""] + ["1"] * n, "input", "line 2 has 0 numbers"),
+                (["nan"] * n, "usage", "not finite"), ([], "usage", "0 vectors")):
+            self.write("features", lines)
+            self.assert_failure(kind, self.mesh, "--features", "features", sentence=sentence)
+        for header, sentence in (("{'descr': '<f4', 'fortran_order': False, 'shape': (%d,), }" % n,
+                                  "too short"), ("{}", "has no shape"),
+                                 ("{'descr': '<c8', 'fortran_order': False, 'shape': (0, 1)}",
+                                  "'c8'"),
+                                 ("{'descr': '>f4', 'fortran_order': False, 'shape': (0,)}",
+                                  "byte order"),
+                                 ("{'shape': (1, 2, 3)}", "not the shape")):
+            (self.directory / "f.npy").write_bytes(
+                b"\x93NUMPY\x01\x00" + struct.pack("<H", len(header)) + header.encode())
+            self.assert_failure("input", self.mesh, "--features", "f.npy", sentence=sentence)
+        (self.directory / "f.npy").write_bytes(b"\x93NUMPY\x01\x00\xff\xff{")
+        self.assert_failure("input", self.mesh, "--features", "f.npy",
+                            sentence="ends in its header")
+        self.assert_failure("input", self.mesh, "--features", "nothing", sentence="cannot be read")
+
     def test_bad_files(self):
         n = len(self.faces)
         for lines, sentence in ((["1"], "1 lines"), (["x"] * n, "line 1: a seed is"),

@@ -13,6 +13,7 @@
 #include "closed_soup.h"
 #include "is_terminal.h"
 #include "../files/is_inside_out.h"
+#include "../files/read_face_vectors.h"
 #include "option_texts.h"
 #include "page/write_page.h"
 #include "part_tree.h"
@@ -97,13 +98,14 @@ struct Options
   std::string list_file, output_directory; // used by batches
   std::vector<std::string> output_formats = {"labels"};
   std::optional<std::size_t> jobs;
-  std::string input, seed_file, edge_file;
+  std::string input, seed_file, edge_file, feature_file;
   std::string label_file, report_file, hierarchy_file, page_file, split_directory;
   std::vector<std::string> mesh_files; // used by single runs, too
   std::string split_format = "ply";
   std::string method_name = "calibrated";
   std::optional<std::size_t> segments;
   std::optional<double> threshold, minimum_size;
+  double feature_weight = Segmentation_options().feature_weight;
   std::optional<std::uint64_t> seed;
   std::optional<std::size_t> threads;
   double time_limit = std::numeric_limits<double>::infinity();   // in seconds
@@ -159,6 +161,7 @@ struct Options
     else if (segments)
       result.maximum_number_of_segments = *segments;
     result.salience_threshold = threshold.value_or(result.salience_threshold);
+    result.feature_weight = feature_file.empty() ? 0 : feature_weight;
     result.minimum_segment_size = minimum_size.value_or(result.minimum_segment_size);
     result.keep_components_separate |= keep_components_separate;
     result.number_of_smoothing_iterations = smoothing_iterations;
@@ -297,6 +300,19 @@ void add_constraint_options(CLI::App& app, Options& o)
            "two points, from 0, and 'cut' or 'keep'");
 }
 
+void add_feature_options(CLI::App& app, Options& o)
+{
+  app.option_defaults()->group("Features");
+  add_file(app, "--features", o.feature_file,
+           "what is known of each face of IN beyond its shape, one line for each: numbers, such as "
+           "a color or the output of a neural network, or a whole number, a label that may be "
+           "wrong; or an array of NumPy (.npy)");
+  app.add_option("--feature-weight", o.feature_weight,
+                 "how much the features count against the shape: with 0 they are not used, with 1 "
+                 "the shape decides only between cuts that the features do not tell apart")
+    ->type_name("W")->check(CLI::Range(0., 1.))->capture_default_str();
+}
+
 void add_batch_options(CLI::App& app, Options& o)
 {
   app.option_defaults()->group("Many meshes");
@@ -341,6 +357,7 @@ void add_options(CLI::App& app, Options& o)
   add_written_mesh_options(app, o);
   add_segmentation_options(app, o);
   add_constraint_options(app, o);
+  add_feature_options(app, o);
   add_batch_options(app, o);
   add_resource_options(app, o);
   app.option_defaults()->group("Help");
@@ -380,8 +397,9 @@ void check_usage(const Options& o)
   if (!o.mesh_files.empty() || !o.label_file.empty() || !o.report_file.empty() ||
       !o.hierarchy_file.empty() || !o.page_file.empty() || !o.split_directory.empty())
     throw Failure(Status::USAGE, "with --out-dir, choose the outputs with --outputs");
-  if (!o.seed_file.empty() || !o.edge_file.empty())
-    throw Failure(Status::USAGE, "--seeds and --edges are of one mesh, not of those of --out-dir");
+  if (!o.seed_file.empty() || !o.edge_file.empty() || !o.feature_file.empty())
+    throw Failure(Status::USAGE, "--seeds, --edges and --features are of one mesh, not of those of "
+                                 "--out-dir");
 }
 
 // Finds the errors in the files that can be found before a long run.
@@ -407,7 +425,7 @@ void check_files(const Options& o)
     throw Failure(Status::USAGE, "--keep-materials needs -o with .obj or .glb");
   if (!o.unit.empty() && !o.writes_unit())
     throw Failure(Status::USAGE, "--unit needs an output that has a unit: .glb or .3mf");
-  check_outputs({o.input, o.seed_file, o.edge_file}, outputs, o.split_directory);
+  check_outputs({o.input, o.seed_file, o.edge_file, o.feature_file}, outputs, o.split_directory);
 }
 
 template <class NamedParameters>
@@ -421,14 +439,38 @@ std::size_t segment(const Input& input, std::vector<Index>& labels, const Option
   return CGAL::segment_spectral_recursive(input.soup.points, input.triangles, ids, np);
 }
 
+// Returns the features of the polygons; none without a file.
+mesh_file::Face_vectors read_features(const Input& input, const Options& o)
+{
+  if (o.feature_file.empty())
+    return {};
+  mesh_file::Face_vectors result;
+  try {
+    result = mesh_file::read_face_vectors(o.feature_file);
+  }
+  catch (const std::runtime_error& e) {
+    throw Failure(Status::INPUT, o.feature_file + ": " + e.what());
+  }
+  if (result.number_of_faces() != input.soup.number_of_polygons())
+    throw Failure(Status::USAGE, o.feature_file + " has " +
+                                   std::to_string(result.number_of_faces()) +
+                                   " vectors, but the mesh has " +
+                                   std::to_string(input.soup.number_of_polygons()) + " faces");
+  return result;
+}
+
 std::size_t segment(const Input& input, std::vector<Index>& labels, const Options& o,
                     Segmentation_hierarchy& tree, Run_watch& watch)
 {
   const std::vector<Index>& groups = input.soup.group_of_polygon;
   const auto group = boost::make_function_property_map<std::size_t, Index>([&](std::size_t t)
     { return o.keep_groups && !groups.empty() ? groups[input.polygon_of_triangle[t]] : 0; });
+  const mesh_file::Face_vectors features = read_features(input, o);
+  const auto feature = boost::make_function_property_map<std::size_t>([&](std::size_t t)
+    { return features[input.polygon_of_triangle[t]]; });
   const auto np = parameters::options(o.segmentation_options())
-                    .face_group_map(group).hierarchy(tree).visitor(std::ref(watch));
+                    .face_group_map(group).face_feature_map(feature).hierarchy(tree)
+                    .visitor(std::ref(watch));
   Constraints constraints(input);
   if (!o.seed_file.empty())
     constraints.read_seeds(o.seed_file);
@@ -471,6 +513,8 @@ Json parameters_report(const Options& o)
           {"keep_groups", o.keep_groups},
           {"seeds", o.seed_file.empty() ? Json() : Json(o.seed_file)},
           {"edges", o.edge_file.empty() ? Json() : Json(o.edge_file)},
+          {"features", o.feature_file.empty() ? Json() : Json(o.feature_file)},
+          {"feature_weight", o.feature_file.empty() ? Json() : Json(o.feature_weight)},
           {"salience_threshold", used.number_of_segments ? Json() : Json(used.salience_threshold)},
           {"minimum_segment_size", used.minimum_segment_size},
           {"random_seed", json_or_null(o.seed)},

@@ -36,6 +36,7 @@
 #include <CGAL/Spectral_segmentation/internal/adaptors/read_triangle_mesh.h>
 #include <CGAL/Spectral_segmentation/internal/adaptors/read_triangle_soup.h>
 #include <CGAL/Spectral_segmentation/internal/adaptors/read_constraints.h>
+#include <CGAL/Spectral_segmentation/internal/adaptors/read_features.h>
 #include <CGAL/Spectral_segmentation/internal/adaptors/segmentation_hierarchy.h>
 
 #include <CGAL/Named_function_parameters.h>
@@ -77,7 +78,7 @@ std::size_t segment_and_write(Surface triangles, const std::vector<Face>& faces,
 
   Segmentation_hierarchy hierarchy = segmentation_hierarchy(
     std::move(triangles), options, is_parallel ? Execution::PARALLEL : Execution::SEQUENTIAL,
-    control, constraints);
+    control, constraints, read_features(faces, np));
   if (options.smooth_boundaries)
     control.before_stage(Stage::BOUNDARY_SMOOTHING, Segmentation_visitor::whole_mesh);
   const std::vector<std::size_t> labels = hierarchy.labels(hierarchy.nodes());
@@ -181,6 +182,30 @@ at most 4000 faces by default. The memory is O(*n*). The section
       `boost::graph_traits<TriangleMesh>::%face_descriptor` as key type and an integer type as value
       type}
     \cgalParamDefault{none: all faces are in one group}
+  \cgalParamNEnd
+  \cgalParamNBegin{face_feature_map}
+    \cgalParamDescription{what is known of each face beyond the shape: a vector, such as a color, a
+      stress or the output of a neural network, or a label, such as a guess of its part. Cuts where
+      the features change are preferred to others. Features that do not tell parts, such as noise,
+      have no effect at the default weight.}
+    \cgalParamType{a model of `ReadablePropertyMap` with
+      `boost::graph_traits<TriangleMesh>::%face_descriptor` as key type. The value type is an
+      integer type for labels, a floating point type, or a range of numbers, of the same length for
+      all faces.}
+    \cgalParamDefault{none: only the shape counts}
+    \cgalParamExtra{Neither the unit of the numbers nor adding a vector to all makes a difference.
+      The mean over the faces around each vertex of the search surface counts, and of longer vectors
+      the 16 directions of largest variance. Not with `zhang_liu_2005()`. The section
+      \ref Spectral_segmentation_features has the details.}
+  \cgalParamNEnd
+  \cgalParamNBegin{feature_weight}
+    \cgalParamDescription{how much the features count against the shape. With 0 they are not used.
+      Up to 1/2 their effect grows. From there on the effect of the shape fades: with 1 it decides
+      only between cuts that the features do not tell apart, and features count even if they do not
+      tell parts.}
+    \cgalParamType{a number}
+    \cgalParamDefault{`0.5`, with which both count as their fit to the parts of people says}
+    \cgalParamExtra{in [0, 1]}
   \cgalParamNEnd
   \cgalParamNBegin{maximum_number_of_segments}
     \cgalParamDescription{an upper bound on the number of segments. It is exceeded only if
@@ -371,7 +396,8 @@ the same. `zhang_liu_2005()` does not support constraints. The example
 
 \throws std::invalid_argument if a face is not a triangle, a coordinate is not finite, the
   `face_index_map` is not one to one onto its range, a number is out of its range, constraints
-  contradict each other, or the number of segments does not allow all constraints to be satisfied
+  contradict each other, the number of segments does not allow all constraints to be satisfied, or
+  features have different lengths or are not finite
 \throws std::overflow_error if there are more segments than the value type of `segment_ids` can
   count
 
@@ -430,16 +456,18 @@ triangles of a mesh the ids are the same as with the function for meshes.
 \param segment_ids receives the id of the segment of each triangle; the key is the position of the
   triangle
 \param np an optional sequence of the named parameters above, except `vertex_point_map`,
-  `face_index_map` and `geom_traits`. The key of a `face_seed_map` or a `face_group_map` is the
-  position of a triangle. The key of an `edge_is_constrained_map` or `edge_is_uncuttable_map` is a
-  `std::pair<std::size_t, std::size_t>` with the indices of the two points, the smaller first. The
-  constraint holds for any two triangles at the edge, neighbors or not.
+  `face_index_map` and `geom_traits`. The key of a `face_seed_map`, `face_group_map` or
+  `face_feature_map` is the position of a triangle. The key of an `edge_is_constrained_map` or
+  `edge_is_uncuttable_map` is a `std::pair<std::size_t, std::size_t>` with the indices of the two
+  points, the smaller first. The constraint holds for any two triangles at the edge, neighbors or
+  not.
 
 \return the number of segments; 0 if there is no triangle
 
 \throws std::invalid_argument if a triangle does not have three corners, a corner is not the index
   of a point, a coordinate of a corner is not finite, a number is out of its range, constraints
-  contradict each other, or the number of segments does not allow all constraints to be satisfied
+  contradict each other, the number of segments does not allow all constraints to be satisfied, or
+  features have different lengths or are not finite
 \throws std::overflow_error if there are more segments than the value type of `segment_ids` can
   count
 

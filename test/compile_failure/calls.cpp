@@ -74,8 +74,8 @@ Mesh::Property_map<Mesh::Halfedge_index, bool> flags_of_halfedges();
 std::map<int, Mesh> no_sequence;
 No_visitor no_visitor;
 
-std::size_t n_17 = CGAL::segment_spectral_recursive(mesh(), ids(), params::face_seed_map(ids_of_vertices())); // error: the keys of face_seed_map and face_group_map must be the faces of the mesh
-std::size_t n_18 = CGAL::segment_spectral_recursive(mesh(), ids(), params::edge_is_constrained_map(flags_of_halfedges())); // error: the keys of face_seed_map and face_group_map must be the faces of the mesh
+std::size_t n_17 = CGAL::segment_spectral_recursive(mesh(), ids(), params::face_seed_map(ids_of_vertices())); // error: the keys of face_seed_map, face_group_map and face_feature_map must be the faces of the mesh
+std::size_t n_18 = CGAL::segment_spectral_recursive(mesh(), ids(), params::edge_is_constrained_map(flags_of_halfedges())); // error: the keys of face_seed_map, face_group_map and face_feature_map must be the faces of the mesh
 std::size_t n_19 = CGAL::segment_spectral_recursive(mesh(), ids(), params::number_of_segments("5")); // error: number_of_segments takes an integer
 std::size_t n_20 = CGAL::segment_spectral_recursive(mesh(), ids(), params::visitor(std::ref(no_visitor))); // error: visitor takes a class derived from Segmentation_visitor
 auto n_21 = CGAL::split_into_segments(mesh(), ids(), no_sequence); // error: the parts are received by a sequence of meshes

@@ -31,7 +31,7 @@ auto in_a_chain(const Mesh& mesh, CGAL::Spectral_segmentation::Segmentation_hier
   CGAL::Spectral_segmentation::Segmentation_visitor visitor;
   return params::vertex_point_map(mesh.points()).face_index_map(get(CGAL::face_index, mesh))
     .geom_traits(Kernel()).random_seed(1).visitor(visitor).maximum_number_of_segments(2)
-    .minimum_segment_size(0.1f).salience_threshold(1).part_salience(Own_salience())
+    .minimum_segment_size(0.1f).feature_weight(0.5f).salience_threshold(1).part_salience(Own_salience())
     .salience_weights(0.1, 0.6f, 0).distance_weights(0.1, 1, 0.1f).number_of_reference_faces(3u)
     .number_of_coarse_faces(0).number_of_smoothing_iterations(std::size_t(1))
     .smooth_boundaries(true).hierarchy(hierarchy).zhang_liu_2005();
@@ -50,6 +50,13 @@ auto at_the_start(const Mesh& mesh, CGAL::Spectral_segmentation::Segmentation_hi
   params::from(CGAL::parameters::vertex_point_map(mesh.points())).number_of_segments(2);
   params::maximum_number_of_segments(2);
   params::minimum_segment_size(0.1);
+  params::feature_weight(1);
+  const std::vector<float>* vectors = nullptr;
+  params::face_feature_map(vectors);
+  const std::array<double, 3>* colors = nullptr;
+  params::face_feature_map(colors);
+  const int* labels = nullptr;
+  params::face_feature_map(labels);
   params::salience_threshold(1);
   params::part_salience(Own_salience());
   params::salience_weights(0.1, 0.6, 0.3);

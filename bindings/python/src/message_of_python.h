@@ -25,6 +25,7 @@ inline std::string message_of_python(const std::exception& error)
 
   static const char* const words[][2] = {{"edge_is_constrained_map", "constrained_edges"},
                                          {"edge_is_uncuttable_map", "uncuttable_edges"},
+                                         {"face_feature_map", "features"},
                                          {"true with zhang_liu_2005()",
                                           "True with the method 'paper'"},
                                          {"the faces ", "the triangles "}};

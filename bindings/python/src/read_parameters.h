@@ -97,6 +97,7 @@ inline segmentation::Options read_parameters(const py::dict& given, const py::ob
   read("salience_threshold", o.salience_threshold);
   read("keep_components_separate", o.keep_components_separate);
   read("minimum_segment_size", o.minimum_segment_size);
+  read("feature_weight", o.feature_weight);
   read("smooth_boundaries", o.smooth_boundaries);
   read_count("number_of_reference_faces", 1, o.number_of_reference_faces);
   read_count("number_of_coarse_faces", 0, o.number_of_coarse_faces);

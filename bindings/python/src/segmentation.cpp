@@ -79,6 +79,30 @@ auto triangle_map(const Optional_integers& given)
     { return given ? *given->data(static_cast<py::ssize_t>(t)) : -1; });
 }
 
+// The feature vector of a triangle.
+struct Feature_row
+{
+  const float* first;
+  const float* last;
+
+  const float* begin() const { return first; }
+  const float* end() const { return last; }
+};
+
+typedef std::optional<py::array_t<float, py::array::c_style> > Optional_features;
+
+// Returns a property map of triangles to rows of the features, which must outlive it.
+auto feature_map(const Optional_features& features)
+{
+  const float* const data = features ? features->data() : nullptr;
+  const std::size_t dimension = features ? static_cast<std::size_t>(features->shape(1)) : 1;
+  static const float none = 0;
+  return boost::make_function_property_map<std::size_t>([=](std::size_t t) -> Feature_row {
+    const float* const first = data ? data + t * dimension : &none;
+    return {first, first + dimension};
+  });
+}
+
 // Calls f(tag) so that at most this number of threads work on it; all if there is none.
 template <class Function>
 void with_threads([[maybe_unused]] const std::optional<int>& number, const Function& f)
@@ -97,11 +121,14 @@ void with_threads([[maybe_unused]] const std::optional<int>& number, const Funct
 Segmentation_hierarchy segment(const py::array& points, const py::array& triangles,
                                const py::dict& parameters, const Optional_integers& seams,
                                const Optional_integers& uncuttable, const Optional_integers& seeds,
-                               const Optional_integers& groups, const py::object& salience,
+                               const Optional_integers& groups,
+                               const Optional_features& features, const py::object& salience,
                                const std::optional<int>& threads, const py::object& progress)
 {
   Python_run run(progress);
-  const segmentation::Options options = read_parameters(parameters, salience, run);
+  segmentation::Options options = read_parameters(parameters, salience, run);
+  if (!features)
+    options.feature_weight = 0;
   const Rows<double> point_rows = rows_of<double, float, double>(points);
   const Rows<std::int64_t> triangle_rows =
     rows_of<std::int64_t, std::int32_t, std::int64_t, std::uint32_t, std::uint64_t>(triangles);
@@ -113,6 +140,7 @@ Segmentation_hierarchy segment(const py::array& points, const py::array& triangl
                     .edge_is_uncuttable_map(edge_map(uncuttable_edges))
                     .face_seed_map(triangle_map(seeds))
                     .face_group_map(triangle_map(groups))
+                    .face_feature_map(feature_map(features))
                     .hierarchy(result).visitor(std::ref(run));
   bool is_inside_out = false;
   run([&] {

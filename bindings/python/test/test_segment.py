@@ -70,6 +70,22 @@ def test_groups_are_kept_apart_as_by_the_tool(dumbbell, tool, tmp_path):
     np.testing.assert_array_equal(segment(points, triangles), labels_of_tool(tool, path))
 
 
+def test_features_decide_with_the_shape(dumbbell):
+    points, triangles = dumbbell
+    is_left = points[triangles].mean(axis=1)[:, 0] > 0
+    rows = np.random.RandomState(1).rand(len(triangles), 70)
+    without = segment(points, triangles)
+    for features in (np.full(len(triangles), 5), np.full((len(triangles), 3), .1), rows):
+        np.testing.assert_array_equal(segment(points, triangles, features=features), without)
+    rows[:, 3] += 10 * is_left
+    for features in (is_left.astype(int), 1e9 + is_left, rows, rows.astype(np.float32)):
+        labels = segment(points, triangles, features=features, feature_weight=1,
+                         number_of_segments=2)
+        assert np.mean((labels == labels[is_left.argmax()]) == is_left) > .9
+        np.testing.assert_array_equal(
+            segment(points, triangles, features=features, feature_weight=0), without)
+
+
 def test_dumbbell_is_two_balls_and_a_bar_or_less(dumbbell):
     points, triangles = dumbbell
     heights = points[triangles].mean(axis=1)[:, 2]

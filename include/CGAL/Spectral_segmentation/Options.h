@@ -57,6 +57,7 @@ struct Options
   double salience_threshold = default_probability_threshold; ///< not NaN
   bool keep_components_separate = false;                     ///< `true` in the paper's method
   double minimum_segment_size = 0.003;                       ///< in [0, 0.5]
+  double feature_weight = 0.5;                               ///< in [0, 1]
   Part_salience part_salience = Calibrated_part_salience();  ///< not empty
   std::size_t number_of_coarse_faces = 4000;               ///< with 0 the mesh itself is searched
   std::size_t number_of_smoothing_iterations = 0; ///< smooths the points, at most 10^5 times
@@ -127,6 +128,7 @@ inline void check(const Options& o)
           "true with zhang_liu_2005()");
   require(o.minimum_segment_size >= 0 && o.minimum_segment_size <= 0.5, "minimum_segment_size",
           "in [0, 0.5]");
+  require(o.feature_weight >= 0 && o.feature_weight <= 1, "feature_weight", "in [0, 1]");
   require(static_cast<bool>(o.part_salience), "part_salience", "a function");
   if (const auto* w = o.part_salience.target<Weighted_part_salience>())
     require(w->alpha >= 0 && w->beta >= 0 && w->gamma >= 0 &&

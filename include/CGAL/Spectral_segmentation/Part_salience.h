@@ -5,6 +5,7 @@
 #define CGAL_SPECTRAL_SEGMENTATION_PART_SALIENCE_H
 
 #include <CGAL/Spectral_segmentation/Salience_factors.h>
+#include <CGAL/Spectral_segmentation/internal/salience/Feature_logit.h>
 #include <CGAL/Spectral_segmentation/internal/salience/calibrated_boundary_network.h>
 
 #include <cmath>
@@ -88,10 +89,14 @@ struct Calibrated_part_salience
   internal::Boundary_network boundary_network = internal::calibrated_boundary_network;
 #endif
 
+#ifndef DOXYGEN_RUNNING
+  internal::Feature_logit feature_logit; // of cuts of faces that have features
+#endif
+
   /// the probability, in [0, 1]
   double operator()(const Salience_factors& f) const
   {
-    const double logit =
+    const double logit_of_shape =
       f.is_boundary
         ? boundary_network.logit(f)
         : constant + log_relative_part_area * f.log_relative_part_area + size * f.size +
@@ -99,7 +104,7 @@ struct Calibrated_part_salience
             protrusiveness * f.protrusiveness + convexity_gain * f.convexity_gain +
             relative_convexity_gain * f.relative_convexity_gain +
             expansion_behind_cut * f.expansion_behind_cut;
-    return 1 / (1 + std::exp(-logit));
+    return 1 / (1 + std::exp(-feature_logit(logit_of_shape, f)));
   }
 };
 

@@ -14,6 +14,7 @@
 
 #include <array>
 #include <functional>
+#include <iterator>
 #include <type_traits>
 #include <utility>
 #include <vector>
@@ -54,7 +55,10 @@ class Segmentation_hierarchy;
                       f(face_seed_map, face_seed_map_t, is_seed_map,                               \
                         "takes a property map whose values are of a signed integer type")          \
                         f(face_group_map, face_group_map_t, is_group_map,                          \
-                          "takes a property map whose values are of an integer type")
+                          "takes a property map whose values are of an integer type")            \
+                          f(face_feature_map, face_feature_map_t, is_feature_map,                  \
+                            "takes a property map whose values are numbers or ranges of numbers")  \
+                            f(feature_weight, feature_weight_t, is_real, "takes a number")
 
 // The parameters of the functions that take a segmentation: first CGAL's, then the package's.
 #define CGAL_SPECTRAL_SEGMENTATION_PARAMETERS_OF_CGAL_FOR_RESULTS(f)                             \
@@ -169,6 +173,20 @@ template <class T>
 struct is_seed_map<T, std::void_t<typename boost::property_traits<T>::value_type> >
   : std::bool_constant<is_group_map<T>::value &&
                        std::is_signed<typename boost::property_traits<T>::value_type>::value> {};
+
+template <class T, class = void>
+struct is_feature : is_real<T> {};
+
+template <class T>
+struct is_feature<T, std::void_t<decltype(*std::begin(std::declval<const T&>()))> >
+  : is_real<std::decay_t<decltype(*std::begin(std::declval<const T&>()))> > {};
+
+template <class T, class = void>
+struct is_feature_map : std::false_type {};
+
+template <class T>
+struct is_feature_map<T, std::void_t<typename boost::property_traits<T>::value_type> >
+  : is_feature<typename boost::property_traits<T>::value_type> {};
 
 template <class T, class = void>
 struct has_coordinates : std::false_type {};

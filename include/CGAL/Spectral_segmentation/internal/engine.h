@@ -8,6 +8,7 @@
 #include <CGAL/Spectral_segmentation/internal/base/concurrency.h>
 #include <CGAL/Spectral_segmentation/internal/base/Run_control.h>
 #include <CGAL/Spectral_segmentation/internal/constraints/Constraints.h>
+#include <CGAL/Spectral_segmentation/internal/features/Face_features.h>
 #include <CGAL/Spectral_segmentation/internal/hierarchy/Cut_hierarchy.h>
 #include <CGAL/Spectral_segmentation/internal/surface/Surface.h>
 
@@ -29,7 +30,8 @@ namespace CGAL::Spectral_segmentation::internal {
 // `std::invalid_argument` if constraints contradict each other or the number of segments.
 CGAL_SPECTRAL_SEGMENTATION_INLINE
 Cut_hierarchy segment(Surface surface, const Options& options, Execution execution,
-                      Run_control& control, const Constraints& constraints = Constraints());
+                      Run_control& control, const Constraints& constraints = Constraints(),
+                      const Feature_source& features = Feature_source());
 
 // Makes a surface of the triangles of a soup: finds their neighbors and orients them.
 CGAL_SPECTRAL_SEGMENTATION_INLINE

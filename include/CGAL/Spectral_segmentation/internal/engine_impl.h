@@ -8,6 +8,8 @@
 #include <CGAL/Spectral_segmentation/internal/distances/face_distances.h>
 #include <CGAL/Spectral_segmentation/internal/distances/laplacian_smoothing.h>
 #include <CGAL/Spectral_segmentation/internal/engine.h>
+#include <CGAL/Spectral_segmentation/internal/features/feature_steps.h>
+#include <CGAL/Spectral_segmentation/internal/features/searched_features.h>
 #include <CGAL/Spectral_segmentation/internal/hierarchy/congruent_cuts.h>
 #include <CGAL/Spectral_segmentation/internal/hierarchy/further_cuts.h>
 #include <CGAL/Spectral_segmentation/internal/hierarchy/Component_merging.h>
@@ -48,6 +50,7 @@ class Run
 {
   const Options& options_;
   const Constraints& constraints_;
+  const Feature_source& feature_source_;
   const Execution execution_;
   Run_monitor monitor_;
 
@@ -56,6 +59,7 @@ class Run
   std::vector<Index> face_;         // the face of the mesh for each of the caller's faces
   Refined_mesh refined_;            // empty if the edges of the mesh are short enough
   std::vector<Coarse_surface> levels_; // each coarser than the one before; the last is searched
+  Face_features features_;          // of the mesh that is searched
   std::vector<Index> neighbors_;    // the caller's indices, if boundaries shall be smoothed
   Constraint_groups groups_;        // empty without constraints
   std::vector<Index> leaf_of_group_; // of the cuts so far; empty without constraints
@@ -122,7 +126,7 @@ class Run
   bool is_one_part() const
   {
     return options_.method == Method::CALIBRATED && !options_.number_of_segments &&
-           constraints_.empty() && mesh_.components.number == 1 &&
+           constraints_.empty() && !has_features() && mesh_.components.number == 1 &&
            mesh_.number_of_faces() <= options_.number_of_coarse_faces && is_convex(mesh_);
   }
 
@@ -157,6 +161,17 @@ class Run
       groups_ = Constraint_grouping(constraints_, face_, mesh_)(options_.keep_components_separate);
     if (options_.smooth_boundaries)
       set_neighbors();
+  }
+
+  // Returns values[i] for each index i.
+  static std::vector<Index> composed(const std::vector<Index>& indices,
+                                     const std::vector<Index>& values)
+  {
+    std::vector<Index> result;
+    result.reserve(indices.size());
+    for (Index i : indices)
+      result.push_back(values[i]);
+    return result;
   }
 
   // Returns a face of the caller for each face of the mesh, the first of duplicate faces.
@@ -222,8 +237,11 @@ class Run
   bool is_mesh_needed() const
   {
     return options_.number_of_segments || !options_.keep_components_separate ||
-           !constraints_.empty();
+           !constraints_.empty() || has_features();
   }
+
+  bool has_features() const
+  { return feature_source_.dimension > 0 && options_.feature_weight > 0; }
 
   // Returns the mesh on which cuts are searched.
   Surface coarse_mesh()
@@ -233,7 +251,7 @@ class Run
                                                  [&] { monitor_.check(); return true; });
     if (options_.number_of_coarse_faces == 0 || is_searched_itself()) {
       Surface result = is_mesh_needed() ? mesh_ : std::move(mesh_);
-      set_weights(result, points);
+      prepare_search(result, points);
       return result;
     }
     mesh_.points = std::move(points);
@@ -242,32 +260,53 @@ class Run
                                                finest().number_of_faces());
     levels_ = coarsened(execution_, finest(), number, monitor_);
     Surface result = levels_.back().graph;
-    set_weights(result, result.points);
+    prepare_search(result, result.points);
     return result;
   }
 
   // Returns the caller's indices of the faces that are left in the coarsest mesh.
   std::vector<Index> searched_faces() const
   {
-    std::vector<Index> result = callers_faces();
-    const auto compose = [&](const std::vector<Index>& faces) {
-      std::vector<Index> composed;
-      composed.reserve(faces.size());
-      for (Index f : faces)
-        composed.push_back(result[f]);
-      result = std::move(composed);
-    };
-    if (!refined_.faces.empty())
-      compose(refined_.faces);
+    std::vector<Index> result = callers_faces_of_finest();
     for (const Coarse_surface& level : levels_)
-      compose(level.faces);
+      result = composed(level.faces, result);
     return result;
   }
 
-  // Returns the vertex of the coarsest mesh for each vertex of the mesh, or null_index.
-  std::vector<Index> searched_vertices() const
+  // Returns the caller's indices of the faces of the finest mesh.
+  std::vector<Index> callers_faces_of_finest() const
+  { return refined_.faces.empty() ? callers_faces() : composed(refined_.faces, callers_faces()); }
+
+  // Sets the weights and the features of the mesh on which cuts are searched.
+  void prepare_search(Surface& searched, const std::vector<Vector>& points)
   {
-    std::vector<Index> result(mesh_.points.size());
+    set_weights(searched, points);
+    if (!has_features())
+      return;
+    const std::vector<Index> faces = callers_faces_of_finest(),
+                             vertices = searched_vertices(finest().points.size());
+    features_ = searched_features(searched, Feature_means(feature_source_, finest(), faces,
+                                                          vertices, searched.points.size())());
+    // Three times the difference of two faces, the means of their corners, is that of their far
+    // corners.
+    add_feature_steps(features_, 3, options_.feature_weight, searched);
+    add_steps_of_faces(searched_faces(), searched);
+  }
+
+  // Adds the steps between the features of single faces, which tell better than means where exactly
+  // a cut runs.
+  void add_steps_of_faces(const std::vector<Index>& callers_face, Surface& graph) const
+  {
+    if (!features_.empty())
+      add_feature_steps(features_of_faces(feature_source_, features_.unit, callers_face), 1,
+                        options_.feature_weight, graph);
+  }
+
+  // Returns the vertex of the coarsest mesh for each of the first n vertices of the finest, or
+  // null_index.
+  std::vector<Index> searched_vertices(std::size_t n) const
+  {
+    std::vector<Index> result(n);
     std::iota(result.begin(), result.end(), Index(0));
     for (const Coarse_surface& level : levels_)
       for (Index& v : result)
@@ -278,7 +317,7 @@ class Run
   Cut_hierarchy search(Surface mesh)
   {
     monitor_.control().start_search(searched_faces());
-    const Best_cut best_cut(mesh, options_);
+    const Best_cut best_cut(mesh, options_, features_);
     if (options_.method == Method::ZHANG_LIU_2005)
       return Recursion(execution_, std::move(mesh), best_cut, options_, monitor_).by_area();
     const Cut_hierarchy regions =
@@ -288,7 +327,7 @@ class Run
                                                   options_.part_salience, monitor_)(regions);
       Cut_hierarchy result = Congruent_cuts(mesh, merges)();
       if (!constraints_.empty()) {
-        const std::vector<Index> vertices = searched_vertices();
+        const std::vector<Index> vertices = searched_vertices(mesh_.points.size());
         Forced_cuts cuts(mesh_, vertices, mesh, groups_, result, monitor_);
         cuts();
         leaf_of_group_ = cuts.leaves_of_groups();
@@ -306,15 +345,22 @@ class Run
   Cut_hierarchy transferred(const Cut_hierarchy& cuts, const Surface& mesh,
                             const For_each_share& for_each_share)
   {
+    const auto add_steps = [&](const std::vector<Index>& faces, Surface& bands) {
+      if (&mesh == &mesh_)
+        add_steps_of_faces(composed(faces, callers_faces()), bands);
+      else if (&mesh == &refined_.graph)
+        add_steps_of_faces(composed(faces, callers_faces_of_finest()), bands);
+    };
     if (leaf_of_group_.empty())
-      return Cut_transfer(execution_, cuts, mesh, for_each_share, distance_weights(), monitor_)();
+      return Cut_transfer(execution_, cuts, mesh, for_each_share, distance_weights(), add_steps,
+                          monitor_)();
     Cut_transfer transfer(execution_, cuts, mesh, [&](Index f, const auto& add) {
       const Index group = &mesh == &mesh_ ? groups_.group[f] : null_index;
       if (group != null_index && leaf_of_group_[group] != null_index)
         add(leaf_of_group_[group], 1);
       else
         for_each_share(f, add);
-    }, distance_weights(), monitor_);
+    }, distance_weights(), add_steps, monitor_);
     const Cut_hierarchy result = transfer();
     for (Index& leaf : leaf_of_group_)
       leaf = leaf == null_index ? leaf : transfer.leaf_of(leaf, result);
@@ -400,9 +446,10 @@ class Run
   }
 
 public:
-  Run(const Options& options, const Constraints& constraints, Execution execution,
-      Run_control& control)
-    : options_(options), constraints_(constraints), execution_(execution), monitor_(control)
+  Run(const Options& options, const Constraints& constraints, const Feature_source& features,
+      Execution execution, Run_control& control)
+    : options_(options), constraints_(constraints), feature_source_(features),
+      execution_(execution), monitor_(control)
   {
   }
 
@@ -461,14 +508,19 @@ public:
 
 CGAL_SPECTRAL_SEGMENTATION_INLINE
 Cut_hierarchy segment(Surface surface, const Options& options, Execution execution,
-                      Run_control& control, const Constraints& constraints)
+                      Run_control& control, const Constraints& constraints,
+                      const Feature_source& features)
 {
   if (!constraints.empty() && options.method == Method::ZHANG_LIU_2005)
     throw std::invalid_argument("segment_spectral_recursive: the method of the paper takes no "
                                 "constraints: use the calibrated method with them");
+  if (features.dimension > 0 && options.feature_weight > 0 &&
+      options.method == Method::ZHANG_LIU_2005)
+    throw std::invalid_argument("segment_spectral_recursive: the method of the paper takes no "
+                                "features: use the calibrated method with them");
   Cut_hierarchy result;
   call_isolated(
-    [&] { result = Run(options, constraints, execution, control)(std::move(surface)); });
+    [&] { result = Run(options, constraints, features, execution, control)(std::move(surface)); });
   return result;
 }
 

@@ -140,6 +140,7 @@ std::size_t write_labels(const std::vector<FaceDescriptor>& faces,
   const std::size_t n =
     labels.empty() ? 0 : 1 + *std::max_element(labels.begin(), labels.end());
   if constexpr (is_segment_id_map<FaceDescriptor, SegmentIdMap>()) {
+    using boost::put; // finds the overload for pointers
     typedef typename boost::property_traits<SegmentIdMap>::value_type Id;
     if (n > 0 && n - 1 > static_cast<std::size_t>((std::numeric_limits<Id>::max)()))
       throw std::overflow_error("segment_spectral_recursive: the type of the segment ids is too "

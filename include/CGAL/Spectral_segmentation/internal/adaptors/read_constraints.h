@@ -42,9 +42,10 @@ constexpr bool has_map()
     typedef std::decay_t<decltype(CGAL::parameters::get_parameter(
       std::declval<const CGALNamedParameters&>(), Tag()))> Map;
     constexpr bool result = is_key_of<Key, typename boost::property_traits<Map>::key_type>::value;
-    static_assert(result, "the keys of face_seed_map and face_group_map must be the faces of the "
-                          "mesh, or the positions of triangles; those of edge_is_constrained_map "
-                          "and edge_is_uncuttable_map its edges, or pairs of positions of points");
+    static_assert(result, "the keys of face_seed_map, face_group_map and face_feature_map must be "
+                          "the faces of the mesh, or the positions of triangles; those of "
+                          "edge_is_constrained_map and edge_is_uncuttable_map its edges, or pairs "
+                          "of positions of points");
     return result;
   }
   else {

@@ -81,9 +81,10 @@ Options preset_options(const NamedParameters& np)
                 "options does not go with zhang_liu_2005: use Options::zhang_liu_2005()");
   static_assert(!(uses_paper_method && (is_given<NamedParameters, tags::edge_is_constrained_t> ||
                                         is_given<NamedParameters, tags::edge_is_uncuttable_map_t> ||
-                                        is_given<NamedParameters, tags::face_seed_map_t>)),
-                "edge_is_constrained_map, edge_is_uncuttable_map and face_seed_map do not go with "
-                "zhang_liu_2005");
+                                        is_given<NamedParameters, tags::face_seed_map_t> ||
+                                        is_given<NamedParameters, tags::face_feature_map_t>)),
+                "edge_is_constrained_map, edge_is_uncuttable_map, face_seed_map and "
+                "face_feature_map do not go with zhang_liu_2005");
   if constexpr (has_options)
     return CGAL::parameters::get_parameter(np, tags::options);
   else
@@ -107,6 +108,7 @@ Options read_options(const NamedParameters& np)
   read_count(np, tags::maximum_number_of_segments, "maximum_number_of_segments", 1,
              o.maximum_number_of_segments);
   read_parameter(np, tags::salience_threshold, o.salience_threshold);
+  read_parameter(np, tags::feature_weight, o.feature_weight);
   read_parameter(np, tags::keep_components_separate, o.keep_components_separate);
   read_parameter(np, tags::minimum_segment_size, o.minimum_segment_size);
   read_count(np, tags::number_of_reference_faces, "number_of_reference_faces", 1,

@@ -17,9 +17,10 @@ namespace CGAL::Spectral_segmentation::internal {
 // select them.
 inline Segmentation_hierarchy
 segmentation_hierarchy(Surface triangles, const Options& options, Execution execution,
-                       Run_control& control, const Constraints& constraints = Constraints())
+                       Run_control& control, const Constraints& constraints = Constraints(),
+                       const Feature_source& features = Feature_source())
 {
-  return {segment(std::move(triangles), options, execution, control, constraints),
+  return {segment(std::move(triangles), options, execution, control, constraints, features),
           maximum_number(options), threshold(options)};
 }
 

@@ -7,6 +7,7 @@
 #include <CGAL/Spectral_segmentation/Options.h>
 #include <CGAL/Spectral_segmentation/internal/bipartition/cut_proposals.h>
 #include <CGAL/Spectral_segmentation/internal/bipartition/face_orders.h>
+#include <CGAL/Spectral_segmentation/internal/features/feature_order.h>
 #include <CGAL/Spectral_segmentation/internal/bipartition/line_search.h>
 #include <CGAL/Spectral_segmentation/internal/bipartition/min_cut_refinement.h>
 #include <CGAL/Spectral_segmentation/internal/bipartition/shape_context_sampling.h>
@@ -59,12 +60,17 @@ class Best_cut
 
   // Returns the orders along which cuts are searched.
   std::vector<Face_order> orders(Execution execution, const Surface& part,
+                                 const std::vector<Index>& faces,
                                  const std::vector<Index>& references,
                                  const Sample_faces& samples) const
   {
     if (options_.method == Method::ZHANG_LIU_2005)
       return {face_order(execution, part, samples)};
-    return face_orders(execution, part, references, samples, options_.single_source_orders);
+    std::vector<Face_order> result =
+      face_orders(execution, part, references, samples, options_.single_source_orders);
+    if (!context_->features.empty())
+      result.push_back(feature_order(execution, context_->features, part.areas, faces));
+    return result;
   }
 
   // Returns the cut with its factors; none if a side is too small.
@@ -130,12 +136,13 @@ class Best_cut
   }
 
 public:
-  Best_cut(const Surface& mesh, const Options& options)
+  // The features are those of the faces of the mesh.
+  Best_cut(const Surface& mesh, const Options& options, Face_features features = Face_features())
     : options_(options), number_of_faces_(mesh.number_of_faces()),
       minimum_area_(options.minimum_segment_size * total_area(mesh))
   {
     if (options.method == Method::CALIBRATED)
-      context_.emplace(mesh);
+      context_.emplace(mesh, std::move(features), options.feature_weight);
   }
 
   // Returns the context, which only the calibrated method has.
@@ -171,7 +178,7 @@ public:
     // 2. distances from both; 3. to 5. the order of the faces on the line
     check();
     const std::vector<Face_order> lines = monitor.stage(Stage::EMBEDDING, part.node, [&]
-      { return orders(execution, m, contexts.references, samples); });
+      { return orders(execution, m, part.faces, contexts.references, samples); });
 
     // 6. line search
     check();

@@ -89,13 +89,16 @@ class Cut_transfer
     return result;
   }
 
-  void set_bands(Distance_weights weights)
+  template <class Edit_weights>
+  void set_bands(Distance_weights weights, const Edit_weights& edit_weights)
   {
-    bands_ = Part_extractor(mesh_)(cells_.faces_of_bands());
+    const std::vector<Index> faces = cells_.faces_of_bands();
+    bands_ = Part_extractor(mesh_)(faces);
     const double area = total_area(bands_); // the radius is relative to it
     weights.concavity_radius *= area > 0 ? std::sqrt(total_area(mesh_) / area) : 0;
     set_face_distances(execution_, bands_, bands_.points,
                        face_normals(execution_, bands_, bands_.points), weights);
+    edit_weights(faces, bands_);
   }
 
   float share_in(std::size_t node, Index cell) const
@@ -257,11 +260,12 @@ public:
   // Takes the cuts of another surface, which has the same components.
   // `for_each_share(f, add)` calls add(leaf, share) for each leaf of the cuts that the face f of
   // the mesh touches, with repetition. Once the caller has stopped the run, no minimum cuts are
-  // made.
-  template <class For_each_share>
+  // made. `edit_weights(faces, bands)` may change the weights of these faces of the mesh, among
+  // which minimum cuts are searched.
+  template <class For_each_share, class Edit_weights>
   Cut_transfer(Execution execution, const Cut_hierarchy& cuts, const Surface& mesh,
                const For_each_share& for_each_share, const Distance_weights& weights,
-               Run_monitor& monitor)
+               const Edit_weights& edit_weights, Run_monitor& monitor)
     : execution_(execution), cuts_(cuts), mesh_(mesh), monitor_(monitor),
       leaves_(ranges_of_leaves(cuts)),
       cells_(mesh, are_between(execution, cuts, mesh, for_each_share)),
@@ -270,7 +274,7 @@ public:
       flood_(cells_.number(), 0)
   {
     if (!shares_.are_whole() && !monitor.is_stopped())
-      set_bands(weights);
+      set_bands(weights, edit_weights);
   }
 
   Cut_hierarchy operator()()

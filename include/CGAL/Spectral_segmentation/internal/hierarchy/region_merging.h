@@ -11,6 +11,7 @@
 #include <CGAL/Spectral_segmentation/internal/base/Run_monitor.h>
 
 #include <algorithm>
+#include <cmath>
 #include <cstddef>
 #include <iterator>
 #include <numeric>
@@ -36,6 +37,7 @@ class Region_merging
 
   std::vector<std::vector<Index> > faces_; // one list per region, ascending
   std::vector<Index> region_;              // one per face
+  double feature_reliability_ = 0;
   std::vector<Merge> merges_;              // possible merges of neighbors, the lower index first
 
   // Sets the salience and the factors of the boundary of two regions, as the cut of their union.
@@ -57,6 +59,7 @@ class Region_merging
     const double number_of_common_neighbors = merge.factors.number_of_common_neighbors;
     merge.factors = Cut_evaluator(both, faces, context_)(side, Evaluated_cut::BOUNDARY);
     merge.factors.number_of_common_neighbors = number_of_common_neighbors;
+    merge.factors.feature_reliability = feature_reliability_;
     merge.salience = salience_of(part_salience_, merge.factors);
     monitor_.control().cut_evaluated({Evaluated_cut::BOUNDARY, faces, side, merge.factors});
   }
@@ -88,6 +91,26 @@ class Region_merging
   {
     return std::make_tuple(quantized(a.salience), a.leaves[0], a.leaves[1]) <
            std::make_tuple(quantized(b.salience), b.leaves[0], b.leaves[1]);
+  }
+
+  // Sets how far features tell the parts: the mean, over all boundaries of the over-segmentation,
+  // of the squared step, as far as the boundary explains the variance of its regions.
+  void set_feature_reliability()
+  {
+    if (context_.features.empty())
+      return;
+    double sum = 0, weights = 0;
+    for (const Merge& m : merges_) {
+      const double weight = std::exp(m.factors.log_relative_part_area / 2);
+      weights += weight;
+      sum += weight * m.factors.feature_step * m.factors.feature_step *
+             m.factors.explained_variance;
+    }
+    feature_reliability_ = weights > 0 ? std::sqrt(sum / weights) : 0;
+    for (Merge& m : merges_) {
+      m.factors.feature_reliability = feature_reliability_;
+      m.salience = salience_of(part_salience_, m.factors);
+    }
   }
 
   // Evaluates the boundaries of a region with its neighbors, or of all regions.
@@ -132,6 +155,7 @@ class Region_merging
     std::vector<Index> all(mesh_.number_of_faces());
     std::iota(all.begin(), all.end(), Index(0));
     evaluate_boundaries(all);
+    set_feature_reliability();
     std::vector<Merge> merges;
     while (!merges_.empty()) {
       merges.push_back(*std::min_element(merges_.begin(), merges_.end(), is_less_salient));

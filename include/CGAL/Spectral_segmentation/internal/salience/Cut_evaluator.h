@@ -5,6 +5,8 @@
 #define CGAL_SPECTRAL_SEGMENTATION_INTERNAL_SALIENCE_CUT_EVALUATOR_H
 
 #include <CGAL/Spectral_segmentation/Part_salience.h>
+#include <CGAL/Spectral_segmentation/internal/features/Face_features.h>
+#include <CGAL/Spectral_segmentation/internal/features/feature_factors.h>
 #include <CGAL/Spectral_segmentation/internal/salience/Cut.h>
 #include <CGAL/Spectral_segmentation/internal/salience/Support_points.h>
 #include <CGAL/Spectral_segmentation/internal/surface/Surface.h>
@@ -27,9 +29,13 @@ struct Evaluation_context
 {
   double area;
   Support_points support_points;
+  Face_features features; // of the mesh
+  double feature_weight;
 
-  explicit Evaluation_context(const Surface& mesh)
-    : area(total_area(mesh)), support_points(mesh) {}
+  explicit Evaluation_context(const Surface& mesh, Face_features face_features = Face_features(),
+                              double weight = 0)
+    : area(total_area(mesh)), support_points(mesh), features(std::move(face_features)),
+      feature_weight(weight) {}
 };
 
 // Computes all factors of cuts of a part, including the factors beyond the paper (Section 6 and
@@ -38,7 +44,8 @@ struct Evaluation_context
 class Cut_evaluator
 {
   const Surface& part_;
-  double area_of_mesh_;
+  const std::vector<Index>& faces_; // of the part, by their indices in the mesh
+  const Evaluation_context& mesh_;
   Convexity_defect convexity_defect_;
   double defect_of_part_;
 
@@ -136,6 +143,19 @@ class Cut_evaluator
     return area > 0 ? (std::min)(sum.norm() / area, 1.) : 1;
   }
 
+  void set_factors_of_features(Near_faces::const_iterator first,
+                               Near_faces::const_iterator end_of_near, const Sides& side,
+                               Salience_factors& factors) const
+  {
+    Feature_variance sides(mesh_.features), near_cut(mesh_.features);
+    for (Index f = 0; f < side.size(); ++f)
+      sides.add(faces_[f], part_.areas[f], side[f]);
+    for (; first != end_of_near; ++first)
+      near_cut.add(faces_[first->face], part_.areas[first->face], side[first->face]);
+    set_feature_factors(sides, near_cut, mesh_.area, factors);
+    factors.feature_weight = mesh_.feature_weight;
+  }
+
   void set_neighborhood_factors(const Sides& side, const std::vector<Index>& cut,
                                 double area_of_q, double length, Salience_factors& factors) const
   {
@@ -146,6 +166,8 @@ class Cut_evaluator
     const auto end_of_near = std::partition_point(first, end, [=](const Face_at_distance& f)
                                                   { return f.distance <= radius; });
     factors.concavity_near_cut = mean_concavity(first, end_of_near);
+    if (!mesh_.features.empty())
+      set_factors_of_features(first, end_of_near, side, factors);
     factors.expansion_behind_cut = expansion(first, end_of_near, side, 1, radius * length);
     if (!factors.is_boundary)
       return;
@@ -157,7 +179,7 @@ class Cut_evaluator
   void set_convexity_factors(const std::vector<Index> (&faces)[2], const double (&area)[2],
                              Salience_factors& factors) const
   {
-    const double unit = std::sqrt(area_of_mesh_), whole = defect_of_part_ / unit;
+    const double unit = std::sqrt(mesh_.area), whole = defect_of_part_ / unit;
     const double sides =
       (area[0] * convexity_defect_(faces[0]) + area[1] * convexity_defect_(faces[1])) /
       ((area[0] + area[1]) * unit);
@@ -170,7 +192,7 @@ public:
   // Takes a part; `faces` are its faces, by their indices in the mesh.
   Cut_evaluator(const Surface& part, const std::vector<Index>& faces,
                 const Evaluation_context& mesh)
-    : part_(part), area_of_mesh_(mesh.area), convexity_defect_(mesh.support_points, part, faces),
+    : part_(part), faces_(faces), mesh_(mesh), convexity_defect_(mesh.support_points, part, faces),
       defect_of_part_(convexity_defect_.of_part())
   {}
 
@@ -198,7 +220,7 @@ public:
     }
     set_neighborhood_factors(side, cut, area[0], length, factors);
     set_convexity_factors(faces, area, factors);
-    factors.log_relative_part_area = std::log((area[0] + area[1]) / area_of_mesh_);
+    factors.log_relative_part_area = std::log((area[0] + area[1]) / mesh_.area);
     return factors;
   }
 };

@@ -1,0 +1,63 @@
+// Copyright (c) 2026  The Spectral_segmentation authors.
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_SPECTRAL_SEGMENTATION_INTERNAL_SALIENCE_FEATURE_LOGIT_H
+#define CGAL_SPECTRAL_SEGMENTATION_INTERNAL_SALIENCE_FEATURE_LOGIT_H
+
+#include <CGAL/Spectral_segmentation/Salience_factors.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace CGAL::Spectral_segmentation::internal {
+
+// Combines what shape and features say about a cut. Features that do not tell parts, such as noise,
+// have no say at the default weight, 1/2. The numbers are fitted to parts of people with made
+// features (benchmark/feature_quality --fit).
+struct Feature_logit
+{
+  // of candidates
+  double first_step = 0.15, last_step = 0.25; // where features begin and end to gain their say
+  double candidate = 4.3;
+
+  // of boundaries
+  double first_reliability = 0.2, last_reliability = 0.4;
+  double shape = 0.75;
+  double constant = -3.1;
+  double feature_step = -1.7;
+  double explained_variance_near_cut = 3.95;
+  double explained_variance = 1.75;
+  double explained_variance_of_mesh = 7.7;
+
+  static double ramp(double x, double first, double last)
+  { return (std::min)((std::max)((x - first) / (last - first), 0.), 1.); }
+
+  // Returns the logit for a cut with this logit of its shape. Up to the weight 1/2 the say of the
+  // features grows. From there on that of the shape fades, to a hundredth, and unreliable features
+  // gain a say.
+  double operator()(double logit_of_shape, const Salience_factors& f) const
+  {
+    if (!(f.feature_weight > 0))
+      return logit_of_shape;
+    const double say = (std::min)(2 * f.feature_weight, 1.);
+    const double fading = (std::max)(2 * f.feature_weight - 1, 0.);
+    const double shape_left = 1 - 0.99 * fading;
+    const double of_mesh = std::sqrt(f.explained_variance_of_mesh);
+    if (!f.is_boundary) {
+      const double step = f.feature_step * std::sqrt(f.explained_variance);
+      return shape_left * logit_of_shape +
+             say * ramp(step, first_step, last_step) * candidate * of_mesh;
+    }
+    const double reliable = say * ramp(f.feature_reliability, first_reliability, last_reliability);
+    const double trust = reliable + fading * (1 - reliable);
+    return (1 - (1 - shape) * reliable) * shape_left * logit_of_shape +
+           trust * (constant + feature_step * f.feature_step +
+                    explained_variance_near_cut * std::sqrt(f.explained_variance_near_cut) +
+                    explained_variance * std::sqrt(f.explained_variance) +
+                    explained_variance_of_mesh * of_mesh);
+  }
+};
+
+} // namespace CGAL::Spectral_segmentation::internal
+
+#endif // CGAL_SPECTRAL_SEGMENTATION_INTERNAL_SALIENCE_FEATURE_LOGIT_H
