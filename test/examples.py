@@ -201,6 +201,30 @@ class Example(unittest.TestCase):
         _, faces, properties = self.ply()
         self.check_segments(faces, properties["segment"], m)
 
+    def test_clean_noisy_labels(self):
+        points, faces = dumbbell()
+        half = len(faces) // 2
+        right = [7] * half + [-3] * half
+        random.seed(1)
+        noisy = [random.choice([7, -3, 12]) if random.random() < 0.25 else label
+                 for label in right]
+        (self.directory / "noisy.txt").write_text("".join("%d\n" % label for label in noisy))
+
+        def cleaned():
+            return list(map(int, (self.directory / "labels.txt").read_text().split()))
+
+        output = self.run_example(self.write(points, faces), "noisy.txt")
+        self.assertEqual(output, "2 segments; the labels of %d of %d faces are changed\n"
+                         % (sum(a != b for a, b in zip(noisy, cleaned())), len(faces)))
+        self.assertLessEqual(sum(a != b for a, b in zip(cleaned(), right)), 32)
+
+        self.run_example()
+        faces = read_off(MESHES / "elephant.off")[1]
+        noisy = list(map(int, (self.directory / "noisy_labels.txt").read_text().split()))
+        pieces = [sum(len(connected_sets(s)) for s in faces_of_segments(faces, labels).values())
+                  for labels in (noisy, cleaned())]
+        self.assertGreater(pieces[0], 2 * pieces[1])
+
     def test_choose_number_of_segments(self):
         labels = {}
         for n in (3, 7):

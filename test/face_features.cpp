@@ -165,6 +165,25 @@ BOOST_AUTO_TEST_CASE(the_weight_decides_between_shape_and_features)
   BOOST_TEST(rand_index(segments(1), of_features) > 0.9);
 }
 
+// A painted ball beside others: three components, of which one has two colors.
+BOOST_AUTO_TEST_CASE(a_component_is_cut_where_features_change)
+{
+  const Soup ball_soup = sphere(3);
+  const std::size_t n = ball_soup.triangles.size();
+  const Mesh mesh = mesh_of(disjoint_union(
+    disjoint_union(ball_soup, moved(ball_soup, 1.99, 0, 0)), moved(ball_soup, 3.98, 0, 0)));
+  BOOST_TEST(number_of(labels_of(mesh, parameters::default_values())) == 3);
+  Labels color;
+  for (Face f : mesh.faces())
+    color.push_back(std::size_t(f) >= n ? 0 : height(mesh, f) > 0 ? 1 : 2);
+  const Labels labels = labels_of(mesh, parameters::face_feature_map(map_of([&](Face f)
+    { return color[f]; })).feature_weight(1).number_of_segments(4));
+  const Labels painted(labels.begin(), labels.begin() + std::ptrdiff_t(n)),
+    colors(color.begin(), color.begin() + std::ptrdiff_t(n));
+  BOOST_TEST(rand_index(painted, colors) > 0.9);
+  BOOST_TEST(labels[n] != labels[2 * n]);
+}
+
 BOOST_AUTO_TEST_CASE(many_labels)
 {
   // Ten times ten patches of a torus, each with a label of its own.

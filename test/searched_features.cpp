@@ -5,6 +5,7 @@
 
 #include "test_meshes.h"
 
+#include <CGAL/Spectral_segmentation/internal/features/Set_features.h>
 #include <CGAL/Spectral_segmentation/internal/features/feature_factors.h>
 #include <CGAL/Spectral_segmentation/internal/features/feature_order.h>
 #include <CGAL/Spectral_segmentation/internal/features/feature_steps.h>
@@ -172,6 +173,20 @@ BOOST_AUTO_TEST_CASE(explained_variance_by_hand)
   BOOST_TEST(variance.squared_step() == 25);
   BOOST_TEST(variance.explained() == 2 * 9 + 3 * 4);
   BOOST_TEST(variance.explained_share() == 30. / (4 + 32 + 100 - 80), tt::tolerance(1e-14));
+}
+
+BOOST_AUTO_TEST_CASE(sets_of_faces_by_hand)
+{
+  const Face_features features{2, {0, 0, 3, 4, 6, 8, 0, 0}};
+  Set_features sets(features, {1, 1, 1, 2}, {0, 1, 1, 2}, 4);
+  BOOST_TEST(sets.distance(0, 1) == 7.5); // from (0, 0) to (4.5, 6)
+  BOOST_TEST(sets.distance(0, 2) == 0);
+  BOOST_TEST(sets.distance(0, 3) == 0, "an empty set");
+  BOOST_TEST(sets.explained_variance() == 2 * 7.5 * 7.5 / 5);
+  sets.join(1, 2);
+  BOOST_TEST(sets.distance(0, 2) == 3.75);
+  BOOST_TEST(Set_features().empty());
+  BOOST_TEST(Set_features().explained_variance() == 0);
 }
 
 BOOST_AUTO_TEST_CASE(order_along_the_largest_variance)

@@ -22,6 +22,8 @@ const kinds = {
   seed: [value => Number.isSafeInteger(value) && value >= 0, "an integer, not negative"],
   weights: [value => isList(value) && value.length === 3 && value.every(isNumber),
             "three numbers"],
+  numbers: [value => isList(value) && value.length > 0 && value.every(isNumber),
+            "an array of numbers"],
   integers: [value => isList(value) && value.every(each => each === (each | 0)),
              "an array of integers of 32 bits"]
 };
@@ -36,6 +38,7 @@ const optionKinds = {
   distanceWeights: "weights", numberOfCoarseFaces: "integer", numberOfReferenceFaces: "integer",
   numberOfSmoothingIterations: "integer", randomSeed: "seed", keepComponentsSeparate: "boolean",
   smoothBoundaries: "boolean", faceGroups: "integers", faceSeeds: "integers",
+  features: "numbers", featureWeight: "number",
   constrainedEdges: "integers", uncuttableEdges: "integers", progress: "function"
 };
 
@@ -43,6 +46,7 @@ const optionKinds = {
 const optionOfName = {
   edge_is_constrained_map: "constrainedEdges", edge_is_uncuttable_map: "uncuttableEdges",
   face_seed_map: "faceSeeds", face_group_map: "faceGroups",
+  face_feature_map: "features",
   "zhang_liu_2005()": "the method 'paper'"
 };
 for (const name of Object.keys(optionKinds))
@@ -77,6 +81,21 @@ function checkedOptions(options, kindOfOption = optionKinds) {
 
 const constraints = ["constrainedEdges", "uncuttableEdges", "faceSeeds"];
 
+// Adds the features as an array of one type. Whole numbers, one a face, are labels, but not if
+// their type is one of real numbers.
+function addFeatures(features, mesh, given) {
+  if (given.method === "paper")
+    throw new TypeError("features does not go with the method 'paper'");
+  const { numberOfFaces } = mesh;
+  if (features.length % numberOfFaces !== 0)
+    throw new TypeError(`features must have as many numbers for each of the ${numberOfFaces} ` +
+                        `faces, not ${features.length} in all`);
+  const areReal = features instanceof Float32Array || features instanceof Float64Array;
+  given.featuresAreLabels = !areReal && features.length === numberOfFaces &&
+    features.every(each => each === (each | 0));
+  given.features = (given.featuresAreLabels ? Int32Array : Float64Array).from(features);
+}
+
 // Returns the options for the module, which takes constraints as arrays of one type.
 function checkedRunOptions(options, mesh) {
   const given = checkedOptions(options);
@@ -91,6 +110,8 @@ function checkedRunOptions(options, mesh) {
       throw new TypeError(`${name} must have two points for each edge, not ${numbers.length} ` +
                           "in all");
   }
+  if (given.features !== undefined)
+    addFeatures(given.features, mesh, given);
   return given;
 }
 

@@ -33,6 +33,12 @@ export interface Options extends Choice {
   /** The group of each face, such as an object of a file. Groups are kept apart like connected
    *  components. */
   faceGroups?: Integers;
+  /** What is known of each face beyond the shape: the vectors of all faces one after the other,
+   *  each of the same length; or one whole number a face, a label that may be wrong (not as a
+   *  `Float32Array` or `Float64Array`). Not with the method "paper". */
+  features?: Integers | Float32Array | Float64Array;
+  /** How much the features count against the shape, from 0 to 1: by default 0.5. */
+  featureWeight?: number;
   /** Whether each connected component is a part from the start: by default false, with the method
    *  "paper" true. */
   keepComponentsSeparate?: boolean;

@@ -38,6 +38,7 @@ LAYOUTS = {
     "line": (2, (700, 560)),
     "smooth_boundaries": (2, (700, 560)),
     "clusterings": (3, (480, 400)),
+    "features": (3, (480, 400)),
     # Of a mesh that is long and low
     "tree": (4, (480, 290)),
     "salience_threshold": (4, (480, 290)),

@@ -234,6 +234,11 @@ public:
     parameters_.options = random_options(number_of_faces(), random_);
     if (one_in(random_, 5))
       parameters_.groups = random_groups(number_of_faces(), random_);
+    if (parameters_.options.method == Method::CALIBRATED && one_in(random_, 4)) {
+      parameters_.features = random_features(number_of_faces(), random_);
+      parameters_.options.feature_weight =
+        one_of(random_, std::vector<double>{0.5, 0.5, 0, 0.1, 0.8, 1});
+    }
     if (one_in(random_, 40)) {
       spoil(parameters_.options, random_);
       has_valid_options_ = false;
@@ -290,7 +295,8 @@ public:
                     o.method == Method::CALIBRATED);
     check_constraints(mesh(), parameters_, outcome.labels, "the segments");
     check_constraints(mesh(), parameters_, h);
-    const bool has_options_only = parameters_.groups.empty() && !parameters_.has_constraints();
+    const bool has_options_only = parameters_.groups.empty() && parameters_.features.empty() &&
+                                  !parameters_.has_constraints();
     if (has_options_only && one_in(random_, 4))
       check_overflow(outcome);
     if (mesh_ && has_options_only && one_in(random_, 4))

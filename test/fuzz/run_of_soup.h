@@ -16,6 +16,7 @@
 #include <boost/property_map/property_map.hpp>
 
 #include <algorithm>
+#include <array>
 #include <cstddef>
 #include <functional>
 #include <limits>
@@ -63,6 +64,7 @@ struct Parameters
   Options options;
   std::vector<int> groups; // of the faces; empty for no face_group_map
   std::vector<int> seeds;  // of the faces; empty for no face_seed_map
+  std::vector<std::array<double, 2> > features; // of the faces; empty for none
   std::vector<char> edges; // of a mesh: 'c' if constrained, 'u' if uncuttable; empty for no maps
 
   bool has_constraints() const { return !seeds.empty() || !edges.empty(); }
@@ -84,6 +86,7 @@ inline std::ostream& operator<<(std::ostream& os, const Parameters& p)
             << o.geodesic_weight << ',' << o.concave_angle_weight << ',' << o.convex_angle_weight
             << " number_of_reference_faces=" << o.number_of_reference_faces
             << " random_seed=" << (o.random_seed ? std::to_string(*o.random_seed) : "none")
+            << " feature_weight=" << (p.features.empty() ? 0 : o.feature_weight)
             << " face_groups=" << !p.groups.empty() << " seeds="
             << p.seeds.size() - std::size_t(std::count(p.seeds.begin(), p.seeds.end(), -1))
             << " constrained_edges=" << std::count(p.edges.begin(), p.edges.end(), 'c')
@@ -143,6 +146,23 @@ inline std::vector<int> random_groups(std::size_t number_of_faces, Random& rando
   const bool are_ranges = !one_in(random, 4);
   for (std::size_t f = 0; f < number_of_faces; ++f)
     result.push_back(7 * int((are_ranges ? f / length : random()) % n) - 7);
+  return result;
+}
+
+// Returns few different vectors or many, for ranges of faces or for faces at random.
+inline std::vector<std::array<double, 2> > random_features(std::size_t number_of_faces,
+                                                           Random& random)
+{
+  std::vector<std::array<double, 2> > result;
+  const std::size_t n = random_number(random, 1, 4), length = random_number(random, 1, 100);
+  const bool are_ranges = !one_in(random, 4);
+  const double noise = one_of(random, std::vector<double>{0, 0, 1e-9, 0.2, 1e9});
+  for (std::size_t f = 0; f < number_of_faces; ++f) {
+    const std::size_t i = (are_ranges ? f / length : random()) % n;
+    const double x = double(i % 2) + noise * random_fraction(random),
+                 y = double(i / 2) + noise * random_fraction(random);
+    result.push_back({x, y});
+  }
   return result;
 }
 
@@ -207,8 +227,14 @@ template <class Face, class Function>
 std::size_t with_parameters(const Parameters& p, Segmentation_hierarchy& hierarchy,
                             Visitor& visitor, const Function& f)
 {
+  Options options = p.options;
+  if (p.features.empty())
+    options.feature_weight = 0;
   const auto np =
-    parameters::options(p.options).hierarchy(hierarchy).visitor(std::ref(visitor));
+    parameters::options(options).hierarchy(hierarchy).visitor(std::ref(visitor))
+      .face_feature_map(boost::make_function_property_map<Face>([&p](const Face& face) {
+        return p.features.empty() ? std::array<double, 2>{0, 0} : p.features[std::size_t(face)];
+      }));
   if (p.groups.empty())
     return with_constraints<Face>(p, np, f);
   return with_constraints<Face>(p, np.face_group_map(boost::make_function_property_map<Face>(

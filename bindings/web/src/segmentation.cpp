@@ -13,6 +13,7 @@
 #include <CGAL/segment_spectral_recursive.h>
 #include <CGAL/tags.h>
 
+#include <files/Face_vectors.h>
 #include <files/Segmented_mesh.h>
 #include <files/write_mesh_file.h>
 #include <command_line/page/page_data.h>
@@ -71,9 +72,10 @@ std::vector<Triple> triples_of(const val& array)
 }
 
 // The numbers of a typed array; none if it is undefined.
-std::vector<std::int32_t> integers_of(const val& array)
+template <class Number>
+std::vector<Number> numbers_of(const val& array)
 {
-  std::vector<std::int32_t> result;
+  std::vector<Number> result;
   if (!array.isUndefined()) {
     result.resize(array["length"].as<std::size_t>());
     val(emscripten::typed_memory_view(result.size(), result.data())).call<void>("set", array);
@@ -170,7 +172,7 @@ class Constraints
   static std::vector<Edge> read_edges(const Input& input, const val& given, const char* name,
                                       std::vector<Edge>& known)
   {
-    const std::vector<std::int32_t> corners = integers_of(given[name]);
+    const std::vector<std::int32_t> corners = numbers_of<std::int32_t>(given[name]);
     std::vector<Edge> result;
     if (corners.empty())
       return result;
@@ -203,8 +205,8 @@ class Constraints
 public:
   Constraints(const Input& input, const val& given)
     : face_of_triangle_(input.polygon_of_triangle),
-      seed_of_face_(integers_of(given["faceSeeds"])),
-      group_of_face_(integers_of(given["faceGroups"]))
+      seed_of_face_(numbers_of<std::int32_t>(given["faceSeeds"])),
+      group_of_face_(numbers_of<std::int32_t>(given["faceGroups"]))
   {
     std::vector<Edge> known;
     constrained_edges_ = read_edges(input, given, "constrainedEdges", known);
@@ -216,6 +218,21 @@ public:
   auto constrained_edge_map() const { return edge_map(constrained_edges_); }
   auto uncuttable_edge_map() const { return edge_map(uncuttable_edges_); }
 };
+
+// The features of the faces: `features` has the labels or the vectors of all faces, one after the
+// other.
+mesh_file::Face_vectors read_features(const Input& input, const val& given)
+{
+  if (given["features"].isUndefined())
+    return {};
+  if (given["featuresAreLabels"].as<bool>()) {
+    const auto labels = numbers_of<std::int32_t>(given["features"]);
+    return mesh_file::face_vectors_of_labels({labels.begin(), labels.end()});
+  }
+  std::vector<double> numbers = numbers_of<double>(given["features"]);
+  const std::size_t dimension = numbers.size() / input.soup.number_of_polygons();
+  return mesh_file::face_vectors(dimension, std::move(numbers));
+}
 
 segmentation::Options read_options(const val& given)
 {
@@ -254,11 +271,14 @@ segmentation::Options read_options(const val& given)
   read("salienceThreshold", o.salience_threshold);
   read("keepComponentsSeparate", o.keep_components_separate);
   read("minimumSegmentSize", o.minimum_segment_size);
+  read("featureWeight", o.feature_weight);
   read("smoothBoundaries", o.smooth_boundaries);
   read_count("numberOfReferenceFaces", 1, o.number_of_reference_faces);
   read_count("numberOfCoarseFaces", 0, o.number_of_coarse_faces);
   read_count("numberOfSmoothingIterations", 0, o.number_of_smoothing_iterations);
   check(o);
+  if (given["features"].isUndefined())
+    o.feature_weight = 0;
   return o;
 }
 
@@ -297,6 +317,7 @@ public:
   {
     Progress visitor(progress);
     const Constraints constraints(*input_, options);
+    const mesh_file::Face_vectors features = read_features(*input_, options);
     label_of_triangle_.resize(input_->triangles.size());
     CGAL::segment_spectral_recursive<CGAL::Sequential_tag>(
       input_->soup.points, input_->triangles, CGAL::make_property_map(label_of_triangle_),
@@ -305,6 +326,8 @@ public:
         .edge_is_uncuttable_map(constraints.uncuttable_edge_map())
         .face_seed_map(constraints.seed_map())
         .face_group_map(constraints.group_map())
+        .face_feature_map(boost::make_function_property_map<std::size_t>([&](std::size_t t)
+          { return features[input_->polygon_of_triangle[t]]; }))
         .hierarchy(tree_).visitor(std::ref(visitor)));
   }
 

@@ -146,6 +146,25 @@ test("constraints hold", () => {
   assert.ok([...labelsOf(0)].every(label => !labelsOf(1).has(label)));
 });
 
+test("features decide with the shape", () => {
+  const mesh = segmentation.read(elephant, "elephant.off");
+  const plain = text(segmentation.segment(mesh).labels());
+  const { numberOfFaces } = mesh;
+  const points = mesh.points(), triangles = mesh.triangles();
+  const isHigh = Array.from({ length: numberOfFaces },
+                            (_, face) => Number(points[3 * triangles[3 * face]] > 0));
+  for (const features of [isHigh, Uint8Array.from(isHigh), Float32Array.from(isHigh),
+                          isHigh.flatMap(value => [1e9 + value, 0.5])]) {
+    const labels = segmentation.segment(mesh, { features, featureWeight: 1,
+                                                numberOfSegments: 2 }).labels();
+    const same = labels.filter((label, face) => label === isHigh[face]).length;
+    assert.ok(Math.max(same, numberOfFaces - same) > 0.9 * numberOfFaces);
+    assert.equal(text(segmentation.segment(mesh, { features, featureWeight: 0 }).labels()), plain);
+  }
+  for (const features of [isHigh.map(() => 3), isHigh.map(() => 0.5)])
+    assert.equal(text(segmentation.segment(mesh, { features }).labels()), plain);
+});
+
 test("options for experts change what they say", () => {
   const mesh = segmentation.read(elephant, "elephant.off");
   const file = path.join(MESHES, "elephant.off");
@@ -245,6 +264,11 @@ test("what is wrong is named", async () => {
     [() => segmentation.segment(mesh, { numberOfSegments: 2, salienceThreshold: 1 }),
      TypeError, /neither/],
     [() => segmentation.segment(mesh, { salienceThreshold: NaN }), Error, /number/],
+    [() => segmentation.segment(mesh, { features: [1, 2, 3] }), TypeError, /not 3 in all/],
+    [() => segmentation.segment(mesh, { features: "color" }), TypeError, /array of numbers/],
+    [() => segmentation.segment(mesh, { features: new Float32Array(mesh.numberOfFaces).fill(NaN) }),
+     Error, /^features has a number that is not finite/],
+    [() => segmentation.segment(mesh, { featureWeight: 2 }), Error, /^featureWeight must be/],
     [() => segmentation.segment(mesh, { minimumSegmentSize: 2 }), Error, /^minimumSegmentSize/],
     [() => segmentation.segment(mesh, { progress: 1 }), TypeError, /progress must be a function/],
     [() => segmentation.segment(mesh).labels(0), TypeError, /at least 1/]])

@@ -59,7 +59,9 @@ class Run
   std::vector<Index> face_;         // the face of the mesh for each of the caller's faces
   Refined_mesh refined_;            // empty if the edges of the mesh are short enough
   std::vector<Coarse_surface> levels_; // each coarser than the one before; the last is searched
-  Face_features features_;          // of the mesh that is searched
+  Face_features features_;             // of the mesh that is searched
+  std::vector<Index> searched_faces_;  // the caller's face for each of them; empty without features
+  std::vector<double> searched_areas_;
   std::vector<Index> neighbors_;    // the caller's indices, if boundaries shall be smoothed
   Constraint_groups groups_;        // empty without constraints
   std::vector<Index> leaf_of_group_; // of the cuts so far; empty without constraints
@@ -290,7 +292,9 @@ class Run
     // Three times the difference of two faces, the means of their corners, is that of their far
     // corners.
     add_feature_steps(features_, 3, options_.feature_weight, searched);
-    add_steps_of_faces(searched_faces(), searched);
+    searched_faces_ = searched_faces();
+    searched_areas_ = searched.areas;
+    add_steps_of_faces(searched_faces_, searched);
   }
 
   // Adds the steps between the features of single faces, which tell better than means where exactly
@@ -411,11 +415,25 @@ class Run
         " are allowed");
   }
 
+  // Returns the features of the roots of a hierarchy of the mesh.
+  Set_features features_of_roots(const Cut_hierarchy& hierarchy) const
+  {
+    if (features_.empty())
+      return {};
+    const Nested_ranges leaves = ranges_of_leaves(hierarchy);
+    const std::vector<std::size_t> root_of_leaf = roots_of_leaves(hierarchy, leaves);
+    std::vector<Index> root;
+    for (Index f : searched_faces_)
+      root.push_back(static_cast<Index>(root_of_leaf[leaves.first(hierarchy.leaf[face_[f]])]));
+    return Set_features(features_, searched_areas_, root, hierarchy.number_of_roots);
+  }
+
   // Joins roots, satisfies constraints, and makes as many cuts as were asked for.
   void apply_options(Cut_hierarchy& hierarchy)
   {
     if (!options_.keep_components_separate && hierarchy.number_of_roots > 1)
-      hierarchy = Component_merging(hierarchy, mesh_, monitor_)();
+      hierarchy = Component_merging(hierarchy, mesh_, features_of_roots(hierarchy),
+                                    options_.feature_weight, monitor_)();
     if (!constraints_.empty())
       satisfy_constraints(hierarchy);
     if (!options_.number_of_segments || monitor_.is_stopped())

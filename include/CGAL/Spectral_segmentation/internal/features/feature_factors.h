@@ -58,7 +58,8 @@ public:
   double explained() const
   { return area() > 0 ? areas_[0] * areas_[1] / area() * squared_step() : 0; }
 
-  // Returns the same relative to the whole variance.
+  // Returns the same relative to the whole variance, which is taken to be a hundredth of that of
+  // the mesh at least, so that differences of nothing count for nothing.
   double explained_share() const
   {
     double whole = squares_;
@@ -66,7 +67,8 @@ public:
       const double sum = sums_[0][i] + sums_[1][i];
       whole -= area() > 0 ? sum * sum / area() : 0;
     }
-    return whole > 0 ? (std::min)(explained() / whole, 1.) : 0;
+    const double least = 0.01 * area();
+    return least > 0 ? (std::min)(explained() / (std::max)(whole, least), 1.) : 0;
   }
 };
 

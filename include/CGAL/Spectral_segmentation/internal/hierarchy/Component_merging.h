@@ -6,6 +6,7 @@
 
 #include <CGAL/Spectral_segmentation/internal/base/Run_monitor.h>
 #include <CGAL/Spectral_segmentation/internal/grid/set_contacts.h>
+#include <CGAL/Spectral_segmentation/internal/features/Set_features.h>
 #include <CGAL/Spectral_segmentation/internal/hierarchy/Dendrogram.h>
 #include <CGAL/Spectral_segmentation/internal/hierarchy/Nested_ranges.h>
 #include <CGAL/Spectral_segmentation/internal/salience/salience_in_component.h>
@@ -62,6 +63,8 @@ class Component_merging
   Dendrogram result_;
   const Index sheet_;  // the root that is a sheet under all others, or null_index
   double area_ = 0;    // without the sheet
+  Set_features features_; // of the roots
+  double feature_weight_;
 
   // Returns the largest component if it is flat, and at least twice as long as all others together.
   Index largest_sheet() const
@@ -96,7 +99,8 @@ class Component_merging
   void set_saliences()
   {
     for (Merge& m : result_.merges)
-      m.salience = salience_in_component(m.salience, share(root_of_leaf_[m.leaves[0]]));
+      m.salience =
+        salience_in_component(m.salience, share(root_of_leaf_[m.leaves[0]]), m.factors);
   }
 
   std::vector<Neighbors> neighbors() const
@@ -152,6 +156,13 @@ class Component_merging
       }
       neighbors[a].clear();
       area[b] += area[a];
+      features_.join(a, b);
+    };
+    const double explained_variance = features_.explained_variance();
+    const auto logit_of_features = [&](Index a, Index b) {
+      return features_.empty() ? 0
+        : Feature_logit().of_components(features_.distance(a, b), explained_variance,
+                                        feature_weight_);
     };
     const auto is_better = [](const auto& x, const auto& y) { // contact, then the gap
       return std::make_pair(x.second.contact, -x.second.squared_gap) <
@@ -169,17 +180,20 @@ class Component_merging
         continue;
       }
       join(a, b, are_all_apart ? std::numeric_limits<double>::infinity()
-                               : salience_of_component(area[a] / area_));
+                               : salience_of_component(area[a] / area_,
+                                                       logit_of_features(a, b)));
       insert(from, b);
     }
   }
 
 public:
-  // Takes the cuts of the components, one root for each, and the mesh, whose faces have areas.
-  Component_merging(const Cut_hierarchy& cuts, const Surface& mesh, Run_monitor& monitor)
+  // Takes the cuts of the components, one root for each, the mesh, whose faces have areas, and the
+  // features of the roots.
+  Component_merging(const Cut_hierarchy& cuts, const Surface& mesh, Set_features features,
+                    double feature_weight, Run_monitor& monitor)
     : cuts_(cuts), mesh_(mesh), monitor_(monitor), leaves_(ranges_of_leaves(cuts)),
       root_of_leaf_(roots_of_leaves(cuts, leaves_)), result_(dendrogram_of(cuts, leaves_)),
-      sheet_(largest_sheet())
+      sheet_(largest_sheet()), features_(std::move(features)), feature_weight_(feature_weight)
   {
     for (std::size_t i = 0; i < cuts.number_of_roots; ++i)
       if (i != sheet_)

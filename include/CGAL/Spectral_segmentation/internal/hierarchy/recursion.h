@@ -102,7 +102,8 @@ class Recursion
     search(parts);
     for (const Pending_part* p : parts)
       if (p->cut)
-        queue_.insert({-quantized(salience_in_component(p->cut->salience, p->share)),
+        queue_.insert({-quantized(salience_in_component(p->cut->salience, p->share,
+                                                         p->cut->factors)),
                        p->part.node});
   }
 

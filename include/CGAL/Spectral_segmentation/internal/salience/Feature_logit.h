@@ -13,7 +13,7 @@ namespace CGAL::Spectral_segmentation::internal {
 
 // Combines what shape and features say about a cut. Features that do not tell parts, such as noise,
 // have no say at the default weight, 1/2. The numbers are fitted to parts of people with made
-// features (benchmark/feature_quality --fit).
+// features; benchmark/feature_quality --fit prints such values.
 struct Feature_logit
 {
   // of candidates
@@ -29,8 +29,24 @@ struct Feature_logit
   double explained_variance = 1.75;
   double explained_variance_of_mesh = 7.7;
 
+  // of components
+  double equal_components = -0.75, different_components = 1.7;
+
   static double ramp(double x, double first, double last)
   { return (std::min)((std::max)((x - first) / (last - first), 0.), 1.); }
+
+  // Returns how much of the say of the shape is gone, in [0, 1].
+  static double fading(double feature_weight)
+  { return (std::max)(2 * feature_weight - 1, 0.); }
+
+  // Returns what the distance of the mean features of two components adds to the logit of their
+  // boundary, if all components together explain a share of the variance.
+  double of_components(double distance, double explained_variance, double feature_weight) const
+  {
+    return (std::min)(2 * feature_weight, 1.) * ramp(explained_variance, 0.3, 0.6) *
+           (equal_components +
+            (different_components - equal_components) * ramp(distance, 0.1, 0.5));
+  }
 
   // Returns the logit for a cut with this logit of its shape. Up to the weight 1/2 the say of the
   // features grows. From there on that of the shape fades, to a hundredth, and unreliable features
@@ -40,8 +56,7 @@ struct Feature_logit
     if (!(f.feature_weight > 0))
       return logit_of_shape;
     const double say = (std::min)(2 * f.feature_weight, 1.);
-    const double fading = (std::max)(2 * f.feature_weight - 1, 0.);
-    const double shape_left = 1 - 0.99 * fading;
+    const double faded = fading(f.feature_weight), shape_left = 1 - 0.99 * faded;
     const double of_mesh = std::sqrt(f.explained_variance_of_mesh);
     if (!f.is_boundary) {
       const double step = f.feature_step * std::sqrt(f.explained_variance);
@@ -49,7 +64,7 @@ struct Feature_logit
              say * ramp(step, first_step, last_step) * candidate * of_mesh;
     }
     const double reliable = say * ramp(f.feature_reliability, first_reliability, last_reliability);
-    const double trust = reliable + fading * (1 - reliable);
+    const double trust = reliable + faded * (1 - reliable);
     return (1 - (1 - shape) * reliable) * shape_left * logit_of_shape +
            trust * (constant + feature_step * f.feature_step +
                     explained_variance_near_cut * std::sqrt(f.explained_variance_near_cut) +
