@@ -150,7 +150,7 @@ test("features decide with the shape", () => {
   const mesh = segmentation.read(elephant, "elephant.off");
   const plain = text(segmentation.segment(mesh).labels());
   const { numberOfFaces } = mesh;
-  const points = mesh.points(), triangles = mesh.triangles();
+  const { points, triangles } = mesh;
   const isHigh = Array.from({ length: numberOfFaces },
                             (_, face) => Number(points[3 * triangles[3 * face]] > 0));
   for (const features of [isHigh, Uint8Array.from(isHigh), Float32Array.from(isHigh),
