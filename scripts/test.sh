@@ -12,11 +12,11 @@ cd "$(dirname "$0")/.."
 scripts/setup.sh build test python
 # The engine runs fast, and the programs around it compile fast. Not with -O0: the linker would take
 # functions of the engine that tests include from there.
-cmake -S . -B build-test -DCMAKE_BUILD_TYPE=Release \
+cmake -S . -B build-test -G Ninja -DCMAKE_BUILD_TYPE=Release \
   -DSPECTRAL_SEGMENTATION_BUILD_TESTS=ON -DSPECTRAL_SEGMENTATION_BUILD_EXAMPLES=ON \
   -DSPECTRAL_SEGMENTATION_BUILD_BENCHMARKS=OFF \
   -DCMAKE_CXX_FLAGS_RELEASE='-O2 -DNDEBUG' \
-  -DSPECTRAL_SEGMENTATION_PROGRAM_OPTIONS=-O1 \
+  -DSPECTRAL_SEGMENTATION_PROGRAM_OPTIONS=-Og \
   -DCMAKE_UNITY_BUILD=ON \
   ${CMAKE_OPTIONS:-}
 cmake --build build-test --parallel "$(nproc)"
