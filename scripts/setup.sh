@@ -15,8 +15,8 @@ for group in "$@"; do
       packages+=(cmake make g++ libcgal-dev libeigen3-dev libboost-dev libtbb-dev libcli11-dev
                  nlohmann-json3-dev libassimp-dev lib3mf-dev libjs-three libcgal-demo) ;;
     test)
-      packages+=(ninja-build libboost-test-dev libopenmesh-dev python3 doxygen chromium chromium-driver
-                 python3-selenium) ;;
+      packages+=(ninja-build libboost-test-dev libopenmesh-dev python3 doxygen chromium
+                 chromium-driver python3-selenium) ;;
     python)
       packages+=(python3-dev python3-numpy python3-pybind11 python3-setuptools python3-wheel
                  python3-pip python3-venv python3-pytest python3-hypothesis python3-meshio
