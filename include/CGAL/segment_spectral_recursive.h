@@ -187,7 +187,7 @@ at most 4000 faces by default. The memory is O(*n*). The section
     \cgalParamDescription{what is known of each face beyond the shape: a vector, such as a color, a
       stress or the output of a neural network, or a label, such as a guess of its part. Cuts where
       the features change are preferred to others. Features that do not tell parts, such as noise,
-      have no effect at the default weight.}
+      have hardly any effect at the default weight.}
     \cgalParamType{a model of `ReadablePropertyMap` with
       `boost::graph_traits<TriangleMesh>::%face_descriptor` as key type. The value type is an
       integer type for labels, a floating point type, or a range of numbers, of the same length for

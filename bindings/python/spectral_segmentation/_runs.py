@@ -61,8 +61,8 @@ _PARAMETERS = """Parameters
         What is known of each triangle or polygon beyond the shape: a vector of real numbers, such
         as a color or the output of a neural network; one real number; or an integer, a label that
         may be wrong. Cuts where features change are preferred. Features that do not tell parts,
-        such as noise, have no effect at the default weight. Arrays of float32 are read without a
-        copy. Not with the method "paper".
+        such as noise, have little effect at the default weight. Arrays of float32 are read without
+        a copy. Not with the method "paper".
     feature_weight : float, default: 0.5
         How much the features count against the shape, in [0, 1]: with 0 they are not used, with 1
         the shape decides only between cuts that the features do not tell apart.
