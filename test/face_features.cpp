@@ -199,6 +199,23 @@ BOOST_AUTO_TEST_CASE(many_labels)
   check_labels(mesh, labels);
 }
 
+// A face without area may have any number.
+BOOST_AUTO_TEST_CASE(outliers_of_no_area)
+{
+  Soup soup = sphere(4);
+  const Labels half = halves();
+  soup.triangles.push_back({0, 1, 0}); // of two points
+  for (double outlier : {1e140, -1e140, 1e9}) {
+    Labels labels(soup.triangles.size(), untouched);
+    std::vector<double> features(half.begin(), half.end());
+    features.push_back(outlier);
+    CGAL::segment_spectral_recursive(soup.points, soup.triangles, labels.data(),
+                                     parameters::face_feature_map(features.data()));
+    labels.pop_back();
+    BOOST_TEST(rand_index(labels, half) > 0.9);
+  }
+}
+
 BOOST_AUTO_TEST_CASE(soups_have_features_too)
 {
   const Soup soup = sphere(4);

@@ -4,7 +4,7 @@
 #ifndef CGAL_SPECTRAL_SEGMENTATION_INTERNAL_FEATURES_FEATURE_STEPS_H
 #define CGAL_SPECTRAL_SEGMENTATION_INTERNAL_FEATURES_FEATURE_STEPS_H
 
-#include <CGAL/Spectral_segmentation/internal/base/constants.h>
+#include <CGAL/Spectral_segmentation/internal/base/Index.h>
 #include <CGAL/Spectral_segmentation/internal/features/Face_features.h>
 #include <CGAL/Spectral_segmentation/internal/surface/Surface.h>
 

@@ -205,11 +205,12 @@ inline Face_features searched_features(const Surface& searched, Vertex_features 
 }
 
 // Returns the features of single faces of the caller; none if the vectors are long, because reading
-// many of them takes the time of the search.
+// many of them takes the time of the search. Outliers are cut off.
 inline Face_features features_of_faces(const Feature_source& source, double unit,
                                        const std::vector<Index>& callers_face)
 {
   constexpr std::size_t largest_dimension = 64;
+  constexpr double largest = 1e6;
   if (source.dimension > largest_dimension || callers_face.empty())
     return {};
   Face_features result{source.dimension, {}, unit};
@@ -218,7 +219,8 @@ inline Face_features features_of_faces(const Feature_source& source, double unit
   for (Index f : callers_face) {
     source.read(f, features.data());
     for (std::size_t i = 0; i < features.size(); ++i)
-      result.values.push_back(static_cast<float>((features[i] - first[i]) / unit));
+      result.values.push_back(static_cast<float>(
+        (std::min)((std::max)((features[i] - first[i]) / unit, -largest), largest)));
   }
   return result;
 }
