@@ -200,7 +200,7 @@ BOOST_AUTO_TEST_CASE(thousands_of_faces_meet)
 BOOST_AUTO_TEST_CASE(slivers)
 {
   for (const Soup& soup : soups())
-    for (double thinness : {1e-6, 1e-200})
+    for (double thinness : {1e-6, 1e-13, 1e-200})
       check_runs(mesh_of(transformed(soup, [thinness](const Point& p)
         { return Point(p.x(), thinness * p.y(), p.z()); })));
 }
@@ -210,7 +210,7 @@ BOOST_AUTO_TEST_CASE(any_unit_gives_about_the_same_segments)
   for_both_methods([](const auto& np) {
     for (const Soup& soup : soups()) {
       const Labels expected = labels_of(soup, np);
-      for (double unit : {1e-150, 1e-12, 0.3, 1e150})
+      for (double unit : {1e-150, 1e-12, 0.3, 7., 1e12, 1e150})
         BOOST_TEST(rand_index(labels_of(scaled(soup, unit), np), expected) > 0.95);
     }
   });
