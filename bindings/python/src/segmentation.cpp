@@ -19,6 +19,7 @@
 #include <CGAL/segment_spectral_recursive.h>
 #include <CGAL/tags.h>
 
+#include <files/Face_vectors.h>
 #include <files/is_inside_out.h>
 
 #include <boost/property_map/function_property_map.hpp>
@@ -79,16 +80,6 @@ auto triangle_map(const Optional_integers& given)
     { return given ? *given->data(static_cast<py::ssize_t>(t)) : -1; });
 }
 
-// The feature vector of a triangle.
-struct Feature_row
-{
-  const float* first;
-  const float* last;
-
-  const float* begin() const { return first; }
-  const float* end() const { return last; }
-};
-
 typedef std::optional<py::array_t<float, py::array::c_style> > Optional_features;
 
 // Returns a property map of triangles to rows of the features, which must outlive it.
@@ -97,9 +88,9 @@ auto feature_map(const Optional_features& features)
   const float* const data = features ? features->data() : nullptr;
   const std::size_t dimension = features ? static_cast<std::size_t>(features->shape(1)) : 1;
   static const float none = 0;
-  return boost::make_function_property_map<std::size_t>([=](std::size_t t) -> Feature_row {
+  return boost::make_function_property_map<std::size_t>([=](std::size_t t) {
     const float* const first = data ? data + t * dimension : &none;
-    return {first, first + dimension};
+    return mesh_file::Face_vectors::Row{first, first + dimension};
   });
 }
 

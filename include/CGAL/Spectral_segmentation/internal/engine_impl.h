@@ -289,6 +289,8 @@ class Run
                              vertices = searched_vertices(finest().points.size());
     features_ = searched_features(searched, Feature_means(feature_source_, finest(), faces,
                                                           vertices, searched.points.size())());
+    if (features_.empty())
+      return;
     // Three times the difference of two faces, the means of their corners, is that of their far
     // corners.
     add_feature_steps(features_, 3, options_.feature_weight, searched);
@@ -301,9 +303,8 @@ class Run
   // a cut runs.
   void add_steps_of_faces(const std::vector<Index>& callers_face, Surface& graph) const
   {
-    if (!features_.empty())
-      add_feature_steps(features_of_faces(feature_source_, features_.unit, callers_face), 1,
-                        options_.feature_weight, graph);
+    add_feature_steps(features_of_faces(feature_source_, features_.unit, callers_face), 1,
+                      options_.feature_weight, graph);
   }
 
   // Returns the vertex of the coarsest mesh for each of the first n vertices of the finest, or
@@ -350,6 +351,8 @@ class Run
                             const For_each_share& for_each_share)
   {
     const auto add_steps = [&](const std::vector<Index>& faces, Surface& bands) {
+      if (features_.empty())
+        return;
       if (&mesh == &mesh_)
         add_steps_of_faces(composed(faces, callers_faces()), bands);
       else if (&mesh == &refined_.graph)

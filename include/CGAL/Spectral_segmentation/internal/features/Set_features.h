@@ -7,10 +7,8 @@
 #include <CGAL/Spectral_segmentation/internal/base/Index.h>
 #include <CGAL/Spectral_segmentation/internal/features/Face_features.h>
 
-#include <algorithm>
 #include <cmath>
 #include <cstddef>
-#include <utility>
 #include <vector>
 
 namespace CGAL::Spectral_segmentation::internal {

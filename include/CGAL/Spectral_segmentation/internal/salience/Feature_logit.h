@@ -35,6 +35,9 @@ struct Feature_logit
   static double ramp(double x, double first, double last)
   { return (std::min)((std::max)((x - first) / (last - first), 0.), 1.); }
 
+  // Returns how much of their say features have, in [0, 1].
+  static double say(double feature_weight) { return (std::min)(2 * feature_weight, 1.); }
+
   // Returns how much of the say of the shape is gone, in [0, 1].
   static double fading(double feature_weight)
   { return (std::max)(2 * feature_weight - 1, 0.); }
@@ -43,7 +46,7 @@ struct Feature_logit
   // boundary, if all components together explain a share of the variance.
   double of_components(double distance, double explained_variance, double feature_weight) const
   {
-    return (std::min)(2 * feature_weight, 1.) * ramp(explained_variance, 0.3, 0.6) *
+    return say(feature_weight) * ramp(explained_variance, 0.3, 0.6) *
            (equal_components +
             (different_components - equal_components) * ramp(distance, 0.1, 0.5));
   }
@@ -55,15 +58,16 @@ struct Feature_logit
   {
     if (!(f.feature_weight > 0))
       return logit_of_shape;
-    const double say = (std::min)(2 * f.feature_weight, 1.);
+    const double of_features = say(f.feature_weight);
     const double faded = fading(f.feature_weight), shape_left = 1 - 0.99 * faded;
     const double of_mesh = std::sqrt(f.explained_variance_of_mesh);
     if (!f.is_boundary) {
       const double step = f.feature_step * std::sqrt(f.explained_variance);
       return shape_left * logit_of_shape +
-             say * ramp(step, first_step, last_step) * candidate * of_mesh;
+             of_features * ramp(step, first_step, last_step) * candidate * of_mesh;
     }
-    const double reliable = say * ramp(f.feature_reliability, first_reliability, last_reliability);
+    const double reliable =
+      of_features * ramp(f.feature_reliability, first_reliability, last_reliability);
     const double trust = reliable + faded * (1 - reliable);
     return (1 - (1 - shape) * reliable) * shape_left * logit_of_shape +
            trust * (constant + feature_step * f.feature_step +
