@@ -15,6 +15,7 @@
 #include <cstddef>
 #include <functional>
 #include <limits>
+#include <map>
 #include <set>
 #include <stdexcept>
 #include <utility>
@@ -26,6 +27,7 @@ BOOST_AUTO_TEST_SUITE(components)
 using namespace test_meshes;
 namespace parameters = CGAL::Spectral_segmentation::parameters;
 using CGAL::Spectral_segmentation::Segmentation_hierarchy;
+using CGAL::Spectral_segmentation::unlimited;
 
 namespace {
 
@@ -200,12 +202,54 @@ BOOST_AUTO_TEST_CASE(a_small_component_belongs_to_the_part_that_it_touches)
   }
 }
 
-BOOST_AUTO_TEST_CASE(a_component_among_equals_is_not_cut)
+// Returns the labels of n faces, numbered from the first on.
+Labels numbered(const Labels& labels, std::size_t first, std::size_t n)
 {
+  std::map<std::size_t, std::size_t> number;
+  Labels result;
+  for (std::size_t f = first; f < first + n; ++f)
+    result.push_back(number.emplace(labels[f], number.size()).first->second);
+  return result;
+}
+
+BOOST_AUTO_TEST_CASE(a_large_component_with_parts_is_cut_like_the_mesh_alone)
+{
+  const Soup elephant = read("elephant.off"), twin_balls = dumbbell(24, 20);
+  double size = 0;
+  for (const Point& p : elephant.points)
+    size = (std::max)(size, p.x());
+  const Soup ball = moved(scaled(sphere(3), size / 2), 3 * size, 0, 0);
+  const std::size_t n = elephant.triangles.size(), m = twin_balls.triangles.size();
+  const Labels of_elephant = labels_of_soup(elephant);
+  BOOST_TEST(number_of(of_elephant) > 5u);
+  BOOST_TEST(numbered(labels_of_soup(disjoint_union(elephant, ball)), 0, n) == of_elephant,
+             boost::test_tools::per_element());
+  BOOST_TEST(numbered(labels_of_soup(disjoint_union(ball, elephant)), ball.triangles.size(), n) ==
+               of_elephant, boost::test_tools::per_element());
+  for (double distance : {1.9, 9.}) { // touching, and not
+    const Labels labels =
+      labels_of_soup(disjoint_union(twin_balls, moved(twin_balls, distance, 0, 0)));
+    const Labels alone = labels_of_soup(twin_balls);
+    BOOST_TEST(number_of(alone) >= 2u);
+    BOOST_TEST(number_of(labels) == 2 * number_of(alone));
+    BOOST_TEST(numbered(labels, 0, m) == alone, boost::test_tools::per_element());
+  }
+}
+
+BOOST_AUTO_TEST_CASE(a_component_with_little_evidence_of_parts_among_many_is_not_cut)
+{
+  // The one cut of a dumbbell is too little among 20 dumbbells. It is among the next cuts.
   const Soup soup = dumbbell(24, 20);
-  BOOST_TEST(number_of(labels_of_soup(soup)) >= 2u);
-  for (double distance : {1.9, 9.})
-    BOOST_TEST(number_of(labels_of_soup(disjoint_union(soup, moved(soup, distance, 0, 0)))) == 2u);
+  std::vector<Soup> dumbbells;
+  for (int i = 0; i < 20; ++i)
+    dumbbells.push_back(moved(soup, 9 * i, 0, 0));
+  const Mesh mesh = mesh_of(union_of(dumbbells));
+  const Segmentation_hierarchy hierarchy = hierarchy_of(mesh, parameters::default_values());
+  const Labels labels = run_labels(hierarchy), more = labels_above(hierarchy, 0.2, unlimited);
+  BOOST_TEST(number_of(labels) == 20u);
+  BOOST_TEST(number_of(more) > 35u);
+  for (std::size_t f = 0; f < labels.size(); ++f)
+    BOOST_TEST(labels[f] == f / soup.triangles.size());
 }
 
 BOOST_AUTO_TEST_CASE(patches_that_meet_edge_to_edge_are_one_surface)

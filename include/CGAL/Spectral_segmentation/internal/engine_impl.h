@@ -23,6 +23,7 @@
 #include <CGAL/Spectral_segmentation/internal/surface/face_groups.h>
 #include <CGAL/Spectral_segmentation/internal/surface/geometric_order.h>
 #include <CGAL/Spectral_segmentation/internal/surface/is_convex.h>
+#include <CGAL/Spectral_segmentation/internal/surface/model_components.h>
 #include <CGAL/Spectral_segmentation/internal/surface/reorder_faces.h>
 #include <CGAL/Spectral_segmentation/internal/coarsening/Cut_transfer.h>
 #include <CGAL/Spectral_segmentation/internal/coarsening/Longest_edge_bisection.h>
@@ -45,6 +46,36 @@
 
 namespace CGAL::Spectral_segmentation::internal {
 
+// A part of a model of several components that is searched by itself: a large component, at its own
+// scale, or all small components together, at the scale of the model.
+struct Searched_part
+{
+  Surface surface;
+  std::vector<Index> callers_faces; // the caller's face for each face; empty if it is the same
+  Constraints constraints;          // on the faces of the surface
+  double fraction_of_model = 1;     // 1 unless it is searched at the scale of the model
+};
+
+// Estimates of the times of the phases of a run, in nanoseconds. Only the reported progress depends
+// on them.
+struct Phase_times
+{
+  double reading, coarsening, search, projection;
+
+  Phase_times(const Options& options, std::size_t number_of_faces)
+  {
+    const double n = static_cast<double>(number_of_faces);
+    const double m =
+      static_cast<double>(faces_to_search(options, number_of_faces, number_of_faces));
+    reading = 150 * n;
+    coarsening = (m < n ? 1250 : 100) * n;
+    search = (options.method == Method::CALIBRATED ? 50000 : 4000) * m;
+    projection = (m < n ? 250 : 0) * n;
+  }
+
+  double without_reading() const { return coarsening + search + projection; }
+};
+
 // One run: the stages in their order, and the levels between them.
 class Run
 {
@@ -52,9 +83,13 @@ class Run
   const Constraints& constraints_;
   const Feature_source& feature_source_;
   const Execution execution_;
-  Run_monitor monitor_;
+  Run_monitor& monitor_;
 
   Surface mesh_;
+  std::vector<Index> given_faces_;  // the caller's face for each given face; empty if the same
+  double fraction_of_model_ = 1;
+  double time_left_ = 1;            // the fraction of the run that is left after reading
+  std::vector<Searched_part> parts_; // not empty if components are searched by themselves
   double unit_ = 1;                 // the length of 1 in the coordinates of the caller
   std::vector<Index> face_;         // the face of the mesh for each of the caller's faces
   Refined_mesh refined_;            // empty if the edges of the mesh are short enough
@@ -132,37 +167,124 @@ class Run
            mesh_.number_of_faces() <= options_.number_of_coarse_faces && is_convex(mesh_);
   }
 
-  // Moves the mesh into a unit, and into a frame of its own unless it is searched itself.
+  // Returns the constraints between faces of one part, by their indices in the part.
+  // `face_of_part` holds the index of each of the caller's faces, or null_index.
+  Constraints constraints_within(const std::vector<Index>& face_of_part) const
+  {
+    Constraints result;
+    const auto add_pairs = [&](const std::vector<Face_pair>& pairs, std::vector<Face_pair>& into) {
+      for (const auto& [f, g] : pairs)
+        if (face_of_part[f] != null_index && face_of_part[g] != null_index)
+          into.push_back({face_of_part[f], face_of_part[g]});
+    };
+    add_pairs(constraints_.cannot_link, result.cannot_link);
+    add_pairs(constraints_.must_link, result.must_link);
+    for (const auto& [f, seed] : constraints_.seeds)
+      if (face_of_part[f] != null_index)
+        result.seeds.emplace_back(face_of_part[f], seed);
+    std::sort(result.seeds.begin(), result.seeds.end());
+    return result;
+  }
+
+  void add_part(const std::vector<Index>& faces, const std::vector<Vector>& points,
+                double fraction_of_model)
+  {
+    Searched_part part{submesh(mesh_, points, faces), composed(faces, callers_faces()), {},
+                       fraction_of_model};
+    if (!constraints_.empty()) {
+      std::vector<Index> face_of_mesh(mesh_.number_of_faces(), null_index);
+      for (Index i = 0; i < faces.size(); ++i)
+        face_of_mesh[faces[i]] = i;
+      part.constraints = constraints_within(composed(face_, face_of_mesh));
+    }
+    parts_.push_back(std::move(part));
+  }
+
+  // Divides the components of the mesh into parts that are searched by themselves, with the points
+  // that the caller gave.
+  void set_parts(const std::vector<Vector>& given_points)
+  {
+    constexpr double least_share_of_large_component = 0.1;
+    const Component_shares shares = component_shares(mesh_);
+    std::vector<std::vector<Index> > faces(mesh_.components.number);
+    for (Index f = 0; f < mesh_.number_of_faces(); ++f)
+      faces[mesh_.components[f]].push_back(f);
+    std::vector<Index> small;
+    double fraction = 0; // of the small components
+    for (Index c = 0; c < faces.size(); ++c)
+      if (shares.share[c] < least_share_of_large_component) {
+        small.insert(small.end(), faces[c].begin(), faces[c].end());
+        fraction += shares.share[c];
+      }
+      else
+        add_part(faces[c], given_points, 1);
+    std::sort(small.begin(), small.end());
+    if (!small.empty())
+      add_part(small, given_points, fraction > 0 ? (std::min)(fraction, 1.) : 1);
+  }
+
+  // Moves the mesh into a frame of its own, unless it is searched itself, and orders its faces.
+  void move_mesh_to_frame()
+  {
+    if (!is_searched_itself())
+      unit_ *= move_to_frame(execution_, mesh_);
+    if (mesh_.components.number > 1) // thousands may share a vertex, and all their leaves
+      separate_vertices(mesh_, mesh_.components);
+    if (monitor_.go_further())
+      order_faces();
+    monitor_.advance(0.3);
+  }
+
+  void number_faces()
+  {
+    face_.resize(mesh_.number_of_faces());
+    std::iota(face_.begin(), face_.end(), Index(0));
+  }
+
   void normalize_mesh()
   {
     unit_ = normalize(mesh_.points);
     set_areas(execution_, mesh_);
-    if (!is_searched_itself())
-      unit_ *= move_to_frame(execution_, mesh_);
+  }
+
+  void group_constrained_faces()
+  {
+    if (!constraints_.empty())
+      groups_ = Constraint_grouping(constraints_, face_, mesh_)(options_.keep_components_separate);
   }
 
   // Prepares the mesh. A run that is stopped on the way leaves the faces in the caller's order.
   void prepare_mesh()
   {
-    face_.resize(mesh_.number_of_faces());
-    std::iota(face_.begin(), face_.end(), Index(0));
+    number_faces();
     separate_groups(mesh_);
     mesh_.components = connected_components(mesh_);
     remove_duplicates();
+    const bool are_merged = !options_.keep_components_separate && mesh_.components.number > 1;
+    std::vector<Vector> given_points;
+    if (are_merged)
+      given_points = mesh_.points;
     normalize_mesh();
-    if (!options_.keep_components_separate && mesh_.components.number > 1)
+    if (are_merged)
       weld_borders(mesh_);
-    if (mesh_.components.number > 1) // thousands may share a vertex, and all their leaves
-      separate_vertices(mesh_, mesh_.components);
     mesh_.groups.clear(); // they are components now
-    if (monitor_.go_further())
-      order_faces();
-    monitor_.advance(0.3);
+    if (are_merged) {
+      set_parts(given_points);
+    }
+    move_mesh_to_frame();
     check_number();
-    if (!constraints_.empty())
-      groups_ = Constraint_grouping(constraints_, face_, mesh_)(options_.keep_components_separate);
+    group_constrained_faces();
     if (options_.smooth_boundaries)
       set_neighbors();
+  }
+
+  // Prepares a part of a model, which has components already.
+  void prepare_part()
+  {
+    number_faces();
+    normalize_mesh();
+    move_mesh_to_frame();
+    group_constrained_faces();
   }
 
   // Returns values[i] for each index i.
@@ -180,9 +302,11 @@ class Run
   std::vector<Index> callers_faces() const
   {
     std::vector<Index> result; // the mesh may be moved to the search already
-    for (Index f = static_cast<Index>(face_.size()); f-- > 0; result[face_[f]] = f)
+    for (Index f = static_cast<Index>(face_.size()); f-- > 0;) {
       if (face_[f] >= result.size())
         result.resize(face_[f] + 1);
+      result[face_[f]] = given_faces_.empty() ? f : given_faces_[f];
+    }
     return result;
   }
 
@@ -322,7 +446,7 @@ class Run
   Cut_hierarchy search(Surface mesh)
   {
     monitor_.control().start_search(searched_faces());
-    const Best_cut best_cut(mesh, options_, features_);
+    const Best_cut best_cut(mesh, options_, features_, fraction_of_model_);
     if (options_.method == Method::ZHANG_LIU_2005)
       return Recursion(execution_, std::move(mesh), best_cut, options_, monitor_).by_area();
     const Cut_hierarchy regions =
@@ -418,25 +542,67 @@ class Run
         " are allowed");
   }
 
-  // Returns the features of the roots of a hierarchy of the mesh.
-  Set_features features_of_roots(const Cut_hierarchy& hierarchy) const
+  // Returns the features of the components of the mesh, by those of a coarse mesh.
+  Set_features features_of_components()
   {
+    if (!has_features())
+      return {};
+    try {
+      coarse_mesh();
+    }
+    catch (const Run_stopped&) {
+      return {};
+    }
+    levels_.clear();
+    refined_ = Refined_mesh();
     if (features_.empty())
       return {};
-    const Nested_ranges leaves = ranges_of_leaves(hierarchy);
-    const std::vector<std::size_t> root_of_leaf = roots_of_leaves(hierarchy, leaves);
-    std::vector<Index> root;
+    std::vector<Index> component;
     for (Index f : searched_faces_)
-      root.push_back(static_cast<Index>(root_of_leaf[leaves.first(hierarchy.leaf[face_[f]])]));
-    return Set_features(features_, searched_areas_, root, hierarchy.number_of_roots);
+      component.push_back(mesh_.components[face_[f]]);
+    return Set_features(features_, searched_areas_, component, mesh_.components.number);
   }
 
-  // Joins roots, satisfies constraints, and makes as many cuts as were asked for.
+  // Returns the options for a surface that is searched at the scale of a model, of whose area it
+  // has a fraction.
+  Options options_of_part(double fraction_of_model) const
+  {
+    Options result = options_;
+    if (fraction_of_model == 1)
+      return result;
+    result.concavity_radius /= std::sqrt(fraction_of_model);
+    if (result.number_of_coarse_faces > 0)
+      result.number_of_coarse_faces = static_cast<std::size_t>(
+        std::ceil(static_cast<double>(result.number_of_coarse_faces) * fraction_of_model));
+    return result;
+  }
+
+  // Searches the parts one after the other, and merges the components.
+  Cut_hierarchy search_parts()
+  {
+    double time = 0;
+    for (const Searched_part& part : parts_)
+      time += Phase_times(options_, part.callers_faces.size()).without_reading();
+    Dendrogram merges;
+    merges.leaf.resize(mesh_.number_of_faces());
+    for (Searched_part& part : parts_) {
+      const Options options = options_of_part(part.fraction_of_model);
+      const std::vector<Index> faces = composed(part.callers_faces, face_);
+      Run run(options, part.constraints, feature_source_, execution_, monitor_);
+      append(merges, run.cuts_of_part(std::move(part), time_left_ / (std::max)(time, 1.)), faces);
+      part = Searched_part();
+    }
+    std::fill(merges.areas.begin(), merges.areas.end(), 0.);
+    for (Index f = 0; f < mesh_.number_of_faces(); ++f)
+      merges.areas[merges.leaf[f]] += mesh_.areas[f];
+    const Component_shares shares = component_shares(mesh_);
+    return Component_merging(std::move(merges), mesh_, shares, features_of_components(),
+                             options_.feature_weight, monitor_)();
+  }
+
+  // Satisfies constraints, and makes as many cuts as were asked for.
   void apply_options(Cut_hierarchy& hierarchy)
   {
-    if (!options_.keep_components_separate && hierarchy.number_of_roots > 1)
-      hierarchy = Component_merging(hierarchy, mesh_, features_of_roots(hierarchy),
-                                    options_.feature_weight, monitor_)();
     if (!constraints_.empty())
       satisfy_constraints(hierarchy);
     if (!options_.number_of_segments || monitor_.is_stopped())
@@ -453,52 +619,28 @@ class Run
         std::to_string(hierarchy.number_of_segments()) + " segments");
   }
 
-  // Converts face indices and areas back to the caller's indices and unit. The square of the unit
-  // may be infinite even if an area is not.
-  void convert(Cut_hierarchy& hierarchy) const
-  {
-    std::vector<Index> leaf;
-    leaf.reserve(face_.size());
-    for (Index f : face_)
-      leaf.push_back(hierarchy.leaf[f]);
-    hierarchy.leaf = std::move(leaf);
-    for (Cut_node& node : hierarchy.nodes)
-      node.area = node.area * unit_ * unit_;
-  }
+  // Replaces the indices of faces by those of the faces that were given.
+  void number_given_faces(Cut_hierarchy& hierarchy) const
+  { hierarchy.leaf = composed(face_, hierarchy.leaf); }
 
-public:
-  Run(const Options& options, const Constraints& constraints, const Feature_source& features,
-      Execution execution, Run_control& control)
-    : options_(options), constraints_(constraints), feature_source_(features),
-      execution_(execution), monitor_(control)
+  // Searches the mesh once it is prepared. `time_scale` is the fraction of the run that a
+  // nanosecond takes.
+  template <class Prepare>
+  Cut_hierarchy cuts(const Prepare& prepare, const Phase_times& times, double time_scale)
   {
-  }
-
-  Cut_hierarchy operator()(Surface mesh)
-  {
-    mesh_ = std::move(mesh);
-    // Estimates of the times of the phases, in nanoseconds. Only the reported progress depends on
-    // them.
-    const double n = static_cast<double>(mesh_.number_of_faces());
-    const double m = static_cast<double>(
-      faces_to_search(options_, mesh_.number_of_faces(), mesh_.number_of_faces()));
-    const double reading_time = 150 * n;
-    const double coarsening_time = (m < n ? 1250 : 100) * n;
-    const double search_time = (options_.method == Method::CALIBRATED ? 50000 : 4000) * m;
-    const double projection_time = (m < n ? 250 : 0) * n;
-    const double all =
-      (std::max)(reading_time + coarsening_time + search_time + projection_time, 1.);
-
     Cut_hierarchy result;
-    monitor_.start_phase(reading_time / all);
     try {
       std::optional<Surface> searched =
         monitor_.stage(Stage::INITIALIZATION, Segmentation_visitor::whole_mesh, [&] {
-          prepare_mesh();
-          monitor_.start_phase(coarsening_time / all);
+          prepare();
+          if (!parts_.empty())
+            return std::optional<Surface>();
+          monitor_.start_phase(time_scale * times.coarsening);
           return is_one_part() ? std::nullopt : std::make_optional(coarse_mesh());
         });
-      monitor_.start_phase(search_time / all);
+      if (!parts_.empty())
+        return search_parts();
+      monitor_.start_phase(time_scale * times.search);
       result = searched ? search(*std::move(searched)) : uncut_hierarchy(mesh_);
       if (!searched) { // the mesh is convex
         result.nodes[0].cut_state = Cut_state::NO_CUT;
@@ -510,17 +652,52 @@ public:
       refined_ = Refined_mesh();
       result = uncut_hierarchy(mesh_);
     }
-    monitor_.start_phase(1);
+    monitor_.start_phase(time_scale * times.projection);
     if (!levels_.empty() && &finest() == &mesh_ && is_reordered_only())
-      result = project(std::move(result)); // no work of a stage
-    else if (!levels_.empty())
-      result = monitor_.stage(Stage::PROJECTION, Segmentation_visitor::whole_mesh,
-                              [&] { return project(std::move(result)); });
-    else if (!leaf_of_group_.empty())
-      result = transferred(result, mesh_,
-                           [&](Index f, const auto& add) { add(result.leaf[f], 1); });
+      return project(std::move(result)); // no work of a stage
+    if (!levels_.empty())
+      return monitor_.stage(Stage::PROJECTION, Segmentation_visitor::whole_mesh,
+                            [&] { return project(std::move(result)); });
+    if (!leaf_of_group_.empty())
+      return transferred(result, mesh_,
+                         [&](Index f, const auto& add) { add(result.leaf[f], 1); });
+    return result;
+  }
+
+  // Returns the cuts of a part of a model, whose faces keep their order.
+  Cut_hierarchy cuts_of_part(Searched_part part, double time_scale)
+  {
+    const Phase_times times(options_, part.surface.number_of_faces());
+    mesh_ = std::move(part.surface);
+    given_faces_ = std::move(part.callers_faces);
+    fraction_of_model_ = part.fraction_of_model;
+    Cut_hierarchy result = cuts([this] { prepare_part(); }, times, time_scale);
+    number_given_faces(result);
+    return result;
+  }
+
+public:
+  Run(const Options& options, const Constraints& constraints, const Feature_source& features,
+      Execution execution, Run_monitor& monitor)
+    : options_(options), constraints_(constraints), feature_source_(features),
+      execution_(execution), monitor_(monitor)
+  {
+  }
+
+  // Returns the hierarchy of a mesh. Its areas are in the unit of the caller, whose square may be
+  // infinite even if an area is not.
+  Cut_hierarchy operator()(Surface mesh)
+  {
+    const Phase_times times(options_, mesh.number_of_faces());
+    const double time_scale = 1 / (std::max)(times.reading + times.without_reading(), 1.);
+    mesh_ = std::move(mesh);
+    time_left_ = 1 - time_scale * times.reading;
+    monitor_.start_phase(time_scale * times.reading);
+    Cut_hierarchy result = cuts([this] { prepare_mesh(); }, times, time_scale);
     apply_options(result);
-    convert(result);
+    number_given_faces(result);
+    for (Cut_node& node : result.nodes)
+      node.area = node.area * unit_ * unit_;
     result.neighbors = std::move(neighbors_);
     monitor_.finish();
     return result;
@@ -540,8 +717,10 @@ Cut_hierarchy segment(Surface surface, const Options& options, Execution executi
     throw std::invalid_argument("segment_spectral_recursive: the method of the paper takes no "
                                 "features: use the calibrated method with them");
   Cut_hierarchy result;
-  call_isolated(
-    [&] { result = Run(options, constraints, features, execution, control)(std::move(surface)); });
+  call_isolated([&] {
+    Run_monitor monitor(control);
+    result = Run(options, constraints, features, execution, monitor)(std::move(surface));
+  });
   return result;
 }
 

@@ -136,13 +136,17 @@ class Best_cut
   }
 
 public:
-  // The features are those of the faces of the mesh.
-  Best_cut(const Surface& mesh, const Options& options, Face_features features = Face_features())
+  // Takes the features of the faces of the mesh. The mesh may be a fraction of the area of a model,
+  // to which the areas of parts are relative.
+  Best_cut(const Surface& mesh, const Options& options, Face_features features = Face_features(),
+           double fraction_of_model = 1)
     : options_(options), number_of_faces_(mesh.number_of_faces()),
-      minimum_area_(options.minimum_segment_size * total_area(mesh))
+      minimum_area_(options.minimum_segment_size * total_area(mesh) / fraction_of_model)
   {
-    if (options.method == Method::CALIBRATED)
-      context_.emplace(mesh, std::move(features), options.feature_weight);
+    if (options.method != Method::CALIBRATED)
+      return;
+    context_.emplace(mesh, std::move(features), options.feature_weight);
+    context_->area /= fraction_of_model;
   }
 
   // Returns the context, which only the calibrated method has.

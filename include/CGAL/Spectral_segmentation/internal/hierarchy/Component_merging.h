@@ -8,12 +8,11 @@
 #include <CGAL/Spectral_segmentation/internal/grid/set_contacts.h>
 #include <CGAL/Spectral_segmentation/internal/features/Set_features.h>
 #include <CGAL/Spectral_segmentation/internal/hierarchy/Dendrogram.h>
-#include <CGAL/Spectral_segmentation/internal/hierarchy/Nested_ranges.h>
-#include <CGAL/Spectral_segmentation/internal/salience/salience_in_component.h>
-#include <CGAL/Spectral_segmentation/internal/surface/Moments.h>
+#include <CGAL/Spectral_segmentation/internal/salience/component_salience.h>
+#include <CGAL/Spectral_segmentation/internal/surface/model_components.h>
 
 #include <algorithm>
-#include <array>
+#include <cmath>
 #include <cstddef>
 #include <limits>
 #include <map>
@@ -24,11 +23,10 @@
 
 namespace CGAL::Spectral_segmentation::internal {
 
-// Merges the components of an object that somebody put together. The smallest joins the neighbor
-// with which it has the most contact, and so on. The larger it is, the more salient is its
-// boundary. What touches nothing comes last, with an infinite salience, unless it is tiny beside
-// the largest component. A sheet under the object, such as the water under a ship, touches nothing
-// and counts for nothing.
+// Merges the components of a model. The smallest joins the neighbor with which it has the most
+// contact, and so on. The larger it is, the more salient is its boundary. What touches nothing comes
+// last, with an infinite salience, unless it is tiny beside the largest component. A sheet touches
+// nothing. A component keeps all of its cuts, or none, by the evidence of all its cuts together.
 class Component_merging
 {
   // A set of components, beside another one.
@@ -55,68 +53,27 @@ class Component_merging
 
   typedef std::map<Index, Neighbor> Neighbors;
 
-  const Cut_hierarchy& cuts_;
   const Surface& mesh_;
+  const Component_shares& shares_;
   Run_monitor& monitor_;
-  const Nested_ranges leaves_;                  // the leaves of each node
-  const std::vector<std::size_t> root_of_leaf_; // one per place among the leaves
   Dendrogram result_;
-  const Index sheet_;  // the root that is a sheet under all others, or null_index
-  double area_ = 0;    // without the sheet
-  Set_features features_; // of the roots
+  std::vector<Index> component_of_leaf_;
+  Set_features features_; // of the components
   double feature_weight_;
-
-  // Returns the largest component if it is flat, and at least twice as long as all others together.
-  Index largest_sheet() const
-  {
-    std::vector<Moments> moments(cuts_.number_of_roots);
-    for (Index f = 0; f < mesh_.number_of_faces(); ++f)
-      moments[root_of_leaf_[result_.leaf[f]]].add(mesh_, f);
-    Index largest = 0;
-    for (Index i = 0; i < moments.size(); ++i)
-      if (moments[i].area > moments[largest].area)
-        largest = i;
-    Moments others;
-    for (Index i = 0; i < moments.size(); ++i)
-      if (i != largest)
-        others += moments[i];
-    if (!(others.area > 0))
-      return null_index;
-    const std::array<double, 3> extents = moments[largest].deviations();
-    const bool is_sheet = extents[0] <= 0.02 * extents[1] &&
-                          extents[2] >= 2 * others.deviations()[2];
-    return is_sheet ? largest : null_index;
-  }
-
-  // Returns the share of a component in the area of all but the sheet, or of the sheet in all.
-  double share(std::size_t root) const
-  {
-    const double area = cuts_.nodes[root].area;
-    return area / (root == sheet_ ? area_ + area : area_);
-  }
-
-  // Sets the saliences of the cuts of components.
-  void set_saliences()
-  {
-    for (Merge& m : result_.merges)
-      m.salience =
-        salience_in_component(m.salience, share(root_of_leaf_[m.leaves[0]]), m.factors);
-  }
 
   std::vector<Neighbors> neighbors() const
   {
-    std::vector<Neighbors> result(cuts_.number_of_roots);
+    std::vector<Neighbors> result(shares_.share.size());
     const auto count_steps = [&](std::size_t number) { monitor_.count_steps(number); };
     for (const Set_contact& c : set_contacts(mesh_, result_.leaf, count_steps)) {
       count_steps(1000); // of a map
       const auto [a, b] = c.sets;
-      const Index root_a = static_cast<Index>(root_of_leaf_[a]),
-                  root_b = static_cast<Index>(root_of_leaf_[b]);
-      if (root_a == root_b)
+      const Index i = component_of_leaf_[a], j = component_of_leaf_[b];
+      if (i == j)
         continue;
-      const std::size_t contact = root_a == sheet_ || root_b == sheet_ ? 0 : c.area;
-      result[root_a][root_b].add({contact, c.squared_gap, {a, b}, contact, c.squared_gap});
-      result[root_b][root_a].add({contact, c.squared_gap, {b, a}, contact, c.squared_gap});
+      const std::size_t contact = i == shares_.sheet || j == shares_.sheet ? 0 : c.area;
+      result[i][j].add({contact, c.squared_gap, {a, b}, contact, c.squared_gap});
+      result[j][i].add({contact, c.squared_gap, {b, a}, contact, c.squared_gap});
     }
     return result;
   }
@@ -126,19 +83,17 @@ class Component_merging
   void add_merges(std::vector<Neighbors> neighbors)
   {
     typedef std::tuple<double, std::size_t, Index> Key; // area, number of neighbors, and the set
-    std::vector<double> area;
-    std::vector<Key> key;
+    std::vector<double> area = shares_.share;
+    std::vector<Key> key(area.size());
     std::set<Key> sets, apart;
     const auto insert = [&](std::set<Key>& into, Index i) {
       key[i] = {quantized(area[i]), neighbors[i].size(), i};
       into.insert(key[i]);
     };
     double tiny = 0;
-    for (Index i = 0; i < cuts_.number_of_roots; ++i) {
-      area.push_back(cuts_.nodes[i].area);
-      key.emplace_back();
+    for (Index i = 0; i < area.size(); ++i) {
       insert(sets, i);
-      if (i != sheet_)
+      if (i != shares_.sheet)
         tiny = (std::max)(tiny, share_at_threshold * area[i]);
     }
     const auto join = [&](Index a, Index b, double salience) {
@@ -180,33 +135,75 @@ class Component_merging
         continue;
       }
       join(a, b, are_all_apart ? std::numeric_limits<double>::infinity()
-                               : salience_of_component(area[a] / area_,
-                                                       logit_of_features(a, b)));
+                               : salience_of_component(area[a], logit_of_features(a, b)));
       insert(from, b);
     }
   }
 
-public:
-  // Takes the cuts of the components, one root for each, the mesh, whose faces have areas, and the
-  // features of the roots.
-  Component_merging(const Cut_hierarchy& cuts, const Surface& mesh, Set_features features,
-                    double feature_weight, Run_monitor& monitor)
-    : cuts_(cuts), mesh_(mesh), monitor_(monitor), leaves_(ranges_of_leaves(cuts)),
-      root_of_leaf_(roots_of_leaves(cuts, leaves_)), result_(dendrogram_of(cuts, leaves_)),
-      sheet_(largest_sheet()), features_(std::move(features)), feature_weight_(feature_weight)
+  // Returns whether each component has too little evidence to be cut. Saliences that are no
+  // probabilities are no evidence for or against anything.
+  std::vector<char> are_uncut(std::size_t number_of_cuts) const
   {
-    for (std::size_t i = 0; i < cuts.number_of_roots; ++i)
-      if (i != sheet_)
-        area_ += cuts.nodes[i].area;
-    if (!(area_ > 0))
-      area_ = 1; // all areas are 0
+    const std::size_t n = shares_.share.size();
+    std::vector<double> evidence(n, 0);
+    std::vector<char> are_probabilities(n, 1), result;
+    for (std::size_t i = 0; i < number_of_cuts; ++i) {
+      const Merge& m = result_.merges[i];
+      const Index component = component_of_leaf_[m.leaves[0]];
+      if (m.salience >= 0 && m.salience <= 1)
+        evidence[component] += evidence_of_cut(m.salience);
+      else
+        are_probabilities[component] = 0;
+    }
+    const double fading = features_.empty() ? 0 : Feature_logit::fading(feature_weight_);
+    const double required = (1 - fading) * required_evidence(shares_.effective_number());
+    for (std::size_t i = 0; i < n; ++i)
+      result.push_back(are_probabilities[i] && evidence[i] < required);
+    return result;
+  }
+
+  // Shifts the logits of the first merges, which are the cuts of components, in each component that
+  // stays uncut: the highest comes to lie below all later merges, and below the default threshold.
+  void lower_cuts(std::size_t number_of_cuts)
+  {
+    const std::vector<char> is_uncut = are_uncut(number_of_cuts);
+    double least = default_probability_threshold;
+    for (std::size_t i = number_of_cuts; i < result_.merges.size(); ++i)
+      least = (std::min)(least, result_.merges[i].salience);
+    std::vector<double> highest(is_uncut.size(), 0);
+    for (std::size_t i = 0; i < number_of_cuts; ++i) {
+      double& of_component = highest[component_of_leaf_[result_.merges[i].leaves[0]]];
+      of_component = (std::max)(of_component, result_.merges[i].salience);
+    }
+    for (std::size_t i = 0; i < number_of_cuts; ++i) {
+      Merge& m = result_.merges[i];
+      const Index component = component_of_leaf_[m.leaves[0]];
+      if (is_uncut[component] && highest[component] >= least) {
+        const double shift = clamped_logit(highest[component]) - clamped_logit(least / 2);
+        m.salience = (std::min)(1 / (1 + std::exp(shift - clamped_logit(m.salience))), least / 2);
+      }
+    }
+  }
+
+public:
+  // Takes the merges within the components, each of which they make one set, the mesh, whose faces
+  // have areas, the shares of the components in it, and their features.
+  Component_merging(Dendrogram merges, const Surface& mesh, const Component_shares& shares,
+                    Set_features features, double feature_weight, Run_monitor& monitor)
+    : mesh_(mesh), shares_(shares), monitor_(monitor), result_(std::move(merges)),
+      component_of_leaf_(result_.areas.size()), features_(std::move(features)),
+      feature_weight_(feature_weight)
+  {
+    for (Index f = 0; f < mesh.number_of_faces(); ++f)
+      component_of_leaf_[result_.leaf[f]] = mesh.components[f];
   }
 
   // Returns the hierarchy of the whole mesh.
   Cut_hierarchy operator()()
   {
-    set_saliences();
+    const std::size_t number_of_cuts = result_.merges.size();
     add_merges(neighbors());
+    lower_cuts(number_of_cuts);
     sort_merges(result_.merges);
     return hierarchy_of(result_);
   }

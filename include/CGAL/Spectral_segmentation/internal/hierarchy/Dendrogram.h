@@ -61,6 +61,20 @@ inline Dendrogram dendrogram_of(const Cut_hierarchy& cuts, const Nested_ranges& 
   return result;
 }
 
+// Appends the merges of a hierarchy of some faces, which are given by their indices in the mesh of a
+// dendrogram.
+inline void append(Dendrogram& all, const Cut_hierarchy& cuts, const std::vector<Index>& faces)
+{
+  const Dendrogram d = dendrogram_of(cuts, ranges_of_leaves(cuts));
+  const Index first = static_cast<Index>(all.areas.size());
+  for (std::size_t i = 0; i < faces.size(); ++i)
+    all.leaf[faces[i]] = first + d.leaf[i];
+  all.areas.insert(all.areas.end(), d.areas.begin(), d.areas.end());
+  for (const Merge& m : d.merges)
+    all.merges.push_back({{first + m.leaves[0], first + m.leaves[1]}, m.salience, m.factors});
+  all.has_all_cuts = all.has_all_cuts && d.has_all_cuts;
+}
+
 // Returns the hierarchy of a dendrogram. Sets that are not merged are the roots.
 inline Cut_hierarchy hierarchy_of(const Dendrogram& d)
 {

@@ -11,7 +11,6 @@
 #include <CGAL/Spectral_segmentation/internal/surface/connected_components.h>
 #include <CGAL/Spectral_segmentation/internal/surface/extract_part.h>
 #include <CGAL/Spectral_segmentation/internal/base/Run_monitor.h>
-#include <CGAL/Spectral_segmentation/internal/salience/salience_in_component.h>
 
 #include <cstddef>
 #include <optional>
@@ -34,7 +33,6 @@ class Recursion
   struct Pending_part
   {
     Part part;
-    double share = 1; // of its component in the area
     bool is_searched = false;
     std::optional<Cut> cut;
   };
@@ -51,13 +49,12 @@ class Recursion
   std::vector<Pending_part> pending_; // one per node; without faces if the node is not pending
   std::set<Key> queue_;               // the pending parts
 
-  void add(std::size_t node, Surface graph, std::vector<Index> faces, double share)
+  void add(std::size_t node, Surface graph, std::vector<Index> faces)
   {
     for (Index f : faces)
       hierarchy_.leaf[f] = static_cast<Index>(node);
     pending_.resize(hierarchy_.nodes.size());
     pending_[node].part = Part{std::move(graph), node, std::move(faces)};
-    pending_[node].share = share;
   }
 
   void search(const std::vector<Pending_part*>& parts)
@@ -88,8 +85,7 @@ class Recursion
     if (!is_last)
       sides = split(std::move(pending.part.graph), cut.side, 2);
     for (int i = 0; i < 2; ++i)
-      add(hierarchy_.nodes[node].children[i], std::move(sides[i]), std::move(faces[i]),
-          pending.share);
+      add(hierarchy_.nodes[node].children[i], std::move(sides[i]), std::move(faces[i]));
     monitor_.after_cut(node, cut.factors, cut.salience, hierarchy_.number_of_segments());
   }
 
@@ -102,9 +98,7 @@ class Recursion
     search(parts);
     for (const Pending_part* p : parts)
       if (p->cut)
-        queue_.insert({-quantized(salience_in_component(p->cut->salience, p->share,
-                                                         p->cut->factors)),
-                       p->part.node});
+        queue_.insert({-quantized(p->cut->salience), p->part.node});
   }
 
   void enqueue_by_area(std::size_t node)
@@ -165,12 +159,8 @@ public:
     for (Index f = 0; f < component.size(); ++f)
       faces[component[f]].push_back(f);
     std::vector<Surface> graphs = split(std::move(mesh), component, number);
-    double area = 0;
-    for (const Cut_node& n : hierarchy_.nodes)
-      area += n.area;
     for (std::size_t i = 0; i < number; ++i)
-      add(i, std::move(graphs[i]), std::move(faces[i]),
-          options.keep_components_separate || !(area > 0) ? 1 : hierarchy_.nodes[i].area / area);
+      add(i, std::move(graphs[i]), std::move(faces[i]));
   }
 
   // Cuts in the order of the paper, the largest part next, until no part has a salient cut or the

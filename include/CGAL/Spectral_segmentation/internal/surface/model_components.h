@@ -1,0 +1,98 @@
+// Copyright (c) 2026  The Spectral_segmentation authors.
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_SPECTRAL_SEGMENTATION_INTERNAL_SURFACE_MODEL_COMPONENTS_H
+#define CGAL_SPECTRAL_SEGMENTATION_INTERNAL_SURFACE_MODEL_COMPONENTS_H
+
+#include <CGAL/Spectral_segmentation/internal/surface/Moments.h>
+#include <CGAL/Spectral_segmentation/internal/surface/Surface.h>
+#include <CGAL/Spectral_segmentation/internal/surface/connected_components.h>
+
+#include <algorithm>
+#include <array>
+#include <cstddef>
+#include <utility>
+#include <vector>
+
+namespace CGAL::Spectral_segmentation::internal {
+
+// Returns some faces, which ascend, as a surface with other points. Faces and vertices keep their
+// order.
+inline Surface submesh(const Surface& surface, const std::vector<Vector>& points,
+                       const std::vector<Index>& faces)
+{
+  Surface result;
+  std::vector<Index> vertex(points.size(), null_index);
+  for (Index f : faces)
+    for (Index v : surface.corners[f])
+      vertex[v] = 0;
+  for (Index v = 0; v < vertex.size(); ++v)
+    if (vertex[v] != null_index) {
+      vertex[v] = static_cast<Index>(result.points.size());
+      result.points.push_back(points[v]);
+    }
+  std::vector<Index> face(surface.number_of_faces(), null_index);
+  for (Index i = 0; i < faces.size(); ++i)
+    face[faces[i]] = i;
+  for (Index i = 0; i < faces.size(); ++i) {
+    const Corners& c = surface.corners[faces[i]];
+    result.corners.push_back({vertex[c[0]], vertex[c[1]], vertex[c[2]]});
+    for (Index k = 0; k < 3; ++k) {
+      const Index across = surface.opposite[3 * faces[i] + k], neighbor = face[across / 3];
+      result.opposite.push_back(neighbor == null_index ? 3 * i + k : 3 * neighbor + across % 3);
+    }
+  }
+  result.components = connected_components(result);
+  return result;
+}
+
+// The areas of the components of a model, as fractions of the area of all but a sheet under them,
+// such as the water under a ship, which counts for nothing.
+struct Component_shares
+{
+  std::vector<double> share; // one per component
+  Index sheet = null_index;  // or null_index
+
+  // Returns the effective number of components: as many equal ones have the same sum of squared
+  // shares.
+  double effective_number() const
+  {
+    double squares = 0;
+    for (Index c = 0; c < share.size(); ++c)
+      squares += c == sheet ? 0 : share[c] * share[c];
+    return squares > 0 ? 1 / squares : 1;
+  }
+};
+
+// Returns the shares of the components, whose faces have areas. The sheet is the largest component,
+// if it is flat and at least twice as long as all others together.
+inline Component_shares component_shares(const Surface& surface)
+{
+  std::vector<Moments> moments(surface.components.number);
+  for (Index f = 0; f < surface.number_of_faces(); ++f)
+    moments[surface.components[f]].add(surface, f);
+  const Index largest = static_cast<Index>(
+    std::max_element(moments.begin(), moments.end(),
+                     [](const Moments& a, const Moments& b) { return a.area < b.area; }) -
+    moments.begin());
+  Moments others;
+  for (Index c = 0; c < moments.size(); ++c)
+    if (c != largest)
+      others += moments[c];
+  Component_shares result;
+  double area = others.area;
+  if (others.area > 0) {
+    const std::array<double, 3> extents = moments[largest].deviations();
+    if (extents[0] <= 0.02 * extents[1] && extents[2] >= 2 * others.deviations()[2])
+      result.sheet = largest;
+  }
+  if (result.sheet == null_index)
+    area += moments[largest].area;
+  for (const Moments& m : moments)
+    result.share.push_back(area > 0 ? m.area / area : 0);
+  return result;
+}
+
+} // namespace CGAL::Spectral_segmentation::internal
+
+#endif // CGAL_SPECTRAL_SEGMENTATION_INTERNAL_SURFACE_MODEL_COMPONENTS_H
