@@ -252,6 +252,24 @@ BOOST_AUTO_TEST_CASE(a_component_with_little_evidence_of_parts_among_many_is_not
     BOOST_TEST(labels[f] == f / soup.triangles.size());
 }
 
+BOOST_AUTO_TEST_CASE(a_closed_component_that_points_inward_has_the_parts_of_the_outward_one)
+{
+  const Soup soup = dumbbell(24, 20), inward = turned_inside_out(soup);
+  for_both_methods([&](const auto& np) {
+    const Labels outward = labels_of_soup(soup, np);
+    BOOST_TEST(number_of(outward) >= 2u);
+    BOOST_TEST(labels_of_soup(inward, np) == outward, boost::test_tools::per_element());
+    BOOST_TEST(labels_of(mesh_of(inward), np) == outward, boost::test_tools::per_element());
+    // one of two that nothing joins
+    const Labels both = labels_of_soup(disjoint_union(soup, moved(inward, 9, 0, 0)), np);
+    BOOST_TEST(number_of(both) == 2 * number_of(outward));
+  });
+  // An open surface has no inside.
+  Soup open = soup;
+  open.triangles.pop_back();
+  BOOST_TEST(number_of(labels_of_soup(turned_inside_out(open))) == 1u);
+}
+
 BOOST_AUTO_TEST_CASE(patches_that_meet_edge_to_edge_are_one_surface)
 {
   const Soup whole = dumbbell(24, 20);

@@ -12,7 +12,6 @@
 #include "Run_watch.h"
 #include "closed_soup.h"
 #include "is_terminal.h"
-#include "../files/is_inside_out.h"
 #include "../files/read_face_vectors.h"
 #include "option_texts.h"
 #include "page/write_page.h"
@@ -702,10 +701,6 @@ Json run(const Options& o)
   if (!o.quiet) {
     print_summary(o.writes_to_standard_output() ? std::cerr : std::cout, o, input,
                   number_of_segments, watch.seconds());
-    if (mesh_file::is_inside_out(input.soup.points, input.triangles))
-      std::cerr << "segment_mesh: warning: the faces of " << o.input << " point inwards; turned "
-                   "around, they may have other parts, because parts end in concave seams"
-                << std::endl;
     if (const std::string warning = closed_warning(closed_segments); !warning.empty())
       std::cerr << "segment_mesh: warning: " << warning << std::endl;
     if (!input.missing_files.empty())

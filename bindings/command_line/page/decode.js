@@ -44,15 +44,13 @@ function pairs(list) {
 }
 
 // The model of a Viewer from what page_data.h writes.
-export function decode({ name, segments, salience, input_triangles, is_inside_out, hierarchy, mesh,
-                         piece_of_face, exceptions }) {
+export function decode({ name, segments, salience, input_triangles, hierarchy, mesh, piece_of_face,
+                         exceptions }) {
   const pieces = runs(mesh.pieces);
   const numberShown = pieces.length;
   const notes = numberShown >= input_triangles ? [] :
     [`The mesh shown is simplified to ${numberShown.toLocaleString("en")} triangles; labels are ` +
      "those of all faces."];
-  if (is_inside_out)
-    notes.push("The faces point inwards. Turned around, they may have other parts.");
   return {
     name, segments, salience, notes, pieceOfFace: runs(piece_of_face),
     mesh: { points: Float32Array.from(sums(mesh.points, 3)),

@@ -4,7 +4,6 @@
 #ifndef SEGMENT_MESH_PAGE_PAGE_DATA_H
 #define SEGMENT_MESH_PAGE_PAGE_DATA_H
 
-#include "../../files/is_inside_out.h"
 #include "../read_input.h"
 #include "Page_mesh.h"
 #include "packed.h"
@@ -196,7 +195,6 @@ inline nlohmann::ordered_json page_data(const Input& input, const Segmentation_h
           {"segments", o.number_of_segments},
           {"salience", o.is_salience_probability ? "probability" : "salience"},
           {"input_triangles", input.triangles.size()},
-          {"is_inside_out", mesh_file::is_inside_out(input.soup.points, input.triangles)},
           {"hierarchy", hierarchy_data(input, tree, pieces)},
           {"mesh", mesh_data(page_mesh(input, pieces, o))},
           {"piece_of_face", packed_runs(piece_of_polygon)},

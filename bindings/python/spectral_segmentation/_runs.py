@@ -118,12 +118,6 @@ _PARAMETERS = """Parameters
     MemoryError
         If there is not enough memory.
 
-    Warns
-    -----
-    UserWarning
-        If the triangles are a closed surface that points inwards: turned around, it may have other
-        parts.
-
     Notes
     -----
     The same input gives the same result on every run, with any number of threads. The lock of

@@ -20,7 +20,6 @@
 #include <CGAL/tags.h>
 
 #include <files/Face_vectors.h>
-#include <files/is_inside_out.h>
 
 #include <boost/property_map/function_property_map.hpp>
 
@@ -133,7 +132,6 @@ Segmentation_hierarchy segment(const py::array& points, const py::array& triangl
                     .face_group_map(triangle_map(groups))
                     .face_feature_map(feature_map(features))
                     .hierarchy(result).visitor(std::ref(run));
-  bool is_inside_out = false;
   run([&] {
     // Python would make a state of this thread for each call of the salience.
     std::optional<Python_lock> state;
@@ -147,12 +145,7 @@ Segmentation_hierarchy segment(const py::array& points, const py::array& triangl
       CGAL::segment_spectral_recursive<decltype(tag)>(point_rows, triangle_rows,
                                                       CGAL::make_property_map(ids), np);
     });
-    is_inside_out = mesh_file::is_inside_out(point_rows, triangle_rows);
   });
-  const char* const warning = "the triangles point inwards; turned around, they may have other "
-                              "parts, because parts end in concave seams";
-  if (is_inside_out && PyErr_WarnEx(PyExc_UserWarning, warning, 2) != 0)
-    throw py::error_already_set(); // warnings are errors
   return result;
 }
 

@@ -267,6 +267,7 @@ class Run
     normalize_mesh();
     if (are_merged)
       weld_borders(mesh_);
+    orient_outward(mesh_);
     mesh_.groups.clear(); // they are components now
     if (are_merged) {
       set_parts(given_points);
@@ -278,7 +279,7 @@ class Run
       set_neighbors();
   }
 
-  // Prepares a part of a model, which has components already.
+  // Prepares a part of a model, which is oriented and has components already.
   void prepare_part()
   {
     number_faces();

@@ -10,11 +10,58 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <cstddef>
 #include <utility>
 #include <vector>
 
 namespace CGAL::Spectral_segmentation::internal {
+
+// Returns the volume that each component encloses, negative if its faces point inward; 0 for a
+// component with a border, and if the volume is nothing but noise.
+inline std::vector<double> enclosed_volumes(const Surface& surface)
+{
+  const std::size_t number = surface.components.number;
+  std::vector<double> volume(number, 0), area(number, 0);
+  std::vector<char> is_closed(number, 1);
+  std::vector<Index> first(number, null_index); // a vertex near the component, for exactness
+  for (Index f = 0; f < surface.number_of_faces(); ++f) {
+    const Index c = surface.components[f];
+    if (first[c] == null_index)
+      first[c] = surface.corners[f][0];
+    const Vector normal = surface.normal(f);
+    volume[c] +=
+      normal.dot(surface.points[surface.corners[f][0]] - surface.points[first[c]]) / 6;
+    area[c] += normal.norm() / 2;
+    for (Index h = 3 * f; h < 3 * f + 3; ++h)
+      if (surface.is_border(h))
+        is_closed[c] = 0;
+  }
+  for (std::size_t c = 0; c < number; ++c)
+    if (!is_closed[c] || std::abs(volume[c]) <= quantum * area[c] * std::sqrt(area[c]))
+      volume[c] = 0;
+  return volume;
+}
+
+// Turns the faces of some components around.
+inline void reverse_orientation(Surface& surface, const std::vector<char>& is_turned)
+{
+  for (Index f = 0; f < surface.number_of_faces(); ++f)
+    if (is_turned[surface.components[f]])
+      std::swap(surface.corners[f][1], surface.corners[f][2]);
+  renumber_halfedges(surface, [&](Index h)
+    { return is_turned[surface.components[h / 3]] ? h - h % 3 + (2 - h % 3) : h; });
+}
+
+// Turns each closed component whose faces point inward.
+inline void orient_outward(Surface& surface)
+{
+  std::vector<char> is_turned;
+  for (double volume : enclosed_volumes(surface))
+    is_turned.push_back(volume < 0);
+  if (std::find(is_turned.begin(), is_turned.end(), char(1)) != is_turned.end())
+    reverse_orientation(surface, is_turned);
+}
 
 // Returns some faces, which ascend, as a surface with other points. Faces and vertices keep their
 // order.
