@@ -5,7 +5,7 @@
 #define CGAL_SEGMENTED_MESH_INTERNAL_TRANSFER_TRANSFERRED_LABELS_H
 
 #include <CGAL/Segmented_mesh/internal/base.h>
-#include <CGAL/Segmented_mesh/internal/transfer/Face_tree.h>
+#include <CGAL/Spectral_segmentation/internal/grid/Face_tree.h>
 #include <CGAL/Spectral_segmentation/internal/surface/Surface.h>
 #include <CGAL/Spectral_segmentation/internal/surface/connected_components.h>
 
@@ -15,15 +15,6 @@
 #include <vector>
 
 namespace CGAL::Segmented_mesh::internal {
-
-inline std::vector<Triangle> triangles_of(const Surface& surface)
-{
-  std::vector<Triangle> result;
-  result.reserve(surface.number_of_faces());
-  for (const Corners& c : surface.corners)
-    result.push_back({surface.points[c[0]], surface.points[c[1]], surface.points[c[2]]});
-  return result;
-}
 
 // Returns whether the i-th faces of both surfaces are the same face for each i: they have the same
 // vertices, whose points may have moved, or the same points. Equal vertices mean nothing if no two

@@ -1,13 +1,13 @@
 // Copyright (c) 2026  The Spectral_segmentation authors.
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#ifndef CGAL_SEGMENTED_MESH_INTERNAL_TRANSFER_FACE_TREE_H
-#define CGAL_SEGMENTED_MESH_INTERNAL_TRANSFER_FACE_TREE_H
+#ifndef CGAL_SPECTRAL_SEGMENTATION_INTERNAL_GRID_FACE_TREE_H
+#define CGAL_SPECTRAL_SEGMENTATION_INTERNAL_GRID_FACE_TREE_H
 
-#include <CGAL/Segmented_mesh/internal/base.h>
 #include <CGAL/Spectral_segmentation/internal/base/Index.h>
 #include <CGAL/Spectral_segmentation/internal/base/Vector.h>
 #include <CGAL/Spectral_segmentation/internal/grid/triangle_geometry.h>
+#include <CGAL/Spectral_segmentation/internal/surface/Surface.h>
 
 #include <algorithm>
 #include <cmath>
@@ -17,7 +17,16 @@
 #include <utility>
 #include <vector>
 
-namespace CGAL::Segmented_mesh::internal {
+namespace CGAL::Spectral_segmentation::internal {
+
+inline std::vector<Triangle> triangles_of(const Surface& surface)
+{
+  std::vector<Triangle> result;
+  result.reserve(surface.number_of_faces());
+  for (const Corners& c : surface.corners)
+    result.push_back({surface.points[c[0]], surface.points[c[1]], surface.points[c[2]]});
+  return result;
+}
 
 // Returns the normal of a triangle; its length is twice the area.
 inline Vector triangle_normal(const Triangle& t)
@@ -138,6 +147,6 @@ public:
   }
 };
 
-} // namespace CGAL::Segmented_mesh::internal
+} // namespace CGAL::Spectral_segmentation::internal
 
-#endif // CGAL_SEGMENTED_MESH_INTERNAL_TRANSFER_FACE_TREE_H
+#endif // CGAL_SPECTRAL_SEGMENTATION_INTERNAL_GRID_FACE_TREE_H
