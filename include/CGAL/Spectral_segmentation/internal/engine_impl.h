@@ -10,12 +10,14 @@
 #include <CGAL/Spectral_segmentation/internal/engine.h>
 #include <CGAL/Spectral_segmentation/internal/features/feature_steps.h>
 #include <CGAL/Spectral_segmentation/internal/features/searched_features.h>
+#include <CGAL/Spectral_segmentation/internal/grid/component_walls.h>
 #include <CGAL/Spectral_segmentation/internal/hierarchy/congruent_cuts.h>
 #include <CGAL/Spectral_segmentation/internal/hierarchy/further_cuts.h>
 #include <CGAL/Spectral_segmentation/internal/hierarchy/Component_merging.h>
 #include <CGAL/Spectral_segmentation/internal/hierarchy/numbers_to_search.h>
 #include <CGAL/Spectral_segmentation/internal/hierarchy/recursion.h>
 #include <CGAL/Spectral_segmentation/internal/hierarchy/region_merging.h>
+#include <CGAL/Spectral_segmentation/internal/hierarchy/wall_labels.h>
 #include <CGAL/Spectral_segmentation/internal/soup/connect_triangles.h>
 #include <CGAL/Spectral_segmentation/internal/soup/duplicate_faces.h>
 #include <CGAL/Spectral_segmentation/internal/soup/weld_borders.h>
@@ -98,6 +100,8 @@ class Run
   std::vector<Index> searched_faces_;  // the caller's face for each of them; empty without features
   std::vector<double> searched_areas_;
   std::vector<Index> neighbors_;    // the caller's indices, if boundaries shall be smoothed
+  Surface walls_;                   // the components that are walls of others
+  std::vector<Index> outer_faces_;  // the caller's nearest face of the outer wall for each of theirs
   Constraint_groups groups_;        // empty without constraints
   std::vector<Index> leaf_of_group_; // of the cuts so far; empty without constraints
 
@@ -142,11 +146,18 @@ class Run
     if (order.empty() || !monitor_.go_further())
       return;
     reorder_faces(mesh_, order);
+    renumber_faces(order);
+  }
+
+  // Sets the faces of the mesh for those of the caller, after it was put in an order. Faces of walls
+  // follow those of the mesh.
+  void renumber_faces(const std::vector<Index>& order)
+  {
     std::vector<Index> number(order.size());
     for (Index i = 0; i < order.size(); ++i)
       number[order[i]] = i;
     for (Index& f : face_)
-      f = number[f];
+      f = f < number.size() ? number[f] : f;
   }
 
   // Returns whether the method of the paper searches the mesh itself, and all digits of its points
@@ -198,6 +209,40 @@ class Run
       part.constraints = constraints_within(composed(face_, face_of_mesh));
     }
     parts_.push_back(std::move(part));
+  }
+
+  // Removes the components that are walls of others, unless they are constrained.
+  void remove_walls(const std::vector<double>& volumes, std::vector<Vector>& given_points)
+  {
+    std::vector<char> may_be_wall(mesh_.components.number, 1);
+    const auto keep = [&](Index f) { may_be_wall[mesh_.components[face_[f]]] = 0; };
+    for (const auto& pairs : {&constraints_.cannot_link, &constraints_.must_link})
+      for (const auto& [f, g] : *pairs) {
+        keep(f);
+        keep(g);
+      }
+    for (const auto& constraint : constraints_.seeds)
+      keep(constraint.first);
+    Wall_finder finder(mesh_, volumes);
+    const std::vector<Index> outer = finder(may_be_wall);
+    const std::vector<Index> callers_face = callers_faces();
+    std::vector<Index> kept, of_walls;
+    for (Index f = 0; f < mesh_.number_of_faces(); ++f)
+      if (const Index o = outer[mesh_.components[f]]; o == null_index)
+        kept.push_back(f);
+      else {
+        of_walls.push_back(f);
+        outer_faces_.push_back(callers_face[finder.nearest_face(o, f)]);
+      }
+    if (of_walls.empty())
+      return;
+    walls_ = submesh(mesh_, mesh_.points, of_walls);
+    given_points = submesh(mesh_, given_points, kept).points;
+    mesh_ = submesh(mesh_, mesh_.points, kept);
+    set_areas(execution_, walls_);
+    set_areas(execution_, mesh_);
+    kept.insert(kept.end(), of_walls.begin(), of_walls.end());
+    renumber_faces(kept);
   }
 
   // Divides the components of the mesh into parts that are searched by themselves, with the points
@@ -267,12 +312,16 @@ class Run
     normalize_mesh();
     if (are_merged)
       weld_borders(mesh_);
-    orient_outward(mesh_);
+    const std::vector<double> volumes = orient_outward(mesh_);
     mesh_.groups.clear(); // they are components now
     if (are_merged) {
+      remove_walls(volumes, given_points);
       set_parts(given_points);
     }
+    const double old_unit = unit_;
     move_mesh_to_frame();
+    for (double& area : walls_.areas)
+      area *= old_unit / unit_ * (old_unit / unit_);
     check_number();
     group_constrained_faces();
     if (options_.smooth_boundaries)
@@ -317,8 +366,13 @@ class Run
   {
     const std::vector<Index> callers_face = callers_faces();
     neighbors_.resize(3 * face_.size());
+    const Index n = static_cast<Index>(mesh_.number_of_faces());
     for (Index h = 0; h < neighbors_.size(); ++h) {
       const Index f = face_[h / 3];
+      if (f >= n) { // of a wall
+        neighbors_[h] = callers_face[n + walls_.neighbor(3 * (f - n) + h % 3)];
+        continue;
+      }
       const bool is_constrained = !constraints_.empty() && groups_.group[f] != null_index;
       const bool is_duplicate = callers_face[f] != h / 3;
       neighbors_[h] = is_constrained ? h / 3
@@ -620,6 +674,23 @@ class Run
         std::to_string(hierarchy.number_of_segments()) + " segments");
   }
 
+  // Adds the walls to a hierarchy. Their faces get the leaves of the nearest faces of their outer
+  // walls, as far as the faces of a wall in each node stay connected.
+  void add_walls(Cut_hierarchy& hierarchy) const
+  {
+    if (walls_.corners.empty())
+      return;
+    std::vector<Index> leaf = composed(composed(outer_faces_, face_), hierarchy.leaf);
+    Wall_labels(walls_, hierarchy, leaf)();
+    const Nested_ranges leaves = ranges_of_leaves(hierarchy);
+    Dendrogram result = dendrogram_of(hierarchy, leaves);
+    for (std::size_t i = 0; i < leaf.size(); ++i) {
+      result.leaf.push_back(static_cast<Index>(leaves.first(leaf[i])));
+      result.areas[result.leaf.back()] += walls_.areas[i];
+    }
+    hierarchy = hierarchy_of(result);
+  }
+
   // Replaces the indices of faces by those of the faces that were given.
   void number_given_faces(Cut_hierarchy& hierarchy) const
   { hierarchy.leaf = composed(face_, hierarchy.leaf); }
@@ -696,6 +767,7 @@ public:
     monitor_.start_phase(time_scale * times.reading);
     Cut_hierarchy result = cuts([this] { prepare_mesh(); }, times, time_scale);
     apply_options(result);
+    add_walls(result);
     number_given_faces(result);
     for (Cut_node& node : result.nodes)
       node.area = node.area * unit_ * unit_;

@@ -101,10 +101,15 @@ struct Bounding_box
   explicit Bounding_box(const std::vector<Vector>& points)
   {
     for (const Vector& p : points)
-      for (int i = 0; i < 3; ++i) {
-        smallest[i] = (std::min)(smallest[i], p[i]);
-        largest[i] = (std::max)(largest[i], p[i]);
-      }
+      add(p);
+  }
+
+  void add(const Vector& p)
+  {
+    for (int i = 0; i < 3; ++i) {
+      smallest[i] = (std::min)(smallest[i], p[i]);
+      largest[i] = (std::max)(largest[i], p[i]);
+    }
   }
 };
 

@@ -202,7 +202,8 @@ public:
   Cut_hierarchy operator()()
   {
     const std::size_t number_of_cuts = result_.merges.size();
-    add_merges(neighbors());
+    if (shares_.share.size() > 1)
+      add_merges(neighbors());
     lower_cuts(number_of_cuts);
     sort_merges(result_.merges);
     return hierarchy_of(result_);

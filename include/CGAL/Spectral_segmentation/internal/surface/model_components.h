@@ -12,6 +12,7 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
+#include <numeric>
 #include <utility>
 #include <vector>
 
@@ -53,14 +54,21 @@ inline void reverse_orientation(Surface& surface, const std::vector<char>& is_tu
     { return is_turned[surface.components[h / 3]] ? h - h % 3 + (2 - h % 3) : h; });
 }
 
-// Turns each closed component whose faces point inward.
-inline void orient_outward(Surface& surface)
+// Turns each closed component whose faces point inward. Returns the volumes that the components
+// enclose, negative if their faces were not like those of most of the volume.
+inline std::vector<double> orient_outward(Surface& surface)
 {
+  std::vector<double> volumes = enclosed_volumes(surface);
   std::vector<char> is_turned;
-  for (double volume : enclosed_volumes(surface))
+  for (double volume : volumes)
     is_turned.push_back(volume < 0);
-  if (std::find(is_turned.begin(), is_turned.end(), char(1)) != is_turned.end())
-    reverse_orientation(surface, is_turned);
+  if (std::find(is_turned.begin(), is_turned.end(), char(1)) == is_turned.end())
+    return volumes;
+  reverse_orientation(surface, is_turned);
+  if (std::accumulate(volumes.begin(), volumes.end(), 0.) < 0)
+    for (double& volume : volumes)
+      volume = -volume;
+  return volumes;
 }
 
 // Returns some faces, which ascend, as a surface with other points. Faces and vertices keep their
