@@ -373,6 +373,19 @@ BOOST_AUTO_TEST_CASE(what_does_not_hold_is_told)
   BOOST_TEST(told(pinched).is_closed);
   BOOST_TEST(!told(pinched).is_manifold);
 
+  Soup nested = soup; // two walls that are both oriented outward
+  add_tetrahedron(nested, {{0.1, 0.1, 0.1}, {0.2, 0.1, 0.1}, {0.1, 0.2, 0.1}, {0.1, 0.1, 0.2}});
+  BOOST_TEST(!told(nested).is_outward_oriented);
+  BOOST_TEST(!told(nested).has_self_intersections);
+  Soup cavity = soup;
+  add_tetrahedron(cavity, {{0.1, 0.1, 0.1}, {0.1, 0.2, 0.1}, {0.2, 0.1, 0.1}, {0.1, 0.1, 0.2}});
+  BOOST_TEST(told(cavity).is_solid());
+  BOOST_TEST(told(cavity).volume == 0.999 / 6, tt::tolerance(1e-12));
+  Soup beside = soup; // it would be a cavity if it were inside
+  add_tetrahedron(beside, {{1.1, 1.1, 1.1}, {1.1, 1.2, 1.1}, {1.2, 1.1, 1.1}, {1.1, 1.1, 1.2}});
+  BOOST_TEST(!told(beside).is_outward_oriented);
+  BOOST_TEST(told(beside).volume == 0.999 / 6, tt::tolerance(1e-12));
+
   Soup edge = soup; // a third triangle at an edge, which a flat cap doubles
   edge.triangles.push_back({0, 1, 2});
   BOOST_TEST(!told(edge).is_closed);

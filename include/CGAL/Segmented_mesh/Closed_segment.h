@@ -23,7 +23,9 @@ struct Closed_segment
   /// whether it is closed, and the triangles at each vertex are one fan
   bool is_manifold = false;
 
-  /// whether it is closed and its signed volume is positive; of several components the sum counts
+  /// whether it is closed, its signed volume is positive, and its components are nested like the
+  /// borders of a solid: those oriented outward lie outside of the others or in cavities, and those
+  /// oriented inward are cavities. If it intersects or touches itself, only the volume counts.
   bool is_outward_oriented = false;
 
   /// whether triangles meet elsewhere than in common vertices and edges, or one is degenerate

@@ -99,7 +99,7 @@ close_segments(PointRange& points, TriangleRange& triangles, SegmentIdRange& seg
                                 static_cast<std::size_t>((std::numeric_limits<Corner>::max)()))
     throw std::overflow_error("close_segments: the type of the corners is too small for the number "
                               "of points");
-  auto result = internal::closed_segments(capping, ids);
+  auto result = internal::closed_segments(capping, capping.triangles(), ids);
   for (const internal::Vector& p : caps.points)
     points.push_back(Point{p.x(), p.y(), p.z()});
   for (const internal::Corners& t : caps.triangles)

@@ -80,19 +80,6 @@ public:
   }
 };
 
-// Turns the parts of a surface that is inside out.
-template <class Id>
-void turn(std::vector<std::vector<Corners> >& triangles, std::vector<Closed_segment<Id> >& segments)
-{
-  for (std::vector<Corners>& part : triangles)
-    for (Corners& t : part)
-      std::swap(t[1], t[2]);
-  for (Closed_segment<Id>& s : segments) {
-    s.volume = 0 - s.volume;
-    s.is_outward_oriented = s.volume > 0;
-  }
-}
-
 } // namespace internal
 } // namespace Segmented_mesh
 /// \endcond
@@ -209,15 +196,16 @@ split_into_segments(const TriangleMesh& mesh, SegmentIdMap segment_ids, PartRang
   std::vector<Segmented_mesh::Closed_segment<Id> > result;
   if (choose_parameter(get_parameter(pack, tags::close_parts), false)) {
     const internal::Segment_capping capping(triangles.points, triangles.corners, labels, n);
-    result = internal::closed_segments(capping, ids);
     for (const internal::Vector& p : capping.caps().points)
       points.push_back(Point(p.x(), p.y(), p.z()));
+    triangles_of_part = capping.triangles();
     for (std::size_t i = 0; i < n; ++i) {
-      triangles_of_part[i] = capping.triangles(static_cast<internal::Index>(i));
       faces_of_part[i].resize(triangles_of_part[i].size(), Graph_traits::null_face());
+      if (capping.is_inside_out())
+        for (internal::Corners& t : triangles_of_part[i])
+          std::swap(t[1], t[2]);
     }
-    if (capping.is_inside_out())
-      internal::turn(triangles_of_part, result);
+    result = internal::closed_segments(capping, triangles_of_part, ids);
   }
   static_assert(internal::is_sequence<PartRange>::value,
                 "the parts are received by a sequence of meshes, such as a std::vector");

@@ -478,10 +478,10 @@ public:
   const Caps& caps() const { return result_; }
   bool is_inside_out() const { return orientation_ < 0; }
 
-  // Returns all points, in the unit, and the triangles of a segment with its caps.
+  // Returns all points, in the unit, and the triangles of each segment with its caps.
   double unit() const { return unit_; }
   const std::vector<Vector>& points() const { return points_; }
-  const std::vector<Corners>& triangles(Index segment) const { return triangles_[segment]; }
+  const std::vector<std::vector<Corners> >& triangles() const { return triangles_; }
 };
 
 } // namespace CGAL::Segmented_mesh::internal
