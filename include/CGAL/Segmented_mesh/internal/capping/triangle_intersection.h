@@ -90,9 +90,11 @@ inline bool is_degenerate(const std::vector<Vector>& points, const Corners& t)
                          exact_point(points[t[2]]));
 }
 
-// Returns whether two of a set of triangles, which are not degenerate, intersect each other.
-inline bool do_self_intersect(const std::vector<Vector>& points,
-                              const std::vector<Corners>& triangles)
+// Calls f with the places of any two triangles of a set that intersect each other. No triangle may
+// be degenerate.
+template <class Function>
+void for_intersecting_pairs(const std::vector<Vector>& points,
+                            const std::vector<Corners>& triangles, const Function& f)
 {
   typedef CGAL::Box_intersection_d::Box_with_info_d<double, 3, Index> Box;
   std::vector<Box> boxes;
@@ -101,10 +103,23 @@ inline bool do_self_intersect(const std::vector<Vector>& points,
   std::vector<const Box*> pointers; // they are faster to sort
   for (const Box& b : boxes)
     pointers.push_back(&b);
-  bool result = false;
   CGAL::box_self_intersection_d(pointers.begin(), pointers.end(), [&](const Box* a, const Box* b) {
-    result = result || do_intersect(points, triangles[a->info()], triangles[b->info()]); });
-  return result;
+    if (do_intersect(points, triangles[a->info()], triangles[b->info()]))
+      f(a->info(), b->info()); });
+}
+
+// Returns whether two of a set of triangles, which are not degenerate, intersect each other.
+inline bool do_self_intersect(const std::vector<Vector>& points,
+                              const std::vector<Corners>& triangles)
+{
+  struct Found {};
+  try {
+    for_intersecting_pairs(points, triangles, [](Index, Index) { throw Found(); });
+  }
+  catch (const Found&) {
+    return true;
+  }
+  return false;
 }
 
 } // namespace CGAL::Segmented_mesh::internal

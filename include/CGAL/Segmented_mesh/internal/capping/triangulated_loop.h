@@ -17,7 +17,9 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <deque>
 #include <iterator>
+#include <utility>
 #include <vector>
 
 namespace CGAL::Segmented_mesh::internal {
@@ -39,77 +41,114 @@ inline Vector normal(const std::vector<Vector>& loop, const Vector& around)
   return result;
 }
 
-// Returns the triangles between the corners of a polygon, which are given by places in ascending
-// order; none if edges of the polygon meet.
+// Returns the triangles inside of a polygon and outside of the further polygons, its holes. Their
+// corners are given by places among all points, counterclockwise. There are none if edges of the
+// polygons meet.
 inline std::vector<Corners>
-planar_triangulation(const std::vector<Exact_predicates::Point_2>& polygon)
+planar_triangulation(const std::vector<std::vector<Exact_predicates::Point_2> >& polygons)
 {
   typedef CGAL::Triangulation_vertex_base_with_info_2<Index, Exact_predicates> Vertex_base;
   typedef CGAL::Constrained_triangulation_face_base_2<Exact_predicates> Constrained_face_base;
-  typedef CGAL::Triangulation_face_base_with_info_2<bool, Exact_predicates, Constrained_face_base>
+  typedef CGAL::Triangulation_face_base_with_info_2<int, Exact_predicates, Constrained_face_base>
     Face_base;
   typedef CGAL::Constrained_Delaunay_triangulation_2<
     Exact_predicates, CGAL::Triangulation_data_structure_2<Vertex_base, Face_base>,
     CGAL::No_constraint_intersection_tag> Triangulation;
 
   Triangulation triangulation;
-  std::vector<typename Triangulation::Vertex_handle> corners;
-  for (const auto& p : polygon) {
-    corners.push_back(triangulation.insert(p));
-    corners.back()->info() = static_cast<Index>(corners.size() - 1);
+  std::vector<std::vector<typename Triangulation::Vertex_handle> > corners;
+  Index number_of_points = 0;
+  for (const auto& polygon : polygons) {
+    corners.emplace_back();
+    for (const auto& p : polygon) {
+      corners.back().push_back(triangulation.insert(p));
+      corners.back().back()->info() = number_of_points++;
+    }
   }
-  if (triangulation.number_of_vertices() != polygon.size() || triangulation.dimension() < 2)
+  if (triangulation.number_of_vertices() != number_of_points || triangulation.dimension() < 2)
     return {};
   try {
-    for (std::size_t i = 0; i < corners.size(); ++i)
-      triangulation.insert_constraint(corners[i], corners[(i + 1) % corners.size()]);
+    for (const auto& c : corners)
+      for (std::size_t i = 0; i < c.size(); ++i)
+        triangulation.insert_constraint(c[i], c[(i + 1) % c.size()]);
   }
   catch (const typename Triangulation::Intersection_of_constraints_exception&) {
     return {};
   }
 
-  // Finds the faces outside: those that are connected to the infinite face.
+  // Finds how many edges of polygons separate each face from the infinite face.
   for (auto f : triangulation.all_face_handles())
-    f->info() = false;
-  std::vector<typename Triangulation::Face_handle> outside(1, triangulation.infinite_face());
-  outside[0]->info() = true;
-  for (std::size_t i = 0; i < outside.size(); ++i)
-    for (int k = 0; k < 3; ++k) {
-      const auto f = outside[i]->neighbor(k);
-      if (!f->info() && !outside[i]->is_constrained(k)) {
-        f->info() = true;
-        outside.push_back(f);
-      }
-    }
+    f->info() = -1;
+  std::deque<std::pair<typename Triangulation::Face_handle, int> > front;
+  front.emplace_back(triangulation.infinite_face(), 0);
+  while (!front.empty()) {
+    const auto [f, level] = front.front();
+    front.pop_front();
+    if (f->info() >= 0)
+      continue;
+    f->info() = level;
+    for (int k = 0; k < 3; ++k)
+      if (f->is_constrained(k))
+        front.emplace_back(f->neighbor(k), level + 1);
+      else
+        front.emplace_front(f->neighbor(k), level);
+  }
   std::vector<Corners> result;
   for (auto f : triangulation.finite_face_handles())
-    if (!f->info()) {
-      result.push_back({f->vertex(0)->info(), f->vertex(1)->info(), f->vertex(2)->info()});
-      std::sort(result.back().begin(), result.back().end());
+    if (f->info() % 2 == 1) {
+      Corners t{f->vertex(0)->info(), f->vertex(1)->info(), f->vertex(2)->info()};
+      std::rotate(t.begin(), std::min_element(t.begin(), t.end()), t.end());
+      result.push_back(t);
     }
   return result;
 }
 
-// Returns the triangulation of the projection of a loop to the plane through its middle; none if
-// the loop is farther than a distance from the plane, or edges of the projection meet. CGAL's
-// triangulate_hole_polyline() has this option too, but it ends the program for some loops.
-inline std::vector<Corners> flat_triangulation(const std::vector<Vector>& loop, double distance)
+// Returns the triangulation of the projection of a loop and its holes to the plane through the
+// middle of the loop; none if a point is farther than a distance from the plane, or edges of the
+// projection meet. CGAL's triangulate_hole_polyline() has this option too, for one loop, but it
+// ends the program for some loops.
+inline std::vector<Corners> flat_triangulation(const std::vector<std::vector<Vector> >& loops,
+                                               double distance)
 {
   Vector middle;
-  for (const Vector& p : loop)
-    middle += p / static_cast<double>(loop.size());
-  const Vector z = normal(loop, middle).normalized();
+  for (const Vector& p : loops[0])
+    middle += p / static_cast<double>(loops[0].size());
+  const Vector z = normal(loops[0], middle).normalized();
   if (z.is_zero())
     return {};
   const Vector axis = std::abs(z.x()) < 0.5 ? Vector(1, 0, 0) : Vector(0, 1, 0);
   const Vector x = (axis - axis.dot(z) * z).normalized(), y = z.cross(x);
-  std::vector<Exact_predicates::Point_2> polygon;
-  for (const Vector& p : loop) {
-    if (!(std::abs((p - middle).dot(z)) <= distance))
-      return {};
-    polygon.emplace_back((p - middle).dot(x), (p - middle).dot(y));
+  std::vector<std::vector<Exact_predicates::Point_2> > polygons;
+  std::size_t number_of_triangles = 2 * loops.size() - 4; // and one for each point
+  for (const std::vector<Vector>& loop : loops) {
+    polygons.emplace_back();
+    number_of_triangles += loop.size();
+    for (const Vector& p : loop) {
+      if (!(std::abs((p - middle).dot(z)) <= distance))
+        return {};
+      polygons.back().emplace_back((p - middle).dot(x), (p - middle).dot(y));
+    }
   }
-  return planar_triangulation(polygon);
+  std::vector<Corners> result = planar_triangulation(polygons);
+  if (result.size() != number_of_triangles)
+    result.clear();
+  return result;
+}
+
+// Does the same for a loop and holes of any size that deviate from the plane by at most a tenth of
+// the diagonal of their bounding box.
+inline std::vector<Corners> flat_triangulation(std::vector<std::vector<Vector> > loops)
+{
+  std::vector<Vector> points;
+  for (const std::vector<Vector>& loop : loops)
+    points.insert(points.end(), loop.begin(), loop.end());
+  normalize(points);
+  const Bounding_box box(points);
+  auto next = points.begin();
+  for (std::vector<Vector>& loop : loops)
+    for (Vector& p : loop)
+      p = *next++;
+  return flat_triangulation(loops, 0.1 * (box.largest - box.smallest).norm());
 }
 
 // Returns a triangulation of a loop of points, whose triangles are given by places in the loop, in
@@ -123,8 +162,8 @@ inline std::vector<Corners> triangulated_loop(std::vector<Vector> loop)
   normalize(loop);
   const Bounding_box box(loop);
   const double diagonal = (box.largest - box.smallest).norm();
-  std::vector<Corners> result = flat_triangulation(loop, 0.1 * diagonal);
-  if (result.size() + 2 == loop.size())
+  std::vector<Corners> result = flat_triangulation({loop}, 0.1 * diagonal);
+  if (!result.empty())
     return result;
   if (length(loop) > 50 * diagonal)
     return {}; // it fills space, where CGAL's search among tetrahedra is slow
@@ -135,7 +174,6 @@ inline std::vector<Corners> triangulated_loop(std::vector<Vector> loop)
   PMP::triangulate_hole_polyline(points, std::back_inserter(triangles),
                                  CGAL::parameters::use_2d_constrained_delaunay_triangulation(false)
                                    .do_not_use_cubic_algorithm(true));
-  result.clear();
   if (triangles.size() + 2 == loop.size())
     for (const auto& t : triangles) {
       result.push_back({Index(t.first), Index(t.second), Index(t.third)});
