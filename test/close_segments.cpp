@@ -9,11 +9,15 @@
 #include <CGAL/Segmented_mesh/close_segments.h>
 #include <CGAL/Segmented_mesh/split_into_segments.h>
 
+#include <CGAL/Bbox_3.h>
+#include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
+#include <CGAL/Polygon_mesh_processing/compute_normal.h>
 #include <CGAL/Polygon_mesh_processing/measure.h>
 #include <CGAL/Polygon_mesh_processing/orientation.h>
 #include <CGAL/Polygon_mesh_processing/polygon_soup_to_polygon_mesh.h>
 #include <CGAL/Polygon_mesh_processing/self_intersections.h>
 #include <CGAL/Polyhedron_3.h>
+#include <CGAL/boost/graph/copy_face_graph.h>
 #include <CGAL/boost/graph/helpers.h>
 
 #include <algorithm>
@@ -312,6 +316,156 @@ BOOST_AUTO_TEST_CASE(closed_parts_of_real_meshes_are_solid)
       BOOST_TEST(sum == PMP::volume(mesh), tt::tolerance(1e-9));
     }
   }
+}
+
+// Returns what CGAL finds with a kernel that makes no errors.
+bool is_exactly_solid(const Mesh& part)
+{
+  CGAL::Surface_mesh<CGAL::Exact_predicates_inexact_constructions_kernel::Point_3> copy;
+  CGAL::copy_face_graph(part, copy);
+  return CGAL::is_closed(copy) && PMP::volume(copy) > 0 && !PMP::does_self_intersect(copy) &&
+         PMP::does_bound_a_volume(copy);
+}
+
+// Closes segments, has CGAL check that each is a solid, and returns their volumes.
+std::map<int, double> volumes_of_solids(const Soup& soup, const std::vector<int>& segment)
+{
+  const Mesh mesh = mesh_of(soup);
+  std::map<Mesh::Face_index, int> ids;
+  for (Mesh::Face_index f : mesh.faces())
+    ids[f] = segment[f];
+  std::vector<Mesh> parts;
+  const auto segments = CGAL::split_into_segments(mesh, boost::make_assoc_property_map(ids), parts,
+                                                  params::close_parts(true));
+  BOOST_REQUIRE(segments.size() == parts.size());
+  std::map<int, double> result;
+  double sum = 0;
+  for (std::size_t s = 0; s < parts.size(); ++s) {
+    BOOST_TEST_CONTEXT("segment " << segments[s].id) {
+      BOOST_TEST(is_exactly_solid(parts[s]));
+      BOOST_TEST(segments[s].is_solid());
+      result[segments[s].id] = PMP::volume(parts[s]);
+      BOOST_TEST(segments[s].volume == result[segments[s].id], tt::tolerance(1e-9));
+      sum += PMP::volume(parts[s]);
+    }
+  }
+  BOOST_TEST(sum == PMP::volume(mesh), tt::tolerance(1e-9));
+  return result;
+}
+
+// Returns the area of a regular polygon with n corners in a circle.
+double area_of_polygon(std::size_t n, double radius)
+{ return double(n) / 2 * std::sin(2 * pi / double(n)) * radius * radius; }
+
+// A prism of radius 2 and height 4 with a coaxial cavity of a radius between two heights.
+Soup hollow_prism(double radius, double low, double high)
+{
+  return disjoint_union(
+    surface_of_revolution({{0, 0}, {0, 2}, {2, 2}, {3, 2}, {4, 2}, {4, 0}}, 12),
+    turned_inside_out(surface_of_revolution(
+      {{low, 0}, {low, radius}, {(low + high) / 2, radius}, {high, radius}, {high, 0}}, 12)));
+}
+
+BOOST_AUTO_TEST_CASE(hollow_prism_is_cut_between_its_walls)
+{
+  Soup soup = hollow_prism(1, 1, 3);
+  std::vector<int> segment = segments_by(soup, [](const Point& p) { return p.z() < 2 ? 5 : 6; });
+  const double half = 2 * area_of_polygon(12, 2) - area_of_polygon(12, 1);
+  for (const auto& [id, volume] : volumes_of_solids(soup, segment))
+    BOOST_TEST(volume == half, tt::tolerance(1e-12));
+  const std::size_t points = soup.points.size();
+  BOOST_TEST(number_of_caps(soup, segment) == 2 * (12 + 12)); // a ring, no discs
+  BOOST_TEST(soup.points.size() == points);
+}
+
+BOOST_AUTO_TEST_CASE(cavity_of_one_segment_stays)
+{
+  const Soup soup = hollow_prism(1, 1, 2);
+  const auto volume = volumes_of_solids(
+    soup, segments_by(soup, [](const Point& p) { return p.z() < 3 ? 5 : 6; }));
+  BOOST_TEST(volume.at(5) == 3 * area_of_polygon(12, 2) - area_of_polygon(12, 1),
+             tt::tolerance(1e-12));
+  BOOST_TEST(volume.at(6) == area_of_polygon(12, 2), tt::tolerance(1e-12));
+}
+
+// Each part has a piece of the inner wall. The edge between the walls at the axis is an edge of
+// three segments, but not of four.
+BOOST_AUTO_TEST_CASE(sectors_of_a_hollow_prism_fit)
+{
+  const Soup soup = hollow_prism(1, 1, 3);
+  const double whole = 4 * area_of_polygon(12, 2) - 2 * area_of_polygon(12, 1);
+  for (int n : {2, 3, 4}) {
+    const auto volume = volumes_of_solids(soup, segments_by(soup, [n](const Point& p) {
+      return int((std::atan2(p.y(), p.x()) + pi) / (2 * pi) * n);
+    }));
+    BOOST_TEST(volume.size() == std::size_t(n));
+    for (const auto& [id, v] : volume)
+      BOOST_TEST(v == whole / n, tt::tolerance(n < 4 ? 1e-9 : 0.1));
+  }
+}
+
+// Three segments meet at two edges of the ring: the lower half, and two quarters above it.
+BOOST_AUTO_TEST_CASE(ring_between_one_segment_and_two_others_fits)
+{
+  const Soup soup = hollow_prism(1.5, 1, 3);
+  const auto volume = volumes_of_solids(soup, segments_by(soup, [](const Point& p) {
+    return p.z() < 2 ? 0 : p.y() < 0 ? 1 : 2;
+  }));
+  const double half = 2 * area_of_polygon(12, 2) - area_of_polygon(12, 1.5);
+  BOOST_TEST(volume.at(0) == half, tt::tolerance(1e-9));
+  BOOST_TEST(volume.at(1) == half / 2, tt::tolerance(1e-9));
+}
+
+BOOST_AUTO_TEST_CASE(cut_through_two_cavities_has_two_holes)
+{
+  const Soup cavity = turned_inside_out(surface_of_revolution(
+    {{1, 0}, {1, 0.5}, {2, 0.5}, {3, 0.5}, {3, 0}}, 6));
+  Soup soup = surface_of_revolution({{0, 0}, {0, 2}, {2, 2}, {4, 2}, {4, 0}}, 12);
+  for (double x : {-0.9, 0.9})
+    soup = disjoint_union(soup, moved(cavity, x, 0.1, 0));
+  for (const auto& [id, volume] : volumes_of_solids(
+         soup, segments_by(soup, [](const Point& p) { return p.z() < 2; })))
+    BOOST_TEST(volume == 2 * area_of_polygon(12, 2) - 2 * area_of_polygon(6, 0.5),
+               tt::tolerance(1e-12));
+}
+
+// Returns a mesh and a copy that is turned inside out and moved inwards.
+Soup hollow(const Soup& soup, double depth)
+{
+  const Mesh mesh = mesh_of(soup);
+  Soup inner = turned_inside_out(soup);
+  for (Mesh::Vertex_index v : mesh.vertices())
+    inner.points[v] = inner.points[v] - depth * PMP::compute_vertex_normal(v, mesh);
+  return disjoint_union(soup, inner);
+}
+
+BOOST_AUTO_TEST_CASE(parts_of_hollow_real_meshes_are_solid)
+{
+  for (const char* name : {"blobby", "dragknob", "eight", "knot", "pinion"}) {
+    BOOST_TEST_CONTEXT(name) {
+      const Soup soup = read(name + std::string(".off"));
+      const Mesh mesh = mesh_of(soup);
+      Labels labels;
+      const auto segment_ids = map_to(labels, mesh);
+      CGAL::segment_spectral_recursive(mesh, segment_ids, params::number_of_segments(6));
+      std::vector<int> segment(labels.begin(), labels.end());
+      segment.insert(segment.end(), labels.begin(), labels.end());
+      const CGAL::Bbox_3 box = CGAL::bbox_3(soup.points.begin(), soup.points.end());
+      const double diagonal = std::sqrt(std::pow(box.x_span(), 2) + std::pow(box.y_span(), 2) +
+                                        std::pow(box.z_span(), 2));
+      volumes_of_solids(hollow(soup, 0.01 * diagonal), segment);
+    }
+  }
+}
+
+// Their triangles do not lie opposite of each other, and borders zigzag.
+BOOST_AUTO_TEST_CASE(walls_of_a_sphere_with_other_triangles_are_joined)
+{
+  const Soup soup = disjoint_union(sphere(3), turned_inside_out(scaled(sphere(2), 0.8)));
+  for (int n : {2, 3})
+    volumes_of_solids(soup, segments_by(soup, [n](const Point& p) {
+      return int((std::atan2(p.y() + 0.1, p.x() + 0.2) + pi) / (2 * pi) * n);
+    }));
 }
 
 // One of its segments is a flat base, whose cap must not lie in it.

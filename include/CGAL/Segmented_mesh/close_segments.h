@@ -33,25 +33,40 @@ tenth of the loop, and other segments begin at most 50 times around it. Therefor
 segments fit together, even where three of them meet, and the sum of their volumes is the volume of
 the closed surface.
 
+<b>Hollow bodies.</b> The surface may have several components. A component that is oriented inward
+and lies in another one bounds a cavity. If one segment has all of its triangles and surrounds it,
+it stays a cavity of that closed segment. If several segments share it, as the inner wall of a
+hollow body whose triangles have the segments of the outer wall, each is closed between the walls.
+A loop on the outer wall and one that lies opposite of it on the inner wall get a ring of triangles
+as their common cap. Other segments begin at edges that lead from wall to wall, and a loop that
+passes such edges gets a strip from wall to wall. This holds for a hole through one component, too,
+such as that of a pipe. A loop without another one opposite of it gets a cap of its own.
+
 Several caps are tried in this order. The first one that lies inside the surface, and intersects
 neither it nor other caps, is taken:
--# triangles between the vertices of the loop: a Delaunay triangulation in the projection to a plane
-   if the loop deviates from it by at most a tenth of the diagonal of its bounding box, otherwise a
-   surface that bends little and has a small area;
+-# for a loop on an outer wall with one neighbor, or with several loops opposite of it: a Delaunay
+   triangulation in the projection to a plane, with these loops as holes;
+-# for two such loops, or one that passes from wall to wall: triangles between the vertices of both
+   sides for which the sum of the squared lengths of edges from side to side, or the area, is least;
+-# strips that lead from such loops to the inside of the wall, for less than a third of an edge or
+   of the distance to the other side, and such triangles between them;
+-# for one loop, triangles between its vertices: a Delaunay triangulation in the projection to a
+   plane if the loop deviates from it by at most a tenth of the diagonal of its bounding box,
+   otherwise a surface that bends little and has a small area;
 -# a fan around a new point in the middle of the loop;
 -# a strip that leads from the loop to the inside of the surface, for half an edge, two edges, or a
    tenth of an edge, and such triangles inside;
 -# for all loops of the segment together, a copy of its triangles that is moved inwards for less
    than an edge, so that the segment becomes a shell.
 
-If none does, the first cap whose edges have no further triangles stays. This is so for loops around
-a cavity or a tunnel that is narrower than an edge, or if the surface intersects itself. The result
-states for each segment whether it bounds a solid, and if not, why. A surface that is inside out
-stays so, and its segments are reported as not oriented outward.
+If none does, the first cap of one loop whose edges have no further triangles stays. This is so if
+the surface intersects itself, or near tunnels and walls that are much thinner than an edge. The
+result states for each segment whether it bounds a solid, and if not, why. A surface that is inside
+out stays so, and its segments are reported as not oriented outward.
 
 The time is O(*n* log *n*) for *n* triangles, plus O(*l*^2) for each loop of *l* edges that gets a
-fan, plus the time of `CGAL::Polygon_mesh_processing::triangulate_hole_polyline()` for each loop
-that is not flat.
+fan or a ring, plus the time of `CGAL::Polygon_mesh_processing::triangulate_hole_polyline()` for
+each loop that is not flat. Segments with cavities take O(*n*) for each component.
 
 \tparam PointRange a sequence container of points that can be made from three `double`, with the
   coordinates `p[0]`, `p[1]` and `p[2]`, such as `CGAL::Point_3` and `std::array<double, 3>`

@@ -92,8 +92,9 @@ makes a mesh of each segment of a triangle mesh, open or closed.
 A part has the faces of its segment in their order, with unchanged points. If a part touches itself
 at a vertex, that vertex is doubled, and if it is no oriented manifold, some faces may be turned.
 With `close_parts(true)` the faces of caps follow. They close the boundaries of the part to other
-segments and the borders of the mesh, as `close_segments()` does. If the closed surface is inside
-out, its parts are turned.
+segments and the borders of the mesh, as `close_segments()` does: parts of a hollow body are closed
+between its walls, and a cavity that lies in one part stays. If the closed surface is inside out,
+its parts are turned.
 
 The time is O(*n* log *n*) for *n* faces, plus the time of closing.
 
