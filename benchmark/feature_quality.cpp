@@ -56,21 +56,21 @@ constexpr double noise_for_error_20 = 0.40, noise_for_error_10 = 0.28;
 struct Kind
 {
   const char* name;
-  Feature_matrix (*make)(const Mesh&, const Labels&, Random_engine&);
+  Feature_matrix (*make)(const Mesh&, const Labels&, Feature_random&);
 };
 
 const std::array<Kind, 7> kinds = {{
-  {"none", [](const Mesh&, const Labels&, Random_engine&) { return Feature_matrix(); }},
-  {"parts, k-means .20", [](const Mesh& mesh, const Labels& person, Random_engine& random)
+  {"none", [](const Mesh&, const Labels&, Feature_random&) { return Feature_matrix(); }},
+  {"parts, k-means .20", [](const Mesh& mesh, const Labels& person, Feature_random& random)
     { return noisy_parts(mesh, person, noise_for_error_20, random); }},
-  {"parts, k-means .10", [](const Mesh& mesh, const Labels& person, Random_engine& random)
+  {"parts, k-means .10", [](const Mesh& mesh, const Labels& person, Feature_random& random)
     { return noisy_parts(mesh, person, noise_for_error_10, random); }},
-  {"labels, 1/5 wrong", [](const Mesh& mesh, const Labels& person, Random_engine& random)
+  {"labels, 1/5 wrong", [](const Mesh& mesh, const Labels& person, Feature_random& random)
     { return indicators(noisy_labels(mesh, person, 0.2, random)); }},
-  {"labels", [](const Mesh&, const Labels& person, Random_engine&) { return indicators(person); }},
-  {"smooth field", [](const Mesh& mesh, const Labels&, Random_engine& random)
+  {"labels", [](const Mesh&, const Labels& person, Feature_random&) { return indicators(person); }},
+  {"smooth field", [](const Mesh& mesh, const Labels&, Feature_random& random)
     { return smooth_features(mesh, 8, random); }},
-  {"noise", [](const Mesh&, const Labels& person, Random_engine& random)
+  {"noise", [](const Mesh&, const Labels& person, Feature_random& random)
     { return normal_noise(person.size(), 8, random); }}}};
 
 // What is known of a mesh with one kind of features.
@@ -85,7 +85,7 @@ typedef std::array<Outcome, kinds.size()> Outcomes;
 Outcomes outcomes(const Options& o, int id)
 {
   Benchmark_mesh input = read_benchmark_mesh(o.folder, id);
-  Random_engine random(id);
+  Feature_random random(id);
   const Labels person = input.people[random() % input.people.size()];
   input.people = {person};
   Outcomes result;

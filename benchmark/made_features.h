@@ -21,7 +21,7 @@ namespace segmentation_benchmark {
 
 // A row for each face
 typedef Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor> Feature_matrix;
-typedef std::mt19937 Random_engine;
+typedef std::mt19937 Feature_random;
 
 // Returns the faces that share an edge with each face.
 inline std::vector<std::vector<std::size_t> > neighbors_of_faces(const Mesh& mesh)
@@ -37,7 +37,7 @@ inline std::vector<std::vector<std::size_t> > neighbors_of_faces(const Mesh& mes
 }
 
 // Returns normally distributed numbers of variance 1.
-inline Feature_matrix normal_noise(std::size_t rows, std::size_t columns, Random_engine& random)
+inline Feature_matrix normal_noise(std::size_t rows, std::size_t columns, Feature_random& random)
 {
   std::normal_distribution<double> normal;
   return Feature_matrix::NullaryExpr(static_cast<Eigen::Index>(rows),
@@ -72,7 +72,7 @@ inline Feature_matrix indicators(const Labels& labels)
 
 // Returns the blurred parts of a person with noise on each face.
 inline Feature_matrix noisy_parts(const Mesh& mesh, const Labels& person, double noise,
-                                  Random_engine& random)
+                                  Feature_random& random)
 {
   const Feature_matrix parts = blurred(indicators(person), mesh, 10);
   return parts + noise * normal_noise(parts.rows(), parts.cols(), random);
@@ -80,7 +80,7 @@ inline Feature_matrix noisy_parts(const Mesh& mesh, const Labels& person, double
 
 // Returns sums of waves whose length is about the size of the mesh.
 inline Feature_matrix smooth_features(const Mesh& mesh, std::size_t dimension,
-                                      Random_engine& random)
+                                      Feature_random& random)
 {
   Eigen::MatrixXd centers(mesh.number_of_faces(), 3);
   for (const auto f : mesh.faces()) {
@@ -105,7 +105,7 @@ inline Feature_matrix smooth_features(const Mesh& mesh, std::size_t dimension,
 
 // Returns labels of which a share is wrong, in patches of a hundredth of the area.
 inline Labels noisy_labels(const Mesh& mesh, const Labels& person, double share,
-                           Random_engine& random)
+                           Feature_random& random)
 {
   const auto neighbors = neighbors_of_faces(mesh);
   const std::size_t n = person.size(), k = number_of_segments(person);
@@ -146,7 +146,7 @@ inline Labels noisy_labels(const Mesh& mesh, const Labels& person, double share,
 }
 
 // Returns the clusters of Lloyd's algorithm (k-means++), the best of five random starts.
-inline Labels k_means(const Feature_matrix& features, std::size_t k, Random_engine& random)
+inline Labels k_means(const Feature_matrix& features, std::size_t k, Feature_random& random)
 {
   Labels best;
   double least = std::numeric_limits<double>::infinity();

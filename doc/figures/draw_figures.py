@@ -37,6 +37,7 @@ LAYOUTS = {
     "samples": (2, (700, 560)),
     "line": (2, (700, 560)),
     "smooth_boundaries": (2, (700, 560)),
+    "equipment": (2, (700, 560)),
     "clusterings": (3, (480, 400)),
     "features": (3, (480, 400)),
     # Of a mesh that is long and low

@@ -26,7 +26,7 @@ inline void draw_features(Picture_book& book, const Named_mesh& elephant)
       height += mesh.point(v).y() / 3;
     worn.push_back(height < -0.28 ? 1 : height > 0.22 ? 2 : 0);
   }
-  benchmark::Random_engine random(1);
+  benchmark::Feature_random random(1);
   benchmark::Feature_matrix features = benchmark::indicators(worn);
   features += 0.4 * benchmark::normal_noise(worn.size(), features.cols(), random);
   benchmark::Feature_source source;

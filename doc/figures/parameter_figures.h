@@ -8,8 +8,13 @@
 #include "segmentations.h"
 
 #include <CGAL/Polygon_mesh_processing/bbox.h>
+#include <CGAL/Polygon_mesh_processing/compute_normal.h>
+#include <CGAL/Polygon_mesh_processing/orientation.h>
 #include <CGAL/Polygon_mesh_processing/random_perturbation.h>
+#include <CGAL/Polygon_mesh_processing/triangulate_faces.h>
+#include <CGAL/boost/graph/generators.h>
 
+#include <algorithm>
 #include <cmath>
 #include <cstddef>
 #include <limits>
@@ -85,6 +90,75 @@ inline void draw_components(Picture_book& book, const Named_mesh& shape)
   separate.keep_components_separate = true;
   add_segments(book, "components", shape, colors, segment(shape.mesh, separate),
                "keep_components_separate true");
+}
+
+inline double extent(const CGAL::Bbox_3& box)
+{ return (std::max)({box.x_span(), box.y_span(), box.z_span()}); }
+
+// A mesh with two packs at its sides and a ball before its head.
+inline Named_mesh with_equipment(const Named_mesh& shape)
+{
+  Named_mesh result = shape;
+  const CGAL::Bbox_3 box = CGAL::Polygon_mesh_processing::bbox(shape.mesh);
+  const double size = extent(box);
+  const Kernel::Point_3 center((box.xmin() + box.xmax()) / 2, (box.ymin() + box.ymax()) / 2,
+                               (box.zmin() + box.zmax()) / 2);
+  const Kernel::Vector_3 length(0.14 * size, 0, 0), height(0, 0.14 * size, 0),
+                         width(0, 0, 0.07 * size);
+  Mesh ball;
+  CGAL::make_icosahedron(ball, center + Kernel::Vector_3(0.62 * size, -0.3 * size, 0),
+                         0.08 * size);
+  result.mesh += ball;
+  for (double side : {-1.9, 0.9}) {
+    const Kernel::Point_3 p = center - length / 2 + side * width;
+    Mesh pack;
+    CGAL::make_hexahedron(p, p + length, p + length + height, p + height, p + height + width,
+                          p + width, p + length + width, p + length + height + width, pack);
+    CGAL::Polygon_mesh_processing::triangulate_faces(pack);
+    result.mesh += pack;
+  }
+  return result;
+}
+
+// The faces of a mesh and of its inner wall, which points inward, `depth` below it.
+inline Named_mesh hollow(const Named_mesh& shape, double depth)
+{
+  namespace PMP = CGAL::Polygon_mesh_processing;
+  Mesh inner = shape.mesh;
+  auto normals = inner.add_property_map<Mesh::Vertex_index, Kernel::Vector_3>("v:normal").first;
+  PMP::compute_vertex_normals(inner, normals);
+  for (Mesh::Vertex_index v : inner.vertices())
+    inner.point(v) = inner.point(v) - depth * normals[v];
+  inner.remove_property_map(normals);
+  PMP::reverse_face_orientations(inner);
+  Named_mesh result = shape;
+  result.mesh += inner;
+  return result;
+}
+
+// Models of several components: one with equipment, and one half of a hollow body.
+inline void draw_equipment(Picture_book& book, const Named_mesh& carrier, const Named_mesh& body)
+{
+  Row_colors colors;
+  const Named_mesh loaded = with_equipment(carrier);
+  add_segments(book, "equipment", loaded, colors, segment(loaded.mesh, Engine_options()),
+               "with equipment");
+  const CGAL::Bbox_3 box = CGAL::Polygon_mesh_processing::bbox(body.mesh);
+  const Named_mesh print = hollow(body, 0.01 * extent(box));
+  const Labels labels = segment(print.mesh, Engine_options());
+  Named_mesh half = {body.name, Mesh()};
+  Labels labels_of_half;
+  for (Mesh::Face_index f : print.mesh.faces()) {
+    std::vector<Mesh::Vertex_index> corners;
+    for (Mesh::Vertex_index v : print.mesh.vertices_around_face(print.mesh.halfedge(f)))
+      corners.push_back(half.mesh.add_vertex(print.mesh.point(v)));
+    if (half.mesh.point(corners[0]).z() < (box.zmin() + box.zmax()) / 2) {
+      half.mesh.add_face(corners);
+      labels_of_half.push_back(labels[f]);
+    }
+  }
+  colors = Row_colors();
+  add_segments(book, "equipment", half, colors, labels_of_half, "one half of a hollow body");
 }
 
 inline void draw_parameters(Picture_book& book, const Named_mesh& limbs, const Named_mesh& coarse,

@@ -107,8 +107,9 @@ one is given. The same input gives the same ids on every run, with any number of
 visitor stops the run), and for every data structure that holds the same mesh.
 
 Every segment of a connected mesh is connected. Degenerate faces, boundaries and several connected
-components are supported; components that touch may belong to the same part. The mesh is not
-changed.
+components are supported; components that touch may belong to the same part. A segment of a hollow
+body has faces of both walls, which are connected within each wall. A closed component whose faces
+point inward has the parts that it has turned around. The mesh is not changed.
 
 There are two methods, both by recursive and visually salient spectral cuts. The <b>calibrated
 method (default)</b> cuts where people cut: its salience of a cut is the probability that a person
@@ -158,7 +159,8 @@ at most 4000 faces by default. The memory is O(*n*). The section
     \cgalParamType{an integer}
     \cgalParamDefault{none; the threshold ends the run}
     \cgalParamExtra{from 1 to the number of faces. If components are kept apart, the smallest value
-      is the number of components; otherwise faces with the same points count once. Not together
+      is the number of components; otherwise faces with the same points count once, and faces of
+      inner walls do not count. Not together
       with `maximum_number_of_segments` or `salience_threshold`. For a number above 20 the
       calibrated method (default) searches as many regions, up to 200, on a proportionally finer
       coarse mesh.}
@@ -167,9 +169,12 @@ at most 4000 faces by default. The memory is O(*n*). The section
     \cgalParamDescription{whether each connected component of the mesh is a part from the start. By
       default components whose borders meet edge to edge are one surface, and a component with less
       than a hundredth of the area belongs to the part with which it has the most contact. A
-      component is cut further only if it is nearly the whole mesh. Components that touch no other
-      are parts, unless a number of segments requires less or they have less than a hundredth of the
-      area of the largest.}
+      component with parts of its own is cut further: one with a tenth of the area or more exactly
+      like the mesh alone. Components that touch no other are parts, unless a number of segments
+      requires less or they have less than a hundredth of the area of the largest. A component that
+      bounds a cavity of a solid, or is the second wall of another component, has the segments of
+      the nearest faces of the outer wall, unless its faces or edges have constraints. The section
+      \ref Spectral_segmentation_components has the details.}
     \cgalParamType{`bool`}
     \cgalParamDefault{`false`, or `true` with `zhang_liu_2005()`, which supports no other value}
   \cgalParamNEnd

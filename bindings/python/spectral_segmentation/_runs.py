@@ -53,7 +53,8 @@ _PARAMETERS = """Parameters
         that people cut there.
     keep_components_separate : bool, default: False, or True with the method "paper"
         Whether each connected component is a part from the start. Otherwise a component with less
-        than a hundredth of the area belongs to the part with which it has the most contact.
+        than a hundredth of the area belongs to the part with which it has the most contact, and
+        the inner wall of a hollow body has the segments of the outer wall.
     face_groups : array_like of integers, shape (m,), optional
         The group of each triangle or polygon, such as an object of a file. Groups are kept apart
         like connected components.

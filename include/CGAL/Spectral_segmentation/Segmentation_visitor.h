@@ -12,7 +12,9 @@ namespace CGAL {
 namespace Spectral_segmentation {
 
 /// \ingroup PkgSpectralSegmentationRef
-/// The stages of a run, which include those of Table 1 in Zhang and Liu 2005.
+/// The stages of a run, which include those of Table 1 in Zhang and Liu 2005. If a mesh of several
+/// components is searched as several surfaces, the stages of the whole mesh come once for each of
+/// them, and initialization once more for the mesh.
 enum class Stage
 {
   INITIALIZATION,    ///< dual graph of the faces, coarsening, face distances; once
@@ -31,7 +33,7 @@ enum class Stage
 ///
 /// A part is identified by the index of its node in the `Segmentation_hierarchy` of the run. In the
 /// calibrated method (default), which merges regions after the search, it is identified by its
-/// position in the order in which parts were found.
+/// position in the order in which parts of the surface were found.
 ///
 /// No two functions are called at the same time. With `CGAL::Parallel_tag` several parts are
 /// searched at once; therefore their calls interleave and come from different threads.
