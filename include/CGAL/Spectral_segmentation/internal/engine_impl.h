@@ -101,7 +101,7 @@ class Run
   std::vector<double> searched_areas_;
   std::vector<Index> neighbors_;    // the caller's indices, if boundaries shall be smoothed
   Surface walls_;                   // the components that are walls of others
-  std::vector<Index> outer_faces_;  // the caller's nearest face of the outer wall for each of theirs
+  std::vector<Index> outer_faces_;  // the caller's face on an outer wall nearest to each of theirs
   Constraint_groups groups_;        // empty without constraints
   std::vector<Index> leaf_of_group_; // of the cuts so far; empty without constraints
 
@@ -149,8 +149,8 @@ class Run
     renumber_faces(order);
   }
 
-  // Sets the faces of the mesh for those of the caller, after it was put in an order. Faces of walls
-  // follow those of the mesh.
+  // Sets the faces of the mesh for those of the caller, after it was put in an order. Faces of
+  // walls follow those of the mesh.
   void renumber_faces(const std::vector<Index>& order)
   {
     std::vector<Index> number(order.size());

@@ -24,9 +24,10 @@
 namespace CGAL::Spectral_segmentation::internal {
 
 // Merges the components of a model. The smallest joins the neighbor with which it has the most
-// contact, and so on. The larger it is, the more salient is its boundary. What touches nothing comes
-// last, with an infinite salience, unless it is tiny beside the largest component. A sheet touches
-// nothing. A component keeps all of its cuts, or none, by the evidence of all its cuts together.
+// contact, and so on. The larger it is, the more salient is its boundary. A component that touches
+// nothing comes last, with an infinite salience, unless it is tiny beside the largest component. A
+// sheet touches nothing. A component keeps all of its cuts, or none, by the evidence of all its
+// cuts together.
 class Component_merging
 {
   // A set of components, beside another one.

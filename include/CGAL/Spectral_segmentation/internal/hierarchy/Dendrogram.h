@@ -61,8 +61,8 @@ inline Dendrogram dendrogram_of(const Cut_hierarchy& cuts, const Nested_ranges& 
   return result;
 }
 
-// Appends the merges of a hierarchy of some faces, which are given by their indices in the mesh of a
-// dendrogram.
+// Appends the merges of a hierarchy of some faces, which are given by their indices in the mesh of
+// a dendrogram.
 inline void append(Dendrogram& all, const Cut_hierarchy& cuts, const std::vector<Index>& faces)
 {
   const Dendrogram d = dendrogram_of(cuts, ranges_of_leaves(cuts));

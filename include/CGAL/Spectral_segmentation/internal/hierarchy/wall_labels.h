@@ -26,7 +26,7 @@ class Wall_labels
   const Cut_hierarchy& cuts_;      // of the outer walls
   const Nested_ranges leaves_;     // of each node
   Faces& leaf_;                    // one per face
-  std::vector<std::size_t> node_;  // one per face: a child of the current node, or null_node
+  std::vector<std::size_t> node_;  // one per face: a child of the current node
   std::vector<std::pair<std::size_t, Faces> > connected_; // faces to divide further, and their node
 
   // Returns the connected pieces of the faces of a node.
