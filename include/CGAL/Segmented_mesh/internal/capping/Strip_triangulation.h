@@ -16,8 +16,8 @@
 
 namespace CGAL::Segmented_mesh::internal {
 
-// What a strip minimizes: the sum of the squared lengths of its edges from side to side, or the
-// area.
+// The cost that a strip minimizes: the sum of the squared lengths of its edges from side to side,
+// or the area.
 enum class Strip_cost { LENGTHS, AREA };
 
 // Triangulates the strip between two polylines without further points. Edges join their first

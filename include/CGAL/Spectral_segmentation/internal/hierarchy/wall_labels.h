@@ -16,8 +16,8 @@
 
 namespace CGAL::Spectral_segmentation::internal {
 
-// Makes the faces of walls in each node of a hierarchy connected, from the roots on. Pieces that come
-// off a side of a cut go to the other side.
+// Makes the faces of walls in each node of a hierarchy connected, from the roots on. Pieces that
+// come off a side of a cut go to the other side.
 class Wall_labels
 {
   typedef std::vector<Index> Faces;
