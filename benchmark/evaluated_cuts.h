@@ -8,7 +8,7 @@
 #include "run_engine.h"
 
 #include <CGAL/Spectral_segmentation/Part_salience.h>
-#include <CGAL/Spectral_segmentation/internal/salience/Cut.h>
+#include <CGAL/Spectral_segmentation/internal/salience/Boundary_statistics.h>
 
 #include <cstddef>
 #include <utility>

@@ -13,7 +13,7 @@
 #include "made_features.h"
 #include "program.h"
 
-#include <CGAL/Spectral_segmentation/internal/salience/Feature_logit.h>
+#include <CGAL/Spectral_segmentation/internal/salience/Boundary_network.h>
 
 #include <CLI/CLI.hpp>
 

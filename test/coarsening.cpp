@@ -6,7 +6,7 @@
 #include "test_meshes.h"
 
 #include <CGAL/Spectral_segmentation/internal/surface/connected_components.h>
-#include <CGAL/Spectral_segmentation/internal/surface/Principal_frame.h>
+#include <CGAL/Spectral_segmentation/internal/surface/Moments.h>
 #include <CGAL/Spectral_segmentation/internal/coarsening/coarsening.h>
 
 #include <CGAL/Polygon_mesh_processing/repair_polygon_soup.h>

@@ -6,7 +6,6 @@
 #include "test_meshes.h"
 
 #include <CGAL/Spectral_segmentation/internal/surface/connected_components.h>
-#include <CGAL/Spectral_segmentation/internal/surface/extract_part.h>
 
 #include <algorithm>
 #include <cstddef>

@@ -6,9 +6,9 @@
 #include "test_meshes.h"
 
 #include <CGAL/Spectral_segmentation/internal/salience/Support_points.h>
-#include <CGAL/Spectral_segmentation/internal/surface/Principal_frame.h>
+#include <CGAL/Spectral_segmentation/internal/surface/Moments.h>
 #include <CGAL/Spectral_segmentation/internal/surface/Surface.h>
-#include <CGAL/Spectral_segmentation/internal/salience/Convexity_defect.h>
+#include <CGAL/Spectral_segmentation/internal/salience/Cut_evaluator.h>
 #include <CGAL/Spectral_segmentation/internal/distances/face_distances.h>
 
 #include <Eigen/Core>

@@ -9,10 +9,8 @@
 #include <CGAL/Spectral_segmentation/internal/salience/Cut_evaluator.h>
 #include <CGAL/Spectral_segmentation/internal/salience/Support_points.h>
 #include <CGAL/Spectral_segmentation/internal/surface/Surface.h>
-#include <CGAL/Spectral_segmentation/internal/salience/Convexity_defect.h>
-#include <CGAL/Spectral_segmentation/internal/salience/faces_near_cut.h>
 #include <CGAL/Spectral_segmentation/internal/distances/face_distances.h>
-#include <CGAL/Spectral_segmentation/internal/surface/extract_part.h>
+#include <CGAL/Spectral_segmentation/internal/surface/connected_components.h>
 
 #include <algorithm>
 #include <cmath>

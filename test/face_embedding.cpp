@@ -5,7 +5,6 @@
 
 #include "test_meshes.h"
 
-#include <CGAL/Spectral_segmentation/internal/bipartition/face_embedding.h>
 #include <CGAL/Spectral_segmentation/internal/bipartition/face_orders.h>
 #include <CGAL/Spectral_segmentation/internal/distances/shortest_paths.h>
 

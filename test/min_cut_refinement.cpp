@@ -6,10 +6,10 @@
 #include "test_meshes.h"
 
 #include <CGAL/Spectral_segmentation/internal/surface/Surface.h>
-#include <CGAL/Spectral_segmentation/internal/salience/faces_near_cut.h>
+#include <CGAL/Spectral_segmentation/internal/salience/Cut_evaluator.h>
 #include <CGAL/Spectral_segmentation/internal/distances/face_distances.h>
-#include <CGAL/Spectral_segmentation/internal/bipartition/min_cut_refinement.h>
-#include <CGAL/Spectral_segmentation/internal/surface/extract_part.h>
+#include <CGAL/Spectral_segmentation/internal/bipartition/cut_proposals.h>
+#include <CGAL/Spectral_segmentation/internal/surface/connected_components.h>
 
 #include <algorithm>
 #include <cmath>

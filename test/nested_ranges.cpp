@@ -3,7 +3,7 @@
 
 #include <boost/test/unit_test.hpp>
 
-#include <CGAL/Spectral_segmentation/internal/hierarchy/Nested_ranges.h>
+#include <CGAL/Spectral_segmentation/internal/hierarchy/Cut_hierarchy.h>
 
 #include <algorithm>
 #include <cstddef>

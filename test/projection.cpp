@@ -11,7 +11,7 @@
 #include <CGAL/Spectral_segmentation/internal/hierarchy/region_merging.h>
 #include <CGAL/Spectral_segmentation/internal/coarsening/coarsening.h>
 #include <CGAL/Spectral_segmentation/internal/coarsening/Cut_transfer.h>
-#include <CGAL/Spectral_segmentation/internal/surface/Principal_frame.h>
+#include <CGAL/Spectral_segmentation/internal/surface/Moments.h>
 #include <CGAL/segment_spectral_recursive.h>
 #include <CGAL/tags.h>
 

@@ -7,10 +7,9 @@
 #include "test_meshes.h"
 
 #include <CGAL/Spectral_segmentation/internal/bipartition/best_cut.h>
-#include <CGAL/Spectral_segmentation/internal/hierarchy/Nested_ranges.h>
+#include <CGAL/Spectral_segmentation/internal/hierarchy/Cut_hierarchy.h>
 #include <CGAL/Spectral_segmentation/internal/hierarchy/recursion.h>
 #include <CGAL/Spectral_segmentation/internal/surface/connected_components.h>
-#include <CGAL/Spectral_segmentation/internal/surface/extract_part.h>
 #include <CGAL/segment_spectral_recursive.h>
 
 #include <CGAL/Polygon_mesh_processing/connected_components.h>

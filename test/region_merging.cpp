@@ -6,10 +6,10 @@
 #include "test_meshes.h"
 
 #include <CGAL/Spectral_segmentation/internal/bipartition/best_cut.h>
-#include <CGAL/Spectral_segmentation/internal/hierarchy/Nested_ranges.h>
+#include <CGAL/Spectral_segmentation/internal/hierarchy/Cut_hierarchy.h>
 #include <CGAL/Spectral_segmentation/internal/hierarchy/recursion.h>
 #include <CGAL/Spectral_segmentation/internal/hierarchy/region_merging.h>
-#include <CGAL/Spectral_segmentation/internal/surface/extract_part.h>
+#include <CGAL/Spectral_segmentation/internal/surface/connected_components.h>
 
 #include <algorithm>
 #include <atomic>

@@ -5,10 +5,7 @@
 
 #include "test_meshes.h"
 
-#include <CGAL/Spectral_segmentation/internal/features/Set_features.h>
-#include <CGAL/Spectral_segmentation/internal/features/feature_factors.h>
-#include <CGAL/Spectral_segmentation/internal/features/feature_order.h>
-#include <CGAL/Spectral_segmentation/internal/features/feature_steps.h>
+#include <CGAL/Spectral_segmentation/internal/features/Face_features.h>
 #include <CGAL/Spectral_segmentation/internal/features/searched_features.h>
 
 #include <Eigen/Core>

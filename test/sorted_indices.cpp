@@ -5,7 +5,7 @@
 
 #include "test_meshes.h"
 
-#include <CGAL/Spectral_segmentation/internal/base/sorted_indices.h>
+#include <CGAL/Spectral_segmentation/internal/base/concurrency.h>
 
 #include <algorithm>
 #include <cstddef>

@@ -1,7 +1,7 @@
 // Copyright (c) 2026  The Spectral_segmentation authors.
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#include <CGAL/Spectral_segmentation/internal/base/Symmetric_matrix.h>
+#include <CGAL/Spectral_segmentation/internal/base/Vector.h>
 
 #include "test_meshes.h"
 

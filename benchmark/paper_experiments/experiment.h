@@ -8,9 +8,8 @@
 #include "../princeton_benchmark.h"
 
 #include <CGAL/Spectral_segmentation/internal/surface/connected_components.h>
-#include <CGAL/Spectral_segmentation/internal/surface/extract_part.h>
-#include <CGAL/Spectral_segmentation/internal/surface/surface_integrals.h>
-#include <CGAL/Spectral_segmentation/internal/salience/Cut.h>
+#include <CGAL/Spectral_segmentation/internal/surface/Moments.h>
+#include <CGAL/Spectral_segmentation/internal/salience/Boundary_statistics.h>
 
 #include <algorithm>
 #include <cstddef>

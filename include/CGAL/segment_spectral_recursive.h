@@ -7,7 +7,7 @@
 // These headers, below Spectral_segmentation/internal/, hold the sections of the paper:
 //
 //   2    overview, queue of parts        hierarchy/recursion.h
-//   2    smoothing before and after      distances/laplacian_smoothing.h,
+//   2    smoothing before and after      distances/face_distances.h,
 //                                        hierarchy/boundary_smoothing.h
 //   2    BESTCUT (Figure 2)              bipartition/best_cut.h
 //   3    distances of adjacent faces     distances/face_distances.h
@@ -18,9 +18,9 @@
 //   6    salience of a part              salience/Boundary_statistics.h, Part_salience.h
 //
 // The calibrated method adds to the paper: over-segmentation and merging
-// (hierarchy/region_merging.h), more cuts to choose from (bipartition/cut_proposals.h,
-// min_cut_refinement.h), more factors to judge them by (salience/Cut_evaluator.h), curvature at the
-// scale of the shape (distances/curvature_angles.h), and the search on a coarse mesh (coarsening/).
+// (hierarchy/region_merging.h), more cuts to choose from (bipartition/cut_proposals.h), more
+// factors to judge them by (salience/Cut_evaluator.h), curvature at the scale of the shape
+// (distances/curvature_angles.h), and the search on a coarse mesh (coarsening/).
 // engine.h separates these headers from the templates here and in adaptors/.
 
 #include <CGAL/Spectral_segmentation/Options.h>
@@ -30,13 +30,10 @@
 #include <CGAL/Spectral_segmentation/parameters.h>
 #include <CGAL/Spectral_segmentation/version.h>
 
-#include <CGAL/Spectral_segmentation/internal/adaptors/Visitor_control.h>
 #include <CGAL/Spectral_segmentation/internal/adaptors/numbered_descriptors.h>
+#include <CGAL/Spectral_segmentation/internal/adaptors/read_constraints.h>
 #include <CGAL/Spectral_segmentation/internal/adaptors/read_options.h>
 #include <CGAL/Spectral_segmentation/internal/adaptors/read_triangle_mesh.h>
-#include <CGAL/Spectral_segmentation/internal/adaptors/read_triangle_soup.h>
-#include <CGAL/Spectral_segmentation/internal/adaptors/read_constraints.h>
-#include <CGAL/Spectral_segmentation/internal/adaptors/read_features.h>
 #include <CGAL/Spectral_segmentation/internal/adaptors/segmentation_hierarchy.h>
 
 #include <CGAL/Named_function_parameters.h>

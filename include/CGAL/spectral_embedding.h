@@ -10,7 +10,7 @@
 #include <CGAL/Spectral_segmentation/internal/adaptors/numbered_descriptors.h>
 #include <CGAL/Spectral_segmentation/internal/adaptors/read_options.h>
 #include <CGAL/Spectral_segmentation/internal/adaptors/read_triangle_mesh.h>
-#include <CGAL/Spectral_segmentation/internal/bipartition/face_embedding.h>
+#include <CGAL/Spectral_segmentation/internal/bipartition/face_orders.h>
 #include <CGAL/Spectral_segmentation/internal/bipartition/shape_context_sampling.h>
 #include <CGAL/Spectral_segmentation/internal/distances/face_distances.h>
 #include <CGAL/Spectral_segmentation/internal/surface/connected_components.h>

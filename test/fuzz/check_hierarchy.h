@@ -6,7 +6,7 @@
 
 #include "run_of_soup.h"
 
-#include <CGAL/Spectral_segmentation/internal/adaptors/read_triangle_soup.h>
+#include <CGAL/Spectral_segmentation/internal/adaptors/read_triangle_mesh.h>
 #include <CGAL/Spectral_segmentation/internal/engine.h>
 
 #include <algorithm>

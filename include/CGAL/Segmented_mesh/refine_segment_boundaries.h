@@ -4,13 +4,10 @@
 #ifndef CGAL_SEGMENTED_MESH_REFINE_SEGMENT_BOUNDARIES_H
 #define CGAL_SEGMENTED_MESH_REFINE_SEGMENT_BOUNDARIES_H
 
-#include <CGAL/Segmented_mesh/internal/adaptors/Face_splitter.h>
 #include <CGAL/Segmented_mesh/internal/adaptors/read_segments.h>
 #include <CGAL/Segmented_mesh/internal/base.h>
 #include <CGAL/Segmented_mesh/internal/refinement/refined_boundaries.h>
-#include <CGAL/Segmented_mesh/internal/refinement/split_triangles.h>
 #include <CGAL/Spectral_segmentation/internal/adaptors/read_triangle_mesh.h>
-#include <CGAL/Spectral_segmentation/internal/adaptors/read_triangle_soup.h>
 #include <CGAL/Spectral_segmentation/internal/soup/connect_triangles.h>
 #include <CGAL/Spectral_segmentation/parameters.h>
 

@@ -5,7 +5,7 @@
 #define CGAL_SPECTRAL_SEGMENTATION_PART_SALIENCE_H
 
 #include <CGAL/Spectral_segmentation/Salience_factors.h>
-#include <CGAL/Spectral_segmentation/internal/salience/Feature_logit.h>
+#include <CGAL/Spectral_segmentation/internal/salience/Boundary_network.h>
 #include <CGAL/Spectral_segmentation/internal/salience/calibrated_boundary_network.h>
 
 #include <cmath>

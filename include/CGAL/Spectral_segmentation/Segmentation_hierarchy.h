@@ -5,12 +5,11 @@
 #define CGAL_SPECTRAL_SEGMENTATION_SEGMENTATION_HIERARCHY_H
 
 #include <CGAL/Spectral_segmentation/Options.h>
-#include <CGAL/Spectral_segmentation/parameters.h>
 #include <CGAL/Spectral_segmentation/internal/adaptors/numbered_descriptors.h>
 #include <CGAL/Spectral_segmentation/internal/hierarchy/Cut_editor.h>
 #include <CGAL/Spectral_segmentation/internal/hierarchy/Cut_hierarchy.h>
-#include <CGAL/Spectral_segmentation/internal/hierarchy/Nested_ranges.h>
 #include <CGAL/Spectral_segmentation/internal/hierarchy/boundary_smoothing.h>
+#include <CGAL/Spectral_segmentation/parameters.h>
 
 #include <algorithm>
 #include <cmath>

@@ -6,9 +6,9 @@
 
 #include <CGAL/Spectral_segmentation/Segmentation_hierarchy.h>
 #include <CGAL/Spectral_segmentation/internal/adaptors/numbered_descriptors.h>
-#include <CGAL/Spectral_segmentation/internal/adaptors/read_triangle_soup.h>
+#include <CGAL/Spectral_segmentation/internal/adaptors/read_triangle_mesh.h>
 #include <CGAL/Spectral_segmentation/internal/hierarchy/Cut_hierarchy.h>
-#include <CGAL/Spectral_segmentation/internal/json/Hierarchy_access.h>
+#include <CGAL/Spectral_segmentation/internal/json/json_of_hierarchy.h>
 #include <CGAL/Spectral_segmentation/internal/surface/segment_classes.h>
 
 #include <cstddef>

@@ -10,10 +10,8 @@
 #include <CGAL/Spectral_segmentation/Segmentation_hierarchy.h>
 #include <CGAL/Spectral_segmentation/internal/adaptors/numbered_descriptors.h>
 #include <CGAL/Spectral_segmentation/internal/adaptors/read_triangle_mesh.h>
-#include <CGAL/Spectral_segmentation/internal/adaptors/read_triangle_soup.h>
 #include <CGAL/Spectral_segmentation/internal/json/hierarchy_of_json.h>
 #include <CGAL/Spectral_segmentation/internal/json/json_of_hierarchy.h>
-#include <CGAL/Spectral_segmentation/internal/json/segment_extents.h>
 #include <CGAL/Spectral_segmentation/parameters.h>
 
 #include <CGAL/boost/graph/named_params_helper.h>

@@ -5,8 +5,8 @@
 #define CGAL_SPECTRAL_SEGMENTATION_INTERNAL_ENGINE_H
 
 #include <CGAL/Spectral_segmentation/Options.h>
+#include <CGAL/Spectral_segmentation/internal/base/Run_monitor.h>
 #include <CGAL/Spectral_segmentation/internal/base/concurrency.h>
-#include <CGAL/Spectral_segmentation/internal/base/Run_control.h>
 #include <CGAL/Spectral_segmentation/internal/constraints/Constraints.h>
 #include <CGAL/Spectral_segmentation/internal/features/Face_features.h>
 #include <CGAL/Spectral_segmentation/internal/hierarchy/Cut_hierarchy.h>

@@ -4,38 +4,29 @@
 #ifndef CGAL_SPECTRAL_SEGMENTATION_INTERNAL_ENGINE_IMPL_H
 #define CGAL_SPECTRAL_SEGMENTATION_INTERNAL_ENGINE_IMPL_H
 
+#include <CGAL/Spectral_segmentation/internal/base/Run_monitor.h>
 #include <CGAL/Spectral_segmentation/internal/bipartition/best_cut.h>
-#include <CGAL/Spectral_segmentation/internal/distances/face_distances.h>
-#include <CGAL/Spectral_segmentation/internal/distances/laplacian_smoothing.h>
-#include <CGAL/Spectral_segmentation/internal/engine.h>
-#include <CGAL/Spectral_segmentation/internal/features/feature_steps.h>
-#include <CGAL/Spectral_segmentation/internal/features/searched_features.h>
-#include <CGAL/Spectral_segmentation/internal/grid/component_walls.h>
-#include <CGAL/Spectral_segmentation/internal/hierarchy/congruent_cuts.h>
-#include <CGAL/Spectral_segmentation/internal/hierarchy/further_cuts.h>
-#include <CGAL/Spectral_segmentation/internal/hierarchy/Component_merging.h>
-#include <CGAL/Spectral_segmentation/internal/hierarchy/numbers_to_search.h>
-#include <CGAL/Spectral_segmentation/internal/hierarchy/recursion.h>
-#include <CGAL/Spectral_segmentation/internal/hierarchy/region_merging.h>
-#include <CGAL/Spectral_segmentation/internal/hierarchy/wall_labels.h>
-#include <CGAL/Spectral_segmentation/internal/soup/connect_triangles.h>
-#include <CGAL/Spectral_segmentation/internal/soup/duplicate_faces.h>
-#include <CGAL/Spectral_segmentation/internal/soup/weld_borders.h>
-#include <CGAL/Spectral_segmentation/internal/surface/Principal_frame.h>
-#include <CGAL/Spectral_segmentation/internal/surface/face_groups.h>
-#include <CGAL/Spectral_segmentation/internal/surface/geometric_order.h>
-#include <CGAL/Spectral_segmentation/internal/surface/is_convex.h>
-#include <CGAL/Spectral_segmentation/internal/surface/model_components.h>
-#include <CGAL/Spectral_segmentation/internal/surface/reorder_faces.h>
+#include <CGAL/Spectral_segmentation/internal/coarsening/Coarse_surface.h>
 #include <CGAL/Spectral_segmentation/internal/coarsening/Cut_transfer.h>
 #include <CGAL/Spectral_segmentation/internal/coarsening/Longest_edge_bisection.h>
 #include <CGAL/Spectral_segmentation/internal/coarsening/coarsening.h>
-#include <CGAL/Spectral_segmentation/internal/coarsening/Leaf_shares.h>
-#include <CGAL/Spectral_segmentation/internal/base/Run_monitor.h>
-#include <CGAL/Spectral_segmentation/internal/constraints/Constraint_groups.h>
 #include <CGAL/Spectral_segmentation/internal/constraints/Constrained_merging.h>
+#include <CGAL/Spectral_segmentation/internal/constraints/Constraint_groups.h>
 #include <CGAL/Spectral_segmentation/internal/constraints/Forced_cuts.h>
-#include <CGAL/Spectral_segmentation/internal/constraints/Set_connection.h>
+#include <CGAL/Spectral_segmentation/internal/distances/face_distances.h>
+#include <CGAL/Spectral_segmentation/internal/engine.h>
+#include <CGAL/Spectral_segmentation/internal/features/searched_features.h>
+#include <CGAL/Spectral_segmentation/internal/grid/component_walls.h>
+#include <CGAL/Spectral_segmentation/internal/hierarchy/Component_merging.h>
+#include <CGAL/Spectral_segmentation/internal/hierarchy/congruent_cuts.h>
+#include <CGAL/Spectral_segmentation/internal/hierarchy/further_cuts.h>
+#include <CGAL/Spectral_segmentation/internal/hierarchy/recursion.h>
+#include <CGAL/Spectral_segmentation/internal/hierarchy/region_merging.h>
+#include <CGAL/Spectral_segmentation/internal/soup/connect_triangles.h>
+#include <CGAL/Spectral_segmentation/internal/soup/weld_borders.h>
+#include <CGAL/Spectral_segmentation/internal/surface/Moments.h>
+#include <CGAL/Spectral_segmentation/internal/surface/model_components.h>
+#include <CGAL/Spectral_segmentation/internal/surface/reorder_faces.h>
 
 #include <algorithm>
 #include <cstddef>
@@ -56,26 +47,6 @@ struct Searched_part
   std::vector<Index> callers_faces; // the caller's face for each face; empty if it is the same
   Constraints constraints;          // on the faces of the surface
   double fraction_of_model = 1;     // 1 unless it is searched at the scale of the model
-};
-
-// Estimates of the times of the phases of a run, in nanoseconds. Only the reported progress depends
-// on them.
-struct Phase_times
-{
-  double reading, coarsening, search, projection;
-
-  Phase_times(const Options& options, std::size_t number_of_faces)
-  {
-    const double n = static_cast<double>(number_of_faces);
-    const double m =
-      static_cast<double>(faces_to_search(options, number_of_faces, number_of_faces));
-    reading = 150 * n;
-    coarsening = (m < n ? 1250 : 100) * n;
-    search = (options.method == Method::CALIBRATED ? 50000 : 4000) * m;
-    projection = (m < n ? 250 : 0) * n;
-  }
-
-  double without_reading() const { return coarsening + search + projection; }
 };
 
 // One run: the stages in their order, and the levels between them.
@@ -178,25 +149,6 @@ class Run
            mesh_.number_of_faces() <= options_.number_of_coarse_faces && is_convex(mesh_);
   }
 
-  // Returns the constraints between faces of one part, by their indices in the part.
-  // `face_of_part` holds the index of each of the caller's faces, or null_index.
-  Constraints constraints_within(const std::vector<Index>& face_of_part) const
-  {
-    Constraints result;
-    const auto add_pairs = [&](const std::vector<Face_pair>& pairs, std::vector<Face_pair>& into) {
-      for (const auto& [f, g] : pairs)
-        if (face_of_part[f] != null_index && face_of_part[g] != null_index)
-          into.push_back({face_of_part[f], face_of_part[g]});
-    };
-    add_pairs(constraints_.cannot_link, result.cannot_link);
-    add_pairs(constraints_.must_link, result.must_link);
-    for (const auto& [f, seed] : constraints_.seeds)
-      if (face_of_part[f] != null_index)
-        result.seeds.emplace_back(face_of_part[f], seed);
-    std::sort(result.seeds.begin(), result.seeds.end());
-    return result;
-  }
-
   void add_part(const std::vector<Index>& faces, const std::vector<Vector>& points,
                 double fraction_of_model)
   {
@@ -206,7 +158,7 @@ class Run
       std::vector<Index> face_of_mesh(mesh_.number_of_faces(), null_index);
       for (Index i = 0; i < faces.size(); ++i)
         face_of_mesh[faces[i]] = i;
-      part.constraints = constraints_within(composed(face_, face_of_mesh));
+      part.constraints = constraints_within(constraints_, composed(face_, face_of_mesh));
     }
     parts_.push_back(std::move(part));
   }

@@ -6,16 +6,151 @@
 
 #include <CGAL/Segmented_mesh/internal/base.h>
 #include <CGAL/Segmented_mesh/internal/refinement/Boundary_band.h>
-#include <CGAL/Segmented_mesh/internal/refinement/Boundary_curves.h>
-#include <CGAL/Segmented_mesh/internal/refinement/Refinement.h>
-#include <CGAL/Segmented_mesh/internal/refinement/Segment_keeper.h>
 #include <CGAL/Segmented_mesh/internal/refinement/Segment_shares.h>
 #include <CGAL/Spectral_segmentation/internal/surface/Surface.h>
+#include <CGAL/Spectral_segmentation/internal/surface/connected_components.h>
 
+#include <algorithm>
+#include <array>
 #include <cstddef>
 #include <vector>
 
 namespace CGAL::Segmented_mesh::internal {
+
+// Splits the faces of a surface. Calls add_point(f, weights) for each new vertex, which lies in
+// face f at the mean of its corners with these weights, and add_triangle(f, corners, label) for
+// each part of face f. New vertices have numbers from the number of vertices on.
+template <class AddPoint, class AddTriangle>
+void split_triangles(const Surface& surface, const Refinement& refinement,
+                     const AddPoint& add_point, const AddTriangle& add_triangle)
+{
+  typedef std::array<double, 3> Weights;
+  const Index first = static_cast<Index>(surface.points.size());
+  for (const Refinement::Edge_point& p : refinement.points) {
+    Weights weights = {0, 0, 0};
+    weights[p.halfedge % 3] = 1 - p.position;
+    weights[(p.halfedge + 1) % 3] = p.position;
+    add_point(p.halfedge / 3, weights);
+  }
+  Index next_centroid = first + static_cast<Index>(refinement.points.size());
+  for (const Refinement::Split_face& s : refinement.split_faces) {
+    const Corners& c = surface.corners[s.face];
+    const Index apex =
+      s.apex == Refinement::centroid ? next_centroid++ : first + s.points[s.apex];
+    if (s.apex == Refinement::centroid)
+      add_point(s.face, Weights{1. / 3, 1. / 3, 1. / 3});
+    for (int i = 0; i < 3; ++i) {
+      const bool has_point = s.points[i] != null_index;
+      const Index source = c[i], target = c[(i + 1) % 3];
+      const Index middle = has_point ? first + s.points[i] : target;
+      if (source != apex && middle != apex)
+        add_triangle(s.face, Corners{source, middle, apex}, s.labels[2 * i]);
+      if (has_point && middle != apex)
+        add_triangle(s.face, Corners{middle, target, apex}, s.labels[2 * i + 1]);
+    }
+  }
+}
+
+// Keeps segments from vanishing and from falling apart, by freezing the faces of segments that
+// would.
+class Segment_keeper
+{
+  static constexpr double smallest_rest = 0.5; // the fraction of the area of a segment
+
+  const Surface& graph_;
+  const std::vector<Index>& labels_; // one per face
+  const Boundary_band& band_;
+  std::vector<double> areas_;        // the area of each segment before
+  std::vector<std::size_t> numbers_; // the number of components of each segment before
+
+  // Counts the components of each segment, by the labels of the halves of the edges of faces.
+  template <class Label>
+  std::vector<std::size_t> numbers_of_components(const Label& label) const
+  {
+    // The part of a face with one label has the index of a corner in it.
+    const auto part = [&](Index f, Index l) {
+      Index half = 0;
+      while (label(3 * f + half / 2, half % 2) != l)
+        ++half;
+      return 3 * f + (half + 1) / 2 % 3;
+    };
+    Face_components components(graph_.number_of_halfedges());
+    std::vector<Index> label_of_part(graph_.number_of_halfedges(), null_index);
+    for (Index h = 0; h < graph_.number_of_halfedges(); ++h)
+      for (int half : {0, 1}) {
+        const Index l = label(h, half);
+        Index& of_part = label_of_part[part(h / 3, l)];
+        if (of_part == null_index)
+          components.add(part(h / 3, l));
+        of_part = l;
+      }
+    for (Index h = 0; h < graph_.number_of_halfedges(); ++h) {
+      if (h / 3 >= graph_.neighbor(h))
+        continue;
+      const Index o = graph_.opposite[h];
+      for (int half : {0, 1}) {
+        const Index l = label(h, half);
+        if (l == label(o, 1 - half))
+          components.join(part(h / 3, l), part(o / 3, l));
+      }
+    }
+    std::vector<std::size_t> numbers(areas_.size(), 0);
+    for (Index p = 0; p < label_of_part.size(); ++p)
+      if (label_of_part[p] != null_index)
+        numbers[label_of_part[p]] += components.representative(p) == p;
+    return numbers;
+  }
+
+  std::vector<double> areas(const Boundary_curves& curves) const
+  {
+    std::vector<double> result = areas_;
+    for (Index f : band_.faces) {
+      result[labels_[f]] -= graph_.areas[f];
+      // The boundaries in the face meet in its apex.
+      const auto apex = curves.apex(f);
+      for (Index i = 0; i < 3; ++i) {
+        const Index h = 3 * f + i;
+        const double area = apex[(i + 2) % 3] * graph_.areas[f], t = curves.position(h);
+        result[curves.label(h, 0)] += t * area;
+        result[curves.label(h, 1)] += (1 - t) * area;
+      }
+    }
+    return result;
+  }
+
+public:
+  Segment_keeper(const Surface& graph, const std::vector<Index>& labels,
+                 std::size_t number_of_segments, const Boundary_band& band)
+    : graph_(graph), labels_(labels), band_(band), areas_(number_of_segments, 0)
+  {
+    for (Index f = 0; f < graph.number_of_faces(); ++f)
+      areas_[labels[f]] += graph.areas[f];
+    numbers_ = numbers_of_components([&](Index h, int) { return labels[h / 3]; });
+  }
+
+  // Freezes faces until no segment is bad. At worst all faces are frozen.
+  void operator()(Boundary_curves& curves) const
+  {
+    const auto label = [&](Index h, int half) { return curves.label(h, half); };
+    for (;;) {
+      const std::vector<double> new_areas = areas(curves);
+      const std::vector<std::size_t> new_numbers = numbers_of_components(label);
+      std::vector<char> is_bad(areas_.size(), 0);
+      for (std::size_t s = 0; s < is_bad.size(); ++s)
+        is_bad[s] = new_areas[s] < smallest_rest * areas_[s] || new_numbers[s] == 0 ||
+                    new_numbers[s] > numbers_[s];
+      if (std::find(is_bad.begin(), is_bad.end(), 1) == is_bad.end())
+        return;
+      for (Index f : band_.faces) {
+        bool is_to_freeze = is_bad[labels_[f]];
+        for (Index half = 0; half < 6; ++half)
+          is_to_freeze |= is_bad[label(3 * f + half / 2, half % 2)] != 0;
+        if (is_to_freeze)
+          curves.freeze(f);
+      }
+    }
+  }
+};
 
 // Returns the splits of faces along the curves.
 inline Refinement refinement(const Surface& graph, const std::vector<Index>& labels,

@@ -5,7 +5,11 @@
 #define CGAL_SPECTRAL_SEGMENTATION_INTERNAL_BASE_INDEX_H
 
 #include <cmath>
+#include <cstddef>
 #include <cstdint>
+#include <numeric>
+#include <utility>
+#include <vector>
 
 namespace CGAL::Spectral_segmentation::internal {
 
@@ -18,6 +22,71 @@ constexpr Index null_index = static_cast<Index>(-1);
 // equal on paper are equal in the machine.
 constexpr double quantum = 1. / (1 << 20);
 inline double quantized(double x) { return std::floor(x / quantum + 0.5) * quantum; }
+
+// The constants on which, besides `Options`, the factors of cuts and therefore the fit of
+// `Calibrated_part_salience` depend. They were chosen by trials on a prototype of the method. If
+// one of them changes, the salience has to be fitted again (benchmark/fit_part_salience).
+namespace constants {
+
+// The radius of the neighborhood of a cut, in which factors are measured and minimum cuts are
+// searched, relative to the square root of the area of the smaller side.
+constexpr double neighborhood_radius = 0.35;
+
+// The constant that is added to convexity defects before their ratio is taken. Defects well below
+// it, relative to the square root of the area of the mesh, make no difference.
+constexpr double smallest_convexity_defect = 0.005;
+
+// The largest value of the factor `expansion_behind_cut`.
+constexpr double largest_expansion = 4;
+
+// The cost of an edge of the strongest concavity for a minimum cut, relative to a flat edge.
+constexpr double cost_of_concave_edge = 0.05;
+
+// The second proposal of an order differs from the first by this fraction of the smaller area.
+constexpr double distance_of_proposals = 0.25;
+
+// Two proposals are alike if the faces on which they differ are less than so many percent of the
+// smallest side.
+constexpr std::size_t percent_of_alike_proposals = 15;
+
+// Proposals are taken while Q has at most this many times the area of the rest, because other
+// orders start at the other end.
+constexpr double largest_ratio_to_rest = 3;
+
+// The curvature is averaged over a radius of at most the root of this number of mean face areas,
+// about 9 faces, because the bands around the cuts of a coarsened mesh are not wider.
+constexpr double largest_number_of_averaged_faces = 80;
+
+} // namespace constants
+
+// An immutable directed graph that keeps the arcs that leave a node side by side. BGL's
+// compressed_sparse_row_graph takes four times the memory for an arc, and a second to compile.
+struct Packed_graph
+{
+  typedef std::pair<Index, Index> Ends; // the source and the target of an arc
+
+  std::vector<Index> first_arc; // one per node, then the number of arcs
+  std::vector<Index> targets;   // one per arc
+
+  // Packs the arcs; the arcs of a node keep their order. `place` becomes the index of each arc.
+  Packed_graph(std::size_t number_of_nodes, const std::vector<Ends>& arcs,
+               std::vector<Index>& place)
+    : first_arc(number_of_nodes + 1, 0), targets(arcs.size())
+  {
+    place.resize(arcs.size());
+    for (const Ends& ends : arcs)
+      ++first_arc[ends.first + 1];
+    std::partial_sum(first_arc.begin(), first_arc.end(), first_arc.begin());
+    std::vector<Index> next = first_arc;
+    for (std::size_t i = 0; i < arcs.size(); ++i) {
+      place[i] = next[arcs[i].first]++;
+      targets[place[i]] = arcs[i].second;
+    }
+  }
+
+  Index number_of_nodes() const { return static_cast<Index>(first_arc.size() - 1); }
+  Index number_of_arcs() const { return static_cast<Index>(targets.size()); }
+};
 
 } // namespace CGAL::Spectral_segmentation::internal
 

@@ -5,16 +5,15 @@
 #define CGAL_SPECTRAL_SEGMENTATION_INTERNAL_BIPARTITION_BEST_CUT_H
 
 #include <CGAL/Spectral_segmentation/Options.h>
+#include <CGAL/Spectral_segmentation/internal/base/Run_monitor.h>
+#include <CGAL/Spectral_segmentation/internal/base/concurrency.h>
 #include <CGAL/Spectral_segmentation/internal/bipartition/cut_proposals.h>
 #include <CGAL/Spectral_segmentation/internal/bipartition/face_orders.h>
-#include <CGAL/Spectral_segmentation/internal/features/feature_order.h>
 #include <CGAL/Spectral_segmentation/internal/bipartition/line_search.h>
-#include <CGAL/Spectral_segmentation/internal/bipartition/min_cut_refinement.h>
 #include <CGAL/Spectral_segmentation/internal/bipartition/shape_context_sampling.h>
-#include <CGAL/Spectral_segmentation/internal/surface/connected_components.h>
+#include <CGAL/Spectral_segmentation/internal/features/searched_features.h>
 #include <CGAL/Spectral_segmentation/internal/salience/Cut_evaluator.h>
-#include <CGAL/Spectral_segmentation/internal/base/Run_monitor.h>
-#include <CGAL/Spectral_segmentation/internal/base/sorted_indices.h>
+#include <CGAL/Spectral_segmentation/internal/surface/connected_components.h>
 
 #include <algorithm>
 #include <cstddef>

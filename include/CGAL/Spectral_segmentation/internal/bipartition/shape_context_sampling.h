@@ -4,10 +4,10 @@
 #ifndef CGAL_SPECTRAL_SEGMENTATION_INTERNAL_BIPARTITION_SHAPE_CONTEXT_SAMPLING_H
 #define CGAL_SPECTRAL_SEGMENTATION_INTERNAL_BIPARTITION_SHAPE_CONTEXT_SAMPLING_H
 
-#include <CGAL/Spectral_segmentation/internal/surface/Surface.h>
 #include <CGAL/Spectral_segmentation/internal/base/concurrency.h>
-#include <CGAL/Spectral_segmentation/internal/surface/surface_integrals.h>
 #include <CGAL/Spectral_segmentation/internal/distances/shortest_paths.h>
+#include <CGAL/Spectral_segmentation/internal/surface/Moments.h>
+#include <CGAL/Spectral_segmentation/internal/surface/Surface.h>
 
 #include <Eigen/Core>
 

@@ -5,8 +5,8 @@
 #define CGAL_SPECTRAL_SEGMENTATION_INTERNAL_COARSENING_EDGE_COLLAPSE_H
 
 #include <CGAL/Spectral_segmentation/internal/base/Run_monitor.h>
+#include <CGAL/Spectral_segmentation/internal/base/Vector.h>
 #include <CGAL/Spectral_segmentation/internal/coarsening/Coarse_surface.h>
-#include <CGAL/Spectral_segmentation/internal/coarsening/Planes.h>
 
 #include <boost/container/small_vector.hpp>
 
@@ -23,6 +23,30 @@
 #include <vector>
 
 namespace CGAL::Spectral_segmentation::internal {
+
+// A sum of squared distances to planes, weighted by the squared lengths of their normals.
+class Planes
+{
+  Symmetric_matrix matrix_;
+  Vector right_;
+
+public:
+  // Adds the plane through a point.
+  void add(const Vector& normal, const Vector& at)
+  {
+    matrix_ += Symmetric_matrix::square(normal);
+    right_ += normal.dot(at) * normal;
+  }
+
+  // Returns the step from a point to the nearest point. The regularization, relative to the trace,
+  // keeps it short along planes that are parallel. NaN without planes.
+  Vector step_from(const Vector& point, double regularization) const
+  {
+    const double share = regularization * matrix_.trace() + 1e-300;
+    const Symmetric_matrix matrix = matrix_ + Symmetric_matrix{share, share, share};
+    return matrix.inverse() * (right_ - matrix_ * point);
+  }
+};
 
 // Collapses edges, the shortest first, until few faces are left. The vertex that is left goes where
 // it keeps the planes of the faces around it, weighted by their squared areas, in the way in which

@@ -7,7 +7,7 @@
 #include <CGAL/Spectral_segmentation/internal/base/Run_monitor.h>
 #include <CGAL/Spectral_segmentation/internal/constraints/Constraint_groups.h>
 #include <CGAL/Spectral_segmentation/internal/hierarchy/Dendrogram.h>
-#include <CGAL/Spectral_segmentation/internal/surface/surface_integrals.h>
+#include <CGAL/Spectral_segmentation/internal/surface/Moments.h>
 
 #include <algorithm>
 #include <cstddef>

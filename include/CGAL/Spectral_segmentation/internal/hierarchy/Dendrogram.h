@@ -5,7 +5,6 @@
 #define CGAL_SPECTRAL_SEGMENTATION_INTERNAL_HIERARCHY_DENDROGRAM_H
 
 #include <CGAL/Spectral_segmentation/internal/hierarchy/Cut_hierarchy.h>
-#include <CGAL/Spectral_segmentation/internal/hierarchy/Nested_ranges.h>
 #include <CGAL/Spectral_segmentation/internal/surface/connected_components.h>
 
 #include <algorithm>

@@ -4,12 +4,11 @@
 #ifndef CGAL_SPECTRAL_SEGMENTATION_INTERNAL_HIERARCHY_CONGRUENT_CUTS_H
 #define CGAL_SPECTRAL_SEGMENTATION_INTERNAL_HIERARCHY_CONGRUENT_CUTS_H
 
+#include <CGAL/Spectral_segmentation/internal/hierarchy/Cut_hierarchy.h>
 #include <CGAL/Spectral_segmentation/internal/hierarchy/Dendrogram.h>
-#include <CGAL/Spectral_segmentation/internal/hierarchy/Nested_ranges.h>
-#include <CGAL/Spectral_segmentation/internal/surface/Surface.h>
 #include <CGAL/Spectral_segmentation/internal/surface/Moments.h>
-#include <CGAL/Spectral_segmentation/internal/surface/surface_integrals.h>
-#include <CGAL/Spectral_segmentation/internal/base/first_fit_classes.h>
+#include <CGAL/Spectral_segmentation/internal/surface/Surface.h>
+#include <CGAL/Spectral_segmentation/internal/surface/segment_classes.h>
 
 #include <algorithm>
 #include <array>

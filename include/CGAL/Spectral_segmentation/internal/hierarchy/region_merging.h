@@ -5,10 +5,10 @@
 #define CGAL_SPECTRAL_SEGMENTATION_INTERNAL_HIERARCHY_REGION_MERGING_H
 
 #include <CGAL/Spectral_segmentation/Options.h>
-#include <CGAL/Spectral_segmentation/internal/hierarchy/Dendrogram.h>
-#include <CGAL/Spectral_segmentation/internal/surface/extract_part.h>
-#include <CGAL/Spectral_segmentation/internal/salience/Cut_evaluator.h>
 #include <CGAL/Spectral_segmentation/internal/base/Run_monitor.h>
+#include <CGAL/Spectral_segmentation/internal/hierarchy/Dendrogram.h>
+#include <CGAL/Spectral_segmentation/internal/salience/Cut_evaluator.h>
+#include <CGAL/Spectral_segmentation/internal/surface/connected_components.h>
 
 #include <algorithm>
 #include <cmath>

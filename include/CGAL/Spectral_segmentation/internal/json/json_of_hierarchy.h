@@ -5,16 +5,105 @@
 #define CGAL_SPECTRAL_SEGMENTATION_INTERNAL_JSON_JSON_OF_HIERARCHY_H
 
 #include <CGAL/Spectral_segmentation/Segmentation_hierarchy.h>
-#include <CGAL/Spectral_segmentation/internal/json/Hierarchy_access.h>
-#include <CGAL/Spectral_segmentation/internal/json/segment_extents.h>
+#include <CGAL/Spectral_segmentation/internal/base/Index.h>
+#include <CGAL/Spectral_segmentation/internal/salience/Boundary_network.h>
+#include <CGAL/Spectral_segmentation/internal/surface/segment_classes.h>
 
-#include <nlohmann/json.hpp>
-
+#include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstddef>
+#include <limits>
+#include <nlohmann/json.hpp>
+#include <utility>
 #include <vector>
 
 namespace CGAL::Spectral_segmentation::internal {
+
+// Gives access to the data of a hierarchy that are written and have no public name.
+struct Hierarchy_access
+{
+  static const Cut_hierarchy& cuts(const Segmentation_hierarchy& h) { return h.cuts_; }
+
+  static std::size_t maximum_number_of_segments(const Segmentation_hierarchy& h)
+  { return h.maximum_number_of_segments_; }
+};
+
+constexpr const char* name_of_format = "CGAL Spectral_segmentation hierarchy";
+constexpr std::size_t version_of_format = 1;
+
+constexpr std::array<std::pair<Cut_state, const char*>, 4> names_of_cut_states = {{
+  {Cut_state::NOT_SEARCHED, "not searched"},
+  {Cut_state::NO_CUT, "no cut"},
+  {Cut_state::REJECTED, "rejected"},
+  {Cut_state::CUT, "cut"}}};
+
+// Numbers that JSON does not have are strings.
+constexpr const char* infinity_string = "infinity";
+constexpr const char* minus_infinity_string = "-infinity";
+constexpr const char* nan_string = "nan";
+
+// The extent of a segment, its neighbors, and the class of its copies.
+struct Segment_extent
+{
+  static constexpr double infinity = std::numeric_limits<double>::infinity();
+
+  std::array<double, 3> smallest{infinity, infinity, infinity};
+  std::array<double, 3> largest{-infinity, -infinity, -infinity};
+  std::vector<std::size_t> neighbors; // the segments with which it shares an edge, ascending
+  std::size_t segment_class = 0;      // segments of one class may be copies or mirror images
+};
+
+// Returns the extent of each segment. Points and triangles are arrays of three; labels are below
+// `number`.
+template <class Points, class Triangles, class Labels>
+std::vector<Segment_extent> segment_extents(const Points& points, const Triangles& triangles,
+                                            const Labels& labels, std::size_t number)
+{
+  std::vector<Segment_extent> result(number);
+  constexpr std::size_t several = static_cast<std::size_t>(-2), none = several + 1;
+  std::vector<std::size_t> segment_at(points.size(), none);
+  for (std::size_t t = 0; t < triangles.size(); ++t) {
+    Segment_extent& extent = result[labels[t]];
+    for (auto v : triangles[t]) {
+      for (int k = 0; k < 3; ++k) {
+        extent.smallest[k] = (std::min)(extent.smallest[k], points[v][k]);
+        extent.largest[k] = (std::max)(extent.largest[k], points[v][k]);
+      }
+      if (segment_at[v] == none)
+        segment_at[v] = labels[t];
+      else if (segment_at[v] != labels[t])
+        segment_at[v] = several;
+    }
+  }
+
+  // The edges at a boundary, with the segments of their triangles.
+  typedef std::pair<std::array<std::size_t, 2>, std::size_t> Edge;
+  std::vector<Edge> edges;
+  for (std::size_t t = 0; t < triangles.size(); ++t)
+    for (int k = 0; k < 3; ++k) {
+      const std::size_t v = triangles[t][k], w = triangles[t][(k + 1) % 3];
+      if (segment_at[v] == several && segment_at[w] == several)
+        edges.push_back({{(std::min)(v, w), (std::max)(v, w)}, labels[t]});
+    }
+  std::sort(edges.begin(), edges.end());
+  edges.erase(std::unique(edges.begin(), edges.end()), edges.end());
+  for (std::size_t i = 0; i < edges.size(); ++i)
+    for (std::size_t j = i + 1; j < edges.size() && edges[j].first == edges[i].first; ++j) {
+      result[edges[i].second].neighbors.push_back(edges[j].second);
+      result[edges[j].second].neighbors.push_back(edges[i].second);
+    }
+  for (Segment_extent& extent : result) {
+    std::vector<std::size_t>& list = extent.neighbors;
+    std::sort(list.begin(), list.end());
+    list.erase(std::unique(list.begin(), list.end()), list.end());
+  }
+  const std::vector<std::size_t> classes =
+    congruence_classes(segment_moments(points, triangles, labels, number));
+  for (std::size_t i = 0; i < number; ++i)
+    result[i].segment_class = classes[i];
+  return result;
+}
 
 typedef nlohmann::ordered_json Json;
 

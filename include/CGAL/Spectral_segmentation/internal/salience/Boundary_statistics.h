@@ -5,17 +5,62 @@
 #define CGAL_SPECTRAL_SEGMENTATION_INTERNAL_SALIENCE_BOUNDARY_STATISTICS_H
 
 #include <CGAL/Spectral_segmentation/Part_salience.h>
+#include <CGAL/Spectral_segmentation/internal/base/Index.h>
+#include <CGAL/Spectral_segmentation/internal/base/Vector.h>
+#include <CGAL/Spectral_segmentation/internal/base/concurrency.h>
+#include <CGAL/Spectral_segmentation/internal/surface/Moments.h>
 #include <CGAL/Spectral_segmentation/internal/surface/Surface.h>
-#include <CGAL/Spectral_segmentation/internal/base/Symmetric_matrix.h>
-#include <CGAL/Spectral_segmentation/internal/surface/surface_integrals.h>
-#include <CGAL/Spectral_segmentation/internal/base/prefetch.h>
 
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <limits>
+#include <utility>
 #include <vector>
 
 namespace CGAL::Spectral_segmentation::internal {
+
+// The side of each face: 0 for Q, of smaller area, 1 for the rest.
+typedef std::vector<char> Sides;
+
+// A two-way cut of a part.
+struct Cut
+{
+  Sides side;
+  double area[2];
+  Salience_factors factors;
+  double salience;
+};
+
+// Makes side 0 the side of smaller area.
+inline void normalize_sides(Sides& side, double (&area)[2])
+{
+  if (area[0] <= area[1])
+    return;
+  for (char& s : side)
+    s = 1 - s;
+  std::swap(area[0], area[1]);
+}
+
+// Returns the salience. NaN counts as the least, because saliences are compared.
+template <class PartSalience>
+double salience_of(const PartSalience& part_salience, const Salience_factors& factors)
+{
+  const double salience = part_salience(factors);
+  return std::isnan(salience) ? -std::numeric_limits<double>::infinity() : salience;
+}
+
+// A cut whose factors were computed: a candidate for the best cut of a part, or the boundary of two
+// regions as the cut of their union.
+struct Evaluated_cut
+{
+  enum Kind { CANDIDATE, BOUNDARY };
+
+  Kind kind;
+  const std::vector<Index>& faces; // the faces of the part, by their indices in the mesh
+  const Sides& side;               // one per face
+  const Salience_factors& factors;
+};
 
 // The patch Q of the line search (Section 5.3), to which faces are added one by one, and the
 // factors of the salience of the cut between Q and the rest (Section 6). Adding a face and

@@ -5,24 +5,163 @@
 #define CGAL_SPECTRAL_SEGMENTATION_INTERNAL_SALIENCE_CUT_EVALUATOR_H
 
 #include <CGAL/Spectral_segmentation/Part_salience.h>
+#include <CGAL/Spectral_segmentation/internal/base/Index.h>
+#include <CGAL/Spectral_segmentation/internal/distances/shortest_paths.h>
 #include <CGAL/Spectral_segmentation/internal/features/Face_features.h>
-#include <CGAL/Spectral_segmentation/internal/features/feature_factors.h>
-#include <CGAL/Spectral_segmentation/internal/salience/Cut.h>
-#include <CGAL/Spectral_segmentation/internal/salience/Support_points.h>
-#include <CGAL/Spectral_segmentation/internal/surface/Surface.h>
-#include <CGAL/Spectral_segmentation/internal/salience/Convexity_defect.h>
 #include <CGAL/Spectral_segmentation/internal/salience/Boundary_statistics.h>
-#include <CGAL/Spectral_segmentation/internal/salience/faces_near_cut.h>
-#include <CGAL/Spectral_segmentation/internal/surface/surface_integrals.h>
-#include <CGAL/Spectral_segmentation/internal/base/constants.h>
+#include <CGAL/Spectral_segmentation/internal/salience/Support_points.h>
+#include <CGAL/Spectral_segmentation/internal/surface/Moments.h>
+#include <CGAL/Spectral_segmentation/internal/surface/Surface.h>
 
 #include <algorithm>
+#include <bitset>
 #include <cmath>
 #include <cstddef>
 #include <utility>
 #include <vector>
 
 namespace CGAL::Spectral_segmentation::internal {
+
+struct Face_at_distance
+{
+  Index face;
+  double distance; // from the cut, from centroid to centroid
+};
+
+// Returns the halfedges along a cut on its side 0.
+inline std::vector<Index> halfedges_of_cut(const Surface& part, const Sides& side)
+{
+  std::vector<Index> result;
+  for (Index f = 0; f < part.number_of_faces(); ++f)
+    if (side[f] == 0)
+      for (Index h = 3 * f; h < 3 * f + 3; ++h)
+        if (side[part.neighbor(h)] != 0)
+          result.push_back(h);
+  return result;
+}
+
+// Collects the faces that Dijkstra examines, and ends the search beyond a radius.
+class Near_face_visitor : public boost::dijkstra_visitor<>
+{
+  const std::vector<double>* distance_;
+  double radius_;
+  std::vector<Face_at_distance>* faces_;
+
+public:
+  struct Radius_reached {};
+
+  Near_face_visitor(const std::vector<double>& distance, double radius,
+                    std::vector<Face_at_distance>& faces)
+    : distance_(&distance), radius_(radius), faces_(&faces) {}
+
+  void examine_vertex(Index f, const Surface&) const
+  {
+    if ((*distance_)[f] > radius_)
+      throw Radius_reached();
+    faces_->push_back({f, (*distance_)[f]});
+  }
+};
+
+// Returns the faces on both sides within `radius` of a cut, nearest first, then by their indices.
+// Paths do not cross the cut. They start at the middles of its edges.
+inline std::vector<Face_at_distance> faces_near_cut(const Surface& part, const Sides& side,
+                                                    const std::vector<Index>& cut, double radius)
+{
+  std::vector<double> distance(part.number_of_faces(), infinite_distance);
+  std::vector<Index> sources;
+  for (Index h : cut) {
+    const Vector middle =
+      (part.points[part.source_vertex(h)] + part.points[part.target_vertex(h)]) / 2;
+    for (Index f : {h / 3, part.neighbor(h)}) {
+      if (distance[f] == infinite_distance)
+        sources.push_back(f);
+      distance[f] = (std::min)(distance[f], (part.centroid(f) - middle).norm());
+    }
+  }
+  const auto step = [&](Index h) -> double {
+    return side[h / 3] == side[part.neighbor(h)] ? part.weights[h].centroids : infinite_distance;
+  };
+  std::vector<Face_at_distance> result;
+  try {
+    run_dijkstra(part, sources, step, distance, Near_face_visitor(distance, radius, result));
+  }
+  catch (const Near_face_visitor::Radius_reached&) {}
+  std::sort(result.begin(), result.end(), [](const Face_at_distance& a, const Face_at_distance& b)
+    { return a.distance < b.distance || (a.distance == b.distance && a.face < b.face); });
+  return result;
+}
+
+// Measures how far sets of faces of a part are from convex: the mean depth, by area, of their faces
+// below their own convex hull, each along its normal. The hull is the convex hull of the extreme
+// points in some directions. The point that supports it along a normal is found among the extreme
+// points of the directions next to the normal.
+class Convexity_defect
+{
+  const Support_points& extreme_points_;
+  const Surface& part_;
+  const std::vector<Index>& faces_; // the faces of the part, by their indices in the mesh
+  Support_set of_part_;
+  std::vector<float> depths_; // below the hull of the part; they hold for many other hulls
+
+  float depth(Index f, const Support_set& extremes) const
+  {
+    const Face_plane& plane = extreme_points_.plane(faces_[f]);
+    float depth = 0;
+    for (int d : directions::neighbors()[plane.direction])
+      depth = (std::max)(depth, plane.normal.dot(extreme_points_.point(extremes.points[d]) -
+                                                 plane.center));
+    return depth;
+  }
+
+  // Returns the directions next to which a hull differs from the hull of the part.
+  std::bitset<directions::number> changes(const Support_set& extremes) const
+  {
+    std::bitset<directions::number> result;
+    for (int i = 0; i < directions::number; ++i)
+      for (int d : directions::neighbors()[i])
+        if (extremes.points[d] != of_part_.points[d])
+          result.set(i);
+    return result;
+  }
+
+public:
+  Convexity_defect(const Support_points& support_points, const Surface& part,
+             const std::vector<Index>& faces)
+    : extreme_points_(support_points), part_(part), faces_(faces), of_part_(support_points(faces))
+  {
+    depths_.reserve(faces.size());
+    for (Index f = 0; f < faces.size(); ++f)
+      depths_.push_back(depth(f, of_part_));
+  }
+
+  double of_part() const
+  {
+    double sum = 0, area = 0;
+    for (Index f = 0; f < depths_.size(); ++f) {
+      sum += part_.areas[f] * depths_[f];
+      area += part_.areas[f];
+    }
+    return area > 0 ? sum / area : 0;
+  }
+
+  // Returns the defect of faces of the part, without repetition; 0 if they have no area.
+  double operator()(const std::vector<Index>& faces) const
+  {
+    std::vector<Index> in_mesh;
+    in_mesh.reserve(faces.size());
+    for (Index f : faces)
+      in_mesh.push_back(faces_[f]);
+    const Support_set extremes = extreme_points_(in_mesh);
+    const std::bitset<directions::number> is_changed = changes(extremes);
+    double sum = 0, area = 0;
+    for (Index f : faces) {
+      const bool changes = is_changed[extreme_points_.plane(faces_[f]).direction];
+      sum += part_.areas[f] * (changes ? depth(f, extremes) : depths_[f]);
+      area += part_.areas[f];
+    }
+    return area > 0 ? sum / area : 0;
+  }
+};
 
 // The data of the whole mesh that the factors of a cut need.
 struct Evaluation_context

@@ -4,8 +4,8 @@
 #ifndef CGAL_SPECTRAL_SEGMENTATION_INTERNAL_SOUP_CONNECT_TRIANGLES_H
 #define CGAL_SPECTRAL_SEGMENTATION_INTERNAL_SOUP_CONNECT_TRIANGLES_H
 
+#include <CGAL/Spectral_segmentation/internal/base/concurrency.h>
 #include <CGAL/Spectral_segmentation/internal/surface/Surface.h>
-#include <CGAL/Spectral_segmentation/internal/base/sorted_indices.h>
 
 #include <algorithm>
 #include <cstddef>

@@ -9,7 +9,9 @@
 #include <boost/pending/disjoint_sets.hpp>
 #include <boost/property_map/property_map.hpp>
 
+#include <algorithm>
 #include <cstddef>
+#include <utility>
 #include <vector>
 
 namespace CGAL::Spectral_segmentation::internal {
@@ -95,6 +97,97 @@ inline std::vector<double> component_areas(const Surface& surface, const Compone
   for (std::size_t f = 0; f < surface.number_of_faces(); ++f)
     areas[components[f]] += surface.areas[f];
   return areas;
+}
+
+// Extracts sets of faces of a graph as separate graphs, each in time linear in the size of the set.
+// It holds arrays of the size of the graph.
+class Part_extractor
+{
+  const Surface& graph_;
+  std::vector<Index> face_, vertex_; // their indices in the current part, else null_index
+
+  void resize(Surface& part, std::size_t number_of_faces) const
+  {
+    part.corners.resize(number_of_faces);
+    part.areas.resize(number_of_faces);
+    part.opposite.resize(3 * number_of_faces);
+    part.weights.resize(graph_.weights.empty() ? 0 : 3 * number_of_faces);
+  }
+
+public:
+  explicit Part_extractor(const Surface& graph)
+    : graph_(graph), face_(graph.number_of_faces(), null_index),
+      vertex_(graph.points.size(), null_index) {}
+
+  // Extracts faces in the given order; edges to other faces become border. If the faces ascend,
+  // `part` may be the graph itself, which loses all other faces.
+  void extract(const std::vector<Index>& faces, Surface& part)
+  {
+    if (part.number_of_faces() < faces.size())
+      resize(part, faces.size());
+    for (Index i = 0; i < faces.size(); ++i)
+      face_[faces[i]] = i;
+    std::vector<Vector> points;
+    std::vector<Index> vertices; // their indices in the graph
+    for (Index i = 0; i < faces.size(); ++i) {
+      const Index f = faces[i];
+      for (Index j = 0; j < 3; ++j) {
+        const Index v = graph_.corners[f][j];
+        if (vertex_[v] == null_index) {
+          vertex_[v] = static_cast<Index>(vertices.size());
+          vertices.push_back(v);
+          points.push_back(graph_.points[v]);
+        }
+        part.corners[i][j] = vertex_[v];
+        const Index across = graph_.opposite[3 * f + j], neighbor = face_[across / 3];
+        part.opposite[3 * i + j] =
+          neighbor == null_index ? 3 * i + j : 3 * neighbor + across % 3;
+        if (!graph_.weights.empty())
+          part.weights[3 * i + j] = graph_.weights[3 * f + j];
+      }
+      part.areas[i] = graph_.areas[f];
+    }
+    resize(part, faces.size());
+    part.points = std::move(points);
+    for (Index f : faces)
+      face_[f] = null_index;
+    for (Index v : vertices)
+      vertex_[v] = null_index;
+  }
+
+  Surface operator()(const std::vector<Index>& faces)
+  {
+    Surface part;
+    extract(faces, part);
+    return part;
+  }
+};
+
+// Splits a graph into parts that are connected. `part` holds the index of the part of each face.
+// Faces keep their order. The largest part stays in the memory of the graph.
+template <class Number>
+std::vector<Surface> split(Surface graph, const std::vector<Number>& part,
+                              std::size_t number_of_parts)
+{
+  std::vector<Surface> result(number_of_parts);
+  if (number_of_parts == 1)
+    result[0] = std::move(graph);
+  if (number_of_parts < 2)
+    return result;
+  std::vector<std::vector<Index> > faces(number_of_parts);
+  for (Index f = 0; f < graph.number_of_faces(); ++f)
+    faces[static_cast<std::size_t>(part[f])].push_back(f);
+  const auto has_less = [](const auto& a, const auto& b) { return a.size() < b.size(); };
+  const std::size_t largest =
+    std::max_element(faces.begin(), faces.end(), has_less) - faces.begin();
+  Part_extractor extractor(graph);
+  for (std::size_t i = 0; i < number_of_parts; ++i)
+    if (i != largest)
+      extractor.extract(faces[i], result[i]);
+  extractor.extract(faces[largest], graph);
+  graph.components = Components();
+  result[largest] = std::move(graph);
+  return result;
 }
 
 } // namespace CGAL::Spectral_segmentation::internal
