@@ -164,6 +164,30 @@ BOOST_AUTO_TEST_CASE(a_solid_inside_of_another_component_is_no_wall)
                disjoint_union(box, moved(scaled(ball(), 1.9), 0.3, 0, 0)))) == 2u);
 }
 
+BOOST_AUTO_TEST_CASE(copies_at_one_place_share_their_parts)
+{
+  const Soup soup = dumbbell(24, 20);
+  const std::size_t n = soup.triangles.size();
+  const Labels alone = labels_of_default(soup);
+  for (double shift : {-0.001, 0.001}) {
+    const Labels labels = labels_of_default(disjoint_union(soup, moved(soup, 0, shift, 0)));
+    BOOST_TEST(range(labels, 0, n) == alone, boost::test_tools::per_element());
+    BOOST_TEST(difference(range(labels, n, 2 * n), alone) < 0.02);
+  }
+}
+
+BOOST_AUTO_TEST_CASE(open_surfaces_beside_each_other_are_no_walls)
+{
+  // a stack of plates, and an open shell around a body
+  const Soup sheet = plate(10, 10);
+  const Soup stack = disjoint_union(disjoint_union(sheet, moved(sheet, 0, 0, 0.2)),
+                                    moved(sheet, 0, 0, 0.4));
+  BOOST_TEST(number_of(labels_of_default(stack)) == 3u);
+  Soup shell = scaled(ball(), 1.03);
+  shell.triangles.resize(shell.triangles.size() * 9 / 10);
+  BOOST_TEST(number_of(labels_of_default(disjoint_union(ball(), shell))) == 2u);
+}
+
 BOOST_AUTO_TEST_CASE(walls_are_components_if_these_are_kept_separate_or_constrained)
 {
   const Soup soup = dumbbell(24, 20);

@@ -133,19 +133,20 @@ class Wall_finder
 
   // Returns whether the distances between two components are small and nearly constant over most
   // of their areas. Where a limb is thinner than the distance, its inner wall comes nearer to the
-  // outer wall. In a solid the second wall is the inner one.
+  // outer wall. The outer wall is closed and has the second wall inside, unless both coincide:
+  // sheets that lie on each other, and clothes on a body, are no walls.
   bool is_second_wall(Index inner, Index outer)
   {
     if (!may_be_walls(inner, outer))
       return false;
     const Distances there = distances(inner, outer), back = distances(outer, inner);
-    if (there.sorted.empty() || back.sorted.empty() ||
-        (volume_[outer] != 0 && 2 * there.number_inside < there.sorted.size()))
+    if (there.sorted.empty() || back.sorted.empty())
       return false;
     const double distance = back.sorted[back.sorted.size() / 2];
-    const double diagonal = components_[outer].diagonal();
-    const double most = 1.5 * distance + 1e-3 * diagonal;
-    return distance <= largest_distance * diagonal &&
+    const double diagonal = components_[outer].diagonal(), tiny = 1e-3 * diagonal;
+    const double most = 1.5 * distance + tiny;
+    const bool is_behind = volume_[outer] != 0 && 2 * there.number_inside > there.sorted.size();
+    return (is_behind || distance <= tiny) && distance <= largest_distance * diagonal &&
            there.sorted[there.sorted.size() * 4 / 5] <= most &&
            back.sorted[back.sorted.size() * 4 / 5] <= most;
   }
