@@ -19,24 +19,23 @@
 namespace CGAL::Spectral_segmentation::internal {
 
 // Returns the volume that each component encloses, negative if its faces point inward; 0 for a
-// component with a border, and if the volume is nothing but noise.
+// component with a border, and if the volume is nothing but noise. Faces must have areas.
 inline std::vector<double> enclosed_volumes(const Surface& surface)
 {
   const std::size_t number = surface.components.number;
   std::vector<double> volume(number, 0), area(number, 0);
   std::vector<char> is_closed(number, 1);
+  for (Index h = 0; h < surface.number_of_halfedges(); ++h)
+    if (surface.is_border(h))
+      is_closed[surface.components[h / 3]] = 0;
+  if (std::find(is_closed.begin(), is_closed.end(), char(1)) == is_closed.end())
+    return volume;
   std::vector<Index> first(number, null_index); // a vertex near the component, for exactness
   for (Index f = 0; f < surface.number_of_faces(); ++f) {
-    const Index c = surface.components[f];
-    if (first[c] == null_index)
-      first[c] = surface.corners[f][0];
-    const Vector normal = surface.normal(f);
-    volume[c] +=
-      normal.dot(surface.points[surface.corners[f][0]] - surface.points[first[c]]) / 6;
-    area[c] += normal.norm() / 2;
-    for (Index h = 3 * f; h < 3 * f + 3; ++h)
-      if (surface.is_border(h))
-        is_closed[c] = 0;
+    const Index c = surface.components[f], v = surface.corners[f][0];
+    first[c] = first[c] == null_index ? v : first[c];
+    volume[c] += surface.normal(f).dot(surface.points[v] - surface.points[first[c]]) / 6;
+    area[c] += surface.areas[f];
   }
   for (std::size_t c = 0; c < number; ++c)
     if (!is_closed[c] || std::abs(volume[c]) <= quantum * area[c] * std::sqrt(area[c]))
