@@ -95,25 +95,28 @@ inline void draw_components(Picture_book& book, const Named_mesh& shape)
 inline double extent(const CGAL::Bbox_3& box)
 { return (std::max)({box.x_span(), box.y_span(), box.z_span()}); }
 
-// A mesh with two packs at its sides and a ball before its head.
+// A mesh with y as its up axis, with a pack at each side and a ball beside it.
 inline Named_mesh with_equipment(const Named_mesh& shape)
 {
   Named_mesh result = shape;
   const CGAL::Bbox_3 box = CGAL::Polygon_mesh_processing::bbox(shape.mesh);
-  const double size = extent(box);
+  const double size = extent(box), width = (std::min)(box.x_span(), box.z_span());
+  const Kernel::Vector_3 x(1, 0, 0), y(0, 1, 0), z(0, 0, 1);
+  const Kernel::Vector_3 right = box.x_span() < box.z_span() ? x : z,
+                         front = box.x_span() < box.z_span() ? z : x;
   const Kernel::Point_3 center((box.xmin() + box.xmax()) / 2, (box.ymin() + box.ymax()) / 2,
                                (box.zmin() + box.zmax()) / 2);
-  const Kernel::Vector_3 length(0.14 * size, 0, 0), height(0, 0.14 * size, 0),
-                         width(0, 0, 0.07 * size);
   Mesh ball;
-  CGAL::make_icosahedron(ball, center + Kernel::Vector_3(0.62 * size, -0.3 * size, 0),
-                         0.08 * size);
+  CGAL::make_icosahedron(ball, center + (width / 2 + 0.25 * size) * right -
+                                 (box.y_span() / 2 - 0.09 * size) * y, 0.09 * size);
   result.mesh += ball;
-  for (double side : {-1.9, 0.9}) {
-    const Kernel::Point_3 p = center - length / 2 + side * width;
+  for (double side : {-1, 1}) {
+    const Kernel::Vector_3 a = 0.2 * size * front, b = 0.16 * size * y, c = 0.1 * size * right;
+    const Kernel::Point_3 p = center + side * 0.5 * width * right + 0.05 * size * y -
+                              (a + b + c) / 2;
     Mesh pack;
-    CGAL::make_hexahedron(p, p + length, p + length + height, p + height, p + height + width,
-                          p + width, p + length + width, p + length + height + width, pack);
+    CGAL::make_hexahedron(p, p + a, p + a + b, p + b, p + b + c, p + c, p + a + c, p + a + b + c,
+                          pack);
     CGAL::Polygon_mesh_processing::triangulate_faces(pack);
     result.mesh += pack;
   }

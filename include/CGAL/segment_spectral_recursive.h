@@ -156,8 +156,7 @@ at most 4000 faces by default. The memory is O(*n*). The section
     \cgalParamType{an integer}
     \cgalParamDefault{none; the threshold ends the run}
     \cgalParamExtra{from 1 to the number of faces. If components are kept apart, the smallest value
-      is the number of components; otherwise faces with the same points count once, and faces of
-      inner walls do not count. Not together
+      is the number of components; otherwise faces with the same points count once. Not together
       with `maximum_number_of_segments` or `salience_threshold`. For a number above 20 the
       calibrated method (default) searches as many regions, up to 200, on a proportionally finer
       coarse mesh.}

@@ -163,7 +163,8 @@ class Run
     parts_.push_back(std::move(part));
   }
 
-  // Removes the components that are walls of others, unless they are constrained.
+  // Removes the components that are walls of others, unless they are constrained, or the rest has
+  // fewer faces than segments are asked for.
   void remove_walls(const std::vector<double>& volumes, std::vector<Vector>& given_points)
   {
     std::vector<char> may_be_wall(mesh_.components.number, 1);
@@ -186,8 +187,10 @@ class Run
         of_walls.push_back(f);
         outer_faces_.push_back(callers_face[finder.nearest_face(o, f)]);
       }
-    if (of_walls.empty())
+    if (of_walls.empty() || kept.size() < options_.number_of_segments.value_or(0)) {
+      outer_faces_.clear();
       return;
+    }
     walls_ = submesh(mesh_, mesh_.points, of_walls);
     given_points = submesh(mesh_, given_points, kept).points;
     mesh_ = submesh(mesh_, mesh_.points, kept);
