@@ -44,7 +44,7 @@ namespace CGAL::Spectral_segmentation::internal {
 struct Searched_part
 {
   Surface surface;
-  std::vector<Index> callers_faces; // the caller's face for each face; empty if it is the same
+  std::vector<Index> callers_faces; // the caller's face for each face
   Constraints constraints;          // on the faces of the surface
   double fraction_of_model = 1;     // 1 unless it is searched at the scale of the model
 };
