@@ -3,39 +3,31 @@
 
 /// \file
 /// Segments the Princeton Segmentation Benchmark with made features of known worth, and prints the
-/// Rand errors to the person from whose parts the features are made; also fits what features say
-/// about boundaries to people's parts.
+/// Rand errors to the person from whose parts the features are made.
 
-#include "Logistic_regression.h"
-#include "evaluated_cuts.h"
 #include "evaluation.h"
 #include "for_each_mesh.h"
 #include "made_features.h"
+#include "princeton_benchmark.h"
 #include "program.h"
-
-#include <CGAL/Spectral_segmentation/internal/salience/Boundary_network.h>
+#include "run_engine.h"
 
 #include <CLI/CLI.hpp>
 
 #include <algorithm>
 #include <array>
-#include <cmath>
 #include <cstddef>
 #include <cstdio>
 #include <string>
-#include <utility>
 #include <vector>
 
 using namespace segmentation_benchmark;
-using spectral::Salience_factors;
-using spectral::internal::Feature_logit;
 
 struct Options
 {
   std::string folder, ids = "odd";
   double weight = Engine_options().feature_weight;
   std::size_t threads = 1;
-  bool fits = false;
 };
 
 void add_options(CLI::App& app, Options& o)
@@ -45,7 +37,6 @@ void add_options(CLI::App& app, Options& o)
   app.add_option("--ids", o.ids, "odd, even, all, or a list as 1-20,33")->capture_default_str();
   app.add_option("--weight", o.weight, "the feature_weight of all runs")
     ->check(CLI::Range(0., 1.))->capture_default_str();
-  app.add_flag("--fit", o.fits, "also fits the numbers of Feature_logit to the boundaries");
   app.add_option("--threads", o.threads, "meshes at a time, each on one thread")
     ->check(CLI::Range(1, 1024))->capture_default_str();
 }
@@ -77,31 +68,28 @@ const std::array<Kind, 7> kinds = {{
 struct Outcome
 {
   double error = undefined, error_of_k_means = undefined;
-  Mesh_cuts cuts;
 };
 
 typedef std::array<Outcome, kinds.size()> Outcomes;
 
 Outcomes outcomes(const Options& o, int id)
 {
-  Benchmark_mesh input = read_benchmark_mesh(o.folder, id);
+  const Benchmark_mesh input = read_benchmark_mesh(o.folder, id);
   Feature_random random(id);
-  const Labels person = input.people[random() % input.people.size()];
-  input.people = {person};
+  const Labels& person = input.people[random() % input.people.size()];
   Outcomes result;
   for (std::size_t k = 0; k < kinds.size(); ++k) {
     random.seed(static_cast<unsigned>(100 * id) + static_cast<unsigned>(k));
     const Feature_matrix features = kinds[k].make(input.mesh, person, random);
     Feature_source source;
     source.dimension = static_cast<std::size_t>(features.cols());
-    source.read = [&](spectral::internal::Index f, double* vector)
+    source.read = [&](CGAL::Spectral_segmentation::internal::Index f, double* vector)
       { std::copy_n(features.row(f).data(), features.cols(), vector); };
     Engine_options options;
     options.feature_weight = o.weight;
-    result[k].cuts.id = id;
     result[k].error = rand_error(
-      labels_of_run(run_engine(input.mesh, options, Execution::SEQUENTIAL,
-                               Cut_collector(input.people, result[k].cuts), source)), person);
+      labels_of_run(run_engine(input.mesh, options, Execution::SEQUENTIAL, Run_control(), source)),
+      person);
     if (features.cols() > 0)
       result[k].error_of_k_means =
         rand_error(k_means(features, number_of_segments(person), random), person);
@@ -124,50 +112,6 @@ void print_errors(const std::vector<Outcomes>& meshes)
   }
 }
 
-// Fits the logit of boundaries. A mesh counts as much as any other, with each kind of features.
-void print_fit(const std::vector<Outcomes>& meshes)
-{
-  constexpr std::array<const char*, 7> names = {
-    "logit of shape", "constant", "explained_variance_near_cut", "feature_step",
-    "explained_variance", "explained_variance_of_mesh", "logit of shape, reliable"};
-  std::vector<std::array<double, names.size()> > rows;
-  std::vector<double> targets, weights;
-  for (const Outcomes& mesh : meshes)
-    for (std::size_t k = 1; k < kinds.size(); ++k) {
-      const std::size_t first = rows.size();
-      double sum = 0;
-      for (const Cut_group& group : mesh[k].cuts.groups) {
-        const Cut_sample& cut = group.cuts.front();
-        const Salience_factors& f = cut.factors;
-        if (group.kind != Evaluated_cut::BOUNDARY || !(f.feature_reliability > 0))
-          continue;
-        const Feature_logit logit;
-        const double g = Feature_logit::ramp(f.feature_reliability, logit.first_reliability,
-                                             logit.last_reliability);
-        const double shape = spectral::Calibrated_part_salience().boundary_network.logit(f);
-        rows.push_back({shape, g, g * std::sqrt(f.explained_variance_near_cut),
-                        g * f.feature_step, g * std::sqrt(f.explained_variance),
-                        g * std::sqrt(f.explained_variance_of_mesh), g * shape});
-        targets.push_back(cut.agreement);
-        weights.push_back(std::exp(f.log_relative_part_area / 2));
-        sum += weights.back();
-      }
-      for (std::size_t i = first; i < weights.size(); ++i)
-        weights[i] /= sum;
-    }
-  Eigen::MatrixXd factors(rows.size(), names.size());
-  for (std::size_t i = 0; i < rows.size(); ++i)
-    for (std::size_t j = 0; j < names.size(); ++j)
-      factors(i, j) = rows[i][j];
-  const Logistic_model model = Logistic_regression(
-    factors, Eigen::Map<Eigen::VectorXd>(targets.data(), targets.size()))(
-    Eigen::Map<Eigen::VectorXd>(weights.data(), weights.size()));
-  std::printf("\n%zu boundaries, loss %.4f, constant %.2f without features\n", rows.size(),
-              model.loss, model.constant);
-  for (std::size_t j = 0; j < names.size(); ++j)
-    std::printf("%-28s %+.2f\n", names[j], model.coefficients[j]);
-}
-
 void run(const Options& o)
 {
   const std::vector<int> ids = parse_ids(o.ids);
@@ -178,8 +122,6 @@ void run(const Options& o)
     progress.step();
   });
   print_errors(meshes);
-  if (o.fits)
-    print_fit(meshes);
 }
 
 int main(int argc, char** argv)

@@ -122,7 +122,6 @@ struct Benchmark_mesh
   int id;
   Mesh mesh;
   std::vector<Labels> people;
-  std::vector<double> face_weights = {}; // in Rand errors; empty if all faces count the same
 };
 
 inline Benchmark_mesh read_benchmark_mesh(const std::filesystem::path& folder, int id)

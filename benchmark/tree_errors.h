@@ -45,14 +45,7 @@ inline Tree_errors tree_errors(const Benchmark_mesh& input, const Tree_method& m
   Method_trees trees(method, input.mesh);
   const Segmentation_hierarchy& automatic = trees.down_to(lowest).tree;
   const auto& [whole, time] = trees.up_to(usual_number);
-  const auto error = [&](const Labels& labels) {
-    if (input.face_weights.empty())
-      return mean_rand_error(labels, input.people);
-    Mean mean;
-    for (const Labels& person : input.people)
-      mean.add(rand_error_by_area(overlap(labels, person, input.face_weights)));
-    return mean();
-  };
+  const auto error = [&](const Labels& labels) { return mean_rand_error(labels, input.people); };
   Tree_errors result;
   result.id = input.id;
   result.people = mean_rand_error_of_people(input.people);

@@ -189,7 +189,7 @@ BOOST_AUTO_TEST_CASE(the_cuts_that_are_evaluated_are_told)
   BOOST_TEST(observer.parts.size() >= regions - 1);
   BOOST_TEST(observer.number_of[Evaluated_cut::CANDIDATE] <= observer.parts.size() * (14 + 4));
   // Each merge is of a boundary, whose number of common neighbors may have changed since, and whose
-  // salience may be raised or that of congruent cuts.
+  // salience may be that of congruent cuts, or of a cut above it.
   BOOST_TEST(observer.number_of[Evaluated_cut::BOUNDARY] >= regions - 1);
   for (const internal::Cut_node& node : hierarchy.nodes)
     if (!node.is_leaf())

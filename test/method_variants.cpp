@@ -6,6 +6,7 @@
 #include "test_meshes.h"
 
 #include <CGAL/boost/graph/copy_face_graph.h>
+#include <CGAL/boost/graph/iterator.h>
 
 #include <boost/test/unit_test.hpp>
 
@@ -36,6 +37,20 @@ Mesh two_bodies()
   Mesh mesh;
   CGAL::copy_face_graph(test_meshes::mesh_of(test_meshes::displaced(bodies, 0.01, random)), mesh);
   return mesh;
+}
+
+// A mesh that one person cuts, at its neck.
+Benchmark_mesh dumbbell()
+{
+  Benchmark_mesh result{7, {}, {{}}};
+  CGAL::copy_face_graph(test_meshes::mesh_of(test_meshes::dumbbell(24, 12)), result.mesh);
+  for (Mesh::Face_index f : result.mesh.faces()) {
+    double z = 0;
+    for (Mesh::Vertex_index v : CGAL::vertices_around_face(result.mesh.halfedge(f), result.mesh))
+      z += result.mesh.point(v).z();
+    result.people.front().push_back(z < 0 ? 0 : 1);
+  }
+  return result;
 }
 
 std::vector<double> saliences(const Segmentation_hierarchy& tree)
@@ -125,6 +140,50 @@ BOOST_AUTO_TEST_CASE(errors_read_off_trees_are_those_of_runs)
       least = (std::min)(least, error(any_salience, n));
     BOOST_TEST(errors.best == least);
   }
+}
+
+// One person cuts at the neck, as the tree does first, the other not at all.
+BOOST_AUTO_TEST_CASE(errors_of_a_dumbbell)
+{
+  Benchmark_mesh input = dumbbell();
+  const auto tolerance = boost::test_tools::tolerance(1e-12);
+  const Labels halves = input.people.front(), whole(halves.size(), 0);
+  input.people.push_back(whole);
+  const double error = rand_error(halves, whole);
+  const Tree_errors errors = tree_errors(input, tree_methods().front());
+  BOOST_TEST(errors.id == 7);
+  BOOST_TEST(errors.people == error, tolerance);
+  BOOST_TEST(errors.best == error / 2, tolerance);
+  BOOST_TEST(errors.k == error / 2, tolerance);
+  const std::vector<double>& thresholds = tried_thresholds();
+  BOOST_TEST_REQUIRE(errors.automatic.size() == thresholds.size());
+  BOOST_TEST(thresholds.front() == 0.3);
+  BOOST_TEST(thresholds.back() == 0.7);
+  for (std::size_t t = 0; t < thresholds.size(); ++t) {
+    const Segmentation_hierarchy tree =
+      hierarchy(input.mesh, params::salience_threshold(thresholds[t]));
+    BOOST_TEST(errors.automatic[t] == mean_rand_error(labels_of_run(tree), input.people),
+               tolerance);
+  }
+
+  input.people = {halves, halves};
+  const Tree_errors agreed = tree_errors(input, tree_methods().front());
+  BOOST_TEST(agreed.people == 0);
+  BOOST_TEST(agreed.k == 0);
+  BOOST_TEST(agreed.best == 0);
+  const Tree_errors mean = mean_tree_errors({errors, agreed});
+  BOOST_TEST(mean.people == error / 2, tolerance);
+  BOOST_TEST(mean.k == error / 4, tolerance);
+  BOOST_TEST(mean.best == error / 4, tolerance);
+  BOOST_TEST(mean.automatic.front() == (errors.automatic.front() + agreed.automatic.front()) / 2,
+             tolerance);
+}
+
+BOOST_AUTO_TEST_CASE(best_threshold_is_that_of_least_error)
+{
+  Tree_errors errors;
+  errors.automatic = {0.3, 0.1, 0.2, 0.1};
+  BOOST_TEST(best_threshold(errors) == 1u);
 }
 
 BOOST_AUTO_TEST_SUITE_END()

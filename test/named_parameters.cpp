@@ -239,12 +239,13 @@ BOOST_AUTO_TEST_CASE(weights_are_a_part_salience)
 
 BOOST_AUTO_TEST_CASE(a_salience_may_have_any_scale)
 {
-  const Calibrated_part_salience probability;
+  const auto probability = [](const Salience_factors& f)
+  { return Calibrated_part_salience()(f); };
   const auto logit = [probability](const Salience_factors& f) {
     const double p = probability(f);
     return std::log(p / (1 - p));
   };
-  BOOST_TEST(labels_of_doll(parameters::salience_threshold(0.3)) ==
+  BOOST_TEST(labels_of_doll(parameters::part_salience(probability).salience_threshold(0.3)) ==
              labels_of_doll(parameters::part_salience(logit)
                               .salience_threshold(std::log(0.3 / 0.7))),
              boost::test_tools::per_element());

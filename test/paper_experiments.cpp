@@ -305,4 +305,19 @@ BOOST_AUTO_TEST_CASE(paired_difference_by_hand)
   BOOST_TEST(!paired_difference({1, -1}, {0, 0}).is_positive());
 }
 
+// The part of faces 2 to 7 is cut after its second face.
+BOOST_AUTO_TEST_CASE(agreement_by_hand)
+{
+  const Part part{Surface(), {2, 3, 4, 5, 6, 7}};
+  const Sides side = {0, 0, 1, 1, 1, 1};
+  const Labels along_the_cut = {0, 0, 1, 1, 2, 2, 2, 2}, nowhere_else = {0, 0, 0, 0, 1, 1, 1, 1},
+               everywhere = {0, 1, 2, 3, 4, 5, 6, 7}, whole(8, 0),
+               one_face_early = {0, 0, 1, 2, 2, 2, 2, 2}, one_face_late = {0, 0, 0, 0, 0, 1, 1, 1};
+  for (const Labels& person : {along_the_cut, nowhere_else, everywhere})
+    BOOST_TEST(agreement(part, side, person) == 1);
+  BOOST_TEST(agreement(part, side, whole) == 0);
+  BOOST_TEST(agreement(part, side, one_face_early) == 0.5); // face 3, of two
+  BOOST_TEST(agreement(part, side, one_face_late) == 0.5);  // face 4
+}
+
 BOOST_AUTO_TEST_SUITE_END()

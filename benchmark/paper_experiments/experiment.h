@@ -74,6 +74,16 @@ inline Labels labels_of_part(const Part& part, const Labels& labels)
   return contiguous(result);
 }
 
+// 1 less the faces that the cut takes off the person's segments, of each the smaller of two pieces,
+// relative to those of the cut's smaller side: 1 where it follows the borders of segments, 0 where
+// the smaller side is nowhere the larger piece of one.
+inline double agreement(const Part& part, const Sides& side, const Labels& person)
+{
+  const Eigen::ArrayXXd faces =
+    overlap(Labels(side.begin(), side.end()), labels_of_part(part, person));
+  return 1 - faces.colwise().minCoeff().sum() / faces.rowwise().sum().minCoeff();
+}
+
 inline double minimum_area(const Surface& mesh)
 { return Engine_options::zhang_liu_2005().minimum_segment_size * total_area(mesh); }
 

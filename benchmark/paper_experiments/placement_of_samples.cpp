@@ -3,7 +3,6 @@
 
 #include "../evaluation.h"
 #include "../for_each_mesh.h"
-#include "../evaluated_cuts.h"
 #include "../princeton_benchmark.h"
 #include "experiment.h"
 #include "experiments.h"
@@ -105,8 +104,7 @@ class First_cut
     Trial trial{samples};
     if (cut) {
       trial.salience = cut->salience;
-      trial.agreement = agreement(
-        Evaluated_cut{Evaluated_cut::CANDIDATE, part_.faces, cut->side, cut->factors}, person);
+      trial.agreement = agreement(part_, cut->side, person);
     }
     trials.push_back(trial);
   }

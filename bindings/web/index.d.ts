@@ -7,7 +7,7 @@ export interface Choice {
   numberOfSegments?: number;
   /** At most this number. */
   maximumNumberOfSegments?: number;
-  /** The smallest salience of a cut: by default 0.48, the probability that people cut there, or
+  /** The smallest salience of a cut: by default 0.3, the probability that people cut there, or
    *  0.54 for weighted saliences such as those of the method "paper". */
   salienceThreshold?: number;
 }

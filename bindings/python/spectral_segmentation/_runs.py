@@ -48,7 +48,7 @@ _PARAMETERS = """Parameters
         Exactly this number, whatever the saliences are. Not together with the next two.
     maximum_number_of_segments : int, optional
         At most this number; by default there is no limit.
-    salience_threshold : float, default: 0.48, or 0.54 for weighted saliences such as the paper's
+    salience_threshold : float, default: 0.3, or 0.54 for weighted saliences such as the paper's
         The smallest salience of a cut. The salience of the calibrated method is the probability
         that people cut there.
     keep_components_separate : bool, default: False, or True with the method "paper"

@@ -73,10 +73,9 @@ struct Options
   /// @}
 
   /// \name Parts of the Calibrated Method
-  /// Only experiments change these fields. The coefficients of `Calibrated_part_salience` were
-  /// fitted with the values given here, and must be fitted again (`benchmark/fit_part_salience`) if
-  /// a value changes. The ablation study, \ref Spectral_segmentation_ablation, shows the gain of
-  /// each.
+  /// Only experiments change these fields. `Calibrated_part_salience` was fitted with the values
+  /// given here, and must be fitted again (`benchmark/fit_part_salience.py`) if a value changes.
+  /// The ablation study, \ref Spectral_segmentation_ablation, shows the gain of each.
   /// @{
   /// the radius for averaging curvature, as a fraction of the square root of the area of the mesh;
   /// with 0 the method uses dihedral angles

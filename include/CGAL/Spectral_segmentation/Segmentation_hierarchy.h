@@ -87,9 +87,9 @@ public:
     /// the salience of the best cut; 0 if there is none or it was not searched, infinite between
     /// components that do not touch.
     /// In the calibrated method (default) cuts that make congruent parts have the mean of their
-    /// saliences. Then each salience that is smaller than the salience of a cut below it is raised
-    /// to that salience. Therefore saliences never grow from cut to cut. The factors are not
-    /// changed.
+    /// saliences. Then each salience that is larger than the salience of the cut above it becomes
+    /// that salience, because a cut can only be made after the cut above it. Therefore saliences
+    /// never grow from cut to cut. The factors are not changed.
     double salience;
 
     /// the factors of that cut, on the mesh on which it was searched (`number_of_coarse_faces`);

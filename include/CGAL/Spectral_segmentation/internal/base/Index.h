@@ -25,7 +25,7 @@ inline double quantized(double x) { return std::floor(x / quantum + 0.5) * quant
 
 // The constants on which, besides `Options`, the factors of cuts and therefore the fit of
 // `Calibrated_part_salience` depend. They were chosen by trials on a prototype of the method. If
-// one of them changes, the salience has to be fitted again (benchmark/fit_part_salience).
+// one of them changes, the salience has to be fitted again (benchmark/fit_part_salience.py).
 namespace constants {
 
 // The radius of the neighborhood of a cut, in which factors are measured and minimum cuts are

@@ -55,7 +55,7 @@ inline double evidence_of_cut(double salience)
 // separate. A body has many cuts that are each likely, a board one or two that are barely so. The
 // constants were chosen on furniture, and on animals beside other objects.
 inline double required_evidence(double effective_number_of_components)
-{ return (std::min)(2 * (effective_number_of_components - 1), 6.); }
+{ return (std::min)(2.5 * (effective_number_of_components - 1), 12.); }
 
 // Merges the components of a model. The smallest joins the neighbor with which it has the most
 // contact, and so on. The larger it is, the more salient is its boundary. A component that touches

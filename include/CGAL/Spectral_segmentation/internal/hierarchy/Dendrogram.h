@@ -9,6 +9,8 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <limits>
+#include <set>
 #include <utility>
 #include <vector>
 
@@ -130,6 +132,33 @@ inline Cut_hierarchy hierarchy_of(const Dendrogram& d)
   for (Index l : d.leaf)
     result.leaf.push_back(static_cast<Index>(node[l]));
   return result;
+}
+
+// Returns the hierarchy whose cuts are applied from the top down: of all parts so far, the one with
+// the most salient cut is cut next. A cut becomes as salient as the cut above it, if it is more
+// salient.
+inline Cut_hierarchy applied_from_top_down(Cut_hierarchy cuts)
+{
+  typedef std::pair<double, std::size_t> Key; // minus the salience of a node's cut, and the node
+  std::set<Key> queue;
+  const auto enqueue = [&](std::size_t node) {
+    if (!cuts.nodes[node].is_leaf())
+      queue.insert({-quantized(cuts.nodes[node].salience), node});
+  };
+  for (std::size_t root = 0; root < cuts.number_of_roots; ++root)
+    enqueue(root);
+  cuts.cut_order.clear();
+  double least = std::numeric_limits<double>::infinity();
+  while (!queue.empty()) {
+    const std::size_t node = queue.begin()->second;
+    queue.erase(queue.begin());
+    Cut_node& n = cuts.nodes[node];
+    n.salience = least = (std::min)(least, n.salience);
+    cuts.cut_order.push_back(node);
+    enqueue(n.children[0]);
+    enqueue(n.children[1]);
+  }
+  return hierarchy_of(dendrogram_of(cuts, ranges_of_leaves(cuts)));
 }
 
 } // namespace CGAL::Spectral_segmentation::internal

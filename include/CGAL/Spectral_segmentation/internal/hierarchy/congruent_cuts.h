@@ -50,9 +50,6 @@ class Congruent_cuts
   std::vector<double> saliences_; // one per cut
   std::vector<Class> classes_;
 
-  std::size_t turn(std::size_t node) const
-  { return (cuts_.nodes[node].children[0] - cuts_.number_of_roots) / 2; }
-
   void set_shapes()
   {
     const double area_of_mesh = total_area(mesh_), unit = std::sqrt(area_of_mesh);
@@ -86,7 +83,7 @@ class Congruent_cuts
     }
   }
 
-  // Finds the classes of congruent cuts. Salient cuts come first.
+  // Finds the classes of congruent cuts. Cuts that are merged late come first.
   void set_classes()
   {
     std::vector<std::size_t> order(shapes_.size());
@@ -95,26 +92,17 @@ class Congruent_cuts
                                  { return are_congruent(shapes_[i], shapes_[j]); });
   }
 
-  // Returns the mean salience of congruent cuts, the most salient first. A caller's saliences may
-  // be infinite.
+  // Returns the mean salience of congruent cuts. A caller's saliences may be infinite.
   double mean_salience(const Class& congruent) const
   {
-    double sum = 0;
-    for (std::size_t i : congruent)
+    double sum = 0, least = saliences_[congruent.front()], largest = least;
+    for (std::size_t i : congruent) {
       sum += saliences_[i];
+      least = (std::min)(least, saliences_[i]);
+      largest = (std::max)(largest, saliences_[i]);
+    }
     const double mean = sum / static_cast<double>(congruent.size());
-    const double least = saliences_[congruent.back()], largest = saliences_[congruent.front()];
     return std::isnan(mean) ? least : std::clamp(mean, least, largest);
-  }
-
-  // Raises saliences to the least with which no cut is less salient than later cuts on its sides.
-  void raise_saliences()
-  {
-    for (std::size_t i = saliences_.size(); i-- > 0;) // children before their parents
-      if (cuts_.cut_order[i] >= cuts_.number_of_roots) {
-        double& of_parent = saliences_[turn(cuts_.nodes[cuts_.cut_order[i]].parent)];
-        of_parent = (std::max)(of_parent, saliences_[i]);
-      }
   }
 
 public:
@@ -125,7 +113,7 @@ public:
       saliences_.push_back(cuts.nodes[node].salience);
   }
 
-  // Returns the same cuts, the most salient first.
+  // Returns the same cuts, as they are applied from the top down.
   Cut_hierarchy operator()()
   {
     set_shapes();
@@ -135,12 +123,10 @@ public:
       for (std::size_t i : congruent)
         saliences_[i] = mean;
     }
-    raise_saliences();
-    Dendrogram result = dendrogram_of(cuts_, ranges_of_leaves(cuts_));
+    Cut_hierarchy result = cuts_;
     for (std::size_t i = 0; i < saliences_.size(); ++i)
-      result.merges[i].salience = saliences_[saliences_.size() - 1 - i];
-    sort_merges(result.merges);
-    return hierarchy_of(result);
+      result.nodes[result.cut_order[i]].salience = saliences_[i];
+    return applied_from_top_down(std::move(result));
   }
 };
 

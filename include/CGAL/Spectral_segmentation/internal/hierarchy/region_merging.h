@@ -24,7 +24,8 @@ namespace CGAL::Spectral_segmentation::internal {
 
 // Merges the regions of an over-segmentation. The two neighbors whose common boundary is the least
 // salient become one, until each component of the mesh is whole again. A cut that was needed only
-// to reach other cuts is undone on the way. The merges in reverse are a hierarchy of cuts.
+// to reach other cuts is undone on the way. The merges in reverse are a hierarchy of cuts, each of
+// which has its own salience, which may be larger than that of the cut above it.
 class Region_merging
 {
   typedef std::pair<Index, Index> Pair; // two regions, the lower index first
@@ -32,7 +33,8 @@ class Region_merging
   const Execution execution_;
   const Surface& mesh_;
   const Evaluation_context& context_;
-  const Part_salience& part_salience_;
+  const Part_salience part_salience_; // in whose order boundaries are merged
+  const Part_salience& salience_of_cuts_;
   Run_monitor& monitor_;
 
   std::vector<std::vector<Index> > faces_; // one list per region, ascending
@@ -165,17 +167,21 @@ class Region_merging
     return merges;
   }
 
-  // Raises saliences so that a boundary that outlives another is at least as salient.
-  static void make_ultrametric(std::vector<Merge>& merges)
+  // Returns the salience in whose order boundaries are merged: the salience of cuts, unless that is
+  // the calibrated one.
+  static Part_salience in_merging(const Part_salience& salience)
   {
-    for (std::size_t k = 1; k < merges.size(); ++k)
-      merges[k].salience = (std::max)(merges[k].salience, merges[k - 1].salience);
+    const auto* calibrated = salience.target<Calibrated_part_salience>();
+    if (calibrated == nullptr)
+      return salience;
+    return [c = *calibrated](const Salience_factors& f) { return c.in_merging(f); };
   }
 
 public:
   Region_merging(Execution execution, const Surface& mesh, const Evaluation_context& context,
                  const Part_salience& part_salience, Run_monitor& monitor)
-    : execution_(execution), mesh_(mesh), context_(context), part_salience_(part_salience),
+    : execution_(execution), mesh_(mesh), context_(context),
+      part_salience_(in_merging(part_salience)), salience_of_cuts_(part_salience),
       monitor_(monitor) {}
 
   // Returns the hierarchy of all merges. Its leaves are `regions`, the leaves of an
@@ -198,8 +204,11 @@ public:
     }
     result.leaf = region_;
     result.merges = merge_all();
-    make_ultrametric(result.merges);
-    return hierarchy_of(result);
+    for (Merge& m : result.merges)
+      m.salience = salience_of(salience_of_cuts_, m.factors);
+    Cut_hierarchy hierarchy = hierarchy_of(result);
+    hierarchy.is_monotonic = false;
+    return hierarchy;
   }
 };
 

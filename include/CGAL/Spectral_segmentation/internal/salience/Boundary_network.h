@@ -37,10 +37,12 @@ constexpr std::array<Named_factor, 14> named_factors = {{
   {"number_of_common_neighbors", &Salience_factors::number_of_common_neighbors}}};
 
 // Computes the logit of the probability that people cut along a boundary: a linear function of the
-// standardized factors, and hyperbolic tangents of linear functions.
+// standardized inputs, and hyperbolic tangents of linear functions. The inputs are the named
+// factors, and the logarithm of the fraction of the area of the mesh that the smaller side has.
+template <std::size_t number_of_inputs, std::size_t number_of_units>
 struct Boundary_network
 {
-  typedef std::array<double, named_factors.size()> Inputs;
+  typedef std::array<double, number_of_inputs> Inputs;
 
   struct Unit
   {
@@ -49,20 +51,23 @@ struct Boundary_network
     double output;
   };
 
-  static constexpr double largest_deviation = 4; // an outlier counts as a factor there
+  static constexpr double largest_deviation = 4; // to which outliers are clamped
 
   Inputs means, deviations;
   double constant;
   Inputs weights;
-  std::array<Unit, 6> units;
+  std::array<Unit, number_of_units> units;
 
-  // Returns the standardized factors.
+  // Returns the standardized inputs.
   Inputs inputs(const Salience_factors& factors) const
   {
     Inputs result;
     for (std::size_t i = 0; i < result.size(); ++i) {
-      const double x = (factors.*named_factors[i].value - means[i]) / deviations[i];
-      result[i] = (std::min)((std::max)(x, -largest_deviation), largest_deviation);
+      const double x = i < named_factors.size()
+        ? factors.*named_factors[i].value
+        : std::log(factors.size) + factors.log_relative_part_area;
+      result[i] = std::clamp((x - means[i]) / deviations[i], -largest_deviation,
+                             largest_deviation);
     }
     return result;
   }
@@ -84,7 +89,7 @@ struct Boundary_network
 
 // Combines what shape and features say about a cut. Features that do not tell parts, such as noise,
 // have no say at the default weight, 1/2. The numbers are fitted to parts of people with made
-// features; benchmark/feature_quality --fit prints such values.
+// features.
 struct Feature_logit
 {
   // of candidates

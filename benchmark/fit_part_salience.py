@@ -1,0 +1,513 @@
+#!/usr/bin/env python3
+# Copyright (c) 2026  The Spectral_segmentation authors.
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Fits the network that judges the boundaries of regions by what it costs to cut there.
+
+The risk of a segment s is |s|^2 - 2 sum_t |s and t|^2 over the segments t of a person, the mean
+over all people. The sizes are fractions of the faces or, for meshes with known parts, of the area.
+The risks of all segments sum to the Rand error less a constant. Therefore the best choice of cuts
+in a hierarchy is found exactly, from the leaves up. The gain of a cut is the risk of its part left
+whole less the least risks of its two sides. The network is fitted to the signs of the gains of all
+cuts, each of which is weighted by the size of its gain.
+
+The hierarchies are those of the meshes, of made shapes without parts, and of changed copies of all
+meshes: stretched and noisy, subdivided, and in other triangulations. The network has no influence
+on them: candidates, and the order of merging, have other coefficients. The errors are those of
+categories of the benchmark, or of meshes, to which the network was not fitted. They are compared
+with those of the package as it is. Outputs are calibrated: a logistic function of them is the mean
+agreement of people with the cuts of the benchmark.
+
+Needs python3-numpy, python3-scipy, and the Python package of bindings/python."""
+import argparse
+import heapq
+import json
+import math
+import multiprocessing
+import pathlib
+import re
+
+import numpy as np
+import scipy.optimize
+import scipy.spatial
+import spectral_segmentation
+
+NUMBER_OF_FOLDS = 5
+NUMBER_OF_UNITS = 12
+PENALTY = 1e-4  # on the squares of the weights
+LARGEST_DEVIATION = 4
+MESHES_PER_CATEGORY = 20  # by their numbers, of the Princeton Segmentation Benchmark
+OFFSETS = (0, 0.3, 0.4, 0.5, 1)
+FOLDER = pathlib.Path(__file__).parent.parent / "include/CGAL/Spectral_segmentation"
+
+
+class Mesh:
+    def __init__(self, points, triangles):
+        self.points, self.triangles = points, triangles
+
+    def normals(self):
+        a, b, c = (self.points[self.triangles[:, k]] for k in range(3))
+        return np.cross(b - a, c - a)
+
+    def shares_of_area(self):
+        areas = np.linalg.norm(self.normals(), axis=1)
+        return areas / areas.sum()
+
+    def centroids(self):
+        return self.points[self.triangles].mean(1)
+
+
+def read_off(file):
+    numbers = re.sub(r"^OFF|#.*", "", file.read_text(), flags=re.M).split()
+    n, m = int(numbers[0]), int(numbers[1])
+    points = np.array(numbers[3:3 + 3 * n], float).reshape(n, 3)
+    return Mesh(points, np.array(numbers[3 + 3 * n:3 + 3 * n + 4 * m], int).reshape(m, 4)[:, 1:])
+
+
+def read_labels(file):
+    return np.unique(np.loadtxt(file, int), return_inverse=True)[1]
+
+
+def stretched_and_noisy(mesh, seed):
+    """Stretches by up to a quarter along random axes; noise is none, .05 or .15 % of the extent."""
+    random = np.random.default_rng(seed)
+    axes, _ = np.linalg.qr(random.normal(size=(3, 3)))
+    stretch = axes @ np.diag(np.exp(random.uniform(-0.25, 0.25, 3))) @ axes.T
+    extent = np.linalg.norm(np.ptp(mesh.points, 0))
+    noise = extent * random.choice([0, 0.0005, 0.0015]) * random.normal(size=mesh.points.shape)
+    return Mesh(mesh.points @ stretch + noise, mesh.triangles)
+
+
+def subdivided(mesh):
+    """Divides each triangle in four; the four of triangle i are i, i + m, i + 2 m and i + 3 m."""
+    t, n = mesh.triangles, len(mesh.points)
+    edges = np.sort(np.vstack([t[:, [0, 1]], t[:, [1, 2]], t[:, [2, 0]]]), 1)
+    unique, number = np.unique(edges, axis=0, return_inverse=True)
+    middle = n + number.reshape(3, len(t))
+    corners = [np.column_stack([t[:, k], middle[k], middle[k - 1]]) for k in range(3)]
+    return Mesh(np.vstack([mesh.points, mesh.points[unique].mean(1)]),
+                np.vstack([*corners, middle.T]))
+
+
+def tube(curve, radius, is_closed, number_of_sides=12):
+    """Returns a tube around points. Its frame is turned as little as possible from ring to ring."""
+    n, m = len(curve), number_of_sides
+    before, after = np.roll(curve, 1, 0), np.roll(curve, -1, 0)
+    if not is_closed:
+        before[0], after[-1] = curve[0], curve[-1]
+    tangents = (after - before) / np.linalg.norm(after - before, axis=1, keepdims=True)
+    normal = np.cross(tangents[0], [0.3, 0.5, 0.8])
+    angles, rings = 2 * np.pi * np.arange(m) / m, []
+    for point, tangent in zip(curve, tangents):
+        normal = normal - (normal @ tangent) * tangent
+        normal /= np.linalg.norm(normal)
+        across = np.cross(tangent, normal)
+        sides = np.outer(np.cos(angles), normal) + np.outer(np.sin(angles), across)
+        rings.append(point + radius * sides)
+    if is_closed:  # the last ring is joined to the side of the first that is nearest
+        shift = np.linalg.norm(rings[0] - rings[-1][0], axis=1).argmin()
+        return grid_mesh(np.array(rings), shift)
+    caps = np.array([curve[0] - radius * tangents[0], curve[-1] + radius * tangents[-1]])
+    mesh = grid_mesh(np.array(rings))
+    ring = np.arange(m)
+    ends = [np.column_stack([np.full(m, n * m), np.roll(ring, -1), ring]),
+            (n - 1) * m + np.column_stack([np.full(m, m + 1), ring, np.roll(ring, -1)])]
+    return Mesh(np.vstack([mesh.points, caps]), np.vstack([mesh.triangles, *ends]))
+
+
+def grid_mesh(rings, shift=None):
+    """Joins rings of points to a mesh; with a shift also the last ring to the first."""
+    n, m = rings.shape[:2]
+    index = np.arange(n * m).reshape(n, m)
+    if shift is not None:
+        index = np.vstack([index, np.roll(index[:1], -shift, 1)])
+    a, c = index[:-1], index[1:]
+    b, d = np.roll(a, -1, 1), np.roll(c, -1, 1)
+    triangles = np.concatenate([np.dstack([a, b, d]), np.dstack([a, d, c])]).reshape(-1, 3)
+    return Mesh(rings.reshape(-1, 3), triangles)
+
+
+def plate(n, m, wave):
+    """Returns a plate of 2 n m triangles, which is flat without a wave."""
+    x, y = np.meshgrid(np.arange(n + 1) / n, np.arange(m + 1) / n, indexing="ij")
+    points = np.stack([x, y, wave * np.sin(5 * x)], -1)
+    index = np.arange((n + 1) * (m + 1)).reshape(n + 1, m + 1)
+    a, b, c, d = index[:-1, :-1], index[1:, :-1], index[:-1, 1:], index[1:, 1:]
+    triangles = np.concatenate([np.dstack([a, b, d]), np.dstack([a, d, c])]).reshape(-1, 3)
+    return Mesh(points.reshape(-1, 3), triangles)
+
+
+def plain_shapes():
+    """Returns tori, knots, springs, bent bars, bars and plates, which have no parts."""
+    def turns(number, n):
+        return 2 * np.pi * number * np.arange(n) / n
+
+    def knot(p, q, n=150):
+        t = turns(1, n)
+        radius = 2 + np.cos(q * t)
+        return np.column_stack([radius * np.cos(p * t), radius * np.sin(p * t), np.sin(q * t)])
+
+    def spring(number, pitch, n=100):
+        t = turns(number, n)
+        return np.column_stack([np.cos(t), np.sin(t), pitch * t])
+
+    meshes = [tube(knot(1, 0), radius, True, sides)
+              for radius, sides in ((0.4, 8), (0.8, 12), (1.2, 16), (2, 20))]
+    meshes += [tube(knot(p, q), radius, True)
+               for p, q, radius in ((2, 3, 0.3), (2, 3, 0.6), (3, 2, 0.3), (3, 2, 0.5), (2, 5, 0.3),
+                                    (3, 4, 0.25))]
+    meshes += [tube(spring(number, pitch), radius, False)
+               for number, pitch, radius in ((0.2, 0, 0.2), (0.4, 0, 0.3), (0.7, 0.05, 0.2),
+                                             (1.5, 0.2, 0.2), (3, 0.15, 0.3), (5, 0.1, 0.2))]
+    line = np.outer(np.linspace(0, 1, 20), [1, 0, 0])
+    meshes += [tube(line, radius, False) for radius in (0.05, 0.2, 0.6)]
+    meshes += [plate(1, 1, 0), plate(6, 4, 0), plate(12, 5, 0.05), plate(20, 20, 0.15)]
+    return [Sample(str(i), "plain", i % NUMBER_OF_FOLDS, mesh,
+                   [np.zeros(len(mesh.triangles), int)]) for i, mesh in enumerate(meshes)]
+
+
+class Sample:
+    """A mesh with one or more truths. The number of segments may be given."""
+
+    def __init__(self, name, group, fold, mesh, truths, number=None):
+        self.name, self.group, self.fold, self.mesh = name, group, fold, mesh
+        self.truths, self.number = truths, number
+
+
+def read_benchmark(folder):
+    result = []
+    for file in sorted(folder.glob("off/*.off"), key=lambda f: int(f.stem)):
+        people = sorted(folder.glob(f"seg/Benchmark/{file.stem}/*.seg"))
+        truths = [read_labels(person) for person in people]
+        if truths:  # the number of segments that most people make
+            number = np.bincount([t.max() + 1 for t in truths]).argmax()
+            fold = (int(file.stem) - 1) // MESHES_PER_CATEGORY % NUMBER_OF_FOLDS
+            result.append(Sample(file.stem, "benchmark", fold, read_off(file), truths, number))
+    return result
+
+
+def read_known_parts(folder):
+    """Reads NAME.off with all other files NAME.*, which have one label a line."""
+    result = []
+    for file in sorted(folder.glob("*.off")):
+        truths = [read_labels(f) for f in sorted(folder.glob(file.stem + ".*")) if f != file]
+        fold = sum(map(ord, file.stem)) % NUMBER_OF_FOLDS
+        result.append(Sample(file.stem, folder.name, fold, read_off(file), truths))
+    return result
+
+
+def copies(sample, options):
+    """Returns the mesh and its changed copies, each with truths and weights of its triangles."""
+    mesh, is_by_face = sample.mesh, sample.group == "benchmark"
+    result = [(mesh, sample.truths)]
+    for seed in range(1, options.noisy_copies + 1):
+        changed = stretched_and_noisy(mesh, 100 * sum(map(ord, sample.name)) + seed)
+        result.append((changed, sample.truths))
+    if not is_by_face:
+        result.append((subdivided(mesh), [np.tile(t, 4) for t in sample.truths]))
+    for folder in options.triangulation if is_by_face else []:
+        changed = read_off(folder / (sample.name + ".off"))
+        nearest = scipy.spatial.cKDTree(mesh.centroids()).query(changed.centroids())[1]
+        result.append((changed, [t[nearest] for t in sample.truths]))
+
+    def weights(m):
+        has_benchmarks_faces = is_by_face and len(m.triangles) == len(mesh.triangles)
+        n = len(m.triangles)
+        return np.full(n, 1 / n) if has_benchmarks_faces else m.shares_of_area()
+
+    return [(changed, truths, weights(changed)) for changed, truths in result]
+
+
+class Tree:
+    """A hierarchy with the risks of its nodes, and the inputs, the gains and people's agreement of
+    its cuts."""
+
+    def __init__(self, hierarchy, truths, weights):
+        nodes, leaf = hierarchy["nodes"], np.array(hierarchy["leaf_of_face"])
+        self.children = [node["children"] for node in nodes]
+        self.roots = [i for i, node in enumerate(nodes) if node["parent"] is None]
+        order = list(self.roots)  # parents first
+        for node in order:
+            order += self.children[node]
+        self.cuts = [node for node in order if self.children[node]]
+        self.risk, self.constant = np.zeros(len(nodes)), 0
+        agreement = np.zeros(len(nodes))
+        for truth in truths:
+            overlap = np.zeros((len(nodes), truth.max() + 1))
+            np.add.at(overlap, (leaf, truth), weights)
+            for node in reversed(self.cuts):
+                a, b = (overlap[child] for child in self.children[node])
+                overlap[node] = a + b
+                agreement[node] += 1 - np.minimum(a, b).sum() / max(min(a.sum(), b.sum()), 1e-12)
+            self.risk += overlap.sum(1) ** 2 - 2 * (overlap ** 2).sum(1)
+            self.constant += (np.bincount(truth, weights) ** 2).sum()
+        self.risk /= len(truths)
+        self.constant /= len(truths)
+        least = self.risk.copy()
+        gain = np.zeros(len(nodes))
+        for node in reversed(self.cuts):
+            of_sides = sum(least[child] for child in self.children[node])
+            gain[node] = self.risk[node] - of_sides
+            least[node] = min(self.risk[node], of_sides)
+        self.gains, self.agreement = gain[self.cuts], agreement[self.cuts] / len(truths)
+        self.inputs = np.array([inputs(nodes[node]["factors"]) for node in self.cuts]) \
+            .reshape(len(self.cuts), len(NAMES) + 1)
+        self.least_error = self.constant + sum(least[root] for root in self.roots)
+        self.is_boundary = np.array([nodes[node]["factors"]["is_boundary"] for node in self.cuts],
+                                    bool)  # and not between components
+        saliences = [float(nodes[node]["salience"]) for node in self.cuts]
+        self.choice_of_package = np.array(saliences) - hierarchy["salience_threshold"]
+
+    def outputs(self, network):
+        """Returns the outputs for all boundaries, and large numbers of the package's sign between
+        components."""
+        outputs = 1000 * self.choice_of_package
+        outputs[self.is_boundary] = network(self.inputs[self.is_boundary])
+        return outputs
+
+    def applied_cuts(self, outputs):
+        """Yields the cuts as they are applied, the highest output next, with their outputs."""
+        output = dict(zip(self.cuts, outputs))
+        queue = [(-output[root], root) for root in self.roots if root in output]
+        heapq.heapify(queue)
+        while queue:
+            key, node = heapq.heappop(queue)
+            yield node, -key
+            for child in self.children[node]:
+                if child in output:
+                    heapq.heappush(queue, (-output[child], child))
+
+    def error(self, outputs, number=None):
+        """Returns the Rand error and the number of segments, of all cuts with positive outputs or
+        of a number of segments."""
+        error = self.constant + sum(self.risk[root] for root in self.roots)
+        segments = len(self.roots)
+        for node, output in self.applied_cuts(outputs):
+            if output <= 0 if number is None else segments >= number:
+                break
+            error += sum(self.risk[child] for child in self.children[node]) - self.risk[node]
+            segments += 1
+        return error, segments
+
+    def limited_by_parents(self, outputs):
+        """Returns the least output of each cut and of those above it."""
+        limited, least = {}, np.inf
+        for node, output in self.applied_cuts(outputs):
+            least = min(least, output)
+            limited[node] = least
+        return np.array([limited[node] for node in self.cuts])
+
+
+def names_of_inputs():
+    """Returns the names of the factors in the order of the network's inputs."""
+    text = (FOLDER / "internal/salience/Boundary_network.h").read_text()
+    return re.findall(r'\{"(\w+)", &Salience_factors', text)
+
+
+NAMES = names_of_inputs()
+
+
+def inputs(factors):
+    side = math.log(factors["size"] or 1e-300) + factors["log_relative_part_area"]
+    return [factors[name] for name in NAMES] + [side]
+
+
+def make_trees(sample, options):
+    """Returns the trees of a mesh and of its changed copies."""
+    def tree(mesh, truths, weights):
+        hierarchy = spectral_segmentation.segment_hierarchy(mesh.points, mesh.triangles, threads=1)
+        return Tree(json.loads(hierarchy.to_json()), truths, weights)
+
+    return [tree(*copy) for copy in copies(sample, options)]
+
+
+class Network:
+    """Hyperbolic tangents of linear functions of the standardized inputs, and a linear function."""
+
+    def __init__(self, x, is_gain, weights, seed=0):
+        self.means, self.deviations = x.mean(0).round(5), x.std(0).round(5)
+        z, w = self.standardized(x), weights / weights.sum()
+        d, h = z.shape[1], NUMBER_OF_UNITS
+        sizes = np.cumsum([d * h, h, h, d])
+
+        def split(numbers):
+            hidden, bias, out, linear, constant = np.split(numbers, sizes)
+            return hidden.reshape(d, h), bias, out, linear, constant[0]
+
+        def loss(numbers):
+            hidden, bias, out, linear, constant = split(numbers)
+            units = np.tanh(z @ hidden + bias)
+            output = units @ out + z @ linear + constant
+            slope = w * (1 / (1 + np.exp(-output)) - is_gain)
+            of_units = np.outer(slope, out) * (1 - units ** 2)
+            gradient = [(z.T @ of_units + 2 * PENALTY * hidden).ravel(), of_units.sum(0),
+                        units.T @ slope + 2 * PENALTY * out, z.T @ slope + 2 * PENALTY * linear,
+                        [slope.sum()]]
+            penalty = PENALTY * ((hidden ** 2).sum() + out @ out + linear @ linear)
+            return (w * (np.logaddexp(0, output) - is_gain * output)).sum() + penalty, \
+                np.concatenate(gradient)
+
+        random = np.random.default_rng(seed)
+        start = np.concatenate([random.normal(0, 0.5 / d ** 0.5, d * h), np.zeros(h),
+                                random.normal(0, 0.3, h), np.zeros(d + 1)])
+        found = scipy.optimize.minimize(loss, start, jac=True, method="L-BFGS-B",
+                                        options={"maxiter": 600})
+        self.hidden, self.bias, self.out, self.linear, self.constant = split(found.x)
+
+    def standardized(self, x):
+        z = (x - self.means) / self.deviations
+        return np.clip(z, -LARGEST_DEVIATION, LARGEST_DEVIATION)
+
+    def __call__(self, x):
+        z = self.standardized(x)
+        return np.tanh(z @ self.hidden + self.bias) @ self.out + z @ self.linear + self.constant
+
+    def mean_changes(self, x):
+        """Returns the mean change of the output if an input grows by a standard deviation."""
+        z = self.standardized(x)
+        slopes = (1 - np.tanh(z @ self.hidden + self.bias) ** 2) * self.out
+        return self.linear + (slopes @ self.hidden.T).mean(0)
+
+    def calibrate(self, scale, shift):
+        """Makes the outputs scale * output + shift."""
+        self.out, self.linear = scale * self.out, scale * self.linear
+        self.constant = scale * self.constant + shift
+
+
+def fit(samples, trees, weights, left_out=None):
+    """Fits to all trees of all folds but one. The gains of a group sum to its weight."""
+    rows, gains, row_weights = [], [], []
+    totals = dict.fromkeys(weights, 0)
+    for sample, of_sample in zip(samples, trees):
+        totals[sample.group] += np.abs(of_sample[0].gains).sum()
+    for sample, of_sample in zip(samples, trees):
+        if sample.fold == left_out:
+            continue
+        for tree in of_sample:
+            factor = weights[sample.group] / totals[sample.group] / len(of_sample)
+            rows.append(tree.inputs[tree.is_boundary])
+            gains.append(tree.gains[tree.is_boundary])
+            row_weights.append(factor * np.abs(gains[-1]))
+    return Network(np.vstack(rows), np.concatenate(gains) > 0, np.concatenate(row_weights))
+
+
+def fit_calibration(outputs, agreement):
+    """Returns the scale and the shift with which the logistic function of outputs is agreement."""
+    def loss(numbers):
+        logit = numbers[0] * outputs + numbers[1]
+        slope = 1 / (1 + np.exp(-logit)) - agreement
+        return (np.logaddexp(0, logit) - agreement * logit).mean(), \
+            np.array([(slope * outputs).mean(), slope.mean()])
+    return scipy.optimize.minimize(loss, [1, 0], jac=True).x
+
+
+def paired(differences):
+    return f"{np.mean(differences):+.4f} +- {np.std(differences) / len(differences) ** 0.5:.4f}"
+
+
+def print_errors(samples, trees, outputs):
+    print("Rand errors of held-out meshes; change against the package as it is; number of segments")
+    for group in dict.fromkeys(sample.group for sample in samples):
+        of_group = [row for row in zip(samples, trees, outputs) if row[0].group == group]
+        before = [tree.error(tree.choice_of_package)[0] for _, tree, _ in of_group]
+        print(f"{group}, {len(of_group)} meshes: before {np.mean(before):.4f}, "
+              f"best choice {np.mean([tree.least_error for _, tree, _ in of_group]):.4f}")
+        for offset in OFFSETS:
+            errors, numbers = np.transpose([tree.error(o - offset) for _, tree, o in of_group])
+            print(f"  offset {offset:3}: {errors.mean():.4f} ({paired(errors - before)}), "
+                  f"{numbers.mean():.1f}")
+        known = [(tree.error(o, s.number)[0], tree.error(tree.choice_of_package, s.number)[0])
+                 for s, tree, o in of_group if s.number]
+        if known:
+            errors, before = np.transpose(known)
+            print(f"  number given: {errors.mean():.4f} ({paired(errors - before)})")
+
+
+def print_calibration(probabilities, agreement):
+    print("\nprobability  cuts  people who cut there")
+    for low in np.arange(0, 1, 0.1):
+        is_here = (probabilities >= low) & (probabilities < low + 0.1)
+        if is_here.any():
+            people = agreement[is_here].mean()
+            print(f"  {low:.1f} to {low + 0.1:.1f}  {is_here.sum():4}  {people:.2f}")
+
+
+def write_table(file, network):
+    def array(numbers):
+        texts = [f"{number + 0:.5f}" for number in numbers]
+        lines = [", ".join(texts[i:i + 8]) for i in range(0, len(texts), 8)]
+        return "{{" + ",\n     ".join(lines) + "}}"
+
+    units = "".join(f"  {{{bias:.5f},\n    {array(weights)},\n   {out:.5f}}},\n"
+                    for bias, weights, out in zip(network.bias, network.hidden.T, network.out))
+    target = FOLDER / "internal/salience/calibrated_boundary_network.h"
+    before, _, after = re.split(r"(?<= = \{\n)(.*?)(?=\n  \}\}\};)", target.read_text(), flags=re.S)
+    file.write_text(before + f"""  // means and standard deviations of the inputs
+    {array(network.means)},
+    {array(network.deviations)},
+  // the linear part
+  {network.constant:.5f},
+    {array(network.linear)},
+  // the units
+  {{{{
+{units.rstrip()}""" + after)
+
+
+def arguments():
+    parser = argparse.ArgumentParser(description=__doc__,
+                                     formatter_class=argparse.RawDescriptionHelpFormatter)
+    parser.add_argument("benchmark", type=pathlib.Path,
+                        help="holds off/N.off and seg/Benchmark/N/*.seg")
+    parser.add_argument("--known-parts", nargs=2, action="append", default=[],
+                        metavar=("DIR", "WEIGHT"),
+                        help="also fits to the meshes NAME.off of a folder; all other files NAME.* "
+                             "have one label a line; the benchmark has the weight 1")
+    parser.add_argument("--triangulation", type=pathlib.Path, action="append", default=[],
+                        metavar="DIR",
+                        help="N.off: other triangulations of the benchmark's meshes, as "
+                             "segmentation_quality --cache writes them")
+    parser.add_argument("--plain-weight", type=float, default=0.02,
+                        help="of made shapes without parts, such as knots and plates [0.02]")
+    parser.add_argument("--noisy-copies", type=int, default=2, help="of each mesh [2]")
+    parser.add_argument("--table", type=pathlib.Path, metavar="OUT.h",
+                        help="writes the header with the network")
+    parser.add_argument("--jobs", type=int, default=2, help="runs at a time [2]")
+    return parser.parse_args()
+
+
+def main():
+    options = arguments()
+    samples = read_benchmark(options.benchmark) + plain_shapes()
+    weights = {"benchmark": 1, "plain": options.plain_weight}
+    for folder, weight in options.known_parts:
+        samples += read_known_parts(pathlib.Path(folder))
+        weights[pathlib.Path(folder).name] = float(weight)
+
+    with multiprocessing.Pool(options.jobs) as pool:
+        trees = pool.starmap(make_trees, [(sample, options) for sample in samples], chunksize=1)
+        networks = pool.starmap(fit, [(samples, trees, weights, fold)
+                                      for fold in range(NUMBER_OF_FOLDS)])
+    meshes = [of_sample[0] for of_sample in trees]
+    outputs = [tree.outputs(networks[sample.fold]) for sample, tree in zip(samples, meshes)]
+    print_errors(samples, meshes, outputs)
+
+    held_out = [(tree.limited_by_parents(o), tree.agreement)
+                for sample, tree, o in zip(samples, meshes, outputs) if sample.group == "benchmark"]
+    limited, agreement = (np.concatenate(columns) for columns in zip(*held_out))
+    scale, shift = fit_calibration(limited, agreement)
+    print_calibration(1 / (1 + np.exp(-scale * limited - shift)), agreement)
+    print("\noffset  probability")
+    for offset in OFFSETS:
+        print(f"{offset:6}  {1 / (1 + np.exp(-scale * offset - shift)):.3f}")
+
+    network = fit(samples, trees, weights)
+    network.calibrate(scale, shift)
+    rows = np.vstack([tree.inputs[tree.is_boundary] for tree in meshes])
+    print("\nmean change of the logit if an input grows by one standard deviation")
+    for name, change in zip(NAMES + ["share of the smaller side"], network.mean_changes(rows)):
+        print(f"{name:28} {change:+.2f}")
+    if options.table:
+        write_table(options.table, network)
+
+
+if __name__ == "__main__":
+    main()
