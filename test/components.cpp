@@ -245,7 +245,7 @@ BOOST_AUTO_TEST_CASE(a_component_with_little_evidence_of_parts_among_many_is_not
     dumbbells.push_back(moved(soup, 9 * i, 0, 0));
   const Mesh mesh = mesh_of(union_of(dumbbells));
   const Segmentation_hierarchy hierarchy = hierarchy_of(mesh, parameters::default_values());
-  const Labels labels = run_labels(hierarchy), more = labels_above(hierarchy, 0.2, unlimited);
+  const Labels labels = run_labels(hierarchy), more = labels_above(hierarchy, 0.1, unlimited);
   BOOST_TEST(number_of(labels) == 20u);
   BOOST_TEST(number_of(more) > 35u);
   for (std::size_t f = 0; f < labels.size(); ++f)

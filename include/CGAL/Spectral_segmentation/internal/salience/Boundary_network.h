@@ -89,7 +89,7 @@ struct Boundary_network
 
 // Combines what shape and features say about a cut. Features that do not tell parts, such as noise,
 // have no say at the default weight, 1/2. The numbers are fitted to parts of people with made
-// features.
+// features. The constant of boundaries is moved by the change of the default threshold since.
 struct Feature_logit
 {
   // of candidates
@@ -99,7 +99,7 @@ struct Feature_logit
   // of boundaries
   double first_reliability = 0.2, last_reliability = 0.4;
   double shape = 0.75;
-  double constant = -3.1;
+  double constant = -3.87;
   double feature_step = -1.7;
   double explained_variance_near_cut = 3.95;
   double explained_variance = 1.75;
