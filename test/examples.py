@@ -214,8 +214,10 @@ class Example(unittest.TestCase):
             return list(map(int, (self.directory / "labels.txt").read_text().split()))
 
         output = self.run_example(self.write(points, faces), "noisy.txt")
-        self.assertEqual(output, "2 segments; the labels of %d of %d faces are changed\n"
-                         % (sum(a != b for a, b in zip(noisy, cleaned())), len(faces)))
+        n, *changes = self.numbers(
+            r"(\d+) segments; the labels of (\d+) of (\d+) faces are changed", output)
+        self.assertIn(n, (2, 3, 4)) # wrong labels side by side may stay a segment
+        self.assertEqual(changes, [sum(a != b for a, b in zip(noisy, cleaned())), len(faces)])
         self.assertLessEqual(sum(a != b for a, b in zip(cleaned(), right)), 32)
 
         self.run_example()
@@ -364,7 +366,7 @@ class Example(unittest.TestCase):
         areas = re.findall(r'^\d+\[label="\d+\\narea (\S+)"\];$', text, re.MULTILINE)
         saliences = re.findall(r'^\d+--\d+ \[label="(\S+)", len=\S+\];$', text, re.MULTILINE)
         self.assertEqual((len(areas), len(saliences)), (n, number_of_boundaries))
-        self.assertTrue(all(0.4 <= float(salience) <= 1 for salience in saliences))
+        self.assertTrue(all(0.3 <= float(salience) <= 1 for salience in saliences))
         points, faces = read_off(MESHES / "elephant.off")
         area = sum(dot(normal, normal) ** 0.5 / 2 for _, normal in outer_planes(points, faces))
         self.assertAlmostEqual(sum(map(float, areas)) / area, 1, places=4)
