@@ -101,6 +101,15 @@ struct Calibrated_part_salience
   internal::Boundary_network<14, 4> merging_network = internal::merging_network;
   internal::Feature_logit feature_logit; // of cuts of faces that have features
 
+  // Returns the logit of a boundary by its shape. As far as features are reliable, it is that of
+  // the network of merging, to which the numbers of `feature_logit` are fitted.
+  double logit_of_boundary(const Salience_factors& f) const
+  {
+    const double reliability = feature_logit.reliability(f);
+    const double logit = boundary_network.logit(f);
+    return logit + reliability * (merging_network.logit(f) - logit);
+  }
+
   // Returns the salience in whose order boundaries are merged.
   double in_merging(const Salience_factors& f) const
   { return 1 / (1 + std::exp(-feature_logit(merging_network.logit(f), f))); }
@@ -111,7 +120,7 @@ struct Calibrated_part_salience
   {
     const double logit_of_shape =
       f.is_boundary
-        ? boundary_network.logit(f)
+        ? logit_of_boundary(f)
         : constant + log_relative_part_area * f.log_relative_part_area + size * f.size +
             cut_strength * f.cut_strength + concavity_near_cut * f.concavity_near_cut +
             protrusiveness * f.protrusiveness + convexity_gain * f.convexity_gain +

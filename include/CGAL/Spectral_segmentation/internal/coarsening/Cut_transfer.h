@@ -268,15 +268,19 @@ class Cut_transfer
     change_sides(first_of_piece[largest + 1], reached_.size());
   }
 
-  // Gives a side without cells a cell without which the part is still connected.
-  void keep_both_sides(const Cells& cells)
+  // Gives a side without cells the cell with the largest share in it, and the cells that only this
+  // one connects with the rest.
+  void keep_both_sides(std::size_t node, const Cells& cells)
   {
-    const char first = side_[*cells.begin()];
-    if (std::any_of(cells.begin(), cells.end(), [&](Index c) { return side_[c] != first; }))
+    const char only = side_[*cells.begin()], other = only == Q ? REST : Q;
+    if (cells.size() < 2 ||
+        std::any_of(cells.begin(), cells.end(), [&](Index c) { return side_[c] != only; }))
       return;
-    start_flood();
-    flood(*cells.begin());
-    change_sides(reached_.size() - 1, reached_.size());
+    const std::size_t empty = cuts_.nodes[node].children[int(other)];
+    const auto has_less = [&](Index a, Index b)
+      { return quantized(share_in(empty, a)) < quantized(share_in(empty, b)); };
+    side_[*std::max_element(cells.begin(), cells.end(), has_less)] = other;
+    keep_largest(cells, Side(only));
   }
 
   // Returns the sides of the cells of a part that is cut like a node of the other surface. They
@@ -286,7 +290,7 @@ class Cut_transfer
     set_sides(node, cells);
     keep_largest(cells, Q);
     keep_largest(cells, REST);
-    keep_both_sides(cells);
+    keep_both_sides(node, cells);
     Sides result;
     result.reserve(cells.size());
     for (Index cell : cells)

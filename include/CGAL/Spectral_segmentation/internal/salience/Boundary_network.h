@@ -87,13 +87,13 @@ struct Boundary_network
   }
 };
 
-// Combines what shape and features say about a cut. Features that do not tell parts, such as noise,
-// have no say at the default weight, 1/2. The numbers are fitted to parts of people with made
-// features. The constant of boundaries is moved by the change of the default threshold since.
+// Combines the shape and the features at a cut. Features that do not tell parts, such as noise,
+// have no weight at the default feature weight, 1/2. The numbers are fitted to parts of people with
+// made features. The constant of boundaries is moved by the change of the default threshold since.
 struct Feature_logit
 {
   // of candidates
-  double first_step = 0.15, last_step = 0.25; // where features begin and end to gain their say
+  double first_step = 0.15, last_step = 0.25; // between which the weight of features grows
   double candidate = 4.3;
 
   // of boundaries
@@ -111,30 +111,38 @@ struct Feature_logit
   static double ramp(double x, double first, double last)
   { return (std::min)((std::max)((x - first) / (last - first), 0.), 1.); }
 
-  // Returns how much of their say features have, in [0, 1].
-  static double say(double feature_weight) { return (std::min)(2 * feature_weight, 1.); }
+  // Returns the weight of features that tell the parts, in [0, 1].
+  static double weight_of_features(double feature_weight)
+  { return (std::min)(2 * feature_weight, 1.); }
 
-  // Returns how much of the say of the shape is gone, in [0, 1].
+  // Returns how far the weight of the shape is reduced, in [0, 1].
   static double fading(double feature_weight)
   { return (std::max)(2 * feature_weight - 1, 0.); }
+
+  // Returns how far features tell the parts, weighted, in [0, 1]; 0 without features.
+  double reliability(const Salience_factors& f) const
+  {
+    return weight_of_features(f.feature_weight) *
+           ramp(f.feature_reliability, first_reliability, last_reliability);
+  }
 
   // Returns what the distance of the mean features of two components adds to the logit of their
   // boundary, if all components together explain a share of the variance.
   double of_components(double distance, double explained_variance, double feature_weight) const
   {
-    return say(feature_weight) * ramp(explained_variance, 0.3, 0.6) *
+    return weight_of_features(feature_weight) * ramp(explained_variance, 0.3, 0.6) *
            (equal_components +
             (different_components - equal_components) * ramp(distance, 0.1, 0.5));
   }
 
-  // Returns the logit for a cut with this logit of its shape. Up to the weight 1/2 the say of the
-  // features grows. From there on that of the shape fades, to a hundredth, and unreliable features
-  // gain a say.
+  // Returns the logit for a cut with this logit of its shape. Up to the feature weight 1/2 the
+  // weight of the features grows. From there on that of the shape falls to a hundredth, and that of
+  // unreliable features grows.
   double operator()(double logit_of_shape, const Salience_factors& f) const
   {
     if (!(f.feature_weight > 0))
       return logit_of_shape;
-    const double of_features = say(f.feature_weight);
+    const double of_features = weight_of_features(f.feature_weight);
     const double faded = fading(f.feature_weight), shape_left = 1 - 0.99 * faded;
     const double of_mesh = std::sqrt(f.explained_variance_of_mesh);
     if (!f.is_boundary) {
@@ -142,9 +150,7 @@ struct Feature_logit
       return shape_left * logit_of_shape +
              of_features * ramp(step, first_step, last_step) * candidate * of_mesh;
     }
-    const double reliable =
-      of_features * ramp(f.feature_reliability, first_reliability, last_reliability);
-    const double trust = reliable + faded * (1 - reliable);
+    const double reliable = reliability(f), trust = reliable + faded * (1 - reliable);
     return (1 - (1 - shape) * reliable) * shape_left * logit_of_shape +
            trust * (constant + feature_step * f.feature_step +
                     explained_variance_near_cut * std::sqrt(f.explained_variance_near_cut) +
