@@ -6,11 +6,12 @@
 
 #include "Method_trees.h"
 #include "assembled_meshes.h"
+#include "congruent_parts.h"
 #include "consensus_floor.h"
+#include "partner_cuts.h"
 #include "segmentation_methods.h"
 #include "timed.h"
 #include "triangulations.h"
-#include "congruent_parts.h"
 
 #include <Eigen/Core>
 
@@ -51,6 +52,7 @@ struct Score
   double segments = 0;
   double excess = 0; // the Rand error less the consensus floor
   double congruent = 0; // fraction of people's classes of congruent parts that are treated alike
+  Partner_counts partners{undefined, undefined}; // of a tree
   double seconds = 0;
   Labels labels;
 };
@@ -156,18 +158,16 @@ class Mesh_scorer
     const Retriangulated_mesh& of_row = mesh(row.triangulation);
     Method_trees& trees =
       trees_.try_emplace({row.method, row.triangulation}, method, of_row.mesh).first->second;
-    if (row.protocol == Protocol::AUTO) {
-      const double threshold = threshold_.value_or(method.default_threshold);
-      const Timed_tree& automatic = trees.down_to(threshold);
-      return score(carried_back(of_row, labels_of_tree(automatic.tree, threshold, any_number)),
-                   automatic.time);
-    }
-    const Timed_tree& whole = trees.up_to(usual_number_);
-    const Labels labels = row.protocol == Protocol::K
-      ? labels_of_tree(whole.tree, any_salience, usual_number_)
-      : best_labels(whole.tree, [&](const Labels& of_tree)
+    const double threshold = threshold_.value_or(method.default_threshold);
+    const bool is_auto = row.protocol == Protocol::AUTO;
+    const Timed_tree& found = is_auto ? trees.down_to(threshold) : trees.up_to(usual_number_);
+    const Labels labels = is_auto ? labels_of_tree(found.tree, threshold, any_number)
+      : row.protocol == Protocol::K ? labels_of_tree(found.tree, any_salience, usual_number_)
+      : best_labels(found.tree, [&](const Labels& of_tree)
           { return mean_rand_error(carried_back(of_row, of_tree), input_.people); });
-    return score(carried_back(of_row, labels), whole.time);
+    Score result = score(carried_back(of_row, labels), found.time);
+    result.partners = partner_counts(of_row.mesh, found.tree, labels);
+    return result;
   }
 
   Score score(const Row& row)

@@ -464,7 +464,7 @@ class Run
     return monitor_.stage(Stage::MERGING, Segmentation_visitor::whole_mesh, [&] {
       const Cut_hierarchy merges = Region_merging(execution_, mesh, best_cut.context(),
                                                   options_.part_salience, monitor_)(regions);
-      Cut_hierarchy result = Congruent_cuts(mesh, merges)();
+      Cut_hierarchy result = with_common_saliences(mesh, merges);
       if (!constraints_.empty()) {
         const std::vector<Index> vertices = searched_vertices(mesh_.points.size());
         Forced_cuts cuts(mesh_, vertices, mesh, groups_, result, monitor_);

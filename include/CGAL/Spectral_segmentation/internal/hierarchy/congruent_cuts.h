@@ -20,115 +20,75 @@
 
 namespace CGAL::Spectral_segmentation::internal {
 
-// The properties of a cut that the cuts of congruent parts share. The unit is the root of the
-// mesh's area.
-struct Cut_shape
-{
-  Shape shape;         // of Q, the smaller side
-  double length = 0;   // the length of the cut
-  double distance = 0; // between the centroids of Q and of its component
-};
+// The logarithms of the root of the area of the smaller side of a cut, of the length of the cut,
+// and of the standard deviations of that side.
+typedef std::array<double, 5> Cut_shape;
 
-// Returns whether cuts make congruent parts. The tolerances are measured. No searched cut depends
-// on them.
-inline bool are_congruent(const Cut_shape& a, const Cut_shape& b)
+// Returns the root mean square difference of two shapes.
+inline double difference(const Cut_shape& a, const Cut_shape& b)
 {
-  return are_congruent(a.shape, b.shape, 0.001) &&
-         std::abs(a.length - b.length) <= 0.2 * (std::max)(a.length, b.length) &&
-         std::abs(a.distance - b.distance) <= 0.1;
+  double sum = 0;
+  for (std::size_t i = 0; i < a.size(); ++i)
+    sum += (a[i] - b[i]) * (a[i] - b[i]);
+  return std::sqrt(sum / static_cast<double>(a.size()));
 }
 
-// Gives cuts that make congruent parts, such as the legs of a horse, the mean of their saliences,
-// so that a threshold treats them alike. The hierarchy must consist of merges.
-class Congruent_cuts
+// The difference up to which cuts are congruent. With 0.05, 24 pairs of equal limbs in the odd half
+// of the Princeton benchmark are cut unlike, and with 0.1 three. From 0.15 on errors grow.
+constexpr double difference_of_congruent_cuts = 0.1;
+
+// Returns the shapes of the cuts in their order.
+inline std::vector<Cut_shape> cut_shapes(const Surface& mesh, const Cut_hierarchy& cuts)
 {
-  typedef std::vector<std::size_t> Class; // cuts, each given by its turn
-
-  const Surface& mesh_;
-  const Cut_hierarchy& cuts_;
-  std::vector<Cut_shape> shapes_; // one per cut
-  std::vector<double> saliences_; // one per cut
-  std::vector<Class> classes_;
-
-  void set_shapes()
-  {
-    const double area_of_mesh = total_area(mesh_), unit = std::sqrt(area_of_mesh);
-    const Nested_ranges faces(cuts_, cuts_.leaf);
-    std::vector<Vector> centers; // the center of the component of each node
-    for (std::size_t node = 0; node < cuts_.nodes.size(); ++node) {
-      centers.push_back(node < cuts_.number_of_roots ? Vector()
-                                                     : centers[cuts_.nodes[node].parent]);
-      if (node < cuts_.number_of_roots)
-        for (Index f : faces[node])
-          centers[node] += mesh_.areas[f] / cuts_.nodes[node].area * mesh_.centroid(f);
+  const double least_length = 1e-4 * std::sqrt(total_area(mesh));
+  const Nested_ranges faces(cuts, cuts.leaf);
+  std::vector<std::size_t> cut_with_larger_side(mesh.number_of_faces(), null_node);
+  std::vector<Cut_shape> result;
+  for (std::size_t cut : cuts.cut_order) {
+    const std::size_t (&sides)[2] = cuts.nodes[cut].children;
+    for (Index f : faces[sides[1]])
+      cut_with_larger_side[f] = cut;
+    double length = 0;
+    Moments moments;
+    for (Index f : faces[sides[0]]) {
+      moments.add(mesh, f);
+      for (Index h = 3 * f; h < 3 * f + 3; ++h)
+        if (cut_with_larger_side[mesh.neighbor(h)] == cut)
+          length += mesh.length(h);
     }
-    std::vector<std::size_t> cut_with_rest(mesh_.number_of_faces(), null_node);
-    for (std::size_t i = 0; i < shapes_.size(); ++i) {
-      const std::size_t (&sides)[2] = cuts_.nodes[cuts_.cut_order[i]].children;
-      const Vector& center = centers[cuts_.cut_order[i]];
-      for (Index f : faces[sides[1]])
-        cut_with_rest[f] = i;
-      double length = 0;
-      Moments moments; // of Q
-      for (Index f : faces[sides[0]]) {
-        std::array<Vector, 3> corners;
-        for (std::size_t k = 0; k < 3; ++k)
-          corners[k] = (mesh_.points[mesh_.corners[f][k]] - center) / unit;
-        moments.add(mesh_.areas[f] / area_of_mesh, corners);
-        for (Index h = 3 * f; h < 3 * f + 3; ++h)
-          if (cut_with_rest[mesh_.neighbor(h)] == i)
-            length += mesh_.length(h) / unit;
-      }
-      shapes_[i] = {{moments.area, moments.deviations()}, length, moments.centroid().norm()};
-    }
+    const std::array<double, 3> deviations = moments.deviations();
+    Cut_shape shape = {std::sqrt(moments.area), length, deviations[0], deviations[1],
+                       deviations[2]};
+    for (double& x : shape)
+      x = quantized(std::log((std::max)(least_length, x)));
+    result.push_back(shape);
   }
+  return result;
+}
 
-  // Finds the classes of congruent cuts. Cuts that are merged late come first.
-  void set_classes()
-  {
-    std::vector<std::size_t> order(shapes_.size());
-    std::iota(order.begin(), order.end(), std::size_t(0));
-    classes_ = first_fit_classes(order, [this](std::size_t i, std::size_t j)
-                                 { return are_congruent(shapes_[i], shapes_[j]); });
+// Returns the same cuts, as they are applied from the top down. Congruent cuts, such as those of
+// the legs of a horse, get the mean of their saliences, so that a threshold treats them alike.
+inline Cut_hierarchy with_common_saliences(const Surface& mesh, Cut_hierarchy cuts)
+{
+  cuts = applied_from_top_down(std::move(cuts));
+  const std::vector<Cut_shape> shapes = cut_shapes(mesh, cuts);
+  std::vector<std::size_t> all(shapes.size());
+  std::iota(all.begin(), all.end(), std::size_t(0));
+  for (const std::vector<std::size_t>& congruent : first_fit_classes(all,
+         [&](std::size_t i, std::size_t j)
+         { return difference(shapes[i], shapes[j]) <= difference_of_congruent_cuts; })) {
+    const auto salience = [&](std::size_t i) -> double&
+      { return cuts.nodes[cuts.cut_order[i]].salience; };
+    const double least = salience(congruent.back());
+    double mean = 0;
+    for (std::size_t i : congruent)
+      mean += salience(i) / static_cast<double>(congruent.size());
+    mean = mean > least ? (std::min)(mean, salience(congruent.front())) : least; // may be NaN
+    for (std::size_t i : congruent)
+      salience(i) = mean;
   }
-
-  // Returns the mean salience of congruent cuts. A caller's saliences may be infinite.
-  double mean_salience(const Class& congruent) const
-  {
-    double sum = 0, least = saliences_[congruent.front()], largest = least;
-    for (std::size_t i : congruent) {
-      sum += saliences_[i];
-      least = (std::min)(least, saliences_[i]);
-      largest = (std::max)(largest, saliences_[i]);
-    }
-    const double mean = sum / static_cast<double>(congruent.size());
-    return std::isnan(mean) ? least : std::clamp(mean, least, largest);
-  }
-
-public:
-  Congruent_cuts(const Surface& mesh, const Cut_hierarchy& cuts)
-    : mesh_(mesh), cuts_(cuts), shapes_(cuts.cut_order.size())
-  {
-    for (std::size_t node : cuts.cut_order)
-      saliences_.push_back(cuts.nodes[node].salience);
-  }
-
-  // Returns the same cuts, as they are applied from the top down.
-  Cut_hierarchy operator()()
-  {
-    set_shapes();
-    set_classes();
-    for (const Class& congruent : classes_) {
-      const double mean = mean_salience(congruent);
-      for (std::size_t i : congruent)
-        saliences_[i] = mean;
-    }
-    Cut_hierarchy result = cuts_;
-    for (std::size_t i = 0; i < saliences_.size(); ++i)
-      result.nodes[result.cut_order[i]].salience = saliences_[i];
-    return applied_from_top_down(std::move(result));
-  }
-};
+  return applied_from_top_down(std::move(cuts));
+}
 
 } // namespace CGAL::Spectral_segmentation::internal
 

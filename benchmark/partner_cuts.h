@@ -1,0 +1,71 @@
+// Copyright (c) 2026  The Spectral_segmentation authors.
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef SEGMENTATION_BENCHMARK_PARTNER_CUTS_H
+#define SEGMENTATION_BENCHMARK_PARTNER_CUTS_H
+
+#include "run_engine.h"
+
+#include <CGAL/Spectral_segmentation/internal/hierarchy/congruent_cuts.h>
+#include <CGAL/Spectral_segmentation/internal/json/json_of_hierarchy.h>
+
+#include <cstddef>
+#include <utility>
+#include <vector>
+
+namespace segmentation_benchmark {
+
+// Returns the partners among some cuts, as pairs of indices. Two cuts are partners if each is the
+// nearest to the other, and if they are congruent.
+inline std::vector<std::pair<std::size_t, std::size_t> >
+partners(const std::vector<CGAL::Spectral_segmentation::internal::Cut_shape>& shapes)
+{
+  using CGAL::Spectral_segmentation::internal::difference;
+  const std::size_t n = shapes.size();
+  std::vector<std::size_t> nearest(n, n);
+  for (std::size_t i = 0; i < n; ++i)
+    for (std::size_t j = 0; j < n; ++j)
+      if (j != i && (nearest[i] == n || difference(shapes[i], shapes[j]) <
+                                        difference(shapes[i], shapes[nearest[i]])))
+        nearest[i] = j;
+  std::vector<std::pair<std::size_t, std::size_t> > result;
+  for (std::size_t i = 0; i < n; ++i)
+    if (const std::size_t j = nearest[i];
+        j < n && i < j && nearest[j] == i &&
+        difference(shapes[i], shapes[j]) <=
+          CGAL::Spectral_segmentation::internal::difference_of_congruent_cuts)
+      result.emplace_back(i, j);
+  return result;
+}
+
+// Numbers of pairs of partners.
+struct Partner_counts
+{
+  double cut = 0, cut_unlike = 0; // with at least one cut made, with one
+};
+
+// Counts the partners of the cuts of a tree. The labels are those of segments of the tree.
+inline Partner_counts
+partner_counts(const Mesh& mesh, const CGAL::Spectral_segmentation::Segmentation_hierarchy& tree,
+               const Labels& labels)
+{
+  namespace internal = CGAL::Spectral_segmentation::internal;
+  internal::Surface surface = triangles_of(mesh);
+  set_areas(Execution::SEQUENTIAL, surface);
+  const internal::Cut_hierarchy& cuts = internal::Hierarchy_access::cuts(tree);
+  const auto label = [&](std::size_t node) { return labels[*tree.faces(node).begin()]; };
+  const auto is_made = [&](std::size_t i) {
+    const auto& sides = cuts.nodes[cuts.cut_order[i]].children;
+    return label(sides[0]) != label(sides[1]);
+  };
+  Partner_counts result;
+  for (const auto& [i, j] : partners(cut_shapes(surface, cuts))) {
+    result.cut += is_made(i) || is_made(j);
+    result.cut_unlike += is_made(i) != is_made(j);
+  }
+  return result;
+}
+
+} // namespace segmentation_benchmark
+
+#endif // SEGMENTATION_BENCHMARK_PARTNER_CUTS_H
