@@ -15,8 +15,11 @@
 
 namespace segmentation_benchmark {
 
+// The largest difference of two partners.
+constexpr double difference_of_partners = 0.1;
+
 // Returns the partners among some cuts, as pairs of indices. Two cuts are partners if each is the
-// nearest to the other, and if they are congruent.
+// nearest to the other, and if they do not differ by more.
 inline std::vector<std::pair<std::size_t, std::size_t> >
 partners(const std::vector<CGAL::Spectral_segmentation::internal::Cut_shape>& shapes)
 {
@@ -32,8 +35,7 @@ partners(const std::vector<CGAL::Spectral_segmentation::internal::Cut_shape>& sh
   for (std::size_t i = 0; i < n; ++i)
     if (const std::size_t j = nearest[i];
         j < n && i < j && nearest[j] == i &&
-        difference(shapes[i], shapes[j]) <=
-          CGAL::Spectral_segmentation::internal::difference_of_congruent_cuts)
+        difference(shapes[i], shapes[j]) <= difference_of_partners)
       result.emplace_back(i, j);
   return result;
 }
@@ -41,7 +43,7 @@ partners(const std::vector<CGAL::Spectral_segmentation::internal::Cut_shape>& sh
 // Numbers of pairs of partners.
 struct Partner_counts
 {
-  double cut = 0, cut_unlike = 0; // with at least one cut made, with one
+  double made = 0, made_unlike = 0; // with at least one cut made, with one
 };
 
 // Counts the partners of the cuts of a tree. The labels are those of segments of the tree.
@@ -51,6 +53,7 @@ partner_counts(const Mesh& mesh, const CGAL::Spectral_segmentation::Segmentation
 {
   namespace internal = CGAL::Spectral_segmentation::internal;
   internal::Surface surface = triangles_of(mesh);
+  internal::normalize(surface.points);
   set_areas(Execution::SEQUENTIAL, surface);
   const internal::Cut_hierarchy& cuts = internal::Hierarchy_access::cuts(tree);
   const auto label = [&](std::size_t node) { return labels[*tree.faces(node).begin()]; };
@@ -60,8 +63,8 @@ partner_counts(const Mesh& mesh, const CGAL::Spectral_segmentation::Segmentation
   };
   Partner_counts result;
   for (const auto& [i, j] : partners(cut_shapes(surface, cuts))) {
-    result.cut += is_made(i) || is_made(j);
-    result.cut_unlike += is_made(i) != is_made(j);
+    result.made += is_made(i) || is_made(j);
+    result.made_unlike += is_made(i) != is_made(j);
   }
   return result;
 }

@@ -166,7 +166,8 @@ class Mesh_scorer
       : best_labels(found.tree, [&](const Labels& of_tree)
           { return mean_rand_error(carried_back(of_row, of_tree), input_.people); });
     Score result = score(carried_back(of_row, labels), found.time);
-    result.partners = partner_counts(of_row.mesh, found.tree, labels);
+    if (method.has_whole_trees || !is_auto) // else all cuts of the tree are made
+      result.partners = partner_counts(of_row.mesh, found.tree, labels);
     return result;
   }
 

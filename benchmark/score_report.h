@@ -71,8 +71,8 @@ inline Summary mean_summary(const std::vector<Summary>& all)
   result.mean.segments = mean([](const Summary& s) { return s.mean.segments; });
   result.mean.excess = mean([](const Summary& s) { return s.mean.excess; });
   result.mean.congruent = mean([](const Summary& s) { return s.mean.congruent; });
-  result.mean.partners = {mean([](const Summary& s) { return s.mean.partners.cut; }),
-                          mean([](const Summary& s) { return s.mean.partners.cut_unlike; })};
+  result.mean.partners = {mean([](const Summary& s) { return s.mean.partners.made; }),
+                          mean([](const Summary& s) { return s.mean.partners.made_unlike; })};
   result.mean.seconds = mean([](const Summary& s) { return s.mean.seconds; });
   result.median_seconds = median(seconds);
   result.floor = mean([](const Summary& s) { return s.floor; });
@@ -137,7 +137,7 @@ inline void print_metrics(const std::vector<Row_summary>& rows)
   std::printf("%-*s", width, "method");
   for (const char* metric : metric_names)
     std::printf(" %7s", metric);
-  std::printf(" %7s %7s %7s %8s %9s %9s %11s\n", "parts", "excess", "congruent", "unlike",
+  std::printf(" %7s %7s %9s %7s %9s %9s %11s\n", "parts", "excess", "congruent", "unlike",
               "median s", "mean s", "categories");
   for (const Row_summary& r : rows) {
     const Score& mean = r.over_meshes.mean;
@@ -145,16 +145,16 @@ inline void print_metrics(const std::vector<Row_summary>& rows)
     for (double error : mean.errors)
       print_value(7, error);
     std::printf(" %7.2f %7.4f", mean.segments, mean.excess);
-    print_value(7, mean.congruent);
-    print_value(8, mean.partners.cut_unlike / mean.partners.cut);
+    print_value(9, mean.congruent);
+    print_value(7, mean.partners.made_unlike / mean.partners.made);
     std::printf(" %9.3f %9.3f %8ld/%zu\n", r.over_meshes.median_seconds, mean.seconds,
                 r.categories_at_or_below_people(), r.categories.size());
   }
   std::printf("excess: Rand error less the consensus floor, for which an upper bound stands\n"
               "congruent: fraction of the classes of congruent parts that people made which are "
               "treated alike\n"
-              "unlike: fraction of the pairs of congruent cuts in the tree of which one is made, "
-              "and not both\n"
+              "unlike: of the pairs of congruent cuts in the tree of which one is made, the "
+              "fraction of which the other is not\n"
               "categories: in how many the Rand error is at most people's own\n");
 }
 
@@ -247,8 +247,8 @@ inline Json json_of(const Score& score)
   json["k"] = score.segments;
   json["excess"] = score.excess;
   json["congruent"] = score.congruent;
-  json["partner_cuts"] = score.partners.cut;
-  json["partner_cuts_unlike"] = score.partners.cut_unlike;
+  json["partners_made"] = score.partners.made;
+  json["partners_made_unlike"] = score.partners.made_unlike;
   json["seconds"] = score.seconds;
   return json;
 }

@@ -19,6 +19,7 @@ BOOST_AUTO_TEST_SUITE(part_salience)
 
 namespace tt = boost::test_tools;
 using namespace test_meshes;
+using CGAL::Spectral_segmentation::Calibrated_part_salience;
 using CGAL::Spectral_segmentation::Salience_factors;
 using CGAL::Spectral_segmentation::Weighted_part_salience;
 using CGAL::Spectral_segmentation::internal::Boundary_statistics;
@@ -208,6 +209,23 @@ BOOST_AUTO_TEST_CASE(a_side_knows_its_faces_and_areas)
   BOOST_TEST(q.area() * unit_area == 5, tt::tolerance(1e-12));
   BOOST_TEST(q.area_of_rest() * unit_area == 8, tt::tolerance(1e-12));
   BOOST_TEST(q.smaller_area() * unit_area == 5, tt::tolerance(1e-12));
+}
+
+BOOST_AUTO_TEST_CASE(reliable_features_leave_boundaries_to_the_network_of_merging)
+{
+  const Calibrated_part_salience salience;
+  Salience_factors f;
+  f.is_boundary = true;
+  f.size = 0.3;
+  f.cut_strength = 0.5;
+  f.log_relative_part_area = -1;
+  const double without = salience(f), in_merging = salience.in_merging(f);
+  BOOST_TEST(std::abs(without - in_merging) > 0.001);
+  f.feature_weight = 0.5;
+  f.feature_reliability = 0.2;
+  BOOST_TEST(salience(f) == without, tt::tolerance(1e-12));
+  f.feature_reliability = 0.4;
+  BOOST_TEST(salience(f) == salience.in_merging(f), tt::tolerance(1e-12));
 }
 
 BOOST_AUTO_TEST_CASE(the_weighted_salience_is_the_weighted_sum)

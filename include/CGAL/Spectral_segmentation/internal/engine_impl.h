@@ -462,9 +462,8 @@ class Run
     const Cut_hierarchy regions =
       Recursion(execution_, mesh, best_cut, options_, monitor_).by_salience();
     return monitor_.stage(Stage::MERGING, Segmentation_visitor::whole_mesh, [&] {
-      const Cut_hierarchy merges = Region_merging(execution_, mesh, best_cut.context(),
-                                                  options_.part_salience, monitor_)(regions);
-      Cut_hierarchy result = with_common_saliences(mesh, merges);
+      Region_merging merge(execution_, mesh, best_cut.context(), options_.part_salience, monitor_);
+      Cut_hierarchy result = with_common_saliences(mesh, merge(regions));
       if (!constraints_.empty()) {
         const std::vector<Index> vertices = searched_vertices(mesh_.points.size());
         Forced_cuts cuts(mesh_, vertices, mesh, groups_, result, monitor_);

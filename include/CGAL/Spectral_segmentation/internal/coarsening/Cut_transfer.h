@@ -20,6 +20,7 @@
 #include <cmath>
 #include <cstddef>
 #include <optional>
+#include <tuple>
 #include <utility>
 #include <vector>
 
@@ -204,7 +205,7 @@ class Cut_transfer
     for (Index cell : cells) {
       const float q = share_in(cuts_.nodes[node].children[0], cell);
       const float rest = share_in(cuts_.nodes[node].children[1], cell);
-      side_[cell] = rest > q ? REST : Q;
+      side_[cell] = rest > 1.00001f * q ? REST : Q; // rounding does not decide
       if (q > 0 && rest > 0 && !cells_.is_core(cell))
         band.push_back(cell);
       else if (q > 0 || rest > 0) // not moved here by an earlier cut
@@ -268,18 +269,23 @@ class Cut_transfer
     change_sides(first_of_piece[largest + 1], reached_.size());
   }
 
-  // Gives a side without cells the cell with the largest share in it, and the cells that only this
-  // one connects with the rest.
+  // Gives a side without cells the cell of which the largest fraction belongs to it, and the cells
+  // that only this one connects with the rest. The tie-break is the place of the cell.
   void keep_both_sides(std::size_t node, const Cells& cells)
   {
     const char only = side_[*cells.begin()], other = only == Q ? REST : Q;
     if (cells.size() < 2 ||
         std::any_of(cells.begin(), cells.end(), [&](Index c) { return side_[c] != only; }))
       return;
-    const std::size_t empty = cuts_.nodes[node].children[int(other)];
-    const auto has_less = [&](Index a, Index b)
-      { return quantized(share_in(empty, a)) < quantized(share_in(empty, b)); };
-    side_[*std::max_element(cells.begin(), cells.end(), has_less)] = other;
+    const auto key = [&](Index cell) {
+      const double share = share_in(cuts_.nodes[node].children[int(other)], cell);
+      const double all = share_in(node, cell);
+      const Vector place = quantized(mesh_.centroid(cells_.first_face(cell)));
+      return std::make_tuple(all > 0 ? quantized(share / all) : 0, place.x(), place.y(),
+                             place.z());
+    };
+    side_[*std::max_element(cells.begin(), cells.end(), [&](Index a, Index b)
+                            { return key(a) < key(b); })] = other;
     keep_largest(cells, Side(only));
   }
 

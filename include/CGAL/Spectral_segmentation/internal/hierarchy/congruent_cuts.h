@@ -59,7 +59,7 @@ inline std::vector<Cut_shape> cut_shapes(const Surface& mesh, const Cut_hierarch
     const std::array<double, 3> deviations = moments.deviations();
     Cut_shape shape = {std::sqrt(moments.area), length, deviations[0], deviations[1],
                        deviations[2]};
-    for (double& x : shape)
+    for (double& x : shape) // in this order of arguments, because the area may be 0, and x NaN
       x = quantized(std::log((std::max)(least_length, x)));
     result.push_back(shape);
   }
@@ -67,7 +67,7 @@ inline std::vector<Cut_shape> cut_shapes(const Surface& mesh, const Cut_hierarch
 }
 
 // Returns the same cuts, as they are applied from the top down. Congruent cuts, such as those of
-// the legs of a horse, get the mean of their saliences, so that a threshold treats them alike.
+// the legs of a horse, get the mean of their saliences, which cuts above them may limit.
 inline Cut_hierarchy with_common_saliences(const Surface& mesh, Cut_hierarchy cuts)
 {
   cuts = applied_from_top_down(std::move(cuts));
@@ -79,11 +79,11 @@ inline Cut_hierarchy with_common_saliences(const Surface& mesh, Cut_hierarchy cu
          { return difference(shapes[i], shapes[j]) <= difference_of_congruent_cuts; })) {
     const auto salience = [&](std::size_t i) -> double&
       { return cuts.nodes[cuts.cut_order[i]].salience; };
-    const double least = salience(congruent.back());
-    double mean = 0;
+    const double largest = salience(congruent.front()), least = salience(congruent.back());
+    double mean = 0; // NaN if saliences are infinite with both signs
     for (std::size_t i : congruent)
       mean += salience(i) / static_cast<double>(congruent.size());
-    mean = mean > least ? (std::min)(mean, salience(congruent.front())) : least; // may be NaN
+    mean = mean > least ? (std::min)(mean, largest) : least;
     for (std::size_t i : congruent)
       salience(i) = mean;
   }
