@@ -11,6 +11,7 @@
 #include <CGAL/Spectral_segmentation/internal/surface/connected_components.h>
 
 #include <algorithm>
+#include <cmath>
 #include <cstddef>
 #include <numeric>
 #include <optional>
@@ -20,7 +21,6 @@ BOOST_AUTO_TEST_SUITE(best_cut)
 
 using namespace test_meshes;
 namespace internal = CGAL::Spectral_segmentation::internal;
-using CGAL::Spectral_segmentation::Salience_factors;
 using internal::Cut;
 using internal::Execution;
 using CGAL::Spectral_segmentation::Options;
@@ -35,33 +35,19 @@ internal::Part whole(const Surface& graph)
   return {graph, 0, faces};
 }
 
-// Notes the candidates.
-struct Candidates : internal::Run_control
+std::vector<Cut> compared_cuts(const Surface& graph, const Options& options)
 {
-  struct Candidate
-  {
-    std::vector<Index> faces;
-    Sides side;
-    Salience_factors factors;
-  };
-
-  std::vector<Candidate> candidates;
-
-  void cut_evaluated(const internal::Evaluated_cut& cut) override
-  {
-    BOOST_TEST(cut.kind == internal::Evaluated_cut::CANDIDATE);
-    candidates.push_back({cut.faces, cut.side, cut.factors});
-  }
-};
-
-std::vector<Candidates::Candidate> evaluated_cuts(const Surface& graph, const Options& options,
-                                                  std::optional<Cut>& best)
-{
-  Candidates control;
+  internal::Run_control control;
   internal::Run_monitor monitor(control);
-  const internal::Best_cut best_cut(graph, options);
-  best = best_cut(sequential, whole(graph), monitor);
-  return control.candidates;
+  return internal::Best_cut(graph, options).compared_cuts(sequential, whole(graph), monitor);
+}
+
+std::optional<Cut> best_cut_of(const Surface& graph, const Options& options,
+                               internal::Execution execution = sequential)
+{
+  internal::Run_control control;
+  internal::Run_monitor monitor(control);
+  return internal::Best_cut(graph, options)(execution, whole(graph), monitor);
 }
 
 // The paper's method, and all values of the options of the other that Best_cut looks at.
@@ -103,39 +89,40 @@ BOOST_AUTO_TEST_CASE(sides_are_connected_if_each_is_one_component_by_itself)
   BOOST_TEST(number_connected < 350);
 }
 
-BOOST_AUTO_TEST_CASE(every_evaluated_cut_has_two_connected_sides_that_are_not_too_small)
+BOOST_AUTO_TEST_CASE(every_compared_cut_has_two_connected_sides_that_are_not_too_small)
 {
   const Surface graph = graph_with_distances(dumbbell(20, 16), weights_of_calibrated_method);
   const double area = internal::total_area(graph);
   for (const Options& options : many_options()) {
-    std::optional<Cut> best;
-    const auto cuts = evaluated_cuts(graph, options, best);
+    const std::vector<Cut> cuts = compared_cuts(graph, options);
+    BOOST_TEST_REQUIRE(!cuts.empty());
+    const std::optional<Cut> best = best_cut_of(graph, options);
     BOOST_TEST_REQUIRE(best.has_value());
-    BOOST_TEST(best->area[0] + best->area[1] == area, boost::test_tools::tolerance(1e-9));
-    BOOST_TEST(best->salience == options.part_salience(best->factors));
-    bool is_best_among_them = false;
-    for (const auto& cut : cuts) {
+    BOOST_TEST((best->side == cuts.front().side));
+    for (const Cut& cut : cuts) {
       BOOST_TEST(internal::both_sides_are_connected(graph, cut.side));
-      BOOST_TEST(cut.faces.size() == cut.side.size());
+      BOOST_TEST_REQUIRE(cut.side.size() == graph.number_of_faces());
       double areas[2] = {0, 0};
       for (Index f = 0; f < cut.side.size(); ++f)
         areas[int(cut.side[f])] += graph.areas[f];
+      for (int side : {0, 1})
+        BOOST_TEST(cut.area[side] == areas[side], boost::test_tools::tolerance(1e-9));
       BOOST_TEST(areas[0] >= 0.02 * area * (1 - 1e-9));
       BOOST_TEST(areas[0] <= areas[1] * (1 + 1e-9));
-      BOOST_TEST(internal::quantized(options.part_salience(cut.factors)) <=
-                 internal::quantized(best->salience));
-      is_best_among_them = is_best_among_them || cut.side == best->side;
+      BOOST_TEST(cut.factors.size == areas[0] / area, boost::test_tools::tolerance(1e-9));
+      BOOST_TEST(std::abs(cut.factors.log_relative_part_area) < 1e-9);
+      BOOST_TEST(!cut.factors.is_boundary);
+      BOOST_TEST(cut.salience == options.part_salience(cut.factors));
+      BOOST_TEST(internal::quantized(cut.salience) <= internal::quantized(best->salience));
     }
-    BOOST_TEST(is_best_among_them);
   }
 }
 
-BOOST_AUTO_TEST_CASE(the_options_say_how_many_cuts_are_evaluated)
+BOOST_AUTO_TEST_CASE(the_options_say_how_many_cuts_are_compared)
 {
   const Surface graph = graph_with_distances(dumbbell(20, 16), weights_of_calibrated_method);
   for (const Options& options : many_options()) {
-    std::optional<Cut> best;
-    const std::size_t number = evaluated_cuts(graph, options, best).size();
+    const std::size_t number = compared_cuts(graph, options).size();
     BOOST_TEST(number >= 1u);
     if (options.method == CGAL::Spectral_segmentation::Method::ZHANG_LIU_2005)
       BOOST_TEST(number == 1u);
@@ -148,8 +135,7 @@ BOOST_AUTO_TEST_CASE(the_cut_of_the_paper_is_the_best_along_its_one_order)
 {
   const Surface graph = graph_with_distances(dumbbell(20, 16));
   const Options options = Options::zhang_liu_2005();
-  std::optional<Cut> best;
-  evaluated_cuts(graph, options, best);
+  const std::optional<Cut> best = best_cut_of(graph, options);
   BOOST_TEST_REQUIRE(best.has_value());
   const internal::Shape_contexts contexts =
     internal::shape_contexts(graph, internal::farthest_face_from_center(sequential, graph),
@@ -172,8 +158,7 @@ BOOST_AUTO_TEST_CASE(more_cuts_to_choose_from_are_no_worse)
       Options o = CGAL::Spectral_segmentation::Options();
       o.number_of_candidates = candidates;
       o.number_of_refined_candidates = refined;
-      std::optional<Cut> best;
-      evaluated_cuts(graph, o, best);
+      const std::optional<Cut> best = best_cut_of(graph, o);
       BOOST_TEST_REQUIRE(best.has_value());
       return internal::quantized(best->salience);
     };
@@ -189,12 +174,8 @@ BOOST_AUTO_TEST_CASE(the_number_of_threads_changes_nothing)
   const Surface graph = graph_with_distances(displaced(dumbbell(20, 16), 0.02, random),
                                                 weights_of_calibrated_method);
   for (const Options& options : many_options()) {
-    std::optional<Cut> expected;
-    evaluated_cuts(graph, options, expected);
-    internal::Run_control control;
-    internal::Run_monitor monitor(control);
-    const internal::Best_cut best_cut(graph, options);
-    const std::optional<Cut> cut = best_cut(Execution::PARALLEL, whole(graph), monitor);
+    const std::optional<Cut> expected = best_cut_of(graph, options);
+    const std::optional<Cut> cut = best_cut_of(graph, options, Execution::PARALLEL);
     BOOST_TEST_REQUIRE(cut.has_value());
     BOOST_TEST((cut->side == expected->side));
     BOOST_TEST(cut->salience == expected->salience);

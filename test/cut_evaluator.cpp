@@ -27,7 +27,6 @@ using CGAL::Spectral_segmentation::Salience_factors;
 using internal::Cut_evaluator;
 using internal::Support_points;
 using internal::Edge_weights;
-using internal::Evaluated_cut;
 using internal::Evaluation_context;
 using internal::total_area;
 
@@ -66,17 +65,17 @@ Sides swapped(Sides side)
 
 // Returns the factors of a cut of the whole mesh, as if the area of the mesh were multiplied.
 Salience_factors factors(const Surface& graph, const Sides& side, double times = 1,
-                         Evaluated_cut::Kind kind = Evaluated_cut::CANDIDATE)
+                         bool is_boundary = false)
 {
   std::vector<Index> faces(graph.number_of_faces());
   std::iota(faces.begin(), faces.end(), Index(0));
   Evaluation_context mesh(graph);
   mesh.area *= times;
-  return Cut_evaluator(graph, faces, mesh)(side, kind);
+  return Cut_evaluator(graph, faces, mesh)(side, is_boundary);
 }
 
 Salience_factors factors_of_boundary(const Surface& graph, const Sides& side)
-{ return factors(graph, side, 1, Evaluated_cut::BOUNDARY); }
+{ return factors(graph, side, 1, true); }
 
 // 1 x 1 x 2: two cubes on top of each other.
 Soup box()

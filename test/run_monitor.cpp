@@ -195,7 +195,6 @@ BOOST_AUTO_TEST_CASE(what_is_told_of_parts_is_passed_on)
   BOOST_TEST(parts.started == std::vector<std::size_t>({3, 100}), tt::per_element());
   BOOST_TEST(parts.ended == std::vector<std::size_t>({3}), tt::per_element());
   BOOST_TEST(parts.cut == std::vector<std::size_t>({3, 17}), tt::per_element());
-  BOOST_TEST(&monitor.control() == &parts);
 }
 
 BOOST_AUTO_TEST_CASE(counted_steps_ask_the_caller_now_and_then)

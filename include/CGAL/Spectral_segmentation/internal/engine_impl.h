@@ -455,7 +455,6 @@ class Run
 
   Cut_hierarchy search(Surface mesh)
   {
-    monitor_.control().start_search(searched_faces());
     const Best_cut best_cut(mesh, options_, features_, fraction_of_model_);
     if (options_.method == Method::ZHANG_LIU_2005)
       return Recursion(execution_, std::move(mesh), best_cut, options_, monitor_).by_area();

@@ -5,22 +5,17 @@
 #define CGAL_SPECTRAL_SEGMENTATION_INTERNAL_BASE_RUN_MONITOR_H
 
 #include <CGAL/Spectral_segmentation/Segmentation_visitor.h>
-#include <CGAL/Spectral_segmentation/internal/base/Index.h>
 #include <CGAL/Spectral_segmentation/internal/base/concurrency.h>
 
 #include <algorithm>
 #include <atomic>
 #include <cstddef>
 #include <mutex>
-#include <vector>
 
 namespace CGAL::Spectral_segmentation::internal {
 
-struct Evaluated_cut;
-
 // Receives the progress of the engine and may stop it. The functions mean the same as the functions
-// of `Segmentation_visitor`. No two are called at the same time, but for `cut_evaluated()`, which
-// several threads may call at once.
+// of `Segmentation_visitor`. No two are called at the same time.
 class Run_control
 {
 public:
@@ -34,12 +29,6 @@ public:
                          std::size_t /* number_of_segments */) {}
   virtual void progress(double /* share */) {}
   virtual bool go_further() { return true; }
-
-  // Receive data for experiments: the faces of the caller's mesh that are left in the searched
-  // mesh, and each cut whose factors were computed. The cut names faces by their positions among
-  // these.
-  virtual void start_search(const std::vector<Index>& /* faces */) {}
-  virtual void cut_evaluated(const Evaluated_cut&) {}
 };
 
 // Thrown to leave a stage when the caller does not want to go further.
@@ -76,8 +65,6 @@ class Run_monitor
 
 public:
   explicit Run_monitor(Run_control& control) : control_(control) {}
-
-  Run_control& control() { return control_; }
 
   void before_part(std::size_t part, std::size_t number_of_faces)
   { call([&] { control_.before_part(part, number_of_faces); }); }

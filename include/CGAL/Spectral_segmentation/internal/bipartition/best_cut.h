@@ -151,12 +151,13 @@ public:
   // Returns the context, which only the calibrated method has.
   const Evaluation_context& context() const { return *context_; }
 
-  // Returns the best cut. Throws `Run_stopped` if the caller stops the run.
-  std::optional<Cut> operator()(Execution execution, const Part& part, Run_monitor& monitor) const
+  // Returns the cuts that are compared, the most salient first. Throws `Run_stopped` if the caller
+  // stops the run.
+  std::vector<Cut> compared_cuts(Execution execution, const Part& part, Run_monitor& monitor) const
   {
     const Surface& m = part.graph;
     if (m.number_of_faces() < 2 || total_area(m) < 2 * minimum_area_)
-      return std::nullopt;
+      return {};
     // A part counts as a guessed half of its fraction of the search, to which later parts add.
     const double step = 0.5 * static_cast<double>(m.number_of_faces()) /
                         static_cast<double>(number_of_faces_) /
@@ -189,12 +190,13 @@ public:
       { return cuts(execution, part, lines); });
 
     monitor.after_part(part.node);
-    for (const Cut& cut : found)
-      monitor.control().cut_evaluated({Evaluated_cut::CANDIDATE, part.faces, cut.side,
-                                       cut.factors});
-    if (found.empty())
-      return std::nullopt;
-    return std::move(found.front());
+    return found;
+  }
+
+  std::optional<Cut> operator()(Execution execution, const Part& part, Run_monitor& monitor) const
+  {
+    std::vector<Cut> cuts = compared_cuts(execution, part, monitor);
+    return cuts.empty() ? std::nullopt : std::make_optional(std::move(cuts.front()));
   }
 };
 

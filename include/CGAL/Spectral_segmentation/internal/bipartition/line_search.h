@@ -135,10 +135,10 @@ struct Swept_cut
 
 // Returns the most salient cut; ties go to the first or the last that the sweep meets. Saliences
 // are compared as quantized, so that rounding does not choose between cuts that mirror each other.
-template <class PartSalience, class Observer>
+template <class PartSalience>
 Swept_cut sweep(const std::vector<Index>& faces, const std::vector<Index>& sizes,
                 double minimum_area, const Boundary_statistics& empty,
-                const PartSalience& part_salience, bool takes_last, const Observer& observe)
+                const PartSalience& part_salience, bool takes_last)
 {
   Swept_cut best;
   double best_key = best.salience;
@@ -146,7 +146,6 @@ Swept_cut sweep(const std::vector<Index>& faces, const std::vector<Index>& sizes
     faces, sizes, minimum_area, empty, [&](const Boundary_statistics& patch, Index size) {
       const Salience_factors factors = patch.factors();
       const double salience = salience_of(part_salience, factors);
-      observe(size, factors, salience);
       const double key = quantized(salience);
       if (key > best_key || (takes_last && key == best_key)) {
         best = {size, patch.area(), patch.area_of_rest(), factors, salience};
@@ -157,20 +156,13 @@ Swept_cut sweep(const std::vector<Index>& faces, const std::vector<Index>& sizes
   return best;
 }
 
-struct No_observer
-{
-  template <class... Arguments>
-  void operator()(const Arguments&...) const {}
-};
-
 // Returns the most salient cut along an order, if there is one; ties go to the first. A cut of Q is
 // also a cut of the rest. Therefore the second half of the faces is swept from the other end, so
-// that each patch stays the smaller half. `observe(size of Q, factors, salience)` is called for
-// each cut that is compared, in each half from the end to the middle.
-template <class PartSalience, class Observer = No_observer>
+// that each patch stays the smaller half.
+template <class PartSalience>
 std::optional<Cut> line_search(Execution execution, const Surface& part,
                                const std::vector<Index>& order, const PartSalience& part_salience,
-                               double minimum_area, const Observer& observe = Observer())
+                               double minimum_area)
 {
   const Index n = static_cast<Index>(part.number_of_faces());
   Growth growth;
@@ -186,11 +178,9 @@ std::optional<Cut> line_search(Execution execution, const Surface& part,
   Swept_cut of_q, of_rest;
   const std::vector<Index> from_end(growth.faces.rbegin(), growth.faces.rend());
   for_each_index(execution, 2, [&](std::size_t half) {
-    const auto observe_half = [&](Index size, const Salience_factors& factors, double salience)
-    { observe(half == 0 ? size : n - size, factors, salience); };
     (half == 0 ? of_q : of_rest) =
       sweep(half == 0 ? growth.faces : from_end, sizes[half], minimum_area, *empty, part_salience,
-            half == 1, observe_half);
+            half == 1);
   });
   const bool is_of_rest = quantized(of_rest.salience) > quantized(of_q.salience);
   const Swept_cut& best = is_of_rest ? of_rest : of_q;

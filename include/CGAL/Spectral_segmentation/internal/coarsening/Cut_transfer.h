@@ -395,9 +395,9 @@ public:
         n.salience = cuts_.nodes[i].salience;
         n.factors = cuts_.nodes[i].factors;
       }
-    for (std::size_t turn : cuts_.cut_order)
-      if (node_of_[turn] != null_node && last_of[node_of_[turn]] == turn)
-        result.cut_order.push_back(node_of_[turn]);
+    for (std::size_t cut : cuts_.cut_order)
+      if (node_of_[cut] != null_node && last_of[node_of_[cut]] == cut)
+        result.cut_order.push_back(node_of_[cut]);
 
     std::vector<Index> leaf_of_cell(cells_.number());
     for (std::size_t i = 0; i < result.nodes.size(); ++i)

@@ -59,11 +59,10 @@ class Region_merging
     normalize_sides(side, area);
     const Surface both = Part_extractor(mesh_)(faces);
     const double number_of_common_neighbors = merge.factors.number_of_common_neighbors;
-    merge.factors = Cut_evaluator(both, faces, context_)(side, Evaluated_cut::BOUNDARY);
+    merge.factors = Cut_evaluator(both, faces, context_)(side, true);
     merge.factors.number_of_common_neighbors = number_of_common_neighbors;
     merge.factors.feature_reliability = feature_reliability_;
     merge.salience = salience_of(part_salience_, merge.factors);
-    monitor_.control().cut_evaluated({Evaluated_cut::BOUNDARY, faces, side, merge.factors});
   }
 
   // Counts the common neighbors of all pairs. Updates the saliences of the first `number` pairs,

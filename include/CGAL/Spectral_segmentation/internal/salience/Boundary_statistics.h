@@ -50,18 +50,6 @@ double salience_of(const PartSalience& part_salience, const Salience_factors& fa
   return std::isnan(salience) ? -std::numeric_limits<double>::infinity() : salience;
 }
 
-// A cut whose factors were computed: a candidate for the best cut of a part, or the boundary of two
-// regions as the cut of their union.
-struct Evaluated_cut
-{
-  enum Kind { CANDIDATE, BOUNDARY };
-
-  Kind kind;
-  const std::vector<Index>& faces; // the faces of the part, by their indices in the mesh
-  const Sides& side;               // one per face
-  const Salience_factors& factors;
-};
-
 // The patch Q of the line search (Section 5.3), to which faces are added one by one, and the
 // factors of the salience of the cut between Q and the rest (Section 6). Adding a face and
 // computing the factors take constant time.

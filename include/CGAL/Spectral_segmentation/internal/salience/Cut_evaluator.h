@@ -337,8 +337,7 @@ public:
 
   // Returns the factors of a candidate, or of the boundary of two regions. Both sides must have an
   // area.
-  Salience_factors operator()(const Sides& side,
-                              Evaluated_cut::Kind kind = Evaluated_cut::CANDIDATE) const
+  Salience_factors operator()(const Sides& side, bool is_boundary = false) const
   {
     std::vector<Index> faces[2];
     for (std::vector<Index>& f : faces)
@@ -352,7 +351,7 @@ public:
     Salience_factors factors;
     const std::vector<Index> cut = halfedges_of_cut(part_, side);
     const double length = set_cut_factors(faces[0], cut, factors);
-    factors.is_boundary = kind == Evaluated_cut::BOUNDARY;
+    factors.is_boundary = is_boundary;
     if (factors.is_boundary && length > 0) {
       factors.roundness = roundness(cut, length);
       factors.lower_quartile_of_concavity = lower_quartile_of_concavity(cut, length);
