@@ -5,9 +5,9 @@
 # check_all.sh [--cgal DIR] [--build DIR]
 # All programs and tests under g++ and clang++, each in Release with warnings as errors and in Debug
 # with sanitizers, each header alone, the readers under a fuzzer, an hour of random runs with
-# sanitizers, the number of instructions of a run, the labels on other machines, the add-on in
-# Blender, the installed Python package, the web page, the npm package with bundlers from the npm
-# registry, and many meshes, also on a cluster of Slurm.
+# sanitizers, the pictures of the manual, the number of instructions of a run, the labels on other
+# machines, the add-on in Blender, the installed Python package, the web page, the npm package with
+# bundlers from the npm registry, and many meshes, also on a cluster of Slurm.
 # With --cgal, Release once more against the CGAL whose CGALConfig.cmake is in DIR. Takes long;
 # builds in build-check/ or the --build folder. Needs to be root, clang, and the packages of
 # `setup.sh build test python python_examples performance machines cluster blender web`.
@@ -60,6 +60,9 @@ done
 
 echo "=== files that a fuzzer makes up"
 cmake --build "$build/g++-release" --target fuzz || failed+=(fuzz)
+
+echo "=== what computes the pictures of the manual"
+cmake --build "$build/g++-release" --target manual_figures || failed+=(manual_figures)
 
 echo "=== random runs"
 "$build/g++-sanitize/test/fuzz/random_runs" --seconds 3600 --first "$(date +%s)" ||

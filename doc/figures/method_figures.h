@@ -194,13 +194,19 @@ struct Searched_line
       order(internal::spectral_order(Execution::SEQUENTIAL, from_s, from_t))
   {
     const Engine_options options = Engine_options::zhang_liu_2005();
-    const double area = internal::total_area(graph);
-    best = internal::line_search(
-      Execution::SEQUENTIAL, graph, order, options.part_salience,
-      options.minimum_segment_size * area,
-      [&](std::size_t size, const CGAL::Spectral_segmentation::Salience_factors& f, double salience)
-      { steps.push_back({size, f.size, f.cut_strength, f.protrusiveness, salience}); });
-    std::sort(steps.begin(), steps.end()); // by size
+    const double minimum_area = options.minimum_segment_size * internal::total_area(graph);
+    best = internal::line_search(Execution::SEQUENTIAL, graph, order, options.part_salience,
+                                 minimum_area);
+    const internal::Growth growth = internal::grow_along(graph, order);
+    internal::for_each_cut(
+      growth.faces, internal::sizes_of_cuts(graph, growth), minimum_area,
+      internal::Boundary_statistics(graph),
+      [&](const internal::Boundary_statistics& q, std::size_t size) {
+        const CGAL::Spectral_segmentation::Salience_factors f = q.factors();
+        steps.push_back({size, f.size, f.cut_strength, f.protrusiveness,
+                         options.part_salience(f)});
+        return true;
+      });
   }
 };
 
