@@ -149,19 +149,7 @@ reference faces if the samples are not given; the memory is O(*m n*).
     \cgalParamDefault{`10`}
     \cgalParamExtra{at least 1}
   \cgalParamNEnd
-  \cgalParamNBegin{vertex_point_map}
-    \cgalParamDescription{the points of the vertices of `mesh`}
-    \cgalParamType{a model of `ReadablePropertyMap` with
-      `boost::graph_traits<TriangleMesh>::%vertex_descriptor` as key type and a point type of
-      `geom_traits` as value type}
-    \cgalParamDefault{`boost::get(CGAL::vertex_point, mesh)`}
-  \cgalParamNEnd
-  \cgalParamNBegin{geom_traits}
-    \cgalParamDescription{an instance of a geometric traits class}
-    \cgalParamType{a class with the functors `Compute_x_3`, `Compute_y_3`, `Compute_z_3` of `Kernel`
-      and the functions `compute_x_3_object()` etc.}
-    \cgalParamDefault{a \cgal kernel deduced from the point type}
-  \cgalParamNEnd
+  \ssPointParameters
 \cgalNamedParamsEnd
 
 \return the sample faces that were used

@@ -76,18 +76,7 @@ near each other. The memory is O(*n* + *m*).
 \param np_to an optional sequence of named parameters for `to` among the ones listed below
 
 \cgalNamedParamsBegin
-  \cgalParamNBegin{vertex_point_map}
-    \cgalParamDescription{the points of the vertices of the mesh}
-    \cgalParamType{a model of `ReadablePropertyMap` with the `vertex_descriptor` of the mesh as key
-      type and a point type of `geom_traits` as value type}
-    \cgalParamDefault{`boost::get(CGAL::vertex_point, mesh)`}
-  \cgalParamNEnd
-  \cgalParamNBegin{geom_traits}
-    \cgalParamDescription{an instance of a geometric traits class}
-    \cgalParamType{a class with the functors `Compute_x_3`, `Compute_y_3`, `Compute_z_3` of `Kernel`
-      and the functions `compute_x_3_object()` etc.}
-    \cgalParamDefault{a \cgal kernel deduced from the point type}
-  \cgalParamNEnd
+  \ssPointParameters
 \cgalNamedParamsEnd
 
 \throws std::invalid_argument if a face is not a triangle, a coordinate is not finite, or `from` has
