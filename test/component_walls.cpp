@@ -207,6 +207,20 @@ BOOST_AUTO_TEST_CASE(walls_are_components_if_these_are_kept_separate_or_constrai
   BOOST_TEST(range(labels, 0, n) == range(without, 0, n), boost::test_tools::per_element());
 }
 
+BOOST_AUTO_TEST_CASE(walls_of_a_body_stay_walls_if_another_body_is_constrained)
+{
+  const Soup body = dumbbell(24, 20);
+  const std::size_t n = body.triangles.size();
+  const Soup hollow = disjoint_union(body, turned_inside_out(offset_inward(body, 0.01)));
+  const Mesh mesh = mesh_of(disjoint_union(hollow, moved(body, 20, 0, 0)));
+  const auto seeds = boost::make_function_property_map<Mesh::Face_index, int>(
+    [n](Mesh::Face_index f)
+    { return std::size_t(f) == 2 * n ? 1 : std::size_t(f) == 3 * n - 1 ? 2 : -1; });
+  const Labels labels = labels_of(mesh, parameters::face_seed_map(seeds));
+  BOOST_TEST(labels[2 * n] != labels[3 * n - 1]);
+  BOOST_TEST(difference(range(labels, n, 2 * n), range(labels, 0, n)) < 0.02);
+}
+
 BOOST_AUTO_TEST_CASE(boundaries_of_walls_are_smoothed_and_numbers_are_met)
 {
   const Soup soup = dumbbell(12, 10);

@@ -257,7 +257,8 @@ BOOST_AUTO_TEST_CASE(a_side_without_area_has_a_shape)
     flat.areas[f] = 0;
   Cut_hierarchy cuts = internal::uncut_hierarchy(flat);
   cut(flat, cuts, 0, 1, [](Index f) { return f < 2; });
-  for (double x : internal::cut_shapes(flat, cuts).front())
+  const std::vector<internal::Cut_shape> shapes = internal::cut_shapes(flat, cuts);
+  for (double x : shapes.front())
     BOOST_TEST(std::isfinite(x));
 }
 

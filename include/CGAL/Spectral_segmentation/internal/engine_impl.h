@@ -155,7 +155,8 @@ class Run
     Searched_part part{submesh(mesh_, points, faces), composed(faces, callers_faces()), {},
                        fraction_of_model};
     if (!constraints_.empty()) {
-      std::vector<Index> face_of_mesh(mesh_.number_of_faces(), null_index);
+      std::vector<Index> face_of_mesh(mesh_.number_of_faces() + walls_.number_of_faces(),
+                                      null_index); // walls are not constrained
       for (Index i = 0; i < faces.size(); ++i)
         face_of_mesh[faces[i]] = i;
       part.constraints = constraints_within(constraints_, composed(face_, face_of_mesh));
