@@ -144,6 +144,19 @@ Cut_hierarchy checked_cuts(const Surface& graph, const Cut_hierarchy& hierarchy)
   return result;
 }
 
+// Cuts off the left end, which becomes node 1, and then its arm, and two arms of the rest.
+Cut_hierarchy cuts_of_both_ends(double of_left, double of_top, double of_bottom)
+{
+  const Figure& f = figure();
+  Cut_hierarchy cuts = internal::uncut_hierarchy(f.graph);
+  cut(f.graph, cuts, 0, 0.75, f.left_end());
+  BOOST_TEST(f.left_end()(faces_of(cuts, 1).front()));
+  cut(f.graph, cuts, 1, of_left, f.left());
+  cut(f.graph, cuts, 2, of_top, f.top());
+  cut(f.graph, cuts, 6, of_bottom, f.bottom());
+  return cuts;
+}
+
 } // namespace
 
 // An arm is an open box of 4 x 1 x 1, whose sides have the area 16 and whose end has the area 1.
@@ -190,30 +203,18 @@ BOOST_AUTO_TEST_CASE(a_cut_is_at_most_as_salient_as_the_cut_above_it)
 
 BOOST_AUTO_TEST_CASE(the_mean_is_that_of_saliences_which_cuts_above_have_limited)
 {
-  const Figure& f = figure();
-  Cut_hierarchy cuts = internal::uncut_hierarchy(f.graph);
-  cut(f.graph, cuts, 0, 0.75, f.left_end());
-  const std::size_t left = f.left_end()(faces_of(cuts, 1).front()) ? 1 : 2, right = 3 - left;
-  cut(f.graph, cuts, left, 0.625, f.left());
-  cut(f.graph, cuts, right, 0.25, f.top());
-  cut(f.graph, cuts, 6, 0.875, f.bottom());
-  BOOST_TEST(saliences(checked_cuts(f.graph, cuts)) ==
+  const Cut_hierarchy cuts = cuts_of_both_ends(0.625, 0.25, 0.875);
+  BOOST_TEST(saliences(checked_cuts(figure().graph, cuts)) ==
              std::vector<double>({0.75, 0.4375, 0.25, 0.25}), tt::per_element());
 }
 
 BOOST_AUTO_TEST_CASE(cuts_change_their_order_with_their_saliences)
 {
-  const Figure& f = figure();
-  Cut_hierarchy cuts = internal::uncut_hierarchy(f.graph);
-  cut(f.graph, cuts, 0, 0.75, f.left_end());
-  const std::size_t left = f.left_end()(faces_of(cuts, 1).front()) ? 1 : 2, right = 3 - left;
-  cut(f.graph, cuts, left, 0.625, f.left());
-  cut(f.graph, cuts, right, 0.5, f.top());
-  cut(f.graph, cuts, 6, 0.125, f.bottom());
-  const Cut_hierarchy result = checked_cuts(f.graph, cuts);
+  const Cut_hierarchy cuts = cuts_of_both_ends(0.625, 0.5, 0.125);
+  const Cut_hierarchy result = checked_cuts(figure().graph, cuts);
   BOOST_TEST(saliences(result) == std::vector<double>({0.75, 0.5, 0.375, 0.375}),
              tt::per_element());
-  BOOST_TEST(result.cut_order == std::vector<std::size_t>({0, right, left, 4}), tt::per_element());
+  BOOST_TEST(result.cut_order == std::vector<std::size_t>({0, 2, 1, 4}), tt::per_element());
 }
 
 BOOST_AUTO_TEST_CASE(saliences_may_be_of_any_scale)
