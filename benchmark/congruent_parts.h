@@ -6,7 +6,7 @@
 
 #include "segmentation_metrics.h"
 
-#include <CGAL/Spectral_segmentation/internal/surface/segment_classes.h>
+#include <CGAL/Spectral_segmentation/internal/surface/Moments.h>
 #include <CGAL/boost/graph/iterator.h>
 
 #include <Eigen/Core>

@@ -439,8 +439,9 @@ def write_table(file, network):
 
     units = "".join(f"  {{{bias:.5f},\n    {array(weights)},\n   {out:.5f}}},\n"
                     for bias, weights, out in zip(network.bias, network.hidden.T, network.out))
-    target = FOLDER / "internal/salience/calibrated_boundary_network.h"
-    before, _, after = re.split(r"(?<= = \{\n)(.*?)(?=\n  \}\}\};)", target.read_text(), flags=re.S)
+    target = FOLDER / "internal/salience/calibrated_networks.h"
+    before, _, after = re.split(r"(?<=calibrated_boundary_network = \{\n)(.*?)(?=\n  \}\}\};)",
+                                target.read_text(), flags=re.S)
     file.write_text(before + f"""  // means and standard deviations of the inputs
     {array(network.means)},
     {array(network.deviations)},

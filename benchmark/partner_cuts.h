@@ -6,8 +6,8 @@
 
 #include "run_engine.h"
 
-#include <CGAL/Spectral_segmentation/internal/hierarchy/congruent_cuts.h>
-#include <CGAL/Spectral_segmentation/internal/json/json_of_hierarchy.h>
+#include <CGAL/Spectral_segmentation/internal/tree/congruent_cuts.h>
+#include <CGAL/Spectral_segmentation/internal/tree/json_of_hierarchy.h>
 
 #include <cstddef>
 #include <utility>

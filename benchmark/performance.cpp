@@ -26,8 +26,8 @@
 
 #include "../bindings/command_line/Run_watch.h"
 
-#include <CGAL/Spectral_segmentation/internal/distances/shortest_paths.h>
-#include <CGAL/Spectral_segmentation/internal/coarsening/coarsening.h>
+#include <CGAL/Spectral_segmentation/internal/levels/coarsening.h>
+#include <CGAL/Spectral_segmentation/internal/weights/shortest_paths.h>
 #include <CGAL/segment_spectral_recursive.h>
 
 #include <CGAL/Surface_mesh_simplification/Policies/Edge_collapse/Edge_length_cost.h>

@@ -5,9 +5,9 @@
 
 #include "test_meshes.h"
 
-#include <CGAL/Spectral_segmentation/internal/surface/connected_components.h>
+#include <CGAL/Spectral_segmentation/internal/levels/coarsening.h>
 #include <CGAL/Spectral_segmentation/internal/surface/Moments.h>
-#include <CGAL/Spectral_segmentation/internal/coarsening/coarsening.h>
+#include <CGAL/Spectral_segmentation/internal/surface/connected_components.h>
 
 #include <CGAL/Polygon_mesh_processing/repair_polygon_soup.h>
 

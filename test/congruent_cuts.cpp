@@ -6,10 +6,10 @@
 #include "box_figures.h"
 #include "test_labels.h"
 
-#include <CGAL/Spectral_segmentation/internal/hierarchy/Cut_hierarchy.h>
-#include <CGAL/Spectral_segmentation/internal/hierarchy/congruent_cuts.h>
-#include <CGAL/Spectral_segmentation/internal/hierarchy/recursion.h>
+#include <CGAL/Spectral_segmentation/internal/search/Cut_hierarchy.h>
+#include <CGAL/Spectral_segmentation/internal/search/recursion.h>
 #include <CGAL/Spectral_segmentation/internal/surface/connected_components.h>
+#include <CGAL/Spectral_segmentation/internal/tree/congruent_cuts.h>
 
 #include <algorithm>
 #include <cmath>

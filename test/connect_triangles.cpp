@@ -5,7 +5,7 @@
 
 #include "test_meshes.h"
 
-#include <CGAL/Spectral_segmentation/internal/soup/connect_triangles.h>
+#include <CGAL/Spectral_segmentation/internal/surface/connect_triangles.h>
 #include <CGAL/Spectral_segmentation/internal/surface/connected_components.h>
 
 #include <Eigen/Geometry>

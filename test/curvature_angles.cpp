@@ -6,8 +6,8 @@
 #include "test_meshes.h"
 
 #include <CGAL/Spectral_segmentation/internal/surface/Surface.h>
-#include <CGAL/Spectral_segmentation/internal/distances/face_distances.h>
-#include <CGAL/Spectral_segmentation/internal/distances/curvature_angles.h>
+#include <CGAL/Spectral_segmentation/internal/weights/curvature_angles.h>
+#include <CGAL/Spectral_segmentation/internal/weights/face_distances.h>
 
 #include <algorithm>
 #include <cmath>

@@ -5,8 +5,8 @@
 
 #include "test_meshes.h"
 
-#include <CGAL/Spectral_segmentation/internal/bipartition/face_orders.h>
-#include <CGAL/Spectral_segmentation/internal/distances/shortest_paths.h>
+#include <CGAL/Spectral_segmentation/internal/search/face_orders.h>
+#include <CGAL/Spectral_segmentation/internal/weights/shortest_paths.h>
 
 #include <cmath>
 #include <cstddef>

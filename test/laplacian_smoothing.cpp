@@ -6,7 +6,7 @@
 #include "test_meshes.h"
 
 #include <CGAL/Spectral_segmentation/internal/surface/Surface.h>
-#include <CGAL/Spectral_segmentation/internal/distances/face_distances.h>
+#include <CGAL/Spectral_segmentation/internal/weights/face_distances.h>
 
 #include <cstddef>
 #include <vector>

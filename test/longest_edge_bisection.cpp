@@ -5,7 +5,7 @@
 
 #include "test_meshes.h"
 
-#include <CGAL/Spectral_segmentation/internal/coarsening/Longest_edge_bisection.h>
+#include <CGAL/Spectral_segmentation/internal/surface/Longest_edge_bisection.h>
 
 #include <algorithm>
 #include <cmath>

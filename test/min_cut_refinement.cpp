@@ -5,11 +5,11 @@
 
 #include "test_meshes.h"
 
-#include <CGAL/Spectral_segmentation/internal/surface/Surface.h>
 #include <CGAL/Spectral_segmentation/internal/salience/Cut_evaluator.h>
-#include <CGAL/Spectral_segmentation/internal/distances/face_distances.h>
-#include <CGAL/Spectral_segmentation/internal/bipartition/cut_proposals.h>
+#include <CGAL/Spectral_segmentation/internal/search/cut_proposals.h>
+#include <CGAL/Spectral_segmentation/internal/surface/Surface.h>
 #include <CGAL/Spectral_segmentation/internal/surface/connected_components.h>
+#include <CGAL/Spectral_segmentation/internal/weights/face_distances.h>
 
 #include <algorithm>
 #include <cmath>

@@ -15,10 +15,9 @@
 #include "../benchmark/paper_experiments/spectral_clusters.h"
 #include "../benchmark/paper_experiments/spectral_lines.h"
 
-#include <CGAL/Spectral_segmentation/internal/bipartition/face_orders.h>
-#include <CGAL/Spectral_segmentation/internal/bipartition/line_search.h>
-#include <CGAL/Spectral_segmentation/internal/bipartition/shape_context_sampling.h>
-#include <CGAL/Spectral_segmentation/internal/distances/shortest_paths.h>
+#include <CGAL/Spectral_segmentation/internal/search/face_orders.h>
+#include <CGAL/Spectral_segmentation/internal/search/line_search.h>
+#include <CGAL/Spectral_segmentation/internal/weights/shortest_paths.h>
 
 #include <CGAL/boost/graph/copy_face_graph.h>
 #include <CGAL/segment_spectral_recursive.h>

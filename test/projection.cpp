@@ -6,11 +6,11 @@
 #include "test_labels.h"
 #include "test_meshes.h"
 
-#include <CGAL/Spectral_segmentation/internal/bipartition/best_cut.h>
-#include <CGAL/Spectral_segmentation/internal/hierarchy/recursion.h>
-#include <CGAL/Spectral_segmentation/internal/hierarchy/region_merging.h>
-#include <CGAL/Spectral_segmentation/internal/coarsening/coarsening.h>
-#include <CGAL/Spectral_segmentation/internal/coarsening/Cut_transfer.h>
+#include <CGAL/Spectral_segmentation/internal/levels/Cut_transfer.h>
+#include <CGAL/Spectral_segmentation/internal/levels/coarsening.h>
+#include <CGAL/Spectral_segmentation/internal/search/best_cut.h>
+#include <CGAL/Spectral_segmentation/internal/search/recursion.h>
+#include <CGAL/Spectral_segmentation/internal/search/region_merging.h>
 #include <CGAL/Spectral_segmentation/internal/surface/Moments.h>
 #include <CGAL/segment_spectral_recursive.h>
 #include <CGAL/tags.h>

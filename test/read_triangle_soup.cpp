@@ -5,7 +5,7 @@
 
 #include "test_meshes.h"
 
-#include <CGAL/Spectral_segmentation/internal/adaptors/read_triangle_mesh.h>
+#include <CGAL/Spectral_segmentation/internal/read/read_triangle_mesh.h>
 
 #include <array>
 #include <cstddef>

@@ -6,9 +6,9 @@
 #include "test_labels.h"
 #include "test_meshes.h"
 
-#include <CGAL/Spectral_segmentation/internal/bipartition/best_cut.h>
-#include <CGAL/Spectral_segmentation/internal/hierarchy/Cut_hierarchy.h>
-#include <CGAL/Spectral_segmentation/internal/hierarchy/recursion.h>
+#include <CGAL/Spectral_segmentation/internal/search/Cut_hierarchy.h>
+#include <CGAL/Spectral_segmentation/internal/search/best_cut.h>
+#include <CGAL/Spectral_segmentation/internal/search/recursion.h>
 #include <CGAL/Spectral_segmentation/internal/surface/connected_components.h>
 #include <CGAL/segment_spectral_recursive.h>
 

@@ -5,10 +5,10 @@
 
 #include "test_meshes.h"
 
-#include <CGAL/Spectral_segmentation/internal/bipartition/best_cut.h>
-#include <CGAL/Spectral_segmentation/internal/hierarchy/Cut_hierarchy.h>
-#include <CGAL/Spectral_segmentation/internal/hierarchy/recursion.h>
-#include <CGAL/Spectral_segmentation/internal/hierarchy/region_merging.h>
+#include <CGAL/Spectral_segmentation/internal/search/Cut_hierarchy.h>
+#include <CGAL/Spectral_segmentation/internal/search/best_cut.h>
+#include <CGAL/Spectral_segmentation/internal/search/recursion.h>
+#include <CGAL/Spectral_segmentation/internal/search/region_merging.h>
 #include <CGAL/Spectral_segmentation/internal/surface/connected_components.h>
 
 #include <algorithm>

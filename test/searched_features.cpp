@@ -5,8 +5,8 @@
 
 #include "test_meshes.h"
 
-#include <CGAL/Spectral_segmentation/internal/features/Face_features.h>
-#include <CGAL/Spectral_segmentation/internal/features/searched_features.h>
+#include <CGAL/Spectral_segmentation/internal/weights/Face_features.h>
+#include <CGAL/Spectral_segmentation/internal/weights/searched_features.h>
 
 #include <Eigen/Core>
 #include <Eigen/Eigenvalues>

@@ -5,9 +5,9 @@
 
 #include "test_meshes.h"
 
+#include <CGAL/Spectral_segmentation/internal/search/face_orders.h>
 #include <CGAL/Spectral_segmentation/internal/surface/Surface.h>
-#include <CGAL/Spectral_segmentation/internal/bipartition/shape_context_sampling.h>
-#include <CGAL/Spectral_segmentation/internal/distances/shortest_paths.h>
+#include <CGAL/Spectral_segmentation/internal/weights/shortest_paths.h>
 
 #include <algorithm>
 #include <cmath>

@@ -5,7 +5,7 @@
 
 Lines have at most 100 columns, and no tabs or blanks at the end. A comment in include/ begins with
 its subject or its verb. Bindings and examples use public headers and names only, and the
-segmentation includes no header of Segmented_mesh.
+segmentation includes no header of Segmented_mesh. Folders of internal/ include only those below.
 """
 
 import pathlib
@@ -16,13 +16,20 @@ FOLDERS = ("include", "examples", "bindings", "benchmark", "test", "scripts", "d
 SUFFIXES = (".h", ".cpp", ".py", ".pyi", ".js", ".mjs", ".ts", ".cmake", ".sh")
 LONG_LINES = ("test/compile_failure/",) # each line has the error that it must cause
 OPENING = re.compile(r"\s*// (Of|As|But|Where|What|Without) ")
+# The folders of internal/ whose headers each folder must not include
+ROOMS = ("tree", "levels", "search", "salience", "weights", "surface", "base")
+FORBIDDEN_ROOMS = [(room, ("read",) + ROOMS[:i]) for i, room in enumerate(ROOMS)]
+FORBIDDEN_ROOMS.append(("read", ROOMS[:-2]))
 # Words that files must not have
 FORBIDDEN = (
     (re.compile(r"(bindings|examples)/"),
      re.compile(r"#include .CGAL/.*\binternal/|\binternal::|::internal\b|namespace internal\b"),
      "a header or a name of internal"),
     (re.compile(r"include/CGAL/(?!Segmented_mesh/)"),
-     re.compile(r"#include .CGAL/Segmented_mesh/"), "a header of Segmented_mesh"))
+     re.compile(r"#include .CGAL/Segmented_mesh/"), "a header of Segmented_mesh"),
+    *((re.compile("include/CGAL/Spectral_segmentation/internal/%s/" % folder),
+       re.compile("internal/(?:%s)/" % "|".join(others)), "a header of a folder above its own")
+      for folder, others in FORBIDDEN_ROOMS))
 
 
 def problems(path, name):

@@ -6,7 +6,7 @@
 #include "box_figures.h"
 #include "test_meshes.h"
 
-#include <CGAL/Spectral_segmentation/internal/bipartition/face_orders.h>
+#include <CGAL/Spectral_segmentation/internal/search/face_orders.h>
 #include <CGAL/spectral_embedding.h>
 
 #include <CGAL/Polyhedron_3.h>

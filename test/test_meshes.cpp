@@ -3,7 +3,7 @@
 
 #include "test_meshes.h"
 
-#include <CGAL/Spectral_segmentation/internal/adaptors/read_triangle_mesh.h>
+#include <CGAL/Spectral_segmentation/internal/read/read_triangle_mesh.h>
 #include <CGAL/Spectral_segmentation/internal/surface/connected_components.h>
 
 #include <CGAL/IO/polygon_soup_io.h>

@@ -4,8 +4,8 @@
 #ifndef SPECTRAL_SEGMENTATION_TEST_MESHES_H
 #define SPECTRAL_SEGMENTATION_TEST_MESHES_H
 
-#include <CGAL/Spectral_segmentation/internal/distances/face_distances.h>
 #include <CGAL/Spectral_segmentation/internal/surface/Surface.h>
+#include <CGAL/Spectral_segmentation/internal/weights/face_distances.h>
 
 #include <CGAL/Simple_cartesian.h>
 #include <CGAL/Surface_mesh.h>

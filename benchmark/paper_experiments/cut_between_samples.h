@@ -7,8 +7,8 @@
 #include "experiment.h"
 #include "face_samples.h"
 
-#include <CGAL/Spectral_segmentation/internal/bipartition/line_search.h>
-#include <CGAL/Spectral_segmentation/internal/bipartition/face_orders.h>
+#include <CGAL/Spectral_segmentation/internal/search/face_orders.h>
+#include <CGAL/Spectral_segmentation/internal/search/line_search.h>
 
 #include <optional>
 #include <vector>

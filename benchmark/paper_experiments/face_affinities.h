@@ -6,7 +6,7 @@
 
 #include "experiment.h"
 
-#include <CGAL/Spectral_segmentation/internal/bipartition/face_orders.h>
+#include <CGAL/Spectral_segmentation/internal/search/face_orders.h>
 
 #include <Eigen/Core>
 

@@ -6,7 +6,7 @@
 
 #include "experiment.h"
 
-#include <CGAL/Spectral_segmentation/internal/bipartition/shape_context_sampling.h>
+#include <CGAL/Spectral_segmentation/internal/search/face_orders.h>
 
 #include <algorithm>
 #include <array>

@@ -9,8 +9,8 @@
 #include "face_samples.h"
 #include "pictures.h"
 
-#include <CGAL/Spectral_segmentation/internal/bipartition/line_search.h>
-#include <CGAL/Spectral_segmentation/internal/bipartition/face_orders.h>
+#include <CGAL/Spectral_segmentation/internal/search/face_orders.h>
+#include <CGAL/Spectral_segmentation/internal/search/line_search.h>
 
 #include <algorithm>
 #include <array>

@@ -7,7 +7,7 @@
 #include "experiment.h"
 #include "face_affinities.h"
 
-#include <CGAL/Spectral_segmentation/internal/bipartition/line_search.h>
+#include <CGAL/Spectral_segmentation/internal/search/line_search.h>
 
 #include <Eigen/Core>
 

@@ -6,22 +6,21 @@
 
 // These headers, below Spectral_segmentation/internal/, hold the sections of the paper:
 //
-//   2    overview, queue of parts        hierarchy/recursion.h
-//   2    smoothing before and after      distances/face_distances.h,
-//                                        hierarchy/boundary_smoothing.h
-//   2    BESTCUT (Figure 2)              bipartition/best_cut.h
-//   3    distances of adjacent faces     distances/face_distances.h
-//   3    distances of all faces          distances/shortest_paths.h, by BGL's Dijkstra
-//   4    sampling by shape context       bipartition/shape_context_sampling.h
-//   5.2  spectral order of the faces     bipartition/face_orders.h
-//   5.3  line search                     bipartition/line_search.h
+//   2    overview, queue of parts        search/recursion.h
+//   2    smoothing before and after      weights/face_distances.h, tree/boundary_smoothing.h
+//   2    BESTCUT (Figure 2)              search/best_cut.h
+//   3    distances of adjacent faces     weights/face_distances.h
+//   3    distances of all faces          weights/shortest_paths.h, by BGL's Dijkstra
+//   4    sampling by shape context       search/face_orders.h
+//   5.2  spectral order of the faces     search/face_orders.h
+//   5.3  line search                     search/line_search.h
 //   6    salience of a part              salience/Boundary_statistics.h, Part_salience.h
 //
-// The calibrated method adds to the paper: over-segmentation and merging
-// (hierarchy/region_merging.h), more cuts to choose from (bipartition/cut_proposals.h), more
-// factors to judge them by (salience/Cut_evaluator.h), curvature at the scale of the shape
-// (distances/curvature_angles.h), and the search on a coarse mesh (coarsening/).
-// engine.h separates these headers from the templates here and in adaptors/.
+// The calibrated method adds to the paper: over-segmentation and merging (search/region_merging.h),
+// more cuts to choose from (search/cut_proposals.h), more factors to judge them by
+// (salience/Cut_evaluator.h), curvature at the scale of the shape (weights/curvature_angles.h), and
+// the search on a coarse mesh (levels/). engine.h separates these headers from the templates here
+// and in read/.
 
 #include <CGAL/Spectral_segmentation/Options.h>
 #include <CGAL/Spectral_segmentation/Part_salience.h>
@@ -30,11 +29,12 @@
 #include <CGAL/Spectral_segmentation/parameters.h>
 #include <CGAL/Spectral_segmentation/version.h>
 
-#include <CGAL/Spectral_segmentation/internal/adaptors/numbered_descriptors.h>
-#include <CGAL/Spectral_segmentation/internal/adaptors/read_constraints.h>
-#include <CGAL/Spectral_segmentation/internal/adaptors/read_options.h>
-#include <CGAL/Spectral_segmentation/internal/adaptors/read_triangle_mesh.h>
-#include <CGAL/Spectral_segmentation/internal/adaptors/segmentation_hierarchy.h>
+#include <CGAL/Spectral_segmentation/internal/base/Run_monitor.h>
+#include <CGAL/Spectral_segmentation/internal/engine.h>
+#include <CGAL/Spectral_segmentation/internal/read/numbered_descriptors.h>
+#include <CGAL/Spectral_segmentation/internal/read/read_constraints.h>
+#include <CGAL/Spectral_segmentation/internal/read/read_options.h>
+#include <CGAL/Spectral_segmentation/internal/read/read_triangle_mesh.h>
 
 #include <CGAL/Named_function_parameters.h>
 #include <CGAL/boost/graph/named_params_helper.h>

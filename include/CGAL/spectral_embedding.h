@@ -7,13 +7,12 @@
 #include <CGAL/Spectral_segmentation/Options.h>
 #include <CGAL/Spectral_segmentation/parameters.h>
 
-#include <CGAL/Spectral_segmentation/internal/adaptors/numbered_descriptors.h>
-#include <CGAL/Spectral_segmentation/internal/adaptors/read_options.h>
-#include <CGAL/Spectral_segmentation/internal/adaptors/read_triangle_mesh.h>
-#include <CGAL/Spectral_segmentation/internal/bipartition/face_orders.h>
-#include <CGAL/Spectral_segmentation/internal/bipartition/shape_context_sampling.h>
-#include <CGAL/Spectral_segmentation/internal/distances/face_distances.h>
+#include <CGAL/Spectral_segmentation/internal/read/numbered_descriptors.h>
+#include <CGAL/Spectral_segmentation/internal/read/read_options.h>
+#include <CGAL/Spectral_segmentation/internal/read/read_triangle_mesh.h>
+#include <CGAL/Spectral_segmentation/internal/search/face_orders.h>
 #include <CGAL/Spectral_segmentation/internal/surface/connected_components.h>
+#include <CGAL/Spectral_segmentation/internal/weights/face_distances.h>
 
 #include <CGAL/boost/graph/named_params_helper.h>
 

@@ -6,8 +6,8 @@
 
 #include "run_of_soup.h"
 
-#include <CGAL/Spectral_segmentation/internal/adaptors/read_triangle_mesh.h>
 #include <CGAL/Spectral_segmentation/internal/engine.h>
+#include <CGAL/Spectral_segmentation/internal/read/read_triangle_mesh.h>
 
 #include <algorithm>
 #include <cmath>

@@ -4,11 +4,11 @@
 #ifndef CGAL_SEGMENTED_MESH_REFINE_SEGMENT_BOUNDARIES_H
 #define CGAL_SEGMENTED_MESH_REFINE_SEGMENT_BOUNDARIES_H
 
-#include <CGAL/Segmented_mesh/internal/adaptors/read_segments.h>
 #include <CGAL/Segmented_mesh/internal/base.h>
+#include <CGAL/Segmented_mesh/internal/read_segments.h>
 #include <CGAL/Segmented_mesh/internal/refinement/refined_boundaries.h>
-#include <CGAL/Spectral_segmentation/internal/adaptors/read_triangle_mesh.h>
-#include <CGAL/Spectral_segmentation/internal/soup/connect_triangles.h>
+#include <CGAL/Spectral_segmentation/internal/read/read_triangle_mesh.h>
+#include <CGAL/Spectral_segmentation/internal/surface/connect_triangles.h>
 #include <CGAL/Spectral_segmentation/parameters.h>
 
 #include <CGAL/Named_function_parameters.h>

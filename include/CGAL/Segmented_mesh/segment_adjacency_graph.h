@@ -4,12 +4,12 @@
 #ifndef CGAL_SEGMENTED_MESH_SEGMENT_ADJACENCY_GRAPH_H
 #define CGAL_SEGMENTED_MESH_SEGMENT_ADJACENCY_GRAPH_H
 
-#include <CGAL/Segmented_mesh/internal/adaptors/read_segments.h>
 #include <CGAL/Segmented_mesh/internal/base.h>
+#include <CGAL/Segmented_mesh/internal/read_segments.h>
 #include <CGAL/Spectral_segmentation/Segmentation_hierarchy.h>
-#include <CGAL/Spectral_segmentation/internal/adaptors/numbered_descriptors.h>
-#include <CGAL/Spectral_segmentation/internal/adaptors/read_triangle_mesh.h>
-#include <CGAL/Spectral_segmentation/internal/surface/segment_classes.h>
+#include <CGAL/Spectral_segmentation/internal/read/numbered_descriptors.h>
+#include <CGAL/Spectral_segmentation/internal/read/read_triangle_mesh.h>
+#include <CGAL/Spectral_segmentation/internal/surface/Moments.h>
 #include <CGAL/Spectral_segmentation/parameters.h>
 
 #include <CGAL/boost/graph/named_params_helper.h>

@@ -4,8 +4,8 @@
 #ifndef CGAL_SEGMENTED_MESH_SEGMENT_BOUNDARIES_H
 #define CGAL_SEGMENTED_MESH_SEGMENT_BOUNDARIES_H
 
-#include <CGAL/Segmented_mesh/internal/adaptors/read_segments.h>
 #include <CGAL/Segmented_mesh/internal/base.h>
+#include <CGAL/Segmented_mesh/internal/read_segments.h>
 
 #include <CGAL/boost/graph/iterator.h>
 

@@ -5,11 +5,11 @@
 #define CGAL_SEGMENTED_MESH_SPLIT_INTO_SEGMENTS_H
 
 #include <CGAL/Segmented_mesh/Closed_segment.h>
-#include <CGAL/Segmented_mesh/internal/adaptors/read_segments.h>
 #include <CGAL/Segmented_mesh/internal/base.h>
 #include <CGAL/Segmented_mesh/internal/capping/Segment_capping.h>
-#include <CGAL/Segmented_mesh/internal/triangle_sides.h>
-#include <CGAL/Spectral_segmentation/internal/adaptors/read_triangle_mesh.h>
+#include <CGAL/Segmented_mesh/internal/capping/triangle_sides.h>
+#include <CGAL/Segmented_mesh/internal/read_segments.h>
+#include <CGAL/Spectral_segmentation/internal/read/read_triangle_mesh.h>
 #include <CGAL/Spectral_segmentation/parameters.h>
 
 #include <CGAL/Polygon_mesh_processing/orient_polygon_soup.h>

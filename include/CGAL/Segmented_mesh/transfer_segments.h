@@ -4,10 +4,10 @@
 #ifndef CGAL_SEGMENTED_MESH_TRANSFER_SEGMENTS_H
 #define CGAL_SEGMENTED_MESH_TRANSFER_SEGMENTS_H
 
-#include <CGAL/Segmented_mesh/internal/adaptors/read_segments.h>
 #include <CGAL/Segmented_mesh/internal/base.h>
-#include <CGAL/Segmented_mesh/internal/transfer/transferred_labels.h>
-#include <CGAL/Spectral_segmentation/internal/adaptors/read_triangle_mesh.h>
+#include <CGAL/Segmented_mesh/internal/read_segments.h>
+#include <CGAL/Segmented_mesh/internal/transferred_labels.h>
+#include <CGAL/Spectral_segmentation/internal/read/read_triangle_mesh.h>
 #include <CGAL/Spectral_segmentation/parameters.h>
 
 #include <CGAL/Named_function_parameters.h>

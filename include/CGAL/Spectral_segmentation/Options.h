@@ -145,6 +145,22 @@ inline void check(const Options& o)
   require(o.number_of_regions >= 1, "number_of_regions", "at least 1");
 }
 
+/// \cond SKIP_IN_MANUAL
+namespace internal {
+
+// Returns the largest number of segments.
+inline std::size_t maximum_number(const Options& o)
+{ return o.number_of_segments.value_or(o.maximum_number_of_segments); }
+
+// Returns the salience from which cuts are made. An exact number is reached whatever the saliences.
+inline double threshold(const Options& o)
+{
+  return o.number_of_segments ? -std::numeric_limits<double>::infinity() : o.salience_threshold;
+}
+
+} // namespace internal
+/// \endcond
+
 } // namespace Spectral_segmentation
 } // namespace CGAL
 

@@ -6,8 +6,7 @@
 
 #include <CGAL/Spectral_segmentation/Salience_factors.h>
 #include <CGAL/Spectral_segmentation/internal/salience/Boundary_network.h>
-#include <CGAL/Spectral_segmentation/internal/salience/calibrated_boundary_network.h>
-#include <CGAL/Spectral_segmentation/internal/salience/merging_network.h>
+#include <CGAL/Spectral_segmentation/internal/salience/calibrated_networks.h>
 
 #include <cmath>
 

@@ -5,11 +5,11 @@
 #define CGAL_SPECTRAL_SEGMENTATION_NODE_CLASSES_H
 
 #include <CGAL/Spectral_segmentation/Segmentation_hierarchy.h>
-#include <CGAL/Spectral_segmentation/internal/adaptors/numbered_descriptors.h>
-#include <CGAL/Spectral_segmentation/internal/adaptors/read_triangle_mesh.h>
-#include <CGAL/Spectral_segmentation/internal/hierarchy/Cut_hierarchy.h>
-#include <CGAL/Spectral_segmentation/internal/json/json_of_hierarchy.h>
-#include <CGAL/Spectral_segmentation/internal/surface/segment_classes.h>
+#include <CGAL/Spectral_segmentation/internal/read/numbered_descriptors.h>
+#include <CGAL/Spectral_segmentation/internal/read/read_triangle_mesh.h>
+#include <CGAL/Spectral_segmentation/internal/search/Cut_hierarchy.h>
+#include <CGAL/Spectral_segmentation/internal/surface/Moments.h>
+#include <CGAL/Spectral_segmentation/internal/tree/json_of_hierarchy.h>
 
 #include <cstddef>
 #include <vector>

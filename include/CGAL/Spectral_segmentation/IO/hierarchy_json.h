@@ -8,10 +8,10 @@
 // nlohmann_json::nlohmann_json.
 
 #include <CGAL/Spectral_segmentation/Segmentation_hierarchy.h>
-#include <CGAL/Spectral_segmentation/internal/adaptors/numbered_descriptors.h>
-#include <CGAL/Spectral_segmentation/internal/adaptors/read_triangle_mesh.h>
-#include <CGAL/Spectral_segmentation/internal/json/hierarchy_of_json.h>
-#include <CGAL/Spectral_segmentation/internal/json/json_of_hierarchy.h>
+#include <CGAL/Spectral_segmentation/internal/read/numbered_descriptors.h>
+#include <CGAL/Spectral_segmentation/internal/read/read_triangle_mesh.h>
+#include <CGAL/Spectral_segmentation/internal/tree/hierarchy_of_json.h>
+#include <CGAL/Spectral_segmentation/internal/tree/json_of_hierarchy.h>
 #include <CGAL/Spectral_segmentation/parameters.h>
 
 #include <CGAL/boost/graph/named_params_helper.h>

@@ -5,15 +5,14 @@
 #define CGAL_SPECTRAL_SEGMENTATION_INTERNAL_ENGINE_H
 
 #include <CGAL/Spectral_segmentation/Options.h>
+#include <CGAL/Spectral_segmentation/Segmentation_hierarchy.h>
+#include <CGAL/Spectral_segmentation/internal/base/Run_data.h>
 #include <CGAL/Spectral_segmentation/internal/base/Run_monitor.h>
 #include <CGAL/Spectral_segmentation/internal/base/concurrency.h>
-#include <CGAL/Spectral_segmentation/internal/constraints/Constraints.h>
-#include <CGAL/Spectral_segmentation/internal/features/Face_features.h>
-#include <CGAL/Spectral_segmentation/internal/hierarchy/Cut_hierarchy.h>
+#include <CGAL/Spectral_segmentation/internal/search/Cut_hierarchy.h>
 #include <CGAL/Spectral_segmentation/internal/surface/Surface.h>
 
-#include <cstddef>
-#include <vector>
+#include <utility>
 
 // The engine is linked if CGAL_SPECTRAL_SEGMENTATION_COMPILED is defined, which the CMake target
 // `compiled` does, and one file includes compiled.h; else it is included here.
@@ -32,6 +31,17 @@ CGAL_SPECTRAL_SEGMENTATION_INLINE
 Cut_hierarchy segment(Surface surface, const Options& options, Execution execution,
                       Run_control& control, const Constraints& constraints = Constraints(),
                       const Feature_source& features = Feature_source());
+
+// Runs the engine. Returns its cuts with the maximum number of segments and the threshold that
+// select them.
+inline Segmentation_hierarchy
+segmentation_hierarchy(Surface triangles, const Options& options, Execution execution,
+                       Run_control& control, const Constraints& constraints = Constraints(),
+                       const Feature_source& features = Feature_source())
+{
+  return {segment(std::move(triangles), options, execution, control, constraints, features),
+          maximum_number(options), threshold(options)};
+}
 
 // Makes a surface of the triangles of a soup: finds their neighbors and orients them.
 CGAL_SPECTRAL_SEGMENTATION_INLINE

@@ -5,7 +5,7 @@
 #define CGAL_SEGMENTED_MESH_INTERNAL_CAPPING_SEGMENT_BORDERS_H
 
 #include <CGAL/Segmented_mesh/internal/base.h>
-#include <CGAL/Segmented_mesh/internal/triangle_sides.h>
+#include <CGAL/Segmented_mesh/internal/capping/triangle_sides.h>
 #include <CGAL/Spectral_segmentation/internal/base/Index.h>
 
 #include <CGAL/assertions.h>

@@ -8,8 +8,8 @@
 #include <CGAL/Segmented_mesh/internal/capping/Segmented_solid.h>
 #include <CGAL/Segmented_mesh/internal/capping/Wall_capping.h>
 #include <CGAL/Segmented_mesh/internal/capping/triangle_intersection.h>
+#include <CGAL/Segmented_mesh/internal/capping/triangle_sides.h>
 #include <CGAL/Segmented_mesh/internal/capping/triangulated_loop.h>
-#include <CGAL/Segmented_mesh/internal/triangle_sides.h>
 
 #include <algorithm>
 #include <cmath>

@@ -1,0 +1,133 @@
+// Copyright (c) 2026  The Spectral_segmentation authors.
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_SPECTRAL_SEGMENTATION_INTERNAL_READ_READ_OPTIONS_H
+#define CGAL_SPECTRAL_SEGMENTATION_INTERNAL_READ_READ_OPTIONS_H
+
+#include <CGAL/Spectral_segmentation/Options.h>
+#include <CGAL/Spectral_segmentation/parameters.h>
+
+#include <CGAL/Named_function_parameters.h>
+
+#include <cstddef>
+#include <cstdint>
+#include <stdexcept>
+#include <string>
+#include <type_traits>
+
+namespace CGAL::Spectral_segmentation::internal {
+
+// Returns a number of the caller as an unsigned number. Throws `std::invalid_argument` if it is
+// negative; `check()` rejects other numbers below `least`.
+template <class Integer>
+std::size_t to_count(Integer number, const char* name, int least)
+{
+  if (number < 0)
+    throw std::invalid_argument(std::string("segment_spectral_recursive: ") + name +
+                                " must be at least " + std::to_string(least));
+  return static_cast<std::size_t>(number);
+}
+
+// Sets `value` if the caller gave the parameter.
+template <class Tag, class NamedParameters, class Value>
+void read_parameter(const NamedParameters& np, Tag tag, Value& value)
+{
+  if constexpr (is_given<NamedParameters, Tag>)
+    value = static_cast<Value>(CGAL::parameters::get_parameter(np, tag));
+}
+
+template <class Tag, class NamedParameters, class Value>
+void read_count(const NamedParameters& np, Tag tag, const char* name, int least, Value& value)
+{
+  if constexpr (is_given<NamedParameters, Tag>)
+    value = to_count(CGAL::parameters::get_parameter(np, tag), name, least);
+}
+
+// Sets the salience and its default threshold if the caller gave a salience.
+template <class NamedParameters>
+void read_part_salience(const NamedParameters& np, Options& o)
+{
+  typedef internal_np::part_salience_t Tag;
+  if constexpr (is_given<NamedParameters, Tag>) {
+    const auto model = CGAL::parameters::get_parameter(np, Tag());
+    o.part_salience = model;
+    o.salience_threshold =
+      std::is_same<std::decay_t<decltype(model)>, Weighted_part_salience>::value
+      ? default_salience_threshold : default_probability_threshold;
+  }
+}
+
+template <class NamedParameters>
+void read_distance_weights(const NamedParameters& np, Options& o)
+{
+  typedef internal_np::distance_weights_t Tag;
+  if constexpr (is_given<NamedParameters, Tag>) {
+    const auto [delta, concave, convex] = CGAL::parameters::get_parameter(np, Tag());
+    o.geodesic_weight = delta;
+    o.concave_angle_weight = concave;
+    o.convex_angle_weight = convex;
+  }
+}
+
+// Returns the options of the preset, or the options that the caller gave, before the other
+// parameters change them.
+template <class NamedParameters>
+Options preset_options(const NamedParameters& np)
+{
+  namespace tags = internal_np;
+  constexpr bool uses_paper_method = is_given<NamedParameters, tags::zhang_liu_2005_t>;
+  constexpr bool has_options = is_given<NamedParameters, tags::options_t>;
+  static_assert(!(uses_paper_method && has_options),
+                "options does not go with zhang_liu_2005: use Options::zhang_liu_2005()");
+  static_assert(!(uses_paper_method && (is_given<NamedParameters, tags::edge_is_constrained_t> ||
+                                        is_given<NamedParameters, tags::edge_is_uncuttable_map_t> ||
+                                        is_given<NamedParameters, tags::face_seed_map_t> ||
+                                        is_given<NamedParameters, tags::face_feature_map_t>)),
+                "edge_is_constrained_map, edge_is_uncuttable_map, face_seed_map and "
+                "face_feature_map do not go with zhang_liu_2005");
+  if constexpr (has_options)
+    return CGAL::parameters::get_parameter(np, tags::options);
+  else
+    return uses_paper_method ? Options::zhang_liu_2005() : Options();
+}
+
+// Reads the options. Throws `std::invalid_argument` for a value out of its range.
+template <class NamedParameters>
+Options read_options(const NamedParameters& np)
+{
+  namespace tags = internal_np;
+  static_assert(!(is_given<NamedParameters, tags::number_of_segments_t> &&
+                  (is_given<NamedParameters, tags::maximum_number_of_segments_t> ||
+                   is_given<NamedParameters, tags::salience_threshold_t>)),
+                "number_of_segments goes neither with maximum_number_of_segments nor with "
+                "salience_threshold");
+  Options o = preset_options(np);
+  read_part_salience(np, o);
+  read_distance_weights(np, o);
+  read_count(np, tags::number_of_segments, "number_of_segments", 1, o.number_of_segments);
+  read_count(np, tags::maximum_number_of_segments, "maximum_number_of_segments", 1,
+             o.maximum_number_of_segments);
+  read_parameter(np, tags::salience_threshold, o.salience_threshold);
+  read_parameter(np, tags::feature_weight, o.feature_weight);
+  read_parameter(np, tags::keep_components_separate, o.keep_components_separate);
+  read_parameter(np, tags::minimum_segment_size, o.minimum_segment_size);
+  read_count(np, tags::number_of_reference_faces, "number_of_reference_faces", 1,
+             o.number_of_reference_faces);
+  read_count(np, tags::number_of_coarse_faces, "number_of_coarse_faces", 0,
+             o.number_of_coarse_faces);
+  read_count(np, tags::number_of_smoothing_iterations, "number_of_smoothing_iterations", 0,
+             o.number_of_smoothing_iterations);
+  read_parameter(np, tags::smooth_boundaries, o.smooth_boundaries);
+  if constexpr (is_given<NamedParameters, tags::random_seed_t>) {
+    const auto seed = CGAL::parameters::get_parameter(np, CGAL::internal_np::random_seed);
+    static_assert(tags::is_count<std::decay_t<decltype(seed)> >::value,
+                  "random_seed takes an integer");
+    o.random_seed = static_cast<std::uint64_t>(seed);
+  }
+  check(o);
+  return o;
+}
+
+} // namespace CGAL::Spectral_segmentation::internal
+
+#endif // CGAL_SPECTRAL_SEGMENTATION_INTERNAL_READ_READ_OPTIONS_H

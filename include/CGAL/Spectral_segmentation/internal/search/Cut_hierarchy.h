@@ -1,0 +1,199 @@
+// Copyright (c) 2026  The Spectral_segmentation authors.
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_SPECTRAL_SEGMENTATION_INTERNAL_SEARCH_CUT_HIERARCHY_H
+#define CGAL_SPECTRAL_SEGMENTATION_INTERNAL_SEARCH_CUT_HIERARCHY_H
+
+#include <CGAL/Spectral_segmentation/Part_salience.h>
+#include <CGAL/Spectral_segmentation/internal/base/Index.h>
+
+#include <CGAL/Iterator_range.h>
+#include <CGAL/assertions.h>
+
+#include <algorithm>
+#include <cstddef>
+#include <numeric>
+#include <utility>
+#include <vector>
+
+namespace CGAL {
+namespace Spectral_segmentation {
+
+/// \cond SKIP_IN_MANUAL
+namespace internal {
+
+enum class Cut_state { NOT_SEARCHED, NO_CUT, REJECTED, CUT };
+
+constexpr std::size_t null_node = static_cast<std::size_t>(-1);
+
+// A set of faces: a connected component of the mesh, or one side of the cut of its parent.
+struct Cut_node
+{
+  std::size_t parent = null_node;
+  std::size_t children[2] = {null_node, null_node}; // the child of smaller area first
+  double area = 0;
+  Cut_state cut_state = Cut_state::NOT_SEARCHED;
+  double salience = 0;
+  Salience_factors factors;
+
+  bool is_leaf() const { return children[0] == null_node; }
+};
+
+// The cuts of a run, which the engine makes. Until cuts are edited by hand, the children of the
+// i-th cut are the nodes number_of_roots + 2 i and the next one.
+struct Cut_hierarchy
+{
+  std::size_t number_of_roots = 0;   // one for each connected component, by their first faces
+  std::vector<Cut_node> nodes;
+  std::vector<Index> leaf;           // the node without children that holds each face
+  std::vector<std::size_t> cut_order;    // the nodes in the order in which the run decided on them
+  bool is_monotonic = false;       // no cut is less salient than any later cut
+  bool has_all_cuts = true;           // false if cuts are lost because no face was left for a side
+  std::vector<Index> neighbors;      // one per halfedge, only if boundaries shall be smoothed
+
+  std::size_t number_of_segments() const
+  { return number_of_roots + (nodes.size() - number_of_roots) / 2; }
+
+  // Cuts a leaf. Its faces still have the cut node in `leaf`.
+  void cut(std::size_t i, double area_of_smaller, double area_of_larger)
+  {
+    CGAL_precondition(nodes[i].is_leaf());
+    CGAL_precondition(area_of_smaller <= area_of_larger);
+    for (int k = 0; k < 2; ++k) {
+      nodes[i].children[k] = nodes.size();
+      Cut_node child;
+      child.parent = i;
+      child.area = k == 0 ? area_of_smaller : area_of_larger;
+      nodes.push_back(child);
+    }
+  }
+};
+
+// Returns all nodes, the roots first, and parents before their children.
+inline std::vector<std::size_t> parents_first(const Cut_hierarchy& hierarchy)
+{
+  std::vector<std::size_t> result(hierarchy.number_of_roots);
+  std::iota(result.begin(), result.end(), std::size_t(0));
+  result.reserve(hierarchy.nodes.size());
+  for (std::size_t k = 0; k < result.size(); ++k) {
+    const Cut_node& n = hierarchy.nodes[result[k]];
+    if (!n.is_leaf())
+      result.insert(result.end(), n.children, n.children + 2);
+  }
+  return result;
+}
+
+// Returns a forest of roots only, from the component of each face and the areas of the components.
+inline Cut_hierarchy uncut_hierarchy(std::vector<Index> component,
+                                     const std::vector<double>& areas)
+{
+  Cut_hierarchy result;
+  result.number_of_roots = areas.size();
+  result.nodes.resize(areas.size());
+  for (std::size_t i = 0; i < areas.size(); ++i)
+    result.nodes[i].area = areas[i];
+  result.leaf = std::move(component);
+  return result;
+}
+
+// The elements (faces, or cells of faces) of each node of a hierarchy, as ranges of one permutation
+// of all elements. The range of a node is the range of its first child and then of its second
+// child.
+class Nested_ranges
+{
+  std::vector<Index> elements_;
+  std::vector<std::size_t> first_, end_; // the range of each node in elements_
+
+public:
+  typedef Iterator_range<std::vector<Index>::const_iterator> Range;
+
+  Nested_ranges() = default;
+
+  // Makes the ranges from the node of each element. The elements of a leaf ascend.
+  Nested_ranges(const Cut_hierarchy& hierarchy, const std::vector<Index>& leaf)
+    : elements_(leaf.size()), first_(hierarchy.nodes.size(), 0), end_(hierarchy.nodes.size(), 0)
+  {
+    const std::vector<Cut_node>& nodes = hierarchy.nodes;
+    std::vector<std::size_t> size(nodes.size(), 0);
+    for (Index node : leaf)
+      ++size[node];
+    const std::vector<std::size_t> order = parents_first(hierarchy);
+    for (std::size_t k = order.size(); k-- > hierarchy.number_of_roots;)
+      size[nodes[order[k]].parent] += size[order[k]];
+    std::size_t end = 0;
+    for (std::size_t i : order) {
+      if (i < hierarchy.number_of_roots)
+        first_[i] = end;
+      else if (i == nodes[nodes[i].parent].children[0])
+        first_[i] = first_[nodes[i].parent];
+      else
+        first_[i] = end_[nodes[nodes[i].parent].children[0]];
+      end_[i] = first_[i] + size[i];
+      end = (std::max)(end, end_[i]);
+    }
+    std::vector<std::size_t> next(first_);
+    for (Index e = 0; e < leaf.size(); ++e)
+      elements_[next[leaf[e]]++] = e;
+  }
+
+  std::size_t size() const { return elements_.size(); }
+  std::size_t size(std::size_t node) const { return end_[node] - first_[node]; }
+  std::size_t first(std::size_t node) const { return first_[node]; } // its place in the permutation
+
+  Range operator[](std::size_t node) const
+  {
+    const auto begin = elements_.begin();
+    return make_range(begin + static_cast<std::ptrdiff_t>(first_[node]),
+                      begin + static_cast<std::ptrdiff_t>(end_[node]));
+  }
+
+  // Cuts a leaf whose children are the next two nodes: `side[i]` is the child of the i-th element
+  // of its range. Elements keep their order.
+  void cut(std::size_t node, const std::vector<char>& side)
+  {
+    CGAL_precondition(side.size() == size(node));
+    const auto first = elements_.begin() + static_cast<std::ptrdiff_t>(first_[node]);
+    std::vector<Index> rest;
+    auto out = first;
+    for (std::size_t i = 0; i < side.size(); ++i) {
+      const Index element = elements_[first_[node] + i];
+      if (side[i] == 0)
+        *out++ = element;
+      else
+        rest.push_back(element);
+    }
+    std::copy(rest.begin(), rest.end(), out);
+    const std::size_t middle = end_[node] - rest.size();
+    first_.insert(first_.end(), {first_[node], middle});
+    end_.insert(end_.end(), {middle, end_[node]});
+  }
+};
+
+// Returns ranges with the leaves as elements, so that the leaves of each node follow each other.
+// `first(leaf)` is the place of a leaf.
+inline Nested_ranges ranges_of_leaves(const Cut_hierarchy& hierarchy)
+{
+  std::vector<Index> leaves;
+  for (Index i = 0; i < hierarchy.nodes.size(); ++i)
+    if (hierarchy.nodes[i].is_leaf())
+      leaves.push_back(i);
+  return Nested_ranges(hierarchy, leaves);
+}
+
+// Returns the root of each leaf, by the places of the leaves in these ranges.
+inline std::vector<std::size_t> roots_of_leaves(const Cut_hierarchy& hierarchy,
+                                                const Nested_ranges& leaves)
+{
+  std::vector<std::size_t> result;
+  for (std::size_t root = 0; root < hierarchy.number_of_roots; ++root)
+    result.insert(result.end(), leaves.size(root), root);
+  return result;
+}
+
+} // namespace internal
+/// \endcond
+
+} // namespace Spectral_segmentation
+} // namespace CGAL
+
+#endif // CGAL_SPECTRAL_SEGMENTATION_INTERNAL_SEARCH_CUT_HIERARCHY_H

@@ -1,0 +1,204 @@
+// Copyright (c) 2026  The Spectral_segmentation authors.
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_SPECTRAL_SEGMENTATION_INTERNAL_SEARCH_BEST_CUT_H
+#define CGAL_SPECTRAL_SEGMENTATION_INTERNAL_SEARCH_BEST_CUT_H
+
+#include <CGAL/Spectral_segmentation/Options.h>
+#include <CGAL/Spectral_segmentation/internal/base/Run_monitor.h>
+#include <CGAL/Spectral_segmentation/internal/base/concurrency.h>
+#include <CGAL/Spectral_segmentation/internal/salience/Cut_evaluator.h>
+#include <CGAL/Spectral_segmentation/internal/search/cut_proposals.h>
+#include <CGAL/Spectral_segmentation/internal/search/face_orders.h>
+#include <CGAL/Spectral_segmentation/internal/search/line_search.h>
+#include <CGAL/Spectral_segmentation/internal/surface/connected_components.h>
+#include <CGAL/Spectral_segmentation/internal/weights/searched_features.h>
+
+#include <algorithm>
+#include <cstddef>
+#include <iterator>
+#include <optional>
+#include <utility>
+#include <vector>
+
+namespace CGAL::Spectral_segmentation::internal {
+
+// A connected part of the mesh that may be cut.
+struct Part
+{
+  Surface graph;
+  std::size_t node;         // its node in the hierarchy
+  std::vector<Index> faces; // their indices in the mesh, ascending
+};
+
+inline bool both_sides_are_connected(const Surface& part, const Sides& side)
+{ return connected_components(part, side).number == 2; }
+
+// Sorts cuts by salience. Equally salient cuts keep their order.
+inline std::vector<Cut> most_salient_first(std::vector<Cut> cuts)
+{
+  std::vector<double> keys;
+  for (const Cut& cut : cuts)
+    keys.push_back(-quantized(cut.salience));
+  std::vector<Cut> result;
+  for (Index i : sorted_indices(Execution::SEQUENTIAL, keys))
+    result.push_back(std::move(cuts[i]));
+  return result;
+}
+
+// Finds the most salient cut of a part of a mesh, if there is one (BESTCUT, Figure 2). The paper's
+// method takes the best cut along one order of the faces. The calibrated method proposes cuts along
+// several orders, evaluates them by all factors, and moves the best to the minimum cuts near them.
+class Best_cut
+{
+  const Options& options_;
+  std::optional<Evaluation_context> context_;
+  std::size_t number_of_faces_; // the faces of the mesh
+  double minimum_area_;         // the least area of a side
+
+  // Returns the orders along which cuts are searched.
+  std::vector<Face_order> orders(Execution execution, const Surface& part,
+                                 const std::vector<Index>& faces,
+                                 const std::vector<Index>& references,
+                                 const Sample_faces& samples) const
+  {
+    if (options_.method == Method::ZHANG_LIU_2005)
+      return {face_order(execution, part, samples)};
+    std::vector<Face_order> result =
+      face_orders(execution, part, references, samples, options_.single_source_orders);
+    if (!context_->features.empty())
+      result.push_back(feature_order(execution, context_->features, part.areas, faces));
+    return result;
+  }
+
+  // Returns the cut with its factors; none if a side is too small.
+  std::optional<Cut> evaluate(const Surface& part, const Cut_evaluator& evaluator,
+                              Sides side) const
+  {
+    Cut cut{std::move(side), {0, 0}, {}, 0};
+    for (Index f = 0; f < cut.side.size(); ++f)
+      cut.area[int(cut.side[f])] += part.areas[f];
+    normalize_sides(cut.side, cut.area);
+    if (cut.area[0] < minimum_area_ || !(cut.area[0] > 0))
+      return std::nullopt;
+    cut.factors = evaluator(cut.side);
+    cut.salience = salience_of(options_.part_salience, cut.factors);
+    return cut;
+  }
+
+  // Appends f(i) for each i < n, if it is a cut.
+  template <class Function>
+  static void append(Execution execution, std::size_t n, const Function& f, std::vector<Cut>& cuts)
+  {
+    std::vector<std::optional<Cut> > more(n);
+    for_each_index(execution, n, [&](std::size_t i) { more[i] = f(i); });
+    for (std::optional<Cut>& cut : more)
+      if (cut)
+        cuts.push_back(std::move(*cut));
+  }
+
+  // Returns the cuts of the calibrated method, the most salient first.
+  std::vector<Cut> calibrated_cuts(Execution execution, const Part& part,
+                                   const std::vector<Face_order>& orders) const
+  {
+    const Surface& graph = part.graph;
+    const Cut_evaluator evaluator(graph, part.faces, *context_);
+    std::vector<Sides> proposals = cut_proposals(execution, graph, orders, minimum_area_,
+                                                 options_.number_of_candidates);
+    std::vector<Cut> cuts;
+    append(execution, proposals.size(), [&](std::size_t i)
+      { return evaluate(graph, evaluator, std::move(proposals[i])); }, cuts);
+    cuts = most_salient_first(std::move(cuts));
+    std::vector<Cut> refined;
+    append(execution, (std::min)(options_.number_of_refined_candidates, cuts.size()),
+           [&](std::size_t i) -> std::optional<Cut> {
+             Sides sides = minimum_cut_around(graph, cuts[i].side, cuts[i].area[0]);
+             if (sides == cuts[i].side || !both_sides_are_connected(graph, sides))
+               return std::nullopt;
+             return evaluate(graph, evaluator, std::move(sides));
+           }, refined);
+    std::move(refined.begin(), refined.end(), std::back_inserter(cuts));
+    return most_salient_first(std::move(cuts));
+  }
+
+  std::vector<Cut> cuts(Execution execution, const Part& part,
+                        const std::vector<Face_order>& orders) const
+  {
+    if (options_.method == Method::CALIBRATED)
+      return calibrated_cuts(execution, part, orders);
+    std::vector<Cut> result;
+    append(execution, 1, [&](std::size_t)
+      { return line_search(execution, part.graph, orders.front(), options_.part_salience,
+                           minimum_area_); }, result);
+    return result;
+  }
+
+public:
+  // Takes the features of the faces of the mesh. The mesh may be a fraction of the area of a model,
+  // to which the areas of parts are relative.
+  Best_cut(const Surface& mesh, const Options& options, Face_features features = Face_features(),
+           double fraction_of_model = 1)
+    : options_(options), number_of_faces_(mesh.number_of_faces()),
+      minimum_area_(options.minimum_segment_size * total_area(mesh) / fraction_of_model)
+  {
+    if (options.method != Method::CALIBRATED)
+      return;
+    context_.emplace(mesh, std::move(features), options.feature_weight);
+    context_->area /= fraction_of_model;
+  }
+
+  // Returns the context, which only the calibrated method has.
+  const Evaluation_context& context() const { return *context_; }
+
+  // Returns the cuts that are compared, the most salient first. Throws `Run_stopped` if the caller
+  // stops the run.
+  std::vector<Cut> compared_cuts(Execution execution, const Part& part, Run_monitor& monitor) const
+  {
+    const Surface& m = part.graph;
+    if (m.number_of_faces() < 2 || total_area(m) < 2 * minimum_area_)
+      return {};
+    // A part counts as a guessed half of its fraction of the search, to which later parts add.
+    const double step = 0.5 * static_cast<double>(m.number_of_faces()) /
+                        static_cast<double>(number_of_faces_) /
+                        static_cast<double>(options_.number_of_reference_faces + 3);
+    const auto check = [&] {
+      monitor.check();
+      monitor.approach(step);
+    };
+    check();
+    monitor.before_part(part.node, m.number_of_faces());
+
+    // 1. two sample faces
+    Shape_contexts contexts;
+    const Sample_faces samples = monitor.stage(Stage::SAMPLING, part.node, [&] {
+      const Index first = options_.random_seed
+        ? random_face(m, *options_.random_seed, part.faces.front())
+        : farthest_face_from_center(execution, m);
+      contexts = shape_contexts(m, first, options_.number_of_reference_faces, check);
+      return sample_faces(execution, contexts);
+    });
+
+    // 2. distances from both; 3. to 5. the order of the faces on the line
+    check();
+    const std::vector<Face_order> lines = monitor.stage(Stage::EMBEDDING, part.node, [&]
+      { return orders(execution, m, part.faces, contexts.references, samples); });
+
+    // 6. line search
+    check();
+    std::vector<Cut> found = monitor.stage(Stage::LINE_SEARCH, part.node, [&]
+      { return cuts(execution, part, lines); });
+
+    monitor.after_part(part.node);
+    return found;
+  }
+
+  std::optional<Cut> operator()(Execution execution, const Part& part, Run_monitor& monitor) const
+  {
+    std::vector<Cut> cuts = compared_cuts(execution, part, monitor);
+    return cuts.empty() ? std::nullopt : std::make_optional(std::move(cuts.front()));
+  }
+};
+
+} // namespace CGAL::Spectral_segmentation::internal
+
+#endif // CGAL_SPECTRAL_SEGMENTATION_INTERNAL_SEARCH_BEST_CUT_H

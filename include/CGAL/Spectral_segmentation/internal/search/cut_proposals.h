@@ -1,0 +1,373 @@
+// Copyright (c) 2026  The Spectral_segmentation authors.
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_SPECTRAL_SEGMENTATION_INTERNAL_SEARCH_CUT_PROPOSALS_H
+#define CGAL_SPECTRAL_SEGMENTATION_INTERNAL_SEARCH_CUT_PROPOSALS_H
+
+#include <CGAL/Spectral_segmentation/Part_salience.h>
+#include <CGAL/Spectral_segmentation/internal/base/Index.h>
+#include <CGAL/Spectral_segmentation/internal/base/concurrency.h>
+#include <CGAL/Spectral_segmentation/internal/salience/Boundary_statistics.h>
+#include <CGAL/Spectral_segmentation/internal/salience/Cut_evaluator.h>
+#include <CGAL/Spectral_segmentation/internal/search/line_search.h>
+#include <CGAL/Spectral_segmentation/internal/surface/Surface.h>
+
+#include <boost/graph/boykov_kolmogorov_max_flow.hpp>
+#include <boost/graph/graph_traits.hpp>
+#include <boost/graph/properties.hpp>
+#include <boost/iterator/counting_iterator.hpp>
+#include <boost/property_map/property_map.hpp>
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <iterator>
+#include <limits>
+#include <utility>
+#include <vector>
+
+namespace CGAL::Spectral_segmentation::internal {
+
+// Returns the cost of an edge for a cut: its length, and far less if the edge is concave.
+inline double capacity(const Surface& part, Index h)
+{
+  const double convexity = 1 - part.weights[h].concavity;
+  return quantized(part.length(h) * (constants::cost_of_concave_edge + convexity * convexity));
+}
+
+// A model of the concepts of BGL that its search for a maximum flow needs: each arc has a reverse.
+struct Flow_graph : Packed_graph
+{
+  std::vector<Index> reverse; // one per arc
+
+  typedef Index vertex_descriptor;
+  typedef Index edge_descriptor;
+  typedef boost::directed_tag directed_category;
+  typedef boost::allow_parallel_edge_tag edge_parallel_category;
+  struct traversal_category : boost::vertex_list_graph_tag, boost::edge_list_graph_tag,
+                              boost::incidence_graph_tag {};
+  typedef boost::counting_iterator<Index> vertex_iterator;
+  typedef boost::counting_iterator<Index> edge_iterator;
+  typedef boost::counting_iterator<Index> out_edge_iterator;
+  typedef Index vertices_size_type;
+  typedef Index edges_size_type;
+  typedef Index degree_size_type;
+  typedef std::pair<vertex_iterator, vertex_iterator> Range;
+  static Index null_vertex() { return null_index; }
+
+  friend Index num_vertices(const Flow_graph& g) { return g.number_of_nodes(); }
+  friend Index num_edges(const Flow_graph& g) { return g.number_of_arcs(); }
+  friend Index source(Index a, const Flow_graph& g) { return g.targets[g.reverse[a]]; }
+  friend Index target(Index a, const Flow_graph& g) { return g.targets[a]; }
+  friend Index out_degree(Index v, const Flow_graph& g)
+  { return g.first_arc[v + 1] - g.first_arc[v]; }
+  friend Range vertices(const Flow_graph& g)
+  { return {vertex_iterator(0), vertex_iterator(g.number_of_nodes())}; }
+  friend Range edges(const Flow_graph& g)
+  { return {edge_iterator(0), edge_iterator(g.number_of_arcs())}; }
+  friend Range out_edges(Index v, const Flow_graph& g)
+  { return {out_edge_iterator(g.first_arc[v]), out_edge_iterator(g.first_arc[v + 1])}; }
+};
+
+// The flow network of a band of faces around a cut. Node i is the i-th face of the band. The faces
+// beyond the band are the source on the side of Q, and the sink on the other side.
+class Band_network
+{
+  struct Arcs
+  {
+    std::vector<Packed_graph::Ends> ends; // one per arc; arc i ^ 1 is the reverse of arc i
+    std::vector<double> capacities;
+
+    void add_both(Index a, Index b, double there, double back)
+    {
+      ends.push_back({a, b});
+      ends.push_back({b, a});
+      capacities.push_back(there);
+      capacities.push_back(back);
+    }
+  };
+
+  Index source_, sink_;
+  Arcs arcs_; // between faces
+  std::vector<double> from_source_, to_sink_; // capacities of each face
+
+public:
+  explicit Band_network(std::size_t number_of_faces)
+    : source_(static_cast<Index>(number_of_faces)), sink_(source_ + 1),
+      from_source_(number_of_faces, 0), to_sink_(number_of_faces, 0)
+  {}
+
+  void join(Index a, Index b, double capacity) { arcs_.add_both(a, b, capacity, capacity); }
+  void join_to_source(Index a, double capacity) { from_source_[a] += capacity; }
+  void join_to_sink(Index a, double capacity) { to_sink_[a] += capacity; }
+
+  // Returns for each face of the band whether it is on the side of the source. If there are several
+  // minimum cuts, the cut is the one nearest to the source, whatever the order of the arcs.
+  std::vector<bool> minimum_cut() const
+  {
+    // BGL asks for one arc for each terminal and face.
+    Arcs arcs = arcs_;
+    for (Index i = 0; i < source_; ++i) {
+      if (from_source_[i] > 0)
+        arcs.add_both(source_, i, from_source_[i], 0);
+      if (to_sink_[i] > 0)
+        arcs.add_both(i, sink_, to_sink_[i], 0);
+    }
+    const std::size_t n = sink_ + 1, m = arcs.ends.size();
+    std::vector<Index> place;
+    Flow_graph graph{Packed_graph(n, arcs.ends, place), std::vector<Index>(m)};
+    std::vector<double> capacities(m), residuals(m);
+    for (std::size_t i = 0; i < m; ++i) {
+      graph.reverse[place[i]] = place[i ^ 1];
+      capacities[place[i]] = arcs.capacities[i];
+    }
+
+    std::vector<Index> predecessors(n);
+    std::vector<boost::default_color_type> colors(n);
+    std::vector<long> distances(n);
+    const boost::typed_identity_property_map<Index> index;
+    boost::boykov_kolmogorov_max_flow(
+      std::as_const(graph), boost::make_iterator_property_map(capacities.begin(), index),
+      boost::make_iterator_property_map(residuals.begin(), index),
+      boost::make_iterator_property_map(graph.reverse.cbegin(), index),
+      boost::make_iterator_property_map(predecessors.begin(), index),
+      boost::make_iterator_property_map(colors.begin(), index),
+      boost::make_iterator_property_map(distances.begin(), index), index, source_, sink_);
+    std::vector<bool> result(source_);
+    for (Index i = 0; i < source_; ++i)
+      result[i] = colors[i] == boost::black_color;
+    return result;
+  }
+};
+
+// Returns the cheapest cut that leaves all faces of a part, but for the band, on their sides. Faces
+// that are on no side, neither 0 nor 1, count as absent. A side that lies wholly in the band keeps
+// the last of its faces there. The sides need not be connected.
+inline Sides minimum_cut_within(const Surface& part, const std::vector<Index>& band,
+                                const Sides& side)
+{
+  std::vector<Index> node(part.number_of_faces(), null_index);
+  Index last_of_side[2] = {null_index, null_index};
+  for (Index i = 0; i < band.size(); ++i) {
+    node[band[i]] = i;
+    last_of_side[int(side[band[i]])] = i;
+  }
+
+  Band_network network(band.size());
+  bool has_terminal[2] = {false, false};
+  const auto join_to_terminal = [&](Index i, char s, double c) {
+    has_terminal[int(s)] = true;
+    if (s == 0)
+      network.join_to_source(i, c);
+    else
+      network.join_to_sink(i, c);
+  };
+  for (Index i = 0; i < band.size(); ++i) {
+    const Index f = band[i];
+    for (Index h = 3 * f; h < 3 * f + 3; ++h) {
+      const Index g = part.neighbor(h);
+      if (node[g] != null_index && f < g)
+        network.join(i, node[g], capacity(part, h));
+      else if (node[g] == null_index && (side[g] == 0 || side[g] == 1))
+        join_to_terminal(i, side[g], capacity(part, h));
+    }
+  }
+  for (char s : {char(0), char(1)})
+    if (!has_terminal[int(s)] && last_of_side[int(s)] != null_index)
+      join_to_terminal(last_of_side[int(s)], s, (std::numeric_limits<float>::max)());
+
+  Sides result = side;
+  const std::vector<bool> is_at_source = network.minimum_cut();
+  for (std::size_t i = 0; i < band.size(); ++i)
+    result[band[i]] = is_at_source[i] ? 0 : 1;
+  return result;
+}
+
+// Returns the cheapest cut in the neighborhood of a cut. Its sides need not be connected.
+inline Sides minimum_cut_around(const Surface& part, const Sides& side, double area_of_q)
+{
+  std::vector<Index> band; // a side that lies wholly in it keeps the face farthest from the cut
+  const double radius = constants::neighborhood_radius * std::sqrt(area_of_q);
+  for (const Face_at_distance& f :
+       faces_near_cut(part, side, halfedges_of_cut(part, side), radius))
+    band.push_back(f.face);
+  return minimum_cut_within(part, band, side);
+}
+
+// Proposes the few cuts of a part whose factors are all computed.
+
+// A patch that knows the capacity of its cut.
+class Patch_with_capacity : public Boundary_statistics
+{
+  const Surface& part_;
+  const std::vector<double>& capacities_;
+  double capacity_of_cut_ = 0;
+
+public:
+  // Makes an empty patch; `capacities` has one per halfedge.
+  Patch_with_capacity(const Surface& part, const std::vector<double>& capacities)
+    : Boundary_statistics(part), part_(part), capacities_(capacities) {}
+
+  void add(Index f)
+  {
+    for (Index h = 3 * f; h < 3 * f + 3; ++h)
+      if (!part_.is_border(h))
+        capacity_of_cut_ += (has_face(part_.neighbor(h)) ? -1 : 1) * capacities_[h];
+    Boundary_statistics::add(f);
+  }
+
+  double capacity_of_cut() const { return capacity_of_cut_; }
+};
+
+struct Proposal
+{
+  Sides side; // the larger one may be first
+  double score; // comparable among proposals by the same measure
+};
+
+// The proposals of an order by two measures. They are the salience of the paper, and cheapness,
+// which is minus the capacity of the cut over the length scale of its smaller side.
+struct Proposals
+{
+  std::vector<Proposal> salient, cheap;
+};
+
+struct Sweep_step
+{
+  std::size_t size; // the size of the meta patch
+  double area;
+  double smaller_area;
+  double salience, cheapness;
+};
+
+inline std::vector<Sweep_step> sweep_steps(const Surface& part, const Growth& growth,
+                                           double minimum_area, Patch_with_capacity empty)
+{
+  const Weighted_part_salience part_salience;
+  std::vector<Sweep_step> steps;
+  for_each_cut(
+    growth.faces, sizes_of_cuts(part, growth), minimum_area,
+    std::move(empty),
+    [&](const Patch_with_capacity& q, std::size_t size) {
+      if (q.area() > constants::largest_ratio_to_rest * q.area_of_rest())
+        return false;
+      steps.push_back({size, q.area(), q.smaller_area(), part_salience(q.factors()),
+                       -q.capacity_of_cut() / std::sqrt(q.smaller_area())});
+      return true;
+    });
+  return steps;
+}
+
+// Returns the two best steps by a measure, the second not next to the first.
+inline std::vector<Proposal> best_steps(const Growth& growth, const std::vector<Sweep_step>& steps,
+                                        double Sweep_step::*measure)
+{
+  const Sweep_step* best[2] = {nullptr, nullptr};
+  for (int i = 0; i < 2; ++i)
+    for (const Sweep_step& s : steps) {
+      const bool is_next_to_first =
+        i == 1 && std::abs(s.area - best[0]->area) <
+                    constants::distance_of_proposals * best[0]->smaller_area;
+      // Scores are quantized, so that rounding does not choose between cuts that mirror each other.
+      if (!is_next_to_first &&
+          (!best[i] || quantized(s.*measure) > quantized(best[i]->*measure)))
+        best[i] = &s;
+    }
+  std::vector<Proposal> result;
+  for (const Sweep_step* s : best)
+    if (s)
+      result.push_back({sides_of(growth, s->size), s->*measure});
+  return result;
+}
+
+inline Proposals propose_cuts(const Surface& part, const std::vector<Index>& order,
+                              double minimum_area, const Patch_with_capacity& empty)
+{
+  const Growth growth = grow_along(part, order);
+  const std::vector<Sweep_step> steps = sweep_steps(part, growth, minimum_area, empty);
+  return {best_steps(growth, steps, &Sweep_step::salience),
+          best_steps(growth, steps, &Sweep_step::cheapness)};
+}
+
+// Checks whether a cut is new among the cuts that it was given: the faces on which two cuts differ
+// must not be few compared with the smallest side of either.
+class Distinct_cuts
+{
+  struct Sized_cut
+  {
+    Sides side;
+    std::size_t smaller; // number of faces
+  };
+
+  std::vector<Sized_cut> cuts_;
+
+  // Returns the size of the smaller side if so many of n faces are on one side.
+  static std::size_t smaller(std::size_t number, std::size_t n)
+  { return (std::min)(number, n - number); }
+
+  static bool are_alike(const Sized_cut& a, const Sized_cut& b)
+  {
+    const std::size_t n = a.side.size();
+    std::size_t different = 0;
+    for (std::size_t f = 0; f < n; ++f)
+      different += a.side[f] != b.side[f];
+    return 100 * smaller(different, n) <
+           constants::percent_of_alike_proposals * (std::min)(a.smaller, b.smaller);
+  }
+
+public:
+  bool insert(const Sides& side)
+  {
+    const std::size_t number = std::count(side.begin(), side.end(), 1);
+    const Sized_cut cut{side, smaller(number, side.size())};
+    for (const Sized_cut& other : cuts_)
+      if (are_alike(cut, other))
+        return false;
+    cuts_.push_back(cut);
+    return true;
+  }
+};
+
+// Returns at most `number` cuts, no two alike, the best by each measure in turn. The larger side
+// may be first.
+inline std::vector<Sides> cut_proposals(Execution execution, const Surface& part,
+                                        const std::vector<std::vector<Index> >& orders,
+                                        double minimum_area, std::size_t number)
+{
+  std::vector<double> capacities(part.number_of_halfedges());
+  for (Index h = 0; h < part.number_of_halfedges(); ++h)
+    capacities[h] = capacity(part, h);
+  const Patch_with_capacity empty(part, capacities);
+  std::vector<Proposals> of_order(orders.size());
+  for_each_index(execution, orders.size(), [&](std::size_t i)
+    { of_order[i] = propose_cuts(part, orders[i], minimum_area, empty); });
+  std::vector<Proposal> by_measure[2];
+  for (Proposals& p : of_order) {
+    std::move(p.salient.begin(), p.salient.end(), std::back_inserter(by_measure[0]));
+    std::move(p.cheap.begin(), p.cheap.end(), std::back_inserter(by_measure[1]));
+  }
+  std::vector<Index> ranks[2]; // the best first
+  for (int m = 0; m < 2; ++m) {
+    std::vector<double> keys;
+    for (const Proposal& p : by_measure[m])
+      keys.push_back(-quantized(p.score));
+    ranks[m] = sorted_indices(Execution::SEQUENTIAL, keys);
+  }
+
+  std::vector<Sides> result;
+  Distinct_cuts distinct;
+  std::size_t next[2] = {0, 0};
+  for (int m = 0; result.size() < number &&
+                  (next[0] < ranks[0].size() || next[1] < ranks[1].size()); m = 1 - m)
+    for (bool is_taken = false; !is_taken && next[m] < ranks[m].size(); ++next[m]) {
+      Sides& side = by_measure[m][ranks[m][next[m]]].side;
+      is_taken = distinct.insert(side);
+      if (is_taken)
+        result.push_back(std::move(side));
+    }
+  return result;
+}
+
+} // namespace CGAL::Spectral_segmentation::internal
+
+#endif // CGAL_SPECTRAL_SEGMENTATION_INTERNAL_SEARCH_CUT_PROPOSALS_H

@@ -1,0 +1,216 @@
+// Copyright (c) 2026  The Spectral_segmentation authors.
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_SPECTRAL_SEGMENTATION_INTERNAL_SEARCH_REGION_MERGING_H
+#define CGAL_SPECTRAL_SEGMENTATION_INTERNAL_SEARCH_REGION_MERGING_H
+
+#include <CGAL/Spectral_segmentation/Options.h>
+#include <CGAL/Spectral_segmentation/internal/base/Run_monitor.h>
+#include <CGAL/Spectral_segmentation/internal/salience/Cut_evaluator.h>
+#include <CGAL/Spectral_segmentation/internal/search/Dendrogram.h>
+#include <CGAL/Spectral_segmentation/internal/surface/connected_components.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <iterator>
+#include <numeric>
+#include <set>
+#include <tuple>
+#include <utility>
+#include <vector>
+
+namespace CGAL::Spectral_segmentation::internal {
+
+// Merges the regions of an over-segmentation. The two neighbors whose common boundary is the least
+// salient become one, until each component of the mesh is whole again. A cut that was needed only
+// to reach other cuts is undone on the way. The merges in reverse are a hierarchy of cuts, each of
+// which has its own salience, which may be larger than that of the cut above it.
+class Region_merging
+{
+  typedef std::pair<Index, Index> Pair; // two regions, the lower index first
+
+  const Execution execution_;
+  const Surface& mesh_;
+  const Evaluation_context& context_;
+  const Part_salience part_salience_; // in whose order boundaries are merged
+  const Part_salience& salience_of_cuts_;
+  Run_monitor& monitor_;
+
+  std::vector<std::vector<Index> > faces_; // one list per region, ascending
+  std::vector<Index> region_;              // one per face
+  double feature_reliability_ = 0;
+  std::vector<Merge> merges_;              // possible merges of neighbors, the lower index first
+
+  // Sets the salience and the factors of the boundary of two regions, as the cut of their union.
+  // Keeps the number of common neighbors.
+  void evaluate(Merge& merge) const
+  {
+    const std::vector<Index>& first = faces_[merge.leaves[0]];
+    const std::vector<Index>& second = faces_[merge.leaves[1]];
+    std::vector<Index> faces;
+    std::merge(first.begin(), first.end(), second.begin(), second.end(), std::back_inserter(faces));
+    Sides side;
+    double area[2] = {0, 0};
+    for (Index f : faces) {
+      side.push_back(region_[f] == merge.leaves[0] ? 0 : 1);
+      area[int(side.back())] += mesh_.areas[f];
+    }
+    normalize_sides(side, area);
+    const Surface both = Part_extractor(mesh_)(faces);
+    const double number_of_common_neighbors = merge.factors.number_of_common_neighbors;
+    merge.factors = Cut_evaluator(both, faces, context_)(side, true);
+    merge.factors.number_of_common_neighbors = number_of_common_neighbors;
+    merge.factors.feature_reliability = feature_reliability_;
+    merge.salience = salience_of(part_salience_, merge.factors);
+  }
+
+  // Counts the common neighbors of all pairs. Updates the saliences of the first `number` pairs,
+  // whose other factors stay.
+  void count_common_neighbors(std::size_t number)
+  {
+    std::vector<std::set<Index> > neighbors(faces_.size());
+    for (const Merge& m : merges_) {
+      neighbors[m.leaves[0]].insert(m.leaves[1]);
+      neighbors[m.leaves[1]].insert(m.leaves[0]);
+    }
+    for (std::size_t i = 0; i < merges_.size(); ++i) {
+      Merge& m = merges_[i];
+      const std::set<Index>& second = neighbors[m.leaves[1]];
+      const auto n = std::count_if(neighbors[m.leaves[0]].begin(), neighbors[m.leaves[0]].end(),
+                                   [&](Index region) { return second.count(region) > 0; });
+      if (m.factors.number_of_common_neighbors == static_cast<double>(n))
+        continue;
+      m.factors.number_of_common_neighbors = static_cast<double>(n);
+      if (i < number)
+        m.salience = salience_of(part_salience_, m.factors);
+    }
+  }
+
+  // Compares saliences. Ties go to the pair with the lower indices.
+  static bool is_less_salient(const Merge& a, const Merge& b)
+  {
+    return std::make_tuple(quantized(a.salience), a.leaves[0], a.leaves[1]) <
+           std::make_tuple(quantized(b.salience), b.leaves[0], b.leaves[1]);
+  }
+
+  // Sets how far features tell the parts: the mean, over all boundaries of the over-segmentation,
+  // of the squared step, as far as the boundary explains the variance of its regions.
+  void set_feature_reliability()
+  {
+    if (context_.features.empty())
+      return;
+    double sum = 0, weights = 0;
+    for (const Merge& m : merges_) {
+      const double weight = std::exp(m.factors.log_relative_part_area / 2);
+      weights += weight;
+      sum += weight * m.factors.feature_step * m.factors.feature_step *
+             m.factors.explained_variance;
+    }
+    feature_reliability_ = weights > 0 ? std::sqrt(sum / weights) : 0;
+    for (Merge& m : merges_) {
+      m.factors.feature_reliability = feature_reliability_;
+      m.salience = salience_of(part_salience_, m.factors);
+    }
+  }
+
+  // Evaluates the boundaries of a region with its neighbors, or of all regions.
+  void evaluate_boundaries(const std::vector<Index>& faces)
+  {
+    std::set<Pair> neighbors;
+    for (Index f : faces)
+      for (Index h = 3 * f; h < 3 * f + 3; ++h) {
+        const auto [a, b] = std::minmax({region_[f], region_[mesh_.neighbor(h)]});
+        if (a != b)
+          neighbors.insert({a, b});
+      }
+    const std::size_t first = merges_.size();
+    for (const auto& [a, b] : neighbors)
+      merges_.push_back({{a, b}, 0, {}});
+    count_common_neighbors(first);
+    for_each_index(execution_, neighbors.size(), [&](std::size_t i) {
+      monitor_.go_further(); // may throw
+      evaluate(merges_[first + i]);
+    });
+  }
+
+  void merge(Index into, Index from)
+  {
+    const auto touches = [into, from](const Merge& m) {
+      const auto [first, second] = m.leaves;
+      return first == into || second == into || first == from || second == from;
+    };
+    merges_.erase(std::remove_if(merges_.begin(), merges_.end(), touches), merges_.end());
+    const std::ptrdiff_t size = static_cast<std::ptrdiff_t>(faces_[into].size());
+    faces_[into].insert(faces_[into].end(), faces_[from].begin(), faces_[from].end());
+    std::inplace_merge(faces_[into].begin(), faces_[into].begin() + size, faces_[into].end());
+    for (Index f : faces_[from])
+      region_[f] = into;
+    faces_[from].clear();
+    evaluate_boundaries(faces_[into]);
+  }
+
+  // Merges until no regions are adjacent.
+  std::vector<Merge> merge_all()
+  {
+    std::vector<Index> all(mesh_.number_of_faces());
+    std::iota(all.begin(), all.end(), Index(0));
+    evaluate_boundaries(all);
+    set_feature_reliability();
+    std::vector<Merge> merges;
+    while (!merges_.empty()) {
+      merges.push_back(*std::min_element(merges_.begin(), merges_.end(), is_less_salient));
+      merge(merges.back().leaves[0], merges.back().leaves[1]);
+      monitor_.approach(1. / static_cast<double>(faces_.size()));
+    }
+    return merges;
+  }
+
+  // Returns the salience in whose order boundaries are merged: the salience of cuts, unless that is
+  // the calibrated one.
+  static Part_salience in_merging(const Part_salience& salience)
+  {
+    const auto* calibrated = salience.target<Calibrated_part_salience>();
+    if (calibrated == nullptr)
+      return salience;
+    return [c = *calibrated](const Salience_factors& f) { return c.in_merging(f); };
+  }
+
+public:
+  Region_merging(Execution execution, const Surface& mesh, const Evaluation_context& context,
+                 const Part_salience& part_salience, Run_monitor& monitor)
+    : execution_(execution), mesh_(mesh), context_(context),
+      part_salience_(in_merging(part_salience)), salience_of_cuts_(part_salience),
+      monitor_(monitor) {}
+
+  // Returns the hierarchy of all merges. Its leaves are `regions`, the leaves of an
+  // over-segmentation.
+  Cut_hierarchy operator()(const Cut_hierarchy& regions)
+  {
+    // Regions are numbered by their first faces.
+    std::vector<Index> number(regions.nodes.size(), null_index);
+    Dendrogram result;
+    for (Index f = 0; f < mesh_.number_of_faces(); ++f) {
+      Index& region = number[regions.leaf[f]];
+      if (region == null_index) {
+        region = static_cast<Index>(faces_.size());
+        faces_.emplace_back();
+        result.areas.push_back(0);
+      }
+      region_.push_back(region);
+      faces_[region].push_back(f);
+      result.areas[region] += mesh_.areas[f];
+    }
+    result.leaf = region_;
+    result.merges = merge_all();
+    for (Merge& m : result.merges)
+      m.salience = salience_of(salience_of_cuts_, m.factors);
+    Cut_hierarchy hierarchy = hierarchy_of(result);
+    hierarchy.is_monotonic = false;
+    return hierarchy;
+  }
+};
+
+} // namespace CGAL::Spectral_segmentation::internal
+
+#endif // CGAL_SPECTRAL_SEGMENTATION_INTERNAL_SEARCH_REGION_MERGING_H

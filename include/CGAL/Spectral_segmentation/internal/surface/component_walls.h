@@ -1,0 +1,231 @@
+// Copyright (c) 2026  The Spectral_segmentation authors.
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_SPECTRAL_SEGMENTATION_INTERNAL_SURFACE_COMPONENT_WALLS_H
+#define CGAL_SPECTRAL_SEGMENTATION_INTERNAL_SURFACE_COMPONENT_WALLS_H
+
+#include <CGAL/Spectral_segmentation/internal/surface/Face_tree.h>
+#include <CGAL/Spectral_segmentation/internal/surface/model_components.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <memory>
+#include <numeric>
+#include <utility>
+#include <vector>
+
+namespace CGAL::Spectral_segmentation::internal {
+
+// Finds the components that are walls of other ones. A closed component inside of a solid whose
+// faces point inward bounds a cavity of the solid. A component at a small, nearly constant distance
+// from another one, along most of the area of both, is its second wall. A solid with other solids
+// inside has no cavities: who puts models together may mirror some, and does not notice it.
+class Wall_finder
+{
+  static constexpr double largest_distance = 0.02; // relative to the diagonal of the outer wall
+  static constexpr double least_share_of_outer_wall = 0.01; // of the area of the model
+  static constexpr std::size_t number_of_samples = 100;
+
+  struct Component
+  {
+    std::vector<Index> faces;
+    double area = 0;
+    Bounding_box box{{}};
+    std::vector<Triangle> triangles; // of the faces, once they are needed
+    std::unique_ptr<Face_tree> tree;
+
+    double diagonal() const { return (box.largest - box.smallest).norm(); }
+  };
+
+  // The distances of samples of a component from another one.
+  struct Distances
+  {
+    std::vector<double> sorted;
+    std::size_t number_inside = 0; // of the samples behind the nearest face
+  };
+
+  const Surface& surface_;
+  const std::vector<double>& volume_; // of each component, negative if its faces point inward
+  std::vector<Component> components_;
+
+  Triangle triangle(Index f) const
+  {
+    const Corners& c = surface_.corners[f];
+    return {surface_.points[c[0]], surface_.points[c[1]], surface_.points[c[2]]};
+  }
+
+  // Returns points that are spread evenly over a component.
+  std::vector<Vector> samples(const Component& c) const
+  {
+    std::vector<Vector> result;
+    double sum = 0; // of the areas so far
+    for (Index f : c.faces) {
+      sum += surface_.areas[f];
+      const Triangle t = triangle(f);
+      while (result.size() < number_of_samples &&
+             (static_cast<double>(result.size()) + 0.5) * c.area < number_of_samples * sum) {
+        const double i = static_cast<double>(result.size()); // in a low-discrepancy sequence
+        double u = std::fmod(0.5 + i * 0.7548776662466927, 1.),
+               v = std::fmod(0.5 + i * 0.5698402909980532, 1.);
+        if (u + v > 1) {
+          u = 1 - u;
+          v = 1 - v;
+        }
+        result.push_back(t[0] + u * (t[1] - t[0]) + v * (t[2] - t[0]));
+      }
+    }
+    return result;
+  }
+
+  const Face_tree& tree(Component& c) const
+  {
+    if (!c.tree) {
+      for (Index f : c.faces)
+        c.triangles.push_back(triangle(f));
+      c.tree = std::make_unique<Face_tree>(c.triangles);
+    }
+    return *c.tree;
+  }
+
+  Distances distances(Index from, Index to)
+  {
+    const Face_tree& tree = this->tree(components_[to]);
+    Distances result;
+    for (const Vector& p : samples(components_[from])) {
+      const Triangle& t = components_[to].triangles[tree.nearest(p, Vector(), 0)];
+      result.sorted.push_back(std::sqrt(squared_distance_to_triangle(p, t)));
+      result.number_inside += triangle_normal(t).dot(p - t[0]) < 0;
+    }
+    std::sort(result.sorted.begin(), result.sorted.end());
+    return result;
+  }
+
+  // Returns whether the box of a component is inside of that of another one.
+  bool may_be_inside(Index inner, Index outer) const
+  {
+    const Bounding_box &a = components_[inner].box, &b = components_[outer].box;
+    bool result = true;
+    for (int i = 0; i < 3; ++i)
+      result = result && b.smallest[i] <= a.smallest[i] && a.largest[i] <= b.largest[i];
+    return result;
+  }
+
+  // Returns whether the boxes of two components are about equal.
+  bool may_be_walls(Index inner, Index outer) const
+  {
+    const Bounding_box &a = components_[inner].box, &b = components_[outer].box;
+    const double tolerance = 2 * largest_distance * components_[outer].diagonal();
+    bool result = true;
+    for (int i = 0; i < 3; ++i)
+      result = result && std::abs(b.smallest[i] - a.smallest[i]) <= tolerance &&
+               std::abs(b.largest[i] - a.largest[i]) <= tolerance;
+    return result;
+  }
+
+  bool is_inside(Index inner, Index outer)
+  {
+    if (!may_be_inside(inner, outer))
+      return false;
+    const Distances there = distances(inner, outer);
+    return 10 * there.number_inside > 9 * there.sorted.size();
+  }
+
+  // Returns whether the distances between two components are small and nearly constant over most
+  // of their areas. Where a limb is thinner than the distance, its inner wall comes nearer to the
+  // outer wall. The outer wall is closed and has the second wall inside, unless both coincide:
+  // sheets that lie on each other, and clothes on a body, are no walls.
+  bool is_second_wall(Index inner, Index outer)
+  {
+    if (!may_be_walls(inner, outer))
+      return false;
+    const Distances there = distances(inner, outer), back = distances(outer, inner);
+    if (there.sorted.empty() || back.sorted.empty())
+      return false;
+    const double distance = back.sorted[back.sorted.size() / 2];
+    const double diagonal = components_[outer].diagonal(), tiny = 1e-3 * diagonal;
+    const double most = 1.5 * distance + tiny;
+    const bool is_behind = volume_[outer] != 0 && 2 * there.number_inside > there.sorted.size();
+    return (is_behind || distance <= tiny) && distance <= largest_distance * diagonal &&
+           there.sorted[there.sorted.size() * 4 / 5] <= most &&
+           back.sorted[back.sorted.size() * 4 / 5] <= most;
+  }
+
+  // Returns for each closed component the smallest that contains it, else null_index.
+  std::vector<Index> containers(const std::vector<Index>& order, double least_area)
+  {
+    std::vector<Index> result(components_.size(), null_index), closed; // the largest first
+    for (Index c : order)
+      if (volume_[c] != 0) {
+        const auto container = std::find_if(closed.rbegin(), closed.rend(),
+                                            [&](Index o) { return is_inside(c, o); });
+        result[c] = container == closed.rend() ? null_index : *container;
+        if (components_[c].area >= least_area)
+          closed.push_back(c);
+      }
+    return result;
+  }
+
+public:
+  // Takes a surface whose faces have areas and whose components enclose these volumes. Faces of
+  // solids point outward.
+  Wall_finder(const Surface& surface, const std::vector<double>& volume)
+    : surface_(surface), volume_(volume), components_(surface.components.number)
+  {
+    for (Index f = 0; f < surface.number_of_faces(); ++f) {
+      Component& c = components_[surface.components[f]];
+      c.faces.push_back(f);
+      c.area += surface.areas[f];
+      for (const Vector& p : triangle(f))
+        c.box.add(p);
+    }
+  }
+
+  // Returns for each component that is a wall the component whose wall it is, which is none itself;
+  // else null_index.
+  std::vector<Index> operator()(const std::vector<char>& may_be_wall)
+  {
+    double area = 0;
+    for (const Component& c : components_)
+      area += c.area;
+    const double least_area = least_share_of_outer_wall * area;
+    std::vector<Index> order(components_.size());
+    std::iota(order.begin(), order.end(), Index(0));
+    std::stable_sort(order.begin(), order.end(), [&](Index a, Index b)
+      { return components_[a].area > components_[b].area; });
+
+    std::vector<Index> container(components_.size(), null_index);
+    if (std::any_of(volume_.begin(), volume_.end(), [](double v) { return v < 0; }))
+      container = containers(order, least_area);
+    std::vector<char> has_solid(components_.size(), 0); // in which orientations mean nothing
+    for (Index c : order)
+      if (volume_[c] > 0 && container[c] != null_index)
+        has_solid[container[c]] = 1;
+
+    std::vector<Index> result(components_.size(), null_index), outer_walls; // the largest first
+    for (Index c : order) {
+      const Index solid = volume_[c] < 0 ? container[c] : null_index;
+      if (may_be_wall[c] && solid != null_index && volume_[solid] > 0 && !has_solid[solid])
+        result[c] = result[solid] == null_index ? solid : result[solid];
+      else if (may_be_wall[c]) {
+        const auto outer = std::find_if(outer_walls.rbegin(), outer_walls.rend(),
+                                        [&](Index o) { return is_second_wall(c, o); });
+        result[c] = outer == outer_walls.rend() ? null_index : *outer;
+      }
+      if (result[c] == null_index && components_[c].area >= least_area)
+        outer_walls.push_back(c);
+    }
+    return result;
+  }
+
+  // Returns the face of a component that is nearest to the centroid of a face.
+  Index nearest_face(Index component, Index f)
+  {
+    Component& c = components_[component];
+    return c.faces[tree(c).nearest(surface_.centroid(f), Vector(), 0)];
+  }
+};
+
+} // namespace CGAL::Spectral_segmentation::internal
+
+#endif // CGAL_SPECTRAL_SEGMENTATION_INTERNAL_SURFACE_COMPONENT_WALLS_H

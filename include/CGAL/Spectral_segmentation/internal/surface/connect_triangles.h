@@ -1,0 +1,181 @@
+// Copyright (c) 2026  The Spectral_segmentation authors.
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_SPECTRAL_SEGMENTATION_INTERNAL_SURFACE_CONNECT_TRIANGLES_H
+#define CGAL_SPECTRAL_SEGMENTATION_INTERNAL_SURFACE_CONNECT_TRIANGLES_H
+
+#include <CGAL/Spectral_segmentation/internal/base/concurrency.h>
+#include <CGAL/Spectral_segmentation/internal/surface/Surface.h>
+
+#include <algorithm>
+#include <cstddef>
+#include <numeric>
+#include <utility>
+#include <vector>
+
+namespace CGAL::Spectral_segmentation::internal {
+
+// Makes a surface of the triangles of a soup: finds their neighbors and orients them.
+//
+// Two faces alone at an edge are neighbors. Among more faces, pairs become neighbors one after the
+// other: first pairs that are oriented alike, the flattest pair first, then pairs with a face that
+// has to be turned. Ties go to the faces of lowest indices. At an edge of very many faces none are
+// neighbors.
+//
+// Connected faces are oriented alike. If that is not possible, such as on a Moebius strip, an edge
+// becomes border. Components that are oriented alike already stay unchanged. Other components are
+// oriented outwards if they are closed, and else like most of their area.
+class Triangle_connection
+{
+  static constexpr std::size_t most_faces_at_edge = 16;
+
+  Surface& surface_;
+  std::vector<Index>& opposite_;
+  std::vector<char> is_turned_; // one per face, against its orientation in the soup
+
+  Index source(Index h) const { return surface_.source_vertex(h); }
+  Index target(Index h) const { return surface_.target_vertex(h); }
+  bool are_alike(Index h, Index g) const { return source(h) != source(g); }
+
+  void join(Index h, Index g)
+  {
+    opposite_[h] = g;
+    opposite_[g] = h;
+  }
+
+  // Joins pairs of the halfedges of one edge, which ascend.
+  void join_pairs(const std::vector<Index>& halfedges)
+  {
+    if (halfedges.size() < 2 || halfedges.size() > most_faces_at_edge)
+      return;
+    if (halfedges.size() == 2) {
+      join(halfedges[0], halfedges[1]);
+      return;
+    }
+    std::vector<std::pair<Index, Index> > pairs;
+    std::vector<double> keys; // the flattest first; pairs with a face to turn come last
+    for (Index h : halfedges)
+      for (Index g : halfedges)
+        if (h < g) {
+          const double cosine =
+            surface_.normal(h / 3).stably_normalized().dot(
+              surface_.normal(g / 3).stably_normalized());
+          pairs.emplace_back(h, g);
+          keys.push_back(quantized(are_alike(h, g) ? -cosine : cosine + 4));
+        }
+    for (Index i : sorted_indices(Execution::SEQUENTIAL, keys)) {
+      const auto [h, g] = pairs[i];
+      if (surface_.is_border(h) && surface_.is_border(g))
+        join(h, g);
+    }
+  }
+
+  void find_opposites()
+  {
+    const auto ends = [this](Index h) { return std::minmax({source(h), target(h)}); };
+    // Sorts the halfedges by the smaller of their vertices, then by the larger.
+    std::vector<Index> first(surface_.points.size() + 1, 0);
+    for (Index h = 0; h < opposite_.size(); ++h)
+      ++first[ends(h).first + 1];
+    for (std::size_t v = 1; v < first.size(); ++v)
+      first[v] += first[v - 1];
+    std::vector<Index> sorted(opposite_.size()), next(first);
+    for (Index h = 0; h < opposite_.size(); ++h)
+      sorted[next[ends(h).first]++] = h;
+    std::vector<Index> of_edge;
+    for (std::size_t v = 0; v + 1 < first.size(); ++v) {
+      const auto begin = sorted.begin() + first[v], end = sorted.begin() + first[v + 1];
+      std::sort(begin, end, [&](Index g, Index h)
+        { return std::make_pair(ends(g).second, g) < std::make_pair(ends(h).second, h); });
+      for (auto i = begin; i != end;) {
+        const auto j = std::find_if(i, end, [&](Index h)
+          { return ends(h).second != ends(*i).second; });
+        of_edge.assign(i, j);
+        if (source(*i) != target(*i))
+          join_pairs(of_edge);
+        i = j;
+      }
+    }
+  }
+
+  // Finds which faces of the component of a face are turned, and returns the component.
+  std::vector<Index> orient_alike(Index seed, std::vector<char>& is_reached)
+  {
+    std::vector<Index> faces(1, seed);
+    is_reached[seed] = 1;
+    for (std::size_t i = 0; i < faces.size(); ++i)
+      for (Index h = 3 * faces[i]; h < 3 * faces[i] + 3; ++h) {
+        const Index g = opposite_[h];
+        if (g == h)
+          continue;
+        const char turned = is_turned_[h / 3] ^ char(!are_alike(h, g));
+        if (!is_reached[g / 3]) {
+          is_reached[g / 3] = 1;
+          is_turned_[g / 3] = turned;
+          faces.push_back(g / 3);
+        }
+        else if (is_turned_[g / 3] != turned) {
+          opposite_[h] = h;
+          opposite_[g] = g;
+        }
+      }
+    return faces;
+  }
+
+  // Turns a component if some of its faces are turned and it points inwards.
+  void orient_outwards(const std::vector<Index>& faces)
+  {
+    double area[2] = {0, 0}; // the total of the unturned faces, and of the turned ones
+    double volume = 0;       // six times the volume of the surface
+    bool is_closed = true;
+    const Vector origin = surface_.points[source(3 * faces.front())];
+    for (Index f : faces) {
+      const Vector a = surface_.normal(f) / 2;
+      area[int(is_turned_[f])] += a.norm();
+      volume += (is_turned_[f] ? -1 : 1) * a.dot(surface_.points[source(3 * f)] - origin);
+      for (Index h = 3 * f; h < 3 * f + 3; ++h)
+        is_closed = is_closed && !surface_.is_border(h);
+    }
+    const bool is_mixed = std::any_of(faces.begin(), faces.end(),
+                                      [&](Index f) { return is_turned_[f] != 0; });
+    if (is_mixed && (is_closed && volume != 0 ? volume < 0 : area[1] > area[0]))
+      for (Index f : faces)
+        is_turned_[f] = !is_turned_[f];
+  }
+
+public:
+  explicit Triangle_connection(Surface& surface)
+    : surface_(surface), opposite_(surface.opposite), is_turned_(surface.number_of_faces(), 0)
+  {
+    opposite_.resize(3 * surface.number_of_faces());
+    std::iota(opposite_.begin(), opposite_.end(), Index(0));
+  }
+
+  void operator()()
+  {
+    find_opposites();
+    std::vector<char> is_reached(is_turned_.size(), 0);
+    for (Index f = 0; f < is_turned_.size(); ++f)
+      if (!is_reached[f])
+        orient_outwards(orient_alike(f, is_reached));
+    for (Index h = 0; h < opposite_.size(); ++h)
+      if (surface_.neighbor(h) == h / 3) // the face is glued to itself
+        opposite_[h] = h;
+    for (Index f = 0; f < is_turned_.size(); ++f)
+      if (is_turned_[f])
+        std::swap(surface_.corners[f][1], surface_.corners[f][2]);
+    renumber_halfedges(surface_, [this](Index h)
+      { return is_turned_[h / 3] ? h - h % 3 + (2 - h % 3) : h; });
+    start_at_smallest_vertices(surface_);
+  }
+};
+
+inline void connect_triangles(Surface& surface)
+{
+  Triangle_connection connection(surface);
+  connection();
+}
+
+} // namespace CGAL::Spectral_segmentation::internal
+
+#endif // CGAL_SPECTRAL_SEGMENTATION_INTERNAL_SURFACE_CONNECT_TRIANGLES_H

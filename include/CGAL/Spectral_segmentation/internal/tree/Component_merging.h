@@ -1,0 +1,359 @@
+// Copyright (c) 2026  The Spectral_segmentation authors.
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_SPECTRAL_SEGMENTATION_INTERNAL_TREE_COMPONENT_MERGING_H
+#define CGAL_SPECTRAL_SEGMENTATION_INTERNAL_TREE_COMPONENT_MERGING_H
+
+#include <CGAL/Spectral_segmentation/Part_salience.h>
+#include <CGAL/Spectral_segmentation/internal/base/Run_monitor.h>
+#include <CGAL/Spectral_segmentation/internal/search/Cut_hierarchy.h>
+#include <CGAL/Spectral_segmentation/internal/search/Dendrogram.h>
+#include <CGAL/Spectral_segmentation/internal/surface/Surface.h>
+#include <CGAL/Spectral_segmentation/internal/surface/model_components.h>
+#include <CGAL/Spectral_segmentation/internal/surface/set_contacts.h>
+#include <CGAL/Spectral_segmentation/internal/weights/Face_features.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <limits>
+#include <map>
+#include <numeric>
+#include <set>
+#include <tuple>
+#include <utility>
+#include <vector>
+
+namespace CGAL::Spectral_segmentation::internal {
+
+// The share of the area from which a component is a part by default.
+constexpr double share_at_threshold = 0.01;
+
+// Returns the salience of the boundary of a component with a share of the area. It rises from 0 to
+// 1, through the default threshold. `logit` is added to its logit.
+inline double salience_of_component(double share, double logit)
+{
+  const double odds =
+    default_probability_threshold / (1 - default_probability_threshold) * std::exp(logit);
+  return odds * share / (odds * share + share_at_threshold);
+}
+
+// Returns the logit of a probability, which is kept away from 0 and 1.
+inline double clamped_logit(double probability)
+{
+  const double p = std::clamp(probability, 1e-6, 1 - 1e-6);
+  return std::log(p / (1 - p));
+}
+
+// Returns the evidence that a cut gives for parts in its component: what its logit exceeds that of
+// the default threshold by.
+inline double evidence_of_cut(double salience)
+{ return (std::max)(clamped_logit(salience) - clamped_logit(default_probability_threshold), 0.); }
+
+// Returns the evidence of all its cuts that a component needs to be cut, in a model of an effective
+// number of components. Who puts a model together of many components has separated most of what is
+// separate. A body has many cuts that are each likely, a board one or two that are barely so. The
+// constants were chosen on furniture, and on animals beside other objects.
+inline double required_evidence(double effective_number_of_components)
+{ return (std::min)(2.5 * (effective_number_of_components - 1), 12.); }
+
+// Merges the components of a model. The smallest joins the neighbor with which it has the most
+// contact, and so on. The larger it is, the more salient is its boundary. A component that touches
+// nothing comes last, with an infinite salience, unless it is tiny beside the largest component. A
+// sheet touches nothing. A component keeps all of its cuts, or none, by the evidence of all its
+// cuts together.
+class Component_merging
+{
+  // A set of components, beside another one.
+  struct Neighbor
+  {
+    std::size_t contact = 0;
+    double squared_gap = std::numeric_limits<double>::infinity();
+    Index leaves[2] = {null_index, null_index}; // of both sets, those with the most contact
+    std::size_t contact_of_leaves = 0;
+    double squared_gap_of_leaves = std::numeric_limits<double>::infinity();
+
+    void add(const Neighbor& other)
+    {
+      contact += other.contact;
+      squared_gap = (std::min)(squared_gap, other.squared_gap);
+      if (std::make_pair(other.contact_of_leaves, -other.squared_gap_of_leaves) >
+          std::make_pair(contact_of_leaves, -squared_gap_of_leaves)) {
+        std::copy(other.leaves, other.leaves + 2, leaves);
+        contact_of_leaves = other.contact_of_leaves;
+        squared_gap_of_leaves = other.squared_gap_of_leaves;
+      }
+    }
+  };
+
+  typedef std::map<Index, Neighbor> Neighbors;
+
+  const Surface& mesh_;
+  const Component_shares& shares_;
+  Run_monitor& monitor_;
+  Dendrogram result_;
+  std::vector<Index> component_of_leaf_;
+  Set_features features_; // of the components
+  double feature_weight_;
+
+  std::vector<Neighbors> neighbors() const
+  {
+    std::vector<Neighbors> result(shares_.share.size());
+    const auto count_steps = [&](std::size_t number) { monitor_.count_steps(number); };
+    for (const Set_contact& c : set_contacts(mesh_, result_.leaf, count_steps)) {
+      count_steps(1000); // of a map
+      const auto [a, b] = c.sets;
+      const Index i = component_of_leaf_[a], j = component_of_leaf_[b];
+      if (i == j)
+        continue;
+      const std::size_t contact = i == shares_.sheet || j == shares_.sheet ? 0 : c.area;
+      result[i][j].add({contact, c.squared_gap, {a, b}, contact, c.squared_gap});
+      result[j][i].add({contact, c.squared_gap, {b, a}, contact, c.squared_gap});
+    }
+    return result;
+  }
+
+  // Adds the merges of the components. Of equal sets, that with the fewest neighbors is merged
+  // first, so that thousands at one place are merged in nearly linear time.
+  void add_merges(std::vector<Neighbors> neighbors)
+  {
+    typedef std::tuple<double, std::size_t, Index> Key; // area, number of neighbors, and the set
+    std::vector<double> area = shares_.share;
+    std::vector<Key> key(area.size());
+    std::set<Key> sets, apart;
+    const auto insert = [&](std::set<Key>& into, Index i) {
+      key[i] = {quantized(area[i]), neighbors[i].size(), i};
+      into.insert(key[i]);
+    };
+    double tiny = 0;
+    for (Index i = 0; i < area.size(); ++i) {
+      insert(sets, i);
+      if (i != shares_.sheet)
+        tiny = (std::max)(tiny, share_at_threshold * area[i]);
+    }
+    const auto join = [&](Index a, Index b, double salience) {
+      monitor_.count_steps(100 * neighbors[a].size());
+      const Neighbor& seam = neighbors[a].at(b);
+      result_.merges.push_back({{seam.leaves[0], seam.leaves[1]}, quantized(salience), {}});
+      sets.erase(key[b]);
+      apart.erase(key[b]);
+      for (const auto& [c, neighbor] : neighbors[a]) {
+        if (c != b) {
+          neighbors[b][c].add(neighbor);
+          neighbors[c][b].add(neighbors[c][a]);
+        }
+        neighbors[c].erase(a);
+      }
+      neighbors[a].clear();
+      area[b] += area[a];
+      features_.join(a, b);
+    };
+    const double explained_variance = features_.explained_variance();
+    const auto logit_of_features = [&](Index a, Index b) {
+      return features_.empty() ? 0
+        : Feature_logit().of_components(features_.distance(a, b), explained_variance,
+                                        feature_weight_);
+    };
+    const auto is_better = [](const auto& x, const auto& y) { // contact, then the gap
+      return std::make_pair(x.second.contact, -x.second.squared_gap) <
+             std::make_pair(y.second.contact, -y.second.squared_gap);
+    };
+    while (sets.size() + apart.size() > 1) {
+      const bool are_all_apart = sets.empty(); // and stay apart when they are joined
+      std::set<Key>& from = are_all_apart ? apart : sets;
+      const Index a = std::get<2>(*from.begin());
+      from.erase(from.begin());
+      const auto best = std::max_element(neighbors[a].begin(), neighbors[a].end(), is_better);
+      const Index b = best->first;
+      if (!are_all_apart && best->second.contact == 0 && !(area[a] < tiny)) {
+        insert(apart, a);
+        continue;
+      }
+      join(a, b, are_all_apart ? std::numeric_limits<double>::infinity()
+                               : salience_of_component(area[a], logit_of_features(a, b)));
+      insert(from, b);
+    }
+  }
+
+  // Returns whether each component has too little evidence to be cut. Saliences that are no
+  // probabilities are no evidence for or against anything.
+  std::vector<char> are_uncut(std::size_t number_of_cuts) const
+  {
+    const std::size_t n = shares_.share.size();
+    std::vector<double> evidence(n, 0);
+    std::vector<char> are_probabilities(n, 1), result;
+    for (std::size_t i = 0; i < number_of_cuts; ++i) {
+      const Merge& m = result_.merges[i];
+      const Index component = component_of_leaf_[m.leaves[0]];
+      if (m.salience >= 0 && m.salience <= 1)
+        evidence[component] += evidence_of_cut(m.salience);
+      else
+        are_probabilities[component] = 0;
+    }
+    const double fading = features_.empty() ? 0 : Feature_logit::fading(feature_weight_);
+    const double required = (1 - fading) * required_evidence(shares_.effective_number());
+    for (std::size_t i = 0; i < n; ++i)
+      result.push_back(are_probabilities[i] && evidence[i] < required);
+    return result;
+  }
+
+  // Shifts the logits of the first merges, which are the cuts of components, in each component that
+  // stays uncut: the highest comes to lie below all later merges, and below the default threshold.
+  void lower_cuts(std::size_t number_of_cuts)
+  {
+    const std::vector<char> is_uncut = are_uncut(number_of_cuts);
+    double least = default_probability_threshold;
+    for (std::size_t i = number_of_cuts; i < result_.merges.size(); ++i)
+      least = (std::min)(least, result_.merges[i].salience);
+    std::vector<double> highest(is_uncut.size(), 0);
+    for (std::size_t i = 0; i < number_of_cuts; ++i) {
+      double& of_component = highest[component_of_leaf_[result_.merges[i].leaves[0]]];
+      of_component = (std::max)(of_component, result_.merges[i].salience);
+    }
+    for (std::size_t i = 0; i < number_of_cuts; ++i) {
+      Merge& m = result_.merges[i];
+      const Index component = component_of_leaf_[m.leaves[0]];
+      if (is_uncut[component] && highest[component] >= least) {
+        const double shift = clamped_logit(highest[component]) - clamped_logit(least / 2);
+        m.salience = (std::min)(1 / (1 + std::exp(shift - clamped_logit(m.salience))), least / 2);
+      }
+    }
+  }
+
+public:
+  // Takes the merges within the components, each of which they make one set, the mesh, whose faces
+  // have areas, the shares of the components in it, and their features.
+  Component_merging(Dendrogram merges, const Surface& mesh, const Component_shares& shares,
+                    Set_features features, double feature_weight, Run_monitor& monitor)
+    : mesh_(mesh), shares_(shares), monitor_(monitor), result_(std::move(merges)),
+      component_of_leaf_(result_.areas.size()), features_(std::move(features)),
+      feature_weight_(feature_weight)
+  {
+    for (Index f = 0; f < mesh.number_of_faces(); ++f)
+      component_of_leaf_[result_.leaf[f]] = mesh.components[f];
+  }
+
+  // Returns the hierarchy of the whole mesh.
+  Cut_hierarchy operator()()
+  {
+    const std::size_t number_of_cuts = result_.merges.size();
+    if (shares_.share.size() > 1)
+      add_merges(neighbors());
+    lower_cuts(number_of_cuts);
+    sort_merges(result_.merges);
+    return hierarchy_of(result_);
+  }
+};
+
+// Makes the faces of walls in each node of a hierarchy connected, from the roots on. Pieces that
+// come off a side of a cut go to the other side.
+class Wall_labels
+{
+  typedef std::vector<Index> Faces;
+
+  const Surface& walls_;           // each component is a wall
+  const Cut_hierarchy& cuts_;      // of the outer walls
+  const Nested_ranges leaves_;     // of each node
+  Faces& leaf_;                    // one per face
+  std::vector<std::size_t> node_;  // one per face: a child of the current node
+  std::vector<std::pair<std::size_t, Faces> > connected_; // faces to divide further, and their node
+
+  // Returns the connected pieces of the faces of a node.
+  std::vector<Faces> pieces(const Faces& faces, std::size_t node)
+  {
+    std::vector<Faces> result;
+    for (Index first : faces)
+      if (node_[first] == node) {
+        Faces piece(1, first);
+        node_[first] = null_node;
+        for (std::size_t i = 0; i < piece.size(); ++i)
+          for (Index h = 3 * piece[i]; h < 3 * piece[i] + 3; ++h)
+            if (const Index g = walls_.neighbor(h); node_[g] == node) {
+              node_[g] = null_node;
+              piece.push_back(g);
+            }
+        result.push_back(std::move(piece));
+      }
+    for (const Faces& piece : result)
+      for (Index f : piece)
+        node_[f] = node;
+    return result;
+  }
+
+  double area(const Faces& faces) const
+  {
+    double result = 0;
+    for (Index f : faces)
+      result += walls_.areas[f];
+    return quantized(result);
+  }
+
+  // Moves a piece to the face of another node beside which it has the longest boundary.
+  void move(const Faces& piece)
+  {
+    const std::size_t node = node_[piece.front()];
+    std::map<Index, std::pair<double, Index> > boundary; // its length, and a face, for each leaf
+    for (Index f : piece)
+      for (Index h = 3 * f; h < 3 * f + 3; ++h)
+        if (const Index g = walls_.neighbor(h); node_[g] != node && node_[g] != null_node) {
+          boundary[leaf_[g]].first += walls_.length(h);
+          boundary[leaf_[g]].second = g;
+        }
+    const Index g =
+      std::max_element(boundary.begin(), boundary.end(), [](const auto& a, const auto& b)
+        { return quantized(a.second.first) < quantized(b.second.first); })->second.second;
+    for (Index f : piece) {
+      node_[f] = node_[g];
+      leaf_[f] = leaf_[g];
+    }
+  }
+
+  // Divides connected faces among nodes. Moves all pieces of a node, but for the largest.
+  void divide(const Faces& faces, const std::vector<std::size_t>& nodes)
+  {
+    for (std::size_t node : nodes)
+      for (Index f : faces)
+        if (leaves_.first(leaf_[f]) - leaves_.first(node) < leaves_.size(node))
+          node_[f] = node;
+    for (std::size_t node : nodes) {
+      const std::vector<Faces> all = pieces(faces, node);
+      const auto largest = std::max_element(all.begin(), all.end(),
+        [&](const Faces& a, const Faces& b) { return area(a) < area(b); });
+      for (auto piece = all.begin(); piece != all.end(); ++piece)
+        if (piece != largest)
+          move(*piece);
+    }
+    for (std::size_t node : nodes)
+      if (std::vector<Faces> all = pieces(faces, node); !all.empty())
+        connected_.emplace_back(node, std::move(all.front()));
+    for (Index f : faces)
+      node_[f] = null_node;
+  }
+
+public:
+  // Takes the leaf of the nearest face of an outer wall for each face, which it changes.
+  Wall_labels(const Surface& walls, const Cut_hierarchy& cuts, std::vector<Index>& leaf)
+    : walls_(walls), cuts_(cuts), leaves_(ranges_of_leaves(cuts)), leaf_(leaf),
+      node_(leaf.size(), null_node) {}
+
+  void operator()()
+  {
+    std::vector<Faces> walls(walls_.components.number);
+    for (Index f = 0; f < leaf_.size(); ++f)
+      walls[walls_.components[f]].push_back(f);
+    std::vector<std::size_t> roots(cuts_.number_of_roots);
+    std::iota(roots.begin(), roots.end(), std::size_t(0));
+    for (const Faces& wall : walls)
+      divide(wall, roots);
+    while (!connected_.empty()) {
+      const auto [node, faces] = std::move(connected_.back());
+      connected_.pop_back();
+      if (!cuts_.nodes[node].is_leaf())
+        divide(faces, {cuts_.nodes[node].children[0], cuts_.nodes[node].children[1]});
+    }
+  }
+};
+
+} // namespace CGAL::Spectral_segmentation::internal
+
+#endif // CGAL_SPECTRAL_SEGMENTATION_INTERNAL_TREE_COMPONENT_MERGING_H

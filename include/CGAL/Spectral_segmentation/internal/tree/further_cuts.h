@@ -1,0 +1,224 @@
+// Copyright (c) 2026  The Spectral_segmentation authors.
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_SPECTRAL_SEGMENTATION_INTERNAL_TREE_FURTHER_CUTS_H
+#define CGAL_SPECTRAL_SEGMENTATION_INTERNAL_TREE_FURTHER_CUTS_H
+
+#include <CGAL/Spectral_segmentation/internal/salience/Boundary_statistics.h>
+#include <CGAL/Spectral_segmentation/internal/search/Cut_hierarchy.h>
+#include <CGAL/Spectral_segmentation/internal/surface/Surface.h>
+
+#include <algorithm>
+#include <cstddef>
+#include <numeric>
+#include <queue>
+#include <utility>
+#include <vector>
+
+namespace CGAL::Spectral_segmentation::internal {
+
+// Cuts leaves of a hierarchy further. The cuts get a salience that is no larger than that of any
+// cut.
+class Leaf_cutter
+{
+  const Surface& mesh_;
+  Cut_hierarchy& cuts_;
+  Nested_ranges faces_; // of each node
+  double salience_ = 0;
+
+public:
+  Leaf_cutter(const Surface& mesh, Cut_hierarchy& cuts)
+    : mesh_(mesh), cuts_(cuts), faces_(cuts, cuts.leaf)
+  {
+    for (const Cut_node& n : cuts.nodes)
+      if (!n.is_leaf())
+        salience_ = (std::min)(salience_, n.salience);
+  }
+
+  std::vector<Index> faces(std::size_t leaf) const
+  { return std::vector<Index>(faces_[leaf].begin(), faces_[leaf].end()); }
+
+  std::size_t number_of_faces(std::size_t leaf) const { return faces_.size(leaf); }
+  Index first_face(std::size_t leaf) const { return *faces_[leaf].begin(); }
+
+  // Cuts a leaf, whose faces have these sides.
+  void cut(std::size_t leaf, Sides side)
+  {
+    double area[2] = {0, 0};
+    std::size_t i = 0;
+    for (Index f : faces_[leaf])
+      area[0] += side[i++] == 0 ? mesh_.areas[f] : 0;
+    area[1] = (std::max)(cuts_.nodes[leaf].area - area[0], 0.);
+    normalize_sides(side, area);
+    cuts_.cut(leaf, area[0], area[1]);
+    faces_.cut(leaf, side);
+    Cut_node& n = cuts_.nodes[leaf];
+    n.cut_state = Cut_state::CUT;
+    n.salience = salience_;
+    cuts_.cut_order.push_back(leaf);
+    for (std::size_t child : n.children) {
+      cuts_.nodes[child].cut_state = Cut_state::NO_CUT;
+      for (Index f : faces_[child])
+        cuts_.leaf[f] = static_cast<Index>(child);
+    }
+  }
+};
+
+// Cuts leaves of a hierarchy further, if the search found fewer cuts than were asked for. It cuts
+// the largest leaf in two, between its components if it has several, else in halves of about the
+// same area. Groups of faces, each connected and in one leaf, stay whole.
+class Further_cuts
+{
+  typedef std::pair<double, std::size_t> Key; // the area and the node of a leaf
+
+  const Surface& mesh_;
+  Cut_hierarchy& cuts_;
+  Leaf_cutter cutter_;
+  std::vector<char> is_in_leaf_; // one per face: in the current leaf, but not reached yet
+  std::priority_queue<Key> queue_;
+  std::vector<Index> next_in_group_; // one per face, in a circle; empty if there are no groups
+
+  template <class Visit>
+  void for_each_in_group(Index first, const Visit& visit) const
+  {
+    visit(first);
+    if (!next_in_group_.empty())
+      for (Index f = next_in_group_[first]; f != first; f = next_in_group_[f])
+        visit(f);
+  }
+
+  void enqueue(std::size_t leaf)
+  {
+    std::size_t size_of_group = 0;
+    for_each_in_group(cutter_.first_face(leaf), [&](Index) { ++size_of_group; });
+    if (cutter_.number_of_faces(leaf) > size_of_group)
+      queue_.push({quantized(cuts_.nodes[leaf].area), leaf});
+  }
+
+  double area_of_group(Index first) const
+  {
+    double area = 0;
+    for_each_in_group(first, [&](Index f) { area += mesh_.areas[f]; });
+    return area;
+  }
+
+  void reach_group(Index first, std::vector<Index>& reached)
+  {
+    for_each_in_group(first, [&](Index f) {
+      is_in_leaf_[f] = 0;
+      reached.push_back(f);
+    });
+  }
+
+  // Reaches and returns faces of the leaf that are connected with one face, by a breadth-first
+  // search, until they have this area.
+  std::vector<Index> reached_from(Index first, double area)
+  {
+    std::vector<Index> result;
+    double sum = area_of_group(first);
+    reach_group(first, result);
+    for (std::size_t i = 0; i < result.size(); ++i)
+      for (Index h = 3 * result[i]; h < 3 * result[i] + 3; ++h) {
+        const Index f = mesh_.neighbor(h);
+        if (!is_in_leaf_[f])
+          continue;
+        const double of_group = area_of_group(f);
+        if (sum + of_group > area)
+          return result;
+        sum += of_group;
+        reach_group(f, result);
+      }
+    return result;
+  }
+
+  void set_in_leaf(const std::vector<Index>& faces, bool value)
+  {
+    for (Index f : faces)
+      is_in_leaf_[f] = value;
+  }
+
+  // Returns the faces on one side of the cut of a leaf, neither none nor all. If the leaf is
+  // connected, both sides are connected.
+  std::vector<Index> side(std::size_t leaf)
+  {
+    const std::vector<Index> faces = cutter_.faces(leaf);
+    const double all = cuts_.nodes[leaf].area * 2 + 1; // more than there is
+    set_in_leaf(faces, true);
+    const std::vector<Index> component = reached_from(faces.front(), all);
+    if (component.size() < faces.size()) {
+      set_in_leaf(faces, false);
+      return component;
+    }
+    // The side starts at the face reached last, which is at an end. Faces that it separates from
+    // the largest rest join it.
+    set_in_leaf(faces, true);
+    std::vector<Index> result = reached_from(component.back(), cuts_.nodes[leaf].area / 2);
+    if (result.size() == faces.size()) { // the leaf has no area
+      set_in_leaf(faces, true);
+      result.clear();
+      reach_group(component.back(), result);
+    }
+    std::vector<std::vector<Index> > rests;
+    for (Index f : faces)
+      if (is_in_leaf_[f])
+        rests.push_back(reached_from(f, all));
+    const auto largest = std::max_element(rests.begin(), rests.end(),
+      [](const auto& a, const auto& b) { return a.size() < b.size(); });
+    for (auto rest = rests.begin(); rest != rests.end(); ++rest)
+      if (rest != largest)
+        result.insert(result.end(), rest->begin(), rest->end());
+    set_in_leaf(faces, false);
+    return result;
+  }
+
+  void cut(std::size_t leaf)
+  {
+    const std::vector<Index> q = side(leaf);
+    set_in_leaf(q, true);
+    Sides sides;
+    for (Index f : cutter_.faces(leaf))
+      sides.push_back(is_in_leaf_[f] == 0);
+    set_in_leaf(q, false);
+    cutter_.cut(leaf, std::move(sides));
+    for (std::size_t child : cuts_.nodes[leaf].children)
+      enqueue(child);
+  }
+
+public:
+  // Takes the group of each face, or null_index; `group` is empty if there are no groups.
+  Further_cuts(const Surface& mesh, Cut_hierarchy& cuts, const std::vector<Index>& group = {})
+    : mesh_(mesh), cuts_(cuts), cutter_(mesh, cuts), is_in_leaf_(mesh.number_of_faces(), 0),
+      next_in_group_(group.size())
+  {
+    std::iota(next_in_group_.begin(), next_in_group_.end(), Index(0));
+    std::vector<Index> last(group.size(), null_index); // face of each group
+    for (Index f = 0; f < group.size(); ++f)
+      if (group[f] != null_index) {
+        if (last[group[f]] != null_index)
+          std::swap(next_in_group_[f], next_in_group_[last[group[f]]]);
+        last[group[f]] = f;
+      }
+  }
+
+  // Cuts until there are this many leaves, or every leaf is a face or a group.
+  void operator()(std::size_t number_of_segments)
+  {
+    // A leaf that was searched in vain gets a new turn if it is cut.
+    std::vector<std::size_t>& order = cuts_.cut_order;
+    order.erase(std::remove_if(order.begin(), order.end(),
+                               [&](std::size_t i) { return cuts_.nodes[i].is_leaf(); }),
+                order.end());
+    for (std::size_t i = 0; i < cuts_.nodes.size(); ++i)
+      if (cuts_.nodes[i].is_leaf())
+        enqueue(i);
+    while (cuts_.number_of_segments() < number_of_segments && !queue_.empty()) {
+      const std::size_t leaf = queue_.top().second;
+      queue_.pop();
+      cut(leaf);
+    }
+  }
+};
+
+} // namespace CGAL::Spectral_segmentation::internal
+
+#endif // CGAL_SPECTRAL_SEGMENTATION_INTERNAL_TREE_FURTHER_CUTS_H
