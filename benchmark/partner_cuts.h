@@ -7,7 +7,6 @@
 #include "run_engine.h"
 
 #include <CGAL/Spectral_segmentation/internal/tree/congruent_cuts.h>
-#include <CGAL/Spectral_segmentation/internal/tree/json_of_hierarchy.h>
 
 #include <cstddef>
 #include <utility>

@@ -413,6 +413,21 @@ private:
   double salience_threshold_ = 0;
 };
 
+/// \cond SKIP_IN_MANUAL
+namespace internal {
+
+// Gives access to the data of a hierarchy that are written and have no public name.
+struct Hierarchy_access
+{
+  static const Cut_hierarchy& cuts(const Segmentation_hierarchy& h) { return h.cuts_; }
+
+  static std::size_t maximum_number_of_segments(const Segmentation_hierarchy& h)
+  { return h.maximum_number_of_segments_; }
+};
+
+} // namespace internal
+/// \endcond
+
 } // namespace Spectral_segmentation
 } // namespace CGAL
 

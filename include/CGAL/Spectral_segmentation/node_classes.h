@@ -9,7 +9,6 @@
 #include <CGAL/Spectral_segmentation/internal/read/read_triangle_mesh.h>
 #include <CGAL/Spectral_segmentation/internal/search/Cut_hierarchy.h>
 #include <CGAL/Spectral_segmentation/internal/surface/Moments.h>
-#include <CGAL/Spectral_segmentation/internal/tree/json_of_hierarchy.h>
 
 #include <cstddef>
 #include <vector>

@@ -10,8 +10,7 @@
 #include <CGAL/Spectral_segmentation/Segmentation_hierarchy.h>
 #include <CGAL/Spectral_segmentation/internal/read/numbered_descriptors.h>
 #include <CGAL/Spectral_segmentation/internal/read/read_triangle_mesh.h>
-#include <CGAL/Spectral_segmentation/internal/tree/hierarchy_of_json.h>
-#include <CGAL/Spectral_segmentation/internal/tree/json_of_hierarchy.h>
+#include <CGAL/Spectral_segmentation/internal/tree/hierarchy_json.h>
 #include <CGAL/Spectral_segmentation/parameters.h>
 
 #include <CGAL/boost/graph/named_params_helper.h>
