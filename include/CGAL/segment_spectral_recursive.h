@@ -163,49 +163,40 @@ at most 4000 faces by default. The memory is O(*n*). The section
   \cgalParamNEnd
   \cgalParamNBegin{keep_components_separate}
     \cgalParamDescription{whether each connected component of the mesh is a part from the start. By
-      default components whose borders meet edge to edge are one surface, and a component with less
-      than a hundredth of the area belongs to the part with which it has the most contact. A
-      component with parts of its own is cut further: one with a tenth of the area or more exactly
-      like the mesh alone. Components that touch no other are parts, unless a number of segments
-      requires less or they have less than a hundredth of the area of the largest. A component that
-      bounds a cavity of a solid, or is the second wall of another component, has the segments of
-      the nearest faces of the outer wall, unless its faces or edges have constraints. The section
-      \ref Spectral_segmentation_components has the details.}
+      default components whose borders meet edge to edge are one surface, a component with less than
+      a hundredth of the area belongs to the part with which it has the most contact, and the second
+      wall of a hollow body has the segments of the outer wall. Any other component is a part, or is
+      cut further if it has parts of its own. The section \ref Spectral_segmentation_components has
+      the details.}
     \cgalParamType{`bool`}
     \cgalParamDefault{`false`, or `true` with `zhang_liu_2005()`, which supports no other value}
   \cgalParamNEnd
   \cgalParamNBegin{face_group_map}
     \cgalParamDescription{the group of each face, such as an object or a material of a file. Groups
-      are kept apart like connected components: no cut is needed between them, and whether a group
-      is a part depends on its area and its contacts. A group of several connected components is
-      several components.}
-    \cgalParamType{a model of `ReadablePropertyMap` with
-      `boost::graph_traits<TriangleMesh>::%face_descriptor` as key type and an integer type as value
-      type}
+      are separate components: no cut is needed between them. A group of several connected
+      components is several components.}
+    \cgalParamType{\ssReadableFaceMap an integer type as value type}
     \cgalParamDefault{none: all faces are in one group}
   \cgalParamNEnd
   \cgalParamNBegin{face_feature_map}
-    \cgalParamDescription{what is known of each face beyond the shape: a vector, such as a color, a
-      stress or the output of a neural network, or a label, such as a guess of its part. Cuts where
-      the features change are preferred to others. Features that do not tell parts, such as noise,
-      have hardly any effect at the default weight.}
-    \cgalParamType{a model of `ReadablePropertyMap` with
-      `boost::graph_traits<TriangleMesh>::%face_descriptor` as key type. The value type is an
-      integer type for labels, a floating point type, or a range of numbers, of the same length for
-      all faces.}
-    \cgalParamDefault{none: only the shape counts}
-    \cgalParamExtra{Neither the unit of the numbers nor adding a vector to all makes a difference.
-      The mean over the faces around each vertex of the search surface counts, and of longer vectors
-      the 16 directions of largest variance. Not with `zhang_liu_2005()`. The section
+    \cgalParamDescription{per-face features: a vector, such as a color, a stress or the output of a
+      neural network, or a label, such as a guess of the part. Cuts where the features change are
+      preferred to others. Uninformative features, such as noise, have hardly any effect at the
+      default weight.}
+    \cgalParamType{\ssReadableFaceMap an integer type for labels, a floating point type, or a range
+      of numbers, of the same length for all faces, as value type}
+    \cgalParamDefault{none: only the shape is used}
+    \cgalParamExtra{Neither the unit of the numbers nor an offset common to all faces matters.
+      Features are averaged around each vertex of the coarse mesh; vectors longer than 16 are
+      reduced to the 16 directions of largest variance. Not with `zhang_liu_2005()`. The section
       \ref Spectral_segmentation_features has the details.}
   \cgalParamNEnd
   \cgalParamNBegin{feature_weight}
-    \cgalParamDescription{how much the features count against the shape. With 0 they are not used.
-      Up to 1/2 their effect grows. From there on the effect of the shape fades: with 1 it decides
-      only between cuts that the features do not tell apart, and features count even if they do not
-      tell parts.}
+    \cgalParamDescription{the weight of the features. With 0 they are not used. Their effect grows
+      up to 1/2; above, the effect of the shape decreases: with 1 it only breaks ties between cuts
+      that the features do not distinguish, and uninformative features are used, too.}
     \cgalParamType{a number}
-    \cgalParamDefault{`0.5`, with which both count as their fit to the parts of people says}
+    \cgalParamDefault{`0.5`, fitted to human segmentations}
     \cgalParamExtra{in [0, 1]}
   \cgalParamNEnd
   \cgalParamNBegin{maximum_number_of_segments}
@@ -238,28 +229,14 @@ at most 4000 faces by default. The memory is O(*n*). The section
       `std::reference_wrapper` of one to be read afterwards}
     \cgalParamDefault{`CGAL::Spectral_segmentation::Segmentation_visitor`, which does nothing}
   \cgalParamNEnd
-  \cgalParamNBegin{vertex_point_map}
-    \cgalParamDescription{the points of the vertices of `mesh`}
-    \cgalParamType{a model of `ReadablePropertyMap` with
-      `boost::graph_traits<TriangleMesh>::%vertex_descriptor` as key type and a point type of
-      `geom_traits` as value type}
-    \cgalParamDefault{`boost::get(CGAL::vertex_point, mesh)`}
-  \cgalParamNEnd
   \cgalParamNBegin{face_index_map}
     \cgalParamDescription{a custom index for each face, from 0 to the number of faces - 1. Segments
       are numbered, and ties between faces are broken, by these indices.}
-    \cgalParamType{a model of `ReadablePropertyMap` with
-      `boost::graph_traits<TriangleMesh>::%face_descriptor` as key type and an integer type as value
-      type}
+    \cgalParamType{\ssReadableFaceMap an integer type as value type}
     \cgalParamDefault{the position of the face in `faces(mesh)`, which is safe for every mesh, even
       with removed faces or without ids}
   \cgalParamNEnd
-  \cgalParamNBegin{geom_traits}
-    \cgalParamDescription{an instance of a geometric traits class}
-    \cgalParamType{a class with the functors `Compute_x_3`, `Compute_y_3`, `Compute_z_3` of `Kernel`
-      and the functions `compute_x_3_object()` etc. Coordinates are rounded to `double`.}
-    \cgalParamDefault{a \cgal kernel deduced from the point type}
-  \cgalParamNEnd
+  \ssPointParameters
 \cgalNamedParamsEnd
 
 <b>Constraints.</b> They hold for the segments and for all nodes of the hierarchy. If the cuts of
@@ -283,9 +260,7 @@ the same. `zhang_liu_2005()` does not support constraints. The example
   \cgalParamNBegin{face_seed_map}
     \cgalParamDescription{the seeds of faces. Faces with the same seed belong to the same segment;
       faces with different seeds belong to different segments. A negative value is no seed.}
-    \cgalParamType{a model of `ReadablePropertyMap` with
-      `boost::graph_traits<TriangleMesh>::%face_descriptor` as key type and a signed integer type as
-      value type}
+    \cgalParamType{\ssReadableFaceMap a signed integer type as value type}
     \cgalParamDefault{none: no face has a seed}
   \cgalParamNEnd
 \cgalNamedParamsEnd
@@ -294,7 +269,7 @@ the same. `zhang_liu_2005()` does not support constraints. The example
 \cgalNamedParamsBegin
   \cgalParamNBegin{minimum_segment_size}
     \cgalParamDescription{the smallest area of each side of a cut, as a fraction of the area of the
-      mesh. The factors of the salience mean little for a handful of faces; the paper has no such
+      mesh. The factors of the salience are unreliable for a few faces; the paper has no such
       limit.}
     \cgalParamType{a number}
     \cgalParamDefault{`0.003`, or `0.005` with `zhang_liu_2005()`. A finger of a whole figure is
@@ -311,16 +286,14 @@ the same. `zhang_liu_2005()` does not support constraints. The example
       paper are 0.}
   \cgalParamNEnd
   \cgalParamNBegin{number_of_coarse_faces}
-    \cgalParamDescription{the number of faces on which cuts are searched. First, faces that are
-      larger than the faces of an even mesh with this number are bisected (not with
-      `zhang_liu_2005()`). Then clusters of vertices and edge collapses coarsen the mesh to this
-      number, as far as its topology allows. The cuts are projected back, by minimum cuts through
-      the faces whose side is not certain. Therefore neither the time of the search nor the result
-      depends much on the triangles. With 0 the mesh itself is searched.}
+    \cgalParamDescription{the number of faces of the coarse mesh on which cuts are searched, as far
+      as the topology allows it. The cuts are carried back by minimum cuts. Therefore neither the
+      time of the search nor the result depends much on the triangles. With 0 the mesh itself is
+      searched.}
     \cgalParamType{an integer}
     \cgalParamDefault{`4000`, which agrees with people as well as a search on the mesh itself, or
       `0` with `zhang_liu_2005()`}
-    \cgalParamExtra{at least 0. No more than the number of faces of the mesh and 1000 are searched.
+    \cgalParamExtra{at least 0. No more than the number of faces of the mesh plus 1000 are searched.
       A convex mesh that has at most `number_of_coarse_faces` faces is one part without a search,
       unless `number_of_segments` or constraints are given. In the calibrated method (default) the
       number grows in proportion if more than 20 segments are requested. The factors and saliences
@@ -492,8 +465,8 @@ std::size_t segment_spectral_recursive(const PointRange& points, const TriangleR
   static_assert(!internal::is_given<Pack, internal_np::vertex_point_t> &&
                 !internal::is_given<Pack, internal_np::face_index_t> &&
                 !internal::is_given<Pack, internal_np::geom_traits_t>,
-                "vertex_point_map, face_index_map and geom_traits are of meshes, not of points and "
-                "triangles");
+                "vertex_point_map, face_index_map and geom_traits apply to meshes, not to triangle "
+                "soups");
 
   const Spectral_segmentation::Options options = internal::read_options(pack);
   internal::Surface soup = internal::read_triangle_soup(points, triangles);

@@ -57,9 +57,9 @@ struct Ids_of_positions
 };
 
 std::size_t n_07 = CGAL::segment_spectral_recursive(Points(), Triangles(), Ids_of_positions()); // compiles
-std::size_t n_08 = CGAL::segment_spectral_recursive(Points(), Triangles(), Ids_of_positions(), params::vertex_point_map(mesh().points())); // error: vertex_point_map, face_index_map and geom_traits are of meshes
-std::size_t n_09 = CGAL::segment_spectral_recursive(Points(), Triangles(), Ids_of_positions(), params::face_index_map(ids())); // error: vertex_point_map, face_index_map and geom_traits are of meshes
-std::size_t n_10 = CGAL::segment_spectral_recursive(Points(), Triangles(), Ids_of_positions(), params::geom_traits(Kernel())); // error: vertex_point_map, face_index_map and geom_traits are of meshes
+std::size_t n_08 = CGAL::segment_spectral_recursive(Points(), Triangles(), Ids_of_positions(), params::vertex_point_map(mesh().points())); // error: vertex_point_map, face_index_map and geom_traits apply to meshes
+std::size_t n_09 = CGAL::segment_spectral_recursive(Points(), Triangles(), Ids_of_positions(), params::face_index_map(ids())); // error: vertex_point_map, face_index_map and geom_traits apply to meshes
+std::size_t n_10 = CGAL::segment_spectral_recursive(Points(), Triangles(), Ids_of_positions(), params::geom_traits(Kernel())); // error: vertex_point_map, face_index_map and geom_traits apply to meshes
 std::size_t n_11 = CGAL::segment_spectral_recursive(Points(), Triangles(), Ids_of_positions(), 0.3f); // error: the last argument is not a pack of named parameters
 std::size_t n_16 = CGAL::segment_spectral_recursive(Points(), Triangles(), ids()); // error: the keys of the segment id map must be the faces of the mesh, or the positions of triangles
 

@@ -192,9 +192,7 @@ The time is O(*n* log *s*) for *n* faces and *s* segments. With a hierarchy of d
 O(*d*) more for each edge of the graph.
 
 \tparam TriangleMesh a model of `FaceListGraph` and `VertexListGraph`
-\tparam SegmentIdMap a model of `ReadablePropertyMap` with
-  `boost::graph_traits<TriangleMesh>::%face_descriptor` as key type and an integer type as value
-  type
+\tparam SegmentIdMap \ssReadableFaceMap an integer type as value type
 \tparam NamedParameters a sequence of named parameters, of the namespace
   `CGAL::Spectral_segmentation::parameters` or of `CGAL::parameters`
 
@@ -207,9 +205,7 @@ O(*d*) more for each edge of the graph.
 \cgalNamedParamsBegin
   \cgalParamNBegin{face_index_map}
     \cgalParamDescription{the indices of the faces in `hierarchy`, if its run was given such a map}
-    \cgalParamType{a model of `ReadablePropertyMap` with
-      `boost::graph_traits<TriangleMesh>::%face_descriptor` as key type and an integer type as value
-      type}
+    \cgalParamType{\ssReadableFaceMap an integer type as value type}
     \cgalParamDefault{the position of the face in `faces(mesh)`}
   \cgalParamNEnd
   \ssPointParameters

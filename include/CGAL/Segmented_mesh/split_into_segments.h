@@ -98,9 +98,7 @@ its parts are turned.
 The time is O(*n* log *n*) for *n* faces, plus the time of closing.
 
 \tparam TriangleMesh a model of `FaceListGraph` and `VertexListGraph`
-\tparam SegmentIdMap a model of `ReadablePropertyMap` with
-  `boost::graph_traits<TriangleMesh>::%face_descriptor` as key type and an integer type as value
-  type
+\tparam SegmentIdMap \ssReadableFaceMap an integer type as value type
 \tparam PartRange a `BackInsertionSequence` of a model of `MutableFaceGraph` with a default
   constructor, whose internal point map has the point type of `vertex_point_map`, such as
   `std::vector<TriangleMesh>`
