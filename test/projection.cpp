@@ -78,13 +78,13 @@ struct Run
     stopped_monitor.go_further();
     for (std::size_t i = levels.size(); i-- > 0;) {
       const Surface& finer = i > 0 ? levels[i - 1].graph : mesh;
-      const auto shares = internal::shares_of_vertices(levels[i].graph, cuts.leaf);
-      const auto for_each_share = [&](Index f, const auto& add) {
+      const auto fractions = internal::vertex_fractions(levels[i].graph, cuts.leaf);
+      const auto for_each_fraction = [&](Index f, const auto& add) {
         for (Index v : finer.corners[f])
-          for (const auto& [leaf, share] : shares[levels[i].vertices[v]])
-            add(leaf, share);
+          for (const auto& [leaf, fraction] : fractions[levels[i].vertices[v]])
+            add(leaf, fraction);
       };
-      cuts = internal::Cut_transfer(sequential, cuts, finer, for_each_share,
+      cuts = internal::Cut_transfer(sequential, cuts, finer, for_each_fraction,
                                     weights_of_calibrated_method, [](const auto&, Surface&) {},
                                     is_stopped ? stopped_monitor : monitor)();
     }
@@ -120,20 +120,20 @@ double length_of_boundaries(const Soup& soup, const Labels& labels)
 
 } // namespace
 
-BOOST_AUTO_TEST_CASE(shares_add_up)
+BOOST_AUTO_TEST_CASE(fractions_add_up)
 {
   // A fan of three faces in two leaves around vertex 0.
   Surface fan;
   fan.corners = {{0, 1, 2}, {0, 2, 3}, {0, 3, 1}};
   fan.points.resize(4);
-  const internal::Leaf_shares of_vertices = internal::shares_of_vertices(fan, {7, 8, 7});
-  BOOST_TEST_REQUIRE(of_vertices.number_of_elements() == 4);
-  BOOST_TEST(of_vertices[0].begin()[0].leaf == 7);
-  BOOST_TEST(of_vertices[0].begin()[0].share == 2 / 3.f);
-  BOOST_TEST(of_vertices[0].begin()[1].leaf == 8);
-  BOOST_TEST(of_vertices[0].begin()[1].share == 1 / 3.f);
-  BOOST_TEST(of_vertices[1].size() == 1);
-  BOOST_TEST(of_vertices[1].begin()[0].share == 1);
+  const internal::Leaf_fractions vertices = internal::vertex_fractions(fan, {7, 8, 7});
+  BOOST_TEST_REQUIRE(vertices.number_of_elements() == 4);
+  BOOST_TEST(vertices[0].begin()[0].leaf == 7);
+  BOOST_TEST(vertices[0].begin()[0].fraction == 2 / 3.f);
+  BOOST_TEST(vertices[0].begin()[1].leaf == 8);
+  BOOST_TEST(vertices[0].begin()[1].fraction == 1 / 3.f);
+  BOOST_TEST(vertices[1].size() == 1);
+  BOOST_TEST(vertices[1].begin()[0].fraction == 1);
 
   const Surface mesh = surface_of(plate(2, 1));
   const internal::Refined_mesh refined =
@@ -141,13 +141,13 @@ BOOST_AUTO_TEST_CASE(shares_add_up)
   std::vector<Index> leaf(refined.faces.size());
   for (Index f = 0; f < leaf.size(); ++f)
     leaf[f] = f % 3;
-  const internal::Leaf_shares of_faces = internal::shares_of_faces(refined, leaf);
-  BOOST_TEST_REQUIRE(of_faces.number_of_elements() == mesh.number_of_faces());
-  BOOST_TEST(!of_faces.are_whole());
+  const internal::Leaf_fractions faces = internal::face_fractions(refined, leaf);
+  BOOST_TEST_REQUIRE(faces.number_of_elements() == mesh.number_of_faces());
+  BOOST_TEST(!faces.are_undivided());
   for (Index f = 0; f < mesh.number_of_faces(); ++f) {
     double sum = 0;
-    for (const auto& share : of_faces[f])
-      sum += share.share;
+    for (const auto& part : faces[f])
+      sum += part.fraction;
     BOOST_TEST(sum == mesh.areas[f], boost::test_tools::tolerance(1e-5));
   }
 }

@@ -169,7 +169,7 @@ BOOST_AUTO_TEST_CASE(explained_variance_by_hand)
   // The means are 1 and 6, and 4 of all; the squares 116 + 36 - 5 * 4^2.
   BOOST_TEST(variance.squared_step() == 25);
   BOOST_TEST(variance.explained() == 2 * 9 + 3 * 4);
-  BOOST_TEST(variance.explained_share() == 30. / (4 + 32 + 100 - 80), tt::tolerance(1e-14));
+  BOOST_TEST(variance.explained_fraction() == 30. / (4 + 32 + 100 - 80), tt::tolerance(1e-14));
 }
 
 BOOST_AUTO_TEST_CASE(sets_of_faces_by_hand)

@@ -145,7 +145,7 @@ BOOST_AUTO_TEST_CASE(contact_grows_with_the_area_of_contact)
   soup = disjoint_union(soup, moved(scaled(plate(8, 8), 0.2 / 8), 0.7, 0.7, 0.002));
   const Surface graph = surface_of(soup);
   double area[2] = {0, 0};
-  for (const internal::Set_contact& c : internal::set_contacts(graph, graph.components.of_face))
+  for (const internal::Set_contact& c : internal::set_contacts(graph, graph.components.labels))
     if (c.sets[0] == 0)
       area[c.sets[1] - 1] = double(c.area);
   BOOST_TEST(area[0] / area[1] == 4, tt::tolerance(0.2));
@@ -158,7 +158,7 @@ BOOST_AUTO_TEST_CASE(steps_are_counted_all_along)
   const Surface graph = surface_of(soup);
   std::size_t all = 0;
   const auto contacts = [&](const internal::Step_counter& count_steps)
-  { return internal::set_contacts(graph, graph.components.of_face, count_steps).size(); };
+  { return internal::set_contacts(graph, graph.components.labels, count_steps).size(); };
   BOOST_TEST(contacts([&](std::size_t number) { all += number; }) == 1);
   BOOST_TEST(all > 2 * 2 * 64 * 64);
   struct Ended {};
@@ -186,7 +186,7 @@ BOOST_AUTO_TEST_CASE(nearest_sets_come_first)
     joined.add(i);
   std::vector<std::pair<Index, Index> > pairs;
   for (const internal::Set_contact& c :
-       internal::set_contacts(graph, graph.components.of_face, [](std::size_t) {}))
+       internal::set_contacts(graph, graph.components.labels, [](std::size_t) {}))
     if (joined.representative(c.sets[0]) != joined.representative(c.sets[1])) {
       joined.join(c.sets[0], c.sets[1]);
       pairs.emplace_back(c.sets[0], c.sets[1]);

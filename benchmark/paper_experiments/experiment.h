@@ -47,7 +47,7 @@ inline std::vector<Part> components(const Surface& mesh)
 {
   const CGAL::Spectral_segmentation::internal::Components of_mesh =
     connected_components(mesh);
-  const std::vector<Index> component = of_mesh.of_all(mesh.number_of_faces());
+  const std::vector<Index> component = of_mesh.face_labels(mesh.number_of_faces());
   const std::size_t number = of_mesh.number;
   std::vector<Part> parts(number);
   for (Index f = 0; f < component.size(); ++f)

@@ -21,8 +21,8 @@
 #include <utility>
 #include <vector>
 
-// What the pictures of the manual show, written as colored meshes and a list of them that
-// draw_figures.py draws.
+// Writes the pictures of the manual as colored meshes and a list of them, which draw_figures.py
+// draws.
 namespace manual_figures {
 
 typedef CGAL::Exact_predicates_inexact_constructions_kernel Kernel;
@@ -39,7 +39,7 @@ struct Named_mesh
   Mesh mesh;
 };
 
-// A picture in the making: a mesh with one color a face, and things that are put on it.
+// A mesh with one color per face, and balls and tubes on it.
 struct Picture
 {
   const Named_mesh& shape;
@@ -50,7 +50,7 @@ struct Picture
   void add_ball(const Kernel::Point_3& center, const Rgb& color)
   { extras["balls"].push_back({{"center", json_of(center)}, {"color", color}}); }
 
-  // Tubes of `width` times the usual radius.
+  // Adds a tube of `width` times the usual radius.
   void add_tube(const Kernel::Point_3& from, const Kernel::Point_3& to, const Rgb& color,
                 double width)
   {

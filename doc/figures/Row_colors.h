@@ -17,13 +17,13 @@ namespace manual_figures {
 
 typedef std::vector<std::size_t> Labels; // the segment of each face
 
-// Colors for a row of segmentations of one mesh: a segment keeps the color of that of the picture
-// before with which it has the most faces in common. No two segments of a picture share a color.
+// Colors for a row of segmentations of one mesh: a segment keeps the color of the segment of the
+// previous picture with which it has the most faces in common. Colors within a picture differ.
 class Row_colors
 {
   segment_mesh::Color_sequence sequence_;
   std::vector<segment_mesh::Rgb> palette_;
-  Labels before_; // the color of each face, as an index into the palette
+  Labels before_; // one palette index per face
 
   std::map<std::size_t, std::size_t> color_of_segments(const Labels& labels) const
   {
@@ -52,7 +52,7 @@ class Row_colors
   }
 
 public:
-  // The color of each face.
+  // Returns the color of each face.
   std::vector<segment_mesh::Rgb> operator()(const Labels& labels)
   {
     const std::map<std::size_t, std::size_t> color = color_of_segments(labels);

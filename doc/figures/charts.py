@@ -94,7 +94,7 @@ def line_search(charts):
     best = max(steps, key=lambda step: step[4])
     svg.ball(best[0] / n, best[4], "#c81e1e")
     svg.text(svg.x(best[0] / n), svg.y(best[4]) - 14, "best cut", "middle", "#c81e1e")
-    svg.x_axis("share of the faces in Q", [0, 0.2, 0.4, 0.6, 0.8, 1])
+    svg.x_axis("fraction of the faces in Q", [0, 0.2, 0.4, 0.6, 0.8, 1])
     return ("salience of the cut after each step of the line search, and its three factors; "
             "negative values are drawn as 0", str(svg))
 

@@ -20,8 +20,8 @@ namespace manual_figures {
 
 namespace benchmark = segmentation_benchmark;
 
-// As Figure 3 of the paper: samples by several schemes, with the best cut along the line of each.
-// Those by angle are left out, as they are nearly those by combined distance.
+// Draws samples by several schemes, with the best cut along the line of each, like Figure 3 of the
+// paper. Angle distance is left out because its samples nearly equal those by combined distance.
 inline void draw_samplings(Picture_book& book, const Named_mesh& shape)
 {
   const Surface graph = paper_graph(shape.mesh);
@@ -35,7 +35,7 @@ inline void draw_samplings(Picture_book& book, const Named_mesh& shape)
   }
 }
 
-// As Figure 4 of the paper, with rows of the affinity matrix in place of all.
+// Draws clusterings like Figure 4 of the paper, with some rows of the affinity matrix.
 inline void draw_clusterings(Picture_book& book, const Named_mesh& shape, std::size_t k)
 {
   const Surface graph = paper_graph(shape.mesh);

@@ -14,7 +14,7 @@
 // Shape, features, and both.
 namespace manual_figures {
 
-// Draws an elephant whose features tell, in noise, of socks and of a cover of the trunk.
+// Draws an elephant whose noisy features mark socks and a cover of the trunk.
 inline void draw_features(Picture_book& book, const Named_mesh& elephant)
 {
   namespace benchmark = segmentation_benchmark;
@@ -35,14 +35,14 @@ inline void draw_features(Picture_book& book, const Named_mesh& elephant)
   { std::copy_n(features.row(face).data(), features.cols(), vector); };
 
   Row_colors colors;
-  const Labels of_shape = segment(mesh, Engine_options());
-  const Labels of_both = labels_of_run(
+  const Labels shape_labels = segment(mesh, Engine_options());
+  const Labels combined_labels = labels_of_run(
     benchmark::run_engine(mesh, Engine_options(), Execution::PARALLEL,
                           benchmark::Run_control(), source));
-  add_segments(book, "features", elephant, colors, of_shape, "shape");
+  add_segments(book, "features", elephant, colors, shape_labels, "shape");
   add_segments(book, "features", elephant, colors, benchmark::k_means(features, 3, random),
                "features, by k-means");
-  add_segments(book, "features", elephant, colors, of_both, "both");
+  add_segments(book, "features", elephant, colors, combined_labels, "both");
 }
 
 } // namespace manual_figures

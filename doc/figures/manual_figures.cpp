@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 /// \file
-/// Computes what the pictures of the manual show; draw_figures.py then draws them.
+/// Computes the pictures of the manual; draw_figures.py then draws them.
 
 #include "Picture_book.h"
 #include "experiment_figures.h"

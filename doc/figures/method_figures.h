@@ -29,7 +29,7 @@
 #include <utility>
 #include <vector>
 
-// The figures that show how the method of the paper works, from the rooms of the library.
+// The figures that show how the method of the paper works, by internal functions of the library.
 namespace manual_figures {
 
 namespace internal = CGAL::Spectral_segmentation::internal;
@@ -52,19 +52,19 @@ inline Kernel::Point_3 centroid(const Mesh& mesh, Index f)
 inline Kernel::Point_3 point(const Mesh& mesh, Index v)
 { return mesh.point(Mesh::Vertex_index(v)); }
 
-// Between two colors, and from blue over white to red.
-inline Rgb mixed(const Rgb& a, const Rgb& b, double share)
+// Returns a mix of two colors, with the given fraction of b.
+inline Rgb mixed(const Rgb& a, const Rgb& b, double fraction)
 {
   Rgb result;
   for (int i = 0; i < 3; ++i)
-    result[i] = static_cast<std::uint8_t>(std::lround(a[i] + share * (b[i] - a[i])));
+    result[i] = static_cast<std::uint8_t>(std::lround(a[i] + fraction * (b[i] - a[i])));
   return result;
 }
 
 inline Rgb blue_white_red(double x)
 { return x < 0.5 ? mixed(blue, white, 2 * x) : mixed(white, red, 2 * x - 1); }
 
-// The dual graph of a small mesh: edges by the sign of their bending, arcs by their weight.
+// Draws the dual graph of a small mesh: edges by the sign of their angle, arcs by their weight.
 inline void draw_dual_graph(Picture_book& book, const Named_mesh& shape)
 {
   const Surface graph = paper_graph(shape.mesh);
@@ -89,7 +89,7 @@ inline void draw_dual_graph(Picture_book& book, const Named_mesh& shape)
   book.add("face_graph", arcs);
 }
 
-// Each face's context as a color: its three principal components are red, green and blue.
+// Returns each face's context as a color: its three principal components are red, green and blue.
 inline std::vector<Rgb> context_colors(const internal::Shape_contexts& contexts)
 {
   Eigen::MatrixXd vectors = contexts.values.transpose().cast<double>();
@@ -174,7 +174,7 @@ inline void draw_embedding(Picture_book& book, const Named_mesh& shape)
   book.add("embedding", Picture{shape, "100 samples", rank_colors(graph, samples)});
 }
 
-// The line of two samples, and what was found along it.
+// The line of two samples, and the cuts along it.
 struct Searched_line
 {
   internal::Sample_faces samples;
@@ -218,7 +218,7 @@ inline void add_cut(Picture& picture, const Surface& graph, const internal::Cut&
                        red, 3);
 }
 
-// As Figure 1 of the paper: the regions of the two samples, and the best cut along their line.
+// Draws the regions of two samples and the best cut along their line, like Figure 1 of the paper.
 inline void draw_regions(Picture_book& book, const std::string& figure, const Named_mesh& shape,
                          const Surface& graph, const Searched_line& line,
                          const std::string& caption)
@@ -234,7 +234,7 @@ inline void draw_regions(Picture_book& book, const std::string& figure, const Na
   book.add(figure, picture);
 }
 
-// The face nearest to a place.
+// Returns the face nearest to a point.
 inline Index face_at(const Mesh& mesh, const Kernel::Point_3& place)
 {
   Index best = 0;
@@ -245,7 +245,7 @@ inline Index face_at(const Mesh& mesh, const Kernel::Point_3& place)
   return best;
 }
 
-// `same_part` are two places on one part of the shape.
+// `same_part` holds two points on one part of the shape.
 inline void draw_samples_and_line(Picture_book& book, const Named_mesh& shape,
                                   const std::array<Kernel::Point_3, 2>& same_part)
 {
@@ -273,7 +273,7 @@ inline void draw_samples_and_line(Picture_book& book, const Named_mesh& shape,
                                   Engine_options::zhang_liu_2005().salience_threshold}});
 }
 
-// The tree of cuts, and what is read off it for some numbers of segments.
+// Draws the tree of cuts, and its segments for some numbers of segments.
 inline void draw_tree(Picture_book& book, const Named_mesh& shape)
 {
   const Segmentation_hierarchy tree = hierarchy(shape.mesh, Engine_options());
@@ -282,14 +282,14 @@ inline void draw_tree(Picture_book& book, const Named_mesh& shape)
   for (std::size_t n : {2, 4, 8})
     add_segments(book, "tree", shape, colors, tree.labels(tree.nodes(n)),
                  "nodes(" + std::to_string(n) + ")");
-  const std::vector<Rgb> of_regions = colors(regions);
+  const std::vector<Rgb> region_colors = colors(regions);
   book.add("tree",
-           {shape, "all leaves: " + count(tree.number_of_segments(), "regions"), of_regions});
+           {shape, "all leaves: " + count(tree.number_of_segments(), "regions"), region_colors});
 
   Json nodes = Json::array();
   for (std::size_t i = 0; i < tree.number_of_nodes(); ++i) {
     const Segmentation_hierarchy::Node& node = tree.node(i);
-    Json entry = {{"salience", node.salience}, {"color", of_regions[*tree.faces(i).begin()]}};
+    Json entry = {{"salience", node.salience}, {"color", region_colors[*tree.faces(i).begin()]}};
     if (!node.is_leaf())
       entry["children"] = {node.children[0], node.children[1]};
     nodes.push_back(std::move(entry));

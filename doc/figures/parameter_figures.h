@@ -35,7 +35,7 @@ std::string caption_of(const char* parameter, const Value& value, const Value& d
   return out.str();
 }
 
-// A row of runs of `method`, with values of the option `member`; the default is that of the method.
+// Draws a row of runs of `method` with several values of `member`, whose default is the method's.
 template <class Value>
 void draw_row(Picture_book& book, const char* parameter, Value Engine_options::*member,
               const Engine_options& method, const Named_mesh& shape,
@@ -50,19 +50,19 @@ void draw_row(Picture_book& book, const char* parameter, Value Engine_options::*
   }
 }
 
-// Each coordinate of a vertex moves by at most `share` of the diagonal of the bounding box.
-inline Named_mesh noisy(const Named_mesh& shape, double share)
+// Moves each coordinate of a vertex by at most `fraction` of the bounding box diagonal.
+inline Named_mesh noisy(const Named_mesh& shape, double fraction)
 {
   namespace PMP = CGAL::Polygon_mesh_processing;
   Named_mesh result = shape;
   const CGAL::Bbox_3 box = PMP::bbox(shape.mesh);
   const double diagonal = std::hypot(box.x_span(), box.y_span(), box.z_span());
-  PMP::random_perturbation(result.mesh, share * diagonal,
+  PMP::random_perturbation(result.mesh, fraction * diagonal,
                            CGAL::parameters::do_project(false).random_seed(0));
   return result;
 }
 
-// The rows about the tree read one tree.
+// Draws the rows that are read off one tree.
 inline void draw_rows_of_tree(Picture_book& book, const Named_mesh& shape)
 {
   const Segmentation_hierarchy tree = hierarchy(shape.mesh, Engine_options());
@@ -76,7 +76,7 @@ inline void draw_rows_of_tree(Picture_book& book, const Named_mesh& shape)
                  "number_of_segments " + std::to_string(n));
 }
 
-// Ways to choose the parts of a model of many components.
+// Draws several segmentations of a model of many components.
 inline void draw_components(Picture_book& book, const Named_mesh& shape)
 {
   Row_colors colors;
@@ -95,7 +95,7 @@ inline void draw_components(Picture_book& book, const Named_mesh& shape)
 inline double extent(const CGAL::Bbox_3& box)
 { return (std::max)({box.x_span(), box.y_span(), box.z_span()}); }
 
-// A mesh with y as its up axis, with a pack at each side and a ball beside it.
+// Returns a mesh, whose up axis is y, with a pack at each side and a ball beside it.
 inline Named_mesh with_equipment(const Named_mesh& shape)
 {
   Named_mesh result = shape;
@@ -123,7 +123,7 @@ inline Named_mesh with_equipment(const Named_mesh& shape)
   return result;
 }
 
-// The faces of a mesh and of its inner wall, which points inward, `depth` below it.
+// Returns a mesh with an inner wall, which points inward, `depth` below it.
 inline Named_mesh hollow(const Named_mesh& shape, double depth)
 {
   namespace PMP = CGAL::Polygon_mesh_processing;
@@ -139,7 +139,7 @@ inline Named_mesh hollow(const Named_mesh& shape, double depth)
   return result;
 }
 
-// Models of several components: one with equipment, and one half of a hollow body.
+// Draws models of several components: one with equipment, and one half of a hollow body.
 inline void draw_equipment(Picture_book& book, const Named_mesh& carrier, const Named_mesh& body)
 {
   Row_colors colors;

@@ -48,7 +48,7 @@ public:
     : mesh_(mesh), values_(mesh_.add_property_map<Mesh::Face_index, double>("f:sdf").first)
   { CGAL::sdf_values(mesh_, values_); }
 
-  // With all defaults of CGAL.
+  // Uses all defaults of CGAL.
   Labels by_default() const
   {
     boost::vector_property_map<std::size_t> ids(mesh_.number_of_faces());
@@ -56,8 +56,8 @@ public:
     return labels(ids);
   }
 
-  // With Boost's maximum flow, as with CGAL_DO_NOT_USE_BOYKOV_KOLMOGOROV_MAXFLOW_SOFTWARE. The code
-  // that is the default adds the flow of each expansion to that of the next and ends early.
+  // Uses Boost's maximum flow, like CGAL_DO_NOT_USE_BOYKOV_KOLMOGOROV_MAXFLOW_SOFTWARE. The default
+  // code adds the flow of each expansion to the flow of the next one and ends early.
   Labels by_flow_of_boost(std::size_t number_of_clusters) const
   {
     typedef boost::property_map<Mesh, CGAL::vertex_point_t>::const_type Points;

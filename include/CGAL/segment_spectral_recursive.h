@@ -134,7 +134,7 @@ at most 4000 faces by default. The memory is O(*n*). The section
   `Spectral_segmentation::compiled` links it if it is found; without this target, link
   `CGAL::TBB_support`.
 \tparam TriangleMesh a model of `FaceListGraph` and `VertexListGraph`, whose descriptors
-  `std::hash` accepts, as it accepts the descriptors of \cgal's models. Several threads may segment
+  `std::hash` accepts, like those in \cgal's models. Several threads may segment
   the same mesh at the same time, except a `Face_filtered_graph`, which fills its indices when they
   are first requested.
 \tparam SegmentIdMap a model of `WritablePropertyMap` with
@@ -155,7 +155,7 @@ at most 4000 faces by default. The memory is O(*n*). The section
       the search finds too few cuts, the largest segment is halved.}
     \cgalParamType{an integer}
     \cgalParamDefault{none; the threshold ends the run}
-    \cgalParamExtra{from 1 to the number of faces. If components are kept apart, the smallest value
+    \cgalParamExtra{from 1 to the number of faces. If components are separate, the smallest value
       is the number of components; otherwise faces with the same points count once. Not together
       with `maximum_number_of_segments` or `salience_threshold`. For a number above 20 the
       calibrated method (default) searches as many regions, up to 200, on a proportionally finer
@@ -201,7 +201,7 @@ at most 4000 faces by default. The memory is O(*n*). The section
   \cgalParamNEnd
   \cgalParamNBegin{maximum_number_of_segments}
     \cgalParamDescription{an upper bound on the number of segments. It is exceeded only if
-      components are kept apart and there are more components.}
+      components are kept separate and there are more components.}
     \cgalParamType{an integer}
     \cgalParamDefault{`std::numeric_limits<std::size_t>::max()`, which is no limit; the threshold
       ends the run}
@@ -272,7 +272,7 @@ the same. `zhang_liu_2005()` does not support constraints. The example
       mesh. The factors of the salience are unreliable for a few faces; the paper has no such
       limit.}
     \cgalParamType{a number}
-    \cgalParamDefault{`0.003`, or `0.005` with `zhang_liu_2005()`. A finger of a whole figure is
+    \cgalParamDefault{`0.003`, or `0.005` with `zhang_liu_2005()`. A finger of a figure is
       larger than this; a pit in its skin is smaller.}
     \cgalParamExtra{in [0, 0.5]; 0 with `zhang_liu_2005()` gives exactly the method of the paper}
   \cgalParamNEnd
@@ -426,7 +426,7 @@ triangles of a mesh the ids are the same as with the function for meshes.
 \tparam NamedParameters a sequence of named parameters, as above
 
 \param points the points
-\param triangles the corners of each triangle, as indices of points
+\param triangles the indices of the three corner points of each triangle
 \param segment_ids receives the id of the segment of each triangle; the key is the position of the
   triangle
 \param np an optional sequence of the named parameters above, except `vertex_point_map`,

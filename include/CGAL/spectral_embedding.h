@@ -104,7 +104,7 @@ normalized affinity matrix are extrapolated from the rows of a few sample faces 
 second eigenvector to the first. Faces of one part of the shape have similar coordinates, and the
 coordinate changes fast where the surface is concave.
 
-With two samples the order of the coordinates is that of the search, up to rounding. The search
+With two samples the coordinates have the order of the search, up to rounding. The search
 itself does not need the eigenvectors, because the ratio grows with the distance from the first
 sample minus the distance from the second.
 

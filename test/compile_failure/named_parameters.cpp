@@ -62,7 +62,7 @@ auto pack_29 = params::edge_is_constrained_map(true); // error: edge_is_constrai
 auto pack_30 = params::edge_is_uncuttable_map(true);  // error: edge_is_uncuttable_map takes a property map
 unsigned seeds_without_sign[3];
 const void* texts[3];
-auto pack_31 = params::face_seed_map(seeds_without_sign + 0); // error: face_seed_map takes a property map whose values are of a signed integer type
+auto pack_31 = params::face_seed_map(seeds_without_sign + 0); // error: face_seed_map takes a property map with values of a signed integer type
 auto pack_45 = params::face_feature_map(texts + 0); // error: face_feature_map takes a property map whose values are numbers or ranges of numbers
 auto pack_46 = params::feature_weight("much");      // error: feature_weight takes a number
 

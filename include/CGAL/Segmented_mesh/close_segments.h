@@ -39,7 +39,7 @@ hollow body whose triangles have the segments of the outer wall, each is closed 
 A loop on the outer wall and one that lies opposite of it on the inner wall get a ring of triangles
 as their common cap. Other segments begin at edges that lead from wall to wall, and a loop that
 passes such edges gets a strip from wall to wall. This holds for a hole through one component, too,
-such as that of a pipe. A loop without another one opposite of it gets a cap of its own.
+such as that of a pipe. A loop without an opposite loop gets a cap of its own.
 
 Several caps are tried in this order. The first one that lies inside the surface, and intersects
 neither it nor other caps, is taken:
@@ -74,7 +74,7 @@ each loop that is not flat. Segments with cavities take O(*n*) for each componen
 \tparam SegmentIdRange a sequence container of integers
 
 \param points the points; new points are appended
-\param triangles the corners of each triangle, as indices of points; the triangles of caps are
+\param triangles the indices of the three corner points of each triangle; the triangles of caps are
   appended
 \param segment_ids the id of the segment of each triangle: any integers; the ids of caps are
   appended

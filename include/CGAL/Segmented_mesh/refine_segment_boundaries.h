@@ -73,9 +73,9 @@ All old vertices stay, with their points, and a face that is split becomes one o
 topology of the mesh does not change.
 
 No segment vanishes or loses more than half of its area, and no segment falls into more connected
-components than it had. If curves would cause this, as around a segment of a few faces, the boundary
-of the segment stays as it is. No new face is smaller than a thousandth of the mean area of the
-faces of the mesh, unless it is part of a face smaller than a hundredth of that mean. Degenerate
+components than it had. If curves would cause this, for example around a segment of a few faces, the
+boundary of the segment stays as it is. No new face is smaller than a thousandth of the mean area of
+the faces of the mesh, unless it is part of a face smaller than a hundredth of that mean. Degenerate
 faces and mesh boundaries are supported. The same input gives the same result on every run and for
 every data structure that holds the same mesh.
 
@@ -85,11 +85,11 @@ apart. This rarely happens more than twice, and never more often than the number
 two. The memory is O(*n*).
 
 \tparam TriangleMesh a model of `MutableFaceGraph`, `FaceListGraph` and `VertexListGraph`, whose
-  descriptors `std::hash` accepts, as it accepts the descriptors of \cgal's models
+  descriptors `std::hash` accepts, like those in \cgal's models
 \tparam SegmentIdMap a model of `ReadWritePropertyMap` with
   `boost::graph_traits<TriangleMesh>::%face_descriptor` as key type and an integer type as value
-  type. It must accept new faces, as property maps of `CGAL::Surface_mesh`, dynamic property maps
-  and `boost::associative_property_map` do.
+  type. It must accept new faces, like property maps of `CGAL::Surface_mesh`, dynamic property
+  maps and `boost::associative_property_map`.
 \tparam NamedParameters a sequence of named parameters, of `CGAL::parameters` or of the namespace
   `CGAL::Spectral_segmentation::parameters`
 
@@ -182,7 +182,7 @@ namespace Segmented_mesh {
 /*!
 \ingroup PkgSpectralSegmentationRef
 
-tells where the points and triangles come from that `refine_segment_boundaries()` has appended. With
+the origins of the points and triangles that `refine_segment_boundaries()` has appended. With
 it, colors, texture coordinates and other values at points can be carried to the new points.
 */
 struct Triangle_refinement
@@ -198,7 +198,7 @@ struct Triangle_refinement
   /// The points that were appended, in order.
   std::vector<Point> points;
   /// For each triangle that was appended, the triangle that it was a part of. The first part of a
-  /// triangle is in the place of the whole.
+  /// triangle replaces the triangle.
   std::vector<std::size_t> triangles;
 };
 
@@ -207,8 +207,8 @@ struct Triangle_refinement
 /*!
 \ingroup PkgSpectralSegmentationRef
 
-makes the boundaries between the segments of a range of triangles smooth curves, as the function for
-meshes does. The neighbors of a triangle are those that `segment_spectral_recursive()` gives it. A
+makes the boundaries between the segments of a range of triangles smooth curves, like the function
+for meshes. The neighbors of a triangle are those that `segment_spectral_recursive()` gives it. A
 boundary does not cross an edge that more than two triangles have. Each part of a triangle keeps its
 orientation.
 
@@ -220,8 +220,8 @@ orientation.
 \tparam NamedParameters a sequence of named parameters
 
 \param points the points; new points are appended
-\param triangles the corners of each triangle, as indices of points; one part of a triangle that is
-  split takes its place, the others are appended
+\param triangles the indices of the three corner points of each triangle; one part of a triangle
+  that is split takes its place, the others are appended
 \param segment_ids the id of the segment of each triangle: any integers; the ids of the appended
   triangles are appended
 \param np an optional sequence of named parameters: `number_of_iterations`, as above
@@ -267,11 +267,11 @@ refine_segment_boundaries(PointRange& points, TriangleRange& triangles,
 
   Segmented_mesh::Triangle_refinement result;
   std::vector<internal::Vector> new_points;
-  std::vector<std::pair<internal::Index, internal::Corners> > parts; // with their triangles
+  std::vector<std::pair<internal::Index, internal::Corners> > parts; // the triangle and the corners
   std::vector<internal::Index> label_of_part;
   internal::split_triangles(surface, refinement,
     [&](internal::Index f, const Weights& weights) {
-      Weights given_weights = {0, 0, 0}; // in the order of the caller's corners
+      Weights given_weights = {0, 0, 0}; // one per corner of the caller
       internal::Vector p;
       for (std::size_t i = 0; i < 3; ++i) {
         const internal::Index v = surface.corners[f][i];

@@ -40,7 +40,7 @@ struct Segment_properties
 
   /// the class of congruent segments, from 0 on. Segments of one class may be copies or mirror
   /// images of each other: their areas, and the standard deviations of their points along the
-  /// principal axes, differ by at most 15 % from those of the largest. Therefore the legs of an
+  /// principal axes, differ by at most 15 % from the largest. Therefore the legs of an
   /// animal are congruent, and so may be a cube and a ball of its size.
   std::size_t segment_class = 0;
 };
@@ -81,7 +81,7 @@ inline std::vector<std::size_t> largest_leaves(const Segmentation_hierarchy& hie
                                                std::size_t number_of_segments)
 {
   if (hierarchy.number_of_faces() != labels.size())
-    throw std::invalid_argument("segment_adjacency_graph: the hierarchy is that of a mesh with "
+    throw std::invalid_argument("segment_adjacency_graph: the hierarchy belongs to a mesh with "
                                 "another number of faces");
   std::vector<std::size_t> result(number_of_segments, null_node);
   std::vector<double> largest_area(number_of_segments, -1);
@@ -183,7 +183,7 @@ smaller vertex of an edge first. There are no parallel edges and no loops.
 With `hierarchy`, each edge of the graph gets the salience of the cut that separates its two
 segments, which is the cut of the smallest node that contains both. With the default salience of the
 calibrated method (default) it is a probability, and at any higher threshold the two segments are
-one. All segments on one side of this cut share this salience with all segments on the other side;
+one. All pairs of segments on different sides of this cut have this salience;
 therefore it does not describe a single boundary. If a segment is not a node of the hierarchy,
 because its boundary was smoothed or its id changed, the leaf that covers most of its area takes its
 place. The salience is 0 between two segments with the same leaf, and infinite between two roots.

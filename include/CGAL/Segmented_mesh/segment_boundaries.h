@@ -131,7 +131,7 @@ the first faces on their left.
 
 The points are not used. The time is O(*n*) for *n* edges.
 
-\tparam FaceGraph a model of `FaceListGraph` whose halfedges `std::hash` accepts, as it accepts the
+\tparam FaceGraph a model of `FaceListGraph` whose halfedges `std::hash` accepts, like the
   halfedges of \cgal's models; the faces may be any polygons
 \tparam SegmentIdMap a model of `ReadablePropertyMap` with
   `boost::graph_traits<FaceGraph>::%face_descriptor` as key type and an integer type as value type

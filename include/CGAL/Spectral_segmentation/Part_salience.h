@@ -99,7 +99,7 @@ struct Calibrated_part_salience
 #ifndef DOXYGEN_RUNNING
   internal::Boundary_network<15, 12> boundary_network = internal::calibrated_boundary_network;
   internal::Boundary_network<14, 4> merging_network = internal::merging_network;
-  internal::Feature_logit feature_logit; // of cuts of faces that have features
+  internal::Feature_logit feature_logit; // the term of the features
 
   // Returns the logit of a boundary by its shape. As far as features are reliable, it is that of
   // the network of merging, to which the numbers of `feature_logit` are fitted.

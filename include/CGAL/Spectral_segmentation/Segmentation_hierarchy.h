@@ -32,8 +32,8 @@ struct Hierarchy_access;
 /// \ingroup PkgSpectralSegmentationRef
 /// The cuts that a run of `segment_spectral_recursive()` made, as a forest of binary trees.
 ///
-/// The children of a node are its two parts. The root is the whole mesh; if components are kept
-/// apart, as with `zhang_liu_2005()`, each connected component is a root.
+/// The children of a node are its two parts. The root is the mesh; if components are kept
+/// separate, for example by `zhang_liu_2005()`, each connected component is a root.
 /// A hierarchy gives the labels for another number of segments, or another threshold, without a new
 /// search. Each segment is a node. Segments can be merged by hand, and cut again.
 /// `IO/hierarchy_json.h` writes a hierarchy to a stream, and reads it.

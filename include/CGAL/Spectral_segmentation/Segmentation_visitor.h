@@ -12,9 +12,9 @@ namespace CGAL {
 namespace Spectral_segmentation {
 
 /// \ingroup PkgSpectralSegmentationRef
-/// The stages of a run, which include those of Table 1 in Zhang and Liu 2005. If a mesh of several
-/// components is searched as several surfaces, the stages of the whole mesh come once for each of
-/// them, and initialization once more for the mesh.
+/// The stages of a run, which include the stages of Table 1 in Zhang and Liu 2005. If a mesh of
+/// several components is searched as several surfaces, the stages of the entire mesh come once for
+/// each of them, and initialization once more for the mesh.
 enum class Stage
 {
   INITIALIZATION,    ///< dual graph of the faces, coarsening, face distances; once
@@ -44,10 +44,10 @@ enum class Stage
 /// caller's labels unchanged.
 struct Segmentation_visitor
 {
-  /// the part of stages that concern the whole mesh
+  /// the part of stages that concern the entire mesh
   static constexpr std::size_t whole_mesh = static_cast<std::size_t>(-1);
 
-  /// A stage of the search in `part` starts, or a stage of the whole mesh (`whole_mesh`).
+  /// A stage of the search in `part` starts, or a stage of the entire mesh (`whole_mesh`).
   void before_stage(Stage /* stage */, std::size_t /* part */) {}
 
   /// The stage has ended.
@@ -73,8 +73,8 @@ struct Segmentation_visitor
   /// Returns whether the run shall go on. The run calls it in every stage: between the shortest
   /// path trees and the other steps of the search, every few milliseconds while the mesh is
   /// coarsened, and between passes over the mesh. Once it returns `false`, the run ends and does
-  /// not call it again. The labels are then those of the cuts made so far, with the regions found
-  /// so far merged. If there is no cut yet, they are those of the connected components. The cuts of
+  /// not call it again. The labels are then given by the cuts made so far, with the regions found
+  /// so far merged. If there is no cut yet, each connected component is a segment. The cuts of
   /// a coarse mesh are then projected without minimum cuts, in a few passes over the mesh.
   bool go_further() { return true; }
 };

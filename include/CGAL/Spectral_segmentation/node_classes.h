@@ -22,7 +22,7 @@ namespace Spectral_segmentation {
 returns a class for each node of a hierarchy, numbered from 0 in the order of their first nodes.
 
 Nodes of one class may be copies or mirror images of each other: their areas, and the standard
-deviations of their points along the principal axes, differ by at most 15 % from those of the
+deviations of their points along the principal axes, differ by at most 15 % from the
 largest. Therefore any segments that are chosen from the hierarchy have their classes, without a
 look at the mesh. `segment_adjacency_graph()` has the classes of the segments of a mesh.
 
@@ -33,7 +33,7 @@ The time is O(*n* + *m k*) for *n* triangles, *m* nodes and *k* classes.
 
 \param hierarchy the hierarchy, which may have been changed by hand
 \param points the points of the run
-\param triangles the triangles of the run, as indices of points
+\param triangles the indices of the three corner points of each triangle of the run
 
 \throws std::invalid_argument if there is another number of triangles than the hierarchy has faces,
   a triangle does not have three corners, a corner is not the index of a point, or a coordinate of a

@@ -53,9 +53,9 @@ class Segmentation_hierarchy;
   f(keep_components_separate, keep_components_separate_t, is_flag, "takes a bool")               \
   f(edge_is_uncuttable_map, edge_is_uncuttable_map_t, is_property_map, "takes a property map")   \
   f(face_seed_map, face_seed_map_t, is_seed_map,                                                 \
-    "takes a property map whose values are of a signed integer type")                            \
+    "takes a property map with values of a signed integer type")                                 \
   f(face_group_map, face_group_map_t, is_group_map,                                              \
-    "takes a property map whose values are of an integer type")                                  \
+    "takes a property map with values of an integer type")                                       \
   f(face_feature_map, face_feature_map_t, is_feature_map,                                        \
     "takes a property map whose values are numbers or ranges of numbers")                        \
   f(feature_weight, feature_weight_t, is_real, "takes a number")
@@ -131,7 +131,7 @@ template <class V> using after_cut_of = decltype(&V::after_cut);
 template <class V> using progress_of = decltype(&V::progress);
 template <class V> using go_further_of = decltype(&V::go_further);
 
-// Tells whether a visitor has its own function. If it overloads it, there is no single address.
+// Detects whether a visitor has its own function. An overloaded one has no single address.
 template <template <class> class Function, class Visitor, class = void>
 struct redefines : std::true_type {};
 

@@ -6,7 +6,7 @@
 
 #include <CGAL/Spectral_segmentation/internal/surface/Surface.h>
 
-// The library works on the arrays of Spectral_segmentation, but on none of its methods.
+// The library uses the arrays of Spectral_segmentation, but none of its methods.
 namespace CGAL::Spectral_segmentation::internal_np {}
 namespace CGAL::Segmented_mesh::internal {
 using namespace Spectral_segmentation::internal;

@@ -86,7 +86,7 @@ class Face_splitter
   VertexPointMap points_;
   const Refinement& refinement_;
   std::vector<halfedge_descriptor> edges_; // the edges that get a point
-  std::vector<std::pair<face_descriptor, vertex_descriptor> > faces_; // and their corners 0
+  std::vector<std::pair<face_descriptor, vertex_descriptor> > faces_; // split faces, corners 0
   std::vector<Point> edge_points_, centroids_;
 
   halfedge_descriptor halfedge_from(vertex_descriptor v, face_descriptor f) const

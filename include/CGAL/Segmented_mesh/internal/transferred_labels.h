@@ -28,11 +28,11 @@ inline bool have_equal_faces(const Surface& a, const Surface& b)
     ++h;
   if (h < a.number_of_halfedges() && a.corners == b.corners && a.opposite == b.opposite)
     return true;
-  std::vector<Triangle> of_a = triangles_of(a), of_b = triangles_of(b);
-  for (std::vector<Triangle>* triangles : {&of_a, &of_b})
+  std::vector<Triangle> triangles_a = triangles_of(a), triangles_b = triangles_of(b);
+  for (std::vector<Triangle>* triangles : {&triangles_a, &triangles_b})
     for (Triangle& t : *triangles)
       std::sort(t.begin(), t.end());
-  return of_a == of_b;
+  return triangles_a == triangles_b;
 }
 
 // Moves the triangles of two surfaces into [-1, 1]^3.
@@ -50,8 +50,8 @@ inline void normalize_together(std::vector<Triangle>& a, std::vector<Triangle>& 
         corner = *p++;
 }
 
-// Gives small pieces that have come off their segments to the segments around them. `source` is for
-// each face of `to` the face of `from` that its label is from. Two pieces of `to` belong to one
+// Gives small pieces that have come off their segments to the segments around them. `source` holds
+// the face of `from` from which each face of `to` has its label. Two pieces of `to` belong to one
 // segment if most of their areas are from the same connected set of faces with one label.
 inline void remove_islands(const Surface& from, const std::vector<Index>& from_labels,
                            const Surface& to, const std::vector<Index>& source,
@@ -61,16 +61,16 @@ inline void remove_islands(const Surface& from, const std::vector<Index>& from_l
   const Components segments = connected_components(from, from_labels);
   const Components pieces = connected_components(to, labels);
   std::vector<double> area_of_piece(pieces.number, 0);
-  std::vector<std::map<Index, double> > shares(pieces.number); // the area from each segment
+  std::vector<std::map<Index, double> > areas_from(pieces.number); // keys: segments
   for (Index f = 0; f < labels.size(); ++f) {
     area_of_piece[pieces[f]] += areas[f];
-    shares[pieces[f]][segments[source[f]]] += areas[f];
+    areas_from[pieces[f]][segments[source[f]]] += areas[f];
   }
   std::vector<Index> segment_of_piece;
   std::vector<double> largest_area(segments.number, 0);
   for (std::size_t i = 0; i < pieces.number; ++i) {
     segment_of_piece.push_back(
-      std::max_element(shares[i].begin(), shares[i].end(), [](const auto& a, const auto& b)
+      std::max_element(areas_from[i].begin(), areas_from[i].end(), [](const auto& a, const auto& b)
                          { return a.second < b.second; })->first);
     double& largest = largest_area[segment_of_piece[i]];
     largest = (std::max)(largest, area_of_piece[i]);
@@ -97,7 +97,7 @@ inline void remove_islands(const Surface& from, const std::vector<Index>& from_l
 
 // Returns a label for each face of `to`: the label of the face of `from` that is nearest to its
 // centroid. A face of `from` that faces away counts as farther by the length of an edge, so that
-// the sides of a thin sheet are told apart; in a fold it may be the right one nevertheless.
+// the sides of a thin sheet are distinguished; in a fold it may still be the right one.
 inline std::vector<Index> transferred_labels(const Surface& from,
                                              const std::vector<Index>& from_labels,
                                              const Surface& to)
@@ -106,7 +106,7 @@ inline std::vector<Index> transferred_labels(const Surface& from,
     return from_labels;
   std::vector<Triangle> from_triangles = triangles_of(from), to_triangles = triangles_of(to);
   normalize_together(from_triangles, to_triangles);
-  double mean_square = 0; // of the longest edges of `from`
+  double mean_square = 0; // mean squared longest edge of the faces of `from`
   for (const Triangle& t : from_triangles)
     mean_square += squared_longest_edge(t) / static_cast<double>(from_triangles.size());
 

@@ -107,7 +107,7 @@ writes a hierarchy as JSON, with the chosen segments, their neighbors and boundi
 \param hierarchy the hierarchy
 \param nodes the node of each segment, such as `hierarchy.nodes()`
 \param mesh the mesh of the run
-\param np `vertex_point_map`, `face_index_map` and `geom_traits`, as for
+\param np `vertex_point_map`, `face_index_map` and `geom_traits`; see
   `segment_spectral_recursive()`
 
 \throws std::invalid_argument if the nodes do not contain each face exactly once, a face of the mesh
@@ -147,7 +147,7 @@ and triangles.
 \param hierarchy the hierarchy
 \param nodes the node of each segment, such as `hierarchy.nodes()`
 \param points the points of the run
-\param triangles the triangles of the run, as indices of points
+\param triangles the indices of the three corner points of each triangle of the run
 */
 #ifdef DOXYGEN_RUNNING
 template <class PointRange, class TriangleRange>

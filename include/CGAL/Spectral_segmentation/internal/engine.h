@@ -15,7 +15,7 @@
 #include <utility>
 
 // The engine is linked if CGAL_SPECTRAL_SEGMENTATION_COMPILED is defined, which the CMake target
-// `compiled` does, and one file includes compiled.h; else it is included here.
+// `compiled` does, and one file includes compiled.h; otherwise it is included here.
 #ifdef CGAL_SPECTRAL_SEGMENTATION_COMPILED
 #define CGAL_SPECTRAL_SEGMENTATION_INLINE
 #else

@@ -66,14 +66,14 @@ class Run
   std::vector<Index> face_;         // the face of the mesh for each of the caller's faces
   Refined_mesh refined_;            // empty if the edges of the mesh are short enough
   std::vector<Coarse_surface> levels_; // each coarser than the one before; the last is searched
-  Face_features features_;             // of the mesh that is searched
+  Face_features features_;             // the features of the searched mesh
   std::vector<Index> searched_faces_;  // the caller's face for each of them; empty without features
   std::vector<double> searched_areas_;
-  std::vector<Index> neighbors_;    // the caller's indices, if boundaries shall be smoothed
+  std::vector<Index> neighbors_;    // the caller's indices, if boundaries are to be smoothed
   Surface walls_;                   // the components that are walls of others
   std::vector<Index> outer_faces_;  // the caller's face on an outer wall nearest to each of theirs
   Constraint_groups groups_;        // empty without constraints
-  std::vector<Index> leaf_of_group_; // of the cuts so far; empty without constraints
+  std::vector<Index> leaf_of_group_; // one per group; empty without constraints
 
   Distance_weights distance_weights() const
   {
@@ -81,7 +81,7 @@ class Run
             options_.concavity_radius};
   }
 
-  // Removes duplicate faces, unless the mesh is connected or its components are kept apart.
+  // Removes duplicate faces, unless the mesh is connected or its components are kept separate.
   void remove_duplicates()
   {
     if (options_.keep_components_separate || mesh_.components.number == 1)
@@ -98,7 +98,7 @@ class Run
 
   // Returns the order in which faces are kept; empty for the order of the caller. A mesh that is
   // only coarsened needs no order, because its coarse surface is put in one. Components that are
-  // merged need one, because of equal components the first is merged first.
+  // merged need one, because ties go to the first of equal components.
   std::vector<Index> order_of_faces()
   {
     if (is_searched_itself())
@@ -119,8 +119,8 @@ class Run
     renumber_faces(order);
   }
 
-  // Sets the faces of the mesh for those of the caller, after it was put in an order. Faces of
-  // walls follow those of the mesh.
+  // Updates the face of the mesh for each face of the caller after the mesh was reordered. Faces of
+  // walls follow the faces of the mesh.
   void renumber_faces(const std::vector<Index>& order)
   {
     std::vector<Index> number(order.size());
@@ -130,8 +130,8 @@ class Run
       f = f < number.size() ? number[f] : f;
   }
 
-  // Returns whether the method of the paper searches the mesh itself, and all digits of its points
-  // count.
+  // Returns whether the method of the paper searches the mesh itself, so that its points must keep
+  // all digits.
   bool is_searched_itself() const
   {
     const std::size_t n = mesh_.number_of_faces();
@@ -179,24 +179,24 @@ class Run
     Wall_finder finder(mesh_, volumes);
     const std::vector<Index> outer = finder(may_be_wall);
     const std::vector<Index> callers_face = callers_faces();
-    std::vector<Index> kept, of_walls;
+    std::vector<Index> kept, wall_faces;
     for (Index f = 0; f < mesh_.number_of_faces(); ++f)
       if (const Index o = outer[mesh_.components[f]]; o == null_index)
         kept.push_back(f);
       else {
-        of_walls.push_back(f);
+        wall_faces.push_back(f);
         outer_faces_.push_back(callers_face[finder.nearest_face(o, f)]);
       }
-    if (of_walls.empty() || kept.size() < options_.number_of_segments.value_or(0)) {
+    if (wall_faces.empty() || kept.size() < options_.number_of_segments.value_or(0)) {
       outer_faces_.clear();
       return;
     }
-    walls_ = submesh(mesh_, mesh_.points, of_walls);
+    walls_ = submesh(mesh_, mesh_.points, wall_faces);
     given_points = submesh(mesh_, given_points, kept).points;
     mesh_ = submesh(mesh_, mesh_.points, kept);
     set_areas(execution_, walls_);
     set_areas(execution_, mesh_);
-    kept.insert(kept.end(), of_walls.begin(), of_walls.end());
+    kept.insert(kept.end(), wall_faces.begin(), wall_faces.end());
     renumber_faces(kept);
   }
 
@@ -204,17 +204,17 @@ class Run
   // that the caller gave.
   void set_parts(const std::vector<Vector>& given_points)
   {
-    constexpr double least_share_of_large_component = 0.1;
-    const Component_shares shares = component_shares(mesh_);
+    constexpr double least_fraction_of_large_component = 0.1;
+    const Component_fractions fractions = component_fractions(mesh_);
     std::vector<std::vector<Index> > faces(mesh_.components.number);
     for (Index f = 0; f < mesh_.number_of_faces(); ++f)
       faces[mesh_.components[f]].push_back(f);
     std::vector<Index> small;
-    double fraction = 0; // of the small components
+    double fraction = 0; // the area of the small components
     for (Index c = 0; c < faces.size(); ++c)
-      if (shares.share[c] < least_share_of_large_component) {
+      if (fractions.fraction[c] < least_fraction_of_large_component) {
         small.insert(small.end(), faces[c].begin(), faces[c].end());
-        fraction += shares.share[c];
+        fraction += fractions.fraction[c];
       }
       else
         add_part(faces[c], given_points, 1);
@@ -228,7 +228,7 @@ class Run
   {
     if (!is_searched_itself())
       unit_ *= move_to_frame(execution_, mesh_);
-    if (mesh_.components.number > 1) // thousands may share a vertex, and all their leaves
+    if (mesh_.components.number > 1) // thousands may meet at one vertex, with all their leaves
       separate_vertices(mesh_, mesh_.components);
     if (monitor_.go_further())
       order_faces();
@@ -253,7 +253,7 @@ class Run
       groups_ = Constraint_grouping(constraints_, face_, mesh_)(options_.keep_components_separate);
   }
 
-  // Prepares the mesh. A run that is stopped on the way leaves the faces in the caller's order.
+  // Prepares the mesh. A run that is stopped meanwhile leaves the faces in the caller's order.
   void prepare_mesh()
   {
     number_faces();
@@ -324,7 +324,7 @@ class Run
     const Index n = static_cast<Index>(mesh_.number_of_faces());
     for (Index h = 0; h < neighbors_.size(); ++h) {
       const Index f = face_[h / 3];
-      if (f >= n) { // of a wall
+      if (f >= n) { // this is a face of a wall
         neighbors_[h] = callers_face[n + walls_.neighbor(3 * (f - n) + h % 3)];
         continue;
       }
@@ -369,7 +369,7 @@ class Run
   const Surface& finest() const
   { return refined_.faces.empty() ? mesh_ : refined_.graph; }
 
-  // Returns whether something is done with the mesh after the search.
+  // Returns whether the mesh is used after the search.
   bool is_mesh_needed() const
   {
     return options_.number_of_segments || !options_.keep_components_separate ||
@@ -425,16 +425,15 @@ class Run
                                                           vertices, searched.points.size())());
     if (features_.empty())
       return;
-    // Three times the difference of two faces, the means of their corners, is that of their far
-    // corners.
+    // Faces have the means of their corners. Therefore neighbors differ by only a third of the
+    // difference of their opposite corners.
     add_feature_steps(features_, 3, options_.feature_weight, searched);
     searched_faces_ = searched_faces();
     searched_areas_ = searched.areas;
     add_steps_of_faces(searched_faces_, searched);
   }
 
-  // Adds the steps between the features of single faces, which tell better than means where exactly
-  // a cut runs.
+  // Adds the steps between the features of single faces, which locate cuts more exactly than means.
   void add_steps_of_faces(const std::vector<Index>& callers_face, Surface& graph) const
   {
     add_feature_steps(features_of_faces(feature_source_, features_.unit, callers_face), 1,
@@ -476,11 +475,11 @@ class Run
   bool is_reordered_only() const
   { return levels_.back().faces.size() == finest().number_of_faces(); }
 
-  // Transfers the cuts of another surface to a mesh. In the end, constrained faces belong wholly to
-  // the leaves of their groups.
-  template <class For_each_share>
+  // Transfers the cuts of another surface to a mesh. In the end, constrained faces belong
+  // entirely to the leaves of their groups.
+  template <class For_each_fraction>
   Cut_hierarchy transferred(const Cut_hierarchy& cuts, const Surface& mesh,
-                            const For_each_share& for_each_share)
+                            const For_each_fraction& for_each_fraction)
   {
     const auto add_steps = [&](const std::vector<Index>& faces, Surface& bands) {
       if (features_.empty())
@@ -491,14 +490,14 @@ class Run
         add_steps_of_faces(composed(faces, callers_faces_of_finest()), bands);
     };
     if (leaf_of_group_.empty())
-      return Cut_transfer(execution_, cuts, mesh, for_each_share, distance_weights(), add_steps,
+      return Cut_transfer(execution_, cuts, mesh, for_each_fraction, distance_weights(), add_steps,
                           monitor_)();
     Cut_transfer transfer(execution_, cuts, mesh, [&](Index f, const auto& add) {
       const Index group = &mesh == &mesh_ ? groups_.group[f] : null_index;
       if (group != null_index && leaf_of_group_[group] != null_index)
         add(leaf_of_group_[group], 1);
       else
-        for_each_share(f, add);
+        for_each_fraction(f, add);
     }, distance_weights(), add_steps, monitor_);
     const Cut_hierarchy result = transfer();
     for (Index& leaf : leaf_of_group_)
@@ -518,19 +517,19 @@ class Run
     }
     for (std::size_t i = levels_.size(); i-- > 0; levels_.pop_back()) {
       const Surface& mesh = i > 0 ? levels_[i - 1].graph : finest();
-      const Leaf_shares shares = shares_of_vertices(levels_[i].graph, cuts.leaf);
+      const Leaf_fractions fractions = vertex_fractions(levels_[i].graph, cuts.leaf);
       cuts = transferred(cuts, mesh, [&](Index f, const auto& add) {
         for (Index v : mesh.corners[f])
-          for (const auto& [leaf, share] : shares[levels_[i].vertices[v]])
-            add(leaf, share);
+          for (const auto& [leaf, fraction] : fractions[levels_[i].vertices[v]])
+            add(leaf, fraction);
       });
     }
     if (refined_.faces.empty())
       return cuts;
-    const Leaf_shares shares = shares_of_faces(refined_, cuts.leaf);
+    const Leaf_fractions fractions = face_fractions(refined_, cuts.leaf);
     return transferred(cuts, mesh_, [&](Index f, const auto& add) {
-      for (const auto& [leaf, share] : shares[f])
-        add(leaf, share);
+      for (const auto& [leaf, fraction] : fractions[f])
+        add(leaf, fraction);
     });
   }
 
@@ -550,7 +549,7 @@ class Run
         " are allowed");
   }
 
-  // Returns the features of the components of the mesh, by those of a coarse mesh.
+  // Returns the features of the components of the mesh, computed on a coarse mesh.
   Set_features features_of_components()
   {
     if (!has_features())
@@ -590,7 +589,7 @@ class Run
   {
     double time = 0;
     for (const Searched_part& part : parts_)
-      time += Phase_times(options_, part.callers_faces.size()).without_reading();
+      time += Phase_times(options_, part.callers_faces.size()).time_after_reading();
     Dendrogram merges;
     merges.leaf.resize(mesh_.number_of_faces());
     for (Searched_part& part : parts_) {
@@ -603,8 +602,8 @@ class Run
     std::fill(merges.areas.begin(), merges.areas.end(), 0.);
     for (Index f = 0; f < mesh_.number_of_faces(); ++f)
       merges.areas[merges.leaf[f]] += mesh_.areas[f];
-    const Component_shares shares = component_shares(mesh_);
-    return Component_merging(std::move(merges), mesh_, shares, features_of_components(),
+    const Component_fractions fractions = component_fractions(mesh_);
+    return Component_merging(std::move(merges), mesh_, fractions, features_of_components(),
                              options_.feature_weight, monitor_)();
   }
 
@@ -628,7 +627,7 @@ class Run
   }
 
   // Adds the walls to a hierarchy. Their faces get the leaves of the nearest faces of their outer
-  // walls, as far as the faces of a wall in each node stay connected.
+  // walls, provided that the faces of a wall in each node stay connected.
   void add_walls(Cut_hierarchy& hierarchy) const
   {
     if (walls_.corners.empty())
@@ -644,7 +643,7 @@ class Run
     hierarchy = hierarchy_of(result);
   }
 
-  // Replaces the indices of faces by those of the faces that were given.
+  // Replaces the indices of faces by the indices of the given faces.
   void number_given_faces(Cut_hierarchy& hierarchy) const
   { hierarchy.leaf = composed(face_, hierarchy.leaf); }
 
@@ -679,7 +678,7 @@ class Run
     }
     monitor_.start_phase(time_scale * times.projection);
     if (!levels_.empty() && &finest() == &mesh_ && is_reordered_only())
-      return project(std::move(result)); // no work of a stage
+      return project(std::move(result)); // it only reorders faces, and is not reported as a stage
     if (!levels_.empty())
       return monitor_.stage(Stage::PROJECTION, Segmentation_visitor::whole_mesh,
                             [&] { return project(std::move(result)); });
@@ -714,7 +713,7 @@ public:
   Cut_hierarchy operator()(Surface mesh)
   {
     const Phase_times times(options_, mesh.number_of_faces());
-    const double time_scale = 1 / (std::max)(times.reading + times.without_reading(), 1.);
+    const double time_scale = 1 / (std::max)(times.reading + times.time_after_reading(), 1.);
     mesh_ = std::move(mesh);
     time_left_ = 1 - time_scale * times.reading;
     monitor_.start_phase(time_scale * times.reading);

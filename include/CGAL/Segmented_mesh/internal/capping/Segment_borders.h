@@ -47,7 +47,7 @@ class Border_loops
 
   std::map<Index, std::vector<std::pair<Index, int> > > unused_; // other ends and directions
   std::vector<Step> path_;
-  std::unordered_map<Index, std::size_t> place_; // the place of each vertex in the path
+  std::unordered_map<Index, std::size_t> place_; // the index of each vertex in the path
   std::vector<std::vector<Index> > loops_;
 
   // Removes the edge to w from the unused edges of v.
@@ -110,7 +110,7 @@ public:
 
 typedef std::vector<Index> Loop;
 
-// A part of a loop that one segment has on its other side, as a range of its edges.
+// A range of edges of a loop that have the same segment on their other side.
 struct Arc
 {
   Index segment;
@@ -118,11 +118,11 @@ struct Arc
   double length;
 };
 
-// Knows the border of each segment: the edges that an odd number of its triangles have.
+// The border of each segment: the edges that an odd number of its triangles have.
 class Segment_borders
 {
   std::vector<Border> border_;                             // one per segment
-  std::map<Vertex_pair, std::vector<Index> > segments_at_; // the segments whose border it is in
+  std::map<Vertex_pair, std::vector<Index> > segments_at_; // segments with this border edge
 
   void add_edge(Index segment, const Vertex_pair& vertices, const Border_edge& edge)
   {
@@ -149,7 +149,7 @@ class Segment_borders
     return result;
   }
 
-  // Gives a loop to the segment that has most of it if it has more arcs than can be long.
+  // Assigns a loop with more arcs than can be long to the segment that has most of it.
   static void unite_many_arcs(const std::vector<Vector>& points, Loop& loop,
                                std::vector<Index>& segments)
   {
@@ -185,7 +185,7 @@ public:
 
   const Border& border(Index segment) const { return border_[segment]; }
 
-  // Returns the border of the surface: the edges that an odd number of segments have in theirs.
+  // Returns the border of the surface: the border edges of an odd number of segments.
   Border border_of_surface() const
   {
     Border result;
@@ -230,7 +230,7 @@ public:
   }
 
   // Returns the arcs of a loop, by the segments at it except `other_than`. Arcs of less than a
-  // tenth of the loop go to the longer arc beside them, because their sectors would be splinters.
+  // tenth of the loop go to the longer arc beside them, because their sectors would be slivers.
   std::vector<Arc> long_arcs(const std::vector<Vector>& points, Loop& loop, Index other_than) const
   {
     std::vector<Index> segments;

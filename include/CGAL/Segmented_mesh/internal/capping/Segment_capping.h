@@ -24,11 +24,11 @@
 namespace CGAL::Segmented_mesh::internal {
 
 // Closes segments one after the other, the smallest first. Each border loop of a segment gets a
-// cap, or loops on two walls of a hollow body get a ring. Their triangles, turned over, go to the
+// cap, or loops on two walls of a hollow body get a ring. Their triangles, reversed, go to the
 // segments on the other side, so that all segments fit together, even where three of them meet.
 class Segment_capping : public Wall_capping
 {
-  // A way to make a cap: its rim leads inwards for `depth` edges of the loop.
+  // The shape of a cap, whose rim leads inwards for `depth` edges of the loop.
   struct Shape
   {
     double depth;
@@ -92,8 +92,8 @@ class Segment_capping : public Wall_capping
     return result;
   }
 
-  // Returns a cap with a piece for each arc of a loop; more than one are sectors around a new point
-  // in the middle. It is empty if there is no such cap.
+  // Returns a cap with a piece for each arc of a loop; several are sectors around a new point in
+  // the middle. It is empty if there is no such cap.
   Cap make_cap(const Loop& loop, const std::vector<Arc>& arcs, const Shape& shape)
   {
     const Loop rim = shape.depth > 0 ? moved_inwards(loop, shape.depth) : loop;
@@ -140,7 +140,7 @@ class Segment_capping : public Wall_capping
   {
     struct Vertex
     {
-      std::vector<Vector> normals; // of the triangles of the segment at it
+      std::vector<Vector> normals; // one per triangle of the segment
       Vector inward;
       double shortest_edge = (std::numeric_limits<double>::infinity)();
       Index copy = null_index;
@@ -196,7 +196,7 @@ class Segment_capping : public Wall_capping
     const Border_loops loops(border);
     const std::size_t number_of_points = points_.size(), number_in_tree = tree_.size();
     std::vector<Cap> caps;
-    std::vector<Loop> open = loops(); // those without a cap that intersects nothing
+    std::vector<Loop> open = loops(); // loops without a cap that intersects nothing
     const auto remove_closed = [&](auto make_cap) {
       open.erase(std::remove_if(open.begin(), open.end(), [&](const Loop& loop)
         { return add_cap(make_cap(loop), caps); }), open.end());
@@ -252,7 +252,7 @@ public:
   }
 };
 
-// Returns the solid angle that a triangle takes up as seen from a point, positive from behind.
+// Returns the solid angle that a triangle subtends at a point, positive from behind.
 inline double solid_angle(const Vector& from, const Vector& p, const Vector& q, const Vector& r)
 {
   const Vector a = (p - from).normalized(), b = (q - from).normalized(),
@@ -278,7 +278,7 @@ inline bool bounds_solid(const std::vector<Vector>& points, const std::vector<Co
     sets.add(static_cast<Index>(t));
   for_each_edge(sides, [&](std::size_t i, std::size_t)
     { sets.join(sides[i].triangle(), sides[i + 1].triangle()); });
-  std::map<Index, std::size_t> number; // of the component of a representative
+  std::map<Index, std::size_t> number; // the component of each representative
   std::vector<Component> components;
   for (std::size_t t = 0; t < triangles.size(); ++t) {
     const auto [found, is_new] =
@@ -314,7 +314,7 @@ inline bool bounds_solid(const std::vector<Vector>& points, const std::vector<Co
   return true;
 }
 
-// Returns the properties of the triangles of a closed segment, all but its id.
+// Returns the properties of a closed segment, except its id.
 template <class Id>
 Closed_segment<Id> check_segment(const std::vector<Vector>& points,
                                  const std::vector<Corners>& triangles)

@@ -59,10 +59,10 @@ struct Piece
 
 typedef std::vector<Piece> Cap;
 
-// Holds the segments of a surface with the caps that they have so far, and checks further caps.
+// Holds the segments of a surface with their caps so far, and checks further caps.
 class Segmented_solid
 {
-  double unit_; // a power of 2, so that to divide by it rounds nothing
+  double unit_; // a power of 2, so that division by it is exact
 
   // Returns the unit in which the largest coordinate is about 1.
   static double unit_of(const std::vector<Vector>& points)
@@ -90,7 +90,7 @@ class Segmented_solid
     return result;
   }
 
-  // Takes the normals of triangles at the borders, and the edges between vertices of borders,
+  // Stores the normals of triangles at the borders, and the edges between vertices of borders,
   // because other edges cannot be edges of a cap.
   void take(const std::vector<Corners>& triangles, const std::vector<Index>& segment)
   {
@@ -133,12 +133,12 @@ class Segmented_solid
   }
 
 protected:
-  std::vector<Vector> points_;  // in this unit, so that no volume overflows; with the new points
-  std::vector<std::vector<Corners> > triangles_; // of each segment, with its caps
+  std::vector<Vector> points_;  // all points, in this unit, so that no volume overflows
+  std::vector<std::vector<Corners> > triangles_; // one list per segment, with its caps
   Segment_borders borders_;
   std::vector<char> is_done_; // one per segment, whether it is closed
   Triangle_tree tree_;
-  std::multiset<Vertex_pair> taken_; // edges of triangles and caps; no cap may have one more there
+  std::multiset<Vertex_pair> taken_; // edges of triangles and caps, which no cap may repeat
   double orientation_ = 1;      // -1 if the surface is inside out
 
   // The segments and the normals of the triangles at each vertex of a border, or of a cap.
@@ -171,7 +171,7 @@ protected:
     return result;
   }
 
-  // Returns whether an edge of a cap, except those of its loops, is already an edge of others.
+  // Returns whether an edge of a cap, except an edge of its loops, is already taken.
   bool takes_an_edge_twice(const Cap& cap, const std::set<Vertex_pair>& edges) const
   {
     for (const Piece& piece : cap)
@@ -216,7 +216,7 @@ protected:
            !do_self_intersect(points_, triangles);
   }
 
-  // Makes other caps keep clear of a cap.
+  // Reserves the triangles and edges of a cap, so that other caps avoid them.
   void take(const Cap& cap)
   {
     for (const Piece& piece : cap) {
@@ -228,7 +228,7 @@ protected:
     tree_.update();
   }
 
-  // Undoes this for the last caps; before them the tree had `number_in_tree` triangles.
+  // Reverts take() for the last caps; before them the tree had `number_in_tree` triangles.
   void give_back(const std::vector<Cap>& caps, std::size_t number_in_tree)
   {
     tree_.resize(number_in_tree);

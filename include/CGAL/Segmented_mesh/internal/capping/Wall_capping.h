@@ -25,8 +25,8 @@ namespace CGAL::Segmented_mesh::internal {
 enum class Strip_cost { LENGTHS, AREA };
 
 // Triangulates the strip between two polylines without further points. Edges join their first
-// points and their last points; a ring has the same two points there. The algorithm is that of
-// Fuchs, Kedem and Uselton, repeated without the triangles that turn out to be not usable.
+// points and their last points; a ring has the same two points there. The algorithm by Fuchs, Kedem
+// and Uselton is repeated without the triangles that prove unusable.
 class Strip_triangulation
 {
   // The step from the edge p[i] q[j] to the next one, along p or along q, makes a triangle.
@@ -44,7 +44,7 @@ class Strip_triangulation
   const std::vector<Vector>& points_;
   std::vector<Index> p_, q_;
   Strip_cost cost_;
-  std::vector<State> states_; // of the steps along p and q from each edge
+  std::vector<State> states_; // one per step along p or q from each edge
 
   State& state(const Step& s) { return states_[2 * (s.i * q_.size() + s.j) + s.is_along_p]; }
 
@@ -64,12 +64,12 @@ class Strip_triangulation
     return edge.dot(edge);
   }
 
-  // Returns the steps of least cost from the first to the last edge; none if there are none.
+  // Returns the cheapest steps from the first to the last edge; none if that needs unusable ones.
   std::vector<Step> best_steps()
   {
     const std::size_t n = p_.size(), m = q_.size();
     std::vector<char> comes_along_p(n * m, 0);
-    std::vector<double> costs(m, infinity_); // of the edges from p[i]
+    std::vector<double> costs(m, infinity_); // one per edge from p[i]
     costs[0] = 0;
     for (std::size_t i = 0; i < n; ++i)
       for (std::size_t j = 0; j < m; ++j) {
@@ -97,8 +97,9 @@ class Strip_triangulation
     return result;
   }
 
-  // Marks the longer one of any two triangles that intersect each other, and triangles that repeat
-  // an edge, as at a corner of a ring that has all of one side. Returns whether there are some.
+  // Marks the triangle with the longer perimeter of any two that intersect, and triangles that
+  // repeat an edge, for example where a ring has an entire side at one corner. Returns whether
+  // there are any.
   bool mark_conflicts(const std::vector<Step>& steps, const std::vector<Corners>& triangles)
   {
     bool result = false;
@@ -129,8 +130,7 @@ public:
                       std::vector<Index> q, Strip_cost cost)
     : points_(points), p_(std::move(p)), q_(std::move(q)), cost_(cost) {}
 
-  // Returns triangles that intersect each other nowhere, and of which each is usable; none if it
-  // finds none.
+  // Returns usable triangles that do not intersect each other; none if it finds none.
   template <class Is_usable>
   std::vector<Corners> operator()(const Is_usable& is_usable)
   {
@@ -159,7 +159,7 @@ class Wall_capping : public Segmented_solid
 {
   std::set<Vertex_pair> crossings_; // the edges of caps that lead from one wall to another
 
-  typedef std::map<Vertex_pair, Index> Neighbors; // at edges of loops
+  typedef std::map<Vertex_pair, Index> Neighbors; // one segment per edge of a loop
 
   Neighbors neighbors_at(const std::vector<Loop>& loops, Index segment) const
   {
@@ -189,8 +189,8 @@ class Wall_capping : public Segmented_solid
     return result;
   }
 
-  // Returns the copies of the vertices of loops that lie inside the solid: by a fraction of the
-  // distance to the nearest other vertex of a side, or to the nearest vertex of the other side.
+  // Returns copies of the vertices of two sides, moved into the solid by a fraction of the distance
+  // to the nearest adjacent vertex of the side or vertex of the other side.
   std::unordered_map<Index, Index> copies_inwards(const Loop& p, const Loop& q, double fraction)
   {
     std::unordered_map<Index, Index> result;
@@ -209,8 +209,8 @@ class Wall_capping : public Segmented_solid
   }
 
   // Returns a cap between two sides, which belong to loops of the border of a segment and run in
-  // parallel; it is empty if each would intersect something. The first one has no further points,
-  // and others begin with strips inwards from the loops.
+  // parallel; it is empty if every candidate intersects something. The first candidate has no
+  // further points, and the others begin with strips inwards from the loops.
   Cap strip(const Loop& p, const Loop& q, const std::vector<Loop>& loops, Index segment,
             const Border& border)
   {
@@ -311,9 +311,9 @@ class Wall_capping : public Segmented_solid
     Vector middle, normal;
     double radius; // the largest distance of a vertex from the middle
     std::vector<Index> neighbors;
-    double convergence; // the mean cosine of the angles between `inward` and the way to the middle
+    double convergence; // the mean cosine between `inward` and the direction to the middle
 
-    // Returns whether this loop may be on the outer wall, and another one opposite of it.
+    // Returns whether this loop may be on the outer wall, and another one opposite.
     bool is_around(const Open_loop& other) const
     {
       return convergence > -0.05 && other.convergence < 0.05 &&
@@ -344,7 +344,8 @@ class Wall_capping : public Segmented_solid
     return result;
   }
 
-  // Returns the mean distance of the vertices of the shorter loop from the nearest of the other.
+  // Returns the mean distance of the vertices of the smaller loop from the nearest vertices of the
+  // larger one.
   double distance(const Loop& a, const Loop& b) const
   {
     if (a.size() > b.size())
@@ -384,7 +385,7 @@ protected:
     }
   }
 
-  // Appends a cap, and returns whether it is one.
+  // Appends a cap unless it is empty, and returns whether it did.
   bool add_cap(const Cap& cap, std::vector<Cap>& caps)
   {
     if (cap.empty())
@@ -401,7 +402,7 @@ protected:
     const std::size_t n = loop.size();
     const auto is_crossing = [&](std::size_t i)
     { return crossings_.count(vertex_pair(loop[i % n], loop[(i + 1) % n])) > 0; };
-    std::vector<std::size_t> middles; // of each sequence of edges that cross
+    std::vector<std::size_t> middles; // one per sequence of crossing edges
     for (std::size_t i = 0; i < n; ++i)
       if (is_crossing(i) && !is_crossing(i + n - 1)) {
         std::size_t end = i;
@@ -419,9 +420,8 @@ protected:
     return strip(p, q, {loop}, segment, border);
   }
 
-  // Appends the caps between loops that lie opposite of each other, and removes these loops. The
-  // loops may be those of a segment between two walls: of each neighbor one on the outer wall, and
-  // one or more on the inner wall.
+  // Appends the caps between opposite loops, and removes these loops. A segment between two walls
+  // has, for each neighbor, one loop on the outer wall and one or more on the inner wall.
   void add_rings(std::vector<Loop>& loops, Index segment, const Border& border,
                  std::vector<Cap>& caps)
   {

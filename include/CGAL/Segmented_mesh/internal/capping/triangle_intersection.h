@@ -36,21 +36,20 @@ inline Exact_predicates::Triangle_3 exact_triangle(const std::vector<Vector>& po
                                                    const Corners& t)
 { return {exact_point(points[t[0]]), exact_point(points[t[1]]), exact_point(points[t[2]])}; }
 
-// Reorders the corners of a triangle so that those that another triangle has, too, come first.
-// Returns their number.
-inline int move_shared_corners_first(Corners& t, const Corners& other)
+// Moves the corners that another triangle has, too, to the front, and returns their number.
+inline int move_common_corners_first(Corners& t, const Corners& other)
 {
-  const auto is_shared = [&](Index v)
+  const auto is_common = [&](Index v)
   { return std::find(other.begin(), other.end(), v) != other.end(); };
-  return static_cast<int>(std::partition(t.begin(), t.end(), is_shared) - t.begin());
+  return static_cast<int>(std::partition(t.begin(), t.end(), is_common) - t.begin());
 }
 
 // Returns the normal of a triangle; its length is twice the area.
 inline Vector normal(const std::vector<Vector>& points, const Corners& t)
 { return (points[t[1]] - points[t[0]]).cross(points[t[2]] - points[t[0]]); }
 
-// Returns whether the line of an edge of a triangle, seen along a coordinate axis, contains the
-// first n corners, which both triangles have, and has the others on its other side.
+// Returns whether, projected along a coordinate axis, the line of an edge of s contains the first n
+// corners, which both triangles have, and separates the opposite corner from the others of t.
 inline bool has_separating_edge(const std::vector<Vector>& points, const Corners& s,
                                 const Corners& t, int n, int axis)
 {
@@ -66,12 +65,12 @@ inline bool has_separating_edge(const std::vector<Vector>& points, const Corners
   return false;
 }
 
-// Returns whether two triangles, which are not degenerate, meet elsewhere than in the corners and
-// edges that they share. CGAL has this test for the faces of one mesh only.
+// Returns whether two triangles, which are not degenerate, meet outside their common corners and
+// edges. CGAL has this test for the faces of one mesh only.
 inline bool do_intersect(const std::vector<Vector>& points, Corners s, Corners t)
 {
-  const int n = move_shared_corners_first(s, t);
-  move_shared_corners_first(t, s);
+  const int n = move_common_corners_first(s, t);
+  move_common_corners_first(t, s);
   if (n == 3)
     return true;
   const auto edge = [&](const Corners& c)
@@ -101,8 +100,8 @@ inline bool is_degenerate(const std::vector<Vector>& points, const Corners& t)
                          exact_point(points[t[2]]));
 }
 
-// Calls f with the places of any two triangles of a set that intersect each other. No triangle may
-// be degenerate.
+// Calls f with the indices of any two triangles that intersect each other. No triangle may be
+// degenerate.
 template <class Function>
 void for_intersecting_pairs(const std::vector<Vector>& points,
                             const std::vector<Corners>& triangles, const Function& f)
@@ -133,7 +132,7 @@ inline bool do_self_intersect(const std::vector<Vector>& points,
   return false;
 }
 
-// Finds whether a triangle intersects those that it holds. Triangles that were inserted after the
+// Tests triangles for intersection with the inserted ones. Triangles that were inserted after the
 // last update are tested one by one.
 class Triangle_tree
 {
@@ -166,7 +165,7 @@ class Triangle_tree
 
   const std::vector<Vector>& points_;
   std::vector<Corners> triangles_;       // not degenerate
-  CGAL::AABB_tree<Traits> tree_;         // of the first triangles
+  CGAL::AABB_tree<Traits> tree_;         // the first `number_in_tree_`
   std::size_t number_in_tree_ = 0;
   std::size_t number_of_tests_ = 0;      // one by one, since the tree was built
 
@@ -183,7 +182,7 @@ class Triangle_tree
   CGAL::Bbox_3 box_of(const Corners& t) const { return exact_triangle(points_, t).bbox(); }
 
 public:
-  // Leaves degenerate triangles out, because CGAL does not intersect them.
+  // Skips degenerate triangles, because CGAL does not intersect them.
   Triangle_tree(const std::vector<Vector>& points, const std::vector<Corners>& triangles)
     : points_(points)
   {
@@ -196,14 +195,14 @@ public:
 
   std::size_t size() const { return triangles_.size(); }
 
-  // Adds triangles at the end.
+  // Appends triangles.
   void insert(const std::vector<Corners>& triangles)
   {
     std::copy_if(triangles.begin(), triangles.end(), std::back_inserter(triangles_),
                  [&](const Corners& t) { return !is_degenerate(points_, t); });
   }
 
-  // Removes triangles at the end.
+  // Removes the last triangles.
   void resize(std::size_t size)
   {
     triangles_.resize(size);
@@ -211,14 +210,14 @@ public:
       build();
   }
 
-  // Puts the triangles in the tree if to test them one by one has taken longer than that.
+  // Rebuilds the tree if the tests one by one have taken longer than that.
   void update()
   {
     if (number_of_tests_ > 10 * triangles_.size())
       build();
   }
 
-  // Returns whether a triangle, which is not degenerate, intersects one that the tree holds.
+  // Returns whether a triangle, which is not degenerate, intersects an inserted one.
   bool intersects(const Corners& t)
   {
     number_of_tests_ += triangles_.size() - number_in_tree_;

@@ -20,17 +20,17 @@ namespace CGAL::Segmented_mesh::internal {
 struct Triangle_side
 {
   std::pair<Index, Index> vertices;
-  bool is_forward;               // as the triangle passes it
-  std::array<Index, 2> corners;  // of the triangle at its vertices, numbered from 0 to 3 n - 1
+  bool is_forward;               // whether the triangle passes it so
+  std::array<Index, 2> corners;  // the triangle's corners at its vertices, from 0 to 3 n - 1
 
   Index triangle() const { return corners[0] / 3; }
-  Index apex() const { return 3 - corners[0] % 3 - corners[1] % 3; } // the corner opposite of it
+  Index apex() const { return 3 - corners[0] % 3 - corners[1] % 3; } // the opposite corner
 
   bool operator<(const Triangle_side& s) const
   { return std::tie(vertices, corners) < std::tie(s.vertices, s.corners); }
 };
 
-// Returns the sides by their edges, and those of an edge in the order of the triangles.
+// Returns the sides sorted by edge, and the sides at an edge in the order of the triangles.
 inline std::vector<Triangle_side> sorted_sides(const std::vector<Corners>& triangles)
 {
   std::vector<Triangle_side> result;
@@ -51,7 +51,7 @@ inline std::vector<Triangle_side> sorted_sides(const std::vector<Corners>& trian
   return result;
 }
 
-// Calls f with the first and the number of the sides at each edge.
+// Calls f with the index of the first side and the number of sides at each edge.
 template <class Function>
 void for_each_edge(const std::vector<Triangle_side>& sides, const Function& f)
 {
@@ -75,14 +75,14 @@ inline bool is_closed(const std::vector<Triangle_side>& sides)
   return result;
 }
 
-// Returns whether triangles are an oriented manifold, with or without a border. Then an edge has at
-// most two of them, and there are as many fans, which are sets of corners that edges connect, as
+// Returns whether triangles form an oriented manifold, with or without a border. Then an edge has
+// at most two triangles, and there are as many fans (sets of corners that edges connect) as
 // vertices.
 inline bool is_manifold(const std::vector<Corners>& triangles,
                         const std::vector<Triangle_side>& sides)
 {
   const std::size_t n = sides.size();
-  Face_components fans(n); // of corners
+  Face_components fans(n); // sets of corners
   for (std::size_t i = 0; i < n; ++i)
     fans.add(static_cast<Index>(i));
   bool has_manifold_edges = true;

@@ -41,8 +41,8 @@ inline Vector normal(const std::vector<Vector>& loop, const Vector& around)
   return result;
 }
 
-// Returns the triangles inside of a polygon and outside of the further polygons, its holes. Their
-// corners are given by places among all points, counterclockwise. There are none if edges of the
+// Returns the triangles inside a polygon and outside its holes, the further polygons. Their corners
+// are indices of the points of all polygons, counterclockwise. There are none if edges of the
 // polygons meet.
 inline std::vector<Corners>
 planar_triangulation(const std::vector<std::vector<Exact_predicates::Point_2> >& polygons)
@@ -106,7 +106,7 @@ planar_triangulation(const std::vector<std::vector<Exact_predicates::Point_2> >&
 // Returns the triangulation of the projection of a loop and its holes to the plane through the
 // middle of the loop; none if a point is farther than a distance from the plane, or edges of the
 // projection meet. CGAL's triangulate_hole_polyline() has this option too, for one loop, but it
-// ends the program for some loops.
+// aborts on some loops.
 inline std::vector<Corners> flat_triangulation(const std::vector<std::vector<Vector> >& loops,
                                                double distance)
 {
@@ -119,7 +119,7 @@ inline std::vector<Corners> flat_triangulation(const std::vector<std::vector<Vec
   const Vector axis = std::abs(z.x()) < 0.5 ? Vector(1, 0, 0) : Vector(0, 1, 0);
   const Vector x = (axis - axis.dot(z) * z).normalized(), y = z.cross(x);
   std::vector<std::vector<Exact_predicates::Point_2> > polygons;
-  std::size_t number_of_triangles = 2 * loops.size() - 4; // and one for each point
+  std::size_t number_of_triangles = 2 * loops.size() - 4; // plus one per point
   for (const std::vector<Vector>& loop : loops) {
     polygons.emplace_back();
     number_of_triangles += loop.size();
@@ -151,9 +151,9 @@ inline std::vector<Corners> flat_triangulation(std::vector<std::vector<Vector> >
   return flat_triangulation(loops, 0.1 * (box.largest - box.smallest).norm());
 }
 
-// Returns a triangulation of a loop of points, whose triangles are given by places in the loop, in
-// its direction. It is Delaunay in the plane of the loop if the loop is nearly flat, else a surface
-// that bends little and has a small area. It is empty if CGAL finds none, or would take minutes.
+// Returns a triangulation of a loop of points, whose triangles hold indices of the loop, in its
+// direction. It is Delaunay in the plane of the loop if the loop is nearly flat, otherwise a
+// surface with little curvature and area. It is empty if CGAL finds none, or would take minutes.
 inline std::vector<Corners> triangulated_loop(std::vector<Vector> loop)
 {
   namespace PMP = CGAL::Polygon_mesh_processing;

@@ -51,9 +51,9 @@ class Boundary_band
   static constexpr double smooth_turn = 0.25; // the largest at a vertex where a boundary is smooth
   static constexpr int number_of_spreads = 3; // each by an edge, from vertices that are not smooth
   static constexpr double cosine_of_crease = 0.77; // 40 degrees between the normals
-  static constexpr double long_crease = 3;         // in mean edge lengths
+  static constexpr double long_crease = 3;         // times the mean edge length
 
-  std::vector<Index> boundary_; // a halfedge of each of its edges
+  std::vector<Index> boundary_; // one halfedge per edge
   std::vector<char> is_inside_; // one per vertex
   std::vector<char> is_fixed_;  // one per vertex
 
@@ -110,7 +110,7 @@ class Boundary_band
     double mean_length = 0;
     for (Index h = 0; h < graph.number_of_halfedges(); ++h)
       mean_length += graph.length(h) / graph.number_of_halfedges();
-    std::vector<Index> creases; // a halfedge of each
+    std::vector<Index> creases; // one halfedge per edge
     std::vector<char> is_end(n, 0), has_other_edge(n, 0);
     for (Index h : boundary_) {
       const bool is_in_crease = is_crease(graph, h);

@@ -6,7 +6,7 @@
 
 #include <CGAL/Segmented_mesh/internal/base.h>
 #include <CGAL/Segmented_mesh/internal/refinement/Boundary_band.h>
-#include <CGAL/Segmented_mesh/internal/refinement/Segment_shares.h>
+#include <CGAL/Segmented_mesh/internal/refinement/Segment_fractions.h>
 #include <CGAL/Spectral_segmentation/internal/surface/Surface.h>
 #include <CGAL/Spectral_segmentation/internal/surface/connected_components.h>
 
@@ -51,8 +51,7 @@ void split_triangles(const Surface& surface, const Refinement& refinement,
   }
 }
 
-// Keeps segments from vanishing and from falling apart, by freezing the faces of segments that
-// would.
+// Freezes the faces of segments that would vanish, lose half of their area or fall into pieces.
 class Segment_keeper
 {
   static constexpr double smallest_rest = 0.5; // the fraction of the area of a segment
@@ -60,8 +59,8 @@ class Segment_keeper
   const Surface& graph_;
   const std::vector<Index>& labels_; // one per face
   const Boundary_band& band_;
-  std::vector<double> areas_;        // the area of each segment before
-  std::vector<std::size_t> numbers_; // the number of components of each segment before
+  std::vector<double> areas_;        // the initial area of each segment
+  std::vector<std::size_t> numbers_; // the initial number of components of each segment
 
   // Counts the components of each segment, by the labels of the halves of the edges of faces.
   template <class Label>
@@ -79,10 +78,10 @@ class Segment_keeper
     for (Index h = 0; h < graph_.number_of_halfedges(); ++h)
       for (int half : {0, 1}) {
         const Index l = label(h, half);
-        Index& of_part = label_of_part[part(h / 3, l)];
-        if (of_part == null_index)
+        Index& part_label = label_of_part[part(h / 3, l)];
+        if (part_label == null_index)
           components.add(part(h / 3, l));
-        of_part = l;
+        part_label = l;
       }
     for (Index h = 0; h < graph_.number_of_halfedges(); ++h) {
       if (h / 3 >= graph_.neighbor(h))
@@ -182,10 +181,10 @@ inline Refinement refinement(const Surface& graph, const std::vector<Index>& lab
   return result;
 }
 
-// Refines the boundaries between segments. The share of each segment in the angle at a vertex is
-// smoothed by diffusion in a band around them, and each vertex takes the label of its largest
-// share. If the ends of an edge have two labels, the boundary crosses it where both shares are
-// equal. Then the boundaries become taut.
+// Refines the boundaries between segments. The fraction of the angle at a vertex that belongs to
+// each segment is smoothed by diffusion in a band around them, and each vertex takes the label of
+// its largest fraction. If the ends of an edge have two labels, the boundary crosses it where both
+// fractions are equal. Then the boundaries are pulled taut.
 //
 // The labels of the faces must be less than `number_of_segments`, and each must have a face. The
 // points of the surface are normalized, and its areas are set.
@@ -200,7 +199,7 @@ inline Refinement refined_boundaries(Surface& graph, const std::vector<Index>& l
   if (band.faces.empty())
     return Refinement();
   Boundary_curves curves(graph, labels, band,
-                         Segment_shares(graph, labels, band, number_of_iterations));
+                         Segment_fractions(graph, labels, band, number_of_iterations));
   const Segment_keeper keep_segments(graph, labels, number_of_segments, band);
   for (int round = 0; round < number_of_rounds; ++round) {
     curves.snap();

@@ -13,13 +13,13 @@
 
 namespace CGAL::Spectral_segmentation::internal {
 
-// The index of a face (f, g), a halfedge (h), a vertex (v), or another element that the name says.
+// The index of a face (f, g), a halfedge (h), a vertex (v), or the element that the name states.
 typedef std::uint32_t Index;
 constexpr Index null_index = static_cast<Index>(-1);
 
-// Numbers that decide are rounded to multiples of 2^-20. Sums of such numbers are exact as doubles.
-// Therefore the length of a path does not depend on the order of its sum, and numbers that are
-// equal on paper are equal in the machine.
+// Numbers that decisions depend on are rounded to multiples of 2^-20. Sums of such numbers are
+// exact as doubles. Therefore the length of a path does not depend on the order of summation, and
+// mathematically equal numbers are equal in floating point.
 constexpr double quantum = 1. / (1 << 20);
 inline double quantized(double x) { return std::floor(x / quantum + 0.5) * quantum; }
 
@@ -45,7 +45,7 @@ constexpr double cost_of_concave_edge = 0.05;
 // The second proposal of an order differs from the first by this fraction of the smaller area.
 constexpr double distance_of_proposals = 0.25;
 
-// Two proposals are alike if the faces on which they differ are less than so many percent of the
+// Two proposals are alike if the faces on which they differ are less than this percentage of the
 // smallest side.
 constexpr std::size_t percent_of_alike_proposals = 15;
 
@@ -59,8 +59,8 @@ constexpr double largest_number_of_averaged_faces = 80;
 
 } // namespace constants
 
-// An immutable directed graph that keeps the arcs that leave a node side by side. BGL's
-// compressed_sparse_row_graph takes four times the memory for an arc, and a second to compile.
+// An immutable directed graph in compressed sparse row format. BGL's compressed_sparse_row_graph
+// takes four times the memory for an arc, and a second to compile.
 struct Packed_graph
 {
   typedef std::pair<Index, Index> Ends; // the source and the target of an arc
@@ -68,19 +68,19 @@ struct Packed_graph
   std::vector<Index> first_arc; // one per node, then the number of arcs
   std::vector<Index> targets;   // one per arc
 
-  // Packs the arcs; the arcs of a node keep their order. `place` becomes the index of each arc.
+  // Packs the arcs; the arcs of a node keep their order. Sets `position` to the index of each arc.
   Packed_graph(std::size_t number_of_nodes, const std::vector<Ends>& arcs,
-               std::vector<Index>& place)
+               std::vector<Index>& position)
     : first_arc(number_of_nodes + 1, 0), targets(arcs.size())
   {
-    place.resize(arcs.size());
+    position.resize(arcs.size());
     for (const Ends& ends : arcs)
       ++first_arc[ends.first + 1];
     std::partial_sum(first_arc.begin(), first_arc.end(), first_arc.begin());
     std::vector<Index> next = first_arc;
     for (std::size_t i = 0; i < arcs.size(); ++i) {
-      place[i] = next[arcs[i].first]++;
-      targets[place[i]] = arcs[i].second;
+      position[i] = next[arcs[i].first]++;
+      targets[position[i]] = arcs[i].second;
     }
   }
 

@@ -14,8 +14,8 @@
 
 namespace CGAL::Spectral_segmentation::internal {
 
-// Receives the progress of the engine and may stop it. The functions mean the same as the functions
-// of `Segmentation_visitor`. No two are called at the same time.
+// Receives the progress of the engine and may stop it, by the functions of `Segmentation_visitor`.
+// No two are called at the same time.
 class Run_control
 {
 public:
@@ -27,7 +27,7 @@ public:
   virtual void after_part(std::size_t /* part */) {}
   virtual void after_cut(std::size_t /* part */, const Salience_factors&, double /* salience */,
                          std::size_t /* number_of_segments */) {}
-  virtual void progress(double /* share */) {}
+  virtual void progress(double /* fraction */) {}
   virtual bool go_further() { return true; }
 };
 
@@ -47,11 +47,11 @@ public:
   void after_cut(std::size_t part, const Salience_factors& factors, double salience,
                  std::size_t number_of_segments) override
   { visitor_.after_cut(part, factors, salience, number_of_segments); }
-  void progress(double share) override { visitor_.progress(share); }
+  void progress(double fraction) override { visitor_.progress(fraction); }
   bool go_further() override { return visitor_.go_further(); }
 };
 
-// Thrown to leave a stage when the caller does not want to go further.
+// Thrown to leave a stage after the caller stopped the run.
 struct Run_stopped {};
 
 // Passes the calls of the stages, which may run in several threads, to the control of the caller,
@@ -61,7 +61,7 @@ class Run_monitor
   Run_control& control_;
   std::mutex mutex_;
   std::atomic<bool> is_stopped_{false};
-  std::atomic<std::size_t> steps_{0}; // counted since the last question
+  std::atomic<std::size_t> steps_{0}; // steps since the last question
   double start_ = 0, end_ = 0; // the range of the current phase within the run
   double done_ = 0;            // the fraction of the phase that is done
   double reported_ = 0;        // the fraction of the run that was reported last
@@ -70,17 +70,17 @@ class Run_monitor
   void call(const Function& f)
   {
     const std::lock_guard<std::mutex> lock(mutex_);
-    call_isolated(f); // else this thread might take up a part that waits for the lock
+    call_isolated(f); // otherwise this thread might start a part that waits for the lock
   }
 
   void report()
   {
     constexpr double step = 0.002;
-    const double share = start_ + (end_ - start_) * done_;
-    if (is_stopped_ || share < reported_ + step)
+    const double fraction = start_ + (end_ - start_) * done_;
+    if (is_stopped_ || fraction < reported_ + step)
       return;
-    reported_ = share;
-    control_.progress(share);
+    reported_ = fraction;
+    control_.progress(fraction);
   }
 
 public:
@@ -98,7 +98,7 @@ public:
 
   bool is_stopped() const { return is_stopped_; }
 
-  // Returns false, without another question, once the caller has declined.
+  // Returns false, without asking again, once the caller has declined.
   bool go_further()
   {
     if (!is_stopped_)
@@ -115,8 +115,8 @@ public:
       throw Run_stopped();
   }
 
-  // Counts short steps, and asks the caller every few milliseconds. The answer only counts for
-  // later stages, but an exception of the caller ends the loop.
+  // Counts short steps, and asks the caller every few milliseconds. The answer only affects later
+  // stages, but an exception of the caller ends the loop.
   void count_steps(std::size_t number)
   {
     constexpr std::size_t steps_between_questions = 1 << 17;
@@ -127,39 +127,39 @@ public:
   }
 
   // Starts a phase that takes this fraction of the run.
-  void start_phase(double share)
+  void start_phase(double fraction)
   {
     call([&] {
       start_ = end_;
-      end_ = (std::min)(start_ + share, 1.);
+      end_ = (std::min)(start_ + fraction, 1.);
       done_ = 0;
       report();
     });
   }
 
-  // Adds a fraction to the part of the phase that is done.
-  void advance(double share)
+  // Adds to the completed fraction of the phase.
+  void advance(double fraction)
   {
     call([&] {
-      done_ = (std::min)(done_ + share, 1.);
+      done_ = (std::min)(done_ + fraction, 1.);
       report();
     });
   }
 
-  // Marks a fraction of the rest of the phase as done, if nobody knows how long the phase takes.
-  void approach(double share)
+  // Marks a fraction of the rest of the phase as done, if the length of the phase is unknown.
+  void approach(double fraction)
   {
     call([&] {
-      done_ += (1 - done_) * share;
+      done_ += (1 - done_) * fraction;
       report();
     });
   }
 
   // Marks at least this fraction of the phase as done.
-  void advance_to(double share)
+  void advance_to(double fraction)
   {
     call([&] {
-      done_ = (std::max)(done_, (std::min)(share, 1.));
+      done_ = (std::max)(done_, (std::min)(fraction, 1.));
       report();
     });
   }

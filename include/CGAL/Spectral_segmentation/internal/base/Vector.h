@@ -75,12 +75,12 @@ public:
 };
 
 // Returns a point whose coordinates are rounded to quanta, symmetrically in sign. Midpoints between
-// quanta, which are frequent, stay clear of where the last bit of a coordinate decides.
+// quanta, which are frequent, are rounded regardless of the last bit of a coordinate.
 inline Vector quantized(const Vector& p)
 {
-  const auto of_coordinate = [](double x)
+  const auto round_coordinate = [](double x)
   { return std::copysign(std::floor(std::abs(x) / quantum + 0.25) * quantum, x); };
-  return Vector(of_coordinate(p.x()), of_coordinate(p.y()), of_coordinate(p.z()));
+  return Vector(round_coordinate(p.x()), round_coordinate(p.y()), round_coordinate(p.z()));
 }
 
 // Returns a point whose coordinates are rounded to multiples of `step`.
@@ -90,7 +90,7 @@ inline Vector rounded(const Vector& p, double step)
          step;
 }
 
-// The corners of smallest and of largest coordinates of the box around some points.
+// The corners with the smallest and the largest coordinates of the bounding box of some points.
 struct Bounding_box
 {
   static constexpr double infinity = std::numeric_limits<double>::infinity();
@@ -211,7 +211,7 @@ public:
     roots_[2] = mean + 2 * radius * x;
   }
 
-  double eigenvalue(int i) const { return roots_[i] * scale_ + shift_; } // in ascending order
+  double eigenvalue(int i) const { return roots_[i] * scale_ + shift_; } // the i-th smallest
   double largest_eigenvalue() const { return eigenvalue(2); }
 
   // Sets the unit eigenvectors of the smallest and of the middle eigenvalue.

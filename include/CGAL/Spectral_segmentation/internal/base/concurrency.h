@@ -22,7 +22,7 @@
 
 namespace CGAL::Spectral_segmentation::internal {
 
-enum class Execution { SEQUENTIAL, PARALLEL }; // on one thread, or on all that TBB has
+enum class Execution { SEQUENTIAL, PARALLEL }; // one thread, or all threads of TBB
 
 // All functions fall back to one thread if the program is built without TBB. Each has its own task
 // context, so that a caller who cancels tasks cannot skip some of a run.
@@ -69,8 +69,8 @@ void call_all(Execution execution, const Functions&... f)
   (f(), ...);
 }
 
-// Returns the sum of f(0) .. f(n - 1), which begins with a zero of its type. It adds in blocks, so
-// that its rounding does not depend on the number of threads.
+// Returns zero + f(0) + ... + f(n - 1). It adds in blocks, so that rounding does not depend on the
+// number of threads.
 template <class Value, class Function>
 Value sum_of(Execution execution, std::size_t n, const Value& zero, const Function& f)
 {
@@ -85,7 +85,7 @@ Value sum_of(Execution execution, std::size_t n, const Value& zero, const Functi
   return std::accumulate(sums.begin(), sums.end(), zero);
 }
 
-// Runs functions beside the caller, who waits for them. With one thread `run()` calls them.
+// Runs functions concurrently with the caller, who waits for them; with one thread, in `run()`.
 class Task_group
 {
   Execution execution_;
@@ -118,8 +118,8 @@ public:
   }
 };
 
-// Requests memory that will be read soon, if the compiler has a way to. Otherwise, loops that visit
-// faces in a special order wait for memory half of the time.
+// Prefetches memory that will be read soon, if the compiler supports it. Otherwise, loops that
+// visit faces in a special order wait for memory half of the time.
 inline void prefetch(const void* address)
 {
 #ifdef __GNUC__

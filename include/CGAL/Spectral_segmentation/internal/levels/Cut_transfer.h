@@ -26,60 +26,60 @@
 
 namespace CGAL::Spectral_segmentation::internal {
 
-// The leaves of a hierarchy that each of some elements touches, with its share in each leaf.
-class Leaf_shares
+// The leaves of a hierarchy that each element touches, with its fraction in each leaf.
+class Leaf_fractions
 {
 public:
-  struct Share
+  struct Fraction
   {
     Index leaf;
-    float share;
+    float fraction;
   };
 
 private:
-  std::vector<Share> shares_;      // of one element after the other
-  std::vector<Index> first_ = {0}; // one per element, and the end
+  std::vector<Fraction> fractions_; // grouped by element
+  std::vector<Index> first_ = {0};  // one per element, and the end
 
-  const Share* begin(std::size_t element) const { return shares_.data() + first_[element]; }
+  const Fraction* begin(std::size_t element) const { return fractions_.data() + first_[element]; }
 
 public:
-  // Adds an element without shares.
+  // Adds an element without fractions.
   void add_element() { first_.push_back(first_.back()); }
 
-  // Adds to the share of the last element in a leaf.
-  void add(Index leaf, float share)
+  // Adds to the fraction of the last element in a leaf.
+  void add(Index leaf, float fraction)
   {
-    const auto first = shares_.begin() + static_cast<std::ptrdiff_t>(first_[first_.size() - 2]);
-    const auto found = std::find_if(first, shares_.end(),
-                                    [leaf](const Share& s) { return s.leaf == leaf; });
-    if (found != shares_.end())
-      found->share += share;
+    const auto first = fractions_.begin() + static_cast<std::ptrdiff_t>(first_[first_.size() - 2]);
+    const auto found = std::find_if(first, fractions_.end(),
+                                    [leaf](const Fraction& f) { return f.leaf == leaf; });
+    if (found != fractions_.end())
+      found->fraction += fraction;
     else {
-      shares_.push_back({leaf, share});
+      fractions_.push_back({leaf, fraction});
       ++first_.back();
     }
   }
 
   std::size_t number_of_elements() const { return first_.size() - 1; }
 
-  // Returns whether each element touches one leaf.
-  bool are_whole() const { return shares_.size() == number_of_elements(); }
+  // Returns whether each element touches only one leaf.
+  bool are_undivided() const { return fractions_.size() == number_of_elements(); }
 
-  Iterator_range<const Share*> operator[](std::size_t element) const
+  Iterator_range<const Fraction*> operator[](std::size_t element) const
   { return make_range(begin(element), begin(element + 1)); }
 };
 
-// Returns the shares of the vertices of a coarse surface in the leaves of the faces around them.
-inline Leaf_shares shares_of_vertices(const Surface& coarse, const std::vector<Index>& leaf)
+// Returns the fractions of the vertices of a coarse surface in the leaves of the faces around them.
+inline Leaf_fractions vertex_fractions(const Surface& coarse, const std::vector<Index>& leaf)
 {
   std::vector<Packed_graph::Ends> corners;
   corners.reserve(3 * leaf.size());
   for (Index f = 0; f < leaf.size(); ++f)
     for (Index v : coarse.corners[f])
       corners.emplace_back(v, leaf[f]);
-  std::vector<Index> place;
-  const Packed_graph leaves(coarse.points.size(), corners, place);
-  Leaf_shares result;
+  std::vector<Index> position;
+  const Packed_graph leaves(coarse.points.size(), corners, position);
+  Leaf_fractions result;
   for (Index v = 0; v < coarse.points.size(); ++v) {
     result.add_element();
     const Index first = leaves.first_arc[v], end = leaves.first_arc[v + 1];
@@ -89,10 +89,10 @@ inline Leaf_shares shares_of_vertices(const Surface& coarse, const std::vector<I
   return result;
 }
 
-// Returns the shares, by area, of the faces of a mesh in the leaves of its refined surface.
-inline Leaf_shares shares_of_faces(const Refined_mesh& refined, const std::vector<Index>& leaf)
+// Returns the fractions, as areas, of the faces of a mesh in the leaves of its refined surface.
+inline Leaf_fractions face_fractions(const Refined_mesh& refined, const std::vector<Index>& leaf)
 {
-  Leaf_shares result;
+  Leaf_fractions result;
   for (Index f = 0; f < leaf.size(); ++f) {
     while (result.number_of_elements() <= refined.faces[f])
       result.add_element();
@@ -101,9 +101,9 @@ inline Leaf_shares shares_of_faces(const Refined_mesh& refined, const std::vecto
   return result;
 }
 
-// The cells of a mesh that cuts divide: the faces of the bands, and after them the cores. The bands
-// are the faces that may be between the sides of any cut, and the faces next to these. A core is a
-// connected component beyond the bands, which no cut divides.
+// The cells of a mesh, which no cut divides: the single faces of the bands, followed by the cores.
+// The bands are the faces that may border a cut, and the faces next to these. A core is a connected
+// component of the other faces.
 class Band_cells
 {
   std::vector<Index> faces_of_bands_;
@@ -112,13 +112,13 @@ class Band_cells
   std::vector<double> areas_;     // one per cell
   std::optional<Packed_graph> graph_;
 
-  void find_bands(const Surface& mesh, const std::vector<char>& is_between)
+  void find_bands(const Surface& mesh, const std::vector<char>& may_border_cut)
   {
     cell_.assign(mesh.number_of_faces(), null_index);
     for (Index f = 0; f < mesh.number_of_faces(); ++f) {
-      bool is_needed = is_between[f];
+      bool is_needed = may_border_cut[f];
       for (Index h = 3 * f; h < 3 * f + 3; ++h)
-        is_needed = is_needed || is_between[mesh.neighbor(h)];
+        is_needed = is_needed || may_border_cut[mesh.neighbor(h)];
       if (is_needed) {
         cell_[f] = static_cast<Index>(faces_of_bands_.size());
         faces_of_bands_.push_back(f);
@@ -147,10 +147,10 @@ class Band_cells
   }
 
 public:
-  // Makes the cells; `is_between` says whether each face may be between the sides of a cut.
-  Band_cells(const Surface& mesh, const std::vector<char>& is_between)
+  // Makes the cells; `may_border_cut` has a flag for each face.
+  Band_cells(const Surface& mesh, const std::vector<char>& may_border_cut)
   {
-    find_bands(mesh, is_between);
+    find_bands(mesh, may_border_cut);
     find_cores(mesh);
     areas_.assign(first_face_.size(), 0);
     for (Index f = 0; f < cell_.size(); ++f)
@@ -164,14 +164,14 @@ public:
         if (is_core(neighbor))
           arcs.emplace_back(neighbor, cell);
       }
-    std::vector<Index> place;
-    graph_.emplace(number(), arcs, place);
+    std::vector<Index> position;
+    graph_.emplace(number(), arcs, position);
   }
 
   std::size_t number() const { return first_face_.size(); }
   const std::vector<Index>& faces_of_bands() const { return faces_of_bands_; } // ascending
   bool is_core(Index cell) const { return cell >= faces_of_bands_.size(); }
-  Index of_face(Index f) const { return cell_[f]; }
+  Index cell_of_face(Index f) const { return cell_[f]; }
   Index first_face(Index cell) const { return first_face_[cell]; }
   double area(Index cell) const { return areas_[cell]; }
 
@@ -182,11 +182,10 @@ public:
   }
 };
 
-// Transfers the cuts of another surface of the same shape to a mesh, one by one from the root. The
-// elements that a cut divides are cells. A cell has shares in the leaves of the other surface, and
-// gets the side of a cut in which it has the larger share. The cells with shares on both sides are
-// a band around the cut, which a minimum cut splits. Then the sides are made connected: all but the
-// largest piece of a side goes to the other side.
+// Transfers the cuts of another surface of the same shape to a mesh, one by one from the root. A
+// cut assigns each cell to the side that has the larger fraction of it. The cells with fractions on
+// both sides are a band around the cut, which a minimum cut splits. Finally, the sides are made
+// connected: all pieces of a side except the largest go to the other side.
 class Cut_transfer
 {
   enum Side : char { Q, REST, OUTSIDE };
@@ -199,36 +198,38 @@ class Cut_transfer
 
   const Nested_ranges leaves_; // the leaves of each node of the other surface
   const Band_cells cells_;
-  const Leaf_shares shares_;   // of the cells
-  Surface bands_;              // has weights if minimum cuts are made
-  Sides side_;                 // one per cell, by the current cut; all are OUTSIDE between cuts
+  const Leaf_fractions fractions_; // one element per cell
+  Surface bands_;                  // has weights if minimum cuts are made
+  Sides side_; // one per cell, by the current cut; all are OUTSIDE between cuts
   std::vector<std::size_t> node_of_; // the node of the result for each node of the other surface
 
   std::vector<Index> reached_; // the cells that floods reached since start_flood()
   std::vector<Index> flood_;   // the last start at which each cell was reached
   Index number_of_floods_ = 0;
 
-  // Returns the shares of the cells, in the positions of the leaves among `leaves`.
-  template <class For_each_share>
-  static Leaf_shares shares_of_cells(const Band_cells& cells, const Nested_ranges& leaves,
-                                     const For_each_share& for_each_share, Run_monitor& monitor)
+  // Returns the fractions of the cells. Their leaves are positions in `leaves`.
+  template <class For_each_fraction>
+  static Leaf_fractions cell_fractions(const Band_cells& cells, const Nested_ranges& leaves,
+                                       const For_each_fraction& for_each_fraction,
+                                       Run_monitor& monitor)
   {
-    Leaf_shares result;
+    Leaf_fractions result;
     for (Index cell = 0; cell < cells.number(); ++cell) {
       result.add_element();
-      for_each_share(cells.first_face(cell), [&](Index leaf, float share)
-        { result.add(static_cast<Index>(leaves.first(leaf)), share); });
+      for_each_fraction(cells.first_face(cell), [&](Index leaf, float fraction)
+        { result.add(static_cast<Index>(leaves.first(leaf)), fraction); });
       const std::size_t number = result[cell].size();
       monitor.count_steps(number * number);
     }
     return result;
   }
 
-  // Returns whether each face may be between the sides of any cut. All may if there might be more
-  // cuts, because a cut must not depend on later cuts.
-  template <class For_each_share>
-  static std::vector<char> are_between(Execution execution, const Cut_hierarchy& cuts,
-                                       const Surface& mesh, const For_each_share& for_each_share)
+  // Returns whether each face may border a cut. All may if further cuts might follow, because a cut
+  // must not depend on later cuts.
+  template <class For_each_fraction>
+  static std::vector<char> may_border_cut(Execution execution, const Cut_hierarchy& cuts,
+                                          const Surface& mesh,
+                                          const For_each_fraction& for_each_fraction)
   {
     std::vector<char> result(mesh.number_of_faces(), 1);
     if (!cuts.is_monotonic)
@@ -236,7 +237,7 @@ class Cut_transfer
     constexpr Index several = null_index - 1;
     std::vector<Index> leaf(mesh.number_of_faces(), null_index);
     for_each_index(execution, leaf.size(), [&](std::size_t f) {
-      for_each_share(static_cast<Index>(f), [&, f](Index other, float)
+      for_each_fraction(static_cast<Index>(f), [&, f](Index other, float)
         { leaf[f] = leaf[f] == null_index || leaf[f] == other ? other : several; });
     });
     for_each_index(execution, leaf.size(), [&](std::size_t f) {
@@ -261,32 +262,32 @@ class Cut_transfer
     edit_weights(faces, bands_);
   }
 
-  float share_in(std::size_t node, Index cell) const
+  float fraction_in(std::size_t node, Index cell) const
   {
     const std::size_t first = leaves_.first(node), end = first + leaves_.size(node);
     float result = 0;
-    for (const auto& [leaf, share] : shares_[cell])
+    for (const auto& [leaf, fraction] : fractions_[cell])
       if (leaf >= first && leaf < end)
-        result += share;
+        result += fraction;
     return result;
   }
 
-  // Gives each cell of a part the side of its larger share, by the cut of a node. Splits the cells
-  // with shares on both sides by the minimum cut, if both sides have other cells.
+  // Assigns each cell of a part to the side of its larger fraction in the cut of a node. Splits the
+  // cells with fractions on both sides by the minimum cut, if both sides have other cells.
   void set_sides(std::size_t node, const Cells& cells)
   {
     std::vector<Index> band;
-    bool is_sure[2] = {false, false};
+    bool has_certain_cell[2] = {false, false};
     for (Index cell : cells) {
-      const float q = share_in(cuts_.nodes[node].children[0], cell);
-      const float rest = share_in(cuts_.nodes[node].children[1], cell);
-      side_[cell] = rest > 1.00001f * q ? REST : Q; // rounding does not decide
+      const float q = fraction_in(cuts_.nodes[node].children[0], cell);
+      const float rest = fraction_in(cuts_.nodes[node].children[1], cell);
+      side_[cell] = rest > 1.00001f * q ? REST : Q; // tolerates rounding
       if (q > 0 && rest > 0 && !cells_.is_core(cell))
         band.push_back(cell);
       else if (q > 0 || rest > 0) // not moved here by an earlier cut
-        is_sure[int(side_[cell])] = true;
+        has_certain_cell[int(side_[cell])] = true;
     }
-    if (bands_.weights.empty() || !is_sure[0] || !is_sure[1])
+    if (bands_.weights.empty() || !has_certain_cell[0] || !has_certain_cell[1])
       return;
     const Sides side = minimum_cut_within(bands_, band, side_);
     for (Index cell : band)
@@ -301,7 +302,7 @@ class Cut_transfer
 
   bool is_reached(Index cell) const { return flood_[cell] == number_of_floods_; }
 
-  // Reaches the cells that are connected with a cell on its side. Returns their area.
+  // Visits the cells that are connected to `first` on its side. Returns their area.
   double flood(Index first)
   {
     std::size_t next = reached_.size();
@@ -325,7 +326,7 @@ class Cut_transfer
       side_[reached_[i]] = side_[reached_[i]] == Q ? REST : Q;
   }
 
-  // Moves all pieces of a side of a connected part, but for the largest, to the other side.
+  // Moves all pieces of a side of a connected part, except the largest, to the other side.
   void keep_largest(const Cells& cells, Side given)
   {
     start_flood();
@@ -344,8 +345,8 @@ class Cut_transfer
     change_sides(first_of_piece[largest + 1], reached_.size());
   }
 
-  // Gives a side without cells the cell of which the largest fraction belongs to it, and the cells
-  // that only this one connects with the rest. The tie-break is the place of the cell.
+  // Moves to an empty side the cell with the largest fraction there, and the cells that only this
+  // one connects with the rest. The position of the cell breaks ties.
   void keep_both_sides(std::size_t node, const Cells& cells)
   {
     const char only = side_[*cells.begin()], other = only == Q ? REST : Q;
@@ -353,19 +354,19 @@ class Cut_transfer
         std::any_of(cells.begin(), cells.end(), [&](Index c) { return side_[c] != only; }))
       return;
     const auto key = [&](Index cell) {
-      const double share = share_in(cuts_.nodes[node].children[int(other)], cell);
-      const double all = share_in(node, cell);
-      const Vector place = quantized(mesh_.centroid(cells_.first_face(cell)));
-      return std::make_tuple(all > 0 ? quantized(share / all) : 0, place.x(), place.y(),
-                             place.z());
+      const double fraction = fraction_in(cuts_.nodes[node].children[int(other)], cell);
+      const double all = fraction_in(node, cell);
+      const Vector position = quantized(mesh_.centroid(cells_.first_face(cell)));
+      return std::make_tuple(all > 0 ? quantized(fraction / all) : 0, position.x(), position.y(),
+                             position.z());
     };
     side_[*std::max_element(cells.begin(), cells.end(), [&](Index a, Index b)
                             { return key(a) < key(b); })] = other;
     keep_largest(cells, Side(only));
   }
 
-  // Returns the sides of the cells of a part that is cut like a node of the other surface. They
-  // are connected, and both have a cell if the part has two.
+  // Returns the sides of the cells of a part that is cut like a node of the other surface. Both are
+  // connected, and neither is empty if the part has two cells.
   Sides sides(std::size_t node, const Cells& cells)
   {
     set_sides(node, cells);
@@ -380,7 +381,7 @@ class Cut_transfer
   }
 
   // Cuts a leaf of the result like a node of the other surface, and sets the nodes of the result
-  // for the children. Returns whether there was something to cut.
+  // for the children. Returns false if one side is empty.
   bool cut_as(std::size_t other_node, std::size_t node, Cut_hierarchy& result,
               Nested_ranges& cells)
   {
@@ -413,8 +414,8 @@ class Cut_transfer
     std::vector<Index> root_of_cell(cells_.number());
     std::vector<double> areas;
     for (Index f = 0; f < mesh_.number_of_faces(); ++f) {
-      const Index cell = cells_.of_face(f);
-      std::size_t& root = node_of_[root_of_leaf[shares_[cell].begin()->leaf]];
+      const Index cell = cells_.cell_of_face(f);
+      std::size_t& root = node_of_[root_of_leaf[fractions_[cell].begin()->leaf]];
       if (root == null_node) {
         root = areas.size();
         areas.push_back(0);
@@ -426,23 +427,23 @@ class Cut_transfer
   }
 
 public:
-  // Takes the cuts of another surface, which has the same components.
-  // `for_each_share(f, add)` calls add(leaf, share) for each leaf of the cuts that the face f of
-  // the mesh touches, with repetition. Once the caller has stopped the run, no minimum cuts are
-  // made. `edit_weights(faces, bands)` may change the weights of these faces of the mesh, among
-  // which minimum cuts are searched.
-  template <class For_each_share, class Edit_weights>
+  // Takes the cuts of another surface, which has the same components. `for_each_fraction(f, add)`
+  // calls add(leaf, fraction) for each leaf of the cuts that the face f of the mesh touches,
+  // possibly repeatedly. Once the caller has stopped the run, no minimum cuts are made.
+  // `edit_weights(faces, bands)` may change the weights of these faces of the mesh, among which
+  // minimum cuts are searched.
+  template <class For_each_fraction, class Edit_weights>
   Cut_transfer(Execution execution, const Cut_hierarchy& cuts, const Surface& mesh,
-               const For_each_share& for_each_share, const Distance_weights& weights,
+               const For_each_fraction& for_each_fraction, const Distance_weights& weights,
                const Edit_weights& edit_weights, Run_monitor& monitor)
     : execution_(execution), cuts_(cuts), mesh_(mesh), monitor_(monitor),
       leaves_(ranges_of_leaves(cuts)),
-      cells_(mesh, are_between(execution, cuts, mesh, for_each_share)),
-      shares_(shares_of_cells(cells_, leaves_, for_each_share, monitor)),
+      cells_(mesh, may_border_cut(execution, cuts, mesh, for_each_fraction)),
+      fractions_(cell_fractions(cells_, leaves_, for_each_fraction, monitor)),
       side_(cells_.number(), OUTSIDE), node_of_(cuts.nodes.size(), null_node),
       flood_(cells_.number(), 0)
   {
-    if (!shares_.are_whole() && !monitor.is_stopped())
+    if (!fractions_.are_undivided() && !monitor.is_stopped())
       set_bands(weights, edit_weights);
   }
 
@@ -461,7 +462,7 @@ public:
       monitor_.advance(2 * step);
       monitor_.go_further(); // may throw
     }
-    std::vector<std::size_t> last_of(result.nodes.size()); // per node: the last that became it
+    std::vector<std::size_t> last_of(result.nodes.size()); // one per node: the last that became it
     for (std::size_t i = 0; i < cuts_.nodes.size(); ++i)
       if (node_of_[i] != null_node) {
         Cut_node& n = result.nodes[node_of_[i]];
@@ -481,7 +482,7 @@ public:
           leaf_of_cell[cell] = static_cast<Index>(i);
     result.leaf.resize(mesh_.number_of_faces());
     for_each_index(execution_, result.leaf.size(), [&](std::size_t f)
-      { result.leaf[f] = leaf_of_cell[cells_.of_face(static_cast<Index>(f))]; });
+      { result.leaf[f] = leaf_of_cell[cells_.cell_of_face(static_cast<Index>(f))]; });
     return result;
   }
 

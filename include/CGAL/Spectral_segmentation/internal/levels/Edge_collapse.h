@@ -28,7 +28,7 @@ namespace CGAL::Spectral_segmentation::internal {
 struct Coarse_surface
 {
   Surface graph;               // has no weights
-  std::vector<Index> faces;    // the face of the finer surface that each face is left from
+  std::vector<Index> faces;    // the face of the finer surface that became each face
   std::vector<Index> vertices; // the vertex of the graph for each vertex of the finer surface
 };
 
@@ -46,23 +46,23 @@ public:
     right_ += normal.dot(at) * normal;
   }
 
-  // Returns the step from a point to the nearest point. The regularization, relative to the trace,
-  // keeps it short along planes that are parallel. NaN without planes.
+  // Returns the step from a point to the minimizer of the sum; NaN without planes. Regularization,
+  // relative to the trace, keeps it short in directions that the planes leave free.
   Vector step_from(const Vector& point, double regularization) const
   {
-    const double share = regularization * matrix_.trace() + 1e-300;
-    const Symmetric_matrix matrix = matrix_ + Symmetric_matrix{share, share, share};
+    const double diagonal = regularization * matrix_.trace() + 1e-300;
+    const Symmetric_matrix matrix = matrix_ + Symmetric_matrix{diagonal, diagonal, diagonal};
     return matrix.inverse() * (right_ - matrix_ * point);
   }
 };
 
-// Collapses edges, the shortest first, until few faces are left. The vertex that is left goes where
-// it keeps the planes of the faces around it, weighted by their squared areas, in the way in which
-// Lindstrom and Turk (1998) keep the volume. CGAL's edge_collapse() takes ten times as long
-// (benchmark/performance, coarsening).
+// Collapses edges, the shortest first, until few faces are left. The remaining vertex minimizes the
+// squared distances to the planes of the faces around it, weighted by their squared areas,
+// similarly to the volume optimization of Lindstrom and Turk (1998). CGAL's edge_collapse() takes
+// ten times as long (benchmark/performance, coarsening).
 //
-// Each vertex has two positions. Coarsely rounded ones decide on the order of the edges, so that
-// little noise in the points leaves the order as it is. All else is computed from the precise ones,
+// Each vertex has two positions. The coarsely rounded one determines the order of the edges, so
+// that little noise in the points does not change it. The precise one is used for everything else,
 // because faces with coarsely rounded corners would be bumpy. A hash of the positions breaks ties.
 // Therefore the result does not depend on the indices of vertices and faces.
 class Edge_collapse : private Surface
@@ -70,19 +70,19 @@ class Edge_collapse : private Surface
   typedef boost::container::small_vector<Index, 16> Index_list;
 
   Run_monitor& monitor_;
-  std::vector<Vector> rounded_;  // the positions that decide; after a collapse a middle
-  std::vector<Index> became_;    // the vertex that each vertex was joined to, or itself
-  std::vector<char> is_fixed_;   // vertices that stay as they are
+  std::vector<Vector> rounded_;  // the positions for the order; midpoints after collapses
+  std::vector<Index> became_;    // the vertex that each vertex was merged into, or itself
+  std::vector<char> is_fixed_;   // one per vertex: its edges are not collapsed
 
   static constexpr std::size_t tries_between_checks = 1 << 12; // a few milliseconds
   static constexpr double smallest_cosine = 0.3; // between a normal before and after a collapse
 
-  // The squared length and the hash by the rounded positions, the place by the precise ones along
-  // a direction in which shapes have no symmetry, and a halfedge.
+  // The squared length and the hash of the rounded positions, the coordinate of the precise ones
+  // along a direction in which shapes have no symmetry, and a halfedge.
   typedef std::tuple<float, std::uint64_t, double, Index> Edge;
   typedef std::priority_queue<Edge, std::vector<Edge>, std::greater<Edge> > Edge_queue;
 
-  // A face that is gone has no corners.
+  // Returns whether a face was removed.
   bool is_gone(Index f) const { return corners[f][0] == null_index; }
 
   // Returns the halfedges that leave the source of h, one for each face around it.
@@ -175,7 +175,7 @@ class Edge_collapse : private Surface
       for (Index g : *around) {
         const Vector &at = points[source_vertex(g)], n = normal_at(g, at);
         planes.add(n, at - middle);
-        // Planes along the border keep the border where it is.
+        // Planes along the border keep the border in place.
         for (Index e : {g, previous(g)})
           if (is_border(e))
             planes.add((points[target_vertex(e)] - points[source_vertex(e)])
@@ -186,8 +186,7 @@ class Edge_collapse : private Surface
     return quantized(is_near ? middle + step : middle);
   }
 
-  // Returns whether the link condition (Dey et al. 1999) holds and no face turns over; sets
-  // `point`.
+  // Returns whether the link condition (Dey et al. 1999) holds and no face flips; sets `point`.
   bool can_collapse(Index h, const Index_list& around_u, const Index_list& around_v,
                     Vector& point) const
   {
@@ -195,10 +194,10 @@ class Edge_collapse : private Surface
     const bool u_on_border = are_at_border(around_u), v_on_border = are_at_border(around_v);
     if (u_on_border && v_on_border && o != h)
       return false;
-    const Index_list of_u = neighbors(around_u), of_v = neighbors(around_v);
+    const Index_list neighbors_u = neighbors(around_u), neighbors_v = neighbors(around_v);
     Index_list common;
-    std::set_intersection(of_u.begin(), of_u.end(), of_v.begin(), of_v.end(),
-                          std::back_inserter(common));
+    std::set_intersection(neighbors_u.begin(), neighbors_u.end(),
+                          neighbors_v.begin(), neighbors_v.end(), std::back_inserter(common));
     if (common.size() != (o == h ? 1 : 2))
       return false;
     for (Index e : {h, o}) {
@@ -269,8 +268,7 @@ public:
       outgoing[source_vertex(h)] = h;
       ++number_of_faces_around[source_vertex(h)];
     }
-    // A vertex where several fans of faces meet is fixed, because each fan knows nothing of the
-    // others.
+    // A vertex where several fans of faces meet is fixed, because around_source() visits one fan.
     for (Index v = 0; v < points.size(); ++v)
       is_fixed_[v] = outgoing[v] == null_index ||
                      around_source(outgoing[v]).size() != number_of_faces_around[v];
@@ -283,7 +281,7 @@ public:
     for (Index h = 0; h < number_of_halfedges(); ++h)
       if (h <= opposite[h])
         all.push_back(edge(h));
-    Edge_queue edges(std::greater<Edge>(), std::move(all)); // a changed edge is there again
+    Edge_queue edges(std::greater<Edge>(), std::move(all)); // stale entries are skipped
     std::size_t left = number_of_faces(), tries = 0;
     const double all_to_remove = static_cast<double>(left) - static_cast<double>(number);
     for (std::size_t reported = left; left > number && !edges.empty();) {
@@ -318,7 +316,7 @@ public:
       new_face[f] = static_cast<Index>(result.faces.size());
       result.faces.push_back(f);
       if (components.number > 1)
-        graph.components.of_face.push_back(components[f]);
+        graph.components.labels.push_back(components[f]);
       for (Index v : corners[f])
         if (new_vertex[v] == null_index) {
           new_vertex[v] = static_cast<Index>(graph.points.size());
@@ -332,7 +330,7 @@ public:
       for (Index h = 3 * f; h < 3 * f + 3; ++h)
         graph.opposite.push_back(3 * new_face[neighbor(h)] + opposite[h] % 3);
     }
-    // Follows the chain of the vertices that each vertex was joined to.
+    // Follows the chain of merges of each vertex.
     for (Index v = 0; v < became_.size(); ++v) {
       Index last = v;
       while (became_[last] != last)

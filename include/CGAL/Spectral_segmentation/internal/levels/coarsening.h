@@ -19,26 +19,25 @@
 
 namespace CGAL::Spectral_segmentation::internal {
 
-// Coarsens a surface by clusters of vertices (Rossignac and Borrel 1993). A cluster is a set of
-// vertices in one cell of a lattice that are connected by edges inside the cell, so that sheets
-// that only come near each other stay apart. It is contracted to a vertex if this keeps the
-// topology of the surface. A face is left if its corners are in three clusters.
+// Coarsens a surface by vertex clustering (Rossignac and Borrel 1993). A cluster is a set of
+// vertices in one grid cell that are connected by edges inside the cell, so that nearby sheets stay
+// separate. It is contracted to a vertex if this keeps the topology of the surface. A face is kept
+// if its corners are in three clusters.
 //
-// The new vertex goes where it is nearest to the planes of the faces around the cluster (Lindstrom
-// 2000). It takes linear time, a quarter of the time of collapsing edges.
+// The new vertex minimizes the squared distances to the planes of the faces around the cluster
+// (Lindstrom 2000). Clustering takes linear time, a quarter of the time of collapsing edges.
 class Vertex_clustering
 {
   typedef std::array<std::int64_t, 3> Cell;
 
   const Surface& mesh_;
-  const double width_; // of a cell
+  const double width_;                 // the edge length of a cell
   std::vector<Cell> cells_;            // one per vertex
   std::vector<Index> cluster_;         // one per vertex
   std::vector<char> is_contracted_;    // one per cluster
   Coarse_surface result_;
 
-  // Returns the cell of a point. The coordinates of cells, as those of points, change their sign
-  // if the surface is mirrored.
+  // Returns the cell of a point. Mirroring the surface mirrors the cells.
   Cell cell(const Vector& p) const
   {
     return {std::llround(p.x() / width_), std::llround(p.y() / width_),
@@ -58,8 +57,8 @@ class Vertex_clustering
     return {cluster_[c[0]], cluster_[c[1]], cluster_[c[2]]};
   }
 
-  // Returns whether a face is left. A vertex of a cluster that is not contracted stays.
-  bool is_left(Index f) const
+  // Returns whether a face is kept. Clusters that are not contracted keep their vertices.
+  bool is_kept(Index f) const
   {
     const auto is_joined = [&](Index a, Index b) { return a == b && is_contracted_[a]; };
     const Corners c = clusters(f);
@@ -71,7 +70,7 @@ class Vertex_clustering
     const Index n = static_cast<Index>(mesh_.points.size());
     for (const Vector& p : mesh_.points)
       cells_.push_back(cell(p));
-    Face_components sets(n); // of vertices
+    Face_components sets(n); // sets of vertices
     for (Index v = 0; v < n; ++v)
       sets.add(v);
     for (Index h = 0; h < mesh_.number_of_halfedges(); ++h) {
@@ -85,7 +84,7 @@ class Vertex_clustering
   }
 
   // Finds the clusters that can be contracted: the vertices, edges and faces inside are connected
-  // and have no hole, and at most one piece of the border runs through.
+  // and have no hole, and at most one arc of the border runs through.
   void check_topology()
   {
     const std::size_t n = mesh_.points.size();
@@ -115,13 +114,13 @@ class Vertex_clustering
       is_contracted_[i] = euler[i] == 1 && number_of_arcs[i] <= 1;
   }
 
-  // Leaves the vertices of a component alone if it would lose all its faces.
+  // Excludes the vertices of a component from contraction if it would lose all its faces.
   void keep_components()
   {
     std::vector<char> has_face(mesh_.components.number, 0);
     for (Index f = 0; f < mesh_.number_of_faces(); ++f)
       if (!has_face[mesh_.components[f]])
-        has_face[mesh_.components[f]] = is_left(f);
+        has_face[mesh_.components[f]] = is_kept(f);
     if (std::all_of(has_face.begin(), has_face.end(), [](char has) { return has != 0; }))
       return;
     for (Index f = 0; f < mesh_.number_of_faces(); ++f)
@@ -146,15 +145,14 @@ class Vertex_clustering
   // The surroundings of a vertex of the result. Lengths are measured from the center of the cell.
   struct Surroundings
   {
-    Planes planes; // of the faces
-    Vector sum; // of the points, weighted by the areas of the faces around them
+    Planes planes; // the planes of the faces
+    Vector sum;    // the points, weighted by the areas of the faces around them
     double weight = 0;
-    Index vertex = null_index;  // the last one
+    Index vertex = null_index; // the last vertex
     bool is_single = true;
   };
 
-  // Adds the plane through a border edge, orthogonal to its face, which keeps the border where it
-  // is.
+  // Adds the plane through a border edge, orthogonal to its face, which keeps the border in place.
   void add_border(Index h, const Vector& unit_normal, std::vector<Surroundings>& around,
                   const std::vector<Cell>& cell) const
   {
@@ -210,14 +208,14 @@ class Vertex_clustering
         ? mesh_.points[around[i].vertex] : best_point(around[i], center(cell[i]));
   }
 
-  // Returns the halfedge of the result's faces across h, or h if there is none. A face between that
-  // went has two edges between different vertices of the result.
+  // Returns the halfedge of a kept face across h, or h if there is none. A removed face between
+  // them has two edges between different vertices of the result.
   Index opposite(Index h) const
   {
     Index g = h;
     while (!mesh_.is_border(g)) {
       g = mesh_.opposite[g];
-      if (is_left(g / 3))
+      if (is_kept(g / 3))
         return g;
       const auto is_between = [&](Index e) {
         return result_.vertices[mesh_.source_vertex(e)] != result_.vertices[mesh_.target_vertex(e)];
@@ -232,7 +230,7 @@ class Vertex_clustering
     Surface& graph = result_.graph;
     std::vector<Index> number(mesh_.number_of_faces(), null_index);
     for (Index f = 0; f < number.size(); ++f)
-      if (is_left(f)) {
+      if (is_kept(f)) {
         number[f] = static_cast<Index>(result_.faces.size());
         result_.faces.push_back(f);
       }
@@ -245,7 +243,7 @@ class Vertex_clustering
         graph.opposite.push_back(3 * number[o / 3] + o % 3);
       }
       if (mesh_.components.number > 1)
-        graph.components.of_face.push_back(mesh_.components[f]);
+        graph.components.labels.push_back(mesh_.components[f]);
     }
     graph.components.number = mesh_.components.number;
   }
@@ -267,13 +265,13 @@ public:
   }
 };
 
-// Returns the width of the cells of clusters, about half the length of the edges of an even mesh
-// with this number of faces. It has few digits, so that multiples of it are exact. Wider cells
-// make the surface steadier under noise, but the parts worse.
+// Returns the width of the cells of clusters, about half the edge length of a uniform mesh with
+// this number of faces. It has few digits, so that its multiples are exact. Wider cells make the
+// surface more robust to noise, but the parts worse.
 inline double width_of_cells(double area, std::size_t number_of_faces)
 { return 0.75 * std::exp2(std::floor(std::log2(area / static_cast<double>(number_of_faces)) / 2)); }
 
-// Puts the faces of a coarse surface in their geometric order.
+// Sorts the faces of a coarse surface into geometric order.
 inline void order_by_points(Coarse_surface& coarse)
 {
   const std::vector<Index> order = geometric_order(coarse.graph);
@@ -297,11 +295,11 @@ inline Coarse_surface not_coarsened(const Surface& mesh)
   return result;
 }
 
-// Returns the surfaces on the way to at most `number_of_faces` faces, each made from the last one:
-// by clusters, then by collapses of edges. If there are not more faces, the only surface has all.
-// Cuts are carried back over both, so that the bands around cuts in the given surface are narrow.
-// Points of the last surface are rounded to a twelfth of the cells, so that noise in the points of
-// the given surface rarely gets through.
+// Returns the successive surfaces down to at most `number_of_faces` faces: vertex clustering makes
+// the first, edge collapses the second. If the mesh has no more faces, the only surface has all.
+// Cuts are projected through both, so that the bands around cuts in the given surface are narrow.
+// The points of the last surface are rounded to a twelfth of a cell, so that noise in the given
+// points rarely gets through.
 inline std::vector<Coarse_surface> coarsened(Execution execution, const Surface& mesh,
                                              std::size_t number_of_faces, Run_monitor& monitor)
 {

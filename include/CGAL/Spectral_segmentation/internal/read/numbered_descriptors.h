@@ -162,9 +162,9 @@ numbered_faces(const TriangleMesh& mesh, const CGALNamedParameters& np,
   return result;
 }
 
-inline void check_number_of_faces(std::size_t of_mesh, std::size_t of_hierarchy)
+inline void check_number_of_faces(std::size_t mesh_size, std::size_t hierarchy_size)
 {
-  if (of_mesh != of_hierarchy)
+  if (mesh_size != hierarchy_size)
     throw std::invalid_argument("Segmentation_hierarchy: this mesh has another number of faces");
 }
 

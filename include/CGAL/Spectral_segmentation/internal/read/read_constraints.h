@@ -34,7 +34,7 @@ constexpr bool has_edge_constraints =
   is_given<CGALNamedParameters, internal_np::edge_is_constrained_t> ||
   is_given<CGALNamedParameters, internal_np::edge_is_uncuttable_map_t>;
 
-// Returns whether the caller gave a map. A static_assert reports one whose keys are others.
+// Returns whether the caller gave a map. A static_assert reports a map with other keys.
 template <class Key, class Tag, class CGALNamedParameters>
 constexpr bool has_map()
 {
@@ -142,8 +142,8 @@ void read_seeds(const std::vector<FaceDescriptor>& faces, const CGALNamedParamet
   }
 }
 
-// Reads the groups of faces, or of the positions of triangles, that are kept apart like components.
-// A single group is none.
+// Reads the groups of faces, or of the positions of triangles, that are kept separate like
+// components. Returns none if there is a single group.
 template <class FaceDescriptor, class CGALNamedParameters>
 std::vector<Index> read_groups(const std::vector<FaceDescriptor>& faces,
                                const CGALNamedParameters& np)

@@ -91,7 +91,7 @@ Options preset_options(const NamedParameters& np)
     return uses_paper_method ? Options::zhang_liu_2005() : Options();
 }
 
-// Reads the options. Throws `std::invalid_argument` for a value out of its range.
+// Reads the options. Throws `std::invalid_argument` for a value out of range.
 template <class NamedParameters>
 Options read_options(const NamedParameters& np)
 {

@@ -94,7 +94,7 @@ Surface read_triangle_mesh(const TriangleMesh& mesh, const std::vector<FaceDescr
   return surface;
 }
 
-// Does the same with the points and the kernel of named parameters, or those of the mesh.
+// Reads a mesh with the points and the kernel of the named parameters, or with its own.
 template <class TriangleMesh, class FaceDescriptor, class CGALNamedParameters>
 Surface read_mesh_with_parameters(const TriangleMesh& mesh,
                                   const std::vector<FaceDescriptor>& faces,

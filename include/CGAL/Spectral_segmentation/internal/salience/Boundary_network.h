@@ -51,7 +51,7 @@ struct Boundary_network
     double output;
   };
 
-  static constexpr double largest_deviation = 4; // to which outliers are clamped
+  static constexpr double largest_deviation = 4; // outliers are clamped to this
 
   Inputs means, deviations;
   double constant;
@@ -87,16 +87,16 @@ struct Boundary_network
   }
 };
 
-// Combines the shape and the features at a cut. Features that do not tell parts, such as noise,
-// have no weight at the default feature weight, 1/2. The numbers are fitted to parts of people with
-// made features. The constant of boundaries is moved by the change of the default threshold since.
+// Combines the shape and the features at a cut. Uninformative features, such as noise, have no
+// weight at the default feature weight, 1/2. The numbers are fitted to human segmentations with
+// synthetic features. A later change of the default threshold shifted the constant of boundaries.
 struct Feature_logit
 {
-  // of candidates
-  double first_step = 0.15, last_step = 0.25; // between which the weight of features grows
+  // candidates
+  double first_step = 0.15, last_step = 0.25; // the weight of features grows between these
   double candidate = 4.3;
 
-  // of boundaries
+  // boundaries
   double first_reliability = 0.2, last_reliability = 0.4;
   double shape = 0.75;
   double constant = -3.87;
@@ -105,57 +105,57 @@ struct Feature_logit
   double explained_variance = 1.75;
   double explained_variance_of_mesh = 7.7;
 
-  // of components
+  // components
   double equal_components = -0.75, different_components = 1.7;
 
   static double ramp(double x, double first, double last)
   { return (std::min)((std::max)((x - first) / (last - first), 0.), 1.); }
 
-  // Returns the weight of features that tell the parts, in [0, 1].
+  // Returns the weight of informative features, in [0, 1].
   static double weight_of_features(double feature_weight)
   { return (std::min)(2 * feature_weight, 1.); }
 
-  // Returns how far the weight of the shape is reduced, in [0, 1].
-  static double fading(double feature_weight)
+  // Returns the discount on the weight of the shape, in [0, 1].
+  static double shape_discount(double feature_weight)
   { return (std::max)(2 * feature_weight - 1, 0.); }
 
-  // Returns how far features tell the parts, weighted, in [0, 1]; 0 without features.
+  // Returns the weighted reliability of the features, in [0, 1]; 0 without features.
   double reliability(const Salience_factors& f) const
   {
     return weight_of_features(f.feature_weight) *
            ramp(f.feature_reliability, first_reliability, last_reliability);
   }
 
-  // Returns what the distance of the mean features of two components adds to the logit of their
-  // boundary, if all components together explain a share of the variance.
-  double of_components(double distance, double explained_variance, double feature_weight) const
+  // Returns the term that the distance of the mean features of two components adds to the logit of
+  // their boundary, if all components together explain this fraction of the variance.
+  double component_term(double distance, double explained_variance, double feature_weight) const
   {
     return weight_of_features(feature_weight) * ramp(explained_variance, 0.3, 0.6) *
            (equal_components +
             (different_components - equal_components) * ramp(distance, 0.1, 0.5));
   }
 
-  // Returns the logit for a cut with this logit of its shape. Up to the feature weight 1/2 the
-  // weight of the features grows. From there on that of the shape falls to a hundredth, and that of
-  // unreliable features grows.
+  // Returns the logit of a cut, given the logit of its shape. Up to the feature weight 1/2, the
+  // weight of the features grows. Beyond it, the weight of the shape falls to a hundredth, and the
+  // weight of unreliable features grows.
   double operator()(double logit_of_shape, const Salience_factors& f) const
   {
     if (!(f.feature_weight > 0))
       return logit_of_shape;
-    const double of_features = weight_of_features(f.feature_weight);
-    const double faded = fading(f.feature_weight), shape_left = 1 - 0.99 * faded;
-    const double of_mesh = std::sqrt(f.explained_variance_of_mesh);
+    const double weight = weight_of_features(f.feature_weight);
+    const double discount = shape_discount(f.feature_weight), shape_left = 1 - 0.99 * discount;
+    const double mesh_correlation = std::sqrt(f.explained_variance_of_mesh);
     if (!f.is_boundary) {
       const double step = f.feature_step * std::sqrt(f.explained_variance);
       return shape_left * logit_of_shape +
-             of_features * ramp(step, first_step, last_step) * candidate * of_mesh;
+             weight * ramp(step, first_step, last_step) * candidate * mesh_correlation;
     }
-    const double reliable = reliability(f), trust = reliable + faded * (1 - reliable);
+    const double reliable = reliability(f), trust = reliable + discount * (1 - reliable);
     return (1 - (1 - shape) * reliable) * shape_left * logit_of_shape +
            trust * (constant + feature_step * f.feature_step +
                     explained_variance_near_cut * std::sqrt(f.explained_variance_near_cut) +
                     explained_variance * std::sqrt(f.explained_variance) +
-                    explained_variance_of_mesh * of_mesh);
+                    explained_variance_of_mesh * mesh_correlation);
   }
 };
 

@@ -25,7 +25,7 @@ namespace CGAL::Spectral_segmentation::internal {
 struct Face_at_distance
 {
   Index face;
-  double distance; // from the cut, from centroid to centroid
+  double distance; // measured from the cut, between centroids
 };
 
 // Returns the halfedges along a cut on its side 0.
@@ -100,7 +100,7 @@ class Convexity_defect
   const Support_points& extreme_points_;
   const Surface& part_;
   const std::vector<Index>& faces_; // the faces of the part, by their indices in the mesh
-  Support_set of_part_;
+  Support_set extremes_;
   std::vector<float> depths_; // below the hull of the part; they hold for many other hulls
 
   float depth(Index f, const Support_set& extremes) const
@@ -119,7 +119,7 @@ class Convexity_defect
     std::bitset<directions::number> result;
     for (int i = 0; i < directions::number; ++i)
       for (int d : directions::neighbors()[i])
-        if (extremes.points[d] != of_part_.points[d])
+        if (extremes.points[d] != extremes_.points[d])
           result.set(i);
     return result;
   }
@@ -127,14 +127,14 @@ class Convexity_defect
 public:
   Convexity_defect(const Support_points& support_points, const Surface& part,
              const std::vector<Index>& faces)
-    : extreme_points_(support_points), part_(part), faces_(faces), of_part_(support_points(faces))
+    : extreme_points_(support_points), part_(part), faces_(faces), extremes_(support_points(faces))
   {
     depths_.reserve(faces.size());
     for (Index f = 0; f < faces.size(); ++f)
-      depths_.push_back(depth(f, of_part_));
+      depths_.push_back(depth(f, extremes_));
   }
 
-  double of_part() const
+  double part_defect() const
   {
     double sum = 0, area = 0;
     for (Index f = 0; f < depths_.size(); ++f) {
@@ -163,12 +163,12 @@ public:
   }
 };
 
-// The data of the whole mesh that the factors of a cut need.
+// The data of the entire mesh that the factors of a cut need.
 struct Evaluation_context
 {
   double area;
   Support_points support_points;
-  Face_features features; // of the mesh
+  Face_features features;
   double feature_weight;
 
   explicit Evaluation_context(const Surface& mesh, Face_features face_features = Face_features(),
@@ -183,7 +183,7 @@ struct Evaluation_context
 class Cut_evaluator
 {
   const Surface& part_;
-  const std::vector<Index>& faces_; // of the part, by their indices in the mesh
+  const std::vector<Index>& faces_; // the faces of the part, by their indices in the mesh
   const Evaluation_context& mesh_;
   Convexity_defect convexity_defect_;
   double defect_of_part_;
@@ -215,10 +215,10 @@ class Cut_evaluator
     for (Index h : cut) {
       const Vector a = part_.points[part_.source_vertex(h)] - origin,
                    b = part_.points[part_.target_vertex(h)] - origin, middle = (a + b) / 2;
-      const double share = part_.length(h) / length;
-      sum += share * middle;
-      squares += share / 6 * (Symmetric_matrix::square(a) + Symmetric_matrix::square(b) +
-                              4 * Symmetric_matrix::square(middle)); // Simpson's rule is exact
+      const double fraction = part_.length(h) / length;
+      sum += fraction * middle;
+      squares += fraction / 6 * (Symmetric_matrix::square(a) + Symmetric_matrix::square(b) +
+                                 4 * Symmetric_matrix::square(middle)); // Simpson's rule is exact
     }
     const Symmetric_matrix covariance = squares - Symmetric_matrix::square(sum);
     const double first = Eigen_solver(covariance).largest_eigenvalue();
@@ -332,7 +332,7 @@ public:
   Cut_evaluator(const Surface& part, const std::vector<Index>& faces,
                 const Evaluation_context& mesh)
     : part_(part), faces_(faces), mesh_(mesh), convexity_defect_(mesh.support_points, part, faces),
-      defect_of_part_(convexity_defect_.of_part())
+      defect_of_part_(convexity_defect_.part_defect())
   {}
 
   // Returns the factors of a candidate, or of the boundary of two regions. Both sides must have an

@@ -80,8 +80,8 @@ inline const std::vector<Neighbors>& neighbors()
   return result;
 }
 
-// Returns the direction next to a unit vector. It was observed to be at most 11 places from the
-// place of the vector's own z.
+// Returns the direction nearest to a unit vector. It was observed to be at most 11 positions from
+// the position of the vector's own z.
 inline int nearest(const Vector_of_floats& v)
 {
   const Coordinates& c = coordinates();
@@ -106,7 +106,7 @@ struct Support_set
   Support_set()
   {
     distances.fill(-std::numeric_limits<float>::infinity());
-    points.fill(0); // of faces without a finite distance
+    points.fill(0); // the point of faces without a finite distance
   }
 
   template <class PointAt>
@@ -144,9 +144,9 @@ struct Face_plane
   std::uint8_t direction; // the direction next to the normal
 };
 
-// Finds the support points of sets of faces of a mesh. It keeps the support
-// points of blocks of successive faces, which are near each other in a mesh in order of locality.
-// Therefore it looks only at the faces of blocks that a set has in part.
+// Finds the support points of sets of faces of a mesh. It keeps the support points of blocks of
+// successive faces, which are near each other in a mesh in order of locality. Therefore it visits
+// only the faces of blocks that a set contains partially.
 class Support_points
 {
   static constexpr Index faces_per_block = 32;
@@ -155,7 +155,7 @@ class Support_points
   std::vector<Corners> corners_;
   std::vector<Face_plane> planes_;
   std::vector<Index> size_of_block_;
-  std::vector<Support_set> of_block_;
+  std::vector<Support_set> block_extremes_;
 
   static Index block(Index f) { return f / faces_per_block; }
 
@@ -173,11 +173,11 @@ class Support_points
   {
     const std::size_t number = (corners_.size() + faces_per_block - 1) / faces_per_block;
     size_of_block_.resize(number, 0);
-    of_block_.resize(number);
+    block_extremes_.resize(number);
     for (Index f = 0; f < corners_.size(); ++f) {
       ++size_of_block_[block(f)];
       for (Index v : corners_[f])
-        of_block_[block(f)].add(v, points_[v]);
+        block_extremes_[block(f)].add(v, points_[v]);
     }
   }
 
@@ -197,13 +197,13 @@ public:
   // Returns the support points of faces without repetition.
   Support_set operator()(const std::vector<Index>& faces) const
   {
-    std::vector<Index> number(of_block_.size(), 0); // the number of the faces in each block
+    std::vector<Index> number(block_extremes_.size(), 0); // the number of the faces in each block
     for (Index f : faces)
       ++number[block(f)];
     Support_set result;
     for (std::size_t b = 0; b < number.size(); ++b)
       if (number[b] == size_of_block_[b])
-        result.add(of_block_[b]);
+        result.add(block_extremes_[b]);
     std::vector<char> is_met(points_.size(), 0);
     for (Index f : faces)
       if (number[block(f)] < size_of_block_[block(f)])

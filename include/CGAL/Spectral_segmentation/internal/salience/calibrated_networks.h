@@ -8,10 +8,10 @@
 
 namespace CGAL::Spectral_segmentation::internal {
 
-// Gives the order in which regions are merged. It is fitted to how many people cut along the
-// boundaries that merging meets, on the odd half of the Princeton Segmentation Benchmark. With the
-// network that judges what cuts cost in its place, held-out errors are higher: of the benchmark by
-// 0.002 to 0.004, of bodies by 0.007 to 0.010.
+// Gives the order in which regions are merged. It is fitted to the number of people who cut along
+// the boundaries that merging meets, on the odd half of the Princeton Segmentation Benchmark. The
+// network for the costs of cuts, in its place, gives higher held-out errors: by 0.002 to 0.004 on
+// the benchmark, by 0.007 to 0.010 on bodies.
 constexpr Boundary_network<14, 4> merging_network = {
   // means and standard deviations of the factors
     {{0.21336, 0.70022, 0.85370, -1.67707, 0.24431, 0.02623, 0.59976,

@@ -49,7 +49,7 @@ struct Cut_hierarchy
   std::vector<std::size_t> cut_order;    // the nodes in the order in which the run decided on them
   bool is_monotonic = false;       // no cut is less salient than any later cut
   bool has_all_cuts = true;           // false if cuts are lost because no face was left for a side
-  std::vector<Index> neighbors;      // one per halfedge, only if boundaries shall be smoothed
+  std::vector<Index> neighbors;      // one per halfedge, only if boundaries are to be smoothed
 
   std::size_t number_of_segments() const
   { return number_of_roots + (nodes.size() - number_of_roots) / 2; }
@@ -96,9 +96,8 @@ inline Cut_hierarchy uncut_hierarchy(std::vector<Index> component,
   return result;
 }
 
-// The elements (faces, or cells of faces) of each node of a hierarchy, as ranges of one permutation
-// of all elements. The range of a node is the range of its first child and then of its second
-// child.
+// The elements (faces, or cells of faces) of each node of a hierarchy: ranges of one permutation of
+// all elements. The range of a node is the range of its first child, then of its second child.
 class Nested_ranges
 {
   std::vector<Index> elements_;
@@ -138,7 +137,7 @@ public:
 
   std::size_t size() const { return elements_.size(); }
   std::size_t size(std::size_t node) const { return end_[node] - first_[node]; }
-  std::size_t first(std::size_t node) const { return first_[node]; } // its place in the permutation
+  std::size_t first(std::size_t node) const { return first_[node]; } // in elements_
 
   Range operator[](std::size_t node) const
   {
@@ -170,7 +169,7 @@ public:
 };
 
 // Returns ranges with the leaves as elements, so that the leaves of each node follow each other.
-// `first(leaf)` is the place of a leaf.
+// `first(leaf)` is the position of a leaf.
 inline Nested_ranges ranges_of_leaves(const Cut_hierarchy& hierarchy)
 {
   std::vector<Index> leaves;
@@ -180,7 +179,7 @@ inline Nested_ranges ranges_of_leaves(const Cut_hierarchy& hierarchy)
   return Nested_ranges(hierarchy, leaves);
 }
 
-// Returns the root of each leaf, by the places of the leaves in these ranges.
+// Returns the root of each leaf, by the positions of the leaves in these ranges.
 inline std::vector<std::size_t> roots_of_leaves(const Cut_hierarchy& hierarchy,
                                                 const Nested_ranges& leaves)
 {

@@ -20,8 +20,8 @@ namespace CGAL::Spectral_segmentation::internal {
 struct Merge
 {
   Index leaves[2];
-  double salience;          // of the boundary that vanishes
-  Salience_factors factors; // of this boundary
+  double salience;          // the salience of the boundary that vanishes
+  Salience_factors factors; // its factors
 };
 
 // Regions of faces, and how they are merged. In reverse, the merges are the cuts of a hierarchy.
@@ -41,7 +41,7 @@ inline void sort_merges(std::vector<Merge>& merges)
 }
 
 // Returns the cuts of a hierarchy as merges, the last cut first. The leaves of the result are the
-// places of the leaves in `leaves`, which are the hierarchy's.
+// positions of the hierarchy's leaves in `leaves`.
 inline Dendrogram dendrogram_of(const Cut_hierarchy& cuts, const Nested_ranges& leaves)
 {
   const auto place = [&](std::size_t node) { return static_cast<Index>(leaves.first(node)); };
@@ -81,19 +81,19 @@ inline Cut_hierarchy hierarchy_of(const Dendrogram& d)
 {
   struct Join
   {
-    Index sets[2]; // of smaller area first
+    Index sets[2]; // the smaller area first
     double areas[2];
   };
   std::vector<Join> joins;
   joins.reserve(d.merges.size());
-  std::vector<double> area = d.areas; // of the set that each representative stands for
+  std::vector<double> area = d.areas; // the area of the set of each representative
   Face_components sets(area.size());
   for (Index i = 0; i < area.size(); ++i)
     sets.add(i);
   for (const Merge& m : d.merges) {
     Index a = sets.representative(m.leaves[0]), b = sets.representative(m.leaves[1]);
     CGAL_precondition(a != b);
-    if (area[a] > (1 + 1e-9) * area[b]) // areas that are equal but for noise do not decide
+    if (area[a] > (1 + 1e-9) * area[b]) // areas that are equal up to noise do not decide
       std::swap(a, b);
     joins.push_back({{a, b}, {(std::min)(area[a], area[b]), (std::max)(area[a], area[b])}});
     sets.join(a, b);
@@ -103,7 +103,7 @@ inline Cut_hierarchy hierarchy_of(const Dendrogram& d)
   Cut_hierarchy result;
   result.is_monotonic = true;
   result.has_all_cuts = d.has_all_cuts;
-  std::vector<std::size_t> node(area.size(), null_node); // of the set of each representative
+  std::vector<std::size_t> node(area.size(), null_node); // one per representative
   for (Index l : d.leaf) {
     const Index set = sets.representative(l);
     if (node[set] == null_node) {
@@ -134,9 +134,8 @@ inline Cut_hierarchy hierarchy_of(const Dendrogram& d)
   return result;
 }
 
-// Returns the hierarchy whose cuts are applied from the top down: of all parts so far, the one with
-// the most salient cut is cut next. A cut becomes as salient as the cut above it, if it is more
-// salient.
+// Applies the cuts of a hierarchy from the top down: the part with the most salient cut comes next.
+// A cut that is more salient than the cut above it gets the salience of the latter.
 inline Cut_hierarchy applied_from_top_down(Cut_hierarchy cuts)
 {
   typedef std::pair<double, std::size_t> Key; // minus the salience of a node's cut, and the node

@@ -157,7 +157,7 @@ public:
     const Surface& m = part.graph;
     if (m.number_of_faces() < 2 || total_area(m) < 2 * minimum_area_)
       return {};
-    // A part counts as a guessed half of its fraction of the search, to which later parts add.
+    // A part is assumed to be half of its fraction of the search. Later parts add the rest.
     const double step = 0.5 * static_cast<double>(m.number_of_faces()) /
                         static_cast<double>(number_of_faces_) /
                         static_cast<double>(options_.number_of_reference_faces + 3);

@@ -35,7 +35,7 @@ inline double capacity(const Surface& part, Index h)
   return quantized(part.length(h) * (constants::cost_of_concave_edge + convexity * convexity));
 }
 
-// A model of the concepts of BGL that its search for a maximum flow needs: each arc has a reverse.
+// Models the BGL concepts that a search for a maximum flow needs: each arc has a reverse.
 struct Flow_graph : Packed_graph
 {
   std::vector<Index> reverse; // one per arc
@@ -140,9 +140,9 @@ public:
   }
 };
 
-// Returns the cheapest cut that leaves all faces of a part, but for the band, on their sides. Faces
-// that are on no side, neither 0 nor 1, count as absent. A side that lies wholly in the band keeps
-// the last of its faces there. The sides need not be connected.
+// Returns the cheapest cut that leaves all faces of a part outside the band on their sides. Faces
+// on neither side 0 nor side 1 count as absent. A side that lies entirely in the band keeps its
+// last face there. The sides need not be connected.
 inline Sides minimum_cut_within(const Surface& part, const std::vector<Index>& band,
                                 const Sides& side)
 {
@@ -186,7 +186,7 @@ inline Sides minimum_cut_within(const Surface& part, const std::vector<Index>& b
 // Returns the cheapest cut in the neighborhood of a cut. Its sides need not be connected.
 inline Sides minimum_cut_around(const Surface& part, const Sides& side, double area_of_q)
 {
-  std::vector<Index> band; // a side that lies wholly in it keeps the face farthest from the cut
+  std::vector<Index> band; // a side that lies entirely in it keeps the face farthest from the cut
   const double radius = constants::neighborhood_radius * std::sqrt(area_of_q);
   for (const Face_at_distance& f :
        faces_near_cut(part, side, halfedges_of_cut(part, side), radius))
@@ -196,7 +196,7 @@ inline Sides minimum_cut_around(const Surface& part, const Sides& side, double a
 
 // Proposes the few cuts of a part whose factors are all computed.
 
-// A patch that knows the capacity of its cut.
+// A patch with the capacity of its cut.
 class Patch_with_capacity : public Boundary_statistics
 {
   const Surface& part_;
@@ -204,7 +204,7 @@ class Patch_with_capacity : public Boundary_statistics
   double capacity_of_cut_ = 0;
 
 public:
-  // Makes an empty patch; `capacities` has one per halfedge.
+  // Makes an empty patch; `capacities` holds one per halfedge.
   Patch_with_capacity(const Surface& part, const std::vector<double>& capacities)
     : Boundary_statistics(part), part_(part), capacities_(capacities) {}
 
@@ -225,8 +225,8 @@ struct Proposal
   double score; // comparable among proposals by the same measure
 };
 
-// The proposals of an order by two measures. They are the salience of the paper, and cheapness,
-// which is minus the capacity of the cut over the length scale of its smaller side.
+// The proposals of an order by two measures: the salience of the paper, and cheapness, which is
+// minus the capacity of the cut over the length scale of its smaller side.
 struct Proposals
 {
   std::vector<Proposal> salient, cheap;
@@ -301,7 +301,6 @@ class Distinct_cuts
 
   std::vector<Sized_cut> cuts_;
 
-  // Returns the size of the smaller side if so many of n faces are on one side.
   static std::size_t smaller(std::size_t number, std::size_t n)
   { return (std::min)(number, n - number); }
 
@@ -328,8 +327,8 @@ public:
   }
 };
 
-// Returns at most `number` cuts, no two alike, the best by each measure in turn. The larger side
-// may be first.
+// Returns at most `number` cuts, no two alike, alternately the best by each measure. The larger
+// side may be first.
 inline std::vector<Sides> cut_proposals(Execution execution, const Surface& part,
                                         const std::vector<std::vector<Index> >& orders,
                                         double minimum_area, std::size_t number)
@@ -338,11 +337,11 @@ inline std::vector<Sides> cut_proposals(Execution execution, const Surface& part
   for (Index h = 0; h < part.number_of_halfedges(); ++h)
     capacities[h] = capacity(part, h);
   const Patch_with_capacity empty(part, capacities);
-  std::vector<Proposals> of_order(orders.size());
+  std::vector<Proposals> proposals(orders.size());
   for_each_index(execution, orders.size(), [&](std::size_t i)
-    { of_order[i] = propose_cuts(part, orders[i], minimum_area, empty); });
+    { proposals[i] = propose_cuts(part, orders[i], minimum_area, empty); });
   std::vector<Proposal> by_measure[2];
-  for (Proposals& p : of_order) {
+  for (Proposals& p : proposals) {
     std::move(p.salient.begin(), p.salient.end(), std::back_inserter(by_measure[0]));
     std::move(p.cheap.begin(), p.cheap.end(), std::back_inserter(by_measure[1]));
   }

@@ -24,8 +24,8 @@ namespace CGAL::Spectral_segmentation::internal {
 
 // Sampling based on shape context (Section 4).
 
-// The first reference face: the paper takes a random one. The face farthest from the center of the
-// part is as good, is at the end of a limb, and does not depend on the numbers of the faces.
+// Returns the first reference face. The paper takes a random face. The face farthest from the
+// center of the part is as good, is at the end of a limb, and does not depend on face indices.
 inline Index farthest_face_from_center(Execution execution, const Surface& graph)
 {
   const double area = total_area(graph);
@@ -34,14 +34,15 @@ inline Index farthest_face_from_center(Execution execution, const Surface& graph
   for_each_index(execution, distance.size(), [&](std::size_t f)
     { distance[f] = (graph.centroid(static_cast<Index>(f)) - center).squared_norm(); });
   const double largest = *std::max_element(distance.begin(), distance.end());
-  // The first of those that are as far but for rounding.
+  // This is the first of the farthest faces, up to rounding.
   return static_cast<Index>(
     std::find_if(distance.begin(), distance.end(),
                  [&](double d) { return d >= (1 - 1e-9) * largest; }) - distance.begin());
 }
 
-// A random face. The part is told by its smallest face, so that the choice depends neither on the
-// order in which parts are searched nor on the thread. The engine is the same on every platform.
+// Returns a random face. The smallest face identifies the part, so that the choice depends neither
+// on the order in which parts are searched nor on the thread. The engine is the same on every
+// platform.
 inline Index random_face(const Surface& graph, std::uint64_t seed, Index smallest_face)
 {
   std::seed_seq seeds{static_cast<std::uint32_t>(seed), static_cast<std::uint32_t>(seed >> 32),
@@ -56,7 +57,7 @@ struct Shape_contexts
   Eigen::MatrixXf values; // a row for each face, a column for each reference
 };
 
-// Chooses k reference faces, or all of a part with fewer, mutually farthest apart in geodesic
+// Chooses k reference faces, or all if there are fewer, by farthest-point sampling in geodesic
 // distance, and sums the angle distances along the shortest geodesic paths to each. Calls
 // `before_search()` before each search for paths.
 template <class BeforeSearch>
@@ -86,10 +87,10 @@ Shape_contexts shape_contexts(const Surface& graph, Index first_reference, std::
 struct Sample_faces
 {
   Index s; // the face whose context has the largest norm
-  Index t; // the one whose context differs most from that of s
+  Index t; // the face whose context differs most from the context of s
 };
 
-// The two samples (Section 4.2) of a part with two faces or more. Of equals the first is taken.
+// Returns the two samples (Section 4.2) of a part with two or more faces. Ties go to the first.
 inline Sample_faces sample_faces(Execution execution, const Shape_contexts& contexts)
 {
   const auto farthest = [&](Index from) { // null_index: from 0
@@ -114,7 +115,7 @@ inline Sample_faces sample_faces(Execution execution, const Shape_contexts& cont
 // The Nystrom approximation of the eigenvectors of a symmetric n x n matrix of affinities, of which
 // only the m rows of some samples are known (Section 5.2; Fowlkes et al., PAMI 26(2), 2004).
 //
-// `rows` is the m x n block of these rows; row i is that of element `samples[i]`.
+// `rows` is the m x n block of these rows; row i belongs to element `samples[i]`.
 
 struct Eigenpairs
 {
@@ -136,7 +137,7 @@ inline Eigenpairs descending_eigenpairs(const Eigen::MatrixXd& symmetric)
   return {solver.eigenvalues().reverse(), solver.eigenvectors().rowwise().reverse()};
 }
 
-// f(eigenvalue), or 0 for an eigenvalue that is 0 but for rounding: the pseudo-inverse.
+// Returns f(eigenvalue), or 0 if the eigenvalue is 0 up to rounding, like a pseudo-inverse.
 template <class Function>
 Eigen::VectorXd on_nonzero(const Eigen::VectorXd& values, Function f)
 {
@@ -144,7 +145,7 @@ Eigen::VectorXd on_nonzero(const Eigen::VectorXd& values, Function f)
   return values.unaryExpr([&](double v) { return std::abs(v) > smallest ? f(v) : 0.; });
 }
 
-// The normalized rows D^-1/2 A D^-1/2, with the row sums D of elements that are not samples taken
+// Returns the normalized rows D^-1/2 A D^-1/2. The row sums D of elements that are not samples come
 // from the approximation of A.
 inline Eigen::MatrixXd normalized_rows(const Eigen::MatrixXd& rows,
                                        const std::vector<Index>& samples)
@@ -154,7 +155,7 @@ inline Eigen::MatrixXd normalized_rows(const Eigen::MatrixXd& rows,
     on_nonzero(block.values, [](double v) { return 1 / v; }).asDiagonal() *
     block.vectors.transpose();
   const Eigen::VectorXd row_sums = rows.transpose() * (inverse * rows.rowwise().sum());
-  // An approximated sum may come out negative; any positive value serves, as it cancels out in the
+  // An approximated sum may be negative. Any positive value serves, because it cancels out in the
   // ratio of two eigenvectors.
   const Eigen::VectorXd scale = row_sums.unaryExpr(
     [](double sum) { return 1 / std::sqrt((std::max)(std::abs(sum), 1e-300)); });
@@ -164,8 +165,8 @@ inline Eigen::MatrixXd normalized_rows(const Eigen::MatrixXd& rows,
   return scale_of_samples.asDiagonal() * rows * scale.asDiagonal();
 }
 
-// Eigenvectors of the sampled block, extrapolated to all elements: [U; Y^T U Lambda^-1], as in
-// Section 5.2. They reproduce the sampled rows, and are not orthogonal.
+// Returns the eigenvectors of the sampled block, extrapolated to all elements (Section 5.2):
+// [U; Y^T U Lambda^-1]. They reproduce the sampled rows, but are not orthogonal.
 inline Eigenpairs nystrom_extrapolation(const Eigen::MatrixXd& rows,
                                         const std::vector<Index>& samples)
 {
@@ -200,7 +201,7 @@ inline Eigen::MatrixXd affinities(const Eigen::MatrixXd& distances)
   return (-distances.array() / (sigma * sigma)).exp().matrix();
 }
 
-// Returns D^-1/2 A D^-1/2 for a whole matrix A of affinities.
+// Returns D^-1/2 A D^-1/2 for a complete matrix A of affinities.
 inline Eigen::MatrixXd normalized(const Eigen::MatrixXd& affinities)
 {
   const Eigen::VectorXd scale = affinities.rowwise().sum().cwiseSqrt().cwiseInverse();
@@ -233,13 +234,14 @@ inline Eigen::VectorXd spectral_coordinates(const Eigenpairs& e, const std::vect
 // one of them and the rest.
 typedef std::vector<Index> Face_order;
 
-// The order of the 1-D spectral embedding, from s to t, by the distances from both (Section 5.3).
+// Returns the order of the 1-D spectral embedding, from s to t, by the distances from both
+// (Section 5.3).
 //
 // The embedding of a face is the ratio e2 / e1 of the eigenvectors that Nystrom's method gives for
 // two samples. Both are linear in the affinities x and y of a face to s and t, so the ratio is a
-// monotone function of x / y, that is, of the distance from s minus that from t. Sorting by this
-// difference needs no kernel and does not underflow. Where it ties, as along a limb that leaves the
-// way from s to t, the face nearer to s comes first.
+// monotone function of x / y, that is, of the distance from s minus the distance from t. Sorting by
+// this difference needs no kernel and does not underflow. Ties, for example along a limb off the
+// path from s to t, go to the face nearer to s.
 inline Face_order spectral_order(Execution execution, const std::vector<double>& from_s,
                                  const std::vector<double>& from_t)
 {
@@ -250,9 +252,9 @@ inline Face_order spectral_order(Execution execution, const std::vector<double>&
     { return from_s[f] < from_s[g] || (from_s[f] == from_s[g] && f < g); });
 }
 
-// The orders of the calibrated method: the spectral order from both ends; then, if they are asked
-// for, the orders by distance from each sample and each reference face, which grow a single limb
-// where the pair sees several at once.
+// Returns the orders of the calibrated method: the spectral order from both ends, and if requested
+// the orders by distance from each sample and each reference face. These grow a single limb where
+// the pair of samples grows several at once.
 inline std::vector<Face_order> face_orders(Execution execution, const Surface& part,
                                            const std::vector<Index>& references,
                                            const Sample_faces& samples, bool from_single_sources)
@@ -274,7 +276,7 @@ inline std::vector<Face_order> face_orders(Execution execution, const Surface& p
   return orders;
 }
 
-// The order of the paper.
+// Returns the order of the paper.
 inline Face_order face_order(Execution execution, const Surface& part,
                              const Sample_faces& samples)
 {

@@ -23,7 +23,7 @@ namespace CGAL::Spectral_segmentation::internal {
 // The line search of Section 5.3.
 
 // The growth of Q along the line: the faces in the order in which they join Q, and the sizes of Q
-// after each visited face that joined, together with all faces that had waited for it.
+// after each visited face that joined, together with all faces that waited for it.
 struct Growth
 {
   std::vector<Index> faces;
@@ -100,7 +100,7 @@ template <class Patch, class Visit>
 void for_each_cut(const std::vector<Index>& faces, const std::vector<Index>& sizes,
                   double minimum_area, Patch q, const Visit& visit)
 {
-  // The area that subtraction leaves by rounding if the rest has none.
+  // Rounding may leave this area for a rest that has none.
   const double rounding = 1e-12 * q.area_of_part();
   Index size = 0;
   for (Index size_of_cut : sizes) {
@@ -175,20 +175,20 @@ std::optional<Cut> line_search(Execution execution, const Surface& part,
     std::reverse(sizes[1].begin(), sizes[1].end());
   });
 
-  Swept_cut of_q, of_rest;
+  Swept_cut cut_of_q, cut_of_rest;
   const std::vector<Index> from_end(growth.faces.rbegin(), growth.faces.rend());
   for_each_index(execution, 2, [&](std::size_t half) {
-    (half == 0 ? of_q : of_rest) =
+    (half == 0 ? cut_of_q : cut_of_rest) =
       sweep(half == 0 ? growth.faces : from_end, sizes[half], minimum_area, *empty, part_salience,
             half == 1);
   });
-  const bool is_of_rest = quantized(of_rest.salience) > quantized(of_q.salience);
-  const Swept_cut& best = is_of_rest ? of_rest : of_q;
+  const bool is_rest_better = quantized(cut_of_rest.salience) > quantized(cut_of_q.salience);
+  const Swept_cut& best = is_rest_better ? cut_of_rest : cut_of_q;
   if (best.size == 0)
     return std::nullopt;
-  Cut cut{sides_of(growth, is_of_rest ? n - best.size : best.size),
+  Cut cut{sides_of(growth, is_rest_better ? n - best.size : best.size),
           {best.area, best.area_of_rest}, best.factors, best.salience};
-  if (is_of_rest)
+  if (is_rest_better)
     std::swap(cut.area[0], cut.area[1]);
   normalize_sides(cut.side, cut.area);
   return cut;

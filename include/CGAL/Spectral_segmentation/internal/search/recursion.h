@@ -31,8 +31,8 @@ inline std::size_t number_of_regions(const Options& o)
 }
 
 // Returns the number of faces of the even mesh on which cuts are searched. A mesh of few faces has
-// a simple shape. On 190 meshes that were decimated to 300 faces, 1,300 faces agree with people as
-// well as 4,000, and take a third of the time.
+// a simple shape. On 190 meshes that were decimated to 300 faces, 1,300 faces agree with human
+// segmentations as well as 4,000, and take a third of the time.
 inline double search_resolution(const Options& o, std::size_t number_of_faces)
 {
   return static_cast<double>((std::min)(o.number_of_coarse_faces, number_of_faces + 1000));
@@ -68,13 +68,13 @@ struct Phase_times
     projection = (m < n ? 250 : 0) * n;
   }
 
-  double without_reading() const { return coarsening + search + projection; }
+  double time_after_reading() const { return coarsening + search + projection; }
 };
 
 // Returns a forest with a root for each component.
 inline Cut_hierarchy uncut_hierarchy(const Surface& mesh)
 {
-  return uncut_hierarchy(mesh.components.of_all(mesh.number_of_faces()),
+  return uncut_hierarchy(mesh.components.face_labels(mesh.number_of_faces()),
                          component_areas(mesh, mesh.components));
 }
 
@@ -123,8 +123,8 @@ class Recursion
     return std::exchange(pending_[node], Pending_part());
   }
 
-  // Replaces a part, which has a cut, by its two sides in the hierarchy, and among the pending
-  // parts if the sides are to be cut in turn.
+  // Replaces a part that has a cut by its two sides in the hierarchy and, unless this is the last
+  // cut, among the pending parts.
   void cut(std::size_t node, Pending_part pending, bool is_last)
   {
     const Cut& cut = *pending.cut;
@@ -155,8 +155,8 @@ class Recursion
   void enqueue_by_area(std::size_t node)
   { queue_.insert({-hierarchy_.nodes[node].area, node}); }
 
-  // Searches the largest part and, if threads can share the work, the next parts with it. These are
-  // all parts whose turn will come, unless the maximum number of segments is reached before.
+  // Searches the largest part and, if threads work in parallel, the next parts. All of these will
+  // be needed, unless the maximum number of segments is reached before.
   void search_largest()
   {
     if (pending_[queue_.begin()->second].is_searched)

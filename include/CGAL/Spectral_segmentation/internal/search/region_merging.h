@@ -22,10 +22,10 @@
 
 namespace CGAL::Spectral_segmentation::internal {
 
-// Merges the regions of an over-segmentation. The two neighbors whose common boundary is the least
-// salient become one, until each component of the mesh is whole again. A cut that was needed only
-// to reach other cuts is undone on the way. The merges in reverse are a hierarchy of cuts, each of
-// which has its own salience, which may be larger than that of the cut above it.
+// Merges the regions of an over-segmentation. It joins the two neighbors with the least salient
+// common boundary until each component of the mesh is one region. This also undoes cuts that were
+// needed only to reach other cuts. The merges in reverse are a hierarchy of cuts. A cut may be more
+// salient than the cut above it.
 class Region_merging
 {
   typedef std::pair<Index, Index> Pair; // two regions, the lower index first
@@ -33,7 +33,7 @@ class Region_merging
   const Execution execution_;
   const Surface& mesh_;
   const Evaluation_context& context_;
-  const Part_salience part_salience_; // in whose order boundaries are merged
+  const Part_salience part_salience_; // the order in which boundaries are merged
   const Part_salience& salience_of_cuts_;
   Run_monitor& monitor_;
 
@@ -42,7 +42,7 @@ class Region_merging
   double feature_reliability_ = 0;
   std::vector<Merge> merges_;              // possible merges of neighbors, the lower index first
 
-  // Sets the salience and the factors of the boundary of two regions, as the cut of their union.
+  // Sets the salience and the factors of the boundary of two regions, which cuts their union.
   // Keeps the number of common neighbors.
   void evaluate(Merge& merge) const
   {
@@ -94,8 +94,8 @@ class Region_merging
            std::make_tuple(quantized(b.salience), b.leaves[0], b.leaves[1]);
   }
 
-  // Sets how far features tell the parts: the mean, over all boundaries of the over-segmentation,
-  // of the squared step, as far as the boundary explains the variance of its regions.
+  // Sets the reliability of the features: the root of the mean, over all boundaries of the
+  // over-segmentation, of the squared step times the variance that the boundary explains.
   void set_feature_reliability()
   {
     if (context_.features.empty())

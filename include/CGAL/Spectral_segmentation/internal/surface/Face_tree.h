@@ -26,8 +26,8 @@ inline double squared_distance_to_segment(const Vector& point, const Vector& sou
 {
   const Vector v = target - source, p = point - source;
   const double squared = v.squared_norm();
-  const double share = squared > 0 ? std::clamp(p.dot(v) / squared, 0., 1.) : 0;
-  return (p - share * v).squared_norm();
+  const double fraction = squared > 0 ? std::clamp(p.dot(v) / squared, 0., 1.) : 0;
+  return (p - fraction * v).squared_norm();
 }
 
 // Accepts degenerate triangles.
@@ -47,28 +47,28 @@ inline double squared_distance_to_triangle(const Vector& point, const Triangle& 
   return (std::min)(result, squared_distance_to_segment(point, t[2], t[0]));
 }
 
-// Calls f(piece, fraction of the area) for pieces of a triangle. Bisection of longest edges makes
-// the pieces, none of which has an edge longer than a bound.
+// Calls f(piece, fraction of the area) for the pieces of a triangle. Longest-edge bisection makes
+// the pieces, whose edges are not longer than a bound.
 template <class Function>
-void for_each_piece(const Triangle& triangle, double bound, const Function& f, double share = 1)
+void for_each_piece(const Triangle& triangle, double bound, const Function& f, double fraction = 1)
 {
   int longest = 0;
   double squared = 0;
   for (int i = 0; i < 3; ++i) {
-    const double of_edge = (triangle[(i + 1) % 3] - triangle[i]).squared_norm();
-    if (of_edge > squared) {
-      squared = of_edge;
+    const double squared_length = (triangle[(i + 1) % 3] - triangle[i]).squared_norm();
+    if (squared_length > squared) {
+      squared = squared_length;
       longest = i;
     }
   }
   if (!(squared > bound * bound)) {
-    f(triangle, share);
+    f(triangle, fraction);
     return;
   }
   const Vector &p = triangle[longest], &q = triangle[(longest + 1) % 3];
   const Vector &r = triangle[(longest + 2) % 3], middle = (p + q) / 2;
-  for_each_piece({p, middle, r}, bound, f, share / 2);
-  for_each_piece({middle, q, r}, bound, f, share / 2);
+  for_each_piece({p, middle, r}, bound, f, fraction / 2);
+  for_each_piece({middle, q, r}, bound, f, fraction / 2);
 }
 
 inline std::vector<Triangle> triangles_of(const Surface& surface)
@@ -90,13 +90,13 @@ inline double squared_longest_edge(const Triangle& t)
                      (t[0] - t[2]).squared_norm()});
 }
 
-// Finds the nearest of some triangles, which lie in [-1, 1]^3, by a tree of boxes. Of triangles at
-// the same distance it finds the first, while CGAL's AABB tree finds any of them, and its distances
-// differ between versions in the last bits. Triangles that face away count as farther.
+// Finds the nearest of some triangles, which lie in [-1, 1]^3, by a tree of bounding boxes. Ties go
+// to the first triangle, while CGAL's AABB tree finds any of them, and its distances differ between
+// versions in the last bits. Triangles that face away are penalized.
 class Face_tree
 {
   static constexpr std::size_t largest_leaf = 4;
-  // Squared distances are rounded to multiples of it, so that rounding errors decide no tie.
+  // Squared distances are rounded to multiples of it, so that rounding errors break no ties.
   static constexpr double quantum_of_squares = 1. / (1ll << 48);
 
   struct Search
@@ -109,7 +109,7 @@ class Face_tree
 
   const std::vector<Triangle>& triangles_;
   std::vector<Vector> normals_;
-  std::vector<Index> order_;         // the triangles; a node has a range of it
+  std::vector<Index> order_;         // the triangles; each node is a range
   std::vector<Bounding_box> boxes_;  // one per node; the children of node i are 2i + 1 and 2i + 2
 
   static std::size_t middle(std::size_t first, std::size_t end)
@@ -134,13 +134,13 @@ class Face_tree
     int axis = 0;
     for (int i : {1, 2})
       axis = size[i] > size[axis] ? i : axis;
-    const auto place = [&](Index f) {
+    const auto key = [&](Index f) {
       const Triangle& t = triangles_[f];
       return std::make_pair(t[0][axis] + t[1][axis] + t[2][axis], f);
     };
     const auto at = [&](std::size_t i) { return order_.begin() + static_cast<std::ptrdiff_t>(i); };
     std::nth_element(at(first), at(middle(first, end)), at(end),
-                     [&](Index f, Index g) { return place(f) < place(g); });
+                     [&](Index f, Index g) { return key(f) < key(g); });
     build(2 * node + 1, first, middle(first, end));
     build(2 * node + 2, middle(first, end), end);
   }

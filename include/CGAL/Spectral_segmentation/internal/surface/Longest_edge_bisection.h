@@ -31,8 +31,7 @@ inline std::vector<double> longest_edges_of_faces(Execution execution, const Sur
 }
 
 // Estimates how many faces the bisection of longest edges adds until no edge is longer than a
-// bound. A face becomes an even mesh, but a needle of n bounds of length becomes three needles of
-// n / 2 bounds, and so on.
+// bound. A face becomes a uniform mesh, but a needle becomes three needles half as long, and so on.
 inline double number_of_added_faces(const Surface& mesh,
                                     const std::vector<double>& longest_edges, double bound)
 {
@@ -44,13 +43,13 @@ inline double number_of_added_faces(const Surface& mesh,
   return result;
 }
 
-// Returns the length of the edges of an even mesh of this area with this number of faces.
+// Returns the edge length of a uniform mesh of this area with this number of faces.
 inline double edge_length(double area, double number_of_faces)
 { return std::sqrt(4 / std::sqrt(3.) * area / number_of_faces); }
 
-// Returns the length of the edges of an even mesh with the number of faces and the area of the
-// largest component. The length is larger if many needles would otherwise add more faces than about
-// the largest number. Returns none if no edge is longer.
+// Returns the edge length of a uniform mesh with this number of faces and the area of the largest
+// component. The length is larger if many needles would otherwise add more faces than about the
+// largest number. Returns none if no edge is longer.
 inline std::optional<double> bound_of_edges(Execution execution, const Surface& mesh,
                                             double number_of_faces,
                                             double largest_number_of_added_faces)
@@ -74,15 +73,15 @@ struct Refined_mesh
 };
 
 // Bisects faces at their longest edges until no edge is longer than a bound (Rivara 1984). An edge
-// is only ever cut in halves, and by its own length alone. Therefore the faces on its two sides cut
-// it alike, whichever comes first.
+// is always halved, and only because of its own length. Therefore the faces on its two sides split
+// it equally, in any order.
 class Longest_edge_bisection
 {
-  static constexpr double units_of_length = 1024; // for the longest edge that is left
+  static constexpr double units_of_length = 1024; // the bound, in the unit of Edge::length
 
   struct Edge
   {
-    double length;   // rounded, so that lengths that are equal but for noise are equal
+    double length;   // rounded, so that noise breaks no ties
     Vector ends;     // the sum of the two points, which breaks ties
     Index source, target;
     Index halves = null_index;   // the first of two edges, at the source
@@ -100,7 +99,7 @@ class Longest_edge_bisection
     bool is_reversed;
   };
 
-  typedef std::array<Side, 3> Sides_of_face; // each begins where the one before ends
+  typedef std::array<Side, 3> Sides_of_face; // the sides in cyclic order
 
   const Surface& mesh_;
   const double bound_;
@@ -120,7 +119,7 @@ class Longest_edge_bisection
   Index source(const Side& side) const
   { return side.is_reversed ? edges_[side.edge].target : edges_[side.edge].source; }
 
-  // Cuts an edge if it is not cut yet, and returns the vertex between the two halves.
+  // Splits an edge unless it is split already. Returns the vertex between the two halves.
   Index bisect(Index edge)
   {
     if (edges_[edge].halves == null_index) {
@@ -147,7 +146,7 @@ class Longest_edge_bisection
     graph.corners.push_back({source(sides[0]), source(sides[1]), source(sides[2])});
     result_.faces.push_back(face_of_mesh);
     if (mesh_.components.number > 1)
-      graph.components.of_face.push_back(mesh_.components[face_of_mesh]);
+      graph.components.labels.push_back(mesh_.components[face_of_mesh]);
     for (Index i = 0; i < 3; ++i) {
       const Index h = 3 * f + i;
       graph.opposite.push_back(h);

@@ -18,20 +18,20 @@
 
 namespace CGAL::Spectral_segmentation::internal {
 
-// Returns the mean of a function of the points of the surface, taken at the centroids of the faces.
-// `area` is the area of the graph, and not 0.
+// Returns the mean of a function on the surface, sampled at the centroids of the faces. `area` is
+// the area of the graph, and not 0.
 template <class Value, class Function>
 Value mean_over_surface(Execution execution, const Surface& graph, double area,
-                        const Function& of_point)
+                        const Function& function)
 {
   return sum_of(execution, graph.number_of_faces(), Value(), [&](std::size_t f)
-    { return Value(graph.areas[f] / area * of_point(graph.centroid(static_cast<Index>(f)))); });
+    { return Value(graph.areas[f] / area * function(graph.centroid(static_cast<Index>(f)))); });
 }
 
 inline Vector center_of(Execution execution, const Surface& graph, double area)
 { return mean_over_surface<Vector>(execution, graph, area, [](const Vector& p) { return p; }); }
 
-// The integrals of 1, p and p p^T over the points p of a set of faces. They add up.
+// The integrals of 1, p and p p^T over the points p of a set of faces. They are additive.
 struct Moments
 {
   double area = 0;
@@ -84,13 +84,13 @@ struct Shape
   double area = 0;
   std::array<double, 3> deviations = {0, 0, 0}; // along the principal axes
 
-  // Returns whether two sizes are equal up to a tolerance that is measured.
+  // Returns whether two sizes are equal up to a measured tolerance.
   static bool are_near(double x, double y)
   { return std::abs(x - y) <= 0.15 * (std::max)(x, y); }
 };
 
-// Returns whether two shapes may be of copies or mirror images. Flat shapes have a thickness of
-// rounding errors below the one given.
+// Returns whether two sets of faces may be copies or mirror images of each other. `thickness`
+// exceeds the rounding errors of flat shapes.
 inline bool are_congruent(const Shape& a, const Shape& b, double thickness)
 {
   bool result = Shape::are_near(a.area, b.area);
@@ -100,10 +100,10 @@ inline bool are_congruent(const Shape& a, const Shape& b, double thickness)
 }
 
 // A coordinate frame that moves with a surface whose area is not 0: its center and its principal
-// axes, the least variance first. If two variances are nearly equal, the principal axes would turn
-// with the slightest noise, and the frame takes the axes of the input. Each axis points to the side
-// on which the points are spread farther. Therefore the frame of a mirrored surface is mirrored. If
-// both sides look alike, noise must not decide, and the axis points along one of the input.
+// axes, the least variance first. If two variances are nearly equal, the principal axes are
+// unstable under noise, and the frame takes the axes of the input. Each axis points to the side on
+// which the points are spread farther. Therefore the frame of a mirrored surface is mirrored. If
+// both sides are nearly alike, noise would decide, and the axis points along one of the input.
 class Principal_frame
 {
   static constexpr double nearly_equal = 0.95; // the ratio of two variances
@@ -122,10 +122,10 @@ class Principal_frame
       return;
     }
     // The order of the variances does not depend on rounding, nor on the names of the axes.
-    const double share = quantum * covariance.trace();
+    const double step = quantum * covariance.trace();
     std::stable_sort(axes_, axes_ + 3, [&](const Vector& a, const Vector& b) {
-      return std::floor((covariance * a).dot(a) / share) <
-             std::floor((covariance * b).dot(b) / share);
+      return std::floor((covariance * a).dot(a) / step) <
+             std::floor((covariance * b).dot(b) / step);
     });
   }
 
@@ -169,10 +169,10 @@ public:
   }
 };
 
-// Moves a surface into its frame, scales it to area 1, and rounds its points to whole quanta. What
-// is computed from the points afterwards depends neither on the place, the unit and the handedness
-// of the surface, nor on the last bits of its points. Returns the length of 1 in the old unit.
-// A surface without area stays as it is.
+// Moves a surface into its frame, scales it to area 1, and rounds its points to quanta. Therefore
+// later results depend neither on the position, the unit and the handedness of the surface, nor on
+// the last bits of its points. Returns the length of 1 in the old unit. A surface without area
+// stays unchanged.
 inline double move_to_frame(Execution execution, Surface& surface)
 {
   const double area = total_area(surface), unit = std::sqrt(area);
@@ -181,15 +181,15 @@ inline double move_to_frame(Execution execution, Surface& surface)
   const Principal_frame frame(execution, surface);
   for_each_index(execution, surface.points.size(), [&](std::size_t v)
     { surface.points[v] = quantized(frame.point(surface.points[v]) / unit); });
-  for (double& of_face : surface.areas)
-    of_face /= area;
+  for (double& face_area : surface.areas)
+    face_area /= area;
   if (frame.is_left_handed())
     reverse_orientation(surface);
   return unit;
 }
 
-// Groups elements into classes whose members are all alike, although being alike is not transitive.
-// One after the other, each element joins the first class all of whose members it is like.
+// Groups elements into classes of pairwise similar members, although similarity is not transitive.
+// In order, each element joins the first class whose members are all similar to it.
 template <class AreAlike>
 std::vector<std::vector<std::size_t> >
 first_fit_classes(const std::vector<std::size_t>& elements, const AreAlike& are_alike)
@@ -209,8 +209,8 @@ first_fit_classes(const std::vector<std::size_t>& elements, const AreAlike& are_
   return classes;
 }
 
-// Returns the moments of each segment, about a corner of the first triangle, in a unit that all
-// coordinates are below. Points and triangles are arrays of three; labels are below `number`.
+// Returns the moments of each segment, about a corner of the first triangle, in a unit that no
+// coordinate exceeds. Points and triangles are arrays of three; labels are below `number`.
 template <class Points, class Triangles, class Labels>
 std::vector<Moments> segment_moments(const Points& points, const Triangles& triangles,
                                      const Labels& labels, std::size_t number)
@@ -246,9 +246,9 @@ inline std::vector<std::size_t> congruence_classes(const std::vector<Moments>& m
   std::iota(by_size.begin(), by_size.end(), std::size_t(0));
   std::stable_sort(by_size.begin(), by_size.end(), [&](std::size_t a, std::size_t b)
                    { return shapes[a].area > shapes[b].area; });
-  std::vector<std::size_t> largest; // of each class, the largest first
+  std::vector<std::size_t> largest; // the largest member per class, descending
   std::vector<std::size_t> class_of(shapes.size());
-  std::size_t first = 0;            // whose members may be large enough
+  std::size_t first = 0;            // the first class that is not too large
   for (std::size_t i : by_size) {
     while (first < largest.size() &&
            !Shape::are_near(shapes[largest[first]].area, shapes[i].area))

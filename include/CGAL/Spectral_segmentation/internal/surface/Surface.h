@@ -40,14 +40,14 @@ struct Edge_weights
 struct Components
 {
   std::size_t number = 1;
-  std::vector<Index> of_face; // empty if there is one component
+  std::vector<Index> labels; // one per face; empty if there is one component
 
-  Index operator[](std::size_t f) const { return of_face.empty() ? 0 : of_face[f]; }
+  Index operator[](std::size_t f) const { return labels.empty() ? 0 : labels[f]; }
 
   // Returns the component of each of n faces.
-  std::vector<Index> of_all(std::size_t n) const
+  std::vector<Index> face_labels(std::size_t n) const
   {
-    std::vector<Index> result = of_face;
+    std::vector<Index> result = labels;
     result.resize(n, 0);
     return result;
   }
@@ -57,14 +57,14 @@ struct Components
 // model of BGL's `VertexListGraph` and `IncidenceGraph` whose vertices are the faces.
 //
 // Halfedge 3f+i belongs to face f and runs from its corner i to its corner (i+1)%3. A halfedge on
-// the border is its own opposite. Therefore the face across it is its own face, where no graph
-// algorithm takes notice of it. No two halfedges of one face are opposite.
+// the border is its own opposite. Therefore the face across it is its own face, which graph
+// algorithms ignore. No two halfedges of one face are opposite.
 struct Surface
 {
   std::vector<Corners> corners;      // one per face
   std::vector<Index> opposite;       // one per halfedge
   std::vector<Vector> points;        // one per vertex, finite
-  std::vector<Index> groups;         // one per face; empty if no faces are kept apart
+  std::vector<Index> groups;         // one per face; empty if no faces are kept separate
   std::vector<double> areas;         // one per face
   std::vector<Edge_weights> weights; // one per halfedge; empty if no cut is searched
   Components components;             // a part that is searched has one
@@ -124,7 +124,7 @@ inline double total_area(const Surface& surface)
 { return std::accumulate(surface.areas.begin(), surface.areas.end(), 0.); }
 
 // Moves the points into [-1, 1]^3 and returns the length of 1 in the old unit. It is a power of
-// two, so that scaling rounds nothing.
+// two, so that scaling is exact.
 inline double normalize(std::vector<Vector>& points)
 {
   const Bounding_box box(points);
@@ -137,17 +137,17 @@ inline double normalize(std::vector<Vector>& points)
   return unit;
 }
 
-// Renumbers the halfedges one to one: h becomes `place(h)`.
-template <class Place>
-void renumber_halfedges(Surface& surface, const Place& place)
+// Renumbers the halfedges one to one: h becomes `new_index(h)`.
+template <class New_index>
+void renumber_halfedges(Surface& surface, const New_index& new_index)
 {
   std::vector<Index> opposite(surface.opposite.size());
   for (Index h = 0; h < opposite.size(); ++h)
-    opposite[place(h)] = place(surface.opposite[h]);
+    opposite[new_index(h)] = new_index(surface.opposite[h]);
   surface.opposite = std::move(opposite);
 }
 
-// Turns all faces around.
+// Reverses all faces.
 inline void reverse_orientation(Surface& surface)
 {
   for (Corners& c : surface.corners)

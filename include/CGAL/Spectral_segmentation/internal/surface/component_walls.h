@@ -17,14 +17,14 @@
 
 namespace CGAL::Spectral_segmentation::internal {
 
-// Finds the components that are walls of other ones. A closed component inside of a solid whose
+// Finds the components that are walls of other components. A closed component inside a solid whose
 // faces point inward bounds a cavity of the solid. A component at a small, nearly constant distance
 // from another one, along most of the area of both, is its second wall. A solid with other solids
-// inside has no cavities: who puts models together may mirror some, and does not notice it.
+// inside has no cavities, because parts of an assembled model may be mirrored by mistake.
 class Wall_finder
 {
   static constexpr double largest_distance = 0.02; // relative to the diagonal of the outer wall
-  static constexpr double least_share_of_outer_wall = 0.01; // of the area of the model
+  static constexpr double least_area_of_outer_wall = 0.01; // relative to the area of the model
   static constexpr std::size_t number_of_samples = 100;
 
   struct Component
@@ -32,21 +32,21 @@ class Wall_finder
     std::vector<Index> faces;
     double area = 0;
     Bounding_box box{{}};
-    std::vector<Triangle> triangles; // of the faces, once they are needed
+    std::vector<Triangle> triangles; // filled with the tree
     std::unique_ptr<Face_tree> tree;
 
     double diagonal() const { return (box.largest - box.smallest).norm(); }
   };
 
-  // The distances of samples of a component from another one.
+  // The distances of samples of a component from another component.
   struct Distances
   {
     std::vector<double> sorted;
-    std::size_t number_inside = 0; // of the samples behind the nearest face
+    std::size_t number_inside = 0; // samples behind the nearest face
   };
 
   const Surface& surface_;
-  const std::vector<double>& volume_; // of each component, negative if its faces point inward
+  const std::vector<double>& volume_; // one per component, negative if its faces point inward
   std::vector<Component> components_;
 
   Triangle triangle(Index f) const
@@ -59,13 +59,13 @@ class Wall_finder
   std::vector<Vector> samples(const Component& c) const
   {
     std::vector<Vector> result;
-    double sum = 0; // of the areas so far
+    double sum = 0; // the area so far
     for (Index f : c.faces) {
       sum += surface_.areas[f];
       const Triangle t = triangle(f);
       while (result.size() < number_of_samples &&
              (static_cast<double>(result.size()) + 0.5) * c.area < number_of_samples * sum) {
-        const double i = static_cast<double>(result.size()); // in a low-discrepancy sequence
+        const double i = static_cast<double>(result.size()); // index in a low-discrepancy sequence
         double u = std::fmod(0.5 + i * 0.7548776662466927, 1.),
                v = std::fmod(0.5 + i * 0.5698402909980532, 1.);
         if (u + v > 1) {
@@ -101,7 +101,7 @@ class Wall_finder
     return result;
   }
 
-  // Returns whether the box of a component is inside of that of another one.
+  // Returns whether the box of a component is inside the box of another one.
   bool may_be_inside(Index inner, Index outer) const
   {
     const Bounding_box &a = components_[inner].box, &b = components_[outer].box;
@@ -131,10 +131,10 @@ class Wall_finder
     return 10 * there.number_inside > 9 * there.sorted.size();
   }
 
-  // Returns whether the distances between two components are small and nearly constant over most
-  // of their areas. Where a limb is thinner than the distance, its inner wall comes nearer to the
+  // Returns whether the distances between two components are small and nearly constant over most of
+  // their areas. Where a limb is thinner than the distance, its inner wall comes nearer to the
   // outer wall. The outer wall is closed and has the second wall inside, unless both coincide:
-  // sheets that lie on each other, and clothes on a body, are no walls.
+  // sheets that lie on each other, and clothes on a body, are not walls.
   bool is_second_wall(Index inner, Index outer)
   {
     if (!may_be_walls(inner, outer))
@@ -151,7 +151,7 @@ class Wall_finder
            back.sorted[back.sorted.size() * 4 / 5] <= most;
   }
 
-  // Returns for each closed component the smallest that contains it, else null_index.
+  // Returns for each closed component the smallest that contains it, or null_index.
   std::vector<Index> containers(const std::vector<Index>& order, double least_area)
   {
     std::vector<Index> result(components_.size(), null_index), closed; // the largest first
@@ -181,14 +181,14 @@ public:
     }
   }
 
-  // Returns for each component that is a wall the component whose wall it is, which is none itself;
-  // else null_index.
+  // Maps each component that is a wall of another one to that component, which is not a wall
+  // itself, and all others to null_index.
   std::vector<Index> operator()(const std::vector<char>& may_be_wall)
   {
     double area = 0;
     for (const Component& c : components_)
       area += c.area;
-    const double least_area = least_share_of_outer_wall * area;
+    const double least_area = least_area_of_outer_wall * area;
     std::vector<Index> order(components_.size());
     std::iota(order.begin(), order.end(), Index(0));
     std::stable_sort(order.begin(), order.end(), [&](Index a, Index b)
@@ -197,7 +197,7 @@ public:
     std::vector<Index> container(components_.size(), null_index);
     if (std::any_of(volume_.begin(), volume_.end(), [](double v) { return v < 0; }))
       container = containers(order, least_area);
-    std::vector<char> has_solid(components_.size(), 0); // in which orientations mean nothing
+    std::vector<char> has_solid(components_.size(), 0); // contains a solid: has no cavity
     for (Index c : order)
       if (volume_[c] > 0 && container[c] != null_index)
         has_solid[container[c]] = 1;

@@ -15,23 +15,22 @@
 
 namespace CGAL::Spectral_segmentation::internal {
 
-// Makes a surface of the triangles of a soup: finds their neighbors and orients them.
+// Connects the triangles of a soup to a surface: finds their neighbors and orients them.
 //
-// Two faces alone at an edge are neighbors. Among more faces, pairs become neighbors one after the
-// other: first pairs that are oriented alike, the flattest pair first, then pairs with a face that
-// has to be turned. Ties go to the faces of lowest indices. At an edge of very many faces none are
-// neighbors.
+// If only two faces meet at an edge, they are neighbors. Among more faces, pairs become neighbors
+// one by one: first consistently oriented pairs, the flattest pair first, then pairs that need a
+// reversal. Ties go to the lowest face indices. At an edge of very many faces none are neighbors.
 //
-// Connected faces are oriented alike. If that is not possible, such as on a Moebius strip, an edge
-// becomes border. Components that are oriented alike already stay unchanged. Other components are
-// oriented outwards if they are closed, and else like most of their area.
+// Connected faces are oriented consistently. If that is not possible, such as on a Moebius strip,
+// an edge becomes a border. Consistently oriented components stay unchanged. Other components are
+// oriented outward if they are closed, otherwise like most of their area.
 class Triangle_connection
 {
   static constexpr std::size_t most_faces_at_edge = 16;
 
   Surface& surface_;
   std::vector<Index>& opposite_;
-  std::vector<char> is_turned_; // one per face, against its orientation in the soup
+  std::vector<char> is_reversed_; // one per face, relative to the soup
 
   Index source(Index h) const { return surface_.source_vertex(h); }
   Index target(Index h) const { return surface_.target_vertex(h); }
@@ -53,7 +52,7 @@ class Triangle_connection
       return;
     }
     std::vector<std::pair<Index, Index> > pairs;
-    std::vector<double> keys; // the flattest first; pairs with a face to turn come last
+    std::vector<double> keys; // the flattest first; pairs that need a reversal come last
     for (Index h : halfedges)
       for (Index g : halfedges)
         if (h < g) {
@@ -82,7 +81,7 @@ class Triangle_connection
     std::vector<Index> sorted(opposite_.size()), next(first);
     for (Index h = 0; h < opposite_.size(); ++h)
       sorted[next[ends(h).first]++] = h;
-    std::vector<Index> of_edge;
+    std::vector<Index> edge_halfedges;
     for (std::size_t v = 0; v + 1 < first.size(); ++v) {
       const auto begin = sorted.begin() + first[v], end = sorted.begin() + first[v + 1];
       std::sort(begin, end, [&](Index g, Index h)
@@ -90,15 +89,15 @@ class Triangle_connection
       for (auto i = begin; i != end;) {
         const auto j = std::find_if(i, end, [&](Index h)
           { return ends(h).second != ends(*i).second; });
-        of_edge.assign(i, j);
+        edge_halfedges.assign(i, j);
         if (source(*i) != target(*i))
-          join_pairs(of_edge);
+          join_pairs(edge_halfedges);
         i = j;
       }
     }
   }
 
-  // Finds which faces of the component of a face are turned, and returns the component.
+  // Returns the component of a face, and sets which of its faces are reversed.
   std::vector<Index> orient_alike(Index seed, std::vector<char>& is_reached)
   {
     std::vector<Index> faces(1, seed);
@@ -108,13 +107,13 @@ class Triangle_connection
         const Index g = opposite_[h];
         if (g == h)
           continue;
-        const char turned = is_turned_[h / 3] ^ char(!are_alike(h, g));
+        const char reversed = is_reversed_[h / 3] ^ char(!are_alike(h, g));
         if (!is_reached[g / 3]) {
           is_reached[g / 3] = 1;
-          is_turned_[g / 3] = turned;
+          is_reversed_[g / 3] = reversed;
           faces.push_back(g / 3);
         }
-        else if (is_turned_[g / 3] != turned) {
+        else if (is_reversed_[g / 3] != reversed) {
           opposite_[h] = h;
           opposite_[g] = g;
         }
@@ -122,30 +121,30 @@ class Triangle_connection
     return faces;
   }
 
-  // Turns a component if some of its faces are turned and it points inwards.
+  // Reverses a component if some of its faces are reversed and it points inward.
   void orient_outwards(const std::vector<Index>& faces)
   {
-    double area[2] = {0, 0}; // the total of the unturned faces, and of the turned ones
+    double area[2] = {0, 0}; // the totals of the unreversed and the reversed faces
     double volume = 0;       // six times the volume of the surface
     bool is_closed = true;
     const Vector origin = surface_.points[source(3 * faces.front())];
     for (Index f : faces) {
       const Vector a = surface_.normal(f) / 2;
-      area[int(is_turned_[f])] += a.norm();
-      volume += (is_turned_[f] ? -1 : 1) * a.dot(surface_.points[source(3 * f)] - origin);
+      area[int(is_reversed_[f])] += a.norm();
+      volume += (is_reversed_[f] ? -1 : 1) * a.dot(surface_.points[source(3 * f)] - origin);
       for (Index h = 3 * f; h < 3 * f + 3; ++h)
         is_closed = is_closed && !surface_.is_border(h);
     }
     const bool is_mixed = std::any_of(faces.begin(), faces.end(),
-                                      [&](Index f) { return is_turned_[f] != 0; });
+                                      [&](Index f) { return is_reversed_[f] != 0; });
     if (is_mixed && (is_closed && volume != 0 ? volume < 0 : area[1] > area[0]))
       for (Index f : faces)
-        is_turned_[f] = !is_turned_[f];
+        is_reversed_[f] = !is_reversed_[f];
   }
 
 public:
   explicit Triangle_connection(Surface& surface)
-    : surface_(surface), opposite_(surface.opposite), is_turned_(surface.number_of_faces(), 0)
+    : surface_(surface), opposite_(surface.opposite), is_reversed_(surface.number_of_faces(), 0)
   {
     opposite_.resize(3 * surface.number_of_faces());
     std::iota(opposite_.begin(), opposite_.end(), Index(0));
@@ -154,18 +153,18 @@ public:
   void operator()()
   {
     find_opposites();
-    std::vector<char> is_reached(is_turned_.size(), 0);
-    for (Index f = 0; f < is_turned_.size(); ++f)
+    std::vector<char> is_reached(is_reversed_.size(), 0);
+    for (Index f = 0; f < is_reversed_.size(); ++f)
       if (!is_reached[f])
         orient_outwards(orient_alike(f, is_reached));
     for (Index h = 0; h < opposite_.size(); ++h)
       if (surface_.neighbor(h) == h / 3) // the face is glued to itself
         opposite_[h] = h;
-    for (Index f = 0; f < is_turned_.size(); ++f)
-      if (is_turned_[f])
+    for (Index f = 0; f < is_reversed_.size(); ++f)
+      if (is_reversed_[f])
         std::swap(surface_.corners[f][1], surface_.corners[f][2]);
     renumber_halfedges(surface_, [this](Index h)
-      { return is_turned_[h / 3] ? h - h % 3 + (2 - h % 3) : h; });
+      { return is_reversed_[h / 3] ? h - h % 3 + (2 - h % 3) : h; });
     start_at_smallest_vertices(surface_);
   }
 };

@@ -59,11 +59,11 @@ inline void number_by_first_faces(Components& components)
 {
   std::vector<Index> number(components.number, null_index);
   Index next = 0;
-  for (Index& component : components.of_face) {
-    Index& of_component = number[component];
-    if (of_component == null_index)
-      of_component = next++;
-    component = of_component;
+  for (Index& component : components.labels) {
+    Index& new_number = number[component];
+    if (new_number == null_index)
+      new_number = next++;
+    component = new_number;
   }
 }
 
@@ -83,11 +83,11 @@ Components connected_components(const Surface& surface, const std::vector<Label>
   }
   Components result{n, std::vector<Index>(n)};
   for (Index f = 0; f < n; ++f)
-    result.of_face[f] = sets.representative(f);
+    result.labels[f] = sets.representative(f);
   number_by_first_faces(result);
   result.number = sets.number();
   if (result.number == 1)
-    result.of_face.clear();
+    result.labels.clear();
   return result;
 }
 
@@ -104,7 +104,7 @@ inline std::vector<double> component_areas(const Surface& surface, const Compone
 class Part_extractor
 {
   const Surface& graph_;
-  std::vector<Index> face_, vertex_; // their indices in the current part, else null_index
+  std::vector<Index> face_, vertex_; // their indices in the current part, or null_index
 
   void resize(Surface& part, std::size_t number_of_faces) const
   {

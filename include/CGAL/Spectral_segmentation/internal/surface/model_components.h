@@ -19,7 +19,7 @@
 namespace CGAL::Spectral_segmentation::internal {
 
 // Returns the volume that each component encloses, negative if its faces point inward; 0 for a
-// component with a border, and if the volume is nothing but noise. Faces must have areas.
+// component with a border, and for a volume below rounding errors. Faces must have areas.
 inline std::vector<double> enclosed_volumes(const Surface& surface)
 {
   const std::size_t number = surface.components.number;
@@ -30,7 +30,7 @@ inline std::vector<double> enclosed_volumes(const Surface& surface)
       is_closed[surface.components[h / 3]] = 0;
   if (std::find(is_closed.begin(), is_closed.end(), char(1)) == is_closed.end())
     return volume;
-  std::vector<Index> first(number, null_index); // a vertex near the component, for exactness
+  std::vector<Index> first(number, null_index); // the local origin of each component
   for (Index f = 0; f < surface.number_of_faces(); ++f) {
     const Index c = surface.components[f], v = surface.corners[f][0];
     first[c] = first[c] == null_index ? v : first[c];
@@ -43,34 +43,34 @@ inline std::vector<double> enclosed_volumes(const Surface& surface)
   return volume;
 }
 
-// Turns the faces of some components around.
-inline void reverse_orientation(Surface& surface, const std::vector<char>& is_turned)
+// Reverses the faces of some components.
+inline void reverse_orientation(Surface& surface, const std::vector<char>& is_reversed)
 {
   for (Index f = 0; f < surface.number_of_faces(); ++f)
-    if (is_turned[surface.components[f]])
+    if (is_reversed[surface.components[f]])
       std::swap(surface.corners[f][1], surface.corners[f][2]);
   renumber_halfedges(surface, [&](Index h)
-    { return is_turned[surface.components[h / 3]] ? h - h % 3 + (2 - h % 3) : h; });
+    { return is_reversed[surface.components[h / 3]] ? h - h % 3 + (2 - h % 3) : h; });
 }
 
-// Turns each closed component whose faces point inward. Returns the volumes that the components
-// enclose, negative if their faces were not like those of most of the volume.
+// Reverses each closed component whose faces point inward. Returns the enclosed volumes, negative
+// for components whose orientation disagreed with most of the volume.
 inline std::vector<double> orient_outward(Surface& surface)
 {
   std::vector<double> volumes = enclosed_volumes(surface);
-  std::vector<char> is_turned;
+  std::vector<char> is_reversed;
   for (double volume : volumes)
-    is_turned.push_back(volume < 0);
-  if (std::find(is_turned.begin(), is_turned.end(), char(1)) == is_turned.end())
+    is_reversed.push_back(volume < 0);
+  if (std::find(is_reversed.begin(), is_reversed.end(), char(1)) == is_reversed.end())
     return volumes;
-  reverse_orientation(surface, is_turned);
+  reverse_orientation(surface, is_reversed);
   if (std::accumulate(volumes.begin(), volumes.end(), 0.) < 0)
     for (double& volume : volumes)
       volume = -volume;
   return volumes;
 }
 
-// Returns some faces, which ascend, as a surface with other points. Faces and vertices keep their
+// Returns a surface of some faces, which ascend, with other points. Faces and vertices keep their
 // order.
 inline Surface submesh(const Surface& surface, const std::vector<Vector>& points,
                        const std::vector<Index>& faces)
@@ -100,27 +100,26 @@ inline Surface submesh(const Surface& surface, const std::vector<Vector>& points
   return result;
 }
 
-// The areas of the components of a model, as fractions of the area of all but a sheet under them,
-// such as the water under a ship, which counts for nothing.
-struct Component_shares
+// The areas of the components of a model, relative to their total area. A sheet under them, such as
+// the water under a ship, is excluded from the total.
+struct Component_fractions
 {
-  std::vector<double> share; // one per component
-  Index sheet = null_index;  // or null_index
+  std::vector<double> fraction; // one per component
+  Index sheet = null_index;     // a component, or null_index
 
-  // Returns the effective number of components: as many equal ones have the same sum of squared
-  // shares.
+  // Returns the effective number of components: the inverse of the sum of squared fractions.
   double effective_number() const
   {
     double squares = 0;
-    for (Index c = 0; c < share.size(); ++c)
-      squares += c == sheet ? 0 : share[c] * share[c];
+    for (Index c = 0; c < fraction.size(); ++c)
+      squares += c == sheet ? 0 : fraction[c] * fraction[c];
     return squares > 0 ? 1 / squares : 1;
   }
 };
 
-// Returns the shares of the components, whose faces have areas. The sheet is the largest component,
-// if it is flat and at least twice as long as all others together.
-inline Component_shares component_shares(const Surface& surface)
+// Returns the fractions of the components, whose faces have areas. The sheet is the largest
+// component, if it is flat and at least twice as long as all others together.
+inline Component_fractions component_fractions(const Surface& surface)
 {
   std::vector<Moments> moments(surface.components.number);
   for (Index f = 0; f < surface.number_of_faces(); ++f)
@@ -133,7 +132,7 @@ inline Component_shares component_shares(const Surface& surface)
   for (Index c = 0; c < moments.size(); ++c)
     if (c != largest)
       others += moments[c];
-  Component_shares result;
+  Component_fractions result;
   double area = others.area;
   if (others.area > 0) {
     const std::array<double, 3> extents = moments[largest].deviations();
@@ -143,13 +142,13 @@ inline Component_shares component_shares(const Surface& surface)
   if (result.sheet == null_index)
     area += moments[largest].area;
   for (const Moments& m : moments)
-    result.share.push_back(area > 0 ? m.area / area : 0);
+    result.fraction.push_back(area > 0 ? m.area / area : 0);
   return result;
 }
 
 // Returns whether a connected surface in its frame, with area 1, bounds a convex solid: it is
 // closed, it encloses a volume, and no face rises above the plane of a neighbor by more than
-// rounding explains.
+// rounding errors.
 inline bool is_convex(const Surface& surface)
 {
   constexpr double largest_height = 1e-5; // points are rounded to 1e-6

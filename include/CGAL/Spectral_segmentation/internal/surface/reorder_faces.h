@@ -19,10 +19,10 @@
 
 namespace CGAL::Spectral_segmentation::internal {
 
-// Returns the place of a point of a box on a curve that fills the box (Morton 1966).
-inline std::uint64_t place_on_curve(const Vector& p, const Bounding_box& box)
+// Returns the Morton code (1966) of a point in a box.
+inline std::uint64_t morton_code(const Vector& p, const Bounding_box& box)
 {
-  constexpr int bits = 20; // in each dimension
+  constexpr int bits = 20; // per dimension
   const double extent = (box.largest - box.smallest).largest_coordinate();
   const double scale = extent > 0 ? ((1 << bits) - 1) / extent : 0;
   const Vector q = scale * (p - box.smallest);
@@ -33,23 +33,23 @@ inline std::uint64_t place_on_curve(const Vector& p, const Bounding_box& box)
   return result;
 }
 
-// Rotates each face to start at its first point, and returns the faces in an order that depends on
-// their points alone, and in which faces near in space are near in memory. Faces with equal points
-// stay in their order.
+// Rotates each face to start at its smallest point, and returns the faces in Morton order, which
+// depends only on their points and puts faces near in space near in memory. Faces with equal points
+// keep their order.
 inline std::vector<Index> geometric_order(Surface& surface)
 {
   start_at_smallest_vertices(surface, [&](Index v, Index w)
     { return surface.points[v] < surface.points[w]; });
   const Bounding_box box(surface.points);
-  std::vector<std::uint64_t> place;
+  std::vector<std::uint64_t> code;
   for (Index f = 0; f < surface.number_of_faces(); ++f)
-    place.push_back(place_on_curve(surface.centroid(f), box));
+    code.push_back(morton_code(surface.centroid(f), box));
   const auto point = [&](Index f, int i) { return surface.points[surface.corners[f][i]]; };
   std::vector<Index> result(surface.number_of_faces());
   std::iota(result.begin(), result.end(), Index(0));
   std::sort(result.begin(), result.end(), [&](Index f, Index g) {
-    if (place[f] != place[g])
-      return place[f] < place[g];
+    if (code[f] != code[g])
+      return code[f] < code[g];
     return std::make_tuple(point(f, 0), point(f, 1), point(f, 2), f) <
            std::make_tuple(point(g, 0), point(g, 1), point(g, 2), g);
   });
@@ -57,7 +57,7 @@ inline std::vector<Index> geometric_order(Surface& surface)
 }
 
 // Returns the faces across the edges of a face in ascending order. It sorts without branches, which
-// nobody could predict.
+// would be unpredictable.
 inline std::array<Index, 3> ascending_neighbors(const Surface& surface, Index f)
 {
   std::array<Index, 3> faces = {surface.neighbor(3 * f), surface.neighbor(3 * f + 1),
@@ -73,7 +73,7 @@ inline std::array<Index, 3> ascending_neighbors(const Surface& surface, Index f)
 // keep their order. The order does not depend on the data structure.
 inline std::vector<Index> locality_order(const Surface& surface)
 {
-  constexpr std::size_t size_of_block = 1024; // any size of which the cache holds several
+  constexpr std::size_t size_of_block = 1024; // the cache holds several blocks
   const std::size_t n = surface.number_of_faces();
   std::vector<Index> order, outside; // outside: faces next to the blocks so far
   order.reserve(n);
@@ -102,7 +102,7 @@ inline std::vector<Index> locality_order(const Surface& surface)
   return order;
 }
 
-// Puts the faces in an order. Numbers the vertices in the order in which faces use them, so
+// Puts the faces in the given order. Numbers the vertices in the order in which faces use them, so
 // that the vertices of faces near in order are near in memory. Removes vertices without a face.
 // Returns the new index of each vertex, or null_index.
 inline std::vector<Index> reorder_faces(Surface& surface, const std::vector<Index>& order)
@@ -134,7 +134,7 @@ inline std::vector<Index> reorder_faces(Surface& surface, const std::vector<Inde
   surface.corners = std::move(corners);
   surface.points = std::move(points);
   surface.areas = std::move(areas);
-  surface.components.of_face = std::move(component);
+  surface.components.labels = std::move(component);
   number_by_first_faces(surface.components);
   return vertex;
 }

@@ -72,7 +72,7 @@ public:
     return origin_ + Vector(coordinate(node, 0), coordinate(node, 1), coordinate(node, 2));
   }
 
-  // Returns the cell that holds a point, which is not outside of the grid.
+  // Returns the cell of a point, which is inside the grid.
   Index cell(const Vector& p) const
   {
     const Vector q = p - origin_;
@@ -103,10 +103,9 @@ public:
   }
 };
 
-// Finds the nearest of some elements for each node of a grid. Elements are offered to nodes near
-// them. A node that takes an element offers it to its neighbors; a predicate of a node and a
-// squared distance says whether a node may take one (a closest point transform by propagation,
-// Danielsson 1980).
+// Finds the nearest element for each node of a grid by a closest point transform (Danielsson 1980):
+// elements are offered to nodes near them, and a node that accepts an element offers it to its
+// neighbors. `reaches(node, squared distance)` returns whether a node may accept one.
 template <class SquaredDistance, class Reaches>
 class Nearest_elements
 {
@@ -115,7 +114,7 @@ class Nearest_elements
   const Reaches reaches_;
   std::vector<Index> element_;         // one per node
   std::vector<float> squared_distance_;
-  std::vector<Index> improved_;        // the nodes that took an element
+  std::vector<Index> improved_;        // the nodes that accepted an element
 
 public:
   Nearest_elements(const Grid& grid, const SquaredDistance& squared_distance,
@@ -159,12 +158,12 @@ struct Set_contact
 {
   Index sets[2]; // the smaller first
   double squared_gap;
-  std::size_t area; // where the sets are nearer than 1.5 cells, in faces of cells
+  std::size_t area; // the area nearer than 1.5 cells, in faces of cells
 };
 
-// Returns how many cells there are along the longest side of the bounding box. Few faces get few
-// cells. Cells are larger if faces would be cut into more than a million pieces: large faces, of
-// which there are few in a usual mesh, or many needles.
+// Returns the number of cells along the longest side of the bounding box. Coarse meshes get a
+// coarse grid. Cells are larger if unusually large faces or many needles would be cut into more
+// than a million pieces.
 inline double number_of_cells(const Surface& mesh, double extent)
 {
   constexpr double largest_number_of_pieces = 1e6;
@@ -176,10 +175,10 @@ inline double number_of_cells(const Surface& mesh, double extent)
   return result;
 }
 
-// Receives numbers of short steps that were made, and may throw.
+// Progress callback with a number of short steps; may throw to cancel.
 typedef std::function<void(std::size_t)> Step_counter;
 
-// Returns the contacts of sets that are neighbors, the smallest gap first. They connect all sets.
+// Returns the contacts of neighboring sets, the smallest gap first. They connect all sets.
 inline std::vector<Set_contact> set_contacts(
   const Surface& mesh, const std::vector<Index>& set_of_face,
   const Step_counter& count_steps = [](std::size_t) {})
@@ -225,7 +224,7 @@ inline std::vector<Set_contact> set_contacts(
     gaps.push_back({{(std::min)(set[i], set[j]), (std::max)(set[i], set[j])}, d,
                     is_face && d <= largest_squared_gap ? std::size_t(1) : 0});
   };
-  // Adds the gaps of pieces that are nearest to no node, because they share their cell.
+  // Adds the gaps of pieces that are nearest to no node, because of other pieces in their cell.
   for (Index i = 0; i < points.size(); ++i)
     add_gap(i, nearest.element(grid.cell(points[i])), false);
   for (Index node = 0; node < grid.number_of_nodes(); ++node)

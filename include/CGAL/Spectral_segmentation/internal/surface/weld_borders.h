@@ -22,7 +22,7 @@
 
 namespace CGAL::Spectral_segmentation::internal {
 
-// Returns the group of each vertex, whose faces are of one group; 0 if there are no groups.
+// Returns the group of each vertex, to which all its faces belong; 0 if there are no groups.
 inline std::vector<Index> groups_of_vertices(const Surface& surface)
 {
   std::vector<Index> result(surface.points.size(), 0);
@@ -32,13 +32,13 @@ inline std::vector<Index> groups_of_vertices(const Surface& surface)
   return result;
 }
 
-// Gives each part its own vertices, by copies. A part is a set of faces, which has a number.
+// Copies vertices so that each part has its own. `part_of_face` maps each face to its part.
 template <class PartOfFace>
 void separate_vertices(Surface& surface, const PartOfFace& part_of_face)
 {
   start_at_smallest_vertices(surface); // so that copies get the same indices in soups and meshes
   std::vector<Index> part(surface.points.size(), null_index); // the part that keeps the vertex
-  std::map<std::pair<Index, Index>, Index> copies;            // of a vertex, for another part
+  std::map<std::pair<Index, Index>, Index> copies;            // the copy for another part
   for (Index f = 0; f < surface.number_of_faces(); ++f)
     for (Index& v : surface.corners[f]) {
       const Index p = part_of_face[f];
@@ -69,9 +69,9 @@ inline void separate_groups(Surface& surface)
     }
 }
 
-// Finds duplicate faces, which have the same three points in any order, by a hash table of the
-// faces. A face two of whose points coincide is no duplicate. The hash has a random key, against
-// points that were chosen to collide in the table; the result does not depend on the key.
+// Finds duplicate faces, which have the same three points in any order, by a hash table. A face
+// with coincident points is not a duplicate. A random key guards the hash against points that were
+// chosen to collide; the result does not depend on it.
 class Duplicate_faces
 {
   const Surface& surface_;
@@ -130,20 +130,19 @@ public:
         result.push_back(f);
         continue;
       }
-      std::size_t place = face_hash(f) & (size - 1);
-      while (table[place] != null_index && !(sorted_points(table[place]) == points))
-        place = (place + 1) & (size - 1);
-      if (table[place] == null_index)
-        table[place] = f;
-      result.push_back(table[place]);
+      std::size_t slot = face_hash(f) & (size - 1);
+      while (table[slot] != null_index && !(sorted_points(table[slot]) == points))
+        slot = (slot + 1) & (size - 1);
+      if (table[slot] == null_index)
+        table[slot] = f;
+      result.push_back(table[slot]);
     }
     return result;
   }
 };
 
 // Returns the faces that `first_duplicate` maps to themselves, connected as a soup whose coincident
-// points of one group are merged. This can make one surface of faces that duplicate faces had
-// separated.
+// points of one group are merged. This can connect faces that duplicate faces had separated.
 inline Surface distinct_faces(const Surface& surface, const std::vector<Index>& first_duplicate)
 {
   Surface result;
@@ -172,8 +171,8 @@ inline Surface distinct_faces(const Surface& surface, const std::vector<Index>& 
   return result;
 }
 
-// Returns a representative for each vertex. Vertices of one group on the border that are nearer to
-// each other than `width` have the same; others, up to a few widths apart, may have.
+// Returns a representative for each vertex. Border vertices of one group that are nearer to each
+// other than `width` have the same; those at a distance of a few widths may have the same.
 inline std::vector<Index> welded_vertices(const Surface& surface, double width)
 {
   typedef std::array<std::int64_t, 4> Cell; // the last coordinate is the group
@@ -183,7 +182,7 @@ inline std::vector<Index> welded_vertices(const Surface& surface, double width)
     if (surface.is_border(h))
       is_on_border[surface.source_vertex(h)] = is_on_border[surface.target_vertex(h)] = 1;
   std::vector<std::pair<Cell, Index> > vertices;
-  Face_components sets(surface.points.size()); // of vertices
+  Face_components sets(surface.points.size()); // sets of vertices
   for (Index v = 0; v < surface.points.size(); ++v) {
     sets.add(v);
     const Vector& p = surface.points[v];
@@ -193,7 +192,7 @@ inline std::vector<Index> welded_vertices(const Surface& surface, double width)
   }
   std::sort(vertices.begin(), vertices.end());
   for (const auto& [c, v] : vertices)
-    for (int i = 0; i < 14; ++i) { // half of the cells around, and its own
+    for (int i = 0; i < 14; ++i) { // half of the neighboring cells, and its own
       const Cell near = {c[0] + i / 9 - 1, c[1] + i / 3 % 3 - 1, c[2] + i % 3 - 1, c[3]};
       const auto found = std::lower_bound(vertices.begin(), vertices.end(),
                                           std::make_pair(near, Index(0)));
@@ -206,9 +205,9 @@ inline std::vector<Index> welded_vertices(const Surface& surface, double width)
   return result;
 }
 
-// Connects faces whose border edges meet, as the patches of a model that nobody welded: they are
-// one surface, and where a patch ends, nothing ends. Points count as equal if they are nearer than
-// 10^-4 of the diagonal of the bounding box. The faces of the surface keep their order.
+// Connects faces whose border edges meet, such as the unwelded patches of a model, because the end
+// of a patch is not the end of the surface. Points nearer than 10^-4 of the diagonal of the
+// bounding box count as equal. The faces of the surface keep their order.
 inline void weld_borders(Surface& surface)
 {
   const Bounding_box box(surface.points);
@@ -216,7 +215,7 @@ inline void weld_borders(Surface& surface)
   if (!(width > 0))
     return;
   const std::vector<Index> vertex = welded_vertices(surface, width);
-  std::vector<char> is_kept(vertex.size(), 0); // because a face would lose a corner
+  std::vector<char> is_kept(vertex.size(), 0); // otherwise a face would lose a corner
   for (const auto& [a, b, c] : surface.corners)
     if (vertex[a] == vertex[b] || vertex[b] == vertex[c] || vertex[c] == vertex[a])
       is_kept[a] = is_kept[b] = is_kept[c] = 1;

@@ -26,16 +26,16 @@
 
 namespace CGAL::Spectral_segmentation::internal {
 
-// The share of the area from which a component is a part by default.
-constexpr double share_at_threshold = 0.01;
+// The fraction of the area from which a component is a part by default.
+constexpr double fraction_at_threshold = 0.01;
 
-// Returns the salience of the boundary of a component with a share of the area. It rises from 0 to
-// 1, through the default threshold. `logit` is added to its logit.
-inline double salience_of_component(double share, double logit)
+// Returns the salience of the boundary of a component with a fraction of the area. It rises from 0
+// to 1, through the default threshold. `logit` is added to its logit.
+inline double salience_of_component(double fraction, double logit)
 {
   const double odds =
     default_probability_threshold / (1 - default_probability_threshold) * std::exp(logit);
-  return odds * share / (odds * share + share_at_threshold);
+  return odds * fraction / (odds * fraction + fraction_at_threshold);
 }
 
 // Returns the logit of a probability, which is kept away from 0 and 1.
@@ -45,31 +45,31 @@ inline double clamped_logit(double probability)
   return std::log(p / (1 - p));
 }
 
-// Returns the evidence that a cut gives for parts in its component: what its logit exceeds that of
-// the default threshold by.
+// Returns the evidence of a cut for parts in its component: the excess of its logit over the logit
+// of the default threshold.
 inline double evidence_of_cut(double salience)
 { return (std::max)(clamped_logit(salience) - clamped_logit(default_probability_threshold), 0.); }
 
-// Returns the evidence of all its cuts that a component needs to be cut, in a model of an effective
-// number of components. Who puts a model together of many components has separated most of what is
-// separate. A body has many cuts that are each likely, a board one or two that are barely so. The
-// constants were chosen on furniture, and on animals beside other objects.
+// Returns the total evidence of its cuts that a component needs to be cut, in a model with this
+// effective number of components. In an assembled model the modeler has already separated most
+// parts. A body has many likely cuts, a board has one or two barely likely cuts. The constants were
+// chosen on furniture, and on animals beside other objects.
 inline double required_evidence(double effective_number_of_components)
 { return (std::min)(2.5 * (effective_number_of_components - 1), 12.); }
 
-// Merges the components of a model. The smallest joins the neighbor with which it has the most
-// contact, and so on. The larger it is, the more salient is its boundary. A component that touches
-// nothing comes last, with an infinite salience, unless it is tiny beside the largest component. A
-// sheet touches nothing. A component keeps all of its cuts, or none, by the evidence of all its
-// cuts together.
+// Merges the components of a model: repeatedly joins the smallest one to the neighbor with which it
+// has the most contact. The larger it is, the more salient is its boundary. A component without
+// contact comes last, with an infinite salience, unless it is tiny beside the largest component.
+// Contacts of a sheet are ignored. A component keeps all of its cuts or none, depending on their
+// total evidence.
 class Component_merging
 {
-  // A set of components, beside another one.
+  // A set of components next to another set.
   struct Neighbor
   {
     std::size_t contact = 0;
     double squared_gap = std::numeric_limits<double>::infinity();
-    Index leaves[2] = {null_index, null_index}; // of both sets, those with the most contact
+    Index leaves[2] = {null_index, null_index}; // the leaves of both sets with the most contact
     std::size_t contact_of_leaves = 0;
     double squared_gap_of_leaves = std::numeric_limits<double>::infinity();
 
@@ -89,38 +89,38 @@ class Component_merging
   typedef std::map<Index, Neighbor> Neighbors;
 
   const Surface& mesh_;
-  const Component_shares& shares_;
+  const Component_fractions& fractions_;
   Run_monitor& monitor_;
   Dendrogram result_;
   std::vector<Index> component_of_leaf_;
-  Set_features features_; // of the components
+  Set_features features_; // one set per component
   double feature_weight_;
 
   std::vector<Neighbors> neighbors() const
   {
-    std::vector<Neighbors> result(shares_.share.size());
+    std::vector<Neighbors> result(fractions_.fraction.size());
     const auto count_steps = [&](std::size_t number) { monitor_.count_steps(number); };
     for (const Set_contact& c : set_contacts(mesh_, result_.leaf, count_steps)) {
-      count_steps(1000); // of a map
+      count_steps(1000); // the cost of a map
       const auto [a, b] = c.sets;
       const Index i = component_of_leaf_[a], j = component_of_leaf_[b];
       if (i == j)
         continue;
-      const std::size_t contact = i == shares_.sheet || j == shares_.sheet ? 0 : c.area;
+      const std::size_t contact = i == fractions_.sheet || j == fractions_.sheet ? 0 : c.area;
       result[i][j].add({contact, c.squared_gap, {a, b}, contact, c.squared_gap});
       result[j][i].add({contact, c.squared_gap, {b, a}, contact, c.squared_gap});
     }
     return result;
   }
 
-  // Adds the merges of the components. Of equal sets, that with the fewest neighbors is merged
-  // first, so that thousands at one place are merged in nearly linear time.
+  // Adds the merges of the components. Ties go to the set with the fewest neighbors, so that
+  // thousands at one place are merged in nearly linear time.
   void add_merges(std::vector<Neighbors> neighbors)
   {
     typedef std::tuple<double, std::size_t, Index> Key; // area, number of neighbors, and the set
-    std::vector<double> area = shares_.share;
+    std::vector<double> area = fractions_.fraction;
     std::vector<Key> key(area.size());
-    std::set<Key> sets, apart;
+    std::set<Key> sets, isolated;
     const auto insert = [&](std::set<Key>& into, Index i) {
       key[i] = {quantized(area[i]), neighbors[i].size(), i};
       into.insert(key[i]);
@@ -128,15 +128,15 @@ class Component_merging
     double tiny = 0;
     for (Index i = 0; i < area.size(); ++i) {
       insert(sets, i);
-      if (i != shares_.sheet)
-        tiny = (std::max)(tiny, share_at_threshold * area[i]);
+      if (i != fractions_.sheet)
+        tiny = (std::max)(tiny, fraction_at_threshold * area[i]);
     }
     const auto join = [&](Index a, Index b, double salience) {
       monitor_.count_steps(100 * neighbors[a].size());
       const Neighbor& seam = neighbors[a].at(b);
       result_.merges.push_back({{seam.leaves[0], seam.leaves[1]}, quantized(salience), {}});
       sets.erase(key[b]);
-      apart.erase(key[b]);
+      isolated.erase(key[b]);
       for (const auto& [c, neighbor] : neighbors[a]) {
         if (c != b) {
           neighbors[b][c].add(neighbor);
@@ -151,35 +151,35 @@ class Component_merging
     const double explained_variance = features_.explained_variance();
     const auto logit_of_features = [&](Index a, Index b) {
       return features_.empty() ? 0
-        : Feature_logit().of_components(features_.distance(a, b), explained_variance,
-                                        feature_weight_);
+        : Feature_logit().component_term(features_.distance(a, b), explained_variance,
+                                         feature_weight_);
     };
     const auto is_better = [](const auto& x, const auto& y) { // contact, then the gap
       return std::make_pair(x.second.contact, -x.second.squared_gap) <
              std::make_pair(y.second.contact, -y.second.squared_gap);
     };
-    while (sets.size() + apart.size() > 1) {
-      const bool are_all_apart = sets.empty(); // and stay apart when they are joined
-      std::set<Key>& from = are_all_apart ? apart : sets;
+    while (sets.size() + isolated.size() > 1) {
+      const bool are_all_isolated = sets.empty(); // and stay isolated when they are joined
+      std::set<Key>& from = are_all_isolated ? isolated : sets;
       const Index a = std::get<2>(*from.begin());
       from.erase(from.begin());
       const auto best = std::max_element(neighbors[a].begin(), neighbors[a].end(), is_better);
       const Index b = best->first;
-      if (!are_all_apart && best->second.contact == 0 && !(area[a] < tiny)) {
-        insert(apart, a);
+      if (!are_all_isolated && best->second.contact == 0 && !(area[a] < tiny)) {
+        insert(isolated, a);
         continue;
       }
-      join(a, b, are_all_apart ? std::numeric_limits<double>::infinity()
-                               : salience_of_component(area[a], logit_of_features(a, b)));
+      join(a, b, are_all_isolated ? std::numeric_limits<double>::infinity()
+                                  : salience_of_component(area[a], logit_of_features(a, b)));
       insert(from, b);
     }
   }
 
-  // Returns whether each component has too little evidence to be cut. Saliences that are no
-  // probabilities are no evidence for or against anything.
+  // Returns whether each component has too little evidence to be cut; false if its saliences are
+  // not probabilities.
   std::vector<char> are_uncut(std::size_t number_of_cuts) const
   {
-    const std::size_t n = shares_.share.size();
+    const std::size_t n = fractions_.fraction.size();
     std::vector<double> evidence(n, 0);
     std::vector<char> are_probabilities(n, 1), result;
     for (std::size_t i = 0; i < number_of_cuts; ++i) {
@@ -190,15 +190,15 @@ class Component_merging
       else
         are_probabilities[component] = 0;
     }
-    const double fading = features_.empty() ? 0 : Feature_logit::fading(feature_weight_);
-    const double required = (1 - fading) * required_evidence(shares_.effective_number());
+    const double discount = features_.empty() ? 0 : Feature_logit::shape_discount(feature_weight_);
+    const double required = (1 - discount) * required_evidence(fractions_.effective_number());
     for (std::size_t i = 0; i < n; ++i)
       result.push_back(are_probabilities[i] && evidence[i] < required);
     return result;
   }
 
   // Shifts the logits of the first merges, which are the cuts of components, in each component that
-  // stays uncut: the highest comes to lie below all later merges, and below the default threshold.
+  // stays uncut, so that the highest lies below all later merges and below the default threshold.
   void lower_cuts(std::size_t number_of_cuts)
   {
     const std::vector<char> is_uncut = are_uncut(number_of_cuts);
@@ -207,8 +207,8 @@ class Component_merging
       least = (std::min)(least, result_.merges[i].salience);
     std::vector<double> highest(is_uncut.size(), 0);
     for (std::size_t i = 0; i < number_of_cuts; ++i) {
-      double& of_component = highest[component_of_leaf_[result_.merges[i].leaves[0]]];
-      of_component = (std::max)(of_component, result_.merges[i].salience);
+      double& maximum = highest[component_of_leaf_[result_.merges[i].leaves[0]]];
+      maximum = (std::max)(maximum, result_.merges[i].salience);
     }
     for (std::size_t i = 0; i < number_of_cuts; ++i) {
       Merge& m = result_.merges[i];
@@ -221,11 +221,11 @@ class Component_merging
   }
 
 public:
-  // Takes the merges within the components, each of which they make one set, the mesh, whose faces
-  // have areas, the shares of the components in it, and their features.
-  Component_merging(Dendrogram merges, const Surface& mesh, const Component_shares& shares,
+  // Takes the merges that make each component one set, the mesh, whose faces have areas, the
+  // fractions of its area that the components have, and their features.
+  Component_merging(Dendrogram merges, const Surface& mesh, const Component_fractions& fractions,
                     Set_features features, double feature_weight, Run_monitor& monitor)
-    : mesh_(mesh), shares_(shares), monitor_(monitor), result_(std::move(merges)),
+    : mesh_(mesh), fractions_(fractions), monitor_(monitor), result_(std::move(merges)),
       component_of_leaf_(result_.areas.size()), features_(std::move(features)),
       feature_weight_(feature_weight)
   {
@@ -233,11 +233,11 @@ public:
       component_of_leaf_[result_.leaf[f]] = mesh.components[f];
   }
 
-  // Returns the hierarchy of the whole mesh.
+  // Returns the hierarchy of the entire mesh.
   Cut_hierarchy operator()()
   {
     const std::size_t number_of_cuts = result_.merges.size();
-    if (shares_.share.size() > 1)
+    if (fractions_.fraction.size() > 1)
       add_merges(neighbors());
     lower_cuts(number_of_cuts);
     sort_merges(result_.merges);
@@ -246,14 +246,14 @@ public:
 };
 
 // Makes the faces of walls in each node of a hierarchy connected, from the roots on. Pieces that
-// come off a side of a cut go to the other side.
+// are disconnected from their side of a cut go to the other side.
 class Wall_labels
 {
   typedef std::vector<Index> Faces;
 
   const Surface& walls_;           // each component is a wall
-  const Cut_hierarchy& cuts_;      // of the outer walls
-  const Nested_ranges leaves_;     // of each node
+  const Cut_hierarchy& cuts_;      // the cuts of the outer walls
+  const Nested_ranges leaves_;     // the leaves of each node
   Faces& leaf_;                    // one per face
   std::vector<std::size_t> node_;  // one per face: a child of the current node
   std::vector<std::pair<std::size_t, Faces> > connected_; // faces to divide further, and their node
@@ -308,7 +308,7 @@ class Wall_labels
     }
   }
 
-  // Divides connected faces among nodes. Moves all pieces of a node, but for the largest.
+  // Divides connected faces among nodes. Moves all pieces of a node except the largest.
   void divide(const Faces& faces, const std::vector<std::size_t>& nodes)
   {
     for (std::size_t node : nodes)

@@ -21,13 +21,13 @@ namespace CGAL::Spectral_segmentation::internal {
 // Makes a hierarchy whose nodes satisfy the constraints from one whose nodes do not.
 //
 // First it cuts leaves into regions until no region, and no regions that a set of groups joins,
-// hold sets that must be apart. Then it merges the regions of each set. Then it undoes the cuts of
-// the hierarchy, the least salient first: if a region on one side of a cut can be merged with a
-// region on the other side, they are merged with the salience of the cut. The regions that remain
-// at the end are the roots.
+// hold separated sets. Then it merges the regions of each set. Then it undoes the cuts of the
+// hierarchy, the least salient first: if a region on one side of a cut can be merged with a region
+// on the other side, they are merged with the salience of the cut. The regions that remain at the
+// end are the roots.
 class Constrained_merging
 {
-  // A region that joins two sets that must be apart, or two on the way between such sets.
+  // A region that joins two sets that must be separate, or two sets on a path between such sets.
   struct Conflict
   {
     Index region = null_index, sets[2] = {null_index, null_index};
@@ -41,14 +41,14 @@ class Constrained_merging
 
   std::vector<Index> region_;         // one per face
   std::vector<Index> leaf_of_region_;
-  std::map<Index, std::set<Index> > regions_of_, sets_in_; // of each set, and in each region
+  std::map<Index, std::set<Index> > regions_of_, sets_in_; // one per set, and one per region
 
   Separated_sets regions_;
   std::vector<double> areas_;
-  std::vector<std::map<Index, double> > lengths_; // of the boundary with each neighbor
+  std::vector<std::map<Index, double> > lengths_; // the boundary with each neighbor
   Dendrogram result_;                             // its leaves are regions
 
-  // Makes the connected pieces of leaves between forced boundaries regions.
+  // Divides leaves into connected regions between forced boundaries.
   void split_at_seams()
   {
     std::vector<char> is_cut(cuts_.nodes.size(), 0);
@@ -76,7 +76,7 @@ class Constrained_merging
       }
   }
 
-  // Returns a region to cut on the shortest way over regions and sets from a set to another.
+  // Returns a region to cut on the shortest path over regions and sets from one set to another.
   Conflict conflict_between(Index from, Index to) const
   {
     std::map<Index, Conflict> previous = {{from, {}}};
@@ -103,9 +103,9 @@ class Constrained_merging
       for (Index set : in_region.second)
         joined.merge(*in_region.second.begin(), set);
     std::map<Index, Index> seeded; // a set with a seed for sets that are joined
-    for (const auto& of_set : regions_of_) {
-      const Index a = of_set.first, root = joined.representative(a);
-      for (Index b : groups_.sets.apart_from(a))
+    for (const auto& entry : regions_of_) {
+      const Index a = entry.first, root = joined.representative(a);
+      for (Index b : groups_.sets.separated_from(a))
         if (joined.representative(b) == root)
           return conflict_between(a, b);
       if (groups_.sets.seed(a) != null_index)
@@ -115,9 +115,9 @@ class Constrained_merging
     return {};
   }
 
-  // Cuts a region between two sets. Each face joins the nearer, by the number of faces on the way.
-  // Unless both sets have seeds, this ends where one of them reaches another region, with which it
-  // can be merged; then the rest stays with the other. Other sets in the region stay whole.
+  // Cuts a region between two sets. Each face joins the set that is fewer faces away. Unless both
+  // sets have seeds, this ends where one of them reaches another region, with which it can be
+  // merged; then the rest stays with the other set. Other sets in the region are not cut.
   void cut(const Conflict& conflict)
   {
     constexpr Index stays = null_index;
@@ -142,7 +142,7 @@ class Constrained_merging
       are_seeds = are_seeds && groups_.sets.seed(conflict.sets[i]) != null_index;
       reach(faces_of_set.at(conflict.sets[i]).front(), labels[i]);
     }
-    Index label = labels[0]; // of the faces that are cut off
+    Index label = labels[0]; // the label of the faces that are cut off
     bool is_at_end = false;
     for (std::size_t i = 0; i < reached.size() && !is_at_end; ++i) {
       const Index f = reached[i];
@@ -185,7 +185,7 @@ class Constrained_merging
     }
   }
 
-  // Sets what is known of regions, and merges those of each set.
+  // Sets the data of regions, and merges the regions of each set.
   void set_regions()
   {
     regions_ = Separated_sets(leaf_of_region_.size());
@@ -203,7 +203,7 @@ class Constrained_merging
     for (const auto& [set, regions] : regions_of_) {
       if (groups_.sets.seed(set) != null_index)
         regions_.set_seed(*regions.begin(), groups_.sets.seed(set));
-      for (Index other : groups_.sets.apart_from(set))
+      for (Index other : groups_.sets.separated_from(set))
         regions_.separate(*regions.begin(), *regions_of_.at(other).begin());
     }
   }
@@ -215,7 +215,7 @@ class Constrained_merging
     std::pair<Index, double> result(null_index, -1);
     for (const auto& [b, length] : lengths_[a])
       if (quantized(length) > result.second && (!among || among->count(b)) &&
-          !regions_.are_apart(a, b))
+          !regions_.are_separated(a, b))
         result = {b, quantized(length)};
     return result;
   }
@@ -226,7 +226,7 @@ class Constrained_merging
   {
     constexpr double area_of_strip = 0.1; // relative to the square of the length of the boundary
     for (Index a = 0; a < lengths_.size(); ++a)
-      if (!lengths_[a].empty() && !regions_.apart_from(a).empty())
+      if (!lengths_[a].empty() && !regions_.separated_from(a).empty())
         if (const auto [b, length] = longest_neighbor(a);
             b != null_index &&
             areas_[a] < (std::max)(minimum_area_, area_of_strip * length * length))
@@ -259,8 +259,8 @@ class Constrained_merging
     }
   }
 
-  // Merges the regions on the two sides of a cut if each is one, or else those that touch. All
-  // regions of different components do. Returns the regions that are left.
+  // Merges the regions on the two sides of a cut if each side has one region, otherwise adjacent
+  // regions. All regions of different components count as adjacent. Returns the remaining regions.
   std::set<Index> undo(const Cut_node& cut, const std::vector<Index>& component,
                        const std::set<Index>& one, const std::set<Index>& other)
   {
@@ -281,7 +281,7 @@ class Constrained_merging
   }
 
 public:
-  // Takes cuts whose leaves are connected in each component. The groups of each set are, too.
+  // Takes cuts whose leaves, like the groups of each set, are connected in each component.
   Constrained_merging(const Surface& mesh, const Constraint_groups& groups,
                       double minimum_segment_size, const Cut_hierarchy& cuts, Run_monitor& monitor)
     : mesh_(mesh), groups_(groups), minimum_area_(minimum_segment_size * total_area(mesh)),
@@ -300,11 +300,11 @@ public:
     }
     set_regions();
     merge_small_regions();
-    std::vector<Index> component(leaf_of_region_.size(), null_index); // of the first face
+    std::vector<Index> component(leaf_of_region_.size(), null_index); // one per region
     std::vector<std::set<Index> > below(cuts_.nodes.size()); // the regions below each node
     for (Index f = 0; f < region_.size(); ++f)
-      if (Index& of_region = component[region_[f]]; of_region == null_index) {
-        of_region = mesh_.components[f];
+      if (Index& entry = component[region_[f]]; entry == null_index) {
+        entry = mesh_.components[f];
         below[leaf_of_region_[region_[f]]].insert(region_[f]);
       }
     for (std::set<Index>& regions : below)

@@ -23,17 +23,17 @@
 
 namespace CGAL::Spectral_segmentation::internal {
 
-// Sets that are merged, and pairs of them that must not be. Sets with different seeds are apart,
-// too. A set is represented by the lowest of its indices.
+// Disjoint sets that can be merged, except pairs that are separated. Sets with different seeds are
+// separated, too. The lowest index of a set represents it.
 class Separated_sets
 {
-  mutable std::vector<Index> merged_into_; // paths become shorter whenever they are followed
+  mutable std::vector<Index> merged_into_; // paths are halved whenever they are followed
   std::vector<Index> seed_;
-  std::vector<std::set<Index> > apart_; // the sets from which each representative is apart
+  std::vector<std::set<Index> > separated_; // the sets separated from each representative
 
 public:
   explicit Separated_sets(std::size_t number = 0)
-    : merged_into_(number), seed_(number, null_index), apart_(number)
+    : merged_into_(number), seed_(number, null_index), separated_(number)
   { std::iota(merged_into_.begin(), merged_into_.end(), Index(0)); }
 
   std::size_t number() const { return merged_into_.size(); }
@@ -48,22 +48,22 @@ public:
   Index seed(Index a) const { return seed_[representative(a)]; }
   void set_seed(Index a, Index seed) { seed_[representative(a)] = seed; }
 
-  // Returns the sets from which a set is apart, but for those with other seeds.
-  const std::set<Index>& apart_from(Index a) const { return apart_[representative(a)]; }
+  // Returns the sets that `separate()` separated from a set, not those with other seeds.
+  const std::set<Index>& separated_from(Index a) const { return separated_[representative(a)]; }
 
   void separate(Index a, Index b)
   {
     a = representative(a);
     b = representative(b);
-    apart_[a].insert(b);
-    apart_[b].insert(a);
+    separated_[a].insert(b);
+    separated_[b].insert(a);
   }
 
-  bool are_apart(Index a, Index b) const
+  bool are_separated(Index a, Index b) const
   {
     a = representative(a);
     b = representative(b);
-    return apart_[a].count(b) > 0 ||
+    return separated_[a].count(b) > 0 ||
            (seed_[a] != null_index && seed_[b] != null_index && seed_[a] != seed_[b]);
   }
 
@@ -74,12 +74,12 @@ public:
       return;
     merged_into_[from] = into;
     seed_[into] = (std::min)(seed_[into], seed_[from]);
-    for (Index c : apart_[from]) {
-      apart_[c].erase(from);
-      apart_[c].insert(into);
-      apart_[into].insert(c);
+    for (Index c : separated_[from]) {
+      separated_[c].erase(from);
+      separated_[c].insert(into);
+      separated_[into].insert(c);
     }
-    apart_[from].clear();
+    separated_[from].clear();
   }
 };
 
@@ -88,9 +88,9 @@ public:
 struct Constraint_groups
 {
   std::vector<Index> group;  // one per face; null_index if it is unconstrained
-  std::vector<Index> faces;  // those with a group, ascending
+  std::vector<Index> faces;  // the constrained faces, ascending
   std::vector<char> is_seam; // one per halfedge: whether it must separate segments
-  Separated_sets sets;       // of groups
+  Separated_sets sets;       // sets of groups
 
   Index set(Index f) const
   { return group[f] == null_index ? null_index : sets.representative(group[f]); }
@@ -233,8 +233,8 @@ public:
   }
 };
 
-// Joins the groups of each set, within each component of the mesh, by paths of faces. Where sets
-// are in the way of each other, those that find no path get the first choice.
+// Joins the groups of each set, within each component of the mesh, by paths of faces. A set that is
+// blocked by others is routed first on the next attempt.
 class Set_connection
 {
   typedef std::vector<Index> Faces;
@@ -243,8 +243,8 @@ class Set_connection
   const std::vector<Index>& leaf_; // one per face: paths run over few leaves
   const Constraint_groups& given_;
   Constraint_groups groups_;
-  std::vector<Faces> faces_;       // of each group
-  std::vector<Index> first_face_;  // of each given group
+  std::vector<Faces> faces_;       // one list per group
+  std::vector<Index> first_face_;  // one per given group
   std::vector<char> has_seed_;     // one per leaf
 
   void set_groups()
@@ -255,20 +255,20 @@ class Set_connection
       faces_[groups_.group[f]].push_back(f);
   }
 
-  // Returns for each set and component with several groups these groups.
+  // Returns the groups of each set and component that has several.
   std::vector<Faces> groups_to_join() const
   {
     std::map<std::pair<Index, Index>, Faces> groups;
     for (Index i = 0; i < faces_.size(); ++i)
       groups[{groups_.sets.representative(i), mesh_.components[faces_[i].front()]}].push_back(i);
     std::vector<Faces> result;
-    for (const auto& of_set : groups)
-      if (of_set.second.size() > 1)
-        result.push_back(of_set.second);
+    for (const auto& entry : groups)
+      if (entry.second.size() > 1)
+        result.push_back(entry.second);
     return result;
   }
 
-  // Ends a search once it has reached all faces of a set but those of one group.
+  // Ends a search once it has reached all faces of a set outside one group.
   struct Reached_set {};
 
   class Reached_set_visitor : public boost::dijkstra_visitor<>
@@ -336,8 +336,8 @@ class Set_connection
     return result;
   }
 
-  // Makes the faces of a path, and all groups that it meets, a part of a group. Returns the first
-  // group that is apart from it; then it changes nothing. Otherwise returns null_index.
+  // Adds the faces of a path, and all groups that it meets, to a group. Returns null_index, or the
+  // first group that is separated from it; then it changes nothing.
   Index absorb(Index group, const Faces& path)
   {
     std::vector<Index> met(1, groups_.sets.representative(group));
@@ -345,7 +345,7 @@ class Set_connection
       if (const Index set = groups_.set(f);
           set != null_index && std::find(met.begin(), met.end(), set) == met.end()) {
         for (Index other : met)
-          if (groups_.sets.are_apart(set, other))
+          if (groups_.sets.are_separated(set, other))
             return groups_.group[f];
         met.push_back(set);
       }
@@ -372,7 +372,7 @@ class Set_connection
     const auto is_joined = [&](Index i) { return groups_.group[first_face_[i]] == group; };
     std::vector<char> is_banned(faces_.size(), 0);
     for (Index i = 0; i < faces_.size(); ++i)
-      is_banned[i] = groups_.sets.are_apart(i, group);
+      is_banned[i] = groups_.sets.are_separated(i, group);
     while (!std::all_of(groups.begin(), groups.end(), is_joined)) {
       const std::vector<double> costs_of_paths = costs(group, is_banned);
       Index conflict = null_index;
@@ -389,7 +389,7 @@ class Set_connection
   }
 
 public:
-  // Takes the leaf of each face, of so many nodes.
+  // Takes the leaf of each face, which is below `number_of_nodes`.
   Set_connection(const Surface& mesh, const std::vector<Index>& leaf, std::size_t number_of_nodes,
                  const Constraint_groups& groups)
     : mesh_(mesh), leaf_(leaf), given_(groups), has_seed_(number_of_nodes, 0)
@@ -406,13 +406,13 @@ public:
   Constraint_groups operator()(const std::vector<Index>& callers_face)
   {
     std::vector<Faces> all = groups_to_join();
-    std::set<Faces> had_first_choice;
+    std::set<Faces> routed_first;
     for (auto groups = all.begin(); groups != all.end();) {
       if (join(*groups)) {
         ++groups;
         continue;
       }
-      if (groups == all.begin() || !had_first_choice.insert(*groups).second)
+      if (groups == all.begin() || !routed_first.insert(*groups).second)
         fail_constraint(names_of_faces(callers_face[first_face_[groups->front()]],
                                        callers_face[first_face_[groups->back()]]) +
                         " must be in one segment, which must be connected, but other constraints "

@@ -26,7 +26,7 @@ class Cut_editor
 {
   Cut_hierarchy& cuts_;
   std::vector<Cut_node>& nodes_;
-  std::vector<std::size_t> turn_; // one per node; `null_node` if the run did not come to it
+  std::vector<std::size_t> position_; // one per node; `null_node` if not searched
 
   std::size_t& place_of(std::size_t i) // returns the entry in its parent
   {
@@ -53,37 +53,37 @@ class Cut_editor
     set_children(below, nodes_[below].children[0], nodes_[below].children[1]);
   }
 
-  void find_turns()
+  void find_positions()
   {
-    turn_.assign(nodes_.size(), null_node);
+    position_.assign(nodes_.size(), null_node);
     for (std::size_t k = 0; k < cuts_.cut_order.size(); ++k)
-      turn_[cuts_.cut_order[k]] = k;
+      position_[cuts_.cut_order[k]] = k;
   }
 
-  // Sets the salience and the turn of a cut into two nodes, which comes as late as possible.
+  // Sets the salience and the position of a cut into two nodes, which comes as late as possible.
   void move_last(std::size_t i)
   {
     Cut_node& n = nodes_[i];
     n.salience = 0;
-    for (std::size_t turn : cuts_.cut_order)
-      n.salience = (std::min)(n.salience, nodes_[turn].salience);
-    turn_[i] = cuts_.cut_order.size();
+    for (std::size_t node : cuts_.cut_order)
+      n.salience = (std::min)(n.salience, nodes_[node].salience);
+    position_[i] = cuts_.cut_order.size();
     for (std::size_t child : n.children)
       if (!nodes_[child].is_leaf()) {
         n.salience = (std::max)(n.salience, nodes_[child].salience);
-        turn_[i] = (std::min)(turn_[i], turn_[child]);
+        position_[i] = (std::min)(position_[i], position_[child]);
       }
   }
 
-  // Orders the nodes by their former turns, but parents before their children. If saliences must
-  // not grow from a node to its children, it lowers them, and they give the order.
+  // Orders the nodes by their former positions, but parents before their children. In a monotonic
+  // hierarchy, lowers saliences that exceed the parent's, and orders by salience first.
   void update_order()
   {
-    typedef std::tuple<double, std::size_t, std::size_t> Key; // salience, turn, node
+    typedef std::tuple<double, std::size_t, std::size_t> Key; // salience, position, node
     std::priority_queue<Key, std::vector<Key>, std::greater<Key> > queue;
     const auto enqueue = [&](std::size_t i) {
-      if (turn_[i] != null_node)
-        queue.push({cuts_.is_monotonic ? -nodes_[i].salience : 0, turn_[i], i});
+      if (position_[i] != null_node)
+        queue.push({cuts_.is_monotonic ? -nodes_[i].salience : 0, position_[i], i});
     };
     cuts_.cut_order.clear();
     for (std::size_t i = 0; i < cuts_.number_of_roots; ++i)
@@ -95,7 +95,7 @@ class Cut_editor
       if (nodes_[i].is_leaf())
         continue;
       for (std::size_t child : nodes_[i].children) {
-        if (cuts_.is_monotonic && turn_[child] != null_node)
+        if (cuts_.is_monotonic && position_[child] != null_node)
           nodes_[child].salience = (std::min)(nodes_[child].salience, nodes_[i].salience);
         enqueue(child);
       }
@@ -127,7 +127,7 @@ class Cut_editor
       n.cut_state = s.cut_state;
       n.salience = s.salience;
       n.factors = s.factors;
-      turn_[parent] = turn_[sibling];
+      position_[parent] = position_[sibling];
       set_children(parent, s.children[0], s.children[1]);
       result = sibling;
     }
@@ -148,7 +148,7 @@ class Cut_editor
   }
 
 public:
-  explicit Cut_editor(Cut_hierarchy& cuts) : cuts_(cuts), nodes_(cuts.nodes) { find_turns(); }
+  explicit Cut_editor(Cut_hierarchy& cuts) : cuts_(cuts), nodes_(cuts.nodes) { find_positions(); }
 
   // Makes two nodes the children of one node, by moving b next to a, and returns that node.
   std::size_t merge(std::size_t a, std::size_t b)
@@ -168,7 +168,7 @@ public:
     return result;
   }
 
-  // Cuts a leaf as another hierarchy cuts its only root, whose i-th face is `faces[i]`.
+  // Cuts a leaf like another hierarchy cuts its only root, whose i-th face is `faces[i]`.
   template <class FaceRange>
   void graft(std::size_t leaf, const FaceRange& faces, const Cut_hierarchy& part)
   {
@@ -190,17 +190,17 @@ public:
         nodes_.push_back(n);
     }
     auto f = faces.begin();
-    for (Index of_part : part.leaf)
-      cuts_.leaf[*f++] = static_cast<Index>(node_of(of_part));
+    for (Index leaf_of_part : part.leaf)
+      cuts_.leaf[*f++] = static_cast<Index>(node_of(leaf_of_part));
     cuts_.cut_order.erase(std::remove(cuts_.cut_order.begin(), cuts_.cut_order.end(), leaf),
                           cuts_.cut_order.end());
-    for (std::size_t turn : part.cut_order)
-      cuts_.cut_order.push_back(node_of(turn));
+    for (std::size_t i : part.cut_order)
+      cuts_.cut_order.push_back(node_of(i));
     cuts_.has_all_cuts = cuts_.has_all_cuts && part.has_all_cuts;
     if (cuts_.is_monotonic && nodes_[leaf].parent != null_node)
       nodes_[leaf].salience = (std::min)(nodes_[leaf].salience,
                                          nodes_[nodes_[leaf].parent].salience);
-    find_turns();
+    find_positions();
     update_order();
   }
 };

@@ -24,25 +24,25 @@
 
 namespace CGAL::Spectral_segmentation::internal {
 
-// Cuts leaves on the search surface that the constraints of the mesh forbid to be whole. Such a cut
-// is the cheapest along the spectral order from one bank of a forced boundary, or from the faces of
-// one seed, to the other. This order continues a boundary that ends, around a limb.
+// Cuts leaves of the search surface that violate the constraints of the mesh. Such a cut is the
+// cheapest along the spectral order from one side of a forced boundary to the other, or from the
+// faces of one seed to the faces of another. This order extends an open boundary around a limb.
 //
-// Banks are the faces along one side of a boundary, around all its vertices but the ends. They and
-// the seeds are classes. Each coarse face gets the class that most of the constraints near it have.
+// A side consists of the faces along one side of a boundary, around all its vertices except the
+// ends. Sides and seeds are classes. Each coarse face gets the class of most constraints near it.
 class Forced_cuts
 {
   const Surface& mesh_;
-  const std::vector<Index>& vertex_; // the vertex of the search surface for each of the mesh
+  const std::vector<Index>& vertex_; // the vertex of the search surface for each vertex of the mesh
   const Surface& coarse_;
   const Constraint_groups& groups_;
   Run_monitor& monitor_;
-  Cut_hierarchy& cuts_; // of the search surface
+  Cut_hierarchy& cuts_; // the cuts of the search surface
   Leaf_cutter cutter_;
 
   std::vector<Index> seams_;       // the halfedges at forced boundaries
-  std::vector<std::vector<Index> > halfedges_from_; // each vertex of the search surface
-  Separated_sets classes_;         // first those of banks, one for each of seams_
+  std::vector<std::vector<Index> > halfedges_from_; // one list per coarse vertex
+  Separated_sets classes_;         // the sides first, one per halfedge in seams_
   std::map<Index, Index> class_of_seed_;
   std::vector<Index> label_;       // the class of each coarse face, or null_index
 
@@ -52,7 +52,7 @@ class Forced_cuts
     return vertex == null_index ? none : halfedges_from_[vertex]; // null: left from no face
   }
 
-  Index class_of_bank(Index h) const
+  Index class_of_side(Index h) const
   {
     return classes_.representative(static_cast<Index>(
       std::lower_bound(seams_.begin(), seams_.end(), h) - seams_.begin()));
@@ -64,16 +64,16 @@ class Forced_cuts
       if (const Index seed = groups_.sets.seed(groups_.group[f]); seed != null_index)
         class_of_seed_.emplace(seed, static_cast<Index>(seams_.size() + class_of_seed_.size()));
     classes_ = Separated_sets(seams_.size() + class_of_seed_.size());
-    for (Index h : seams_) { // the next halfedge of the bank, unless the boundary ends
+    for (Index h : seams_) { // the next halfedge of the side, unless the boundary ends
       Index next = Surface::next(h);
       while (!groups_.is_seam[next] && !mesh_.is_border(next))
         next = Surface::next(mesh_.opposite[next]);
       if (groups_.is_seam[next] && next != mesh_.opposite[h])
-        classes_.merge(class_of_bank(h), class_of_bank(next));
+        classes_.merge(class_of_side(h), class_of_side(next));
     }
     for (Index h : seams_)
-      if (class_of_bank(h) != class_of_bank(mesh_.opposite[h]))
-        classes_.separate(class_of_bank(h), class_of_bank(mesh_.opposite[h]));
+      if (class_of_side(h) != class_of_side(mesh_.opposite[h]))
+        classes_.separate(class_of_side(h), class_of_side(mesh_.opposite[h]));
     for (const auto& [seed, number] : class_of_seed_)
       classes_.set_seed(number, seed);
   }
@@ -135,12 +135,12 @@ class Forced_cuts
 
   void set_labels()
   {
-    Votes votes; // for a coarse face and a class
+    Votes votes; // pairs of a coarse face and a class
     for (Index h : seams_)
       if (const Index k = coarse_halfedge(h); k != null_index) {
-        ++votes[{k / 3, class_of_bank(h)}];
+        ++votes[{k / 3, class_of_side(h)}];
         if (!coarse_.is_border(k))
-          ++votes[{coarse_.neighbor(k), class_of_bank(mesh_.opposite[h])}];
+          ++votes[{coarse_.neighbor(k), class_of_side(mesh_.opposite[h])}];
       }
     for (Index f : groups_.faces)
       if (const Index seed = groups_.sets.seed(groups_.group[f]); seed != null_index)
@@ -149,7 +149,7 @@ class Forced_cuts
     label_ = most_votes(votes, coarse_.number_of_faces());
   }
 
-  // Returns two classes of faces of a leaf that must be apart; null_index twice if there are none.
+  // Returns two separated classes of faces of a leaf; null_index twice if there are none.
   std::pair<Index, Index> find_conflict(const std::vector<Index>& faces) const
   {
     std::vector<Index> classes;
@@ -160,7 +160,7 @@ class Forced_cuts
     classes.erase(std::unique(classes.begin(), classes.end()), classes.end());
     for (Index a : classes)
       for (Index b : classes)
-        if (a < b && classes_.are_apart(a, b))
+        if (a < b && classes_.are_separated(a, b))
           return {a, b};
     return {null_index, null_index};
   }
@@ -192,7 +192,7 @@ class Forced_cuts
     return result;
   }
 
-  // Returns the cheapest cut along an order, of those that leave the fewest faces of the two
+  // Returns the cheapest cut along an order among the cuts that leave the fewest faces of the two
   // classes on the wrong side.
   std::optional<Sides> cheapest_cut(const Surface& part, const std::vector<Index>& label, Index a,
                                     Index b) const
@@ -202,10 +202,10 @@ class Forced_cuts
       return std::nullopt; // the part is not connected
     const std::size_t all_of_a = std::count(label.begin(), label.end(), a),
                       all_of_b = std::count(label.begin(), label.end(), b);
-    std::vector<std::size_t> of_a(1, 0), of_b(1, 0); // among the first faces
+    std::vector<std::size_t> count_a(1, 0), count_b(1, 0); // both among the first faces
     for (Index f : growth.faces) {
-      of_a.push_back(of_a.back() + (label[f] == a));
-      of_b.push_back(of_b.back() + (label[f] == b));
+      count_a.push_back(count_a.back() + (label[f] == a));
+      count_b.push_back(count_b.back() + (label[f] == b));
     }
     std::vector<double> capacities(part.number_of_halfedges());
     for (Index h = 0; h < part.number_of_halfedges(); ++h)
@@ -215,9 +215,9 @@ class Forced_cuts
     for_each_cut(growth.faces, sizes_of_cuts(part, growth), 0,
                  Patch_with_capacity(part, capacities), [&](const auto& q, Index size) {
       const std::pair<std::size_t, double> cost(
-        all_of_a - of_a[size] + of_b[size],
+        all_of_a - count_a[size] + count_b[size],
         quantized(q.capacity_of_cut() / std::sqrt(q.smaller_area())));
-      if (of_a[size] > 0 && of_b[size] < all_of_b && cost < best) {
+      if (count_a[size] > 0 && count_b[size] < all_of_b && cost < best) {
         best = cost;
         size_of_best = size;
       }
@@ -281,7 +281,7 @@ public:
       ++size[groups_.group[f]];
     for (Index h : seams_)
       ++size[groups_.group[h / 3]];
-    Votes votes; // for a group and a leaf
+    Votes votes; // pairs of a group and a leaf
     for (Index f : groups_.faces) {
       if (size[groups_.group[f]] == 1)
         continue;
@@ -289,7 +289,7 @@ public:
       for (Index h = 3 * f; h < 3 * f + 3; ++h)
         if (groups_.is_seam[h])
           if (const Index k = coarse_halfedge(h);
-              k != null_index && label_[k / 3] == class_of_bank(h))
+              k != null_index && label_[k / 3] == class_of_side(h))
             g = k / 3;
       for (Index i = 0; g == null_index; ++i) // no coarse face is near
         g = coarse_.components[i] == mesh_.components[f] ? i : g;

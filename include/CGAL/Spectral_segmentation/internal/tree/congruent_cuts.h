@@ -33,7 +33,7 @@ inline double difference(const Cut_shape& a, const Cut_shape& b)
 }
 
 // The difference up to which cuts are congruent. With 0.05, 24 pairs of equal limbs in the odd half
-// of the Princeton benchmark are cut unlike, and with 0.1 three. From 0.15 on errors grow.
+// of the Princeton benchmark are cut differently, and with 0.1 three. From 0.15 on errors grow.
 constexpr double difference_of_congruent_cuts = 0.1;
 
 // Returns the shapes of the cuts in their order.
@@ -58,15 +58,15 @@ inline std::vector<Cut_shape> cut_shapes(const Surface& mesh, const Cut_hierarch
     const std::array<double, 3> deviations = moments.deviations();
     Cut_shape shape = {std::sqrt(moments.area), length, deviations[0], deviations[1],
                        deviations[2]};
-    for (double& x : shape) // in this order of arguments, because the area may be 0, and x NaN
+    for (double& x : shape) // the order of arguments matters: the area may be 0, and x NaN
       x = quantized(std::log((std::max)(least_length, x)));
     result.push_back(shape);
   }
   return result;
 }
 
-// Returns the same cuts, as they are applied from the top down. Congruent cuts, such as those of
-// the legs of a horse, get the mean of their saliences, which cuts above them may limit.
+// Applies the cuts from the top down. Congruent cuts, such as the cuts of the legs of a horse, get
+// the mean of their saliences, which cuts above them may limit.
 inline Cut_hierarchy with_common_saliences(const Surface& mesh, Cut_hierarchy cuts)
 {
   cuts = applied_from_top_down(std::move(cuts));

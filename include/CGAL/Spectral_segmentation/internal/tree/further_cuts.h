@@ -17,13 +17,12 @@
 
 namespace CGAL::Spectral_segmentation::internal {
 
-// Cuts leaves of a hierarchy further. The cuts get a salience that is no larger than that of any
-// cut.
+// Cuts leaves of a hierarchy further. The new cuts are no more salient than any other cut.
 class Leaf_cutter
 {
   const Surface& mesh_;
   Cut_hierarchy& cuts_;
-  Nested_ranges faces_; // of each node
+  Nested_ranges faces_; // the faces of each node
   double salience_ = 0;
 
 public:
@@ -65,8 +64,8 @@ public:
 };
 
 // Cuts leaves of a hierarchy further, if the search found fewer cuts than were asked for. It cuts
-// the largest leaf in two, between its components if it has several, else in halves of about the
-// same area. Groups of faces, each connected and in one leaf, stay whole.
+// the largest leaf in two, between its components if it has several, otherwise in halves of about
+// the same area. Groups of faces, each connected and in one leaf, are not cut.
 class Further_cuts
 {
   typedef std::pair<double, std::size_t> Key; // the area and the node of a leaf
@@ -76,7 +75,7 @@ class Further_cuts
   Leaf_cutter cutter_;
   std::vector<char> is_in_leaf_; // one per face: in the current leaf, but not reached yet
   std::priority_queue<Key> queue_;
-  std::vector<Index> next_in_group_; // one per face, in a circle; empty if there are no groups
+  std::vector<Index> next_in_group_; // one per face, a circular list; empty if there are no groups
 
   template <class Visit>
   void for_each_in_group(Index first, const Visit& visit) const
@@ -122,10 +121,10 @@ class Further_cuts
         const Index f = mesh_.neighbor(h);
         if (!is_in_leaf_[f])
           continue;
-        const double of_group = area_of_group(f);
-        if (sum + of_group > area)
+        const double group_area = area_of_group(f);
+        if (sum + group_area > area)
           return result;
-        sum += of_group;
+        sum += group_area;
         reach_group(f, result);
       }
     return result;
@@ -203,7 +202,7 @@ public:
   // Cuts until there are this many leaves, or every leaf is a face or a group.
   void operator()(std::size_t number_of_segments)
   {
-    // A leaf that was searched in vain gets a new turn if it is cut.
+    // A leaf in which the search found no cut gets a new position if it is cut.
     std::vector<std::size_t>& order = cuts_.cut_order;
     order.erase(std::remove_if(order.begin(), order.end(),
                                [&](std::size_t i) { return cuts_.nodes[i].is_leaf(); }),

@@ -46,7 +46,7 @@ struct Segment_extent
 
   std::array<double, 3> smallest{infinity, infinity, infinity};
   std::array<double, 3> largest{-infinity, -infinity, -infinity};
-  std::vector<std::size_t> neighbors; // the segments with which it shares an edge, ascending
+  std::vector<std::size_t> neighbors; // the adjacent segments, ascending
   std::size_t segment_class = 0;      // segments of one class may be copies or mirror images
 };
 

@@ -17,9 +17,9 @@ namespace CGAL::Spectral_segmentation::internal {
 // The feature vectors of the faces of a surface, in units of their standard deviation on the mesh.
 struct Face_features
 {
-  std::size_t dimension = 0; // 0: there are no features, or all faces have the same
+  std::size_t dimension = 0; // 0: there are no features, or all are equal
   std::vector<float> values; // one vector per face
-  double unit = 1;           // in numbers of the caller
+  double unit = 1;           // the standard deviation, in the caller's unit
 
   bool empty() const { return dimension == 0; }
   const float* operator[](std::size_t f) const { return &values[f * dimension]; }
@@ -35,7 +35,7 @@ struct Face_features
   }
 };
 
-// The mean features of sets of faces, by area, which may be joined.
+// The area-weighted mean features of sets of faces, which may be joined.
 class Set_features
 {
   std::size_t dimension_ = 0; // 0: there are no features
@@ -81,7 +81,7 @@ public:
     return std::sqrt(sum);
   }
 
-  // Returns the share of the variance of all faces, which is 1, that the sets explain.
+  // Returns the fraction of the variance of all faces, which is 1, that the sets explain.
   double explained_variance() const
   {
     double area = 0, squares = 0;
@@ -94,7 +94,7 @@ public:
   }
 };
 
-// The variance of the features of faces on both sides of a cut, by area.
+// The area-weighted variance of the features of faces on both sides of a cut.
 class Feature_variance
 {
   const Face_features& features_;
@@ -138,27 +138,27 @@ public:
   double explained() const
   { return area() > 0 ? areas_[0] * areas_[1] / area() * squared_step() : 0; }
 
-  // Returns the same relative to the whole variance, which is taken to be a hundredth of that of
-  // the mesh at least, so that differences of nothing count for nothing.
-  double explained_share() const
+  // Returns the explained fraction of the variance, which is clamped below to a hundredth of the
+  // variance of the mesh, so that rounding noise is not amplified.
+  double explained_fraction() const
   {
-    double whole = squares_;
+    double variance = squares_;
     for (std::size_t i = 0; i < features_.dimension; ++i) {
       const double sum = sums_[0][i] + sums_[1][i];
-      whole -= area() > 0 ? sum * sum / area() : 0;
+      variance -= area() > 0 ? sum * sum / area() : 0;
     }
     const double least = 0.01 * area();
-    return least > 0 ? (std::min)(explained() / (std::max)(whole, least), 1.) : 0;
+    return least > 0 ? (std::min)(explained() / (std::max)(variance, least), 1.) : 0;
   }
 };
 
-// Sets the factors of features of a cut, but for their weight and their reliability.
+// Sets the feature factors of a cut, except their weight and their reliability.
 inline void set_feature_factors(const Feature_variance& sides, const Feature_variance& near_cut,
                                 double area_of_mesh, Salience_factors& factors)
 {
   factors.feature_step = std::sqrt(near_cut.squared_step());
-  factors.explained_variance_near_cut = near_cut.explained_share();
-  factors.explained_variance = sides.explained_share();
+  factors.explained_variance_near_cut = near_cut.explained_fraction();
+  factors.explained_variance = sides.explained_fraction();
   factors.explained_variance_of_mesh = sides.explained() / area_of_mesh;
 }
 

@@ -39,7 +39,7 @@ class Heat_smoothing
     std::vector<Index> faces;
     // The solver for the matrix of a step, which is symmetric because it acts on densities times
     // the roots of the areas. In the bands of cuts it takes a quarter of the time of conjugate
-    // gradients, on a whole mesh of a million faces a little more.
+    // gradients, on a complete mesh of a million faces a little more.
     Eigen::SimplicialLDLT<Matrix> solver;
   };
 
@@ -132,10 +132,10 @@ public:
     });
   }
 
-  // Returns the radius as it was bounded, in the unit of the points.
+  // Returns the clamped radius, in the unit of the points.
   double radius() const { return radius_; }
 
-  // Returns the averaged density of a quantity of which each face has some amount.
+  // Returns the averaged density of a quantity, given its amount in each face.
   Eigen::VectorXd operator()(const Eigen::VectorXd& amounts) const
   {
     Eigen::VectorXd result(amounts.size());
@@ -154,8 +154,8 @@ public:
 
 // Curvature of the surface at the scale of the shape instead of the scale of the triangulation.
 
-// The tensor product of a vector with itself, as a vector: symmetric tensors have the same inner
-// product as such vectors.
+// The coefficients of a symmetric tensor, scaled so that the dot product of two such vectors is the
+// inner product of the tensors.
 typedef std::array<double, 6> Symmetric_tensor;
 
 inline Symmetric_tensor squared(const Vector& v)
@@ -166,9 +166,9 @@ inline Symmetric_tensor squared(const Vector& v)
 }
 
 // Returns for each halfedge the angle by which the surface bends over a path of twice the radius
-// across the edge, which is negative where the surface is concave. It is found from the curvature
-// tensor of Cohen-Steiner and Morvan (2003), averaged over the radius by diffusion. `radius` is
-// relative to the square root of the area of the mesh.
+// across the edge, which is negative where the surface is concave. It is computed from the
+// curvature tensor of Cohen-Steiner and Morvan (2003), averaged over the radius by diffusion.
+// `radius` is relative to the square root of the area of the mesh.
 inline std::vector<double> curvature_angles(Execution execution, const Surface& mesh,
                                        const std::vector<Vector>& points,
                                        const std::vector<Vector>& normals, double radius)
@@ -193,8 +193,7 @@ inline std::vector<double> curvature_angles(Execution execution, const Surface& 
         continue;
       const double angle =
         std::atan2(normals[f].cross(normals[g]).dot(edge) / length, normals[f].dot(normals[g]));
-      // The density is split by area; else a sliver beside a sharp edge would have nearly all of
-      // it.
+      // The density is split by area; otherwise a sliver beside a sharp edge would get nearly all.
       const double density = angle * mesh.areas[f] / area / length;
       const Symmetric_tensor tensor = squared(edge);
       for (std::size_t k = 0; k < 6; ++k)
@@ -204,7 +203,7 @@ inline std::vector<double> curvature_angles(Execution execution, const Surface& 
   const Heat_smoothing smoothing(execution, mesh, points, radius);
   for_each_index(execution, 6, [&](std::size_t k) { tensors[k] = smoothing(tensors[k]); });
 
-  const double way = 2 * smoothing.radius();
+  const double path_length = 2 * smoothing.radius();
   for_each_index(execution, angles.size(), [&](std::size_t i) {
     const Index h = static_cast<Index>(i), f = h / 3, g = mesh.neighbor(h);
     const Vector edge = edge_vector(h);
@@ -213,12 +212,12 @@ inline std::vector<double> curvature_angles(Execution execution, const Surface& 
     if (mesh.is_border(h) || squared_length == 0 || area == 0)
       return;
     const Symmetric_tensor across = squared(edge);
-    double sums[2] = {0, 0}; // each of every other term
+    double sums[2] = {0, 0}; // the even and the odd terms
     for (std::size_t k : {4, 5, 2, 3, 0, 1})
       sums[k % 2] +=
         (mesh.areas[f] * tensors[k][f] + mesh.areas[g] * tensors[k][g]) / area * across[k];
     const double curvature = (sums[0] + sums[1]) / squared_length;
-    const double angle = way * curvature;
+    const double angle = path_length * curvature;
     if (std::abs(angle) > 1e-6) // a smaller angle is rounding, and the surface is flat
       angles[h] = (std::min)((std::max)(angle, -CGAL_PI), CGAL_PI);
   });

@@ -88,7 +88,7 @@ inline std::vector<Vector> face_normals(Execution execution, const Surface& grap
 }
 
 // Equalizes the histogram: maps values to equally spaced values in [0, 1] by their rank. Equal
-// values share the mean of their ranks.
+// values get the mean of their ranks.
 inline std::vector<double> equalize(Execution execution, const std::vector<float>& values)
 {
   const std::vector<Index> order = sorted_indices(execution, values);
@@ -105,8 +105,8 @@ inline std::vector<double> equalize(Execution execution, const std::vector<float
   return result;
 }
 
-// Equalizes the histogram so that a value takes as much of [0, 1] as its weight says. An edge then
-// counts by its length and not by the number of edges into which the triangulation cuts it.
+// Equalizes the histogram by weighted ranks. An edge then counts by its length and not by the
+// number of edges into which the triangulation cuts it.
 inline std::vector<double> equalize(Execution execution, const std::vector<float>& values,
                                     const std::vector<double>& weights)
 {
@@ -158,11 +158,11 @@ inline Distance_weights with_relative_angle_weights(Distance_weights weights)
 // The angles after equalization, one per edge.
 struct Equalized_angles
 {
-  std::vector<double> whole;   // H
+  std::vector<double> total;   // H
   std::vector<double> concave; // the part of H that is due to concave edges
 };
 
-// Equalizes dihedral angles; `edges` has one halfedge an edge. Faces without a normal have flat
+// Equalizes dihedral angles; `edges` has one halfedge per edge. Faces without a normal have flat
 // edges.
 inline Equalized_angles equalized_dihedrals(Execution execution, const Surface& graph,
                                             const std::vector<Vector>& points,
@@ -187,7 +187,7 @@ inline Equalized_angles equalized_dihedrals(Execution execution, const Surface& 
   Equalized_angles result{equalize(execution, rounded), std::vector<double>(edges.size(), 0)};
   for (std::size_t e = 0; e < edges.size(); ++e)
     if (is_concave[e])
-      result.concave[e] = result.whole[e];
+      result.concave[e] = result.total[e];
   return result;
 }
 
@@ -214,7 +214,7 @@ inline Equalized_angles equalized_bending(Execution execution, const Surface& gr
                           std::vector<double>(edges.size(), 0)};
   for (std::size_t e = 0; e < edges.size(); ++e)
     if (bending[edges[e]] < 0)
-      result.concave[e] = result.whole[e];
+      result.concave[e] = result.total[e];
   return result;
 }
 
@@ -262,10 +262,10 @@ inline void set_face_distances(Execution execution, Surface& graph,
     const Index h = edges[e];
     Edge_weights& w = graph.weights[h];
     w.geodesic = static_cast<float>(quantized(geodesic[e]));
-    w.angle = static_cast<float>(quantized(equalized.whole[e]));
+    w.angle = static_cast<float>(quantized(equalized.total[e]));
     w.concavity = static_cast<float>(quantized(equalized.concave[e]));
     w.combined = static_cast<float>(
-      quantized((1 - weights.geodesic) * equalized.whole[e] + weights.geodesic * geodesic[e]));
+      quantized((1 - weights.geodesic) * equalized.total[e] + weights.geodesic * geodesic[e]));
     w.centroids = static_cast<float>(
       (graph.centroid(graph.neighbor(h)) - graph.centroid(h / 3)).norm());
     graph.weights[graph.opposite[h]] = w;
@@ -273,8 +273,8 @@ inline void set_face_distances(Execution execution, Surface& graph,
 }
 
 // Returns the points after some steps of uniform Laplacian smoothing (Section 2). Each step moves a
-// point half the way to the mean of its neighbors; vertices on the border of the mesh stay. Ends
-// early if `go_further()`, asked before each step, is false.
+// point halfway to the mean of its neighbors; vertices on the border of the mesh stay. Ends early
+// if `go_further()`, asked before each step, is false.
 template <class GoFurther>
 std::vector<Vector> smoothed_points(const Surface& graph, std::size_t iterations,
                                     const GoFurther& go_further)

@@ -21,8 +21,8 @@
 
 namespace CGAL::Spectral_segmentation::internal {
 
-// A matrix whose rows follow each other. Its products are plain loops, because sums of Eigen depend
-// on its version and on the processor, and labels must not.
+// A matrix in row-major order. Its products are plain loops, because sums of Eigen depend on its
+// version and on the processor, and labels must not.
 struct Row_matrix
 {
   std::size_t number_of_columns = 0;
@@ -63,7 +63,7 @@ inline Row_matrix weighted_transposed_product(const Row_matrix& a,
   return result;
 }
 
-// Makes the columns orthonormal, the first first. Columns that depend on earlier ones become 0.
+// Orthonormalizes the columns in order. Columns that depend on earlier ones become 0.
 inline void orthonormalize(Row_matrix& m)
 {
   const std::size_t rows = m.number_of_rows();
@@ -101,7 +101,7 @@ inline Row_matrix principal_subspace(const Row_matrix& all_rows, std::size_t dim
   Row_matrix result(rows.number_of_columns, dimension);
   std::uint32_t state = 1;
   for (double& value : result.values) {
-    state = 1664525 * state + 1013904223; // of Numerical Recipes
+    state = 1664525 * state + 1013904223; // Numerical Recipes
     value = (state >> 31) != 0 ? 1 : -1;
   }
   const std::vector<double> equal_weights(rows.number_of_rows(), 1);
@@ -114,14 +114,14 @@ inline Row_matrix principal_subspace(const Row_matrix& all_rows, std::size_t dim
   return result;
 }
 
-// The means of features at the vertices of a surface, each with the area that it is the mean of.
+// The area-weighted mean features at the vertices of a surface, and the areas around them.
 struct Vertex_features
 {
   Row_matrix means;
   std::vector<double> areas;
 };
 
-// Adds factor * (a - b) to a sum. Blocks of a fixed size are what compilers vectorize with -O2.
+// Adds factor * (a - b) to a sum. Compilers vectorize blocks of a fixed size with -O2.
 inline void add_difference(double factor, const std::vector<double>& a,
                            const std::vector<double>& b, double* sum)
 {
@@ -150,16 +150,16 @@ inline void add_difference(double factor, const std::vector<double>& a,
                               "too large: scale them");
 }
 
-// Computes means of features over the faces around each vertex of another surface, by area. Of a
-// mesh with many more faces than that surface, every k-th face is read, so that 16 faces or so
-// count at each vertex; all large faces are. Features are relative to those of the first face, so
-// that a large number that they have in common does not cost digits.
+// Computes area-weighted means of features over the faces around each vertex of another surface. If
+// the mesh has many more faces than this surface, only large faces and every k-th face are read,
+// about 16 at each vertex. Features are relative to the first face, so that a large common offset
+// does not cost digits.
 class Feature_means
 {
   const Feature_source& source_;
   const Surface& mesh_;
-  const std::vector<Index>& callers_face_; // whose features each face has
-  const std::vector<Index>& vertex_;       // of the other surface, or null_index, for each vertex
+  const std::vector<Index>& callers_face_; // the caller's face of each face
+  const std::vector<Index>& vertex_;       // the vertex of the other surface, or null_index
   std::vector<double> first_, features_;
   Index last_read_ = null_index;
   Vertex_features result_;
@@ -187,9 +187,9 @@ class Feature_means
         ++end;
       if (v[i] == null_index)
         continue;
-      const double share = mesh_.areas[f] * static_cast<double>(end - i) / 3;
-      result_.areas[v[i]] += share;
-      add_difference(share, features_, first_, result_.means[v[i]]);
+      const double area = mesh_.areas[f] * static_cast<double>(end - i) / 3;
+      result_.areas[v[i]] += area;
+      add_difference(area, features_, first_, result_.means[v[i]]);
     }
   }
 
@@ -224,7 +224,7 @@ public:
       if (!is_sample(f) && touches_unread_vertex(f))
         add(f);
     for (double x : result_.means.values)
-      if (!(std::abs(x) <= 1e150)) // whose square is finite
+      if (!(std::abs(x) <= 1e150)) // the square must be finite
         throw_for_infinite(source_, callers_face_);
     for (std::size_t v = 0; v < n; ++v)
       for (std::size_t i = 0; i < source_.dimension; ++i)
@@ -234,8 +234,8 @@ public:
 };
 
 // Subtracts the mean over all vertices, and divides so that the largest number is 1. Rounds, so
-// that the order in which sums were taken makes no difference. Returns the divisor; 0 if all
-// features are the same.
+// that the order of summation makes no difference. Returns the divisor; 0 if all features are the
+// same.
 inline double standardize(Vertex_features& features)
 {
   const std::size_t n = features.areas.size(), d = features.means.number_of_columns;
@@ -261,8 +261,7 @@ inline double standardize(Vertex_features& features)
   return largest;
 }
 
-// Returns the features of the faces, each the mean of those of its corners. At most 16 dimensions
-// are kept.
+// Returns the features of the faces, the means over their corners. At most 16 dimensions are kept.
 inline Face_features searched_features(const Surface& searched, Vertex_features vertices)
 {
   constexpr std::size_t largest_dimension = 16;
@@ -301,7 +300,7 @@ inline Face_features searched_features(const Surface& searched, Vertex_features 
 }
 
 // Returns the features of single faces of the caller; none if the vectors are long, because reading
-// many of them takes the time of the search. Outliers are cut off.
+// many of them takes the time of the search. Outliers are clamped.
 inline Face_features features_of_faces(const Feature_source& source, double unit,
                                        const std::vector<Index>& callers_face)
 {
@@ -355,9 +354,9 @@ inline std::vector<Index> feature_order(Execution execution, const Face_features
   return sorted_indices(execution, product(rows, direction).values);
 }
 
-// Makes edges across which features change more than at most edges count as concave. A change that
-// is much the same everywhere, as that of a smooth field or of noise, has no effect. A change is
-// `factor` times the distance of the features of adjacent faces.
+// Makes edges count as concave if features change more across them than across most edges. A nearly
+// uniform change, such as from a smooth field or noise, has no effect. A change is `factor` times
+// the distance of the features of adjacent faces.
 inline void add_feature_steps(const Face_features& features, double factor, double weight,
                               Surface& graph)
 {

@@ -18,7 +18,7 @@
 
 namespace CGAL::Spectral_segmentation::internal {
 
-// Stands for faces that no path reaches.
+// The distance of unreachable faces.
 constexpr double infinite_distance = std::numeric_limits<double>::infinity();
 
 // Runs BGL's Dijkstra on the dual graph of a part, from all `sources` at once. `distance` holds the
@@ -54,12 +54,12 @@ struct Geodesic_paths
 {
   std::vector<double> lengths;
   std::vector<float> angles;    // the sums of the angle distances along the paths
-  std::vector<Index> previous;  // faces; the source itself, and faces out of reach, have none
+  std::vector<Index> previous;  // faces; the source itself, and unreachable faces, have none
 };
 
-// Sums the angle distances along shortest geodesic paths. Of several shortest paths to a face it
-// takes the one over the nearest neighbor, then over the first, so that the sum does not depend on
-// the order in which Dijkstra meets equal faces, unless a step has no length.
+// Sums the angle distances along shortest geodesic paths. Ties between paths to a face go to the
+// path over the nearest neighbor, then over the first, so that the sum does not depend on the order
+// in which Dijkstra visits equal faces, unless a step has no length.
 class Angle_visitor : public boost::dijkstra_visitor<>
 {
   Geodesic_paths* paths_;

@@ -1,8 +1,8 @@
 // Copyright (c) 2026  The Spectral_segmentation authors.
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#ifndef CGAL_SEGMENTED_MESH_INTERNAL_REFINEMENT_SEGMENT_SHARES_H
-#define CGAL_SEGMENTED_MESH_INTERNAL_REFINEMENT_SEGMENT_SHARES_H
+#ifndef CGAL_SEGMENTED_MESH_INTERNAL_REFINEMENT_SEGMENT_FRACTIONS_H
+#define CGAL_SEGMENTED_MESH_INTERNAL_REFINEMENT_SEGMENT_FRACTIONS_H
 
 #include <CGAL/Segmented_mesh/internal/base.h>
 #include <CGAL/Segmented_mesh/internal/refinement/Boundary_band.h>
@@ -21,19 +21,19 @@
 
 namespace CGAL::Segmented_mesh::internal {
 
-// The share of each segment at each vertex of the band: first its fraction of the angle around the
-// vertex, then smoothed by diffusion. Shares beyond the band are kept, and shares on boundaries
-// that are smooth already are equal.
-class Segment_shares
+// The fraction of the angle around each vertex of the band that belongs to each segment, smoothed
+// by diffusion. Fractions beyond the band are kept, and fractions on boundaries that are smooth
+// already are equal.
+class Segment_fractions
 {
-  typedef std::vector<std::pair<Index, double> > Shares; // labels with their shares
+  typedef std::vector<std::pair<Index, double> > Fractions; // labels with their fractions
 
-  // Small shares of many tiny segments would take much time.
-  static constexpr std::size_t capacity = 6; // the largest number of shares at a vertex
+  // Small fractions of many tiny segments would take much time.
+  static constexpr std::size_t capacity = 6; // the largest number of fractions at a vertex
 
   class Weighted_mean
   {
-    Shares sums_;
+    Fractions sums_;
     double weight_ = 0;
 
   public:
@@ -48,16 +48,16 @@ class Segment_shares
       sums_.emplace_back(label, weight);
     }
 
-    void add(const Shares& shares, double weight)
+    void add(const Fractions& fractions, double weight)
     {
-      for (const auto& [label, share] : shares)
-        add(label, weight * share);
+      for (const auto& [label, fraction] : fractions)
+        add(label, weight * fraction);
     }
 
     double weight() const { return weight_; }
 
-    // Returns the largest shares. Ties go to the smallest labels.
-    Shares result()
+    // Returns the largest fractions. Ties go to the smallest labels.
+    Fractions result()
     {
       std::sort(sums_.begin(), sums_.end(), [](const auto& a, const auto& b)
         { return a.second > b.second || (a.second == b.second && a.first < b.first); });
@@ -69,7 +69,7 @@ class Segment_shares
   };
 
   const Surface& graph_;
-  std::vector<Shares> shares_; // one list per vertex, in descending order; empty outside the band
+  std::vector<Fractions> fractions_; // one list per vertex, descending; empty outside the band
 
   // Returns the angle at the source of a halfedge, up to 7e-5, by the polynomial 4.4.45 of
   // Abramowitz and Stegun 1964: std::atan2() differs between libraries in its last digits.
@@ -86,8 +86,8 @@ class Segment_shares
     return cosine < 0 ? CGAL_PI - result : result;
   }
 
-  // Returns how strongly the face joins the ends of its edge. The weight is positive for each face.
-  // The weight of an edge grows with the distance across it and falls with its length.
+  // Returns the diffusion weight of an edge in a face, which is positive. It grows with the
+  // distance across the edge and falls with its length.
   double weight(Index h) const
   {
     const double length = graph_.length(h), area = graph_.areas[h / 3];
@@ -102,11 +102,11 @@ class Segment_shares
         means[graph_.source_vertex(h)].add(labels[f], angle(h) + 1e-6);
     for (std::size_t v = 0; v < means.size(); ++v)
       if (means[v].weight() > 0)
-        shares_[v] = means[v].result();
-    for (Index v = 0; v < shares_.size(); ++v)
+        fractions_[v] = means[v].result();
+    for (Index v = 0; v < fractions_.size(); ++v)
       if (band.is_fixed(v))
-        for (auto& entry : shares_[v])
-          entry.second = 1. / static_cast<double>(shares_[v].size());
+        for (auto& entry : fractions_[v])
+          entry.second = 1. / static_cast<double>(fractions_[v].size());
   }
 
   void smooth(const Boundary_band& band, std::size_t number_of_iterations)
@@ -129,25 +129,25 @@ class Segment_shares
     for (Index v = 0; v < graph_.points.size(); ++v)
       if (band.is_inside(v) && !band.is_fixed(v))
         vertices.push_back(v);
-    std::vector<Shares> next(vertices.size());
+    std::vector<Fractions> next(vertices.size());
     for (std::size_t iteration = 0; iteration < number_of_iterations; ++iteration) {
       for (std::size_t i = 0; i < vertices.size(); ++i) {
         const Index v = vertices[i];
         Weighted_mean mean;
         for (Index a = edges.first_arc[v]; a < edges.first_arc[v + 1]; ++a)
-          mean.add(shares_[edges.targets[a]], weights[a]);
-        mean.add(shares_[v], mean.weight() / 2);
+          mean.add(fractions_[edges.targets[a]], weights[a]);
+        mean.add(fractions_[v], mean.weight() / 2);
         next[i] = mean.result();
       }
       for (std::size_t i = 0; i < vertices.size(); ++i)
-        shares_[vertices[i]].swap(next[i]);
+        fractions_[vertices[i]].swap(next[i]);
     }
   }
 
 public:
-  Segment_shares(const Surface& graph, const std::vector<Index>& labels,
-                 const Boundary_band& band, std::size_t number_of_iterations)
-    : graph_(graph), shares_(graph.points.size())
+  Segment_fractions(const Surface& graph, const std::vector<Index>& labels,
+                    const Boundary_band& band, std::size_t number_of_iterations)
+    : graph_(graph), fractions_(graph.points.size())
   {
     initialize(band, labels);
     smooth(band, number_of_iterations);
@@ -155,14 +155,14 @@ public:
 
   double operator()(Index v, Index label) const
   {
-    for (const auto& [other, share] : shares_[v])
+    for (const auto& [other, fraction] : fractions_[v])
       if (other == label)
-        return share;
+        return fraction;
     return 0;
   }
 
-  // Returns the label of the largest share at a vertex of a face of the band.
-  Index label_of_largest(Index v) const { return shares_[v].front().first; }
+  // Returns the label of the largest fraction at a vertex of a face of the band.
+  Index label_of_largest(Index v) const { return fractions_[v].front().first; }
 };
 
 // The boundaries between segments as curves on the surface. A vertex lies in a segment or on a
@@ -212,7 +212,7 @@ class Boundary_curves
 
   // Returns the fraction of the edge length that each new face must have, so that its area is not
   // too small.
-  double smallest_share(Index f) const
+  double smallest_fraction(Index f) const
   {
     const double area = graph_.areas[f];
     if (!(area > 0) || area < smallest_split_area * mean_area_)
@@ -222,7 +222,7 @@ class Boundary_curves
 
   // Returns the smallest position on an edge; the largest position is as far from its target.
   double smallest_position(Index h) const
-  { return (std::max)(smallest_share(h / 3), smallest_share(graph_.neighbor(h))); }
+  { return (std::max)(smallest_fraction(h / 3), smallest_fraction(graph_.neighbor(h))); }
 
   // Returns the next point of the curve in the face of a halfedge that the curve crosses.
   Vector next_point(Index h) const
@@ -240,7 +240,7 @@ class Boundary_curves
 
 public:
   Boundary_curves(const Surface& graph, const std::vector<Index>& labels,
-                  const Boundary_band& band, const Segment_shares& share)
+                  const Boundary_band& band, const Segment_fractions& fraction)
     : graph_(graph), labels_(labels), band_(band), vertex_label_(graph.points.size(), null_index),
       positions_(graph.number_of_halfedges(), 0.5), is_frozen_(graph.number_of_faces(), 1)
   {
@@ -252,22 +252,22 @@ public:
     for (Index f : band.faces) {
       is_frozen_[f] = 0;
       for (Index v : graph.corners[f])
-        vertex_label_[v] = band.is_fixed(v) ? null_index : share.label_of_largest(v);
+        vertex_label_[v] = band.is_fixed(v) ? null_index : fraction.label_of_largest(v);
     }
     for (Index f : band.kept_faces)
       freeze(f);
     for_each_crossing([&](Index h) {
       const Index v = graph.source_vertex(h), w = graph.target_vertex(h);
       const Index a = vertex_label_[v], b = vertex_label_[w];
-      const double to_v = share(v, a) - share(v, b), to_w = share(w, b) - share(w, a);
+      const double to_v = fraction(v, a) - fraction(v, b), to_w = fraction(w, b) - fraction(w, a);
       set_position(h, to_v + to_w > 0 ? to_v / (to_v + to_w) : 0.5);
     });
   }
 
   void freeze(Index f) { is_frozen_[f] = 1; }
 
-  // Returns the label of half an edge of a face: the label of the vertex at its end, or else of the
-  // next vertex.
+  // Returns the label of half an edge of a face: the label of the vertex at its end, otherwise of
+  // the next vertex with a label.
   Index label(Index h, int half) const
   {
     const Index f = h / 3;
@@ -345,8 +345,8 @@ public:
       vertex_label_[v] = null_index;
   }
 
-  // Moves each crossing to where its curve is shorter: one step of Weiszfeld's method for the sum
-  // of the distances to the points before and after it.
+  // Shortens the curve at each crossing by one step of Weiszfeld's method for the sum of the
+  // distances to the points before and after it.
   void tighten()
   {
     for_each_crossing([&](Index h) {
@@ -369,4 +369,4 @@ public:
 
 } // namespace CGAL::Segmented_mesh::internal
 
-#endif // CGAL_SEGMENTED_MESH_INTERNAL_REFINEMENT_SEGMENT_SHARES_H
+#endif // CGAL_SEGMENTED_MESH_INTERNAL_REFINEMENT_SEGMENT_FRACTIONS_H
