@@ -28,7 +28,7 @@ using internal::Vector;
 using internal::capacity;
 using internal::faces_near_cut;
 using internal::halfedges_of_cut;
-using internal::minimum_cut_around;
+using internal::minimum_cut_within;
 
 namespace {
 
@@ -104,6 +104,16 @@ std::vector<double> distances_by_relaxation(const Surface& graph, const Sides& s
 std::vector<Face_at_distance> near_cut(const Surface& graph, const Sides& side,
                                        double radius)
 { return faces_near_cut(graph, side, halfedges_of_cut(graph, side), radius); }
+
+// Returns the cheapest cut in the neighborhood of a cut, whose Q has this area.
+Sides minimum_cut_around(const Surface& graph, const Sides& side, double area_of_q)
+{
+  std::vector<Index> band;
+  for (const Face_at_distance& f :
+       near_cut(graph, side, internal::constants::neighborhood_radius * std::sqrt(area_of_q)))
+    band.push_back(f.face);
+  return minimum_cut_within(graph, band, side);
+}
 
 double capacity_of_cut(const Surface& graph, const Sides& side)
 {

@@ -30,6 +30,7 @@ struct Cut
   double area[2];
   Salience_factors factors;
   double salience;
+  std::vector<Index> near_cut = {}; // the faces near it, nearest first; calibrated method only
 };
 
 // Makes side 0 the side of smaller area.

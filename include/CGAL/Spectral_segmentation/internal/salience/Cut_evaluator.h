@@ -296,7 +296,8 @@ class Cut_evaluator
   }
 
   void set_neighborhood_factors(const Sides& side, const std::vector<Index>& cut,
-                                double area_of_q, double length, Salience_factors& factors) const
+                                double area_of_q, double length, Salience_factors& factors,
+                                std::vector<Index>* near_cut) const
   {
     const double radius = constants::neighborhood_radius * std::sqrt(area_of_q);
     const Near_faces faces =
@@ -304,6 +305,9 @@ class Cut_evaluator
     const auto first = faces.begin(), end = faces.end();
     const auto end_of_near = std::partition_point(first, end, [=](const Face_at_distance& f)
                                                   { return f.distance <= radius; });
+    if (near_cut)
+      for (auto f = first; f != end_of_near; ++f)
+        near_cut->push_back(f->face);
     factors.concavity_near_cut = mean_concavity(first, end_of_near);
     if (!mesh_.features.empty())
       set_factors_of_features(first, end_of_near, side, factors);
@@ -336,8 +340,9 @@ public:
   {}
 
   // Returns the factors of a candidate, or of the boundary of two regions. Both sides must have an
-  // area.
-  Salience_factors operator()(const Sides& side, bool is_boundary = false) const
+  // area. Appends the faces near the cut to `near_cut`, if given, nearest first.
+  Salience_factors operator()(const Sides& side, bool is_boundary = false,
+                              std::vector<Index>* near_cut = nullptr) const
   {
     std::vector<Index> faces[2];
     for (std::vector<Index>& f : faces)
@@ -356,7 +361,7 @@ public:
       factors.roundness = roundness(cut, length);
       factors.lower_quartile_of_concavity = lower_quartile_of_concavity(cut, length);
     }
-    set_neighborhood_factors(side, cut, area[0], length, factors);
+    set_neighborhood_factors(side, cut, area[0], length, factors, near_cut);
     set_convexity_factors(faces, area, factors);
     factors.log_relative_part_area = std::log((area[0] + area[1]) / mesh_.area);
     return factors;

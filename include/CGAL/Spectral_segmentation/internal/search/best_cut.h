@@ -81,7 +81,7 @@ class Best_cut
     normalize_sides(cut.side, cut.area);
     if (cut.area[0] < minimum_area_ || !(cut.area[0] > 0))
       return std::nullopt;
-    cut.factors = evaluator(cut.side);
+    cut.factors = evaluator(cut.side, false, &cut.near_cut);
     cut.salience = salience_of(options_.part_salience, cut.factors);
     return cut;
   }
@@ -112,7 +112,7 @@ class Best_cut
     std::vector<Cut> refined;
     append(execution, (std::min)(options_.number_of_refined_candidates, cuts.size()),
            [&](std::size_t i) -> std::optional<Cut> {
-             Sides sides = minimum_cut_around(graph, cuts[i].side, cuts[i].area[0]);
+             Sides sides = minimum_cut_within(graph, cuts[i].near_cut, cuts[i].side);
              if (sides == cuts[i].side || !both_sides_are_connected(graph, sides))
                return std::nullopt;
              return evaluate(graph, evaluator, std::move(sides));

@@ -183,17 +183,6 @@ inline Sides minimum_cut_within(const Surface& part, const std::vector<Index>& b
   return result;
 }
 
-// Returns the cheapest cut in the neighborhood of a cut. Its sides need not be connected.
-inline Sides minimum_cut_around(const Surface& part, const Sides& side, double area_of_q)
-{
-  std::vector<Index> band; // a side that lies entirely in it keeps the face farthest from the cut
-  const double radius = constants::neighborhood_radius * std::sqrt(area_of_q);
-  for (const Face_at_distance& f :
-       faces_near_cut(part, side, halfedges_of_cut(part, side), radius))
-    band.push_back(f.face);
-  return minimum_cut_within(part, band, side);
-}
-
 // Proposes the few cuts of a part whose factors are all computed.
 
 // A patch with the capacity of its cut.
