@@ -5,6 +5,7 @@
 #define CGAL_SPECTRAL_SEGMENTATION_INTERNAL_SALIENCE_BOUNDARY_NETWORK_H
 
 #include <CGAL/Spectral_segmentation/Salience_factors.h>
+#include <CGAL/Spectral_segmentation/internal/weights/Face_features.h>
 
 #include <algorithm>
 #include <array>
@@ -110,10 +111,6 @@ struct Feature_logit
 
   static double ramp(double x, double first, double last)
   { return (std::min)((std::max)((x - first) / (last - first), 0.), 1.); }
-
-  // Returns the weight of informative features, in [0, 1].
-  static double weight_of_features(double feature_weight)
-  { return (std::min)(2 * feature_weight, 1.); }
 
   // Returns the discount on the weight of the shape, in [0, 1].
   static double shape_discount(double feature_weight)

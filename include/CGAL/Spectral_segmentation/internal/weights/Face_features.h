@@ -14,6 +14,10 @@
 
 namespace CGAL::Spectral_segmentation::internal {
 
+// Returns the weight of informative features, in [0, 1].
+inline double weight_of_features(double feature_weight)
+{ return (std::min)(2 * feature_weight, 1.); }
+
 // The feature vectors of the faces of a surface, in units of their standard deviation on the mesh.
 struct Face_features
 {

@@ -375,7 +375,7 @@ inline void add_feature_steps(const Face_features& features, double factor, doub
     const double step = (std::min)((std::max)(steps[h] - usual_step, 0.), 1.);
     float& concavity = graph.weights[h].concavity;
     concavity = static_cast<float>(
-      quantized(1 - (1 - 0.75 * (std::min)(2 * weight, 1.) * step) * (1 - concavity)));
+      quantized(1 - (1 - 0.75 * weight_of_features(weight) * step) * (1 - concavity)));
   }
 }
 
