@@ -17,9 +17,10 @@ SUFFIXES = (".h", ".cpp", ".py", ".pyi", ".js", ".mjs", ".ts", ".cmake", ".sh")
 LONG_LINES = ("test/compile_failure/",) # each line has the error that it must cause
 OPENING = re.compile(r"\s*// (Of|As|But|Where|What|Without) ")
 # The folders of internal/ whose headers each folder must not include
-ROOMS = ("tree", "levels", "search", "salience", "weights", "surface", "base")
-FORBIDDEN_ROOMS = [(room, ("read",) + ROOMS[:i]) for i, room in enumerate(ROOMS)]
-FORBIDDEN_ROOMS.append(("read", ROOMS[:-2]))
+INTERNAL_FOLDERS = ("tree", "levels", "search", "salience", "weights", "surface", "base")
+FOLDERS_ABOVE = [(folder, ("read",) + INTERNAL_FOLDERS[:i])
+                 for i, folder in enumerate(INTERNAL_FOLDERS)]
+FOLDERS_ABOVE.append(("read", INTERNAL_FOLDERS[:-2]))
 # Words that files must not have
 FORBIDDEN = (
     (re.compile(r"(bindings|examples)/"),
@@ -29,7 +30,7 @@ FORBIDDEN = (
      re.compile(r"#include .CGAL/Segmented_mesh/"), "a header of Segmented_mesh"),
     *((re.compile("include/CGAL/Spectral_segmentation/internal/%s/" % folder),
        re.compile("internal/(?:%s)/" % "|".join(others)), "a header of a folder above its own")
-      for folder, others in FORBIDDEN_ROOMS))
+      for folder, others in FOLDERS_ABOVE))
 
 
 def problems(path, name):

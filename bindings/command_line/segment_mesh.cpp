@@ -273,7 +273,7 @@ void add_segmentation_options(CLI::App& app, Options& o)
                "make each connected component a part from the start, as --method paper does; "
                "otherwise components that touch may belong to the same part");
   app.add_flag("--keep-groups", o.keep_groups,
-               "keep the objects and groups of IN apart as if each was a component; those of .obj, "
+               "treat each object or group of IN as a separate component; those of .obj, "
                "and the nodes of files that Assimp reads");
   app.add_flag("--smooth-boundaries", o.smooth_boundaries,
                "smooth the boundaries between segments by removing teeth of single faces");
@@ -307,8 +307,8 @@ void add_feature_options(CLI::App& app, Options& o)
            "a color or the output of a neural network, or a whole number, a label that may be "
            "wrong; or an array of NumPy (.npy)");
   app.add_option("--feature-weight", o.feature_weight,
-                 "how much the features count against the shape: with 0 they are not used, with 1 "
-                 "the shape decides only between cuts that the features do not tell apart")
+                 "the weight of the features: with 0 they are not used, with 1 the shape only "
+                 "breaks ties between cuts that the features do not distinguish")
     ->type_name("W")->check(CLI::Range(0., 1.))->capture_default_str();
 }
 

@@ -52,6 +52,26 @@ namespace CGAL {
 namespace Spectral_segmentation {
 namespace internal {
 
+// Passes the calls of the engine on to the visitor of the caller, whose functions are not virtual.
+template <class Visitor>
+class Visitor_control : public Run_control
+{
+  Visitor& visitor_;
+
+public:
+  explicit Visitor_control(Visitor& visitor) : visitor_(visitor) {}
+
+  void before_stage(Stage stage, std::size_t part) override { visitor_.before_stage(stage, part); }
+  void after_stage(Stage stage, std::size_t part) override { visitor_.after_stage(stage, part); }
+  void before_part(std::size_t part, std::size_t n) override { visitor_.before_part(part, n); }
+  void after_part(std::size_t part) override { visitor_.after_part(part); }
+  void after_cut(std::size_t part, const Salience_factors& factors, double salience,
+                 std::size_t number_of_segments) override
+  { visitor_.after_cut(part, factors, salience, number_of_segments); }
+  void progress(double fraction) override { visitor_.progress(fraction); }
+  bool go_further() override { return visitor_.go_further(); }
+};
+
 // Runs the engine, and writes the labels of `faces` and the hierarchy of the caller. Returns the
 // number of segments. `faces[i]` is the face of the i-th triangle.
 template <class ConcurrencyTag, class Face, class SegmentIdMap, class CGALNamedParameters>
@@ -155,9 +175,9 @@ at most 4000 faces by default. The memory is O(*n*). The section
       the search finds too few cuts, the largest segment is halved.}
     \cgalParamType{an integer}
     \cgalParamDefault{none; the threshold ends the run}
-    \cgalParamExtra{from 1 to the number of faces. If components are separate, the smallest value
-      is the number of components; otherwise faces with the same points count once. Not together
-      with `maximum_number_of_segments` or `salience_threshold`. For a number above 20 the
+    \cgalParamExtra{from 1 to the number of faces. If components are kept separate, the smallest
+      value is the number of components; otherwise faces with the same points count once. Not
+      together with `maximum_number_of_segments` or `salience_threshold`. For a number above 20 the
       calibrated method (default) searches as many regions, up to 200, on a proportionally finer
       coarse mesh.}
   \cgalParamNEnd
@@ -173,8 +193,8 @@ at most 4000 faces by default. The memory is O(*n*). The section
   \cgalParamNEnd
   \cgalParamNBegin{face_group_map}
     \cgalParamDescription{the group of each face, such as an object or a material of a file. Groups
-      are separate components: no cut is needed between them. A group of several connected
-      components is several components.}
+      are treated like connected components: no cut is needed between them. A group of several
+      connected components is several components.}
     \cgalParamType{\ssReadableFaceMap an integer type as value type}
     \cgalParamDefault{none: all faces are in one group}
   \cgalParamNEnd
@@ -272,7 +292,7 @@ the same. `zhang_liu_2005()` does not support constraints. The example
       mesh. The factors of the salience are unreliable for a few faces; the paper has no such
       limit.}
     \cgalParamType{a number}
-    \cgalParamDefault{`0.003`, or `0.005` with `zhang_liu_2005()`. A finger of a figure is
+    \cgalParamDefault{`0.003`, or `0.005` with `zhang_liu_2005()`. A finger of a human figure is
       larger than this; a pit in its skin is smaller.}
     \cgalParamExtra{in [0, 0.5]; 0 with `zhang_liu_2005()` gives exactly the method of the paper}
   \cgalParamNEnd

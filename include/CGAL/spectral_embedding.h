@@ -22,7 +22,6 @@
 #include <cstddef>
 #include <stdexcept>
 #include <type_traits>
-#include <utility>
 #include <vector>
 
 namespace CGAL {

@@ -56,17 +56,17 @@ _PARAMETERS = """Parameters
         than a hundredth of the area belongs to the part with which it has the most contact, and
         the inner wall of a hollow body has the segments of the outer wall.
     face_groups : array_like of integers, shape (m,), optional
-        The group of each triangle or polygon, such as an object of a file. Groups are kept apart
+        The group of each triangle or polygon, such as an object of a file. Groups are treated
         like connected components.
     features : array_like, shape (m,) or (m, d), optional
-        What is known of each triangle or polygon beyond the shape: a vector of real numbers, such
+        Features of each triangle or polygon: a vector of real numbers, such
         as a color or the output of a neural network; one real number; or an integer, a label that
         may be wrong. Cuts where features change are preferred. Features that do not tell parts,
         such as noise, have little effect at the default weight. Arrays of float32 are read without
         a copy. Not with the method "paper".
     feature_weight : float, default: 0.5
-        How much the features count against the shape, in [0, 1]: with 0 they are not used, with 1
-        the shape decides only between cuts that the features do not tell apart.
+        The weight of the features, in [0, 1]: with 0 they are not used, with 1 the shape only
+        breaks ties between cuts that the features do not distinguish.
     constrained_edges : array_like of integers, shape (k, 2), optional
         Edges by their points, as of `boundary_edges()`, that must be between segments. Edges of
         one triangle are ignored.
@@ -77,7 +77,7 @@ _PARAMETERS = """Parameters
         not. Negative numbers mean nothing. Neither this nor the two for edges go with the method
         "paper".
     minimum_segment_size : float, default: 0.003, or 0.005 with the method "paper"
-        The least share of the area of the mesh for each side of a cut, in [0, 0.5].
+        The least fraction of the area of the mesh for each side of a cut, in [0, 0.5].
     part_salience : callable, optional
         Your own salience of a cut, which takes `SalienceFactors` and returns a number. It is called
         from several threads, one at a time. Give `salience_threshold` with it.

@@ -22,7 +22,6 @@
 #include <map>
 #include <set>
 #include <stdexcept>
-#include <type_traits>
 #include <utility>
 #include <vector>
 

@@ -47,9 +47,9 @@ struct Weighted_part_salience
 /// tangents of linear functions. The second network also has the input ln *S*, where *S* is the
 /// fraction of the area of the mesh that the smaller side has. It is fitted to what a cut costs:
 /// each cut is weighted by the Rand error that it adds or removes, so that a missing head weighs
-/// more than a superfluous tip of a tail. As far as features of faces tell the parts, the first
-/// network takes its place. Its output is calibrated: of the cuts with a salience of
-/// 0.7, seven of ten people make the mean one. The table has the mean change of its logit if an
+/// more than a superfluous tip of a tail. The more reliable the features of faces are, the more
+/// the first network replaces it. Its output is calibrated: of the cuts with a salience of 0.7,
+/// seven of ten people make the mean one. The table has the mean change of its logit if an
 /// input grows by one standard deviation, which benchmark/fit_part_salience.py prints.
 ///
 /// A function of the caller that calls this one gives the order of merging, too, so that its

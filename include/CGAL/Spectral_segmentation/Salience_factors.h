@@ -108,8 +108,9 @@ struct Salience_factors
   /// the same relative to the variance of the features of the mesh, in [0, 1]
   double explained_variance_of_mesh = 0;
 
-  /// of boundaries: how far features tell the parts of the mesh. It is the quadratic mean of
-  /// `feature_step` over all boundaries of the over-segmentation, as far as they explain variance;
+  /// for boundaries: how well features distinguish the parts of the mesh. It is the root of the
+  /// mean, over all boundaries of the over-segmentation, of the squared `feature_step` times the
+  /// fraction of the variance that the boundary explains;
   /// about 0.1 for noise, 0.2 for a smooth field and 0.6 for the parts of a person with noise.
   double feature_reliability = 0;
 

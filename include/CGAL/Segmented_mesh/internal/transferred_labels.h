@@ -6,7 +6,6 @@
 
 #include <CGAL/Segmented_mesh/internal/base.h>
 #include <CGAL/Spectral_segmentation/internal/surface/Face_tree.h>
-#include <CGAL/Spectral_segmentation/internal/surface/Surface.h>
 #include <CGAL/Spectral_segmentation/internal/surface/connected_components.h>
 
 #include <algorithm>

@@ -170,7 +170,7 @@ reads a hierarchy that `write_hierarchy()` or `segment_mesh --hierarchy` has wri
 same nodes, and gives the same labels.
 
 The input is validated completely: every text gives either a usable hierarchy or an exception. The
-time and the memory are linear in the size of the text.
+time and the memory are nearly linear in the size of the text.
 
 \throws std::runtime_error with an error message, if the text is not well-formed, contradicts
   itself, or has another version

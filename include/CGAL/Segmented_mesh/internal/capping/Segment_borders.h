@@ -6,13 +6,11 @@
 
 #include <CGAL/Segmented_mesh/internal/base.h>
 #include <CGAL/Segmented_mesh/internal/capping/triangle_sides.h>
-#include <CGAL/Spectral_segmentation/internal/base/Index.h>
 
 #include <CGAL/assertions.h>
 
 #include <algorithm>
 #include <cstddef>
-#include <functional>
 #include <map>
 #include <unordered_map>
 #include <utility>

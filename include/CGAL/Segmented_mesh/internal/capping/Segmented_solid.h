@@ -7,7 +7,6 @@
 #include <CGAL/Segmented_mesh/internal/base.h>
 #include <CGAL/Segmented_mesh/internal/capping/Segment_borders.h>
 #include <CGAL/Segmented_mesh/internal/capping/triangle_intersection.h>
-#include <CGAL/Spectral_segmentation/internal/base/Vector.h>
 
 #include <algorithm>
 #include <cmath>

@@ -20,7 +20,7 @@ namespace CGAL::Segmented_mesh::internal {
 struct Triangle_side
 {
   std::pair<Index, Index> vertices;
-  bool is_forward;               // whether the triangle passes it so
+  bool is_forward;               // whether the triangle runs along it from first to second
   std::array<Index, 2> corners;  // the triangle's corners at its vertices, from 0 to 3 n - 1
 
   Index triangle() const { return corners[0] / 3; }

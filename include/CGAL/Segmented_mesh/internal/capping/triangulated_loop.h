@@ -6,7 +6,6 @@
 
 #include <CGAL/Segmented_mesh/internal/base.h>
 #include <CGAL/Segmented_mesh/internal/capping/triangle_intersection.h>
-#include <CGAL/Spectral_segmentation/internal/surface/Surface.h>
 
 #include <CGAL/Constrained_Delaunay_triangulation_2.h>
 #include <CGAL/Polygon_mesh_processing/triangulate_hole.h>

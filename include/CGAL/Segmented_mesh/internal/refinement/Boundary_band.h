@@ -5,8 +5,6 @@
 #define CGAL_SEGMENTED_MESH_INTERNAL_REFINEMENT_BOUNDARY_BAND_H
 
 #include <CGAL/Segmented_mesh/internal/base.h>
-#include <CGAL/Spectral_segmentation/internal/base/Index.h>
-#include <CGAL/Spectral_segmentation/internal/surface/Surface.h>
 
 #include <algorithm>
 #include <array>

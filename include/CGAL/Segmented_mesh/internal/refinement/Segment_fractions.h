@@ -6,8 +6,6 @@
 
 #include <CGAL/Segmented_mesh/internal/base.h>
 #include <CGAL/Segmented_mesh/internal/refinement/Boundary_band.h>
-#include <CGAL/Spectral_segmentation/internal/base/Index.h>
-#include <CGAL/Spectral_segmentation/internal/surface/Surface.h>
 
 #include <CGAL/number_type_config.h>
 

@@ -7,7 +7,6 @@
 #include <CGAL/Segmented_mesh/internal/base.h>
 #include <CGAL/Segmented_mesh/internal/refinement/Boundary_band.h>
 #include <CGAL/Segmented_mesh/internal/refinement/Segment_fractions.h>
-#include <CGAL/Spectral_segmentation/internal/surface/Surface.h>
 #include <CGAL/Spectral_segmentation/internal/surface/connected_components.h>
 
 #include <algorithm>

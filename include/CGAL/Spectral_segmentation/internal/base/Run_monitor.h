@@ -31,26 +31,6 @@ public:
   virtual bool go_further() { return true; }
 };
 
-// Passes the calls of the engine on to the visitor of the caller, whose functions are not virtual.
-template <class Visitor>
-class Visitor_control : public Run_control
-{
-  Visitor& visitor_;
-
-public:
-  explicit Visitor_control(Visitor& visitor) : visitor_(visitor) {}
-
-  void before_stage(Stage stage, std::size_t part) override { visitor_.before_stage(stage, part); }
-  void after_stage(Stage stage, std::size_t part) override { visitor_.after_stage(stage, part); }
-  void before_part(std::size_t part, std::size_t n) override { visitor_.before_part(part, n); }
-  void after_part(std::size_t part) override { visitor_.after_part(part); }
-  void after_cut(std::size_t part, const Salience_factors& factors, double salience,
-                 std::size_t number_of_segments) override
-  { visitor_.after_cut(part, factors, salience, number_of_segments); }
-  void progress(double fraction) override { visitor_.progress(fraction); }
-  bool go_further() override { return visitor_.go_further(); }
-};
-
 // Thrown to leave a stage after the caller stopped the run.
 struct Run_stopped {};
 

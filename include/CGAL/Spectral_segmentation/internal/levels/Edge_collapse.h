@@ -5,7 +5,6 @@
 #define CGAL_SPECTRAL_SEGMENTATION_INTERNAL_LEVELS_EDGE_COLLAPSE_H
 
 #include <CGAL/Spectral_segmentation/internal/base/Run_monitor.h>
-#include <CGAL/Spectral_segmentation/internal/base/Vector.h>
 #include <CGAL/Spectral_segmentation/internal/surface/Surface.h>
 
 #include <boost/container/small_vector.hpp>

@@ -5,7 +5,6 @@
 #define CGAL_SPECTRAL_SEGMENTATION_INTERNAL_READ_READ_TRIANGLE_MESH_H
 
 #include <CGAL/Spectral_segmentation/internal/read/numbered_descriptors.h>
-#include <CGAL/Spectral_segmentation/internal/surface/Surface.h>
 
 #include <CGAL/Named_function_parameters.h>
 #include <CGAL/boost/graph/helpers.h>

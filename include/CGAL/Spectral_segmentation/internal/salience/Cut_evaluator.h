@@ -5,18 +5,15 @@
 #define CGAL_SPECTRAL_SEGMENTATION_INTERNAL_SALIENCE_CUT_EVALUATOR_H
 
 #include <CGAL/Spectral_segmentation/Part_salience.h>
-#include <CGAL/Spectral_segmentation/internal/base/Index.h>
 #include <CGAL/Spectral_segmentation/internal/salience/Boundary_statistics.h>
 #include <CGAL/Spectral_segmentation/internal/salience/Support_points.h>
 #include <CGAL/Spectral_segmentation/internal/surface/Moments.h>
-#include <CGAL/Spectral_segmentation/internal/surface/Surface.h>
 #include <CGAL/Spectral_segmentation/internal/weights/Face_features.h>
 #include <CGAL/Spectral_segmentation/internal/weights/shortest_paths.h>
 
 #include <algorithm>
 #include <bitset>
 #include <cmath>
-#include <cstddef>
 #include <utility>
 #include <vector>
 
@@ -100,7 +97,7 @@ class Convexity_defect
   const Support_points& extreme_points_;
   const Surface& part_;
   const std::vector<Index>& faces_; // the faces of the part, by their indices in the mesh
-  Support_set extremes_;
+  Support_set part_extremes_;
   std::vector<float> depths_; // below the hull of the part; they hold for many other hulls
 
   float depth(Index f, const Support_set& extremes) const
@@ -119,7 +116,7 @@ class Convexity_defect
     std::bitset<directions::number> result;
     for (int i = 0; i < directions::number; ++i)
       for (int d : directions::neighbors()[i])
-        if (extremes.points[d] != extremes_.points[d])
+        if (extremes.points[d] != part_extremes_.points[d])
           result.set(i);
     return result;
   }
@@ -127,11 +124,12 @@ class Convexity_defect
 public:
   Convexity_defect(const Support_points& support_points, const Surface& part,
              const std::vector<Index>& faces)
-    : extreme_points_(support_points), part_(part), faces_(faces), extremes_(support_points(faces))
+    : extreme_points_(support_points), part_(part), faces_(faces),
+      part_extremes_(support_points(faces))
   {
     depths_.reserve(faces.size());
     for (Index f = 0; f < faces.size(); ++f)
-      depths_.push_back(depth(f, extremes_));
+      depths_.push_back(depth(f, part_extremes_));
   }
 
   double part_defect() const

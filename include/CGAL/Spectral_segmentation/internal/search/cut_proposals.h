@@ -5,12 +5,9 @@
 #define CGAL_SPECTRAL_SEGMENTATION_INTERNAL_SEARCH_CUT_PROPOSALS_H
 
 #include <CGAL/Spectral_segmentation/Part_salience.h>
-#include <CGAL/Spectral_segmentation/internal/base/Index.h>
-#include <CGAL/Spectral_segmentation/internal/base/concurrency.h>
 #include <CGAL/Spectral_segmentation/internal/salience/Boundary_statistics.h>
 #include <CGAL/Spectral_segmentation/internal/salience/Cut_evaluator.h>
 #include <CGAL/Spectral_segmentation/internal/search/line_search.h>
-#include <CGAL/Spectral_segmentation/internal/surface/Surface.h>
 
 #include <boost/graph/boykov_kolmogorov_max_flow.hpp>
 #include <boost/graph/graph_traits.hpp>

@@ -4,10 +4,7 @@
 #ifndef CGAL_SPECTRAL_SEGMENTATION_INTERNAL_SEARCH_FACE_ORDERS_H
 #define CGAL_SPECTRAL_SEGMENTATION_INTERNAL_SEARCH_FACE_ORDERS_H
 
-#include <CGAL/Spectral_segmentation/internal/base/Index.h>
-#include <CGAL/Spectral_segmentation/internal/base/concurrency.h>
 #include <CGAL/Spectral_segmentation/internal/surface/Moments.h>
-#include <CGAL/Spectral_segmentation/internal/surface/Surface.h>
 #include <CGAL/Spectral_segmentation/internal/weights/shortest_paths.h>
 
 #include <Eigen/Core>

@@ -33,7 +33,7 @@ class Region_merging
   const Execution execution_;
   const Surface& mesh_;
   const Evaluation_context& context_;
-  const Part_salience part_salience_; // the order in which boundaries are merged
+  const Part_salience part_salience_; // gives the order in which boundaries are merged
   const Part_salience& salience_of_cuts_;
   Run_monitor& monitor_;
 
@@ -95,7 +95,8 @@ class Region_merging
   }
 
   // Sets the reliability of the features: the root of the mean, over all boundaries of the
-  // over-segmentation, of the squared step times the variance that the boundary explains.
+  // over-segmentation, of the squared step times the fraction of the variance that the boundary
+  // explains. Boundaries are weighted by the root of the area of their two sides.
   void set_feature_reliability()
   {
     if (context_.features.empty())

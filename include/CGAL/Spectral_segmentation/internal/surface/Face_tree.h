@@ -4,8 +4,6 @@
 #ifndef CGAL_SPECTRAL_SEGMENTATION_INTERNAL_SURFACE_FACE_TREE_H
 #define CGAL_SPECTRAL_SEGMENTATION_INTERNAL_SURFACE_FACE_TREE_H
 
-#include <CGAL/Spectral_segmentation/internal/base/Index.h>
-#include <CGAL/Spectral_segmentation/internal/base/Vector.h>
 #include <CGAL/Spectral_segmentation/internal/surface/Surface.h>
 
 #include <algorithm>

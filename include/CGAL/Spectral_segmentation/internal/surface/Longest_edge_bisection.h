@@ -4,8 +4,6 @@
 #ifndef CGAL_SPECTRAL_SEGMENTATION_INTERNAL_SURFACE_LONGEST_EDGE_BISECTION_H
 #define CGAL_SPECTRAL_SEGMENTATION_INTERNAL_SURFACE_LONGEST_EDGE_BISECTION_H
 
-#include <CGAL/Spectral_segmentation/internal/base/concurrency.h>
-#include <CGAL/Spectral_segmentation/internal/surface/Surface.h>
 #include <CGAL/Spectral_segmentation/internal/surface/connected_components.h>
 
 #include <algorithm>

@@ -4,8 +4,6 @@
 #ifndef CGAL_SPECTRAL_SEGMENTATION_INTERNAL_SURFACE_MOMENTS_H
 #define CGAL_SPECTRAL_SEGMENTATION_INTERNAL_SURFACE_MOMENTS_H
 
-#include <CGAL/Spectral_segmentation/internal/base/Vector.h>
-#include <CGAL/Spectral_segmentation/internal/base/concurrency.h>
 #include <CGAL/Spectral_segmentation/internal/surface/Surface.h>
 
 #include <algorithm>
@@ -13,7 +11,6 @@
 #include <cmath>
 #include <cstddef>
 #include <numeric>
-#include <utility>
 #include <vector>
 
 namespace CGAL::Spectral_segmentation::internal {

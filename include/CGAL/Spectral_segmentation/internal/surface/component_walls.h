@@ -12,7 +12,6 @@
 #include <cstddef>
 #include <memory>
 #include <numeric>
-#include <utility>
 #include <vector>
 
 namespace CGAL::Spectral_segmentation::internal {

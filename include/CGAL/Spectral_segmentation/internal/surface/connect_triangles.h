@@ -4,7 +4,6 @@
 #ifndef CGAL_SPECTRAL_SEGMENTATION_INTERNAL_SURFACE_CONNECT_TRIANGLES_H
 #define CGAL_SPECTRAL_SEGMENTATION_INTERNAL_SURFACE_CONNECT_TRIANGLES_H
 
-#include <CGAL/Spectral_segmentation/internal/base/concurrency.h>
 #include <CGAL/Spectral_segmentation/internal/surface/Surface.h>
 
 #include <algorithm>

@@ -4,8 +4,6 @@
 #ifndef CGAL_SPECTRAL_SEGMENTATION_INTERNAL_SURFACE_REORDER_FACES_H
 #define CGAL_SPECTRAL_SEGMENTATION_INTERNAL_SURFACE_REORDER_FACES_H
 
-#include <CGAL/Spectral_segmentation/internal/base/concurrency.h>
-#include <CGAL/Spectral_segmentation/internal/surface/Surface.h>
 #include <CGAL/Spectral_segmentation/internal/surface/connected_components.h>
 
 #include <algorithm>
@@ -19,7 +17,7 @@
 
 namespace CGAL::Spectral_segmentation::internal {
 
-// Returns the Morton code (1966) of a point in a box.
+// Returns the Morton code (Morton 1966) of a point in a box.
 inline std::uint64_t morton_code(const Vector& p, const Bounding_box& box)
 {
   constexpr int bits = 20; // per dimension

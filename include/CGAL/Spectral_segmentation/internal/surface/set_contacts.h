@@ -4,11 +4,8 @@
 #ifndef CGAL_SPECTRAL_SEGMENTATION_INTERNAL_SURFACE_SET_CONTACTS_H
 #define CGAL_SPECTRAL_SEGMENTATION_INTERNAL_SURFACE_SET_CONTACTS_H
 
-#include <CGAL/Spectral_segmentation/internal/base/Index.h>
-#include <CGAL/Spectral_segmentation/internal/base/Vector.h>
 #include <CGAL/Spectral_segmentation/internal/surface/Face_tree.h>
 #include <CGAL/Spectral_segmentation/internal/surface/Longest_edge_bisection.h>
-#include <CGAL/Spectral_segmentation/internal/surface/Surface.h>
 
 #include <algorithm>
 #include <array>

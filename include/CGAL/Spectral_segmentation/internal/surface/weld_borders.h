@@ -4,7 +4,6 @@
 #ifndef CGAL_SPECTRAL_SEGMENTATION_INTERNAL_SURFACE_WELD_BORDERS_H
 #define CGAL_SPECTRAL_SEGMENTATION_INTERNAL_SURFACE_WELD_BORDERS_H
 
-#include <CGAL/Spectral_segmentation/internal/surface/Surface.h>
 #include <CGAL/Spectral_segmentation/internal/surface/connect_triangles.h>
 #include <CGAL/Spectral_segmentation/internal/surface/connected_components.h>
 

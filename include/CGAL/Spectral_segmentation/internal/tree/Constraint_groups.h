@@ -4,7 +4,6 @@
 #ifndef CGAL_SPECTRAL_SEGMENTATION_INTERNAL_TREE_CONSTRAINT_GROUPS_H
 #define CGAL_SPECTRAL_SEGMENTATION_INTERNAL_TREE_CONSTRAINT_GROUPS_H
 
-#include <CGAL/Spectral_segmentation/internal/base/Index.h>
 #include <CGAL/Spectral_segmentation/internal/base/Run_data.h>
 #include <CGAL/Spectral_segmentation/internal/surface/connected_components.h>
 #include <CGAL/Spectral_segmentation/internal/weights/shortest_paths.h>

@@ -5,7 +5,6 @@
 #define CGAL_SPECTRAL_SEGMENTATION_INTERNAL_TREE_HIERARCHY_JSON_H
 
 #include <CGAL/Spectral_segmentation/Segmentation_hierarchy.h>
-#include <CGAL/Spectral_segmentation/internal/base/Index.h>
 #include <CGAL/Spectral_segmentation/internal/salience/Boundary_network.h>
 #include <CGAL/Spectral_segmentation/internal/surface/Moments.h>
 

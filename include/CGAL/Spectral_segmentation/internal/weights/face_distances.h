@@ -4,8 +4,6 @@
 #ifndef CGAL_SPECTRAL_SEGMENTATION_INTERNAL_WEIGHTS_FACE_DISTANCES_H
 #define CGAL_SPECTRAL_SEGMENTATION_INTERNAL_WEIGHTS_FACE_DISTANCES_H
 
-#include <CGAL/Spectral_segmentation/internal/base/concurrency.h>
-#include <CGAL/Spectral_segmentation/internal/surface/Surface.h>
 #include <CGAL/Spectral_segmentation/internal/weights/curvature_angles.h>
 
 #include <algorithm>

@@ -4,9 +4,7 @@
 #ifndef CGAL_SPECTRAL_SEGMENTATION_INTERNAL_WEIGHTS_SEARCHED_FEATURES_H
 #define CGAL_SPECTRAL_SEGMENTATION_INTERNAL_WEIGHTS_SEARCHED_FEATURES_H
 
-#include <CGAL/Spectral_segmentation/internal/base/Index.h>
 #include <CGAL/Spectral_segmentation/internal/base/Run_data.h>
-#include <CGAL/Spectral_segmentation/internal/base/concurrency.h>
 #include <CGAL/Spectral_segmentation/internal/surface/Surface.h>
 #include <CGAL/Spectral_segmentation/internal/weights/Face_features.h>
 
