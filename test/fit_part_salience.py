@@ -131,12 +131,14 @@ class Test(unittest.TestCase):
             file = pathlib.Path(folder) / "table.h"
             fit.write_table(file, network)
             text = file.read_text()
-        numbers = [float(n) for n in re.findall(r"-?\d+\.\d{5}", text)]
+        before, table = text.split("calibrated_boundary_network = ")
+        self.assertIn("merging_network = ", before) # it is kept
+        numbers = [float(n) for n in re.findall(r"-?\d+\.\d{5}", table)]
         expected = [*network.means, *network.deviations, network.constant, *network.linear]
         for unit in zip(network.bias, network.hidden.T, network.out):
             expected += [unit[0], *unit[1], unit[2]]
         np.testing.assert_allclose(numbers, expected, atol=6e-6)
-        self.assertTrue(text.endswith("CALIBRATED_BOUNDARY_NETWORK_H\n"))
+        self.assertTrue(text.endswith("CALIBRATED_NETWORKS_H\n"))
         self.assertLessEqual(max(map(len, text.splitlines())), 100)
 
 
