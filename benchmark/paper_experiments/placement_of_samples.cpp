@@ -17,7 +17,6 @@
 #include <cstddef>
 #include <cstdint>
 #include <cstdio>
-#include <map>
 #include <optional>
 #include <string>
 #include <utility>
@@ -27,7 +26,6 @@
 namespace segmentation_benchmark {
 namespace {
 
-using CGAL::Spectral_segmentation::Salience_factors;
 using CGAL::Spectral_segmentation::internal::Cut;
 using CGAL::Spectral_segmentation::internal::Sample_faces;
 
@@ -42,7 +40,7 @@ constexpr double enough_agreement = 0.75;
 struct Searched_line
 {
   std::vector<double> from_s, from_t;
-  std::vector<double> sizes, saliences; // along the line; sizes as shares of the faces
+  std::vector<double> sizes, saliences; // along the line; sizes as fractions of the faces
   std::optional<Cut> cut;
 };
 
@@ -53,18 +51,21 @@ Searched_line search_line(const Surface& part, const Sample_faces& samples,
   Searched_line result;
   result.from_s = internal::shortest_paths(part, &Edge_weights::combined, samples.s);
   result.from_t = internal::shortest_paths(part, &Edge_weights::combined, samples.t);
-  std::map<std::size_t, double> saliences; // indexed by size
-  result.cut = internal::line_search(
-    Execution::SEQUENTIAL, part,
-    internal::spectral_order(Execution::SEQUENTIAL, result.from_s, result.from_t),
-    CGAL::Spectral_segmentation::Weighted_part_salience(), minimum_area,
-    [&](std::size_t size, const Salience_factors&, double salience)
-    { saliences[size] = salience; });
-  for (const auto& [size, salience] : saliences) {
-    result.sizes.push_back(static_cast<double>(size) /
-                           static_cast<double>(part.number_of_faces()));
-    result.saliences.push_back(salience);
-  }
+  const std::vector<internal::Index> order =
+    internal::spectral_order(Execution::SEQUENTIAL, result.from_s, result.from_t);
+  const CGAL::Spectral_segmentation::Weighted_part_salience salience;
+  result.cut =
+    internal::line_search(Execution::SEQUENTIAL, part, order, salience, minimum_area);
+  const internal::Growth growth = internal::grow_along(part, order);
+  internal::for_each_cut(
+    growth.faces, internal::sizes_of_cuts(part, growth), minimum_area,
+    internal::Boundary_statistics(part),
+    [&](const internal::Boundary_statistics& q, std::size_t size) {
+      result.sizes.push_back(static_cast<double>(size) /
+                             static_cast<double>(part.number_of_faces()));
+      result.saliences.push_back(salience(q.factors()));
+      return true;
+    });
   return result;
 }
 
@@ -162,7 +163,7 @@ void write_pictures(const First_cut& first_cut, const Trials& trials, int id,
                     const Pictures& pictures)
 {
   Json plot = {{"title", "Salience along the line, mesh " + std::to_string(id)},
-               {"x", "share of the faces in Q"}, {"y", "salience"}, {"lines", Json::array()}};
+               {"x", "fraction of the faces in Q"}, {"y", "salience"}, {"lines", Json::array()}};
   for (Placement placement : {SAME_PART, DIFFERENT_PARTS}) {
     const auto best = std::max_element(
       trials[placement].begin(), trials[placement].end(), [](const Trial& a, const Trial& b)
