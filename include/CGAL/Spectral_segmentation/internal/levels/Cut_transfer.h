@@ -5,11 +5,9 @@
 #define CGAL_SPECTRAL_SEGMENTATION_INTERNAL_LEVELS_CUT_TRANSFER_H
 
 #include <CGAL/Spectral_segmentation/internal/base/Run_monitor.h>
-#include <CGAL/Spectral_segmentation/internal/salience/Boundary_statistics.h>
 #include <CGAL/Spectral_segmentation/internal/search/Cut_hierarchy.h>
 #include <CGAL/Spectral_segmentation/internal/search/cut_proposals.h>
 #include <CGAL/Spectral_segmentation/internal/surface/Longest_edge_bisection.h>
-#include <CGAL/Spectral_segmentation/internal/surface/connected_components.h>
 #include <CGAL/Spectral_segmentation/internal/weights/face_distances.h>
 
 #include <CGAL/Iterator_range.h>

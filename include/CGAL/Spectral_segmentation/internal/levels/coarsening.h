@@ -5,7 +5,6 @@
 #define CGAL_SPECTRAL_SEGMENTATION_INTERNAL_LEVELS_COARSENING_H
 
 #include <CGAL/Spectral_segmentation/internal/levels/Edge_collapse.h>
-#include <CGAL/Spectral_segmentation/internal/surface/connected_components.h>
 #include <CGAL/Spectral_segmentation/internal/surface/reorder_faces.h>
 
 #include <algorithm>

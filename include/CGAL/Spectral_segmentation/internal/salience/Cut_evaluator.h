@@ -4,7 +4,6 @@
 #ifndef CGAL_SPECTRAL_SEGMENTATION_INTERNAL_SALIENCE_CUT_EVALUATOR_H
 #define CGAL_SPECTRAL_SEGMENTATION_INTERNAL_SALIENCE_CUT_EVALUATOR_H
 
-#include <CGAL/Spectral_segmentation/Part_salience.h>
 #include <CGAL/Spectral_segmentation/internal/salience/Boundary_statistics.h>
 #include <CGAL/Spectral_segmentation/internal/salience/Support_points.h>
 #include <CGAL/Spectral_segmentation/internal/surface/Moments.h>

@@ -4,8 +4,6 @@
 #ifndef CGAL_SPECTRAL_SEGMENTATION_INTERNAL_SEARCH_CUT_PROPOSALS_H
 #define CGAL_SPECTRAL_SEGMENTATION_INTERNAL_SEARCH_CUT_PROPOSALS_H
 
-#include <CGAL/Spectral_segmentation/Part_salience.h>
-#include <CGAL/Spectral_segmentation/internal/salience/Boundary_statistics.h>
 #include <CGAL/Spectral_segmentation/internal/salience/Cut_evaluator.h>
 #include <CGAL/Spectral_segmentation/internal/search/line_search.h>
 

@@ -4,7 +4,6 @@
 #ifndef CGAL_SPECTRAL_SEGMENTATION_INTERNAL_SEARCH_LINE_SEARCH_H
 #define CGAL_SPECTRAL_SEGMENTATION_INTERNAL_SEARCH_LINE_SEARCH_H
 
-#include <CGAL/Spectral_segmentation/Part_salience.h>
 #include <CGAL/Spectral_segmentation/internal/salience/Boundary_statistics.h>
 #include <CGAL/Spectral_segmentation/internal/surface/connected_components.h>
 

@@ -8,7 +8,6 @@
 #include <CGAL/Spectral_segmentation/internal/base/Run_monitor.h>
 #include <CGAL/Spectral_segmentation/internal/search/Cut_hierarchy.h>
 #include <CGAL/Spectral_segmentation/internal/search/best_cut.h>
-#include <CGAL/Spectral_segmentation/internal/surface/connected_components.h>
 
 #include <algorithm>
 #include <cstddef>

@@ -8,7 +8,6 @@
 #include <CGAL/Spectral_segmentation/internal/base/Run_monitor.h>
 #include <CGAL/Spectral_segmentation/internal/salience/Cut_evaluator.h>
 #include <CGAL/Spectral_segmentation/internal/search/Dendrogram.h>
-#include <CGAL/Spectral_segmentation/internal/surface/connected_components.h>
 
 #include <algorithm>
 #include <cmath>

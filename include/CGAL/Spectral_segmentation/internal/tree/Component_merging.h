@@ -4,7 +4,6 @@
 #ifndef CGAL_SPECTRAL_SEGMENTATION_INTERNAL_TREE_COMPONENT_MERGING_H
 #define CGAL_SPECTRAL_SEGMENTATION_INTERNAL_TREE_COMPONENT_MERGING_H
 
-#include <CGAL/Spectral_segmentation/Part_salience.h>
 #include <CGAL/Spectral_segmentation/internal/base/Run_monitor.h>
 #include <CGAL/Spectral_segmentation/internal/search/Cut_hierarchy.h>
 #include <CGAL/Spectral_segmentation/internal/search/Dendrogram.h>

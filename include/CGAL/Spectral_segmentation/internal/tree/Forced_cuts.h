@@ -7,7 +7,6 @@
 #include <CGAL/Spectral_segmentation/internal/base/Run_monitor.h>
 #include <CGAL/Spectral_segmentation/internal/search/cut_proposals.h>
 #include <CGAL/Spectral_segmentation/internal/search/face_orders.h>
-#include <CGAL/Spectral_segmentation/internal/surface/connected_components.h>
 #include <CGAL/Spectral_segmentation/internal/tree/Constraint_groups.h>
 #include <CGAL/Spectral_segmentation/internal/tree/further_cuts.h>
 #include <CGAL/Spectral_segmentation/internal/weights/shortest_paths.h>
