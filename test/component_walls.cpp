@@ -79,6 +79,32 @@ BOOST_AUTO_TEST_CASE(both_walls_of_a_hollow_body_have_the_parts_of_the_solid_bod
   }
 }
 
+// Only the outer wall is searched, whether it is coarsened or not.
+BOOST_AUTO_TEST_CASE(walls_follow_the_parts_that_features_make)
+{
+  const std::size_t n = ball().triangles.size();
+  const auto segments = [](const Soup& soup, std::size_t number_of_coarse_faces) {
+    const Mesh mesh = mesh_of(soup);
+    const auto is_above = [&](Mesh::Face_index f) {
+      double z = 0;
+      for (Mesh::Vertex_index v : mesh.vertices_around_face(mesh.halfedge(f)))
+        z += mesh.point(v).z();
+      return int(z > 0);
+    };
+    return labels_of(mesh, parameters::number_of_coarse_faces(number_of_coarse_faces)
+      .face_feature_map(boost::make_function_property_map<Mesh::Face_index>(is_above)));
+  };
+  const Soup hollow = disjoint_union(ball(), turned_inside_out(offset_inward(ball(), 0.05)));
+  for (std::size_t number_of_coarse_faces : {0, 300, 100000}) {
+    const Labels labels = segments(hollow, number_of_coarse_faces);
+    const Labels alone = segments(ball(), number_of_coarse_faces);
+    BOOST_TEST(number_of(alone) == 2u);
+    BOOST_TEST(number_of(labels) == 2u);
+    BOOST_TEST(difference(range(labels, 0, n), alone) < 0.02);
+    BOOST_TEST(difference(range(labels, n, 2 * n), alone) < 0.02);
+  }
+}
+
 BOOST_AUTO_TEST_CASE(each_node_of_a_hollow_body_is_connected_within_each_wall)
 {
   const Soup soup = read("elephant.off");

@@ -411,7 +411,11 @@ class Run
 
   // Returns the caller's indices of the faces of the finest mesh.
   std::vector<Index> callers_faces_of_finest() const
-  { return refined_.faces.empty() ? callers_faces() : composed(refined_.faces, callers_faces()); }
+  {
+    std::vector<Index> result = callers_faces();
+    result.resize(mesh_.number_of_faces()); // the rest are walls
+    return refined_.faces.empty() ? result : composed(refined_.faces, result);
+  }
 
   // Sets the weights and the features of the mesh on which cuts are searched.
   void prepare_search(Surface& searched, const std::vector<Vector>& points)
