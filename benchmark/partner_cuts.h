@@ -5,6 +5,7 @@
 #define SEGMENTATION_BENCHMARK_PARTNER_CUTS_H
 
 #include "run_engine.h"
+#include "tree_of_hierarchy.h"
 
 #include <CGAL/Spectral_segmentation/internal/tree/congruent_cuts.h>
 
@@ -54,14 +55,16 @@ partner_counts(const Mesh& mesh, const CGAL::Spectral_segmentation::Segmentation
   internal::Surface surface = triangles_of(mesh);
   internal::normalize(surface.points);
   set_areas(Execution::SEQUENTIAL, surface);
-  const internal::Cut_hierarchy& cuts = internal::Hierarchy_access::cuts(tree);
-  const auto label = [&](std::size_t node) { return labels[*tree.faces(node).begin()]; };
+  const internal::Merge_tree merges = tree_of(internal::Hierarchy_access::cuts(tree));
+  std::vector<std::size_t> label(merges.leaves.size());
+  for (std::size_t f = 0; f < labels.size(); ++f)
+    label[merges.leaf[f]] = labels[f];
   const auto is_made = [&](std::size_t i) {
-    const auto& sides = cuts.nodes[cuts.cut_order[i]].children;
-    return label(sides[0]) != label(sides[1]);
+    const auto [a, b] = merges.merges[i].leaves;
+    return label[a] != label[b];
   };
   Partner_counts result;
-  for (const auto& [i, j] : partners(cut_shapes(surface, cuts))) {
+  for (const auto& [i, j] : partners(cut_shapes(surface, merges))) {
     result.made += is_made(i) || is_made(j);
     result.made_unlike += is_made(i) != is_made(j);
   }

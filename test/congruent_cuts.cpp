@@ -5,9 +5,9 @@
 
 #include "box_figures.h"
 #include "test_labels.h"
+#include "tree_of_hierarchy.h"
 
-#include <CGAL/Spectral_segmentation/internal/search/Cut_hierarchy.h>
-#include <CGAL/Spectral_segmentation/internal/search/recursion.h>
+#include <CGAL/Spectral_segmentation/internal/search/Merge_tree.h>
 #include <CGAL/Spectral_segmentation/internal/surface/connected_components.h>
 #include <CGAL/Spectral_segmentation/internal/tree/congruent_cuts.h>
 
@@ -36,7 +36,7 @@ typedef std::function<bool(Index)> Face_set;
 
 Faces faces_of(const Cut_hierarchy& hierarchy, std::size_t node)
 {
-  const internal::Nested_ranges ranges(hierarchy, hierarchy.leaf);
+  const internal::Nested_ranges ranges(hierarchy);
   Faces result(ranges[node].begin(), ranges[node].end());
   std::sort(result.begin(), result.end());
   return result;
@@ -139,7 +139,10 @@ void check(const Cut_hierarchy& before, const Cut_hierarchy& after)
 
 Cut_hierarchy checked_cuts(const Surface& graph, const Cut_hierarchy& hierarchy)
 {
-  const Cut_hierarchy result = internal::with_common_saliences(graph, hierarchy);
+  internal::Merge_tree tree = tree_of(hierarchy);
+  internal::average_saliences(graph, tree);
+  const Cut_hierarchy result = internal::hierarchy_of(tree);
+  BOOST_TEST(result.is_monotonic);
   check(hierarchy, result);
   return result;
 }
@@ -148,7 +151,7 @@ Cut_hierarchy checked_cuts(const Surface& graph, const Cut_hierarchy& hierarchy)
 Cut_hierarchy cuts_of_both_ends(double of_left, double of_top, double of_bottom)
 {
   const Figure& f = figure();
-  Cut_hierarchy cuts = internal::uncut_hierarchy(f.graph);
+  Cut_hierarchy cuts = uncut_hierarchy(f.graph);
   cut(f.graph, cuts, 0, 0.75, f.left_end());
   BOOST_TEST(f.left_end()(faces_of(cuts, 1).front()));
   cut(f.graph, cuts, 1, of_left, f.left());
@@ -163,11 +166,11 @@ Cut_hierarchy cuts_of_both_ends(double of_left, double of_top, double of_bottom)
 BOOST_AUTO_TEST_CASE(the_shape_of_a_cut_is_that_of_a_box)
 {
   const Figure& f = figure();
-  Cut_hierarchy cuts = internal::uncut_hierarchy(f.graph);
+  Cut_hierarchy cuts = uncut_hierarchy(f.graph);
   cut(f.graph, cuts, 0, 1, f.left());
   const double across = (8 * 0.25 + 9 / 12.) / 17, mean = (16 * 2. + 4) / 17,
                along = (16 * 16 / 3. + 16) / 17 - mean * mean;
-  const std::vector<internal::Cut_shape> shapes = internal::cut_shapes(f.graph, cuts);
+  const std::vector<internal::Cut_shape> shapes = internal::cut_shapes(f.graph, tree_of(cuts));
   BOOST_TEST_REQUIRE(shapes.size() == 1u);
   const double expected[] = {17, 4 * 4, across, across, along}; // squares; the unit is arbitrary
   for (std::size_t i = 0; i < 5; ++i)
@@ -179,7 +182,7 @@ BOOST_AUTO_TEST_CASE(the_shape_of_a_cut_is_that_of_a_box)
 BOOST_AUTO_TEST_CASE(arms_of_one_shape_get_the_mean_of_their_saliences)
 {
   const Figure& f = figure();
-  Cut_hierarchy cuts = internal::uncut_hierarchy(f.graph);
+  Cut_hierarchy cuts = uncut_hierarchy(f.graph);
   cut(f.graph, cuts, 0, 0.875, f.top());
   cut(f.graph, cuts, 2, 0.75, f.bottom());
   cut(f.graph, cuts, 4, 0.5, f.left());
@@ -192,7 +195,7 @@ BOOST_AUTO_TEST_CASE(arms_of_one_shape_get_the_mean_of_their_saliences)
 BOOST_AUTO_TEST_CASE(a_cut_is_at_most_as_salient_as_the_cut_above_it)
 {
   const Figure& f = figure();
-  Cut_hierarchy cuts = internal::uncut_hierarchy(f.graph);
+  Cut_hierarchy cuts = uncut_hierarchy(f.graph);
   cut(f.graph, cuts, 0, 0.875, f.left());
   cut(f.graph, cuts, 2, 0.75, f.top());
   cut(f.graph, cuts, 4, 0.5, f.right());
@@ -223,7 +226,7 @@ BOOST_AUTO_TEST_CASE(saliences_may_be_of_any_scale)
   const double largest = std::numeric_limits<double>::max();
   const Figure& f = figure();
   const auto of_arms = [&](double left, double right) {
-    Cut_hierarchy cuts = internal::uncut_hierarchy(f.graph);
+    Cut_hierarchy cuts = uncut_hierarchy(f.graph);
     cut(f.graph, cuts, 0, left, f.left());
     cut(f.graph, cuts, 2, right, f.right());
     const std::vector<double> result = saliences(checked_cuts(f.graph, cuts));
@@ -242,7 +245,7 @@ BOOST_AUTO_TEST_CASE(the_mean_of_three_equal_saliences_is_the_same)
 {
   const Figure& f = figure();
   for (double salience : {0.1, 0.3, std::numeric_limits<double>::max()}) {
-    Cut_hierarchy cuts = internal::uncut_hierarchy(f.graph);
+    Cut_hierarchy cuts = uncut_hierarchy(f.graph);
     cut(f.graph, cuts, 0, salience, f.left());
     cut(f.graph, cuts, 2, salience, f.right());
     cut(f.graph, cuts, 4, salience, f.bottom());
@@ -256,9 +259,9 @@ BOOST_AUTO_TEST_CASE(a_side_without_area_has_a_shape)
   Surface flat = surface_of(plate(2, 2));
   for (Index f = 0; f < 2; ++f)
     flat.areas[f] = 0;
-  Cut_hierarchy cuts = internal::uncut_hierarchy(flat);
+  Cut_hierarchy cuts = uncut_hierarchy(flat);
   cut(flat, cuts, 0, 1, [](Index f) { return f < 2; });
-  const std::vector<internal::Cut_shape> shapes = internal::cut_shapes(flat, cuts);
+  const std::vector<internal::Cut_shape> shapes = internal::cut_shapes(flat, tree_of(cuts));
   for (double x : shapes.front())
     BOOST_TEST(std::isfinite(x));
 }
@@ -272,7 +275,7 @@ BOOST_AUTO_TEST_CASE(random_hierarchies_stay_in_order)
       const Surface graph = seed % 2 == 0
         ? figure().graph
         : surface_of(disjoint_union(plate(6, 5), displaced(torus(2, 0.7, 12, 7), 0.01, random)));
-      Cut_hierarchy cuts = internal::uncut_hierarchy(graph);
+      Cut_hierarchy cuts = uncut_hierarchy(graph);
       double salience = 1;
       for (int tries = 0; tries < 60; ++tries) { // by random planes across the axes
         const std::size_t node = random() % cuts.nodes.size();

@@ -5,7 +5,6 @@
 
 #include <CGAL/Spectral_segmentation/internal/search/Cut_hierarchy.h>
 
-#include <algorithm>
 #include <cstddef>
 #include <random>
 #include <vector>
@@ -17,24 +16,26 @@ using namespace CGAL::Spectral_segmentation::internal;
 
 namespace {
 
-typedef std::vector<Index> Elements;
+typedef std::vector<Index> Faces;
 
-Elements elements(const Nested_ranges& ranges, std::size_t node)
-{ return Elements(ranges[node].begin(), ranges[node].end()); }
+Faces faces(const Nested_ranges& ranges, std::size_t node)
+{ return Faces(ranges[node].begin(), ranges[node].end()); }
 
-// A random forest with the elements of each node, one by one: those of a leaf ascend, those of
+// A random forest with the faces of each node, one by one: those of a leaf ascend, those of
 // another node are those of its first child, then those of its second.
 struct Forest
 {
   Cut_hierarchy hierarchy;
-  std::vector<Elements> of_node;
+  std::vector<Faces> of_node;
 
-  Forest(std::size_t roots, std::size_t number_of_elements, std::size_t cuts, std::mt19937& random)
+  Forest(std::size_t roots, std::size_t number_of_faces, std::size_t cuts, std::mt19937& random)
   {
-    std::vector<Index> component(number_of_elements);
+    std::vector<Index> component(number_of_faces);
     for (Index& c : component)
-      c = Index(random() % roots); // some roots may have no element
-    hierarchy = uncut_hierarchy(component, std::vector<double>(roots, 0));
+      c = Index(random() % roots); // some roots may have no face
+    hierarchy.number_of_roots = roots;
+    hierarchy.nodes.resize(roots);
+    hierarchy.leaf = component;
     for (; cuts > 0; --cuts) {
       std::size_t node = random() % hierarchy.nodes.size();
       while (!hierarchy.nodes[node].is_leaf())
@@ -45,7 +46,7 @@ struct Forest
           leaf = Index(hierarchy.nodes[node].children[random() % 2]);
     }
     of_node.resize(hierarchy.nodes.size());
-    for (Index e = 0; e < number_of_elements; ++e)
+    for (Index e = 0; e < number_of_faces; ++e)
       of_node[hierarchy.leaf[e]].push_back(e);
     for (std::size_t i = of_node.size(); i-- > 0;)
       if (!hierarchy.nodes[i].is_leaf())
@@ -56,79 +57,29 @@ struct Forest
 
 } // namespace
 
-BOOST_AUTO_TEST_CASE(ranges_are_the_elements_of_the_nodes_of_a_random_forest)
+BOOST_AUTO_TEST_CASE(ranges_are_the_faces_of_the_nodes_of_a_random_forest)
 {
   for (unsigned seed = 1; seed <= 60; ++seed) {
     BOOST_TEST_CONTEXT("seed " << seed) {
       std::mt19937 random(seed);
       const Forest forest(1 + random() % 5, random() % 200, random() % 40, random);
-      const Nested_ranges ranges(forest.hierarchy, forest.hierarchy.leaf);
+      const Nested_ranges ranges(forest.hierarchy);
       BOOST_TEST(ranges.size() == forest.hierarchy.leaf.size());
       for (std::size_t i = 0; i < forest.of_node.size(); ++i) {
         BOOST_TEST(ranges.size(i) == forest.of_node[i].size());
-        BOOST_TEST(elements(ranges, i) == forest.of_node[i], tt::per_element());
+        BOOST_TEST(faces(ranges, i) == forest.of_node[i], tt::per_element());
       }
     }
   }
 }
 
-BOOST_AUTO_TEST_CASE(cuts_keep_the_order_of_the_elements_and_nest)
+BOOST_AUTO_TEST_CASE(without_faces_all_ranges_are_empty)
 {
-  for (unsigned seed = 1; seed <= 60; ++seed) {
-    BOOST_TEST_CONTEXT("seed " << seed) {
-      std::mt19937 random(seed);
-      const std::size_t roots = 1 + random() % 4, n = 1 + random() % 150;
-      std::vector<Index> component(n);
-      for (Index& c : component)
-        c = Index(random() % roots);
-      Cut_hierarchy hierarchy = uncut_hierarchy(component, std::vector<double>(roots, 0));
-      Nested_ranges ranges(hierarchy, hierarchy.leaf);
-      std::vector<Elements> of_leaf(roots); // one per node; empty once it was cut
-      for (Index e = 0; e < n; ++e)
-        of_leaf[component[e]].push_back(e);
-      for (int i = 0; i < 20; ++i) {
-        std::size_t node = random() % hierarchy.nodes.size();
-        while (!hierarchy.nodes[node].is_leaf())
-          node = hierarchy.nodes[node].children[random() % 2];
-        std::vector<char> side(of_leaf[node].size());
-        Elements sides[2];
-        for (std::size_t k = 0; k < side.size(); ++k) {
-          side[k] = char(random() % 2);
-          sides[int(side[k])].push_back(of_leaf[node][k]);
-        }
-        hierarchy.cut(node, 0, 0);
-        ranges.cut(node, side);
-        of_leaf[node].clear();
-        of_leaf.insert(of_leaf.end(), {sides[0], sides[1]});
-      }
-      BOOST_TEST(ranges.size() == n);
-      for (std::size_t i = hierarchy.nodes.size(); i-- > 0;) {
-        if (hierarchy.nodes[i].is_leaf()) {
-          BOOST_TEST(elements(ranges, i) == of_leaf[i], tt::per_element());
-          continue;
-        }
-        const auto [first, second] = hierarchy.nodes[i].children;
-        BOOST_TEST((ranges[i].begin() == ranges[first].begin()));
-        BOOST_TEST((ranges[first].end() == ranges[second].begin()));
-        BOOST_TEST((ranges[i].end() == ranges[second].end()));
-      }
-      for (std::size_t root = 0; root < roots; ++root) {
-        Elements all = elements(ranges, root), expected;
-        std::sort(all.begin(), all.end());
-        for (Index e = 0; e < n; ++e)
-          if (component[e] == root)
-            expected.push_back(e);
-        BOOST_TEST(all == expected, tt::per_element());
-      }
-    }
-  }
-}
-
-BOOST_AUTO_TEST_CASE(without_elements_all_ranges_are_empty)
-{
-  Cut_hierarchy hierarchy = uncut_hierarchy({}, {1, 2});
+  Cut_hierarchy hierarchy;
+  hierarchy.number_of_roots = 2;
+  hierarchy.nodes.resize(2);
   hierarchy.cut(1, 1, 1);
-  const Nested_ranges ranges(hierarchy, hierarchy.leaf);
+  const Nested_ranges ranges(hierarchy);
   for (std::size_t i = 0; i < 4; ++i)
     BOOST_TEST(ranges[i].empty());
   BOOST_TEST(Nested_ranges().size() == 0u);

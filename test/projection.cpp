@@ -63,11 +63,12 @@ struct Run
     Surface coarsest = levels.back().graph;
     set_face_distances(coarsest, weights_of_calibrated_method);
     const internal::Best_cut best_cut(coarsest, options);
-    const internal::Cut_hierarchy regions =
+    const internal::Merge_tree regions =
       internal::Recursion(sequential, coarsest, best_cut, options, monitor).by_salience();
-    internal::Cut_hierarchy cuts = internal::Region_merging(
-      sequential, coarsest, best_cut.context(), options.part_salience, monitor)(regions);
-    searched = Segmentation_hierarchy(cuts, CGAL::Spectral_segmentation::unlimited,
+    internal::Merge_tree tree = internal::Region_merging(
+      sequential, coarsest, best_cut.context(), options.part_salience, monitor)(regions.leaf);
+    searched = Segmentation_hierarchy(internal::hierarchy_of(tree),
+                                      CGAL::Spectral_segmentation::unlimited,
                                       options.salience_threshold);
 
     struct Stopping_control : internal::Run_control
@@ -78,17 +79,18 @@ struct Run
     stopped_monitor.go_further();
     for (std::size_t i = levels.size(); i-- > 0;) {
       const Surface& finer = i > 0 ? levels[i - 1].graph : mesh;
-      const auto fractions = internal::vertex_fractions(levels[i].graph, cuts.leaf);
+      const auto fractions = internal::vertex_fractions(levels[i].graph, tree.leaf);
       const auto for_each_fraction = [&](Index f, const auto& add) {
         for (Index v : finer.corners[f])
           for (const auto& [leaf, fraction] : fractions[levels[i].vertices[v]])
             add(leaf, fraction);
       };
-      cuts = internal::Cut_transfer(sequential, cuts, finer, for_each_fraction,
+      tree = internal::Cut_transfer(sequential, tree, finer, for_each_fraction,
                                     weights_of_calibrated_method, [](const auto&, Surface&) {},
                                     is_stopped ? stopped_monitor : monitor)();
     }
-    whole = Segmentation_hierarchy(std::move(cuts), CGAL::Spectral_segmentation::unlimited,
+    whole = Segmentation_hierarchy(internal::hierarchy_of(tree),
+                                   CGAL::Spectral_segmentation::unlimited,
                                    options.salience_threshold);
   }
 };

@@ -6,7 +6,7 @@
 #include "test_labels.h"
 #include "test_meshes.h"
 
-#include <CGAL/Spectral_segmentation/internal/search/Cut_hierarchy.h>
+#include <CGAL/Spectral_segmentation/internal/search/Merge_tree.h>
 #include <CGAL/Spectral_segmentation/internal/search/best_cut.h>
 #include <CGAL/Spectral_segmentation/internal/search/recursion.h>
 #include <CGAL/Spectral_segmentation/internal/surface/connected_components.h>
@@ -106,7 +106,8 @@ internal::Cut_hierarchy over_segmentation(const Surface& graph,
 {
   internal::Run_monitor monitor(record);
   const internal::Best_cut best_cut(graph, options);
-  return internal::Recursion(execution, graph, best_cut, options, monitor).by_salience();
+  return internal::hierarchy_of(
+    internal::Recursion(execution, graph, best_cut, options, monitor).by_salience());
 }
 
 } // namespace
@@ -132,7 +133,7 @@ BOOST_AUTO_TEST_CASE(by_salience_the_most_salient_of_all_cuts_is_made_next)
   const internal::Best_cut best_cut(graph, options);
   internal::Run_control control;
   internal::Run_monitor monitor(control);
-  const internal::Nested_ranges faces(result, result.leaf);
+  const internal::Nested_ranges faces(result);
   internal::Part_extractor extract(graph);
   std::vector<double> salience(result.nodes.size(), -infinity);
   for (std::size_t i = 0; i < result.nodes.size(); ++i) {

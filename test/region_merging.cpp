@@ -4,8 +4,9 @@
 #include <boost/test/unit_test.hpp>
 
 #include "test_meshes.h"
+#include "tree_of_hierarchy.h"
 
-#include <CGAL/Spectral_segmentation/internal/search/Cut_hierarchy.h>
+#include <CGAL/Spectral_segmentation/internal/search/Merge_tree.h>
 #include <CGAL/Spectral_segmentation/internal/search/best_cut.h>
 #include <CGAL/Spectral_segmentation/internal/search/recursion.h>
 #include <CGAL/Spectral_segmentation/internal/search/region_merging.h>
@@ -47,7 +48,7 @@ Surface graph_of(const Soup& soup)
 Cut_hierarchy random_regions(const Surface& graph, std::size_t number, Random& random)
 {
   const std::size_t n = graph.number_of_faces(), components = graph.components.number;
-  Cut_hierarchy result = internal::uncut_hierarchy(graph);
+  Cut_hierarchy result = uncut_hierarchy(graph);
   const std::vector<Index> component = result.leaf;
   std::vector<Index> region(n, internal::null_index);
   std::set<std::size_t> has_region;
@@ -180,12 +181,13 @@ Cut_hierarchy merged(Execution execution, const Surface& graph, const Cut_hierar
   internal::Run_control control;
   internal::Run_monitor monitor(control);
   const Evaluation_context context(graph);
-  return internal::Region_merging(execution, graph, context, part_salience, monitor)(regions);
+  return internal::hierarchy_of(
+    internal::Region_merging(execution, graph, context, part_salience, monitor)(regions.leaf));
 }
 
 Faces faces_of(const Cut_hierarchy& hierarchy, std::size_t node)
 {
-  const internal::Nested_ranges ranges(hierarchy, hierarchy.leaf);
+  const internal::Nested_ranges ranges(hierarchy);
   return Faces(ranges[node].begin(), ranges[node].end());
 }
 
@@ -344,11 +346,11 @@ BOOST_AUTO_TEST_CASE(regions_of_an_over_segmentation_become_the_bodies_of_a_chai
   internal::Run_control control;
   internal::Run_monitor monitor(control);
   const internal::Best_cut best_cut(graph, options);
-  const Cut_hierarchy regions =
-    internal::Recursion(sequential, graph, best_cut, options, monitor).by_salience();
+  const Cut_hierarchy regions = internal::hierarchy_of(
+    internal::Recursion(sequential, graph, best_cut, options, monitor).by_salience());
   BOOST_TEST(regions.number_of_segments() == 8u);
-  const Cut_hierarchy result = internal::Region_merging(
-    sequential, graph, best_cut.context(), options.part_salience, monitor)(regions);
+  const Cut_hierarchy result = internal::hierarchy_of(internal::Region_merging(
+    sequential, graph, best_cut.context(), options.part_salience, monitor)(regions.leaf));
   check_hierarchy(graph, regions, result);
   // The first two cuts are the necks.
   std::set<int> balls;

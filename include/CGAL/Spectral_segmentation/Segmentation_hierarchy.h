@@ -303,7 +303,7 @@ public:
   /// \cond SKIP_IN_MANUAL
   Segmentation_hierarchy(internal::Cut_hierarchy cuts, size_type maximum_number_of_segments,
                          double salience_threshold)
-    : cuts_(std::move(cuts)), faces_(cuts_, cuts_.leaf),
+    : cuts_(std::move(cuts)), faces_(cuts_),
       maximum_number_of_segments_(maximum_number_of_segments),
       salience_threshold_(salience_threshold)
   {
@@ -323,7 +323,7 @@ private:
 
   void set_cuts(internal::Cut_hierarchy cuts)
   {
-    internal::Nested_ranges faces(cuts, cuts.leaf);
+    internal::Nested_ranges faces(cuts);
     cuts_ = std::move(cuts);
     faces_ = std::move(faces);
   }

@@ -456,16 +456,17 @@ class Run
     return result;
   }
 
-  Cut_hierarchy search(Surface mesh)
+  Merge_tree search(Surface mesh)
   {
     const Best_cut best_cut(mesh, options_, features_, fraction_of_model_);
     if (options_.method == Method::ZHANG_LIU_2005)
       return Recursion(execution_, std::move(mesh), best_cut, options_, monitor_).by_area();
-    const Cut_hierarchy regions =
-      Recursion(execution_, mesh, best_cut, options_, monitor_).by_salience();
+    const std::vector<Index> regions =
+      Recursion(execution_, mesh, best_cut, options_, monitor_).by_salience().leaf;
     return monitor_.stage(Stage::MERGING, Segmentation_visitor::whole_mesh, [&] {
       Region_merging merge(execution_, mesh, best_cut.context(), options_.part_salience, monitor_);
-      Cut_hierarchy result = with_common_saliences(mesh, merge(regions));
+      Merge_tree result = merge(regions);
+      average_saliences(mesh, result);
       if (!constraints_.empty()) {
         const std::vector<Index> vertices = searched_vertices(mesh_.points.size());
         Forced_cuts cuts(mesh_, vertices, mesh, groups_, result, monitor_);
@@ -482,8 +483,8 @@ class Run
   // Transfers the cuts of another surface to a mesh. In the end, constrained faces belong
   // entirely to the leaves of their groups.
   template <class For_each_fraction>
-  Cut_hierarchy transferred(const Cut_hierarchy& cuts, const Surface& mesh,
-                            const For_each_fraction& for_each_fraction)
+  Merge_tree transferred(const Merge_tree& tree, const Surface& mesh,
+                         const For_each_fraction& for_each_fraction)
   {
     const auto add_steps = [&](const std::vector<Index>& faces, Surface& bands) {
       if (features_.empty())
@@ -494,58 +495,56 @@ class Run
         add_steps_of_faces(composed(faces, callers_faces_of_finest()), bands);
     };
     if (leaf_of_group_.empty())
-      return Cut_transfer(execution_, cuts, mesh, for_each_fraction, distance_weights(), add_steps,
+      return Cut_transfer(execution_, tree, mesh, for_each_fraction, distance_weights(), add_steps,
                           monitor_)();
-    Cut_transfer transfer(execution_, cuts, mesh, [&](Index f, const auto& add) {
+    Cut_transfer transfer(execution_, tree, mesh, [&](Index f, const auto& add) {
       const Index group = &mesh == &mesh_ ? groups_.group[f] : null_index;
       if (group != null_index && leaf_of_group_[group] != null_index)
         add(leaf_of_group_[group], 1);
       else
         for_each_fraction(f, add);
     }, distance_weights(), add_steps, monitor_);
-    const Cut_hierarchy result = transfer();
+    const Merge_tree result = transfer();
     for (Index& leaf : leaf_of_group_)
-      leaf = leaf == null_index ? leaf : transfer.leaf_of(leaf, result);
+      leaf = leaf == null_index ? leaf : transfer.leaf_of(leaf);
     return result;
   }
 
   // Projects the cuts of the coarse surface onto the mesh, level by level.
-  Cut_hierarchy project(Cut_hierarchy cuts)
+  Merge_tree project(Merge_tree tree)
   {
     if (is_reordered_only()) {
-      std::vector<Index> leaf(cuts.leaf.size());
+      std::vector<Index> leaf(tree.leaf.size());
       for (Index f = 0; f < leaf.size(); ++f)
-        leaf[levels_.back().faces[f]] = cuts.leaf[f];
-      cuts = transferred(cuts, finest(), [&](Index f, const auto& add) { add(leaf[f], 1); });
+        leaf[levels_.back().faces[f]] = tree.leaf[f];
+      tree = transferred(tree, finest(), [&](Index f, const auto& add) { add(leaf[f], 1); });
       levels_.clear();
     }
     for (std::size_t i = levels_.size(); i-- > 0; levels_.pop_back()) {
       const Surface& mesh = i > 0 ? levels_[i - 1].graph : finest();
-      const Leaf_fractions fractions = vertex_fractions(levels_[i].graph, cuts.leaf);
-      cuts = transferred(cuts, mesh, [&](Index f, const auto& add) {
+      const Leaf_fractions fractions = vertex_fractions(levels_[i].graph, tree.leaf);
+      tree = transferred(tree, mesh, [&](Index f, const auto& add) {
         for (Index v : mesh.corners[f])
           for (const auto& [leaf, fraction] : fractions[levels_[i].vertices[v]])
             add(leaf, fraction);
       });
     }
     if (refined_.faces.empty())
-      return cuts;
-    const Leaf_fractions fractions = face_fractions(refined_, cuts.leaf);
-    return transferred(cuts, mesh_, [&](Index f, const auto& add) {
+      return tree;
+    const Leaf_fractions fractions = face_fractions(refined_, tree.leaf);
+    return transferred(tree, mesh_, [&](Index f, const auto& add) {
       for (const auto& [leaf, fraction] : fractions[f])
         add(leaf, fraction);
     });
   }
 
-  // Changes the hierarchy so that all nodes satisfy the constraints.
-  void satisfy_constraints(Cut_hierarchy& hierarchy)
+  // Changes the tree so that it satisfies the constraints.
+  void satisfy_constraints(Merge_tree& tree)
   {
-    const std::size_t number_of_roots = hierarchy.number_of_roots;
-    groups_ = Set_connection(mesh_, hierarchy.leaf, hierarchy.nodes.size(),
-                             groups_)(callers_faces());
-    hierarchy = Constrained_merging(mesh_, groups_, options_.minimum_segment_size, hierarchy,
-                                    monitor_)();
-    const std::size_t number = hierarchy.number_of_roots;
+    const std::size_t number_of_roots = tree.number_of_roots();
+    groups_ = Set_connection(mesh_, tree.leaf, tree.leaves.size(), groups_)(callers_faces());
+    tree = Constrained_merging(mesh_, groups_, options_.minimum_segment_size, tree, monitor_)();
+    const std::size_t number = tree.number_of_roots();
     if (number > number_of_roots && number > maximum_number(options_))
       throw std::invalid_argument(
         "segment_spectral_recursive: the constrained edges and seeds need " +
@@ -589,74 +588,69 @@ class Run
   }
 
   // Searches the parts one after the other, and merges the components.
-  Cut_hierarchy search_parts()
+  Merge_tree search_parts()
   {
     double time = 0;
     for (const Searched_part& part : parts_)
       time += Phase_times(options_, part.callers_faces.size()).time_after_reading();
-    Dendrogram merges;
-    merges.leaf.resize(mesh_.number_of_faces());
+    Merge_tree tree;
+    tree.leaf.resize(mesh_.number_of_faces());
     for (Searched_part& part : parts_) {
       const Options options = options_of_part(part.fraction_of_model);
       const std::vector<Index> faces = composed(part.callers_faces, face_);
       Run run(options, part.constraints, feature_source_, execution_, monitor_);
-      append(merges, run.cuts_of_part(std::move(part), time_left_ / (std::max)(time, 1.)), faces);
+      append(tree, run.cuts_of_part(std::move(part), time_left_ / (std::max)(time, 1.)), faces);
       part = Searched_part();
     }
-    std::fill(merges.areas.begin(), merges.areas.end(), 0.);
-    for (Index f = 0; f < mesh_.number_of_faces(); ++f)
-      merges.areas[merges.leaf[f]] += mesh_.areas[f];
+    set_areas_of_leaves(tree, mesh_);
     const Component_fractions fractions = component_fractions(mesh_);
-    return Component_merging(std::move(merges), mesh_, fractions, features_of_components(),
+    return Component_merging(std::move(tree), mesh_, fractions, features_of_components(),
                              options_.feature_weight, monitor_)();
   }
 
   // Satisfies constraints, and makes as many cuts as were asked for.
-  void apply_options(Cut_hierarchy& hierarchy)
+  void apply_options(Merge_tree& tree)
   {
     if (!constraints_.empty())
-      satisfy_constraints(hierarchy);
+      satisfy_constraints(tree);
     if (!options_.number_of_segments || monitor_.is_stopped())
       return;
     const std::size_t number = *options_.number_of_segments;
     std::vector<Index> sets;
     for (Index f = 0; f < groups_.group.size(); ++f)
       sets.push_back(groups_.set(f));
-    Further_cuts(mesh_, hierarchy, sets)(number);
-    if (hierarchy.number_of_segments() < number)
+    Further_cuts(mesh_, tree, sets)(number);
+    if (tree.leaves.size() < number)
       throw std::invalid_argument(
         "segment_spectral_recursive: number_of_segments is " + std::to_string(number) +
         ", but the edges that must not be cut and the seeds leave at most " +
-        std::to_string(hierarchy.number_of_segments()) + " segments");
+        std::to_string(tree.leaves.size()) + " segments");
   }
 
-  // Adds the walls to a hierarchy. Their faces get the leaves of the nearest faces of their outer
-  // walls, provided that the faces of a wall in each node stay connected.
-  void add_walls(Cut_hierarchy& hierarchy) const
+  // Adds the walls to a tree. Their faces get the leaves of the nearest faces of their outer walls,
+  // provided that the faces of a wall in each set stay connected.
+  void add_walls(Merge_tree& tree) const
   {
     if (walls_.corners.empty())
       return;
-    std::vector<Index> leaf = composed(composed(outer_faces_, face_), hierarchy.leaf);
-    Wall_labels(walls_, hierarchy, leaf)();
-    const Nested_ranges leaves = ranges_of_leaves(hierarchy);
-    Dendrogram result = dendrogram_of(hierarchy, leaves);
+    std::vector<Index> leaf = composed(composed(outer_faces_, face_), tree.leaf);
+    Wall_labels(walls_, tree, leaf)();
     for (std::size_t i = 0; i < leaf.size(); ++i) {
-      result.leaf.push_back(static_cast<Index>(leaves.first(leaf[i])));
-      result.areas[result.leaf.back()] += walls_.areas[i];
+      tree.leaf.push_back(leaf[i]);
+      tree.leaves[leaf[i]].area += walls_.areas[i];
     }
-    hierarchy = hierarchy_of(result);
   }
 
   // Replaces the indices of faces by the indices of the given faces.
-  void number_given_faces(Cut_hierarchy& hierarchy) const
-  { hierarchy.leaf = composed(face_, hierarchy.leaf); }
+  void number_given_faces(Merge_tree& tree) const
+  { tree.leaf = composed(face_, tree.leaf); }
 
   // Searches the mesh once it is prepared. `time_scale` is the fraction of the run that a
   // nanosecond takes.
   template <class Prepare>
-  Cut_hierarchy cuts(const Prepare& prepare, const Phase_times& times, double time_scale)
+  Merge_tree cuts(const Prepare& prepare, const Phase_times& times, double time_scale)
   {
-    Cut_hierarchy result;
+    Merge_tree result;
     try {
       std::optional<Surface> searched =
         monitor_.stage(Stage::INITIALIZATION, Segmentation_visitor::whole_mesh, [&] {
@@ -669,16 +663,17 @@ class Run
       if (!parts_.empty())
         return search_parts();
       monitor_.start_phase(time_scale * times.search);
-      result = searched ? search(*std::move(searched)) : uncut_hierarchy(mesh_);
-      if (!searched) { // the mesh is convex
-        result.nodes[0].cut_state = Cut_state::NO_CUT;
+      if (searched)
+        result = search(*std::move(searched));
+      else { // the mesh is convex
+        result = uncut_tree(mesh_, Cut_state::NO_CUT);
         result.is_monotonic = true;
       }
     }
     catch (const Run_stopped&) { // before there was a cut
       levels_.clear();
       refined_ = Refined_mesh();
-      result = uncut_hierarchy(mesh_);
+      result = uncut_tree(mesh_, Cut_state::NOT_SEARCHED);
     }
     monitor_.start_phase(time_scale * times.projection);
     if (!levels_.empty() && &finest() == &mesh_ && is_reordered_only())
@@ -693,13 +688,13 @@ class Run
   }
 
   // Returns the cuts of a part of a model, whose faces keep their order.
-  Cut_hierarchy cuts_of_part(Searched_part part, double time_scale)
+  Merge_tree cuts_of_part(Searched_part part, double time_scale)
   {
     const Phase_times times(options_, part.surface.number_of_faces());
     mesh_ = std::move(part.surface);
     given_faces_ = std::move(part.callers_faces);
     fraction_of_model_ = part.fraction_of_model;
-    Cut_hierarchy result = cuts([this] { prepare_part(); }, times, time_scale);
+    Merge_tree result = cuts([this] { prepare_part(); }, times, time_scale);
     number_given_faces(result);
     return result;
   }
@@ -721,10 +716,11 @@ public:
     mesh_ = std::move(mesh);
     time_left_ = 1 - time_scale * times.reading;
     monitor_.start_phase(time_scale * times.reading);
-    Cut_hierarchy result = cuts([this] { prepare_mesh(); }, times, time_scale);
-    apply_options(result);
-    add_walls(result);
-    number_given_faces(result);
+    Merge_tree tree = cuts([this] { prepare_mesh(); }, times, time_scale);
+    apply_options(tree);
+    add_walls(tree);
+    number_given_faces(tree);
+    Cut_hierarchy result = hierarchy_of(tree);
     for (Cut_node& node : result.nodes)
       node.area = node.area * unit_ * unit_;
     result.neighbors = std::move(neighbors_);

@@ -5,7 +5,7 @@
 #define CGAL_SPECTRAL_SEGMENTATION_INTERNAL_LEVELS_CUT_TRANSFER_H
 
 #include <CGAL/Spectral_segmentation/internal/base/Run_monitor.h>
-#include <CGAL/Spectral_segmentation/internal/search/Cut_hierarchy.h>
+#include <CGAL/Spectral_segmentation/internal/search/Merge_tree.h>
 #include <CGAL/Spectral_segmentation/internal/search/cut_proposals.h>
 #include <CGAL/Spectral_segmentation/internal/surface/Longest_edge_bisection.h>
 #include <CGAL/Spectral_segmentation/internal/weights/face_distances.h>
@@ -22,7 +22,7 @@
 
 namespace CGAL::Spectral_segmentation::internal {
 
-// The leaves of a hierarchy that each element touches, with its fraction in each leaf.
+// The leaves of a tree that each element touches, with its fraction in each leaf.
 class Leaf_fractions
 {
 public:
@@ -185,27 +185,35 @@ public:
 class Cut_transfer
 {
   enum Side : char { Q, REST, OUTSIDE };
-  typedef Nested_ranges::Range Cells;
+  typedef std::vector<Index> Cells;
 
   const Execution execution_;
-  const Cut_hierarchy& cuts_; // the cuts of the other surface
+  const Merge_tree& tree_; // of the other surface
   const Surface& mesh_;
   Run_monitor& monitor_;
 
-  const Nested_ranges leaves_; // the leaves of each node of the other surface
+  const Merged_sets sets_;
   const Band_cells cells_;
   const Leaf_fractions fractions_; // one element per cell
   Surface bands_;                  // has weights if minimum cuts are made
   Sides side_; // one per cell, by the current cut; all are OUTSIDE between cuts
-  std::vector<std::size_t> node_of_; // the node of the result for each node of the other surface
+
+  // The parts of the mesh: the roots, then two for each cut.
+  std::vector<Cells> cells_of_part_;     // empty once the part is cut
+  std::vector<Index> larger_side_;       // of each part; null_index if it is not cut
+  // The part that each set became, by the first position of the set. A leaf is lost if its set
+  // became no part; then this is the part that it was in.
+  std::vector<Index> part_;
+  std::vector<char> is_lost_;
+  std::vector<Index> leaf_of_part_;      // the leaf of the result; of a part that is cut, one in it
 
   std::vector<Index> reached_; // the cells that floods reached since start_flood()
   std::vector<Index> flood_;   // the last start at which each cell was reached
   Index number_of_floods_ = 0;
 
-  // Returns the fractions of the cells. Their leaves are positions in `leaves`.
+  // Returns the fractions of the cells. Their leaves are positions in the order of `sets`.
   template <class For_each_fraction>
-  static Leaf_fractions cell_fractions(const Band_cells& cells, const Nested_ranges& leaves,
+  static Leaf_fractions cell_fractions(const Band_cells& cells, const Merged_sets& sets,
                                        const For_each_fraction& for_each_fraction,
                                        Run_monitor& monitor)
   {
@@ -213,7 +221,7 @@ class Cut_transfer
     for (Index cell = 0; cell < cells.number(); ++cell) {
       result.add_element();
       for_each_fraction(cells.first_face(cell), [&](Index leaf, float fraction)
-        { result.add(static_cast<Index>(leaves.first(leaf)), fraction); });
+        { result.add(sets.position[leaf], fraction); });
       const std::size_t number = result[cell].size();
       monitor.count_steps(number * number);
     }
@@ -223,12 +231,12 @@ class Cut_transfer
   // Returns whether each face may border a cut. All may if further cuts might follow, because a cut
   // must not depend on later cuts.
   template <class For_each_fraction>
-  static std::vector<char> may_border_cut(Execution execution, const Cut_hierarchy& cuts,
+  static std::vector<char> may_border_cut(Execution execution, const Merge_tree& tree,
                                           const Surface& mesh,
                                           const For_each_fraction& for_each_fraction)
   {
     std::vector<char> result(mesh.number_of_faces(), 1);
-    if (!cuts.is_monotonic)
+    if (!tree.is_monotonic)
       return result;
     constexpr Index several = null_index - 1;
     std::vector<Index> leaf(mesh.number_of_faces(), null_index);
@@ -258,25 +266,24 @@ class Cut_transfer
     edit_weights(faces, bands_);
   }
 
-  float fraction_in(std::size_t node, Index cell) const
+  float fraction_in(const Merged_set& set, Index cell) const
   {
-    const std::size_t first = leaves_.first(node), end = first + leaves_.size(node);
     float result = 0;
     for (const auto& [leaf, fraction] : fractions_[cell])
-      if (leaf >= first && leaf < end)
+      if (leaf >= set.first && leaf < set.end)
         result += fraction;
     return result;
   }
 
-  // Assigns each cell of a part to the side of its larger fraction in the cut of a node. Splits the
-  // cells with fractions on both sides by the minimum cut, if both sides have other cells.
-  void set_sides(std::size_t node, const Cells& cells)
+  // Assigns each cell of a part to the side of its larger fraction in a cut. Splits the cells with
+  // fractions on both sides by the minimum cut, if both sides have other cells.
+  void set_sides(std::size_t cut, const Cells& cells)
   {
     std::vector<Index> band;
     bool has_certain_cell[2] = {false, false};
     for (Index cell : cells) {
-      const float q = fraction_in(cuts_.nodes[node].children[0], cell);
-      const float rest = fraction_in(cuts_.nodes[node].children[1], cell);
+      const float q = fraction_in(sets_.sides[cut][0], cell);
+      const float rest = fraction_in(sets_.sides[cut][1], cell);
       side_[cell] = rest > 1.00001f * q ? REST : Q; // tolerates rounding
       if (q > 0 && rest > 0 && !cells_.is_core(cell))
         band.push_back(cell);
@@ -343,15 +350,15 @@ class Cut_transfer
 
   // Moves to an empty side the cell with the largest fraction there, and the cells that only this
   // one connects with the rest. The position of the cell breaks ties.
-  void keep_both_sides(std::size_t node, const Cells& cells)
+  void keep_both_sides(std::size_t cut, const Cells& cells)
   {
     const char only = side_[*cells.begin()], other = only == Q ? REST : Q;
     if (cells.size() < 2 ||
         std::any_of(cells.begin(), cells.end(), [&](Index c) { return side_[c] != only; }))
       return;
     const auto key = [&](Index cell) {
-      const double fraction = fraction_in(cuts_.nodes[node].children[int(other)], cell);
-      const double all = fraction_in(node, cell);
+      const double fraction = fraction_in(sets_.sides[cut][int(other)], cell);
+      const double all = fraction_in(union_of(cut), cell);
       const Vector position = quantized(mesh_.centroid(cells_.first_face(cell)));
       return std::make_tuple(all > 0 ? quantized(fraction / all) : 0, position.x(), position.y(),
                              position.z());
@@ -361,14 +368,21 @@ class Cut_transfer
     keep_largest(cells, Side(only));
   }
 
-  // Returns the sides of the cells of a part that is cut like a node of the other surface. Both are
-  // connected, and neither is empty if the part has two cells.
-  Sides sides(std::size_t node, const Cells& cells)
+  Merged_set union_of(std::size_t cut) const
   {
-    set_sides(node, cells);
+    Merged_set result = sets_.sides[cut][0];
+    result.end = sets_.sides[cut][1].end;
+    return result;
+  }
+
+  // Returns the sides of the cells of a part, by a cut of the other surface. Both are connected,
+  // and neither is empty if the part has two cells.
+  Sides sides(std::size_t cut, const Cells& cells)
+  {
+    set_sides(cut, cells);
     keep_largest(cells, Q);
     keep_largest(cells, REST);
-    keep_both_sides(node, cells);
+    keep_both_sides(cut, cells);
     Sides result;
     result.reserve(cells.size());
     for (Index cell : cells)
@@ -376,50 +390,81 @@ class Cut_transfer
     return result;
   }
 
-  // Cuts a leaf of the result like a node of the other surface, and sets the nodes of the result
-  // for the children. Returns false if one side is empty.
-  bool cut_as(std::size_t other_node, std::size_t node, Cut_hierarchy& result,
-              Nested_ranges& cells)
+  // Makes the roots parts, by their first faces.
+  void add_roots()
   {
-    const auto& children = cuts_.nodes[other_node].children;
-    Sides side = sides(other_node, cells[node]);
-    double area_of[2] = {0, 0};
-    std::size_t number[2] = {0, 0};
-    for (std::size_t i = 0; i < side.size(); ++i) {
-      area_of[int(side[i])] += cells_.area(cells[node].begin()[static_cast<std::ptrdiff_t>(i)]);
-      ++number[int(side[i])];
-    }
-    if (number[0] == 0 || number[1] == 0) {
-      node_of_[children[number[0] == 0 ? 1 : 0]] = node;
-      return false;
-    }
-    const bool is_swapped = area_of[0] > area_of[1];
-    normalize_sides(side, area_of);
-    result.cut(node, area_of[0], area_of[1]);
-    cells.cut(node, side);
-    for (int s = 0; s < 2; ++s)
-      node_of_[children[s]] = result.nodes[node].children[is_swapped ? 1 - s : s];
-    return true;
-  }
-
-  // Returns a hierarchy of the mesh whose leaves are cells. Its roots are numbered by their first
-  // faces. Sets `node_of_` for the roots.
-  Cut_hierarchy roots()
-  {
-    const std::vector<std::size_t> root_of_leaf = roots_of_leaves(cuts_, leaves_);
-    std::vector<Index> root_of_cell(cells_.number());
-    std::vector<double> areas;
+    std::vector<Index> root(part_.size()); // one per position of a leaf: where its root begins
+    for (const Merged_set& r : sets_.roots)
+      std::fill(root.begin() + r.first, root.begin() + r.end, r.first);
     for (Index f = 0; f < mesh_.number_of_faces(); ++f) {
       const Index cell = cells_.cell_of_face(f);
-      std::size_t& root = node_of_[root_of_leaf[fractions_[cell].begin()->leaf]];
-      if (root == null_node) {
-        root = areas.size();
-        areas.push_back(0);
-      }
-      root_of_cell[cell] = static_cast<Index>(root);
-      areas[root] += mesh_.areas[f];
+      Index& part = part_[root[fractions_[cell].begin()->leaf]];
+      if (part == null_index)
+        part = add_part({});
     }
-    return uncut_hierarchy(std::move(root_of_cell), areas);
+    for (Index cell = 0; cell < cells_.number(); ++cell)
+      cells_of_part_[part_[root[fractions_[cell].begin()->leaf]]].push_back(cell);
+  }
+
+  Index add_part(Cells cells)
+  {
+    cells_of_part_.push_back(std::move(cells));
+    larger_side_.push_back(null_index);
+    return static_cast<Index>(cells_of_part_.size() - 1);
+  }
+
+  // Makes a cut of the other surface, if its part is not lost. Returns its smaller and its larger
+  // side, and null_index twice if it is not made because one side would be empty.
+  std::pair<Index, Index> cut(std::size_t i)
+  {
+    const Index first[2] = {sets_.sides[i][0].first, sets_.sides[i][1].first};
+    if (is_lost_[first[0]])
+      return {null_index, null_index};
+    const Index part = part_[first[0]];
+    const Cells all = std::move(cells_of_part_[part]);
+    const Sides side = sides(i, all);
+    Cells cells[2];
+    double area[2] = {0, 0};
+    for (std::size_t k = 0; k < side.size(); ++k) {
+      cells[int(side[k])].push_back(all[k]);
+      area[int(side[k])] += cells_.area(all[k]);
+    }
+    if (cells[0].empty() || cells[1].empty()) {
+      const int lost = cells[0].empty() ? 0 : 1;
+      const Merged_set& set = sets_.sides[i][lost];
+      std::fill(is_lost_.begin() + set.first, is_lost_.begin() + set.end, char(1));
+      std::fill(part_.begin() + set.first, part_.begin() + set.end, part);
+      part_[first[1 - lost]] = part;
+      cells_of_part_[part] = all;
+      return {null_index, null_index};
+    }
+    const int smaller = area[0] <= area[1] ? 0 : 1;
+    const Index parts[2] = {add_part(std::move(cells[smaller])),
+                            add_part(std::move(cells[1 - smaller]))};
+    part_[first[smaller]] = parts[0];
+    part_[first[1 - smaller]] = larger_side_[part] = parts[1];
+    return {parts[0], parts[1]};
+  }
+
+  // Numbers the parts that are not cut as leaves, and sets the leaves of the faces.
+  void set_leaves(Merge_tree& result)
+  {
+    std::vector<Index> leaf_of_cell(cells_.number());
+    Index number = 0;
+    leaf_of_part_.assign(larger_side_.size(), null_index);
+    for (std::size_t i = 0; i < leaf_of_part_.size(); ++i)
+      if (larger_side_[i] == null_index) {
+        for (Index cell : cells_of_part_[i])
+          leaf_of_cell[cell] = number;
+        leaf_of_part_[i] = number++;
+      }
+    for (std::size_t i = leaf_of_part_.size(); i-- > 0;)
+      if (larger_side_[i] != null_index)
+        leaf_of_part_[i] = leaf_of_part_[larger_side_[i]];
+    result.leaf.resize(mesh_.number_of_faces());
+    for_each_index(execution_, result.leaf.size(), [&](std::size_t f)
+      { result.leaf[f] = leaf_of_cell[cells_.cell_of_face(static_cast<Index>(f))]; });
+    result.leaves.resize(number);
   }
 
 public:
@@ -429,69 +474,56 @@ public:
   // `edit_weights(faces, bands)` may change the weights of these faces of the mesh, among which
   // minimum cuts are searched.
   template <class For_each_fraction, class Edit_weights>
-  Cut_transfer(Execution execution, const Cut_hierarchy& cuts, const Surface& mesh,
+  Cut_transfer(Execution execution, const Merge_tree& tree, const Surface& mesh,
                const For_each_fraction& for_each_fraction, const Distance_weights& weights,
                const Edit_weights& edit_weights, Run_monitor& monitor)
-    : execution_(execution), cuts_(cuts), mesh_(mesh), monitor_(monitor),
-      leaves_(ranges_of_leaves(cuts)),
-      cells_(mesh, may_border_cut(execution, cuts, mesh, for_each_fraction)),
-      fractions_(cell_fractions(cells_, leaves_, for_each_fraction, monitor)),
-      side_(cells_.number(), OUTSIDE), node_of_(cuts.nodes.size(), null_node),
-      flood_(cells_.number(), 0)
+    : execution_(execution), tree_(tree), mesh_(mesh), monitor_(monitor), sets_(tree),
+      cells_(mesh, may_border_cut(execution, tree, mesh, for_each_fraction)),
+      fractions_(cell_fractions(cells_, sets_, for_each_fraction, monitor)),
+      side_(cells_.number(), OUTSIDE), part_(tree.leaves.size(), null_index),
+      is_lost_(tree.leaves.size(), 0), flood_(cells_.number(), 0)
   {
     if (!fractions_.are_undivided() && !monitor.is_stopped())
       set_bands(weights, edit_weights);
   }
 
-  Cut_hierarchy operator()()
+  Merge_tree operator()()
   {
-    Cut_hierarchy result = roots();
-    result.is_monotonic = cuts_.is_monotonic;
-    result.has_all_cuts = cuts_.has_all_cuts;
-    Nested_ranges cells(result, result.leaf);
-    const double step = 1 / static_cast<double>(cuts_.nodes.size());
-    for (std::size_t i = cuts_.number_of_roots; i < cuts_.nodes.size(); i += 2) {
-      const std::size_t other_node = cuts_.nodes[i].parent;
-      if (node_of_[other_node] != null_node &&
-          !cut_as(other_node, node_of_[other_node], result, cells))
-        result.has_all_cuts = false;
+    Merge_tree result;
+    result.is_monotonic = tree_.is_monotonic;
+    result.has_all_cuts = tree_.has_all_cuts;
+    add_roots();
+    const double step = 1 / static_cast<double>(sets_.roots.size() + 2 * tree_.merges.size());
+    std::vector<std::size_t> number_of_cuts(1, 0); // after each cut of the other surface
+    for (std::size_t i = tree_.merges.size(); i-- > 0;) {
+      const auto [smaller, larger] = cut(i);
+      if (larger != null_index)
+        result.merges.push_back({{smaller, larger}, tree_.merges[i].salience,
+                                 tree_.merges[i].factors});
+      number_of_cuts.push_back(result.merges.size());
       monitor_.advance(2 * step);
       monitor_.go_further(); // may throw
     }
-    std::vector<std::size_t> last_of(result.nodes.size()); // one per node: the last that became it
-    for (std::size_t i = 0; i < cuts_.nodes.size(); ++i)
-      if (node_of_[i] != null_node) {
-        Cut_node& n = result.nodes[node_of_[i]];
-        last_of[node_of_[i]] = i;
-        n.cut_state = cuts_.nodes[i].cut_state;
-        n.salience = cuts_.nodes[i].salience;
-        n.factors = cuts_.nodes[i].factors;
+    set_leaves(result);
+    std::reverse(result.merges.begin(), result.merges.end());
+    for (Merge& m : result.merges)
+      for (Index& leaf : m.leaves)
+        leaf = leaf_of_part_[leaf];
+    result.has_all_cuts = result.has_all_cuts && result.merges.size() == tree_.merges.size();
+    for (std::size_t i = 0; i < tree_.leaves.size(); ++i)
+      if (const Index position = sets_.position[i]; !is_lost_[position]) {
+        Leaf& leaf = result.leaves[leaf_of_part_[part_[position]]];
+        leaf = tree_.leaves[i];
+        if (leaf.number_of_earlier_cuts != null_node)
+          leaf.number_of_earlier_cuts = number_of_cuts[leaf.number_of_earlier_cuts];
       }
-    for (std::size_t cut : cuts_.cut_order)
-      if (node_of_[cut] != null_node && last_of[node_of_[cut]] == cut)
-        result.cut_order.push_back(node_of_[cut]);
-
-    std::vector<Index> leaf_of_cell(cells_.number());
-    for (std::size_t i = 0; i < result.nodes.size(); ++i)
-      if (result.nodes[i].is_leaf())
-        for (Index cell : cells[i])
-          leaf_of_cell[cell] = static_cast<Index>(i);
-    result.leaf.resize(mesh_.number_of_faces());
-    for_each_index(execution_, result.leaf.size(), [&](std::size_t f)
-      { result.leaf[f] = leaf_of_cell[cells_.cell_of_face(static_cast<Index>(f))]; });
+    set_areas_of_leaves(result, mesh_);
     return result;
   }
 
-  // Returns a leaf of the result within the node that a leaf of the other surface became.
-  Index leaf_of(Index other, const Cut_hierarchy& result) const
-  {
-    std::size_t i = other;
-    while (node_of_[i] == null_node)
-      i = cuts_.nodes[i].parent;
-    for (i = node_of_[i]; !result.nodes[i].is_leaf();)
-      i = result.nodes[i].children[1];
-    return static_cast<Index>(i);
-  }
+  // Returns the leaf of the result that a leaf of the other surface became, or one that took its
+  // faces.
+  Index leaf_of(Index other) const { return leaf_of_part_[part_[sets_.position[other]]]; }
 };
 
 } // namespace CGAL::Spectral_segmentation::internal

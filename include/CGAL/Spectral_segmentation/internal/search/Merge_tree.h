@@ -1,22 +1,36 @@
 // Copyright (c) 2026  The Spectral_segmentation authors.
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#ifndef CGAL_SPECTRAL_SEGMENTATION_INTERNAL_SEARCH_DENDROGRAM_H
-#define CGAL_SPECTRAL_SEGMENTATION_INTERNAL_SEARCH_DENDROGRAM_H
+#ifndef CGAL_SPECTRAL_SEGMENTATION_INTERNAL_SEARCH_MERGE_TREE_H
+#define CGAL_SPECTRAL_SEGMENTATION_INTERNAL_SEARCH_MERGE_TREE_H
 
 #include <CGAL/Spectral_segmentation/internal/search/Cut_hierarchy.h>
 #include <CGAL/Spectral_segmentation/internal/surface/connected_components.h>
 
 #include <algorithm>
+#include <array>
 #include <cstddef>
+#include <iterator>
 #include <limits>
 #include <set>
+#include <tuple>
 #include <utility>
 #include <vector>
 
 namespace CGAL::Spectral_segmentation::internal {
 
-// A merge of two sets of leaves. Each set is given by one of its leaves.
+// A set of faces that no cut divides. If the search decided not to cut it, there are the number of
+// cuts that were made before, and a cut that was rejected.
+struct Leaf
+{
+  double area = 0;
+  Cut_state cut_state = Cut_state::NO_CUT;
+  std::size_t number_of_earlier_cuts = null_node; // null_node: the search did not decide on it
+  double salience = 0;
+  Salience_factors factors = {};
+};
+
+// A merge of two sets of leaves, which in reverse is a cut. Each set is given by one of its leaves.
 struct Merge
 {
   Index leaves[2];
@@ -24,142 +38,226 @@ struct Merge
   Salience_factors factors; // its factors
 };
 
-// Regions of faces, and how they are merged. In reverse, the merges are the cuts of a hierarchy.
-struct Dendrogram
+// The result of a run up to its last step. Sets that are not merged are the roots.
+struct Merge_tree
 {
-  std::vector<Index> leaf;    // one per face
-  std::vector<double> areas;  // one per leaf
-  std::vector<Merge> merges;  // the least salient first
-  bool has_all_cuts = true;
+  std::vector<Index> leaf;    // one per face of a surface
+  std::vector<Leaf> leaves;   // each has a face
+  std::vector<Merge> merges;  // the last cut first
+  bool is_monotonic = false;  // no cut is less salient than any later cut
+  bool has_all_cuts = true;   // false if cuts are lost because no face was left for a side
+
+  std::size_t number_of_roots() const { return leaves.size() - merges.size(); }
 };
 
-// Orders the merges by their saliences. Merges of equal salience keep their order.
-inline void sort_merges(std::vector<Merge>& merges)
+// Returns a tree without merges, whose leaves are the components of a surface.
+inline Merge_tree uncut_tree(const Surface& surface, Cut_state state)
 {
-  std::stable_sort(merges.begin(), merges.end(), [](const Merge& a, const Merge& b)
-    { return a.salience < b.salience; });
-}
-
-// Returns the cuts of a hierarchy as merges, the last cut first. The leaves of the result are the
-// positions of the hierarchy's leaves in `leaves`.
-inline Dendrogram dendrogram_of(const Cut_hierarchy& cuts, const Nested_ranges& leaves)
-{
-  const auto place = [&](std::size_t node) { return static_cast<Index>(leaves.first(node)); };
-  Dendrogram result;
-  result.has_all_cuts = cuts.has_all_cuts;
-  for (Index node : cuts.leaf)
-    result.leaf.push_back(place(node));
-  result.areas.resize(leaves.size());
-  for (std::size_t i = 0; i < cuts.nodes.size(); ++i)
-    if (cuts.nodes[i].is_leaf())
-      result.areas[place(i)] = cuts.nodes[i].area;
-  for (auto i = cuts.cut_order.rbegin(); i != cuts.cut_order.rend(); ++i) {
-    const Cut_node& n = cuts.nodes[*i];
-    if (!n.is_leaf())
-      result.merges.push_back({{place(n.children[0]), place(n.children[1])}, n.salience,
-                               n.factors});
-  }
+  Merge_tree result;
+  result.leaf = surface.components.face_labels(surface.number_of_faces());
+  for (double area : component_areas(surface, surface.components))
+    result.leaves.push_back({area, state});
   return result;
 }
 
-// Appends the merges of a hierarchy of some faces, which are given by their indices in the mesh of
-// a dendrogram.
-inline void append(Dendrogram& all, const Cut_hierarchy& cuts, const std::vector<Index>& faces)
+// Sets the areas of the leaves to the sums of the areas of their faces.
+inline void set_areas_of_leaves(Merge_tree& tree, const Surface& surface)
 {
-  const Dendrogram d = dendrogram_of(cuts, ranges_of_leaves(cuts));
-  const Index first = static_cast<Index>(all.areas.size());
-  for (std::size_t i = 0; i < faces.size(); ++i)
-    all.leaf[faces[i]] = first + d.leaf[i];
-  all.areas.insert(all.areas.end(), d.areas.begin(), d.areas.end());
-  for (const Merge& m : d.merges)
-    all.merges.push_back({{first + m.leaves[0], first + m.leaves[1]}, m.salience, m.factors});
-  all.has_all_cuts = all.has_all_cuts && d.has_all_cuts;
+  for (Leaf& leaf : tree.leaves)
+    leaf.area = 0;
+  for (Index f = 0; f < tree.leaf.size(); ++f)
+    tree.leaves[tree.leaf[f]].area += surface.areas[f];
 }
 
-// Returns the hierarchy of a dendrogram. Sets that are not merged are the roots.
-inline Cut_hierarchy hierarchy_of(const Dendrogram& d)
+// Appends the merges of a tree of some faces, which are given by their indices in the surface of
+// all. The decisions of the search on leaves are left out.
+inline void append(Merge_tree& all, const Merge_tree& tree, const std::vector<Index>& faces)
 {
-  struct Join
+  const Index first = static_cast<Index>(all.leaves.size());
+  for (std::size_t i = 0; i < faces.size(); ++i)
+    all.leaf[faces[i]] = first + tree.leaf[i];
+  all.leaves.resize(all.leaves.size() + tree.leaves.size());
+  for (const Merge& m : tree.merges)
+    all.merges.push_back({{first + m.leaves[0], first + m.leaves[1]}, m.salience, m.factors});
+  all.has_all_cuts = all.has_all_cuts && tree.has_all_cuts;
+}
+
+// A set of leaves that a tree merges, as a range of an order of the leaves in which each such set
+// is a range.
+struct Merged_set
+{
+  Index first, end;
+  Index leaf;  // one of its leaves
+  Index merge; // the merge that made it; null_index for a single leaf
+  double area;
+
+  Index size() const { return end - first; }
+};
+
+// The sets that the merges of a tree join. The range of the union begins with the range of its
+// first side, which has the smaller area.
+struct Merged_sets
+{
+  std::vector<std::array<Merged_set, 2> > sides; // one pair per merge
+  std::vector<Merged_set> roots;                 // by their first faces
+  std::vector<Index> position;                   // one per leaf, in the order
+
+  explicit Merged_sets(const Merge_tree& tree)
+    : position(tree.leaves.size())
   {
-    Index sets[2]; // the smaller area first
-    double areas[2];
-  };
-  std::vector<Join> joins;
-  joins.reserve(d.merges.size());
-  std::vector<double> area = d.areas; // the area of the set of each representative
-  Face_components sets(area.size());
-  for (Index i = 0; i < area.size(); ++i)
-    sets.add(i);
-  for (const Merge& m : d.merges) {
-    Index a = sets.representative(m.leaves[0]), b = sets.representative(m.leaves[1]);
-    CGAL_precondition(a != b);
-    if (area[a] > (1 + 1e-9) * area[b]) // areas that are equal up to noise do not decide
-      std::swap(a, b);
-    joins.push_back({{a, b}, {(std::min)(area[a], area[b]), (std::max)(area[a], area[b])}});
-    sets.join(a, b);
-    area[sets.representative(a)] = joins.back().areas[0] + joins.back().areas[1];
+    const Index n = static_cast<Index>(tree.leaves.size());
+    Face_components sets(n);
+    std::vector<Merged_set> set(n); // one per representative
+    for (Index i = 0; i < n; ++i) {
+      sets.add(i);
+      set[i] = {0, 1, i, null_index, tree.leaves[i].area};
+    }
+    for (Index i = 0; i < tree.merges.size(); ++i) {
+      Index a = sets.representative(tree.merges[i].leaves[0]);
+      Index b = sets.representative(tree.merges[i].leaves[1]);
+      CGAL_precondition(a != b);
+      if (set[a].area > (1 + 1e-9) * set[b].area) // areas that are equal up to noise do not decide
+        std::swap(a, b);
+      sides.push_back({set[a], set[b]});
+      sets.join(a, b);
+      set[sets.representative(a)] = {0, set[a].size() + set[b].size(), set[a].leaf, i,
+                                     set[a].area + set[b].area};
+    }
+    std::vector<char> is_root(n, 0);
+    for (Index leaf : tree.leaf)
+      if (const Index root = sets.representative(leaf); !is_root[root]) {
+        is_root[root] = 1;
+        roots.push_back(set[root]);
+      }
+    set_ranges();
   }
 
-  Cut_hierarchy result;
-  result.is_monotonic = true;
-  result.has_all_cuts = d.has_all_cuts;
-  std::vector<std::size_t> node(area.size(), null_node); // one per representative
-  for (Index l : d.leaf) {
-    const Index set = sets.representative(l);
-    if (node[set] == null_node) {
-      node[set] = result.nodes.size();
-      result.nodes.emplace_back();
-      result.nodes.back().area = area[set];
+private:
+  void set_ranges()
+  {
+    std::vector<Index> first(sides.size()); // one per merge
+    const auto move_to = [&](Merged_set& set, Index i) {
+      set = {i, i + set.size(), set.leaf, set.merge, set.area};
+      (set.merge == null_index ? position[set.leaf] : first[set.merge]) = i;
+    };
+    Index next = 0;
+    for (Merged_set& root : roots) {
+      move_to(root, next);
+      next = root.end;
+    }
+    for (std::size_t i = sides.size(); i-- > 0;) {
+      move_to(sides[i][0], first[i]);
+      move_to(sides[i][1], sides[i][0].end);
     }
   }
-  result.number_of_roots = result.nodes.size();
-  for (std::size_t i = joins.size(); i-- > 0;) {
-    const auto& [a, b] = joins[i].sets; // one of them represented both from here on
-    const std::size_t parent = node[a] != null_node ? node[a] : node[b];
-    result.cut(parent, joins[i].areas[0], joins[i].areas[1]);
-    Cut_node& n = result.nodes[parent];
-    n.cut_state = Cut_state::CUT;
-    n.salience = d.merges[i].salience;
-    n.factors = d.merges[i].factors;
-    result.cut_order.push_back(parent);
-    node[a] = n.children[0];
-    node[b] = n.children[1];
+};
+
+// Returns the hierarchy of a tree.
+inline Cut_hierarchy hierarchy_of(const Merge_tree& tree)
+{
+  const Merged_sets sets(tree);
+  Cut_hierarchy result;
+  result.is_monotonic = tree.is_monotonic;
+  result.has_all_cuts = tree.has_all_cuts;
+  result.number_of_roots = sets.roots.size();
+  std::vector<std::size_t> node_of_leaf(tree.leaves.size()), node_of_cut(sets.sides.size());
+  const auto add_node = [&](const Merged_set& set, std::size_t node) {
+    (set.merge == null_index ? node_of_leaf[set.leaf] : node_of_cut[set.merge]) = node;
+  };
+  for (const Merged_set& root : sets.roots) {
+    add_node(root, result.nodes.size());
+    result.nodes.emplace_back();
+    result.nodes.back().area = root.area;
   }
-  for (Cut_node& n : result.nodes)
-    if (n.is_leaf())
-      n.cut_state = Cut_state::NO_CUT;
-  result.leaf.reserve(d.leaf.size());
-  for (Index l : d.leaf)
-    result.leaf.push_back(static_cast<Index>(node[l]));
+  std::vector<Index> decided; // leaves
+  for (Index i = 0; i < tree.leaves.size(); ++i)
+    if (tree.leaves[i].number_of_earlier_cuts != null_node)
+      decided.push_back(i);
+  std::stable_sort(decided.begin(), decided.end(), [&](Index a, Index b) {
+    return tree.leaves[a].number_of_earlier_cuts < tree.leaves[b].number_of_earlier_cuts;
+  });
+  auto next = decided.begin();
+  for (std::size_t number_of_cuts = 0;; ++number_of_cuts) {
+    for (; next != decided.end() && tree.leaves[*next].number_of_earlier_cuts <= number_of_cuts;
+         ++next)
+      result.cut_order.push_back(node_of_leaf[*next]);
+    if (number_of_cuts == tree.merges.size())
+      break;
+    const std::size_t i = tree.merges.size() - 1 - number_of_cuts, node = node_of_cut[i];
+    const auto& [a, b] = sets.sides[i];
+    result.cut(node, (std::min)(a.area, b.area), (std::max)(a.area, b.area));
+    Cut_node& n = result.nodes[node];
+    n.cut_state = Cut_state::CUT;
+    n.salience = tree.merges[i].salience;
+    n.factors = tree.merges[i].factors;
+    result.cut_order.push_back(node);
+    add_node(a, n.children[0]);
+    add_node(b, n.children[1]);
+  }
+  for (std::size_t i = 0; i < tree.leaves.size(); ++i) {
+    Cut_node& n = result.nodes[node_of_leaf[i]];
+    n.cut_state = tree.leaves[i].cut_state;
+    n.salience = tree.leaves[i].salience;
+    n.factors = tree.leaves[i].factors;
+  }
+  result.leaf.reserve(tree.leaf.size());
+  for (Index leaf : tree.leaf)
+    result.leaf.push_back(static_cast<Index>(node_of_leaf[leaf]));
   return result;
 }
 
-// Applies the cuts of a hierarchy from the top down: the part with the most salient cut comes next.
-// A cut that is more salient than the cut above it gets the salience of the latter.
-inline Cut_hierarchy applied_from_top_down(Cut_hierarchy cuts)
+// Numbers the leaves in the order in which the cuts make them. Later steps break ties by leaves.
+inline void number_leaves(Merge_tree& tree)
 {
-  typedef std::pair<double, std::size_t> Key; // minus the salience of a node's cut, and the node
-  std::set<Key> queue;
-  const auto enqueue = [&](std::size_t node) {
-    if (!cuts.nodes[node].is_leaf())
-      queue.insert({-quantized(cuts.nodes[node].salience), node});
+  const Merged_sets sets(tree);
+  std::vector<Index> number(tree.leaves.size());
+  std::vector<Leaf> leaves;
+  const auto add = [&](const Merged_set& set) {
+    if (set.merge != null_index)
+      return;
+    number[set.leaf] = static_cast<Index>(leaves.size());
+    leaves.push_back(tree.leaves[set.leaf]);
   };
-  for (std::size_t root = 0; root < cuts.number_of_roots; ++root)
-    enqueue(root);
-  cuts.cut_order.clear();
+  std::for_each(sets.roots.begin(), sets.roots.end(), add);
+  for (auto sides = sets.sides.rbegin(); sides != sets.sides.rend(); ++sides)
+    std::for_each(sides->begin(), sides->end(), add);
+  tree.leaves = std::move(leaves);
+  for (Index& leaf : tree.leaf)
+    leaf = number[leaf];
+  for (Merge& m : tree.merges)
+    for (Index& leaf : m.leaves)
+      leaf = number[leaf];
+}
+
+// Applies the cuts of a tree from the top down: the part with the most salient cut comes next. A
+// cut that is more salient than the cut above it gets the salience of the latter.
+inline void apply_from_top_down(Merge_tree& tree)
+{
+  // Minus the salience of a cut, a number that grows from cut to cut, and the merge.
+  typedef std::tuple<double, std::size_t, Index> Key;
+  const Merged_sets sets(tree);
+  std::set<Key> queue;
+  const auto enqueue = [&](const Merged_set& set, std::size_t number) {
+    if (set.merge != null_index)
+      queue.insert({-quantized(tree.merges[set.merge].salience), number, set.merge});
+  };
+  for (std::size_t i = 0; i < sets.roots.size(); ++i)
+    enqueue(sets.roots[i], i);
+  std::vector<Merge> cuts;
   double least = std::numeric_limits<double>::infinity();
   while (!queue.empty()) {
-    const std::size_t node = queue.begin()->second;
+    const Index i = std::get<2>(*queue.begin());
     queue.erase(queue.begin());
-    Cut_node& n = cuts.nodes[node];
-    n.salience = least = (std::min)(least, n.salience);
-    cuts.cut_order.push_back(node);
-    enqueue(n.children[0]);
-    enqueue(n.children[1]);
+    cuts.push_back(tree.merges[i]);
+    cuts.back().salience = least = (std::min)(least, tree.merges[i].salience);
+    for (std::size_t k = 0; k < 2; ++k)
+      enqueue(sets.sides[i][k], sets.roots.size() + 2 * (tree.merges.size() - i) + k);
   }
-  return hierarchy_of(dendrogram_of(cuts, ranges_of_leaves(cuts)));
+  tree.merges.assign(std::make_move_iterator(cuts.rbegin()), std::make_move_iterator(cuts.rend()));
+  tree.is_monotonic = true;
+  number_leaves(tree);
 }
 
 } // namespace CGAL::Spectral_segmentation::internal
 
-#endif // CGAL_SPECTRAL_SEGMENTATION_INTERNAL_SEARCH_DENDROGRAM_H
+#endif // CGAL_SPECTRAL_SEGMENTATION_INTERNAL_SEARCH_MERGE_TREE_H

@@ -6,7 +6,7 @@
 
 #include <CGAL/Spectral_segmentation/Options.h>
 #include <CGAL/Spectral_segmentation/internal/base/Run_monitor.h>
-#include <CGAL/Spectral_segmentation/internal/search/Cut_hierarchy.h>
+#include <CGAL/Spectral_segmentation/internal/search/Merge_tree.h>
 #include <CGAL/Spectral_segmentation/internal/search/best_cut.h>
 
 #include <algorithm>
@@ -69,19 +69,13 @@ struct Phase_times
   double time_after_reading() const { return coarsening + search + projection; }
 };
 
-// Returns a forest with a root for each component.
-inline Cut_hierarchy uncut_hierarchy(const Surface& mesh)
-{
-  return uncut_hierarchy(mesh.components.face_labels(mesh.number_of_faces()),
-                         component_areas(mesh, mesh.components));
-}
-
 // Cuts a mesh recursively in two (Section 2). Each connected component is a part from the start.
 class Recursion
 {
   struct Pending_part
   {
     Part part;
+    Index leaf = null_index;
     bool is_searched = false;
     std::optional<Cut> cut;
   };
@@ -94,16 +88,19 @@ class Recursion
   Run_monitor& monitor_;
   const Best_cut& best_cut_;
 
-  Cut_hierarchy hierarchy_;
+  const std::size_t number_of_roots_;
+  Merge_tree tree_;                   // its merges are in the order of the cuts
   std::vector<Pending_part> pending_; // one per node; without faces if the node is not pending
   std::set<Key> queue_;               // the pending parts
 
-  void add(std::size_t node, Surface graph, std::vector<Index> faces)
+  std::size_t number_of_segments() const { return tree_.leaves.size(); }
+
+  void add(Index leaf, Surface graph, std::vector<Index> faces)
   {
     for (Index f : faces)
-      hierarchy_.leaf[f] = static_cast<Index>(node);
-    pending_.resize(hierarchy_.nodes.size());
-    pending_[node].part = Part{std::move(graph), node, std::move(faces)};
+      tree_.leaf[f] = leaf;
+    const std::size_t node = pending_.size();
+    pending_.push_back({Part{std::move(graph), node, std::move(faces)}, leaf, false, {}});
   }
 
   void search(const std::vector<Pending_part*>& parts)
@@ -115,27 +112,33 @@ class Recursion
     });
   }
 
-  Pending_part take(std::size_t node)
+  Pending_part take_first()
   {
-    hierarchy_.cut_order.push_back(node);
+    const std::size_t node = queue_.begin()->second;
+    queue_.erase(queue_.begin());
     return std::exchange(pending_[node], Pending_part());
   }
 
-  // Replaces a part that has a cut by its two sides in the hierarchy and, unless this is the last
-  // cut, among the pending parts.
-  void cut(std::size_t node, Pending_part pending, bool is_last)
+  // Replaces a part that has a cut by its two sides: in the tree, where the larger side keeps the
+  // leaf, and, unless this is the last cut, among the pending parts.
+  void cut(Pending_part pending, bool is_last)
   {
     const Cut& cut = *pending.cut;
-    hierarchy_.cut(node, cut.area[0], cut.area[1]);
+    const std::size_t node = pending.part.node;
+    const Index leaves[2] = {static_cast<Index>(tree_.leaves.size()), pending.leaf};
+    tree_.leaves.push_back({0, Cut_state::NOT_SEARCHED});
+    tree_.merges.push_back({{leaves[0], leaves[1]}, cut.salience, cut.factors});
     std::vector<Index> faces[2];
     for (std::size_t i = 0; i < cut.side.size(); ++i)
       faces[int(cut.side[i])].push_back(pending.part.faces[i]);
     std::vector<Surface> sides(2);
     if (!is_last)
       sides = split(std::move(pending.part.graph), cut.side, 2);
-    for (int i = 0; i < 2; ++i)
-      add(hierarchy_.nodes[node].children[i], std::move(sides[i]), std::move(faces[i]));
-    monitor_.after_cut(node, cut.factors, cut.salience, hierarchy_.number_of_segments());
+    for (int i = 0; i < 2; ++i) {
+      tree_.leaves[leaves[i]].area = cut.area[i];
+      add(leaves[i], std::move(sides[i]), std::move(faces[i]));
+    }
+    monitor_.after_cut(node, cut.factors, cut.salience, number_of_segments());
   }
 
   void search_all()
@@ -150,8 +153,8 @@ class Recursion
         queue_.insert({-quantized(p->cut->salience), p->part.node});
   }
 
-  void enqueue_by_area(std::size_t node)
-  { queue_.insert({-hierarchy_.nodes[node].area, node}); }
+  void enqueue_by_area(const Pending_part& pending)
+  { queue_.insert({-tree_.leaves[pending.leaf].area, pending.part.node}); }
 
   // Searches the largest part and, if threads work in parallel, the next parts. All of these will
   // be needed, unless the maximum number of segments is reached before.
@@ -160,7 +163,7 @@ class Recursion
     if (pending_[queue_.begin()->second].is_searched)
       return;
     const std::size_t most = execution_ == Execution::SEQUENTIAL
-      ? 1 : maximum_number(options_) - hierarchy_.number_of_segments();
+      ? 1 : maximum_number(options_) - number_of_segments();
     std::vector<Pending_part*> parts;
     for (auto key = queue_.begin(); key != queue_.end() && parts.size() < most; ++key)
       if (!pending_[key->second].is_searched)
@@ -170,76 +173,76 @@ class Recursion
 
   void cut_largest()
   {
-    const std::size_t node = queue_.begin()->second;
-    queue_.erase(queue_.begin());
-    Pending_part pending = take(node);
-    Cut_node& n = hierarchy_.nodes[node];
-    if (!pending.cut) {
-      n.cut_state = Cut_state::NO_CUT;
+    Pending_part pending = take_first();
+    if (!pending.cut || pending.cut->salience < threshold(options_)) {
+      Leaf& leaf = tree_.leaves[pending.leaf];
+      leaf.cut_state = pending.cut ? Cut_state::REJECTED : Cut_state::NO_CUT;
+      leaf.number_of_earlier_cuts = tree_.merges.size();
+      if (pending.cut) {
+        leaf.salience = pending.cut->salience;
+        leaf.factors = pending.cut->factors;
+      }
       return;
     }
-    n.salience = pending.cut->salience;
-    n.factors = pending.cut->factors;
-    if (n.salience < threshold(options_)) {
-      n.cut_state = Cut_state::REJECTED;
-      return;
-    }
-    n.cut_state = Cut_state::CUT;
     const std::size_t maximum = maximum_number(options_);
-    const bool is_last = hierarchy_.number_of_segments() + 1 >= maximum;
-    cut(node, std::move(pending), is_last);
+    const bool is_last = number_of_segments() + 1 >= maximum;
+    cut(std::move(pending), is_last);
     if (!is_last)
-      for (std::size_t child : hierarchy_.nodes[node].children)
-        enqueue_by_area(child);
+      for (std::size_t child = pending_.size() - 2; child < pending_.size(); ++child)
+        enqueue_by_area(pending_[child]);
     if (maximum != unlimited)
-      monitor_.advance_to(static_cast<double>(hierarchy_.number_of_segments()) /
+      monitor_.advance_to(static_cast<double>(number_of_segments()) /
                           static_cast<double>(maximum));
+  }
+
+  Merge_tree result()
+  {
+    std::reverse(tree_.merges.begin(), tree_.merges.end());
+    return std::move(tree_);
   }
 
 public:
   Recursion(Execution execution, Surface mesh, const Best_cut& best_cut, const Options& options,
             Run_monitor& monitor)
-    : execution_(execution), options_(options), monitor_(monitor), best_cut_(best_cut)
+    : execution_(execution), options_(options), monitor_(monitor), best_cut_(best_cut),
+      number_of_roots_(mesh.components.number),
+      tree_(uncut_tree(mesh, Cut_state::NOT_SEARCHED))
   {
-    hierarchy_ = uncut_hierarchy(mesh);
-    const std::vector<Index> component = hierarchy_.leaf;
-    const std::size_t number = mesh.components.number;
-    std::vector<std::vector<Index> > faces(number);
+    const std::vector<Index> component = tree_.leaf;
+    std::vector<std::vector<Index> > faces(number_of_roots_);
     for (Index f = 0; f < component.size(); ++f)
       faces[component[f]].push_back(f);
-    std::vector<Surface> graphs = split(std::move(mesh), component, number);
-    for (std::size_t i = 0; i < number; ++i)
+    std::vector<Surface> graphs = split(std::move(mesh), component, number_of_roots_);
+    for (Index i = 0; i < number_of_roots_; ++i)
       add(i, std::move(graphs[i]), std::move(faces[i]));
   }
 
   // Cuts in the order of the paper, the largest part next, until no part has a salient cut or the
   // maximum number of segments is reached.
-  Cut_hierarchy by_area()
+  Merge_tree by_area()
   {
     try {
-      for (std::size_t root = 0; root < hierarchy_.number_of_roots; ++root)
+      for (const Pending_part& root : pending_)
         enqueue_by_area(root);
-      while (!queue_.empty() &&
-             hierarchy_.number_of_segments() < maximum_number(options_)) {
+      while (!queue_.empty() && number_of_segments() < maximum_number(options_)) {
         search_largest();
         cut_largest();
       }
     }
     catch (const Run_stopped&) {
-      // The hierarchy holds the cuts that were made.
+      // The tree has the cuts that were made.
     }
-    return std::move(hierarchy_);
+    return result();
   }
 
   // Makes an over-segmentation. It cuts the part with the most salient cut next, until there are
   // `number_of_regions()` regions, and one more for each further component.
-  Cut_hierarchy by_salience()
+  Merge_tree by_salience()
   {
     const std::size_t least = number_of_regions(options_);
-    const std::size_t roots = hierarchy_.number_of_roots;
-    const std::size_t further = roots == 0 ? 0 : roots - 1;
+    const std::size_t further = number_of_roots_ == 0 ? 0 : number_of_roots_ - 1;
     const auto has_enough = [&] {
-      const std::size_t regions = hierarchy_.number_of_segments();
+      const std::size_t regions = number_of_segments();
       return regions - further >= options_.number_of_regions && regions >= least;
     };
     try {
@@ -247,18 +250,15 @@ public:
         search_all();
         if (queue_.empty())
           break;
-        const std::size_t node = queue_.begin()->second;
-        queue_.erase(queue_.begin());
-        Pending_part pending = take(node);
-        cut(node, std::move(pending), false);
-        monitor_.advance_to(static_cast<double>(hierarchy_.number_of_segments() - further) /
+        cut(take_first(), false);
+        monitor_.advance_to(static_cast<double>(number_of_segments() - further) /
                             static_cast<double>(least));
       }
     }
     catch (const Run_stopped&) {
       // The regions result from the cuts that were made.
     }
-    return std::move(hierarchy_);
+    return result();
   }
 };
 

@@ -7,12 +7,13 @@
 #include <CGAL/Spectral_segmentation/Options.h>
 #include <CGAL/Spectral_segmentation/internal/base/Run_monitor.h>
 #include <CGAL/Spectral_segmentation/internal/salience/Cut_evaluator.h>
-#include <CGAL/Spectral_segmentation/internal/search/Dendrogram.h>
+#include <CGAL/Spectral_segmentation/internal/search/Merge_tree.h>
 
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
 #include <iterator>
+#include <map>
 #include <numeric>
 #include <set>
 #include <tuple>
@@ -183,31 +184,26 @@ public:
       part_salience_(in_merging(part_salience)), salience_of_cuts_(part_salience),
       monitor_(monitor) {}
 
-  // Returns the hierarchy of all merges. Its leaves are `regions`, the leaves of an
-  // over-segmentation.
-  Cut_hierarchy operator()(const Cut_hierarchy& regions)
+  // Returns the tree of all merges. Its leaves are the regions of an over-segmentation, numbered by
+  // their first faces. `region` holds one region per face.
+  Merge_tree operator()(const std::vector<Index>& region)
   {
-    // Regions are numbered by their first faces.
-    std::vector<Index> number(regions.nodes.size(), null_index);
-    Dendrogram result;
+    std::map<Index, Index> number;
+    Merge_tree result;
     for (Index f = 0; f < mesh_.number_of_faces(); ++f) {
-      Index& region = number[regions.leaf[f]];
-      if (region == null_index) {
-        region = static_cast<Index>(faces_.size());
+      const auto [entry, is_new] = number.emplace(region[f], static_cast<Index>(faces_.size()));
+      if (is_new)
         faces_.emplace_back();
-        result.areas.push_back(0);
-      }
-      region_.push_back(region);
-      faces_[region].push_back(f);
-      result.areas[region] += mesh_.areas[f];
+      region_.push_back(entry->second);
+      faces_[entry->second].push_back(f);
     }
     result.leaf = region_;
+    result.leaves.resize(faces_.size());
+    set_areas_of_leaves(result, mesh_);
     result.merges = merge_all();
     for (Merge& m : result.merges)
       m.salience = salience_of(salience_of_cuts_, m.factors);
-    Cut_hierarchy hierarchy = hierarchy_of(result);
-    hierarchy.is_monotonic = false;
-    return hierarchy;
+    return result;
   }
 };
 

@@ -5,8 +5,7 @@
 #define CGAL_SPECTRAL_SEGMENTATION_INTERNAL_TREE_COMPONENT_MERGING_H
 
 #include <CGAL/Spectral_segmentation/internal/base/Run_monitor.h>
-#include <CGAL/Spectral_segmentation/internal/search/Cut_hierarchy.h>
-#include <CGAL/Spectral_segmentation/internal/search/Dendrogram.h>
+#include <CGAL/Spectral_segmentation/internal/search/Merge_tree.h>
 #include <CGAL/Spectral_segmentation/internal/surface/model_components.h>
 #include <CGAL/Spectral_segmentation/internal/surface/set_contacts.h>
 #include <CGAL/Spectral_segmentation/internal/weights/Face_features.h>
@@ -16,7 +15,6 @@
 #include <cstddef>
 #include <limits>
 #include <map>
-#include <numeric>
 #include <set>
 #include <tuple>
 #include <utility>
@@ -89,7 +87,7 @@ class Component_merging
   const Surface& mesh_;
   const Component_fractions& fractions_;
   Run_monitor& monitor_;
-  Dendrogram result_;
+  Merge_tree result_;
   std::vector<Index> component_of_leaf_;
   Set_features features_; // one set per component
   double feature_weight_;
@@ -219,55 +217,58 @@ class Component_merging
   }
 
 public:
-  // Takes the merges that make each component one set, the mesh, whose faces have areas, the
+  // Takes the tree that makes each component one set, the mesh, whose faces have areas, the
   // fractions of its area that the components have, and their features.
-  Component_merging(Dendrogram merges, const Surface& mesh, const Component_fractions& fractions,
+  Component_merging(Merge_tree tree, const Surface& mesh, const Component_fractions& fractions,
                     Set_features features, double feature_weight, Run_monitor& monitor)
-    : mesh_(mesh), fractions_(fractions), monitor_(monitor), result_(std::move(merges)),
-      component_of_leaf_(result_.areas.size()), features_(std::move(features)),
+    : mesh_(mesh), fractions_(fractions), monitor_(monitor), result_(std::move(tree)),
+      component_of_leaf_(result_.leaves.size()), features_(std::move(features)),
       feature_weight_(feature_weight)
   {
     for (Index f = 0; f < mesh.number_of_faces(); ++f)
       component_of_leaf_[result_.leaf[f]] = mesh.components[f];
   }
 
-  // Returns the hierarchy of the entire mesh.
-  Cut_hierarchy operator()()
+  // Returns the tree of the entire mesh.
+  Merge_tree operator()()
   {
     const std::size_t number_of_cuts = result_.merges.size();
     if (fractions_.fraction.size() > 1)
       add_merges(neighbors());
     lower_cuts(number_of_cuts);
-    sort_merges(result_.merges);
-    return hierarchy_of(result_);
+    std::stable_sort(result_.merges.begin(), result_.merges.end(),
+                     [](const Merge& a, const Merge& b) { return a.salience < b.salience; });
+    number_leaves(result_);
+    result_.is_monotonic = true;
+    return std::move(result_);
   }
 };
 
-// Makes the faces of walls in each node of a hierarchy connected, from the roots on. Pieces that
-// are disconnected from their side of a cut go to the other side.
+// Makes the faces of walls in each set of a tree connected, from the roots on. Pieces that are
+// disconnected from their side of a cut go to the other side.
 class Wall_labels
 {
   typedef std::vector<Index> Faces;
+  typedef const Merged_set* Node;
 
   const Surface& walls_;           // each component is a wall
-  const Cut_hierarchy& cuts_;      // the cuts of the outer walls
-  const Nested_ranges leaves_;     // the leaves of each node
+  const Merged_sets sets_;         // the sets of the outer walls
   Faces& leaf_;                    // one per face
-  std::vector<std::size_t> node_;  // one per face: a child of the current node
-  std::vector<std::pair<std::size_t, Faces> > connected_; // faces to divide further, and their node
+  std::vector<Node> node_;         // one per face: a side of the current cut
+  std::vector<std::pair<Node, Faces> > connected_; // faces to divide further, and their node
 
   // Returns the connected pieces of the faces of a node.
-  std::vector<Faces> pieces(const Faces& faces, std::size_t node)
+  std::vector<Faces> pieces(const Faces& faces, Node node)
   {
     std::vector<Faces> result;
     for (Index first : faces)
       if (node_[first] == node) {
         Faces piece(1, first);
-        node_[first] = null_node;
+        node_[first] = nullptr;
         for (std::size_t i = 0; i < piece.size(); ++i)
           for (Index h = 3 * piece[i]; h < 3 * piece[i] + 3; ++h)
             if (const Index g = walls_.neighbor(h); node_[g] == node) {
-              node_[g] = null_node;
+              node_[g] = nullptr;
               piece.push_back(g);
             }
         result.push_back(std::move(piece));
@@ -289,11 +290,11 @@ class Wall_labels
   // Moves a piece to the face of another node beside which it has the longest boundary.
   void move(const Faces& piece)
   {
-    const std::size_t node = node_[piece.front()];
+    const Node node = node_[piece.front()];
     std::map<Index, std::pair<double, Index> > boundary; // its length, and a face, for each leaf
     for (Index f : piece)
       for (Index h = 3 * f; h < 3 * f + 3; ++h)
-        if (const Index g = walls_.neighbor(h); node_[g] != node && node_[g] != null_node) {
+        if (const Index g = walls_.neighbor(h); node_[g] != node && node_[g] != nullptr) {
           boundary[leaf_[g]].first += walls_.length(h);
           boundary[leaf_[g]].second = g;
         }
@@ -307,13 +308,13 @@ class Wall_labels
   }
 
   // Divides connected faces among nodes. Moves all pieces of a node except the largest.
-  void divide(const Faces& faces, const std::vector<std::size_t>& nodes)
+  void divide(const Faces& faces, const std::vector<Node>& nodes)
   {
-    for (std::size_t node : nodes)
+    for (Node node : nodes)
       for (Index f : faces)
-        if (leaves_.first(leaf_[f]) - leaves_.first(node) < leaves_.size(node))
+        if (sets_.position[leaf_[f]] - node->first < node->size()) // wraps around if it is less
           node_[f] = node;
-    for (std::size_t node : nodes) {
+    for (Node node : nodes) {
       const std::vector<Faces> all = pieces(faces, node);
       const auto largest = std::max_element(all.begin(), all.end(),
         [&](const Faces& a, const Faces& b) { return area(a) < area(b); });
@@ -321,33 +322,33 @@ class Wall_labels
         if (piece != largest)
           move(*piece);
     }
-    for (std::size_t node : nodes)
+    for (Node node : nodes)
       if (std::vector<Faces> all = pieces(faces, node); !all.empty())
         connected_.emplace_back(node, std::move(all.front()));
     for (Index f : faces)
-      node_[f] = null_node;
+      node_[f] = nullptr;
   }
 
 public:
   // Takes the leaf of the nearest face of an outer wall for each face, which it changes.
-  Wall_labels(const Surface& walls, const Cut_hierarchy& cuts, std::vector<Index>& leaf)
-    : walls_(walls), cuts_(cuts), leaves_(ranges_of_leaves(cuts)), leaf_(leaf),
-      node_(leaf.size(), null_node) {}
+  Wall_labels(const Surface& walls, const Merge_tree& tree, std::vector<Index>& leaf)
+    : walls_(walls), sets_(tree), leaf_(leaf), node_(leaf.size(), nullptr) {}
 
   void operator()()
   {
     std::vector<Faces> walls(walls_.components.number);
     for (Index f = 0; f < leaf_.size(); ++f)
       walls[walls_.components[f]].push_back(f);
-    std::vector<std::size_t> roots(cuts_.number_of_roots);
-    std::iota(roots.begin(), roots.end(), std::size_t(0));
+    std::vector<Node> roots;
+    for (const Merged_set& root : sets_.roots)
+      roots.push_back(&root);
     for (const Faces& wall : walls)
       divide(wall, roots);
     while (!connected_.empty()) {
       const auto [node, faces] = std::move(connected_.back());
       connected_.pop_back();
-      if (!cuts_.nodes[node].is_leaf())
-        divide(faces, {cuts_.nodes[node].children[0], cuts_.nodes[node].children[1]});
+      if (node->merge != null_index)
+        divide(faces, {&sets_.sides[node->merge][0], &sets_.sides[node->merge][1]});
     }
   }
 };

@@ -5,7 +5,7 @@
 #define CGAL_SPECTRAL_SEGMENTATION_INTERNAL_TREE_CONSTRAINED_MERGING_H
 
 #include <CGAL/Spectral_segmentation/internal/base/Run_monitor.h>
-#include <CGAL/Spectral_segmentation/internal/search/Dendrogram.h>
+#include <CGAL/Spectral_segmentation/internal/search/Merge_tree.h>
 #include <CGAL/Spectral_segmentation/internal/surface/Moments.h>
 #include <CGAL/Spectral_segmentation/internal/tree/Constraint_groups.h>
 
@@ -18,11 +18,11 @@
 
 namespace CGAL::Spectral_segmentation::internal {
 
-// Makes a hierarchy whose nodes satisfy the constraints from one whose nodes do not.
+// Makes a tree that satisfies the constraints from one that does not.
 //
 // First it cuts leaves into regions until no region, and no regions that a set of groups joins,
 // hold separated sets. Then it merges the regions of each set. Then it undoes the cuts of the
-// hierarchy, the least salient first: if a region on one side of a cut can be merged with a region
+// tree, the least salient first: if a region on one side of a cut can be merged with a region
 // on the other side, they are merged with the salience of the cut. The regions that remain at the
 // end are the roots.
 class Constrained_merging
@@ -37,7 +37,7 @@ class Constrained_merging
   const Constraint_groups& groups_;
   const double minimum_area_;
   Run_monitor& monitor_;
-  const Cut_hierarchy& cuts_;
+  const Merge_tree& tree_;
 
   std::vector<Index> region_;         // one per face
   std::vector<Index> leaf_of_region_;
@@ -46,16 +46,17 @@ class Constrained_merging
   Separated_sets regions_;
   std::vector<double> areas_;
   std::vector<std::map<Index, double> > lengths_; // the boundary with each neighbor
-  Dendrogram result_;                             // its leaves are regions
+  Merge_tree result_;                             // its leaves are regions
+  std::vector<Index> leaf_;                       // one per region that is not merged
 
   // Divides leaves into connected regions between forced boundaries.
   void split_at_seams()
   {
-    std::vector<char> is_cut(cuts_.nodes.size(), 0);
+    std::vector<char> is_cut(tree_.leaves.size(), 0);
     for (Index f : groups_.faces)
       for (Index h = 3 * f; h < 3 * f + 3; ++h)
-        if (groups_.is_seam[h] && cuts_.leaf[f] == cuts_.leaf[mesh_.neighbor(h)])
-          is_cut[cuts_.leaf[f]] = 1;
+        if (groups_.is_seam[h] && tree_.leaf[f] == tree_.leaf[mesh_.neighbor(h)])
+          is_cut[tree_.leaf[f]] = 1;
     Face_components pieces(region_.size());
     for (Index f = 0; f < region_.size(); ++f)
       if (is_cut[region_[f]])
@@ -67,11 +68,11 @@ class Constrained_merging
             pieces.join(f, mesh_.neighbor(h));
     std::map<Index, Index> region_of_piece;
     for (Index f = 0; f < region_.size(); ++f)
-      if (is_cut[cuts_.leaf[f]]) {
+      if (is_cut[tree_.leaf[f]]) {
         const auto [piece, is_new] = region_of_piece.emplace(
           pieces.representative(f), static_cast<Index>(leaf_of_region_.size()));
         if (is_new)
-          leaf_of_region_.push_back(cuts_.leaf[f]);
+          leaf_of_region_.push_back(tree_.leaf[f]);
         region_[f] = piece->second;
       }
   }
@@ -241,6 +242,24 @@ class Constrained_merging
     return result;
   }
 
+  // Makes the remaining regions the leaves of the result.
+  void set_leaves()
+  {
+    leaf_.assign(leaf_of_region_.size(), null_index);
+    std::vector<char> has_face(leaf_.size(), 0);
+    for (Index& r : region_) {
+      r = regions_.representative(r);
+      has_face[r] = 1;
+    }
+    for (Index r = 0; r < leaf_.size(); ++r)
+      if (has_face[r]) {
+        leaf_[r] = static_cast<Index>(result_.leaves.size());
+        result_.leaves.push_back({areas_[r]});
+      }
+    for (Index r : region_)
+      result_.leaf.push_back(leaf_[r]);
+  }
+
   // Merges regions by `merge(a, b)` until no two that touch can be merged, first along the longest
   // boundary.
   template <class Merge>
@@ -261,7 +280,7 @@ class Constrained_merging
 
   // Merges the regions on the two sides of a cut if each side has one region, otherwise adjacent
   // regions. All regions of different components count as adjacent. Returns the remaining regions.
-  std::set<Index> undo(const Cut_node& cut, const std::vector<Index>& component,
+  std::set<Index> undo(const Merge& cut, const std::vector<Index>& component,
                        const std::set<Index>& one, const std::set<Index>& other)
   {
     const std::set<Index> first = representatives(one), second = representatives(other);
@@ -274,7 +293,7 @@ class Constrained_merging
     std::set<Index> all = first;
     all.insert(second.begin(), second.end());
     merge_all(all, [&](Index a, Index b) {
-      result_.merges.push_back({{a, b}, cut.salience, cut.factors});
+      result_.merges.push_back({{leaf_[a], leaf_[b]}, cut.salience, cut.factors});
       merge_regions(a, b);
     });
     return all;
@@ -283,15 +302,15 @@ class Constrained_merging
 public:
   // Takes cuts whose leaves, like the groups of each set, are connected in each component.
   Constrained_merging(const Surface& mesh, const Constraint_groups& groups,
-                      double minimum_segment_size, const Cut_hierarchy& cuts, Run_monitor& monitor)
+                      double minimum_segment_size, const Merge_tree& tree, Run_monitor& monitor)
     : mesh_(mesh), groups_(groups), minimum_area_(minimum_segment_size * total_area(mesh)),
-      monitor_(monitor), cuts_(cuts), region_(cuts.leaf)
+      monitor_(monitor), tree_(tree), region_(tree.leaf)
   {
-    for (Index i = 0; i < cuts.nodes.size(); ++i)
+    for (Index i = 0; i < tree.leaves.size(); ++i)
       leaf_of_region_.push_back(i);
   }
 
-  Cut_hierarchy operator()()
+  Merge_tree operator()()
   {
     split_at_seams();
     for (Conflict c = find_conflict(); c.region != null_index; c = find_conflict()) {
@@ -301,7 +320,7 @@ public:
     set_regions();
     merge_small_regions();
     std::vector<Index> component(leaf_of_region_.size(), null_index); // one per region
-    std::vector<std::set<Index> > below(cuts_.nodes.size()); // the regions below each node
+    std::vector<std::set<Index> > below(tree_.leaves.size()); // the regions in each set of leaves
     for (Index f = 0; f < region_.size(); ++f)
       if (Index& entry = component[region_[f]]; entry == null_index) {
         entry = mesh_.components[f];
@@ -309,15 +328,15 @@ public:
       }
     for (std::set<Index>& regions : below)
       merge_all(regions, [this](Index a, Index b) { merge_regions(a, b); });
-    for (Index r : region_)
-      result_.leaf.push_back(regions_.representative(r));
-    result_.areas = areas_;
-    for (std::size_t i = cuts_.cut_order.size(); i-- > 0;)
-      if (const Cut_node& n = cuts_.nodes[cuts_.cut_order[i]]; !n.is_leaf())
-        below[cuts_.cut_order[i]] =
-          undo(n, component, below[n.children[0]], below[n.children[1]]);
-    result_.has_all_cuts = cuts_.has_all_cuts;
-    return hierarchy_of(result_);
+    set_leaves();
+    const Merged_sets sets(tree_);
+    for (std::size_t i = 0; i < tree_.merges.size(); ++i) {
+      const Index a = sets.sides[i][0].leaf, b = sets.sides[i][1].leaf;
+      below[a] = undo(tree_.merges[i], component, below[a], below[b]);
+    }
+    result_.is_monotonic = true;
+    result_.has_all_cuts = tree_.has_all_cuts;
+    return std::move(result_);
   }
 };
 

@@ -16,6 +16,7 @@
 #include <cstddef>
 #include <limits>
 #include <map>
+#include <numeric>
 #include <optional>
 #include <utility>
 #include <vector>
@@ -35,7 +36,7 @@ class Forced_cuts
   const Surface& coarse_;
   const Constraint_groups& groups_;
   Run_monitor& monitor_;
-  Cut_hierarchy& cuts_; // the cuts of the search surface
+  Merge_tree& tree_; // the cuts of the search surface
   Leaf_cutter cutter_;
 
   std::vector<Index> seams_;       // the halfedges at forced boundaries
@@ -226,10 +227,11 @@ class Forced_cuts
     return sides_of(growth, size_of_best);
   }
 
-  // Separates two classes in a leaf. Faces on the wrong side lose their class.
-  void cut(std::size_t leaf, Index a, Index b)
+  // Separates two classes in a leaf. Faces on the wrong side lose their class. Returns the new
+  // leaf; null_index if there is no cut.
+  Index cut(Index leaf, Index a, Index b)
   {
-    const std::vector<Index> faces = cutter_.faces(leaf);
+    const std::vector<Index>& faces = cutter_.faces(leaf);
     std::vector<Index> label;
     for (Index f : faces)
       label.push_back(label_[f]);
@@ -238,16 +240,15 @@ class Forced_cuts
     for (std::size_t i = 0; i < faces.size(); ++i)
       if (label[i] == (!side || (*side)[i] == 0 ? b : a))
         label_[faces[i]] = null_index;
-    if (side)
-      cutter_.cut(leaf, *std::move(side));
+    return side ? cutter_.cut(leaf, *std::move(side)) : null_index;
   }
 
 public:
   // Takes the mesh and the search surface, which has weights, and the cuts of the latter.
   Forced_cuts(const Surface& mesh, const std::vector<Index>& vertex, const Surface& coarse,
-              const Constraint_groups& groups, Cut_hierarchy& cuts, Run_monitor& monitor)
+              const Constraint_groups& groups, Merge_tree& tree, Run_monitor& monitor)
     : mesh_(mesh), vertex_(vertex), coarse_(coarse), groups_(groups), monitor_(monitor),
-      cuts_(cuts), cutter_(coarse, cuts), halfedges_from_(coarse.points.size())
+      tree_(tree), cutter_(coarse, tree), halfedges_from_(coarse.points.size())
   {
     for (Index h = 0; h < coarse.number_of_halfedges(); ++h)
       halfedges_from_[coarse.source_vertex(h)].push_back(h);
@@ -260,14 +261,20 @@ public:
 
   void operator()()
   {
-    for (std::size_t i = 0; i < cuts_.nodes.size(); ++i) // there will be more
-      while (cuts_.nodes[i].is_leaf()) {
-        const auto [a, b] = find_conflict(cutter_.faces(i));
+    std::vector<Index> leaves(tree_.leaves.size());
+    std::iota(leaves.begin(), leaves.end(), Index(0));
+    for (std::size_t i = 0; i < leaves.size(); ++i) // there will be more
+      for (;;) {
+        const auto [a, b] = find_conflict(cutter_.faces(leaves[i]));
         if (a == null_index)
           break;
         monitor_.go_further(); // may throw
-        cut(i, a, b);
+        if (const Index other = cut(leaves[i], a, b); other != null_index) {
+          leaves.insert(leaves.end(), {other, leaves[i]});
+          break;
+        }
       }
+    cutter_.finish();
   }
 
   // Returns the leaf to which most faces of each group belong. A single face that is at no forced
@@ -291,7 +298,7 @@ public:
             g = k / 3;
       for (Index i = 0; g == null_index; ++i) // no coarse face is near
         g = coarse_.components[i] == mesh_.components[f] ? i : g;
-      ++votes[{groups_.group[f], cuts_.leaf[g]}];
+      ++votes[{groups_.group[f], tree_.leaf[g]}];
     }
     return most_votes(votes, size.size());
   }

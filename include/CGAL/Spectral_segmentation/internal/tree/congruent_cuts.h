@@ -4,8 +4,7 @@
 #ifndef CGAL_SPECTRAL_SEGMENTATION_INTERNAL_TREE_CONGRUENT_CUTS_H
 #define CGAL_SPECTRAL_SEGMENTATION_INTERNAL_TREE_CONGRUENT_CUTS_H
 
-#include <CGAL/Spectral_segmentation/internal/search/Cut_hierarchy.h>
-#include <CGAL/Spectral_segmentation/internal/search/Dendrogram.h>
+#include <CGAL/Spectral_segmentation/internal/search/Merge_tree.h>
 #include <CGAL/Spectral_segmentation/internal/surface/Moments.h>
 
 #include <algorithm>
@@ -35,20 +34,26 @@ inline double difference(const Cut_shape& a, const Cut_shape& b)
 // of the Princeton benchmark are cut differently, and with 0.1 three. From 0.15 on errors grow.
 constexpr double difference_of_congruent_cuts = 0.1;
 
-// Returns the shapes of the cuts in their order.
-inline std::vector<Cut_shape> cut_shapes(const Surface& mesh, const Cut_hierarchy& cuts)
+// Returns the shape of the cut that each merge is in reverse.
+inline std::vector<Cut_shape> cut_shapes(const Surface& mesh, const Merge_tree& tree)
 {
   const double least_length = 1e-4 * std::sqrt(total_area(mesh));
-  const Nested_ranges faces(cuts, cuts.leaf);
+  const Merged_sets sets(tree);
+  std::vector<Packed_graph::Ends> ends; // the position of the leaf of each face, and the face
+  for (Index f = 0; f < tree.leaf.size(); ++f)
+    ends.emplace_back(sets.position[tree.leaf[f]], f);
+  std::vector<Index> unused;
+  const Packed_graph faces(tree.leaves.size(), ends, unused);
   std::vector<std::size_t> cut_with_larger_side(mesh.number_of_faces(), null_node);
   std::vector<Cut_shape> result;
-  for (std::size_t cut : cuts.cut_order) {
-    const std::size_t (&sides)[2] = cuts.nodes[cut].children;
-    for (Index f : faces[sides[1]])
-      cut_with_larger_side[f] = cut;
+  for (std::size_t cut = 0; cut < tree.merges.size(); ++cut) {
+    const auto& [smaller, larger] = sets.sides[cut];
+    for (Index i = faces.first_arc[larger.first]; i < faces.first_arc[larger.end]; ++i)
+      cut_with_larger_side[faces.targets[i]] = cut;
     double length = 0;
     Moments moments;
-    for (Index f : faces[sides[0]]) {
+    for (Index i = faces.first_arc[smaller.first]; i < faces.first_arc[smaller.end]; ++i) {
+      const Index f = faces.targets[i];
       moments.add(mesh, f);
       for (Index h = 3 * f; h < 3 * f + 3; ++h)
         if (cut_with_larger_side[mesh.neighbor(h)] == cut)
@@ -66,26 +71,25 @@ inline std::vector<Cut_shape> cut_shapes(const Surface& mesh, const Cut_hierarch
 
 // Applies the cuts from the top down. Congruent cuts, such as the cuts of the legs of a horse, get
 // the mean of their saliences, which cuts above them may limit.
-inline Cut_hierarchy with_common_saliences(const Surface& mesh, Cut_hierarchy cuts)
+inline void average_saliences(const Surface& mesh, Merge_tree& tree)
 {
-  cuts = applied_from_top_down(std::move(cuts));
-  const std::vector<Cut_shape> shapes = cut_shapes(mesh, cuts);
+  apply_from_top_down(tree);
+  const std::vector<Cut_shape> shapes = cut_shapes(mesh, tree);
   std::vector<std::size_t> all(shapes.size());
-  std::iota(all.begin(), all.end(), std::size_t(0));
+  std::iota(all.rbegin(), all.rend(), std::size_t(0));
   for (const std::vector<std::size_t>& congruent : first_fit_classes(all,
          [&](std::size_t i, std::size_t j)
          { return difference(shapes[i], shapes[j]) <= difference_of_congruent_cuts; })) {
-    const auto salience = [&](std::size_t i) -> double&
-      { return cuts.nodes[cuts.cut_order[i]].salience; };
-    const double largest = salience(congruent.front()), least = salience(congruent.back());
+    const double largest = tree.merges[congruent.front()].salience,
+                 least = tree.merges[congruent.back()].salience;
     double mean = 0; // NaN if saliences are infinite with both signs
     for (std::size_t i : congruent)
-      mean += salience(i) / static_cast<double>(congruent.size());
+      mean += tree.merges[i].salience / static_cast<double>(congruent.size());
     mean = mean > least ? (std::min)(mean, largest) : least;
     for (std::size_t i : congruent)
-      salience(i) = mean;
+      tree.merges[i].salience = mean;
   }
-  return applied_from_top_down(std::move(cuts));
+  apply_from_top_down(tree);
 }
 
 } // namespace CGAL::Spectral_segmentation::internal

@@ -5,7 +5,7 @@
 #define CGAL_SPECTRAL_SEGMENTATION_INTERNAL_TREE_FURTHER_CUTS_H
 
 #include <CGAL/Spectral_segmentation/internal/salience/Boundary_statistics.h>
-#include <CGAL/Spectral_segmentation/internal/search/Cut_hierarchy.h>
+#include <CGAL/Spectral_segmentation/internal/search/Merge_tree.h>
 
 #include <algorithm>
 #include <cstddef>
@@ -16,61 +16,69 @@
 
 namespace CGAL::Spectral_segmentation::internal {
 
-// Cuts leaves of a hierarchy further. The new cuts are no more salient than any other cut.
+// Cuts leaves of a tree further. The new cuts are no more salient than any other cut.
 class Leaf_cutter
 {
   const Surface& mesh_;
-  Cut_hierarchy& cuts_;
-  Nested_ranges faces_; // the faces of each node
+  Merge_tree& tree_;
+  std::vector<std::vector<Index> > faces_; // one list per leaf, ascending
   double salience_ = 0;
+  std::vector<Merge> cuts_; // in their order
 
 public:
-  Leaf_cutter(const Surface& mesh, Cut_hierarchy& cuts)
-    : mesh_(mesh), cuts_(cuts), faces_(cuts, cuts.leaf)
+  Leaf_cutter(const Surface& mesh, Merge_tree& tree)
+    : mesh_(mesh), tree_(tree), faces_(tree.leaves.size())
   {
-    for (const Cut_node& n : cuts.nodes)
-      if (!n.is_leaf())
-        salience_ = (std::min)(salience_, n.salience);
+    for (Index f = 0; f < tree.leaf.size(); ++f)
+      faces_[tree.leaf[f]].push_back(f);
+    for (const Merge& m : tree.merges)
+      salience_ = (std::min)(salience_, m.salience);
   }
 
-  std::vector<Index> faces(std::size_t leaf) const
-  { return std::vector<Index>(faces_[leaf].begin(), faces_[leaf].end()); }
+  const std::vector<Index>& faces(Index leaf) const { return faces_[leaf]; }
 
-  std::size_t number_of_faces(std::size_t leaf) const { return faces_.size(leaf); }
-  Index first_face(std::size_t leaf) const { return *faces_[leaf].begin(); }
-
-  // Cuts a leaf, whose faces have these sides.
-  void cut(std::size_t leaf, Sides side)
+  // Cuts a leaf, whose faces have these sides. The larger side keeps the leaf. Returns the leaf of
+  // the smaller side.
+  Index cut(Index leaf, Sides side)
   {
     double area[2] = {0, 0};
-    std::size_t i = 0;
-    for (Index f : faces_[leaf])
-      area[0] += side[i++] == 0 ? mesh_.areas[f] : 0;
-    area[1] = (std::max)(cuts_.nodes[leaf].area - area[0], 0.);
+    const std::vector<Index> faces = std::move(faces_[leaf]);
+    for (std::size_t i = 0; i < faces.size(); ++i)
+      area[0] += side[i] == 0 ? mesh_.areas[faces[i]] : 0;
+    area[1] = (std::max)(tree_.leaves[leaf].area - area[0], 0.);
     normalize_sides(side, area);
-    cuts_.cut(leaf, area[0], area[1]);
-    faces_.cut(leaf, side);
-    Cut_node& n = cuts_.nodes[leaf];
-    n.cut_state = Cut_state::CUT;
-    n.salience = salience_;
-    cuts_.cut_order.push_back(leaf);
-    for (std::size_t child : n.children) {
-      cuts_.nodes[child].cut_state = Cut_state::NO_CUT;
-      for (Index f : faces_[child])
-        cuts_.leaf[f] = static_cast<Index>(child);
+    const Index leaves[2] = {static_cast<Index>(tree_.leaves.size()), leaf};
+    tree_.leaves.emplace_back();
+    faces_.emplace_back();
+    cuts_.push_back({{leaves[0], leaves[1]}, salience_, {}});
+    for (int i = 0; i < 2; ++i) {
+      tree_.leaves[leaves[i]] = {area[i]};
+      faces_[leaves[i]].clear();
     }
+    for (std::size_t i = 0; i < faces.size(); ++i) {
+      faces_[leaves[int(side[i])]].push_back(faces[i]);
+      tree_.leaf[faces[i]] = leaves[int(side[i])];
+    }
+    return leaves[0];
+  }
+
+  // Adds the cuts to the tree, once all are made.
+  void finish()
+  {
+    tree_.merges.insert(tree_.merges.begin(), cuts_.rbegin(), cuts_.rend());
+    number_leaves(tree_);
   }
 };
 
-// Cuts leaves of a hierarchy further, if the search found fewer cuts than were asked for. It cuts
+// Cuts leaves of a tree further, if the search found fewer cuts than were asked for. It cuts
 // the largest leaf in two, between its components if it has several, otherwise in halves of about
 // the same area. Groups of faces, each connected and in one leaf, are not cut.
 class Further_cuts
 {
-  typedef std::pair<double, std::size_t> Key; // the area and the node of a leaf
+  typedef std::pair<double, Index> Key; // the area of a leaf, and the leaf
 
   const Surface& mesh_;
-  Cut_hierarchy& cuts_;
+  Merge_tree& tree_;
   Leaf_cutter cutter_;
   std::vector<char> is_in_leaf_; // one per face: in the current leaf, but not reached yet
   std::priority_queue<Key> queue_;
@@ -85,12 +93,12 @@ class Further_cuts
         visit(f);
   }
 
-  void enqueue(std::size_t leaf)
+  void enqueue(Index leaf)
   {
     std::size_t size_of_group = 0;
-    for_each_in_group(cutter_.first_face(leaf), [&](Index) { ++size_of_group; });
-    if (cutter_.number_of_faces(leaf) > size_of_group)
-      queue_.push({quantized(cuts_.nodes[leaf].area), leaf});
+    for_each_in_group(cutter_.faces(leaf).front(), [&](Index) { ++size_of_group; });
+    if (cutter_.faces(leaf).size() > size_of_group)
+      queue_.push({quantized(tree_.leaves[leaf].area), leaf});
   }
 
   double area_of_group(Index first) const
@@ -137,10 +145,10 @@ class Further_cuts
 
   // Returns the faces on one side of the cut of a leaf, neither none nor all. If the leaf is
   // connected, both sides are connected.
-  std::vector<Index> side(std::size_t leaf)
+  std::vector<Index> side(Index leaf)
   {
-    const std::vector<Index> faces = cutter_.faces(leaf);
-    const double all = cuts_.nodes[leaf].area * 2 + 1; // more than there is
+    const std::vector<Index>& faces = cutter_.faces(leaf);
+    const double all = tree_.leaves[leaf].area * 2 + 1; // more than there is
     set_in_leaf(faces, true);
     const std::vector<Index> component = reached_from(faces.front(), all);
     if (component.size() < faces.size()) {
@@ -150,7 +158,7 @@ class Further_cuts
     // The side starts at the face reached last, which is at an end. Faces that it separates from
     // the largest rest join it.
     set_in_leaf(faces, true);
-    std::vector<Index> result = reached_from(component.back(), cuts_.nodes[leaf].area / 2);
+    std::vector<Index> result = reached_from(component.back(), tree_.leaves[leaf].area / 2);
     if (result.size() == faces.size()) { // the leaf has no area
       set_in_leaf(faces, true);
       result.clear();
@@ -169,7 +177,7 @@ class Further_cuts
     return result;
   }
 
-  void cut(std::size_t leaf)
+  void cut(Index leaf)
   {
     const std::vector<Index> q = side(leaf);
     set_in_leaf(q, true);
@@ -177,15 +185,14 @@ class Further_cuts
     for (Index f : cutter_.faces(leaf))
       sides.push_back(is_in_leaf_[f] == 0);
     set_in_leaf(q, false);
-    cutter_.cut(leaf, std::move(sides));
-    for (std::size_t child : cuts_.nodes[leaf].children)
-      enqueue(child);
+    enqueue(cutter_.cut(leaf, std::move(sides)));
+    enqueue(leaf);
   }
 
 public:
   // Takes the group of each face, or null_index; `group` is empty if there are no groups.
-  Further_cuts(const Surface& mesh, Cut_hierarchy& cuts, const std::vector<Index>& group = {})
-    : mesh_(mesh), cuts_(cuts), cutter_(mesh, cuts), is_in_leaf_(mesh.number_of_faces(), 0),
+  Further_cuts(const Surface& mesh, Merge_tree& tree, const std::vector<Index>& group = {})
+    : mesh_(mesh), tree_(tree), cutter_(mesh, tree), is_in_leaf_(mesh.number_of_faces(), 0),
       next_in_group_(group.size())
   {
     std::iota(next_in_group_.begin(), next_in_group_.end(), Index(0));
@@ -201,19 +208,16 @@ public:
   // Cuts until there are this many leaves, or every leaf is a face or a group.
   void operator()(std::size_t number_of_segments)
   {
-    // A leaf in which the search found no cut gets a new position if it is cut.
-    std::vector<std::size_t>& order = cuts_.cut_order;
-    order.erase(std::remove_if(order.begin(), order.end(),
-                               [&](std::size_t i) { return cuts_.nodes[i].is_leaf(); }),
-                order.end());
-    for (std::size_t i = 0; i < cuts_.nodes.size(); ++i)
-      if (cuts_.nodes[i].is_leaf())
-        enqueue(i);
-    while (cuts_.number_of_segments() < number_of_segments && !queue_.empty()) {
-      const std::size_t leaf = queue_.top().second;
+    for (Index i = 0; i < tree_.leaves.size(); ++i) {
+      tree_.leaves[i].number_of_earlier_cuts = null_node; // the decision of the search is not final
+      enqueue(i);
+    }
+    while (tree_.leaves.size() < number_of_segments && !queue_.empty()) {
+      const Index leaf = queue_.top().second;
       queue_.pop();
       cut(leaf);
     }
+    cutter_.finish();
   }
 };
 
