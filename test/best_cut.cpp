@@ -13,6 +13,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <memory>
 #include <numeric>
 #include <optional>
 #include <vector>
@@ -35,11 +36,19 @@ internal::Part whole(const Surface& graph)
   return {graph, 0, faces};
 }
 
+// Returns the search of the method that the options have.
+std::unique_ptr<internal::Best_cut> search_of(const Surface& graph, const Options& options)
+{
+  if (options.method == CGAL::Spectral_segmentation::Method::ZHANG_LIU_2005)
+    return std::make_unique<internal::Paper_cut>(graph, options);
+  return std::make_unique<internal::Calibrated_cut>(graph, options);
+}
+
 std::vector<Cut> compared_cuts(const Surface& graph, const Options& options)
 {
   internal::Run_control control;
   internal::Run_monitor monitor(control);
-  return internal::Best_cut(graph, options).compared_cuts(sequential, whole(graph), monitor);
+  return search_of(graph, options)->compared_cuts(sequential, whole(graph), monitor);
 }
 
 std::optional<Cut> best_cut_of(const Surface& graph, const Options& options,
@@ -47,10 +56,10 @@ std::optional<Cut> best_cut_of(const Surface& graph, const Options& options,
 {
   internal::Run_control control;
   internal::Run_monitor monitor(control);
-  return internal::Best_cut(graph, options)(execution, whole(graph), monitor);
+  return (*search_of(graph, options))(execution, whole(graph), monitor);
 }
 
-// The paper's method, and all values of the options of the other that Best_cut looks at.
+// The paper's method, and all values of the options of the other that Calibrated_cut looks at.
 std::vector<Options> many_options()
 {
   std::vector<Options> result(1, Options::zhang_liu_2005());
@@ -194,7 +203,7 @@ BOOST_AUTO_TEST_CASE(a_part_without_room_for_two_segments_is_not_searched)
   Options options = Options::zhang_liu_2005();
   const auto search = [&](double minimum_share_of_part) {
     options.minimum_segment_size = minimum_share_of_part;
-    return internal::Best_cut(part, options)(sequential, whole(part), monitor);
+    return internal::Paper_cut(part, options)(sequential, whole(part), monitor);
   };
   BOOST_TEST(!search(0.501).has_value());
   BOOST_TEST(counter.number_of_parts == 0u);
@@ -206,7 +215,7 @@ BOOST_AUTO_TEST_CASE(a_part_without_room_for_two_segments_is_not_searched)
   for (double& area : mesh.areas)
     area *= 5.01;
   options.minimum_segment_size = 0.1;
-  const internal::Best_cut best_cut(mesh, options);
+  const internal::Paper_cut best_cut(mesh, options);
   BOOST_TEST(!best_cut(sequential, whole(part), monitor).has_value());
   BOOST_TEST(counter.number_of_parts == 1u);
 }
@@ -220,7 +229,7 @@ BOOST_AUTO_TEST_CASE(a_stopped_search_throws)
     bool go_further() override { return left-- > 0; }
   } stopper;
   const Options options = Options::zhang_liu_2005();
-  const internal::Best_cut best_cut(graph, options);
+  const internal::Paper_cut best_cut(graph, options);
   for (int questions : {0, 1, 4}) {
     stopper.left = questions;
     internal::Run_monitor monitor(stopper);

@@ -29,27 +29,27 @@ BOOST_AUTO_TEST_SUITE(coarsening)
 using namespace test_meshes;
 namespace internal = CGAL::Spectral_segmentation::internal;
 using internal::null_index;
-using internal::Coarse_surface;
+using internal::Level;
 using internal::Execution;
 using internal::Vector;
 
 namespace {
 
 // The last surface, with the faces and vertices of the mesh that was given.
-Coarse_surface coarsen(const Surface& mesh, std::size_t number_of_faces)
+Level coarsen(const Surface& mesh, std::size_t number_of_faces)
 {
   internal::Run_control control;
   internal::Run_monitor monitor(control);
-  std::vector<Coarse_surface> levels =
+  std::vector<Level> levels =
     internal::coarsened(sequential, mesh, number_of_faces, monitor);
-  Coarse_surface result = levels.back();
+  Level result = levels.back();
   for (std::size_t i = levels.size() - 1; i-- > 0;) {
-    for (Index& f : result.faces)
-      f = levels[i].faces[f];
+    for (Index& f : result.parent_face)
+      f = levels[i].parent_face[f];
     std::vector<Index> vertices;
-    for (Index v : levels[i].vertices)
-      vertices.push_back(result.vertices[v]);
-    result.vertices = vertices;
+    for (Index v : levels[i].vertex)
+      vertices.push_back(result.vertex[v]);
+    result.vertex = vertices;
   }
   return result;
 }
@@ -84,11 +84,11 @@ int euler_characteristic(const Surface& graph)
 }
 
 // All that does not depend on how much was coarse.
-void check(const Surface& mesh, const Coarse_surface& coarse)
+void check(const Surface& mesh, const Level& coarse)
 {
-  const Surface& graph = coarse.graph;
+  const Surface& graph = coarse.surface;
   const std::size_t n = graph.number_of_faces();
-  BOOST_TEST_REQUIRE(coarse.faces.size() == n);
+  BOOST_TEST_REQUIRE(coarse.parent_face.size() == n);
   BOOST_TEST(graph.opposite.size() == 3 * n);
   BOOST_TEST(graph.areas.size() == n);
   BOOST_TEST(number_of_components(graph) == number_of_components(mesh));
@@ -103,17 +103,17 @@ void check(const Surface& mesh, const Coarse_surface& coarse)
   // A face that is left has the vertices that its vertices became; two vertices of other faces are
   // one.
   std::vector<char> is_left(mesh.number_of_faces(), 0);
-  BOOST_TEST_REQUIRE(coarse.vertices.size() == mesh.points.size());
+  BOOST_TEST_REQUIRE(coarse.vertex.size() == mesh.points.size());
   const auto corners = [&](Index f) {
     std::array<Index, 3> result;
     for (int i = 0; i < 3; ++i)
-      result[i] = coarse.vertices[mesh.corners[f][i]];
+      result[i] = coarse.vertex[mesh.corners[f][i]];
     return result;
   };
   for (Index f = 0; f < n; ++f) {
-    BOOST_TEST(is_left[coarse.faces[f]] == 0);
-    is_left[coarse.faces[f]] = 1;
-    std::array<Index, 3> c = corners(coarse.faces[f]);
+    BOOST_TEST(is_left[coarse.parent_face[f]] == 0);
+    is_left[coarse.parent_face[f]] = 1;
+    std::array<Index, 3> c = corners(coarse.parent_face[f]);
     for (int i = 0; i < 2 && c[0] != graph.corners[f][0]; ++i)
       std::rotate(c.begin(), c.begin() + 1, c.end());
     BOOST_TEST((c == graph.corners[f]));
@@ -157,11 +157,11 @@ BOOST_AUTO_TEST_CASE(surfaces_keep_their_topology)
   for (const Soup& soup : soups) {
     const Surface mesh = surface_of(soup);
     for (std::size_t number : {mesh.number_of_faces() / 2, std::size_t(300), std::size_t(150)}) {
-      const Coarse_surface coarse = coarsen(mesh, number);
+      const Level coarse = coarsen(mesh, number);
       check(mesh, coarse);
-      BOOST_TEST(coarse.graph.number_of_faces() <= number);
-      BOOST_TEST(coarse.graph.number_of_faces() + 2 >= number);
-      BOOST_TEST(euler_characteristic(coarse.graph) == euler_characteristic(mesh));
+      BOOST_TEST(coarse.surface.number_of_faces() <= number);
+      BOOST_TEST(coarse.surface.number_of_faces() + 2 >= number);
+      BOOST_TEST(euler_characteristic(coarse.surface) == euler_characteristic(mesh));
     }
   }
 }
@@ -169,8 +169,8 @@ BOOST_AUTO_TEST_CASE(surfaces_keep_their_topology)
 BOOST_AUTO_TEST_CASE(a_sphere_keeps_its_volume_and_its_faces_are_alike)
 {
   const Surface mesh = surface_of(sphere(5));
-  const Coarse_surface coarse = coarsen(mesh, 1000);
-  const Surface& graph = coarse.graph;
+  const Level coarse = coarsen(mesh, 1000);
+  const Surface& graph = coarse.surface;
   // With its vertices on the sphere a mesh of 1000 faces lacks 1 % of the volume.
   BOOST_TEST(volume(graph) == volume(mesh), boost::test_tools::tolerance(0.005));
   const double mean = internal::total_area(graph) / double(graph.number_of_faces());
@@ -186,8 +186,8 @@ BOOST_AUTO_TEST_CASE(a_sphere_keeps_its_volume_and_its_faces_are_alike)
 BOOST_AUTO_TEST_CASE(a_plate_keeps_its_outline)
 {
   const Surface mesh = surface_of(plate(40, 30));
-  const Coarse_surface coarse = coarsen(mesh, 100);
-  BOOST_TEST(internal::total_area(coarse.graph) == internal::total_area(mesh),
+  const Level coarse = coarsen(mesh, 100);
+  BOOST_TEST(internal::total_area(coarse.surface) == internal::total_area(mesh),
              boost::test_tools::tolerance(0.01));
 }
 
@@ -202,19 +202,19 @@ BOOST_AUTO_TEST_CASE(sharp_edges_stay)
   for (int i = 9; i >= 0; --i)
     profile.emplace_back(3, 0.1 * i);
   const Surface mesh = surface_of(surface_of_revolution(profile, 60));
-  const Coarse_surface coarse = coarsen(mesh, 800);
-  BOOST_TEST(volume(coarse.graph) == volume(mesh), boost::test_tools::tolerance(0.01));
+  const Level coarse = coarsen(mesh, 800);
+  BOOST_TEST(volume(coarse.surface) == volume(mesh), boost::test_tools::tolerance(0.01));
 }
 
 BOOST_AUTO_TEST_CASE(the_result_moves_with_the_mesh)
 {
   for (unsigned seed : {1, 2, 3}) {
     const Soup soup = rough_dumbbell(seed);
-    const Coarse_surface here = coarsen(framed(soup), 400),
+    const Level here = coarsen(framed(soup), 400),
                          there = coarsen(framed(turned(soup)), 400);
-    BOOST_TEST((here.faces == there.faces));
-    BOOST_TEST((here.vertices == there.vertices));
-    BOOST_TEST((here.graph.points == there.graph.points));
+    BOOST_TEST((here.parent_face == there.parent_face));
+    BOOST_TEST((here.vertex == there.vertex));
+    BOOST_TEST((here.surface.points == there.surface.points));
   }
 }
 
@@ -225,11 +225,11 @@ BOOST_AUTO_TEST_CASE(a_mirrored_mesh_gives_the_same_surface)
     Soup other = soup;
     for (Point& p : other.points)
       p = Point(p.x(), -p.y(), p.z());
-    const Coarse_surface here = coarsen(framed(soup), 400),
+    const Level here = coarsen(framed(soup), 400),
                          there = coarsen(framed(turned_inside_out(turned(other))), 400);
-    BOOST_TEST((here.graph.points == there.graph.points));
-    BOOST_TEST((here.graph.corners == there.graph.corners));
-    BOOST_TEST((here.faces == there.faces));
+    BOOST_TEST((here.surface.points == there.surface.points));
+    BOOST_TEST((here.surface.corners == there.surface.corners));
+    BOOST_TEST((here.parent_face == there.parent_face));
   }
 }
 
@@ -239,9 +239,10 @@ BOOST_AUTO_TEST_CASE(little_noise_rarely_gets_through)
   std::size_t number_of_same = 0;
   for (unsigned seed = 1; seed <= 10; ++seed) {
     const Soup soup = rough_dumbbell(seed);
-    const Coarse_surface one = coarsen(framed(soup), 400),
+    const Level one = coarsen(framed(soup), 400),
                          two = coarsen(framed(displaced(soup, 1e-8, random)), 400);
-    number_of_same += one.graph.points == two.graph.points && one.faces == two.faces;
+    number_of_same += one.surface.points == two.surface.points &&
+                      one.parent_face == two.parent_face;
   }
   BOOST_TEST(number_of_same >= 9u);
 }
@@ -294,9 +295,9 @@ BOOST_AUTO_TEST_CASE(the_numbers_of_faces_and_vertices_do_not_matter)
     const Soup soup = rough_dumbbell(seed);
     Random random(seed);
     std::vector<std::size_t> face;
-    const Coarse_surface coarse = coarsen(framed(renumbered(soup, random, face)), 400);
-    std::set<Index> expected, left(coarse.faces.begin(), coarse.faces.end());
-    for (Index f : coarsen(framed(soup), 400).faces)
+    const Level coarse = coarsen(framed(renumbered(soup, random, face)), 400);
+    std::set<Index> expected, left(coarse.parent_face.begin(), coarse.parent_face.end());
+    for (Index f : coarsen(framed(soup), 400).parent_face)
       expected.insert(Index(face[f]));
     BOOST_TEST((left == expected));
   }
@@ -312,11 +313,11 @@ BOOST_AUTO_TEST_CASE(the_numbers_do_not_matter_where_most_edges_are_of_equal_len
   for (Index h = 0; h < graph.number_of_halfedges(); ++h)
     lengths.insert(float(graph.length(h)));
   BOOST_TEST(lengths.size() == 2u);
-  const Surface expected = coarsen(framed(soup), 100).graph;
+  const Surface expected = coarsen(framed(soup), 100).surface;
   Random random(8);
   for (int run = 0; run < 10; ++run) {
     std::vector<std::size_t> face;
-    const Surface other = coarsen(framed(renumbered(soup, random, face)), 100).graph;
+    const Surface other = coarsen(framed(renumbered(soup, random, face)), 100).surface;
     BOOST_TEST((other.points == expected.points));
     BOOST_TEST((other.corners == expected.corners));
     BOOST_TEST((other.opposite == expected.opposite));
@@ -327,10 +328,10 @@ BOOST_AUTO_TEST_CASE(what_is_small_enough_stays)
 {
   const Soup soup = rough_dumbbell(6);
   const Surface mesh = surface_of(soup);
-  const Coarse_surface coarse = coarsen(mesh, mesh.number_of_faces());
+  const Level coarse = coarsen(mesh, mesh.number_of_faces());
   check(mesh, coarse);
-  BOOST_TEST(coarse.graph.number_of_faces() == mesh.number_of_faces());
-  BOOST_TEST(volume(coarse.graph) == volume(mesh), boost::test_tools::tolerance(1e-3));
+  BOOST_TEST(coarse.surface.number_of_faces() == mesh.number_of_faces());
+  BOOST_TEST(volume(coarse.surface) == volume(mesh), boost::test_tools::tolerance(1e-3));
 }
 
 BOOST_AUTO_TEST_CASE(no_component_vanishes)
@@ -339,9 +340,9 @@ BOOST_AUTO_TEST_CASE(no_component_vanishes)
   for (int i = 1; i <= 20; ++i)
     soup = disjoint_union(soup, moved(scaled(sphere(1), 0.01), 2. * i, 0, 0));
   const Surface mesh = surface_of(soup);
-  const Coarse_surface coarse = coarsen(mesh, 1);
+  const Level coarse = coarsen(mesh, 1);
   check(mesh, coarse);
-  BOOST_TEST(coarse.graph.number_of_faces() == 21 * 4); // tetrahedra
+  BOOST_TEST(coarse.surface.number_of_faces() == 21 * 4); // tetrahedra
 }
 
 BOOST_AUTO_TEST_CASE(a_vertex_where_two_surfaces_meet_stays)
@@ -354,15 +355,15 @@ BOOST_AUTO_TEST_CASE(a_vertex_where_two_surfaces_meet_stays)
     for (Index& v : corners)
       if (v == half)
         v = 0;
-  const Coarse_surface coarse = coarsen(mesh, 200);
+  const Level coarse = coarsen(mesh, 200);
   check(mesh, coarse);
-  BOOST_TEST(coarse.graph.number_of_faces() <= 200);
+  BOOST_TEST(coarse.surface.number_of_faces() <= 200);
   std::map<Index, std::set<Index> > sides; // one per vertex that is left
-  for (Index f = 0; f < coarse.faces.size(); ++f)
-    for (Index v : coarse.graph.corners[f])
-      sides[v].insert(coarse.faces[f] < mesh.number_of_faces() / 2 ? 0 : 1);
+  for (Index f = 0; f < coarse.parent_face.size(); ++f)
+    for (Index v : coarse.surface.corners[f])
+      sides[v].insert(coarse.parent_face[f] < mesh.number_of_faces() / 2 ? 0 : 1);
   for (const auto& [v, s] : sides)
-    BOOST_TEST((s.size() == 2) == (v == coarse.vertices[0]));
+    BOOST_TEST((s.size() == 2) == (v == coarse.vertex[0]));
 }
 
 BOOST_AUTO_TEST_CASE(faces_without_area_do_no_harm)
@@ -371,9 +372,9 @@ BOOST_AUTO_TEST_CASE(faces_without_area_do_no_harm)
   for (std::size_t v : {10, 11, 12, 200, 201}) // many edges without length
     soup.points[v] = soup.points[v + 1];
   const Surface mesh = surface_of(soup);
-  const Coarse_surface coarse = coarsen(mesh, 300);
+  const Level coarse = coarsen(mesh, 300);
   check(mesh, coarse);
-  BOOST_TEST(coarse.graph.number_of_faces() <= 300);
+  BOOST_TEST(coarse.surface.number_of_faces() <= 300);
   const Surface flat = surface_of({{Point(0, 0, 0), Point(1, 0, 0), Point(2, 0, 0),
                                                Point(3, 0, 0)}, {{0, 1, 2}, {0, 2, 3}}});
   check(flat, coarsen(flat, 1));
@@ -382,9 +383,9 @@ BOOST_AUTO_TEST_CASE(faces_without_area_do_no_harm)
 BOOST_AUTO_TEST_CASE(a_large_mesh_becomes_even)
 {
   const Surface mesh = surface_of(sphere(6)); // 81920 faces
-  const Coarse_surface coarse = coarsen(mesh, 5000);
+  const Level coarse = coarsen(mesh, 5000);
   check(mesh, coarse);
-  const Surface& graph = coarse.graph;
+  const Surface& graph = coarse.surface;
   BOOST_TEST(graph.number_of_faces() <= 5000);
   BOOST_TEST(graph.number_of_faces() >= 4998);
   BOOST_TEST(euler_characteristic(graph) == 2);
@@ -398,7 +399,7 @@ BOOST_AUTO_TEST_CASE(a_large_mesh_becomes_even)
 
 namespace {
 
-Coarse_surface clustered(const Surface& mesh, double width)
+Level clustered(const Surface& mesh, double width)
 { return internal::Vertex_clustering(mesh, width)(); }
 
 } // namespace
@@ -413,19 +414,19 @@ BOOST_AUTO_TEST_CASE(clusters_keep_the_topology_whatever_their_width)
   for (const Soup& soup : soups)
     for (double width : {0.01, 0.05, 0.1, 0.3, 1., 10.}) {
       const Surface mesh = framed(displaced(soup, 0.002, random));
-      const Coarse_surface coarse = clustered(mesh, width);
-      BOOST_TEST(number_of_components(coarse.graph) == number_of_components(mesh));
-      BOOST_TEST(coarse.graph.components.number == mesh.components.number);
-      BOOST_TEST(euler_characteristic(coarse.graph) == euler_characteristic(mesh));
-      BOOST_TEST(coarse.graph.number_of_faces() > 0u);
-      number_of_smaller += coarse.graph.number_of_faces() < mesh.number_of_faces();
-      for (Index h = 0; h < coarse.graph.number_of_halfedges(); ++h) {
-        const Index o = coarse.graph.opposite[h];
-        BOOST_TEST(coarse.graph.opposite[o] == h);
+      const Level coarse = clustered(mesh, width);
+      BOOST_TEST(number_of_components(coarse.surface) == number_of_components(mesh));
+      BOOST_TEST(coarse.surface.components.number == mesh.components.number);
+      BOOST_TEST(euler_characteristic(coarse.surface) == euler_characteristic(mesh));
+      BOOST_TEST(coarse.surface.number_of_faces() > 0u);
+      number_of_smaller += coarse.surface.number_of_faces() < mesh.number_of_faces();
+      for (Index h = 0; h < coarse.surface.number_of_halfedges(); ++h) {
+        const Index o = coarse.surface.opposite[h];
+        BOOST_TEST(coarse.surface.opposite[o] == h);
         if (o == h)
           continue;
-        BOOST_TEST(coarse.graph.source_vertex(o) == coarse.graph.target_vertex(h));
-        BOOST_TEST(coarse.graph.target_vertex(o) == coarse.graph.source_vertex(h));
+        BOOST_TEST(coarse.surface.source_vertex(o) == coarse.surface.target_vertex(h));
+        BOOST_TEST(coarse.surface.target_vertex(o) == coarse.surface.source_vertex(h));
       }
     }
   BOOST_TEST(number_of_smaller > 20u);
@@ -435,12 +436,12 @@ BOOST_AUTO_TEST_CASE(sheets_that_come_near_stay_apart)
 {
   const Soup sheet = scaled(plate(40, 40), 0.01);
   const Surface mesh = surface_of(disjoint_union(sheet, moved(sheet, 0, 0, 1e-4)));
-  const Coarse_surface coarse = clustered(mesh, 0.2);
-  BOOST_TEST(coarse.graph.number_of_faces() < mesh.number_of_faces() / 10);
-  std::vector<Index> sheet_of(coarse.graph.points.size(), null_index);
-  for (Index v = 0; v < coarse.vertices.size(); ++v) {
+  const Level coarse = clustered(mesh, 0.2);
+  BOOST_TEST(coarse.surface.number_of_faces() < mesh.number_of_faces() / 10);
+  std::vector<Index> sheet_of(coarse.surface.points.size(), null_index);
+  for (Index v = 0; v < coarse.vertex.size(); ++v) {
     const Index side = v < sheet.points.size() ? 0 : 1;
-    Index& of_vertex = sheet_of[coarse.vertices[v]];
+    Index& of_vertex = sheet_of[coarse.vertex[v]];
     BOOST_TEST((of_vertex == null_index || of_vertex == side));
     of_vertex = side;
   }
@@ -453,7 +454,7 @@ BOOST_AUTO_TEST_CASE(a_cluster_stays_on_the_planes_around_it)
   for (Point& p : soup.points)
     p = Point(p.x() - 30, p.y(), -std::abs(p.x() - 30));
   const Surface mesh = framed(soup);
-  const Surface roof = clustered(mesh, 0.11).graph;
+  const Surface roof = clustered(mesh, 0.11).surface;
   BOOST_TEST(roof.number_of_faces() < mesh.number_of_faces() / 3);
   const Vector first = mesh.normal(0).normalized();
   const Vector second = mesh.normal(Index(mesh.number_of_faces()) - 1).normalized();

@@ -16,6 +16,7 @@
 #include <cstddef>
 #include <functional>
 #include <limits>
+#include <map>
 #include <set>
 #include <stdexcept>
 #include <string>
@@ -205,6 +206,28 @@ BOOST_AUTO_TEST_CASE(an_edge_makes_a_whole_seam)
   BOOST_TEST(number_of(labels) == 2u);
   BOOST_TEST(m.edges_between_segments(labels).size() >= 3u);
   m.check(labels);
+}
+
+// The cut that seeds need is searched in a component as in a mesh of its own.
+BOOST_AUTO_TEST_CASE(a_component_is_cut_as_without_the_others)
+{
+  Random random(4);
+  const Soup ball = displaced(sphere(4), 0.01, random);
+  const std::size_t n = ball.triangles.size();
+  const auto labels_of_first = [&](const Soup& soup) {
+    Constrained_mesh m(soup);
+    m.seed[Face(face_near(m.mesh, 0, 0, 1))] = 1;
+    m.seed[Face(face_near(m.mesh, 0.12, 0, 0.99))] = 2;
+    Labels result = m.labels();
+    m.check(result);
+    result.resize(n);
+    std::map<std::size_t, std::size_t> number;
+    for (std::size_t& label : result)
+      label = number.emplace(label, number.size()).first->second;
+    return result;
+  };
+  BOOST_TEST(labels_of_first(disjoint_union(ball, moved(sphere(3), 2, 0, 0))) ==
+             labels_of_first(ball), boost::test_tools::per_element());
 }
 
 BOOST_AUTO_TEST_CASE(border_edges_mean_nothing)

@@ -11,6 +11,7 @@
 #include <CGAL/Spectral_segmentation/internal/search/best_cut.h>
 #include <CGAL/Spectral_segmentation/internal/search/recursion.h>
 #include <CGAL/Spectral_segmentation/internal/search/region_merging.h>
+#include <CGAL/Spectral_segmentation/internal/surface/Longest_edge_bisection.h>
 #include <CGAL/Spectral_segmentation/internal/surface/Moments.h>
 #include <CGAL/segment_spectral_recursive.h>
 #include <CGAL/tags.h>
@@ -48,7 +49,7 @@ const double infinity = std::numeric_limits<double>::infinity();
 struct Run
 {
   Surface mesh;
-  std::vector<internal::Coarse_surface> levels;
+  std::vector<internal::Level> levels;
   Segmentation_hierarchy searched, whole;
 
   // Once the search is done, the caller may stop the run.
@@ -60,9 +61,9 @@ struct Run
     internal::Run_monitor monitor(control);
     internal::move_to_frame(sequential, mesh);
     levels = internal::coarsened(sequential, mesh, number_of_coarse_faces, monitor);
-    Surface coarsest = levels.back().graph;
+    Surface coarsest = levels.back().surface;
     set_face_distances(coarsest, weights_of_calibrated_method);
-    const internal::Best_cut best_cut(coarsest, options);
+    const internal::Calibrated_cut best_cut(coarsest, options);
     const internal::Merge_tree regions =
       internal::Recursion(sequential, coarsest, best_cut, options, monitor).by_salience();
     internal::Merge_tree tree = internal::Region_merging(
@@ -78,11 +79,11 @@ struct Run
     internal::Run_monitor stopped_monitor(stopping_control);
     stopped_monitor.go_further();
     for (std::size_t i = levels.size(); i-- > 0;) {
-      const Surface& finer = i > 0 ? levels[i - 1].graph : mesh;
-      const auto fractions = internal::vertex_fractions(levels[i].graph, tree.leaf);
+      const Surface& finer = i > 0 ? levels[i - 1].surface : mesh;
+      const auto fractions = internal::vertex_fractions(levels[i].surface, tree.leaf);
       const auto for_each_fraction = [&](Index f, const auto& add) {
         for (Index v : finer.corners[f])
-          for (const auto& [leaf, fraction] : fractions[levels[i].vertices[v]])
+          for (const auto& [leaf, fraction] : fractions[levels[i].vertex[v]])
             add(leaf, fraction);
       };
       tree = internal::Cut_transfer(sequential, tree, finer, for_each_fraction,
@@ -138,12 +139,13 @@ BOOST_AUTO_TEST_CASE(fractions_add_up)
   BOOST_TEST(vertices[1].begin()[0].fraction == 1);
 
   const Surface mesh = surface_of(plate(2, 1));
-  const internal::Refined_mesh refined =
+  const internal::Level refined =
     internal::Longest_edge_bisection(mesh, 0.2)(sequential);
-  std::vector<Index> leaf(refined.faces.size());
+  std::vector<Index> leaf(refined.parent_face.size());
   for (Index f = 0; f < leaf.size(); ++f)
     leaf[f] = f % 3;
-  const internal::Leaf_fractions faces = internal::face_fractions(refined, leaf);
+  const internal::Leaf_fractions faces =
+    internal::face_fractions(refined, leaf, mesh.number_of_faces());
   BOOST_TEST_REQUIRE(faces.number_of_elements() == mesh.number_of_faces());
   BOOST_TEST(!faces.are_undivided());
   for (Index f = 0; f < mesh.number_of_faces(); ++f) {
@@ -181,11 +183,11 @@ BOOST_AUTO_TEST_CASE(the_cuts_are_those_of_the_coarse_mesh)
 BOOST_AUTO_TEST_CASE(faces_far_from_all_cuts_are_where_the_coarse_mesh_has_them)
 {
   const Run run(fine_dumbbell(), 1500);
-  const internal::Coarse_surface &clusters = run.levels.front(), &coarse = run.levels.back();
+  const internal::Level &clusters = run.levels.front(), &coarse = run.levels.back();
   const std::vector<std::size_t> few = leaves(run.searched), all = leaves(run.whole);
-  std::vector<std::set<std::size_t> > of_vertex(coarse.graph.points.size());
+  std::vector<std::set<std::size_t> > of_vertex(coarse.surface.points.size());
   for (std::size_t f = 0; f < few.size(); ++f)
-    for (Index v : coarse.graph.corners[f])
+    for (Index v : coarse.surface.corners[f])
       of_vertex[v].insert(few[f]);
   // A leaf of one hierarchy is one leaf of the other, whatever their order, but for loose pieces.
   std::map<std::size_t, std::map<std::size_t, std::size_t> > number_of_faces;
@@ -193,7 +195,7 @@ BOOST_AUTO_TEST_CASE(faces_far_from_all_cuts_are_where_the_coarse_mesh_has_them)
   for (std::size_t f = 0; f < all.size(); ++f) {
     std::set<std::size_t> around;
     for (Index v : run.mesh.corners[f]) {
-      const std::set<std::size_t>& leaves = of_vertex[coarse.vertices[clusters.vertices[v]]];
+      const std::set<std::size_t>& leaves = of_vertex[coarse.vertex[clusters.vertex[v]]];
       around.insert(leaves.begin(), leaves.end());
     }
     if (around.size() == 1) {

@@ -105,7 +105,7 @@ internal::Cut_hierarchy over_segmentation(const Surface& graph,
                                           internal::Execution execution, Search_record& record)
 {
   internal::Run_monitor monitor(record);
-  const internal::Best_cut best_cut(graph, options);
+  const internal::Calibrated_cut best_cut(graph, options);
   return internal::hierarchy_of(
     internal::Recursion(execution, graph, best_cut, options, monitor).by_salience());
 }
@@ -130,7 +130,7 @@ BOOST_AUTO_TEST_CASE(by_salience_the_most_salient_of_all_cuts_is_made_next)
   BOOST_TEST(record.number_of_searches > record.cut.size());
 
   // Each leaf is searched by itself, which tells how salient its cut would be.
-  const internal::Best_cut best_cut(graph, options);
+  const internal::Calibrated_cut best_cut(graph, options);
   internal::Run_control control;
   internal::Run_monitor monitor(control);
   const internal::Nested_ranges faces(result);

@@ -345,7 +345,7 @@ BOOST_AUTO_TEST_CASE(regions_of_an_over_segmentation_become_the_bodies_of_a_chai
   options.number_of_regions = 8;
   internal::Run_control control;
   internal::Run_monitor monitor(control);
-  const internal::Best_cut best_cut(graph, options);
+  const internal::Calibrated_cut best_cut(graph, options);
   const Cut_hierarchy regions = internal::hierarchy_of(
     internal::Recursion(sequential, graph, best_cut, options, monitor).by_salience());
   BOOST_TEST(regions.number_of_segments() == 8u);

@@ -15,6 +15,6 @@
 #error "All files of a program with a compiled engine need -DCGAL_SPECTRAL_SEGMENTATION_COMPILED"
 #endif
 
-#include <CGAL/Spectral_segmentation/internal/engine_impl.h>
+#include <CGAL/Spectral_segmentation/internal/run.h>
 
 #endif // CGAL_SPECTRAL_SEGMENTATION_COMPILED_H

@@ -48,7 +48,7 @@ void connect(Surface& soup);
 } // namespace CGAL::Spectral_segmentation::internal
 
 #ifndef CGAL_SPECTRAL_SEGMENTATION_COMPILED
-#include <CGAL/Spectral_segmentation/internal/engine_impl.h>
+#include <CGAL/Spectral_segmentation/internal/run.h>
 #endif
 
 #endif // CGAL_SPECTRAL_SEGMENTATION_INTERNAL_ENGINE_H

@@ -4,7 +4,8 @@
 #ifndef CGAL_SPECTRAL_SEGMENTATION_INTERNAL_BASE_RUN_DATA_H
 #define CGAL_SPECTRAL_SEGMENTATION_INTERNAL_BASE_RUN_DATA_H
 
-#include <CGAL/Spectral_segmentation/internal/base/Index.h>
+#include <CGAL/Spectral_segmentation/Options.h>
+#include <CGAL/Spectral_segmentation/internal/base/Run_monitor.h>
 
 #include <array>
 #include <cstddef>
@@ -28,12 +29,51 @@ struct Constraints
   bool empty() const { return cannot_link.empty() && must_link.empty() && seeds.empty(); }
 };
 
+// Returns whether each of n faces is constrained. `face` holds one of them for each of the caller's
+// faces.
+inline std::vector<char> constrained_faces(const Constraints& constraints,
+                                           const std::vector<Index>& face, std::size_t n)
+{
+  std::vector<char> result(n, 0);
+  for (const auto& pairs : {&constraints.cannot_link, &constraints.must_link})
+    for (const auto& [f, g] : *pairs)
+      result[face[f]] = result[face[g]] = 1;
+  for (const auto& constraint : constraints.seeds)
+    result[face[constraint.first]] = 1;
+  return result;
+}
+
 // The feature vectors of the caller's faces. They are read one by one, so that no copy of all is
 // needed.
 struct Feature_source
 {
   std::size_t dimension = 0; // 0: there are no features
   std::function<void(Index face, double* vector)> read;
+};
+
+// The properties of a method on which other stages than its search depend.
+struct Method_properties
+{
+  bool makes_regions;       // more of them, on more faces, if more segments are asked for
+  bool keeps_points;        // a mesh that is not coarsened is searched as it is given
+  bool skips_convex_solids; // which have no parts
+  double time_per_face;     // of the search, in nanoseconds, for the progress
+};
+
+// The data of a run beside the mesh.
+struct Run_data
+{
+  const Options& options;
+  const Method_properties& method;
+  const Constraints& constraints;
+  const Feature_source& features;
+  Execution execution;
+  Run_monitor& monitor;
+  double time_scale;            // the fraction of the run that takes a nanosecond
+  double fraction_of_model = 1; // less than 1 for a part that is searched at the scale of a model
+
+  // Starts a phase that takes some nanoseconds.
+  void start_phase(double time) const { monitor.start_phase(time_scale * time); }
 };
 
 } // namespace CGAL::Spectral_segmentation::internal

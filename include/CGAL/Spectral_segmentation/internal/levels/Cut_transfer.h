@@ -7,7 +7,6 @@
 #include <CGAL/Spectral_segmentation/internal/base/Run_monitor.h>
 #include <CGAL/Spectral_segmentation/internal/search/Merge_tree.h>
 #include <CGAL/Spectral_segmentation/internal/search/cut_proposals.h>
-#include <CGAL/Spectral_segmentation/internal/surface/Longest_edge_bisection.h>
 #include <CGAL/Spectral_segmentation/internal/weights/face_distances.h>
 
 #include <CGAL/Iterator_range.h>
@@ -15,6 +14,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <limits>
 #include <optional>
 #include <tuple>
 #include <utility>
@@ -85,14 +85,23 @@ inline Leaf_fractions vertex_fractions(const Surface& coarse, const std::vector<
   return result;
 }
 
-// Returns the fractions, as areas, of the faces of a mesh in the leaves of its refined surface.
-inline Leaf_fractions face_fractions(const Refined_mesh& refined, const std::vector<Index>& leaf)
+// Returns the fractions, as areas, of the n faces of a surface in the leaves of a subdivision.
+inline Leaf_fractions face_fractions(const Level& subdivision, const std::vector<Index>& leaf,
+                                     std::size_t n)
 {
+  std::vector<Packed_graph::Ends> ends;
+  for (Index f = 0; f < leaf.size(); ++f)
+    ends.emplace_back(subdivision.parent_face[f], f);
+  std::vector<Index> position;
+  const Packed_graph faces(n, ends, position);
   Leaf_fractions result;
-  for (Index f = 0; f < leaf.size(); ++f) {
-    while (result.number_of_elements() <= refined.faces[f])
-      result.add_element();
-    result.add(leaf[f], static_cast<float>(refined.graph.areas[f]));
+  for (Index parent = 0; parent < n; ++parent) {
+    result.add_element();
+    for (Index i = faces.first_arc[parent]; i < faces.first_arc[parent + 1]; ++i) {
+      const double area = subdivision.surface.areas[faces.targets[i]];
+      result.add(leaf[faces.targets[i]],
+                 (std::max)(static_cast<float>(area), (std::numeric_limits<float>::min)()));
+    }
   }
   return result;
 }

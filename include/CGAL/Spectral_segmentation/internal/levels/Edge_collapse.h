@@ -23,14 +23,6 @@
 
 namespace CGAL::Spectral_segmentation::internal {
 
-// A surface of the same shape and topology as another one, with fewer faces.
-struct Coarse_surface
-{
-  Surface graph;               // has no weights
-  std::vector<Index> faces;    // the face of the finer surface that became each face
-  std::vector<Index> vertices; // the vertex of the graph for each vertex of the finer surface
-};
-
 // A sum of squared distances to planes, weighted by the squared lengths of their normals.
 class Planes
 {
@@ -304,16 +296,17 @@ public:
     }
   }
 
-  Coarse_surface result()
+  // Returns the surface of the remaining faces.
+  Level result()
   {
-    Coarse_surface result;
-    Surface& graph = result.graph;
+    Level result;
+    Surface& graph = result.surface;
     std::vector<Index> new_vertex(points.size(), null_index), new_face(number_of_faces());
     for (Index f = 0; f < number_of_faces(); ++f) {
       if (is_gone(f))
         continue;
-      new_face[f] = static_cast<Index>(result.faces.size());
-      result.faces.push_back(f);
+      new_face[f] = static_cast<Index>(result.parent_face.size());
+      result.parent_face.push_back(f);
       if (components.number > 1)
         graph.components.labels.push_back(components[f]);
       for (Index v : corners[f])
@@ -323,7 +316,7 @@ public:
         }
     }
     graph.components.number = components.number;
-    for (Index f : result.faces) {
+    for (Index f : result.parent_face) {
       const Corners& c = corners[f];
       graph.corners.push_back({new_vertex[c[0]], new_vertex[c[1]], new_vertex[c[2]]});
       for (Index h = 3 * f; h < 3 * f + 3; ++h)
@@ -334,7 +327,7 @@ public:
       Index last = v;
       while (became_[last] != last)
         last = became_[last] = became_[became_[last]];
-      result.vertices.push_back(new_vertex[last]);
+      result.vertex.push_back(new_vertex[last]);
     }
     return result;
   }

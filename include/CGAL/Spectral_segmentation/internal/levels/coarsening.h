@@ -34,7 +34,7 @@ class Vertex_clustering
   std::vector<Cell> cells_;            // one per vertex
   std::vector<Index> cluster_;         // one per vertex
   std::vector<char> is_contracted_;    // one per cluster
-  Coarse_surface result_;
+  Level result_;
 
   // Returns the cell of a point. Mirroring the surface mirrors the cells.
   Cell cell(const Vector& p) const
@@ -136,9 +136,9 @@ class Vertex_clustering
       const bool is_contracted = is_contracted_[cluster_[v]];
       if (!is_contracted || number[cluster_[v]] == null_index)
         number[cluster_[v]] = next++;
-      result_.vertices.push_back(number[cluster_[v]]);
+      result_.vertex.push_back(number[cluster_[v]]);
     }
-    result_.graph.points.resize(next);
+    result_.surface.points.resize(next);
   }
 
   // The surroundings of a vertex of the result. Lengths are measured from the center of the cell.
@@ -157,8 +157,8 @@ class Vertex_clustering
   {
     const Vector &p = mesh_.points[mesh_.source_vertex(h)],
                  &q = mesh_.points[mesh_.target_vertex(h)];
-    const Index first = result_.vertices[mesh_.source_vertex(h)],
-                second = result_.vertices[mesh_.target_vertex(h)];
+    const Index first = result_.vertex[mesh_.source_vertex(h)],
+                second = result_.vertex[mesh_.target_vertex(h)];
     const Vector normal = (q - p).norm() * (q - p).cross(unit_normal);
     around[first].planes.add(normal, p - center(cell[first]));
     if (second != first)
@@ -175,10 +175,10 @@ class Vertex_clustering
 
   void set_points()
   {
-    std::vector<Surroundings> around(result_.graph.points.size());
+    std::vector<Surroundings> around(result_.surface.points.size());
     std::vector<Cell> cell(around.size());
     for (Index v = 0; v < mesh_.points.size(); ++v) {
-      const Index i = result_.vertices[v];
+      const Index i = result_.vertex[v];
       around[i].is_single = around[i].vertex == null_index;
       around[i].vertex = v;
       cell[i] = cells_[v];
@@ -187,14 +187,14 @@ class Vertex_clustering
       const Corners& c = mesh_.corners[f];
       const Vector normal = mesh_.normal(f);
       for (int k = 0; k < 3; ++k) {
-        const Index i = result_.vertices[c[k]];
+        const Index i = result_.vertex[c[k]];
         Surroundings& p = around[i];
         if (p.is_single)
           continue;
         const Vector at = mesh_.points[c[k]] - center(cell[i]);
         p.sum += mesh_.areas[f] * at;
         p.weight += mesh_.areas[f];
-        if ((k > 0 && result_.vertices[c[0]] == i) || (k > 1 && result_.vertices[c[1]] == i))
+        if ((k > 0 && result_.vertex[c[0]] == i) || (k > 1 && result_.vertex[c[1]] == i))
           continue; // the plane counts once
         p.planes.add(normal, at);
       }
@@ -203,7 +203,7 @@ class Vertex_clustering
           add_border(h, normal.stably_normalized(), around, cell);
     }
     for (Index i = 0; i < around.size(); ++i)
-      result_.graph.points[i] = around[i].is_single || !(around[i].weight > 0)
+      result_.surface.points[i] = around[i].is_single || !(around[i].weight > 0)
         ? mesh_.points[around[i].vertex] : best_point(around[i], center(cell[i]));
   }
 
@@ -217,7 +217,7 @@ class Vertex_clustering
       if (is_kept(g / 3))
         return g;
       const auto is_between = [&](Index e) {
-        return result_.vertices[mesh_.source_vertex(e)] != result_.vertices[mesh_.target_vertex(e)];
+        return result_.vertex[mesh_.source_vertex(e)] != result_.vertex[mesh_.target_vertex(e)];
       };
       g = is_between(Surface::next(g)) ? Surface::next(g) : Surface::previous(g);
     }
@@ -226,17 +226,17 @@ class Vertex_clustering
 
   void set_faces()
   {
-    Surface& graph = result_.graph;
+    Surface& graph = result_.surface;
     std::vector<Index> number(mesh_.number_of_faces(), null_index);
     for (Index f = 0; f < number.size(); ++f)
       if (is_kept(f)) {
-        number[f] = static_cast<Index>(result_.faces.size());
-        result_.faces.push_back(f);
+        number[f] = static_cast<Index>(result_.parent_face.size());
+        result_.parent_face.push_back(f);
       }
-    for (Index f : result_.faces) {
+    for (Index f : result_.parent_face) {
       const Corners& c = mesh_.corners[f];
-      graph.corners.push_back({result_.vertices[c[0]], result_.vertices[c[1]],
-                               result_.vertices[c[2]]});
+      graph.corners.push_back({result_.vertex[c[0]], result_.vertex[c[1]],
+                               result_.vertex[c[2]]});
       for (Index h = 3 * f; h < 3 * f + 3; ++h) {
         const Index o = opposite(h);
         graph.opposite.push_back(3 * number[o / 3] + o % 3);
@@ -252,7 +252,7 @@ public:
   Vertex_clustering(const Surface& mesh, double width) : mesh_(mesh), width_(width) {}
 
   // Returns the coarse surface, without areas.
-  Coarse_surface operator()()
+  Level operator()()
   {
     set_clusters();
     check_topology();
@@ -271,27 +271,20 @@ inline double width_of_cells(double area, std::size_t number_of_faces)
 { return 0.75 * std::exp2(std::floor(std::log2(area / static_cast<double>(number_of_faces)) / 2)); }
 
 // Sorts the faces of a coarse surface into geometric order.
-inline void order_by_points(Coarse_surface& coarse)
+inline void order_by_points(Level& coarse)
 {
-  const std::vector<Index> order = geometric_order(coarse.graph);
-  const std::vector<Index> number = reorder_faces(coarse.graph, order);
-  std::vector<Index> faces;
-  for (Index f : order)
-    faces.push_back(coarse.faces[f]);
-  coarse.faces = std::move(faces);
-  for (Index& v : coarse.vertices)
+  const std::vector<Index> order = geometric_order(coarse.surface);
+  const std::vector<Index> number = reorder_faces(coarse.surface, order);
+  coarse.parent_face = composed(order, coarse.parent_face);
+  for (Index& v : coarse.vertex)
     if (v != null_index)
       v = number[v];
 }
 
-// Returns the surface itself as a coarse surface.
-inline Coarse_surface not_coarsened(const Surface& mesh)
+// Returns the surface itself as the next level.
+inline Level copy_of(const Surface& mesh)
 {
-  Coarse_surface result{mesh, std::vector<Index>(mesh.number_of_faces()),
-                        std::vector<Index>(mesh.points.size())};
-  std::iota(result.faces.begin(), result.faces.end(), Index(0));
-  std::iota(result.vertices.begin(), result.vertices.end(), Index(0));
-  return result;
+  return {mesh, first_indices(mesh.number_of_faces()), first_indices(mesh.points.size()), true};
 }
 
 // Returns the successive surfaces down to at most `number_of_faces` faces: vertex clustering makes
@@ -299,27 +292,27 @@ inline Coarse_surface not_coarsened(const Surface& mesh)
 // Cuts are projected through both, so that the bands around cuts in the given surface are narrow.
 // The points of the last surface are rounded to a twelfth of a cell, so that noise in the given
 // points rarely gets through.
-inline std::vector<Coarse_surface> coarsened(Execution execution, const Surface& mesh,
-                                             std::size_t number_of_faces, Run_monitor& monitor)
+inline std::vector<Level> coarsened(Execution execution, const Surface& mesh,
+                                    std::size_t number_of_faces, Run_monitor& monitor)
 {
   const double area = total_area(mesh);
   const double width = width_of_cells(area > 0 ? area : 1, number_of_faces);
-  std::vector<Coarse_surface> result;
+  std::vector<Level> result;
   if (mesh.number_of_faces() > number_of_faces) {
     result.push_back(Vertex_clustering(mesh, width)());
-    set_areas(execution, result.back().graph);
+    set_areas(execution, result.back().surface);
     monitor.advance(0.5);
     monitor.check();
-    Edge_collapse collapse(result.back().graph, width / 3, monitor);
+    Edge_collapse collapse(result.back().surface, width / 3, monitor);
     collapse.collapse_edges(number_of_faces);
     result.push_back(collapse.result());
   }
   else
-    result.push_back(not_coarsened(mesh));
+    result.push_back(copy_of(mesh));
   order_by_points(result.back()); // before points become equal
-  for (Vector& p : result.back().graph.points)
+  for (Vector& p : result.back().surface.points)
     p = rounded(p, width / 12);
-  set_areas(execution, result.back().graph);
+  set_areas(execution, result.back().surface);
   return result;
 }
 

@@ -44,109 +44,30 @@ inline std::vector<Cut> most_salient_first(std::vector<Cut> cuts)
   return result;
 }
 
-// Finds the most salient cut of a part of a mesh, if there is one (BESTCUT, Figure 2). The paper's
-// method takes the best cut along one order of the faces. The calibrated method proposes cuts along
-// several orders, evaluates them by all factors, and moves the best to the minimum cuts near them.
+// Finds the most salient cut of a part of a mesh, if there is one (BESTCUT, Figure 2).
 class Best_cut
 {
-  const Options& options_;
-  std::optional<Evaluation_context> context_;
   std::size_t number_of_faces_; // the faces of the mesh
-  double minimum_area_;         // the least area of a side
 
   // Returns the orders along which cuts are searched.
-  std::vector<Face_order> orders(Execution execution, const Surface& part,
-                                 const std::vector<Index>& faces,
-                                 const std::vector<Index>& references,
-                                 const Sample_faces& samples) const
-  {
-    if (options_.method == Method::ZHANG_LIU_2005)
-      return {face_order(execution, part, samples)};
-    std::vector<Face_order> result =
-      face_orders(execution, part, references, samples, options_.single_source_orders);
-    if (!context_->features.empty())
-      result.push_back(feature_order(execution, context_->features, part.areas, faces));
-    return result;
-  }
+  virtual std::vector<Face_order> orders(Execution execution, const Part& part,
+                                         const std::vector<Index>& references,
+                                         const Sample_faces& samples) const = 0;
 
-  // Returns the cut with its factors; none if a side is too small.
-  std::optional<Cut> evaluate(const Surface& part, const Cut_evaluator& evaluator,
-                              Sides side) const
-  {
-    Cut cut{std::move(side), {0, 0}, {}, 0};
-    for (Index f = 0; f < cut.side.size(); ++f)
-      cut.area[int(cut.side[f])] += part.areas[f];
-    normalize_sides(cut.side, cut.area);
-    if (cut.area[0] < minimum_area_ || !(cut.area[0] > 0))
-      return std::nullopt;
-    cut.factors = evaluator(cut.side, false, &cut.near_cut);
-    cut.salience = salience_of(options_.part_salience, cut.factors);
-    return cut;
-  }
+  // Returns the cuts along some orders that are compared, the most salient first.
+  virtual std::vector<Cut> cuts(Execution execution, const Part& part,
+                                const std::vector<Face_order>& orders) const = 0;
 
-  // Appends f(i) for each i < n, if it is a cut.
-  template <class Function>
-  static void append(Execution execution, std::size_t n, const Function& f, std::vector<Cut>& cuts)
-  {
-    std::vector<std::optional<Cut> > more(n);
-    for_each_index(execution, n, [&](std::size_t i) { more[i] = f(i); });
-    for (std::optional<Cut>& cut : more)
-      if (cut)
-        cuts.push_back(std::move(*cut));
-  }
+protected:
+  const Options& options_;
+  double minimum_area_; // the least area of a side
 
-  // Returns the cuts of the calibrated method, the most salient first.
-  std::vector<Cut> calibrated_cuts(Execution execution, const Part& part,
-                                   const std::vector<Face_order>& orders) const
-  {
-    const Surface& graph = part.graph;
-    const Cut_evaluator evaluator(graph, part.faces, *context_);
-    std::vector<Sides> proposals = cut_proposals(execution, graph, orders, minimum_area_,
-                                                 options_.number_of_candidates);
-    std::vector<Cut> cuts;
-    append(execution, proposals.size(), [&](std::size_t i)
-      { return evaluate(graph, evaluator, std::move(proposals[i])); }, cuts);
-    cuts = most_salient_first(std::move(cuts));
-    std::vector<Cut> refined;
-    append(execution, (std::min)(options_.number_of_refined_candidates, cuts.size()),
-           [&](std::size_t i) -> std::optional<Cut> {
-             Sides sides = minimum_cut_within(graph, cuts[i].near_cut, cuts[i].side);
-             if (sides == cuts[i].side || !both_sides_are_connected(graph, sides))
-               return std::nullopt;
-             return evaluate(graph, evaluator, std::move(sides));
-           }, refined);
-    std::move(refined.begin(), refined.end(), std::back_inserter(cuts));
-    return most_salient_first(std::move(cuts));
-  }
-
-  std::vector<Cut> cuts(Execution execution, const Part& part,
-                        const std::vector<Face_order>& orders) const
-  {
-    if (options_.method == Method::CALIBRATED)
-      return calibrated_cuts(execution, part, orders);
-    std::vector<Cut> result;
-    append(execution, 1, [&](std::size_t)
-      { return line_search(execution, part.graph, orders.front(), options_.part_salience,
-                           minimum_area_); }, result);
-    return result;
-  }
+  Best_cut(const Surface& mesh, const Options& options, double fraction_of_model)
+    : number_of_faces_(mesh.number_of_faces()), options_(options),
+      minimum_area_(options.minimum_segment_size * total_area(mesh) / fraction_of_model) {}
 
 public:
-  // Takes the features of the faces of the mesh. The mesh may be a fraction of the area of a model,
-  // to which the areas of parts are relative.
-  Best_cut(const Surface& mesh, const Options& options, Face_features features = Face_features(),
-           double fraction_of_model = 1)
-    : options_(options), number_of_faces_(mesh.number_of_faces()),
-      minimum_area_(options.minimum_segment_size * total_area(mesh) / fraction_of_model)
-  {
-    if (options.method != Method::CALIBRATED)
-      return;
-    context_.emplace(mesh, std::move(features), options.feature_weight);
-    context_->area /= fraction_of_model;
-  }
-
-  // Returns the context, which only the calibrated method has.
-  const Evaluation_context& context() const { return *context_; }
+  virtual ~Best_cut() = default;
 
   // Returns the cuts that are compared, the most salient first. Throws `Run_stopped` if the caller
   // stops the run.
@@ -179,7 +100,7 @@ public:
     // 2. distances from both; 3. to 5. the order of the faces on the line
     check();
     const std::vector<Face_order> lines = monitor.stage(Stage::EMBEDDING, part.node, [&]
-      { return orders(execution, m, part.faces, contexts.references, samples); });
+      { return orders(execution, part, contexts.references, samples); });
 
     // 6. line search
     check();
@@ -195,6 +116,103 @@ public:
     std::vector<Cut> cuts = compared_cuts(execution, part, monitor);
     return cuts.empty() ? std::nullopt : std::make_optional(std::move(cuts.front()));
   }
+};
+
+// Takes the best cut along one order of the faces (Sections 4 and 5).
+class Paper_cut : public Best_cut
+{
+  std::vector<Face_order> orders(Execution execution, const Part& part, const std::vector<Index>&,
+                                 const Sample_faces& samples) const override
+  { return {face_order(execution, part.graph, samples)}; }
+
+  std::vector<Cut> cuts(Execution execution, const Part& part,
+                        const std::vector<Face_order>& orders) const override
+  {
+    std::optional<Cut> cut = line_search(execution, part.graph, orders.front(),
+                                         options_.part_salience, minimum_area_);
+    return cut ? std::vector<Cut>{std::move(*cut)} : std::vector<Cut>();
+  }
+
+public:
+  Paper_cut(const Surface& mesh, const Options& options) : Best_cut(mesh, options, 1) {}
+};
+
+// Proposes cuts along several orders, evaluates them by all factors, and moves the best to the
+// minimum cuts near them.
+class Calibrated_cut : public Best_cut
+{
+  Evaluation_context context_;
+
+  std::vector<Face_order> orders(Execution execution, const Part& part,
+                                 const std::vector<Index>& references,
+                                 const Sample_faces& samples) const override
+  {
+    std::vector<Face_order> result =
+      face_orders(execution, part.graph, references, samples, options_.single_source_orders);
+    if (!context_.features.empty())
+      result.push_back(feature_order(execution, context_.features, part.graph.areas, part.faces));
+    return result;
+  }
+
+  // Returns the cut with its factors; none if a side is too small.
+  std::optional<Cut> evaluate(const Surface& part, const Cut_evaluator& evaluator,
+                              Sides side) const
+  {
+    Cut cut{std::move(side), {0, 0}, {}, 0};
+    for (Index f = 0; f < cut.side.size(); ++f)
+      cut.area[int(cut.side[f])] += part.areas[f];
+    normalize_sides(cut.side, cut.area);
+    if (cut.area[0] < minimum_area_ || !(cut.area[0] > 0))
+      return std::nullopt;
+    cut.factors = evaluator(cut.side, false, &cut.near_cut);
+    cut.salience = salience_of(options_.part_salience, cut.factors);
+    return cut;
+  }
+
+  // Appends f(i) for each i < n, if it is a cut.
+  template <class Function>
+  static void append(Execution execution, std::size_t n, const Function& f, std::vector<Cut>& cuts)
+  {
+    std::vector<std::optional<Cut> > more(n);
+    for_each_index(execution, n, [&](std::size_t i) { more[i] = f(i); });
+    for (std::optional<Cut>& cut : more)
+      if (cut)
+        cuts.push_back(std::move(*cut));
+  }
+
+  std::vector<Cut> cuts(Execution execution, const Part& part,
+                        const std::vector<Face_order>& orders) const override
+  {
+    const Surface& graph = part.graph;
+    const Cut_evaluator evaluator(graph, part.faces, context_);
+    std::vector<Sides> proposals = cut_proposals(execution, graph, orders, minimum_area_,
+                                                 options_.number_of_candidates);
+    std::vector<Cut> cuts;
+    append(execution, proposals.size(), [&](std::size_t i)
+      { return evaluate(graph, evaluator, std::move(proposals[i])); }, cuts);
+    cuts = most_salient_first(std::move(cuts));
+    std::vector<Cut> refined;
+    append(execution, (std::min)(options_.number_of_refined_candidates, cuts.size()),
+           [&](std::size_t i) -> std::optional<Cut> {
+             Sides sides = minimum_cut_within(graph, cuts[i].near_cut, cuts[i].side);
+             if (sides == cuts[i].side || !both_sides_are_connected(graph, sides))
+               return std::nullopt;
+             return evaluate(graph, evaluator, std::move(sides));
+           }, refined);
+    std::move(refined.begin(), refined.end(), std::back_inserter(cuts));
+    return most_salient_first(std::move(cuts));
+  }
+
+public:
+  // Takes the features of the faces of the mesh. The mesh may be a fraction of the area of a model,
+  // to which the areas of parts are relative.
+  Calibrated_cut(const Surface& mesh, const Options& options,
+                 Face_features features = Face_features(), double fraction_of_model = 1)
+    : Best_cut(mesh, options, fraction_of_model),
+      context_(mesh, std::move(features), options.feature_weight)
+  { context_.area /= fraction_of_model; }
+
+  const Evaluation_context& context() const { return context_; }
 };
 
 } // namespace CGAL::Spectral_segmentation::internal

@@ -28,47 +28,6 @@ inline std::size_t number_of_regions(const Options& o)
   return (std::max)(o.number_of_regions, (std::min)(maximum_number(o), most));
 }
 
-// Returns the number of faces of the even mesh on which cuts are searched. A mesh of few faces has
-// a simple shape. On 190 meshes that were decimated to 300 faces, 1,300 faces agree with human
-// segmentations as well as 4,000, and take a third of the time.
-inline double search_resolution(const Options& o, std::size_t number_of_faces)
-{
-  return static_cast<double>((std::min)(o.number_of_coarse_faces, number_of_faces + 1000));
-}
-
-// Returns the number of faces to which the surface of a mesh is coarsened: the resolution, and in
-// proportion if more regions are needed than by default. In the paper's recursion it must not
-// depend on the number of segments, because a hierarchy gives the labels of runs with fewer.
-inline std::size_t faces_to_search(const Options& o, std::size_t faces_of_mesh,
-                                   std::size_t faces_of_surface)
-{
-  const double growth = o.method == Method::CALIBRATED
-    ? static_cast<double>(number_of_regions(o)) / static_cast<double>(o.number_of_regions) : 1;
-  const double number = search_resolution(o, faces_of_mesh) * growth;
-  return number > 0 && number < static_cast<double>(faces_of_surface)
-    ? static_cast<std::size_t>(number) : faces_of_surface;
-}
-
-// Estimates of the times of the phases of a run, in nanoseconds. Only the reported progress depends
-// on them.
-struct Phase_times
-{
-  double reading, coarsening, search, projection;
-
-  Phase_times(const Options& options, std::size_t number_of_faces)
-  {
-    const double n = static_cast<double>(number_of_faces);
-    const double m =
-      static_cast<double>(faces_to_search(options, number_of_faces, number_of_faces));
-    reading = 150 * n;
-    coarsening = (m < n ? 1250 : 100) * n;
-    search = (options.method == Method::CALIBRATED ? 50000 : 4000) * m;
-    projection = (m < n ? 250 : 0) * n;
-  }
-
-  double time_after_reading() const { return coarsening + search + projection; }
-};
-
 // Cuts a mesh recursively in two (Section 2). Each connected component is a part from the start.
 class Recursion
 {

@@ -63,13 +63,6 @@ inline std::optional<double> bound_of_edges(Execution execution, const Surface& 
   return longest > result ? std::make_optional(result) : std::nullopt;
 }
 
-// The same surface with more faces.
-struct Refined_mesh
-{
-  Surface graph;         // has no weights
-  std::vector<Index> faces; // the face of the mesh that holds each face of the graph, ascending
-};
-
 // Bisects faces at their longest edges until no edge is longer than a bound (Rivara 1984). An edge
 // is always halved, and only because of its own length. Therefore the faces on its two sides split
 // it equally, in any order.
@@ -102,9 +95,9 @@ class Longest_edge_bisection
   const Surface& mesh_;
   const double bound_;
   std::vector<Edge> edges_;
-  Refined_mesh result_;
+  Level result_;
 
-  std::vector<Vector>& points() { return result_.graph.points; }
+  std::vector<Vector>& points() { return result_.surface.points; }
 
   Index add_edge(Index source, Index target)
   {
@@ -139,10 +132,10 @@ class Longest_edge_bisection
 
   void add_face(const Sides_of_face& sides, Index face_of_mesh)
   {
-    Surface& graph = result_.graph;
+    Surface& graph = result_.surface;
     const Index f = static_cast<Index>(graph.corners.size());
     graph.corners.push_back({source(sides[0]), source(sides[1]), source(sides[2])});
-    result_.faces.push_back(face_of_mesh);
+    result_.parent_face.push_back(face_of_mesh);
     if (mesh_.components.number > 1)
       graph.components.labels.push_back(mesh_.components[face_of_mesh]);
     for (Index i = 0; i < 3; ++i) {
@@ -184,7 +177,8 @@ public:
     : mesh_(mesh), bound_(largest_length)
   { points() = mesh.points; }
 
-  Refined_mesh operator()(Execution execution)
+  // Returns the bisected surface, whose first vertices are those of the mesh.
+  Level operator()(Execution execution)
   {
     std::vector<Side> sides; // one per halfedge
     for (Index h = 0; h < mesh_.number_of_halfedges(); ++h)
@@ -194,8 +188,10 @@ public:
         sides.push_back({sides[mesh_.opposite[h]].edge, true});
     for (Index f = 0; f < mesh_.number_of_faces(); ++f)
       add_parts({sides[3 * f], sides[3 * f + 1], sides[3 * f + 2]}, f);
-    result_.graph.components.number = mesh_.components.number;
-    set_areas(execution, result_.graph);
+    result_.surface.components.number = mesh_.components.number;
+    set_areas(execution, result_.surface);
+    result_.vertex = first_indices(mesh_.points.size());
+    result_.is_subdivision = true;
     return std::move(result_);
   }
 };

@@ -113,6 +113,35 @@ struct Surface
   static vertex_descriptor null_vertex() { return null_index; }
 };
 
+// A surface of a run. Each one after the first is made from the one before: its faces are bisected,
+// or its edges collapsed.
+struct Level
+{
+  Surface surface;
+  std::vector<Index> parent_face; // of the level before, for each face; of the first, the caller's
+  std::vector<Index> vertex;      // for each vertex of the level before, or null_index
+  bool is_subdivision = false;    // each face of the level before is the union of faces
+};
+
+// Returns values[i] for each index i.
+inline std::vector<Index> composed(const std::vector<Index>& indices,
+                                   const std::vector<Index>& values)
+{
+  std::vector<Index> result;
+  result.reserve(indices.size());
+  for (Index i : indices)
+    result.push_back(values[i]);
+  return result;
+}
+
+// Returns the indices below n in their order.
+inline std::vector<Index> first_indices(std::size_t n)
+{
+  std::vector<Index> result(n);
+  std::iota(result.begin(), result.end(), Index(0));
+  return result;
+}
+
 inline void set_areas(Execution execution, Surface& surface)
 {
   surface.areas.resize(surface.number_of_faces());

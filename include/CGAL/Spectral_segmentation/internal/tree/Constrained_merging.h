@@ -340,6 +340,23 @@ public:
   }
 };
 
+// Changes the tree so that it satisfies the constraints. Joins the groups of each set by faces.
+inline void enforce_constraints(Merge_tree& tree, Constraint_groups& groups, const Level& mesh,
+                                const Run_data& d)
+{
+  if (groups.faces.empty())
+    return;
+  const std::size_t number_of_roots = tree.number_of_roots();
+  groups = Set_connection(mesh.surface, tree.leaf, tree.leaves.size(), groups)(mesh.parent_face);
+  tree = Constrained_merging(mesh.surface, groups, d.options.minimum_segment_size, tree,
+                             d.monitor)();
+  const std::size_t number = tree.number_of_roots(), maximum = maximum_number(d.options);
+  if (number > number_of_roots && number > maximum)
+    throw std::invalid_argument(
+      "segment_spectral_recursive: the constrained edges and seeds need " +
+      std::to_string(number) + " segments, but " + std::to_string(maximum) + " are allowed");
+}
+
 } // namespace CGAL::Spectral_segmentation::internal
 
 #endif // CGAL_SPECTRAL_SEGMENTATION_INTERNAL_TREE_CONSTRAINED_MERGING_H

@@ -12,6 +12,7 @@
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
+#include <iterator>
 #include <map>
 #include <numeric>
 #include <set>
@@ -95,23 +96,21 @@ struct Constraint_groups
   { return group[f] == null_index ? null_index : sets.representative(group[f]); }
 };
 
-// Returns the constraints between faces of one part of a mesh, by their indices in the part.
-// `face_of_part` holds the index of each of the caller's faces there, or null_index.
+// Returns the constraints between faces of one part of a mesh. `face_of_part` holds the face of the
+// part for each of the caller's faces, or null_index.
 inline Constraints constraints_within(const Constraints& all,
                                       const std::vector<Index>& face_of_part)
 {
   Constraints result;
+  const auto is_in_part = [&](Index f) { return face_of_part[f] != null_index; };
   const auto add_pairs = [&](const std::vector<Face_pair>& pairs, std::vector<Face_pair>& into) {
-    for (const auto& [f, g] : pairs)
-      if (face_of_part[f] != null_index && face_of_part[g] != null_index)
-        into.push_back({face_of_part[f], face_of_part[g]});
+    std::copy_if(pairs.begin(), pairs.end(), std::back_inserter(into), [&](const Face_pair& pair)
+      { return is_in_part(pair[0]) && is_in_part(pair[1]); });
   };
   add_pairs(all.cannot_link, result.cannot_link);
   add_pairs(all.must_link, result.must_link);
-  for (const auto& [f, seed] : all.seeds)
-    if (face_of_part[f] != null_index)
-      result.seeds.emplace_back(face_of_part[f], seed);
-  std::sort(result.seeds.begin(), result.seeds.end());
+  std::copy_if(all.seeds.begin(), all.seeds.end(), std::back_inserter(result.seeds),
+               [&](const auto& constraint) { return is_in_part(constraint.first); });
   return result;
 }
 
@@ -196,13 +195,8 @@ public:
     if (keep_components_separate)
       check_components();
     Constraint_groups result;
-    std::vector<char> is_constrained(mesh_.number_of_faces(), 0);
-    for (const auto& [f, seed] : constraints_.seeds)
-      is_constrained[number_[f]] = 1;
-    for (const auto& pairs : {&constraints_.cannot_link, &constraints_.must_link})
-      for (const auto& [f, g] : *pairs)
-        is_constrained[number_[f]] = is_constrained[number_[g]] = 1;
-
+    const std::vector<char> is_constrained =
+      constrained_faces(constraints_, number_, mesh_.number_of_faces());
     result.group.assign(mesh_.number_of_faces(), null_index);
     std::map<Index, Index> number_of_group, first_of_set;
     for (Index f = 0; f < is_constrained.size(); ++f)
@@ -231,6 +225,16 @@ public:
     return result;
   }
 };
+
+// Returns the groups of constrained faces; none without constraints.
+inline Constraint_groups constraint_groups(const Constraints& constraints,
+                                           const std::vector<Index>& number, const Surface& mesh,
+                                           bool keep_components_separate)
+{
+  if (constraints.empty())
+    return Constraint_groups();
+  return Constraint_grouping(constraints, number, mesh)(keep_components_separate);
+}
 
 // Joins the groups of each set, within each component of the mesh, by paths of faces. A set that is
 // blocked by others is routed first on the next attempt.

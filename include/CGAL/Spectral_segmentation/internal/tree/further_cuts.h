@@ -6,6 +6,7 @@
 
 #include <CGAL/Spectral_segmentation/internal/salience/Boundary_statistics.h>
 #include <CGAL/Spectral_segmentation/internal/search/Merge_tree.h>
+#include <CGAL/Spectral_segmentation/internal/tree/Constraint_groups.h>
 
 #include <algorithm>
 #include <cstddef>
@@ -220,6 +221,24 @@ public:
     cutter_.finish();
   }
 };
+
+// Cuts leaves until there are as many segments as were asked for. No cut divides a set of groups.
+inline void cut_further(Merge_tree& tree, const Constraint_groups& groups, const Surface& mesh,
+                        const Run_data& d)
+{
+  if (!d.options.number_of_segments || d.monitor.is_stopped())
+    return;
+  const std::size_t number = *d.options.number_of_segments;
+  std::vector<Index> sets;
+  for (Index f = 0; f < groups.group.size(); ++f)
+    sets.push_back(groups.set(f));
+  Further_cuts(mesh, tree, sets)(number);
+  if (tree.leaves.size() < number)
+    throw std::invalid_argument(
+      "segment_spectral_recursive: number_of_segments is " + std::to_string(number) +
+      ", but the edges that must not be cut and the seeds leave at most " +
+      std::to_string(tree.leaves.size()) + " segments");
+}
 
 } // namespace CGAL::Spectral_segmentation::internal
 

@@ -1,0 +1,290 @@
+// Copyright (c) 2026  The Spectral_segmentation authors.
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_SPECTRAL_SEGMENTATION_INTERNAL_LEVELS_PREPARE_MESH_H
+#define CGAL_SPECTRAL_SEGMENTATION_INTERNAL_LEVELS_PREPARE_MESH_H
+
+#include <CGAL/Spectral_segmentation/internal/levels/make_levels.h>
+#include <CGAL/Spectral_segmentation/internal/surface/component_walls.h>
+#include <CGAL/Spectral_segmentation/internal/surface/connect_triangles.h>
+#include <CGAL/Spectral_segmentation/internal/surface/model_components.h>
+#include <CGAL/Spectral_segmentation/internal/surface/reorder_faces.h>
+#include <CGAL/Spectral_segmentation/internal/surface/weld_borders.h>
+
+#include <algorithm>
+#include <cstddef>
+#include <stdexcept>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace CGAL::Spectral_segmentation::internal {
+
+// A part of a model of several components that is searched by itself: a large component, at its own
+// scale, or all small components together, at the scale of the model.
+struct Part_of_model
+{
+  Level mesh;
+  double fraction_of_model = 1; // 1 unless it is searched at the scale of the model
+};
+
+// The mesh of a run, without duplicate faces and walls, in a frame of its own.
+struct Model
+{
+  Level mesh;                       // the first level
+  std::vector<Part_of_model> parts; // not empty if components are searched by themselves
+  Surface walls;                    // the components that are walls of others
+  std::vector<Index> outer_face;    // for each face of a wall, the nearest face of an outer wall
+  std::vector<Index> face;          // for each of the caller's faces; walls follow the mesh
+  std::vector<Index> neighbors;     // the caller's, one per halfedge; only for smoothing
+  double unit = 1;                  // the length of 1 in the coordinates of the caller
+
+  // Returns the face of a part for each of the caller's faces, or null_index.
+  std::vector<Index> faces_in(const Level& part) const
+  {
+    std::vector<Index> result(mesh.parent_face.size() + outer_face.size(), null_index);
+    for (Index f = 0; f < part.parent_face.size(); ++f)
+      result[face[part.parent_face[f]]] = f;
+    return composed(face, result);
+  }
+};
+
+// Keeps some faces of a level, which ascend.
+inline void keep_faces(Level& level, const std::vector<Index>& faces)
+{
+  level.surface = submesh(level.surface, level.surface.points, faces);
+  level.parent_face = composed(faces, level.parent_face);
+}
+
+// Removes duplicate faces. Returns the first face with the same points for each face.
+inline std::vector<Index> remove_duplicates(Level& mesh)
+{
+  std::vector<Index> first = Duplicate_faces(mesh.surface)();
+  std::vector<Index> kept;
+  for (Index f = 0; f < first.size(); ++f)
+    if (first[f] == f)
+      kept.push_back(f);
+  if (kept.size() < first.size()) {
+    mesh.surface = distinct_faces(mesh.surface, first);
+    mesh.surface.components = connected_components(mesh.surface);
+    mesh.parent_face = std::move(kept);
+  }
+  return first;
+}
+
+// Removes the components that are walls of others, unless they are constrained, or the rest has
+// fewer faces than segments are asked for. `first` holds the first face with the same points for
+// each of the caller's faces. Sets the caller's faces as the outer faces. Returns the caller's
+// faces of the walls.
+inline std::vector<Index> remove_walls(Model& m, const std::vector<Index>& first,
+                                       const std::vector<double>& volumes,
+                                       std::vector<Vector>& given_points, const Run_data& d)
+{
+  Surface& mesh = m.mesh.surface;
+  const std::vector<char> is_constrained = constrained_faces(d.constraints, first, first.size());
+  std::vector<char> may_be_wall(mesh.components.number, 1);
+  for (Index f = 0; f < mesh.number_of_faces(); ++f)
+    if (is_constrained[m.mesh.parent_face[f]])
+      may_be_wall[mesh.components[f]] = 0;
+
+  Wall_finder finder(mesh, volumes);
+  const std::vector<Index> outer = finder(may_be_wall);
+  std::vector<Index> kept, walls, outer_face;
+  for (Index f = 0; f < mesh.number_of_faces(); ++f)
+    if (const Index o = outer[mesh.components[f]]; o == null_index)
+      kept.push_back(f);
+    else {
+      walls.push_back(f);
+      outer_face.push_back(m.mesh.parent_face[finder.nearest_face(o, f)]);
+    }
+  if (walls.empty() || kept.size() < d.options.number_of_segments.value_or(0))
+    return {};
+  m.outer_face = std::move(outer_face);
+  m.walls = submesh(mesh, mesh.points, walls);
+  std::vector<Index> result = composed(walls, m.mesh.parent_face);
+  given_points = submesh(mesh, given_points, kept).points;
+  keep_faces(m.mesh, kept);
+  set_areas(d.execution, m.walls);
+  set_areas(d.execution, mesh);
+  return result;
+}
+
+// Returns the parts of a model that are searched by themselves, with the points that the caller
+// gave.
+inline std::vector<Part_of_model> parts_of(const Level& mesh,
+                                           const std::vector<Vector>& given_points)
+{
+  constexpr double least_fraction_of_large_component = 0.1;
+  const Component_fractions fractions = component_fractions(mesh.surface);
+  std::vector<std::vector<Index> > faces(mesh.surface.components.number);
+  for (Index f = 0; f < mesh.surface.number_of_faces(); ++f)
+    faces[mesh.surface.components[f]].push_back(f);
+  std::vector<Part_of_model> result;
+  const auto add_part = [&](const std::vector<Index>& faces_of_part, double fraction) {
+    result.push_back({{submesh(mesh.surface, given_points, faces_of_part),
+                       composed(faces_of_part, mesh.parent_face), {}}, fraction});
+  };
+  std::vector<Index> small;
+  double fraction = 0; // the area of the small components
+  for (Index c = 0; c < faces.size(); ++c)
+    if (fractions.fraction[c] < least_fraction_of_large_component) {
+      small.insert(small.end(), faces[c].begin(), faces[c].end());
+      fraction += fractions.fraction[c];
+    }
+    else
+      add_part(faces[c], 1);
+  std::sort(small.begin(), small.end());
+  if (!small.empty())
+    add_part(small, fraction > 0 ? (std::min)(fraction, 1.) : 1);
+  return result;
+}
+
+// Returns whether a method searches the points of a mesh as they are given.
+inline bool keeps_points(const Surface& mesh, const Run_data& d)
+{ return d.method.keeps_points && is_searched_itself(d, mesh.number_of_faces()); }
+
+// Returns the order in which faces are kept; empty for the order of the caller. A mesh that is only
+// coarsened needs no order, because its coarse surface is put in one. Components that are merged
+// need one, because ties go to the first of equal components.
+inline std::vector<Index> order_of_faces(Surface& mesh, const Run_data& d)
+{
+  if (keeps_points(mesh, d))
+    return locality_order(mesh);
+  const bool are_merged = !d.options.keep_components_separate && mesh.components.number > 1;
+  if (are_merged || d.options.number_of_coarse_faces == 0)
+    return geometric_order(mesh);
+  return {};
+}
+
+// Moves a mesh into a frame of its own, unless its points are kept, and orders its faces. A run
+// that is stopped meanwhile leaves the order. Returns the length of 1 in the old unit.
+inline double move_and_order(Level& mesh, const Run_data& d)
+{
+  const double unit = keeps_points(mesh.surface, d) ? 1 : move_to_frame(d.execution, mesh.surface);
+  if (mesh.surface.components.number > 1) // thousands may meet at one vertex, with all their leaves
+    separate_vertices(mesh.surface, mesh.surface.components);
+  if (d.monitor.go_further()) {
+    const std::vector<Index> order = order_of_faces(mesh.surface, d);
+    d.monitor.advance(0.3);
+    if (!order.empty() && d.monitor.go_further()) {
+      reorder_faces(mesh.surface, order);
+      mesh.parent_face = composed(order, mesh.parent_face);
+    }
+  }
+  d.monitor.advance(0.3);
+  return unit;
+}
+
+// Moves the points into [-1, 1]^3, and sets the areas. Returns the length of 1 in the old unit.
+inline double normalize(Surface& mesh, const Run_data& d)
+{
+  const double unit = normalize(mesh.points);
+  set_areas(d.execution, mesh);
+  return unit;
+}
+
+inline void prepare_part(Level& mesh, const Run_data& d)
+{
+  normalize(mesh.surface, d);
+  move_and_order(mesh, d);
+}
+
+// Returns the face of a mesh for each of the caller's faces, or null_index. `first` holds the first
+// face with the same points for each of them.
+inline std::vector<Index> faces_of_caller(const Level& mesh, const std::vector<Index>& first)
+{
+  std::vector<Index> face(first.size(), null_index);
+  for (Index f = 0; f < mesh.parent_face.size(); ++f)
+    face[mesh.parent_face[f]] = f;
+  return composed(first, face);
+}
+
+// Returns the neighbors of the caller's faces for smoothing. The only neighbor of a duplicate face
+// is the first face with the same points. A constrained face is its own neighbor, so that its label
+// stays.
+inline std::vector<Index> neighbors_for_smoothing(const Model& m, const std::vector<Index>& walls,
+                                                  const Constraints& constraints)
+{
+  std::vector<Index> callers_face = m.mesh.parent_face;
+  callers_face.insert(callers_face.end(), walls.begin(), walls.end());
+  const Index n = static_cast<Index>(m.mesh.parent_face.size());
+  std::vector<Index> result(3 * m.face.size());
+  for (Index h = 0; h < result.size(); ++h) {
+    const Index f = m.face[h / 3];
+    if (f >= n) // this is a face of a wall
+      result[h] = callers_face[n + m.walls.neighbor(3 * (f - n) + h % 3)];
+    else
+      result[h] = callers_face[callers_face[f] != h / 3 ? f
+                                                        : m.mesh.surface.neighbor(3 * f + h % 3)];
+  }
+  const std::vector<char> is_constrained =
+    constrained_faces(constraints, m.face, callers_face.size());
+  for (Index h = 0; h < result.size(); ++h)
+    if (is_constrained[m.face[h / 3]])
+      result[h] = h / 3;
+  return result;
+}
+
+inline void check_number(const Surface& mesh, const Options& o)
+{
+  if (!o.number_of_segments)
+    return;
+  const std::size_t number = *o.number_of_segments;
+  const std::size_t least = o.keep_components_separate ? mesh.components.number : 1;
+  if (number < least || number > mesh.number_of_faces())
+    throw std::invalid_argument(
+      "segment_spectral_recursive: number_of_segments is " + std::to_string(number) +
+      ", but the mesh can have " + std::to_string(least) + " to " +
+      std::to_string(mesh.number_of_faces()) + " segments");
+}
+
+// Prepares the mesh of a run: joins faces at borders that meet, removes duplicate faces and walls
+// if components are merged, orients the components, and divides them into parts.
+inline Model prepare_model(Surface surface, const Run_data& d)
+{
+  d.start_phase(Phase_times(d, surface.number_of_faces()).reading);
+  Model m;
+  Surface& mesh = m.mesh.surface;
+  mesh = std::move(surface);
+  m.mesh.parent_face = first_indices(mesh.number_of_faces());
+  separate_groups(mesh);
+  mesh.components = connected_components(mesh);
+  const auto are_merged = [&]
+    { return !d.options.keep_components_separate && mesh.components.number > 1; };
+  const std::vector<Index> first = are_merged() ? remove_duplicates(m.mesh) : m.mesh.parent_face;
+  std::vector<Index> walls; // the caller's faces
+  if (are_merged()) {
+    std::vector<Vector> given_points = mesh.points;
+    m.unit = normalize(mesh, d);
+    weld_borders(mesh);
+    const std::vector<double> volumes = orient_outward(mesh);
+    mesh.groups.clear(); // they are components now
+    walls = remove_walls(m, first, volumes, given_points, d);
+    m.parts = parts_of(m.mesh, given_points);
+  }
+  else {
+    m.unit = normalize(mesh, d);
+    orient_outward(mesh);
+    mesh.groups.clear();
+  }
+  const double unit_of_frame = move_and_order(m.mesh, d);
+  m.unit *= unit_of_frame;
+  for (double& area : m.walls.areas)
+    area /= unit_of_frame * unit_of_frame;
+  check_number(mesh, d.options);
+
+  m.face = faces_of_caller(m.mesh, first);
+  m.outer_face = composed(m.outer_face, m.face);
+  std::vector<Index> wall(first.size(), null_index);
+  for (Index i = 0; i < walls.size(); ++i)
+    wall[walls[i]] = static_cast<Index>(m.mesh.parent_face.size()) + i;
+  for (Index f = 0; f < m.face.size(); ++f)
+    m.face[f] = m.face[f] == null_index ? wall[first[f]] : m.face[f];
+  if (d.options.smooth_boundaries)
+    m.neighbors = neighbors_for_smoothing(m, walls, d.constraints);
+  return m;
+}
+
+} // namespace CGAL::Spectral_segmentation::internal
+
+#endif // CGAL_SPECTRAL_SEGMENTATION_INTERNAL_LEVELS_PREPARE_MESH_H

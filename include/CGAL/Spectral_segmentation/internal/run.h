@@ -1,0 +1,231 @@
+// Copyright (c) 2026  The Spectral_segmentation authors.
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_SPECTRAL_SEGMENTATION_INTERNAL_RUN_H
+#define CGAL_SPECTRAL_SEGMENTATION_INTERNAL_RUN_H
+
+#include <CGAL/Spectral_segmentation/internal/engine.h>
+#include <CGAL/Spectral_segmentation/internal/levels/make_levels.h>
+#include <CGAL/Spectral_segmentation/internal/levels/prepare_mesh.h>
+#include <CGAL/Spectral_segmentation/internal/search/region_merging.h>
+#include <CGAL/Spectral_segmentation/internal/tree/Component_merging.h>
+#include <CGAL/Spectral_segmentation/internal/tree/Constrained_merging.h>
+#include <CGAL/Spectral_segmentation/internal/tree/Constraint_groups.h>
+#include <CGAL/Spectral_segmentation/internal/tree/Forced_cuts.h>
+#include <CGAL/Spectral_segmentation/internal/tree/congruent_cuts.h>
+#include <CGAL/Spectral_segmentation/internal/tree/further_cuts.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <stdexcept>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace CGAL::Spectral_segmentation::internal {
+
+// Cuts the last level by the method of the paper (Sections 2 to 6): the largest part next, until no
+// part has a salient cut. Its surface is moved, unless a later stage needs it.
+inline Merge_tree search_paper(Levels& l, const Run_data& d)
+{
+  Surface& surface = l.levels.back().surface;
+  const Paper_cut best_cut(surface, d.options);
+  const bool is_needed = l.levels.size() > 1 || d.options.number_of_segments;
+  return Recursion(d.execution, is_needed ? surface : std::move(surface), best_cut, d.options,
+                   d.monitor).by_area();
+}
+
+// Cuts the last level by the calibrated method: divides it into regions, merges them again, the
+// least salient boundary first, and cuts leaves that violate constraints. Sets the leaf of each
+// group.
+inline Merge_tree search_calibrated(const Levels& l, const Constraint_groups& groups,
+                                    std::vector<Index>& leaf_of_group, const Run_data& d)
+{
+  const Surface& surface = l.last();
+  const Calibrated_cut best_cut(surface, d.options, l.features, d.fraction_of_model);
+  const std::vector<Index> regions =
+    Recursion(d.execution, surface, best_cut, d.options, d.monitor).by_salience().leaf;
+  return d.monitor.stage(Stage::MERGING, Segmentation_visitor::whole_mesh, [&] {
+    Merge_tree tree = Region_merging(d.execution, surface, best_cut.context(),
+                                     d.options.part_salience, d.monitor)(regions);
+    average_saliences(surface, tree);
+    if (!groups.faces.empty()) {
+      const std::vector<Index> vertices = l.vertices_of_last(0);
+      Forced_cuts cuts(l.mesh(), vertices, surface, groups, tree, d.monitor);
+      cuts();
+      leaf_of_group = cuts.leaves_of_groups();
+    }
+    return tree;
+  });
+}
+
+// Searches the cuts of the last level, and carries them back to the mesh. A convex mesh has no
+// cuts, and neither has a mesh whose run was stopped before.
+inline Merge_tree cut_mesh(Levels& l, const Constraint_groups& groups, const Run_data& d)
+{
+  const Phase_times times(d, l.mesh().number_of_faces());
+  d.start_phase(times.search);
+  if (l.last().weights.empty()) {
+    const bool is_stopped = d.monitor.is_stopped();
+    Merge_tree tree = uncut_tree(l.mesh(), is_stopped ? Cut_state::NOT_SEARCHED
+                                                      : Cut_state::NO_CUT);
+    tree.is_monotonic = !is_stopped;
+    return tree;
+  }
+  Fixed_groups fixed{groups.group, {}};
+  Merge_tree tree = d.options.method == Method::ZHANG_LIU_2005
+    ? search_paper(l, d) : search_calibrated(l, groups, fixed.leaf, d);
+  d.start_phase(times.projection);
+  const auto carry_back_to_mesh = [&] {
+    while (l.levels.size() > 1)
+      tree = carry_back(tree, l, fixed, d);
+    return std::move(tree);
+  };
+  const bool is_searched_copy = l.levels.size() == 2 && l.levels.back().is_subdivision;
+  if (l.levels.size() == 1 || is_searched_copy) // no work of a stage
+    return carry_back_to_mesh();
+  return d.monitor.stage(Stage::PROJECTION, Segmentation_visitor::whole_mesh, carry_back_to_mesh);
+}
+
+// Returns the options for a surface that is searched at the scale of a model, of whose area it has
+// a fraction.
+inline Options options_at_scale(Options o, double fraction_of_model)
+{
+  if (fraction_of_model == 1)
+    return o;
+  o.concavity_radius /= std::sqrt(fraction_of_model);
+  if (o.number_of_coarse_faces > 0)
+    o.number_of_coarse_faces = static_cast<std::size_t>(
+      std::ceil(static_cast<double>(o.number_of_coarse_faces) * fraction_of_model));
+  return o;
+}
+
+// Appends the cuts of a part to the tree of a model.
+inline void cut_part(Part_of_model part, const Model& m, double time_scale, const Run_data& d,
+                     Merge_tree& tree)
+{
+  const Options options = options_at_scale(d.options, part.fraction_of_model);
+  Constraints constraints;
+  const Run_data of_part{options, d.method, constraints, d.features, d.execution, d.monitor,
+                         time_scale, part.fraction_of_model};
+  Constraint_groups groups;
+  Levels l = d.monitor.stage(Stage::INITIALIZATION, Segmentation_visitor::whole_mesh, [&] {
+    prepare_part(part.mesh, of_part);
+    if (!d.constraints.empty()) {
+      const std::vector<Index> face = m.faces_in(part.mesh);
+      constraints = constraints_within(d.constraints, face);
+      groups = constraint_groups(constraints, face, part.mesh.surface, false);
+    }
+    return make_levels(std::move(part.mesh), of_part);
+  });
+  append(tree, cut_mesh(l, groups, of_part), composed(l.callers_faces(0), m.face));
+}
+
+// Returns the features of the components of the mesh, computed on its last level.
+inline Set_features features_of_components(Model& m, const Run_data& d)
+{
+  if (!has_features(d))
+    return {};
+  Levels l = make_levels(std::move(m.mesh), d);
+  std::vector<Index> component = composed(l.callers_faces(l.levels.size() - 1), m.face);
+  for (Index& f : component)
+    f = l.mesh().components[f];
+  const Set_features result = l.features.empty() ? Set_features() :
+    Set_features(l.features, l.last().areas, component, l.mesh().components.number);
+  m.mesh = std::move(l.levels.front());
+  return result;
+}
+
+// Cuts the parts of a model one after the other, and merges its components.
+inline Merge_tree cut_parts(Model& m, const Run_data& d)
+{
+  double time = 1;
+  for (const Part_of_model& part : m.parts)
+    time += Phase_times(d, part.mesh.parent_face.size()).time_after_reading();
+  Merge_tree tree;
+  tree.leaf.resize(m.mesh.parent_face.size());
+  const double rest = 1 - d.time_scale * Phase_times(d, m.face.size()).reading; // of the run
+  for (Part_of_model& part : m.parts)
+    cut_part(std::move(part), m, rest / time, d, tree);
+  set_areas_of_leaves(tree, m.mesh.surface);
+  const Component_fractions fractions = component_fractions(m.mesh.surface);
+  const Set_features features = features_of_components(m, d);
+  return Component_merging(std::move(tree), m.mesh.surface, fractions, features,
+                           d.options.feature_weight, d.monitor)();
+}
+
+// Returns the hierarchy of a tree in the indices and the unit of the caller. The square of the unit
+// may be infinite even if an area is not.
+inline Cut_hierarchy hierarchy_of_caller(Merge_tree tree, Model m)
+{
+  tree.leaf = composed(m.face, tree.leaf);
+  Cut_hierarchy result = hierarchy_of(tree);
+  for (Cut_node& node : result.nodes)
+    node.area = node.area * m.unit * m.unit;
+  result.neighbors = std::move(m.neighbors);
+  return result;
+}
+
+// Returns the hierarchy of a mesh.
+inline Cut_hierarchy run(Surface input, const Run_data& d)
+{
+  Model m;
+  Constraint_groups groups;
+  Levels l = d.monitor.stage(Stage::INITIALIZATION, Segmentation_visitor::whole_mesh, [&] {
+    m = prepare_model(std::move(input), d);
+    groups = constraint_groups(d.constraints, m.face, m.mesh.surface,
+                               d.options.keep_components_separate);
+    return m.parts.empty() ? make_levels(std::move(m.mesh), d) : Levels();
+  });
+  Merge_tree tree;
+  if (m.parts.empty()) {
+    tree = cut_mesh(l, groups, d);
+    m.mesh = std::move(l.levels.front());
+  }
+  else
+    tree = cut_parts(m, d);
+  enforce_constraints(tree, groups, m.mesh, d);
+  cut_further(tree, groups, m.mesh.surface, d);
+  add_walls(tree, m.walls, m.outer_face);
+  d.monitor.finish();
+  return hierarchy_of_caller(std::move(tree), std::move(m));
+}
+
+CGAL_SPECTRAL_SEGMENTATION_INLINE
+Cut_hierarchy segment(Surface surface, const Options& options, Execution execution,
+                      Run_control& control, const Constraints& constraints,
+                      const Feature_source& features)
+{
+  const bool is_paper = options.method == Method::ZHANG_LIU_2005;
+  const auto refuse = [&](const std::string& what) {
+    throw std::invalid_argument("segment_spectral_recursive: the method of the paper takes no " +
+                                what + ": use the calibrated method with them");
+  };
+  if (is_paper && !constraints.empty())
+    refuse("constraints");
+  if (is_paper && features.dimension > 0 && options.feature_weight > 0)
+    refuse("features");
+  const Method_properties method = is_paper ? Method_properties{false, true, false, 4000}
+                                            : Method_properties{true, false, true, 50000};
+  Cut_hierarchy result;
+  call_isolated([&] {
+    Run_monitor monitor(control);
+    Run_data d{options, method, constraints, features, execution, monitor, 0};
+    const Phase_times times(d, surface.number_of_faces());
+    d.time_scale = 1 / (std::max)(times.reading + times.time_after_reading(), 1.);
+    result = run(std::move(surface), d);
+  });
+  return result;
+}
+
+CGAL_SPECTRAL_SEGMENTATION_INLINE
+void connect(Surface& soup)
+{
+  separate_groups(soup);
+  connect_triangles(soup);
+}
+
+} // namespace CGAL::Spectral_segmentation::internal
+
+#endif // CGAL_SPECTRAL_SEGMENTATION_INTERNAL_RUN_H
