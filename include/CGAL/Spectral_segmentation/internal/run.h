@@ -101,9 +101,9 @@ inline Options options_at_scale(Options o, double fraction_of_model)
   return o;
 }
 
-// Appends the cuts of a part to the tree of a model.
-inline void cut_part(Part_of_model part, const Model& m, double time_scale, const Run_data& d,
-                     Merge_tree& tree)
+// Returns the cuts of a part of a model, and the caller's face for each of its faces.
+inline std::pair<Merge_tree, std::vector<Index> >
+cut_part(Part_of_model part, const Model& m, double time_scale, const Run_data& d)
 {
   const Options options = options_at_scale(d.options, part.fraction_of_model);
   Constraints constraints;
@@ -115,20 +115,24 @@ inline void cut_part(Part_of_model part, const Model& m, double time_scale, cons
     if (!d.constraints.empty()) {
       const std::vector<Index> face = m.faces_in(part.mesh);
       constraints = constraints_within(d.constraints, face);
-      groups = constraint_groups(constraints, face, part.mesh.surface, false);
+      if (!constraints.empty())
+        groups = Constraint_grouping(constraints, face, part.mesh.surface)(false);
     }
     return make_levels(std::move(part.mesh), of_part);
   });
-  append(tree, cut_mesh(l, groups, of_part), composed(l.callers_faces(0), m.face));
+  Merge_tree tree = cut_mesh(l, groups, of_part);
+  return {std::move(tree), l.callers_faces(0)};
 }
 
-// Returns the features of the components of the mesh, computed on its last level.
-inline Set_features features_of_components(Model& m, const Run_data& d)
+// Returns the features of the components of the mesh, computed on its last level. `face` holds the
+// face of the mesh for each of the caller's faces.
+inline Set_features features_of_components(Model& m, const std::vector<Index>& face,
+                                           const Run_data& d)
 {
   if (!has_features(d))
     return {};
   Levels l = make_levels(std::move(m.mesh), d);
-  std::vector<Index> component = composed(l.callers_faces(l.levels.size() - 1), m.face);
+  std::vector<Index> component = composed(l.callers_faces(l.levels.size() - 1), face);
   for (Index& f : component)
     f = l.mesh().components[f];
   const Set_features result = l.features.empty() ? Set_features() :
@@ -143,23 +147,40 @@ inline Merge_tree cut_parts(Model& m, const Run_data& d)
   double time = 1;
   for (const Part_of_model& part : m.parts)
     time += Phase_times(d, part.mesh.parent_face.size()).time_after_reading();
+  const std::vector<Index> face = m.faces();
   Merge_tree tree;
   tree.leaf.resize(m.mesh.parent_face.size());
-  const double rest = 1 - d.time_scale * Phase_times(d, m.face.size()).reading; // of the run
-  for (Part_of_model& part : m.parts)
-    cut_part(std::move(part), m, rest / time, d, tree);
+  const double rest = 1 - d.time_scale * Phase_times(d, face.size()).reading; // of the run
+  for (Part_of_model& part : m.parts) {
+    const auto [of_part, callers_face] = cut_part(std::move(part), m, rest / time, d);
+    append(tree, of_part, composed(callers_face, face));
+  }
   set_areas_of_leaves(tree, m.mesh.surface);
   const Component_fractions fractions = component_fractions(m.mesh.surface);
-  const Set_features features = features_of_components(m, d);
+  const Set_features features = features_of_components(m, face, d);
   return Component_merging(std::move(tree), m.mesh.surface, fractions, features,
                            d.options.feature_weight, d.monitor)();
+}
+
+// Adds the walls to a tree. Their faces get the leaves of the nearest faces of their outer walls,
+// provided that the faces of a wall in each set stay connected.
+inline void add_walls(Merge_tree& tree, const Model& m)
+{
+  if (m.outer_face.empty())
+    return;
+  std::vector<Index> leaf = composed(composed(m.outer_face, m.faces()), tree.leaf);
+  Wall_labels(m.walls.surface, tree, leaf)();
+  for (std::size_t i = 0; i < leaf.size(); ++i) {
+    tree.leaf.push_back(leaf[i]);
+    tree.leaves[leaf[i]].area += m.walls.surface.areas[i];
+  }
 }
 
 // Returns the hierarchy of a tree in the indices and the unit of the caller. The square of the unit
 // may be infinite even if an area is not.
 inline Cut_hierarchy hierarchy_of_caller(Merge_tree tree, Model m)
 {
-  tree.leaf = composed(m.face, tree.leaf);
+  tree.leaf = composed(m.faces(), tree.leaf);
   Cut_hierarchy result = hierarchy_of(tree);
   for (Cut_node& node : result.nodes)
     node.area = node.area * m.unit * m.unit;
@@ -174,8 +195,9 @@ inline Cut_hierarchy run(Surface input, const Run_data& d)
   Constraint_groups groups;
   Levels l = d.monitor.stage(Stage::INITIALIZATION, Segmentation_visitor::whole_mesh, [&] {
     m = prepare_model(std::move(input), d);
-    groups = constraint_groups(d.constraints, m.face, m.mesh.surface,
-                               d.options.keep_components_separate);
+    if (!d.constraints.empty())
+      groups = Constraint_grouping(d.constraints, m.faces(),
+                                   m.mesh.surface)(d.options.keep_components_separate);
     return m.parts.empty() ? make_levels(std::move(m.mesh), d) : Levels();
   });
   Merge_tree tree;
@@ -187,7 +209,7 @@ inline Cut_hierarchy run(Surface input, const Run_data& d)
     tree = cut_parts(m, d);
   enforce_constraints(tree, groups, m.mesh, d);
   cut_further(tree, groups, m.mesh.surface, d);
-  add_walls(tree, m.walls, m.outer_face);
+  add_walls(tree, m);
   d.monitor.finish();
   return hierarchy_of_caller(std::move(tree), std::move(m));
 }

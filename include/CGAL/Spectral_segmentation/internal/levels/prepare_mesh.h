@@ -33,28 +33,39 @@ struct Model
 {
   Level mesh;                       // the first level
   std::vector<Part_of_model> parts; // not empty if components are searched by themselves
-  Surface walls;                    // the components that are walls of others
-  std::vector<Index> outer_face;    // for each face of a wall, the nearest face of an outer wall
-  std::vector<Index> face;          // for each of the caller's faces; walls follow the mesh
-  std::vector<Index> neighbors;     // the caller's, one per halfedge; only for smoothing
+  Level walls;                      // the components that are walls of others
+  std::vector<Index> outer_face;    // for each face of a wall, the nearest of the outer wall
+  std::vector<Index> first_face;    // with the same points; empty if no duplicates are removed
+  std::vector<Index> neighbors;     // one per halfedge; only for smoothing
   double unit = 1;                  // the length of 1 in the coordinates of the caller
+  // The outer, first and neighboring faces are the caller's.
+
+  // Returns the face of the mesh for each of the caller's faces. Those of walls follow.
+  std::vector<Index> faces() const
+  {
+    const Index n = static_cast<Index>(mesh.parent_face.size());
+    std::vector<Index> result(first_face.empty() ? n : first_face.size(), null_index);
+    for (Index f = 0; f < n; ++f)
+      result[mesh.parent_face[f]] = f;
+    for (Index f = 0; f < walls.parent_face.size(); ++f)
+      result[walls.parent_face[f]] = n + f;
+    return first_face.empty() ? result : composed(first_face, result);
+  }
 
   // Returns the face of a part for each of the caller's faces, or null_index.
   std::vector<Index> faces_in(const Level& part) const
   {
-    std::vector<Index> result(mesh.parent_face.size() + outer_face.size(), null_index);
+    std::vector<Index> result(first_face.size(), null_index);
     for (Index f = 0; f < part.parent_face.size(); ++f)
-      result[face[part.parent_face[f]]] = f;
-    return composed(face, result);
+      result[part.parent_face[f]] = f;
+    return composed(first_face, result);
   }
 };
 
-// Keeps some faces of a level, which ascend.
-inline void keep_faces(Level& level, const std::vector<Index>& faces)
-{
-  level.surface = submesh(level.surface, level.surface.points, faces);
-  level.parent_face = composed(faces, level.parent_face);
-}
+// Returns some faces of a level, which ascend, with other points.
+inline Level some_faces(const Level& level, const std::vector<Vector>& points,
+                        const std::vector<Index>& faces)
+{ return {submesh(level.surface, points, faces), composed(faces, level.parent_face), {}}; }
 
 // Removes duplicate faces. Returns the first face with the same points for each face.
 inline std::vector<Index> remove_duplicates(Level& mesh)
@@ -73,15 +84,13 @@ inline std::vector<Index> remove_duplicates(Level& mesh)
 }
 
 // Removes the components that are walls of others, unless they are constrained, or the rest has
-// fewer faces than segments are asked for. `first` holds the first face with the same points for
-// each of the caller's faces. Sets the caller's faces as the outer faces. Returns the caller's
-// faces of the walls.
-inline std::vector<Index> remove_walls(Model& m, const std::vector<Index>& first,
-                                       const std::vector<double>& volumes,
-                                       std::vector<Vector>& given_points, const Run_data& d)
+// fewer faces than segments are asked for.
+inline void remove_walls(Model& m, const std::vector<double>& volumes,
+                         std::vector<Vector>& given_points, const Run_data& d)
 {
   Surface& mesh = m.mesh.surface;
-  const std::vector<char> is_constrained = constrained_faces(d.constraints, first, first.size());
+  const std::vector<char> is_constrained =
+    constrained_faces(d.constraints, m.first_face, m.first_face.size());
   std::vector<char> may_be_wall(mesh.components.number, 1);
   for (Index f = 0; f < mesh.number_of_faces(); ++f)
     if (is_constrained[m.mesh.parent_face[f]])
@@ -98,15 +107,13 @@ inline std::vector<Index> remove_walls(Model& m, const std::vector<Index>& first
       outer_face.push_back(m.mesh.parent_face[finder.nearest_face(o, f)]);
     }
   if (walls.empty() || kept.size() < d.options.number_of_segments.value_or(0))
-    return {};
+    return;
   m.outer_face = std::move(outer_face);
-  m.walls = submesh(mesh, mesh.points, walls);
-  std::vector<Index> result = composed(walls, m.mesh.parent_face);
+  m.walls = some_faces(m.mesh, mesh.points, walls);
   given_points = submesh(mesh, given_points, kept).points;
-  keep_faces(m.mesh, kept);
-  set_areas(d.execution, m.walls);
+  m.mesh = some_faces(m.mesh, mesh.points, kept);
+  set_areas(d.execution, m.walls.surface);
   set_areas(d.execution, mesh);
-  return result;
 }
 
 // Returns the parts of a model that are searched by themselves, with the points that the caller
@@ -121,8 +128,7 @@ inline std::vector<Part_of_model> parts_of(const Level& mesh,
     faces[mesh.surface.components[f]].push_back(f);
   std::vector<Part_of_model> result;
   const auto add_part = [&](const std::vector<Index>& faces_of_part, double fraction) {
-    result.push_back({{submesh(mesh.surface, given_points, faces_of_part),
-                       composed(faces_of_part, mesh.parent_face), {}}, fraction});
+    result.push_back({some_faces(mesh, given_points, faces_of_part), fraction});
   };
   std::vector<Index> small;
   double fraction = 0; // the area of the small components
@@ -189,38 +195,28 @@ inline void prepare_part(Level& mesh, const Run_data& d)
   move_and_order(mesh, d);
 }
 
-// Returns the face of a mesh for each of the caller's faces, or null_index. `first` holds the first
-// face with the same points for each of them.
-inline std::vector<Index> faces_of_caller(const Level& mesh, const std::vector<Index>& first)
-{
-  std::vector<Index> face(first.size(), null_index);
-  for (Index f = 0; f < mesh.parent_face.size(); ++f)
-    face[mesh.parent_face[f]] = f;
-  return composed(first, face);
-}
-
 // Returns the neighbors of the caller's faces for smoothing. The only neighbor of a duplicate face
 // is the first face with the same points. A constrained face is its own neighbor, so that its label
 // stays.
-inline std::vector<Index> neighbors_for_smoothing(const Model& m, const std::vector<Index>& walls,
-                                                  const Constraints& constraints)
+inline std::vector<Index> neighbors_for_smoothing(const Model& m, const Constraints& constraints)
 {
+  const std::vector<Index> face = m.faces();
   std::vector<Index> callers_face = m.mesh.parent_face;
-  callers_face.insert(callers_face.end(), walls.begin(), walls.end());
+  callers_face.insert(callers_face.end(), m.walls.parent_face.begin(), m.walls.parent_face.end());
   const Index n = static_cast<Index>(m.mesh.parent_face.size());
-  std::vector<Index> result(3 * m.face.size());
+  std::vector<Index> result(3 * face.size());
   for (Index h = 0; h < result.size(); ++h) {
-    const Index f = m.face[h / 3];
+    const Index f = face[h / 3];
     if (f >= n) // this is a face of a wall
-      result[h] = callers_face[n + m.walls.neighbor(3 * (f - n) + h % 3)];
+      result[h] = callers_face[n + m.walls.surface.neighbor(3 * (f - n) + h % 3)];
     else
       result[h] = callers_face[callers_face[f] != h / 3 ? f
                                                         : m.mesh.surface.neighbor(3 * f + h % 3)];
   }
   const std::vector<char> is_constrained =
-    constrained_faces(constraints, m.face, callers_face.size());
+    constrained_faces(constraints, face, callers_face.size());
   for (Index h = 0; h < result.size(); ++h)
-    if (is_constrained[m.face[h / 3]])
+    if (is_constrained[face[h / 3]])
       result[h] = h / 3;
   return result;
 }
@@ -251,15 +247,15 @@ inline Model prepare_model(Surface surface, const Run_data& d)
   mesh.components = connected_components(mesh);
   const auto are_merged = [&]
     { return !d.options.keep_components_separate && mesh.components.number > 1; };
-  const std::vector<Index> first = are_merged() ? remove_duplicates(m.mesh) : m.mesh.parent_face;
-  std::vector<Index> walls; // the caller's faces
-  if (are_merged()) {
+  if (are_merged())
+    m.first_face = remove_duplicates(m.mesh);
+  if (are_merged()) { // still
     std::vector<Vector> given_points = mesh.points;
     m.unit = normalize(mesh, d);
     weld_borders(mesh);
     const std::vector<double> volumes = orient_outward(mesh);
     mesh.groups.clear(); // they are components now
-    walls = remove_walls(m, first, volumes, given_points, d);
+    remove_walls(m, volumes, given_points, d);
     m.parts = parts_of(m.mesh, given_points);
   }
   else {
@@ -269,19 +265,11 @@ inline Model prepare_model(Surface surface, const Run_data& d)
   }
   const double unit_of_frame = move_and_order(m.mesh, d);
   m.unit *= unit_of_frame;
-  for (double& area : m.walls.areas)
+  for (double& area : m.walls.surface.areas)
     area /= unit_of_frame * unit_of_frame;
   check_number(mesh, d.options);
-
-  m.face = faces_of_caller(m.mesh, first);
-  m.outer_face = composed(m.outer_face, m.face);
-  std::vector<Index> wall(first.size(), null_index);
-  for (Index i = 0; i < walls.size(); ++i)
-    wall[walls[i]] = static_cast<Index>(m.mesh.parent_face.size()) + i;
-  for (Index f = 0; f < m.face.size(); ++f)
-    m.face[f] = m.face[f] == null_index ? wall[first[f]] : m.face[f];
   if (d.options.smooth_boundaries)
-    m.neighbors = neighbors_for_smoothing(m, walls, d.constraints);
+    m.neighbors = neighbors_for_smoothing(m, d.constraints);
   return m;
 }
 

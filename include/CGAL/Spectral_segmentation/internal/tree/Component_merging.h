@@ -353,20 +353,6 @@ public:
   }
 };
 
-// Adds the walls to a tree. Their faces get the leaves of the nearest faces of their outer walls,
-// provided that the faces of a wall in each set stay connected.
-inline void add_walls(Merge_tree& tree, const Surface& walls, const std::vector<Index>& outer_face)
-{
-  if (outer_face.empty())
-    return;
-  std::vector<Index> leaf = composed(outer_face, tree.leaf);
-  Wall_labels(walls, tree, leaf)();
-  for (std::size_t i = 0; i < leaf.size(); ++i) {
-    tree.leaf.push_back(leaf[i]);
-    tree.leaves[leaf[i]].area += walls.areas[i];
-  }
-}
-
 } // namespace CGAL::Spectral_segmentation::internal
 
 #endif // CGAL_SPECTRAL_SEGMENTATION_INTERNAL_TREE_COMPONENT_MERGING_H

@@ -126,7 +126,7 @@ inline std::string names_of_faces(Index f, Index g)
 class Constraint_grouping
 {
   const Constraints& constraints_;
-  const std::vector<Index>& number_;
+  const std::vector<Index> number_;
   const Surface& mesh_;
   Face_components groups_, sets_; // faces that are joined by edges; and also by their seeds
   std::map<std::int64_t, Index> first_of_seed_; // the caller's index of the face
@@ -178,10 +178,10 @@ class Constraint_grouping
   }
 
 public:
-  Constraint_grouping(const Constraints& constraints, const std::vector<Index>& number,
+  Constraint_grouping(const Constraints& constraints, std::vector<Index> number,
                       const Surface& mesh)
-    : constraints_(constraints), number_(number), mesh_(mesh), groups_(mesh.number_of_faces()),
-      sets_(mesh.number_of_faces())
+    : constraints_(constraints), number_(std::move(number)), mesh_(mesh),
+      groups_(mesh.number_of_faces()), sets_(mesh.number_of_faces())
   {
     for (Index f = 0; f < mesh.number_of_faces(); ++f) {
       groups_.add(f);
@@ -225,16 +225,6 @@ public:
     return result;
   }
 };
-
-// Returns the groups of constrained faces; none without constraints.
-inline Constraint_groups constraint_groups(const Constraints& constraints,
-                                           const std::vector<Index>& number, const Surface& mesh,
-                                           bool keep_components_separate)
-{
-  if (constraints.empty())
-    return Constraint_groups();
-  return Constraint_grouping(constraints, number, mesh)(keep_components_separate);
-}
 
 // Joins the groups of each set, within each component of the mesh, by paths of faces. A set that is
 // blocked by others is routed first on the next attempt.
