@@ -92,12 +92,11 @@ inline Merge_tree cut_mesh(Levels& l, const Constraint_groups& groups, const Run
 // a fraction.
 inline Options options_at_scale(Options o, double fraction_of_model)
 {
-  if (fraction_of_model == 1)
+  if (fraction_of_model == 1) // any number of coarse faces stays, however large
     return o;
   o.concavity_radius /= std::sqrt(fraction_of_model);
-  if (o.number_of_coarse_faces > 0)
-    o.number_of_coarse_faces = static_cast<std::size_t>(
-      std::ceil(static_cast<double>(o.number_of_coarse_faces) * fraction_of_model));
+  o.number_of_coarse_faces = static_cast<std::size_t>(
+    std::ceil(static_cast<double>(o.number_of_coarse_faces) * fraction_of_model));
   return o;
 }
 
@@ -188,7 +187,8 @@ inline Cut_hierarchy hierarchy_of_caller(Merge_tree tree, Model m)
   return result;
 }
 
-// Returns the hierarchy of a mesh.
+// Returns the hierarchy of a mesh. A connected mesh is cut as a whole, and so is a mesh whose
+// components are kept separate. The components of other meshes are cut in parts, then merged.
 inline Cut_hierarchy run(Surface input, const Run_data& d)
 {
   Model m;

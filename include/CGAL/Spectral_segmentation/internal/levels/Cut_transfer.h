@@ -463,8 +463,11 @@ class Cut_transfer
     leaf_of_part_.assign(larger_side_.size(), null_index);
     for (std::size_t i = 0; i < leaf_of_part_.size(); ++i)
       if (larger_side_[i] == null_index) {
-        for (Index cell : cells_of_part_[i])
+        result.leaves.emplace_back();
+        for (Index cell : cells_of_part_[i]) {
           leaf_of_cell[cell] = number;
+          result.leaves.back().area += cells_.area(cell);
+        }
         leaf_of_part_[i] = number++;
       }
     for (std::size_t i = leaf_of_part_.size(); i-- > 0;)
@@ -473,7 +476,6 @@ class Cut_transfer
     result.leaf.resize(mesh_.number_of_faces());
     for_each_index(execution_, result.leaf.size(), [&](std::size_t f)
       { result.leaf[f] = leaf_of_cell[cells_.cell_of_face(static_cast<Index>(f))]; });
-    result.leaves.resize(number);
   }
 
 public:
@@ -522,11 +524,12 @@ public:
     for (std::size_t i = 0; i < tree_.leaves.size(); ++i)
       if (const Index position = sets_.position[i]; !is_lost_[position]) {
         Leaf& leaf = result.leaves[leaf_of_part_[part_[position]]];
+        const double area = leaf.area;
         leaf = tree_.leaves[i];
+        leaf.area = area;
         if (leaf.number_of_earlier_cuts != null_node)
           leaf.number_of_earlier_cuts = number_of_cuts[leaf.number_of_earlier_cuts];
       }
-    set_areas_of_leaves(result, mesh_);
     return result;
   }
 
