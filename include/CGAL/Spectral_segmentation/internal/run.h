@@ -83,7 +83,7 @@ inline Merge_tree cut_mesh(Levels& l, const Constraint_groups& groups, const Run
     return std::move(tree);
   };
   const bool is_searched_copy = l.levels.size() == 2 && l.levels.back().is_subdivision;
-  if (l.levels.size() == 1 || is_searched_copy) // no work of a stage
+  if (l.levels.size() == 1 || is_searched_copy) // too little work for a stage
     return carry_back_to_mesh();
   return d.monitor.stage(Stage::PROJECTION, Segmentation_visitor::whole_mesh, carry_back_to_mesh);
 }

@@ -34,11 +34,12 @@ struct Model
   Level mesh;                       // the first level
   std::vector<Part_of_model> parts; // not empty if components are searched by themselves
   Level walls;                      // the components that are walls of others
+  // The caller's indices:
   std::vector<Index> outer_face;    // for each face of a wall, the nearest of the outer wall
-  std::vector<Index> first_face;    // with the same points; empty if no duplicates are removed
+  std::vector<Index> first_face;    // with the same points; empty if no components are merged
   std::vector<Index> neighbors;     // one per halfedge; only for smoothing
+
   double unit = 1;                  // the length of 1 in the coordinates of the caller
-  // The outer, first and neighboring faces are the caller's.
 
   // Returns the face of the mesh for each of the caller's faces. Those of walls follow.
   std::vector<Index> faces() const

@@ -10,7 +10,6 @@
 #include <algorithm>
 #include <array>
 #include <cstddef>
-#include <iterator>
 #include <limits>
 #include <set>
 #include <tuple>
@@ -253,7 +252,7 @@ inline void apply_from_top_down(Merge_tree& tree)
     for (std::size_t k = 0; k < 2; ++k)
       enqueue(sets.sides[i][k], sets.roots.size() + 2 * (tree.merges.size() - i) + k);
   }
-  tree.merges.assign(std::make_move_iterator(cuts.rbegin()), std::make_move_iterator(cuts.rend()));
+  tree.merges.assign(cuts.rbegin(), cuts.rend());
   tree.is_monotonic = true;
   number_leaves(tree);
 }

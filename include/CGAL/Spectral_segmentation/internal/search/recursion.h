@@ -79,7 +79,7 @@ class Recursion
   }
 
   // Replaces a part that has a cut by its two sides: in the tree, where the larger side keeps the
-  // leaf, and, unless this is the last cut, among the pending parts.
+  // leaf, and among the pending parts, with their surfaces unless this is the last cut.
   void cut(Pending_part pending, bool is_last)
   {
     const Cut& cut = *pending.cut;

@@ -114,7 +114,7 @@ struct Surface
 };
 
 // A surface of a run. Each one after the first is made from the one before: its faces are bisected,
-// or its edges collapsed.
+// its vertices clustered, its edges collapsed, or it is copied.
 struct Level
 {
   Surface surface;

@@ -13,6 +13,8 @@
 #include <cstddef>
 #include <map>
 #include <set>
+#include <stdexcept>
+#include <string>
 #include <utility>
 #include <vector>
 

@@ -12,6 +12,8 @@
 #include <cstddef>
 #include <numeric>
 #include <queue>
+#include <stdexcept>
+#include <string>
 #include <utility>
 #include <vector>
 
