@@ -56,7 +56,7 @@ inline std::vector<Tree_method> ablated_methods()
 {
   std::vector<Tree_method> result;
   for (const Method_variant& variant : method_variants()) {
-    Engine_options options = CGAL::Spectral_segmentation::Options();
+    Engine_options options;
     variant.change(options);
     result.push_back(method_with(variant.name, options));
   }

@@ -12,10 +12,18 @@
 #include <utility>
 #include <vector>
 
-// Runs with options that have no named parameters, and with a look at what the engine does.
+// Runs with constants of a method changed, and with a look at what the engine does.
 namespace segmentation_benchmark {
 
-typedef CGAL::Spectral_segmentation::Options Engine_options;
+// The options of a run and the constants of its method, which ablations change.
+struct Engine_options : CGAL::Spectral_segmentation::Options,
+                        CGAL::Spectral_segmentation::internal::Method_constants
+{
+  Engine_options(const CGAL::Spectral_segmentation::Options& o = Options())
+    : Options(o), Method_constants(CGAL::Spectral_segmentation::internal::constants_of(o.method))
+  {}
+};
+
 typedef CGAL::Spectral_segmentation::internal::Execution Execution;
 typedef CGAL::Spectral_segmentation::internal::Run_control Run_control;
 typedef CGAL::Spectral_segmentation::internal::Feature_source Feature_source;
@@ -32,8 +40,9 @@ run_engine(const Mesh& mesh, const Engine_options& options, Execution execution,
            Run_control&& control = Run_control(), const Feature_source& features = Feature_source())
 {
   namespace internal = CGAL::Spectral_segmentation::internal;
-  return internal::segmentation_hierarchy(triangles_of(mesh), options, execution, control,
-                                          internal::Constraints(), features);
+  return {internal::segment(triangles_of(mesh), options, options, execution, control,
+                            internal::Constraints(), features),
+          internal::maximum_number(options), internal::threshold(options)};
 }
 
 // Returns the labels that a run assigned.

@@ -36,22 +36,28 @@ internal::Part whole(const Surface& graph)
   return {graph, 0, faces};
 }
 
+struct Search_options : Options, internal::Method_constants
+{
+  Search_options(const Options& o = Options())
+    : Options(o), Method_constants(internal::constants_of(o.method)) {}
+};
+
 // Returns the search of the method that the options have.
-std::unique_ptr<internal::Best_cut> search_of(const Surface& graph, const Options& options)
+std::unique_ptr<internal::Best_cut> search_of(const Surface& graph, const Search_options& options)
 {
   if (options.method == CGAL::Spectral_segmentation::Method::ZHANG_LIU_2005)
     return std::make_unique<internal::Paper_cut>(graph, options);
-  return std::make_unique<internal::Calibrated_cut>(graph, options);
+  return std::make_unique<internal::Calibrated_cut>(graph, options, options);
 }
 
-std::vector<Cut> compared_cuts(const Surface& graph, const Options& options)
+std::vector<Cut> compared_cuts(const Surface& graph, const Search_options& options)
 {
   internal::Run_control control;
   internal::Run_monitor monitor(control);
   return search_of(graph, options)->compared_cuts(sequential, whole(graph), monitor);
 }
 
-std::optional<Cut> best_cut_of(const Surface& graph, const Options& options,
+std::optional<Cut> best_cut_of(const Surface& graph, const Search_options& options,
                                internal::Execution execution = sequential)
 {
   internal::Run_control control;
@@ -59,20 +65,20 @@ std::optional<Cut> best_cut_of(const Surface& graph, const Options& options,
   return (*search_of(graph, options))(execution, whole(graph), monitor);
 }
 
-// The paper's method, and all values of the options of the other that Calibrated_cut looks at.
-std::vector<Options> many_options()
+// The paper's method, and the calibrated one with several constants.
+std::vector<Search_options> many_options()
 {
-  std::vector<Options> result(1, Options::zhang_liu_2005());
+  std::vector<Search_options> result(1, Options::zhang_liu_2005());
   for (bool single_source : {false, true})
     for (std::size_t candidates : {1, 5, 14})
       for (std::size_t refined : {0, 1, 4}) {
-        Options o;
+        Search_options o;
         o.single_source_orders = single_source;
         o.number_of_candidates = candidates;
         o.number_of_refined_candidates = refined;
         result.push_back(o);
       }
-  for (Options& o : result)
+  for (Search_options& o : result)
     o.minimum_segment_size = 0.02;
   return result;
 }
@@ -102,7 +108,7 @@ BOOST_AUTO_TEST_CASE(every_compared_cut_has_two_connected_sides_that_are_not_too
 {
   const Surface graph = graph_with_distances(dumbbell(20, 16), weights_of_calibrated_method);
   const double area = internal::total_area(graph);
-  for (const Options& options : many_options()) {
+  for (const Search_options& options : many_options()) {
     const std::vector<Cut> cuts = compared_cuts(graph, options);
     BOOST_TEST_REQUIRE(!cuts.empty());
     const std::optional<Cut> best = best_cut_of(graph, options);
@@ -127,10 +133,10 @@ BOOST_AUTO_TEST_CASE(every_compared_cut_has_two_connected_sides_that_are_not_too
   }
 }
 
-BOOST_AUTO_TEST_CASE(the_options_say_how_many_cuts_are_compared)
+BOOST_AUTO_TEST_CASE(the_constants_say_how_many_cuts_are_compared)
 {
   const Surface graph = graph_with_distances(dumbbell(20, 16), weights_of_calibrated_method);
-  for (const Options& options : many_options()) {
+  for (const Search_options& options : many_options()) {
     const std::size_t number = compared_cuts(graph, options).size();
     BOOST_TEST(number >= 1u);
     if (options.method == CGAL::Spectral_segmentation::Method::ZHANG_LIU_2005)
@@ -164,7 +170,7 @@ BOOST_AUTO_TEST_CASE(more_cuts_to_choose_from_are_no_worse)
   for (const Soup& soup : {dumbbell(20, 16), torus(3, 1, 30, 20)}) {
     const Surface graph = graph_with_distances(soup, weights_of_calibrated_method);
     const auto salience = [&](std::size_t candidates, std::size_t refined) {
-      Options o = CGAL::Spectral_segmentation::Options();
+      Search_options o;
       o.number_of_candidates = candidates;
       o.number_of_refined_candidates = refined;
       const std::optional<Cut> best = best_cut_of(graph, o);
@@ -182,7 +188,7 @@ BOOST_AUTO_TEST_CASE(the_number_of_threads_changes_nothing)
   Random random(2);
   const Surface graph = graph_with_distances(displaced(dumbbell(20, 16), 0.02, random),
                                                 weights_of_calibrated_method);
-  for (const Options& options : many_options()) {
+  for (const Search_options& options : many_options()) {
     const std::optional<Cut> expected = best_cut_of(graph, options);
     const std::optional<Cut> cut = best_cut_of(graph, options, Execution::PARALLEL);
     BOOST_TEST_REQUIRE(cut.has_value());

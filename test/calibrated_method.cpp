@@ -144,7 +144,7 @@ BOOST_AUTO_TEST_CASE(the_salience_is_asked_for_each_cut_of_the_hierarchy)
   };
   internal::Run_control control;
   const internal::Cut_hierarchy hierarchy =
-    internal::segment(read_surface(dumbbell(20, 16)), options, sequential, control);
+    internal::segment(read_surface(dumbbell(20, 16)), options, {}, sequential, control, {}, {});
   BOOST_TEST(hierarchy.number_of_segments() == 20u);
   for (const internal::Cut_node& node : hierarchy.nodes)
     if (!node.is_leaf())

@@ -131,14 +131,12 @@ BOOST_AUTO_TEST_CASE(values_out_of_range_are_refused_by_name)
                   [&](Options& o) { o.concave_angle_weight = bad; });
     check_refused("the second and third of distance_weights",
                   [&](Options& o) { o.convex_angle_weight = bad; });
-    check_refused("concavity_radius", [&](Options& o) { o.concavity_radius = bad; });
   }
   check_refused("number_of_reference_faces", [](Options& o) { o.number_of_reference_faces = 0; });
   check_refused("number_of_reference_faces",
                 [](Options& o) { o.number_of_reference_faces = 1001; });
   check_refused("number_of_smoothing_iterations",
                 [](Options& o) { o.number_of_smoothing_iterations = 100001; });
-  check_refused("number_of_regions", [](Options& o) { o.number_of_regions = 0; });
 }
 
 BOOST_AUTO_TEST_CASE(the_method_of_the_paper_has_no_constraints)

@@ -65,7 +65,7 @@ struct Run
     set_face_distances(coarsest, weights_of_calibrated_method);
     const internal::Calibrated_cut best_cut(coarsest, options);
     const internal::Merge_tree regions =
-      internal::Recursion(sequential, coarsest, best_cut, options, monitor).by_salience();
+      internal::Recursion(sequential, coarsest, best_cut, options, monitor).by_salience(20);
     internal::Merge_tree tree = internal::Region_merging(
       sequential, coarsest, best_cut.context(), options.part_salience, monitor)(regions.leaf);
     searched = Segmentation_hierarchy(internal::hierarchy_of(tree),

@@ -102,12 +102,13 @@ struct Search_record : internal::Run_control
 
 internal::Cut_hierarchy over_segmentation(const Surface& graph,
                                           const CGAL::Spectral_segmentation::Options& options,
+                                          std::size_t least_number,
                                           internal::Execution execution, Search_record& record)
 {
   internal::Run_monitor monitor(record);
   const internal::Calibrated_cut best_cut(graph, options);
   return internal::hierarchy_of(
-    internal::Recursion(execution, graph, best_cut, options, monitor).by_salience());
+    internal::Recursion(execution, graph, best_cut, options, monitor).by_salience(least_number));
 }
 
 } // namespace
@@ -119,11 +120,10 @@ BOOST_AUTO_TEST_CASE(by_salience_the_most_salient_of_all_cuts_is_made_next)
     disjoint_union(displaced(dumbbell(16, 12), 0.02, random), moved(torus(2, 0.7, 14, 8), 9, 0, 0)),
     weights_of_calibrated_method);
   CGAL::Spectral_segmentation::Options options;
-  options.number_of_regions = 9;
   options.keep_components_separate = true; // else cuts of the smaller one count less
   Search_record record;
   const internal::Cut_hierarchy result =
-    over_segmentation(graph, options, sequential, record);
+    over_segmentation(graph, options, 9, sequential, record);
   BOOST_TEST(result.number_of_roots == 2u);
   BOOST_TEST(result.number_of_segments() == 9u + 1); // one more for the second component
   BOOST_TEST(result.cut_order == record.cut, boost::test_tools::per_element());
@@ -162,11 +162,10 @@ BOOST_AUTO_TEST_CASE(a_maximum_asks_for_as_many_regions)
 {
   const Surface graph = graph_with_distances(dumbbell(16, 12), weights_of_calibrated_method);
   CGAL::Spectral_segmentation::Options options;
-  options.number_of_regions = 4;
   for (std::size_t maximum : {1, 3, 4, 7}) {
     options.maximum_number_of_segments = maximum;
     Search_record record;
-    BOOST_TEST(over_segmentation(graph, options, sequential, record).number_of_segments() ==
+    BOOST_TEST(over_segmentation(graph, options, 4, sequential, record).number_of_segments() ==
                std::max<std::size_t>(maximum, 4));
   }
 }
@@ -176,12 +175,11 @@ BOOST_AUTO_TEST_CASE(threads_make_the_same_regions)
   Random random(2);
   const Surface graph = graph_with_distances(displaced(torus(2, 0.7, 24, 12), 0.05, random),
                                                 weights_of_calibrated_method);
-  CGAL::Spectral_segmentation::Options options;
-  options.number_of_regions = 8;
+  const CGAL::Spectral_segmentation::Options options;
   Search_record one, several;
-  const internal::Cut_hierarchy a = over_segmentation(graph, options, sequential, one);
+  const internal::Cut_hierarchy a = over_segmentation(graph, options, 8, sequential, one);
   const internal::Cut_hierarchy b =
-    over_segmentation(graph, options, internal::Execution::PARALLEL, several);
+    over_segmentation(graph, options, 8, internal::Execution::PARALLEL, several);
   BOOST_TEST(a.leaf == b.leaf, boost::test_tools::per_element());
   BOOST_TEST(one.saliences == several.saliences, boost::test_tools::per_element());
 }
@@ -189,15 +187,15 @@ BOOST_AUTO_TEST_CASE(threads_make_the_same_regions)
 BOOST_AUTO_TEST_CASE(a_stopped_search_leaves_the_cuts_that_were_made)
 {
   const Surface graph = graph_with_distances(dumbbell(16, 12), weights_of_calibrated_method);
-  CGAL::Spectral_segmentation::Options options;
-  options.number_of_regions = 6;
+  const CGAL::Spectral_segmentation::Options options;
   Search_record all;
-  over_segmentation(graph, options, sequential, all);
+  over_segmentation(graph, options, 6, sequential, all);
   std::size_t last = 0;
   for (std::size_t questions : {0, 1, 20, 60, 100}) {
     Search_record record;
     record.questions_left = questions;
-    const internal::Cut_hierarchy result = over_segmentation(graph, options, sequential, record);
+    const internal::Cut_hierarchy result =
+      over_segmentation(graph, options, 6, sequential, record);
     BOOST_TEST(result.number_of_segments() == 1 + record.cut.size());
     BOOST_TEST_REQUIRE(record.cut.size() <= all.cut.size());
     BOOST_TEST(std::equal(record.cut.begin(), record.cut.end(), all.cut.begin()));

@@ -341,13 +341,12 @@ BOOST_AUTO_TEST_CASE(regions_of_an_over_segmentation_become_the_bodies_of_a_chai
                                                 : std::sqrt(1.05 - z * z));
     }
   const Surface graph = graph_of(surface_of_revolution(profile, 16));
-  CGAL::Spectral_segmentation::Options options;
-  options.number_of_regions = 8;
+  const CGAL::Spectral_segmentation::Options options;
   internal::Run_control control;
   internal::Run_monitor monitor(control);
   const internal::Calibrated_cut best_cut(graph, options);
   const Cut_hierarchy regions = internal::hierarchy_of(
-    internal::Recursion(sequential, graph, best_cut, options, monitor).by_salience());
+    internal::Recursion(sequential, graph, best_cut, options, monitor).by_salience(8));
   BOOST_TEST(regions.number_of_segments() == 8u);
   const Cut_hierarchy result = internal::hierarchy_of(internal::Region_merging(
     sequential, graph, best_cut.context(), options.part_salience, monitor)(regions.leaf));

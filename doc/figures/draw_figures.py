@@ -25,6 +25,7 @@ import charts  # noqa: E402
 # Camera, by mesh: up, azimuth, elevation. Others are seen as render.py sees them.
 VIEWS = {
     "elephant": ("y", 150, 15),
+    "elephant in its frame": ("z", 30, 20),
     "eight": ("y", 60, 35),
     "man": ("z", 285, 5),
 }
@@ -44,7 +45,6 @@ LAYOUTS = {
     "tree": (4, (480, 290)),
     "salience_threshold": (4, (480, 290)),
     "number_of_segments": (4, (480, 290)),
-    "number_of_regions": (4, (480, 290)),
 }
 USUAL_LAYOUT = (4, (480, 400))
 

@@ -7,6 +7,7 @@
 #include "Picture_book.h"
 #include "experiment_figures.h"
 #include "feature_figures.h"
+#include "level_figures.h"
 #include "method_figures.h"
 #include "parameter_figures.h"
 
@@ -60,6 +61,7 @@ void draw_all(Picture_book& book, Meshes& meshes)
   const Kernel::Point_3 right(-0.2, -0.1, 0.33), left(0.2, -0.1, 0.33); // on the belly
   draw_samples_and_line(book, meshes["bear"], {right, left});
   draw_tree(book, meshes["triceratops"]);
+  draw_levels(book, meshes["elephant"]);
   draw_parameters(book, meshes["triceratops"], meshes["elephant"], meshes["camel"]);
   draw_components(book, meshes["bones"]);
   draw_equipment(book, meshes["camel"], meshes["bear"]);

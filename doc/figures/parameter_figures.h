@@ -36,8 +36,8 @@ std::string caption_of(const char* parameter, const Value& value, const Value& d
 }
 
 // Draws a row of runs of `method` with several values of `member`, whose default is the method's.
-template <class Value>
-void draw_row(Picture_book& book, const char* parameter, Value Engine_options::*member,
+template <class Class, class Value>
+void draw_row(Picture_book& book, const char* parameter, Value Class::*member,
               const Engine_options& method, const Named_mesh& shape,
               const std::vector<Value>& values)
 {

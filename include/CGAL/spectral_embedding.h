@@ -44,8 +44,7 @@ inline Surface weighted_face_graph(Surface graph, const Options& o)
   set_areas(Execution::SEQUENTIAL, graph);
   set_face_distances(Execution::SEQUENTIAL, graph, graph.points,
                      face_normals(Execution::SEQUENTIAL, graph, graph.points),
-                     {o.geodesic_weight, o.concave_angle_weight, o.convex_angle_weight,
-                      o.concavity_radius});
+                     distance_weights(o, constants_of(o.method)));
   return graph;
 }
 

@@ -72,21 +72,6 @@ struct Options
   std::optional<std::uint64_t> random_seed;   ///< chooses the first reference faces at random
   /// @}
 
-  /// \name Parts of the Calibrated Method
-  /// Only experiments change these fields. `Calibrated_part_salience` was fitted with the values
-  /// given here, and must be fitted again (`benchmark/fit_part_salience.py`) if a value changes.
-  /// The ablation study, \ref Spectral_segmentation_ablation, shows the gain of each.
-  /// @{
-  /// the radius for averaging curvature, as a fraction of the square root of the area of the mesh;
-  /// with 0 the method uses dihedral angles
-  double concavity_radius = 0.02;
-  bool bisection = true;           ///< whether faces larger than the searched ones are bisected
-  bool single_source_orders = true;             ///< whether limbs are also grown from single faces
-  std::size_t number_of_candidates = 14;        ///< cuts of a part that get all factors
-  std::size_t number_of_refined_candidates = 4; ///< candidates that are moved to minimum cuts
-  std::size_t number_of_regions = 20;           ///< regions of the over-segmentation; at least 1
-  /// @}
-
   /// returns the options of the method of the paper. The values of `minimum_segment_size`, which
   /// the paper does not have, and of `salience_threshold`, which it leaves to the user, are the
   /// package's.
@@ -100,11 +85,6 @@ struct Options
     o.part_salience = Weighted_part_salience();
     o.number_of_coarse_faces = 0;
     o.geodesic_weight = 0.01;
-    o.concavity_radius = 0;
-    o.bisection = false;
-    o.single_source_orders = false;
-    o.number_of_candidates = 0;
-    o.number_of_refined_candidates = 0;
     return o;
   }
 };
@@ -141,8 +121,6 @@ inline void check(const Options& o)
   require(o.number_of_reference_faces <= 1000, "number_of_reference_faces", "at most 1000");
   require(o.number_of_smoothing_iterations <= 100000, "number_of_smoothing_iterations",
           "at most 100000");
-  require(is_weight(o.concavity_radius), "concavity_radius", "finite and not negative");
-  require(o.number_of_regions >= 1, "number_of_regions", "at least 1");
 }
 
 /// \cond SKIP_IN_MANUAL

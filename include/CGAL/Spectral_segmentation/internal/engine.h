@@ -23,12 +23,13 @@
 namespace CGAL::Spectral_segmentation::internal {
 
 // Runs the engine, which is no template because nothing in it depends on the caller. It takes
-// arrays and returns a hierarchy of cuts, whose faces are the triangles. Throws
-// `std::invalid_argument` if constraints contradict each other or the number of segments.
+// arrays and returns a hierarchy of cuts, whose faces are the triangles. Only ablations change the
+// constants of the method. Throws `std::invalid_argument` if constraints contradict each other or
+// the number of segments.
 CGAL_SPECTRAL_SEGMENTATION_INLINE
-Cut_hierarchy segment(Surface surface, const Options& options, Execution execution,
-                      Run_control& control, const Constraints& constraints = Constraints(),
-                      const Feature_source& features = Feature_source());
+Cut_hierarchy segment(Surface surface, const Options& options, const Method_constants& method,
+                      Execution execution, Run_control& control, const Constraints& constraints,
+                      const Feature_source& features);
 
 // Runs the engine. Returns its cuts with the maximum number of segments and the threshold that
 // select them.
@@ -37,7 +38,8 @@ segmentation_hierarchy(Surface triangles, const Options& options, Execution exec
                        Run_control& control, const Constraints& constraints = Constraints(),
                        const Feature_source& features = Feature_source())
 {
-  return {segment(std::move(triangles), options, execution, control, constraints, features),
+  return {segment(std::move(triangles), options, constants_of(options.method), execution, control,
+                  constraints, features),
           maximum_number(options), threshold(options)};
 }
 

@@ -43,9 +43,10 @@ inline Merge_tree search_calibrated(const Levels& l, const Constraint_groups& gr
                                     std::vector<Index>& leaf_of_group, const Run_data& d)
 {
   const Surface& surface = l.last();
-  const Calibrated_cut best_cut(surface, d.options, l.features, d.fraction_of_model);
+  const Calibrated_cut best_cut(surface, d.options, d.method, l.features, d.fraction_of_model);
   const std::vector<Index> regions =
-    Recursion(d.execution, surface, best_cut, d.options, d.monitor).by_salience().leaf;
+    Recursion(d.execution, surface, best_cut, d.options, d.monitor)
+      .by_salience(d.method.number_of_regions).leaf;
   return d.monitor.stage(Stage::MERGING, Segmentation_visitor::whole_mesh, [&] {
     Merge_tree tree = Region_merging(d.execution, surface, best_cut.context(),
                                      d.options.part_salience, d.monitor)(regions);
@@ -88,25 +89,20 @@ inline Merge_tree cut_mesh(Levels& l, const Constraint_groups& groups, const Run
   return d.monitor.stage(Stage::PROJECTION, Segmentation_visitor::whole_mesh, carry_back_to_mesh);
 }
 
-// Returns the options for a surface that is searched at the scale of a model, of whose area it has
-// a fraction.
-inline Options options_at_scale(Options o, double fraction_of_model)
-{
-  if (fraction_of_model == 1) // any number of coarse faces stays, however large
-    return o;
-  o.concavity_radius /= std::sqrt(fraction_of_model);
-  o.number_of_coarse_faces = static_cast<std::size_t>(
-    std::ceil(static_cast<double>(o.number_of_coarse_faces) * fraction_of_model));
-  return o;
-}
-
-// Returns the cuts of a part of a model, and the caller's face for each of its faces.
+// Returns the cuts of a part of a model, and the caller's face for each of its faces. The part may
+// be searched at the scale of the model, of whose area it has a fraction.
 inline std::pair<Merge_tree, std::vector<Index> >
 cut_part(Part_of_model part, const Model& m, double time_scale, const Run_data& d)
 {
-  const Options options = options_at_scale(d.options, part.fraction_of_model);
+  Options options = d.options;
+  Method_constants method = d.method;
+  if (part.fraction_of_model != 1) { // else any number of coarse faces stays, however large
+    method.concavity_radius /= std::sqrt(part.fraction_of_model);
+    options.number_of_coarse_faces = static_cast<std::size_t>(std::ceil(
+      static_cast<double>(options.number_of_coarse_faces) * part.fraction_of_model));
+  }
   Constraints constraints;
-  const Run_data of_part{options, d.method, constraints, d.features, d.execution, d.monitor,
+  const Run_data of_part{options, method, constraints, d.features, d.execution, d.monitor,
                          time_scale, part.fraction_of_model};
   Constraint_groups groups;
   Levels l = d.monitor.stage(Stage::INITIALIZATION, Segmentation_visitor::whole_mesh, [&] {
@@ -215,8 +211,8 @@ inline Cut_hierarchy run(Surface input, const Run_data& d)
 }
 
 CGAL_SPECTRAL_SEGMENTATION_INLINE
-Cut_hierarchy segment(Surface surface, const Options& options, Execution execution,
-                      Run_control& control, const Constraints& constraints,
+Cut_hierarchy segment(Surface surface, const Options& options, const Method_constants& method,
+                      Execution execution, Run_control& control, const Constraints& constraints,
                       const Feature_source& features)
 {
   const bool is_paper = options.method == Method::ZHANG_LIU_2005;
@@ -228,8 +224,6 @@ Cut_hierarchy segment(Surface surface, const Options& options, Execution executi
     refuse("constraints");
   if (is_paper && features.dimension > 0 && options.feature_weight > 0)
     refuse("features");
-  const Method_properties method = is_paper ? Method_properties{false, true, false, 4000}
-                                            : Method_properties{true, false, true, 50000};
   Cut_hierarchy result;
   call_isolated([&] {
     Run_monitor monitor(control);

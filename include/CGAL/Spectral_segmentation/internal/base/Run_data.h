@@ -51,20 +51,34 @@ struct Feature_source
   std::function<void(Index face, double* vector)> read;
 };
 
-// The properties of a method on which other stages than its search depend.
-struct Method_properties
+// The constants of a method. `Calibrated_part_salience` was fitted with those of the calibrated
+// method, the defaults, and must be fitted again (benchmark/fit_part_salience.py) if one changes.
+// The ablation study in the manual shows the gain of each.
+struct Method_constants
 {
-  bool makes_regions;       // more of them, on more faces, if more segments are asked for
-  bool keeps_points;        // a mesh that is not coarsened is searched as it is given
-  bool skips_convex_solids; // which have no parts
-  double time_per_face;     // of the search, in nanoseconds, for the progress
+  // The radius for averaging curvature, as a fraction of the square root of the area of the mesh.
+  // With 0 the method uses dihedral angles.
+  double concavity_radius = 0.02;
+  bool bisection = true;            // whether faces larger than the searched ones are bisected
+  bool keeps_points = false;        // whether a mesh that is not coarsened is searched as given
+  bool single_source_orders = true; // whether limbs are also grown from single faces
+  std::size_t number_of_candidates = 14;        // cuts of a part that get all factors
+  std::size_t number_of_refined_candidates = 4; // candidates that are moved to minimum cuts
+  std::size_t number_of_regions = 20; // of an over-segmentation; 0 if the method makes none
+  double time_per_face = 50000;       // of the search, in nanoseconds, for the progress
 };
+
+inline Method_constants constants_of(Method method)
+{
+  return method == Method::CALIBRATED ? Method_constants()
+                                      : Method_constants{0, false, true, false, 0, 0, 0, 4000};
+}
 
 // The data of a run beside the mesh.
 struct Run_data
 {
   const Options& options;
-  const Method_properties& method;
+  const Method_constants& method;
   const Constraints& constraints;
   const Feature_source& features;
   Execution execution;

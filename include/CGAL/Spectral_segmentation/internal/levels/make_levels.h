@@ -66,8 +66,9 @@ inline std::size_t faces_to_search(const Run_data& d, std::size_t faces_of_mesh,
                                    std::size_t faces_of_surface)
 {
   const Options& o = d.options;
-  const double growth = d.method.makes_regions
-    ? static_cast<double>(number_of_regions(o)) / static_cast<double>(o.number_of_regions) : 1;
+  const std::size_t regions = d.method.number_of_regions;
+  const double growth = regions > 0
+    ? static_cast<double>(number_of_regions(o, regions)) / static_cast<double>(regions) : 1;
   const double number = search_resolution(o, faces_of_mesh) * growth;
   return number > 0 && number < static_cast<double>(faces_of_surface)
     ? static_cast<std::size_t>(number) : faces_of_surface;
@@ -100,9 +101,6 @@ inline bool is_searched_itself(const Run_data& d, std::size_t number_of_faces)
           faces_to_search(d, number_of_faces, number_of_faces) == number_of_faces);
 }
 
-inline Distance_weights distance_weights(const Options& o)
-{ return {o.geodesic_weight, o.concave_angle_weight, o.convex_angle_weight, o.concavity_radius}; }
-
 inline bool has_features(const Run_data& d)
 { return d.features.dimension > 0 && d.options.feature_weight > 0; }
 
@@ -132,11 +130,11 @@ inline void set_features(Levels& l, const Run_data& d)
   add_steps_of_faces(d, l.features.unit, l.callers_faces(l.levels.size() - 1), searched);
 }
 
-// Returns whether the mesh is a convex solid, which has no parts. A mesh of many faces is not
-// checked: its coarse surface is searched as fast as any other.
+// Returns whether the mesh is a convex solid, which has no parts for the calibrated method. A mesh
+// of many faces is not checked: its coarse surface is searched as fast as any other.
 inline bool is_one_part(const Surface& mesh, const Run_data& d)
 {
-  return d.method.skips_convex_solids && !d.options.number_of_segments && d.constraints.empty() &&
+  return d.method.number_of_regions > 0 && !d.options.number_of_segments && d.constraints.empty() &&
          !has_features(d) && mesh.components.number == 1 &&
          mesh.number_of_faces() <= d.options.number_of_coarse_faces && is_convex(mesh);
 }
@@ -159,7 +157,7 @@ inline void add_levels(std::vector<Level>& levels, const Run_data& d)
   else {
     mesh.points = std::move(points);
     const double resolution = search_resolution(o, n);
-    if (o.bisection && total_area(mesh) > 0)
+    if (d.method.bisection && total_area(mesh) > 0)
       if (const auto bound = bound_of_edges(d.execution, mesh, resolution, 16 * resolution))
         levels.push_back(Longest_edge_bisection(mesh, *bound)(d.execution));
     const Surface& finest = levels.back().surface;
@@ -170,7 +168,7 @@ inline void add_levels(std::vector<Level>& levels, const Run_data& d)
   }
   Surface& searched = levels.back().surface;
   set_face_distances(d.execution, searched, points, face_normals(d.execution, searched, points),
-                     distance_weights(o));
+                     distance_weights(o, d.method));
 }
 
 // Returns the levels of a mesh. If the caller stops the run, they are the mesh only.
@@ -232,8 +230,8 @@ inline Merge_tree carry_back(const Merge_tree& tree, Levels& l, Fixed_groups& fi
     if (!l.features.empty() && (to == 0 || l.levels[to].is_subdivision))
       add_steps_of_faces(d, l.features.unit, composed(faces, l.callers_faces(to)), bands);
   };
-  Cut_transfer transfer(d.execution, tree, mesh, for_each_fraction, distance_weights(d.options),
-                        add_steps, d.monitor);
+  Cut_transfer transfer(d.execution, tree, mesh, for_each_fraction,
+                        distance_weights(d.options, d.method), add_steps, d.monitor);
   Merge_tree result = transfer();
   for (Index& leaf : fixed.leaf)
     leaf = leaf == null_index ? leaf : transfer.leaf_of(leaf);

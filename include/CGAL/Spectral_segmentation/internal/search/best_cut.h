@@ -5,6 +5,7 @@
 #define CGAL_SPECTRAL_SEGMENTATION_INTERNAL_SEARCH_BEST_CUT_H
 
 #include <CGAL/Spectral_segmentation/Options.h>
+#include <CGAL/Spectral_segmentation/internal/base/Run_data.h>
 #include <CGAL/Spectral_segmentation/internal/base/Run_monitor.h>
 #include <CGAL/Spectral_segmentation/internal/salience/Cut_evaluator.h>
 #include <CGAL/Spectral_segmentation/internal/search/cut_proposals.h>
@@ -141,6 +142,7 @@ public:
 // minimum cuts near them.
 class Calibrated_cut : public Best_cut
 {
+  const Method_constants constants_;
   Evaluation_context context_;
 
   std::vector<Face_order> orders(Execution execution, const Part& part,
@@ -148,7 +150,7 @@ class Calibrated_cut : public Best_cut
                                  const Sample_faces& samples) const override
   {
     std::vector<Face_order> result =
-      face_orders(execution, part.graph, references, samples, options_.single_source_orders);
+      face_orders(execution, part.graph, references, samples, constants_.single_source_orders);
     if (!context_.features.empty())
       result.push_back(feature_order(execution, context_.features, part.graph.areas, part.faces));
     return result;
@@ -186,13 +188,13 @@ class Calibrated_cut : public Best_cut
     const Surface& graph = part.graph;
     const Cut_evaluator evaluator(graph, part.faces, context_);
     std::vector<Sides> proposals = cut_proposals(execution, graph, orders, minimum_area_,
-                                                 options_.number_of_candidates);
+                                                 constants_.number_of_candidates);
     std::vector<Cut> cuts;
     append(execution, proposals.size(), [&](std::size_t i)
       { return evaluate(graph, evaluator, std::move(proposals[i])); }, cuts);
     cuts = most_salient_first(std::move(cuts));
     std::vector<Cut> refined;
-    append(execution, (std::min)(options_.number_of_refined_candidates, cuts.size()),
+    append(execution, (std::min)(constants_.number_of_refined_candidates, cuts.size()),
            [&](std::size_t i) -> std::optional<Cut> {
              Sides sides = minimum_cut_within(graph, cuts[i].near_cut, cuts[i].side);
              if (sides == cuts[i].side || !both_sides_are_connected(graph, sides))
@@ -207,8 +209,9 @@ public:
   // Takes the features of the faces of the mesh. The mesh may be a fraction of the area of a model,
   // to which the areas of parts are relative.
   Calibrated_cut(const Surface& mesh, const Options& options,
+                 const Method_constants& constants = Method_constants(),
                  Face_features features = Face_features(), double fraction_of_model = 1)
-    : Best_cut(mesh, options, fraction_of_model),
+    : Best_cut(mesh, options, fraction_of_model), constants_(constants),
       context_(mesh, std::move(features), options.feature_weight)
   { context_.area /= fraction_of_model; }
 

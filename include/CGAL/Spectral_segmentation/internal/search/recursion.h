@@ -18,14 +18,14 @@
 
 namespace CGAL::Spectral_segmentation::internal {
 
-// Returns the number of regions of the over-segmentation of a connected mesh. An exact number
-// beyond 200 is reached by cuts without a search.
-inline std::size_t number_of_regions(const Options& o)
+// Returns the number of regions of the over-segmentation of a connected mesh, given the least
+// number. An exact number beyond ten times as many is reached by cuts without a search.
+inline std::size_t number_of_regions(const Options& o, std::size_t least)
 {
   if (maximum_number(o) == unlimited)
-    return o.number_of_regions;
-  const std::size_t most = o.number_of_segments ? 10 * o.number_of_regions : unlimited;
-  return (std::max)(o.number_of_regions, (std::min)(maximum_number(o), most));
+    return least;
+  const std::size_t most = o.number_of_segments ? 10 * least : unlimited;
+  return (std::max)(least, (std::min)(maximum_number(o), most));
 }
 
 // Cuts a mesh recursively in two (Section 2). Each connected component is a part from the start.
@@ -195,14 +195,14 @@ public:
   }
 
   // Makes an over-segmentation. It cuts the part with the most salient cut next, until there are
-  // `number_of_regions()` regions, and one more for each further component.
-  Merge_tree by_salience()
+  // `number_of_regions()` regions, and at least `least` plus one for each further component.
+  Merge_tree by_salience(std::size_t least)
   {
-    const std::size_t least = number_of_regions(options_);
+    const std::size_t number = number_of_regions(options_, least);
     const std::size_t further = number_of_roots_ == 0 ? 0 : number_of_roots_ - 1;
     const auto has_enough = [&] {
       const std::size_t regions = number_of_segments();
-      return regions - further >= options_.number_of_regions && regions >= least;
+      return regions - further >= least && regions >= number;
     };
     try {
       while (!has_enough()) {
@@ -211,7 +211,7 @@ public:
           break;
         cut(take_first(), false);
         monitor_.advance_to(static_cast<double>(number_of_segments() - further) /
-                            static_cast<double>(least));
+                            static_cast<double>(number));
       }
     }
     catch (const Run_stopped&) {

@@ -4,6 +4,7 @@
 #ifndef CGAL_SPECTRAL_SEGMENTATION_INTERNAL_WEIGHTS_FACE_DISTANCES_H
 #define CGAL_SPECTRAL_SEGMENTATION_INTERNAL_WEIGHTS_FACE_DISTANCES_H
 
+#include <CGAL/Spectral_segmentation/internal/base/Run_data.h>
 #include <CGAL/Spectral_segmentation/internal/weights/curvature_angles.h>
 
 #include <algorithm>
@@ -140,6 +141,12 @@ struct Distance_weights
   double convex;   // eta at convex edges
   double concavity_radius = 0; // if > 0, averaged curvature replaces the dihedral angle
 };
+
+inline Distance_weights distance_weights(const Options& o, const Method_constants& method)
+{
+  return {o.geodesic_weight, o.concave_angle_weight, o.convex_angle_weight,
+          method.concavity_radius};
+}
 
 // Divides both angle weights by the larger one, because only their ratio matters and sums must not
 // overflow.
