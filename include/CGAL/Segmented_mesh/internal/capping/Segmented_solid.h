@@ -11,7 +11,6 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
-#include <numeric>
 #include <set>
 #include <unordered_map>
 #include <utility>
@@ -278,8 +277,7 @@ protected:
       for (const Corners& t : triangles)
         area.back() += normal(points_, t).norm();
     }
-    std::vector<Index> result(area.size());
-    std::iota(result.begin(), result.end(), Index(0));
+    std::vector<Index> result = first_indices(area.size());
     std::stable_sort(result.begin(), result.end(),
                      [&area](Index a, Index b) { return area[a] < area[b]; });
     return result;

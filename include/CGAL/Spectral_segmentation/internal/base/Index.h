@@ -17,6 +17,14 @@ namespace CGAL::Spectral_segmentation::internal {
 typedef std::uint32_t Index;
 constexpr Index null_index = static_cast<Index>(-1);
 
+// Returns the indices below n in their order.
+inline std::vector<Index> first_indices(std::size_t n)
+{
+  std::vector<Index> result(n);
+  std::iota(result.begin(), result.end(), Index(0));
+  return result;
+}
+
 // Numbers that decisions depend on are rounded to multiples of 2^-20. Sums of such numbers are
 // exact as doubles. Therefore the length of a path does not depend on the order of summation, and
 // mathematically equal numbers are equal in floating point.

@@ -15,7 +15,6 @@
 #include <cstring>
 #include <functional>
 #include <iterator>
-#include <numeric>
 #include <queue>
 #include <tuple>
 #include <utility>
@@ -248,11 +247,11 @@ class Edge_collapse : private Surface
 
 public:
   Edge_collapse(const Surface& mesh, double step_of_rounding, Run_monitor& monitor)
-    : Surface(mesh), monitor_(monitor), became_(points.size()), is_fixed_(points.size(), 0)
+    : Surface(mesh), monitor_(monitor), became_(first_indices(points.size())),
+      is_fixed_(points.size(), 0)
   {
     for (const Vector& p : points)
       rounded_.push_back(rounded(p, step_of_rounding));
-    std::iota(became_.begin(), became_.end(), Index(0));
     std::vector<Index> outgoing(points.size(), null_index);
     std::vector<Index> number_of_faces_around(points.size(), 0);
     for (Index h = 0; h < opposite.size(); ++h) {

@@ -14,7 +14,6 @@
 #include <cstddef>
 #include <iterator>
 #include <map>
-#include <numeric>
 #include <set>
 #include <tuple>
 #include <utility>
@@ -154,9 +153,7 @@ class Region_merging
   // Merges until no regions are adjacent.
   std::vector<Merge> merge_all()
   {
-    std::vector<Index> all(mesh_.number_of_faces());
-    std::iota(all.begin(), all.end(), Index(0));
-    evaluate_boundaries(all);
+    evaluate_boundaries(first_indices(mesh_.number_of_faces()));
     set_feature_reliability();
     std::vector<Merge> merges;
     while (!merges_.empty()) {

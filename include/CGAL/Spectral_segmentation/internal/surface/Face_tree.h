@@ -11,7 +11,6 @@
 #include <cmath>
 #include <cstddef>
 #include <limits>
-#include <numeric>
 #include <utility>
 #include <vector>
 
@@ -181,11 +180,10 @@ class Face_tree
 
 public:
   explicit Face_tree(const std::vector<Triangle>& triangles)
-    : triangles_(triangles), order_(triangles.size())
+    : triangles_(triangles), order_(first_indices(triangles.size()))
   {
     for (const Triangle& t : triangles)
       normals_.push_back(triangle_normal(t).normalized());
-    std::iota(order_.begin(), order_.end(), Index(0));
     build(0, 0, order_.size());
   }
 

@@ -134,14 +134,6 @@ inline std::vector<Index> composed(const std::vector<Index>& indices,
   return result;
 }
 
-// Returns the indices below n in their order.
-inline std::vector<Index> first_indices(std::size_t n)
-{
-  std::vector<Index> result(n);
-  std::iota(result.begin(), result.end(), Index(0));
-  return result;
-}
-
 inline void set_areas(Execution execution, Surface& surface)
 {
   surface.areas.resize(surface.number_of_faces());

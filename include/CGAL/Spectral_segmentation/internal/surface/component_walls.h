@@ -11,7 +11,6 @@
 #include <cmath>
 #include <cstddef>
 #include <memory>
-#include <numeric>
 #include <vector>
 
 namespace CGAL::Spectral_segmentation::internal {
@@ -188,8 +187,7 @@ public:
     for (const Component& c : components_)
       area += c.area;
     const double least_area = least_area_of_outer_wall * area;
-    std::vector<Index> order(components_.size());
-    std::iota(order.begin(), order.end(), Index(0));
+    std::vector<Index> order = first_indices(components_.size());
     std::stable_sort(order.begin(), order.end(), [&](Index a, Index b)
       { return components_[a].area > components_[b].area; });
 

@@ -8,7 +8,6 @@
 
 #include <algorithm>
 #include <cstddef>
-#include <numeric>
 #include <utility>
 #include <vector>
 
@@ -145,8 +144,7 @@ public:
   explicit Triangle_connection(Surface& surface)
     : surface_(surface), opposite_(surface.opposite), is_reversed_(surface.number_of_faces(), 0)
   {
-    opposite_.resize(3 * surface.number_of_faces());
-    std::iota(opposite_.begin(), opposite_.end(), Index(0));
+    opposite_ = first_indices(3 * surface.number_of_faces());
   }
 
   void operator()()

@@ -10,7 +10,6 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
-#include <numeric>
 #include <tuple>
 #include <utility>
 #include <vector>
@@ -43,8 +42,7 @@ inline std::vector<Index> geometric_order(Surface& surface)
   for (Index f = 0; f < surface.number_of_faces(); ++f)
     code.push_back(morton_code(surface.centroid(f), box));
   const auto point = [&](Index f, int i) { return surface.points[surface.corners[f][i]]; };
-  std::vector<Index> result(surface.number_of_faces());
-  std::iota(result.begin(), result.end(), Index(0));
+  std::vector<Index> result = first_indices(surface.number_of_faces());
   std::sort(result.begin(), result.end(), [&](Index f, Index g) {
     if (code[f] != code[g])
       return code[f] < code[g];

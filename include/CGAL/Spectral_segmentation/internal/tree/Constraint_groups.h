@@ -14,7 +14,6 @@
 #include <cstdint>
 #include <iterator>
 #include <map>
-#include <numeric>
 #include <set>
 #include <stdexcept>
 #include <string>
@@ -33,8 +32,7 @@ class Separated_sets
 
 public:
   explicit Separated_sets(std::size_t number = 0)
-    : merged_into_(number), seed_(number, null_index), separated_(number)
-  { std::iota(merged_into_.begin(), merged_into_.end(), Index(0)); }
+    : merged_into_(first_indices(number)), seed_(number, null_index), separated_(number) {}
 
   std::size_t number() const { return merged_into_.size(); }
 

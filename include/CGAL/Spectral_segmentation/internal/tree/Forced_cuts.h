@@ -16,7 +16,6 @@
 #include <cstddef>
 #include <limits>
 #include <map>
-#include <numeric>
 #include <optional>
 #include <utility>
 #include <vector>
@@ -261,8 +260,7 @@ public:
 
   void operator()()
   {
-    std::vector<Index> leaves(tree_.leaves.size());
-    std::iota(leaves.begin(), leaves.end(), Index(0));
+    std::vector<Index> leaves = first_indices(tree_.leaves.size());
     for (std::size_t i = 0; i < leaves.size(); ++i) // there will be more
       for (;;) {
         const auto [a, b] = find_conflict(cutter_.faces(leaves[i]));

@@ -7,7 +7,6 @@
 #include <CGAL/Spectral_segmentation/internal/base/Index.h>
 
 #include <cstddef>
-#include <numeric>
 #include <vector>
 
 namespace CGAL::Spectral_segmentation::internal {
@@ -35,8 +34,7 @@ inline std::size_t segment_around_tooth(const std::vector<Index>& neighbors,
 // face with the same points, keeps the label of that face.
 inline void remove_teeth(const std::vector<Index>& neighbors, std::vector<std::size_t>& labels)
 {
-  std::vector<Index> faces(labels.size());
-  std::iota(faces.begin(), faces.end(), Index(0));
+  std::vector<Index> faces = first_indices(labels.size());
   std::vector<Index> duplicates; // and other faces with one neighbor, which are no teeth
   for (Index f : faces)
     if (neighbors[3 * f + 1] == neighbors[3 * f] && neighbors[3 * f + 2] == neighbors[3 * f] &&

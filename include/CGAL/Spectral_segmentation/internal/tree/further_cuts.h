@@ -10,7 +10,6 @@
 
 #include <algorithm>
 #include <cstddef>
-#include <numeric>
 #include <queue>
 #include <stdexcept>
 #include <string>
@@ -196,9 +195,8 @@ public:
   // Takes the group of each face, or null_index; `group` is empty if there are no groups.
   Further_cuts(const Surface& mesh, Merge_tree& tree, const std::vector<Index>& group = {})
     : mesh_(mesh), tree_(tree), cutter_(mesh, tree), is_in_leaf_(mesh.number_of_faces(), 0),
-      next_in_group_(group.size())
+      next_in_group_(first_indices(group.size()))
   {
-    std::iota(next_in_group_.begin(), next_in_group_.end(), Index(0));
     std::vector<Index> last(group.size(), null_index); // face of each group
     for (Index f = 0; f < group.size(); ++f)
       if (group[f] != null_index) {
