@@ -4,20 +4,104 @@
 #ifndef SEGMENTATION_BENCHMARK_SCORE_KNOWN_PARTS_H
 #define SEGMENTATION_BENCHMARK_SCORE_KNOWN_PARTS_H
 
-#include "known_parts.h"
 #include "score_report.h"
+
+#include <CGAL/Spectral_segmentation/internal/base/Index.h>
+#include <CGAL/Spectral_segmentation/internal/surface/connected_components.h>
+
+#include <CGAL/IO/polygon_soup_io.h>
+#include <CGAL/Kernel/global_functions.h>
 
 #include <Eigen/Core>
 
 #include <algorithm>
+#include <cmath>
 #include <cstddef>
 #include <cstdio>
+#include <filesystem>
 #include <map>
+#include <set>
+#include <stdexcept>
 #include <string>
+#include <utility>
 #include <vector>
 
-// How well methods find the parts of meshes whose parts are known.
+// How well methods find the parts of meshes whose parts are known, from files with the part of each
+// triangle.
 namespace segmentation_benchmark {
+
+// A part with a smaller share of the area of the mesh is hardly seen.
+constexpr double least_share_of_area = 0.005;
+
+struct Known_parts
+{
+  std::string name;
+  Triangle_soup soup;
+  Labels truth; // per triangle
+};
+
+inline Triangle_soup read_triangle_soup(const std::filesystem::path& path)
+{
+  Triangle_soup soup;
+  if (!CGAL::IO::read_polygon_soup(path.string(), soup.points, soup.triangles))
+    throw std::runtime_error("cannot read " + path.string());
+  if (soup.triangles.empty())
+    throw std::runtime_error(path.string() + " has no triangle");
+  for (const std::vector<std::size_t>& corners : soup.triangles)
+    if (corners.size() != 3)
+      throw std::runtime_error(path.string() + " has a face that is no triangle");
+  return soup;
+}
+
+// Reads NAME.off, and the parts from NAME.truth beside it, which has one integer for each triangle.
+inline Known_parts read_known_parts(const std::filesystem::path& off_file)
+{
+  Triangle_soup soup = read_triangle_soup(off_file);
+  Labels truth = read_labels(std::filesystem::path(off_file).replace_extension(".truth"),
+                             soup.triangles.size());
+  return {off_file.stem().string(), std::move(soup), std::move(truth)};
+}
+
+// Returns the .off files of a folder, sorted by name.
+inline std::vector<std::filesystem::path> off_files(const std::filesystem::path& folder)
+{
+  std::set<std::filesystem::path> files;
+  for (const auto& entry : std::filesystem::directory_iterator(folder))
+    if (entry.path().extension() == ".off")
+      files.insert(entry.path());
+  if (files.empty())
+    throw std::runtime_error(folder.string() + " has no .off file");
+  return {files.begin(), files.end()};
+}
+
+inline std::vector<double> triangle_areas(const Triangle_soup& soup)
+{
+  std::vector<double> areas;
+  for (const auto& t : soup.triangles)
+    areas.push_back(std::sqrt(CGAL::squared_area(soup.points[t[0]], soup.points[t[1]],
+                                                 soup.points[t[2]])));
+  return areas;
+}
+
+// Returns the component of each triangle. All triangles at an edge are connected.
+inline Labels components(const Triangle_soup& soup)
+{
+  using CGAL::Spectral_segmentation::internal::Index;
+  const Index n = static_cast<Index>(soup.triangles.size());
+  CGAL::Spectral_segmentation::internal::Face_components sets(n);
+  std::map<std::pair<std::size_t, std::size_t>, Index> first_at_edge;
+  for (Index f = 0; f < n; ++f) {
+    sets.add(f);
+    const auto& corners = soup.triangles[f];
+    for (std::size_t i = 0; i < 3; ++i)
+      sets.join(f, first_at_edge.emplace(std::minmax(corners[i], corners[(i + 1) % 3]), f)
+                     .first->second);
+  }
+  std::vector<Index> representatives;
+  for (Index f = 0; f < n; ++f)
+    representatives.push_back(sets.representative(f));
+  return contiguous(representatives);
+}
 
 // A true part with at most this share of the area is small. One with less than
 // `least_share_of_area` is not counted.
@@ -26,19 +110,17 @@ constexpr double greatest_share_of_small_part = 0.1;
 // From which intersection over union, by area, a segment is the true part.
 constexpr double least_overlap_of_found_part = 0.5;
 
-// Areas are what counts here: triangles of CAD are of all sizes, and most are on what is round.
 struct Known_parts_score
 {
-  double by_area = 0, by_faces = 0; // Rand errors
+  double by_area = 0, by_faces = 0; // Rand errors; the triangles of CAD have very different sizes
   std::size_t segments = 0;
   std::size_t found = 0; // small parts
-  Labels labels;
 };
 
 struct Scored_known_parts
 {
   std::string name;
-  std::size_t faces = 0, parts = 0, small_parts = 0;
+  std::size_t parts = 0, small_parts = 0;
   std::vector<Known_parts_score> scores; // one a row
 };
 
@@ -86,13 +168,12 @@ class Known_parts_scorer
 
   Labels labels(const Row& row)
   {
-    for (const Tree_method& method : tree_methods())
-      if (method.name == row.method)
-        return labels(method, row.protocol);
+    if (const Tree_method* method = tree_method(row.method))
+      return labels(*method, row.protocol);
     for (const Reference& reference : references())
       if (reference.name == row.method)
         return reference.segment(input_.soup);
-    return default_labels(row.method, input_.mesh.value());
+    throw std::invalid_argument(row.method + " needs a manifold mesh");
   }
 
   Known_parts_score score(const Row& row)
@@ -102,7 +183,7 @@ class Known_parts_scorer
     const Flags is_found = greatest_overlaps(area) >= least_overlap_of_found_part;
     return {rand_error_by_area(area), rand_error(result, input_.truth),
             number_of_segments(result),
-            static_cast<std::size_t>((is_small_ && is_found).count()), result};
+            static_cast<std::size_t>((is_small_ && is_found).count())};
   }
 
 public:
@@ -119,30 +200,21 @@ public:
 
   Scored_known_parts operator()(const std::vector<Row>& rows)
   {
-    Scored_known_parts result{input_.name, input_.truth.size(), parts_,
-                              static_cast<std::size_t>(is_small_.count()), {}};
+    Scored_known_parts result{
+      input_.name, parts_, static_cast<std::size_t>(is_small_.count()), {}};
     for (const Row& row : rows)
       result.scores.push_back(score(row));
     return result;
   }
 };
 
-inline bool is_reference(const std::string& method)
-{
-  const std::vector<Reference>& all = references();
-  return std::any_of(all.begin(), all.end(),
-                     [&](const Reference& reference) { return reference.name == method; });
-}
-
-// Returns the rows that can be of meshes whose parts are known, then the references. People have
-// not cut these meshes, and there is one triangulation. If the meshes are not manifold, only
-// methods that segment triangle soups remain.
-inline std::vector<Row> rows_of_known_parts(const std::vector<Row>& rows, bool are_manifold)
+// Returns the rows that can be of meshes whose parts are known, then the references. There are no
+// people and no other triangulations, and methods must accept triangle soups.
+inline std::vector<Row> rows_of_known_parts(const std::vector<Row>& rows)
 {
   std::vector<Row> result;
   for (const Row& row : rows)
-    if (row.protocol != Protocol::OTHERS && is_as_is(row.triangulation) &&
-        !is_reference(row.method) && (are_manifold || is_tree_method(row.method)))
+    if (tree_method(row.method) && is_as_is(row.triangulation))
       result.push_back(row);
   for (const Reference& reference : references())
     result.push_back({reference.name, Protocol::AUTO});
@@ -161,13 +233,13 @@ inline double fraction_found(const std::vector<Scored_known_parts>& meshes, std:
 }
 
 // Prints the means over meshes; of the Rand error by area, with its standard error.
-inline void print_known_parts(const std::string& kind, const std::vector<Row>& rows,
+inline void print_known_parts(const std::vector<Row>& rows,
                               const std::vector<Scored_known_parts>& meshes)
 {
   std::size_t width = std::string("Rand error").size();
   for (const Row& row : rows)
     width = (std::max)(width, title(row).size());
-  std::printf("%zu %s\n%-*s %17s %8s %7s %7s\n", meshes.size(), kind.c_str(),
+  std::printf("%zu files with known parts\n%-*s %17s %8s %7s %7s\n", meshes.size(),
               static_cast<int>(width), "Rand error", "by area", "by face", "parts", "found");
   for (std::size_t i = 0; i < rows.size(); ++i) {
     const auto values = [&](const auto Known_parts_score::*value) {
@@ -183,8 +255,8 @@ inline void print_known_parts(const std::string& kind, const std::vector<Row>& r
     std::printf("\n");
   }
   std::printf("%-*s %17s %8s %7.2f %7s\n", static_cast<int>(width), "truth", "-", "-",
-              mean_of(meshes, [](const Scored_known_parts& mesh)
-                              { return static_cast<double>(mesh.parts); }), "-");
+              mean_of(values_of(meshes, [](const Scored_known_parts& mesh)
+                                        { return static_cast<double>(mesh.parts); })), "-");
   std::printf("parts: those of the truth have at least 0.5 %% of the area\n"
               "found: fraction of the true parts of 0.5 to 10 %% of the area that have an "
               "intersection\n       over union of at least 0.5 with a segment\n");
@@ -194,17 +266,14 @@ inline Json json_of_known_parts(const std::vector<Row>& rows,
                                 const std::vector<Scored_known_parts>& meshes)
 {
   Json json;
-  for (const Scored_known_parts& mesh : meshes) {
-    Json& of_mesh = json["meshes"][mesh.name] = {
-      {"faces", mesh.faces}, {"parts", mesh.parts}, {"small_parts", mesh.small_parts}};
+  for (const Scored_known_parts& mesh : meshes)
     for (std::size_t i = 0; i < rows.size(); ++i) {
       const Known_parts_score& score = mesh.scores[i];
-      of_mesh["methods"][rows[i].method][name(rows[i].protocol)] = {{"by_area", score.by_area},
-                                                                    {"by_faces", score.by_faces},
-                                                                    {"k", score.segments},
-                                                                    {"found", score.found}};
+      json[title(rows[i])][mesh.name] = {{"by_area", score.by_area},
+                                         {"by_faces", score.by_faces},
+                                         {"segments", score.segments},
+                                         {"found", score.found}};
     }
-  }
   return json;
 }
 

@@ -6,13 +6,11 @@
 
 #include "run_engine.h"
 #include "segment_by_sdf.h"
-#include "triangle_soup.h"
 
 #include <CGAL/tags.h>
 
 #include <boost/property_map/vector_property_map.hpp>
 
-#include <algorithm>
 #include <cstddef>
 #include <functional>
 #include <limits>
@@ -25,6 +23,13 @@ namespace segmentation_benchmark {
 
 namespace params = CGAL::Spectral_segmentation::parameters;
 using CGAL::Spectral_segmentation::Segmentation_hierarchy;
+
+// Triangles that need not form a manifold.
+struct Triangle_soup
+{
+  std::vector<Mesh::Point> points;
+  std::vector<std::vector<std::size_t> > triangles; // three points each
+};
 
 // A method of this package, which cuts on down to a threshold or up to a number of segments.
 struct Tree_method
@@ -68,8 +73,8 @@ Segmentation_hierarchy hierarchy(const Triangle_soup& soup, const NamedParameter
 
 // Makes a method of its named parameters, parameters(threshold, maximum_number_of_segments).
 template <class Parameters>
-Tree_method tree_method(const char* name, double default_threshold, bool has_whole_trees,
-                        const Parameters& parameters)
+Tree_method make_tree_method(const char* name, double default_threshold, bool has_whole_trees,
+                             const Parameters& parameters)
 {
   const auto segment = [parameters](const auto& input, double threshold, std::size_t n)
     { return hierarchy(input, parameters(threshold, n)); };
@@ -79,24 +84,26 @@ Tree_method tree_method(const char* name, double default_threshold, bool has_who
 inline const std::vector<Tree_method>& tree_methods()
 {
   static const std::vector<Tree_method> methods = {
-    tree_method("calibrated", CGAL::Spectral_segmentation::default_probability_threshold, true,
-                [](double threshold, std::size_t n) {
-                  return params::salience_threshold(threshold).maximum_number_of_segments(n);
-                }),
-    tree_method("paper", CGAL::Spectral_segmentation::default_salience_threshold, false,
-                [](double threshold, std::size_t n) {
-                  return params::zhang_liu_2005().salience_threshold(threshold)
-                           .maximum_number_of_segments(n);
-                }),
+    make_tree_method("calibrated", CGAL::Spectral_segmentation::default_probability_threshold, true,
+                     [](double threshold, std::size_t n) {
+                       return params::salience_threshold(threshold).maximum_number_of_segments(n);
+                     }),
+    make_tree_method("paper", CGAL::Spectral_segmentation::default_salience_threshold, false,
+                     [](double threshold, std::size_t n) {
+                       return params::zhang_liu_2005().salience_threshold(threshold)
+                                .maximum_number_of_segments(n);
+                     }),
   };
   return methods;
 }
 
-inline bool is_tree_method(const std::string& name)
+// Returns the tree method of this name, or a null pointer.
+inline const Tree_method* tree_method(const std::string& name)
 {
-  const std::vector<Tree_method>& methods = tree_methods();
-  return std::any_of(methods.begin(), methods.end(),
-                     [&name](const Tree_method& method) { return method.name == name; });
+  for (const Tree_method& method : tree_methods())
+    if (method.name == name)
+      return &method;
+  return nullptr;
 }
 
 inline const std::vector<Label_method>& label_methods()
@@ -128,9 +135,8 @@ constexpr double any_salience = -std::numeric_limits<double>::infinity();
 // The labels of a method by itself: at its default threshold, if it has one.
 inline Labels default_labels(const std::string& method_name, const Mesh& mesh)
 {
-  for (const Tree_method& method : tree_methods())
-    if (method.name == method_name)
-      return labels_of_run(method.segment(mesh, method.default_threshold, any_number));
+  if (const Tree_method* method = tree_method(method_name))
+    return labels_of_run(method->segment(mesh, method->default_threshold, any_number));
   for (const Label_method& method : label_methods())
     if (method.name == method_name)
       return method.segment(mesh);

@@ -13,39 +13,29 @@
 #include <boost/graph/dijkstra_shortest_paths.hpp>
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <cstddef>
 #include <functional>
 #include <iterator>
 #include <limits>
-#include <tuple>
 #include <unordered_map>
-#include <utility>
 #include <vector>
 
-// The metrics of X. Chen, A. Golovinskiy, T. Funkhouser, A Benchmark for 3D Mesh Segmentation,
-// SIGGRAPH 2009, Section 4, as the program of the authors computes them. All are errors: 0 is best.
+// The Rand error and the cut discrepancy of X. Chen, A. Golovinskiy, T. Funkhouser, A Benchmark for
+// 3D Mesh Segmentation, SIGGRAPH 2009, Section 4, as the program of the authors computes them. For
+// both, 0 is best.
 namespace segmentation_benchmark {
 
 // One label for each face; labels are contiguous and start at 0.
 typedef std::vector<std::size_t> Labels;
 
-enum Metric {
-  RAND_ERROR, HAMMING, MISSING_RATE, FALSE_ALARM_RATE, // the last three by area
-  GCE, LCE,                                            // global, local consistency error by area
-  GCE_FACES, LCE_FACES,                                // the same by number of faces
-  CUT_DISCREPANCY,
-  NUMBER_OF_METRICS
-};
-
-constexpr std::array<const char*, NUMBER_OF_METRICS> metric_names =
-  {"ri", "hd", "rm", "rf", "gce", "lce", "gcef", "lcef", "cd"};
-
-// The errors of one segmentation with respect to another, by Metric. NaN is undefined.
-typedef std::array<double, NUMBER_OF_METRICS> Errors;
-
 constexpr double undefined = std::numeric_limits<double>::quiet_NaN();
+
+// The errors of one segmentation with respect to another.
+struct Errors
+{
+  double rand_error = 0, cut_discrepancy = 0; // NaN is undefined
+};
 
 // The data of a mesh that the metrics need.
 struct Mesh_facts
@@ -151,7 +141,7 @@ inline double rand_error(const Eigen::ArrayXXd& faces)
 inline double rand_error(const Labels& a, const Labels& b)
 { return rand_error(overlap(a, b)); }
 
-// The same of pairs of points of the surface, whatever its triangles; no metric of the benchmark.
+// The same of pairs of points of the surface, whatever its triangles.
 inline double rand_error_by_area(const Eigen::ArrayXXd& area)
 {
   const double total = area.sum();
@@ -168,49 +158,6 @@ inline Eigen::ArrayXd greatest_overlaps(const Eigen::ArrayXXd& area)
     result(column) =
       (area.col(column) / (of_rows + of_columns(column) - area.col(column))).maxCoeff();
   return result;
-}
-
-inline void set_hamming_errors(const Eigen::ArrayXXd& area, Errors& errors)
-{
-  const double total = area.sum();
-  errors[MISSING_RATE] = (std::max)(0., 1 - area.colwise().maxCoeff().sum() / total);
-  errors[FALSE_ALARM_RATE] = (std::max)(0., 1 - area.rowwise().maxCoeff().sum() / total);
-  errors[HAMMING] = (errors[MISSING_RATE] + errors[FALSE_ALARM_RATE]) / 2;
-}
-
-// The global and the local consistency error. The share of a face's segment that the other
-// segmentation puts elsewhere is measured by `size`, and averaged over the faces.
-inline std::pair<double, double> consistency_errors(const Eigen::ArrayXXd& faces,
-                                                    const Eigen::ArrayXXd& size)
-{
-  const Eigen::ArrayXd in_a = size.rowwise().sum(), in_b = size.colwise().sum();
-  double of_a = 0, of_b = 0, local = 0;
-  const auto share_elsewhere = [](double common, double all)
-  { return all > 0 ? 1 - common / all : 0; };
-  for (Eigen::Index a = 0; a < size.rows(); ++a)
-    for (Eigen::Index b = 0; b < size.cols(); ++b) {
-      const double error_a = share_elsewhere(size(a, b), in_a(a));
-      const double error_b = share_elsewhere(size(a, b), in_b(b));
-      of_a += faces(a, b) * error_a;
-      of_b += faces(a, b) * error_b;
-      local += faces(a, b) * (std::min)(error_a, error_b);
-    }
-  const double n = faces.sum();
-  return {(std::min)(of_a, of_b) / n, local / n};
-}
-
-inline void set_consistency_errors(const Eigen::ArrayXXd& faces, const Eigen::ArrayXXd& area,
-                                   Errors& errors)
-{
-  // With one segment in all, or one a face, each segmentation refines the other.
-  const auto is_trivial = [n = faces.sum()](Eigen::Index segments)
-  { return segments == 1 || static_cast<double>(segments) == n; };
-  if (is_trivial(faces.rows()) || is_trivial(faces.cols())) {
-    errors[GCE] = errors[LCE] = errors[GCE_FACES] = errors[LCE_FACES] = 0;
-    return;
-  }
-  std::tie(errors[GCE], errors[LCE]) = consistency_errors(faces, area);
-  std::tie(errors[GCE_FACES], errors[LCE_FACES]) = consistency_errors(faces, faces);
 }
 
 // The vertices along the cuts, each once.
@@ -275,14 +222,8 @@ inline Segmentation segmentation(const Mesh_facts& facts, const Labels& labels)
 inline Errors errors(const Mesh_facts& facts, const Segmentation& result,
                      const Segmentation& reference)
 {
-  const Eigen::ArrayXXd faces = overlap(result.labels, reference.labels);
-  const Eigen::ArrayXXd area = overlap(result.labels, reference.labels, facts.face_areas);
-  Errors e;
-  e[RAND_ERROR] = rand_error(faces);
-  set_hamming_errors(area, e);
-  set_consistency_errors(faces, area, e);
-  e[CUT_DISCREPANCY] = cut_discrepancy(facts, result.cut_distances, reference.cut_distances);
-  return e;
+  return {rand_error(result.labels, reference.labels),
+          cut_discrepancy(facts, result.cut_distances, reference.cut_distances)};
 }
 
 // The mean of the values that are defined.
@@ -311,17 +252,14 @@ inline double median(std::vector<double> values)
                                 : (*middle + *std::max_element(values.begin(), middle)) / 2;
 }
 
-template <class ErrorsRange>
-Errors mean_errors(const ErrorsRange& all)
+inline Errors mean_errors(const std::vector<Errors>& all)
 {
-  Errors result;
-  for (std::size_t metric = 0; metric < NUMBER_OF_METRICS; ++metric) {
-    Mean mean;
-    for (const Errors& e : all)
-      mean.add(e[metric]);
-    result[metric] = mean();
+  Mean rand_error, cut_discrepancy;
+  for (const Errors& e : all) {
+    rand_error.add(e.rand_error);
+    cut_discrepancy.add(e.cut_discrepancy);
   }
-  return result;
+  return {rand_error(), cut_discrepancy()};
 }
 
 } // namespace segmentation_benchmark
