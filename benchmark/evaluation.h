@@ -72,9 +72,6 @@ inline Paired_difference paired_difference(const std::vector<double>& a,
   return estimated_mean(differences);
 }
 
-inline const char* verdict(bool is_reproduced)
-{ return is_reproduced ? "reproduced" : "not reproduced"; }
-
 } // namespace segmentation_benchmark
 
 #endif // SEGMENTATION_BENCHMARK_EVALUATION_H

@@ -7,6 +7,7 @@
 #include "princeton_benchmark.h"
 
 #include <CGAL/segment_spectral_recursive.h>
+#include <CGAL/spectral_embedding.h>
 
 #include <cstddef>
 #include <utility>
@@ -24,15 +25,25 @@ struct Engine_options : CGAL::Spectral_segmentation::Options,
   {}
 };
 
-typedef CGAL::Spectral_segmentation::internal::Execution Execution;
-typedef CGAL::Spectral_segmentation::internal::Run_control Run_control;
-typedef CGAL::Spectral_segmentation::internal::Feature_source Feature_source;
+using CGAL::Spectral_segmentation::internal::Edge_weights;
+using CGAL::Spectral_segmentation::internal::Execution;
+using CGAL::Spectral_segmentation::internal::Feature_source;
+using CGAL::Spectral_segmentation::internal::Index;
+using CGAL::Spectral_segmentation::internal::Run_control;
+using CGAL::Spectral_segmentation::internal::Surface;
 
-inline CGAL::Spectral_segmentation::internal::Surface triangles_of(const Mesh& mesh)
+inline Surface triangles_of(const Mesh& mesh)
 {
   const std::vector<Mesh::Face_index> faces(mesh.faces().begin(), mesh.faces().end());
   return CGAL::Spectral_segmentation::internal::read_triangle_mesh(
     mesh, faces, mesh.points(), CGAL::Exact_predicates_inexact_constructions_kernel());
+}
+
+// Returns the faces of a mesh, by their own numbers, with the distances of the paper (Section 3).
+inline Surface paper_graph(const Mesh& mesh)
+{
+  return CGAL::Spectral_segmentation::internal::weighted_face_graph(
+    triangles_of(mesh), Engine_options::zhang_liu_2005());
 }
 
 inline CGAL::Spectral_segmentation::Segmentation_hierarchy

@@ -4,8 +4,8 @@
 #ifndef SEGMENTATION_BENCHMARK_TRIANGULATIONS_H
 #define SEGMENTATION_BENCHMARK_TRIANGULATIONS_H
 
-#include "Uniform_random.h"
 #include "mesh_changes.h"
+#include "random_numbers.h"
 #include "sized_mesh.h"
 
 #include <CGAL/Polygon_mesh_processing/detect_features.h>
@@ -88,11 +88,11 @@ struct Retriangulated_mesh
   std::vector<std::vector<std::size_t> > faces_on; // each original face; not empty
 };
 
-inline Kernel::Point_3 random_point(const Mesh& mesh, Mesh::Face_index f, Uniform_random& random)
+inline Kernel::Point_3 random_point(const Mesh& mesh, Mesh::Face_index f, Random_engine& random)
 {
   const Mesh::Halfedge_index h = mesh.halfedge(f);
   const Kernel::Point_3& p = mesh.point(mesh.source(h));
-  double s = random(), t = random();
+  double s = uniform_random(random), t = uniform_random(random);
   if (s + t > 1) {
     s = 1 - s;
     t = 1 - t;
@@ -112,7 +112,7 @@ inline std::vector<std::vector<std::size_t> > nearest_faces(const Mesh& mesh, co
     if (!CGAL::Polygon_mesh_processing::is_degenerate_triangle_face(f, other))
       faces.push_back(f);
   const AABB_tree tree(faces.begin(), faces.end(), other);
-  Uniform_random random(1);
+  Random_engine random(1);
   std::vector<std::vector<std::size_t> > result;
   for (Mesh::Face_index f : mesh.faces()) {
     std::vector<std::size_t> nearest;

@@ -4,46 +4,64 @@
 #ifndef SEGMENTATION_BENCHMARK_PAPER_EXPERIMENTS_EXPERIMENTS_H
 #define SEGMENTATION_BENCHMARK_PAPER_EXPERIMENTS_EXPERIMENTS_H
 
+#include "../for_each_mesh.h"
+#include "../mesh_changes.h"
+#include "../princeton_benchmark.h"
+
 #include <cstddef>
-#include <cstdint>
 #include <string>
+#include <utility>
+#include <vector>
 
 namespace segmentation_benchmark {
 
 struct Experiment_options
 {
   std::string folder, ids = "odd";
-  std::string pictures; // a folder for pictures of the first mesh, and plots; empty for none
-  std::uint64_t seed = 1;
+  std::size_t faces = 0;     // meshes are decimated to so many, if not 0
+  std::size_t samples = 100; // rows of the affinity matrix of clusterings
 };
 
 // Figure 1.
-struct Placement_options : Experiment_options
-{
-  std::size_t pairs = 10; // pairs of samples, per kind and mesh
-};
-
-void run_placement_of_samples(const Placement_options& o);
+void compare_placements(const Experiment_options& o);
 
 // Figure 3 and Section 4.
-void run_comparison_of_samplings(const Experiment_options& o);
+void compare_samplings(const Experiment_options& o);
 
 // Figure 4 and Section 7.1.
-struct Clustering_options : Experiment_options
+void compare_with_clusterings(const Experiment_options& o);
+
+// Section 7.2.
+void compare_numbers_of_samples(const Experiment_options& o);
+
+// Returns a mesh with about so many faces, which have the labels of the nearest original faces.
+inline Benchmark_mesh simplified(const Benchmark_mesh& input, std::size_t faces)
 {
-  std::size_t samples = 100; // rows of the affinity matrix
-  std::size_t faces = 0;     // meshes are decimated to so many, if not 0
-};
+  Changed_mesh changed = decimated(input.mesh, 3 * faces / 2);
+  Benchmark_mesh result{input.id, std::move(changed.mesh), {}};
+  for (const Labels& person : input.people) {
+    Labels labels;
+    for (std::size_t f : changed.original_faces)
+      labels.push_back(person[f]);
+    result.people.push_back(contiguous(labels));
+  }
+  return result;
+}
 
-void run_comparison_with_clustering(const Clustering_options& o);
-
-// Section 7.2. The pictures are plots.
-struct Number_of_samples_options : Experiment_options
+// Returns what a function measures on each mesh.
+template <class Function>
+auto measure_meshes(const Experiment_options& o, const Function& measure)
 {
-  std::size_t faces = 1000; // meshes are decimated to so many
-};
-
-void run_number_of_samples(const Number_of_samples_options& o);
+  const std::vector<int> ids = parse_ids(o.ids);
+  std::vector<decltype(measure(Benchmark_mesh()))> result;
+  Progress progress(ids.size());
+  for (int id : ids) {
+    const Benchmark_mesh input = read_benchmark_mesh(o.folder, id);
+    result.push_back(measure(o.faces > 0 ? simplified(input, o.faces) : input));
+    progress.step();
+  }
+  return result;
+}
 
 } // namespace segmentation_benchmark
 

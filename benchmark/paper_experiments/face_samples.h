@@ -4,17 +4,19 @@
 #ifndef SEGMENTATION_BENCHMARK_PAPER_EXPERIMENTS_FACE_SAMPLES_H
 #define SEGMENTATION_BENCHMARK_PAPER_EXPERIMENTS_FACE_SAMPLES_H
 
-#include "experiment.h"
+#include "parts.h"
 
 #include <CGAL/Spectral_segmentation/internal/search/face_orders.h>
+#include <CGAL/Spectral_segmentation/internal/search/line_search.h>
 
 #include <algorithm>
 #include <array>
 #include <cstddef>
 #include <limits>
+#include <optional>
 #include <vector>
 
-// The ways to choose samples that the paper mentions (Sections 4 and 7.2).
+// The ways to choose samples that the paper mentions (Sections 4 and 7.2), and the cut between two.
 namespace segmentation_benchmark {
 
 // Takes m different faces of a part, or all of a part with fewer.
@@ -37,7 +39,8 @@ inline std::vector<Index> random_samples(const Surface& part, std::size_t m,
   return samples;
 }
 
-// Each is the one farthest from those before. `distances_from(f)` are the distances of all n faces.
+// Returns samples each of which is the one farthest from those before. `distances_from(f)` are the
+// distances of all n faces.
 template <class DistancesFrom>
 std::vector<Index> farthest_first(std::size_t n, Index first, std::size_t m,
                                   const DistancesFrom& distances_from)
@@ -98,6 +101,35 @@ constexpr std::array<Sampling_scheme, 5> sampling_schemes = {{
 }};
 
 constexpr std::size_t shape_context_scheme = sampling_schemes.size() - 1;
+
+// Returns the cut of BESTCUT of the paper (Figure 2), between two samples, if there is one.
+inline std::optional<Cut> best_cut(const Surface& part, const std::vector<Index>& samples,
+                                   double minimum_area)
+{
+  namespace internal = CGAL::Spectral_segmentation::internal;
+  return internal::line_search(
+    Execution::SEQUENTIAL, part,
+    internal::face_order(Execution::SEQUENTIAL, part, {samples[0], samples[1]}),
+    CGAL::Spectral_segmentation::Weighted_part_salience(), minimum_area);
+}
+
+// Returns the sides of the faces at the best cut between two samples of a scheme, if there is one.
+inline std::optional<Sides> sides_by_samples(const Sampling_scheme& scheme, const Surface& part,
+                                             double minimum_area, Random_engine& random)
+{
+  if (part.number_of_faces() < 2)
+    return std::nullopt;
+  const std::optional<Cut> cut = best_cut(part, scheme.take(part, 2, random), minimum_area);
+  return cut ? std::optional<Sides>(cut->side) : std::nullopt;
+}
+
+// Returns the segments of the recursion with two samples of a scheme.
+inline Labels recursive_cuts_by_samples(const Sampling_scheme& scheme, const Surface& mesh,
+                                        std::size_t k, Random_engine& random)
+{
+  return recursive_cuts(mesh, k, [&](const Part& part)
+    { return sides_by_samples(scheme, part.graph, minimum_area(mesh), random); });
+}
 
 } // namespace segmentation_benchmark
 

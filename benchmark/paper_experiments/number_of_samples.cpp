@@ -2,15 +2,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 #include "../evaluation.h"
-#include "../for_each_mesh.h"
-#include "../princeton_benchmark.h"
-#include "experiment.h"
 #include "experiments.h"
-#include "face_affinities.h"
 #include "face_samples.h"
-#include "pictures.h"
-#include "recursive_cuts.h"
-#include "simplified.h"
+#include "parts.h"
 #include "spectral_lines.h"
 
 #include <array>
@@ -18,8 +12,6 @@
 #include <cstdio>
 #include <optional>
 #include <string>
-#include <tuple>
-#include <utility>
 #include <vector>
 
 // Section 7.2: two samples or more.
@@ -40,10 +32,9 @@ struct Scores
   double exact_rand_error; // uses the exact eigenvectors
 };
 
-// The error of the recursion with eigenvectors from the samples that `take(part)` chooses.
+// Returns the error of the recursion with eigenvectors from the samples that `take(part)` chooses.
 template <class Take>
-double rand_error_with(const Surface& graph, const std::vector<Labels>& people,
-                       const Take& take)
+double rand_error_with(const Surface& graph, const std::vector<Labels>& people, const Take& take)
 {
   const double smallest = minimum_area(graph);
   const auto sides_of = [&](const Part& part) -> std::optional<Sides> {
@@ -57,9 +48,9 @@ double rand_error_with(const Surface& graph, const std::vector<Labels>& people,
   return mean_rand_error(recursive_cuts(graph, usual_number_of_segments(people), sides_of), people);
 }
 
-Scores scores(const Benchmark_mesh& input, const Number_of_samples_options& o)
+Scores scores(const Benchmark_mesh& input)
 {
-  Random_engine random = random_engine(o.seed, input.id);
+  Random_engine random = random_engine(input.id);
   const Surface graph = paper_graph(input.mesh);
   const Part whole = whole_part(graph);
   const Eigenpairs exact = face_eigenpairs(whole.graph, all_faces(whole.graph));
@@ -71,8 +62,7 @@ Scores scores(const Benchmark_mesh& input, const Number_of_samples_options& o)
       const Eigenpairs approximate = face_eigenpairs(whole.graph, take(whole.graph));
       const auto error = [&](Eigen::Index e)
       { return direction_error(approximate.vectors.col(e), exact.vectors.col(e)); };
-      result.by_samples[i][j] = {error(0), error(1),
-                                 rand_error_with(graph, input.people, take)};
+      result.by_samples[i][j] = {error(0), error(1), rand_error_with(graph, input.people, take)};
     }
   result.exact_rand_error = rand_error_with(graph, input.people, all_faces);
   return result;
@@ -112,9 +102,15 @@ struct Comparison
     smaller += d.is_negative();
     larger += d.is_positive();
   }
+
+  void print(const std::string& title) const
+  {
+    std::printf("%s: smaller in %zu of %zu settings, larger in %zu\n", title.c_str(), smaller,
+                settings, larger);
+  }
 };
 
-// With more samples by one scheme, and two by another.
+// Compares more samples by one scheme with two by another.
 void add_settings(const std::vector<Scores>& meshes, Column error, std::size_t scheme,
                   std::size_t scheme_of_two, Comparison& comparison)
 {
@@ -122,83 +118,36 @@ void add_settings(const std::vector<Scores>& meshes, Column error, std::size_t s
     comparison.add(values(meshes, scheme, j, error), values(meshes, scheme_of_two, 0, error));
 }
 
-void print_claim_of_eigenvectors(const std::vector<Scores>& meshes)
+// Compares with two samples by the same scheme; and the Rand errors, also of the exact
+// eigenvectors, with two by shape context, which is the method of the paper.
+void print_comparisons(const std::vector<Scores>& meshes)
 {
-  Comparison c;
-  for (std::size_t i = 0; i < sampling_schemes.size(); ++i)
-    add_settings(meshes, &Errors_of_line::second, i, i, c);
-  std::printf("Section 7.2, that more samples bring the second eigenvector nearer: %s; it is "
-              "nearer in %zu of %zu settings and farther in %zu.\n",
-              verdict(c.smaller > 0 && c.larger == 0), c.smaller, c.settings, c.larger);
-}
-
-void print_claim_of_cuts(const char* two, const Comparison& c)
-{
-  std::printf("Section 7.2, that more samples cut no better than two by %s: %s; they cut better in "
-              "%zu of %zu settings and worse in %zu.\n",
-              two, verdict(c.smaller == 0), c.smaller, c.settings, c.larger);
-}
-
-// Against two samples by the same scheme; then all of them, and the exact eigenvectors, against two
-// by shape context, which is the method of the paper.
-void print_claims_of_cuts(const std::vector<Scores>& meshes)
-{
-  constexpr Column error = &Errors_of_line::rand_error;
-  Comparison all;
+  std::printf("Errors of more samples than two\n");
+  Comparison of_second, all;
   for (std::size_t i = 0; i < sampling_schemes.size(); ++i) {
     Comparison of_scheme;
-    add_settings(meshes, error, i, i, of_scheme);
-    print_claim_of_cuts((std::string("the same scheme, ") + sampling_schemes[i].name).c_str(),
-                        of_scheme);
-    add_settings(meshes, error, i, shape_context_scheme, all);
+    add_settings(meshes, &Errors_of_line::second, i, i, of_second);
+    add_settings(meshes, &Errors_of_line::rand_error, i, i, of_scheme);
+    add_settings(meshes, &Errors_of_line::rand_error, i, shape_context_scheme, all);
+    of_scheme.print(std::string("Rand error, ") + sampling_schemes[i].name);
   }
   all.add(values_of(meshes, &Scores::exact_rand_error),
-          values(meshes, shape_context_scheme, 0, error));
-  print_claim_of_cuts("shape context", all);
-}
-
-void write_plot(const Pictures& pictures, const std::vector<Scores>& meshes,
-                const std::string& name, const char* title, Column error)
-{
-  Json plot = {{"title", title}, {"x", "samples"}, {"y", "error"}, {"logarithmic_x", true},
-               {"lines", Json::array()}};
-  for (std::size_t i = 0; i < sampling_schemes.size(); ++i) {
-    Json y;
-    for (std::size_t j = 0; j < numbers.size(); ++j)
-      y.push_back(mean_of(values(meshes, i, j, error)));
-    plot["lines"].push_back({{"name", sampling_schemes[i].name}, {"x", numbers}, {"y", y}});
-  }
-  pictures.write_plot(name, plot);
-}
-
-void report(const std::vector<Scores>& meshes, const std::string& pictures)
-{
-  const std::tuple<const char*, const char*, Column> tables[] = {
-    {"first_eigenvector", "L2 error of the first eigenvector", &Errors_of_line::first},
-    {"second_eigenvector", "L2 error of the second eigenvector", &Errors_of_line::second},
-    {"rand_error", "Rand error with people's usual number of parts", &Errors_of_line::rand_error}};
-  for (const auto& [name, title, error] : tables) {
-    print_table(meshes, title, error);
-    if (!pictures.empty())
-      write_plot(Pictures(pictures), meshes, name, title, error);
-  }
-  std::printf("%-13s %7.4f\n", "exact", mean_of(values_of(meshes, &Scores::exact_rand_error)));
-  print_claim_of_eigenvectors(meshes);
-  print_claims_of_cuts(meshes);
+          values(meshes, shape_context_scheme, 0, &Errors_of_line::rand_error));
+  all.print("Rand error, against two by shape context");
+  of_second.print("second eigenvector");
 }
 
 } // namespace
 
-void run_number_of_samples(const Number_of_samples_options& o)
+void compare_numbers_of_samples(const Experiment_options& o)
 {
-  const std::vector<int> ids = parse_ids(o.ids);
-  std::vector<Scores> meshes;
-  Progress progress(ids.size());
-  for (int id : ids) {
-    meshes.push_back(scores(simplified(read_benchmark_mesh(o.folder, id), o.faces), o));
-    progress.step();
-  }
-  report(meshes, o.pictures);
+  const std::vector<Scores> meshes = measure_meshes(o, scores);
+  print_table(meshes, "L2 error of the first eigenvector", &Errors_of_line::first);
+  print_table(meshes, "L2 error of the second eigenvector", &Errors_of_line::second);
+  print_table(meshes, "Rand error with people's usual number of parts",
+              &Errors_of_line::rand_error);
+  std::printf("%-13s %7.4f\n", "exact", mean_of(values_of(meshes, &Scores::exact_rand_error)));
+  print_comparisons(meshes);
 }
 
 } // namespace segmentation_benchmark

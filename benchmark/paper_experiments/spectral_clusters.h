@@ -4,11 +4,11 @@
 #ifndef SEGMENTATION_BENCHMARK_PAPER_EXPERIMENTS_SPECTRAL_CLUSTERS_H
 #define SEGMENTATION_BENCHMARK_PAPER_EXPERIMENTS_SPECTRAL_CLUSTERS_H
 
-#include "experiment.h"
-#include "face_affinities.h"
+#include "../k_means.h"
 #include "face_samples.h"
-#include "k_means.h"
-#include "recursive_cuts.h"
+#include "parts.h"
+
+#include <CGAL/Spectral_segmentation/internal/search/face_orders.h>
 
 #include <Eigen/Core>
 
@@ -30,7 +30,7 @@ inline Eigen::MatrixXd spectral_coordinates(const Surface& part, std::size_t k,
   const std::vector<Index> samples = m >= part.number_of_faces()
     ? all_faces(part)
     : samples_by_paths<&Edge_weights::combined>(part, m, random);
-  const Eigenpairs e = face_eigenpairs(part, samples);
+  const CGAL::Spectral_segmentation::internal::Eigenpairs e = face_eigenpairs(part, samples);
   const Eigen::Index dimensions =
     (std::min)(static_cast<Eigen::Index>(k), e.vectors.cols());
   return e.vectors.leftCols(dimensions).rowwise().normalized();
@@ -39,7 +39,7 @@ inline Eigen::MatrixXd spectral_coordinates(const Surface& part, std::size_t k,
 // All k clusters at once.
 inline Labels k_way_clusters(const Surface& mesh, std::size_t k, std::size_t m,
                              Random_engine& random)
-{ return contiguous(k_means(spectral_coordinates(mesh, k, m, random), k, random)); }
+{ return k_means(spectral_coordinates(mesh, k, m, random), k, random); }
 
 // Two clusters at a time, of the part of the largest area.
 inline Labels recursive_two_means(const Surface& mesh, std::size_t k, std::size_t m,
@@ -49,7 +49,7 @@ inline Labels recursive_two_means(const Surface& mesh, std::size_t k, std::size_
     if (part.graph.number_of_faces() < 2)
       return std::nullopt;
     const Labels cluster = k_means(spectral_coordinates(part.graph, 2, m, random), 2, random);
-    if (number_of_segments(contiguous(cluster)) < 2)
+    if (number_of_segments(cluster) < 2)
       return std::nullopt;
     return Sides(cluster.begin(), cluster.end());
   });

@@ -4,9 +4,9 @@
 #ifndef SEGMENTATION_BENCHMARK_PAPER_EXPERIMENTS_SPECTRAL_LINES_H
 #define SEGMENTATION_BENCHMARK_PAPER_EXPERIMENTS_SPECTRAL_LINES_H
 
-#include "experiment.h"
-#include "face_affinities.h"
+#include "parts.h"
 
+#include <CGAL/Spectral_segmentation/internal/search/face_orders.h>
 #include <CGAL/Spectral_segmentation/internal/search/line_search.h>
 
 #include <Eigen/Core>
@@ -20,10 +20,18 @@
 // Line search along the ratio of the first two eigenvectors, for any number of samples.
 namespace segmentation_benchmark {
 
-using CGAL::Spectral_segmentation::internal::Cut;
+using CGAL::Spectral_segmentation::internal::Eigenpairs;
 
-// The faces in the order of the ratio of the second eigenvector to the first. Where it ties but for
-// rounding, those near the first sample on the line come first.
+// Returns the distance between two vectors after scaling to unit length and choice of the sign:
+// from 0, for the same direction, to the square root of 2.
+inline double direction_error(const Eigen::VectorXd& a, const Eigen::VectorXd& b)
+{
+  const Eigen::VectorXd u = a.normalized(), v = b.normalized();
+  return (std::min)((u - v).norm(), (u + v).norm());
+}
+
+// Returns the faces in the order of the ratio of the second eigenvector to the first. Where it ties
+// but for rounding, those near the first sample on the line come first.
 inline std::vector<Index> spectral_line(const Surface& part, const Eigenpairs& e,
                                         const std::vector<Index>& samples, bool is_reversed)
 {
@@ -45,7 +53,7 @@ inline std::vector<Index> spectral_line(const Surface& part, const Eigenpairs& e
   return line;
 }
 
-// The most salient cut along the line, searched from both its ends.
+// Returns the most salient cut along the line, searched from both its ends.
 inline std::optional<Cut> cut_by_eigenvectors(const Surface& part, const Eigenpairs& e,
                                               const std::vector<Index>& samples,
                                               double minimum_area)

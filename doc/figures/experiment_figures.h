@@ -28,7 +28,7 @@ inline void draw_samplings(Picture_book& book, const Named_mesh& shape)
   for (const benchmark::Sampling_scheme& scheme : benchmark::sampling_schemes) {
     if (scheme.name == std::string("angle"))
       continue;
-    benchmark::Random_engine random = benchmark::random_engine(1, 0);
+    benchmark::Random_engine random = benchmark::random_engine(0);
     const std::vector<Index> samples = scheme.take(graph, 2, random);
     draw_regions(book, "samplings", shape, graph, Searched_line(graph, {samples[0], samples[1]}),
                  scheme.name);
@@ -40,7 +40,7 @@ inline void draw_clusterings(Picture_book& book, const Named_mesh& shape, std::s
 {
   const Surface graph = paper_graph(shape.mesh);
   const std::size_t rows = 500;
-  benchmark::Random_engine random = benchmark::random_engine(1, 0);
+  benchmark::Random_engine random = benchmark::random_engine(0);
   Engine_options line_search = Engine_options::zhang_liu_2005();
   line_search.maximum_number_of_segments = k;
   line_search.salience_threshold = -std::numeric_limits<double>::infinity();

@@ -5,7 +5,7 @@
 #define MANUAL_FIGURES_METHOD_FIGURES_H
 
 #include "../../benchmark/paper_experiments/face_samples.h"
-#include "../../benchmark/paper_graph.h"
+#include "../../benchmark/run_engine.h"
 #include "Picture_book.h"
 #include "segmentations.h"
 

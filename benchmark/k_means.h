@@ -1,10 +1,11 @@
 // Copyright (c) 2026  The Spectral_segmentation authors.
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#ifndef SEGMENTATION_BENCHMARK_PAPER_EXPERIMENTS_K_MEANS_H
-#define SEGMENTATION_BENCHMARK_PAPER_EXPERIMENTS_K_MEANS_H
+#ifndef SEGMENTATION_BENCHMARK_K_MEANS_H
+#define SEGMENTATION_BENCHMARK_K_MEANS_H
 
-#include "experiment.h"
+#include "random_numbers.h"
+#include "segmentation_metrics.h"
 
 #include <Eigen/Core>
 
@@ -29,7 +30,7 @@ class K_means
   // A row, with a probability in proportion to its weight.
   Eigen::Index random_row(const Eigen::VectorXd& weights)
   {
-    double rest = static_cast<double>(random_() >> 11) * 0x1p-53 * weights.sum();
+    double rest = uniform_random(random_) * weights.sum();
     Eigen::Index row = 0;
     while (row + 1 < weights.size() && rest >= weights[row])
       rest -= weights[row++];
@@ -110,10 +111,10 @@ public:
   }
 };
 
-inline Labels k_means(const Eigen::MatrixXd& points, std::size_t k, Random_engine& random,
-                      int number_of_runs = 5)
-{ return K_means(points, k, random)(number_of_runs); }
+// Returns the clusters of the best of five runs, numbered from 0.
+inline Labels k_means(const Eigen::MatrixXd& points, std::size_t k, Random_engine& random)
+{ return contiguous(K_means(points, k, random)(5)); }
 
 } // namespace segmentation_benchmark
 
-#endif // SEGMENTATION_BENCHMARK_PAPER_EXPERIMENTS_K_MEANS_H
+#endif // SEGMENTATION_BENCHMARK_K_MEANS_H
