@@ -7,6 +7,7 @@
 
 #include "evaluation.h"
 #include "for_each_mesh.h"
+#include "k_means.h"
 #include "made_features.h"
 #include "princeton_benchmark.h"
 #include "program.h"
@@ -90,9 +91,11 @@ Outcomes outcomes(const Options& o, int id)
     result[k].error = rand_error(
       labels_of_run(run_engine(input.mesh, options, Execution::SEQUENTIAL, Run_control(), source)),
       person);
-    if (features.cols() > 0)
+    if (features.cols() > 0) {
+      Random_engine random_centers(id);
       result[k].error_of_k_means =
-        rand_error(k_means(features, number_of_segments(person), random), person);
+        rand_error(k_means(features, number_of_segments(person), random_centers), person);
+    }
   }
   return result;
 }

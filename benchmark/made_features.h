@@ -10,9 +10,7 @@
 
 #include <Eigen/Core>
 
-#include <cmath>
 #include <cstddef>
-#include <limits>
 #include <random>
 #include <vector>
 
@@ -143,50 +141,6 @@ inline Labels noisy_labels(const Mesh& mesh, const Labels& person, double share,
     }
   }
   return result;
-}
-
-// Returns the clusters of Lloyd's algorithm (k-means++), the best of five random starts.
-inline Labels k_means(const Feature_matrix& features, std::size_t k, Feature_random& random)
-{
-  Labels best;
-  double least = std::numeric_limits<double>::infinity();
-  for (int start = 0; start < 5; ++start) {
-    Feature_matrix centers(k, features.cols());
-    Eigen::VectorXd distance =
-      Eigen::VectorXd::Constant(features.rows(), std::numeric_limits<double>::infinity());
-    for (std::size_t c = 0; c < k; ++c) {
-      std::size_t pick = random() % features.rows();
-      if (c > 0) {
-        double rest = std::uniform_real_distribution<double>(0, distance.sum())(random);
-        for (pick = 0; pick + 1 < std::size_t(features.rows()) && (rest -= distance[pick]) > 0;)
-          ++pick;
-      }
-      centers.row(c) = features.row(pick);
-      distance = distance.cwiseMin((features.rowwise() - centers.row(c)).rowwise().squaredNorm());
-    }
-    Labels labels(features.rows());
-    double sum = 0;
-    for (int iteration = 0; iteration < 20; ++iteration) {
-      Feature_matrix sums = Feature_matrix::Zero(k, features.cols());
-      Eigen::VectorXd counts = Eigen::VectorXd::Zero(k);
-      sum = 0;
-      for (Eigen::Index f = 0; f < features.rows(); ++f) {
-        Eigen::Index c;
-        sum += (centers.rowwise() - features.row(f)).rowwise().squaredNorm().minCoeff(&c);
-        labels[f] = c;
-        sums.row(c) += features.row(f);
-        ++counts[c];
-      }
-      for (std::size_t c = 0; c < k; ++c)
-        if (counts[c] > 0)
-          centers.row(c) = sums.row(c) / counts[c];
-    }
-    if (sum < least) {
-      least = sum;
-      best = labels;
-    }
-  }
-  return contiguous(best);
 }
 
 } // namespace segmentation_benchmark

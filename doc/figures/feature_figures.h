@@ -4,6 +4,7 @@
 #ifndef MANUAL_FIGURES_FEATURE_FIGURES_H
 #define MANUAL_FIGURES_FEATURE_FIGURES_H
 
+#include "../../benchmark/k_means.h"
 #include "../../benchmark/made_features.h"
 #include "Picture_book.h"
 #include "segmentations.h"
@@ -40,8 +41,9 @@ inline void draw_features(Picture_book& book, const Named_mesh& elephant)
     benchmark::run_engine(mesh, Engine_options(), Execution::PARALLEL,
                           benchmark::Run_control(), source));
   add_segments(book, "features", elephant, colors, shape_labels, "shape");
-  add_segments(book, "features", elephant, colors, benchmark::k_means(features, 3, random),
-               "features, by k-means");
+  benchmark::Random_engine random_centers(1);
+  add_segments(book, "features", elephant, colors,
+               benchmark::k_means(features, 3, random_centers), "features, by k-means");
   add_segments(book, "features", elephant, colors, combined_labels, "both");
 }
 
