@@ -13,7 +13,6 @@
 #include <limits>
 #include <map>
 #include <utility>
-#include <vector>
 
 namespace segmentation_benchmark {
 
@@ -82,8 +81,27 @@ Labels best_labels(const Segmentation_hierarchy& tree, const Error& error_of)
   return best;
 }
 
-inline Labels best_labels(const Segmentation_hierarchy& tree, const std::vector<Labels>& people)
-{ return best_labels(tree, [&](const Labels& labels) { return mean_rand_error(labels, people); }); }
+// The errors that can be read off the trees of a mesh.
+struct Tree_errors
+{
+  double by_default; // error at the default threshold
+  double k;          // error with people's usual number of parts
+  double best;       // least error of all numbers of parts
+  double seconds;    // of one thread, for the tree up to the largest number of parts
+};
+
+inline Tree_errors tree_errors(const Benchmark_mesh& input, const Tree_method& method)
+{
+  const std::size_t usual_number = usual_number_of_segments(input.people);
+  Method_trees trees(method, input.mesh);
+  const double threshold = method.default_threshold;
+  const Segmentation_hierarchy& automatic = trees.down_to(threshold).tree;
+  const auto& [whole, time] = trees.up_to(usual_number);
+  const auto error = [&](const Labels& labels) { return mean_rand_error(labels, input.people); };
+  return {error(labels_of_tree(automatic, threshold, any_number)),
+          error(labels_of_tree(whole, any_salience, usual_number)),
+          error(best_labels(whole, error)), time.thread};
+}
 
 } // namespace segmentation_benchmark
 

@@ -1,8 +1,8 @@
 // Copyright (c) 2026  The Spectral_segmentation authors.
 // SPDX-License-Identifier: GPL-3.0-or-later
 
+#include "../benchmark/Method_trees.h"
 #include "../benchmark/method_variants.h"
-#include "../benchmark/tree_errors.h"
 #include "test_meshes.h"
 
 #include <CGAL/boost/graph/copy_face_graph.h>
@@ -133,7 +133,6 @@ BOOST_AUTO_TEST_CASE(errors_read_off_trees_are_those_of_runs)
                              input.people);
     };
     BOOST_TEST(errors.by_default == error(method.default_threshold, any_number));
-    BOOST_TEST(errors.automatic.back() == error(tried_thresholds().back(), any_number));
     BOOST_TEST(errors.k == error(any_salience, 6));
     double least = 1;
     for (std::size_t n = 2; n <= 20; ++n)
@@ -151,39 +150,17 @@ BOOST_AUTO_TEST_CASE(errors_of_a_dumbbell)
   input.people.push_back(whole);
   const double error = rand_error(halves, whole);
   const Tree_errors errors = tree_errors(input, tree_methods().front());
-  BOOST_TEST(errors.id == 7);
-  BOOST_TEST(errors.people == error, tolerance);
+  BOOST_TEST(mean_rand_error_of_people(input.people) == error, tolerance);
   BOOST_TEST(errors.best == error / 2, tolerance);
   BOOST_TEST(errors.k == error / 2, tolerance);
-  const std::vector<double>& thresholds = tried_thresholds();
-  BOOST_TEST_REQUIRE(errors.automatic.size() == thresholds.size());
-  BOOST_TEST(thresholds.front() == 0.3);
-  BOOST_TEST(thresholds.back() == 0.7);
-  for (std::size_t t = 0; t < thresholds.size(); ++t) {
-    const Segmentation_hierarchy tree =
-      hierarchy(input.mesh, params::salience_threshold(thresholds[t]));
-    BOOST_TEST(errors.automatic[t] == mean_rand_error(labels_of_run(tree), input.people),
-               tolerance);
-  }
+  BOOST_TEST(errors.by_default ==
+               mean_rand_error(default_labels("calibrated", input.mesh), input.people), tolerance);
 
   input.people = {halves, halves};
   const Tree_errors agreed = tree_errors(input, tree_methods().front());
-  BOOST_TEST(agreed.people == 0);
+  BOOST_TEST(mean_rand_error_of_people(input.people) == 0);
   BOOST_TEST(agreed.k == 0);
   BOOST_TEST(agreed.best == 0);
-  const Tree_errors mean = mean_tree_errors({errors, agreed});
-  BOOST_TEST(mean.people == error / 2, tolerance);
-  BOOST_TEST(mean.k == error / 4, tolerance);
-  BOOST_TEST(mean.best == error / 4, tolerance);
-  BOOST_TEST(mean.automatic.front() == (errors.automatic.front() + agreed.automatic.front()) / 2,
-             tolerance);
-}
-
-BOOST_AUTO_TEST_CASE(best_threshold_is_that_of_least_error)
-{
-  Tree_errors errors;
-  errors.automatic = {0.3, 0.1, 0.2, 0.1};
-  BOOST_TEST(best_threshold(errors) == 1u);
 }
 
 BOOST_AUTO_TEST_SUITE_END()
