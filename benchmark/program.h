@@ -8,10 +8,7 @@
 
 #include <cstdlib>
 #include <exception>
-#include <fstream>
 #include <iostream>
-#include <stdexcept>
-#include <string>
 
 // The common part of all programs.
 namespace segmentation_benchmark {
@@ -37,14 +34,6 @@ int run_program(const char* name, const char* description,
     std::cerr << name << ": " << e.what() << "\n";
     return EXIT_FAILURE;
   }
-}
-
-// To a file of this name, if it has one.
-template <class Json>
-void write_json(const std::string& file, const Json& json)
-{
-  if (!file.empty() && !(std::ofstream(file) << json.dump(1) << std::endl))
-    throw std::runtime_error("cannot write " + file);
 }
 
 } // namespace segmentation_benchmark

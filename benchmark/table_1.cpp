@@ -4,23 +4,20 @@
 /// \file
 /// Table 1 of Zhang and Liu 2005 with its own rows beside ours, for meshes of libcgal-demo of the
 /// same size and about the same kind, by the paper's method into the same number of parts.
-///
-///     table_1 --json table_1.json
 
 #include "princeton_benchmark.h"
 #include "program.h"
 #include "segmentation_metrics.h"
 #include "sized_mesh.h"
-#include "with_threads.h"
 
 #include "../bindings/command_line/Run_watch.h"
 
 #include <CGAL/segment_spectral_recursive.h>
+#include <CGAL/tags.h>
 
 #include <boost/property_map/vector_property_map.hpp>
 
 #include <CLI/CLI.hpp>
-#include <nlohmann/json.hpp>
 
 #include <algorithm>
 #include <array>
@@ -30,14 +27,11 @@
 #include <functional>
 #include <limits>
 #include <string>
-#include <thread>
 #include <vector>
 
 using namespace segmentation_benchmark;
 using CGAL::Spectral_segmentation::Stage;
 namespace params = CGAL::Spectral_segmentation::parameters;
-
-typedef nlohmann::ordered_json Json;
 
 constexpr std::array<const char*, 5> columns = {"initialization", "sampling", "embedding",
                                                 "line search", "total"};
@@ -69,8 +63,6 @@ struct Options
 {
   std::string folder = SPECTRAL_SEGMENTATION_MESHES_DIR;
   std::size_t runs = 5;
-  std::size_t threads = (std::max)(1u, std::thread::hardware_concurrency());
-  std::string json_file;
 };
 
 // Medians of the runs.
@@ -78,8 +70,7 @@ struct Result
 {
   std::size_t faces;
   std::size_t parts;
-  Seconds seconds;              // times with one thread
-  double seconds_with_threads;  // the total
+  Seconds seconds; // with one thread
 };
 
 void add_options(CLI::App& app, Options& o)
@@ -88,20 +79,14 @@ void add_options(CLI::App& app, Options& o)
     ->check(CLI::ExistingDirectory)->capture_default_str();
   app.add_option("--runs", o.runs, "of which the median is printed")
     ->check(CLI::Range(1, 1000))->capture_default_str();
-  app.add_option("--threads", o.threads, "of the last line of a row")
-    ->check(CLI::Range(1, 1024))->capture_default_str();
-  app.add_option("--json", o.json_file, "file for all figures");
 }
 
-std::size_t segment(const Mesh& mesh, std::size_t parts, std::size_t threads,
-                    segment_mesh::Run_watch& watch)
+std::size_t segment(const Mesh& mesh, std::size_t parts, segment_mesh::Run_watch& watch)
 {
-  return with_threads(threads, [&](auto tag) {
-    return CGAL::segment_spectral_recursive<decltype(tag)>(
-      mesh, boost::vector_property_map<std::size_t>(mesh.number_of_faces()),
-      params::zhang_liu_2005().maximum_number_of_segments(parts)
-        .salience_threshold(-std::numeric_limits<double>::infinity()).visitor(std::ref(watch)));
-  });
+  return CGAL::segment_spectral_recursive<CGAL::Sequential_tag>(
+    mesh, boost::vector_property_map<std::size_t>(mesh.number_of_faces()),
+    params::zhang_liu_2005().maximum_number_of_segments(parts)
+      .salience_threshold(-std::numeric_limits<double>::infinity()).visitor(std::ref(watch)));
 }
 
 Result result(const Row& row, const Options& o)
@@ -111,27 +96,22 @@ Result result(const Row& row, const Options& o)
   Result r;
   r.faces = mesh.number_of_faces();
   std::array<std::vector<double>, columns.size()> seconds;
-  std::vector<double> with_threads;
   for (std::size_t i = 0; i < o.runs; ++i) {
     segment_mesh::Run_watch one(false);
-    r.parts = segment(mesh, row.parts, 1, one);
+    r.parts = segment(mesh, row.parts, one);
     seconds.back().push_back(one.seconds());
     for (Stage stage : {Stage::INITIALIZATION, Stage::SAMPLING, Stage::EMBEDDING,
                         Stage::LINE_SEARCH})
       seconds[static_cast<std::size_t>(stage)].push_back(one.seconds(stage));
-    segment_mesh::Run_watch several(false);
-    segment(mesh, row.parts, o.threads, several);
-    with_threads.push_back(several.seconds());
   }
   std::transform(seconds.begin(), seconds.end(), r.seconds.begin(), median);
-  r.seconds_with_threads = median(with_threads);
   return r;
 }
 
 void print_line(const std::string& name, std::size_t faces, std::size_t parts)
 { std::printf("%-18s %7zu %5zu", name.c_str(), faces, parts); }
 
-void print(const Row& row, const Result& r, std::size_t threads)
+void print(const Row& row, const Result& r)
 {
   print_line(row.model, row.faces, row.parts);
   for (double s : row.seconds)
@@ -143,32 +123,7 @@ void print(const Row& row, const Result& r, std::size_t threads)
   std::printf("\n%-32s", "  times as fast");
   for (std::size_t c = 0; c < columns.size(); ++c)
     std::printf(" %14.1f", row.seconds[c] / r.seconds[c]);
-  std::printf("\n  with %2zu threads %74s %14.4f\n", threads, "", r.seconds_with_threads);
-}
-
-Json json_of(const Seconds& seconds)
-{
-  Json json;
-  for (std::size_t c = 0; c < columns.size(); ++c)
-    json[columns[c]] = seconds[c];
-  return json;
-}
-
-Json json_of(const Row& row, const Result& r)
-{
-  Seconds ratios;
-  std::transform(row.seconds.begin(), row.seconds.end(), r.seconds.begin(), ratios.begin(),
-                 std::divides<double>());
-  return {{"model", row.model},
-          {"faces", row.faces},
-          {"parts", row.parts},
-          {"seconds", json_of(row.seconds)},
-          {"our_mesh", row.our_mesh},
-          {"our_faces", r.faces},
-          {"our_parts", r.parts},
-          {"our_seconds", json_of(r.seconds)},
-          {"our_seconds_with_threads", r.seconds_with_threads},
-          {"ratios", json_of(ratios)}};
+  std::printf("\n");
 }
 
 void run(const Options& o)
@@ -177,15 +132,10 @@ void run(const Options& o)
   for (const char* column : columns)
     std::printf(" %14s", column);
   std::printf("\n");
-  Json json = {{"runs", o.runs}, {"threads", o.threads}, {"rows", Json::array()}};
-  for (const Row& row : rows) {
-    const Result r = result(row, o);
-    print(row, r, o.threads);
-    json["rows"].push_back(json_of(row, r));
-  }
+  for (const Row& row : rows)
+    print(row, result(row, o));
   std::printf("A model of the paper, on a Xeon at 2.2 GHz; then a mesh of the same size here, "
               "median of %zu runs.\n", o.runs);
-  write_json(o.json_file, json);
 }
 
 int main(int argc, char** argv)
