@@ -28,8 +28,6 @@ struct Options
 {
   std::vector<std::string> inputs;
   std::string ids = "odd";
-  std::vector<std::string> methods = {tree_methods().front().name};
-  unsigned int seed = 0;
   std::size_t threads = 1;
 };
 
@@ -86,10 +84,6 @@ void add_options(CLI::App& app, Options& o)
     ->required()->check(CLI::ExistingPath);
   app.add_option("--ids", o.ids, "of the benchmark: odd, even, all, or a list as 1-20,33")
     ->capture_default_str();
-  app.add_option("--method", o.methods, "what is compared with itself [" +
-                                          std::string(tree_methods().front().name) + "]")
-    ->check(CLI::IsMember(method_names()));
-  app.add_option("--seed", o.seed, "of the random changes of each mesh")->capture_default_str();
   app.add_option("--threads", o.threads,
                  "meshes at a time, each on one thread; with 1, a mesh may use all threads")
     ->check(CLI::Range(1, 1024))->capture_default_str();
@@ -107,58 +101,54 @@ std::vector<std::filesystem::path> mesh_files(const Options& o)
   return files;
 }
 
-Effect effect(const std::string& method, const Labels& original, const Changed_mesh& changed)
+Labels segment(const Mesh& mesh) { return default_labels("calibrated", mesh); }
+
+Effect effect(const Labels& original, const Changed_mesh& changed)
 {
   Labels expected;
   for (std::size_t f : changed.original_faces)
     expected.push_back(original[f]);
-  const Labels labels = default_labels(method, changed.mesh);
+  const Labels labels = segment(changed.mesh);
   return {rand_error(contiguous(expected), labels), agreement(expected, labels)};
 }
 
 void print(const std::string& change, const Effects& e)
 {
-  std::printf("  %-14s %8.4f  %8.2f %% %6.1f %%  %7.0f %%  %s\n", change.c_str(),
+  std::printf("%-14s %8.4f  %8.2f %% %6.1f %%  %7.0f %%  %s\n", change.c_str(),
               e.rand_distance(), 100 * e.agreement(), 100 * e.least_agreement,
               100 * e.is_identical(), e.worst.c_str());
 }
 
 // One for each change.
-std::vector<Effect> effects(const std::string& method, const Mesh& mesh, unsigned int seed)
+std::vector<Effect> effects(const Mesh& mesh)
 {
-  const Labels original = default_labels(method, mesh);
-  CGAL::Random random(seed);
+  const Labels original = segment(mesh);
+  CGAL::Random random(0);
   std::vector<Effect> result;
   for (const Mesh_change& change : mesh_changes())
-    result.push_back(effect(method, original, change.apply(mesh, random)));
+    result.push_back(effect(original, change.apply(mesh, random)));
   return result;
 }
 
-void compare(const Options& o, const std::string& method)
+void run(const Options& o)
 {
   const std::vector<std::filesystem::path> files = mesh_files(o);
   std::vector<std::vector<Effect> > of_mesh(files.size());
   {
     Progress progress(files.size());
     for_each_mesh(files.size(), o.threads, [&](std::size_t i) {
-      of_mesh[i] = effects(method, read_mesh(files[i]), o.seed);
+      of_mesh[i] = effects(read_mesh(files[i]));
       progress.step();
     });
   }
-  std::printf("%s\n  %-14s %8s  %10s %8s  %9s  %s\n", method.c_str(), "change", "Rand",
-              "agreement", "least", "identical", "of mesh");
+  std::printf("%-14s %8s  %10s %8s  %9s  %s\n", "change", "Rand", "agreement", "least",
+              "identical", "of mesh");
   for (std::size_t change = 0; change < mesh_changes().size(); ++change) {
     Effects all;
     for (std::size_t i = 0; i < files.size(); ++i)
       all.add(of_mesh[i][change], files[i].stem().string());
     print(mesh_changes()[change].name, all);
   }
-}
-
-void run(const Options& o)
-{
-  for (const std::string& method : o.methods)
-    compare(o, method);
 }
 
 int main(int argc, char** argv)
