@@ -3,13 +3,11 @@
 
 /// \file
 /// Time and peak memory against the size of the mesh: whole runs and their stages, beside CGAL's
-/// SDF segmentation; another number of segments of a finished tree; a shortest path tree; and the
-/// coarsening to as many faces as are searched, beside CGAL's edge collapse, with its default
-/// strategy and with its cheapest.
+/// SDF segmentation; and another number of segments of a finished tree.
 ///
-/// A row is RUN/threads:N/FACES or WHAT/FACES. Runs have counters: the milliseconds of each stage,
-/// summed over the parts, and the bytes a face at the peak, beyond the mesh.
-/// `calibrated_unsimplified` searches the mesh itself; `paper` makes 5 parts.
+/// A row is RUN/threads:N/FACES or another_number_of_segments/FACES. Runs have counters: the
+/// milliseconds of each stage, summed over the parts, and the bytes a face at the peak, beyond the
+/// mesh. The run `paper` makes 5 parts.
 ///
 /// All sizes, on a machine with nothing else to do, and the picture:
 ///
@@ -17,22 +15,14 @@
 ///     scripts/plot_performance.py performance.json
 
 #include "Peak_memory.h"
-#include "paper_graph.h"
 #include "program.h"
-#include "run_engine.h"
-#include "segment_by_sdf.h"
+#include "segmentation_methods.h"
 #include "sized_mesh.h"
-#include "with_threads.h"
 
 #include "../bindings/command_line/Run_watch.h"
 
-#include <CGAL/Spectral_segmentation/internal/levels/coarsening.h>
-#include <CGAL/Spectral_segmentation/internal/weights/shortest_paths.h>
 #include <CGAL/segment_spectral_recursive.h>
-
-#include <CGAL/Surface_mesh_simplification/Policies/Edge_collapse/Edge_length_cost.h>
-#include <CGAL/Surface_mesh_simplification/Policies/Edge_collapse/Midpoint_placement.h>
-#include <CGAL/boost/graph/helpers.h>
+#include <CGAL/tags.h>
 
 #include <benchmark/benchmark.h>
 
@@ -40,24 +30,26 @@
 
 #include <CLI/CLI.hpp>
 
+#ifdef CGAL_LINKED_WITH_TBB
+#include <tbb/global_control.h>
+#include <tbb/task_arena.h>
+#endif
+
 #include <algorithm>
 #include <cstddef>
 #include <functional>
 #include <iostream>
-#include <limits>
 #include <map>
 #include <optional>
 #include <set>
+#include <stdexcept>
 #include <string>
 #include <thread>
 #include <utility>
 #include <vector>
 
 using namespace segmentation_benchmark;
-using CGAL::Spectral_segmentation::Segmentation_hierarchy;
 using CGAL::Spectral_segmentation::Stage;
-namespace internal = CGAL::Spectral_segmentation::internal;
-namespace params = CGAL::Spectral_segmentation::parameters;
 
 const std::size_t sizes[] = {1000, 3000, 12500, 20000, 50000, 75000, 200000, 350000, 800000,
                              2000000, 3200000, 10000000};
@@ -67,27 +59,7 @@ const std::pair<Stage, const char*> stages[] = {
   {Stage::EMBEDDING, "embedding"},           {Stage::LINE_SEARCH, "line_search"},
   {Stage::MERGING, "merging"},               {Stage::PROJECTION, "projection"}};
 
-constexpr std::size_t unlimited = CGAL::Spectral_segmentation::unlimited;
-constexpr double any_salience = -std::numeric_limits<double>::infinity();
-
-struct Run
-{
-  const char* name;
-  std::size_t largest; // the number of faces up to which its time is bearable
-  bool uses_paper_method;
-  std::size_t number_of_coarse_faces;
-  std::size_t maximum_number_of_segments;
-  double salience_threshold;
-};
-
-const std::size_t coarse_faces = CGAL::Spectral_segmentation::Options().number_of_coarse_faces;
-constexpr double threshold = CGAL::Spectral_segmentation::default_probability_threshold;
-
-const Run calibrated = {"calibrated", unlimited, false, coarse_faces, unlimited, threshold};
-const Run unsimplified = {"calibrated_unsimplified", 75000, false, 0, unlimited, threshold};
-const Run paper = {"paper", unlimited, true, 0, 5, any_salience};
-
-constexpr std::size_t largest_for_sdf = 350000;
+constexpr std::size_t largest_for_sdf = 350000; // up to which its time is bearable
 
 struct Options
 {
@@ -96,20 +68,37 @@ struct Options
   std::set<std::size_t> threads = {1, (std::max)(1u, std::thread::hardware_concurrency())};
 };
 
-std::size_t segment(const Mesh& mesh, const Run& run, std::size_t threads,
-                    segment_mesh::Run_watch& watch, Segmentation_hierarchy& tree)
+// Calls f(tag) with so many threads; the tag is a CGAL::Sequential_tag for 1, else a
+// CGAL::Parallel_tag.
+template <class Function>
+auto with_threads(std::size_t threads, const Function& f)
+{
+  if (threads == 1)
+    return f(CGAL::Sequential_tag());
+#ifdef CGAL_LINKED_WITH_TBB
+  const tbb::global_control limit(tbb::global_control::max_allowed_parallelism, threads);
+  tbb::task_arena arena(static_cast<int>(threads)); // also more threads than cores
+  return arena.execute([&] { return f(CGAL::Parallel_tag()); });
+#else
+  throw std::runtime_error("this build has no threads, as it is without TBB");
+#endif
+}
+
+enum class Run { CALIBRATED, PAPER };
+
+std::size_t segment(const Mesh& mesh, Run run, std::size_t threads, segment_mesh::Run_watch& watch,
+                    Segmentation_hierarchy& tree)
 {
   return with_threads(threads, [&](auto tag) {
     const auto segment_with = [&](const auto& np) {
       return CGAL::segment_spectral_recursive<decltype(tag)>(
-        mesh, boost::vector_property_map<std::size_t>(mesh.number_of_faces()), np);
+        mesh, boost::vector_property_map<std::size_t>(mesh.number_of_faces()),
+        np.hierarchy(tree).visitor(std::ref(watch)));
     };
-    const auto np = params::number_of_coarse_faces(run.number_of_coarse_faces)
-                      .maximum_number_of_segments(run.maximum_number_of_segments)
-                      .salience_threshold(run.salience_threshold)
-                      .hierarchy(tree)
-                      .visitor(std::ref(watch));
-    return run.uses_paper_method ? segment_with(np.zhang_liu_2005()) : segment_with(np);
+    return run == Run::CALIBRATED
+      ? segment_with(params::default_values())
+      : segment_with(params::zhang_liu_2005().maximum_number_of_segments(5)
+                       .salience_threshold(any_salience));
   });
 }
 
@@ -118,7 +107,6 @@ class Input
 {
   Mesh mesh_;
   std::optional<Segmentation_hierarchy> tree_;
-  std::optional<Surface> graph_;
 
 public:
   Input(const Mesh& original, std::size_t size) : mesh_(with_size(original, size)) {}
@@ -129,17 +117,9 @@ public:
   {
     if (!tree_) {
       segment_mesh::Run_watch watch(false);
-      segment(mesh_, calibrated, 1, watch, tree_.emplace());
+      segment(mesh_, Run::CALIBRATED, 1, watch, tree_.emplace());
     }
     return *tree_;
-  }
-
-  // With the distances of the paper.
-  const Surface& graph()
-  {
-    if (!graph_)
-      graph_ = paper_graph(mesh_);
-    return *graph_;
   }
 };
 
@@ -172,7 +152,7 @@ void count(benchmark::State& state, const Mesh& mesh, std::size_t number_of_segm
     static_cast<double>(memory.bytes()) / static_cast<double>(mesh.number_of_faces());
 }
 
-void measure_run(benchmark::State& state, Input& input, const Run& run, std::size_t threads)
+void measure_run(benchmark::State& state, Input& input, Run run, std::size_t threads)
 {
   std::size_t number_of_segments = 0;
   std::map<Stage, double> seconds;
@@ -210,43 +190,6 @@ void measure_another_number(benchmark::State& state, Input& input)
   }
 }
 
-void measure_shortest_path_tree(benchmark::State& state, Input& input)
-{
-  const Surface& graph = input.graph();
-  for (auto _ : state)
-    benchmark::DoNotOptimize(internal::shortest_paths(graph, &Edge_weights::combined, 0));
-}
-
-void measure_coarsening(benchmark::State& state, Input& input)
-{
-  const Surface& graph = input.graph();
-  for (auto _ : state) {
-    Run_control control;
-    internal::Run_monitor monitor(control);
-    benchmark::DoNotOptimize(
-      internal::coarsened(Execution::SEQUENTIAL, graph, coarse_faces, monitor));
-  }
-}
-
-// A copy of the mesh each time, which takes a percent of it.
-template <class... Strategies>
-void measure_coarsening_of_cgal(benchmark::State& state, Input& input, const Strategies&... np)
-{
-  for (auto _ : state) {
-    Mesh mesh = input.mesh();
-    collapse_edges(mesh, coarse_faces, np...);
-    benchmark::DoNotOptimize(mesh);
-  }
-}
-
-void measure_cheapest_coarsening_of_cgal(benchmark::State& state, Input& input)
-{
-  namespace SMS = CGAL::Surface_mesh_simplification;
-  measure_coarsening_of_cgal(state, input,
-                             CGAL::parameters::get_cost(SMS::Edge_length_cost<Mesh>())
-                               .get_placement(SMS::Midpoint_placement<Mesh>()));
-}
-
 // The rows of a size.
 class Rows
 {
@@ -268,29 +211,22 @@ public:
       ->Unit(benchmark::kMillisecond)->MeasureProcessCPUTime()->UseRealTime();
   }
 
-  void add_run(const Run& run, std::size_t threads) const
+  void add_run(const std::string& name, Run run, std::size_t threads) const
   {
-    if (size_ <= run.largest)
-      add(run.name + ("/threads:" + std::to_string(threads)),
-          [=, &run](benchmark::State& state, Input& input)
-          { measure_run(state, input, run, threads); });
+    add(name + "/threads:" + std::to_string(threads), [=](benchmark::State& state, Input& input)
+        { measure_run(state, input, run, threads); });
   }
 
   // The runs come first, while the mesh is alone in memory.
   void add_all(const std::set<std::size_t>& threads) const
   {
-    for (const Run* run : {&calibrated, &unsimplified, &paper})
-      for (std::size_t n : threads)
-        add_run(*run, n);
+    for (std::size_t n : threads)
+      add_run("calibrated", Run::CALIBRATED, n);
+    for (std::size_t n : threads)
+      add_run("paper", Run::PAPER, n);
     if (size_ <= largest_for_sdf)
       add("sdf/threads:1", measure_sdf);
     add("another_number_of_segments", measure_another_number);
-    add("shortest_path_tree", measure_shortest_path_tree);
-    if (size_ > coarse_faces) {
-      add("coarsening/ours", measure_coarsening);
-      add("coarsening/cgal", measure_coarsening_of_cgal<>);
-      add("coarsening/cgal_edge_length", measure_cheapest_coarsening_of_cgal);
-    }
   }
 };
 

@@ -5,10 +5,11 @@
 #define SEGMENTATION_BENCHMARK_SEGMENTATION_METHODS_H
 
 #include "run_engine.h"
-#include "segment_by_sdf.h"
 
+#include <CGAL/mesh_segmentation.h>
 #include <CGAL/tags.h>
 
+#include <boost/property_map/property_map.hpp>
 #include <boost/property_map/vector_property_map.hpp>
 
 #include <cstddef>
@@ -104,6 +105,19 @@ inline const Tree_method* tree_method(const std::string& name)
     if (method.name == name)
       return &method;
   return nullptr;
+}
+
+// Returns the labels of CGAL's segmentation by shape diameter, by its defaults.
+inline Labels segment_by_sdf(const Mesh& mesh)
+{
+  std::vector<double> values(mesh.number_of_faces());
+  std::vector<std::size_t> ids(values.size());
+  const auto index = get(CGAL::face_index, mesh);
+  const auto value_map = boost::make_iterator_property_map(values.begin(), index);
+  CGAL::sdf_values(mesh, value_map);
+  CGAL::segmentation_from_sdf_values(mesh, value_map,
+                                     boost::make_iterator_property_map(ids.begin(), index));
+  return contiguous(ids);
 }
 
 inline const std::vector<Label_method>& label_methods()

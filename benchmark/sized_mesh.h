@@ -14,15 +14,13 @@
 
 namespace segmentation_benchmark {
 
-template <class NamedParameters = CGAL::parameters::Default_named_parameters>
-void collapse_edges(Mesh& mesh, std::size_t number_of_faces,
-                    const NamedParameters& np = NamedParameters())
+inline void collapse_edges(Mesh& mesh, std::size_t number_of_faces)
 {
   if (mesh.number_of_faces() <= number_of_faces)
     return;
   CGAL::Surface_mesh_simplification::edge_collapse(
     mesh, [number_of_faces](const auto&, const auto& profile, std::size_t, std::size_t)
-    { return profile.surface_mesh().number_of_faces() <= number_of_faces; }, np);
+    { return profile.surface_mesh().number_of_faces() <= number_of_faces; });
   mesh.collect_garbage();
 }
 

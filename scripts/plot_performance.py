@@ -25,7 +25,6 @@ import numpy as np
 MILLISECONDS = {"ns": 1e-6, "us": 1e-3, "ms": 1, "s": 1e3}
 STAGES = ("initialization", "sampling", "embedding", "line_search", "merging", "projection")
 RATIOS = (("sdf/threads:1", "calibrated/threads:1"),
-          ("calibrated_unsimplified/threads:1", "calibrated/threads:1"),
           ("calibrated/threads:1", "calibrated/threads:2"),
           ("paper/threads:1", "paper/threads:2"))
 
@@ -137,7 +136,7 @@ def main():
     panels = [("Whole runs", unit, runs),
               ("Stages, calibrated, one thread", "ms", stages_of(rows, "calibrated/threads:1")),
               ("Stages, paper, one thread", "ms", stages_of(rows, "paper/threads:1")),
-              ("Shortest paths, and a finished tree", unit, others),
+              ("Another number of segments of a finished tree", unit, others),
               ("Peak memory beyond the mesh", "MB", memory)]
     for panel, place in zip(panels, axes.flat):
         draw(place, *panel, labels_of(panel[-1], arguments))
