@@ -33,13 +33,10 @@ struct Options
 
 void add_options(CLI::App& app, Options& o)
 {
-  app.add_option("folder", o.folder, "holds off/N.off and seg/Benchmark/N/*.seg")
-    ->required()->check(CLI::ExistingDirectory);
-  app.add_option("--ids", o.ids, "odd, even, all, or a list as 1-20,33")->capture_default_str();
+  add_benchmark_options(app, o.folder, o.ids);
   app.add_option("--weight", o.weight, "the feature_weight of all runs")
     ->check(CLI::Range(0., 1.))->capture_default_str();
-  app.add_option("--threads", o.threads, "meshes at a time, each on one thread")
-    ->check(CLI::Range(1, 1024))->capture_default_str();
+  add_threads_option(app, o.threads);
 }
 
 // The noise with which k-means on the features of all faces has a mean Rand error of .20, or .10.
@@ -118,13 +115,8 @@ void print_errors(const std::vector<Outcomes>& meshes)
 void run(const Options& o)
 {
   const std::vector<int> ids = parse_ids(o.ids);
-  std::vector<Outcomes> meshes(ids.size());
-  Progress progress(ids.size());
-  for_each_mesh(ids.size(), o.threads, [&](std::size_t i) {
-    meshes[i] = outcomes(o, ids[i]);
-    progress.step();
-  });
-  print_errors(meshes);
+  print_errors(results_of_meshes(ids.size(), o.threads, [&](std::size_t i)
+    { return outcomes(o, ids[i]); }));
 }
 
 int main(int argc, char** argv)

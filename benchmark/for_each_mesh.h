@@ -16,6 +16,7 @@
 #include <iostream>
 #include <mutex>
 #include <stdexcept>
+#include <vector>
 
 namespace segmentation_benchmark {
 
@@ -63,6 +64,19 @@ public:
       std::cerr << "\r" << done_ << " of " << all_ << " meshes" << std::flush;
   }
 };
+
+// Returns f(0) .. f(n - 1), and shows how many are done.
+template <class Function>
+auto results_of_meshes(std::size_t n, std::size_t threads, const Function& f)
+{
+  std::vector<decltype(f(std::size_t()))> results(n);
+  Progress progress(n);
+  for_each_mesh(n, threads, [&](std::size_t i) {
+    results[i] = f(i);
+    progress.step();
+  });
+  return results;
+}
 
 } // namespace segmentation_benchmark
 

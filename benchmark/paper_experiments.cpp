@@ -22,10 +22,7 @@ CLI::App& add_experiment(CLI::App& app, Options& o, const char* name, const char
                          void (*experiment)(const Experiment_options&))
 {
   CLI::App& command = *app.add_subcommand(name, description);
-  command.add_option("folder", o.values.folder, "holds off/N.off and seg/Benchmark/N/*.seg")
-    ->required()->check(CLI::ExistingDirectory);
-  command.add_option("--ids", o.values.ids, "odd, even, all, or a list as 1-20,33")
-    ->capture_default_str();
+  add_benchmark_options(command, o.values.folder, o.values.ids);
   command.callback([&o, experiment] { o.experiment = experiment; });
   return command;
 }

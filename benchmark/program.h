@@ -6,12 +6,28 @@
 
 #include <CLI/CLI.hpp>
 
+#include <cstddef>
 #include <cstdlib>
 #include <exception>
 #include <iostream>
+#include <string>
 
 // The common part of all programs.
 namespace segmentation_benchmark {
+
+// Adds the folder of the benchmark, which is required, and the ids of its meshes.
+inline CLI::Option* add_benchmark_options(CLI::App& app, std::string& folder, std::string& ids)
+{
+  app.add_option("--ids", ids, "odd, even, all, or a list as 1-20,33")->capture_default_str();
+  return app.add_option("folder", folder, "holds off/N.off and seg/Benchmark/N/*.seg")
+    ->required()->check(CLI::ExistingDirectory);
+}
+
+inline void add_threads_option(CLI::App& app, std::size_t& threads)
+{
+  app.add_option("--threads", threads, "meshes at a time, each on one thread if more than 1")
+    ->check(CLI::Range(1, 1024))->capture_default_str();
+}
 
 // The main function of a program: exit status 0, or 1 with one sentence on standard error.
 template <class Options>

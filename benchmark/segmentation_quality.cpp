@@ -42,10 +42,7 @@ struct Options
 
 void add_options(CLI::App& app, Options& o)
 {
-  app.add_option("folder", o.folder,
-                 "holds off/N.off and seg/Benchmark/N/*.seg; may be left out with --known-parts")
-    ->check(CLI::ExistingDirectory);
-  app.add_option("--ids", o.ids, "odd, even, all, or a list as 1-20,33")->capture_default_str();
+  add_benchmark_options(app, o.folder, o.ids)->required(false); // with --known-parts
   app.add_option("--method", o.methods, "rows of the tables [all]")
     ->check(CLI::IsMember(o.methods));
   app.add_option("--protocol", o.protocols,
@@ -67,9 +64,7 @@ void add_options(CLI::App& app, Options& o)
                  "also segments the files NAME.off of a folder, whose triangles need not form a "
                  "manifold; NAME.truth beside it has the number of the true part of each triangle")
     ->check(CLI::ExistingDirectory)->type_name("DIR");
-  app.add_option("--threads", o.threads,
-                 "meshes at a time, each on one thread; with 1, a mesh may use all threads")
-    ->check(CLI::Range(1, 1024))->capture_default_str();
+  add_threads_option(app, o.threads);
 }
 
 std::vector<Row> selected_rows(const Options& o)
@@ -89,23 +84,10 @@ std::vector<Row> selected_rows(const Options& o)
   return rows;
 }
 
-// Returns score(0) .. score(n - 1).
-template <class Scored, class Score_function>
-std::vector<Scored> scores(std::size_t n, std::size_t threads, const Score_function& score)
-{
-  std::vector<Scored> result(n);
-  Progress progress(n);
-  for_each_mesh(n, threads, [&](std::size_t i) {
-    result[i] = score(i);
-    progress.step();
-  });
-  return result;
-}
-
 Json report_on_benchmark(const Options& o, const std::vector<Row>& rows)
 {
   const std::vector<int> ids = parse_ids(o.ids);
-  const auto meshes = scores<Scored_mesh>(ids.size(), o.threads, [&](std::size_t i) {
+  const auto meshes = results_of_meshes(ids.size(), o.threads, [&](std::size_t i) {
     return Mesh_scorer(read_benchmark_mesh(o.folder, ids[i]), o.threshold, o.cache)(rows);
   });
   const std::vector<Row_summary> summaries = row_summaries(rows, meshes);
@@ -122,9 +104,8 @@ Json report_on_benchmark(const Options& o, const std::vector<Row>& rows)
 Json report_on_known_parts(const Options& o, const std::vector<Row>& rows)
 {
   const std::vector<std::filesystem::path> files = off_files(o.known_parts);
-  const auto meshes = scores<Scored_known_parts>(files.size(), o.threads, [&](std::size_t i) {
-    return Known_parts_scorer(read_known_parts(files[i]))(rows);
-  });
+  const auto meshes = results_of_meshes(files.size(), o.threads, [&](std::size_t i)
+    { return Known_parts_scorer(read_known_parts(files[i]))(rows); });
   print_known_parts(rows, meshes);
   return json_of_known_parts(rows, meshes);
 }

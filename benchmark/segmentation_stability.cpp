@@ -15,7 +15,6 @@
 #include <algorithm>
 #include <cstddef>
 #include <cstdio>
-#include <filesystem>
 #include <map>
 #include <set>
 #include <string>
@@ -26,8 +25,7 @@ using namespace segmentation_benchmark;
 
 struct Options
 {
-  std::vector<std::string> inputs;
-  std::string ids = "odd";
+  std::string folder, ids = "odd";
   std::size_t threads = 1;
 };
 
@@ -80,25 +78,8 @@ double agreement(const Labels& a, const Labels& b)
 
 void add_options(CLI::App& app, Options& o)
 {
-  app.add_option("inputs", o.inputs, "folder of the Princeton benchmark, or mesh files")
-    ->required()->check(CLI::ExistingPath);
-  app.add_option("--ids", o.ids, "of the benchmark: odd, even, all, or a list as 1-20,33")
-    ->capture_default_str();
-  app.add_option("--threads", o.threads,
-                 "meshes at a time, each on one thread; with 1, a mesh may use all threads")
-    ->check(CLI::Range(1, 1024))->capture_default_str();
-}
-
-std::vector<std::filesystem::path> mesh_files(const Options& o)
-{
-  std::vector<std::filesystem::path> files;
-  for (const std::filesystem::path input : o.inputs)
-    if (std::filesystem::is_directory(input))
-      for (int id : parse_ids(o.ids))
-        files.push_back(input / "off" / (std::to_string(id) + ".off"));
-    else
-      files.push_back(input);
-  return files;
+  add_benchmark_options(app, o.folder, o.ids);
+  add_threads_option(app, o.threads);
 }
 
 Labels segment(const Mesh& mesh) { return default_labels("calibrated", mesh); }
@@ -132,21 +113,15 @@ std::vector<Effect> effects(const Mesh& mesh)
 
 void run(const Options& o)
 {
-  const std::vector<std::filesystem::path> files = mesh_files(o);
-  std::vector<std::vector<Effect> > of_mesh(files.size());
-  {
-    Progress progress(files.size());
-    for_each_mesh(files.size(), o.threads, [&](std::size_t i) {
-      of_mesh[i] = effects(read_mesh(files[i]));
-      progress.step();
-    });
-  }
+  const std::vector<int> ids = parse_ids(o.ids);
+  const auto of_mesh = results_of_meshes(ids.size(), o.threads, [&](std::size_t i)
+    { return effects(read_benchmark_mesh(o.folder, ids[i]).mesh); });
   std::printf("%-14s %8s  %10s %8s  %9s  %s\n", "change", "Rand", "agreement", "least",
               "identical", "of mesh");
   for (std::size_t change = 0; change < mesh_changes().size(); ++change) {
     Effects all;
-    for (std::size_t i = 0; i < files.size(); ++i)
-      all.add(of_mesh[i][change], files[i].stem().string());
+    for (std::size_t i = 0; i < ids.size(); ++i)
+      all.add(of_mesh[i][change], std::to_string(ids[i]));
     print(mesh_changes()[change].name, all);
   }
 }

@@ -53,14 +53,10 @@ template <class Function>
 auto measure_meshes(const Experiment_options& o, const Function& measure)
 {
   const std::vector<int> ids = parse_ids(o.ids);
-  std::vector<decltype(measure(Benchmark_mesh()))> result;
-  Progress progress(ids.size());
-  for (int id : ids) {
-    const Benchmark_mesh input = read_benchmark_mesh(o.folder, id);
-    result.push_back(measure(o.faces > 0 ? simplified(input, o.faces) : input));
-    progress.step();
-  }
-  return result;
+  return results_of_meshes(ids.size(), 1, [&](std::size_t i) {
+    const Benchmark_mesh input = read_benchmark_mesh(o.folder, ids[i]);
+    return measure(o.faces > 0 ? simplified(input, o.faces) : input);
+  });
 }
 
 } // namespace segmentation_benchmark
