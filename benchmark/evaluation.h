@@ -12,7 +12,7 @@
 #include <functional>
 #include <vector>
 
-// From values of each mesh to a verdict.
+// Means over the meshes, and how sure they are.
 namespace segmentation_benchmark {
 
 // `value` is a function or a pointer to a member.
