@@ -30,21 +30,14 @@ namespace parameters = CGAL::Spectral_segmentation::parameters;
 
 namespace {
 
-// Runs of equal labels, as LABELxNUMBER.
+// Writes a line with the runs of equal labels, as LABELxNUMBER.
 void write(const std::string& path, const Labels& labels)
 {
   std::ofstream file(path);
-  std::size_t column = 0;
   for (std::size_t begin = 0, end = 0; begin < labels.size(); begin = end) {
     while (end < labels.size() && labels[end] == labels[begin])
       ++end;
-    const std::string word = std::to_string(labels[begin]) + "x" + std::to_string(end - begin);
-    column += word.size() + 1;
-    if (column > 100) {
-      file << '\n';
-      column = word.size() + 1;
-    }
-    file << word << ' ';
+    file << labels[begin] << 'x' << end - begin << ' ';
   }
   file << '\n';
   if (!file.flush())
