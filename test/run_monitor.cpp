@@ -4,21 +4,16 @@
 #include <boost/test/unit_test.hpp>
 
 #include <CGAL/Spectral_segmentation/internal/base/Run_monitor.h>
-#include <CGAL/Spectral_segmentation/internal/base/concurrency.h>
 
 #include <algorithm>
-#include <atomic>
 #include <cstddef>
 #include <random>
 #include <stdexcept>
-#include <string>
 #include <vector>
 
 BOOST_AUTO_TEST_SUITE(run_monitor)
 
 namespace tt = boost::test_tools;
-using CGAL::Spectral_segmentation::Salience_factors;
-using CGAL::Spectral_segmentation::Stage;
 using namespace CGAL::Spectral_segmentation::internal;
 
 namespace {
@@ -147,56 +142,6 @@ BOOST_AUTO_TEST_CASE(the_caller_is_not_asked_again_after_a_no)
   BOOST_TEST(never.asked == 10);
 }
 
-BOOST_AUTO_TEST_CASE(a_stage_has_a_start_an_end_and_a_result)
-{
-  struct Stages : Run_control
-  {
-    std::vector<std::string> calls;
-    void before_stage(Stage s, std::size_t part) override
-    { calls.push_back("start " + std::to_string(int(s)) + " of " + std::to_string(part)); }
-    void after_stage(Stage s, std::size_t part) override
-    { calls.push_back("end " + std::to_string(int(s)) + " of " + std::to_string(part)); }
-  } stages;
-  Run_monitor monitor(stages);
-  const int result = monitor.stage(Stage::SAMPLING, 7, [&] {
-    stages.calls.push_back("work");
-    return 42;
-  });
-  BOOST_TEST(result == 42);
-  const std::string name = std::to_string(int(Stage::SAMPLING)) + " of 7";
-  BOOST_TEST(stages.calls == std::vector<std::string>({"start " + name, "work", "end " + name}),
-             tt::per_element());
-  BOOST_CHECK_THROW(monitor.stage(Stage::SAMPLING, 7, []() -> int { throw Run_stopped(); }),
-                    Run_stopped);
-}
-
-BOOST_AUTO_TEST_CASE(what_is_told_of_parts_is_passed_on)
-{
-  struct Parts : Run_control
-  {
-    std::vector<std::size_t> started, ended, cut;
-    void before_part(std::size_t part, std::size_t n) override
-    { started.insert(started.end(), {part, n}); }
-    void after_part(std::size_t part) override { ended.push_back(part); }
-    void after_cut(std::size_t part, const Salience_factors& factors, double salience,
-                   std::size_t n) override
-    {
-      cut.insert(cut.end(), {part, n});
-      BOOST_TEST(factors.size == 0.25);
-      BOOST_TEST(salience == 0.5);
-    }
-  } parts;
-  Run_monitor monitor(parts);
-  monitor.before_part(3, 100);
-  monitor.after_part(3);
-  Salience_factors factors;
-  factors.size = 0.25;
-  monitor.after_cut(3, factors, 0.5, 17);
-  BOOST_TEST(parts.started == std::vector<std::size_t>({3, 100}), tt::per_element());
-  BOOST_TEST(parts.ended == std::vector<std::size_t>({3}), tt::per_element());
-  BOOST_TEST(parts.cut == std::vector<std::size_t>({3, 17}), tt::per_element());
-}
-
 BOOST_AUTO_TEST_CASE(counted_steps_ask_the_caller_now_and_then)
 {
   Stopper stopper(20);
@@ -209,44 +154,6 @@ BOOST_AUTO_TEST_CASE(counted_steps_ask_the_caller_now_and_then)
     monitor.count_steps(1000000); // of one call
   BOOST_TEST(stopper.asked == 20); // no question after the answer
   BOOST_TEST(monitor.is_stopped());
-}
-
-BOOST_AUTO_TEST_CASE(the_caller_is_called_by_one_thread_at_a_time)
-{
-  struct Alone : Run_control
-  {
-    std::atomic<int> inside{0};
-    int collisions = 0, calls = 0; // only one thread writes them at a time
-    double last = 0;
-    void enter()
-    {
-      collisions += inside.fetch_add(1) != 0;
-      ++calls;
-      for (volatile int i = 0; i < 2000; i = i + 1) {}
-      inside.fetch_sub(1);
-    }
-    void progress(double share) override
-    {
-      enter();
-      collisions += share < last;
-      last = share;
-    }
-    bool go_further() override
-    {
-      enter();
-      return true;
-    }
-    void before_part(std::size_t, std::size_t) override { enter(); }
-  } alone;
-  Run_monitor monitor(alone);
-  monitor.start_phase(1);
-  for_each_index(Execution::PARALLEL, 300, [&](std::size_t i) {
-    monitor.go_further();
-    monitor.before_part(i, 1);
-    monitor.advance(1. / 300);
-  });
-  BOOST_TEST(alone.collisions == 0);
-  BOOST_TEST(alone.calls >= 2 * 300 + 290);
 }
 
 BOOST_AUTO_TEST_SUITE_END()

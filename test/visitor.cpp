@@ -12,13 +12,11 @@
 
 #include <CGAL/tags.h>
 
-#include <algorithm>
 #include <atomic>
 #include <cstddef>
 #include <functional>
 #include <limits>
 #include <map>
-#include <stdexcept>
 #include <utility>
 #include <vector>
 
@@ -163,24 +161,6 @@ struct Stop_at : Segmentation_visitor
   bool go_further() { return remaining_polls-- > 0; }
 };
 
-struct Failure : std::runtime_error
-{
-  Failure() : std::runtime_error("failure of a visitor") {}
-};
-
-// Throws at the event of the given number.
-struct Throwing_visitor : Event_visitor<Throwing_visitor>
-{
-  std::size_t remaining_events;
-  explicit Throwing_visitor(std::size_t event) : remaining_events(event) {}
-
-  void event()
-  {
-    if (remaining_events-- == 0)
-      throw Failure();
-  }
-};
-
 // Notices calls at the same time.
 struct Lonely_visitor : Event_visitor<Lonely_visitor>
 {
@@ -230,44 +210,34 @@ BOOST_AUTO_TEST_CASE(parts_do_not_interleave_in_one_thread)
     { labels_of<CGAL::Sequential_tag>(doll(), np.visitor(Visitor())); });
 }
 
-BOOST_AUTO_TEST_CASE(regions_are_merged_once_when_all_parts_have_been_searched)
+BOOST_AUTO_TEST_CASE(regions_are_merged_and_cuts_projected_once_after_the_search)
 {
   struct Stages : Segmentation_visitor
   {
-    std::vector<std::pair<Stage, std::size_t> > stages;
-    void before_stage(Stage stage, std::size_t part) { stages.push_back({stage, part}); }
-  };
-  const Mesh mesh = mesh_of(dumbbell(12, 8));
-  const std::pair<Stage, std::size_t> merging(Stage::MERGING, Segmentation_visitor::whole_mesh);
-  Stages by_default;
-  labels_of(mesh, parameters::number_of_coarse_faces(0).visitor(std::ref(by_default)));
-  BOOST_TEST(std::count(by_default.stages.begin(), by_default.stages.end(), merging) == 1);
-  BOOST_TEST((by_default.stages.back() == merging));
-  Stages of_paper;
-  labels_of(mesh, parameters::zhang_liu_2005().visitor(std::ref(of_paper)));
-  BOOST_TEST(std::count(of_paper.stages.begin(), of_paper.stages.end(), merging) == 0);
-}
-
-BOOST_AUTO_TEST_CASE(cuts_of_a_coarse_mesh_are_projected_once_after_the_search)
-{
-  struct Stages : Segmentation_visitor
-  {
-    std::vector<Stage> stages;
+    std::vector<Stage> all, of_mesh;
     void before_stage(Stage stage, std::size_t part)
     {
+      all.push_back(stage);
       if (part == whole_mesh)
-        stages.push_back(stage);
+        of_mesh.push_back(stage);
     }
   };
   const Mesh mesh = mesh_of(doll());
-  Stages by_default;
-  labels_of(mesh, parameters::number_of_coarse_faces(100).visitor(std::ref(by_default)));
-  BOOST_TEST((by_default.stages ==
-              std::vector<Stage>{Stage::INITIALIZATION, Stage::MERGING, Stage::PROJECTION}));
-  Stages of_paper;
-  labels_of(mesh, parameters::number_of_coarse_faces(100).zhang_liu_2005()
-                    .visitor(std::ref(of_paper)));
-  BOOST_TEST((of_paper.stages == std::vector<Stage>{Stage::INITIALIZATION, Stage::PROJECTION}));
+  const auto stages = [&](const auto& np) {
+    Stages visitor;
+    labels_of(mesh, np.visitor(std::ref(visitor)));
+    return visitor;
+  };
+  const auto by_default = parameters::default_values();
+  const auto of_paper = parameters::zhang_liu_2005();
+  const Stages whole = stages(by_default.number_of_coarse_faces(0));
+  typedef std::vector<Stage> Expected;
+  BOOST_TEST((whole.of_mesh == Expected{Stage::INITIALIZATION, Stage::MERGING}));
+  BOOST_TEST((whole.all.back() == Stage::MERGING));
+  BOOST_TEST((stages(by_default.number_of_coarse_faces(100)).of_mesh ==
+              Expected{Stage::INITIALIZATION, Stage::MERGING, Stage::PROJECTION}));
+  BOOST_TEST((stages(of_paper.number_of_coarse_faces(100)).of_mesh ==
+              Expected{Stage::INITIALIZATION, Stage::PROJECTION}));
 }
 
 BOOST_AUTO_TEST_CASE(a_visitor_that_listens_changes_nothing)
@@ -366,30 +336,5 @@ BOOST_AUTO_TEST_CASE(calls_from_threads_come_one_at_a_time)
   });
 }
 #endif
-
-BOOST_AUTO_TEST_CASE(an_exception_of_a_visitor_passes_through_and_leaves_the_labels)
-{
-  const Mesh mesh = mesh_of(dumbbell(8, 5));
-  const Labels before(num_faces(mesh), untouched);
-  for_both_methods([&](const auto& np) {
-    std::size_t event = 0;
-    for (bool has_thrown = true; has_thrown; ++event) {
-      Labels labels;
-      Segmentation_hierarchy hierarchy;
-      try {
-        CGAL::segment_spectral_recursive(
-          mesh, map_to(labels, mesh),
-          np.visitor(Throwing_visitor(event)).hierarchy(hierarchy).smooth_boundaries(true)
-            .number_of_coarse_faces(80));
-        has_thrown = false;
-      }
-      catch (const Failure&) {
-        BOOST_TEST((labels == before));
-        BOOST_TEST(hierarchy.number_of_nodes() == 0);
-      }
-    }
-    BOOST_TEST(event > 20);
-  });
-}
 
 BOOST_AUTO_TEST_SUITE_END()
