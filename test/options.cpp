@@ -124,7 +124,7 @@ BOOST_AUTO_TEST_CASE(values_out_of_range_are_refused_by_name)
   check_refused("part_salience", [](Options& o) { o.part_salience = nullptr; });
   check_refused("salience_weights",
                 [](Options& o) { o.part_salience = Weighted_part_salience{1, 1, 1}; });
-  for (double bad : {-0.01, 1.5, not_a_number})
+  for (double bad : {-0.01, 1.5, infinity, not_a_number})
     check_refused("the first of distance_weights", [&](Options& o) { o.geodesic_weight = bad; });
   for (double bad : {-1., infinity, not_a_number}) {
     check_refused("the second and third of distance_weights",
