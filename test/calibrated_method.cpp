@@ -159,24 +159,6 @@ BOOST_AUTO_TEST_CASE(labels_for_any_threshold_are_those_of_a_fresh_run)
                boost::test_tools::per_element());
 }
 
-BOOST_AUTO_TEST_CASE(a_child_is_at_most_as_salient_as_its_parent)
-{
-  const Segmentation_hierarchy& hierarchy = hierarchy_of_doll();
-  BOOST_TEST(hierarchy.number_of_segments() > 5);
-  for (std::size_t i = 0; i < hierarchy.number_of_nodes(); ++i) {
-    const Segmentation_hierarchy::Node& n = hierarchy.node(i);
-    BOOST_TEST(n.salience >= 0);
-    BOOST_TEST(n.salience <= 1);
-    if (i >= hierarchy.number_of_roots())
-      BOOST_TEST(n.salience <= hierarchy.node(n.parent).salience);
-    if (n.is_leaf())
-      continue;
-    const Segmentation_hierarchy::Node& small = hierarchy.node(n.children[0]);
-    const Segmentation_hierarchy::Node& large = hierarchy.node(n.children[1]);
-    BOOST_TEST(small.area <= large.area);
-  }
-}
-
 BOOST_AUTO_TEST_CASE(factors_are_those_of_the_mesh_that_is_searched)
 {
   const Segmentation_hierarchy hierarchy =

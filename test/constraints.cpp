@@ -14,7 +14,6 @@
 
 #include <array>
 #include <cstddef>
-#include <functional>
 #include <limits>
 #include <map>
 #include <set>
@@ -28,7 +27,6 @@ BOOST_AUTO_TEST_SUITE(constraints)
 
 using namespace test_meshes;
 namespace parameters = CGAL::Spectral_segmentation::parameters;
-using CGAL::Spectral_segmentation::Segmentation_hierarchy;
 
 namespace {
 
@@ -105,9 +103,6 @@ struct Constrained_mesh
     for (const std::string& sentence : face_constraints().violations(labels))
       BOOST_ERROR("not so: " << sentence);
   }
-
-  bool has_contradiction() const
-  { return face_constraints().are_contradictory(num_faces(mesh)); }
 
   Labels labels() const { return labels_of(mesh, parameters()); }
 
@@ -309,36 +304,6 @@ BOOST_AUTO_TEST_CASE(edge_of_three_triangles)
   BOOST_TEST(segment(all_cuts.edge_is_uncuttable_map(is_edge)) == 1u);
 }
 
-BOOST_AUTO_TEST_CASE(random_constraints_on_real_meshes)
-{
-  Random random(1);
-  std::size_t number_of_contradictions = 0;
-  for (const char* name : {"anchor", "bear", "bull", "bunny00", "cactus", "camel", "cow", "dino",
-                           "elephant", "fandisk", "hand", "head", "joint", "lion", "man",
-                           "mushroom", "pig", "pinion", "rotor", "triceratops"})
-    BOOST_TEST_CONTEXT(name) {
-      Constrained_mesh m(read(std::string(name) + ".off"));
-      const std::size_t number_of_edges = m.mesh.number_of_edges();
-      const std::size_t n = random() % 2 == 0 ? 4 : 20;
-      for (std::size_t i = 0; i < n; ++i) {
-        m.is_seam[Edge(random() % number_of_edges)] = true;
-        const Edge e(random() % number_of_edges);
-        m.is_uncuttable[e] = !m.is_seam[e];
-        m.seed[Face(random() % num_faces(m.mesh))] = int(random() % 3);
-      }
-      if (m.has_contradiction()) {
-        ++number_of_contradictions;
-        m.check_is_refused("");
-        continue;
-      }
-      Segmentation_hierarchy hierarchy;
-      m.check(labels_of(m.mesh, m.parameters().hierarchy(hierarchy)));
-      for (std::size_t k : {hierarchy.number_of_roots(), hierarchy.number_of_segments()})
-        m.check(labels_above(hierarchy, -std::numeric_limits<double>::infinity(), k));
-    }
-  BOOST_TEST(number_of_contradictions <= 2u);
-}
-
 BOOST_AUTO_TEST_CASE(exact_number)
 {
   Constrained_mesh m(read("hand.off"));
@@ -362,26 +327,6 @@ BOOST_AUTO_TEST_CASE(number_of_groups_is_the_largest)
   BOOST_TEST(number_of(labels_of(m.mesh, m.parameters().number_of_segments(number_of_faces - 1))) ==
              number_of_faces - 1);
   m.check_is_refused(m.parameters().number_of_segments(number_of_faces), "at most");
-}
-
-BOOST_AUTO_TEST_CASE(a_stopped_run_fulfills_constraints)
-{
-  struct Stopper : CGAL::Spectral_segmentation::Segmentation_visitor
-  {
-    int left;
-
-    bool go_further() { return left-- > 0; }
-  };
-  Constrained_mesh m(read("hand.off"));
-  m.is_seam[Edge(1000)] = m.is_seam[Edge(1001)] = m.is_uncuttable[Edge(3000)] = true;
-  for (std::size_t f : {10, 500, 2000})
-    m.seed[Face(f)] = f == 10 ? 1 : 2;
-  for (int number_of_answers : {0, 100}) {
-    Stopper stopper;
-    stopper.left = number_of_answers;
-    m.check(labels_of(m.mesh, m.parameters().visitor(std::ref(stopper))));
-    BOOST_TEST(stopper.left == -1);
-  }
 }
 
 BOOST_AUTO_TEST_CASE(contradictions)

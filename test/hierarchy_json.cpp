@@ -201,16 +201,6 @@ BOOST_AUTO_TEST_CASE(a_hierarchy_that_is_read_is_the_one_that_was_written)
              parameters::default_values());
 }
 
-BOOST_AUTO_TEST_CASE(a_hierarchy_with_constraints_is_read_back)
-{
-  Mesh mesh = mesh_of(doll());
-  auto seeds = mesh.add_property_map<Mesh::Face_index, int>("f:seed", -1).first;
-  const std::size_t n = num_faces(mesh);
-  for (std::size_t f : {std::size_t(0), std::size_t(1), n / 3, n / 2, n - 1})
-    seeds[Mesh::Face_index(f)] = f < n / 2 ? 0 : 1;
-  check_round_trip(hierarchy_of(mesh, parameters::face_seed_map(seeds).smooth_boundaries(true)));
-}
-
 // With a large minimum size the search finds few cuts, and segments are halved.
 BOOST_AUTO_TEST_CASE(an_exact_number_of_segments_is_read_back)
 {

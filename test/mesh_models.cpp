@@ -346,27 +346,6 @@ BOOST_AUTO_TEST_CASE(an_id_type_that_is_too_small_is_refused)
   check_capacity<signed char>(128);
 }
 
-BOOST_AUTO_TEST_CASE(the_mesh_is_not_changed)
-{
-  const Mesh before = mesh_of(soups()[0]);
-  Mesh mesh = before;
-  labels_of_graph(mesh);
-  BOOST_TEST(mesh.properties<Mesh::Vertex_index>() == before.properties<Mesh::Vertex_index>());
-  BOOST_TEST(mesh.properties<Mesh::Halfedge_index>() == before.properties<Mesh::Halfedge_index>());
-  BOOST_TEST(mesh.properties<Mesh::Edge_index>() == before.properties<Mesh::Edge_index>());
-  BOOST_TEST(mesh.properties<Face>() == before.properties<Face>());
-  BOOST_TEST_REQUIRE(num_halfedges(mesh) == num_halfedges(before));
-  for (Mesh::Vertex_index v : vertices(mesh)) {
-    BOOST_TEST((mesh.point(v) == before.point(v)));
-    BOOST_TEST((mesh.halfedge(v) == before.halfedge(v)));
-  }
-  for (Mesh::Halfedge_index h : halfedges(mesh)) {
-    BOOST_TEST((mesh.next(h) == before.next(h)));
-    BOOST_TEST((mesh.face(h) == before.face(h)));
-    BOOST_TEST((mesh.target(h) == before.target(h)));
-  }
-}
-
 BOOST_AUTO_TEST_CASE(two_threads_may_segment_the_same_mesh)
 {
   CGAL::Polyhedron_3<Epick> polyhedron;

@@ -22,7 +22,6 @@
 #include <cmath>
 #include <cstddef>
 #include <limits>
-#include <numeric>
 #include <random>
 #include <set>
 #include <stdexcept>
@@ -148,21 +147,6 @@ void check_labels_of_numbers(const Segmentation_hierarchy& hierarchy, bool smoot
   }
 }
 
-// In the default method: the cuts of at least a threshold are the first ones.
-void check_saliences(const Segmentation_hierarchy& hierarchy)
-{
-  for (std::size_t i = 0; i < hierarchy.number_of_nodes(); ++i) {
-    const Segmentation_hierarchy::Node& n = hierarchy.node(i);
-    if (n.is_leaf())
-      continue;
-    if (n.parent != Segmentation_hierarchy::null_node)
-      BOOST_TEST(n.salience <= hierarchy.node(n.parent).salience);
-    const Labels labels = labels_above(hierarchy, n.salience, unlimited);
-    BOOST_TEST(labels == labels_of_number(hierarchy, number_of(labels)),
-               boost::test_tools::per_element());
-  }
-}
-
 Labels joined(Labels labels, std::size_t a, std::size_t b)
 {
   std::replace(labels.begin(), labels.end(), b, a);
@@ -177,13 +161,6 @@ bool are_same_parts(const Labels& a, const Labels& b)
   return a.size() == b.size() &&
          pairs.size() == std::set<std::size_t>(a.begin(), a.end()).size() &&
          pairs.size() == std::set<std::size_t>(b.begin(), b.end()).size();
-}
-
-bool contains(const Segmentation_hierarchy& hierarchy, std::size_t i, std::size_t j)
-{
-  const std::vector<Face> whole = faces_of(hierarchy, i), part = faces_of(hierarchy, j);
-  return std::set<Face>(whole.begin(), whole.end()).count(part.front()) &&
-         whole.size() >= part.size();
 }
 
 // The hierarchy of a run on the faces of a node.
@@ -206,16 +183,6 @@ BOOST_AUTO_TEST_CASE(a_hierarchy_without_a_run_is_empty)
   BOOST_TEST(hierarchy.number_of_nodes() == 0);
   BOOST_TEST(hierarchy.number_of_segments() == 0);
   BOOST_TEST(run_labels(hierarchy).empty());
-}
-
-BOOST_AUTO_TEST_CASE(parts_partition_their_parent)
-{
-  for (const Mesh& mesh : several_meshes())
-    for_both_methods([&](const auto& np) {
-      const Segmentation_hierarchy hierarchy = hierarchy_of(mesh, np.salience_threshold(0.3));
-      BOOST_TEST(hierarchy.number_of_nodes() > hierarchy.number_of_roots());
-      check_nodes(hierarchy, mesh);
-    });
 }
 
 BOOST_AUTO_TEST_CASE(each_cut_has_the_factors_of_its_salience)
@@ -241,21 +208,6 @@ BOOST_AUTO_TEST_CASE(each_cut_has_the_factors_of_its_salience)
   }
 }
 
-BOOST_AUTO_TEST_CASE(labels_are_contiguous_and_segments_connected)
-{
-  for (const Mesh& mesh : several_meshes())
-    for (bool smoothing : {false, true})
-      for_both_methods([&](const auto& np) {
-        const double smallest = 0.1;
-        const Segmentation_hierarchy hierarchy =
-          hierarchy_of(mesh, np.salience_threshold(smallest).smooth_boundaries(smoothing));
-        const std::size_t most = number_of(run_labels(hierarchy));
-        BOOST_TEST(most > hierarchy.number_of_roots());
-        for (std::size_t n = hierarchy.number_of_roots(); n <= most; ++n)
-          BOOST_TEST(check_labels(mesh, labels_above(hierarchy, smallest, n)) == n);
-      });
-}
-
 BOOST_AUTO_TEST_CASE(labels_for_any_number_and_threshold_are_those_of_a_fresh_run)
 {
   const double smallest = 0.4;
@@ -278,34 +230,6 @@ BOOST_AUTO_TEST_CASE(labels_for_any_number_and_threshold_are_those_of_a_fresh_ru
                                        .maximum_number_of_segments(n)),
                      boost::test_tools::per_element());
     }
-}
-
-BOOST_AUTO_TEST_CASE(segments_of_fewer_or_more_salient_cuts_are_unions)
-{
-  const auto is_union_of = [](const Labels& coarse, const Labels& fine) {
-    std::set<std::pair<std::size_t, std::size_t> > pairs;
-    for (std::size_t f = 0; f < fine.size(); ++f)
-      pairs.insert({fine[f], coarse[f]});
-    return pairs.size() == number_of(fine);
-  };
-  for (const Mesh& mesh : several_meshes())
-    for_both_methods([&](const auto& np) {
-      const double smallest = 0.1;
-      const Segmentation_hierarchy hierarchy = hierarchy_of(mesh, np.salience_threshold(smallest));
-      Labels finer(num_faces(mesh));
-      std::iota(finer.begin(), finer.end(), std::size_t(0));
-      for (double threshold : interesting_thresholds(hierarchy, smallest)) {
-        const Labels labels = labels_above(hierarchy, threshold, unlimited);
-        BOOST_TEST(is_union_of(labels, finer));
-        finer = labels;
-      }
-      // No threshold joins what does not touch.
-      BOOST_TEST(number_of(finer) == number_of(labels_above(hierarchy, infinity, unlimited)));
-      BOOST_TEST(number_of(labels_above(hierarchy, smallest, 1)) == hierarchy.number_of_roots());
-      for (std::size_t n = 1; n < number_of(run_labels(hierarchy)); ++n)
-        BOOST_TEST(is_union_of(labels_above(hierarchy, smallest, n),
-                               labels_above(hierarchy, smallest, n + 1)));
-    });
 }
 
 BOOST_AUTO_TEST_CASE(a_run_with_a_maximum_gives_labels_up_to_it)
@@ -478,45 +402,6 @@ BOOST_AUTO_TEST_CASE(any_two_segments_are_merged)
         }
       }
   });
-}
-
-// Merges any nodes, segments or not, and cuts leaves again.
-template <class NamedParameters>
-void check_random_changes(const NamedParameters& np, bool is_default)
-{
-  const Mesh mesh = mesh_of(doll());
-  std::mt19937 random(1);
-  Segmentation_hierarchy h = hierarchy_of(mesh, np.salience_threshold(0.2));
-  std::size_t number_of_merges = 0, number_of_new_cuts = 0;
-  for (int step = 0; step < 40; ++step) {
-    const std::size_t a = random() % h.number_of_nodes(), b = random() % h.number_of_nodes();
-    if (step % 6 == 0 && h.node(a).is_leaf()) {
-      const Segmentation_hierarchy part = hierarchy_of_node(h, a, mesh, np.salience_threshold(0.2));
-      const std::size_t leaves = h.number_of_segments();
-      h.split_leaf(a, part);
-      BOOST_TEST(h.number_of_segments() == leaves + part.number_of_segments() - 1);
-      number_of_new_cuts += part.number_of_segments() - 1;
-    }
-    else if (contains(h, a, b) || contains(h, b, a))
-      BOOST_CHECK_THROW(h.merge(a, b), std::invalid_argument);
-    else {
-      const std::multiset<Face> both = union_of(faces_of(h, a), faces_of(h, b));
-      BOOST_TEST((union_of(faces_of(h, h.merge(a, b)), {}) == both));
-      ++number_of_merges;
-    }
-    check_nodes(h, mesh);
-    check_labels_of_numbers(h);
-    if (is_default)
-      check_saliences(h);
-  }
-  BOOST_TEST(number_of_merges > 10);
-  BOOST_TEST(number_of_new_cuts > 2);
-}
-
-BOOST_AUTO_TEST_CASE(a_hierarchy_stays_valid_after_many_changes)
-{
-  check_random_changes(parameters::default_values(), true);
-  check_random_changes(parameters::zhang_liu_2005(), false);
 }
 
 BOOST_AUTO_TEST_CASE(a_leaf_is_cut_again_as_its_faces_are)

@@ -29,7 +29,6 @@ BOOST_AUTO_TEST_SUITE(triangle_soup)
 
 using namespace test_meshes;
 namespace parameters = CGAL::Spectral_segmentation::parameters;
-using CGAL::Spectral_segmentation::Segmentation_hierarchy;
 
 namespace {
 
@@ -69,15 +68,6 @@ const std::vector<Soup>& soups()
   return result;
 }
 
-Soup with_triangles_turned_at_random(Soup soup, unsigned seed)
-{
-  Random random(seed);
-  for (std::vector<std::size_t>& t : soup.triangles)
-    if (random() % 2 == 0)
-      std::swap(t[0], t[1]);
-  return soup;
-}
-
 // Throws an exception of the type and writes nothing.
 template <class Exception, class Id = std::size_t, class Points, class Triangles>
 void check_refused(const Points& points, const Triangles& triangles, const std::string& what)
@@ -98,18 +88,6 @@ typedef std::vector<std::array<int, 3> > Triples;
 
 } // namespace
 
-BOOST_AUTO_TEST_CASE(labels_are_those_of_the_mesh)
-{
-  for_both_methods([](const auto& np) {
-    for (std::size_t i = 0; i < soups().size(); ++i)
-      BOOST_TEST_CONTEXT("soup " << i) {
-        const auto all_cuts = np.salience_threshold(0).minimum_segment_size(0);
-        BOOST_TEST((labels_of_triangles(soups()[i], np) == labels_of(soups()[i], np)));
-        BOOST_TEST((labels_of_triangles(soups()[i], all_cuts) == labels_of(soups()[i], all_cuts)));
-      }
-  });
-}
-
 BOOST_AUTO_TEST_CASE(labels_with_groups_are_those_of_the_mesh)
 {
   const auto group = [](std::size_t f) { return int(f / 40 % 3); };
@@ -124,19 +102,6 @@ BOOST_AUTO_TEST_CASE(labels_with_groups_are_those_of_the_mesh)
         BOOST_TEST((labels_of_triangles(soups()[i], all_cuts.face_group_map(
                       boost::make_function_property_map<std::size_t>(group))) == expected));
       }
-  });
-}
-
-BOOST_AUTO_TEST_CASE(the_hierarchy_is_that_of_the_mesh)
-{
-  for_both_methods([](const auto& np) {
-    const Segmentation_hierarchy expected = hierarchy_of(mesh_of(doll()), np);
-    Segmentation_hierarchy hierarchy;
-    labels_of_triangles(doll(), np.hierarchy(hierarchy));
-    BOOST_TEST_REQUIRE(hierarchy.number_of_nodes() == expected.number_of_nodes());
-    for (std::size_t i = 0; i < expected.number_of_nodes(); ++i)
-      BOOST_TEST(hierarchy.node(i).salience == expected.node(i).salience);
-    BOOST_TEST(run_labels(hierarchy) == run_labels(expected), boost::test_tools::per_element());
   });
 }
 
@@ -190,28 +155,6 @@ BOOST_AUTO_TEST_CASE(ids_are_written_without_a_pack_and_with_threads_or_without)
   const auto map = map_to_positions(labels, soup.triangles.size());
   CGAL::segment_spectral_recursive<CGAL::Sequential_tag>(soup.points, soup.triangles, map);
   BOOST_TEST((labels == labels_of(soup, parameters::default_values())));
-}
-
-BOOST_AUTO_TEST_CASE(triangles_of_a_closed_mesh_may_be_turned_at_random)
-{
-  Random random(3);
-  const Soup closed[] = {doll(), displaced(dumbbell(14, 10), 0.05, random), torus(3, 1, 20, 12)};
-  for_both_methods([&](const auto& np) {
-    for (const Soup& soup : closed)
-      for (unsigned seed : {1, 2}) {
-        const Soup turned = with_triangles_turned_at_random(soup, seed);
-        BOOST_TEST((labels_of_triangles(turned, np) == labels_of(soup, np)));
-      }
-  });
-}
-
-// A closed mesh whose faces agree is taken as it is, also inside out, as a mesh would be.
-BOOST_AUTO_TEST_CASE(triangles_that_are_oriented_alike_stay_as_they_are)
-{
-  for_both_methods([](const auto& np) {
-    const Soup inside_out = turned_inside_out(doll());
-    BOOST_TEST((labels_of_triangles(inside_out, np) == labels_of(inside_out, np)));
-  });
 }
 
 // Three half-planes at a common edge: two of them, which are oriented alike and bend the least, are
