@@ -23,7 +23,6 @@ BOOST_AUTO_TEST_SUITE(best_cut)
 using namespace test_meshes;
 namespace internal = CGAL::Spectral_segmentation::internal;
 using internal::Cut;
-using internal::Execution;
 using CGAL::Spectral_segmentation::Options;
 using internal::Sides;
 
@@ -57,12 +56,11 @@ std::vector<Cut> compared_cuts(const Surface& graph, const Search_options& optio
   return search_of(graph, options)->compared_cuts(sequential, whole(graph), monitor);
 }
 
-std::optional<Cut> best_cut_of(const Surface& graph, const Search_options& options,
-                               internal::Execution execution = sequential)
+std::optional<Cut> best_cut_of(const Surface& graph, const Search_options& options)
 {
   internal::Run_control control;
   internal::Run_monitor monitor(control);
-  return (*search_of(graph, options))(execution, whole(graph), monitor);
+  return (*search_of(graph, options))(sequential, whole(graph), monitor);
 }
 
 // The paper's method, and the calibrated one with several constants.
@@ -180,20 +178,6 @@ BOOST_AUTO_TEST_CASE(more_cuts_to_choose_from_are_no_worse)
     BOOST_TEST(salience(14, 0) >= salience(3, 0));
     BOOST_TEST(salience(14, 4) >= salience(14, 0));
     BOOST_TEST(salience(3, 3) >= salience(3, 0));
-  }
-}
-
-BOOST_AUTO_TEST_CASE(the_number_of_threads_changes_nothing)
-{
-  Random random(2);
-  const Surface graph = graph_with_distances(displaced(dumbbell(20, 16), 0.02, random),
-                                                weights_of_calibrated_method);
-  for (const Search_options& options : many_options()) {
-    const std::optional<Cut> expected = best_cut_of(graph, options);
-    const std::optional<Cut> cut = best_cut_of(graph, options, Execution::PARALLEL);
-    BOOST_TEST_REQUIRE(cut.has_value());
-    BOOST_TEST((cut->side == expected->side));
-    BOOST_TEST(cut->salience == expected->salience);
   }
 }
 

@@ -12,10 +12,8 @@
 #include <Eigen/Cholesky>
 #include <Eigen/Core>
 
-#include <algorithm>
 #include <cmath>
 #include <cstddef>
-#include <numeric>
 #include <utility>
 #include <vector>
 
@@ -295,29 +293,6 @@ BOOST_AUTO_TEST_CASE(a_long_component_without_area_does_no_harm)
         BOOST_TEST(d == 3, tt::tolerance(1e-9));
       BOOST_TEST(density.tail(2).isZero(0));
     }
-  }
-}
-
-BOOST_AUTO_TEST_CASE(the_numbers_of_the_faces_do_not_matter)
-{
-  Random random(5);
-  for (const Soup& soup : shapes(random)) {
-    Soup shuffled = soup;
-    std::vector<std::size_t> old(soup.triangles.size());
-    std::iota(old.begin(), old.end(), std::size_t(0));
-    std::shuffle(old.begin(), old.end(), random);
-    for (std::size_t t = 0; t < old.size(); ++t)
-      shuffled.triangles[t] = soup.triangles[old[t]];
-    const Surface graph = surface_of(soup), other = surface_of(shuffled);
-    const VectorXd amounts = random_amounts(graph, random);
-    VectorXd shuffled_amounts(amounts.size());
-    for (std::size_t t = 0; t < old.size(); ++t)
-      shuffled_amounts[Eigen::Index(t)] = amounts[Eigen::Index(old[t])];
-    const VectorXd density = averaged(graph, 0.1, amounts),
-                   of_shuffled = averaged(other, 0.1, shuffled_amounts);
-    for (std::size_t t = 0; t < old.size(); ++t)
-      BOOST_TEST(of_shuffled[Eigen::Index(t)] == density[Eigen::Index(old[t])],
-                 tt::tolerance(1e-9));
   }
 }
 

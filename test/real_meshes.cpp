@@ -64,19 +64,6 @@ BOOST_AUTO_TEST_CASE(meshes_of_many_kinds_are_segmented)
       check_runs(mesh_of(read(name)));
 }
 
-BOOST_AUTO_TEST_CASE(the_axes_may_be_exchanged)
-{
-  const Transformation cyclic(0, 1, 0, 0, 0, 1, 1, 0, 0);
-  for (const char* name : some_meshes)
-    BOOST_TEST_CONTEXT(name) {
-      const Mesh mesh = mesh_of(read(name));
-      Mesh exchanged = mesh;
-      PMP::transform(cyclic, exchanged);
-      for_both_methods([&](const auto& np)
-        { BOOST_TEST(rand_index(labels_of(exchanged, np), labels_of(mesh, np)) > 0.99); });
-    }
-}
-
 BOOST_AUTO_TEST_CASE(a_rotation_changes_little)
 {
   for (const char* name : some_meshes)

@@ -33,7 +33,6 @@ using internal::Cut_hierarchy;
 using internal::Cut_node;
 using internal::Cut_state;
 using internal::Evaluation_context;
-using internal::Execution;
 using CGAL::Spectral_segmentation::Part_salience;
 using internal::quantized;
 
@@ -175,14 +174,14 @@ private:
   }
 };
 
-Cut_hierarchy merged(Execution execution, const Surface& graph, const Cut_hierarchy& regions,
+Cut_hierarchy merged(const Surface& graph, const Cut_hierarchy& regions,
                      const Part_salience& part_salience)
 {
   internal::Run_control control;
   internal::Run_monitor monitor(control);
   const Evaluation_context context(graph);
   return internal::hierarchy_of(
-    internal::Region_merging(execution, graph, context, part_salience, monitor)(regions.leaf));
+    internal::Region_merging(sequential, graph, context, part_salience, monitor)(regions.leaf));
 }
 
 Faces faces_of(const Cut_hierarchy& hierarchy, std::size_t node)
@@ -264,7 +263,7 @@ BOOST_AUTO_TEST_CASE(merges_are_those_of_sets_that_are_evaluated_anew_in_each_st
         const Cut_hierarchy regions = random_regions(
           graph, std::min<std::size_t>(2 + random() % 7, graph.number_of_faces()), random);
         const Naive_merging expected(graph, regions, in_merging, part_salience);
-        const Cut_hierarchy result = merged(Execution::SEQUENTIAL, graph, regions, part_salience);
+        const Cut_hierarchy result = merged(graph, regions, part_salience);
         check_hierarchy(graph, regions, result);
 
         const std::size_t n = expected.merges.size();
@@ -289,28 +288,13 @@ BOOST_AUTO_TEST_CASE(merges_are_those_of_sets_that_are_evaluated_anew_in_each_st
     }
 }
 
-BOOST_AUTO_TEST_CASE(the_number_of_threads_changes_nothing)
-{
-  Random random(3);
-  const Surface graph = graph_of(displaced(dumbbell(20, 16), 0.02, random));
-  const Cut_hierarchy regions = random_regions(graph, 12, random);
-  const Cut_hierarchy a =
-    merged(Execution::SEQUENTIAL, graph, regions, Calibrated_part_salience());
-  const Cut_hierarchy b =
-    merged(Execution::PARALLEL, graph, regions, Calibrated_part_salience());
-  BOOST_TEST(a.leaf == b.leaf, tt::per_element());
-  BOOST_TEST(a.cut_order == b.cut_order, tt::per_element());
-  for (std::size_t i = 0; i < a.nodes.size(); ++i)
-    BOOST_TEST(a.nodes[i].salience == b.nodes[i].salience);
-}
-
 BOOST_AUTO_TEST_CASE(one_region_for_each_component_needs_no_merge)
 {
   Random random(4);
   const Surface graph = graph_of(disjoint_union(sphere(0), plate(3, 2)));
   const Cut_hierarchy regions = random_regions(graph, 2, random);
   const Cut_hierarchy result =
-    merged(Execution::SEQUENTIAL, graph, regions, Calibrated_part_salience());
+    merged(graph, regions, Calibrated_part_salience());
   BOOST_TEST(result.nodes.size() == 2u);
   BOOST_TEST(result.cut_order.empty());
   check_hierarchy(graph, regions, result);
@@ -322,7 +306,7 @@ BOOST_AUTO_TEST_CASE(a_salience_that_is_no_number_counts_as_the_least)
   const Surface graph = graph_of(dumbbell(10, 8));
   const Cut_hierarchy regions = random_regions(graph, 6, random);
   const Cut_hierarchy result = merged(
-    Execution::SEQUENTIAL, graph, regions,
+    graph, regions,
     [](const Salience_factors& f) { return f.size < 0.3 ? std::sqrt(-1.) : f.size; });
   check_hierarchy(graph, regions, result);
   BOOST_TEST(result.nodes[result.cut_order.back()].salience ==
