@@ -98,13 +98,11 @@ BOOST_AUTO_TEST_CASE(straight_boundaries_stay)
   BOOST_TEST(smoothed_on_plate(diagonal) == diagonal, tt::per_element());
 
   // Around a ball.
-  Labels hemispheres;
   const Soup ball = surface_of_revolution(
     {{-1, 0}, {-0.8, 0.6}, {-0.6, 0.8}, {-0.3, 0.9}, {0, 1}, {0.3, 0.9}, {0.6, 0.8}, {0.8, 0.6},
      {1, 0}}, 10);
-  for (const std::vector<std::size_t>& t : ball.triangles)
-    hemispheres.push_back(
-      CGAL::centroid(ball.points[t[0]], ball.points[t[1]], ball.points[t[2]]).z() > 0);
+  const auto hemispheres =
+    by_place<std::size_t>(ball, [](const Point& p) { return p.z() > 0; });
   BOOST_TEST(smoothed(ball, hemispheres) == hemispheres, tt::per_element());
 }
 

@@ -64,29 +64,12 @@ bool is_closed(const Soup& soup, const std::vector<int>& segment)
   return std::all_of(sums.begin(), sums.end(), [](const auto& s) { return s.second == 0; });
 }
 
-// By the place of the centroid of each triangle.
-template <class Function>
-std::vector<int> segments_by(const Soup& soup, Function id_at)
-{
-  std::vector<int> result;
-  for (const auto& t : soup.triangles)
-    result.push_back(
-      id_at(CGAL::centroid(soup.points[t[0]], soup.points[t[1]], soup.points[t[2]])));
-  return result;
-}
-
 // Closes segments and returns the number of triangles that were appended.
 std::size_t number_of_caps(Soup& soup, std::vector<int>& segment)
 {
   const std::size_t n = soup.triangles.size();
   CGAL::close_segments(soup.points, soup.triangles, segment);
   return soup.triangles.size() - n;
-}
-
-Point center(const Soup& soup, std::size_t f)
-{
-  const auto& t = soup.triangles[f];
-  return CGAL::centroid(soup.points[t[0]], soup.points[t[1]], soup.points[t[2]]);
 }
 
 // A prism over a polygon with n corners, with levels z = 0, 1, 2, closed by fans.
@@ -99,13 +82,13 @@ BOOST_AUTO_TEST_CASE(prism_cut_in_its_middle_gets_two_flat_polygons)
 {
   const std::size_t n = 12;
   Soup soup = prism(n);
-  std::vector<int> segment = segments_by(soup, [](const Point& p) { return p.z() < 1 ? 7 : -3; });
+  std::vector<int> segment = by_place<int>(soup, [](const Point& p) { return p.z() < 1 ? 7 : -3; });
   const std::size_t triangles = soup.triangles.size(), points = soup.points.size();
   BOOST_TEST(number_of_caps(soup, segment) == 2 * (n - 2));
   BOOST_TEST(soup.points.size() == points);
   BOOST_TEST(segment.size() == triangles + 2 * (n - 2));
   for (std::size_t f = triangles; f < soup.triangles.size(); ++f)
-    BOOST_TEST(center(soup, f).z() == 1., tt::tolerance(1e-12));
+    BOOST_TEST(centroid(soup, f).z() == 1., tt::tolerance(1e-12));
   BOOST_TEST(is_closed(soup, segment));
   const double half = double(n) / 2 * std::sin(2 * pi / double(n)); // area of the base times 1
   for (const auto& [id, volume] : volumes(soup, segment))
@@ -175,7 +158,7 @@ BOOST_AUTO_TEST_CASE(corners_must_be_able_to_count_new_points)
 BOOST_AUTO_TEST_CASE(three_sectors_that_meet_at_the_axis_fit)
 {
   Soup soup = prism(12);
-  std::vector<int> segment = segments_by(soup, [](const Point& p) {
+  std::vector<int> segment = by_place<int>(soup, [](const Point& p) {
     return int((std::atan2(p.y(), p.x()) + pi) / (2 * pi) * 3);
   });
   const double whole = volumes(soup, std::vector<int>(segment.size(), 0))[0];
@@ -194,7 +177,7 @@ BOOST_AUTO_TEST_CASE(three_sectors_that_meet_at_the_axis_fit)
 BOOST_AUTO_TEST_CASE(holes_of_the_surface_are_closed_too)
 {
   Soup soup = surface_of_revolution({{0, 1}, {1, 1}, {2, 1}}, 8); // an open tube
-  std::vector<int> segment = segments_by(soup, [](const Point& p) { return p.z() < 1; });
+  std::vector<int> segment = by_place<int>(soup, [](const Point& p) { return p.z() < 1; });
   CGAL::close_segments(soup.points, soup.triangles, segment);
   BOOST_TEST(is_closed(soup, segment));
   for (const auto& [id, volume] : volumes(soup, segment))
@@ -369,7 +352,7 @@ Soup hollow_prism(double radius, double low, double high)
 BOOST_AUTO_TEST_CASE(hollow_prism_is_cut_between_its_walls)
 {
   Soup soup = hollow_prism(1, 1, 3);
-  std::vector<int> segment = segments_by(soup, [](const Point& p) { return p.z() < 2 ? 5 : 6; });
+  std::vector<int> segment = by_place<int>(soup, [](const Point& p) { return p.z() < 2 ? 5 : 6; });
   const double half = 2 * area_of_polygon(12, 2) - area_of_polygon(12, 1);
   for (const auto& [id, volume] : volumes_of_solids(soup, segment))
     BOOST_TEST(volume == half, tt::tolerance(1e-12));
@@ -382,7 +365,7 @@ BOOST_AUTO_TEST_CASE(cavity_of_one_segment_stays)
 {
   const Soup soup = hollow_prism(1, 1, 2);
   const auto volume = volumes_of_solids(
-    soup, segments_by(soup, [](const Point& p) { return p.z() < 3 ? 5 : 6; }));
+    soup, by_place<int>(soup, [](const Point& p) { return p.z() < 3 ? 5 : 6; }));
   BOOST_TEST(volume.at(5) == 3 * area_of_polygon(12, 2) - area_of_polygon(12, 1),
              tt::tolerance(1e-12));
   BOOST_TEST(volume.at(6) == area_of_polygon(12, 2), tt::tolerance(1e-12));
@@ -395,7 +378,7 @@ BOOST_AUTO_TEST_CASE(sectors_of_a_hollow_prism_fit)
   const Soup soup = hollow_prism(1, 1, 3);
   const double whole = 4 * area_of_polygon(12, 2) - 2 * area_of_polygon(12, 1);
   for (int n : {2, 3, 4}) {
-    const auto volume = volumes_of_solids(soup, segments_by(soup, [n](const Point& p) {
+    const auto volume = volumes_of_solids(soup, by_place<int>(soup, [n](const Point& p) {
       return int((std::atan2(p.y(), p.x()) + pi) / (2 * pi) * n);
     }));
     BOOST_TEST(volume.size() == std::size_t(n));
@@ -408,7 +391,7 @@ BOOST_AUTO_TEST_CASE(sectors_of_a_hollow_prism_fit)
 BOOST_AUTO_TEST_CASE(ring_between_one_segment_and_two_others_fits)
 {
   const Soup soup = hollow_prism(1.5, 1, 3);
-  const auto volume = volumes_of_solids(soup, segments_by(soup, [](const Point& p) {
+  const auto volume = volumes_of_solids(soup, by_place<int>(soup, [](const Point& p) {
     return p.z() < 2 ? 0 : p.y() < 0 ? 1 : 2;
   }));
   const double half = 2 * area_of_polygon(12, 2) - area_of_polygon(12, 1.5);
@@ -424,7 +407,7 @@ BOOST_AUTO_TEST_CASE(cut_through_two_cavities_has_two_holes)
   for (double x : {-0.9, 0.9})
     soup = disjoint_union(soup, moved(cavity, x, 0.1, 0));
   for (const auto& [id, volume] : volumes_of_solids(
-         soup, segments_by(soup, [](const Point& p) { return p.z() < 2; })))
+         soup, by_place<int>(soup, [](const Point& p) { return p.z() < 2; })))
     BOOST_TEST(volume == 2 * area_of_polygon(12, 2) - 2 * area_of_polygon(6, 0.5),
                tt::tolerance(1e-12));
 }
@@ -463,7 +446,7 @@ BOOST_AUTO_TEST_CASE(walls_of_a_sphere_with_other_triangles_are_joined)
 {
   const Soup soup = disjoint_union(sphere(3), turned_inside_out(scaled(sphere(2), 0.8)));
   for (int n : {2, 3})
-    volumes_of_solids(soup, segments_by(soup, [n](const Point& p) {
+    volumes_of_solids(soup, by_place<int>(soup, [n](const Point& p) {
       return int((std::atan2(p.y() + 0.1, p.x() + 0.2) + pi) / (2 * pi) * n);
     }));
 }
@@ -476,7 +459,7 @@ BOOST_AUTO_TEST_CASE(base_of_a_prism_that_is_inside_out_becomes_solid)
   Labels labels;
   const auto segment_ids = map_to(labels, mesh);
   for (Mesh::Face_index f : mesh.faces())
-    labels[f] = center(soup, f).z() > 1.9 ? 1 : 0;
+    labels[f] = centroid(soup, f).z() > 1.9 ? 1 : 0;
   std::vector<Mesh> parts;
   CGAL::split_into_segments(mesh, segment_ids, parts, params::close_parts(true));
   BOOST_REQUIRE(parts.size() == 2);

@@ -140,11 +140,10 @@ Soup turned(Soup soup)
 {
   const Eigen::Matrix3d r =
     Eigen::AngleAxisd(1.1, Eigen::Vector3d(1, 2, -0.5).normalized()).toRotationMatrix();
-  for (Point& p : soup.points) {
+  return transformed(std::move(soup), [&](const Point& p) {
     const Eigen::Vector3d q = r * Eigen::Vector3d(p.x(), p.y(), p.z()) + Eigen::Vector3d(3, -1, 7);
-    p = Point(q.x(), q.y(), q.z());
-  }
-  return soup;
+    return Point(q.x(), q.y(), q.z());
+  });
 }
 
 } // namespace
@@ -248,28 +247,6 @@ BOOST_AUTO_TEST_CASE(little_noise_rarely_gets_through)
 }
 
 namespace {
-
-// The same soup with its vertices and faces in a random order, and faces from a random corner on;
-// `face` gets the new number of each face.
-Soup renumbered(const Soup& soup, Random& random, std::vector<std::size_t>& face)
-{
-  std::vector<std::size_t> vertex(soup.points.size());
-  face.resize(soup.triangles.size());
-  std::iota(vertex.begin(), vertex.end(), std::size_t(0));
-  std::iota(face.begin(), face.end(), std::size_t(0));
-  std::shuffle(vertex.begin(), vertex.end(), random);
-  std::shuffle(face.begin(), face.end(), random);
-  Soup result = soup;
-  for (std::size_t v = 0; v < vertex.size(); ++v)
-    result.points[vertex[v]] = soup.points[v];
-  for (std::size_t f = 0; f < face.size(); ++f) {
-    const std::vector<std::size_t>& t = soup.triangles[f];
-    const std::size_t first = random() % 3;
-    result.triangles[face[f]] = {vertex[t[first]], vertex[t[(first + 1) % 3]],
-                                 vertex[t[(first + 2) % 3]]};
-  }
-  return result;
-}
 
 // Squares of a plate that form an L of unequal arms, one of them folded up.
 Soup folded_plate()

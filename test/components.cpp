@@ -75,13 +75,7 @@ Soup union_of(const std::vector<Soup>& soups)
 std::vector<std::pair<const char*, Soup> > adversarial_soups()
 {
   std::vector<std::pair<const char*, Soup> > result;
-  Soup fan; // around one edge
-  fan.points = {Point(0, 0, -1), Point(0, 0, 1)};
-  for (std::size_t i = 0; i < 300; ++i) {
-    fan.points.push_back(Point(std::cos(double(i)), std::sin(double(i)), 0));
-    fan.triangles.push_back({0, 1, i + 2});
-  }
-  result.emplace_back("fan", fan);
+  result.emplace_back("fan", fan_at_edge(300));
   Soup triples; // all triples of some points
   Random random(1);
   for (std::size_t i = 0; i < 12; ++i)
@@ -138,8 +132,9 @@ BOOST_AUTO_TEST_CASE(a_ball_on_a_ball_is_two_parts_however_its_halves_are_joined
   Soup soup = sphere(3);
   std::vector<Soup> octants(8);
   const Soup small = moved(scaled(sphere(3), 0.7), 1.6, 0, 0);
-  for (const auto& t : small.triangles) {
-    const Point c = CGAL::centroid(small.points[t[0]], small.points[t[1]], small.points[t[2]]);
+  for (std::size_t f = 0; f < small.triangles.size(); ++f) {
+    const auto& t = small.triangles[f];
+    const Point c = centroid(small, f);
     Soup& octant = octants[(c.x() > 1.6) + 2 * (c.y() > 0) + 4 * (c.z() > 0)];
     octant = disjoint_union(octant, {{small.points[t[0]], small.points[t[1]], small.points[t[2]]},
                                      {{0, 1, 2}}});
@@ -274,10 +269,8 @@ BOOST_AUTO_TEST_CASE(patches_that_meet_edge_to_edge_are_one_surface)
 {
   const Soup whole = dumbbell(24, 20);
   Soup patches[2], all;
-  for (const auto& t : whole.triangles) {
-    const Point c = CGAL::centroid(whole.points[t[0]], whole.points[t[1]], whole.points[t[2]]);
-    patches[c.x() > 0].triangles.push_back(t);
-  }
+  for (std::size_t f = 0; f < whole.triangles.size(); ++f)
+    patches[centroid(whole, f).x() > 0].triangles.push_back(whole.triangles[f]);
   Labels expected;
   const Labels of_whole = labels_of_soup(whole);
   for (Soup& patch : patches) {
@@ -306,20 +299,11 @@ BOOST_AUTO_TEST_CASE(a_sheet_under_a_model_changes_nothing_in_it)
              boost::test_tools::per_element());
 }
 
-// Returns a group for each half of a sphere.
-Labels groups_of_sphere(const Soup& sphere)
-{
-  Labels groups;
-  for (const auto& t : sphere.triangles)
-    groups.push_back(CGAL::centroid(sphere.points[t[0]], sphere.points[t[1]],
-                                    sphere.points[t[2]]).z() > 0 ? 7 : 3);
-  return groups;
-}
-
 BOOST_AUTO_TEST_CASE(groups_count_as_components)
 {
   const Soup soup = sphere(3);
-  const Labels groups = groups_of_sphere(soup);
+  const Labels groups =
+    by_place<std::size_t>(soup, [](const Point& p) { return p.z() > 0 ? 7 : 3; });
   BOOST_TEST(number_of(labels_of_soup(soup)) == 1u);
   for_both_methods([&](const auto& np) {
     const Labels labels = labels_of_soup(soup, np.face_group_map(groups.data()));

@@ -81,17 +81,11 @@ struct Figure
     graph = surface_of(soup);
   }
 
-  Point centroid(Index f) const
-  {
-    const std::vector<std::size_t>& t = soup.triangles[f];
-    return CGAL::centroid(soup.points[t[0]], soup.points[t[1]], soup.points[t[2]]);
-  }
-
-  Face_set left() const { return [this](Index f) { return centroid(f).x() < -6; }; }
-  Face_set right() const { return [this](Index f) { return centroid(f).x() > 6; }; }
-  Face_set top() const { return [this](Index f) { return centroid(f).z() > 2; }; }
-  Face_set bottom() const { return [this](Index f) { return centroid(f).z() < -2; }; }
-  Face_set left_end() const { return [this](Index f) { return centroid(f).x() < -3; }; }
+  Face_set left() const { return [this](Index f) { return centroid(soup, f).x() < -6; }; }
+  Face_set right() const { return [this](Index f) { return centroid(soup, f).x() > 6; }; }
+  Face_set top() const { return [this](Index f) { return centroid(soup, f).z() > 2; }; }
+  Face_set bottom() const { return [this](Index f) { return centroid(soup, f).z() < -2; }; }
+  Face_set left_end() const { return [this](Index f) { return centroid(soup, f).x() < -3; }; }
 };
 
 const Figure& figure()

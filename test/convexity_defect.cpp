@@ -94,11 +94,10 @@ Eigen::Quaterniond random_rotation(Random& random)
 
 Soup rotated(Soup soup, const Eigen::Quaterniond& rotation)
 {
-  for (Point& p : soup.points) {
+  return transformed(std::move(soup), [&](const Point& p) {
     const Eigen::Vector3d q = rotation * Eigen::Vector3d(p.x(), p.y(), p.z());
-    p = Point(q.x(), q.y(), q.z());
-  }
-  return soup;
+    return Point(q.x(), q.y(), q.z());
+  });
 }
 
 Soup box(double a, double b, double c)
@@ -233,30 +232,6 @@ BOOST_AUTO_TEST_CASE(a_flat_set_has_no_defect)
   }
 }
 
-BOOST_AUTO_TEST_CASE(the_order_of_the_faces_does_not_matter)
-{
-  Random random(2);
-  const Surface graph = surface_of(torus(2, 0.5, 40, 20)); // 800 vertices
-  std::vector<Index> faces = all_faces(graph);
-  const Defect_of_mesh defect(graph);
-  const double in_order = defect(faces);
-  std::shuffle(faces.begin(), faces.end(), random);
-  BOOST_TEST(defect(faces) == in_order, tt::tolerance(1e-12));
-  BOOST_TEST(in_order == exact_defect(graph, faces), tt::tolerance(0.004));
-}
-
-BOOST_AUTO_TEST_CASE(moving_the_part_does_not_matter)
-{
-  const Surface graph = surface_of(dumbbell(12, 8));
-  const double in_place = Defect_of_mesh(graph)(all_faces(graph));
-  Surface elsewhere = graph;
-  for (Vector& p : elsewhere.points)
-    p += Vector(0.4, -0.3, 0.2);
-  const double moved = Defect_of_mesh(elsewhere)(all_faces(graph));
-  BOOST_TEST(std::abs(moved - in_place) < single_precision);
-  BOOST_TEST(in_place > 0.01);
-}
-
 BOOST_AUTO_TEST_CASE(rotating_the_part_hardly_matters)
 {
   Random random(4);
@@ -284,14 +259,6 @@ BOOST_AUTO_TEST_CASE(a_part_without_symmetry_may_be_rotated)
   for (int i = 0; i < 10; ++i)
     BOOST_TEST(defect_in_frame(rotated(soup, random_rotation(random))) == unrotated,
                tt::tolerance(1e-4));
-}
-
-BOOST_AUTO_TEST_CASE(the_defect_grows_with_the_size)
-{
-  const double defect = defect_of(torus(2, 0.5, 24, 12));
-  for (double factor : {1e-3, 3., 1000.})
-    BOOST_TEST(defect_of(scaled(torus(2, 0.5, 24, 12), factor)) == factor * defect,
-               tt::tolerance(1e-5));
 }
 
 BOOST_AUTO_TEST_SUITE_END()

@@ -51,14 +51,6 @@ void check_refused(const Mesh& mesh)
   BOOST_TEST(labels == Labels(num_faces(mesh), untouched), boost::test_tools::per_element());
 }
 
-template <class Function>
-Soup transformed(Soup soup, const Function& function)
-{
-  for (Point& p : soup.points)
-    p = function(p);
-  return soup;
-}
-
 // Breaks the symmetry of the surface, which makes many cuts equally salient.
 Soup dented(const Soup& soup, unsigned seed)
 {
@@ -144,13 +136,7 @@ BOOST_AUTO_TEST_CASE(thousands_of_faces_meet)
   const auto coordinate = [&] { return double(engine()) / double(engine.max()) - 0.5; };
   const std::size_t n = 10000;
 
-  Soup at_an_edge{{Point(0, 0, 0), Point(0, 0, 1)}, {}};
-  for (std::size_t i = 0; i < n; ++i) {
-    const double angle = 2 * pi * double(i) / double(n);
-    at_an_edge.points.emplace_back(std::cos(angle), std::sin(angle), 0.5);
-    at_an_edge.triangles.push_back({0, 1, i + 2});
-  }
-  number_of_segments(at_an_edge);
+  number_of_segments(fan_at_edge(n));
 
   Soup at_a_vertex{{Point(0, 0, 0)}, {}};
   for (std::size_t i = 0; i < 2 * n; ++i)

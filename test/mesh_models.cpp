@@ -178,21 +178,10 @@ void check_id_type()
     BOOST_TEST(static_cast<std::size_t>(ids[f]) == expected[f]);
 }
 
-Soup many_components(std::size_t n)
-{
-  Soup soup;
-  for (std::size_t i = 0; i < n; ++i) {
-    const double x = 10. * double(i);
-    soup.points.insert(soup.points.end(), {{x, 0, 0}, {x + 1, 0, 0}, {x, 1, 0}});
-    soup.triangles.push_back({3 * i, 3 * i + 1, 3 * i + 2});
-  }
-  return soup;
-}
-
 template <class Id>
 void check_capacity(std::size_t capacity)
 {
-  const Mesh just_enough = mesh_of(many_components(capacity));
+  const Mesh just_enough = mesh_of(separate_triangles(capacity));
   std::vector<Id> ids(capacity, Id(7));
   const auto map = boost::make_iterator_property_map(ids.begin(),
                                                      get(CGAL::face_index, just_enough));
@@ -200,7 +189,7 @@ void check_capacity(std::size_t capacity)
   BOOST_TEST(CGAL::segment_spectral_recursive(just_enough, map, apart) == capacity);
   BOOST_TEST(ids.back() == static_cast<Id>(capacity - 1));
 
-  const Mesh too_many = mesh_of(many_components(capacity + 1));
+  const Mesh too_many = mesh_of(separate_triangles(capacity + 1));
   ids.assign(capacity + 1, Id(7));
   BOOST_CHECK_THROW(
     CGAL::segment_spectral_recursive(

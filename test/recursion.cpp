@@ -62,18 +62,6 @@ Result segment(const Mesh& mesh, double threshold, std::size_t maximum = unlimit
 bool is_accepted(const Segmentation_hierarchy& hierarchy, std::size_t i)
 { return hierarchy.node(i).cut_state == Cut_state::CUT; }
 
-// Triangles far from each other.
-Soup many_components(std::size_t n)
-{
-  Soup soup;
-  for (std::size_t i = 0; i < n; ++i) {
-    const double x = 10. * double(i);
-    soup.points.insert(soup.points.end(), {{x, 0, 0}, {x + 1, 0, 0}, {x, 1 + double(i % 7), 0}});
-    soup.triangles.push_back({3 * i, 3 * i + 1, 3 * i + 2});
-  }
-  return soup;
-}
-
 } // namespace
 
 // The over-segmentation of the calibrated method.
@@ -102,13 +90,12 @@ struct Search_record : internal::Run_control
 
 internal::Cut_hierarchy over_segmentation(const Surface& graph,
                                           const CGAL::Spectral_segmentation::Options& options,
-                                          std::size_t least_number,
-                                          internal::Execution execution, Search_record& record)
+                                          std::size_t least_number, Search_record& record)
 {
   internal::Run_monitor monitor(record);
   const internal::Calibrated_cut best_cut(graph, options);
   return internal::hierarchy_of(
-    internal::Recursion(execution, graph, best_cut, options, monitor).by_salience(least_number));
+    internal::Recursion(sequential, graph, best_cut, options, monitor).by_salience(least_number));
 }
 
 } // namespace
@@ -123,7 +110,7 @@ BOOST_AUTO_TEST_CASE(by_salience_the_most_salient_of_all_cuts_is_made_next)
   options.keep_components_separate = true; // else cuts of the smaller one count less
   Search_record record;
   const internal::Cut_hierarchy result =
-    over_segmentation(graph, options, 9, sequential, record);
+    over_segmentation(graph, options, 9, record);
   BOOST_TEST(result.number_of_roots == 2u);
   BOOST_TEST(result.number_of_segments() == 9u + 1); // one more for the second component
   BOOST_TEST(result.cut_order == record.cut, boost::test_tools::per_element());
@@ -165,23 +152,9 @@ BOOST_AUTO_TEST_CASE(a_maximum_asks_for_as_many_regions)
   for (std::size_t maximum : {1, 3, 4, 7}) {
     options.maximum_number_of_segments = maximum;
     Search_record record;
-    BOOST_TEST(over_segmentation(graph, options, 4, sequential, record).number_of_segments() ==
+    BOOST_TEST(over_segmentation(graph, options, 4, record).number_of_segments() ==
                std::max<std::size_t>(maximum, 4));
   }
-}
-
-BOOST_AUTO_TEST_CASE(threads_make_the_same_regions)
-{
-  Random random(2);
-  const Surface graph = graph_with_distances(displaced(torus(2, 0.7, 24, 12), 0.05, random),
-                                                weights_of_calibrated_method);
-  const CGAL::Spectral_segmentation::Options options;
-  Search_record one, several;
-  const internal::Cut_hierarchy a = over_segmentation(graph, options, 8, sequential, one);
-  const internal::Cut_hierarchy b =
-    over_segmentation(graph, options, 8, internal::Execution::PARALLEL, several);
-  BOOST_TEST(a.leaf == b.leaf, boost::test_tools::per_element());
-  BOOST_TEST(one.saliences == several.saliences, boost::test_tools::per_element());
 }
 
 BOOST_AUTO_TEST_CASE(a_stopped_search_leaves_the_cuts_that_were_made)
@@ -189,13 +162,13 @@ BOOST_AUTO_TEST_CASE(a_stopped_search_leaves_the_cuts_that_were_made)
   const Surface graph = graph_with_distances(dumbbell(16, 12), weights_of_calibrated_method);
   const CGAL::Spectral_segmentation::Options options;
   Search_record all;
-  over_segmentation(graph, options, 6, sequential, all);
+  over_segmentation(graph, options, 6, all);
   std::size_t last = 0;
   for (std::size_t questions : {0, 1, 20, 60, 100}) {
     Search_record record;
     record.questions_left = questions;
     const internal::Cut_hierarchy result =
-      over_segmentation(graph, options, 6, sequential, record);
+      over_segmentation(graph, options, 6, record);
     BOOST_TEST(result.number_of_segments() == 1 + record.cut.size());
     BOOST_TEST_REQUIRE(record.cut.size() <= all.cut.size());
     BOOST_TEST(std::equal(record.cut.begin(), record.cut.end(), all.cut.begin()));
@@ -266,7 +239,7 @@ BOOST_AUTO_TEST_CASE(the_maximum_number_of_segments_is_met_but_not_exceeded)
 
 BOOST_AUTO_TEST_CASE(components_are_parts_from_the_start)
 {
-  const Mesh mesh = mesh_of(disjoint_union(many_components(300), dumbbell(16, 12)));
+  const Mesh mesh = mesh_of(disjoint_union(separate_triangles(300), dumbbell(16, 12)));
   Labels expected(num_faces(mesh));
   const std::size_t n = CGAL::Polygon_mesh_processing::connected_components(
     mesh, boost::make_iterator_property_map(expected.begin(), get(CGAL::face_index, mesh)));
@@ -301,7 +274,7 @@ BOOST_AUTO_TEST_CASE(no_part_is_smaller_than_the_minimum)
 BOOST_AUTO_TEST_CASE(the_number_of_threads_changes_nothing)
 {
   const Soup several = disjoint_union(dumbbell(20, 16), disjoint_union(read("pig.off"),
-                                                                       many_components(20)));
+                                                                       separate_triangles(20)));
   for (const Mesh& mesh : {mesh_of(read("hand.off")), mesh_of(several)})
     for (std::size_t maximum : {std::size_t(7), unlimited}) {
       const Result expected = segment<CGAL::Sequential_tag>(mesh, 0.4, maximum);

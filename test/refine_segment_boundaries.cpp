@@ -172,17 +172,6 @@ Segmented_mesh refined(const Segmented_mesh& before)
 Segmented_mesh refined(const Soup& soup, const Labels& labels)
 { return refined(Segmented_mesh(soup, labels)); }
 
-// Labels of the faces of a soup by their centroids.
-template <class Label>
-Labels labels_by_place(const Soup& soup, const Label& label)
-{
-  Labels labels;
-  for (const std::vector<std::size_t>& t : soup.triangles)
-    labels.push_back(std::size_t(
-      label(CGAL::centroid(soup.points[t[0]], soup.points[t[1]], soup.points[t[2]]))));
-  return labels;
-}
-
 // The segments grow from random faces, or each face has a label at random.
 Labels random_labels(const Mesh& mesh, std::size_t number, bool is_connected, Random& random)
 {
@@ -302,13 +291,13 @@ BOOST_AUTO_TEST_CASE(a_zigzag_becomes_nearly_straight)
 BOOST_AUTO_TEST_CASE(a_straight_boundary_along_edges_stays)
 {
   const Soup soup = plate(16, 16);
-  const Labels straight = labels_by_place(soup, [](const Point& p) { return p.x() > 8; });
+  const Labels straight = by_place<std::size_t>(soup, [](const Point& p) { return p.x() > 8; });
   const Segmented_mesh after = refined(soup, straight);
   BOOST_TEST(after.labels() == straight, tt::per_element());
 
   // Only faces near the step of a boundary are split.
   const Segmented_mesh before(
-    soup, labels_by_place(soup, [](const Point& p) { return p.x() > (p.y() > 8 ? 8 : 9); }));
+    soup, by_place<std::size_t>(soup, [](const Point& p) { return p.x() > (p.y() > 8 ? 8 : 9); }));
   const Segmented_mesh stepped = refined(before);
   BOOST_TEST(stepped.boundary_length() < 16.2);
   BOOST_TEST(stepped.boundary_length() > 16.);
@@ -322,7 +311,7 @@ BOOST_AUTO_TEST_CASE(a_crease_around_a_limb_stays)
   // A tube on a disk: the boundary between them is a polygon of 36 vertices.
   const Soup soup = surface_of_revolution(
     {{0, 3}, {0, 2.5}, {0, 2}, {0, 1.5}, {0, 1}, {0.5, 1}, {1, 1}, {1.5, 1}, {2, 1}}, 36);
-  const Labels labels = labels_by_place(soup, [](const Point& p) { return p.z() > 0; });
+  const Labels labels = by_place<std::size_t>(soup, [](const Point& p) { return p.z() > 0; });
   BOOST_TEST(refined(soup, labels).labels() == labels, tt::per_element());
 }
 
@@ -373,7 +362,7 @@ BOOST_AUTO_TEST_CASE(a_tube_is_cut_around)
   for (int i = 0; i <= 20; ++i)
     profile.emplace_back(0.3 * i, 1.);
   const Soup tube = surface_of_revolution(profile, 20);
-  const Segmented_mesh before(tube, labels_by_place(tube, [](const Point& p) {
+  const Segmented_mesh before(tube, by_place<std::size_t>(tube, [](const Point& p) {
     return p.z() > 3 + 0.4 * std::sin(9 * std::atan2(p.y(), p.x()));
   }));
   const double around = 40 * std::sin(pi / 20); // a polygon of 20 vertices on the unit circle
@@ -390,7 +379,7 @@ BOOST_AUTO_TEST_CASE(three_segments_meet_in_a_point)
       Random random(seed);
       const Soup soup = plate(20, 20);
       const double angle = double(random() % 1000), x = 10 + double(random() % 100) / 100;
-      const Segmented_mesh before(soup, labels_by_place(soup, [&](const Point& p) {
+      const Segmented_mesh before(soup, by_place<std::size_t>(soup, [&](const Point& p) {
         const double turn = (std::atan2(p.y() - 10.3, p.x() - x) + angle) / (2 * pi);
         return 3 * (turn - std::floor(turn));
       }));
@@ -453,7 +442,7 @@ BOOST_AUTO_TEST_CASE(tiny_segments_survive)
   const auto distance = [](const Point& p, double x, double y)
   { return std::hypot(p.x() - x, p.y() - y); };
   // A face, a square, a disk; a strip of one square's width, of which no part may be lost.
-  const Segmented_mesh before(soup, labels_by_place(soup, [&](const Point& p) {
+  const Segmented_mesh before(soup, by_place<std::size_t>(soup, [&](const Point& p) {
     if (distance(p, 2.7, 2.3) < 0.2)
       return 1;
     if (distance(p, 5.5, 2.5) < 0.3)
@@ -506,7 +495,7 @@ BOOST_AUTO_TEST_CASE(nothing_to_refine)
   BOOST_TEST(empty.refine() == 0u);
   // Segments that do not touch.
   const Soup two = disjoint_union(sphere(1), moved(sphere(1), 3, 0, 0));
-  Segmented_mesh apart(two, labels_by_place(two, [](const Point& p) { return p.x() > 1.5; }));
+  Segmented_mesh apart(two, by_place<std::size_t>(two, [](const Point& p) { return p.x() > 1.5; }));
   BOOST_TEST(apart.refine() == 0u);
 }
 
@@ -778,7 +767,7 @@ BOOST_AUTO_TEST_CASE(bad_input_is_refused)
 {
   const Soup soup = plate(4, 4);
   const Segmented_mesh good(
-    soup, labels_by_place(soup, [](const Point& p) { return p.x() > p.y(); }));
+    soup, by_place<std::size_t>(soup, [](const Point& p) { return p.x() > p.y(); }));
   const auto check_refused = [](Segmented_mesh bad, int number_of_iterations) {
     const Labels labels = bad.labels();
     const std::size_t number_of_vertices = bad.mesh.number_of_vertices();

@@ -14,6 +14,7 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
+#include <numeric>
 #include <stdexcept>
 
 namespace test_meshes {
@@ -174,16 +175,14 @@ Soup loose_triangles(const Soup& soup)
 
 Soup scaled(Soup soup, double factor)
 {
-  for (Point& p : soup.points)
-    p = Point(factor * p.x(), factor * p.y(), factor * p.z());
-  return soup;
+  return transformed(std::move(soup), [factor](const Point& p)
+    { return Point(factor * p.x(), factor * p.y(), factor * p.z()); });
 }
 
 Soup moved(Soup soup, double x, double y, double z)
 {
-  for (Point& p : soup.points)
-    p = Point(p.x() + x, p.y() + y, p.z() + z);
-  return soup;
+  return transformed(std::move(soup), [=](const Point& p)
+    { return Point(p.x() + x, p.y() + y, p.z() + z); });
 }
 
 Soup turned_inside_out(Soup soup)
@@ -203,6 +202,46 @@ Soup disjoint_union(Soup a, const Soup& b)
     a.triangles.push_back(std::move(t));
   }
   return a;
+}
+
+Soup separate_triangles(std::size_t n)
+{
+  Soup soup;
+  for (std::size_t i = 0; i < n; ++i) {
+    const double x = 10. * double(i);
+    soup.points.insert(soup.points.end(), {{x, 0, 0}, {x + 1, 0, 0}, {x, 1, 0}});
+    soup.triangles.push_back({3 * i, 3 * i + 1, 3 * i + 2});
+  }
+  return soup;
+}
+
+Soup fan_at_edge(std::size_t n)
+{
+  Soup soup{{Point(0, 0, 0), Point(0, 0, 1)}, {}};
+  for (std::size_t i = 0; i < n; ++i) {
+    const double angle = 2 * pi * double(i) / double(n);
+    soup.points.emplace_back(std::cos(angle), std::sin(angle), 0.5);
+    soup.triangles.push_back({0, 1, i + 2});
+  }
+  return soup;
+}
+
+Soup moebius_strip(std::size_t n)
+{
+  Soup soup;
+  for (std::size_t i = 0; i < n; ++i) {
+    const double angle = 2 * pi * double(i) / double(n);
+    for (double side : {-0.4, 0.4}) {
+      const double radius = 1 + side * std::cos(angle / 2);
+      soup.points.emplace_back(radius * std::cos(angle), radius * std::sin(angle),
+                               side * std::sin(angle / 2));
+    }
+    const std::size_t a = 2 * i, b = 2 * i + 1, next = 2 * ((i + 1) % n),
+                      c = i + 1 < n ? next : 1, d = i + 1 < n ? next + 1 : 0;
+    soup.triangles.push_back({a, c, d});
+    soup.triangles.push_back({a, d, b});
+  }
+  return soup;
 }
 
 Soup connected_sum(const Soup& a, const Soup& b)
@@ -234,6 +273,12 @@ const std::vector<Soup>& small_soups()
 Soup pillow()
 { return {{Point(0, 0, 0), Point(1, 0, 0), Point(0, 1, 0)}, {{0, 1, 2}, {2, 1, 0}}}; }
 
+Point centroid(const Soup& soup, std::size_t face)
+{
+  const std::vector<std::size_t>& t = soup.triangles[face];
+  return CGAL::centroid(soup.points[t[0]], soup.points[t[1]], soup.points[t[2]]);
+}
+
 Soup displaced(Soup soup, double amount, Random& random)
 {
   std::uniform_real_distribution<double> offset(-amount, amount);
@@ -242,6 +287,26 @@ Soup displaced(Soup soup, double amount, Random& random)
     p = Point(p.x() + x, p.y() + y, p.z() + z);
   }
   return soup;
+}
+
+Soup renumbered(const Soup& soup, Random& random, std::vector<std::size_t>& face)
+{
+  std::vector<std::size_t> vertex(soup.points.size());
+  face.resize(soup.triangles.size());
+  std::iota(vertex.begin(), vertex.end(), std::size_t(0));
+  std::iota(face.begin(), face.end(), std::size_t(0));
+  std::shuffle(vertex.begin(), vertex.end(), random);
+  std::shuffle(face.begin(), face.end(), random);
+  Soup result = soup;
+  for (std::size_t v = 0; v < vertex.size(); ++v)
+    result.points[vertex[v]] = soup.points[v];
+  for (std::size_t f = 0; f < face.size(); ++f) {
+    const std::vector<std::size_t>& t = soup.triangles[f];
+    const std::size_t first = random() % 3;
+    result.triangles[face[f]] = {vertex[t[first]], vertex[t[(first + 1) % 3]],
+                                 vertex[t[(first + 2) % 3]]};
+  }
+  return result;
 }
 
 std::size_t random_number(Random& random, std::size_t smallest, std::size_t largest)

@@ -65,6 +65,15 @@ Soup turned_inside_out(Soup soup);
 
 Soup disjoint_union(Soup a, const Soup& b);
 
+// n triangles on a line, far from each other.
+Soup separate_triangles(std::size_t n);
+
+// n triangles that share the edge from (0, 0, 0) to (0, 0, 1), in all directions around it.
+Soup fan_at_edge(std::size_t n);
+
+// A strip of 2 * n triangles that is closed with half a turn.
+Soup moebius_strip(std::size_t n);
+
 // Joins two closed surfaces by removing the first triangle of each and identifying their vertices;
 // the genera add up.
 Soup connected_sum(const Soup& a, const Soup& b);
@@ -75,10 +84,35 @@ const std::vector<Soup>& small_soups();
 // Two triangles glued on all three edges.
 Soup pillow();
 
+// Moves each point to where a function has it.
+template <class Function>
+Soup transformed(Soup soup, const Function& function)
+{
+  for (Point& p : soup.points)
+    p = function(p);
+  return soup;
+}
+
+Point centroid(const Soup& soup, std::size_t face);
+
+// Returns the value of a function at the centroid of each face.
+template <class Value, class Function>
+std::vector<Value> by_place(const Soup& soup, const Function& value_at)
+{
+  std::vector<Value> result;
+  for (std::size_t f = 0; f < soup.triangles.size(); ++f)
+    result.push_back(Value(value_at(centroid(soup, f))));
+  return result;
+}
+
 typedef std::mt19937 Random;
 
 // Moves each coordinate by up to `amount`.
 Soup displaced(Soup soup, double amount, Random& random);
+
+// Puts vertices and faces in a random order, and faces on a random corner. `face` gets the new
+// number of each face.
+Soup renumbered(const Soup& soup, Random& random, std::vector<std::size_t>& face);
 
 std::size_t random_number(Random& random, std::size_t smallest, std::size_t largest);
 

@@ -47,52 +47,12 @@ Ids transfer(const Mesh& from, Ids from_ids, const Mesh& to)
 Ids transfer(const Soup& from, const Ids& ids, const Soup& to)
 { return transfer(mesh_of(from), ids, mesh_of(to)); }
 
-Point centroid(const Soup& soup, std::size_t f)
-{
-  const std::vector<std::size_t>& t = soup.triangles[f];
-  return CGAL::centroid(soup.points[t[0]], soup.points[t[1]], soup.points[t[2]]);
-}
-
-template <class Function>
-Ids ids_by(const Soup& soup, const Function& id_at)
-{
-  Ids result;
-  for (std::size_t f = 0; f < soup.triangles.size(); ++f)
-    result.push_back(id_at(centroid(soup, f)));
-  return result;
-}
-
 Ids random_ids(std::size_t n, std::mt19937& random)
 {
   Ids result(n);
   for (int& id : result)
     id = static_cast<int>(random() % 7) - 3;
   return result;
-}
-
-// Puts the faces, the vertices and the corners of each face in random order. Returns the place of
-// each new face in the old order.
-std::vector<std::size_t> shuffle(Soup& soup, std::mt19937& random)
-{
-  std::vector<std::size_t> faces, vertices;
-  for (std::size_t f = 0; f < soup.triangles.size(); ++f)
-    faces.push_back(f);
-  for (std::size_t v = 0; v < soup.points.size(); ++v)
-    vertices.push_back(v);
-  std::shuffle(faces.begin(), faces.end(), random);
-  std::shuffle(vertices.begin(), vertices.end(), random);
-  Soup result{std::vector<Point>(soup.points.size()), {}};
-  for (std::size_t v = 0; v < vertices.size(); ++v)
-    result.points[vertices[v]] = soup.points[v];
-  for (std::size_t f : faces) {
-    std::vector<std::size_t> t;
-    for (std::size_t v : soup.triangles[f])
-      t.push_back(vertices[v]);
-    std::rotate(t.begin(), t.begin() + static_cast<int>(random() % 3), t.end());
-    result.triangles.push_back(std::move(t));
-  }
-  soup = result;
-  return faces;
 }
 
 // A sheet of nx * ny squares: two plates that look away from each other.
@@ -137,11 +97,11 @@ BOOST_AUTO_TEST_CASE(faces_and_vertices_in_random_order)
   std::mt19937 random(1);
   for (const Soup& soup : {sphere(2), torus(3, 1, 20, 12), plate(9, 7), sheet(6, 5, 0)}) {
     const Ids ids = random_ids(soup.triangles.size(), random);
-    Soup other = soup;
-    const std::vector<std::size_t> places = shuffle(other, random);
-    Ids expected;
-    for (std::size_t f : places)
-      expected.push_back(ids[f]);
+    std::vector<std::size_t> face;
+    const Soup other = renumbered(soup, random, face);
+    Ids expected(ids.size());
+    for (std::size_t f = 0; f < face.size(); ++f)
+      expected[face[f]] = ids[f];
     BOOST_TEST(transfer(soup, ids, other) == expected, boost::test_tools::per_element());
   }
 }
@@ -233,9 +193,9 @@ BOOST_AUTO_TEST_CASE(sides_of_a_box)
     return -1;
   };
   const Soup fine = subdivided(subdivided(soup));
-  BOOST_TEST(transfer(soup, ids_by(soup, side), fine) == ids_by(fine, side),
+  BOOST_TEST(transfer(soup, by_place<int>(soup, side), fine) == by_place<int>(fine, side),
              boost::test_tools::per_element());
-  BOOST_TEST(transfer(fine, ids_by(fine, side), soup) == ids_by(soup, side),
+  BOOST_TEST(transfer(fine, by_place<int>(fine, side), soup) == by_place<int>(soup, side),
              boost::test_tools::per_element());
 }
 
@@ -261,7 +221,7 @@ BOOST_AUTO_TEST_CASE(the_first_of_equally_near_faces)
 BOOST_AUTO_TEST_CASE(a_coarse_sphere_and_back)
 {
   const Soup soup = sphere(4);
-  const Ids ids = ids_by(soup, [](const Point& p)
+  const Ids ids = by_place<int>(soup, [](const Point& p)
     { return p.x() + 0.3 * p.y() + 0.2 * p.z() < 0.1 ? 5 : 9; });
   Soup other = sphere(3);
   for (Point& p : other.points) // turned around the x axis, then around the z axis
@@ -284,7 +244,7 @@ BOOST_AUTO_TEST_CASE(small_segments_stay)
   const Soup soup = plate(20, 20);
   const auto id = [](const Point& p) { return std::abs(p.x() - 7) + std::abs(p.y() - 9) < 1.5; };
   const Soup fine = subdivided(soup);
-  const Ids result = transfer(soup, ids_by(soup, id), fine), expected = ids_by(soup, id);
+  const Ids expected = by_place<int>(soup, id), result = transfer(soup, expected, fine);
   for (std::size_t f = 0; f < result.size(); ++f)
     BOOST_TEST(result[f] == expected[f / 4]);
 }
@@ -346,7 +306,7 @@ BOOST_AUTO_TEST_CASE(wrong_input)
 BOOST_AUTO_TEST_CASE(faces_without_area)
 {
   const Soup soup = sphere(2);
-  const Ids ids = ids_by(soup, [](const Point& p) { return p.z() < 0; });
+  const Ids ids = by_place<int>(soup, [](const Point& p) { return p.z() < 0; });
   for (const Point& p : {Point(0, 0, 0), Point(3e-320, 0, 0)}) { // everything at one place
     Soup point = subdivided(soup);
     std::fill(point.points.begin(), point.points.end(), p);

@@ -71,25 +71,6 @@ inline Soup random_fan(Random& random)
   return soup;
 }
 
-// A strip that is closed with half a turn.
-inline Soup moebius_strip(std::size_t n)
-{
-  Soup soup;
-  for (std::size_t i = 0; i < n; ++i) {
-    const double angle = 2 * pi * double(i) / double(n);
-    for (double side : {-0.4, 0.4}) {
-      const double radius = 1 + side * std::cos(angle / 2);
-      soup.points.emplace_back(radius * std::cos(angle), radius * std::sin(angle),
-                               side * std::sin(angle / 2));
-    }
-    const std::size_t a = 2 * i, b = 2 * i + 1, next = 2 * ((i + 1) % n),
-                      c = i + 1 < n ? next : 1, d = i + 1 < n ? next + 1 : 0;
-    soup.triangles.push_back({a, c, d});
-    soup.triangles.push_back({a, d, b});
-  }
-  return soup;
-}
-
 // A tube with narrow and wide places, open or closed.
 inline Soup random_tube(Random& random)
 {
