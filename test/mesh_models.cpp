@@ -3,7 +3,7 @@
 
 #include <boost/test/unit_test.hpp>
 
-#include "box_figures.h"
+#include "labels_of_models.h"
 #include "test_labels.h"
 #include "test_meshes.h"
 
@@ -24,7 +24,6 @@
 
 #include <algorithm>
 #include <cstddef>
-#include <iterator>
 #include <map>
 #include <set>
 #include <stdexcept>
@@ -46,83 +45,6 @@ typedef CGAL::Linear_cell_complex_for_bgl_combinatorial_map_helper<
   2, 3, CGAL::Linear_cell_complex_traits<3, Epick> >::type Cell_complex;
 
 typedef Mesh::Face_index Face;
-
-// The labels in the order of the faces.
-template <class Graph, class NamedParameters>
-Labels labels_of_graph(const Graph& graph, const NamedParameters& np)
-{
-  typedef typename boost::graph_traits<Graph>::face_descriptor face_descriptor;
-  std::map<face_descriptor, std::size_t> ids;
-  const std::size_t n =
-    CGAL::segment_spectral_recursive(graph, boost::make_assoc_property_map(ids), np);
-  Labels labels;
-  for (face_descriptor f : faces(graph))
-    labels.push_back(ids.at(f));
-  if (labels.size() != ids.size() || n != number_of(labels))
-    throw std::logic_error("ids and number of segments do not agree");
-  return labels;
-}
-
-// The labels by the default method, then those by the method of the paper.
-template <class Graph>
-Labels labels_of_graph(const Graph& graph)
-{
-  Labels labels = labels_of_graph(graph, parameters::salience_threshold(0.4));
-  const Labels of_paper =
-    labels_of_graph(graph, parameters::zhang_liu_2005().salience_threshold(0.4));
-  labels.insert(labels.end(), of_paper.begin(), of_paper.end());
-  return labels;
-}
-
-// Vertices and faces are added in the order of the soup.
-template <class Graph>
-void fill(Graph& graph, const Soup& soup)
-{
-  typedef typename boost::property_map<Graph, CGAL::vertex_point_t>::type Point_map;
-  std::vector<typename boost::property_traits<Point_map>::value_type> points;
-  for (const Point& p : soup.points)
-    points.emplace_back(p.x(), p.y(), p.z());
-  PMP::polygon_soup_to_polygon_mesh(points, soup.triangles, graph);
-}
-
-// A manifold soup without isolated vertices, whose coordinates are exact in single precision.
-Soup rounded(const Soup& soup)
-{
-  const Mesh mesh = mesh_of(soup);
-  Soup result;
-  std::map<Mesh::Vertex_index, std::size_t> number;
-  for (Face f : faces(mesh)) {
-    result.triangles.emplace_back();
-    for (Mesh::Vertex_index v : vertices_around_face(mesh.halfedge(f), mesh)) {
-      const auto [entry, is_new] = number.emplace(v, result.points.size());
-      if (is_new) {
-        const Point& p = mesh.point(v);
-        result.points.emplace_back(float(p.x()), float(p.y()), float(p.z()));
-      }
-      result.triangles.back().push_back(entry->second);
-    }
-  }
-  return result;
-}
-
-const std::vector<Soup>& soups()
-{
-  static const std::vector<Soup> result = {
-    rounded(doll()), rounded(read("cactus.off")),
-    rounded(disjoint_union(dumbbell(10, 8), torus(3, 1, 14, 10))), rounded(plate(5, 4))};
-  return result;
-}
-
-template <class Graph>
-void check_model()
-{
-  for (const Soup& soup : soups()) {
-    Graph graph;
-    fill(graph, soup);
-    BOOST_TEST(labels_of_graph(graph) == labels_of_graph(mesh_of(soup)),
-               boost::test_tools::per_element());
-  }
-}
 
 typedef boost::mpl::list<
   CGAL::Surface_mesh<Epick::Point_3>, CGAL::Surface_mesh<Epeck::Point_3>,
@@ -170,7 +92,7 @@ struct Own_map
 template <class Id>
 void check_id_type()
 {
-  Mesh mesh = mesh_of(soups()[0]);
+  Mesh mesh = mesh_of(soups_of_models()[0]);
   const Labels expected = labels_of_graph(mesh, parameters::salience_threshold(0.4));
   auto ids = mesh.add_property_map<Face, Id>("f:segment").first;
   CGAL::segment_spectral_recursive(mesh, ids, parameters::salience_threshold(0.4));
@@ -204,19 +126,19 @@ void check_capacity(std::size_t capacity)
 BOOST_AUTO_TEST_CASE(the_meshes_have_several_segments)
 {
   for (std::size_t i = 0; i < 3; ++i) {
-    BOOST_TEST(number_of(labels_of_graph(mesh_of(soups()[i]))) > 2);
+    BOOST_TEST(number_of(labels_of_graph(mesh_of(soups_of_models()[i]))) > 2);
   }
 }
 
 BOOST_AUTO_TEST_CASE_TEMPLATE(every_model_of_a_mesh_gives_the_same_labels, Graph, Models)
-{ check_model<Graph>(); }
+{ check_labels_of_model<Graph>(); }
 
 BOOST_AUTO_TEST_CASE(ids_of_a_polyhedron_may_be_anything)
 {
   typedef CGAL::Polyhedron_3<Epick, CGAL::Polyhedron_items_with_id_3> Polyhedron;
   Polyhedron polyhedron;
-  fill(polyhedron, soups()[1]);
-  const Labels expected = labels_of_graph(mesh_of(soups()[1]));
+  fill(polyhedron, soups_of_models()[1]);
+  const Labels expected = labels_of_graph(mesh_of(soups_of_models()[1]));
   const auto check = [&](const char* what, const auto& set_id) {
     BOOST_TEST_CONTEXT(what) {
       std::size_t i = 0;
@@ -238,7 +160,7 @@ BOOST_AUTO_TEST_CASE(ids_of_a_polyhedron_may_be_anything)
 
 BOOST_AUTO_TEST_CASE(junk_that_was_removed_leaves_no_trace)
 {
-  for (const Soup& soup : soups()) {
+  for (const Soup& soup : soups_of_models()) {
     Mesh mesh = mesh_of(soup);
     const Labels expected = labels_of_graph(mesh);
     std::vector<Face> junk;
@@ -256,7 +178,7 @@ BOOST_AUTO_TEST_CASE(junk_that_was_removed_leaves_no_trace)
 
 BOOST_AUTO_TEST_CASE(a_mesh_with_removed_faces_is_the_mesh_of_the_others)
 {
-  for (const Soup& soup : soups()) {
+  for (const Soup& soup : soups_of_models()) {
     Mesh mesh = mesh_of(soup);
     const std::set<std::size_t> removed = removable_faces(soup);
     for (std::size_t f : removed)
@@ -274,7 +196,7 @@ BOOST_AUTO_TEST_CASE(a_mesh_with_removed_faces_is_the_mesh_of_the_others)
 BOOST_AUTO_TEST_CASE(a_face_filtered_graph_is_the_mesh_of_its_faces)
 {
   std::size_t number_of_selections = 0;
-  for (const Soup& soup : soups()) {
+  for (const Soup& soup : soups_of_models()) {
     const Mesh mesh = mesh_of(soup);
     const Labels segments = labels_of_graph(mesh);
     for (std::size_t s = 0; s < (std::min)(number_of(segments), std::size_t(4)); ++s) {
@@ -313,7 +235,7 @@ BOOST_AUTO_TEST_CASE(ids_of_any_integer_type_are_written)
 
 BOOST_AUTO_TEST_CASE(any_writable_property_map_is_taken)
 {
-  const Mesh mesh = mesh_of(soups()[1]);
+  const Mesh mesh = mesh_of(soups_of_models()[1]);
   const auto np = parameters::salience_threshold(0.4);
   const Labels expected = labels_of_graph(mesh, np);
 
@@ -338,8 +260,8 @@ BOOST_AUTO_TEST_CASE(an_id_type_that_is_too_small_is_refused)
 BOOST_AUTO_TEST_CASE(two_threads_may_segment_the_same_mesh)
 {
   CGAL::Polyhedron_3<Epick> polyhedron;
-  fill(polyhedron, soups()[1]);
-  const Mesh mesh = mesh_of(soups()[0]);
+  fill(polyhedron, soups_of_models()[1]);
+  const Mesh mesh = mesh_of(soups_of_models()[0]);
   const auto segment_in_two_threads = [](const auto& graph) {
     const Labels expected = labels_of_graph(graph);
     Labels labels[2];

@@ -3,9 +3,7 @@
 
 #include <boost/test/unit_test.hpp>
 
-#include "box_figures.h"
-#include "test_labels.h"
-#include "test_meshes.h"
+#include "labels_of_models.h"
 
 #include <OpenMesh/Core/Mesh/PolyMesh_ArrayKernelT.hh>
 #include <OpenMesh/Core/Mesh/TriMesh_ArrayKernelT.hh>
@@ -13,19 +11,12 @@
 #include <CGAL/boost/graph/graph_traits_PolyMesh_ArrayKernelT.h>
 #include <CGAL/boost/graph/graph_traits_TriMesh_ArrayKernelT.h>
 
-#include <CGAL/segment_spectral_recursive.h>
-
-#include <CGAL/Polygon_mesh_processing/polygon_soup_to_polygon_mesh.h>
-
 #include <boost/mpl/list.hpp>
 
 #include <cstddef>
-#include <map>
 #include <stdexcept>
-#include <vector>
 
 using namespace test_meshes;
-namespace parameters = CGAL::Spectral_segmentation::parameters;
 
 namespace {
 
@@ -41,58 +32,10 @@ typedef boost::mpl::list<
   OpenMesh::PolyMesh_ArrayKernelT<Double_traits>, OpenMesh::TriMesh_ArrayKernelT<Double_traits> >
   Models;
 
-// By both methods.
-template <class Graph>
-Labels labels_of_graph(const Graph& graph)
-{
-  typedef typename boost::graph_traits<Graph>::face_descriptor face_descriptor;
-  Labels labels;
-  for_both_methods([&](const auto& np) {
-    std::map<face_descriptor, std::size_t> ids;
-    CGAL::segment_spectral_recursive(graph, boost::make_assoc_property_map(ids),
-                                     np.salience_threshold(0.4));
-    for (face_descriptor f : faces(graph))
-      labels.push_back(ids.at(f));
-  });
-  return labels;
-}
-
-// A soup whose coordinates are exact in single precision.
-Soup rounded(Soup soup)
-{
-  for (Point& p : soup.points)
-    p = Point(float(p.x()), float(p.y()), float(p.z()));
-  return soup;
-}
-
-// Vertices and faces are added in the order of the soup.
-template <class Graph>
-void fill(Graph& graph, const Soup& soup)
-{
-  typedef typename boost::property_map<Graph, CGAL::vertex_point_t>::type Point_map;
-  std::vector<typename boost::property_traits<Point_map>::value_type> points;
-  for (const Point& p : soup.points)
-    points.emplace_back(p.x(), p.y(), p.z());
-  CGAL::Polygon_mesh_processing::polygon_soup_to_polygon_mesh(points, soup.triangles, graph);
-}
-
-std::vector<Soup> soups()
-{
-  return {rounded(read("cactus.off")), rounded(doll()),
-          rounded(disjoint_union(dumbbell(10, 8), torus(3, 1, 14, 10))), rounded(plate(5, 4))};
-}
-
 } // namespace
 
 BOOST_AUTO_TEST_CASE_TEMPLATE(labels_are_those_of_a_surface_mesh, Graph, Models)
-{
-  for (const Soup& soup : soups()) {
-    Graph graph;
-    fill(graph, soup);
-    BOOST_TEST(labels_of_graph(graph) == labels_of_graph(mesh_of(soup)),
-               boost::test_tools::per_element());
-  }
-}
+{ check_labels_of_model<Graph>(); }
 
 BOOST_AUTO_TEST_CASE_TEMPLATE(deleted_faces_are_left_out, Graph, Models)
 {
