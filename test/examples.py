@@ -17,33 +17,20 @@ import tempfile
 import unittest
 from xml.etree import ElementTree
 
-from segment_mesh import dumbbell, read_off, tube, write_off
+from segment_mesh import dumbbell, read_off, read_ply_rows, tube, write_off
 
 EXAMPLE = None
 MESHES = None
 
 
 def read_ply(path):
-    """Points, faces, and the other properties of the faces by name, of a binary PLY."""
-    letters = {"uchar": "B", "int": "i", "uint": "I", "float": "f", "double": "d"}
-    header, body = path.read_bytes().split(b"end_header\n", 1)
-    counts, names, formats = {}, {"vertex": [], "face": []}, {"vertex": "<", "face": "<"}
-    for line in header.decode().splitlines():
-        words = line.split()
-        if words[0] == "element":
-            element = words[1]
-            counts[element] = int(words[2])
-        elif words[:2] == ["property", "list"]:
-            formats[element] += letters[words[2]] + "3" + letters[words[3]]
-        elif words[0] == "property":
-            names[element].append(words[2])
-            formats[element] += letters[words[1]]
-    size = counts["vertex"] * struct.calcsize(formats["vertex"])
-    points = [row[:3] for row in struct.iter_unpack(formats["vertex"], body[:size])]
-    rows = list(struct.iter_unpack(formats["face"], body[size:]))
-    assert len(rows) == counts["face"] and all(row[0] == 3 for row in rows)
-    return (points, [row[1:4] for row in rows],
-            {name: [row[4 + i] for row in rows] for i, name in enumerate(names["face"])})
+    """Points, triangles, and the other properties of the triangles by name, of a binary PLY."""
+    rows = read_ply_rows(path)
+    corners, = (name for name, value in rows["face"][0].items() if isinstance(value, tuple))
+    faces = [row.pop(corners) for row in rows["face"]]
+    assert all(len(face) == 3 for face in faces)
+    return ([tuple(row.values())[:3] for row in rows["vertex"]], faces,
+            {name: [row[name] for row in rows["face"]] for name in rows["face"][0]})
 
 
 def read_stl(path):

@@ -10,7 +10,6 @@
 #include <algorithm>
 #include <cstddef>
 #include <limits>
-#include <stdexcept>
 #include <vector>
 
 BOOST_AUTO_TEST_SUITE(read_triangle_mesh)
@@ -93,20 +92,6 @@ BOOST_AUTO_TEST_CASE(an_empty_mesh_is_read)
   BOOST_TEST(triangles.corners.empty());
   BOOST_TEST(triangles.opposite.empty());
   BOOST_TEST(triangles.points.empty());
-}
-
-BOOST_AUTO_TEST_CASE(what_is_not_a_finite_triangle_mesh_is_refused)
-{
-  for (double bad : {std::numeric_limits<double>::infinity(),
-                     -std::numeric_limits<double>::infinity(),
-                     std::numeric_limits<double>::quiet_NaN()}) {
-    Soup soup = plate(2, 2);
-    soup.points[3] = Point(1, bad, 0);
-    BOOST_CHECK_THROW(read_surface(soup), std::invalid_argument);
-  }
-  const Mesh quad = mesh_of({{Point(0, 0, 0), Point(1, 0, 0), Point(1, 1, 0), Point(0, 1, 0)},
-                             {{0, 1, 2, 3}}});
-  BOOST_CHECK_THROW(read_surface(quad), std::invalid_argument);
 }
 
 BOOST_AUTO_TEST_SUITE_END()

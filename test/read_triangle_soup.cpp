@@ -10,7 +10,6 @@
 #include <array>
 #include <cstddef>
 #include <limits>
-#include <stdexcept>
 #include <vector>
 
 BOOST_AUTO_TEST_SUITE(read_triangle_soup)
@@ -50,22 +49,6 @@ BOOST_AUTO_TEST_CASE(points_that_no_triangle_uses_may_be_anything)
     const Surface triangles = read_triangle_soup(soup.points, soup.triangles);
     BOOST_TEST_REQUIRE(triangles.points.size() == soup.points.size());
     BOOST_TEST(triangles.points.back().is_zero());
-  }
-}
-
-BOOST_AUTO_TEST_CASE(what_is_no_finite_triangle_is_refused)
-{
-  typedef std::vector<std::vector<int> > Triangle_range;
-  std::vector<Point> points = {Point(0, 0, 0), Point(1, 0, 0), Point(0, 1, 0), Point(1, 1, 0)};
-  BOOST_CHECK_NO_THROW(read_triangle_soup(points, Triangle_range{{0, 1, 2}}));
-  for (const std::vector<int>& bad : Triangle_range{
-         {}, {0}, {0, 1}, {0, 1, 2, 3}, {0, 1, 4}, {0, 1, -1}})
-    BOOST_CHECK_THROW(read_triangle_soup(points, Triangle_range{{0, 1, 2}, bad}),
-                      std::invalid_argument);
-  for (double bad : bad_coordinates) {
-    points[2] = Point(0, 0, bad);
-    BOOST_CHECK_THROW(read_triangle_soup(points, Triangle_range{{0, 1, 2}}),
-                      std::invalid_argument);
   }
 }
 
