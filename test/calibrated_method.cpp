@@ -71,25 +71,21 @@ BOOST_AUTO_TEST_CASE(a_dumbbell_is_cut_at_its_neck)
   BOOST_TEST((low != high));
 }
 
-BOOST_AUTO_TEST_CASE(labels_for_any_number_of_segments_are_those_of_a_fresh_run)
+BOOST_AUTO_TEST_CASE(labels_for_any_number_and_threshold_are_those_of_a_fresh_run)
 {
+  const auto all_cuts = calibrated().salience_threshold(-infinity);
+  const Segmentation_hierarchy all = hierarchy_of(mesh_of(doll()), all_cuts);
   const double threshold = hierarchy_of_doll().salience_threshold();
   for (std::size_t n = 1; n <= 8; ++n) {
-    const Labels fresh = labels_of(doll(), calibrated().maximum_number_of_segments(n));
-    BOOST_TEST(labels_above(hierarchy_of_doll(), threshold, n) == fresh,
-               boost::test_tools::per_element());
+    BOOST_TEST((labels_above(hierarchy_of_doll(), threshold, n) ==
+                labels_of(doll(), calibrated().maximum_number_of_segments(n))));
+    BOOST_TEST(number_of(labels_above(all, -infinity, n)) == n);
+    BOOST_TEST((labels_above(all, -infinity, n) ==
+                labels_of(doll(), all_cuts.maximum_number_of_segments(n))));
   }
-}
-
-BOOST_AUTO_TEST_CASE(labels_for_any_number_without_a_threshold_are_those_of_a_fresh_run)
-{
-  const auto np = calibrated().salience_threshold(-infinity);
-  const Segmentation_hierarchy hierarchy = hierarchy_of(mesh_of(doll()), np);
-  for (std::size_t n = 1; n <= 8; ++n) {
-    const Labels fresh = labels_of(doll(), np.maximum_number_of_segments(n));
-    BOOST_TEST(number_of(fresh) == n);
-    BOOST_TEST(labels_above(hierarchy, -infinity, n) == fresh, boost::test_tools::per_element());
-  }
+  for (double t : {-1., 0.1, 0.3, 0.5, 0.6, 0.8, 0.95, 2.})
+    BOOST_TEST((labels_above(hierarchy_of_doll(), t, unlimited) ==
+                labels_of(doll(), calibrated().salience_threshold(t))));
 }
 
 BOOST_AUTO_TEST_CASE(as_many_segments_as_are_asked_for)
@@ -149,14 +145,6 @@ BOOST_AUTO_TEST_CASE(the_salience_is_asked_for_each_cut_of_the_hierarchy)
   for (const internal::Cut_node& node : hierarchy.nodes)
     if (!node.is_leaf())
       BOOST_TEST(asked.count(salience_without_neighbors(node.factors)) == 1u);
-}
-
-BOOST_AUTO_TEST_CASE(labels_for_any_threshold_are_those_of_a_fresh_run)
-{
-  for (double threshold : {-1., 0.1, 0.3, 0.5, 0.6, 0.8, 0.95, 2.})
-    BOOST_TEST(labels_above(hierarchy_of_doll(), threshold, unlimited) ==
-               labels_of(doll(), calibrated().salience_threshold(threshold)),
-               boost::test_tools::per_element());
 }
 
 BOOST_AUTO_TEST_CASE(factors_are_those_of_the_mesh_that_is_searched)

@@ -119,12 +119,14 @@ BOOST_AUTO_TEST_CASE(each_node_of_a_hollow_body_is_connected_within_each_wall)
   BOOST_TEST(number_of(run_labels(hierarchy)) == 40u);
   BOOST_TEST(hierarchy.number_of_roots() == 1u);
   for (std::size_t node = 0; node < hierarchy.number_of_nodes(); ++node) {
-    Labels labels(2 * n, 0); // 1 and 2 in the walls of the node
+    Labels labels; // 0 and 1 in the walls of the node; other faces have labels of their own
+    for (std::size_t f = 0; f < 2 * n; ++f)
+      labels.push_back(2 + f);
     bool is_in_wall[2] = {false, false};
     double area = 0;
     for (std::size_t f : hierarchy.faces(node)) {
-      labels[f] = f < n ? 1 : 2;
-      is_in_wall[f < n ? 0 : 1] = true;
+      labels[f] = f < n ? 0 : 1;
+      is_in_wall[labels[f]] = true;
       area += CGAL::Polygon_mesh_processing::face_area(Mesh::Face_index(unsigned(f)), mesh);
     }
     BOOST_TEST(is_in_wall[0]);
@@ -132,21 +134,8 @@ BOOST_AUTO_TEST_CASE(each_node_of_a_hollow_body_is_connected_within_each_wall)
     if (!hierarchy.node(node).is_leaf())
       BOOST_TEST(hierarchy.node(hierarchy.node(node).children[0]).area <=
                  hierarchy.node(hierarchy.node(node).children[1]).area * (1 + 1e-6));
-    std::vector<char> is_reached(2 * n, 0);
-    std::size_t number_of_pieces = 0;
-    for (std::size_t f : hierarchy.faces(node))
-      if (!is_reached[f]) {
-        ++number_of_pieces;
-        std::vector<std::size_t> reached(1, f);
-        is_reached[f] = 1;
-        for (std::size_t i = 0; i < reached.size(); ++i)
-          for (Mesh::Face_index g : CGAL::faces_around_face(
-                 mesh.halfedge(Mesh::Face_index(unsigned(reached[i]))), mesh))
-            if (g != Mesh::null_face() && labels[g] == labels[f] && !is_reached[g]) {
-              is_reached[g] = 1;
-              reached.push_back(g);
-            }
-      }
+    const std::size_t number_of_pieces =
+      number_of_connected_pieces(mesh, labels) - (2 * n - hierarchy.number_of_faces(node));
     BOOST_TEST(number_of_pieces == std::size_t(is_in_wall[0]) + std::size_t(is_in_wall[1]));
   }
 }

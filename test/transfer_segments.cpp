@@ -3,6 +3,7 @@
 
 #include <boost/test/unit_test.hpp>
 
+#include "test_labels.h"
 #include "test_meshes.h"
 
 #include <CGAL/Segmented_mesh/transfer_segments.h>
@@ -70,14 +71,8 @@ Soup sheet(std::size_t nx, std::size_t ny, double thickness)
   return result;
 }
 
-// Returns the number of connected sets of faces with the same id.
 std::size_t number_of_pieces(const Mesh& mesh, const Ids& ids)
-{
-  namespace internal = CGAL::Spectral_segmentation::internal;
-  const std::vector<Mesh::Face_index> faces(mesh.faces().begin(), mesh.faces().end());
-  return internal::connected_components(
-    internal::read_triangle_mesh(mesh, faces, mesh.points(), Kernel()), ids).number;
-}
+{ return number_of_connected_pieces(mesh, Labels(ids.begin(), ids.end())); }
 
 template <class Mesh1, class Mesh2>
 void check_error(const Mesh1& from, const Mesh2& to)
