@@ -386,14 +386,8 @@ BOOST_AUTO_TEST_CASE(the_number_asked_for_is_the_number_given)
       const std::size_t least = hierarchy_of(mesh, np).number_of_roots();
       for (std::size_t number : {least, (std::min)(least + 4, n), n})
         BOOST_TEST(check_labels(mesh, labels_of(mesh, np.number_of_segments(number))) == number);
-      for (std::size_t number : {std::size_t(0), least - 1, n + 1}) {
-        Labels labels;
-        const auto map = map_to(labels, mesh);
-        BOOST_CHECK_THROW(
-          CGAL::segment_spectral_recursive(mesh, map, np.number_of_segments(number)),
-          std::invalid_argument);
-        BOOST_TEST(labels == Labels(n, untouched), boost::test_tools::per_element());
-      }
+      for (std::size_t number : {std::size_t(0), least - 1, n + 1})
+        check_refused(mesh, np.number_of_segments(number));
     });
   }
   BOOST_CHECK_THROW(labels_of(Mesh(), parameters::number_of_segments(1)), std::invalid_argument);

@@ -108,17 +108,7 @@ struct Constrained_mesh
 
   template <class NamedParameters>
   void check_is_refused(const NamedParameters& np, const std::string& sentence) const
-  {
-    Labels labels;
-    const auto map = map_to(labels, mesh);
-    BOOST_CHECK_EXCEPTION(CGAL::segment_spectral_recursive(mesh, map, np), std::invalid_argument,
-                          [&](const std::invalid_argument& e) {
-                            BOOST_TEST_MESSAGE(e.what());
-                            return std::string(e.what()).find(sentence) != std::string::npos;
-                          });
-    BOOST_TEST(std::set<std::size_t>(labels.begin(), labels.end()).size() == 1u);
-    BOOST_TEST(labels.front() == untouched);
-  }
+  { check_refused(mesh, np, sentence); }
 
   void check_is_refused(const std::string& sentence) const
   { check_is_refused(parameters(), sentence); }

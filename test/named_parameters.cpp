@@ -55,20 +55,9 @@ Labels labels_of_doll(const NamedParameters& np)
 
 Labels labels_of_doll() { return labels_of_doll(parameters::default_values()); }
 
-// The run throws an exception that names the parameter, and writes nothing.
 template <class NamedParameters>
 void check_refused(const std::string& name, const NamedParameters& np)
-{
-  BOOST_TEST_CONTEXT(name) {
-    Labels labels;
-    const auto map = map_to(labels, doll_mesh());
-    const Labels before = labels;
-    BOOST_CHECK_EXCEPTION(CGAL::segment_spectral_recursive(doll_mesh(), map, np),
-                          std::invalid_argument, [&](const std::invalid_argument& e)
-                          { return std::string(e.what()).find(name) != std::string::npos; });
-    BOOST_TEST(labels == before, boost::test_tools::per_element());
-  }
-}
+{ test_meshes::check_refused(doll_mesh(), np, name); }
 
 // A point type of its own and the least that a traits class may have.
 struct Own_point

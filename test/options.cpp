@@ -144,14 +144,8 @@ BOOST_AUTO_TEST_CASE(the_method_of_the_paper_has_no_constraints)
   const Mesh mesh = mesh_of(doll());
   const auto seeds = boost::make_function_property_map<Mesh::Face_index, int>(
     [](Mesh::Face_index f) { return f == Mesh::Face_index(0) ? 1 : -1; });
-  Labels labels;
-  const auto map = map_to(labels, mesh);
-  const Labels before = labels;
-  BOOST_CHECK_THROW(
-    CGAL::segment_spectral_recursive(
-      mesh, map, parameters::options(Options::zhang_liu_2005()).face_seed_map(seeds)),
-    std::invalid_argument);
-  BOOST_TEST(labels == before, boost::test_tools::per_element());
+  test_meshes::check_refused(
+    mesh, parameters::options(Options::zhang_liu_2005()).face_seed_map(seeds));
 }
 
 BOOST_AUTO_TEST_SUITE_END()

@@ -16,6 +16,8 @@
 #include <functional>
 #include <map>
 #include <set>
+#include <stdexcept>
+#include <string>
 #include <utility>
 #include <vector>
 
@@ -49,6 +51,21 @@ Labels labels_of(const Mesh& mesh, const NamedParameters& np)
 template <class ConcurrencyTag = CGAL::Parallel_if_available_tag, class NamedParameters>
 Labels labels_of(const Soup& soup, const NamedParameters& np)
 { return labels_of<ConcurrencyTag>(mesh_of(soup), np); }
+
+// Checks that a run throws an exception whose message has the sentence, and writes nothing.
+template <class NamedParameters>
+void check_refused(const Mesh& mesh, const NamedParameters& np, const std::string& sentence = "")
+{
+  BOOST_TEST_CONTEXT(sentence) {
+    Labels labels;
+    const auto map = map_to(labels, mesh);
+    BOOST_CHECK_EXCEPTION(
+      CGAL::segment_spectral_recursive(mesh, map, np), std::invalid_argument,
+      [&](const std::invalid_argument& e)
+      { return std::string(e.what()).find(sentence) != std::string::npos; });
+    BOOST_TEST(labels == Labels(num_faces(mesh), untouched), boost::test_tools::per_element());
+  }
+}
 
 template <class NamedParameters>
 CGAL::Spectral_segmentation::Segmentation_hierarchy hierarchy_of(const Mesh& mesh,
