@@ -17,7 +17,8 @@ import tempfile
 import unittest
 from xml.etree import ElementTree
 
-from segment_mesh import dumbbell, read_off, read_ply_rows, tube, write_off
+from segment_mesh import (cross, directed_edges, dot, dumbbell, is_closed, minus, read_off,
+                          read_ply_rows, tube, volume, write_off)
 
 EXAMPLE = None
 MESHES = None
@@ -39,32 +40,6 @@ def read_stl(path):
     for row in struct.iter_unpack("<12fH", path.read_bytes()[84:]):
         faces.append([numbers.setdefault(row[i:i + 3], len(numbers)) for i in (3, 6, 9)])
     return list(numbers), faces
-
-
-def cross(a, b):
-    return (a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0])
-
-
-def dot(a, b):
-    return sum(x * y for x, y in zip(a, b))
-
-
-def minus(a, b):
-    return tuple(x - y for x, y in zip(a, b))
-
-
-def volume(points, faces):
-    return sum(dot(points[a], cross(points[b], points[c])) for a, b, c in faces) / 6
-
-
-def directed_edges(faces):
-    return [(face[i - 1], face[i]) for face in faces for i in range(3)]
-
-
-def is_closed(faces):
-    """Whether each edge has a face on both sides."""
-    edges = set(directed_edges(faces))
-    return len(edges) == 3 * len(faces) and edges == {(b, a) for a, b in edges}
 
 
 def connected_sets(faces):

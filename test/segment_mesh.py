@@ -125,11 +125,35 @@ def read_3mf(path):
     return objects, [item.get("objectid") for item in model.iter(core + "item")]
 
 
+def cross(a, b):
+    return (a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0])
+
+
+def dot(a, b):
+    return sum(x * y for x, y in zip(a, b))
+
+
+def minus(a, b):
+    return tuple(x - y for x, y in zip(a, b))
+
+
+def volume(points, faces):
+    return sum(dot(points[a], cross(points[b], points[c])) for a, b, c in faces) / 6
+
+
+def directed_edges(faces):
+    return [(face[i - 1], face[i]) for face in faces for i in range(3)]
+
+
+def is_closed(faces):
+    """Whether each edge has a face on both sides."""
+    edges = set(directed_edges(faces))
+    return len(edges) == 3 * len(faces) and edges == {(b, a) for a, b in edges}
+
+
 def area(points, face):
     p, q, r = (points[v] for v in face)
-    a, b = [[y[k] - x[k] for k in range(3)] for x, y in ((p, q), (p, r))]
-    cross = (a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0])
-    return math.hypot(*cross) / 2
+    return math.hypot(*cross(minus(q, p), minus(r, p))) / 2
 
 
 def tube(radii, around=16):
@@ -503,12 +527,8 @@ class Real_meshes(Tool_test):
                          ["segment_%03d" % i for i in range(max(labels) + 1)])
         for part in parts:
             self.assertEqual(part.type, "model")
-            edges = collections.Counter()
-            for a, b, c in part.triangles:
-                edges.update([(a, b), (b, c), (c, a)])
-            self.assertEqual(set(edges.values()), {1})
-            self.assertTrue(all((b, a) in edges for a, b in edges), part.name)
-            self.assertEqual({v for e in edges for v in e}, set(range(len(part.points))))
+            self.assertTrue(is_closed(part.triangles), part.name)
+            self.assertEqual({v for t in part.triangles for v in t}, set(range(len(part.points))))
 
     def test_3mf_of_parts(self):
         self.segment(MESHES / "hand.off")
@@ -560,12 +580,6 @@ class Real_meshes(Tool_test):
                             sentence="line break")
 
     def test_closed_parts_fill_the_mesh(self):
-        def volume(points, faces):
-            return sum(
-                x[0] * (y[1] * z[2] - y[2] * z[1]) + x[1] * (y[2] * z[0] - y[0] * z[2]) +
-                x[2] * (y[0] * z[1] - y[1] * z[0])
-                for x, y, z in ([points[v] for v in face] for face in faces)) / 6
-
         points, faces = read_off(MESHES / "elephant.off")
         for options in ((), ("--keep-faces",)):
             done = self.run_tool(MESHES / "elephant.off", "--close", "--split-dir", "parts",
@@ -576,11 +590,7 @@ class Real_meshes(Tool_test):
             volumes = []
             for file in sorted((self.directory / "parts").glob("*.ply")):
                 part = read_ply(file)
-                edges = collections.Counter()
-                for a, b, c in part.faces:
-                    edges.update([(a, b), (b, c), (c, a)])
-                self.assertEqual(set(edges.values()), {1})
-                self.assertTrue(all((b, a) in edges for a, b in edges), file)
+                self.assertTrue(is_closed(part.faces), file)
                 volumes.append(volume(part.points, part.faces))
                 self.assertGreater(volumes[-1], 0)
             self.assertEqual(len(volumes), len(set(labels)))
