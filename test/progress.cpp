@@ -134,7 +134,7 @@ BOOST_AUTO_TEST_CASE(a_run_may_be_stopped_at_any_poll)
     const auto check = [&](const auto& pack) {
       const std::size_t polls = number_of_polls(mesh, pack);
       BOOST_TEST(polls > 20);
-      for (std::size_t poll = 0; poll < polls; ++poll)
+      for (std::size_t poll = 0; poll < polls; poll += poll < 20 ? 1 : 5) // random runs try others
         check_stop<CGAL::Sequential_tag>(mesh, poll, pack);
     };
     check(np.maximum_number_of_segments(6).number_of_coarse_faces(0));
