@@ -27,7 +27,7 @@ class K_means
   Eigen::Index k_;
   Random_engine& random_;
 
-  // A row, with a probability in proportion to its weight.
+  // Returns a row, with a probability in proportion to its weight.
   Eigen::Index random_row(const Eigen::VectorXd& weights)
   {
     double rest = uniform_random(random_) * weights.sum();
@@ -52,7 +52,7 @@ class K_means
     return centers;
   }
 
-  // The nearest center of each point, and the sum of the squared distances.
+  // Finds the nearest center of each point, and the sum of the squared distances.
   double assign(const Eigen::MatrixXd& centers, Labels& labels) const
   {
     Eigen::MatrixXd distances(points_.rows(), k_);
@@ -67,7 +67,7 @@ class K_means
     return sum;
   }
 
-  // A cluster that has lost all points keeps its center.
+  // Moves centers to means. A cluster that has lost all points keeps its center.
   void move_to_means(const Labels& labels, Eigen::MatrixXd& centers) const
   {
     Eigen::MatrixXd sums = Eigen::MatrixXd::Zero(k_, points_.cols());
@@ -86,7 +86,7 @@ public:
   K_means(const Eigen::MatrixXd& points, std::size_t k, Random_engine& random)
     : points_(points), k_(static_cast<Eigen::Index>(k)), random_(random) {}
 
-  // The labels of the run with the smallest sum of squared distances from the centers.
+  // Returns the labels of the run with the smallest sum of squared distances from the centers.
   Labels operator()(int number_of_runs)
   {
     Labels best;

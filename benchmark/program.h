@@ -15,7 +15,7 @@
 // The common part of all programs.
 namespace segmentation_benchmark {
 
-// Adds the folder of the benchmark, which is required, and the ids of its meshes.
+// Adds the folder of the benchmark, required by default, and the ids of its meshes.
 inline CLI::Option* add_benchmark_options(CLI::App& app, std::string& folder, std::string& ids)
 {
   app.add_option("--ids", ids, "odd, even, all, or a list as 1-20,33")->capture_default_str();

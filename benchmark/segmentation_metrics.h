@@ -141,7 +141,7 @@ inline double rand_error(const Eigen::ArrayXXd& faces)
 inline double rand_error(const Labels& a, const Labels& b)
 { return rand_error(overlap(a, b)); }
 
-// The same of pairs of points of the surface, whatever its triangles.
+// Returns the same of pairs of points of the surface, whatever its triangles.
 inline double rand_error_by_area(const Eigen::ArrayXXd& area)
 {
   const double total = area.sum();

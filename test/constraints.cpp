@@ -27,6 +27,7 @@ BOOST_AUTO_TEST_SUITE(constraints)
 
 using namespace test_meshes;
 namespace parameters = CGAL::Spectral_segmentation::parameters;
+using CGAL::Spectral_segmentation::Segmentation_hierarchy;
 
 namespace {
 
@@ -103,6 +104,9 @@ struct Constrained_mesh
     for (const std::string& sentence : face_constraints().violations(labels))
       BOOST_ERROR("not so: " << sentence);
   }
+
+  bool has_contradiction() const
+  { return face_constraints().are_contradictory(num_faces(mesh)); }
 
   Labels labels() const { return labels_of(mesh, parameters()); }
 
@@ -292,6 +296,34 @@ BOOST_AUTO_TEST_CASE(edge_of_three_triangles)
   const auto all_cuts = parameters::salience_threshold(-std::numeric_limits<double>::infinity());
   BOOST_TEST(segment(all_cuts) == 3u);
   BOOST_TEST(segment(all_cuts.edge_is_uncuttable_map(is_edge)) == 1u);
+}
+
+BOOST_AUTO_TEST_CASE(random_constraints_on_real_meshes)
+{
+  Random random(1);
+  std::size_t number_of_contradictions = 0;
+  for (const char* name : {"camel", "dino", "elephant", "hand", "triceratops"})
+    BOOST_TEST_CONTEXT(name) {
+      Constrained_mesh m(read(std::string(name) + ".off"));
+      const std::size_t number_of_edges = m.mesh.number_of_edges();
+      const std::size_t n = random() % 2 == 0 ? 4 : 20;
+      for (std::size_t i = 0; i < n; ++i) {
+        m.is_seam[Edge(random() % number_of_edges)] = true;
+        const Edge e(random() % number_of_edges);
+        m.is_uncuttable[e] = !m.is_seam[e];
+        m.seed[Face(random() % num_faces(m.mesh))] = int(random() % 3);
+      }
+      if (m.has_contradiction()) {
+        ++number_of_contradictions;
+        m.check_is_refused("");
+        continue;
+      }
+      Segmentation_hierarchy hierarchy;
+      m.check(labels_of(m.mesh, m.parameters().hierarchy(hierarchy)));
+      for (std::size_t k : {hierarchy.number_of_roots(), hierarchy.number_of_segments()})
+        m.check(labels_above(hierarchy, -std::numeric_limits<double>::infinity(), k));
+    }
+  BOOST_TEST(number_of_contradictions <= 2u);
 }
 
 BOOST_AUTO_TEST_CASE(exact_number)

@@ -112,6 +112,18 @@ BOOST_AUTO_TEST_CASE(a_mesh_without_area_is_one_segment_for_each_component)
   }
 }
 
+BOOST_AUTO_TEST_CASE(faces_without_area_among_others)
+{
+  for (const Soup& soup : soups()) {
+    check_runs(mesh_of(transformed(soup, [](const Point& p) // coincident points
+      { return Point(std::round(2 * p.x()) / 2, std::round(2 * p.y()) / 2, p.z()); })));
+    check_runs(mesh_of(transformed(soup, [](const Point& p) // a part of no area
+      { return p.z() > 0 ? Point(0, 0, p.z()) : p; })));
+    check_runs(mesh_of(transformed(soup, [](const Point& p) // half of it in one point
+      { return p.x() > 0 ? Point(0, 0, 0) : p; })));
+  }
+}
+
 // Shapes whose time or memory was quadratic, or worse, in the number of faces.
 BOOST_AUTO_TEST_CASE(thousands_of_faces_meet)
 {
@@ -156,6 +168,14 @@ BOOST_AUTO_TEST_CASE(thousands_of_faces_meet)
   number_of_segments(spheres);
 }
 
+BOOST_AUTO_TEST_CASE(slivers)
+{
+  for (const Soup& soup : soups())
+    for (double thinness : {1e-6, 1e-13, 1e-200})
+      check_runs(mesh_of(transformed(soup, [thinness](const Point& p)
+        { return Point(p.x(), thinness * p.y(), p.z()); })));
+}
+
 BOOST_AUTO_TEST_CASE(any_unit_gives_about_the_same_segments)
 {
   for_both_methods([](const auto& np) {
@@ -165,6 +185,15 @@ BOOST_AUTO_TEST_CASE(any_unit_gives_about_the_same_segments)
         BOOST_TEST(rand_index(labels_of(scaled(soup, unit), np), expected) > 0.95);
     }
   });
+}
+
+BOOST_AUTO_TEST_CASE(the_ends_of_the_range_of_double)
+{
+  const double largest = (std::numeric_limits<double>::max)();
+  const double smallest = std::numeric_limits<double>::denorm_min();
+  for (const Soup& soup : {dumbbell(10, 8), plate(6, 5)})
+    for (double unit : {largest / 8, largest / 64, 1e200, 1e-200, 1e-300, 100 * smallest})
+      check_runs(mesh_of(scaled(soup, unit)));
 }
 
 BOOST_AUTO_TEST_CASE(coordinates_that_are_not_finite_are_refused)

@@ -23,7 +23,7 @@
 // Labels of meshes of any type that the Boost Graph Library knows.
 namespace test_meshes {
 
-// The labels in the order of the faces.
+// Returns the labels in the order of the faces.
 template <class Graph, class NamedParameters>
 Labels labels_of_graph(const Graph& graph, const NamedParameters& np)
 {
@@ -39,7 +39,7 @@ Labels labels_of_graph(const Graph& graph, const NamedParameters& np)
   return labels;
 }
 
-// The labels by the default method, then those by the method of the paper.
+// Returns the labels by the default method, then those by the method of the paper.
 template <class Graph>
 Labels labels_of_graph(const Graph& graph)
 {
@@ -51,7 +51,7 @@ Labels labels_of_graph(const Graph& graph)
   return result;
 }
 
-// Vertices and faces are added in the order of the soup.
+// Adds vertices and faces in the order of the soup.
 template <class Graph>
 void fill(Graph& graph, const Soup& soup)
 {
@@ -62,7 +62,7 @@ void fill(Graph& graph, const Soup& soup)
   CGAL::Polygon_mesh_processing::polygon_soup_to_polygon_mesh(points, soup.triangles, graph);
 }
 
-// A manifold soup without isolated vertices, whose coordinates are exact in single precision.
+// Makes a manifold soup without isolated vertices, whose coordinates are exact in single precision.
 inline Soup rounded(const Soup& soup)
 {
   const Mesh mesh = mesh_of(soup);

@@ -213,10 +213,10 @@ class Tool_test(unittest.TestCase):
         self.addCleanup(directory.cleanup)
         self.directory = pathlib.Path(directory.name)
 
-    def run_tool(self, *arguments, **how):
+    def run_tool(self, *arguments):
         return subprocess.run([TOOL, *map(str, arguments)], cwd=self.directory, text=True,
                               stdin=subprocess.DEVNULL, stdout=subprocess.PIPE,
-                              stderr=subprocess.PIPE, timeout=300, check=False, **how)
+                              stderr=subprocess.PIPE, timeout=300, check=False)
 
     def segment(self, mesh, *arguments):
         """The labels of a run without errors, which also writes out.ply, with the faces of the
@@ -246,9 +246,9 @@ class Tool_test(unittest.TestCase):
         write_off(self.directory / name, points, faces)
         return name
 
-    def assert_failure(self, status, *arguments, sentence="", **how):
+    def assert_failure(self, status, *arguments, sentence=""):
         before = sorted(self.directory.rglob("*"))
-        done = self.run_tool(*arguments, **how)
+        done = self.run_tool(*arguments)
         self.assertEqual(done.returncode, STATUSES.index(status), arguments)
         self.assertEqual(done.stdout, "")
         self.assertRegex(done.stderr, r"\Asegment_mesh: .+\n\Z")

@@ -16,6 +16,7 @@
 #include <map>
 #include <numeric>
 #include <stdexcept>
+#include <utility>
 
 namespace test_meshes {
 
@@ -209,7 +210,7 @@ Soup separate_triangles(std::size_t n)
   Soup soup;
   for (std::size_t i = 0; i < n; ++i) {
     const double x = 10. * double(i);
-    soup.points.insert(soup.points.end(), {{x, 0, 0}, {x + 1, 0, 0}, {x, 1, 0}});
+    soup.points.insert(soup.points.end(), {{x, 0, 0}, {x + 1, 0, 0}, {x, 1 + double(i % 7), 0}});
     soup.triangles.push_back({3 * i, 3 * i + 1, 3 * i + 2});
   }
   return soup;

@@ -65,13 +65,13 @@ Soup turned_inside_out(Soup soup);
 
 Soup disjoint_union(Soup a, const Soup& b);
 
-// n triangles on a line, far from each other.
+// Makes n triangles on a line, far from each other.
 Soup separate_triangles(std::size_t n);
 
-// n triangles that share the edge from (0, 0, 0) to (0, 0, 1), in all directions around it.
+// Makes n triangles that share the edge from (0, 0, 0) to (0, 0, 1), in all directions around it.
 Soup fan_at_edge(std::size_t n);
 
-// A strip of 2 * n triangles that is closed with half a turn.
+// Makes a strip of 2 * n triangles that is closed with half a turn.
 Soup moebius_strip(std::size_t n);
 
 // Joins two closed surfaces by removing the first triangle of each and identifying their vertices;

@@ -24,7 +24,6 @@
 #include <random>
 #include <set>
 #include <stdexcept>
-#include <utility>
 #include <vector>
 
 BOOST_AUTO_TEST_SUITE(transfer_segments)

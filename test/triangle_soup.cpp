@@ -21,7 +21,6 @@
 #include <list>
 #include <stdexcept>
 #include <string>
-#include <utility>
 #include <vector>
 
 // The function that takes points and triangles.

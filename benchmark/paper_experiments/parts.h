@@ -14,7 +14,6 @@
 #include <algorithm>
 #include <cstddef>
 #include <cstdint>
-#include <numeric>
 #include <optional>
 #include <random>
 #include <utility>
@@ -32,7 +31,7 @@ struct Part
   std::vector<Index> faces; // their numbers in the mesh, ascending
 };
 
-// Returns the random numbers of a mesh, by its number in the benchmark.
+// Returns a random engine for a mesh, by its number in the benchmark.
 inline Random_engine random_engine(int id, std::uint32_t seed = 1)
 {
   std::seed_seq seeds{seed, std::uint32_t(0), static_cast<std::uint32_t>(id)};
@@ -44,9 +43,7 @@ inline Index random_face(std::size_t number_of_faces, Random_engine& random)
 
 inline std::vector<Index> all_faces(const Surface& part)
 {
-  std::vector<Index> faces(part.number_of_faces());
-  std::iota(faces.begin(), faces.end(), Index(0));
-  return faces;
+  return CGAL::Spectral_segmentation::internal::first_indices(part.number_of_faces());
 }
 
 // Returns the connected components.
@@ -81,9 +78,9 @@ inline Labels labels_of_part(const Part& part, const Labels& labels)
   return contiguous(result);
 }
 
-// Returns 1 less the faces that the cut takes off the person's segments, of each the smaller of two
-// pieces, relative to those of the cut's smaller side: 1 where it follows the borders of segments,
-// 0 where the smaller side is nowhere the larger piece of one.
+// Returns 1 minus a fraction: the faces that the cut takes off the person's segments, of each the
+// smaller of two pieces, relative to those of the cut's smaller side. It is 1 where the cut follows
+// the borders of segments, 0 where the smaller side is nowhere the larger piece of one.
 inline double agreement(const Part& part, const Sides& side, const Labels& person)
 {
   const Eigen::ArrayXXd faces =

@@ -66,7 +66,7 @@ inline void draw_levels(Picture_book& book, const Named_mesh& shape)
   internal::Model m = internal::prepare_model(segmentation_benchmark::triangles_of(shape.mesh), d);
   internal::Levels l = internal::make_levels(std::move(m.mesh), d);
 
-  const internal::Calibrated_cut best_cut(l.last(), options);
+  const internal::Calibrated_cut best_cut(l.last(), options, options);
   const std::vector<internal::Index> regions =
     internal::Recursion(d.execution, l.last(), best_cut, options, monitor)
       .by_salience(options.number_of_regions).leaf;

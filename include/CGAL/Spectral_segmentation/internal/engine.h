@@ -23,9 +23,9 @@
 namespace CGAL::Spectral_segmentation::internal {
 
 // Runs the engine, which is no template because nothing in it depends on the caller. It takes
-// arrays and returns a hierarchy of cuts, whose faces are the triangles. Only ablations change the
-// constants of the method. Throws `std::invalid_argument` if constraints contradict each other or
-// the number of segments.
+// arrays and returns a hierarchy of cuts, whose faces are the triangles. Only ablations and
+// pictures change the constants of the method. Throws `std::invalid_argument` if constraints
+// contradict each other or the number of segments.
 CGAL_SPECTRAL_SEGMENTATION_INLINE
 Cut_hierarchy segment(Surface surface, const Options& options, const Method_constants& method,
                       Execution execution, Run_control& control, const Constraints& constraints,

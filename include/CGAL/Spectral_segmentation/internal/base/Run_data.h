@@ -52,26 +52,33 @@ struct Feature_source
 };
 
 // The constants of a method. `Calibrated_part_salience` was fitted with those of the calibrated
-// method, the defaults, and must be fitted again (benchmark/fit_part_salience.py) if one changes.
-// The ablation study in the manual shows the gain of each.
+// method, the defaults, and must be fitted again (benchmark/fit_part_salience.py) if one of them
+// changes but the last two. The ablation study in the manual shows the gain of most.
 struct Method_constants
 {
   // The radius for averaging curvature, as a fraction of the square root of the area of the mesh.
   // With 0 the method uses dihedral angles.
   double concavity_radius = 0.02;
   bool bisection = true;            // whether faces larger than the searched ones are bisected
-  bool keeps_points = false;        // whether a mesh that is not coarsened is searched as given
   bool single_source_orders = true; // whether limbs are also grown from single faces
   std::size_t number_of_candidates = 14;        // cuts of a part that get all factors
   std::size_t number_of_refined_candidates = 4; // candidates that are moved to minimum cuts
   std::size_t number_of_regions = 20; // of an over-segmentation; 0 if the method makes none
-  double time_per_face = 50000;       // of the search, in nanoseconds, for the progress
+  bool keeps_points = false;    // whether a mesh that is not coarsened is searched as given
+  double time_per_face = 50000; // of the search, in nanoseconds, for the progress
 };
 
 inline Method_constants constants_of(Method method)
 {
-  return method == Method::CALIBRATED ? Method_constants()
-                                      : Method_constants{0, false, true, false, 0, 0, 0, 4000};
+  Method_constants result;
+  if (method == Method::ZHANG_LIU_2005) {
+    result.concavity_radius = 0;
+    result.bisection = false;
+    result.number_of_regions = 0;
+    result.keeps_points = true;
+    result.time_per_face = 4000;
+  }
+  return result;
 }
 
 // The data of a run beside the mesh.

@@ -49,7 +49,7 @@ public:
 // Collapses edges, the shortest first, until few faces are left. The remaining vertex minimizes the
 // squared distances to the planes of the faces around it, weighted by their squared areas,
 // similarly to the volume optimization of Lindstrom and Turk (1998). CGAL's edge_collapse() takes
-// ten times as long (benchmark/performance of commit 5ffb392).
+// ten times as long (row `coarsening` of benchmark/performance at commit 5ffb392).
 //
 // Each vertex has two positions. The coarsely rounded one determines the order of the edges, so
 // that little noise in the points does not change it. The precise one is used for everything else,
