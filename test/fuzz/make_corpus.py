@@ -37,7 +37,7 @@ def off_files():
             off_text("STNOFF", (0, 0, 1, 0.5, 0.5)), off_text("nOFF", header="%s 3\n%d %d 0\n"),
             off_text(header="# a comment\n%s %d %d # no edges\n"),
             off_text("", header="%s%d %d 0\n"),
-            off_binary(), off_binary("NCOFF", 7),
+            off_binary(), off_binary("CNOFF", 7),
             b"OFF\n3 1 0\n0 0 0\n1 0 0\n0 1 0\n400000000 0 1 2\n",
             b"COFF\n3 1 0\n0 0 0 -7\n1 0 0 -7\n0 1 0 -7\n3 0 1 2\n"]
 
