@@ -113,7 +113,7 @@ except KeyboardInterrupt:
 def test_a_signal_ends_a_run_on_triangles_that_are_not_connected():
     """The search takes a small part of that run; the contacts of the triangles take the rest."""
     random = np.random.default_rng(1)
-    points, triangles = random.random((40000, 3)), random.integers(0, 40000, (120000, 3))
+    points, triangles = random.random((10000, 3)), random.integers(0, 10000, (30000, 3))
     delays = []
     start = time.perf_counter()
     segment(points, triangles, threads=1)
