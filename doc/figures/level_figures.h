@@ -77,8 +77,6 @@ inline void draw_levels(Picture_book& book, const Named_mesh& shape)
   segment_mesh::Color_sequence sequence;
   for (Rgb& c : color)
     c = sequence().rgb;
-  const std::vector<internal::Index> no_groups;
-  internal::Fixed_groups fixed{no_groups, {}};
   for (;;) {
     std::vector<Rgb> colors;
     for (internal::Index leaf : tree.leaf)
@@ -89,7 +87,7 @@ inline void draw_levels(Picture_book& book, const Named_mesh& shape)
     if (l.levels.size() == 1)
       return;
     const std::vector<internal::Index> parent = l.levels.back().parent_face;
-    tree = internal::carry_back(tree, l, fixed, d);
+    tree = internal::carry_back(tree, l, d);
     color = most_frequent_colors(tree, parent, colors);
   }
 }

@@ -11,7 +11,6 @@
 #include <CGAL/Spectral_segmentation/internal/tree/Component_merging.h>
 #include <CGAL/Spectral_segmentation/internal/tree/Constrained_merging.h>
 #include <CGAL/Spectral_segmentation/internal/tree/Constraint_groups.h>
-#include <CGAL/Spectral_segmentation/internal/tree/Forced_cuts.h>
 #include <CGAL/Spectral_segmentation/internal/tree/congruent_cuts.h>
 #include <CGAL/Spectral_segmentation/internal/tree/further_cuts.h>
 
@@ -37,10 +36,8 @@ inline Merge_tree search_paper(Levels& l, const Run_data& d)
 }
 
 // Cuts the last level by the calibrated method: divides it into regions, merges them again, the
-// least salient boundary first, and cuts leaves that violate constraints. Sets the leaf of each
-// group.
-inline Merge_tree search_calibrated(const Levels& l, const Constraint_groups& groups,
-                                    std::vector<Index>& leaf_of_group, const Run_data& d)
+// least salient boundary first.
+inline Merge_tree search_calibrated(const Levels& l, const Run_data& d)
 {
   const Surface& surface = l.last();
   const Calibrated_cut best_cut(surface, d.options, d.method, l.features, d.fraction_of_model);
@@ -51,19 +48,13 @@ inline Merge_tree search_calibrated(const Levels& l, const Constraint_groups& gr
     Merge_tree tree = Region_merging(d.execution, surface, best_cut.context(),
                                      d.options.part_salience, d.monitor)(regions);
     average_saliences(surface, tree);
-    if (!groups.faces.empty()) {
-      const std::vector<Index> vertices = l.vertices_of_last(0);
-      Forced_cuts cuts(l.mesh(), vertices, surface, groups, tree, d.monitor);
-      cuts();
-      leaf_of_group = cuts.leaves_of_groups();
-    }
     return tree;
   });
 }
 
 // Searches the cuts of the last level, and carries them back to the mesh. A convex mesh has no
 // cuts, and neither has a mesh whose run was stopped before.
-inline Merge_tree cut_mesh(Levels& l, const Constraint_groups& groups, const Run_data& d)
+inline Merge_tree cut_mesh(Levels& l, const Run_data& d)
 {
   const Phase_times times(d, l.mesh().number_of_faces());
   d.start_phase(times.search);
@@ -74,13 +65,12 @@ inline Merge_tree cut_mesh(Levels& l, const Constraint_groups& groups, const Run
     tree.is_monotonic = !is_stopped;
     return tree;
   }
-  Fixed_groups fixed{groups.group, {}};
   Merge_tree tree = d.options.method == Method::ZHANG_LIU_2005
-    ? search_paper(l, d) : search_calibrated(l, groups, fixed.leaf, d);
+    ? search_paper(l, d) : search_calibrated(l, d);
   d.start_phase(times.projection);
   const auto carry_back_to_mesh = [&] {
     while (l.levels.size() > 1)
-      tree = carry_back(tree, l, fixed, d);
+      tree = carry_back(tree, l, d);
     return std::move(tree);
   };
   const bool is_searched_copy = l.levels.size() == 2 && l.levels.back().is_subdivision;
@@ -92,7 +82,7 @@ inline Merge_tree cut_mesh(Levels& l, const Constraint_groups& groups, const Run
 // Returns the cuts of a part of a model, and the caller's face for each of its faces. The part may
 // be searched at the scale of the model, of whose area it has a fraction.
 inline std::pair<Merge_tree, std::vector<Index> >
-cut_part(Part_of_model part, const Model& m, double time_scale, const Run_data& d)
+cut_part(Part_of_model part, double time_scale, const Run_data& d)
 {
   Options options = d.options;
   Method_constants method = d.method;
@@ -101,21 +91,13 @@ cut_part(Part_of_model part, const Model& m, double time_scale, const Run_data& 
     options.number_of_coarse_faces = static_cast<std::size_t>(std::ceil(
       static_cast<double>(options.number_of_coarse_faces) * part.fraction_of_model));
   }
-  Constraints constraints;
-  const Run_data of_part{options, method, constraints, d.features, d.execution, d.monitor,
+  const Run_data of_part{options, method, d.constraints, d.features, d.execution, d.monitor,
                          time_scale, part.fraction_of_model};
-  Constraint_groups groups;
   Levels l = d.monitor.stage(Stage::INITIALIZATION, Segmentation_visitor::whole_mesh, [&] {
     prepare_part(part.mesh, of_part);
-    if (!d.constraints.empty()) {
-      const std::vector<Index> face = m.faces_in(part.mesh);
-      constraints = constraints_within(d.constraints, face);
-      if (!constraints.empty())
-        groups = Constraint_grouping(constraints, face, part.mesh.surface)(false);
-    }
     return make_levels(std::move(part.mesh), of_part);
   });
-  Merge_tree tree = cut_mesh(l, groups, of_part);
+  Merge_tree tree = cut_mesh(l, of_part);
   return {std::move(tree), l.callers_faces(0)};
 }
 
@@ -147,7 +129,7 @@ inline Merge_tree cut_parts(Model& m, const Run_data& d)
   tree.leaf.resize(m.mesh.parent_face.size());
   const double rest = 1 - d.time_scale * Phase_times(d, face.size()).reading; // of the run
   for (Part_of_model& part : m.parts) {
-    const auto [of_part, callers_face] = cut_part(std::move(part), m, rest / time, d);
+    const auto [of_part, callers_face] = cut_part(std::move(part), rest / time, d);
     append(tree, of_part, composed(callers_face, face));
   }
   set_areas_of_leaves(tree, m.mesh.surface);
@@ -198,7 +180,7 @@ inline Cut_hierarchy run(Surface input, const Run_data& d)
   });
   Merge_tree tree;
   if (m.parts.empty()) {
-    tree = cut_mesh(l, groups, d);
+    tree = cut_mesh(l, d);
     m.mesh = std::move(l.levels.front());
   }
   else

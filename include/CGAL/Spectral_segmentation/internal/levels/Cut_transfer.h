@@ -532,10 +532,6 @@ public:
       }
     return result;
   }
-
-  // Returns the leaf of the result that a leaf of the other surface became, or one that took its
-  // faces.
-  Index leaf_of(Index other) const { return leaf_of_part_[part_[sets_.position[other]]]; }
 };
 
 } // namespace CGAL::Spectral_segmentation::internal

@@ -281,12 +281,6 @@ inline void order_by_points(Level& coarse)
       v = number[v];
 }
 
-// Returns the surface itself as the next level.
-inline Level copy_of(const Surface& mesh)
-{
-  return {mesh, first_indices(mesh.number_of_faces()), first_indices(mesh.points.size()), true};
-}
-
 // Returns the successive surfaces down to at most `number_of_faces` faces: vertex clustering makes
 // the first, edge collapses the second. If the mesh has no more faces, the only surface has all.
 // Cuts are projected through both, so that the bands around cuts in the given surface are narrow.
@@ -308,7 +302,8 @@ inline std::vector<Level> coarsened(Execution execution, const Surface& mesh,
     result.push_back(collapse.result());
   }
   else
-    result.push_back(copy_of(mesh));
+    result.push_back({mesh, first_indices(mesh.number_of_faces()),
+                      first_indices(mesh.points.size()), true});
   order_by_points(result.back()); // before points become equal
   for (Vector& p : result.back().surface.points)
     p = rounded(p, width / 12);

@@ -134,8 +134,8 @@ inline void set_features(Levels& l, const Run_data& d)
 // of many faces is not checked: its coarse surface is searched as fast as any other.
 inline bool is_one_part(const Surface& mesh, const Run_data& d)
 {
-  return d.method.number_of_regions > 0 && !d.options.number_of_segments && d.constraints.empty() &&
-         !has_features(d) && mesh.components.number == 1 &&
+  return d.method.number_of_regions > 0 && !d.options.number_of_segments && !has_features(d) &&
+         mesh.components.number == 1 &&
          mesh.number_of_faces() <= d.options.number_of_coarse_faces && is_convex(mesh);
 }
 
@@ -150,11 +150,7 @@ inline void add_levels(std::vector<Level>& levels, const Run_data& d)
   d.monitor.check();
   std::vector<Vector> points = smoothed_points(mesh, o.number_of_smoothing_iterations,
                                                [&] { d.monitor.check(); return true; });
-  if (is_searched_itself(d, n)) {
-    if (!d.constraints.empty()) // which are enforced when the cuts are carried back
-      levels.push_back(copy_of(mesh));
-  }
-  else {
+  if (!is_searched_itself(d, n)) {
     mesh.points = std::move(points);
     const double resolution = search_resolution(o, n);
     if (d.method.bisection && total_area(mesh) > 0)
@@ -190,21 +186,8 @@ inline Levels make_levels(Level mesh, const Run_data& d)
   return result;
 }
 
-// Constrained faces that a cut must not divide: the group of each face of the mesh, or null_index,
-// and the leaf of each group, or null_index.
-struct Fixed_groups
-{
-  const std::vector<Index>& group;
-  std::vector<Index> leaf;
-
-  Index leaf_of(Index f) const
-  { return leaf.empty() || group[f] == null_index ? null_index : leaf[group[f]]; }
-};
-
-// Carries the cuts of the last level back to the level before it, which becomes the last. On the
-// mesh, fixed groups belong to their leaves.
-inline Merge_tree carry_back(const Merge_tree& tree, Levels& l, Fixed_groups& fixed,
-                             const Run_data& d)
+// Carries the cuts of the last level back to the level before it, which becomes the last.
+inline Merge_tree carry_back(const Merge_tree& tree, Levels& l, const Run_data& d)
 {
   const std::size_t to = l.levels.size() - 2;
   const Level& from = l.levels.back();
@@ -218,9 +201,7 @@ inline Merge_tree carry_back(const Merge_tree& tree, Levels& l, Fixed_groups& fi
       for (const auto& [leaf, fraction] : fractions[element])
         add(leaf, fraction);
     };
-    if (const Index leaf = to > 0 ? null_index : fixed.leaf_of(f); leaf != null_index)
-      add(leaf, 1);
-    else if (is_subdivision)
+    if (is_subdivision)
       add_element(f);
     else
       for (Index v : mesh.corners[f])
@@ -233,8 +214,6 @@ inline Merge_tree carry_back(const Merge_tree& tree, Levels& l, Fixed_groups& fi
   Cut_transfer transfer(d.execution, tree, mesh, for_each_fraction,
                         distance_weights(d.options, d.method), add_steps, d.monitor);
   Merge_tree result = transfer();
-  for (Index& leaf : fixed.leaf)
-    leaf = leaf == null_index ? leaf : transfer.leaf_of(leaf);
   l.levels.pop_back();
   return result;
 }

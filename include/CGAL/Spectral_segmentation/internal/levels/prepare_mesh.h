@@ -52,15 +52,6 @@ struct Model
       result[walls.parent_face[f]] = n + f;
     return first_face.empty() ? result : composed(first_face, result);
   }
-
-  // Returns the face of a part for each of the caller's faces, or null_index.
-  std::vector<Index> faces_in(const Level& part) const
-  {
-    std::vector<Index> result(first_face.size(), null_index);
-    for (Index f = 0; f < part.parent_face.size(); ++f)
-      result[part.parent_face[f]] = f;
-    return composed(first_face, result);
-  }
 };
 
 // Returns some faces of a level, which ascend, with other points.

@@ -12,7 +12,6 @@
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
-#include <iterator>
 #include <map>
 #include <set>
 #include <stdexcept>
@@ -93,24 +92,6 @@ struct Constraint_groups
   Index set(Index f) const
   { return group[f] == null_index ? null_index : sets.representative(group[f]); }
 };
-
-// Returns the constraints between faces of one part of a mesh. `face_of_part` holds the face of the
-// part for each of the caller's faces, or null_index.
-inline Constraints constraints_within(const Constraints& all,
-                                      const std::vector<Index>& face_of_part)
-{
-  Constraints result;
-  const auto is_in_part = [&](Index f) { return face_of_part[f] != null_index; };
-  const auto add_pairs = [&](const std::vector<Face_pair>& pairs, std::vector<Face_pair>& into) {
-    std::copy_if(pairs.begin(), pairs.end(), std::back_inserter(into), [&](const Face_pair& pair)
-      { return is_in_part(pair[0]) && is_in_part(pair[1]); });
-  };
-  add_pairs(all.cannot_link, result.cannot_link);
-  add_pairs(all.must_link, result.must_link);
-  std::copy_if(all.seeds.begin(), all.seeds.end(), std::back_inserter(result.seeds),
-               [&](const auto& constraint) { return is_in_part(constraint.first); });
-  return result;
-}
 
 [[noreturn]] inline void fail_constraint(const std::string& what)
 { throw std::invalid_argument("segment_spectral_recursive: " + what); }

@@ -18,70 +18,19 @@
 
 namespace CGAL::Spectral_segmentation::internal {
 
-// Cuts leaves of a tree further. The new cuts are no more salient than any other cut.
-class Leaf_cutter
-{
-  const Surface& mesh_;
-  Merge_tree& tree_;
-  std::vector<std::vector<Index> > faces_; // one list per leaf, ascending
-  double salience_ = 0;
-  std::vector<Merge> cuts_; // in their order
-
-public:
-  Leaf_cutter(const Surface& mesh, Merge_tree& tree)
-    : mesh_(mesh), tree_(tree), faces_(tree.leaves.size())
-  {
-    for (Index f = 0; f < tree.leaf.size(); ++f)
-      faces_[tree.leaf[f]].push_back(f);
-    for (const Merge& m : tree.merges)
-      salience_ = (std::min)(salience_, m.salience);
-  }
-
-  const std::vector<Index>& faces(Index leaf) const { return faces_[leaf]; }
-
-  // Cuts a leaf, whose faces have these sides. The larger side keeps the leaf. Returns the leaf of
-  // the smaller side.
-  Index cut(Index leaf, Sides side)
-  {
-    double area[2] = {0, 0};
-    const std::vector<Index> faces = std::move(faces_[leaf]);
-    for (std::size_t i = 0; i < faces.size(); ++i)
-      area[0] += side[i] == 0 ? mesh_.areas[faces[i]] : 0;
-    area[1] = (std::max)(tree_.leaves[leaf].area - area[0], 0.);
-    normalize_sides(side, area);
-    const Index leaves[2] = {static_cast<Index>(tree_.leaves.size()), leaf};
-    tree_.leaves.emplace_back();
-    faces_.emplace_back();
-    cuts_.push_back({{leaves[0], leaves[1]}, salience_, {}});
-    for (int i = 0; i < 2; ++i) {
-      tree_.leaves[leaves[i]] = {area[i]};
-      faces_[leaves[i]].clear();
-    }
-    for (std::size_t i = 0; i < faces.size(); ++i) {
-      faces_[leaves[int(side[i])]].push_back(faces[i]);
-      tree_.leaf[faces[i]] = leaves[int(side[i])];
-    }
-    return leaves[0];
-  }
-
-  // Adds the cuts to the tree, once all are made.
-  void finish()
-  {
-    tree_.merges.insert(tree_.merges.begin(), cuts_.rbegin(), cuts_.rend());
-    number_leaves(tree_);
-  }
-};
-
 // Cuts leaves of a tree further, if the search found fewer cuts than were asked for. It cuts
 // the largest leaf in two, between its components if it has several, otherwise in halves of about
-// the same area. Groups of faces, each connected and in one leaf, are not cut.
+// the same area. The new cuts are no more salient than any other cut. Groups of faces, each
+// connected and in one leaf, are not cut.
 class Further_cuts
 {
   typedef std::pair<double, Index> Key; // the area of a leaf, and the leaf
 
   const Surface& mesh_;
   Merge_tree& tree_;
-  Leaf_cutter cutter_;
+  std::vector<std::vector<Index> > faces_; // one list per leaf, ascending
+  double salience_ = 0;                    // of the new cuts
+  std::vector<Merge> cuts_;                // in their order
   std::vector<char> is_in_leaf_; // one per face: in the current leaf, but not reached yet
   std::priority_queue<Key> queue_;
   std::vector<Index> next_in_group_; // one per face, a circular list; empty if there are no groups
@@ -98,8 +47,8 @@ class Further_cuts
   void enqueue(Index leaf)
   {
     std::size_t size_of_group = 0;
-    for_each_in_group(cutter_.faces(leaf).front(), [&](Index) { ++size_of_group; });
-    if (cutter_.faces(leaf).size() > size_of_group)
+    for_each_in_group(faces_[leaf].front(), [&](Index) { ++size_of_group; });
+    if (faces_[leaf].size() > size_of_group)
       queue_.push({quantized(tree_.leaves[leaf].area), leaf});
   }
 
@@ -149,7 +98,7 @@ class Further_cuts
   // connected, both sides are connected.
   std::vector<Index> side(Index leaf)
   {
-    const std::vector<Index>& faces = cutter_.faces(leaf);
+    const std::vector<Index>& faces = faces_[leaf];
     const double all = tree_.leaves[leaf].area * 2 + 1; // more than there is
     set_in_leaf(faces, true);
     const std::vector<Index> component = reached_from(faces.front(), all);
@@ -179,24 +128,43 @@ class Further_cuts
     return result;
   }
 
+  // Cuts a leaf. The larger side keeps the leaf.
   void cut(Index leaf)
   {
-    const std::vector<Index> q = side(leaf);
+    const std::vector<Index> q = side(leaf), faces = std::exchange(faces_[leaf], {});
     set_in_leaf(q, true);
     Sides sides;
-    for (Index f : cutter_.faces(leaf))
+    double area[2] = {0, 0};
+    for (Index f : faces) {
       sides.push_back(is_in_leaf_[f] == 0);
+      area[0] += is_in_leaf_[f] ? mesh_.areas[f] : 0;
+    }
     set_in_leaf(q, false);
-    enqueue(cutter_.cut(leaf, std::move(sides)));
+    area[1] = (std::max)(tree_.leaves[leaf].area - area[0], 0.);
+    normalize_sides(sides, area);
+    const Index leaves[2] = {static_cast<Index>(tree_.leaves.size()), leaf};
+    tree_.leaves.push_back({area[0]});
+    tree_.leaves[leaf] = {area[1]};
+    faces_.emplace_back();
+    cuts_.push_back({{leaves[0], leaves[1]}, salience_, {}});
+    for (std::size_t i = 0; i < faces.size(); ++i) {
+      tree_.leaf[faces[i]] = leaves[int(sides[i])];
+      faces_[tree_.leaf[faces[i]]].push_back(faces[i]);
+    }
+    enqueue(leaves[0]);
     enqueue(leaf);
   }
 
 public:
   // Takes the group of each face, or null_index; `group` is empty if there are no groups.
   Further_cuts(const Surface& mesh, Merge_tree& tree, const std::vector<Index>& group = {})
-    : mesh_(mesh), tree_(tree), cutter_(mesh, tree), is_in_leaf_(mesh.number_of_faces(), 0),
-      next_in_group_(first_indices(group.size()))
+    : mesh_(mesh), tree_(tree), faces_(tree.leaves.size()),
+      is_in_leaf_(mesh.number_of_faces(), 0), next_in_group_(first_indices(group.size()))
   {
+    for (Index f = 0; f < tree.leaf.size(); ++f)
+      faces_[tree.leaf[f]].push_back(f);
+    for (const Merge& m : tree.merges)
+      salience_ = (std::min)(salience_, m.salience);
     std::vector<Index> last(group.size(), null_index); // face of each group
     for (Index f = 0; f < group.size(); ++f)
       if (group[f] != null_index) {
@@ -218,7 +186,8 @@ public:
       queue_.pop();
       cut(leaf);
     }
-    cutter_.finish();
+    tree_.merges.insert(tree_.merges.begin(), cuts_.rbegin(), cuts_.rend());
+    number_leaves(tree_);
   }
 };
 
