@@ -13,6 +13,7 @@
 #include <boost/property_map/function_property_map.hpp>
 
 #include <limits>
+#include <map>
 #include <stdexcept>
 #include <string>
 
@@ -20,6 +21,7 @@ BOOST_AUTO_TEST_SUITE(options)
 
 using namespace test_meshes;
 namespace parameters = CGAL::Spectral_segmentation::parameters;
+using CGAL::Spectral_segmentation::Option_description;
 using CGAL::Spectral_segmentation::Options;
 using CGAL::Spectral_segmentation::Salience_factors;
 using CGAL::Spectral_segmentation::Segmentation_hierarchy;
@@ -137,6 +139,32 @@ BOOST_AUTO_TEST_CASE(values_out_of_range_are_refused_by_name)
                 [](Options& o) { o.number_of_reference_faces = 1001; });
   check_refused("number_of_smoothing_iterations",
                 [](Options& o) { o.number_of_smoothing_iterations = 100001; });
+}
+
+BOOST_AUTO_TEST_CASE(each_option_tells_its_name_kind_and_range)
+{
+  Options o;
+  std::map<std::string, std::string> kinds;
+  for_each_option(o, [&](const Option_description& option, auto& value) {
+    kinds[option.name] = option.kind;
+    BOOST_TEST_CONTEXT(option.name) {
+      if (option.name == std::string("minimum_segment_size")) {
+        BOOST_TEST((option.least == 0 && option.greatest == 0.5));
+        BOOST_CHECK_THROW(option.set(value, 0.6), std::invalid_argument);
+        option.set(value, 0.25);
+      }
+      else if (option.name == std::string("number_of_segments")) {
+        BOOST_CHECK_THROW(option.set(value, -1), std::invalid_argument);
+        option.set(value, 7);
+      }
+    }
+  });
+  BOOST_TEST(o.minimum_segment_size == 0.25);
+  BOOST_TEST((o.number_of_segments == 7u));
+  BOOST_TEST(kinds.size() == 10u);
+  BOOST_TEST(kinds["number_of_reference_faces"] == "integer");
+  BOOST_TEST(kinds["feature_weight"] == "number");
+  BOOST_TEST(kinds["smooth_boundaries"] == "boolean");
 }
 
 BOOST_AUTO_TEST_CASE(the_method_of_the_paper_has_no_constraints)

@@ -174,8 +174,7 @@ spectral_embedding(const TriangleMesh& mesh, FaceCoordinateMap coordinates,
     choose_parameter(get_parameter(pack, tags::options),
                      Spectral_segmentation::Options::zhang_liu_2005());
   internal::read_distance_weights(pack, o);
-  internal::read_count(pack, tags::number_of_reference_faces, "number_of_reference_faces", 1,
-                       o.number_of_reference_faces);
+  internal::read_values(pack, o);
   check(o);
 
   const std::vector<Face> faces = internal::numbered_faces(mesh, pack, "spectral_embedding");

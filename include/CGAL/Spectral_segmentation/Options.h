@@ -11,9 +11,13 @@
 #include <cstdint>
 #include <functional>
 #include <limits>
+#include <locale>
 #include <optional>
+#include <sstream>
 #include <stdexcept>
 #include <string>
+#include <string_view>
+#include <type_traits>
 
 namespace CGAL {
 namespace Spectral_segmentation {
@@ -89,6 +93,79 @@ struct Options
   }
 };
 
+// The options that are a number or a truth value, whose named parameters have their names, as
+// f(g, name, predicate of the type of the parameter, expected value, least, greatest).
+#define CGAL_SPECTRAL_SEGMENTATION_OPTIONS(f, g)                                                 \
+  f(g, number_of_segments, is_count, "takes an integer", 1, INFINITY)                            \
+  f(g, maximum_number_of_segments, is_count, "takes an integer", 1, INFINITY)                    \
+  f(g, salience_threshold, is_real, "takes a number", -INFINITY, INFINITY)                       \
+  f(g, keep_components_separate, is_flag, "takes a bool", 0, 1)                                  \
+  f(g, minimum_segment_size, is_real, "takes a number", 0, 0.5)                                  \
+  f(g, feature_weight, is_real, "takes a number", 0, 1)                                          \
+  f(g, number_of_coarse_faces, is_count, "takes an integer", 0, INFINITY)                        \
+  f(g, number_of_smoothing_iterations, is_count, "takes an integer", 0, 100000)                  \
+  f(g, smooth_boundaries, is_flag, "takes a bool", 0, 1)                                         \
+  f(g, number_of_reference_faces, is_count, "takes an integer", 1, 1000)
+
+/// \ingroup PkgSpectralSegmentationRef
+/// What `for_each_option()` tells of an option.
+struct Option_description
+{
+  const char* name;      ///< of the field
+  std::string_view kind; ///< "integer", "number" or "boolean"
+  double least;          ///< can be `-INFINITY`
+  double greatest;       ///< can be `INFINITY`
+
+  /// describes a field.
+  template <class Field>
+  static constexpr Option_description of(const Field&, const char* name, double least,
+                                         double greatest)
+  {
+    return {name, std::is_same<Field, bool>::value ? "boolean"
+                  : std::is_same<Field, double>::value ? "number" : "integer", least, greatest};
+  }
+
+  /// throws `std::invalid_argument` if a value is out of the range. The message names the option
+  /// and its range.
+  void check(double value) const
+  {
+    if (value >= least && value <= greatest) // false for NaN
+      return;
+    std::ostringstream out;
+    out.imbue(std::locale::classic());
+    out << "segment_spectral_recursive: " << name << " must be ";
+    if (kind == "integer")
+      out << (value < least ? "at least " : "at most ") << (value < least ? least : greatest);
+    else if (std::isinf(least))
+      out << "a number";
+    else
+      out << "in [" << least << ", " << greatest << "]";
+    throw std::invalid_argument(out.str());
+  }
+
+  /// sets the field to a value of any type of number, after `check()`.
+  template <class Field, class Value>
+  void set(Field& field, Value value) const
+  {
+    check(static_cast<double>(value));
+    field = static_cast<Field>(value);
+  }
+};
+
+/// \ingroup PkgSpectralSegmentationRef
+/// calls `visit(description, o.field)` for each field that is a number or a truth value, so that a
+/// program can read or write all options without a list of their names. `random_seed` and the
+/// weights of distances are left out.
+/// \tparam Options_ `Options` or `const Options`
+template <class Options_, class Visit>
+void for_each_option(Options_& o, const Visit& visit)
+{
+#define CGAL_SPECTRAL_SEGMENTATION_VISIT(visit, name, predicate, what, least, greatest) \
+  visit(Option_description::of(o.name, #name, least, greatest), o.name);
+  CGAL_SPECTRAL_SEGMENTATION_OPTIONS(CGAL_SPECTRAL_SEGMENTATION_VISIT, visit)
+#undef CGAL_SPECTRAL_SEGMENTATION_VISIT
+}
+
 /// \ingroup PkgSpectralSegmentationRef
 /// throws `std::invalid_argument` if a value is out of its range. The message names the option and
 /// its range. `segment_spectral_recursive()` calls this function.
@@ -100,14 +177,14 @@ inline void check(const Options& o)
                                   " must be " + range);
   };
   const auto is_weight = [](double w) { return w >= 0 && std::isfinite(w); };
-  require(!o.number_of_segments || *o.number_of_segments >= 1, "number_of_segments", "at least 1");
-  require(o.maximum_number_of_segments >= 1, "maximum_number_of_segments", "at least 1");
-  require(!std::isnan(o.salience_threshold), "salience_threshold", "a number");
+  for_each_option(o, [](const Option_description& option, const auto& value) {
+    if constexpr (std::is_arithmetic<std::decay_t<decltype(value)> >::value)
+      option.check(static_cast<double>(value));
+    else if (value)
+      option.check(static_cast<double>(*value));
+  });
   require(o.keep_components_separate || o.method == Method::CALIBRATED, "keep_components_separate",
           "true with zhang_liu_2005()");
-  require(o.minimum_segment_size >= 0 && o.minimum_segment_size <= 0.5, "minimum_segment_size",
-          "in [0, 0.5]");
-  require(o.feature_weight >= 0 && o.feature_weight <= 1, "feature_weight", "in [0, 1]");
   require(static_cast<bool>(o.part_salience), "part_salience", "a function");
   if (const auto* w = o.part_salience.target<Weighted_part_salience>())
     require(w->alpha >= 0 && w->beta >= 0 && w->gamma >= 0 &&
@@ -117,10 +194,6 @@ inline void check(const Options& o)
           "in [0, 1]");
   require(is_weight(o.concave_angle_weight) && is_weight(o.convex_angle_weight),
           "the second and third of distance_weights", "finite and not negative");
-  require(o.number_of_reference_faces >= 1, "number_of_reference_faces", "at least 1");
-  require(o.number_of_reference_faces <= 1000, "number_of_reference_faces", "at most 1000");
-  require(o.number_of_smoothing_iterations <= 100000, "number_of_smoothing_iterations",
-          "at most 100000");
 }
 
 /// \cond SKIP_IN_MANUAL

@@ -37,28 +37,21 @@ class Segmentation_hierarchy;
     "takes a class derived from Segmentation_visitor that redefines one of its functions, or "  \
     "std::ref to one; is a name misspelt?")
 
+#define CGAL_SPECTRAL_SEGMENTATION_PARAMETER_OF_OPTION(f, name, predicate, what, least, greatest) \
+  f(name, name##_t, predicate, what)
+
 // clang-format off
 #define CGAL_SPECTRAL_SEGMENTATION_PARAMETERS(f)                                                 \
-  f(number_of_segments, number_of_segments_t, is_count, "takes an integer")                      \
-  f(maximum_number_of_segments, maximum_number_of_segments_t, is_count, "takes an integer")      \
-  f(minimum_segment_size, minimum_segment_size_t, is_real, "takes a number")                     \
-  f(salience_threshold, salience_threshold_t, is_real, "takes a number")                         \
+  CGAL_SPECTRAL_SEGMENTATION_OPTIONS(CGAL_SPECTRAL_SEGMENTATION_PARAMETER_OF_OPTION, f)          \
   f(part_salience, part_salience_t, is_part_salience,                                            \
     "takes a class that is called with Salience_factors, while const, and returns a number")     \
-  f(number_of_reference_faces, number_of_reference_faces_t, is_count, "takes an integer")        \
-  f(number_of_coarse_faces, number_of_coarse_faces_t, is_count, "takes an integer")              \
-  f(number_of_smoothing_iterations, number_of_smoothing_iterations_t, is_count,                  \
-    "takes an integer")                                                                          \
-  f(smooth_boundaries, smooth_boundaries_t, is_flag, "takes a bool")                             \
-  f(keep_components_separate, keep_components_separate_t, is_flag, "takes a bool")               \
   f(edge_is_uncuttable_map, edge_is_uncuttable_map_t, is_property_map, "takes a property map")   \
   f(face_seed_map, face_seed_map_t, is_seed_map,                                                 \
     "takes a property map with values of a signed integer type")                                 \
   f(face_group_map, face_group_map_t, is_group_map,                                              \
     "takes a property map with values of an integer type")                                       \
   f(face_feature_map, face_feature_map_t, is_feature_map,                                        \
-    "takes a property map whose values are numbers or ranges of numbers")                        \
-  f(feature_weight, feature_weight_t, is_real, "takes a number")
+    "takes a property map whose values are numbers or ranges of numbers")
 // clang-format on
 
 // The parameters of the functions that take a segmentation: first CGAL's, then the package's.
@@ -409,6 +402,7 @@ auto faces_of_parts(std::vector<std::vector<FaceDescriptor> >& faces)
 
 #undef CGAL_SPECTRAL_SEGMENTATION_PARAMETERS_OF_CGAL
 #undef CGAL_SPECTRAL_SEGMENTATION_PARAMETERS
+#undef CGAL_SPECTRAL_SEGMENTATION_PARAMETER_OF_OPTION
 #undef CGAL_SPECTRAL_SEGMENTATION_PARAMETERS_OF_CGAL_FOR_RESULTS
 #undef CGAL_SPECTRAL_SEGMENTATION_PARAMETERS_OF_RESULTS
 

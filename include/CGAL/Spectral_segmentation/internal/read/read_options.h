@@ -9,38 +9,21 @@
 
 #include <CGAL/Named_function_parameters.h>
 
-#include <cstddef>
 #include <cstdint>
-#include <stdexcept>
-#include <string>
 #include <type_traits>
 
 namespace CGAL::Spectral_segmentation::internal {
 
-// Returns a number of the caller as an unsigned number. Throws `std::invalid_argument` if it is
-// negative; `check()` rejects other numbers below `least`.
-template <class Integer>
-std::size_t to_count(Integer number, const char* name, int least)
+// Sets the options that are a number or a truth value to those that the caller gave.
+template <class NamedParameters>
+void read_values(const NamedParameters& np, Options& o)
 {
-  if (number < 0)
-    throw std::invalid_argument(std::string("segment_spectral_recursive: ") + name +
-                                " must be at least " + std::to_string(least));
-  return static_cast<std::size_t>(number);
-}
-
-// Sets `value` if the caller gave the parameter.
-template <class Tag, class NamedParameters, class Value>
-void read_parameter(const NamedParameters& np, Tag tag, Value& value)
-{
-  if constexpr (is_given<NamedParameters, Tag>)
-    value = static_cast<Value>(CGAL::parameters::get_parameter(np, tag));
-}
-
-template <class Tag, class NamedParameters, class Value>
-void read_count(const NamedParameters& np, Tag tag, const char* name, int least, Value& value)
-{
-  if constexpr (is_given<NamedParameters, Tag>)
-    value = to_count(CGAL::parameters::get_parameter(np, tag), name, least);
+#define CGAL_SPECTRAL_SEGMENTATION_READ(np, name, predicate, what, least, greatest)  \
+  if constexpr (is_given<NamedParameters, internal_np::name##_t>)                    \
+    Option_description::of(o.name, #name, least, greatest)                           \
+      .set(o.name, CGAL::parameters::get_parameter(np, internal_np::name));
+  CGAL_SPECTRAL_SEGMENTATION_OPTIONS(CGAL_SPECTRAL_SEGMENTATION_READ, np)
+#undef CGAL_SPECTRAL_SEGMENTATION_READ
 }
 
 // Sets the salience and its default threshold if the caller gave a salience.
@@ -104,20 +87,7 @@ Options read_options(const NamedParameters& np)
   Options o = preset_options(np);
   read_part_salience(np, o);
   read_distance_weights(np, o);
-  read_count(np, tags::number_of_segments, "number_of_segments", 1, o.number_of_segments);
-  read_count(np, tags::maximum_number_of_segments, "maximum_number_of_segments", 1,
-             o.maximum_number_of_segments);
-  read_parameter(np, tags::salience_threshold, o.salience_threshold);
-  read_parameter(np, tags::feature_weight, o.feature_weight);
-  read_parameter(np, tags::keep_components_separate, o.keep_components_separate);
-  read_parameter(np, tags::minimum_segment_size, o.minimum_segment_size);
-  read_count(np, tags::number_of_reference_faces, "number_of_reference_faces", 1,
-             o.number_of_reference_faces);
-  read_count(np, tags::number_of_coarse_faces, "number_of_coarse_faces", 0,
-             o.number_of_coarse_faces);
-  read_count(np, tags::number_of_smoothing_iterations, "number_of_smoothing_iterations", 0,
-             o.number_of_smoothing_iterations);
-  read_parameter(np, tags::smooth_boundaries, o.smooth_boundaries);
+  read_values(np, o);
   if constexpr (is_given<NamedParameters, tags::random_seed_t>) {
     const auto seed = CGAL::parameters::get_parameter(np, CGAL::internal_np::random_seed);
     static_assert(tags::is_count<std::decay_t<decltype(seed)> >::value,
