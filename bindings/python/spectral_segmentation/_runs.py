@@ -30,6 +30,12 @@ def _threads(value):
     return min(number, 1024)
 
 
+_READ_KIND = {"integer": integer, "number": real, "boolean": flag}
+# The functions that read the parameters of the core
+_READ = {**{name: _READ_KIND[kind] for name, kind in _core.option_kinds().items()},
+         "salience_weights": three_numbers, "distance_weights": three_numbers,
+         "random_seed": _random_seed}
+
 _PARAMETERS = """Parameters
     ----------
     points : array_like of real numbers, shape (n, 3), or mesh
@@ -144,6 +150,7 @@ def segment_hierarchy(points, triangles=None, *, method="calibrated", number_of_
     >>> hierarchy = segment_hierarchy(points, triangles)
     >>> hierarchy.labels(5)
     """
+    arguments = dict(locals())
     surface = surface_of(points, triangles)
     points, triangles = surface.points, surface.triangles
     if not isinstance(method, str) or method not in _METHODS:
@@ -155,29 +162,13 @@ def segment_hierarchy(points, triangles=None, *, method="calibrated", number_of_
     function("part_salience", part_salience)
     if part_salience is not None and salience_weights is not None:
         raise ValueError("part_salience does not go with salience_weights")
-    for name, value in (("constrained_edges", constrained_edges),
-                        ("uncuttable_edges", uncuttable_edges),
-                        ("face_seeds", face_seeds), ("features", features)):
-        if value is not None and _METHODS[method]:
+    for name in ("constrained_edges", "uncuttable_edges", "face_seeds", "features"):
+        if arguments[name] is not None and _METHODS[method]:
             raise ValueError("%s does not go with the method 'paper'" % name)
     given = {"uses_paper_method": _METHODS[method]}
-    for read, parameters in (
-            (integer, {"number_of_segments": number_of_segments,
-                        "maximum_number_of_segments": maximum_number_of_segments,
-                        "number_of_coarse_faces": number_of_coarse_faces,
-                        "number_of_reference_faces": number_of_reference_faces,
-                        "number_of_smoothing_iterations": number_of_smoothing_iterations}),
-            (real, {"salience_threshold": salience_threshold,
-                     "minimum_segment_size": minimum_segment_size,
-                     "feature_weight": feature_weight}),
-            (flag, {"keep_components_separate": keep_components_separate,
-                     "smooth_boundaries": smooth_boundaries}),
-            (three_numbers, {"salience_weights": salience_weights,
-                              "distance_weights": distance_weights}),
-            (_random_seed, {"random_seed": random_seed})):
-        for name, value in parameters.items():
-            if value is not None:
-                given[name] = read(name, value)
+    for name, read in _READ.items():
+        if arguments[name] is not None:
+            given[name] = read(name, arguments[name])
     constraints = [
         *edges_arrays(constrained_edges, uncuttable_edges, triangles, len(points)),
         *(None if value is None

@@ -15,10 +15,7 @@
 
 #include <array>
 #include <cmath>
-#include <cstddef>
 #include <exception>
-#include <stdexcept>
-#include <string>
 #include <type_traits>
 
 namespace python {
@@ -54,6 +51,16 @@ public:
   }
 };
 
+// Returns the kind of each option that is a number or a truth value, by its name.
+inline py::dict option_kinds()
+{
+  py::dict result;
+  const segmentation::Options defaults;
+  for_each_option(defaults, [&](const segmentation::Option_description& option, const auto&)
+    { result[option.name] = option.kind; });
+  return result;
+}
+
 // Returns the options that the module's own Python gave, which has checked their types. `salience`
 // is a callable or None. Throws `std::invalid_argument` if a value is out of its range.
 inline segmentation::Options read_parameters(const py::dict& given, const py::object& salience,
@@ -63,15 +70,6 @@ inline segmentation::Options read_parameters(const py::dict& given, const py::ob
   const auto read = [&](const char* name, auto& value) {
     if (given.contains(name))
       value = given[name].cast<std::decay_t<decltype(value)> >();
-  };
-  const auto read_count = [&](const char* name, int least, auto& value) {
-    if (!given.contains(name))
-      return;
-    const long long count = given[name].cast<long long>();
-    if (count < least)
-      throw std::invalid_argument(std::string(name) + " must be at least " +
-                                  std::to_string(least));
-    value = static_cast<std::size_t>(count);
   };
 
   bool uses_paper_method = false;
@@ -92,16 +90,10 @@ inline segmentation::Options read_parameters(const py::dict& given, const py::ob
   o.geodesic_weight = distance_weights[0];
   o.concave_angle_weight = distance_weights[1];
   o.convex_angle_weight = distance_weights[2];
-  read_count("number_of_segments", 1, o.number_of_segments);
-  read_count("maximum_number_of_segments", 1, o.maximum_number_of_segments);
-  read("salience_threshold", o.salience_threshold);
-  read("keep_components_separate", o.keep_components_separate);
-  read("minimum_segment_size", o.minimum_segment_size);
-  read("feature_weight", o.feature_weight);
-  read("smooth_boundaries", o.smooth_boundaries);
-  read_count("number_of_reference_faces", 1, o.number_of_reference_faces);
-  read_count("number_of_coarse_faces", 0, o.number_of_coarse_faces);
-  read_count("number_of_smoothing_iterations", 0, o.number_of_smoothing_iterations);
+  for_each_option(o, [&](const segmentation::Option_description& option, auto& field) {
+    if (given.contains(option.name))
+      option.set(field, given[option.name].cast<double>());
+  });
   read("random_seed", o.random_seed);
   check(o);
   return o;

@@ -231,6 +231,7 @@ PYBIND11_MODULE(_core, m)
   define_hierarchy(m);
   define_mesh_files(m);
   define_page(m);
+  m.def("option_kinds", option_kinds);
   m.def("segment", segment);
   py::module_::import("atexit").attr("register")(py::cpp_function(Python_run::end_all));
 }
