@@ -32,29 +32,29 @@ const choiceKinds = {
   numberOfSegments: "integer", maximumNumberOfSegments: "integer", salienceThreshold: "number"
 };
 
+// The module adds the options that are a number or a boolean.
 const optionKinds = {
-  ...choiceKinds,
-  method: "method", minimumSegmentSize: "number", salienceWeights: "weights",
-  distanceWeights: "weights", numberOfCoarseFaces: "integer", numberOfReferenceFaces: "integer",
-  numberOfSmoothingIterations: "integer", randomSeed: "seed", keepComponentsSeparate: "boolean",
-  smoothBoundaries: "boolean", faceGroups: "integers", faceSeeds: "integers",
-  features: "numbers", featureWeight: "number",
+  method: "method", salienceWeights: "weights", distanceWeights: "weights", randomSeed: "seed",
+  faceGroups: "integers", faceSeeds: "integers", features: "numbers",
   constrainedEdges: "integers", uncuttableEdges: "integers", progress: "function"
 };
 
-// The names of options in messages of the library.
+// The names of other options in messages of the library.
 const optionOfName = {
   edge_is_constrained_map: "constrainedEdges", edge_is_uncuttable_map: "uncuttableEdges",
   face_seed_map: "faceSeeds", face_group_map: "faceGroups",
   face_feature_map: "features",
   "zhang_liu_2005()": "the method 'paper'"
 };
-for (const name of Object.keys(optionKinds))
-  optionOfName[name.replace(/[A-Z]/g, letter => `_${letter.toLowerCase()}`)] = name;
+
+function translatedName(name) {
+  const option = name.replace(/_[a-z]/g, letter => letter[1].toUpperCase());
+  return optionOfName[name] ?? (Object.hasOwn(optionKinds, option) ? option : name);
+}
 
 const translated = message => message
   .replace(/^(segment_spectral_recursive|Segmentation_hierarchy): /, "")
-  .replace(/[a-z]+(_[a-z0-9]+)+(\(\))?/g, name => optionOfName[name] ?? name);
+  .replace(/[a-z]+(_[a-z0-9]+)+(\(\))?/g, translatedName);
 
 const extensionOf = name => (/\.[^./\\]*$/.exec(name)?.[0] ?? "").toLowerCase();
 
@@ -267,5 +267,7 @@ class Module {
 
 // Starts an instance of the module; `settings` tell emscripten where module.wasm is.
 export async function start(settings) {
-  return new Module(await createModule(settings));
+  const module = await createModule(settings);
+  Object.assign(optionKinds, module.optionKinds());
+  return new Module(module);
 }

@@ -28,6 +28,7 @@
 #include <emscripten/val.h>
 
 #include <algorithm>
+#include <cctype>
 #include <cstddef>
 #include <cstdint>
 #include <exception>
@@ -37,6 +38,7 @@
 #include <sstream>
 #include <stdexcept>
 #include <string>
+#include <type_traits>
 #include <utility>
 #include <vector>
 
@@ -234,25 +236,32 @@ mesh_file::Face_vectors read_features(const Input& input, const val& given)
   return mesh_file::face_vectors(dimension, std::move(numbers));
 }
 
+// Returns the name of an option in JavaScript.
+std::string camel_case(const std::string& name)
+{
+  std::string result;
+  for (std::size_t i = 0; i < name.size(); ++i)
+    result += name[i] == '_' ? static_cast<char>(std::toupper(name[++i])) : name[i];
+  return result;
+}
+
+// Returns the kind of each option that is a number or a truth value.
+val option_kinds()
+{
+  val result = val::object();
+  const segmentation::Options defaults;
+  for_each_option(defaults, [&](const segmentation::Option_description& option, const auto&)
+    { result.set(camel_case(option.name), std::string(option.kind)); });
+  return result;
+}
+
 segmentation::Options read_options(const val& given)
 {
   const bool uses_paper_method =
     !given["method"].isUndefined() && given["method"].as<std::string>() == "paper";
   segmentation::Options o =
     uses_paper_method ? segmentation::Options::zhang_liu_2005() : segmentation::Options();
-  const auto read = [&](const char* name, auto& value) {
-    if (!given[name].isUndefined())
-      value = given[name].as<std::decay_t<decltype(value)> >();
-  };
   const auto weight = [&](const char* name, int i) { return given[name][i].as<double>(); };
-  const auto read_count = [&](const char* name, int least, auto& value) {
-    if (given[name].isUndefined())
-      return;
-    const int count = given[name].as<int>();
-    if (count < least)
-      throw std::invalid_argument(std::string(name) + " must be at least " + std::to_string(least));
-    value = static_cast<std::size_t>(count);
-  };
   if (!given["salienceWeights"].isUndefined()) {
     const char* const name = "salienceWeights";
     o.part_salience =
@@ -266,16 +275,12 @@ segmentation::Options read_options(const val& given)
   }
   if (!given["randomSeed"].isUndefined()) // numbers of JavaScript are doubles
     o.random_seed = static_cast<std::uint64_t>(given["randomSeed"].as<double>());
-  read_count("numberOfSegments", 1, o.number_of_segments);
-  read_count("maximumNumberOfSegments", 1, o.maximum_number_of_segments);
-  read("salienceThreshold", o.salience_threshold);
-  read("keepComponentsSeparate", o.keep_components_separate);
-  read("minimumSegmentSize", o.minimum_segment_size);
-  read("featureWeight", o.feature_weight);
-  read("smoothBoundaries", o.smooth_boundaries);
-  read_count("numberOfReferenceFaces", 1, o.number_of_reference_faces);
-  read_count("numberOfCoarseFaces", 0, o.number_of_coarse_faces);
-  read_count("numberOfSmoothingIterations", 0, o.number_of_smoothing_iterations);
+  for_each_option(o, [&](const segmentation::Option_description& option, auto& field) {
+    const val value = given[camel_case(option.name)];
+    if (!value.isUndefined())
+      option.set(field, value.as<std::conditional_t<
+                          std::is_same<decltype(field), bool&>::value, bool, double> >());
+  });
   check(o);
   if (given["features"].isUndefined())
     o.feature_weight = 0;
@@ -394,6 +399,7 @@ EMSCRIPTEN_BINDINGS(spectral_segmentation)
   using namespace emscripten;
   function("version", &web::version);
   function("errorOf", &web::error_of);
+  function("optionKinds", &web::option_kinds);
   class_<web::Mesh>("Mesh")
     .class_function("read", &web::Mesh::read)
     .class_function("ofArrays", &web::Mesh::of_arrays)
