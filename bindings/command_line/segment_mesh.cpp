@@ -22,6 +22,7 @@
 #include "report.h"
 #include "write_meshes.h"
 
+#include <CGAL/Spectral_segmentation/Options.h>
 #include <CGAL/assertions_behaviour.h>
 #include <CGAL/property_map.h>
 #include <CGAL/segment_spectral_recursive.h>
@@ -57,23 +58,23 @@
 #include <stdexcept>
 #include <string>
 #include <thread>
+#include <type_traits>
 #include <utility>
 #include <vector>
 
 namespace parameters = CGAL::Spectral_segmentation::parameters;
+using CGAL::Spectral_segmentation::Option_description;
 using CGAL::Spectral_segmentation::Segmentation_hierarchy;
 using namespace segment_mesh;
 
 typedef CGAL::Spectral_segmentation::Options Segmentation_options;
 
-Segmentation_options defaults(bool uses_paper_method)
-{ return uses_paper_method ? Segmentation_options::zhang_liu_2005() : Segmentation_options(); }
-
 // Returns the text of the two defaults of an option for the help.
 std::string both_defaults(double Segmentation_options::*number)
 {
   std::ostringstream out;
-  out << " [" << defaults(false).*number << ", paper " << defaults(true).*number << ']';
+  out << " [" << Segmentation_options().*number << ", paper "
+      << Segmentation_options::zhang_liu_2005().*number << ']';
   return out.str();
 }
 
@@ -103,15 +104,11 @@ struct Options
   std::string split_format = "ply";
   std::string method_name = "calibrated";
   std::optional<std::size_t> segments;
-  std::optional<double> threshold, minimum_size;
-  double feature_weight = Segmentation_options().feature_weight;
-  std::optional<std::uint64_t> seed;
+  std::optional<double> threshold;
+  Segmentation_options segmentation;
   std::optional<std::size_t> threads;
   double time_limit = std::numeric_limits<double>::infinity();   // in seconds
   double memory_limit = std::numeric_limits<double>::infinity(); // in 10^6 bytes
-  std::size_t smoothing_iterations = 0;
-  bool smooth_boundaries = false;
-  bool keep_components_separate = false;
   bool keep_groups = false;
   bool allow_external_files = false;
   bool keep_faces = false;
@@ -154,18 +151,14 @@ struct Options
 
   Segmentation_options segmentation_options() const
   {
-    Segmentation_options result = defaults(uses_paper_method());
+    Segmentation_options result = segmentation;
     if (segments && !threshold) // a number without a threshold is exact
       result.number_of_segments = segments;
     else if (segments)
       result.maximum_number_of_segments = *segments;
     result.salience_threshold = threshold.value_or(result.salience_threshold);
-    result.feature_weight = feature_file.empty() ? 0 : feature_weight;
-    result.minimum_segment_size = minimum_size.value_or(result.minimum_segment_size);
-    result.keep_components_separate |= keep_components_separate;
-    result.number_of_smoothing_iterations = smoothing_iterations;
-    result.smooth_boundaries = smooth_boundaries;
-    result.random_seed = seed;
+    if (feature_file.empty())
+      result.feature_weight = 0;
     return result;
   }
 };
@@ -265,25 +258,25 @@ void add_segmentation_options(CLI::App& app, Options& o)
                  "person would cut there" +
                    both_defaults(&Segmentation_options::salience_threshold))
     ->type_name("T");
-  app.add_option("--minimum-segment-size", o.minimum_size,
+  app.add_option("--minimum-segment-size", o.segmentation.minimum_segment_size,
                  "smallest area of a side of a cut, as a fraction of the area of the mesh" +
                    both_defaults(&Segmentation_options::minimum_segment_size))
     ->type_name("S")->check(CLI::Range(0., 0.5));
-  app.add_flag("--keep-components-separate", o.keep_components_separate,
+  app.add_flag("--keep-components-separate", o.segmentation.keep_components_separate,
                "make each connected component a part from the start, as --method paper does; "
                "otherwise components that touch may belong to the same part");
   app.add_flag("--keep-groups", o.keep_groups,
                "treat each object or group of IN as a separate component; those of .obj, "
                "and the nodes of files that Assimp reads");
-  app.add_flag("--smooth-boundaries", o.smooth_boundaries,
+  app.add_flag("--smooth-boundaries", o.segmentation.smooth_boundaries,
                "smooth the boundaries between segments by removing teeth of single faces");
-  app.add_option("--smooth", o.smoothing_iterations,
+  app.add_option("--smooth", o.segmentation.number_of_smoothing_iterations,
                  "number of steps of Laplacian smoothing before distances are computed [0]")
     ->type_name("N")->check(CLI::Range(std::int64_t(0), largest_number));
   app.add_option("--method", o.method_name,
                  "calibrated cuts where people cut; paper is the method of Zhang and Liu 2005")
     ->type_name("M")->check(CLI::IsMember({"calibrated", "paper"}))->capture_default_str();
-  app.add_option("--seed", o.seed,
+  app.add_option("--seed", o.segmentation.random_seed,
                  "seed for random first reference faces; without it they are not random")
     ->type_name("S")->check(CLI::Range(std::int64_t(0), largest_number));
 }
@@ -306,7 +299,7 @@ void add_feature_options(CLI::App& app, Options& o)
            "what is known of each face of IN beyond its shape, one line for each: numbers, such as "
            "a color or the output of a neural network, or a whole number, a label that may be "
            "wrong; or an array of NumPy (.npy)");
-  app.add_option("--feature-weight", o.feature_weight,
+  app.add_option("--feature-weight", o.segmentation.feature_weight,
                  "the weight of the features: with 0 they are not used, with 1 the shape only "
                  "breaks ties between cuts that the features do not distinguish")
     ->type_name("W")->check(CLI::Range(0., 1.))->capture_default_str();
@@ -506,24 +499,28 @@ Json json_or_null(const std::optional<T>& value)
 Json parameters_report(const Options& o)
 {
   const Segmentation_options used = o.segmentation_options();
-  return {{"method", o.method_name},
+  Json result = {{"method", o.method_name}};
+  for_each_option(used, [&](const Option_description& option, const auto& value) {
+    if constexpr (std::is_arithmetic<std::decay_t<decltype(value)> >::value)
+      result[option.name] = value;
+  });
+  for (const char* name : {"number_of_coarse_faces", "number_of_reference_faces"}) // no option
+    result.erase(name);
+  result.update({
           {"maximum_number_of_segments", json_or_null(o.segments)},
-          {"keep_components_separate", used.keep_components_separate},
+          {"salience_threshold", used.number_of_segments ? Json() : Json(used.salience_threshold)},
+          {"random_seed", json_or_null(used.random_seed)},
           {"keep_groups", o.keep_groups},
           {"seeds", o.seed_file.empty() ? Json() : Json(o.seed_file)},
           {"edges", o.edge_file.empty() ? Json() : Json(o.edge_file)},
           {"features", o.feature_file.empty() ? Json() : Json(o.feature_file)},
-          {"feature_weight", o.feature_file.empty() ? Json() : Json(o.feature_weight)},
-          {"salience_threshold", used.number_of_segments ? Json() : Json(used.salience_threshold)},
-          {"minimum_segment_size", used.minimum_segment_size},
-          {"random_seed", json_or_null(o.seed)},
-          {"number_of_smoothing_iterations", o.smoothing_iterations},
-          {"smooth_boundaries", o.smooth_boundaries},
+          {"feature_weight", o.feature_file.empty() ? Json() : Json(used.feature_weight)},
           {"keep_faces", o.keep_faces},
           {"close", o.close},
           {"keep_materials", o.keep_materials},
           {"unit", o.unit.empty() ? Json() : Json(o.unit)},
-          {"scale", o.scale}};
+          {"scale", o.scale}});
+  return result;
 }
 
 // Returns the part of the report that says how a run ended; it is the whole report of a failed run.
@@ -541,7 +538,7 @@ Page_options page_options(const Options& o, std::size_t number_of_segments)
   result.name = std::filesystem::path(o.input).filename().string();
   result.number_of_segments = number_of_segments;
   result.is_salience_probability = !o.uses_paper_method();
-  result.smooth_boundaries = o.smooth_boundaries;
+  result.smooth_boundaries = o.segmentation.smooth_boundaries;
   result.keep_faces = o.keep_faces;
   return result;
 }
@@ -847,6 +844,10 @@ int main(int argc, char* argv[])
   try {
     add_options(app, options);
     app.parse(argc, argv);
+    if (options.uses_paper_method()) { // with other defaults
+      options.segmentation = Segmentation_options::zhang_liu_2005();
+      app.parse(argc, argv);
+    }
     if (options.prints_man_page || options.prints_completion) {
       std::cout << (options.prints_man_page ? man_page(app) : bash_completion(app));
       return EXIT_SUCCESS;
