@@ -13,7 +13,7 @@ import re
 import sys
 
 FOLDERS = ("include", "examples", "bindings", "benchmark", "test", "scripts", "doc/figures")
-SUFFIXES = (".h", ".cpp", ".py", ".pyi", ".js", ".mjs", ".ts", ".cmake", ".sh")
+SUFFIXES = (".h", ".cpp", ".py", ".js", ".mjs", ".ts", ".cmake", ".sh")
 LONG_LINES = ("test/compile_failure/",) # each line has the error that it must cause
 OPENING = re.compile(r"\s*// (Of|As|But|Where|What|Without) ")
 # The folders of internal/ whose headers each folder must not include

@@ -6,13 +6,15 @@
     >>> labels = segment(read("elephant.off"))
 """
 
+from . import _core
 from ._boundaries import boundary_edges, segment_adjacency, segment_colors
-from ._core import __version__
 from ._files import Mesh, read, write
 from ._hierarchy import Hierarchy
 from ._page import View, view
 from ._runs import segment, segment_hierarchy
 from ._salience import SalienceFactors
+
+__version__: str = _core.__version__
 
 #: What `cut_state` in `Hierarchy.nodes` is an index of. In the default method every cut is known
 #: and a node without one is a leaf.

@@ -2,10 +2,17 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """What is between segments: edges, neighbors, and colors that tell them apart."""
 
+from __future__ import annotations
+
+from typing import TYPE_CHECKING, Any, Optional, Tuple
+
 import numpy as np
 
 from . import _core
 from ._meshes import surface_and_labels
+
+if TYPE_CHECKING:
+    from numpy.typing import ArrayLike, NDArray
 
 _MESH = """points : array_like of real numbers, shape (n, 3), or mesh
         The points, or a mesh of any kind that `segment()` takes. Labels follow a mesh directly, as
@@ -45,7 +52,8 @@ def _edges_between(surface, labels):
     return edges[between], np.stack([of_edge[between], of_edge[between + 1]], axis=1)
 
 
-def boundary_edges(points, triangles=None, labels=None):
+def boundary_edges(points: Any, triangles: Optional[ArrayLike] = None,
+                   labels: Optional[ArrayLike] = None) -> Tuple[NDArray[np.intp], NDArray[np.intp]]:
     """Returns the edges between different segments.
 
     Parameters
@@ -65,7 +73,9 @@ def boundary_edges(points, triangles=None, labels=None):
     return _edges_between(*surface_and_labels(points, triangles, labels))
 
 
-def segment_adjacency(points, triangles=None, labels=None):
+def segment_adjacency(points: Any, triangles: Optional[ArrayLike] = None,
+                      labels: Optional[ArrayLike] = None
+                      ) -> Tuple[NDArray[np.intp], NDArray[np.float64]]:
     """Returns which segments have an edge in common.
 
     Parameters
@@ -110,7 +120,8 @@ def colors_of(surface, labels):
     return _core.segment_colors(_neighbors(surface, labels, labels.max(initial=-1) + 1))
 
 
-def segment_colors(points, triangles=None, labels=None):
+def segment_colors(points: Any, triangles: Optional[ArrayLike] = None,
+                   labels: Optional[ArrayLike] = None) -> NDArray[np.uint8]:
     """Returns a color for each segment, unlike those of its neighbors, as the tool gives.
 
     Parameters

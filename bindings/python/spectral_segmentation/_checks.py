@@ -3,8 +3,12 @@
 """Checks of single arguments. Each function returns the argument as a type of Python's own."""
 
 import operator
+import os
+from typing import Union
 
 import numpy as np
+
+Path = Union[str, bytes, "os.PathLike[str]", "os.PathLike[bytes]"]
 
 
 def integer(name, value, largest=2**63 - 1):

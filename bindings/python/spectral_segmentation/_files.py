@@ -2,35 +2,47 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Files of meshes, by the readers and writers of the tool `segment_mesh`."""
 
+from __future__ import annotations
+
 import os
-from collections import namedtuple
+from typing import TYPE_CHECKING, Any, NamedTuple, Optional, Union
 
 import numpy as np
 
 from . import _core
 from ._boundaries import colors_of
+from ._checks import Path
 from ._hierarchy import Hierarchy
 from ._meshes import array, is_flat, labels_array, surface_of
 from ._page import page_of
 from ._replace_file import replace_file
 
+if TYPE_CHECKING:
+    from numpy.typing import ArrayLike, NDArray
+
 _READ = (".off", ".obj", ".ply", ".stl")
 _WRITTEN = (".ply", ".obj", ".off", ".glb", ".stl", ".html")
 
-Mesh = namedtuple("Mesh", "points triangles polygon_of_triangle labels", defaults=[None])
-Mesh.__doc__ = """A mesh that `read()` returns.
 
-Parameters
-----------
-points : ndarray of float64, shape (n, 3)
-triangles : ndarray of int32, shape (m, 3)
-    The indices of the corners in `points`.
-polygon_of_triangle : ndarray of int32, shape (m,)
-    The polygon of the file that each triangle is of.
-labels : ndarray of int, shape (m,), or None
-    The segment of each triangle, if the file has segments: as the property `segment` of PLY, or as
-    the objects and groups of OBJ, which are numbered in the order of the file.
-"""
+class Mesh(NamedTuple):
+    """A mesh that `read()` returns.
+
+    Parameters
+    ----------
+    points : ndarray of float64, shape (n, 3)
+    triangles : ndarray of int32, shape (m, 3)
+        The indices of the corners in `points`.
+    polygon_of_triangle : ndarray of int32, shape (m,)
+        The polygon of the file that each triangle is of.
+    labels : ndarray of int, shape (m,), or None
+        The segment of each triangle, if the file has segments: as the property `segment` of PLY, or
+        as the objects and groups of OBJ, which are numbered in the order of the file.
+    """
+
+    points: NDArray[np.float64]
+    triangles: NDArray[np.int32]
+    polygon_of_triangle: NDArray[np.int32]
+    labels: Optional[NDArray[np.intp]] = None
 
 
 def _extension(path, known):
@@ -49,7 +61,7 @@ def _labels_of_file(segments, extension):
     return segments.astype(np.intp)
 
 
-def read(path):
+def read(path: Path) -> Mesh:
     """Reads the mesh of a file of OFF, OBJ, PLY or STL, as its name tells.
 
     Polygons are cut into triangles. If a file repeats points along a seam, or for each triangle as
@@ -87,7 +99,9 @@ def read(path):
     return mesh
 
 
-def write(path, points, triangles=None, labels=None, *, colors=None):
+def write(path: Path, points: Any, triangles: Union[ArrayLike, Hierarchy, None] = None,
+          labels: Union[ArrayLike, Hierarchy, None] = None, *,
+          colors: Optional[ArrayLike] = None) -> None:
     """Writes a mesh in the format that the name tells: PLY, OBJ, OFF, GLB, STL or HTML.
 
     STL has no labels. HTML is a page that shows the mesh, with a slider for the number of segments;

@@ -2,13 +2,19 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """All cuts of a run."""
 
+from __future__ import annotations
+
 import os
+from typing import TYPE_CHECKING, Any, Dict, Iterable, Optional, Union
 
 import numpy as np
 
 from . import _core
-from ._checks import integer, real
+from ._checks import Path, integer, real
 from ._replace_file import replace_file
+
+if TYPE_CHECKING:
+    from numpy.typing import NDArray
 
 
 class Hierarchy:
@@ -45,10 +51,10 @@ class Hierarchy:
     def _restored(cls, text, surface):
         return cls._of(_core.Hierarchy.from_json(text), surface)
 
-    def __copy__(self):
+    def __copy__(self) -> Hierarchy:
         return Hierarchy._of(self._core.copy(), self._surface)
 
-    def __deepcopy__(self, memo):
+    def __deepcopy__(self, memo: Dict[int, Any]) -> Hierarchy:
         return self.__copy__()
 
     def __reduce__(self):
@@ -65,32 +71,32 @@ class Hierarchy:
         return node
 
     @property
-    def number_of_faces(self):
+    def number_of_faces(self) -> int:
         """int: the number of triangles or polygons of the mesh."""
         return self._core.number_of_faces if self._surface is None else len(self._surface)
 
     @property
-    def number_of_nodes(self):
+    def number_of_nodes(self) -> int:
         """int: the number of nodes, leaves too."""
         return self._core.number_of_nodes
 
     @property
-    def number_of_roots(self):
+    def number_of_roots(self) -> int:
         """int: the number of roots, which are the nodes from 0 to `number_of_roots - 1`."""
         return self._core.number_of_roots
 
     @property
-    def number_of_segments(self):
+    def number_of_segments(self) -> int:
         """int: the number of leaves, the most segments that can be asked for."""
         return self._core.number_of_segments
 
     @property
-    def salience_threshold(self):
+    def salience_threshold(self) -> float:
         """float: the salience threshold of the run."""
         return self._core.salience_threshold
 
     @property
-    def nodes(self):
+    def nodes(self) -> NDArray[np.void]:
         """ndarray: a structured array with a row for each node, of which pandas makes a table.
 
         Its fields are `parent`, `first_child` (the side of smaller area, to which the factors
@@ -101,21 +107,22 @@ class Hierarchy:
         return self._core.nodes
 
     @property
-    def children(self):
+    def children(self) -> NDArray[np.intp]:
         """ndarray of int, shape (number_of_nodes, 2): the children of each node, -1 for a leaf."""
         return self._core.children
 
     @property
-    def saliences(self):
+    def saliences(self) -> NDArray[np.float64]:
         """ndarray of float, shape (number_of_nodes,): the salience of each node's best cut."""
         return self._core.saliences
 
     @property
-    def factors(self):
+    def factors(self) -> Dict[str, NDArray[np.float64]]:
         """dict of str to ndarray of float: the factors of each node's best cut, by name."""
         return self._core.factors
 
-    def segments(self, n=None, *, salience_threshold=None):
+    def segments(self, n: Optional[int] = None, *,
+                 salience_threshold: Optional[float] = None) -> NDArray[np.intp]:
         """Returns the node of each segment of `labels()` with the same arguments.
 
         Parameters
@@ -135,7 +142,8 @@ class Hierarchy:
             salience_threshold = real("salience_threshold", salience_threshold)
         return self._core.segments(n, salience_threshold)
 
-    def labels(self, n=None, *, salience_threshold=None):
+    def labels(self, n: Optional[int] = None, *,
+               salience_threshold: Optional[float] = None) -> NDArray[np.intp]:
         """Returns the label of each triangle or polygon. Nothing is searched again.
 
         Parameters
@@ -162,7 +170,7 @@ class Hierarchy:
         labels = self._core.labels_of_nodes(nodes)
         return labels if self._surface is None else self._surface.labels_of_faces(labels)
 
-    def labels_of_nodes(self, nodes):
+    def labels_of_nodes(self, nodes: Iterable[int]) -> NDArray[np.intp]:
         """Returns the label of each triangle or polygon if the segments are these nodes.
 
         Parameters
@@ -185,7 +193,7 @@ class Hierarchy:
             raise TypeError("nodes must be integers, not %s" % type(nodes).__name__) from None
         return self._labels([self._node("nodes", node) for node in nodes])
 
-    def faces(self, node):
+    def faces(self, node: int) -> NDArray[np.intp]:
         """Returns the triangles or polygons of a node.
 
         Parameters
@@ -209,7 +217,7 @@ class Hierarchy:
         is_inside[faces] = 1
         return np.flatnonzero(self._surface.labels_of_faces(is_inside))
 
-    def merge(self, a, b):
+    def merge(self, a: int, b: int) -> int:
         """Makes two nodes the children of one node.
 
         If the nodes are not siblings, `b` moves to the place of `a`. No other node gets another
@@ -232,7 +240,7 @@ class Hierarchy:
         """
         return self._core.merge(self._node("a", a), self._node("b", b))
 
-    def split_leaf(self, leaf, part):
+    def split_leaf(self, leaf: int, part: Hierarchy) -> None:
         """Cuts a leaf as another hierarchy does.
 
         Parameters
@@ -254,7 +262,7 @@ class Hierarchy:
                              "triangles before the first run")
         self._core.split_leaf(self._node("leaf", leaf), part._core)
 
-    def to_json(self):
+    def to_json(self) -> str:
         """Returns the hierarchy as JSON, which the C++ library and its tool write and read too.
 
         Returns
@@ -264,7 +272,7 @@ class Hierarchy:
         return self._core.to_json()
 
     @staticmethod
-    def from_json(text):
+    def from_json(text: Union[str, bytes]) -> Hierarchy:
         """Reads a hierarchy from a text of `to_json()`, the C++ library or its tool.
 
         Parameters
@@ -286,7 +294,7 @@ class Hierarchy:
             raise TypeError("text must be a str, not %s" % type(text).__name__)
         return Hierarchy._of(_core.Hierarchy.from_json(text))
 
-    def save(self, path):
+    def save(self, path: Path) -> None:
         """Writes the hierarchy to a file of JSON, which `load()`, the library and its tool read.
 
         An existing file is replaced only when the new one is complete.
@@ -303,7 +311,7 @@ class Hierarchy:
         replace_file(os.fsdecode(path), self.to_json().encode())
 
     @staticmethod
-    def load(path):
+    def load(path: Path) -> Hierarchy:
         """Reads a file of `save()`, the C++ library, or `segment_mesh --hierarchy`.
 
         Parameters

@@ -2,8 +2,11 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """The page that `segment_mesh --html` writes, for files and notebooks."""
 
+from __future__ import annotations
+
 import html
 import pathlib
+from typing import Any, Optional
 
 from . import _core
 from ._checks import integer
@@ -55,20 +58,21 @@ class View:
         self._height = height
 
     @property
-    def html(self):
+    def html(self) -> str:
         """str: the page, which needs no other file and no network."""
         return self._page
 
     def __repr__(self):
         return "<View of %d bytes of HTML>" % len(self._page)
 
-    def _repr_html_(self):
+    def _repr_html_(self) -> str:
         page = html.escape(self._page).encode("ascii", "xmlcharrefreplace").decode()
         return ('<iframe srcdoc="%s" width="100%%" height="%d" style="border: 0" '
                 'allow="fullscreen"></iframe>' % (page, self._height))
 
 
-def view(mesh, hierarchy=None, *, n=None, name="mesh", height=600):
+def view(mesh: Any, hierarchy: Optional[Hierarchy] = None, *, n: Optional[int] = None,
+         name: str = "mesh", height: int = 600) -> View:
     """Shows a segmented mesh in a notebook, with a slider for the number of segments.
 
     It is the page of `segment_mesh --html` and `write("page.html", mesh, hierarchy)`.

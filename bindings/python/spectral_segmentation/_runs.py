@@ -2,8 +2,11 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Runs of the segmentation."""
 
+from __future__ import annotations
+
 import difflib
 import inspect
+from typing import TYPE_CHECKING, Any, Callable, Literal, Optional, Sequence, TypeVar
 
 from . import _core
 from ._checks import flag, function, integer, real, three_numbers
@@ -12,6 +15,13 @@ from ._features import features_of_triangles
 from ._hierarchy import Hierarchy
 from ._meshes import surface_of
 from ._salience import SalienceFactors
+
+if TYPE_CHECKING:
+    import numpy as np
+    from numpy.typing import ArrayLike, NDArray
+    from typing_extensions import ParamSpec
+    _P = ParamSpec("_P")
+    _R = TypeVar("_R")
 
 _METHODS = {"calibrated": False, "paper": True}
 
@@ -132,15 +142,32 @@ _PARAMETERS = """Parameters
     The manual of the C++ library tells more."""
 
 
-def segment_hierarchy(points, triangles=None, *, method="calibrated", number_of_segments=None,
-                      maximum_number_of_segments=None, salience_threshold=None,
-                      keep_components_separate=None, face_groups=None, features=None,
-                      feature_weight=0.5,
-                      constrained_edges=None, uncuttable_edges=None,
-                      face_seeds=None, minimum_segment_size=None, part_salience=None,
-                      salience_weights=None, distance_weights=None, number_of_coarse_faces=None,
-                      number_of_reference_faces=10, number_of_smoothing_iterations=0,
-                      smooth_boundaries=False, random_seed=None, threads=None, progress=None):
+def segment_hierarchy(
+        points: Any,
+        triangles: Optional[ArrayLike] = None,
+        *,
+        method: Literal["calibrated", "paper"] = "calibrated",
+        number_of_segments: Optional[int] = None,
+        maximum_number_of_segments: Optional[int] = None,
+        salience_threshold: Optional[float] = None,
+        keep_components_separate: Optional[bool] = None,
+        face_groups: Optional[ArrayLike] = None,
+        features: Optional[ArrayLike] = None,
+        feature_weight: float = 0.5,
+        constrained_edges: Optional[ArrayLike] = None,
+        uncuttable_edges: Optional[ArrayLike] = None,
+        face_seeds: Optional[ArrayLike] = None,
+        minimum_segment_size: Optional[float] = None,
+        part_salience: Optional[Callable[[SalienceFactors], float]] = None,
+        salience_weights: Optional[Sequence[float]] = None,
+        distance_weights: Optional[Sequence[float]] = None,
+        number_of_coarse_faces: Optional[int] = None,
+        number_of_reference_faces: int = 10,
+        number_of_smoothing_iterations: int = 0,
+        smooth_boundaries: bool = False,
+        random_seed: Optional[int] = None,
+        threads: Optional[int] = None,
+        progress: Optional[Callable[[float], object]] = None) -> Hierarchy:
     """Cuts a mesh into parts, and returns all cuts with their salience.
 
     {parameters}
@@ -187,7 +214,18 @@ def segment_hierarchy(points, triangles=None, *, method="calibrated", number_of_
     return Hierarchy._of(core, surface if surface.has_polygons else None)
 
 
-def segment(points, triangles=None, **parameters):
+def _with_parameters_of(other: Callable[_P, Any]
+                        ) -> Callable[[Callable[..., _R]], Callable[_P, _R]]:
+    """Gives a function that passes its parameters on the signature of the other function."""
+    def with_signature(function):
+        function.__signature__ = inspect.signature(other).replace(
+            return_annotation=function.__annotations__["return"])
+        return function
+    return with_signature
+
+
+@_with_parameters_of(segment_hierarchy)
+def segment(points, triangles=None, **parameters) -> NDArray[np.intp]:
     """Cuts a mesh into the parts that a person would name.
 
     `segment_hierarchy()` has the same parameters. Its result gives the labels for other numbers of
@@ -200,7 +238,7 @@ def segment(points, triangles=None, **parameters):
     >>> labels = segment(points, triangles)
     >>> labels = segment(mesh, number_of_segments=7)
     """
-    known = _SIGNATURE.parameters
+    known = inspect.signature(segment_hierarchy).parameters
     for name in parameters:
         if name not in known:
             near = difflib.get_close_matches(name, known, 1, 0.4)
@@ -209,8 +247,6 @@ def segment(points, triangles=None, **parameters):
     return segment_hierarchy(points, triangles, **parameters).labels()
 
 
-_SIGNATURE = inspect.signature(segment_hierarchy)
-segment.__signature__ = _SIGNATURE # for help() and inspect
 for _function, _returns in ((segment, """ndarray of int, shape (m,)
         The label of each triangle or polygon, from 0 to the number of segments - 1. Segments are
         numbered by their first triangle."""),

@@ -2,7 +2,7 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """What an own salience is called with."""
 
-from collections import namedtuple
+from typing import NamedTuple
 
 _FACTORS = {
     "size": "share of the part's area, in [0, 1/2]",
@@ -25,8 +25,25 @@ _FACTORS = {
     "number_of_common_neighbors": "how many other regions touch both",
     "is_boundary": "whether the cut is the boundary of two regions that may be merged"}
 
-SalienceFactors = namedtuple("SalienceFactors", _FACTORS,
-                             defaults=[0.] * (len(_FACTORS) - 1) + [False])
+
+class SalienceFactors(NamedTuple):
+    size: float = 0.
+    cut_strength: float = 0.
+    protrusiveness: float = 0.
+    log_relative_part_area: float = 0.
+    concavity_near_cut: float = 0.
+    convexity_gain: float = 0.
+    relative_convexity_gain: float = 0.
+    expansion_behind_cut: float = 0.
+    roundness: float = 0.
+    flatness_behind_cut: float = 0.
+    concavity_around_cut: float = 0.
+    lower_quartile_of_concavity: float = 0.
+    expansion_before_cut: float = 0.
+    number_of_common_neighbors: float = 0.
+    is_boundary: bool = False
+
+
 SalienceFactors.__doc__ = """The factors of a cut of a part into two sides.
 
 `part_salience` is called with them. `size`, `cut_strength` and `protrusiveness` are the factors of
