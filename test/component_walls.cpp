@@ -238,7 +238,7 @@ BOOST_AUTO_TEST_CASE(walls_of_a_body_stay_walls_if_another_body_is_constrained)
 
 BOOST_AUTO_TEST_CASE(boundaries_of_walls_are_smoothed_and_numbers_are_met)
 {
-  const Soup soup = dumbbell(12, 10);
+  const Soup soup = dumbbell(8, 8);
   const Mesh mesh = mesh_of(disjoint_union(soup, turned_inside_out(offset_inward(soup, 0.02))));
   const std::size_t n = soup.triangles.size();
   for (std::size_t number : {std::size_t(1), std::size_t(7), n, n + 1, 2 * n})

@@ -425,18 +425,18 @@ BOOST_AUTO_TEST_CASE(many_cuts_and_many_foreign_keys_are_read)
   CGAL::Spectral_segmentation::internal::Cut_hierarchy cuts;
   cuts.number_of_roots = 1;
   cuts.nodes.resize(1);
-  cuts.nodes[0].area = 40001;
-  for (std::size_t i = 0; i < 80000; i += 2) { // each cut separates one face
+  cuts.nodes[0].area = 15001;
+  for (std::size_t i = 0; i < 30000; i += 2) { // each cut separates one face
     cuts.cut(i, 1, cuts.nodes[i].area - 1);
     cuts.nodes[i].cut_state = CGAL::Spectral_segmentation::internal::Cut_state::CUT;
     cuts.cut_order.push_back(i);
     cuts.leaf.push_back(static_cast<Index>(i + 1));
   }
-  cuts.leaf.push_back(80000);
+  cuts.leaf.push_back(30000);
   const std::string many_cuts = written(Segmentation_hierarchy(cuts, unlimited, 0), Nodes{0});
   std::string many_keys = written(small_hierarchy());
   many_keys.resize(many_keys.rfind('}'));
-  for (int i = 0; i < 100000; ++i)
+  for (int i = 0; i < 30000; ++i)
     many_keys += ",\"key" + std::to_string(i) + "\":0";
   many_keys += "}";
   BOOST_TEST(written(read_back(many_cuts), Nodes{0}) == many_cuts);

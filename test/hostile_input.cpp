@@ -137,7 +137,7 @@ BOOST_AUTO_TEST_CASE(thousands_of_faces_meet)
   };
   std::mt19937 engine(1);
   const auto coordinate = [&] { return double(engine()) / double(engine.max()) - 0.5; };
-  const std::size_t n = 10000;
+  const std::size_t n = 5000;
 
   number_of_segments(fan_at_edge(n));
 
