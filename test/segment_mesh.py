@@ -1588,6 +1588,33 @@ class Failures(Tool_test):
         super().setUp()
         self.mesh = MESHES / "hand.off"
 
+    def test_points_that_are_not_finite(self):
+        """Leave the faces beside them with the label of a neighbor, and a warning."""
+        points, faces = read_off(self.mesh)
+        spoiled = [17, 300]
+        lines = ["v nan inf -inf" if i in spoiled else "v %r %r %r" % tuple(p)
+                 for i, p in enumerate(points)] + ["v nan nan nan"]
+        lines += ["f " + " ".join(str(v + 1) for v in face) for face in faces]
+        (self.directory / "in.obj").write_text("\n".join(lines))
+        outputs = [option for name in ("ply", "obj", "off", "glb", "html")
+                   for option in ("--html" if name == "html" else "-o", "out." + name)]
+        done = self.run_tool("in.obj", "--labels", "out.seg", "--json", "out.json", *outputs)
+        self.assertEqual(done.returncode, 0, done.stderr)
+        spoiled_faces = [i for i, face in enumerate(faces) if set(face) & set(spoiled)]
+        sentence = ("face %d uses a point that is not finite; it and %d more are read without such "
+                    "corners" % (spoiled_faces[0], len(spoiled_faces) - 1))
+        self.assertEqual(done.stderr, "segment_mesh: warning: in.obj: " + sentence + "\n")
+        self.assertEqual(self.report()["warnings"], [sentence])
+        labels = self.labels()
+        self.assertEqual(len(labels), len(faces))
+        for i in spoiled_faces:
+            others = [labels[j] for j, face in enumerate(faces)
+                      if j not in spoiled_faces and len(set(face) & set(faces[i])) == 2]
+            self.assertTrue(not others or labels[i] in others, i)
+        for name in ("ply", "obj", "off"):
+            done = self.run_tool("out." + name)
+            self.assertEqual((done.returncode, done.stderr), (0, ""), name)
+
     def test_input_that_is_no_mesh(self):
         empty = "OFF\n0 0 0\n"
         triangle = "OFF\n3 1 0\n0 0 0\n1 0 0\n0 1 0\n3 0 1 2\n"

@@ -21,6 +21,7 @@
 #include <fstream>
 #include <iostream>
 #include <iterator>
+#include <map>
 #include <stdexcept>
 #include <string>
 #include <system_error>
@@ -71,6 +72,10 @@ inline void check_is_file(const std::string& name)
     throw Failure(Status::INPUT, name + " cannot be opened");
 }
 
+// Returns the end of a sentence on a mesh of no use; empty without a warning.
+inline std::string first_warning(const Polygon_soup& soup)
+{ return soup.warnings.empty() ? "" : "; " + soup.warnings[0]; }
+
 // Throws `Failure` if the file has no mesh. Names of nodes and meshes are those of formats that
 // Assimp reads.
 inline Scene read_scene(const std::string& name, bool keeps_properties,
@@ -108,7 +113,7 @@ inline Scene read_scene(const std::string& name, bool keeps_properties,
     throw Failure(Status::MESH, name + " cannot be read: " + e.what());
   }
   if (scene.soup.number_of_polygons() == 0)
-    throw Failure(Status::MESH, name + " has no faces");
+    throw Failure(Status::MESH, name + " has no faces" + first_warning(scene.soup));
   return scene;
 }
 
@@ -182,11 +187,51 @@ inline Index largest_label(const Input& input, const std::vector<Index>& label_o
                           { return a.second < b.second; })->first;
 }
 
-// A polygon without a triangle takes the label of one that it touches, else 0.
+// Returns the label of the neighbor with the longest common edge, for each polygon without a label
+// that has neighbors with a label; of several neighbors at an edge, that of the first.
+inline std::map<std::size_t, Index> labels_across_edges(const Polygon_soup& soup,
+                                                        const std::vector<Index>& labels)
+{
+  std::map<std::pair<Index, Index>, Index> label_of_edge; // of polygons without a label
+  const auto for_each_edge = [&](std::size_t i, const auto& visit) {
+    const Polygon polygon = soup.polygon(i);
+    for (std::size_t k = 0; k < polygon.size(); ++k)
+      visit(std::minmax({polygon[k], polygon[(k + 1) % polygon.size()]}));
+  };
+  for (std::size_t i = 0; i < labels.size(); ++i)
+    if (labels[i] == mesh_file::null_index)
+      for_each_edge(i, [&](const auto& e) { label_of_edge.emplace(e, mesh_file::null_index); });
+  for (std::size_t i = labels.size(); i-- > 0;)
+    if (labels[i] != mesh_file::null_index)
+      for_each_edge(i, [&](const auto& e) {
+        if (const auto found = label_of_edge.find(e); found != label_of_edge.end())
+          found->second = labels[i];
+      });
+  std::map<std::size_t, Index> result;
+  for (std::size_t i = 0; i < labels.size(); ++i) {
+    double longest = -1;
+    if (labels[i] == mesh_file::null_index)
+      for_each_edge(i, [&](const auto& e) {
+        const Point &p = soup.points[e.first], &q = soup.points[e.second];
+        const double length = std::hypot(p[0] - q[0], p[1] - q[1], p[2] - q[2]);
+        const Index label = label_of_edge.at(e);
+        if (label != mesh_file::null_index && length > longest) {
+          longest = length;
+          result[i] = label;
+        }
+      });
+  }
+  return result;
+}
+
+// A polygon without a triangle takes the label of the neighbor with the longest common edge, else
+// of one that it touches, else 0.
 inline void borrow_labels(const Polygon_soup& soup, std::vector<Index>& labels)
 {
   if (std::find(labels.begin(), labels.end(), mesh_file::null_index) == labels.end())
     return;
+  for (const auto& [polygon, label] : labels_across_edges(soup, labels))
+    labels[polygon] = label;
   std::vector<Index> label_of_point(soup.points.size(), mesh_file::null_index);
   for (std::size_t i = labels.size(); i-- > 0;) // the first polygon at a point counts
     if (labels[i] != mesh_file::null_index)

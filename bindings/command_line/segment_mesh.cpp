@@ -555,6 +555,7 @@ Json report(const Options& o, const Input& input, std::size_t number_of_segments
           {"node_names", input.node_names},
           {"mesh_names", input.mesh_names},
           {"missing_files", input.missing_files},
+          {"warnings", input.soup.warnings},
           {"segments", number_of_segments},
           {"seconds", seconds_report(watch)},
           {"peak_memory", peak_memory()},
@@ -658,7 +659,8 @@ Json run(const Options& o)
   watch.start_phase("joining", expected.joining, expected.segmenting + expected.writing);
   Input input = triangulated(std::move(scene));
   if (input.triangles.empty())
-    throw Failure(Status::MESH, o.input + " has no face with three different corners");
+    throw Failure(Status::MESH, o.input + " has no face with three different corners" +
+                                  first_warning(input.soup));
 
   watch.start_phase("segmentation", expected.segmenting, expected.writing);
   std::vector<Index> labels(input.triangles.size());
@@ -698,6 +700,8 @@ Json run(const Options& o)
   if (!o.quiet) {
     print_summary(o.writes_to_standard_output() ? std::cerr : std::cout, o, input,
                   number_of_segments, watch.seconds());
+    for (const std::string& warning : input.soup.warnings)
+      std::cerr << "segment_mesh: warning: " << o.input << ": " << warning << std::endl;
     if (const std::string warning = closed_warning(closed_segments); !warning.empty())
       std::cerr << "segment_mesh: warning: " << warning << std::endl;
     if (!input.missing_files.empty())

@@ -5,7 +5,6 @@
 #define SEGMENT_MESH_MESH_FILE_BYTE_SCANNER_H
 
 #include <array>
-#include <cmath>
 #include <cstddef>
 #include <cstdint>
 #include <cstring>
@@ -81,20 +80,11 @@ public:
   }
 
   template <class Number>
-  double coordinate()
-  {
-    const double result = static_cast<double>(number<Number>("a coordinate"));
-    if (!std::isfinite(result))
-      fail(position_ - sizeof(Number), "the number here is not finite");
-    return result;
-  }
-
-  template <class Number>
   std::array<double, 3> point()
   {
     std::array<double, 3> result;
     for (double& c : result)
-      c = coordinate<Number>();
+      c = static_cast<double>(number<Number>("a coordinate"));
     return result;
   }
 

@@ -10,13 +10,15 @@
 #include <cstddef>
 #include <cstdint>
 #include <cstring>
+#include <limits>
 #include <random>
 #include <stdexcept>
 #include <vector>
 
 namespace mesh_file {
 
-// Numbers points in the order in which they come; points at the same place have one number.
+// Numbers points in the order in which they come; points at the same place have one number,
+// and so have those that are not finite.
 //
 // A hash table with open addressing: it asks for 8 bytes a point, where std::unordered_map takes
 // over 50 and several times as long. The hash has a random key, against files whose points would
@@ -61,8 +63,10 @@ public:
   // New points are appended to `points`, which is empty.
   explicit Point_numbering(std::vector<Point>& points) : points_(points) {}
 
-  Index operator()(const Point& p)
+  Index operator()(Point p)
   {
+    if (!is_finite(p))
+      p.fill(std::numeric_limits<double>::infinity()); // NaN does not equal itself
     if (2 * (points_.size() + 1) > slots_.size())
       grow();
     Index& slot = slot_of(p);

@@ -6,6 +6,7 @@
 
 #include "Material.h"
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstddef>
@@ -23,6 +24,9 @@ typedef std::array<double, 4> Texture_point; // two pairs of texture coordinates
 typedef std::uint32_t Index;
 
 constexpr Index null_index = (std::numeric_limits<Index>::max)();
+
+inline bool is_finite(const Point& p)
+{ return std::isfinite(p[0]) && std::isfinite(p[1]) && std::isfinite(p[2]); }
 
 // The points of one polygon, as indices.
 class Polygon
@@ -86,6 +90,7 @@ struct Polygon_soup
   std::vector<Index> material_of_polygon;
   std::vector<Image> images; // of the materials
   std::vector<std::string> material_files; // of the materials of OBJ, as it names them
+  std::vector<std::string> warnings; // a sentence for each kind of what was left out
 
   std::size_t number_of_polygons() const { return first_corner.size() - 1; }
 
@@ -95,6 +100,34 @@ struct Polygon_soup
   // Ends the polygon that has the last corners.
   void end_polygon() { first_corner.push_back(static_cast<Index>(corners.size())); }
 };
+
+// Leaves out the corners at points that are not finite, with a warning. What is left of a polygon
+// may be an edge, a point or nothing.
+inline void remove_infinite_corners(Polygon_soup& soup)
+{
+  std::size_t first_changed = 0, number_of_changed = 0;
+  Index size = 0; // of the corners that stay
+  for (std::size_t i = 0, c = 0; i < soup.number_of_polygons(); ++i) {
+    const std::size_t removed = c - size, end = soup.first_corner[i + 1];
+    for (; c < end; ++c)
+      if (is_finite(soup.points[soup.corners[c]])) {
+        for (auto* list : {&soup.corners, &soup.texture_of_corner, &soup.normal_of_corner})
+          if (!list->empty())
+            (*list)[size] = (*list)[c];
+        ++size;
+      }
+    soup.first_corner[i + 1] = size;
+    if (c - size != removed && number_of_changed++ == 0)
+      first_changed = i;
+  }
+  for (auto* list : {&soup.corners, &soup.texture_of_corner, &soup.normal_of_corner})
+    list->resize((std::min)(list->size(), std::size_t(size)));
+  if (number_of_changed > 0)
+    soup.warnings.push_back(
+      "face " + std::to_string(first_changed) + " uses a point that is not finite; it " +
+      (number_of_changed == 1 ? "is read without that corner" :
+       "and " + std::to_string(number_of_changed - 1) + " more are read without such corners"));
+}
 
 // Multiplies the coordinates, also those that are not finite.
 inline void scale(Polygon_soup& soup, double factor)

@@ -8,9 +8,9 @@
 
 #include <algorithm>
 #include <charconv>
-#include <cmath>
 #include <cstddef>
 #include <cstdlib>
+#include <limits>
 #include <stdexcept>
 #include <string>
 #include <string_view>
@@ -65,6 +65,13 @@ class Text_scanner
   {
     const bool is_plus = end_ - position_ > 1 && *position_ == '+' && position_[1] != '-';
     return position_ + is_plus;
+  }
+
+  // Whether a number goes on as -1.#IND, 1.#INF or 1.#QNAN, which old programs write.
+  bool is_old_nan(const char* p) const
+  {
+    return end_ - p > 1 && p[-1] == '.' && *p == '#' &&
+           (p[1] == 'I' || p[1] == 'Q' || p[1] == 'S');
   }
 
   std::size_t line() const
@@ -192,29 +199,24 @@ public:
   [[noreturn]] void fail_with(const std::string& sentence) const
   { throw std::runtime_error("line " + std::to_string(line()) + ": " + sentence); }
 
-  // On this line or a later one, as the next function. This one also takes inf and nan.
-  double any_number()
+  // On this line or a later one; it may be infinite or NaN.
+  double number()
   {
     skip_space();
     const char* const first = after_plus();
     double result = 0;
-    const auto [last, error] = parse_decimal(first, end_, result);
+    auto [last, error] = parse_decimal(first, end_, result);
     if (error == std::errc::result_out_of_range)
       result = rounded({first, static_cast<std::size_t>(last - first)});
+    if (error == std::errc() && is_old_nan(last)) {
+      result = std::numeric_limits<double>::quiet_NaN();
+      do
+        ++last;
+      while (!is_after_word(last));
+    }
     if (error == std::errc::invalid_argument || !is_after_word(last))
       fail("a number");
     position_ = last;
-    return result;
-  }
-
-  // A finite number.
-  double number()
-  {
-    skip_space();
-    const Text_scanner where = *this;
-    const double result = any_number();
-    if (!std::isfinite(result))
-      where.fail("a finite number");
     return result;
   }
 

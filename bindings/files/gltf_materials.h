@@ -69,7 +69,7 @@ public:
       try {
         Text_scanner text(statement->text);
         for (text.skip_word(); !text.is_at_end_of_line();)
-          result.push_back(text.any_number());
+          result.push_back(text.number());
       }
       catch (const std::runtime_error&) { // for example, the name of a spectral curve
       }

@@ -40,16 +40,20 @@ inline Format format_of_contents(std::string_view file)
 
 // Reads the contents of a file. Properties besides points and polygons are kept on demand. Throws
 // `std::runtime_error` with the line or byte and the word at fault if the contents contradict the
-// format. Asks for no more memory than a small multiple of the size of the file.
+// format. Asks for no more memory than a small multiple of the size of the file. Points that no
+// polygon uses need not be finite.
 inline Polygon_soup read_mesh_file(std::string_view file, Format format, bool keeps_properties)
 {
+  Polygon_soup result;
   switch (format) {
-    case Format::OFF: return read_off(file);
-    case Format::OBJ: return read_obj(file, keeps_properties);
-    case Format::PLY: return read_ply(file, keeps_properties);
-    case Format::STL: return read_stl(file);
+    case Format::OFF: result = read_off(file); break;
+    case Format::OBJ: result = read_obj(file, keeps_properties); break;
+    case Format::PLY: result = read_ply(file, keeps_properties); break;
+    case Format::STL: result = read_stl(file); break;
     default: throw std::runtime_error("the format is unknown");
   }
+  remove_infinite_corners(result);
+  return result;
 }
 
 } // namespace mesh_file

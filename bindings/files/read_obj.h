@@ -55,19 +55,11 @@ class Obj_reader
     return text_.number();
   }
 
-  // Some programs write normals that are not a number.
-  double any_number()
-  {
-    if (text_.is_at_end_of_line())
-      text_.fail("a number");
-    return text_.any_number();
-  }
-
   // A weight, colors, or a third texture coordinate.
   void skip_numbers()
   {
     while (!text_.is_at_end_of_line())
-      text_.any_number();
+      text_.number();
   }
 
   Point point()
@@ -79,17 +71,15 @@ class Obj_reader
 
   void read_texture_coordinates()
   {
-    const double u = any_number();
-    const double v = text_.is_at_end_of_line() ? 0 : any_number();
+    const double u = number();
+    const double v = text_.is_at_end_of_line() ? 0 : number();
     if (keeps_properties_)
       soup_.texture_coordinates.push_back({u, v, 0, 0});
   }
 
   void read_normal()
   {
-    const double x = any_number();
-    const double y = any_number();
-    const Point normal{x, y, any_number()};
+    const Point normal = point();
     if (keeps_properties_)
       soup_.normals.push_back(normal);
   }

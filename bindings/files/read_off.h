@@ -77,7 +77,7 @@ class Off_reader
   void skip_numbers()
   {
     while (!text_.is_at_end_of_line())
-      text_.any_number();
+      text_.number();
   }
 
   long long number_of_corners()

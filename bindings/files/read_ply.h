@@ -40,7 +40,7 @@ public:
   {
     text_.skip_space();
     last_ = text_;
-    const double result = text_.any_number();
+    const double result = text_.number();
     if (!has_type(result, type))
       fail("a number of the type of its property");
     return result;
@@ -228,11 +228,8 @@ class Ply_body_reader
   void read_value(const Column& column, Point& point)
   {
     const double value = body_.number(column.property.type);
-    if (column.coordinate >= 0) {
-      if (!std::isfinite(value))
-        body_.fail("a finite number");
+    if (column.coordinate >= 0)
       point[static_cast<std::size_t>(column.coordinate)] = value;
-    }
     if (column.values)
       column.values->push_back(value);
   }

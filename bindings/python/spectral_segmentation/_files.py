@@ -5,6 +5,7 @@
 from __future__ import annotations
 
 import os
+import warnings
 from typing import TYPE_CHECKING, Any, NamedTuple, Optional, Union
 
 import numpy as np
@@ -84,18 +85,26 @@ def read(path: Path) -> Mesh:
     ValueError
         If its contents contradict the format, with the line or byte at fault, or if it has no
         polygon.
+
+    Warns
+    -----
+    UserWarning
+        If a part of the file is left out, such as a corner at a point that is not finite.
     """
     path = os.fsdecode(path)
     extension = _extension(path, _READ)
     with open(path, "rb") as file:
         contents = file.read()
     try:
-        *arrays, segments = _core.parse_mesh(contents, extension)
+        *arrays, segments, sentences = _core.parse_mesh(contents, extension)
     except ValueError as error:
         raise ValueError("%s cannot be read: %s" % (path, error)) from None
     mesh = Mesh(*arrays, _labels_of_file(segments, extension))
     if len(mesh.triangles) == 0:
-        raise ValueError("%s has no face with three different corners" % path)
+        raise ValueError("; ".join(["%s has no face with three different corners" % path]
+                                   + sentences[:1]))
+    for sentence in sentences:
+        warnings.warn("%s: %s" % (path, sentence), stacklevel=2)
     return mesh
 
 

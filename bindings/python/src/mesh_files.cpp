@@ -91,7 +91,8 @@ static std::vector<double> segments_of(const Polygon_soup& soup)
   return {soup.group_of_polygon.begin(), soup.group_of_polygon.end()};
 }
 
-// Returns the points, the triangles, and the polygon and the segment of each triangle.
+// Returns the points, the triangles, the polygon and the segment of each triangle, and the
+// warnings.
 static py::tuple parse_mesh(const py::bytes& bytes, const std::string& extension)
 {
   const std::string_view contents = bytes;
@@ -123,12 +124,15 @@ static py::tuple parse_mesh(const py::bytes& bytes, const std::string& extension
   const auto number_of_points = static_cast<py::ssize_t>(soup.points.size());
   const auto number_of_triangles = static_cast<py::ssize_t>(triangles.size());
   const auto number_of_segments = static_cast<py::ssize_t>(segments.size());
+  py::list warnings;
+  for (const std::string& warning : soup.warnings)
+    warnings.append(warning);
   return py::make_tuple(
     array_of<double>(std::move(soup.points), {number_of_points, 3}),
     array_of_indices(std::move(triangles), {number_of_triangles, 3},
                      static_cast<std::size_t>(number_of_points)),
     array_of_indices(std::move(polygon_of_triangle), {number_of_triangles}, number_of_polygons),
-    array_of<double>(std::move(segments), {number_of_segments}));
+    array_of<double>(std::move(segments), {number_of_segments}), warnings);
 }
 
 // Elements of which each is some numbers of a contiguous array.
