@@ -70,6 +70,16 @@ void check_failure(Format format, const std::string& file, const std::string& se
                           });
 }
 
+// With warnings in this order.
+void check_warnings(Format format, const std::string& file, const Points& points,
+                    const Polygons& polygons, const std::vector<std::string>& warnings)
+{
+  check(format, file, points, polygons);
+  BOOST_TEST_INFO_SCOPE(file.substr(0, 300));
+  BOOST_TEST(mesh_file::read_mesh_file(file, format, true).warnings == warnings,
+             boost::test_tools::per_element());
+}
+
 std::string with_line_ends(const std::string& text, const std::string& line_end)
 {
   std::string result;
@@ -435,10 +445,41 @@ BOOST_AUTO_TEST_CASE(obj_contradictions)
   fails("v 0 0 0\nv 1 0", "line 2: the file ends where a number should be");
   fails("v 0 0,5 0\n", "line 1: '0,5' is not a number");
   fails("v 0 0 0 red\n", "line 1: 'red' is not a number");
-  fails("v 0 0 0\r\nvn 0 0\r\n", "line 2: the line ends where a number should be");
-  fails("vt\n", "line 1: the line ends where a number should be");
-  fails("v 0 0 0\nface 1 1 1\n", "line 2: 'face' is not a statement of OBJ");
+  fails("face 1 1 1\nedge 1 1\n", "line 1: 'face' is not a statement of OBJ");
+  fails("OFF\n1 0 0\n0 0 0\n", "line 1: 'OFF' is not a statement of OBJ");
+  fails("\n<!DOCTYPE html>\n<html>", "line 2: '<!DOCTYPE' is not a statement of OBJ");
   fails(std::string("\0\1\2", 3), "line 1: '?\?\?' is not a statement of OBJ");
+}
+
+BOOST_AUTO_TEST_CASE(obj_with_what_is_not_known)
+{
+  const std::string mesh = "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n";
+  const auto warns = [](const std::string& file, const std::vector<std::string>& warnings)
+  { check_warnings(Format::OBJ, file, corner_points, {{0, 1, 2}}, warnings); };
+  warns(mesh + "vw 0 0 1.0\nvw 1 0 1\n\nt crease 2/1/0 0 1 2.0\nvw\n",
+        {"line 5: 'vw' is not a statement of OBJ", "line 8: 't' is not a statement of OBJ"});
+  std::vector<std::string> warnings;
+  std::string many = mesh;
+  for (int i = 1; i <= 20; ++i) {
+    const std::string name = "u" + std::to_string(i);
+    many += name + "\n";
+    if (i <= 8)
+      warnings.push_back("line " + std::to_string(4 + i) + ": '" + name +
+                         "' is not a statement of OBJ");
+  }
+  warns(many, warnings);
+  warns(mesh + std::string(70, '\0'), {});
+  warns(mesh + "\x1A", {});
+  warns(mesh + "\r\n\x1A\r\n", {});
+
+  warns("vn -1.#IND -1.#IND -1.#IND\nvt 1.#QNAN\nvt 1 2 3 x\n" + mesh, {});
+  warns("vt\nvn 0 0\r\nvn x y 1,0\n" + mesh,
+        {"line 1: the line ends where a number should be, in a normal or texture"});
+  const Polygon_soup soup =
+    mesh_file::read_obj("vn 0 x 1\nvn 1 0 0\n" + mesh + "f 1//2 2//2 3//1\n", true);
+  BOOST_TEST(soup.normals.size() == 2u);
+  BOOST_TEST((std::isnan(soup.normals[0][1]) && soup.normals[0][2] == 1));
+  BOOST_TEST((soup.normals[1] == Point{1, 0, 0}));
 }
 
 // PLY

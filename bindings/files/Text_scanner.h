@@ -11,6 +11,7 @@
 #include <cstddef>
 #include <cstdlib>
 #include <limits>
+#include <optional>
 #include <stdexcept>
 #include <string>
 #include <string_view>
@@ -124,10 +125,12 @@ public:
     return position_ == end_ || is_end_of_line(*position_);
   }
 
+  // Zeros and the byte 0x1A of DOS, which fill up some files, count as the end.
   bool is_at_end()
   {
     skip_space();
-    return position_ == end_;
+    return rest().find_first_not_of(std::string_view("\0\x1A \t\r\n", 6)) ==
+           std::string_view::npos;
   }
 
   // Whatever they say.
@@ -187,20 +190,36 @@ public:
   std::string_view rest() const
   { return {position_, static_cast<std::size_t>(end_ - position_)}; }
 
-  // The word at the position, if there is one, is not `expected`.
-  [[noreturn]] void fail(const std::string& expected) const
+  std::string at_line(const std::string& sentence) const
+  { return "line " + std::to_string(line()) + ": " + sentence; }
+
+  // Says that the word at the position, if there is one, is not `expected`.
+  std::string contradiction(const std::string& expected) const
   {
     const std::string_view word = peek_word();
-    fail_with(word.empty() ? (position_ == end_ ? "the file ends where " : "the line ends where ") +
-                               expected + " should be"
-                           : in_quotes(word) + " is not " + expected);
+    return at_line(word.empty() ? (position_ == end_ ? "the file ends where "
+                                                     : "the line ends where ") +
+                                    expected + " should be"
+                                : in_quotes(word) + " is not " + expected);
   }
 
+  [[noreturn]] void fail(const std::string& expected) const
+  { throw std::runtime_error(contradiction(expected)); }
+
   [[noreturn]] void fail_with(const std::string& sentence) const
-  { throw std::runtime_error("line " + std::to_string(line()) + ": " + sentence); }
+  { throw std::runtime_error(at_line(sentence)); }
 
   // On this line or a later one; it may be infinite or NaN.
   double number()
+  {
+    const std::optional<double> result = find_number();
+    if (!result)
+      fail("a number");
+    return *result;
+  }
+
+  // The same, but a word that is no number stays.
+  std::optional<double> find_number()
   {
     skip_space();
     const char* const first = after_plus();
@@ -215,7 +234,7 @@ public:
       while (!is_after_word(last));
     }
     if (error == std::errc::invalid_argument || !is_after_word(last))
-      fail("a number");
+      return {};
     position_ = last;
     return result;
   }

@@ -12,7 +12,11 @@
 #include <cstddef>
 #include <functional>
 #include <iterator>
+#include <limits>
 #include <map>
+#include <optional>
+#include <set>
+#include <stdexcept>
 #include <string>
 #include <string_view>
 #include <utility>
@@ -21,7 +25,8 @@
 namespace mesh_file {
 
 // The format of Wavefront. Of its statements those of points, faces, objects, groups and names of
-// materials are read; lines, points, curves and settings are skipped.
+// materials are read; lines, points, curves and settings are skipped. So is what is not known, with
+// a warning.
 class Obj_reader
 {
   static constexpr long long most = null_index - 1;
@@ -37,6 +42,9 @@ class Obj_reader
   Index number_of_group_ = 0;
   std::map<std::string, Index, std::less<> > materials_;
   Index number_of_material_ = null_index;
+  static constexpr std::size_t most_unknown = 8;
+  std::set<std::string> unknown_; // the first kinds of statements that are not known
+  bool has_bad_numbers_ = false;  // in normals or texture coordinates
 
   static bool is_skipped(std::string_view statement)
   {
@@ -69,17 +77,35 @@ class Obj_reader
     return {x, y, number()};
   }
 
+  // Returns a number of a normal or of texture coordinates. Nothing may need it: NaN stands for one
+  // that is missing or no number.
+  double number_or_nan()
+  {
+    std::optional<double> result;
+    if (!text_.is_at_end_of_line())
+      result = text_.find_number();
+    if (!result) {
+      if (!has_bad_numbers_)
+        soup_.warnings.push_back(text_.contradiction("a number") + ", in a normal or texture");
+      has_bad_numbers_ = true;
+      text_.skip_word();
+    }
+    return result.value_or(std::numeric_limits<double>::quiet_NaN());
+  }
+
   void read_texture_coordinates()
   {
-    const double u = number();
-    const double v = text_.is_at_end_of_line() ? 0 : number();
+    const double u = number_or_nan();
+    const double v = text_.is_at_end_of_line() ? 0 : number_or_nan();
     if (keeps_properties_)
       soup_.texture_coordinates.push_back({u, v, 0, 0});
   }
 
   void read_normal()
   {
-    const Point normal = point();
+    const double x = number_or_nan();
+    const double y = number_or_nan();
+    const Point normal{x, y, number_or_nan()};
     if (keeps_properties_)
       soup_.normals.push_back(normal);
   }
@@ -121,7 +147,6 @@ class Obj_reader
   // Reads the name of an object, or the names of a group.
   void read_group(std::string& name)
   {
-    text_.skip_word();
     name.clear();
     while (!text_.is_at_end_of_line())
       name.append(text_.word()) += ' ';
@@ -131,7 +156,6 @@ class Obj_reader
 
   void read_material()
   {
-    text_.skip_word();
     const std::string_view name = text_.peek_rest_of_line();
     const auto found = materials_.find(name);
     number_of_material_ = found == materials_.end()
@@ -152,36 +176,37 @@ class Obj_reader
     soup_.material_of_polygon.push_back(number_of_material_);
   }
 
+  void warn_of_unknown(const Text_scanner& where, std::string_view statement)
+  {
+    if (unknown_.size() < most_unknown && unknown_.emplace(statement).second)
+      soup_.warnings.push_back(where.contradiction("a statement of OBJ"));
+  }
+
   void read_statement()
   {
-    const std::string_view statement = text_.peek_word();
-    const bool is_read = statement == "v" || statement == "vn" || statement == "vt" ||
-                         statement == "f" || statement == "fo";
-    if (is_read)
-      text_.skip_word();
-    else if (statement == "g" || statement == "o")
-      read_group(statement == "o" ? object_ : group_);
-    else if (statement == "usemtl")
-      read_material();
-    else if (statement == "mtllib") {
-      text_.skip_word();
-      soup_.material_files.emplace_back(text_.peek_rest_of_line());
-    }
-    else if (statement == "call" || statement == "csh")
-      text_.fail_with("other files and commands are not read");
-    else if (!is_skipped(statement))
-      text_.fail("a statement of OBJ");
-    if (!is_read)
-      text_.skip_rest_of_line();
-    else if (statement == "v")
+    const Text_scanner where = text_;
+    const std::string_view statement = text_.word();
+    if (statement == "v") {
       soup_.points.push_back(point());
+      skip_numbers();
+    }
     else if (statement == "vn")
       read_normal();
     else if (statement == "vt")
       read_texture_coordinates();
-    else
+    else if (statement == "f" || statement == "fo")
       read_face();
-    skip_numbers();
+    else if (statement == "g" || statement == "o")
+      read_group(statement == "o" ? object_ : group_);
+    else if (statement == "usemtl")
+      read_material();
+    else if (statement == "mtllib")
+      soup_.material_files.emplace_back(text_.peek_rest_of_line());
+    else if (statement == "call" || statement == "csh")
+      where.fail_with("other files and commands are not read");
+    else if (!is_skipped(statement))
+      warn_of_unknown(where, statement);
+    text_.skip_rest_of_line();
   }
 
   // Nothing is left of those that no corner has, and of numbers without an element.
@@ -202,6 +227,8 @@ public:
   {
     while (!text_.is_at_end())
       read_statement();
+    if (!soup_.warnings.empty() && soup_.points.empty() && soup_.number_of_polygons() == 0)
+      throw std::runtime_error(soup_.warnings[0]); // this is no OBJ
     if (groups_.size() == 1)
       soup_.group_of_polygon.clear();
     if (!keeps_properties_) {
