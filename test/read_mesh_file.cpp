@@ -714,6 +714,26 @@ BOOST_AUTO_TEST_CASE(stl_text_of_two_solids)
         {{0, 1, 2}, {0, 1, 3}});
 }
 
+BOOST_AUTO_TEST_CASE(stl_text_with_more_or_less)
+{
+  const std::string first = "solid a\n" + stl_facet("0 0 1"), second = stl_facet("0 0 1", "0 0 1");
+  const auto warns = [&](const std::string& middle, const std::string& end,
+                         const std::vector<std::string>& warnings) {
+    const std::string text = first + middle + second + end;
+    check_warnings(Format::STL, text, stl_points, {{0, 1, 2}, {0, 1, 3}}, warnings);
+  };
+  warns("color 0.5 0 0\n", "color 1 0 0\nendsolid\n",
+        {"line 9: 'color' is not 'facet' or 'endsolid'"});
+  warns("color 1 0 0 ", "endsolid\nmore\n", {"line 9: 'color' is not 'facet' or 'endsolid'"});
+  warns("", "endsolid\nmore words\n", {"line 17: 'more' is not 'facet' or 'endsolid'"});
+  warns("", "", {"line 16: the file ends where 'endsolid' should be"});
+  warns("solid b\n", "endsolid b\n", {});
+  warns("endsolid\n", "endsolid\n" + std::string(9, '\0'), {});
+  const std::string text = first.substr(0, first.size() - 1) + " extra words\n" + second;
+  check_warnings(Format::STL, text + "endsolid\n", stl_points, {{0, 1, 2}, {0, 1, 3}},
+                 {"line 8: 'extra' is not 'facet' or 'endsolid'"});
+}
+
 BOOST_AUTO_TEST_CASE(stl_text_with_a_solid_behind_a_name)
 {
   std::string second = "solid b " + stl_facet("0 0 1") + "endsolid b\n";
@@ -754,7 +774,7 @@ BOOST_AUTO_TEST_CASE(stl_contradictions)
     return text.replace(text.find(facet) + facet.find(word), word.size(), by);
   };
   fails("sold\n", "line 1: 'sold' is not 'solid'");
-  fails(changed("facet", "facit"), "line 2: 'facit' is not 'endsolid'");
+  fails(changed("facet", "facit"), "line 2: 'normal' is not 'facet' or 'endsolid'");
   fails(changed("normal", "normel"), "line 2: 'normel' is not 'normal'");
   fails(changed("0 0 1", "0 0 1 2"), "line 2: '2' is not 'outer'");
   fails(changed("outer", "oter"), "line 3: 'oter' is not 'outer'");
@@ -765,13 +785,20 @@ BOOST_AUTO_TEST_CASE(stl_contradictions)
   fails(changed("1 0 0", "1 0 0 0"), "line 5: '0' is not 'vertex'");
   fails(changed("endloop", "endlop"), "line 7: 'endlop' is not 'endloop'");
   fails(changed("endfacet", "end"), "line 8: 'end' is not 'endfacet'");
-  fails("solid\n" + facet, "line 9: the file ends where 'endsolid' should be");
-  fails("solid\n" + facet + "endsolid\nx", "line 10: 'x' is not 'solid'");
+  fails("solid\n", "line 2: the file ends where 'endsolid' should be");
+  fails("solid\n0 1 2\nendsolid", "line 2: '0' is not 'facet' or 'endsolid'");
+  fails("solid " + with_line_ends(facet, " ") + "endsolid\n",
+        "line 1: faces follow the name of the solid on its line");
 
   const std::string binary = binary_stl("a");
   check_failure(Format::STL, binary_stl(std::string(80, '\0')).substr(0, 183),
-                "byte 80: the file is too short for 2 faces");
+                "byte 80: its size fits 1 faces, but its header says 2");
   fails(binary + "more", "byte 184: there is more after the last face");
+  fails(binary + std::string(50, 'm'), "byte 184: there is more after the last face: its size fits "
+                                       "3 faces, but its header says 2");
+  std::string wrong_number = binary;
+  wrong_number.replace(80, 4, "\xFF\xFF\xFF\xFF");
+  fails(wrong_number, "byte 80: its size fits 2 faces, but its header says 4294967295");
 }
 
 // The format

@@ -89,12 +89,12 @@ public:
   }
 
   // Checks that the rest is only filled up with zeros and white space.
-  void finish(const char* last) const
+  void finish(const std::string& last) const
   {
     const std::size_t more =
       bytes_.find_first_not_of(std::string_view("\0 \t\r\n\x1A", 6), position_);
     if (more != std::string_view::npos)
-      fail(more, std::string("there is more after ") + last);
+      fail(more, "there is more after " + last);
   }
 };
 

@@ -11,6 +11,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <stdexcept>
 #include <string>
 #include <string_view>
 #include <utility>
@@ -32,21 +33,24 @@ class Stl_reader
   { return Byte_scanner(file, 80, false).number<std::uint32_t>(); }
 
   // The size tells, as also binary files begin with "solid". In a text the bytes of the number are
-  // characters, which would be a number of faces larger than the file.
+  // characters, which would be a number of faces larger than the file. Where the number is wrong, a
+  // zero up to the end of the first face tells.
   bool is_binary() const
   {
     if (file_.size() < size_of_header)
       return false;
     return number_of_faces(file_) == (file_.size() - size_of_header) / size_of_face ||
-           file_.substr(0, size_of_header).find('\0') != std::string_view::npos;
+           file_.substr(0, size_of_header + size_of_face).find('\0') != std::string_view::npos;
   }
 
   void read_binary()
   {
-    const std::size_t faces = number_of_faces(file_);
     Byte_scanner bytes(file_, size_of_header, false);
-    if (faces > bytes.remaining() / size_of_face)
-      Byte_scanner::fail(80, "the file is too short for " + std::to_string(faces) + " faces");
+    const std::size_t faces = number_of_faces(file_), room = bytes.remaining() / size_of_face;
+    const std::string sizes = "its size fits " + std::to_string(room) +
+                              " faces, but its header says " + std::to_string(faces);
+    if (faces > room)
+      Byte_scanner::fail(80, sizes);
     soup_.coordinate_type = Number_type::FLOAT32;
     soup_.corners.reserve(3 * faces);
     soup_.first_corner.reserve(faces + 1);
@@ -57,7 +61,7 @@ class Stl_reader
       soup_.end_polygon();
       bytes.skip(2, "the end of a face");
     }
-    bytes.finish("the last face");
+    bytes.finish(faces == room ? "the last face" : "the last face: " + sizes);
   }
 
   static void expect(Text_scanner& text, const char* keyword)
@@ -89,22 +93,41 @@ class Stl_reader
     soup_.end_polygon();
   }
 
-  // One solid after the other. Their names may be any words, or none.
+  // Skips the name of a solid, which may be any words.
+  static void skip_name(Text_scanner& text)
+  {
+    const Text_scanner where = text;
+    if (lower_case(text.rest_of_line()).find("endfacet") != std::string::npos)
+      where.fail_with("faces follow the name of the solid on its line");
+  }
+
+  // One solid after the other, the last of which may have no end. Words between the faces, such as
+  // colors, are skipped with a warning.
   void read_text()
   {
     Text_scanner text(file_);
+    expect(text, "solid");
+    skip_name(text);
+    bool has_end = false;
     while (!text.is_at_end()) {
-      expect(text, "solid");
-      text.rest_of_line();
-      while (text.skip_space(), lower_case(text.peek_word()) == "facet") {
-        text.skip_word();
+      const std::string word = lower_case(text.peek_word());
+      if (word == "normal" || word == "vertex")
+        text.fail("'facet' or 'endsolid'");
+      const bool is_known = word == "facet" || word == "solid" || word == "endsolid";
+      if (!is_known && soup_.warnings.empty())
+        soup_.warnings.push_back(text.contradiction("'facet' or 'endsolid'"));
+      text.skip_word();
+      if (word == "facet")
         read_facet(text);
+      else if (is_known) {
+        skip_name(text);
+        has_end = word == "endsolid";
       }
-      expect(text, "endsolid");
-      const Text_scanner where = text;
-      if (lower_case(text.rest_of_line()).find("endfacet") != std::string::npos)
-        where.fail("the end of the line, or the name of the solid alone");
     }
+    if (!has_end)
+      soup_.warnings.push_back(text.contradiction("'endsolid'"));
+    if (soup_.number_of_polygons() == 0 && !soup_.warnings.empty())
+      throw std::runtime_error(soup_.warnings[0]);
   }
 
 public:
