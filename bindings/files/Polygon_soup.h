@@ -105,11 +105,11 @@ struct Polygon_soup
 // may be an edge, a point or nothing.
 inline void remove_infinite_corners(Polygon_soup& soup)
 {
-  std::size_t first_changed = 0, number_of_changed = 0;
+  const std::size_t polygons = soup.number_of_polygons(), corners = soup.corners.size();
+  std::size_t first_changed = polygons;
   Index size = 0; // of the corners that stay
-  for (std::size_t i = 0, c = 0; i < soup.number_of_polygons(); ++i) {
-    const std::size_t removed = c - size, end = soup.first_corner[i + 1];
-    for (; c < end; ++c)
+  for (std::size_t i = 0, c = 0; i < polygons; ++i) {
+    for (; c < soup.first_corner[i + 1]; ++c)
       if (is_finite(soup.points[soup.corners[c]])) {
         for (auto* list : {&soup.corners, &soup.texture_of_corner, &soup.normal_of_corner})
           if (!list->empty())
@@ -117,16 +117,14 @@ inline void remove_infinite_corners(Polygon_soup& soup)
         ++size;
       }
     soup.first_corner[i + 1] = size;
-    if (c - size != removed && number_of_changed++ == 0)
-      first_changed = i;
+    if (c != size)
+      first_changed = (std::min)(first_changed, i);
   }
   for (auto* list : {&soup.corners, &soup.texture_of_corner, &soup.normal_of_corner})
     list->resize((std::min)(list->size(), std::size_t(size)));
-  if (number_of_changed > 0)
-    soup.warnings.push_back(
-      "face " + std::to_string(first_changed) + " uses a point that is not finite; it " +
-      (number_of_changed == 1 ? "is read without that corner" :
-       "and " + std::to_string(number_of_changed - 1) + " more are read without such corners"));
+  if (first_changed < polygons)
+    soup.warnings.push_back("face " + std::to_string(first_changed) + " uses a point that is not "
+                            "finite; corners left out: " + std::to_string(corners - size));
 }
 
 // Multiplies the coordinates, also those that are not finite.
