@@ -212,10 +212,9 @@ public:
   // On this line or a later one; it may be infinite or NaN.
   double number()
   {
-    const std::optional<double> result = find_number();
-    if (!result)
-      fail("a number");
-    return *result;
+    if (const std::optional<double> result = find_number())
+      return *result;
+    fail("a number");
   }
 
   // The same, but a word that is no number stays.

@@ -63,13 +63,6 @@ class Obj_reader
     return text_.number();
   }
 
-  // A weight, colors, or a third texture coordinate.
-  void skip_numbers()
-  {
-    while (!text_.is_at_end_of_line())
-      text_.number();
-  }
-
   Point point()
   {
     const double x = number();
@@ -188,7 +181,8 @@ class Obj_reader
     const std::string_view statement = text_.word();
     if (statement == "v") {
       soup_.points.push_back(point());
-      skip_numbers();
+      while (!text_.is_at_end_of_line())
+        text_.number(); // a weight or colors
     }
     else if (statement == "vn")
       read_normal();
