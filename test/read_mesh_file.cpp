@@ -603,6 +603,29 @@ BOOST_AUTO_TEST_CASE(ply_strips_of_triangles)
   BOOST_TEST(mesh_file::read_ply(with_faces, true).polygon_properties.empty());
 }
 
+BOOST_AUTO_TEST_CASE(ply_with_more_than_the_header_declares)
+{
+  const std::string header = ply_header("ascii", ply_points + ply_faces);
+  const auto warns = [](const std::string& file, const std::vector<std::string>& warnings)
+  { check_warnings(Format::PLY, file, corner_points, {{0, 1, 2}}, warnings); };
+  const std::vector<std::string> warning{"line 11: '255' is not a number that the header declares"};
+  const std::string body = "0 0 0\n1 0 0 255 9\n\n0 1 0 # a comment\n3 0 1 2";
+  for (const char* line_end : {"\n", "\r\n", "\r"})
+    warns(with_line_ends(header + body + "\n", line_end), warning);
+  warns(header + "\n" + body + " red 7\n\n", {"line 12: '255' is not a number that the header "
+                                             "declares"});
+  warns(header + "0 0 0\n1 0 0\n0 1 0\n3 0 1 2 7\n",
+        {"line 13: '7' is not a number that the header declares"});
+  check_failure(Format::PLY, header + "0 0 0 1\n1 0\n0 0 1 0\n3 0 1 2\n",
+                "line 13: there is more after the last element");
+  warns("PLY\n" + header.substr(4) + ply_body, {});
+  std::string unknown = header;
+  unknown.insert(4, "made by hand\nmade again\n");
+  warns(unknown + ply_body, {"line 2: 'made' is not a line of a PLY header"});
+  warns(unknown + body, {"line 2: 'made' is not a line of a PLY header",
+                         "line 13: '255' is not a number that the header declares"});
+}
+
 BOOST_AUTO_TEST_CASE(ply_header_contradictions)
 {
   const auto fails = [](const std::string& file, const std::string& sentence)
@@ -624,7 +647,8 @@ BOOST_AUTO_TEST_CASE(ply_header_contradictions)
         "line 5: there is a property 'x' already");
   fails("ply\nformat ascii 1.0\nelement a 1\nproperty list int x\n",
         "line 4: 'x' is not a number type of PLY");
-  fails("ply\nformat ascii 1.0\nlement a 1\n", "line 3: 'lement' is not a line of a PLY header");
+  fails("ply\nformat ascii 1.0\nlement a 1\n",
+        "line 4: the file ends where a line of a PLY header should be");
   fails("ply\nformat ascii 1.0\n", "line 3: the file ends where a line of a PLY header should be");
   fails(ply_header("ascii", "element vertex 1\nproperty float x\nproperty float y\n") + "0 0\n",
         "line 7: the points have no properties x, y and z");
@@ -818,6 +842,7 @@ BOOST_AUTO_TEST_CASE(formats)
   BOOST_TEST((format_of_contents("# a comment\nOFF\n") == Format::OFF));
   BOOST_TEST((format_of_contents("\xEF\xBB\xBF" "STCN4nOFF BINARY\n") == Format::OFF));
   BOOST_TEST((format_of_contents("ply\r\n") == Format::PLY));
+  BOOST_TEST((format_of_contents("PLY\n") == Format::PLY));
   BOOST_TEST((format_of_contents("SOLID\ta\n") == Format::STL));
   BOOST_TEST((format_of_contents(binary_stl("x")) == Format::STL));
   BOOST_TEST((format_of_contents("# a comment\nv 0 0 0\n") == Format::OBJ));

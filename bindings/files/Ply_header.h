@@ -32,12 +32,13 @@ struct Ply_element
   std::vector<Ply_property> properties;
 };
 
-enum class Ply_encoding { TEXT, LITTLE_ENDIAN_BINARY, BIG_ENDIAN_BINARY };
+enum class Ply_encoding { TEXT, TEXT_BY_LINES, LITTLE_ENDIAN_BINARY, BIG_ENDIAN_BINARY };
 
 struct Ply_header
 {
   Ply_encoding encoding = Ply_encoding::TEXT;
   std::vector<Ply_element> elements;
+  std::vector<std::string> warnings;
 };
 
 class Ply_header_reader
@@ -129,7 +130,7 @@ public:
   // Leaves the text at the begin of the body.
   Ply_header operator()()
   {
-    if (text_.peek_word() != "ply")
+    if (lower_case(text_.peek_word()) != "ply")
       text_.fail("'ply'");
     text_.skip_word();
     end_line();
@@ -144,6 +145,8 @@ public:
         end_line();
         break;
       }
+      else if (keyword.empty())
+        where.fail("a line of a PLY header");
       else {
         if (keyword == "format" && !has_format) {
           read_format();
@@ -153,8 +156,11 @@ public:
           read_element();
         else if (keyword == "property")
           read_property();
-        else
-          where.fail("a line of a PLY header");
+        else {
+          if (header_.warnings.empty())
+            header_.warnings.push_back(where.contradiction("a line of a PLY header"));
+          text_.skip_rest_of_line();
+        }
         end_line();
       }
     }

@@ -34,7 +34,7 @@ inline Format format_of_contents(std::string_view file)
   Text_scanner text(file);
   text.skip_space();
   const std::string_view word = text.peek_word();
-  return word == "ply" ? Format::PLY : Off_header().parse(word) ? Format::OFF :
+  return lower_case(word) == "ply" ? Format::PLY : Off_header().parse(word) ? Format::OFF :
          is_stl(file) ? Format::STL : Format::OBJ;
 }
 

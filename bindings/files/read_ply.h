@@ -22,14 +22,17 @@
 
 namespace mesh_file {
 
-// The numbers of a body in text.
+// The numbers of a body in text. By lines, each has an element, and maybe more.
 class Ply_text
 {
   Text_scanner text_;
   Text_scanner last_; // before the last number
+  const bool is_by_lines_;
 
 public:
-  Ply_text(const Text_scanner& text, Ply_encoding) : text_(text), last_(text) {}
+  Ply_text(const Text_scanner& text, Ply_encoding encoding)
+    : text_(text), last_(text), is_by_lines_(encoding == Ply_encoding::TEXT_BY_LINES)
+  { text_.skip_space(); }
 
   std::size_t remaining() const { return text_.rest().size(); }
 
@@ -38,12 +41,26 @@ public:
 
   double number(Number_type type)
   {
-    text_.skip_space();
+    if (!is_by_lines_)
+      text_.skip_space();
+    else if (text_.is_at_end_of_line())
+      text_.fail("a number");
     last_ = text_;
     const double result = text_.number();
     if (!has_type(result, type))
       fail("a number of the type of its property");
     return result;
+  }
+
+  // Skips what is left of a line, with a warning for the first time.
+  void end_element(std::vector<std::string>& warnings)
+  {
+    if (!is_by_lines_)
+      return;
+    if (!text_.is_at_end_of_line() && warnings.empty())
+      warnings.push_back(text_.contradiction("a number that the header declares"));
+    text_.skip_rest_of_line();
+    text_.skip_space();
   }
 
   // The last number is not `expected`.
@@ -95,6 +112,8 @@ public:
       default: return bytes_.number<double>();
     }
   }
+
+  void end_element(std::vector<std::string>&) {}
 
   [[noreturn]] void fail(const char* expected) const
   { Byte_scanner::fail(last_, std::string("the number here is not ") + expected); }
@@ -284,6 +303,7 @@ class Ply_body_reader
           read_value(column, point);
       if (element.name == "vertex")
         soup_.points.push_back(point);
+      body_.end_element(soup_.warnings);
     }
   }
 
@@ -320,14 +340,32 @@ public:
   }
 };
 
-// The format of Stanford, text and binary.
+// The format of Stanford, text and binary. A text is read by lines only if its numbers alone do not
+// fit the header.
 inline Polygon_soup read_ply(std::string_view file, bool keeps_properties)
 {
   Text_scanner text(file);
-  const Ply_header header = Ply_header_reader(text)();
-  if (header.encoding == Ply_encoding::TEXT)
-    return Ply_body_reader<Ply_text>(text, header, keeps_properties)();
-  return Ply_body_reader<Ply_binary>(text, header, keeps_properties)();
+  Ply_header header = Ply_header_reader(text)();
+  Polygon_soup result;
+  try {
+    if (header.encoding == Ply_encoding::TEXT)
+      result = Ply_body_reader<Ply_text>(text, header, keeps_properties)();
+    else
+      result = Ply_body_reader<Ply_binary>(text, header, keeps_properties)();
+  }
+  catch (const std::runtime_error& error) {
+    if (header.encoding != Ply_encoding::TEXT)
+      throw;
+    header.encoding = Ply_encoding::TEXT_BY_LINES;
+    try {
+      result = Ply_body_reader<Ply_text>(text, header, keeps_properties)();
+    }
+    catch (const std::runtime_error&) {
+      throw std::runtime_error(error);
+    }
+  }
+  result.warnings.insert(result.warnings.begin(), header.warnings.begin(), header.warnings.end());
+  return result;
 }
 
 } // namespace mesh_file
