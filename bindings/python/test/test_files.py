@@ -103,6 +103,20 @@ def test_written_colors_and_labels(dumbbell, tmp_path):
         write(path, points, triangles, labels, colors=[[0, 0, 0], [0, 256, 0]])
 
 
+def test_warnings(tmp_path):
+    (tmp_path / "more.obj").write_text("v 0 0 0\nv 1 0 0\nv 0 1 0\nv nan 0 0\nvw 0 0 1\n"
+                                       "f 1 2 3\nf 2 1 4\n")
+    with pytest.warns(UserWarning) as caught:
+        mesh = read(tmp_path / "more.obj")
+    assert mesh.triangles.tolist() == [[0, 1, 2]]
+    sentences = [str(w.message).split(": ", 1)[1] for w in caught]
+    assert sentences == ["line 5: 'vw' is not a statement of OBJ",
+                         "face 1 uses a point that is not finite; corners left out: 1"]
+    (tmp_path / "none.obj").write_text("v 0 0 0\nv 1 0 0\nv nan 0 0\nf 1 2 3\n")
+    with pytest.raises(ValueError, match="different corners; face 0 uses a point"):
+        read(tmp_path / "none.obj")
+
+
 def test_errors(tmp_path, dumbbell):
     with pytest.raises(FileNotFoundError):
         read(tmp_path / "missing.off")
