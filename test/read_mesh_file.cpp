@@ -448,7 +448,7 @@ BOOST_AUTO_TEST_CASE(obj_contradictions)
   fails("face 1 1 1\nedge 1 1\n", "line 1: 'face' is not a statement of OBJ");
   fails("OFF\n1 0 0\n0 0 0\n", "line 1: 'OFF' is not a statement of OBJ");
   fails("\n<!DOCTYPE html>\n<html>", "line 2: '<!DOCTYPE' is not a statement of OBJ");
-  fails(std::string("\0\1\2", 3), "line 1: '?\?\?' is not a statement of OBJ");
+  fails(std::string("\0\1\2", 3), "line 1: '?\?' is not a statement of OBJ");
 }
 
 BOOST_AUTO_TEST_CASE(obj_with_what_is_not_known)
@@ -470,6 +470,7 @@ BOOST_AUTO_TEST_CASE(obj_with_what_is_not_known)
   warns(many, warnings);
   warns(mesh + std::string(70, '\0'), {});
   warns(mesh + "\x1A", {});
+  warns(std::string(9, '\0') + mesh, {});
   warns(mesh + "\r\n\x1A\r\n", {});
 
   warns("vn -1.#IND -1.#IND -1.#IND\nvt 1.#QNAN\nvt 1 2 3 x\n" + mesh, {});
@@ -750,6 +751,7 @@ BOOST_AUTO_TEST_CASE(stl_text_with_more_or_less)
         {"line 9: 'color' is not 'facet' or 'endsolid'"});
   warns("color 1 0 0 ", "endsolid\nmore\n", {"line 9: 'color' is not 'facet' or 'endsolid'"});
   warns("", "endsolid\nmore words\n", {"line 17: 'more' is not 'facet' or 'endsolid'"});
+  warns("", std::string(9, '\0'), {"line 16: the file ends where 'endsolid' should be"});
   warns("", "", {"line 16: the file ends where 'endsolid' should be"});
   warns("solid b\n", "endsolid b\n", {});
   warns("endsolid\n", "endsolid\n" + std::string(9, '\0'), {});

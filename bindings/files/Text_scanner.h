@@ -125,12 +125,12 @@ public:
     return position_ == end_ || is_end_of_line(*position_);
   }
 
-  // Zeros and the byte 0x1A of DOS, which fill up some files, count as the end.
+  // Skips zeros and the byte 0x1A of DOS, which fill up some files.
   bool is_at_end()
   {
-    skip_space();
-    return rest().find_first_not_of(std::string_view("\0\x1A \t\r\n", 6)) ==
-           std::string_view::npos;
+    for (skip_space(); is_at('\0') || is_at('\x1A'); skip_space())
+      ++position_;
+    return position_ == end_;
   }
 
   // Whatever they say.
