@@ -11,6 +11,7 @@
 #include <string>
 
 #ifdef SEGMENT_MESH_WITH_LIB3MF
+#include "Byte_scanner.h"
 #include "Lib3mf.h"
 
 #include <boost/uuid/name_generator_sha1.hpp>
@@ -20,7 +21,9 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <cstdint>
 #include <limits>
+#include <sstream>
 #include <vector>
 #endif
 
@@ -31,6 +34,41 @@ inline bool is_3mf(const std::string& extension) { return extension == ".3mf"; }
 #ifdef SEGMENT_MESH_WITH_LIB3MF
 
 constexpr bool has_lib3mf = true;
+
+// Returns an archive of lib3mf, which is ZIP64, as plain ZIP, as Assimp 5 does not read the other.
+// One that is too large for that stays.
+inline std::string plain_zip(const std::string& archive)
+{
+  const auto bytes = [](std::size_t number, int size) {
+    std::string result;
+    for (; size > 0; --size, number >>= 8)
+      result += static_cast<char>(number & 0xFF);
+    return result;
+  };
+  std::string result, directory;
+  std::size_t entries = 0;
+  for (std::size_t at = 0; archive.compare(at, 4, "PK\3\4") == 0; ++entries) {
+    mesh_file::Byte_scanner numbers(archive, at + 26, false);
+    const std::size_t size_of_name = numbers.number<std::uint16_t>();
+    const std::size_t size_of_extra = numbers.number<std::uint16_t>();
+    numbers.skip(size_of_name + 4, "a name"); // and the head of the sizes
+    const std::size_t size = static_cast<std::size_t>(numbers.number<std::uint64_t>());
+    const std::size_t packed_size = static_cast<std::size_t>(numbers.number<std::uint64_t>());
+    if ((std::max)(archive.size(), size) > 0xFFFF0000)
+      return archive;
+    const std::string name = archive.substr(at + 30, size_of_name);
+    const std::string entry = // for version 2.0, of 1980-01-01
+      bytes(20, 2) + archive.substr(at + 6, 4) + bytes(0x210000, 4) + archive.substr(at + 14, 4) +
+      bytes(packed_size, 4) + bytes(size, 4) + bytes(size_of_name, 4);
+    directory += "PK\1\2" + bytes(20, 2) + entry + bytes(0, 10) + bytes(result.size(), 4) + name;
+    at += 30 + size_of_name + size_of_extra;
+    result += "PK\3\4" + entry + name;
+    result.append(archive, at, packed_size);
+    at += packed_size;
+  }
+  return result + directory + "PK\5\6" + bytes(0, 4) + bytes(entries, 2) + bytes(entries, 2) +
+         bytes(directory.size(), 4) + bytes(result.size(), 4) + bytes(0, 2);
+}
 
 // Writes 3MF: an object for each segment that has triangles, with a material, and for each part
 // that was cut an object whose components are its parts. The identifiers are hashes of what they
@@ -205,13 +243,14 @@ public:
     model_.call(NMR::lib3mf_model_setbuilduuidutf8,
          identifier_of("build" + root.identifier).c_str());
     const Lib3mf writer = model_.made(NMR::lib3mf_model_querywriter, "3mf");
+    std::ostringstream archive;
     writer.call(NMR::lib3mf_writer_writetocallback, reinterpret_cast<void*>(&write_bytes),
-         reinterpret_cast<void*>(&seek), static_cast<void*>(&out));
+         reinterpret_cast<void*>(&seek), static_cast<void*>(static_cast<std::ostream*>(&archive)));
+    out << plain_zip(archive.str());
   }
 };
 
-// `out` must be at its begin, and one that can seek. Throws if the coordinates are too large or the
-// mesh is too small.
+// Throws if the coordinates are too large or the mesh is too small.
 inline void write_3mf(std::ostream& out, const mesh_file::Segmented_mesh& mesh)
 { Lib3mf_writer{mesh}(out); }
 
