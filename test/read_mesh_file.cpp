@@ -926,4 +926,45 @@ BOOST_AUTO_TEST_CASE(jobs_share_the_memory)
 }
 #endif
 
+BOOST_AUTO_TEST_CASE(contents_tell_the_format)
+{
+  const std::string off = "OFF\n3 1 0\n0 0 0\n1 0 0\n0 1 0\n3 0 1 2\n";
+  const std::string obj = "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n";
+  const std::string ply = ply_header("ascii", ply_points + ply_faces) + ply_body;
+  const std::string stl = "solid\n" + stl_facet("0 0 1") + "endsolid\n";
+  for (Format format : {Format::OFF, Format::OBJ, Format::PLY, Format::STL, Format::UNKNOWN})
+    for (const std::string& file : {off, obj, ply, stl, "\xEF\xBB\xBF" + obj})
+      check(format, file, corner_points, {{0, 1, 2}});
+  // The size tells binary STL, whatever its first word is.
+  check(Format::STL, binary_stl("OFF"), stl_points, {{0, 1, 2}, {0, 1, 3}});
+  check(Format::OBJ, binary_stl("v"), stl_points, {{0, 1, 2}, {0, 1, 3}});
+  // What has no mark is as its name says.
+  check(Format::OFF, off.substr(4), corner_points, {{0, 1, 2}});
+  check(Format::OBJ, "f 1 2 3\n" + obj.substr(0, 24), corner_points, {{0, 1, 2}});
+}
+
+BOOST_AUTO_TEST_CASE(contents_that_are_no_mesh)
+{
+  const std::string iges = std::string(72, ' ') + "S      1\n";
+  const std::string zip("PK\3\4\0\0", 6);
+  const std::vector<std::pair<std::string, std::string> > cases = {
+    {"version https://git-lfs.github.com/spec/v1\noid sha256:0\n",
+     "it is a Git LFS pointer; git lfs pull fetches the file"},
+    {"\x1F\x8B\x08", "it is compressed by gzip; unpack it"},
+    {zip + "a.off", "it is a ZIP archive; unpack it"},
+    {"\n<!DOCTYPE HTML>\n", "it is an HTML page; download the mesh itself"},
+    {"ISO-10303-21;\n", "it is CAD in STEP; export a mesh, such as STL"},
+    {iges, "it is CAD in IGES; export a mesh, such as STL"},
+    {"MeshVersionFormatted 1\n", "it is Medit; export a mesh, such as STL"},
+    {std::string("\xFF\xFEv\0 \0", 6), "it is text in UTF-16; save it as UTF-8"},
+    {zip + "3D/3dmodel.model",
+     "it is 3MF, which is read only from a file with the ending .3mf"},
+    {"glTF\2", "it is binary glTF, which is read only from a file with the ending .glb"}};
+  for (const auto& [file, sentence] : cases)
+    for (Format format : {Format::OFF, Format::OBJ, Format::PLY, Format::STL, Format::UNKNOWN})
+      check_failure(format, file, sentence);
+  // What a library refuses is not said to need a library.
+  BOOST_TEST(mesh_file::other_contents("glTF\2", false) == "");
+}
+
 BOOST_AUTO_TEST_SUITE_END()

@@ -654,6 +654,22 @@ class Formats(Tool_test):
             self.assertEqual(done.returncode, 0, name)
             self.assertEqual([int(line) for line in done.stdout.split()], self.expected)
 
+    def test_contents_tell_the_format(self):
+        content = (self.directory / "in.off").read_bytes()
+        for name in ("in.ply", "in.fbx", "in.xyz", "in"):
+            (self.directory / name).write_bytes(content)
+            self.assertEqual(self.segment(name), self.expected)
+        (self.directory / "in.obj").write_bytes(b"glTF")
+        self.assert_failure("mesh", "in.obj", sentence="it is binary glTF, which is read only from")
+
+    @unittest.skipUnless(hasattr(os, "mkfifo"), "this system has no named pipes")
+    def test_named_pipe(self):
+        os.mkfifo(self.directory / "pipe")
+        with subprocess.Popen([TOOL, "pipe", "--labels", "-", "--quiet"], cwd=self.directory,
+                              stdout=subprocess.PIPE) as run:
+            (self.directory / "pipe").write_bytes((self.directory / "in.off").read_bytes())
+            self.assertEqual([int(line) for line in run.stdout], self.expected)
+
     def test_written_formats(self):
         for name in ("out.ply", "out.obj", "out.GLB", "out.off"):
             done = self.run_tool("in.off", "--keep-faces", "-o", name)
@@ -1633,7 +1649,7 @@ class Failures(Tool_test):
             "inf.off": triangle.replace("1 0 0", "inf 0 0"),
             "overflow.off": triangle.replace("1 0 0", "1e999 0 0"),
             "degenerate.off": triangle.replace("0 1 2", "0 1 1"),
-            "name.xyz": triangle, "name": triangle,
+            "name.xyz": "0 0 0\n", "name": "Dear Sir", "page.glb": "<html>", "text.gz": "\x1f",
         }
         for name, text in cases.items():
             (self.directory / name).write_text(text)

@@ -36,12 +36,21 @@ using mesh_file::Polygon;
 using mesh_file::Polygon_soup;
 using mesh_file::Triangle;
 
+// Pipes give their bytes once.
+inline bool is_stream(const std::string& name)
+{
+  std::error_code error;
+  return name == "-" || std::filesystem::is_fifo(name, error);
+}
+
 // The bytes of a file, or of standard input if the name is "-".
 inline std::string read_bytes(const std::string& name)
 {
   if (name == "-")
     return std::string(std::istreambuf_iterator<char>(std::cin), {});
   std::ifstream in(name, std::ios::binary);
+  if (is_stream(name))
+    return std::string(std::istreambuf_iterator<char>(in), {});
   std::string result(std::filesystem::file_size(name), '\0');
   in.read(result.data(), static_cast<std::streamsize>(result.size()));
   if (in.bad())
@@ -76,33 +85,45 @@ inline void check_is_file(const std::string& name)
 inline std::string first_warning(const Polygon_soup& soup)
 { return soup.warnings.empty() ? "" : "; " + soup.warnings[0]; }
 
-// Throws `Failure` if the file has no mesh. Names of nodes and meshes are those of formats that
+// Throws `Failure` if the file has no mesh. The contents tell the format of a stream, and of a file
+// whose ending is of another format or of none. Names of nodes and meshes are those of formats that
 // Assimp reads.
 inline Scene read_scene(const std::string& name, bool keeps_properties,
                         const Reading_limits& limits = {})
 {
-  const bool is_stream = name == "-";
-  if (!is_stream)
+  const bool is_file = !is_stream(name);
+  if (is_file)
     check_is_file(name);
-  const mesh_file::Format format =
-    mesh_file::format_of_extension(std::filesystem::path(name).extension().string());
+  const std::string extension =
+    mesh_file::lower_case(std::filesystem::path(name).extension().string());
+  const mesh_file::Format format = mesh_file::format_of_extension(extension);
+  bool is_of_libraries = is_file && format == mesh_file::Format::UNKNOWN;
   Scene scene;
   try {
-    if (format == mesh_file::Format::UNKNOWN && !is_stream) {
-      const std::string extension =
-        mesh_file::lower_case(std::filesystem::path(name).extension().string());
-      scene = reads_by_lib3mf && extension == ".3mf" ? read_by_lib3mf(name, limits)
-                                                     : read_by_assimp(name, limits);
+    if (is_of_libraries) {
+      try {
+        scene = reads_by_lib3mf && extension == ".3mf" ? read_by_lib3mf(name, limits)
+                                                       : read_by_assimp(name, limits);
+      }
+      catch (const std::runtime_error&) {
+        const std::string bytes = read_bytes(name);
+        const std::string other = mesh_file::other_contents(bytes, false);
+        if (mesh_file::marked_format(bytes) == mesh_file::Format::UNKNOWN && other.empty())
+          throw;
+        is_of_libraries = false;
+        scene.soup = mesh_file::read_mesh_file(bytes, format, keeps_properties);
+      }
     }
     else {
       const std::string bytes = read_bytes(name);
       scene.soup = mesh_file::read_mesh_file(
-        bytes, is_stream ? mesh_file::format_of_contents(bytes) : format, keeps_properties);
+        bytes, format == mesh_file::Format::UNKNOWN ? mesh_file::format_of_contents(bytes) : format,
+        keeps_properties);
     }
     if (limits.reads_materials) {
       const Input_folder folder(name, limits.allows_external_files);
       Material_reader reader(folder, scene.soup);
-      if (format == mesh_file::Format::UNKNOWN && !is_stream)
+      if (is_of_libraries)
         reader.read_descriptions();
       else
         reader.read_material_files();
