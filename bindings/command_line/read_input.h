@@ -85,6 +85,28 @@ inline void check_is_file(const std::string& name)
 inline std::string first_warning(const Polygon_soup& soup)
 { return soup.warnings.empty() ? "" : "; " + soup.warnings[0]; }
 
+// Reads a file of a format of libraries.
+inline Scene read_by_libraries(const std::string& name, const std::string& extension,
+                               const Reading_limits& limits)
+{
+  if (!reads_by_lib3mf || extension != ".3mf")
+    return read_by_assimp(name, limits);
+  try {
+    return read_by_lib3mf(name, limits);
+  }
+  catch (const std::runtime_error&) {
+    Scene scene;
+    try {
+      scene = read_by_assimp(name, limits);
+    }
+    catch (const std::runtime_error&) {
+    }
+    if (scene.soup.number_of_polygons() == 0)
+      throw; // what lib3mf says
+    return scene;
+  }
+}
+
 // Throws `Failure` if the file has no mesh. The contents tell the format of a stream, and of a file
 // whose ending is of another format or of none. Names of nodes and meshes are those of formats that
 // Assimp reads.
@@ -102,8 +124,7 @@ inline Scene read_scene(const std::string& name, bool keeps_properties,
   try {
     if (is_of_libraries) {
       try {
-        scene = reads_by_lib3mf && extension == ".3mf" ? read_by_lib3mf(name, limits)
-                                                       : read_by_assimp(name, limits);
+        scene = read_by_libraries(name, extension, limits);
       }
       catch (const std::runtime_error&) {
         const std::string bytes = read_bytes(name);
