@@ -148,6 +148,9 @@ def check_hostile_lists(directory, tool):
     done = batch("--out-dir", "out_long", "--list", "long")
     check(done.returncode == 8 and "1 mesh segmented, 1 failed" in done.stdout,
           "a line of 70,000 bytes: " + done.stderr)
+    (directory / "marked").write_bytes(b"\xEF\xBB\xBFa.off\r\n")
+    done = batch("--out-dir", "out_marked", "--list", "marked")
+    check(done.returncode == 0, "a list with a byte order mark: " + done.stderr)
     (directory / "zero").write_bytes(b"a.off\0b\n")
     for name, words in (("zero", "has a zero byte in line 1"), (".", "cannot be opened")):
         done = batch("--out-dir", "out_zero", "--list", name)

@@ -59,6 +59,8 @@ inline std::vector<std::string> read_list(const std::string& name)
   std::vector<std::string> result;
   std::istream& in = name == "-" ? std::cin : file;
   for (std::string line; std::getline(in, line);) {
+    if (result.empty() && line.compare(0, 3, "\xEF\xBB\xBF") == 0) // byte order mark of UTF-8
+      line.erase(0, 3);
     if (!line.empty() && line.back() == '\r')
       line.pop_back();
     if (line.find('\0') != std::string::npos)
