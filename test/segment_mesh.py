@@ -896,6 +896,15 @@ class Formats(Tool_test):
             self.assertIn("Assimp", done.stderr)
             self.skipTest("the tool was built without Assimp")
         self.assertEqual(len(self.labels()), len(self.faces))
+        content = (self.directory / "in.glb").read_bytes()
+        (size,) = struct.unpack_from("<I", content, 12)
+        description = content[20:20 + size].rstrip()
+        description += b" " * (len(description) % 4 == 0) # so that it is not filled up
+        (self.directory / "in.glb").write_bytes(
+            content[:8] + struct.pack("<2I", 20 + len(description) + len(content[20 + size:]),
+                                      len(description)) +
+            content[16:20] + description + content[20 + size:])
+        self.assertEqual(len(self.segment("in.glb")), len(self.faces))
 
 
 # A mesh at a node; the points are those before the node's translation along z.

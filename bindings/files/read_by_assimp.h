@@ -4,14 +4,18 @@
 #ifndef SEGMENT_MESH_READ_BY_ASSIMP_H
 #define SEGMENT_MESH_READ_BY_ASSIMP_H
 
+#include "Byte_scanner.h"
 #include "Input_folder.h"
 #include "Scene.h"
 #include "Point_numbering.h"
 
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
 #include <exception>
 #include <filesystem>
+#include <fstream>
+#include <iterator>
 #include <stdexcept>
 #include <string>
 #include <system_error>
@@ -286,6 +290,23 @@ public:
   }
 };
 
+// Returns a binary glTF whose description is not filled up to a multiple of four bytes with blanks
+// there, which Assimp skips; else nothing.
+inline std::string filled_glb(const std::string& name)
+{
+  std::ifstream in(name, std::ios::binary);
+  std::string bytes(20, '\0');
+  const auto number = [&](std::size_t at)
+  { return mesh_file::Byte_scanner(bytes, at, false).number<std::uint32_t>(); };
+  if (!in.read(bytes.data(), 20) || bytes.compare(0, 4, "glTF") != 0 || number(12) % 4 == 0)
+    return "";
+  bytes.append(std::istreambuf_iterator<char>(in), {});
+  const std::uint32_t size = number(12);
+  if (size > bytes.size() - 20)
+    return "";
+  return bytes.insert(20 + size, 4 - size % 4, ' ');
+}
+
 // In the child process: sends an error sentence, which may be empty, and the scene.
 inline void send_by_assimp(const std::string& name, const Reading_limits& limits,
                            Child_output output)
@@ -295,7 +316,10 @@ inline void send_by_assimp(const std::string& name, const Reading_limits& limits
     limits.allows_external_files ? nullptr : new Files_of_folder(name);
   importer.SetIOHandler(files); // which owns them; without, any file may be read
   importer.SetPropertyBool(AI_CONFIG_IMPORT_NO_SKELETON_MESHES, true);
-  const aiScene* const scene = importer.ReadFile(name, 0);
+  const std::string glb = filled_glb(name);
+  const aiScene* const scene =
+    glb.empty() ? importer.ReadFile(name, 0)
+                : importer.ReadFileFromMemory(glb.data(), glb.size(), 0, "glb");
   if (files && !files->error().empty())
     return send_error(files->error(), output);
   if (!scene)
