@@ -956,7 +956,7 @@ BOOST_AUTO_TEST_CASE(contents_that_are_no_mesh)
     {"ISO-10303-21;\n", "it is CAD in STEP; export a mesh, such as STL"},
     {iges, "it is CAD in IGES; export a mesh, such as STL"},
     {"MeshVersionFormatted 1\n", "it is Medit; export a mesh, such as STL"},
-    {std::string("\xFF\xFEv\0 \0", 6), "it is text in UTF-16; save it as UTF-8"},
+    {std::string("\xFF\xFEv\0 \0", 6), "it is UTF-16; save it as UTF-8"},
     {zip + "3D/3dmodel.model",
      "it is 3MF, which is read only from a file with the ending .3mf"},
     {"glTF\2", "it is binary glTF, which is read only from a file with the ending .glb"}};
@@ -965,6 +965,17 @@ BOOST_AUTO_TEST_CASE(contents_that_are_no_mesh)
       check_failure(format, file, sentence);
   // What a library refuses is not said to need a library.
   BOOST_TEST(mesh_file::other_contents("glTF\2", false) == "");
+}
+
+BOOST_AUTO_TEST_CASE(off_with_a_number_joined_to_the_keyword)
+{
+  const std::string rest = "3 1 0\n0 0 0\n1 0 0\n0 1 0\n3 0 1 2\n";
+  for (const char* keyword : {"OFF", "4OFF", "COFF"}) {
+    BOOST_TEST((mesh_file::format_of_contents(keyword + rest) == Format::OFF));
+    if (keyword[0] != '4')
+      check(Format::OFF, keyword + rest, corner_points, {{0, 1, 2}});
+  }
+  check_failure(Format::OFF, "OFFx" + rest, "line 1: 'OFFx3' is not OFF");
 }
 
 BOOST_AUTO_TEST_SUITE_END()

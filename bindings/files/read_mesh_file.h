@@ -68,11 +68,9 @@ inline std::string other_contents(std::string_view file, bool tells_formats_of_l
     {"<!doctype html", "an HTML page", "download the mesh itself"},
     {"<html", "an HTML page", "download the mesh itself"},
     {"iso-10303-21", "CAD in STEP", cad}, {"dbrep_drawableshape", "CAD in BREP", cad},
-    {"**abcdefghijklmnopqrstuvwxyz", "CAD in Parasolid", cad},
-    {"\xD0\xCF\x11\xE0", "a document, as of CAD", cad},
+    {"**abcdefghij", "CAD in Parasolid", cad}, {"\xD0\xCF\x11\xE0", "a document, as of CAD", cad},
     {"meshversionformatted", "Medit", cad}, {"$meshformat", "Gmsh", cad},
-    {"\xFF\xFE", "text in UTF-16", "save it as UTF-8"},
-    {"\xFE\xFF", "text in UTF-16", "save it as UTF-8"},
+    {"\xFF\xFE", "UTF-16", "save it as UTF-8"}, {"\xFE\xFF", "UTF-16", "save it as UTF-8"},
     {"pk\3\4", "3MF", ".3mf"}, {"gltf", "binary glTF", ".glb"}, {"{", "JSON, as of glTF", ".gltf"},
     {"kaydara", "FBX", ".fbx"}, {"; fbx", "FBX", ".fbx"}, {"<?xml", "XML, as of Collada", ".dae"}};
   const std::size_t first = (std::min)(file.find_first_not_of(" \t\r\n"), file.size());

@@ -38,8 +38,8 @@ struct Off_header
     has_normals = take("N");
     is_homogeneous = take("4");
     has_dimension = take("n");
-    if (word == "OFF")
-      return true;
+    if (word.substr(0, 3) == "OFF" && word.find_first_not_of("0123456789", 3) == word.npos)
+      return true; // also if the number of points follows without a space
     *this = Off_header();
     return false;
   }
@@ -179,7 +179,8 @@ public:
     text_.skip_space();
     // The keyword may be left out.
     if (header_.parse(text_.peek_word()))
-      text_.skip_word();
+      for (std::size_t n = text_.peek_word().find("OFF") + 3; n > 0; --n)
+        text_.skip(text_.rest()[0]);
     else if (text_.peek_word().find_first_not_of("0123456789") != std::string_view::npos)
       text_.fail("OFF");
     text_.skip_blanks();
