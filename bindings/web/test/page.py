@@ -196,7 +196,7 @@ class Page_test(unittest.TestCase):
                 ("short.off", text[:50000], "the file ends where a number should be"),
                 ("word.off", b"OFF 3 x", "line 1: 'x' is not a number of faces"),
                 ("empty.ply", b"", ""), ("noise.stl", bytes(range(256)) * 9, ""),
-                ("mesh.xyz", text, "the format is unknown"),
+                ("mesh.xyz", b"hello", "the format is unknown"),
                 ("short.glb", b"glTF\2\0\0\0\xff\0\0\0\x10\0\0\0JSON", "it ends after 20 bytes"),
                 ("text.gltf", b"hello", "it is damaged or no glTF"),
                 ("empty.gltf", b"{}", "it has no mesh"),
