@@ -91,8 +91,8 @@ inline std::string other_contents(std::string_view file, bool tells_formats_of_l
 // Reads the contents of a file, of the format of their mark if they have one. Properties besides
 // points and polygons are kept on demand. Throws `std::runtime_error` with the line or byte and the
 // word at fault if the contents contradict the format, or with what they are instead. Asks for no
-// more memory than a small multiple of the size of the file. Points that no polygon uses need not be
-// finite.
+// more memory than a small multiple of the size of the file. Points that no polygon uses need not
+// be finite.
 inline Polygon_soup read_mesh_file(std::string_view file, Format format, bool keeps_properties)
 {
   const Format marked = marked_format(file);
