@@ -227,21 +227,27 @@ Soup fan_at_edge(std::size_t n)
   return soup;
 }
 
-Soup moebius_strip(std::size_t n)
+Soup twisted_band(std::size_t n, std::size_t m, int half_turns)
 {
   Soup soup;
-  for (std::size_t i = 0; i < n; ++i) {
-    const double angle = 2 * pi * double(i) / double(n);
-    for (double side : {-0.4, 0.4}) {
-      const double radius = 1 + side * std::cos(angle / 2);
+  for (std::size_t i = 0; i < n; ++i)
+    for (std::size_t j = 0; j <= m; ++j) {
+      const double angle = 2 * pi * double(i) / double(n), turn = half_turns * angle / 2,
+                   side = 0.8 * double(j) / double(m) - 0.4, radius = 1 + side * std::cos(turn);
       soup.points.emplace_back(radius * std::cos(angle), radius * std::sin(angle),
-                               side * std::sin(angle / 2));
+                               side * std::sin(turn));
     }
-    const std::size_t a = 2 * i, b = 2 * i + 1, next = 2 * ((i + 1) % n),
-                      c = i + 1 < n ? next : 1, d = i + 1 < n ? next + 1 : 0;
-    soup.triangles.push_back({a, c, d});
-    soup.triangles.push_back({a, d, b});
-  }
+  const auto vertex = [=](std::size_t i, std::size_t j) {
+    if (i < n)
+      return (m + 1) * i + j;
+    return half_turns % 2 == 0 ? j : m - j;
+  };
+  for (std::size_t i = 0; i < n; ++i)
+    for (std::size_t j = 0; j < m; ++j) {
+      const std::size_t a = vertex(i, j), c = vertex(i + 1, j + 1);
+      soup.triangles.push_back({a, vertex(i + 1, j), c});
+      soup.triangles.push_back({a, c, vertex(i, j + 1)});
+    }
   return soup;
 }
 

@@ -71,8 +71,9 @@ Soup separate_triangles(std::size_t n);
 // Makes n triangles that share the edge from (0, 0, 0) to (0, 0, 1), in all directions around it.
 Soup fan_at_edge(std::size_t n);
 
-// Makes a strip of 2 * n triangles that is closed with half a turn.
-Soup moebius_strip(std::size_t n);
+// Makes a ring of n by m squares of two triangles, with a radius of 1 and a width of 0.8, that is
+// closed with a number of half turns.
+Soup twisted_band(std::size_t n, std::size_t m, int half_turns);
 
 // Joins two closed surfaces by removing the first triangle of each and identifying their vertices;
 // the genera add up.

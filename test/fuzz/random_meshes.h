@@ -89,7 +89,7 @@ inline Soup random_piece(Random& random)
   switch (random() % 11) {
   case 0: return random_triangles(random, 15, 40);
   case 1: return random_fan(random);
-  case 2: return rounded(moebius_strip(m));
+  case 2: return rounded(twisted_band(m, 1, 1));
   case 3: return plate(m - 2, n - 2);
   case 4: return rounded(torus(3, 1, m, n));
   case 5: return rounded(dumbbell(m, n));
