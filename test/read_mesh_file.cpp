@@ -80,6 +80,10 @@ void check_warnings(Format format, const std::string& file, const Points& points
              boost::test_tools::per_element());
 }
 
+// What fills up the end of a text.
+const std::string paddings[] = {std::string(2, '\0'), std::string(4000, '\0'), "\x1A",
+                                std::string("\0\r\n\0\n", 5), std::string(" \0 \x1A\n", 5)};
+
 std::string with_line_ends(const std::string& text, const std::string& line_end)
 {
   std::string result;
@@ -161,6 +165,8 @@ BOOST_AUTO_TEST_CASE(off)
   check(Format::OFF, text.substr(4), square_points, polygons); // without keyword
   check(Format::OFF, "\xEF\xBB\xBF# first\n" + text, square_points, polygons);
   check(Format::OFF, text.substr(0, text.size() - 1), square_points, polygons);
+  for (const std::string& padding : paddings)
+    check(Format::OFF, text.substr(0, text.size() - 1) + padding, square_points, polygons);
   BOOST_TEST((mesh_file::read_off(text).coordinate_type == Number_type::FLOAT64));
 }
 
@@ -470,6 +476,8 @@ BOOST_AUTO_TEST_CASE(obj_with_what_is_not_known)
   warns(mesh + "\x1A", {});
   warns(std::string(9, '\0') + mesh, {});
   warns(mesh + "\r\n\x1A\r\n", {});
+  for (const std::string& padding : paddings)
+    warns(mesh.substr(0, mesh.size() - 1) + padding, {});
 
   warns("vn -1.#IND -1.#IND -1.#IND\nvt 1.#QNAN\nvt 1 2 3 x\n" + mesh, {});
   warns("vt\nvn 0 0\r\nvn x y 1,0\n" + mesh,
@@ -490,6 +498,8 @@ BOOST_AUTO_TEST_CASE(ply_text)
   for (const char* line_end : {"\n", "\r\n", "\r"})
     check(Format::PLY, with_line_ends(text, line_end), corner_points, {{0, 1, 2}});
   check(Format::PLY, text.substr(0, text.size() - 1), corner_points, {{0, 1, 2}});
+  for (const std::string& padding : paddings)
+    check(Format::PLY, text.substr(0, text.size() - 1) + padding, corner_points, {{0, 1, 2}});
   check(Format::PLY, ply_header("ascii", ply_faces + ply_points) + "3 2 1 0 0 0 0 1 0 0 0 1 0\n",
         corner_points, {{2, 1, 0}}); // faces first, all on one line
   check(Format::PLY, ply_header("ascii", ""), {}, {});
@@ -719,6 +729,9 @@ BOOST_AUTO_TEST_CASE(stl_text)
     check(Format::STL, "\xEF\xBB\xBF" + text, stl_points, triangles);
     check(Format::STL, "\n " + text + "\n", stl_points, triangles);
     check(Format::STL, text.substr(0, text.size() - 1), stl_points, triangles);
+    for (const std::string& padding : paddings)
+      check_warnings(Format::STL, text.substr(0, text.size() - 1) + padding, stl_points, triangles,
+                     {});
   }
   for (const char* solid : {"SOLID m", "Solid m"})
     check(Format::STL, solid + ("\n" + facets) + "endsolid m\n", stl_points, triangles);
@@ -728,6 +741,17 @@ BOOST_AUTO_TEST_CASE(stl_text)
   check(Format::STL, upper_case, stl_points, triangles);
   check(Format::STL, "solid\nendsolid\n", {}, {});
   BOOST_TEST((mesh_file::read_stl("solid\nendsolid\n").coordinate_type == Number_type::FLOAT64));
+}
+
+// Such a text is shorter than a binary file with a face.
+BOOST_AUTO_TEST_CASE(stl_text_of_one_face)
+{
+  std::string text = "solid\n" + stl_facet("0 0 1") + "endsolid";
+  text.erase(std::unique(text.begin(), text.end(),
+                         [](char a, char b) { return a == ' ' && b == ' '; }), text.end());
+  BOOST_TEST(text.size() < 134);
+  for (const std::string& padding : paddings)
+    check_warnings(Format::STL, text + padding, corner_points, {{0, 1, 2}}, {});
 }
 
 BOOST_AUTO_TEST_CASE(stl_text_of_two_solids)

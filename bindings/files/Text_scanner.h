@@ -95,6 +95,14 @@ public:
       position_ += 3;
   }
 
+  // Ends the text before the zeros and bytes 0x1A of DOS that fill up some files.
+  void remove_padding()
+  {
+    const std::size_t last = rest().find_last_not_of(std::string_view("\0\x1A \t\r\n", 6));
+    const std::size_t size = rest().find_first_of(std::string_view("\0\x1A", 2), last + 1);
+    end_ = position_ + (std::min)(size, rest().size());
+  }
+
   // Stays before the end of the line.
   void skip_blanks()
   {
@@ -125,7 +133,7 @@ public:
     return position_ == end_ || is_end_of_line(*position_);
   }
 
-  // Skips zeros and the byte 0x1A of DOS, which fill up some files.
+  // Skips also zeros and bytes 0x1A, which some files have between statements.
   bool is_at_end()
   {
     for (skip_space(); is_at('\0') || is_at('\x1A'); skip_space())

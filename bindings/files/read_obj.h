@@ -219,6 +219,7 @@ public:
 
   Polygon_soup operator()()
   {
+    text_.remove_padding();
     while (!text_.is_at_end())
       read_statement();
     if (!soup_.warnings.empty() && soup_.points.empty() && soup_.number_of_polygons() == 0)

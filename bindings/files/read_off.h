@@ -92,6 +92,7 @@ class Off_reader
 
   void read_text()
   {
+    text_.remove_padding();
     check_dimension(header_.has_dimension ? text_.integer(1, most, "a number of dimensions") : 3);
     const long long points = text_.integer(0, most, "a number of points");
     const long long polygons = text_.integer(0, most, "a number of faces");

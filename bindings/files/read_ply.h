@@ -32,7 +32,10 @@ class Ply_text
 public:
   Ply_text(const Text_scanner& text, Ply_encoding encoding)
     : text_(text), last_(text), is_by_lines_(encoding == Ply_encoding::TEXT_BY_LINES)
-  { text_.skip_space(); }
+  {
+    text_.remove_padding();
+    text_.skip_space();
+  }
 
   std::size_t remaining() const { return text_.rest().size(); }
 

@@ -9,6 +9,7 @@
 #include "Polygon_soup.h"
 #include "Text_scanner.h"
 
+#include <algorithm>
 #include <cstddef>
 #include <cstdint>
 #include <stdexcept>
@@ -34,13 +35,17 @@ class Stl_reader
 
   // The size tells, as also binary files begin with "solid". In a text the bytes of the number are
   // characters, which would be a number of faces larger than the file. Where the number is wrong, a
-  // zero up to the end of the first face tells.
+  // zero up to the end of the first face tells, unless it fills up a text.
   bool is_binary() const
   {
     if (file_.size() < size_of_header)
       return false;
+    Text_scanner text(file_);
+    text.remove_padding();
+    const std::size_t size =
+      std::clamp(text.all().size(), size_of_header, size_of_header + size_of_face);
     return number_of_faces(file_) == (file_.size() - size_of_header) / size_of_face ||
-           file_.substr(0, size_of_header + size_of_face).find('\0') != std::string_view::npos;
+           file_.substr(0, size).find('\0') != std::string_view::npos;
   }
 
   void read_binary()
@@ -106,6 +111,7 @@ class Stl_reader
   void read_text()
   {
     Text_scanner text(file_);
+    text.remove_padding();
     expect(text, "solid");
     skip_name(text);
     bool has_end = false;
