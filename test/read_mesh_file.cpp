@@ -528,6 +528,34 @@ BOOST_AUTO_TEST_CASE(ply_coordinates_of_all_types)
                                          "property int y\n") + "1 2 3\n", {{2, 3, 1}}, {});
 }
 
+BOOST_AUTO_TEST_CASE(ply_with_other_names_of_the_corners)
+{
+  const auto file = [](const std::string& properties, const std::string& face) {
+    return ply_header("ascii", ply_points + "element face 1\n" + properties) +
+           "0 0 0\n1 0 0\n0 1 0\n" + face + "\n";
+  };
+  const auto list = [](const std::string& name, const std::string& type = "int")
+  { return "property list uchar " + type + " " + name + "\n"; };
+  const auto reads = [&](const std::string& properties, const std::string& face)
+  { check(Format::PLY, file(properties, face), corner_points, {{0, 1, 2}}); };
+  for (const char* name : {"indices", "vertices", "vertex-indices"}) {
+    reads(list(name), "3 0 1 2");
+    reads(list(name, "uchar"), "3 0 1 2");
+    reads(list("texcoord") + "property int red\n" + list(name), "3 2 1 0 7 3 0 1 2");
+    reads(list("weights", "float") + list(name) + list("corner_colors", "uchar"),
+          "3 2 1 0 3 0 1 2 3 2 1 0");
+    reads(list(name) + list("vertex_index"), "3 2 1 0 3 0 1 2");
+  }
+  const std::string more = "property int red\n"; // so that the body begins in line 11
+  for (const std::string& properties :
+       {list("texcoord") + more, list("indices", "float") + more, list("indices") + list("more")})
+    check_failure(Format::PLY, file(properties, "3 0 1 2 0"),
+                  "line 13: the elements 'face' have no list 'vertex_indices'");
+  check_failure(Format::PLY, ply_header("ascii", ply_points + "element tristrips 1\n" +
+                                                   list("indices")) + ply_body,
+                "line 12: the elements 'tristrips' have no list 'vertex_indices'");
+}
+
 // All number types, before and after what is read.
 BOOST_AUTO_TEST_CASE(ply_binary)
 {

@@ -13,6 +13,7 @@
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
+#include <iterator>
 #include <limits>
 #include <stdexcept>
 #include <string>
@@ -152,6 +153,32 @@ class Ply_body_reader
   static bool is_corner_list(const Ply_property& p)
   { return p.is_list && (p.name == "vertex_indices" || p.name == "vertex_index"); }
 
+  // Whether a list of faces may have the corners under another name.
+  static bool may_be_corner_list(const Ply_property& p)
+  {
+    static const std::string_view others[] = {"texcoord", "texture", "color", "normal", "neighbor",
+                                              "adjacent", "flag"};
+    return p.is_list && p.type < Number_type::FLOAT32 &&
+           std::none_of(std::begin(others), std::end(others), [&](std::string_view word)
+                        { return p.name.find(word) != p.name.npos; });
+  }
+
+  // Returns the list of the corners of faces or strips. If no list of the faces has a usual name,
+  // it is the only one that may have the corners.
+  const Ply_property& corner_list(const Ply_element& element) const
+  {
+    const auto& all = element.properties;
+    auto is_right = is_corner_list;
+    if (element.name == "face" && std::none_of(all.begin(), all.end(), is_right))
+      is_right = may_be_corner_list;
+    const auto number = std::count_if(all.begin(), all.end(), is_right);
+    if (number != 1)
+      body_.fail_with("the elements " + in_quotes(element.name) +
+                      (number == 0 || is_right != is_corner_list ? " have no list 'vertex_indices'"
+                                                                 : " have two lists of corners"));
+    return *std::find_if(all.begin(), all.end(), is_right);
+  }
+
   static int coordinate(const Ply_property& p)
   { return p.is_list || p.name.size() != 1 || p.name < "x" || p.name > "z" ? -1 : p.name[0] - 'x'; }
 
@@ -161,12 +188,13 @@ class Ply_body_reader
     std::vector<Property>& kept = is_of_points ? soup_.point_properties : soup_.polygon_properties;
     kept.reserve(element.properties.size()); // columns point into it
     std::vector<Column> result;
+    const Ply_property* const corners =
+      is_of_points || !is_read(element) ? nullptr : &corner_list(element);
     for (const Ply_property& p : element.properties) {
       Column column{p};
+      column.is_corners = &p == corners;
       if (is_of_points)
         column.coordinate = coordinate(p);
-      else
-        column.is_corners = is_corner_list(p);
       if (keeps_properties_ && !p.is_list && column.coordinate < 0 &&
           (is_of_points || element.name == "face")) {
         kept.push_back({p.name, p.type, {}});
@@ -260,7 +288,7 @@ class Ply_body_reader
   {
     if (column.is_corners && element.name == "face")
       read_polygon(column.property);
-    else if (column.is_corners && element.name == "tristrips")
+    else if (column.is_corners)
       read_strips(column.property);
     else
       for (std::size_t n = size_of_list(column.property); n > 0; --n)
@@ -273,16 +301,10 @@ class Ply_body_reader
     if (element.size > room || (is_read(element) && element.size > most))
       body_.fail_with("the file is too short for " + std::to_string(element.size) +
                       " elements " + in_quotes(element.name));
-    const auto count = [&](const auto& is_counted) {
-      return std::count_if(element.properties.begin(), element.properties.end(), is_counted);
-    };
     if (element.name == "vertex" &&
-        count([](const Ply_property& p) { return coordinate(p) >= 0; }) != 3)
+        std::count_if(element.properties.begin(), element.properties.end(),
+                      [](const Ply_property& p) { return coordinate(p) >= 0; }) != 3)
       body_.fail_with("the points have no properties x, y and z");
-    if (is_read(element) && element.name != "vertex" && count(is_corner_list) != 1)
-      body_.fail_with("the elements " + in_quotes(element.name) +
-                      (count(is_corner_list) == 0 ? " have no list 'vertex_indices'"
-                                                  : " have two lists of corners"));
   }
 
   void read(const Ply_element& element)
