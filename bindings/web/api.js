@@ -194,6 +194,7 @@ class Mesh extends Owned {
   get points() { return this.#get("points"); }
   get triangles() { return this.#get("triangles"); }
   get faceOfTriangle() { return this.#get("faceOfTriangle"); }
+  get warnings() { return this.#get("warnings"); }
 }
 
 class Segmentation extends Owned {

@@ -79,10 +79,10 @@ export class Client {
   async segment({ bytes, points, triangles, name = "mesh" }, options = {}, progress = undefined) {
     if (options?.progress !== undefined)
       throw new TypeError("progress is the third argument of segment(), not an option");
-    const { data, numberOfSegments } = await this.#request(
+    const { data, numberOfSegments, warnings } = await this.#request(
       "segment", { file: bytes, points, triangles, name, options, wasmUrl: this.#wasmUrl },
       progress);
-    return { model: decode(data), numberOfSegments };
+    return { model: decode(data), numberOfSegments, warnings };
   }
 
   write(name, choice) { return this.#request("write", { name, choice }); }

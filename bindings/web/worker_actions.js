@@ -31,9 +31,11 @@ export function answerer(load, send) {
       const mesh = file ? module.read(file, name) : module.mesh(points, triangles);
       const next = module.segment(
         mesh, options instanceof Object ? { ...options, progress: teller(id) } : options);
+      const { warnings } = mesh;
       mesh.free(); // but for what the segmentation needs of it
       segmentation = next; // the instance of the former one goes with it
-      return { data: segmentation.pageData(name), numberOfSegments: segmentation.numberOfSegments };
+      return { data: segmentation.pageData(name), warnings,
+               numberOfSegments: segmentation.numberOfSegments };
     },
     write({ name, choice }) { return existing().write(name, choice); },
     labels({ choice }) { return existing().labels(choice); },

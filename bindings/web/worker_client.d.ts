@@ -23,9 +23,9 @@ export class SegmentationWorker {
   /** The worker starts with the first call below. */
   constructor(options?: LoadOptions);
   /** `progress` is told the share of the run that is done. If the promise is rejected, the former
-   *  segmentation stays. */
+   *  segmentation stays. The warnings are those of `Mesh`. */
   segment(input: Input, options?: Options, progress?: (share: number) => void):
-    Promise<{ model: Model; numberOfSegments: number }>;
+    Promise<{ model: Model; numberOfSegments: number; warnings: readonly string[] }>;
   /** These are those of `Segmentation`, of the last mesh; rejected with an Error without one. */
   write(name: string, n?: number | Choice): Promise<Uint8Array>;
   labels(n?: number | Choice): Promise<Uint32Array>;

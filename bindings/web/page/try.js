@@ -100,15 +100,15 @@ async function segment(name, read, notes = []) {
     const file = await readableFile(job);
     if (running !== job)
       return;
-    const { model } = await job.worker.segment(file, { method: job.method }, share => {
+    const { model, warnings } = await job.worker.segment(file, { method: job.method }, share => {
       if (running === job)
         tell(`Cutting ${name}`, share);
     });
     if (running !== job)
       return;
     stop();
-    show(job, { ...model, name, notes: [...model.notes, ...notes],
-                glb: number => meshFile(".glb", number) });
+    show(job, { ...model, name, glb: number => meshFile(".glb", number),
+                notes: [...model.notes, ...notes, ...warnings.map(each => `Warning: ${each}.`)] });
   }
   catch (error) {
     if (running !== job && shown !== job) // cancelled

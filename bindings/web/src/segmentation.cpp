@@ -105,7 +105,8 @@ public:
     scene.soup = mesh_file::read_mesh_file(bytes, mesh_file::format_of_extension(extension), true);
     Mesh result(segment_mesh::triangulated(std::move(scene)));
     if (result.input_->triangles.empty())
-      throw std::runtime_error("it has no face with three different corners");
+      throw std::runtime_error("it has no face with three different corners" +
+                               segment_mesh::first_warning(result.input_->soup));
     return result;
   }
 
@@ -127,6 +128,7 @@ public:
   val points() const { return typed_array_of_triples<double>(input_->soup.points); }
   val triangles() const { return typed_array_of_triples<Index>(input_->triangles); }
   val face_of_triangle() const { return typed_array(input_->polygon_of_triangle); }
+  val warnings() const { return val::array(input_->soup.warnings); }
 };
 
 // Asks a function of JavaScript, which returns whether to go on.
@@ -406,7 +408,8 @@ EMSCRIPTEN_BINDINGS(spectral_segmentation)
     .function("numberOfFaces", &web::Mesh::number_of_faces)
     .function("points", &web::Mesh::points)
     .function("triangles", &web::Mesh::triangles)
-    .function("faceOfTriangle", &web::Mesh::face_of_triangle);
+    .function("faceOfTriangle", &web::Mesh::face_of_triangle)
+    .function("warnings", &web::Mesh::warnings);
   class_<web::Segmentation>("Segmentation")
     .constructor<const web::Mesh&, val, val>()
     .function("numberOfSegments", &web::Segmentation::number_of_segments)

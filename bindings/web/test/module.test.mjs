@@ -212,6 +212,7 @@ test("what is wrong is named", async () => {
   const freedRun = segmentation.segment(freed);
   for (const object of [freed, freedRun, freed, freedRun])
     object.free();
+  assert.throws(() => freed.warnings, /the mesh was freed/);
   const disposed = tetrahedron();
   disposed[Symbol.dispose]?.();
   if (Symbol.dispose)
@@ -229,6 +230,9 @@ test("what is wrong is named", async () => {
     [() => segmentation.segment(segmentation.mesh(new Float64Array([NaN, 0, 0]),
                                                   new Int32Array([0, 0, -1]))),
      Error, /triangle 0/],
+    [() => segmentation.segment(segmentation.mesh(new Float64Array([0, 0, 0, 1, 0, 0, 0, 1, NaN]),
+                                                  new Int32Array([0, 1, 1, 0, 1, 2]))),
+     Error, /^triangle 1 has a corner with a coordinate that is not finite/],
     [() => segmentation.segment({}), TypeError, /mesh must be what read/],
     [() => segmentation.segment(mesh, { segments: 3 }), TypeError, /there is no option segments/],
     [() => segmentation.segment(mesh, { method: "zhang" }), TypeError,
@@ -292,6 +296,33 @@ test("damaged files give a mesh or a sentence", () => {
       assert.match(error.message, /line|byte|face|format|polygon|point|file/i);
     }
   }
+});
+
+test("warnings and labels of a lenient reading are those of the tool", async t => {
+  const file = path.join(scratch(t), "x.off");
+  const lines = Buffer.from(elephant).toString().split("\n");
+  lines[38] = "0 nan 0"; // a point
+  writeFileSync(file, lines.join("\n"));
+  const bytes = new Uint8Array(readFileSync(file));
+  const mesh = segmentation.read(bytes, file);
+  const { warnings } = JSON.parse(execFileSync(SEGMENT_MESH, [file, "--quiet", "--json", "-"]));
+  assert.match(warnings.join(), /^face \d+ uses a point that is not finite; corners left out: \d$/);
+  assert.deepEqual(mesh.warnings, warnings);
+  assert.equal(text(segmentation.segment(mesh).labels()), labelsOfTool(file));
+  const worker = new SegmentationWorker();
+  assert.deepEqual((await worker.segment({ bytes, name: file })).warnings, warnings);
+  const { points, triangles } = tetrahedron();
+  assert.deepEqual((await worker.segment({ points, triangles })).warnings, []);
+  worker.close();
+
+  const more = Buffer.from("v 0 0 0\nv 1 0 0\nv 0 1 0\nvw 0 0 1\n<b>\nf 1 2 3\n");
+  assert.deepEqual(segmentation.read(more, "x.obj").warnings,
+                   ["line 4: 'vw' is not a statement of OBJ",
+                    "line 5: '<b>' is not a statement of OBJ"]);
+  assert.deepEqual(segmentation.read(elephant, "x.off").warnings, []);
+  const none = Buffer.from("v 0 0 0\nv 1 0 0\nv nan 0 0\nf 1 2 3\n");
+  assert.throws(() => segmentation.read(none, "x.obj"),
+                /^Error: it has no face .* corners; face 0 uses a point that is not finite/);
 });
 
 test("progress ascends, ends a run, and may fail", () => {

@@ -186,6 +186,21 @@ class Page_test(unittest.TestCase):
             self.wait_for(path.name)
             self.assertEqual(self.shown_labels(), tool(path, "--labels", "-")[0], extension)
 
+    def test_warnings(self):
+        """They are shown as text, also if a word of the file looks like HTML."""
+        self.open()
+        path = self.directory / "more.obj"
+        path.write_text("v 0 0 0\nv 1 0 0\nv 0 1 0\nv nan 0 0\n<b>bold</b> 1\nf 1 2 3\nf 2 1 4\n")
+        self.choose(path)
+        self.wait_for(path.name)
+        self.assertIn("Warning: line 5: '<b>bold</b>' is not a statement of OBJ. Warning: face 1 "
+                      "uses a point that is not finite; corners left out: 1.",
+                      self.part("counts").text)
+        self.assertEqual(self.shown_labels(), tool(path, "--labels", "-")[0])
+        self.choose(MESHES / "hand.off")
+        self.wait_for("hand.off")
+        self.assertNotIn("Warning", self.part("counts").text)
+
     def test_damaged_files(self):
         self.open()
         self.choose(MESHES / "hand.off")

@@ -14,8 +14,10 @@ export async function allowed(bytes: Uint8Array): Promise<Uint32Array[]> {
     progress: share => share < 0.5 });
   const sameMesh = module.mesh(mesh.points, mesh.triangles);
   const worker = new SegmentationWorker();
-  const { model } = await worker.segment({ bytes, name: "elephant.off" }, { numberOfSegments: 5 },
-                                         share => console.log(share));
+  const { model, warnings } = await worker.segment(
+    { bytes, name: "elephant.off" }, { numberOfSegments: 5 }, share => console.log(share));
+  const sentences: readonly string[] = [...mesh.warnings, ...warnings];
+  console.log(sentences.join("\n"));
   const labels = await worker.labels(model.segments);
   worker.close();
   const constrained = module.segment(mesh, {
