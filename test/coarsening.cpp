@@ -321,6 +321,24 @@ BOOST_AUTO_TEST_CASE(no_component_vanishes)
   BOOST_TEST(coarse.surface.number_of_faces() == 21 * 4); // tetrahedra
 }
 
+BOOST_AUTO_TEST_CASE(hubs_of_thousands_of_faces_stay)
+{
+  // Two cones with a common circle.
+  Soup soup{{Point(0, 0, 1), Point(0, 0, -0.8)}, {}};
+  const std::size_t n = 3000;
+  for (std::size_t i = 0; i < n; ++i) {
+    const double angle = 2 * pi * double(i) / double(n);
+    soup.points.emplace_back(std::cos(angle), std::sin(angle), 0);
+    soup.triangles.push_back({0, i + 2, (i + 1) % n + 2});
+    soup.triangles.push_back({1, (i + 1) % n + 2, i + 2});
+  }
+  const Surface mesh = surface_of(soup);
+  const Level coarse = coarsen(mesh, 200);
+  check(mesh, coarse);
+  BOOST_TEST(coarse.surface.number_of_faces() <= 200);
+  BOOST_TEST(volume(coarse.surface) == volume(mesh), boost::test_tools::tolerance(0.01));
+}
+
 BOOST_AUTO_TEST_CASE(a_vertex_where_two_surfaces_meet_stays)
 {
   // Two spheres that have one vertex in common.

@@ -65,6 +65,9 @@ class Edge_collapse : private Surface
   std::vector<char> is_fixed_;   // one per vertex: its edges are not collapsed
 
   static constexpr std::size_t tries_between_checks = 1 << 12; // a few milliseconds
+  // The most faces around both ends of an edge that is collapsed. Hubs of thousands of faces, such
+  // as polygons of random corners have, would take quadratic time.
+  static constexpr std::size_t most_faces_around = 256;
   static constexpr double smallest_cosine = 0.3; // between a normal before and after a collapse
 
   // The squared length and the hash of the rounded positions, the coordinate of the precise ones
@@ -75,19 +78,20 @@ class Edge_collapse : private Surface
   // Returns whether a face was removed.
   bool is_gone(Index f) const { return corners[f][0] == null_index; }
 
-  // Returns the halfedges that leave the source of h, one for each face around it.
+  // Returns the halfedges that leave the source of h, one for each face around it. If there are
+  // more than `most_faces_around`, some are missing.
   Index_list around_source(Index h) const
   {
     Index_list result;
     for (Index g = h;;) {
       result.push_back(g);
-      if (is_border(previous(g)))
+      if (is_border(previous(g)) || result.size() > most_faces_around)
         break;
       g = opposite[previous(g)];
       if (g == h)
         return result;
     }
-    for (Index g = h; !is_border(g);) {
+    for (Index g = h; !is_border(g) && result.size() <= most_faces_around;) {
       g = next(opposite[g]);
       result.push_back(g);
     }
@@ -258,7 +262,8 @@ public:
       outgoing[source_vertex(h)] = h;
       ++number_of_faces_around[source_vertex(h)];
     }
-    // A vertex where several fans of faces meet is fixed, because around_source() visits one fan.
+    // A vertex where several fans of faces meet is fixed, because around_source() visits one fan,
+    // and so is a vertex with too many faces.
     for (Index v = 0; v < points.size(); ++v)
       is_fixed_[v] = outgoing[v] == null_index ||
                      around_source(outgoing[v]).size() != number_of_faces_around[v];
@@ -288,7 +293,8 @@ public:
         continue;
       const Index_list around_u = around_source(h), around_v = around_source(next(h));
       Vector point;
-      if (can_collapse(h, around_u, around_v, point)) {
+      if (around_u.size() + around_v.size() <= most_faces_around &&
+          can_collapse(h, around_u, around_v, point)) {
         left -= is_border(h) ? 1 : 2;
         collapse(h, around_u, around_v, point, edges);
       }
