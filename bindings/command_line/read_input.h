@@ -168,6 +168,19 @@ struct Input
   std::vector<Index> polygon_of_triangle; // ascends
 };
 
+// Adds the triangles of all polygons.
+inline void triangulate(const Polygon_soup& soup, std::vector<Triangle>& triangles,
+                        std::vector<Index>& polygon_of_triangle)
+{
+  mesh_file::Polygon_triangulation triangulate_polygon(soup.points);
+  triangles.reserve(soup.number_of_polygons());
+  polygon_of_triangle.reserve(soup.number_of_polygons());
+  for (Index i = 0; i < soup.number_of_polygons(); ++i) {
+    triangulate_polygon(soup.polygon(i), triangles);
+    polygon_of_triangle.resize(triangles.size(), i);
+  }
+}
+
 // Finds the triangles, and joins their borders where the points are repeated.
 inline Input triangulated(Scene scene)
 {
@@ -176,15 +189,36 @@ inline Input triangulated(Scene scene)
   input.mesh_names = std::move(scene.mesh_names);
   input.missing_files = std::move(scene.missing_files);
   input.soup = std::move(scene.soup);
-  const Polygon_soup& soup = input.soup;
-  input.triangles.reserve(soup.number_of_polygons());
-  input.polygon_of_triangle.reserve(soup.number_of_polygons());
-  mesh_file::Polygon_triangulation triangulate(soup.points);
-  for (Index i = 0; i < soup.number_of_polygons(); ++i) {
-    triangulate(soup.polygon(i), input.triangles);
-    input.polygon_of_triangle.resize(input.triangles.size(), i);
-  }
-  mesh_file::Border_stitching(soup.points, input.triangles)();
+  triangulate(input.soup, input.triangles, input.polygon_of_triangle);
+  mesh_file::Border_stitching(input.soup.points, input.triangles)();
+  return input;
+}
+
+// Returns the input of arrays, whose polygons have three corners or more. Corners at points that
+// are not finite are left out as in files. If all polygons are triangles, those that keep three
+// corners stay as they are. Throws `std::invalid_argument` if a corner is no point, or no polygon
+// keeps three corners.
+inline Input input_of_arrays(Polygon_soup soup)
+{
+  Input input;
+  const bool has_triangles_only = soup.corners.size() == 3 * soup.number_of_polygons();
+  for (std::size_t i = 0; i < soup.number_of_polygons(); ++i)
+    for (Index v : soup.polygon(i))
+      if (v >= soup.points.size())
+        throw std::invalid_argument("triangle " + std::to_string(i) +
+                                    " has a corner that is no index of a point");
+  remove_infinite_corners(soup);
+  if (!has_triangles_only)
+    triangulate(soup, input.triangles, input.polygon_of_triangle);
+  else
+    for (Index i = 0; i < soup.number_of_polygons(); ++i)
+      if (const Polygon t = soup.polygon(i); t.size() == 3) {
+        input.triangles.push_back({t[0], t[1], t[2]});
+        input.polygon_of_triangle.push_back(i);
+      }
+  if (input.triangles.empty() && !soup.warnings.empty())
+    throw std::invalid_argument("the mesh has no face with three corners" + first_warning(soup));
+  input.soup = std::move(soup);
   return input;
 }
 
@@ -267,11 +301,14 @@ inline std::map<std::size_t, Index> labels_across_edges(const Polygon_soup& soup
 }
 
 // A polygon without a triangle takes the label of the neighbor with the longest common edge, else
-// of one that it touches, else 0.
+// of one that it touches, else of the first polygon with a triangle, else 0.
 inline void borrow_labels(const Polygon_soup& soup, std::vector<Index>& labels)
 {
   if (std::find(labels.begin(), labels.end(), mesh_file::null_index) == labels.end())
     return;
+  const auto first = std::find_if(labels.begin(), labels.end(),
+                                  [](Index label) { return label != mesh_file::null_index; });
+  const Index label_of_others = first == labels.end() ? 0 : *first;
   for (const auto& [polygon, label] : labels_across_edges(soup, labels))
     labels[polygon] = label;
   std::vector<Index> label_of_point(soup.points.size(), mesh_file::null_index);
@@ -284,7 +321,7 @@ inline void borrow_labels(const Polygon_soup& soup, std::vector<Index>& labels)
       const Polygon polygon = soup.polygon(i);
       const Index* const v = std::find_if(polygon.begin(), polygon.end(), [&](Index p)
                                           { return label_of_point[p] != mesh_file::null_index; });
-      labels[i] = v == polygon.end() ? 0 : label_of_point[*v];
+      labels[i] = v == polygon.end() ? label_of_others : label_of_point[*v];
     }
 }
 

@@ -39,12 +39,7 @@ def _described(function):
 
 def _edges_between(surface, labels):
     """The points of each edge between different labels, and these labels."""
-    corners = surface.corners.astype(np.intp, copy=False)
-    ends = np.cumsum(surface.sizes)
-    following = np.arange(1, len(corners) + 1)
-    following[ends - 1] = ends - surface.sizes
-    edges = np.stack([corners, corners[following]], axis=1)
-    edges.sort(axis=1)
+    edges = surface.edges
     of_edge = np.repeat(labels, surface.sizes)
     order = np.lexsort((of_edge, edges[:, 1], edges[:, 0]))
     edges, of_edge = edges[order], of_edge[order]
@@ -87,7 +82,8 @@ def segment_adjacency(points: Any, triangles: Optional[ArrayLike] = None,
     pairs : ndarray of int, shape (k, 2)
         The pairs of labels, sorted.
     lengths : ndarray of float, shape (k,)
-        The lengths of their common boundaries, in the unit of the points.
+        The lengths of their common boundaries, in the unit of the points. Edges at points that
+        are not finite do not count.
 
     {raises}
     """
@@ -97,7 +93,9 @@ def segment_adjacency(points: Any, triangles: Optional[ArrayLike] = None,
     if edges.size > 0 and not (edges.min() >= 0 and edges.max() < len(points)):
         raise ValueError("triangles have corners that are no indices of points")
     pairs, place = np.unique(labels, axis=0, return_inverse=True)
-    lengths = np.linalg.norm(points[edges[:, 0]] - points[edges[:, 1]], axis=1)
+    ends = points[edges]
+    ends[~np.isfinite(ends).all(axis=(1, 2))] = 0
+    lengths = np.linalg.norm(ends[:, 0] - ends[:, 1], axis=1)
     return pairs, np.bincount(place.ravel(), lengths, len(pairs))
 
 

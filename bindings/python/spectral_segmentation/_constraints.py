@@ -17,7 +17,7 @@ def integers_of_triangles(name, value, number_of_triangles):
     return integers.astype(np.int64, copy=False)
 
 
-def edges_arrays(constrained, uncuttable, triangles, number_of_points):
+def edges_arrays(constrained, uncuttable, surface):
     """The edges of `constrained_edges` and `uncuttable_edges`, the smaller point first."""
     if constrained is None and uncuttable is None:
         return None, None
@@ -25,10 +25,13 @@ def edges_arrays(constrained, uncuttable, triangles, number_of_points):
     def keys_of(edges):
         return edges.min(axis=1) * number_of_points + edges.max(axis=1)
 
-    if triangles.size > 0 and not (triangles.min() >= 0 and triangles.max() < number_of_points):
+    corners, number_of_points = surface.corners, len(surface.points)
+    if corners.size > 0 and not (corners.min() >= 0 and corners.max() < number_of_points):
         raise ValueError("triangles have corners that are no indices of points")
-    triangles = triangles.astype(np.int64, copy=False)
-    known_keys = keys_of(triangles[:, [0, 1, 1, 2, 2, 0]].reshape(-1, 2))
+    known_keys = keys_of(surface.edges.astype(np.int64, copy=False))
+    if surface.has_polygons:
+        edges = surface.triangles[:, [0, 1, 1, 2, 2, 0]].reshape(-1, 2)
+        known_keys = np.concatenate([known_keys, keys_of(edges.astype(np.int64))])
 
     def read(name, value):
         edges = array(name, value)

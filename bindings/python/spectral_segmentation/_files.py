@@ -140,6 +140,11 @@ def write(path: Path, points: Any, triangles: Union[ArrayLike, Hierarchy, None] 
         If the file cannot be written.
     TypeError, ValueError
         If an argument has a wrong type, shape or range.
+
+    Warns
+    -----
+    UserWarning
+        If corners at points that are not finite are left out.
     """
     path = os.fsdecode(path)
     extension = _extension(path, _WRITTEN)

@@ -25,7 +25,8 @@ class Hierarchy:
 
     If the run was given polygons, labels and `faces()` are those of polygons: a polygon has the
     label with the largest area of its triangles, and a segment with the largest area of no polygon
-    is missing. Nodes, JSON and files are those of the triangles.
+    is missing. Nodes, JSON and files are those of the triangles. They lack triangles with a corner
+    at a point that is not finite, which `labels()` and `faces()` give to the part of a neighbor.
 
     Examples
     --------
@@ -257,7 +258,7 @@ class Hierarchy:
         """
         if not isinstance(part, Hierarchy):
             raise TypeError("part must be a Hierarchy, not %s" % type(part).__name__)
-        if self._surface is not None:
+        if self._surface is not None and self._surface.has_polygons:
             raise ValueError("a hierarchy of polygons cannot be cut further; cut the polygons into "
                              "triangles before the first run")
         self._core.split_leaf(self._node("leaf", leaf), part._core)

@@ -3,6 +3,8 @@
 """The arrays of meshes, also of those of other libraries, which are known by their attributes."""
 
 import os
+import sys
+import warnings
 from collections import namedtuple
 from types import SimpleNamespace
 
@@ -87,18 +89,30 @@ def _polygons(value):
     return _Polygons(corners, sizes)
 
 
+def _warn(sentence):
+    """Warns in the line that calls the package."""
+    frame, level = sys._getframe(), 1
+    while frame.f_back and frame.f_globals.get("__package__") == __package__:
+        frame, level = frame.f_back, level + 1
+    warnings.warn(sentence, stacklevel=level)
+
+
 class Surface:
     """The points, and the triangles or polygons, of a mesh of any kind."""
 
-    __slots__ = ("points", "faces", "_core")
+    __slots__ = ("points", "faces", "needs_core", "_warns", "_core")
 
-    def __init__(self, points, faces):
+    def __init__(self, points, faces, warns=True):
         self.points = None if points is None else points_array(points)
         self.faces = _polygons(faces)
+        # Whether the triangles of a run may be others than the faces
+        self.needs_core = self.has_polygons or (
+            points is not None and not np.isfinite(self.points).all())
+        self._warns = warns
         self._core = None
 
     def __reduce__(self):
-        return Surface, (self.points, self.faces)
+        return Surface, (self.points, self.faces, False)
 
     @property
     def has_polygons(self):
@@ -118,31 +132,41 @@ class Surface:
         return len(self.faces.sizes if self.has_polygons else self.faces)
 
     @property
+    def edges(self):
+        """The two points of each edge of one face after the other, the smaller first."""
+        corners = self.corners.astype(np.intp, copy=False)
+        ends = np.cumsum(self.sizes)
+        following = np.arange(1, len(corners) + 1)
+        following[ends - 1] = ends - self.sizes
+        return np.sort(np.stack([corners, corners[following]], axis=1), axis=1)
+
+    @property
     def core(self):
-        """The mesh for C++. Raises ValueError if a corner is no point, or a point not finite."""
+        """The mesh for C++. Leaves out corners at points that are not finite, and warns of them.
+        Raises ValueError if a corner is no point, or no face keeps three corners."""
         if self._core is None:
             corners = self.corners
             if corners.size > 0 and not (corners.min() >= 0 and corners.max() < len(self.points)):
                 raise ValueError("triangles have corners that are no indices of points")
-            if not np.isfinite(self.points[corners]).all():
-                raise ValueError("points have coordinates that are not finite")
             self._core = _core.Polygons(
                 np.ascontiguousarray(self.points, np.float64), self.points.dtype == np.float32,
                 np.ascontiguousarray(corners, np.uint32),
                 np.ascontiguousarray(self.sizes, np.uint32))
+            for sentence in self._core.warnings if self._warns else ():
+                _warn(sentence)
         return self._core
 
     @property
     def triangles(self):
-        return self.core.triangles if self.has_polygons else self.faces
+        return self.core.triangles if self.needs_core else self.faces
 
     def values_of_triangles(self, values):
-        """For each triangle the value of its polygon."""
-        return values[self.core.polygon_of_triangle] if self.has_polygons else values
+        """For each triangle the value of its face."""
+        return values[self.core.polygon_of_triangle] if self.needs_core else values
 
     def labels_of_faces(self, labels):
-        """For each polygon the label with the largest area of its triangles."""
-        return self.core.labels(labels.astype(np.uint32)) if self.has_polygons else labels
+        """For each face the label with the largest area of its triangles, or of a neighbor."""
+        return self.core.labels(labels.astype(np.uint32)) if self.needs_core else labels
 
 
 def _polygons_with_counts(faces):
@@ -249,6 +273,8 @@ def _arrays_of_mesh(mesh):
 
 def surface_of(points, triangles=None):
     """The checked arrays; `points` is a mesh if `triangles` is None."""
+    if isinstance(points, Surface):
+        return points
     if triangles is None:
         points, triangles = _arrays_of_mesh(points)
     if points is None:

@@ -108,7 +108,7 @@ def view(mesh: Any, hierarchy: Optional[Hierarchy] = None, *, n: Optional[int] =
     """
     surface = surface_of(mesh)
     if hierarchy is None:
-        hierarchy = segment_hierarchy(mesh)
+        hierarchy = segment_hierarchy(surface)
     if n is not None:
         n = integer("n", n)
         if n < 1:

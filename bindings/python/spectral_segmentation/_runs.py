@@ -56,7 +56,9 @@ _PARAMETERS = """Parameters
         The indices of the corners in `points`. Arrays of 4 and 8 bytes an integer are read without
         a copy. Edges may have any number of triangles, and the orientation may vary. Polygons are
         an array of shape (m, k) or a list of rows; they are cut into triangles, and a polygon gets
-        the label with the largest area.
+        the label with the largest area. Corners at points that are not finite are left out. If
+        fewer than three are left, the triangle or polygon gets the label of the neighbor with the
+        longest common edge, and its seed, group and features mean nothing.
     method : {{"calibrated", "paper"}}, default: "calibrated"
         "calibrated" cuts where people cut; "paper" is the method of Zhang and Liu 2005,
         `zhang_liu_2005()` in C++.
@@ -130,10 +132,16 @@ _PARAMETERS = """Parameters
     ------
     TypeError, ValueError
         If an argument has a wrong type, shape or range, or seeds and edges contradict each other.
+        If points are not finite, and no triangle or polygon keeps three corners.
     OverflowError
         If a number is too large.
     MemoryError
         If there is not enough memory.
+
+    Warns
+    -----
+    UserWarning
+        If corners are left out, with the first triangle or polygon and the number of corners.
 
     Notes
     -----
@@ -197,21 +205,20 @@ def segment_hierarchy(
         if arguments[name] is not None:
             given[name] = read(name, arguments[name])
     constraints = [
-        *edges_arrays(constrained_edges, uncuttable_edges, triangles, len(points)),
+        *edges_arrays(constrained_edges, uncuttable_edges, surface),
         *(None if value is None
           else surface.values_of_triangles(integers_of_triangles(name, value, len(surface)))
           for name, value in (("face_seeds", face_seeds), ("face_groups", face_groups)))]
     try:
         core = _core.segment(
             points, triangles, given, *constraints,
-            None if features is None
-            else surface.values_of_triangles(features_of_triangles(features, len(surface))),
+            None if features is None else features_of_triangles(features, surface),
             None if part_salience is None
             else lambda factors: part_salience(SalienceFactors._make(factors)),
             None if threads is None else _threads(threads), function("progress", progress))
     except MemoryError:
         raise MemoryError("there is not enough memory for %d triangles" % len(triangles)) from None
-    return Hierarchy._of(core, surface if surface.has_polygons else None)
+    return Hierarchy._of(core, surface if surface.needs_core else None)
 
 
 def _with_parameters_of(other: Callable[_P, Any]

@@ -37,18 +37,6 @@ using mesh_file::Rgb;
 using mesh_file::Triangle;
 using segment_mesh::Input;
 
-static void triangulate(const Polygon_soup& soup, std::vector<Triangle>& triangles,
-                        std::vector<Index>& polygon_of_triangle)
-{
-  mesh_file::Polygon_triangulation triangulate_polygon(soup.points);
-  triangles.reserve(soup.number_of_polygons());
-  polygon_of_triangle.reserve(soup.number_of_polygons());
-  for (Index i = 0; i < soup.number_of_polygons(); ++i) {
-    triangulate_polygon(soup.polygon(i), triangles);
-    polygon_of_triangle.resize(triangles.size(), i);
-  }
-}
-
 // Indices are below 2^32 - 1 and, in files of less than 8 GB, below 2^31.
 template <class Element>
 py::array_t<std::int32_t> array_of_indices(std::vector<Element> elements,
@@ -106,7 +94,7 @@ static py::tuple parse_mesh(const py::bytes& bytes, const std::string& extension
     const mesh_file::Format format = mesh_file::format_of_extension(extension);
     soup = mesh_file::read_mesh_file(contents, format, format == mesh_file::Format::PLY);
     number_of_polygons = soup.number_of_polygons();
-    triangulate(soup, triangles, polygon_of_triangle);
+    segment_mesh::triangulate(soup, triangles, polygon_of_triangle);
     std::vector<char> is_used(soup.points.size(), 0);
     for (const Triangle& t : triangles)
       for (Index v : t)
@@ -124,15 +112,12 @@ static py::tuple parse_mesh(const py::bytes& bytes, const std::string& extension
   const auto number_of_points = static_cast<py::ssize_t>(soup.points.size());
   const auto number_of_triangles = static_cast<py::ssize_t>(triangles.size());
   const auto number_of_segments = static_cast<py::ssize_t>(segments.size());
-  py::list warnings;
-  for (const std::string& warning : soup.warnings)
-    warnings.append(warning);
   return py::make_tuple(
     array_of<double>(std::move(soup.points), {number_of_points, 3}),
     array_of_indices(std::move(triangles), {number_of_triangles, 3},
                      static_cast<std::size_t>(number_of_points)),
     array_of_indices(std::move(polygon_of_triangle), {number_of_triangles}, number_of_polygons),
-    array_of<double>(std::move(segments), {number_of_segments}), warnings);
+    array_of<double>(std::move(segments), {number_of_segments}), soup.warnings);
 }
 
 // Elements of which each is some numbers of a contiguous array.
@@ -148,32 +133,19 @@ std::vector<Element> vector_of(const Array& array)
 template <class Number>
 using Contiguous = py::array_t<Number, py::array::c_style>;
 
-// Returns the polygons of arrays, whose corners are points, and their triangles. Triangles stay as
-// they are.
+// Returns the polygons of arrays, and their triangles.
 static Input polygons_of(const Contiguous<double>& points, bool has_float_points,
                          const Contiguous<std::uint32_t>& corners,
                          const Contiguous<std::uint32_t>& sizes)
 {
-  Input input;
-  Polygon_soup& soup = input.soup;
+  Polygon_soup soup;
   soup.points = vector_of<Point>(points);
   soup.coordinate_type =
     has_float_points ? mesh_file::Number_type::FLOAT32 : mesh_file::Number_type::FLOAT64;
   soup.corners = vector_of<Index>(corners);
-  bool has_triangles_only = true;
-  for (Index size : vector_of<Index>(sizes)) {
-    has_triangles_only = has_triangles_only && size == 3;
+  for (Index size : vector_of<Index>(sizes))
     soup.first_corner.push_back(soup.first_corner.back() + size);
-  }
-  if (!has_triangles_only)
-    triangulate(soup, input.triangles, input.polygon_of_triangle);
-  else
-    for (Index i = 0; i < soup.number_of_polygons(); ++i) {
-      const mesh_file::Polygon t = soup.polygon(i);
-      input.triangles.push_back({t[0], t[1], t[2]});
-      input.polygon_of_triangle.push_back(i);
-    }
-  return input;
+  return segment_mesh::input_of_arrays(std::move(soup));
 }
 
 static py::array_t<std::int32_t> triangles_of(const Input& input)
@@ -230,6 +202,7 @@ void define_mesh_files(py::module_& m)
 {
   py::class_<Input>(m, "Polygons")
     .def(py::init(&polygons_of))
+    .def_property_readonly("warnings", [](const Input& input) { return input.soup.warnings; })
     .def_property_readonly("triangles", triangles_of)
     .def_property_readonly("polygon_of_triangle", polygons_of_triangles)
     .def("labels", labels_of_polygons)

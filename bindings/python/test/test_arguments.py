@@ -29,8 +29,8 @@ TRIANGLES = [[0, 2, 1], [0, 1, 3], [1, 2, 3], [2, 0, 3]]
     (np.zeros((4, 3), bool), TypeError, "points must be real numbers, not bool"),
     (np.zeros((4, 3), "M8[s]"), TypeError, "points must be real numbers"),
     (np.full((4, 3), None), TypeError, "points must be real numbers, not object"),
-    ([[np.nan, 0, 0]] * 4, ValueError, "triangle 0 has a corner with a coordinate that is not fin"),
-    ([[0, np.inf, 0]] * 4, ValueError, "not finite"),
+    ([[np.nan, 0, 0]] * 4, ValueError, "no face with three corners; face 0 uses a point that is n"),
+    ([[0, np.inf, 0]] * 4, ValueError, "not finite; corners left out: 12$"),
     (POINTS[:3], ValueError, "triangle 1 has a corner that is no index of a point"),
     ([], ValueError, "triangle 0 has a corner that is no index of a point"),
 ])
