@@ -5,6 +5,7 @@
 #define SEGMENT_MESH_MESH_FILE_FACE_VECTORS_H
 
 #include <algorithm>
+#include <cmath>
 #include <cstddef>
 #include <cstdint>
 #include <map>
@@ -51,16 +52,21 @@ public:
 };
 
 // Returns vectors of numbers whose differences may be small against the numbers: those less the
-// vector of the first face, as a fraction of the largest.
+// first finite vector, as a fraction of the largest. Numbers that are not finite stay so.
 inline Face_vectors face_vectors(std::size_t dimension, std::vector<double> values)
 {
-  const std::vector<double> first(values.begin(),
-                                  values.begin() + static_cast<std::ptrdiff_t>(
-                                                     (std::min)(dimension, values.size())));
+  std::vector<double> first(dimension, 0.);
+  for (auto v = values.begin(); v != values.end(); v += static_cast<std::ptrdiff_t>(dimension))
+    if (std::all_of(v, v + static_cast<std::ptrdiff_t>(dimension),
+                    [](double x) { return std::isfinite(x); })) {
+      std::copy_n(v, dimension, first.begin());
+      break;
+    }
   double largest = 0;
   for (std::size_t i = 0; i < values.size(); ++i) {
     values[i] -= first[i % dimension];
-    largest = (std::max)(largest, values[i] < 0 ? -values[i] : values[i]);
+    if (std::isfinite(values[i]))
+      largest = (std::max)(largest, std::abs(values[i]));
   }
   std::vector<float> result;
   result.reserve(values.size());

@@ -80,8 +80,8 @@ export interface Mesh {
   /** and the face that each triangle belongs to. */
   readonly faceOfTriangle: Uint32Array;
   /** Sentences on what `read()` left out of the file or found missing, such as "line 5: 'vw' is not
-   *  a statement of OBJ"; empty for arrays. A face that lost its corners at points that are not
-   *  finite takes the label of a neighbor. */
+   *  a statement of OBJ". `read()` and `mesh()` leave out corners at points that are not finite. A
+   *  face with fewer than three others has no triangle, and the label of a neighbor. */
   readonly warnings: readonly string[];
   free(): void;
 }
@@ -110,8 +110,8 @@ export interface Module {
   /** Reads OFF, OBJ, PLY or STL, as the name tells. Throws an Error with the line or byte at fault
    *  if the bytes contradict the format. */
   read(bytes: Uint8Array, name: string): Mesh;
-  /** A mesh of three coordinates a point and three indices a triangle. `segment()` refuses a
-   *  triangle with a corner at a point that is not finite. */
+  /** A mesh of three coordinates a point and three indices a triangle. Throws an Error if an index
+   *  is that of no point, or no triangle has three finite points. */
   mesh(points: Float32Array | Float64Array,
        triangles: Uint32Array | Int32Array | Uint16Array): Mesh;
   /** Throws a TypeError for an argument of a wrong type, a RangeError if memory is out, an Error

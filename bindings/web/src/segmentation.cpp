@@ -63,12 +63,11 @@ val typed_array_of_triples(const std::vector<Triple>& triples)
   return val(emscripten::typed_memory_view(3 * triples.size(), numbers)).call<val>("slice");
 }
 
-// The triples of a typed array of another number type or the same.
-template <class Number, class Triple>
-std::vector<Triple> triples_of(const val& array)
+// Returns the points of a typed array of another number type or the same.
+std::vector<mesh_file::Point> points_of(const val& array)
 {
-  std::vector<Triple> result(array["length"].as<std::size_t>() / 3);
-  val(emscripten::typed_memory_view(3 * result.size(), reinterpret_cast<Number*>(result.data())))
+  std::vector<mesh_file::Point> result(array["length"].as<std::size_t>() / 3);
+  val(emscripten::typed_memory_view(3 * result.size(), reinterpret_cast<double*>(result.data())))
     .call<void>("set", array);
   return result;
 }
@@ -112,15 +111,12 @@ public:
 
   static Mesh of_arrays(const val& points, const val& triangles)
   {
-    Input input;
-    input.soup.points = triples_of<double, mesh_file::Point>(points);
-    input.triangles = triples_of<Index, mesh_file::Triangle>(triangles);
-    for (const mesh_file::Triangle& t : input.triangles) {
-      input.polygon_of_triangle.push_back(static_cast<Index>(input.soup.number_of_polygons()));
-      input.soup.corners.insert(input.soup.corners.end(), t.begin(), t.end());
-      input.soup.end_polygon();
-    }
-    return Mesh(std::move(input));
+    mesh_file::Polygon_soup soup;
+    soup.points = points_of(points);
+    soup.corners = numbers_of<Index>(triangles);
+    for (std::size_t i = 3; i <= soup.corners.size(); i += 3)
+      soup.first_corner.push_back(static_cast<Index>(i));
+    return Mesh(segment_mesh::input_of_arrays(std::move(soup)));
   }
 
   const std::shared_ptr<const Input>& input() const { return input_; }

@@ -230,9 +230,9 @@ test("what is wrong is named", async () => {
     [() => segmentation.segment(segmentation.mesh(new Float64Array([NaN, 0, 0]),
                                                   new Int32Array([0, 0, -1]))),
      Error, /triangle 0/],
-    [() => segmentation.segment(segmentation.mesh(new Float64Array([0, 0, 0, 1, 0, 0, 0, 1, NaN]),
-                                                  new Int32Array([0, 1, 1, 0, 1, 2]))),
-     Error, /^triangle 1 has a corner with a coordinate that is not finite/],
+    [() => segmentation.mesh(new Float64Array([0, 0, 0, 1, 0, 0, 0, 1, NaN]),
+                             new Int32Array([0, 1, 2, 2, 1, 0])),
+     Error, /^the mesh has no face with three corners; face 0 uses a point .* left out: 2$/],
     [() => segmentation.segment({}), TypeError, /mesh must be what read/],
     [() => segmentation.segment(mesh, { segments: 3 }), TypeError, /there is no option segments/],
     [() => segmentation.segment(mesh, { method: "zhang" }), TypeError,
@@ -315,6 +315,16 @@ test("warnings and labels of a lenient reading are those of the tool", async t =
   assert.deepEqual((await worker.segment({ points, triangles })).warnings, []);
   worker.close();
 
+  const whole = segmentation.read(elephant, "x.off");
+  const ofArrays = segmentation.mesh(mesh.points, whole.triangles);
+  assert.deepEqual([ofArrays.numberOfFaces, ofArrays.warnings], [whole.numberOfFaces, warnings]);
+  assert.deepEqual(ofArrays.triangles, mesh.triangles);
+  const [run, runOfArrays] = [mesh, ofArrays].map(each => segmentation.segment(each));
+  assert.equal(text(runOfArrays.labels()), text(run.labels()));
+  assert.deepEqual(runOfArrays.pageData(), run.pageData());
+  assert.deepEqual(segmentation.read(runOfArrays.write("x.ply"), "x.ply").triangles,
+                   segmentation.read(run.write("x.ply"), "x.ply").triangles);
+
   const more = Buffer.from("v 0 0 0\nv 1 0 0\nv 0 1 0\nvw 0 0 1\n<b>\nf 1 2 3\n");
   assert.deepEqual(segmentation.read(more, "x.obj").warnings,
                    ["line 4: 'vw' is not a statement of OBJ",
@@ -323,6 +333,23 @@ test("warnings and labels of a lenient reading are those of the tool", async t =
   const none = Buffer.from("v 0 0 0\nv 1 0 0\nv nan 0 0\nf 1 2 3\n");
   assert.throws(() => segmentation.read(none, "x.obj"),
                 /^Error: it has no face .* corners; face 0 uses a point that is not finite/);
+});
+
+test("faces without a triangle need no features and no seeds", () => {
+  const { points, triangles, numberOfFaces } = segmentation.read(elephant, "x.off");
+  points[3 * triangles[0]] = -Infinity;
+  const mesh = segmentation.mesh(points, triangles);
+  const used = new Set(mesh.faceOfTriangle);
+  assert.ok(!used.has(0) && used.size > numberOfFaces - 20);
+  const height = face => points[3 * triangles[3 * face + 1] + 1];
+  const labels = value => text(segmentation.segment(mesh, {
+    features: Float64Array.from({ length: numberOfFaces }, (_, face) =>
+      used.has(face) ? Number(height(face) > 0) : value),
+    faceSeeds: Int32Array.from({ length: numberOfFaces }, (_, face) =>
+      used.has(face) || value === 0 ? -1 : face),
+    featureWeight: 1, numberOfSegments: 2 }).labels());
+  for (const value of [NaN, Infinity])
+    assert.equal(labels(value), labels(0));
 });
 
 test("progress ascends, ends a run, and may fail", () => {
