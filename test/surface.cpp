@@ -8,6 +8,7 @@
 #include <CGAL/Spectral_segmentation/internal/surface/Surface.h>
 
 #include <boost/graph/graph_concepts.hpp>
+#include <boost/graph/graph_traits.hpp>
 
 #include <algorithm>
 #include <cmath>
@@ -91,21 +92,36 @@ BOOST_AUTO_TEST_CASE(it_is_a_graph_of_the_boost_graph_library)
 {
   BOOST_CONCEPT_ASSERT((boost::concepts::VertexListGraphConcept<Surface>));
   BOOST_CONCEPT_ASSERT((boost::concepts::IncidenceGraphConcept<Surface>));
-  const Surface graph = surface_of(plate(4, 3));
-  BOOST_TEST(num_vertices(graph) == 24u);
-  Index next = 0;
-  for (auto [f, end] = vertices(graph); f != end; ++f) {
-    BOOST_TEST(*f == next++);
-    BOOST_TEST(out_degree(*f, graph) == 3u);
-    std::multiset<Index> targets;
-    for (auto [e, last] = out_edges(*f, graph); e != last; ++e) {
-      BOOST_TEST(source(*e, graph) == *f);
-      targets.insert(target(*e, graph));
+  static_assert(boost::is_directed_graph<Surface>::value && boost::is_multigraph<Surface>::value);
+  static_assert(boost::is_vertex_list_graph<Surface>::value &&
+                boost::is_incidence_graph<Surface>::value &&
+                !boost::is_bidirectional_graph<Surface>::value &&
+                !boost::is_edge_list_graph<Surface>::value);
+  for (const Soup& soup : small_soups()) {
+    const Surface graph = surface_of(soup);
+    BOOST_TEST(num_vertices(graph) == soup.triangles.size());
+    Index next = 0;
+    std::set<Index> edges;
+    for (auto [f, end] = vertices(graph); f != end; ++f) {
+      BOOST_TEST(*f == next++);
+      BOOST_TEST(out_degree(*f, graph) == 3u);
+      std::multiset<Index> targets;
+      for (auto [e, last] = out_edges(*f, graph); e != last; ++e) {
+        BOOST_TEST(source(*e, graph) == *f);
+        targets.insert(target(*e, graph));
+        BOOST_TEST(edges.insert(*e).second); // one descriptor for each direction
+      }
+      BOOST_TEST(targets == (std::multiset<Index>{graph.neighbor(3 * *f),
+                                                  graph.neighbor(3 * *f + 1),
+                                                  graph.neighbor(3 * *f + 2)}), tt::per_element());
     }
-    BOOST_TEST(targets == (std::multiset<Index>{graph.neighbor(3 * *f), graph.neighbor(3 * *f + 1),
-                                                graph.neighbor(3 * *f + 2)}), tt::per_element());
+    BOOST_TEST(next == num_vertices(graph));
+    for (Index e : edges) {
+      BOOST_TEST(source(graph.opposite[e], graph) == target(e, graph));
+      BOOST_TEST(target(graph.opposite[e], graph) == source(e, graph));
+      BOOST_TEST(graph.is_border(e) == (source(e, graph) == target(e, graph))); // a loop
+    }
   }
-  BOOST_TEST(next == 24u);
 }
 
 BOOST_AUTO_TEST_CASE(points_are_normalized_by_a_power_of_two)

@@ -54,11 +54,12 @@ struct Components
 };
 
 // A triangulated surface as arrays, or a part of one: the only mesh inside the engine. It is a
-// model of BGL's `VertexListGraph` and `IncidenceGraph` whose vertices are the faces.
+// directed model of BGL's `VertexListGraph` and `IncidenceGraph`: the vertices are the faces, and
+// the edges are the halfedges, which lead from their face to the face across.
 //
 // Halfedge 3f+i belongs to face f and runs from its corner i to its corner (i+1)%3. A halfedge on
-// the border is its own opposite. Therefore the face across it is its own face, which graph
-// algorithms ignore. No two halfedges of one face are opposite.
+// the border is its own opposite. Therefore the face across it is its own face, and the edge is a
+// loop. No two halfedges of one face are opposite.
 struct Surface
 {
   std::vector<Corners> corners;      // one per face
@@ -102,7 +103,7 @@ struct Surface
   // BGL
   typedef Index vertex_descriptor;
   typedef Index edge_descriptor;
-  typedef boost::undirected_tag directed_category;
+  typedef boost::directed_tag directed_category;
   typedef boost::allow_parallel_edge_tag edge_parallel_category;
   struct traversal_category : boost::vertex_list_graph_tag, boost::incidence_graph_tag {};
   typedef boost::counting_iterator<Index> vertex_iterator;
