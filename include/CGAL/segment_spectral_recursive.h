@@ -88,6 +88,9 @@ std::size_t segment_and_write(Surface triangles, const std::vector<Face>& faces,
 
   typedef typename CGAL::internal_np::Lookup_named_param_def<
     CGAL::internal_np::visitor_t, CGALNamedParameters, Segmentation_visitor>::reference Visitor;
+  static_assert(internal_np::is_visitor<std::decay_t<Visitor> >::value,
+                "visitor takes a class derived from Segmentation_visitor that redefines one of its "
+                "functions; is a name misspelt?");
   Segmentation_visitor no_visitor;
   Visitor visitor =
     choose_parameter(get_parameter_reference(np, CGAL::internal_np::visitor), no_visitor);
@@ -160,12 +163,15 @@ at most 4000 faces by default. The memory is O(*n*). The section
 \tparam SegmentIdMap a model of `WritablePropertyMap` with
   `boost::graph_traits<TriangleMesh>::%face_descriptor` as key type and an integer type as value
   type
-\tparam NamedParameters a sequence of named parameters, of the namespace
-  `CGAL::Spectral_segmentation::parameters` or of `CGAL::parameters`
+\tparam NamedParameters a sequence of named parameters
 
 \param mesh the triangle mesh
 \param segment_ids receives the id of the segment of each face
-\param np an optional sequence of named parameters among the ones listed below
+\param np an optional sequence of named parameters among the ones listed below. It starts with a
+  parameter of the package, as in `CGAL::parameters::number_of_segments(5).vertex_point_map(m)`. The
+  form `CGAL::parameters::vertex_point_map(m).number_of_segments(5)` does not compile, because a
+  sequence that starts with a parameter of \cgal has no others as members. If there is such a
+  sequence `s`, write `CGAL::parameters::combine(s, CGAL::parameters::number_of_segments(5))`.
 
 <b>Everyday parameters.</b> All named parameters are optional.
 \cgalNamedParamsBegin
@@ -409,7 +415,8 @@ std::size_t segment_spectral_recursive(const TriangleMesh& mesh, SegmentIdMap se
                                        const NamedParameters& np = NamedParameters())
 {
   namespace internal = Spectral_segmentation::internal;
-  const auto& pack = internal::cgal_pack(np);
+  const auto& pack =
+    internal::checked_pack<Spectral_segmentation::internal_np::has_only_known_tags>(np);
   typedef std::decay_t<decltype(pack)> Pack;
 
   const Spectral_segmentation::Options options = internal::read_options(pack);
@@ -480,7 +487,8 @@ std::size_t segment_spectral_recursive(const PointRange& points, const TriangleR
                                        const NamedParameters& np = NamedParameters())
 {
   namespace internal = Spectral_segmentation::internal;
-  const auto& pack = internal::cgal_pack(np);
+  const auto& pack =
+    internal::checked_pack<Spectral_segmentation::internal_np::has_only_known_tags>(np);
   typedef std::decay_t<decltype(pack)> Pack;
   static_assert(!internal::is_given<Pack, internal_np::vertex_point_t> &&
                 !internal::is_given<Pack, internal_np::face_index_t> &&

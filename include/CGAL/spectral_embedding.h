@@ -113,8 +113,7 @@ reference faces if the samples are not given; the memory is O(*m n*).
 \tparam FaceCoordinateMap a model of `WritablePropertyMap` with
   `boost::graph_traits<TriangleMesh>::%face_descriptor` as key type and a floating point type as
   value type
-\tparam NamedParameters a sequence of named parameters, of the namespace
-  `CGAL::Spectral_segmentation::parameters` or of `CGAL::parameters`
+\tparam NamedParameters a sequence of named parameters
 
 \param mesh the triangle mesh, which must be connected and have at least two faces
 \param coordinates the coordinate of each face is written here: a number without unit; the first

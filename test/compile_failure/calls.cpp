@@ -33,7 +33,8 @@ std::size_t n_01 = CGAL::segment_spectral_recursive(mesh(), fractions()); // err
 std::size_t n_02 = CGAL::segment_spectral_recursive(mesh(), flags());     // error: the values of the segment id map must be of an integer type
 std::size_t n_03 = CGAL::segment_spectral_recursive(mesh(), ids(), 0.3);  // error: the last argument is not a pack of named parameters
 std::size_t n_04 = CGAL::segment_spectral_recursive<CGAL::Parallel_tag>(mesh(), ids()); // error: Parallel_tag is enabled but TBB is unavailable
-std::size_t n_05 = CGAL::segment_spectral_recursive(mesh(), ids(), CGAL::parameters::number_of_iterations(3)); // error: this pack holds a CGAL named parameter that the package does not use
+std::size_t n_05 = CGAL::segment_spectral_recursive(mesh(), ids(), CGAL::parameters::number_of_iterations(3)); // error: this pack holds a named parameter that the function does not use
+std::size_t n_22 = CGAL::segment_spectral_recursive(mesh(), ids(), params::from(CGAL::parameters::verbose(true))); // error: this pack holds a named parameter that the function does not use
 
 std::size_t n_06 = hierarchy().write(mesh(), ids(), {0}, params::smooth_boundaries(true)); // error: the labels of a Segmentation_hierarchy depend on no named parameter but face_index_map
 
@@ -78,4 +79,9 @@ std::size_t n_17 = CGAL::segment_spectral_recursive(mesh(), ids(), params::face_
 std::size_t n_18 = CGAL::segment_spectral_recursive(mesh(), ids(), params::edge_is_constrained_map(flags_of_halfedges())); // error: the keys of face_seed_map, face_group_map and face_feature_map must be the faces of the mesh
 std::size_t n_19 = CGAL::segment_spectral_recursive(mesh(), ids(), params::number_of_segments("5")); // error: number_of_segments takes an integer
 std::size_t n_20 = CGAL::segment_spectral_recursive(mesh(), ids(), params::visitor(std::ref(no_visitor))); // error: visitor takes a class derived from Segmentation_visitor
+struct Misspelt_visitor : CGAL::Spectral_segmentation::Segmentation_visitor
+{
+  bool go_futher() { return false; }
+};
+std::size_t n_23 = CGAL::segment_spectral_recursive(mesh(), ids(), CGAL::parameters::visitor(Misspelt_visitor())); // error: visitor takes a class derived from Segmentation_visitor that redefines one of its functions; is a name misspelt
 auto n_21 = CGAL::split_into_segments(mesh(), ids(), no_sequence); // error: the parts are received by a sequence of meshes

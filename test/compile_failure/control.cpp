@@ -69,6 +69,41 @@ auto at_the_start(const Mesh& mesh, CGAL::Spectral_segmentation::Segmentation_hi
   return params::zhang_liu_2005();
 }
 
+void with_a_pack_of_CGAL(const Mesh& mesh, Segment_ids ids,
+                         CGAL::Spectral_segmentation::Segmentation_hierarchy& hierarchy)
+{
+  const auto pack = CGAL::parameters::vertex_point_map(mesh.points()).random_seed(1);
+  CGAL::segment_spectral_recursive(
+    mesh, ids, CGAL::parameters::hierarchy(hierarchy).vertex_point_map(mesh.points()));
+  CGAL::segment_spectral_recursive(
+    mesh, ids, CGAL::parameters::combine(pack, CGAL::parameters::number_of_segments(2)));
+  CGAL::segment_spectral_recursive(mesh, ids, CGAL::parameters::combine(
+    CGAL::parameters::hierarchy(hierarchy).feature_weight(1), pack, params::random_seed(2)));
+}
+
+// A user's functions with the names of parameters are preferred to these.
+namespace user {
+
+struct Model {};
+
+template <class T> Model number_of_segments(const T&);
+template <class T> Model hierarchy(T&);
+Model options(const Model&);
+template <class T, class U> Model combine(const T&, const U&);
+
+} // namespace user
+
+void with_functions_of_the_same_names()
+{
+  using namespace user;
+  using namespace CGAL::parameters;
+  user::Model model;
+  model = number_of_segments(5);
+  model = hierarchy(model);
+  model = options(model);
+  model = combine(model, model);
+}
+
 std::size_t of_a_mesh(const Mesh& mesh, Segment_ids ids,
                       CGAL::Spectral_segmentation::Segmentation_hierarchy& hierarchy)
 {

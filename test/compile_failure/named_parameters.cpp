@@ -42,7 +42,7 @@ auto pack_18 = params::salience_weights(0.1, 0.9);            // error: no match
 auto pack_19 = params::distance_weights(0.03, "1", 0.1);      // error: distance_weights takes three numbers: delta, eta at concave edges
 auto pack_20 = params::distance_weights(0.03, 1);             // error: no matching (member )?function for call to .*distance_weights
 auto pack_21 = params::random_seed(1).distance_weights(0.03); // error: no matching (member )?function for call to .*distance_weights
-auto pack_22 = params::zhang_liu_2005(true);                  // error: too many arguments to function
+auto pack_22 = params::zhang_liu_2005(true);                  // error: too many arguments to function|no matching function for call to .*zhang_liu_2005
 
 CGAL::Spectral_segmentation::Segmentation_hierarchy& a_hierarchy();
 const CGAL::Spectral_segmentation::Segmentation_hierarchy& a_const_hierarchy();
@@ -66,10 +66,14 @@ auto pack_31 = params::face_seed_map(seeds_without_sign + 0); // error: face_see
 auto pack_45 = params::face_feature_map(texts + 0); // error: face_feature_map takes a property map whose values are numbers or ranges of numbers
 auto pack_46 = params::feature_weight("much");      // error: feature_weight takes a number
 
-auto pack_32 = params::from(CGAL::parameters::verbose(true)); // error: this pack holds a CGAL named parameter that the package does not use
-
 auto pack_33 = params::number_of_segment(5);                       // error: did you mean 'number_of_segments'
 auto pack_34 = params::random_seed(1).number_of_segment(5);        // error: did you mean 'number_of_segments'
 
 // The members of a pack of CGAL are CGAL's own, so that the sentence is the compiler's.
 auto pack_35 = CGAL::parameters::random_seed(1).number_of_segments(5); // error: no member named 'number_of_segments'
+
+auto pack_38 = CGAL::parameters::number_of_segments(2.5);            // error: number_of_segments takes an integer
+auto pack_39 = CGAL::parameters::number_of_segments(5).verbose(true); // error: no member named 'verbose'
+auto pack_40 = CGAL::parameters::hierarchy(5);                       // error: no matching function for call to .*hierarchy|no type named 'type' in 'struct std::enable_if
+auto pack_41 = CGAL::parameters::combine(5, params::random_seed(1)); // error: no matching function for call to .*combine
+auto pack_42 = CGAL::parameters::combine(params::random_seed(1), 5); // error: no matching (member )?function for call to .*combine

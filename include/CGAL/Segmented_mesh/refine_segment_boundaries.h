@@ -90,8 +90,7 @@ two. The memory is O(*n*).
   `boost::graph_traits<TriangleMesh>::%face_descriptor` as key type and an integer type as value
   type. It must accept new faces, like property maps of `CGAL::Surface_mesh`, dynamic property
   maps and `boost::associative_property_map`.
-\tparam NamedParameters a sequence of named parameters, of `CGAL::parameters` or of the namespace
-  `CGAL::Spectral_segmentation::parameters`
+\tparam NamedParameters a sequence of named parameters
 
 \param mesh the triangle mesh
 \param segment_ids the id of the segment of each face: any integers, from

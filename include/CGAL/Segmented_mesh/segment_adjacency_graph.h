@@ -192,8 +192,7 @@ O(*d*) more for each edge of the graph.
 
 \tparam TriangleMesh a model of `FaceListGraph` and `VertexListGraph`
 \tparam SegmentIdMap \ssReadableFaceMap an integer type as value type
-\tparam NamedParameters a sequence of named parameters, of the namespace
-  `CGAL::Spectral_segmentation::parameters` or of `CGAL::parameters`
+\tparam NamedParameters a sequence of named parameters
 
 \param mesh the triangle mesh
 \param segment_ids the id of the segment of each face: any integers, from

@@ -102,8 +102,7 @@ The time is O(*n* log *n*) for *n* faces, plus the time of closing.
 \tparam PartRange a `BackInsertionSequence` of a model of `MutableFaceGraph` with a default
   constructor, whose internal point map has the point type of `vertex_point_map`, such as
   `std::vector<TriangleMesh>`
-\tparam NamedParameters a sequence of named parameters, of the namespace
-  `CGAL::Spectral_segmentation::parameters` or of `CGAL::parameters`
+\tparam NamedParameters a sequence of named parameters
 
 \param mesh the triangle mesh
 \param segment_ids the id of the segment of each face: any integers, from

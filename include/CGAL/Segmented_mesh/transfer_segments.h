@@ -63,9 +63,8 @@ near each other. The memory is O(*n* + *m*).
 \tparam ToMesh a model of `FaceListGraph` and `VertexListGraph`
 \tparam ToSegmentIdMap a model of `WritablePropertyMap` with
   `boost::graph_traits<ToMesh>::%face_descriptor` as key type and an integer type as value type
-\tparam FromNamedParameters a sequence of named parameters, of the namespace
-  `CGAL::Spectral_segmentation::parameters` or of `CGAL::parameters`
-\tparam ToNamedParameters a sequence of named parameters, of either namespace
+\tparam FromNamedParameters a sequence of named parameters
+\tparam ToNamedParameters a sequence of named parameters
 
 \param from the triangle mesh whose segments are known
 \param from_ids the id of the segment of each face of `from`: any integers, from

@@ -26,7 +26,8 @@ class Segmentation_hierarchy;
 
 /// \cond SKIP_IN_MANUAL
 
-// The parameters with one value, as f(name, tag, predicate of the value's type, expected value).
+// These tables name all parameters. Those with one value are f(name, tag, predicate of the value's
+// type, expected value).
 #define CGAL_SPECTRAL_SEGMENTATION_PARAMETERS_OF_CGAL(f)                                         \
   f(vertex_point_map, vertex_point_t, is_property_map, "takes a property map")                  \
   f(face_index_map, face_index_t, is_property_map, "takes a property map")                      \
@@ -43,6 +44,7 @@ class Segmentation_hierarchy;
 // clang-format off
 #define CGAL_SPECTRAL_SEGMENTATION_PARAMETERS(f)                                                 \
   CGAL_SPECTRAL_SEGMENTATION_OPTIONS(CGAL_SPECTRAL_SEGMENTATION_PARAMETER_OF_OPTION, f)          \
+  f(options, options_t, is_options, "takes a CGAL::Spectral_segmentation::Options")              \
   f(part_salience, part_salience_t, is_part_salience,                                            \
     "takes a class that is called with Salience_factors, while const, and returns a number")     \
   f(edge_is_uncuttable_map, edge_is_uncuttable_map_t, is_property_map, "takes a property map")   \
@@ -59,13 +61,14 @@ class Segmentation_hierarchy;
   f(number_of_iterations, number_of_iterations_t, is_count, "takes an integer")
 
 #define CGAL_SPECTRAL_SEGMENTATION_PARAMETERS_OF_RESULTS(f)                                      \
-  f(close_parts, close_parts_t, is_flag, "takes a bool")
+  f(close_parts, close_parts_t, is_flag, "takes a bool")                                         \
+  f(sample_faces, sample_faces_t, is_vector, "takes a std::vector of faces")
 
-// The error message for a parameter that the package does not use. It also appears for a name of
-// the package that the compiler takes for a similar name of CGAL.
-#define CGAL_SPECTRAL_SEGMENTATION_OTHER_PARAMETER                                               \
-  "this pack holds a CGAL named parameter that the package does not use; those of the package "  \
-  "are not members of a CGAL pack: begin with CGAL::Spectral_segmentation::parameters::from(pack)"
+// The parameters without a value or with three values, and those that receive a result, as f(name).
+#define CGAL_SPECTRAL_SEGMENTATION_PARAMETERS_OF_OTHER_VALUES(f)                                 \
+  f(zhang_liu_2005) f(salience_weights) f(distance_weights)
+
+#define CGAL_SPECTRAL_SEGMENTATION_PARAMETERS_BY_REFERENCE(f) f(hierarchy) f(faces_of_parts)
 
 namespace internal_np {
 
@@ -77,16 +80,12 @@ using CGAL::internal_np::random_seed_t;
 using CGAL::internal_np::visitor_t;
 using CGAL::internal_np::number_of_iterations_t;
 
-#define CGAL_SPECTRAL_SEGMENTATION_TAG(name, tag, predicate, what) enum tag { name };
+#define CGAL_SPECTRAL_SEGMENTATION_TAG(name, ...) enum name##_t { name };
 CGAL_SPECTRAL_SEGMENTATION_PARAMETERS(CGAL_SPECTRAL_SEGMENTATION_TAG)
 CGAL_SPECTRAL_SEGMENTATION_PARAMETERS_OF_RESULTS(CGAL_SPECTRAL_SEGMENTATION_TAG)
+CGAL_SPECTRAL_SEGMENTATION_PARAMETERS_OF_OTHER_VALUES(CGAL_SPECTRAL_SEGMENTATION_TAG)
+CGAL_SPECTRAL_SEGMENTATION_PARAMETERS_BY_REFERENCE(CGAL_SPECTRAL_SEGMENTATION_TAG)
 #undef CGAL_SPECTRAL_SEGMENTATION_TAG
-enum zhang_liu_2005_t { zhang_liu_2005 };
-enum distance_weights_t { distance_weights };
-enum hierarchy_t { hierarchy };
-enum options_t { options };
-enum sample_faces_t { sample_faces };
-enum faces_of_parts_t { faces_of_parts };
 
 template <class T>
 using is_flag = std::is_same<T, bool>;
@@ -96,6 +95,15 @@ using is_count = std::bool_constant<std::is_integral<T>::value && !is_flag<T>::v
 
 template <class T>
 using is_real = std::bool_constant<std::is_arithmetic<T>::value && !is_flag<T>::value>;
+
+template <class T>
+using is_options = std::is_same<T, Options>;
+
+template <class T>
+struct is_vector : std::false_type {};
+
+template <class T>
+struct is_vector<std::vector<T> > : std::true_type {};
 
 // Returns 0 for anything but a number: a static_assert has reported it, so no second error is
 // needed.
@@ -212,16 +220,7 @@ template <class Pack>
 using has_only_known_tags = has_only<Pack,
   CGAL_SPECTRAL_SEGMENTATION_PARAMETERS_OF_CGAL(CGAL_SPECTRAL_SEGMENTATION_TAG)
   CGAL_SPECTRAL_SEGMENTATION_PARAMETERS(CGAL_SPECTRAL_SEGMENTATION_TAG)
-  zhang_liu_2005_t, distance_weights_t, hierarchy_t, options_t>;
-
-template <class Pack>
-using has_only_tags_of_package = has_only<Pack,
-  CGAL_SPECTRAL_SEGMENTATION_PARAMETERS_OF_CGAL(CGAL_SPECTRAL_SEGMENTATION_TAG)
-  CGAL_SPECTRAL_SEGMENTATION_PARAMETERS(CGAL_SPECTRAL_SEGMENTATION_TAG)
-  CGAL_SPECTRAL_SEGMENTATION_PARAMETERS_OF_CGAL_FOR_RESULTS(CGAL_SPECTRAL_SEGMENTATION_TAG)
-  CGAL_SPECTRAL_SEGMENTATION_PARAMETERS_OF_RESULTS(CGAL_SPECTRAL_SEGMENTATION_TAG)
-  zhang_liu_2005_t, distance_weights_t, hierarchy_t, options_t, faces_of_parts_t,
-  sample_faces_t>;
+  zhang_liu_2005_t, distance_weights_t, hierarchy_t>;
 #undef CGAL_SPECTRAL_SEGMENTATION_TAG
 
 } // namespace internal_np
@@ -232,12 +231,14 @@ using has_only_tags_of_package = has_only<Pack,
 /// A pack of named parameters. It holds a CGAL pack, and offers the names that the functions of
 /// this package read, both the package's and CGAL's, to be chained in any order.
 ///
-/// The functions of the namespace `CGAL::Spectral_segmentation::parameters` make packs. See
+/// The functions that the package adds to the namespace `CGAL::parameters` make packs. See
 /// `segment_spectral_recursive()` for the meaning of each name.
 template <class CGALNamedParameters = CGAL::parameters::Default_named_parameters>
 class Named_parameters
 {
   CGALNamedParameters np_;
+
+  template <class> friend class Named_parameters;
 
   template <class Tag, class T>
   auto with(const T& value) const
@@ -247,16 +248,24 @@ class Named_parameters
   }
 
 public:
-  /// a pack with the parameters of a pack of CGAL, which must hold only parameters that the
-  /// functions of this package read
-  explicit Named_parameters(const CGALNamedParameters& np = CGALNamedParameters()) : np_(np)
-  {
-    static_assert(internal_np::has_only_tags_of_package<CGALNamedParameters>::value,
-                  CGAL_SPECTRAL_SEGMENTATION_OTHER_PARAMETER);
-  }
+  /// a pack with the parameters of a pack of CGAL
+  explicit Named_parameters(const CGALNamedParameters& np = CGALNamedParameters()) : np_(np) {}
 
   /// the same parameters as a pack of CGAL, for CGAL's own functions
   const CGALNamedParameters& cgal_parameters() const { return np_; }
+
+  /// a pack with the parameters of this pack and of another, which may be CGAL's
+  template <class T, class Tag, class Base>
+  auto combine(const CGAL::Named_function_parameters<T, Tag, Base>& np) const
+  {
+    if constexpr (std::is_same<Base, CGAL::internal_np::No_property>::value)
+      return with<Tag>(np.v);
+    else
+      return combine(static_cast<const Base&>(np)).template with<Tag>(np.v);
+  }
+
+  template <class Other>
+  auto combine(const Named_parameters<Other>& np) const { return combine(np.np_); }
 
   /// \name Parameters
   /// Each function returns a pack that has its parameter and the parameters of this pack. If a
@@ -311,15 +320,6 @@ public:
       internal_np::to_double(convex_eta)});
   }
 
-  /// sets the values of all options, for programs that choose them at run time
-  template <class T>
-  auto options(const T& values) const
-  {
-    static_assert(std::is_same<T, Options>::value,
-                  "options takes a CGAL::Spectral_segmentation::Options");
-    return with<internal_np::options_t>(values);
-  }
-
   /// receives all cuts with their salience
   template <class Hierarchy>
   auto hierarchy(Hierarchy& h) const
@@ -330,11 +330,6 @@ public:
     return with<internal_np::hierarchy_t>(std::ref(h));
   }
 
-  /// the sample faces of a spectral embedding
-  template <class FaceDescriptor>
-  auto sample_faces(const std::vector<FaceDescriptor>& faces) const
-  { return with<internal_np::sample_faces_t>(faces); }
-
   /// receives for each part the faces of the mesh that its faces come from
   template <class FaceDescriptor>
   auto faces_of_parts(std::vector<std::vector<FaceDescriptor> >& faces) const
@@ -343,118 +338,119 @@ public:
   /// @}
 };
 
-/// Functions that start a pack of named parameters.
-namespace parameters {
-
-/// the empty pack: every parameter has its default
-inline Named_parameters<> default_values() { return Named_parameters<>(); }
-
-/// a pack with the parameters of a pack of CGAL, to which further parameters can be added
-template <class T, class Tag, class Base>
-auto from(const CGAL::Named_function_parameters<T, Tag, Base>& np)
-{ return Named_parameters<CGAL::Named_function_parameters<T, Tag, Base> >(np); }
-
-/// \name Parameters
-/// Each function starts a pack with the parameter of its name. It takes the same arguments as the
-/// function of this name in `Named_parameters`.
-/// @{
-
-#define CGAL_SPECTRAL_SEGMENTATION_START(name, tag, predicate, what)                \
-  template <class T>                                                                \
-  auto name(const T& value)                                                         \
-  { return default_values().name(value); }
-
-CGAL_SPECTRAL_SEGMENTATION_PARAMETERS_OF_CGAL(CGAL_SPECTRAL_SEGMENTATION_START)
-CGAL_SPECTRAL_SEGMENTATION_PARAMETERS(CGAL_SPECTRAL_SEGMENTATION_START)
-CGAL_SPECTRAL_SEGMENTATION_PARAMETERS_OF_CGAL_FOR_RESULTS(CGAL_SPECTRAL_SEGMENTATION_START)
-CGAL_SPECTRAL_SEGMENTATION_PARAMETERS_OF_RESULTS(CGAL_SPECTRAL_SEGMENTATION_START)
-#undef CGAL_SPECTRAL_SEGMENTATION_START
-
-inline auto zhang_liu_2005() { return default_values().zhang_liu_2005(); }
-
-template <class T>
-auto options(const T& values)
-{ return default_values().options(values); }
-
-template <class... Numbers>
-auto salience_weights(Numbers... weights)
-{ return default_values().salience_weights(weights...); }
-
-template <class... Numbers>
-auto distance_weights(Numbers... weights)
-{ return default_values().distance_weights(weights...); }
-
-template <class Hierarchy>
-auto hierarchy(Hierarchy& h)
-{ return default_values().hierarchy(h); }
-
-template <class FaceDescriptor>
-auto sample_faces(const std::vector<FaceDescriptor>& faces)
-{ return default_values().sample_faces(faces); }
-
-template <class FaceDescriptor>
-auto faces_of_parts(std::vector<std::vector<FaceDescriptor> >& faces)
-{ return default_values().faces_of_parts(faces); }
-
-/// @}
-
-} // namespace parameters
-
-#undef CGAL_SPECTRAL_SEGMENTATION_PARAMETERS_OF_CGAL
-#undef CGAL_SPECTRAL_SEGMENTATION_PARAMETERS
-#undef CGAL_SPECTRAL_SEGMENTATION_PARAMETER_OF_OPTION
-#undef CGAL_SPECTRAL_SEGMENTATION_PARAMETERS_OF_CGAL_FOR_RESULTS
-#undef CGAL_SPECTRAL_SEGMENTATION_PARAMETERS_OF_RESULTS
-
 /// \cond SKIP_IN_MANUAL
-
 namespace internal {
 
 template <class NamedParameters, class Tag>
 constexpr bool is_given =
   !CGAL::parameters::is_default_parameter<NamedParameters, Tag>::value;
 
-template <template <class> class Has_only_known_tags, class T, class Tag, class Base>
-const CGAL::Named_function_parameters<T, Tag, Base>&
-checked_pack(const CGAL::Named_function_parameters<T, Tag, Base>& np)
-{
-  static_assert(Has_only_known_tags<CGAL::Named_function_parameters<T, Tag, Base> >::value,
-                "this pack holds a named parameter that the function does not use");
-  return np;
-}
-
-template <template <class> class Has_only_known_tags, class CGALNamedParameters>
-const CGALNamedParameters& checked_pack(const Named_parameters<CGALNamedParameters>& np)
-{ return checked_pack<Has_only_known_tags>(np.cgal_parameters()); }
-
-// Returns the CGAL pack of the functions that segment, and checks that they read its parameters.
-template <class CGALNamedParameters>
-const CGALNamedParameters& cgal_pack(const Named_parameters<CGALNamedParameters>& np)
-{ return checked_pack<internal_np::has_only_known_tags>(np); }
-
+// Returns the CGAL pack of a pack.
 template <class T, class Tag, class Base>
 const CGAL::Named_function_parameters<T, Tag, Base>&
 cgal_pack(const CGAL::Named_function_parameters<T, Tag, Base>& np)
-{
-  static_assert(internal_np::has_only_known_tags<
-                  CGAL::Named_function_parameters<T, Tag, Base> >::value,
-                CGAL_SPECTRAL_SEGMENTATION_OTHER_PARAMETER);
-  return np;
-}
+{ return np; }
+
+template <class CGALNamedParameters>
+const CGALNamedParameters& cgal_pack(const Named_parameters<CGALNamedParameters>& np)
+{ return np.cgal_parameters(); }
 
 template <class NotAPack>
-CGAL::parameters::Default_named_parameters cgal_pack(const NotAPack&)
+const CGAL::parameters::Default_named_parameters& cgal_pack(const NotAPack&)
 {
   static_assert(sizeof(NotAPack) == 0, "the last argument is not a pack of named parameters");
-  return CGAL::parameters::default_values();
+  static const CGAL::parameters::Default_named_parameters no_second_error;
+  return no_second_error;
 }
 
-#undef CGAL_SPECTRAL_SEGMENTATION_OTHER_PARAMETER
+// Returns the CGAL pack of a pack, and checks that the function reads its parameters.
+template <template <class> class Has_only_known_tags, class NamedParameters>
+const auto& checked_pack(const NamedParameters& np)
+{
+  const auto& pack = cgal_pack(np);
+  static_assert(Has_only_known_tags<std::decay_t<decltype(pack)> >::value,
+                "this pack holds a named parameter that the function does not use; parameters of "
+                "the package are added to a pack of CGAL by CGAL::parameters::combine");
+  return pack;
+}
 
 } // namespace internal
+/// \endcond
+
+} // namespace Spectral_segmentation
+
+/// The namespace of \cgal's named parameters. For each parameter of the package it has a function
+/// that starts a pack, with the arguments of the function of this name in
+/// `CGAL::Spectral_segmentation::Named_parameters`.
+namespace parameters {
+
+/// \cond SKIP_IN_MANUAL
+
+// Starts a pack. Templates of this name that take one argument are better matches, so that no call
+// is ambiguous.
+#define CGAL_SPECTRAL_SEGMENTATION_START(name, ...)                                 \
+  template <class... Values>                                                        \
+  auto name(const Values&... values)                                                \
+  { return Spectral_segmentation::Named_parameters<>().name(values...); }
+
+CGAL_SPECTRAL_SEGMENTATION_PARAMETERS(CGAL_SPECTRAL_SEGMENTATION_START)
+CGAL_SPECTRAL_SEGMENTATION_PARAMETERS_OF_RESULTS(CGAL_SPECTRAL_SEGMENTATION_START)
+CGAL_SPECTRAL_SEGMENTATION_PARAMETERS_OF_OTHER_VALUES(CGAL_SPECTRAL_SEGMENTATION_START)
+
+template <class... Hierarchy, class = std::enable_if_t<(std::is_same<
+            const Hierarchy, const Spectral_segmentation::Segmentation_hierarchy>::value && ...)> >
+auto hierarchy(Hierarchy&... h)
+{ return Spectral_segmentation::Named_parameters<>().hierarchy(h...); }
+
+template <class FaceDescriptor>
+auto faces_of_parts(std::vector<std::vector<FaceDescriptor> >& faces)
+{ return Spectral_segmentation::Named_parameters<>().faces_of_parts(faces); }
+
+template <class CGALNamedParameters>
+auto combine(const Spectral_segmentation::Named_parameters<CGALNamedParameters>& np) { return np; }
+
+template <class CGALNamedParameters, class Other, class... Others>
+auto combine(const Spectral_segmentation::Named_parameters<CGALNamedParameters>& np,
+             const Other& other, const Others&... others)
+{ return combine(np.combine(other), others...); }
 
 /// \endcond
 
+/// a pack with the parameters of `np` and of other packs, each of which may be \cgal's or the
+/// package's. If a parameter is given twice, the last value counts.
+template <class T, class Tag, class Base, class... Others>
+auto combine(const Named_function_parameters<T, Tag, Base>& np, const Others&... others)
+{ return combine(Spectral_segmentation::Named_parameters(np), others...); }
+
+} // namespace parameters
+
+namespace Spectral_segmentation {
+
+/// The functions of the package in `CGAL::parameters`, and functions that start a pack with a
+/// parameter of \cgal, to which parameters of the package can be added.
+namespace parameters {
+
+/// the empty pack: every parameter has its default
+inline Named_parameters<> default_values() { return Named_parameters<>(); }
+
+/// a pack with the parameters of a pack of \cgal, the same as `combine(np)`
+template <class T, class Tag, class Base>
+auto from(const CGAL::Named_function_parameters<T, Tag, Base>& np)
+{ return CGAL::parameters::combine(np); }
+
+CGAL_SPECTRAL_SEGMENTATION_PARAMETERS_OF_CGAL(CGAL_SPECTRAL_SEGMENTATION_START)
+CGAL_SPECTRAL_SEGMENTATION_PARAMETERS_OF_CGAL_FOR_RESULTS(CGAL_SPECTRAL_SEGMENTATION_START)
+#undef CGAL_SPECTRAL_SEGMENTATION_START
+
+#define CGAL_SPECTRAL_SEGMENTATION_USING(name, ...) using CGAL::parameters::name;
+CGAL_SPECTRAL_SEGMENTATION_PARAMETERS(CGAL_SPECTRAL_SEGMENTATION_USING)
+CGAL_SPECTRAL_SEGMENTATION_PARAMETERS_OF_RESULTS(CGAL_SPECTRAL_SEGMENTATION_USING)
+CGAL_SPECTRAL_SEGMENTATION_PARAMETERS_OF_OTHER_VALUES(CGAL_SPECTRAL_SEGMENTATION_USING)
+CGAL_SPECTRAL_SEGMENTATION_PARAMETERS_BY_REFERENCE(CGAL_SPECTRAL_SEGMENTATION_USING)
+#undef CGAL_SPECTRAL_SEGMENTATION_USING
+using CGAL::parameters::combine;
+
+} // namespace parameters
 } // namespace Spectral_segmentation
 } // namespace CGAL
 

@@ -100,8 +100,7 @@ inline void write_hierarchy(std::ostream& os, const Segmentation_hierarchy& hier
 writes a hierarchy as JSON, with the chosen segments, their neighbors and bounding boxes.
 
 \tparam TriangleMesh a model of `FaceListGraph` and `VertexListGraph`
-\tparam NamedParameters a sequence of named parameters, of the namespace
-  `CGAL::Spectral_segmentation::parameters` or of `CGAL::parameters`
+\tparam NamedParameters a sequence of named parameters
 
 \param os the stream
 \param hierarchy the hierarchy
