@@ -21,7 +21,7 @@
 typedef CGAL::Surface_mesh<CGAL::Simple_cartesian<double>::Point_3> Mesh;
 typedef Mesh::Face_index Face;
 typedef Mesh::Property_map<Face, int> Labels;
-namespace params = CGAL::Spectral_segmentation::parameters;
+namespace params = CGAL::parameters;
 
 // Reads a label for each face, one per line.
 bool read_labels(const std::string& filename, const Mesh& mesh, Labels labels)

@@ -17,7 +17,7 @@
 typedef CGAL::Surface_mesh<CGAL::Simple_cartesian<double>::Point_3> Mesh;
 typedef Mesh::Face_index Face;
 typedef CGAL::Spectral_segmentation::Segmentation_hierarchy Segmentation_hierarchy;
-namespace params = CGAL::Spectral_segmentation::parameters;
+namespace params = CGAL::parameters;
 
 // Cuts a leaf of the hierarchy by a run on its faces.
 void cut_leaf(Segmentation_hierarchy& hierarchy, std::size_t leaf, Mesh& mesh)

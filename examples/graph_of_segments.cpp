@@ -15,7 +15,7 @@
 #include <string>
 
 typedef CGAL::Surface_mesh<CGAL::Simple_cartesian<double>::Point_3> Mesh;
-namespace params = CGAL::Spectral_segmentation::parameters;
+namespace params = CGAL::parameters;
 
 int main(int argc, char* argv[])
 {

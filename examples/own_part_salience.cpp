@@ -13,7 +13,7 @@
 
 typedef CGAL::Surface_mesh<CGAL::Simple_cartesian<double>::Point_3> Mesh;
 typedef CGAL::Spectral_segmentation::Salience_factors Salience_factors;
-namespace params = CGAL::Spectral_segmentation::parameters;
+namespace params = CGAL::parameters;
 
 // The probability that a person would cut, but only for limbs: parts of at most a quarter of the
 // mesh.

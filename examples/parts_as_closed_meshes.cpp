@@ -33,7 +33,7 @@ int main(int argc, char* argv[])
 
   std::vector<Mesh> parts;
   CGAL::split_into_segments(mesh, segment_ids, parts,
-                            CGAL::Spectral_segmentation::parameters::close_parts(true));
+                            CGAL::parameters::close_parts(true));
   for (std::size_t i = 0; i < parts.size(); ++i) {
     std::cout << "part " << i << ": volume " << PMP::volume(parts[i]) << std::endl;
     if (!CGAL::IO::write_polygon_mesh("part_" + std::to_string(i) + ".off", parts[i],

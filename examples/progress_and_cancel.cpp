@@ -18,7 +18,7 @@
 
 typedef CGAL::Surface_mesh<CGAL::Simple_cartesian<double>::Point_3> Mesh;
 typedef std::chrono::duration<double> Seconds;
-namespace params = CGAL::Spectral_segmentation::parameters;
+namespace params = CGAL::parameters;
 
 // Prints how much of the run is done and how long the rest may take; stops it when another thread
 // says so.

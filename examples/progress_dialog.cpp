@@ -20,7 +20,7 @@
 #include <thread>
 
 typedef CGAL::Surface_mesh<CGAL::Simple_cartesian<double>::Point_3> Mesh;
-namespace params = CGAL::Spectral_segmentation::parameters;
+namespace params = CGAL::parameters;
 
 // Lives in the thread of the run, and sends the progress to the dialog in the thread of windows.
 class Dialog_visitor : public CGAL::Spectral_segmentation::Segmentation_visitor

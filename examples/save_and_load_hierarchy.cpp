@@ -17,7 +17,7 @@
 
 typedef CGAL::Surface_mesh<CGAL::Simple_cartesian<double>::Point_3> Mesh;
 typedef CGAL::Spectral_segmentation::Segmentation_hierarchy Segmentation_hierarchy;
-namespace params = CGAL::Spectral_segmentation::parameters;
+namespace params = CGAL::parameters;
 
 // Runs on a mesh, and saves the hierarchy.
 int save(const std::string& filename)

@@ -16,7 +16,7 @@
 
 typedef CGAL::Surface_mesh<CGAL::Simple_cartesian<double>::Point_3> Mesh;
 typedef Mesh::Face_index Face;
-namespace params = CGAL::Spectral_segmentation::parameters;
+namespace params = CGAL::parameters;
 
 int main(int argc, char* argv[])
 {

@@ -12,7 +12,7 @@
 #include <string>
 
 typedef CGAL::Surface_mesh<CGAL::Simple_cartesian<double>::Point_3> Mesh;
-namespace params = CGAL::Spectral_segmentation::parameters;
+namespace params = CGAL::parameters;
 
 int main(int argc, char* argv[])
 {
@@ -42,7 +42,7 @@ int main(int argc, char* argv[])
           is_seam[mesh.edge(h)] = false;
   }
   std::cout << CGAL::segment_spectral_recursive(
-    mesh, segment_ids, params::edge_is_constrained_map(is_seam).face_seed_map(seeds))
+    mesh, segment_ids, params::face_seed_map(seeds).edge_is_constrained_map(is_seam))
             << " segments with constraints" << std::endl;
   return CGAL::IO::write_polygon_mesh("segments.ply", mesh) ? EXIT_SUCCESS : EXIT_FAILURE;
 }
