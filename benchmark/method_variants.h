@@ -22,7 +22,7 @@ inline Tree_method method_with(const char* name, const Engine_options& options,
     o.maximum_number_of_segments = n;
     return run_engine(mesh, o, execution);
   };
-  return {name, options.salience_threshold,
+  return {name, CGAL::Spectral_segmentation::threshold_of(options),
           options.method == CGAL::Spectral_segmentation::Method::CALIBRATED, segment};
 }
 
@@ -44,10 +44,8 @@ inline const std::vector<Method_variant>& method_variants()
     {"no coarsening", [](Engine_options& o) { o.number_of_coarse_faces = 0; }},
     {"no bisection", [](Engine_options& o) { o.bisection = false; }},
     {"paper's geodesic weight", [](Engine_options& o) { o.geodesic_weight = 0.01; }},
-    {"paper's part salience", [](Engine_options& o) {
-      o.part_salience = CGAL::Spectral_segmentation::Weighted_part_salience();
-      o.salience_threshold = CGAL::Spectral_segmentation::default_salience_threshold;
-    }},
+    {"paper's part salience", [](Engine_options& o)
+      { o.part_salience = CGAL::Spectral_segmentation::Weighted_part_salience(); }},
   };
   return variants;
 }

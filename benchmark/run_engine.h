@@ -51,9 +51,9 @@ run_engine(const Mesh& mesh, const Engine_options& options, Execution execution,
            Run_control&& control = Run_control(), const Feature_source& features = Feature_source())
 {
   namespace internal = CGAL::Spectral_segmentation::internal;
-  return {internal::segment(triangles_of(mesh), options, options, execution, control,
-                            internal::Constraints(), features),
-          internal::maximum_number(options), internal::threshold(options)};
+  return internal::with_selection(internal::segment(triangles_of(mesh), options, options, execution,
+                                                    control, internal::Constraints(), features),
+                                  options);
 }
 
 // Returns the labels that a run assigned.

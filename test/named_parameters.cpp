@@ -143,7 +143,9 @@ BOOST_AUTO_TEST_CASE(each_of_the_defaults_is_the_one_that_is_documented)
   check(by_default, by_default.distance_weights(0.03, 1, 0.1));
   const auto paper = parameters::zhang_liu_2005();
   check(paper, parameters::smooth_boundaries(false).zhang_liu_2005());
-  check(paper, paper.salience_threshold(0.54));
+  check(paper, paper.salience_threshold(0.54).maximum_number_of_segments(12));
+  check(paper.maximum_number_of_segments(30),
+        paper.salience_threshold(0.54).maximum_number_of_segments(30));
   check(paper, paper.minimum_segment_size(0.005));
   check(paper, paper.salience_weights(0.1, 0.6, 0.3));
   check(paper, paper.distance_weights(0.01, 1, 0.1));
@@ -229,7 +231,7 @@ BOOST_AUTO_TEST_CASE(a_salience_may_have_any_scale)
              boost::test_tools::per_element());
   const auto eight_times = [](const Salience_factors& f) -> float
   { return float(8 * Weighted_part_salience()(f)); };
-  BOOST_TEST(labels_of_doll(parameters::zhang_liu_2005()) ==
+  BOOST_TEST(labels_of_doll(parameters::zhang_liu_2005().salience_threshold(0.54)) ==
              labels_of_doll(parameters::zhang_liu_2005().part_salience(eight_times)
                               .salience_threshold(8 * 0.54)), boost::test_tools::per_element());
 }

@@ -101,7 +101,7 @@ BOOST_AUTO_TEST_CASE(named_parameters_change_the_options_that_are_given)
   o.salience_threshold = 0.2;
   BOOST_TEST(labels_of(mesh_of(doll()), parameters::options(o).minimum_segment_size(0.005)
                                           .salience_threshold(0.54)) ==
-             labels_of(mesh_of(doll()), parameters::zhang_liu_2005()),
+             labels_of(mesh_of(doll()), parameters::zhang_liu_2005().salience_threshold(0.54)),
              boost::test_tools::per_element());
 }
 

@@ -70,7 +70,7 @@ struct Run
       sequential, coarsest, best_cut.context(), options.part_salience, monitor)(regions.leaf);
     searched = Segmentation_hierarchy(internal::hierarchy_of(tree),
                                       CGAL::Spectral_segmentation::unlimited,
-                                      options.salience_threshold);
+                                      threshold_of(options));
 
     struct Stopping_control : internal::Run_control
     {
@@ -92,7 +92,7 @@ struct Run
     }
     whole = Segmentation_hierarchy(internal::hierarchy_of(tree),
                                    CGAL::Spectral_segmentation::unlimited,
-                                   options.salience_threshold);
+                                   threshold_of(options));
   }
 };
 

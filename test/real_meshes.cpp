@@ -64,6 +64,27 @@ BOOST_AUTO_TEST_CASE(meshes_of_many_kinds_are_segmented)
       check_runs(mesh_of(read(name)));
 }
 
+BOOST_AUTO_TEST_CASE(the_paper_ends_at_twelve_parts_of_each_of_equal_components)
+{
+  const Soup soup = read("dino.off");
+  const auto number = [](const Soup& s, const auto& np) { return number_of(labels_of(s, np)); };
+  const auto paper = parameters::zhang_liu_2005();
+  BOOST_TEST(number(soup, paper) == 12);
+  BOOST_TEST(number(soup, paper.salience_threshold(0.54)) > 12);
+  BOOST_TEST(number(soup, paper.maximum_number_of_segments(15)) == 15);
+  BOOST_TEST(number(soup, paper.number_of_segments(13)) == 13);
+  const Soup pair = disjoint_union(soup, moved(soup, 10, 0, 0));
+  BOOST_TEST(number(pair, paper) == 24);
+  BOOST_TEST(number(disjoint_union(pair, moved(scaled(soup, 1e-4), 20, 0, 0)), paper) == 25);
+
+  const auto hierarchy = hierarchy_of(mesh_of(soup), paper);
+  BOOST_TEST(hierarchy.number_of_segments() == 12u);
+  BOOST_TEST(hierarchy.labels(hierarchy.nodes()) == labels_of(soup, paper),
+             boost::test_tools::per_element());
+  BOOST_TEST(hierarchy.labels(hierarchy.nodes(7)) ==
+               labels_of(soup, paper.number_of_segments(7)), boost::test_tools::per_element());
+}
+
 BOOST_AUTO_TEST_CASE(a_rotation_changes_little)
 {
   for (const char* name : some_meshes)

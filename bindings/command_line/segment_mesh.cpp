@@ -70,11 +70,12 @@ using namespace segment_mesh;
 typedef CGAL::Spectral_segmentation::Options Segmentation_options;
 
 // Returns the text of the two defaults of an option for the help.
-std::string both_defaults(double Segmentation_options::*number)
+template <class Function>
+std::string both_defaults(const Function& number)
 {
   std::ostringstream out;
-  out << " [" << Segmentation_options().*number << ", paper "
-      << Segmentation_options::zhang_liu_2005().*number << ']';
+  out << " [" << std::invoke(number, Segmentation_options()) << ", paper "
+      << std::invoke(number, Segmentation_options::zhang_liu_2005()) << ']';
   return out.str();
 }
 
@@ -156,7 +157,7 @@ struct Options
       result.number_of_segments = segments;
     else if (segments)
       result.maximum_number_of_segments = *segments;
-    result.salience_threshold = threshold.value_or(result.salience_threshold);
+    result.salience_threshold = threshold;
     if (feature_file.empty())
       result.feature_weight = 0;
     return result;
@@ -256,7 +257,7 @@ void add_segmentation_options(CLI::App& app, Options& o)
   app.add_option("--salience-threshold", o.threshold,
                  "smallest salience of a cut; with --method calibrated the probability that a "
                  "person would cut there" +
-                   both_defaults(&Segmentation_options::salience_threshold))
+                   both_defaults(CGAL::Spectral_segmentation::threshold_of))
     ->type_name("T");
   app.add_option("--minimum-segment-size", o.segmentation.minimum_segment_size,
                  "smallest area of a side of a cut, as a fraction of the area of the mesh" +
@@ -508,7 +509,7 @@ Json parameters_report(const Options& o)
     result.erase(name);
   result.update({
           {"maximum_number_of_segments", json_or_null(o.segments)},
-          {"salience_threshold", used.number_of_segments ? Json() : Json(used.salience_threshold)},
+          {"salience_threshold", used.number_of_segments ? Json() : Json(threshold_of(used))},
           {"random_seed", json_or_null(used.random_seed)},
           {"keep_groups", o.keep_groups},
           {"seeds", o.seed_file.empty() ? Json() : Json(o.seed_file)},

@@ -5,7 +5,8 @@
 export interface Choice {
   /** Exactly this number, whatever the saliences are; not together with the next two. */
   numberOfSegments?: number;
-  /** At most this number. */
+  /** At most this number. By default there is no limit, but with the method "paper" 12 for a
+   *  connected mesh, unless a salienceThreshold is given. */
   maximumNumberOfSegments?: number;
   /** The smallest salience of a cut: by default 0.3, the probability that people cut there, or
    *  0.54 for weighted saliences such as those of the method "paper". */

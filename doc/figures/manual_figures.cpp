@@ -52,9 +52,20 @@ void draw_gallery(Picture_book& book, Meshes& meshes)
   }
 }
 
+void draw_paper_gallery(Picture_book& book, Meshes& meshes)
+{
+  for (const char* name : {"blobby", "cow", "triceratops", "dino", "diplodocus", "mushroom",
+                           "fandisk_large", "camel", "bunny00", "armadillo"}) {
+    Row_colors colors;
+    add_segments(book, "paper_gallery", meshes[name], colors,
+                 segment(meshes[name].mesh, Engine_options::zhang_liu_2005()), name);
+  }
+}
+
 void draw_all(Picture_book& book, Meshes& meshes)
 {
   draw_gallery(book, meshes);
+  draw_paper_gallery(book, meshes);
   draw_dual_graph(book, meshes["eight"]);
   draw_contexts(book, meshes["homer"]);
   draw_embedding(book, meshes["elephant"]);

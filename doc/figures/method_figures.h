@@ -270,7 +270,7 @@ inline void draw_samples_and_line(Picture_book& book, const Named_mesh& shape,
   book.add_chart("line_search", {{"good", good.steps}, {"bad", bad.steps},
                                  {"number_of_faces", graph.number_of_faces()},
                                  {"threshold",
-                                  Engine_options::zhang_liu_2005().salience_threshold}});
+                                  CGAL::Spectral_segmentation::default_salience_threshold}});
 }
 
 // Draws the tree of cuts, and its segments for some numbers of segments.

@@ -230,7 +230,8 @@ at most 4000 faces by default. The memory is O(*n*). The section
       components are kept separate and there are more components.}
     \cgalParamType{an integer}
     \cgalParamDefault{`std::numeric_limits<std::size_t>::max()`, which is no limit; the threshold
-      ends the run}
+      ends the run. With `zhang_liu_2005()`, unless a `salience_threshold` is given,
+      `default_number_of_parts`, `12`, for a connected mesh}
     \cgalParamExtra{at least 1. For a number above 20 the calibrated method (default) makes as many
       regions, on a proportionally finer coarse mesh.}
   \cgalParamNEnd
@@ -257,7 +258,8 @@ at most 4000 faces by default. The memory is O(*n*). The section
   \cgalParamNEnd
   \cgalParamNBegin{face_index_map}
     \cgalParamDescription{a custom index for each face, from 0 to the number of faces - 1. Segments
-      are numbered, and ties between faces are broken, by these indices.}
+      are numbered by these indices. With `zhang_liu_2005()`, equal faces are ordered by a search of
+      the mesh that begins at the face of index 0.}
     \cgalParamType{\ssReadableFaceMap an integer type as value type}
     \cgalParamDefault{the position of the face in `faces(mesh)`, which is safe for every mesh, even
       with removed faces or without ids}

@@ -65,7 +65,8 @@ _PARAMETERS = """Parameters
     number_of_segments : int, optional
         Exactly this number, whatever the saliences are. Not together with the next two.
     maximum_number_of_segments : int, optional
-        At most this number; by default there is no limit.
+        At most this number. By default there is no limit, but with the method "paper" 12 for a
+        connected mesh, unless a `salience_threshold` is given.
     salience_threshold : float, default: 0.3, or 0.54 for weighted saliences such as the paper's
         The smallest salience of a cut. The salience of the calibrated method is the probability
         that people cut there.

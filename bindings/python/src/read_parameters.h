@@ -76,14 +76,11 @@ inline segmentation::Options read_parameters(const py::dict& given, const py::ob
   read("uses_paper_method", uses_paper_method);
   segmentation::Options o =
     uses_paper_method ? segmentation::Options::zhang_liu_2005() : segmentation::Options();
-  if (!salience.is_none()) {
+  if (!salience.is_none())
     o.part_salience = Python_salience(salience, run);
-    o.salience_threshold = segmentation::default_probability_threshold;
-  }
   else if (given.contains("salience_weights")) {
     const Weights w = given["salience_weights"].cast<Weights>();
     o.part_salience = segmentation::Weighted_part_salience{w[0], w[1], w[2]};
-    o.salience_threshold = segmentation::default_salience_threshold;
   }
   Weights distance_weights = {o.geodesic_weight, o.concave_angle_weight, o.convex_angle_weight};
   read("distance_weights", distance_weights);

@@ -264,7 +264,6 @@ segmentation::Options read_options(const val& given)
     const char* const name = "salienceWeights";
     o.part_salience =
       segmentation::Weighted_part_salience{weight(name, 0), weight(name, 1), weight(name, 2)};
-    o.salience_threshold = segmentation::default_salience_threshold;
   }
   if (!given["distanceWeights"].isUndefined()) {
     o.geodesic_weight = weight("distanceWeights", 0);

@@ -58,7 +58,7 @@ struct Options
   /// `salience_threshold` are not used.
   std::optional<std::size_t> number_of_segments;
   std::size_t maximum_number_of_segments = unlimited;        ///< at least 1
-  double salience_threshold = default_probability_threshold; ///< not NaN
+  std::optional<double> salience_threshold; ///< not NaN. If it is not set, see `threshold_of()`.
   bool keep_components_separate = false;                     ///< `true` in the paper's method
   double minimum_segment_size = 0.003;                       ///< in [0, 0.5]
   double feature_weight = 0.5;                               ///< in [0, 1]
@@ -76,14 +76,12 @@ struct Options
   std::optional<std::uint64_t> random_seed;   ///< chooses the first reference faces at random
   /// @}
 
-  /// returns the options of the method of the paper. The values of `minimum_segment_size`, which
-  /// the paper does not have, and of `salience_threshold`, which it leaves to the user, are the
-  /// package's.
+  /// returns the options of the method of the paper. The value of `minimum_segment_size`, which
+  /// the paper does not have, is the package's.
   static Options zhang_liu_2005()
   {
     Options o;
     o.method = Method::ZHANG_LIU_2005;
-    o.salience_threshold = default_salience_threshold;
     o.keep_components_separate = true;
     o.minimum_segment_size = 0.005;
     o.part_salience = Weighted_part_salience();
@@ -122,7 +120,9 @@ struct Option_description
                                          double greatest)
   {
     return {name, std::is_same<Field, bool>::value ? "boolean"
-                  : std::is_same<Field, double>::value ? "number" : "integer", least, greatest};
+                  : std::is_same<Field, double>::value ||
+                    std::is_same<Field, std::optional<double> >::value ? "number" : "integer",
+            least, greatest};
   }
 
   /// throws `std::invalid_argument` if a value is out of the range. The message names the option
@@ -196,6 +196,19 @@ inline void check(const Options& o)
           "the second and third of distance_weights", "finite and not negative");
 }
 
+/// \ingroup PkgSpectralSegmentationRef
+/// returns the salience from which a run makes cuts. For an exact number this is `-infinity`. If no
+/// threshold is set, it is `default_salience_threshold` for a `Weighted_part_salience`, and
+/// `default_probability_threshold` for any other part salience.
+inline double threshold_of(const Options& o)
+{
+  if (o.number_of_segments)
+    return -std::numeric_limits<double>::infinity();
+  const bool is_weighted = o.part_salience.target<Weighted_part_salience>() != nullptr;
+  return o.salience_threshold.value_or(is_weighted ? default_salience_threshold
+                                                   : default_probability_threshold);
+}
+
 /// \cond SKIP_IN_MANUAL
 namespace internal {
 
@@ -203,10 +216,11 @@ namespace internal {
 inline std::size_t maximum_number(const Options& o)
 { return o.number_of_segments.value_or(o.maximum_number_of_segments); }
 
-// Returns the salience from which cuts are made. An exact number is reached whatever the saliences.
-inline double threshold(const Options& o)
+// Returns whether `default_number_of_parts` ends the recursion of the paper.
+inline bool has_default_end(const Options& o)
 {
-  return o.number_of_segments ? -std::numeric_limits<double>::infinity() : o.salience_threshold;
+  return o.method == Method::ZHANG_LIU_2005 && maximum_number(o) == unlimited &&
+         !o.salience_threshold;
 }
 
 } // namespace internal

@@ -9,6 +9,7 @@
 #include <CGAL/Spectral_segmentation/internal/salience/calibrated_networks.h>
 
 #include <cmath>
+#include <cstddef>
 
 namespace CGAL {
 namespace Spectral_segmentation {
@@ -135,6 +136,13 @@ struct Calibrated_part_salience
 /// the multiple of 0.02 that, as one value for all meshes, gives the smallest Rand error on the odd
 /// half of the Princeton benchmark.
 constexpr double default_salience_threshold = 0.54;
+
+/// \ingroup PkgSpectralSegmentationRef
+/// The largest number of parts of a connected mesh with `zhang_liu_2005()`, if neither a number of
+/// segments nor a `salience_threshold` is given: 11 cuts. Two components of equal area are cut 22
+/// times, and so on; if the areas are the fractions f of the whole, 11 cuts are made for each of
+/// 1 / &sum; f<sup>2</sup> components, rounded.
+constexpr std::size_t default_number_of_parts = 12;
 
 /// \ingroup PkgSpectralSegmentationRef
 /// The default of the named parameter `salience_threshold` for any other part salience.

@@ -10,6 +10,7 @@
 #include <CGAL/Spectral_segmentation/internal/base/Run_monitor.h>
 #include <CGAL/Spectral_segmentation/internal/search/Cut_hierarchy.h>
 
+#include <cstddef>
 #include <utility>
 
 // The engine is linked if CGAL_SPECTRAL_SEGMENTATION_COMPILED is defined, which the CMake target
@@ -31,16 +32,22 @@ Cut_hierarchy segment(Surface surface, const Options& options, const Method_cons
                       Execution execution, Run_control& control, const Constraints& constraints,
                       const Feature_source& features);
 
-// Runs the engine. Returns its cuts with the maximum number of segments and the threshold that
-// select them.
+// Returns the cuts of a run with the maximum number of segments and the threshold that select them.
+inline Segmentation_hierarchy with_selection(Cut_hierarchy cuts, const Options& options)
+{
+  const std::size_t maximum =
+    has_default_end(options) ? cuts.number_of_segments() : maximum_number(options);
+  return {std::move(cuts), maximum, threshold_of(options)};
+}
+
+// Runs the engine.
 inline Segmentation_hierarchy
 segmentation_hierarchy(Surface triangles, const Options& options, Execution execution,
                        Run_control& control, const Constraints& constraints = Constraints(),
                        const Feature_source& features = Feature_source())
 {
-  return {segment(std::move(triangles), options, constants_of(options.method), execution, control,
-                  constraints, features),
-          maximum_number(options), threshold(options)};
+  return with_selection(segment(std::move(triangles), options, constants_of(options.method),
+                                execution, control, constraints, features), options);
 }
 
 // Makes a surface of the triangles of a soup: finds their neighbors and orients them.

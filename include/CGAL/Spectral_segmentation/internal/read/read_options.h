@@ -26,20 +26,6 @@ void read_values(const NamedParameters& np, Options& o)
 #undef CGAL_SPECTRAL_SEGMENTATION_READ
 }
 
-// Sets the salience and its default threshold if the caller gave a salience.
-template <class NamedParameters>
-void read_part_salience(const NamedParameters& np, Options& o)
-{
-  typedef internal_np::part_salience_t Tag;
-  if constexpr (is_given<NamedParameters, Tag>) {
-    const auto model = CGAL::parameters::get_parameter(np, Tag());
-    o.part_salience = model;
-    o.salience_threshold =
-      std::is_same<std::decay_t<decltype(model)>, Weighted_part_salience>::value
-      ? default_salience_threshold : default_probability_threshold;
-  }
-}
-
 template <class NamedParameters>
 void read_distance_weights(const NamedParameters& np, Options& o)
 {
@@ -85,7 +71,8 @@ Options read_options(const NamedParameters& np)
                 "number_of_segments goes neither with maximum_number_of_segments nor with "
                 "salience_threshold");
   Options o = preset_options(np);
-  read_part_salience(np, o);
+  if constexpr (is_given<NamedParameters, tags::part_salience_t>)
+    o.part_salience = CGAL::parameters::get_parameter(np, tags::part_salience);
   read_distance_weights(np, o);
   read_values(np, o);
   if constexpr (is_given<NamedParameters, tags::random_seed_t>) {

@@ -8,8 +8,10 @@
 #include <CGAL/Spectral_segmentation/internal/base/Run_monitor.h>
 #include <CGAL/Spectral_segmentation/internal/search/Merge_tree.h>
 #include <CGAL/Spectral_segmentation/internal/search/best_cut.h>
+#include <CGAL/Spectral_segmentation/internal/surface/model_components.h>
 
 #include <algorithm>
+#include <cmath>
 #include <cstddef>
 #include <optional>
 #include <set>
@@ -48,9 +50,20 @@ class Recursion
   const Best_cut& best_cut_;
 
   const std::size_t number_of_roots_;
+  const std::size_t maximum_;         // number of segments of the recursion by area
   Merge_tree tree_;                   // its merges are in the order of the cuts
   std::vector<Pending_part> pending_; // one per node; without faces if the node is not pending
   std::set<Key> queue_;               // the pending parts
+
+  // Returns the maximum number of segments of the recursion by area.
+  static std::size_t maximum_number_by_area(const Options& options, const Surface& mesh)
+  {
+    if (!has_default_end(options))
+      return maximum_number(options);
+    const double number = component_fractions(mesh).effective_number();
+    const double cuts = std::round(quantized(number) * (default_number_of_parts - 1.));
+    return mesh.components.number + static_cast<std::size_t>(cuts);
+  }
 
   std::size_t number_of_segments() const { return tree_.leaves.size(); }
 
@@ -122,7 +135,7 @@ class Recursion
     if (pending_[queue_.begin()->second].is_searched)
       return;
     const std::size_t most = execution_ == Execution::SEQUENTIAL
-      ? 1 : maximum_number(options_) - number_of_segments();
+      ? 1 : maximum_ - number_of_segments();
     std::vector<Pending_part*> parts;
     for (auto key = queue_.begin(); key != queue_.end() && parts.size() < most; ++key)
       if (!pending_[key->second].is_searched)
@@ -133,7 +146,7 @@ class Recursion
   void cut_largest()
   {
     Pending_part pending = take_first();
-    if (!pending.cut || pending.cut->salience < threshold(options_)) {
+    if (!pending.cut || pending.cut->salience < threshold_of(options_)) {
       Leaf& leaf = tree_.leaves[pending.leaf];
       leaf.cut_state = pending.cut ? Cut_state::REJECTED : Cut_state::NO_CUT;
       leaf.number_of_earlier_cuts = tree_.merges.size();
@@ -143,15 +156,14 @@ class Recursion
       }
       return;
     }
-    const std::size_t maximum = maximum_number(options_);
-    const bool is_last = number_of_segments() + 1 >= maximum;
+    const bool is_last = number_of_segments() + 1 >= maximum_;
     cut(std::move(pending), is_last);
     if (!is_last)
       for (std::size_t child = pending_.size() - 2; child < pending_.size(); ++child)
         enqueue_by_area(pending_[child]);
-    if (maximum != unlimited)
+    if (maximum_ != unlimited)
       monitor_.advance_to(static_cast<double>(number_of_segments()) /
-                          static_cast<double>(maximum));
+                          static_cast<double>(maximum_));
   }
 
   Merge_tree result()
@@ -164,7 +176,7 @@ public:
   Recursion(Execution execution, Surface mesh, const Best_cut& best_cut, const Options& options,
             Run_monitor& monitor)
     : execution_(execution), options_(options), monitor_(monitor), best_cut_(best_cut),
-      number_of_roots_(mesh.components.number),
+      number_of_roots_(mesh.components.number), maximum_(maximum_number_by_area(options, mesh)),
       tree_(uncut_tree(mesh, Cut_state::NOT_SEARCHED))
   {
     const std::vector<Index> component = tree_.leaf;
@@ -183,7 +195,7 @@ public:
     try {
       for (const Pending_part& root : pending_)
         enqueue_by_area(root);
-      while (!queue_.empty() && number_of_segments() < maximum_number(options_)) {
+      while (!queue_.empty() && number_of_segments() < maximum_) {
         search_largest();
         cut_largest();
       }
