@@ -10,4 +10,11 @@
   <compound kind="class"><name>CGAL::Surface_mesh</name><filename>Surface_mesh/classCGAL_1_1Surface__mesh.html</filename></compound>
   <compound kind="class"><name>CGAL::Polyhedron_3</name><filename>Polyhedron/classCGAL_1_1Polyhedron__3.html</filename></compound>
   <compound kind="struct"><name>CGAL::Face_filtered_graph</name><filename>BGL/structCGAL_1_1Face__filtered__graph.html</filename></compound>
+  <compound kind="page"><name>packages</name><title>Package Overview</title><filename>Manual/packages.html</filename>
+    <docanchor file="Manual/packages.html">PkgAABBTree</docanchor>
+    <docanchor file="Manual/packages.html">PkgBGL</docanchor>
+    <docanchor file="Manual/packages.html">PkgBoxIntersectionD</docanchor>
+    <docanchor file="Manual/packages.html">PkgPolygonMeshProcessing</docanchor>
+    <docanchor file="Manual/packages.html">PkgTriangulation2</docanchor>
+  </compound>
 </tagfile>

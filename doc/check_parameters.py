@@ -17,8 +17,6 @@ def main():
     header, *texts = (pathlib.Path(name).read_text() for name in sys.argv[1:])
     text = "".join(texts)
     names = re.findall(r"\\cgalParamNBegin\{(\w+)\}", header)
-    if "\\ssPointParameters" in header:
-        names += ["vertex_point_map", "geom_traits"]
     missing = [name for name in names if not re.search(r"(`|params::)" + name + r"\b", text)]
     if missing or not names:
         sys.exit("The manual does not name: " + (", ".join(missing) or "any parameter"))

@@ -3,15 +3,17 @@
 
 /*!
 \ingroup PkgSpectralSegmentationConcepts
-A model of this concept computes the salience of a cut from its factors.
-
 \cgalConcept
+
+A model of this concept computes the salience of a cut from its factors.
 
 `CGAL::segment_spectral_recursive()` copies the model. With `CGAL::Parallel_tag` several threads may
 call the copy at the same time.
 
-\cgalHasModels{`CGAL::Spectral_segmentation::Weighted_part_salience`,
-`CGAL::Spectral_segmentation::Calibrated_part_salience`}
+\cgalHasModelsBegin
+\cgalHasModels{CGAL::Spectral_segmentation::Weighted_part_salience}
+\cgalHasModels{CGAL::Spectral_segmentation::Calibrated_part_salience}
+\cgalHasModelsEnd
 */
 class PartSalience
 {

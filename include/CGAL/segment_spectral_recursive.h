@@ -201,7 +201,7 @@ at most 4000 faces by default. The memory is O(*n*). The section
     \cgalParamDescription{the group of each face, such as an object or a material of a file. Groups
       are treated like connected components: no cut is needed between them. A group of several
       connected components is several components.}
-    \cgalParamType{\ssReadableFaceMap an integer type as value type}
+    \cgalParamType{a model of `ReadablePropertyMap` from `face_descriptor` to an integer type}
     \cgalParamDefault{none: all faces are in one group}
   \cgalParamNEnd
   \cgalParamNBegin{face_feature_map}
@@ -209,8 +209,8 @@ at most 4000 faces by default. The memory is O(*n*). The section
       neural network, or a label, such as a guess of the part. Cuts where the features change are
       preferred to others. Uninformative features, such as noise, have hardly any effect at the
       default weight.}
-    \cgalParamType{\ssReadableFaceMap an integer type for labels, a floating point type, or a range
-      of numbers, of the same length for all faces, as value type}
+    \cgalParamType{a model of `ReadablePropertyMap` from `face_descriptor` to an integer type for
+      labels, a floating point type, or a range of numbers, of the same length for all faces}
     \cgalParamDefault{none: only the shape is used}
     \cgalParamExtra{Neither the unit of the numbers nor an offset common to all faces matters.
       Features are averaged around each vertex of the coarse mesh; vectors longer than 16 are
@@ -260,11 +260,20 @@ at most 4000 faces by default. The memory is O(*n*). The section
     \cgalParamDescription{a custom index for each face, from 0 to the number of faces - 1. Segments
       are numbered by these indices. With `zhang_liu_2005()`, equal faces are ordered by a search of
       the mesh that begins at the face of index 0.}
-    \cgalParamType{\ssReadableFaceMap an integer type as value type}
+    \cgalParamType{a model of `ReadablePropertyMap` from `face_descriptor` to an integer type}
     \cgalParamDefault{the position of the face in `faces(mesh)`, which is safe for every mesh, even
       with removed faces or without ids}
   \cgalParamNEnd
-  \ssPointParameters
+  \cgalParamNBegin{vertex_point_map}
+    \cgalParamDescription{the points of the vertices of the mesh}
+    \cgalParamType{a model of `ReadablePropertyMap` from `vertex_descriptor` to a point type}
+    \cgalParamDefault{`boost::get(CGAL::vertex_point, mesh)`}
+  \cgalParamNEnd
+  \cgalParamNBegin{geom_traits}
+    \cgalParamDescription{a geometric traits class. Coordinates are rounded to `double`.}
+    \cgalParamType{a class with `Compute_x_3`, `Compute_y_3` and `Compute_z_3` of `Kernel`}
+    \cgalParamDefault{a \cgal kernel deduced from the point type}
+  \cgalParamNEnd
 \cgalNamedParamsEnd
 
 <b>Constraints.</b> They hold for the segments and for all nodes of the hierarchy. If the cuts of
@@ -288,7 +297,7 @@ the same. `zhang_liu_2005()` does not support constraints. The example
   \cgalParamNBegin{face_seed_map}
     \cgalParamDescription{the seeds of faces. Faces with the same seed belong to the same segment;
       faces with different seeds belong to different segments. A negative value is no seed.}
-    \cgalParamType{\ssReadableFaceMap a signed integer type as value type}
+    \cgalParamType{a model of `ReadablePropertyMap` from `face_descriptor` to a signed integer type}
     \cgalParamDefault{none: no face has a seed}
   \cgalParamNEnd
 \cgalNamedParamsEnd

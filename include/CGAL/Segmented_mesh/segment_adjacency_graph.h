@@ -191,22 +191,23 @@ The time is O(*n* log *s*) for *n* faces and *s* segments. With a hierarchy of d
 O(*d*) more for each edge of the graph.
 
 \tparam TriangleMesh a model of `FaceListGraph` and `VertexListGraph`
-\tparam SegmentIdMap \ssReadableFaceMap an integer type as value type
+\tparam SegmentIdMap a model of `ReadablePropertyMap` with
+  `boost::graph_traits<TriangleMesh>::%face_descriptor` as key type and integers as values
 \tparam NamedParameters a sequence of named parameters
 
 \param mesh the triangle mesh
 \param segment_ids the id of the segment of each face: any integers, from
   `segment_spectral_recursive()` or another segmentation
 \param hierarchy the hierarchy of the run that made the ids, for the saliences
-\param np an optional sequence of named parameters among the ones listed below
+\param np optional named parameters: those below, and `vertex_point_map` and `geom_traits` of
+  `segment_spectral_recursive()`
 
 \cgalNamedParamsBegin
   \cgalParamNBegin{face_index_map}
     \cgalParamDescription{the indices of the faces in `hierarchy`, if its run was given such a map}
-    \cgalParamType{\ssReadableFaceMap an integer type as value type}
+    \cgalParamType{a type like `SegmentIdMap`}
     \cgalParamDefault{the position of the face in `faces(mesh)`}
   \cgalParamNEnd
-  \ssPointParameters
 \cgalNamedParamsEnd
 
 \return a `CGAL::Segmented_mesh::Segment_adjacency_graph` with the value type of

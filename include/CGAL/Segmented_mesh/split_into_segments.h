@@ -98,7 +98,8 @@ its parts are turned.
 The time is O(*n* log *n*) for *n* faces, plus the time of closing.
 
 \tparam TriangleMesh a model of `FaceListGraph` and `VertexListGraph`
-\tparam SegmentIdMap \ssReadableFaceMap an integer type as value type
+\tparam SegmentIdMap a model of `ReadablePropertyMap` with
+  `boost::graph_traits<TriangleMesh>::%face_descriptor` as key type and integers as values
 \tparam PartRange a `BackInsertionSequence` of a model of `MutableFaceGraph` with a default
   constructor, whose internal point map has the point type of `vertex_point_map`, such as
   `std::vector<TriangleMesh>`
@@ -108,7 +109,8 @@ The time is O(*n* log *n*) for *n* faces, plus the time of closing.
 \param segment_ids the id of the segment of each face: any integers, from
   `segment_spectral_recursive()` or another segmentation
 \param parts receives a mesh of each segment at its end, in ascending order of the ids
-\param np an optional sequence of named parameters among the ones listed below
+\param np optional named parameters: those below, and `vertex_point_map` and `geom_traits` of
+  `segment_spectral_recursive()`
 
 \cgalNamedParamsBegin
   \cgalParamNBegin{close_parts}
@@ -124,7 +126,6 @@ The time is O(*n* log *n*) for *n* faces, plus the time of closing.
       `boost::graph_traits<TriangleMesh>::%face_descriptor`, not const}
     \cgalParamDefault{none}
   \cgalParamNEnd
-  \ssPointParameters
 \cgalNamedParamsEnd
 
 \return with `close_parts(true)` the properties of each part, in the order of the parts, as
