@@ -118,8 +118,7 @@ reference faces if the samples are not given; the memory is O(*m n*).
 \param mesh the triangle mesh, which must be connected and have at least two faces
 \param coordinates the coordinate of each face is written here: a number without unit; the first
   sample does not lie above the last one
-\param np optional named parameters: those below, and `vertex_point_map` and `geom_traits` of
-  `segment_spectral_recursive()`
+\param np those below, and `vertex_point_map` and `geom_traits` of `segment_spectral_recursive()`
 
 \cgalNamedParamsBegin
   \cgalParamNBegin{sample_faces}

@@ -199,8 +199,7 @@ O(*d*) more for each edge of the graph.
 \param segment_ids the id of the segment of each face: any integers, from
   `segment_spectral_recursive()` or another segmentation
 \param hierarchy the hierarchy of the run that made the ids, for the saliences
-\param np optional named parameters: those below, and `vertex_point_map` and `geom_traits` of
-  `segment_spectral_recursive()`
+\param np those below, and `vertex_point_map` and `geom_traits` of `segment_spectral_recursive()`
 
 \cgalNamedParamsBegin
   \cgalParamNBegin{face_index_map}

@@ -98,8 +98,7 @@ its parts are turned.
 The time is O(*n* log *n*) for *n* faces, plus the time of closing.
 
 \tparam TriangleMesh a model of `FaceListGraph` and `VertexListGraph`
-\tparam SegmentIdMap a model of `ReadablePropertyMap` with
-  `boost::graph_traits<TriangleMesh>::%face_descriptor` as key type and integers as values
+\tparam SegmentIdMap a model of `ReadablePropertyMap` from `face_descriptor` to an integer type
 \tparam PartRange a `BackInsertionSequence` of a model of `MutableFaceGraph` with a default
   constructor, whose internal point map has the point type of `vertex_point_map`, such as
   `std::vector<TriangleMesh>`
@@ -109,8 +108,7 @@ The time is O(*n* log *n*) for *n* faces, plus the time of closing.
 \param segment_ids the id of the segment of each face: any integers, from
   `segment_spectral_recursive()` or another segmentation
 \param parts receives a mesh of each segment at its end, in ascending order of the ids
-\param np optional named parameters: those below, and `vertex_point_map` and `geom_traits` of
-  `segment_spectral_recursive()`
+\param np those below, and `vertex_point_map` and `geom_traits` of `segment_spectral_recursive()`
 
 \cgalNamedParamsBegin
   \cgalParamNBegin{close_parts}

@@ -71,9 +71,8 @@ near each other. The memory is O(*n* + *m*).
   `segment_spectral_recursive()` or another segmentation
 \param to the other triangle mesh
 \param to_ids receives the id of the segment of each face of `to`
-\param np_from optional named parameters for `from`: `vertex_point_map` and `geom_traits` of
-  `segment_spectral_recursive()`
-\param np_to the same named parameters for `to`
+\param np_from `vertex_point_map` and `geom_traits` of `segment_spectral_recursive()`, for `from`
+\param np_to the same named parameters, for `to`
 
 \throws std::invalid_argument if a face is not a triangle, a coordinate is not finite, or `from` has
   no faces while `to` has some
