@@ -8,8 +8,9 @@
 # sanitizers, the pictures of the manual, the number of instructions of a run, the labels on other
 # machines, the add-on in Blender, the installed Python package, the web page, the npm package with
 # bundlers from the npm registry, and many meshes, also on a cluster of Slurm.
-# With --cgal, Release once more against the CGAL whose CGALConfig.cmake is in DIR. Takes long;
-# builds in build-check/ or the --build folder. Needs to be root, clang, and the packages of
+# With --cgal, Release once more against the CGAL whose CGALConfig.cmake is in DIR, and the examples
+# of the package that scripts/lay_out_cgal_package.py lays out. Takes long; builds in build-check/
+# or the --build folder. Needs to be root, clang, and the packages of
 # `setup.sh build test python python_examples performance machines cluster blender web`.
 
 set -euo pipefail
@@ -57,6 +58,10 @@ for compiler in g++ clang++; do
       -DCGAL_DIR="$cgal"
   fi
 done
+if [[ -n $cgal ]]; then
+  rm -rf "$build/cgal_package"
+  scripts/lay_out_cgal_package.py "$build/cgal_package" --cgal "$cgal" || failed+=(cgal_package)
+fi
 
 echo "=== files that a fuzzer makes up"
 cmake --build "$build/g++-release" --target fuzz || failed+=(fuzz)

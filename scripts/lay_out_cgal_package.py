@@ -333,6 +333,8 @@ def main():
     output = arguments.output.resolve() / PACKAGE
     if output.exists():
         sys.exit("lay_out_cgal_package.py: %s exists already" % output)
+    if arguments.cgal and not (arguments.cgal / "CGALConfig.cmake").exists():
+        sys.exit("lay_out_cgal_package.py: %s has no CGALConfig.cmake" % arguments.cgal)
 
     copy_include(output)
     (output / "src").mkdir() # CGAL is header only
