@@ -5,7 +5,7 @@
 \ingroup PkgSpectralSegmentationConcepts
 \cgalConcept
 
-A model of this concept computes the salience of a cut from its factors.
+Experimental: a model of this concept computes the salience of a cut from its factors.
 
 `CGAL::segment_spectral_recursive()` copies the model. With `CGAL::Parallel_tag` several threads may
 call the copy at the same time.

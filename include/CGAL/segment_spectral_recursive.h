@@ -205,10 +205,10 @@ at most 4000 faces by default. The memory is O(*n*). The section
     \cgalParamDefault{none: all faces are in one group}
   \cgalParamNEnd
   \cgalParamNBegin{face_feature_map}
-    \cgalParamDescription{per-face features: a vector, such as a color, a stress or the output of a
-      neural network, or a label, such as a guess of the part. Cuts where the features change are
-      preferred to others. Uninformative features, such as noise, have hardly any effect at the
-      default weight.}
+    \cgalParamDescription{<em>Experimental.</em> Per-face features: a vector, such as a color, a
+      stress or the output of a neural network, or a label, such as a guess of the part. Cuts where
+      the features change are preferred to others. Uninformative features, such as noise, have
+      hardly any effect at the default weight.}
     \cgalParamType{a model of `ReadablePropertyMap` from `face_descriptor` to an integer type for
       labels, a floating point type, or a range of numbers, of the same length for all faces}
     \cgalParamDefault{none: only the shape is used}
@@ -218,9 +218,10 @@ at most 4000 faces by default. The memory is O(*n*). The section
       \ref Spectral_segmentation_features has the details.}
   \cgalParamNEnd
   \cgalParamNBegin{feature_weight}
-    \cgalParamDescription{the weight of the features. With 0 they are not used. Their effect grows
-      up to 1/2; above, the effect of the shape decreases: with 1 it only breaks ties between cuts
-      that the features do not distinguish, and uninformative features are used, too.}
+    \cgalParamDescription{<em>Experimental.</em> The weight of the features. With 0 they are not
+      used. Their effect grows up to 1/2; above, the effect of the shape decreases: with 1 it only
+      breaks ties between cuts that the features do not distinguish, and uninformative features are
+      used, too.}
     \cgalParamType{a number}
     \cgalParamDefault{`0.5`, fitted to human segmentations}
     \cgalParamExtra{in [0, 1]}
@@ -314,7 +315,7 @@ the same. `zhang_liu_2005()` does not support constraints. The example
     \cgalParamExtra{in [0, 0.5]; 0 with `zhang_liu_2005()` gives exactly the method of the paper}
   \cgalParamNEnd
   \cgalParamNBegin{part_salience}
-    \cgalParamDescription{computes the salience of a cut (Section 6)}
+    \cgalParamDescription{<em>Experimental.</em> Computes the salience of a cut (Section 6)}
     \cgalParamType{a model of the concept `PartSalience`}
     \cgalParamDefault{`Calibrated_part_salience()`, or `Weighted_part_salience()` with
       `zhang_liu_2005()`}

@@ -8,8 +8,9 @@ namespace CGAL {
 namespace Spectral_segmentation {
 
 /// \ingroup PkgSpectralSegmentationRef
-/// The factors of a cut of a part *M* into two sides: the three factors of the paper (Hoffman and
-/// Singh 1997; Zhang and Liu 2005, Section 6), and eleven more. *Q* is the side of smaller area.
+/// Experimental: the factors of a cut of a part *M* into two sides: the three factors of the paper
+/// (Hoffman and Singh 1997; Zhang and Liu 2005, Section 6), and eleven more. *Q* is the side of
+/// smaller area.
 struct Salience_factors
 {
   /// <em>V<sub>s</sub></em> = Area(*Q*) / Area(*M*), in [0, 1/2].

@@ -236,8 +236,8 @@ public:
   /// @}
 
   /// \name Changes by Hand
-  /// `merge()` makes two nodes the children of one node, and `split_leaf()` cuts a leaf. All
-  /// functions keep working and nodes keep their indices.
+  /// Experimental: `merge()` makes two nodes the children of one node, and `split_leaf()`
+  /// cuts a leaf. All functions keep working and nodes keep their indices.
   /// Nodes below the given ones, and nodes that share no face with them, also keep their faces.
   /// Both functions take time linear in the number of faces and O(*c* log *c*) in the number *c* of
   /// cuts. If they throw an exception, nothing has changed.

@@ -19,7 +19,8 @@ namespace Spectral_segmentation {
 /*!
 \ingroup PkgSpectralSegmentationRef
 
-returns a class for each node of a hierarchy, numbered from 0 in the order of their first nodes.
+Experimental: returns a class for each node of a hierarchy, numbered from 0 in the order of their
+first nodes.
 
 Nodes of one class may be copies or mirror images of each other: their areas, and the standard
 deviations of their points along the principal axes, differ by at most 15 % from the
