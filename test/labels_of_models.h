@@ -39,15 +39,16 @@ Labels labels_of_graph(const Graph& graph, const NamedParameters& np)
   return labels;
 }
 
-// Returns the labels by the default method, then those by the method of the paper.
+// Returns the labels by the default method, then those by the method of the paper. Two threads may
+// call it, because it has no context of Boost.Test.
 template <class Graph>
 Labels labels_of_graph(const Graph& graph)
 {
-  Labels result;
-  for_both_methods([&](const auto& np) {
-    const Labels labels = labels_of_graph(graph, np.salience_threshold(0.4));
-    result.insert(result.end(), labels.begin(), labels.end());
-  });
+  namespace parameters = CGAL::Spectral_segmentation::parameters;
+  Labels result = labels_of_graph(graph, parameters::salience_threshold(0.4));
+  const Labels paper =
+    labels_of_graph(graph, parameters::zhang_liu_2005().salience_threshold(0.4));
+  result.insert(result.end(), paper.begin(), paper.end());
   return result;
 }
 
