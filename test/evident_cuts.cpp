@@ -395,8 +395,8 @@ BOOST_AUTO_TEST_CASE(a_flat_plate_is_one_part)
 
 BOOST_AUTO_TEST_CASE(a_twisted_band_is_one_part)
 {
-  for (int half_turns : {0, 1, 2, 3, 4})
-    for (std::size_t n : {32, 64, 128, 256, 2000})
+  for (int half_turns : {1, 2, 3, 4})
+    for (std::size_t n : {32, 200})
       BOOST_TEST_CONTEXT(half_turns << " half turns, " << n << " steps")
         BOOST_TEST(number_of_parts(twisted_band(n, 4, half_turns)) == 1);
 }
