@@ -24,6 +24,7 @@ import charts  # noqa: E402
 
 # Camera, by mesh: up, azimuth, elevation. Others are seen as render.py sees them.
 VIEWS = {
+    "camel from behind": ("y", 150, 15),
     "elephant": ("y", 150, 15),
     "elephant in its frame": ("z", 30, 20),
     "eight": ("y", 60, 35),
@@ -38,6 +39,7 @@ LAYOUTS = {
     "samples": (2, (700, 560)),
     "line": (2, (700, 560)),
     "smooth_boundaries": (2, (700, 560)),
+    "seeds": (2, (700, 560)),
     "equipment": (2, (700, 560)),
     "clusterings": (3, (480, 400)),
     "features": (3, (480, 400)),

@@ -76,6 +76,7 @@ void draw_all(Picture_book& book, Meshes& meshes)
   draw_parameters(book, meshes["triceratops"], meshes["elephant"], meshes["camel"]);
   draw_components(book, meshes["bones"]);
   draw_equipment(book, meshes["camel"], meshes["bear"]);
+  draw_seeds(book, meshes["camel"]);
   draw_features(book, meshes["elephant"]);
   draw_methods(book, {&meshes["elephant"], &meshes["camel"], &meshes["homer"], &meshes["femur"]});
   draw_sdf_comparison(book, {&meshes["elephant"], &meshes["triceratops"], &meshes["camel"],

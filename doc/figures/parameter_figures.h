@@ -13,6 +13,8 @@
 #include <CGAL/Polygon_mesh_processing/random_perturbation.h>
 #include <CGAL/Polygon_mesh_processing/triangulate_faces.h>
 #include <CGAL/boost/graph/generators.h>
+#include <CGAL/property_map.h>
+#include <CGAL/segment_spectral_recursive.h>
 
 #include <algorithm>
 #include <cmath>
@@ -162,6 +164,23 @@ inline void draw_equipment(Picture_book& book, const Named_mesh& carrier, const 
   }
   colors = Row_colors();
   add_segments(book, "equipment", half, colors, labels_of_half, "one half of a hollow body");
+}
+
+// Draws the camel by default and with seeds, which cut off its hind legs alike.
+inline void draw_seeds(Picture_book& book, const Named_mesh& camel)
+{
+  const Named_mesh shape = {"camel from behind", camel.mesh};
+  std::vector<int> seeds(shape.mesh.number_of_faces(), -1);
+  seeds[2328] = seeds[7714] = 0;  // a hind leg and its thigh
+  seeds[15684] = seeds[2829] = 1; // the other hind leg
+  seeds[224] = 2;                 // the rump
+  Labels labels(seeds.size());
+  CGAL::segment_spectral_recursive(
+    shape.mesh, CGAL::make_property_map(labels),
+    CGAL::parameters::face_seed_map(CGAL::make_property_map(seeds)));
+  Row_colors colors;
+  add_segments(book, "seeds", shape, colors, segment(shape.mesh, Engine_options()), "default");
+  add_segments(book, "seeds", shape, colors, labels, "with seeds");
 }
 
 inline void draw_parameters(Picture_book& book, const Named_mesh& limbs, const Named_mesh& coarse,

@@ -14,6 +14,7 @@ ROOT = pathlib.Path(__file__).resolve().parents[3]
     ("README.md", "```python", "```"),
     ("bindings/python/README.md", "```python", "```"),
     ("doc/Python.txt", r"\code{.py}", r"\endcode"),
+    ("doc/Surprises.txt", r"\code{.py}", r"\endcode"),
 ])
 def test_programs(meshes, tmp_path, monkeypatch, name, start, end):
     if not (ROOT / name).exists():
