@@ -25,8 +25,8 @@ import tempfile
 PACKAGE = "Spectral_segmentation"
 ROOT = pathlib.Path(__file__).resolve().parents[1]
 OWNER = "The Spectral_segmentation authors"
-PAGES_LEFT_OUT = ("Bibliography", "CMakeLists", "Developers", "Files", "Many_meshes",
-                  "Python", "Tool")
+PAGES_LEFT_OUT = ("Bibliography", "Blender", "CMakeLists", "Developers", "Files", "JavaScript",
+                  "Many_meshes", "Python", "Tool")
 
 HEADER = """// Copyright (c) {year}  {owner}.
 //

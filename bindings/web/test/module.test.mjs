@@ -449,22 +449,28 @@ test("a worker does the same, and ends at once", async () => {
   assert.ok(performance.now() - start < 1000);
 });
 
-test("the package runs in an empty folder as its README says", t => {
+test("the package runs in an empty folder as its documents say", t => {
   const folder = scratch(t);
   const build = path.dirname(path.resolve(PACKAGE));
   const archive = readdirSync(build).find(name => /\.tgz$/.test(name));
   writeFileSync(path.join(folder, "package.json"), '{ "type": "module" }');
   execFileSync("npm", ["install", "--offline", "--no-audit", "--silent",
                        path.join(build, archive)], { cwd: folder });
-  const blocks = [...readFileSync(path.join(PACKAGE, "README.md"), "utf8")
-    .matchAll(/```js\n([^]*?)```/g)].map(match => match[1]);
-  assert.equal(blocks.length, 2);
+  const blocksOf = (file, pattern) =>
+    [...readFileSync(file, "utf8").matchAll(pattern)].map(match => match[1]);
+  const readme = blocksOf(path.join(PACKAGE, "README.md"), /```js\n([^]*?)```/g);
+  const chapter = blocksOf(new URL("../../../doc/JavaScript.txt", import.meta.url),
+                           /\\code\{\.js\}\n([^]*?)\\endcode/g);
+  assert.equal(readme.length, 2);
+  assert.equal(chapter.length, 3);
   copyFileSync(path.join(MESHES, "elephant.off"), path.join(folder, "elephant.off"));
   const file = 'import { readFileSync } from "node:fs";\n' +
-    'const file = new Blob([readFileSync("elephant.off")]);\n';
-  [blocks[0], file + blocks[1]].forEach((block, i) => {
-    writeFileSync(path.join(folder, `block${i}.js`), block);
-    assert.match(execFileSync("node", [`block${i}.js`], { cwd: folder, encoding: "utf8" }),
-                 i === 0 ? /segments 12$/m : /segments 5$/m);
+    'const file = Object.assign(new Blob([readFileSync("elephant.off")]),' +
+    '                           { name: "elephant.off" });\n';
+  [[readme[0], /segments 12$/m], [file + readme[1], /segments 5$/m],
+   [chapter[0] + chapter[1], /^12 segments$/m], [file + chapter[2], /segments 5$/m]
+  ].forEach(([program, output], i) => {
+    writeFileSync(path.join(folder, `block${i}.js`), program);
+    assert.match(execFileSync("node", [`block${i}.js`], { cwd: folder, encoding: "utf8" }), output);
   });
 });
