@@ -136,6 +136,10 @@ class Example(unittest.TestCase):
 
     def test_segment_surface_mesh(self):
         self.check_labels(lambda: self.ply()[2]["segment"])
+        values = self.ply()[2]
+        colors = set(zip(values["segment"], values["red"], values["green"], values["blue"]))
+        self.assertEqual(len(colors), len(set(values["segment"])))
+        self.assertEqual(len({color[1:] for color in colors}), len(colors))
 
     def test_segment_polyhedron(self):
         self.check_labels(self.labels_in_text)

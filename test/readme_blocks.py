@@ -125,8 +125,11 @@ class Readme(unittest.TestCase):
         build = self.check_both("find_package", None, "-DSpectral_segmentation_ROOT=%s" % root)
         self.run_command(["cmake", "--build", build, "--target", "my_program"])
         write_off(self.directory / "mesh.off", *dumbbell())
-        done = self.run_command([build / "my_program", self.directory / "mesh.off"])
+        done = self.run_command([build / "my_program", self.directory / "mesh.off"],
+                                cwd=self.directory)
         self.assertEqual(done.stdout, "2 segments\n")
+        header = (self.directory / "segments.ply").read_bytes().split(b"end_header")[0]
+        self.assertIn(b"property uchar red", header[header.index(b"element face"):])
 
     def test_that_switches_are_named_where_programs_lack_packages(self):
         done = subprocess.run(
