@@ -11,6 +11,7 @@ cd "$(dirname "$0")/.."
 scripts/setup.sh build pictures
 cmake -S . -B build -DCMAKE_BUILD_TYPE=Release \
   -DSPECTRAL_SEGMENTATION_BUILD_TESTS=OFF -DSPECTRAL_SEGMENTATION_BUILD_BENCHMARKS=OFF
+echo "compiling the tool, which takes a few minutes"
 cmake --build build --target segment_mesh
 
 mkdir -p out
