@@ -171,8 +171,8 @@ inline void draw_seeds(Picture_book& book, const Named_mesh& camel)
 {
   const Named_mesh shape = {"camel from behind", camel.mesh};
   std::vector<int> seeds(shape.mesh.number_of_faces(), -1);
-  seeds[2328] = seeds[7714] = 0;  // a hind leg and its thigh
-  seeds[15684] = seeds[2829] = 1; // the other hind leg
+  seeds[2328] = seeds[2829] = 0;  // a hind leg and its thigh
+  seeds[15684] = seeds[7714] = 1; // the other hind leg
   seeds[224] = 2;                 // the rump
   Labels labels(seeds.size());
   CGAL::segment_spectral_recursive(
