@@ -45,7 +45,7 @@ cp "$here"/page/* \
   "$root/bindings/command_line/page/viewer.css" /usr/share/javascript/three/three.min.js \
   /usr/share/javascript/three/examples/js/{controls/OrbitControls,loaders/GLTFLoader}.js \
   "$build/try"
-samples=(hand.off elephant.off camel.off) # small ones first
+samples=(triceratops.off elephant.off bear.off) # small ones first
 tar -xzf /usr/share/doc/libcgal-dev/data.tar.gz -C "$build/try/samples" --strip-components 2 \
   "${samples[@]/#/data/meshes/}"
 printf '"%s",' "${samples[@]}" | sed 's/.*/export const samples = [&];/' > "$build/try/samples.js"
