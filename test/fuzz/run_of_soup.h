@@ -77,7 +77,8 @@ inline std::ostream& operator<<(std::ostream& os, const Parameters& p)
   if (o.number_of_segments)
     os << " number_of_segments=" << *o.number_of_segments;
   return os << " maximum_number_of_segments=" << std::ptrdiff_t(o.maximum_number_of_segments)
-            << " salience_threshold=" << o.salience_threshold
+            << " salience_threshold="
+            << (o.salience_threshold ? std::to_string(*o.salience_threshold) : "none")
             << " keep_components_separate=" << o.keep_components_separate
             << " minimum_segment_size=" << o.minimum_segment_size
             << " number_of_coarse_faces=" << o.number_of_coarse_faces
