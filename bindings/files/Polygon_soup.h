@@ -15,7 +15,7 @@
 #include <string>
 #include <vector>
 
-// Files of meshes, read and written. Nothing of CGAL is used here, so that this folder serves any
+// Files of meshes, read and written. Only convex_hull.h uses CGAL, so that this folder serves any
 // program.
 namespace mesh_file {
 
