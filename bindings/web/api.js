@@ -96,9 +96,18 @@ function addFeatures(features, mesh, given) {
   given.features = (given.featuresAreLabels ? Int32Array : Float64Array).from(features);
 }
 
+// Throws a TypeError if a threshold is not that of a probability, the salience without options.
+function checkThreshold({ method, salienceWeights, salienceThreshold: threshold = 0 }) {
+  if (method !== "paper" && !salienceWeights && Number.isFinite(threshold) &&
+      (threshold < 0 || threshold > 1))
+    throw new TypeError("salienceThreshold must be from 0 to 1, because it is a probability, " +
+                        `not ${threshold}`);
+}
+
 // Returns the options for the module, which takes constraints as arrays of one type.
 function checkedRunOptions(options, mesh) {
   const given = checkedOptions(options);
+  checkThreshold(given);
   for (const name of [...constraints, "faceGroups"].filter(each => each in given)) {
     if (given.method === "paper" && constraints.includes(name))
       throw new TypeError(`${name} does not go with the method 'paper'`);

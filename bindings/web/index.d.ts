@@ -8,8 +8,8 @@ export interface Choice {
   /** At most this number. By default there is no limit, but with the method "paper" 12 for a
    *  connected mesh, unless a salienceThreshold is given. */
   maximumNumberOfSegments?: number;
-  /** The smallest salience of a cut: by default 0.3, the probability that people cut there, or
-   *  0.54 for weighted saliences such as those of the method "paper". */
+  /** The smallest salience of a cut: by default 0.3, the probability that people cut there, from 0
+   *  to 1 or infinite; or 0.54 for weighted saliences such as those of the method "paper". */
   salienceThreshold?: number;
 }
 
@@ -92,9 +92,10 @@ export interface Segmentation {
   readonly numberOfSegments: number;
   /** The most that can be asked for below. */
   readonly maximumNumberOfSegments: number;
-  /** The label of each face: of the run, or of exactly `n` segments, or as near to `n` as there
-   *  are components and cuts, or of another choice. The same labels as those of the C++ library and
-   *  its tool. */
+  /** The label of each face: of the run, of `n` segments, or of another choice. There are more
+   *  than `n` segments if there are more components, and only `maximumNumberOfSegments` if `n` is
+   *  larger than this; a run with `{ numberOfSegments: n }` makes exactly `n`. The same labels as
+   *  those of the C++ library and its tool. */
   labels(n?: number | Choice): Uint32Array;
   /** A colored mesh in the format that the name tells: .ply, .glb, .off or .obj. Its faces are
    *  split along smooth boundaries between the segments. */

@@ -11,6 +11,7 @@ import numpy as np
 
 from . import _core
 from ._checks import Path, integer, real
+from ._meshes import warn
 from ._replace_file import replace_file
 
 if TYPE_CHECKING:
@@ -141,6 +142,9 @@ class Hierarchy:
                 raise ValueError("n must be at least 1")
         if salience_threshold is not None:
             salience_threshold = real("salience_threshold", salience_threshold)
+        elif n is not None and n > self.number_of_segments:
+            warn("the hierarchy has only %d segments, not %d; a run with number_of_segments=%d "
+                 "makes exactly this number" % (self.number_of_segments, n, n))
         return self._core.segments(n, salience_threshold)
 
     def labels(self, n: Optional[int] = None, *,
@@ -150,8 +154,9 @@ class Hierarchy:
         Parameters
         ----------
         n : int, optional
-            The number of segments, as near to it as there are roots and leaves. Together with
-            `salience_threshold` the most segments. By default the segments are those of the run.
+            The number of segments, from `number_of_roots` to `number_of_segments`, or else the
+            nearest of these. Together with `salience_threshold` the most segments. By default the
+            segments are those of the run.
         salience_threshold : float, optional
             The smallest salience of a cut, as in a run with this threshold.
 
@@ -164,6 +169,12 @@ class Hierarchy:
         ValueError
             If a cut is needed that the run did not search, `n` is below 1, or `salience_threshold`
             is not a number.
+
+        Warns
+        -----
+        UserWarning
+            If `n` is larger than `number_of_segments`, without `salience_threshold`. A run with
+            `number_of_segments=n` makes exactly n segments.
         """
         return self._labels(self.segments(n, salience_threshold=salience_threshold))
 

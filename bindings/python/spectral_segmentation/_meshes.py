@@ -89,7 +89,7 @@ def _polygons(value):
     return _Polygons(corners, sizes)
 
 
-def _warn(sentence):
+def warn(sentence):
     """Warns in the line that calls the package."""
     frame, level = sys._getframe(), 1
     while frame.f_back and frame.f_globals.get("__package__") == __package__:
@@ -153,7 +153,7 @@ class Surface:
                 np.ascontiguousarray(corners, np.uint32),
                 np.ascontiguousarray(self.sizes, np.uint32))
             for sentence in self._core.warnings if self._warns else ():
-                _warn(sentence)
+                warn(sentence)
         return self._core
 
     @property

@@ -6,6 +6,7 @@ from __future__ import annotations
 
 import difflib
 import inspect
+import math
 from typing import TYPE_CHECKING, Any, Callable, Literal, Optional, Sequence, TypeVar
 
 from . import _core
@@ -69,7 +70,7 @@ _PARAMETERS = """Parameters
         connected mesh, unless a `salience_threshold` is given.
     salience_threshold : float, default: 0.3, or 0.54 for weighted saliences such as the paper's
         The smallest salience of a cut. The salience of the calibrated method is the probability
-        that people cut there.
+        that people cut there; there the threshold is in [0, 1], or infinite for all cuts or none.
     keep_components_separate : bool, default: False, or True with the method "paper"
         Whether each connected component is a part from the start. Otherwise a component with less
         than a hundredth of the area belongs to the part with which it has the most contact, and
@@ -187,6 +188,9 @@ def segment_hierarchy(
     >>> hierarchy.labels(5)
     """
     arguments = dict(locals())
+    if isinstance(triangles, int):
+        raise TypeError("triangles must not be a number; the number of segments is a named "
+                        "argument: number_of_segments=%d" % triangles)
     surface = surface_of(points, triangles)
     points, triangles = surface.points, surface.triangles
     if not isinstance(method, str) or method not in _METHODS:
@@ -196,6 +200,12 @@ def segment_hierarchy(
         raise ValueError("number_of_segments goes neither with maximum_number_of_segments nor "
                          "with salience_threshold")
     function("part_salience", part_salience)
+    if salience_threshold is not None and part_salience is None and salience_weights is None and \
+            not _METHODS[method]:
+        threshold = real("salience_threshold", salience_threshold)
+        if math.isfinite(threshold) and not 0 <= threshold <= 1:
+            raise ValueError("salience_threshold must be in [0, 1], because it is a probability, "
+                             "not %g" % threshold)
     if part_salience is not None and salience_weights is not None:
         raise ValueError("part_salience does not go with salience_weights")
     for name in ("constrained_edges", "uncuttable_edges", "face_seeds", "features"):

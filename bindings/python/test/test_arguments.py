@@ -80,6 +80,8 @@ def test_triangles(triangles, error, words):
     ({"maximum_number_of_segments": 0}, ValueError, "maximum_number_of_segments must be at least"),
     ({"maximum_number_of_segments": [3]}, TypeError, "maximum_number_of_segments must be an int"),
     ({"salience_threshold": float("nan")}, ValueError, "threshold must be a number"),
+    ({"salience_threshold": 2}, ValueError, r"must be in \[0, 1\], because it is a pro.* not 2$"),
+    ({"salience_threshold": -1e-9}, ValueError, r"salience_threshold must be in \[0, 1\]"),
     ({"salience_threshold": "0.5"}, TypeError, "threshold must be a number, not str"),
     ({"salience_threshold": False}, TypeError, "threshold must be a number, not bool"),
     ({"salience_threshold": 1j}, TypeError, "threshold must be a number, not complex"),
@@ -151,6 +153,9 @@ def test_missing_and_positional_arguments():
         segment(POINTS)
     with pytest.raises(TypeError):
         segment(POINTS, TRIANGLES, "paper")
+    for positional in ((POINTS, 3), ((POINTS, TRIANGLES), 3)):
+        with pytest.raises(TypeError, match="named argument: number_of_segments=3"):
+            segment(*positional)
     with pytest.raises(TypeError, match="segment.. has no parameter 'n_segments'; did you mean"):
         segment(POINTS, TRIANGLES, n_segments=7)
 
@@ -169,6 +174,14 @@ def test_labels(tmp_path, labels, error, words):
         with pytest.raises(error, match=words):
             call()
     assert not list(tmp_path.iterdir())
+
+
+def test_thresholds_that_are_no_probabilities():
+    for parameters in ({"method": "paper"}, {"salience_weights": (1, 0, 0)},
+                       {"part_salience": lambda factors: 3}):
+        segment(POINTS, TRIANGLES, salience_threshold=2, **parameters)
+    for threshold in (0, 1, -np.inf, np.inf, np.float32(0.5)):
+        segment(POINTS, TRIANGLES, salience_threshold=threshold)
 
 
 def test_hierarchy():

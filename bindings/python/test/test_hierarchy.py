@@ -37,7 +37,10 @@ def test_labels_of_each_number_are_nested(hierarchy):
         assert labels.max() + 1 == n and (np.diff(first) > 0).all()
         assert is_refinement(labels, previous)
         previous = labels
-    np.testing.assert_array_equal(hierarchy.labels(10**9), previous)
+    with pytest.warns(UserWarning, match="has only %d segments, not 1000000000; a run"
+                      % hierarchy.number_of_segments) as warned:
+        np.testing.assert_array_equal(hierarchy.labels(10**9), previous)
+    assert [each.filename for each in warned] == [__file__]
 
 
 def test_labels_are_those_of_runs(elephant, hierarchy):

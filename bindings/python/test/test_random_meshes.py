@@ -5,11 +5,14 @@
 import pickle
 
 import numpy as np
+import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
 from conftest import bumpy_dumbbell_of
 from spectral_segmentation import Hierarchy, segment, segment_hierarchy
+
+pytestmark = pytest.mark.filterwarnings("ignore:the hierarchy has only")
 
 METHODS = st.sampled_from(["calibrated", "paper"])
 

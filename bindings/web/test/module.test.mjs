@@ -268,6 +268,8 @@ test("what is wrong is named", async () => {
     [() => segmentation.segment(mesh, { numberOfSegments: 2, salienceThreshold: 1 }),
      TypeError, /neither/],
     [() => segmentation.segment(mesh, { salienceThreshold: NaN }), Error, /number/],
+    [() => segmentation.segment(mesh, { salienceThreshold: 2 }), TypeError, /from 0 to 1.* not 2$/],
+    [() => segmentation.segment(mesh, { salienceThreshold: -0.1 }), TypeError, /from 0 to 1/],
     [() => segmentation.segment(mesh, { features: [1, 2, 3] }), TypeError, /not 3 in all/],
     [() => segmentation.segment(mesh, { features: "color" }), TypeError, /array of numbers/],
     [() => segmentation.segment(mesh, { features: new Float32Array(mesh.numberOfFaces).fill(NaN) }),

@@ -173,9 +173,9 @@ public:
     return in_order(cuts_above(salience_threshold_, most, false));
   }
 
-  /// exactly `n` segments, which the first cuts of the run make. The number of segments is larger
-  /// only if there are more roots, and smaller only if there are fewer leaves. No threshold
-  /// applies.
+  /// exactly `n` segments, which the first cuts of the run make, but never fewer than the roots and
+  /// never more than the leaves, `number_of_segments()`; a run with `number_of_segments(n)` makes
+  /// exactly `n`. No threshold applies.
   std::vector<size_type> nodes(size_type n) const { return in_order(first_cuts(n)); }
 
   /// the segments that cuts with a salience of at least `salience_threshold` make, as in a run with
