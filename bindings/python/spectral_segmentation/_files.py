@@ -46,11 +46,11 @@ class Mesh(NamedTuple):
     labels: Optional[NDArray[np.intp]] = None
 
 
-def _extension(path, known):
+def _extension(path, known, hint=""):
     extension = os.path.splitext(path)[1].lower()
     if extension not in known:
-        raise ValueError("the name must end in %s or %s: %s"
-                         % (", ".join(known[:-1]), known[-1], path))
+        raise ValueError("the name must end in %s or %s: %s%s"
+                         % (", ".join(known[:-1]), known[-1], path, hint))
     return extension
 
 
@@ -83,8 +83,8 @@ def read(path: Path) -> Mesh:
     OSError
         If the file cannot be opened.
     ValueError
-        If its contents contradict the format, with the line or byte at fault, or if it has no
-        polygon.
+        If its contents contradict the format, with the line or byte at fault, if it has no polygon,
+        or if the name ends otherwise. The message names ways for GLB and other formats.
 
     Warns
     -----
@@ -92,7 +92,9 @@ def read(path: Path) -> Mesh:
         If a part of the file is left out, such as a corner at a point that is not finite.
     """
     path = os.fsdecode(path)
-    extension = _extension(path, _READ)
+    extension = _extension(path, _READ, "; for other formats give segment() the mesh that "
+                           "trimesh.load(path, force='mesh') reads, or convert the file by "
+                           "segment_mesh FILE --keep-faces -o mesh.ply")
     with open(path, "rb") as file:
         contents = file.read()
     try:

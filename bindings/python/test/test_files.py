@@ -122,6 +122,8 @@ def test_errors(tmp_path, dumbbell):
         read(tmp_path / "missing.off")
     with pytest.raises(ValueError, match="the name must end in"):
         read(tmp_path / "mesh.xyz")
+    with pytest.raises(ValueError, match="mesh.glb; for other formats .* trimesh.load"):
+        read(tmp_path / "mesh.glb")
     (tmp_path / "text.off").write_text("Dear Sir")
     with pytest.raises(ValueError, match="text.off cannot be read: line 1"):
         read(tmp_path / "text.off")
