@@ -124,10 +124,13 @@ setup(
     cmdclass={"build_ext": Build, "build_py": BuildPy, "sdist": Sdist},
     ext_modules=[Pybind11Extension(
         "spectral_segmentation._core",
-        ["src/engine.cpp", "src/mesh_files.cpp", "src/page.cpp", "src/segmentation.cpp"],
+        ["src/engine.cpp", "src/mesh_files.cpp", "src/page.cpp", "src/parts.cpp",
+         "src/segmentation.cpp"],
         include_dirs=[str(ROOT / "include"), str(ROOT / "bindings"), *eigen_folders()],
         depends=[__file__, *headers()],
-        define_macros=[("CGAL_SPECTRAL_SEGMENTATION_COMPILED", "1"), ("NDEBUG", "1")],
+        # Without GMP, CGAL takes the exact numbers of Boost, and a wheel needs no library.
+        define_macros=[("CGAL_SPECTRAL_SEGMENTATION_COMPILED", "1"), ("NDEBUG", "1"),
+                       ("CGAL_DISABLE_GMP", "1")],
         # Labels do not depend on whether the processor has fused multiplications.
         extra_compile_args=["-O2", "-g0", "-ffp-contract=off"],
         cxx_std=17)])

@@ -11,6 +11,7 @@ from ._boundaries import boundary_edges, segment_adjacency, segment_colors
 from ._files import Mesh, read, write
 from ._hierarchy import Hierarchy
 from ._page import View, view
+from ._parts import Part, hulls, refine_boundaries, split, transfer_labels
 from ._runs import segment, segment_hierarchy
 from ._salience import SalienceFactors
 
@@ -20,9 +21,9 @@ __version__: str = _core.__version__
 #: and a node without one is a leaf.
 CUT_STATES = ("not searched", "no cut", "rejected", "cut")
 
-__all__ = ["CUT_STATES", "Hierarchy", "Mesh", "SalienceFactors", "View", "__version__",
-           "boundary_edges", "read", "segment", "segment_adjacency", "segment_colors",
-           "segment_hierarchy", "view", "write"]
+__all__ = ["CUT_STATES", "Hierarchy", "Mesh", "Part", "SalienceFactors", "View", "__version__",
+           "boundary_edges", "hulls", "read", "refine_boundaries", "segment", "segment_adjacency",
+           "segment_colors", "segment_hierarchy", "split", "transfer_labels", "view", "write"]
 
 for _name in __all__:
     if hasattr(globals()[_name], "__module__"):

@@ -26,7 +26,7 @@ _WRITTEN = (".ply", ".obj", ".off", ".glb", ".stl", ".html")
 
 
 class Mesh(NamedTuple):
-    """A mesh that `read()` returns.
+    """A mesh that `read()` or `refine_boundaries()` returns.
 
     Parameters
     ----------
@@ -34,9 +34,9 @@ class Mesh(NamedTuple):
     triangles : ndarray of int32, shape (m, 3)
         The indices of the corners in `points`.
     polygon_of_triangle : ndarray of int32, shape (m,)
-        The polygon of the file that each triangle is of.
+        The polygon of the file, or of the mesh that was refined, that each triangle is of.
     labels : ndarray of int, shape (m,), or None
-        The segment of each triangle, if the file has segments: as the property `segment` of PLY, or
+        The segment of each triangle, if known: a file has it as the property `segment` of PLY, or
         as the objects and groups of OBJ, which are numbered in the order of the file.
     """
 

@@ -8,6 +8,7 @@
 
 #include <array>
 #include <cstddef>
+#include <cstdint>
 #include <cstring>
 #include <stdexcept>
 #include <utility>
@@ -102,6 +103,31 @@ inline py::array_t<py::ssize_t> array_of(std::vector<std::size_t> numbers)
   const auto size = static_cast<py::ssize_t>(numbers.size());
   return array_of<py::ssize_t>(std::move(numbers), {size});
 }
+
+// Returns an array of indices, which are below 2^32 - 1 and, for files of less than 8 GB, below
+// 2^31.
+template <class Element>
+py::array_t<std::int32_t> array_of_indices(std::vector<Element> elements,
+                                           const std::vector<py::ssize_t>& shape,
+                                           std::size_t largest)
+{
+  if (largest > 0x7fffffff)
+    throw py::value_error("there are too many points or polygons");
+  return array_of<std::int32_t>(std::move(elements), shape);
+}
+
+// Returns elements of which each is some numbers of a contiguous array.
+template <class Element, class Array>
+std::vector<Element> vector_of(const Array& array)
+{
+  std::vector<Element> result(static_cast<std::size_t>(array.shape(0)));
+  if (!result.empty())
+    std::memcpy(result.data(), array.data(), result.size() * sizeof(Element));
+  return result;
+}
+
+template <class Number>
+using Contiguous = py::array_t<Number, py::array::c_style>;
 
 } // namespace python
 

@@ -20,7 +20,6 @@
 
 #include <cstddef>
 #include <cstdint>
-#include <cstring>
 #include <sstream>
 #include <stdexcept>
 #include <string>
@@ -36,17 +35,6 @@ using mesh_file::Polygon_soup;
 using mesh_file::Rgb;
 using mesh_file::Triangle;
 using segment_mesh::Input;
-
-// Indices are below 2^32 - 1 and, in files of less than 8 GB, below 2^31.
-template <class Element>
-py::array_t<std::int32_t> array_of_indices(std::vector<Element> elements,
-                                           const std::vector<py::ssize_t>& shape,
-                                           std::size_t largest)
-{
-  if (largest > 0x7fffffff)
-    throw py::value_error("there are too many points or polygons");
-  return array_of<std::int32_t>(std::move(elements), shape);
-}
 
 // Removes the points that triangles had before their borders were stitched, but no longer have.
 static void remove_joined_points(std::vector<Point>& points, const std::vector<char>& was_used,
@@ -119,19 +107,6 @@ static py::tuple parse_mesh(const py::bytes& bytes, const std::string& extension
     array_of_indices(std::move(polygon_of_triangle), {number_of_triangles}, number_of_polygons),
     array_of<double>(std::move(segments), {number_of_segments}), soup.warnings);
 }
-
-// Elements of which each is some numbers of a contiguous array.
-template <class Element, class Array>
-std::vector<Element> vector_of(const Array& array)
-{
-  std::vector<Element> result(static_cast<std::size_t>(array.shape(0)));
-  if (!result.empty())
-    std::memcpy(result.data(), array.data(), result.size() * sizeof(Element));
-  return result;
-}
-
-template <class Number>
-using Contiguous = py::array_t<Number, py::array::c_style>;
 
 // Returns the polygons of arrays, and their triangles.
 static Input polygons_of(const Contiguous<double>& points, bool has_float_points,

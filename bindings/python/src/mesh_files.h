@@ -12,6 +12,9 @@ namespace python {
 // the tool.
 void define_mesh_files(pybind11::module_& m);
 
+// Adds the functions that make meshes of the parts of a mesh.
+void define_parts(pybind11::module_& m);
+
 } // namespace python
 
 #endif // SPECTRAL_SEGMENTATION_PYTHON_MESH_FILES_H

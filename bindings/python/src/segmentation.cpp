@@ -230,6 +230,7 @@ PYBIND11_MODULE(_core, m)
   m.attr("__version__") = CGAL_SPECTRAL_SEGMENTATION_VERSION;
   define_hierarchy(m);
   define_mesh_files(m);
+  define_parts(m);
   define_page(m);
   m.def("option_kinds", option_kinds);
   m.def("segment", segment);

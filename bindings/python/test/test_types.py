@@ -46,7 +46,8 @@ def test_segment_has_the_parameters_of_segment_hierarchy():
 
 
 def test_tuples():
-    for thing in (spectral_segmentation.Mesh, spectral_segmentation.SalienceFactors):
+    for thing in (spectral_segmentation.Mesh, spectral_segmentation.Part,
+                  spectral_segmentation.SalienceFactors):
         assert tuple(thing.__annotations__) == thing._fields
 
 

@@ -1,0 +1,142 @@
+// Copyright (c) 2026  The Spectral_segmentation authors.
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#include "mesh_files.h"
+
+#include "arrays.h"
+#include "python_lock.h"
+
+#include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
+#include <CGAL/Polygon_mesh_processing/orient_polygon_soup.h>
+#include <CGAL/Polygon_mesh_processing/polygon_soup_to_polygon_mesh.h>
+#include <CGAL/Segmented_mesh/refine_segment_boundaries.h>
+#include <CGAL/Segmented_mesh/transfer_segments.h>
+#include <CGAL/Surface_mesh.h>
+#include <CGAL/property_map.h>
+
+#include <command_line/closed_soup.h>
+#include <files/convex_hull.h>
+
+#include <boost/property_map/compose_property_map.hpp>
+
+#include <cstddef>
+#include <cstdint>
+#include <utility>
+#include <vector>
+
+namespace python {
+
+namespace PMP = CGAL::Polygon_mesh_processing;
+using mesh_file::Index;
+using mesh_file::Point;
+using segment_mesh::Input;
+
+typedef CGAL::Exact_predicates_inexact_constructions_kernel::Point_3 Kernel_point;
+typedef CGAL::Surface_mesh<Kernel_point> Mesh;
+typedef Contiguous<std::uint32_t> Labels; // one per triangle
+
+// The arrays of a mesh, which are changed and then given to Python.
+struct Part_arrays
+{
+  std::vector<Point> points;
+  std::vector<mesh_file::Triangle> triangles;
+  std::vector<Index> labels; // one per triangle
+
+  py::tuple tuple()
+  {
+    const py::ssize_t n = points.size(), m = triangles.size(), l = labels.size();
+    return py::make_tuple(array_of<double>(std::move(points), {n, 3}),
+                          array_of_indices(std::move(triangles), {m, 3}, std::size_t(n)),
+                          array_of_indices(std::move(labels), {l}, 0));
+  }
+};
+
+// Returns the arrays of closed segments, the report of the tool as JSON, and its warning.
+static py::tuple closed(const Input& input, const Labels& labels)
+{
+  Part_arrays arrays{input.soup.points, input.triangles, vector_of<Index>(labels)};
+  segment_mesh::Closed_segments segments;
+  {
+    const No_python_lock no_python_lock;
+    mesh_file::Border_stitching(arrays.points, arrays.triangles)();
+    segments = CGAL::close_segments(arrays.points, arrays.triangles, arrays.labels);
+  }
+  return py::make_tuple(arrays.tuple(), segment_mesh::closed_report(segments).dump(),
+                        segment_mesh::closed_warning(segments));
+}
+
+// Returns the arrays with smooth boundaries, and the polygon of each triangle.
+static py::tuple refined(const Input& input, const Labels& labels)
+{
+  Part_arrays arrays{input.soup.points, input.triangles, vector_of<Index>(labels)};
+  std::vector<Index> polygons = input.polygon_of_triangle;
+  {
+    const No_python_lock no_python_lock;
+    for (std::size_t t : CGAL::refine_segment_boundaries(arrays.points, arrays.triangles,
+                                                         arrays.labels).triangles)
+      polygons.push_back(input.polygon_of_triangle[t]);
+  }
+  const auto size = static_cast<py::ssize_t>(polygons.size());
+  return py::make_tuple(arrays.tuple(), array_of_indices(std::move(polygons), {size},
+                                                         input.soup.number_of_polygons()));
+}
+
+// Returns the triangles as a mesh, in their order. Points are doubled where it is no manifold.
+static Mesh mesh_of(const Input& input)
+{
+  std::vector<Kernel_point> points;
+  for (const Point& p : input.soup.points)
+    points.emplace_back(p[0], p[1], p[2]);
+  std::vector<mesh_file::Triangle> triangles = input.triangles;
+  for (mesh_file::Triangle& t : triangles)
+    for (std::size_t k = 0; k < 3; ++k)
+      if (t[k] == t[(k + 1) % 3] || t[k] == t[(k + 2) % 3]) {
+        const Kernel_point p = points[t[k]];
+        t[k] = static_cast<Index>(points.size());
+        points.push_back(p);
+      }
+  if (!PMP::is_polygon_soup_a_polygon_mesh(triangles))
+    PMP::orient_polygon_soup(points, triangles);
+  Mesh result;
+  PMP::polygon_soup_to_polygon_mesh(points, triangles, result);
+  return result;
+}
+
+// Returns a label for each triangle of another mesh.
+static py::array_t<std::int32_t> transferred(const Input& from, const Labels& labels,
+                                             const Input& to)
+{
+  std::vector<Index> from_labels = vector_of<Index>(labels), result(to.triangles.size());
+  {
+    const No_python_lock no_python_lock;
+    const Mesh from_mesh = mesh_of(from), to_mesh = mesh_of(to);
+    const auto id_map = [](const Mesh& mesh, std::vector<Index>& ids) {
+      return boost::make_compose_property_map(CGAL::make_property_map(ids),
+                                              get(CGAL::face_index, mesh));
+    };
+    CGAL::transfer_segments(from_mesh, id_map(from_mesh, from_labels), to_mesh,
+                            id_map(to_mesh, result));
+  }
+  const auto size = static_cast<py::ssize_t>(result.size());
+  return array_of_indices(std::move(result), {size}, 0);
+}
+
+// Returns the points and triangles of a convex hull, and its thickness if it is flat.
+static py::tuple hull(const Contiguous<double>& points, double extent)
+{
+  mesh_file::Convex_hull result = mesh_file::convex_hull(vector_of<Point>(points), extent);
+  Part_arrays arrays{std::move(result.points), std::move(result.triangles), {}};
+  return py::make_tuple(arrays.tuple(), result.thickness);
+}
+
+void define_parts(py::module_& m)
+{
+  m.def("closed", closed);
+  m.def("refined", refined);
+  m.def("transferred", transferred);
+  m.def("hull", hull);
+  m.def("extent", [](const Contiguous<double>& points)
+                  { return mesh_file::extent_of(vector_of<Point>(points)); });
+}
+
+} // namespace python
