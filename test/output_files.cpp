@@ -114,7 +114,7 @@ std::string sentence_of(const Function& function)
 
 std::string checked(const std::vector<Path>& outputs, const Path& split_directory = "",
                     const std::vector<Path>& inputs = {})
-{ return sentence_of([&] { check_outputs(inputs, outputs, split_directory); }); }
+{ return sentence_of([&] { check_outputs(inputs, outputs, {split_directory}); }); }
 
 template <class Function>
 pid_t start_child(const Function& function)

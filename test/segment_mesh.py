@@ -5,6 +5,7 @@
 
 import base64
 import collections
+import contextlib
 import json
 import math
 import operator
@@ -87,6 +88,12 @@ def read_ply(path):
                [f["vertex_indices"] for f in faces],
                [f["segment"] for f in faces if "segment" in f],
                [color(f) for f in faces if "red" in f])
+
+
+def read_obj(path):
+    lines = [line.split() for line in path.read_text().splitlines()]
+    return ([tuple(map(float, words[1:])) for words in lines if words[0] == "v"],
+            [tuple(int(word) - 1 for word in words[1:]) for words in lines if words[0] == "f"])
 
 
 def read_glb_nodes(path):
@@ -726,6 +733,30 @@ class Formats(Tool_test):
             self.assertEqual({s["is_solid"] for s in told}, {is_solid})
             self.assertEqual({s["has_self_intersections"] for s in told}, {not is_solid})
 
+    def test_intersections_of_the_input_are_counted(self):
+        tetrahedron = [(0, 2, 1), (0, 1, 3), (1, 2, 3), (0, 3, 2)]
+        large = [(-10, -10, 0), (0, 10, 0), (10, -10, 0), (0, 0, -20)]
+        spike = [(-1, -1, 5), (1, -1, 5), (0, 1, 5), (0, 0, -1)] # three sides pass through a face
+        beside = [(x, y, 1 - z) for x, y, z in large] # touches nothing
+        mirrored = [large[0], large[1], (-20, 0, 20), (-20, 0, 5)] # has an edge in common
+        at_edge = [(0, 4, 1), (0, 1, 5), (1, 4, 5), (0, 5, 4)]
+        repeated = [face if i < 4 else tuple(v + 4 for v in face)
+                    for i, face in enumerate(2 * tetrahedron)]
+        for points, faces, pairs in (
+                (large + spike, repeated, 3), (large + beside, repeated, 0),
+                (large + mirrored, repeated, 0),
+                (large + mirrored[2:], tetrahedron + at_edge, 0)):
+            write_off(self.directory / "two.off", points, faces)
+            done = self.run_tool("two.off", "--close", "--split-dir", "parts", "--json",
+                                 "out.json", "--segments", 1)
+            self.assertEqual(done.returncode, 0)
+            self.assertEqual(self.report()["intersecting_pairs"], pairs)
+            first = done.stderr.split("\n")[0]
+            self.assertEqual(first == "segment_mesh: warning: two.off: the input intersects "
+                                      "itself in 3 pairs of faces", pairs == 3, first)
+        self.run_tool("in.off", "--json", "out.json")
+        self.assertIsNone(self.report()["intersecting_pairs"])
+
     def test_closing_needs_separate_segments(self):
         for options in ((), ("-o", "out.ply")):
             self.assert_failure("usage", "in.off", "--close", *options,
@@ -786,6 +817,55 @@ class Formats(Tool_test):
             names = sorted(p.name for p in (self.directory / "parts").iterdir())
             self.assertEqual(names, ["segment_%03d.%s" % (i, form)
                                      for i in range(max(self.expected) + 1)] + ["segments.json"])
+
+    def test_hulls(self):
+        done = self.run_tool("in.off", "--hulls", "hulls", "--split-dir", "parts", "--json",
+                             "out.json")
+        self.assertEqual((done.returncode, done.stderr), (0, ""))
+        report = self.report()["hulls"]
+        self.assertEqual(len(report), max(self.expected) + 1)
+        self.assertEqual(sorted(p.name for p in (self.directory / "hulls").iterdir()),
+                         ["segment_%03d.obj" % i for i in range(len(report))] + ["segments.json"])
+        for i, row in enumerate(report):
+            points, faces = read_obj(self.directory / "hulls" / ("segment_%03d.obj" % i))
+            part = read_ply(self.directory / "parts" / ("segment_%03d.ply" % i))
+            self.assertEqual(row, {"label": i, "faces": len(faces), "thickness": 0})
+            self.assertLessEqual(set(points), set(part.points))
+            self.assertTrue(is_closed(faces))
+            self.assertGreater(volume(points, faces), 0)
+            for a, b, c in faces:
+                normal = cross(minus(points[b], points[a]), minus(points[c], points[a]))
+                length = math.hypot(*normal)
+                for p in part.points: # on the inner side of each face
+                    self.assertLess(dot(normal, minus(p, points[a])), 1e-9 * length)
+
+    def test_hulls_of_flat_parts_have_a_thickness(self):
+        self.write_off([(0, 0, 0), (3, 0, 0), (3, 4, 0), (0, 4, 0)], [(0, 1, 2), (0, 2, 3)])
+        done = self.run_tool("in.off", "--hulls", "hulls", "--json", "out.json")
+        self.assertEqual(done.stderr, "segment_mesh: warning: in.off: flat segments got a hull of "
+                                      "the thickness 0.005: 0\n")
+        self.assertEqual(self.report()["hulls"], [{"label": 0, "faces": 12, "thickness": 0.005}])
+        points, faces = read_obj(self.directory / "hulls/segment_000.obj")
+        self.assertTrue(is_closed(faces))
+        self.assertAlmostEqual(volume(points, faces), 3 * 4 * 0.005)
+
+    def test_formats_of_hulls(self):
+        for form in ("ply", "off", "stl", "glb"):
+            done = self.run_tool("in.off", "--hulls", "hulls", "--split-format", form)
+            self.assertEqual((done.returncode, done.stderr), (0, ""))
+            names = sorted(p.name for p in (self.directory / "hulls").iterdir())
+            self.assertEqual(names, ["segment_%03d.%s" % (i, form)
+                                     for i in range(max(self.expected) + 1)] + ["segments.json"])
+        self.assert_failure("usage", "in.off", "--hulls", "x", "--split-dir", "./x/",
+                            sentence="two outputs")
+        self.run_tool("in.off", "--out-dir", "out", "--outputs", "hulls")
+        self.assertTrue((self.directory / "out/in.off.hulls/segment_000.obj").exists())
+
+    def test_pictures(self):
+        for name in ("out.png", "out.SVG"):
+            self.assert_failure("usage", "in.off", "-o", name, sentence="--html FILE")
+            self.assert_failure("usage", "in.off", "-o", name, sentence="scripts/render.py")
+        self.assertTrue((pathlib.Path(__file__).parents[1] / "scripts/render.py").exists())
 
     def test_further_properties_are_kept(self):
         header = ("ply\nformat ascii 1.0\nelement vertex %d\nproperty float x\nproperty float y\n"
@@ -1666,7 +1746,29 @@ class Failures(Tool_test):
                 self.assert_failure("mesh", name, "-o", "out.ply", "--labels", "out.seg",
                                     sentence=name)
         self.assert_failure("input", "missing.off", sentence="there is no file missing.off")
-        self.assert_failure("input", ".", sentence="is not a file")
+
+    def test_folders_are_searched(self):
+        (self.directory / "scans/deep/.hidden").mkdir(parents=True)
+        points, faces = read_off(self.mesh)
+        write_off(self.directory / "scans/a.off", points, faces)
+        write_binary_stl(self.directory / "scans/deep/b.STL", points, faces)
+        write_off(self.directory / "scans/deep/.hidden/c.off", points, faces)
+        for name in ("notes.txt", "scene.xml", "off", "deep/table.csv"):
+            (self.directory / "scans" / name).write_text("no mesh")
+        run = ("scans", "--out-dir", "scans/results", "--outputs", "ply")
+        for summary in ("3 meshes segmented, 0 failed, 0 done before",
+                        "0 meshes segmented, 0 failed, 3 done before"):
+            done = self.run_tool(*run)
+            self.assertEqual((done.returncode, done.stderr), (0, ""))
+            self.assertIn(summary, done.stdout)
+            rows = (self.directory / "scans/results/table.jsonl").read_text().splitlines()
+            self.assertEqual(sorted(json.loads(row)["input"] for row in rows),
+                             ["scans/a.off", "scans/deep/.hidden/c.off", "scans/deep/b.STL"])
+        (self.directory / "empty").mkdir()
+        self.assert_failure("usage", "scans", "-o", "out.ply",
+                            sentence="scans is a folder; --out-dir DIR segments the meshes in it")
+        self.assert_failure("usage", "scans", "--out-dir", ".", sentence="another --out-dir")
+        self.assert_failure("input", "empty", "--out-dir", "out", sentence="no mesh in empty")
 
     def test_wrong_usage(self):
         for arguments in ((), ("--unknown", self.mesh), (self.mesh, self.mesh),
@@ -1742,6 +1844,20 @@ class Printing(Tool_test):
         self.assertIn("%d faces" % len(read_off(mesh)[1]), done.stdout)
         self.assertEqual(list(self.directory.iterdir()), [])
 
+    @unittest.skipUnless(hasattr(os, "openpty"), "this system has no terminals")
+    def test_terminal_shows_how_to_write_a_file(self):
+        for arguments, is_shown in (((), True), (("--quiet",), False),
+                                    (("--labels", "out.seg"), False)):
+            screen, terminal = os.openpty()
+            subprocess.run([TOOL, MESHES / "hand.off", *arguments], cwd=self.directory,
+                           stdout=subprocess.DEVNULL, stderr=terminal, timeout=300, check=True)
+            os.close(terminal)
+            lines = []
+            with open(screen, errors="replace") as text, contextlib.suppress(OSError):
+                for line in text: # fails at the end
+                    lines.append(line)
+            self.assertEqual(any("--html FILE" in line for line in lines), is_shown, lines)
+
     def test_quiet(self):
         done = self.run_tool(MESHES / "hand.off", "--quiet")
         self.assertEqual((done.returncode, done.stderr, done.stdout), (0, "", ""))
@@ -1754,7 +1870,8 @@ class Printing(Tool_test):
         self.assertEqual(done.returncode, 0)
         for option in ("-o", "--labels", "--json", "--split-dir", "--segments", "--seed",
                        "--method", "--salience-threshold", "--threads", "--smooth",
-                       "--smooth-boundaries", "--keep-faces", "--quiet", "--version"):
+                       "--smooth-boundaries", "--keep-faces", "--quiet", "--version", "--hulls",
+                       "scripts/render.py"):
             self.assertIn(option, done.stdout)
         self.assertLessEqual(max(map(len, done.stdout.splitlines())), 80)
 

@@ -8,6 +8,7 @@
 #include "Failure.h"
 #include "Mesh_table.h"
 #include "Output_files.h"
+#include "read_input.h"
 
 #ifndef _WIN32
 #include <fcntl.h>
@@ -41,6 +42,31 @@ inline Path place_of(const std::string& input)
   for (const Path& part : Path(input).lexically_normal().relative_path())
     if (part != "..")
       result /= part;
+  return result;
+}
+
+// Returns the meshes in a folder and the folders in it, in ascending order, but for those in the
+// directory of outputs. Throws `Failure` if there are none. Returns the name of what is no folder.
+inline std::vector<std::string> meshes_in(const std::string& folder, const Path& outputs)
+{
+  std::vector<std::string> result;
+  std::error_code error, ignored;
+  if (!std::filesystem::is_directory(folder, ignored))
+    return {folder};
+  if (std::filesystem::equivalent(outputs / place_of(folder), folder, ignored))
+    throw Failure(Status::USAGE, "the outputs would be among the meshes of " + folder +
+                                   "; choose another --out-dir");
+  std::filesystem::recursive_directory_iterator entry(folder, error);
+  for (; !error && entry != end(entry); entry.increment(error))
+    if (entry->is_directory(ignored) && std::filesystem::equivalent(*entry, outputs, ignored))
+      entry.disable_recursion_pending();
+    else if (entry->is_regular_file(ignored) && has_mesh_ending(entry->path()))
+      result.push_back(entry->path().string());
+  if (error)
+    throw Failure(Status::INPUT, "cannot search " + folder + ": " + error.message());
+  if (result.empty())
+    throw Failure(Status::INPUT, "there is no mesh in " + folder + ", by the endings of names");
+  std::sort(result.begin(), result.end());
   return result;
 }
 

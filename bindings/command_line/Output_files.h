@@ -38,14 +38,19 @@ class Output_files
     Path name, temporary, target; // the target is behind the links of the name
   };
 
+  struct Segment_directory
+  {
+    Path path;
+    std::set<std::string> files, earlier_files;
+    nlohmann::ordered_json closed_segments; // of the index
+  };
+
   // Changed under `Signal_block` only, for `remove_temporaries()` is called by a signal.
   std::vector<File> files_;
-  Path new_directory_;
+  std::vector<Path> new_directories_;
 
   std::vector<std::pair<Path, std::string> > streams_; // their names and contents
-  Path split_directory_;
-  std::set<std::string> segment_files_, earlier_segment_files_;
-  nlohmann::ordered_json closed_segments_; // of the index
+  std::vector<Segment_directory> segment_directories_;
   Signal_handlers handlers_;
 
   // Only what signal handlers may do.
@@ -65,7 +70,8 @@ class Output_files
     const Output_files& files = *static_cast<const Output_files*>(of);
     for (std::size_t i = 0; i < files.files_.size(); ++i)
       remove(files.files_[i].temporary);
-    remove(files.new_directory_);
+    for (std::size_t i = 0; i < files.new_directories_.size(); ++i)
+      remove(files.new_directories_[i]);
   }
 
   static std::string temporary_name()
@@ -159,42 +165,43 @@ public:
   void start_segments(const Path& directory,
                       const nlohmann::ordered_json& closed_segments = nullptr)
   {
-    closed_segments_ = closed_segments;
-    split_directory_ = split_directory_of(directory);
-    earlier_segment_files_ = earlier_segment_files(split_directory_);
+    const Path path = split_directory_of(directory);
+    segment_directories_.push_back({path, {}, earlier_segment_files(path), closed_segments});
     for (const File& f : files_) // this run may have other outputs there
-      earlier_segment_files_.erase(f.temporary.filename().string());
-    if (std::filesystem::is_directory(split_directory_))
+      segment_directories_.back().earlier_files.erase(f.temporary.filename().string());
+    if (std::filesystem::is_directory(path))
       return;
     const Signal_block block;
     std::error_code error;
-    if (!std::filesystem::create_directory(split_directory_, error))
-      throw_cannot_write(split_directory_, error.message());
-    new_directory_ = split_directory_;
+    if (!std::filesystem::create_directory(path, error))
+      throw_cannot_write(path, error.message());
+    new_directories_.push_back(path);
   }
 
-  // Takes a name for which `is_segment_file()` is true.
+  // Writes to the directory that was started last. Takes a name for which `is_segment_file()` is
+  // true.
   template <class Writer>
   void write_segment(const std::string& name, const Writer& writer)
   {
-    write(split_directory_ / name, writer);
-    segment_files_.insert(name);
+    write(segment_directories_.back().path / name, writer);
+    segment_directories_.back().files.insert(name);
   }
 
-  // A signal comes before or after it, but for what streams have got. The index of segments gets
-  // its name first, so that a later run knows the files even if this one is killed.
+  // A signal comes before or after it, but for what streams have got. An index of segments gets its
+  // name first, so that a later run knows the files even if this one is killed.
   void commit()
   {
-    if (!split_directory_.empty())
-      write(split_directory_ / segment_index_name,
-            [&](std::ostream& out) { out << segment_index(segment_files_, closed_segments_); });
+    for (const Segment_directory& d : segment_directories_)
+      write(d.path / segment_index_name,
+            [&](std::ostream& out) { out << segment_index(d.files, d.closed_segments); });
     for (const auto& stream : streams_)
       write_stream(stream.first, stream.second);
     check_targets();
     const Signal_block block;
-    for (const std::string& name : earlier_segment_files_)
-      if (segment_files_.count(name) == 0)
-        remove(split_directory_ / name);
+    for (const Segment_directory& d : segment_directories_)
+      for (const std::string& name : d.earlier_files)
+        if (d.files.count(name) == 0)
+          remove(d.path / name);
     const std::size_t number_of_outputs = files_.size();
     for (; !files_.empty(); files_.pop_back()) {
       std::error_code error;
@@ -202,7 +209,7 @@ public:
       if (error)
         throw_cannot_rename(number_of_outputs, error.message());
     }
-    new_directory_.clear();
+    new_directories_.clear();
   }
 };
 

@@ -130,11 +130,12 @@ inline bool is_same_place(const Path& a, const Path& b)
          std::filesystem::equivalent(directory_of(a), directory_of(b), ignored);
 }
 
-// Through links of any kind.
+// Returns whether two names are of one file or directory, through links of any kind.
 inline bool is_same_file(const Path& a, const Path& b)
 {
   std::error_code ignored;
-  return std::filesystem::is_regular_file(a, ignored) &&
+  return (std::filesystem::is_regular_file(a, ignored) ||
+          std::filesystem::is_directory(a, ignored)) &&
          std::filesystem::equivalent(a, b, ignored);
 }
 
@@ -229,9 +230,9 @@ inline Path split_directory_of(const Path& name)
 { return behind_links(name.has_filename() ? name : name.parent_path()); }
 
 // Finds before a long run what cannot be written after it. An input or output may be "-"; an output
-// and the directory of segments may be empty for none.
+// and a directory of segments may be empty for none.
 inline void check_outputs(const std::vector<Path>& inputs, const std::vector<Path>& outputs,
-                          const Path& split_directory)
+                          const std::vector<Path>& split_directories)
 {
   const auto check_inputs = [&](const Path& name) {
     for (const Path& input : inputs)
@@ -252,18 +253,21 @@ inline void check_outputs(const std::vector<Path>& inputs, const std::vector<Pat
     check_clash(name);
     checked.push_back(name);
   }
-  if (split_directory.empty())
-    return;
-  const Path directory = split_directory_of(split_directory);
-  check_clash(directory);
-  for (const std::string& name : earlier_segment_files(directory)) {
-    check_inputs(directory / name);
-    check_clash(directory / name);
-  }
-  for (const Path& other : checked) {
-    const std::string name = behind_links(other).filename().string();
-    if (is_segment_file(name) || name == segment_index_name)
+  for (const Path& split_directory : split_directories) {
+    if (split_directory.empty())
+      continue;
+    const Path directory = split_directory_of(split_directory);
+    check_clash(directory);
+    for (const std::string& name : earlier_segment_files(directory)) {
+      check_inputs(directory / name);
       check_clash(directory / name);
+    }
+    for (const Path& other : checked) {
+      const std::string name = behind_links(other).filename().string();
+      if (is_segment_file(name) || name == segment_index_name)
+        check_clash(directory / name);
+    }
+    checked.push_back(directory);
   }
 }
 

@@ -6,10 +6,18 @@
 
 #include "read_input.h"
 
+#include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
+#include <CGAL/Polygon_mesh_processing/orient_polygon_soup.h>
+#include <CGAL/Polygon_mesh_processing/polygon_soup_to_polygon_mesh.h>
+#include <CGAL/Polygon_mesh_processing/self_intersections.h>
 #include <CGAL/Segmented_mesh/close_segments.h>
+#include <CGAL/Surface_mesh.h>
 
+#include <boost/iterator/function_output_iterator.hpp>
+#include <boost/property_map/function_property_map.hpp>
 #include <nlohmann/json.hpp>
 
+#include <algorithm>
 #include <cstddef>
 #include <string>
 #include <utility>
@@ -76,6 +84,47 @@ inline Closed_soup closed_soup(const Input& input, std::vector<Index> segment)
   if (!soup.material_of_polygon.empty())
     soup.material_of_polygon.resize(soup.number_of_polygons(), mesh_file::null_index);
   return {std::move(soup), std::move(segment), std::move(closed_segments)};
+}
+
+// Returns the number of pairs of triangles that intersect outside their common corners, without
+// pairs that meet where the surface is not a manifold. Stops after reading 1000 points per
+// triangle, which bounds the time if very many boxes overlap.
+inline std::size_t number_of_intersecting_pairs(const Input& input)
+{
+  typedef CGAL::Exact_predicates_inexact_constructions_kernel::Point_3 Point_3;
+  typedef CGAL::Surface_mesh<Point_3> Mesh;
+  namespace PMP = CGAL::Polygon_mesh_processing;
+  std::vector<Point_3> points;
+  for (const Point& p : input.soup.points)
+    points.emplace_back(p[0], p[1], p[2]);
+  std::vector<Triangle> triangles = input.triangles;
+  PMP::orient_polygon_soup(points, triangles); // repeats points where it is not a manifold
+  Mesh mesh;
+  PMP::polygon_soup_to_polygon_mesh(points, triangles, mesh);
+  struct Enough {};
+  std::size_t points_left = 1000 * triangles.size();
+  const auto point_of = boost::make_function_property_map<Mesh::Vertex_index, const Point_3&>(
+    [&](Mesh::Vertex_index v) -> const Point_3& {
+      if (points_left-- == 0)
+        throw Enough();
+      return mesh.point(v);
+    });
+  std::size_t result = 0;
+  const auto count = [&](const auto& pair) { // of one face if it is degenerate
+    const auto &s = triangles[pair.first], &t = triangles[pair.second];
+    const auto meets = [&](Index v) { // the other triangle at a point that was repeated
+      return std::any_of(t.begin(), t.end(), [&](Index w)
+                         { return v != w && points[v] == points[w]; });
+    };
+    result += pair.first != pair.second && std::none_of(s.begin(), s.end(), meets);
+  };
+  try {
+    PMP::self_intersections(mesh, boost::make_function_output_iterator(count),
+                            CGAL::parameters::vertex_point_map(point_of));
+  }
+  catch (const Enough&) {
+  }
+  return result;
 }
 
 // Returns what holds for each closed segment.

@@ -27,11 +27,14 @@ struct Example
 const Example examples[] = {
   {"segment_mesh hand.off --html hand.html", "shows the parts in a browser."},
   {"segment_mesh hand.off -o hand.glb -o hand.ply --segments 6", "writes exactly six parts."},
+  {"segment_mesh hand.off -o hand.ply && scripts/render.py hand.ply",
+   "draws hand.png, by a script of the source."},
   {"segment_mesh hand.stl --split-dir parts --split-format 3mf --close --unit mm",
    "writes closed parts for 3D printing."},
   {"segment_mesh scan.obj --split-dir parts --split-format glb",
    "writes parts with the textures of the scan."},
-  {"segment_mesh *.off --out-dir results --outputs labels,html --time-limit 60",
+  {"segment_mesh hand.off --hulls hulls", "writes convex collision shapes."},
+  {"segment_mesh folder --out-dir results --outputs labels,html --time-limit 60",
    "segments many meshes, and leaves out those that were finished before."}};
 
 struct Exit_status

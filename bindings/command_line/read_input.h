@@ -107,6 +107,15 @@ inline Scene read_by_libraries(const std::string& name, const std::string& exten
   }
 }
 
+// Returns whether a name has the ending of a format that this build reads. XML seldom is a mesh.
+inline bool has_mesh_ending(const std::filesystem::path& name)
+{
+  const std::string extension = mesh_file::lower_case(name.extension().string());
+  return mesh_file::format_of_extension(extension) != mesh_file::Format::UNKNOWN ||
+         (reads_by_lib3mf && extension == ".3mf") ||
+         (extension != ".xml" && assimp_reads(extension));
+}
+
 // Throws `Failure` if the file has no mesh. The contents tell the format of a stream, and of a file
 // whose ending is of another format or of none. Names of nodes and meshes are those of formats that
 // Assimp reads.

@@ -100,9 +100,10 @@ struct Options
   std::vector<std::string> output_formats = {"labels"};
   std::optional<std::size_t> jobs;
   std::string input, seed_file, edge_file, feature_file;
-  std::string label_file, report_file, hierarchy_file, page_file, split_directory;
+  std::string label_file, report_file, hierarchy_file, page_file, split_directory,
+    hull_directory;
   std::vector<std::string> mesh_files; // used by single runs, too
-  std::string split_format = "ply";
+  std::string split_format; // empty for the defaults
   std::string method_name = "calibrated";
   std::optional<std::size_t> segments;
   std::optional<double> threshold;
@@ -122,11 +123,20 @@ struct Options
 
   bool uses_paper_method() const { return method_name == "paper"; }
 
+  bool writes_meshes() const
+  { return !mesh_files.empty() || !split_directory.empty() || !hull_directory.empty(); }
+
+  bool has_output() const
+  { return writes_meshes() || !(label_file + report_file + hierarchy_file + page_file).empty(); }
+
   bool writes_to_standard_output() const
   {
     return is_standard_output(label_file) || is_standard_output(report_file) ||
            is_standard_output(hierarchy_file) || is_standard_output(page_file);
   }
+
+  std::string part_extension() const { return split_format.empty() ? ".ply" : '.' + split_format; }
+  std::string hull_extension() const { return split_format.empty() ? ".obj" : '.' + split_format; }
 
   // Returns 0 if the unit is not known.
   double millimeters() const
@@ -138,14 +148,15 @@ struct Options
 
   bool writes_unit() const
   {
-    return (!split_directory.empty() && has_objects("part." + split_format)) ||
+    return (!split_directory.empty() && has_objects("part" + part_extension())) ||
+           (!hull_directory.empty() && has_objects("hull" + hull_extension())) ||
            std::any_of(mesh_files.begin(), mesh_files.end(), has_objects);
   }
 
   // Returns whether a file has the materials of the input.
   bool writes_materials() const
   {
-    return (!split_directory.empty() && can_have_materials("part." + split_format)) ||
+    return (!split_directory.empty() && can_have_materials("part" + part_extension())) ||
            (keep_materials &&
             std::any_of(mesh_files.begin(), mesh_files.end(), can_have_materials));
   }
@@ -165,7 +176,7 @@ struct Options
 };
 
 const std::vector<std::string> output_formats = {"labels", "hierarchy", "ply", "obj", "off",
-                                                 "glb", "3mf", "parts", "html"};
+                                                 "glb", "3mf", "parts", "hulls", "html"};
 
 // The largest value of options that are 32-bit numbers
 const std::int64_t largest_number = (std::numeric_limits<std::uint32_t>::max)();
@@ -186,7 +197,8 @@ void add_input_options(CLI::App& app, Options& o)
 #ifdef SEGMENT_MESH_WITH_ASSIMP
                  ", .glb, .fbx and others that Assimp reads"
 #endif
-                 "; - reads standard input; several IN need --out-dir")
+                 "; - reads standard input; several IN, or a folder to search for meshes, need "
+                 "--out-dir")
     ->type_name("FILE")->check(not_empty());
   app.add_flag("--allow-external-files", o.allow_external_files,
                "read files that IN names, such as buffers of glTF, wherever they are; otherwise "
@@ -215,14 +227,18 @@ void add_output_options(CLI::App& app, Options& o)
            "hierarchy of cuts with the leaf of each face, which gives other numbers of segments "
            "without a new run; - writes to standard output");
   add_file(app, "--html", o.page_file,
-           "page for a browser that shows the segments, or fewer or more of them; - writes to "
-           "standard output");
+           "page for a browser that shows the segments, or fewer or more of them, and saves "
+           "pictures; - writes to standard output");
   add_file(app, "--split-dir", o.split_directory,
            "directory for one file per segment; replaces the files of an earlier run")
     ->type_name("DIR");
-  app.add_option("--split-format", o.split_format, "format of the files in --split-dir")
-    ->type_name("F")->check(CLI::IsMember({"ply", "obj", "off", "stl", "glb", "3mf"}))
-    ->capture_default_str();
+  add_file(app, "--hulls", o.hull_directory,
+           "directory for the convex hull of each segment, such as collision shapes; like "
+           "--split-dir. The hull of a flat segment gets a thickness, which the report names")
+    ->type_name("DIR");
+  app.add_option("--split-format", o.split_format,
+                 "format of the files in --split-dir [ply] and --hulls [obj]")
+    ->type_name("F")->check(CLI::IsMember({"ply", "obj", "off", "stl", "glb", "3mf"}));
   app.add_flag("--quiet", o.quiet, "print neither progress nor a summary");
 }
 
@@ -319,7 +335,8 @@ void add_batch_options(CLI::App& app, Options& o)
            "file with the paths of further IN, one per line; - reads standard input");
   app.add_option("--outputs", o.output_formats,
                  "outputs in --out-dir besides the reports: colored meshes by their format, "
-                 "'parts' as with --split-dir, 'html' as with --html, 'hierarchy' and 'labels'")
+                 "'parts' as with --split-dir, 'hulls' as with --hulls, 'html' as with --html, "
+                 "'hierarchy' and 'labels'")
     ->type_name("F")->delimiter(',')->allow_extra_args(false)
     ->check(CLI::IsMember(output_formats))->needs(out_dir)->default_str("labels");
   app.add_option("--jobs", o.jobs, "number of meshes that --out-dir segments at a time [all cores]")
@@ -385,10 +402,12 @@ void check_usage(const Options& o)
     if (o.inputs.size() > 1)
       throw Failure(Status::USAGE, "several input meshes (" + CLI::detail::join(o.inputs, ", ") +
                                      ") need --out-dir; -o takes one FILE each time");
+    if (std::error_code error; std::filesystem::is_directory(o.inputs[0], error))
+      throw Failure(Status::USAGE, o.inputs[0] + " is a folder; --out-dir DIR segments the meshes "
+                                     "in it");
     return;
   }
-  if (!o.mesh_files.empty() || !o.label_file.empty() || !o.report_file.empty() ||
-      !o.hierarchy_file.empty() || !o.page_file.empty() || !o.split_directory.empty())
+  if (o.has_output())
     throw Failure(Status::USAGE, "with --out-dir, choose the outputs with --outputs");
   if (!o.seed_file.empty() || !o.edge_file.empty() || !o.feature_file.empty())
     throw Failure(Status::USAGE, "--seeds, --edges and --features are of one mesh, not of those of "
@@ -409,7 +428,9 @@ void check_files(const Options& o)
       outputs.push_back(mesh_file::name_of_materials(name));
   }
   if (!o.split_directory.empty())
-    check_output_format("segment." + o.split_format, true);
+    check_output_format("segment" + o.part_extension(), true);
+  if (!o.hull_directory.empty())
+    check_output_format("segment" + o.hull_extension(), true);
   if (o.close && o.split_directory.empty() &&
       std::none_of(o.mesh_files.begin(), o.mesh_files.end(), has_objects))
     throw Failure(Status::USAGE, "--close needs an output of separate segments: --split-dir, or -o "
@@ -418,7 +439,8 @@ void check_files(const Options& o)
     throw Failure(Status::USAGE, "--keep-materials needs -o with .obj or .glb");
   if (!o.unit.empty() && !o.writes_unit())
     throw Failure(Status::USAGE, "--unit needs an output that has a unit: .glb or .3mf");
-  check_outputs({o.input, o.seed_file, o.edge_file, o.feature_file}, outputs, o.split_directory);
+  check_outputs({o.input, o.seed_file, o.edge_file, o.feature_file}, outputs,
+                {o.split_directory, o.hull_directory});
 }
 
 template <class NamedParameters>
@@ -546,7 +568,7 @@ Page_options page_options(const Options& o, std::size_t number_of_segments)
 
 Json report(const Options& o, const Input& input, std::size_t number_of_segments,
             const Segmentation_hierarchy& tree, const Run_watch& watch,
-            const Closed_segments& closed_segments)
+            const Json& of_parts)
 {
   Json result = status_report(o, Status::OK, "");
   result.update({
@@ -562,18 +584,17 @@ Json report(const Options& o, const Input& input, std::size_t number_of_segments
           {"peak_memory", peak_memory()},
           {"threads", json_or_null(o.threads)},
           {"parameters", parameters_report(o)},
-          {"closed_segments", closed_report(closed_segments)},
           {"hierarchy", hierarchy_report(tree, input)}});
+  result.update(of_parts);
   return result;
 }
 
-// Writes the input as meshes, with refined boundaries if its faces need not be kept. Returns what
-// holds for the closed segments, if any.
-Closed_segments write_meshes(const Options& o, const Input& input,
-                             const std::vector<Index>& label_of_triangle,
-                             const std::vector<Index>& label_of_polygon,
-                             std::size_t number_of_segments, const Segmentation_hierarchy& tree,
-                             Output_files& files)
+// Writes the input as meshes, with refined boundaries if its faces need not be kept. Adds what
+// holds for closed segments and hulls to a report, and warnings.
+void write_meshes(const Options& o, const Input& input, const std::vector<Index>& label_of_triangle,
+                  const std::vector<Index>& label_of_polygon, std::size_t number_of_segments,
+                  const Segmentation_hierarchy& tree, Output_files& files, Json& report,
+                  std::vector<std::string>& warnings)
 {
   const std::vector<Rgb> colors =
     segment_colors(segment_neighbors(input, label_of_triangle, number_of_segments));
@@ -590,7 +611,15 @@ Closed_segments write_meshes(const Options& o, const Input& input,
   Closed_soup closed;
   std::vector<Index> closed_faces;
   if (o.close) {
+    const std::size_t pairs = number_of_intersecting_pairs(input);
+    report["intersecting_pairs"] = pairs;
+    if (pairs > 0)
+      warnings.push_back("the input intersects itself in " + std::to_string(pairs) +
+                         (pairs == 1 ? " pair" : " pairs") + " of faces");
     closed = closed_soup(written, labels);
+    report["closed_segments"] = closed_report(closed.segments);
+    if (const std::string warning = closed_warning(closed.segments); !warning.empty())
+      warnings.push_back(warning);
     if (is_refined)
       closed_faces = refined.polygon;
     else {
@@ -604,9 +633,11 @@ Closed_segments write_meshes(const Options& o, const Input& input,
   for (const std::string& name : o.mesh_files)
     write_mesh(files, name, o.close && has_objects(name) ? closed_mesh : mesh, o.millimeters());
   if (!o.split_directory.empty())
-    write_segments(files, o.split_directory, '.' + o.split_format, o.close ? closed_mesh : mesh,
-                   o.millimeters(), closed_report(closed.segments));
-  return closed.segments;
+    write_segments(files, o.split_directory, o.part_extension(), o.close ? closed_mesh : mesh,
+                   o.millimeters(), report["closed_segments"]);
+  if (!o.hull_directory.empty())
+    report["hulls"] = write_hulls(files, o.hull_directory, o.hull_extension(), mesh,
+                                  o.millimeters(), warnings);
 }
 
 void print_summary(std::ostream& out, const Options& o, const Input& input,
@@ -639,15 +670,14 @@ Json run(const Options& o)
     limit.emplace(tbb::global_control::max_allowed_parallelism, *o.threads);
 #endif
   Run_watch watch(!o.quiet && standard_error_is_terminal(), o.time_limit);
-  const bool writes_meshes = !o.mesh_files.empty() || !o.split_directory.empty();
-  const bool writes_triangles = writes_meshes || !o.page_file.empty();
+  const bool writes_triangles = o.writes_meshes() || !o.page_file.empty();
   const double bytes = size_of_file(o.input);
   const Expected_seconds first_guess(bytes, bytes / 20, writes_triangles);
   watch.start_phase("reading", first_guess.reading, first_guess.joining + first_guess.segmenting +
                                                       first_guess.writing);
   Scene scene;
   try {
-    scene = read_scene(o.input, writes_meshes,
+    scene = read_scene(o.input, o.writes_meshes(),
                        {o.time_limit, o.jobs.value_or(1), o.allow_external_files,
                         o.writes_materials()});
   }
@@ -680,10 +710,12 @@ Json run(const Options& o)
   Output_files files;
   if (!o.label_file.empty())
     files.write(o.label_file, [&](std::ostream& out) { write_labels(out, label_of_polygon); });
-  Closed_segments closed_segments;
-  if (writes_meshes)
-    closed_segments =
-      write_meshes(o, input, labels, label_of_polygon, number_of_segments, tree, files);
+  Json of_parts = {{"intersecting_pairs", nullptr}, {"closed_segments", Json::array()},
+                   {"hulls", Json::array()}};
+  std::vector<std::string> warnings = input.soup.warnings;
+  if (o.writes_meshes())
+    write_meshes(o, input, labels, label_of_polygon, number_of_segments, tree, files, of_parts,
+                 warnings);
   if (!o.hierarchy_file.empty())
     files.write(o.hierarchy_file, [&](std::ostream& out) { write_hierarchy(out, tree, input); });
   if (!o.page_file.empty())
@@ -693,7 +725,7 @@ Json run(const Options& o)
   watch.end_phase();
   if (!o.report_file.empty()) // written last, because it holds the time of the others
     files.write(o.report_file, [&](std::ostream& out) {
-      out << report(o, input, number_of_segments, tree, watch, closed_segments)
+      out << report(o, input, number_of_segments, tree, watch, of_parts)
                .dump(1, ' ', false, Json::error_handler_t::replace) << "\n";
     });
   files.commit();
@@ -701,10 +733,11 @@ Json run(const Options& o)
   if (!o.quiet) {
     print_summary(o.writes_to_standard_output() ? std::cerr : std::cout, o, input,
                   number_of_segments, watch.seconds());
-    for (const std::string& warning : input.soup.warnings)
+    if (!o.has_output() && standard_error_is_terminal())
+      std::cerr << "Nothing was written. --html FILE shows the segments, -o FILE.ply or .glb has "
+                   "their colors; see --help" << std::endl;
+    for (const std::string& warning : warnings)
       std::cerr << "segment_mesh: warning: " << o.input << ": " << warning << std::endl;
-    if (const std::string warning = closed_warning(closed_segments); !warning.empty())
-      std::cerr << "segment_mesh: warning: " << warning << std::endl;
     if (!input.missing_files.empty())
       std::cerr << "segment_mesh: warning: " << mesh_file::in_quotes(input.missing_files[0])
                 << (input.missing_files.size() > 1 ? " and other files of materials" : "")
@@ -764,6 +797,8 @@ Options options_of_mesh(const Options& batch, const std::string& input, const Pa
       o.page_file = name;
     else if (format == "parts")
       o.split_directory = name;
+    else if (format == "hulls")
+      o.hull_directory = name;
     else
       o.mesh_files.push_back(name);
   }
@@ -792,10 +827,13 @@ Json run_of_batch(const Options& o)
 
 Status run_batch(Options o)
 {
-  std::vector<std::string> inputs = o.inputs;
+  std::vector<std::string> names = o.inputs, inputs;
   if (!o.list_file.empty())
     for (std::string& name : read_list(o.list_file))
-      inputs.push_back(std::move(name));
+      names.push_back(std::move(name));
+  for (const std::string& name : names)
+    for (std::string& mesh : meshes_in(name, o.output_directory))
+      inputs.push_back(std::move(mesh));
   const std::size_t cores = (std::max)(1u, std::thread::hardware_concurrency());
   o.jobs = std::clamp(o.jobs.value_or(cores / o.threads.value_or(1)), std::size_t(1),
                       (std::max)(inputs.size(), std::size_t(1)));

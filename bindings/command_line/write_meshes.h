@@ -7,6 +7,7 @@
 #include "Failure.h"
 #include "Output_files.h"
 #include "../files/Segmented_mesh.h"
+#include "../files/convex_hull.h"
 #include "../files/write_mesh_file.h"
 #include "read_input.h"
 #include "../files/segment_colors.h"
@@ -16,6 +17,7 @@
 #include <cstddef>
 #include <filesystem>
 #include <ostream>
+#include <sstream>
 #include <stdexcept>
 #include <string>
 #include <vector>
@@ -62,7 +64,11 @@ inline void check_output_format(const std::filesystem::path& name, bool is_part)
     mesh_file::check_output_format(name, is_part, has_lib3mf ? ".3mf" : "");
   }
   catch (const std::runtime_error& e) {
-    throw Failure(Status::USAGE, e.what());
+    const std::string pictures = " .png .jpg .jpeg .gif .svg .pdf .bmp .tif .tiff .webp ";
+    const std::string ending = ' ' + mesh_file::output_extension(name) + ' ';
+    throw Failure(Status::USAGE, std::string(e.what()) + (pictures.find(ending) == pictures.npos ?
+                    "" : "; for a picture, --html FILE shows the segments and saves PNG, and "
+                         "scripts/render.py draws a .ply"));
   }
 }
 
@@ -154,6 +160,42 @@ inline void write_segments(Output_files& files, const std::filesystem::path& dir
       files.write_segment(name + ".mtl", [&](std::ostream& out)
                           { mesh_file::write_mtl(out, written, images); });
   }
+}
+
+// Writes the convex hull of each segment, in files as those of segments. Returns their properties,
+// and adds a warning if some have a thickness.
+inline nlohmann::ordered_json
+write_hulls(Output_files& files, const std::filesystem::path& directory,
+            const std::string& extension, const mesh_file::Segmented_mesh& mesh, double unit,
+            std::vector<std::string>& warnings)
+{
+  std::vector<Point> corners;
+  for (Index v : mesh.soup.corners)
+    corners.push_back(mesh.soup.points[v]);
+  const double extent = mesh_file::extent_of(corners);
+  mesh_file::Segment_extraction extract(mesh);
+  auto report = nlohmann::ordered_json::array();
+  std::ostringstream warning;
+  files.start_segments(directory);
+  for (std::size_t s = 0; s < extract.number_of_segments(); ++s) {
+    const mesh_file::Convex_hull hull = mesh_file::convex_hull(extract(s).points, extent);
+    Polygon_soup soup;
+    soup.points = hull.points;
+    for (const Triangle& t : hull.triangles) {
+      soup.corners.insert(soup.corners.end(), t.begin(), t.end());
+      soup.end_polygon();
+    }
+    const std::vector<Index> segment(hull.triangles.size(), static_cast<Index>(s));
+    files.write_segment(mesh_file::segment_name(s) + extension, [&](std::ostream& out)
+                        { write_mesh(out, extension, {soup, segment, mesh.colors}, unit); });
+    report.push_back({{"label", s}, {"faces", segment.size()}, {"thickness", hull.thickness}});
+    if (hull.thickness > 0)
+      warning << (warning.tellp() > 0 ? ", " : "flat segments got a hull of the thickness " +
+                                                 nlohmann::json(hull.thickness).dump() + ": ") << s;
+  }
+  if (warning.tellp() > 0)
+    warnings.push_back(warning.str());
+  return report;
 }
 
 // One a line.
