@@ -185,8 +185,10 @@ BOOST_AUTO_TEST_CASE(all_files_or_none)
     Output_files files;
     files.write("a", text("new a"));
     files.write("b", text("new b"));
-    files.start_segments("parts");
-    files.write_segment("segment_000.ply", text("part"));
+    for (const char* name : {"parts", "hulls"}) {
+      files.start_segments(name);
+      files.write_segment("segment_000.ply", text("part"));
+    }
     BOOST_TEST(content("a") == old_content);
     BOOST_TEST(!std::filesystem::exists("b"));
   }

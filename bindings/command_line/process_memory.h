@@ -29,18 +29,38 @@ inline std::size_t peak_memory()
 #endif
 }
 
-// More than this, in bytes of address space, is std::bad_alloc. Without effect where the system
-// has no such limit.
-inline void limit_memory([[maybe_unused]] double bytes)
+// Limits the address space of the process while it lives: more bytes than that are std::bad_alloc.
+// The end of its life restores the former limit, so that there is memory for a message. Has no
+// effect where the system has no such limit.
+class Memory_limit
 {
 #if defined(__unix__) || defined(__APPLE__)
-  rlimit limit;
-  if (getrlimit(RLIMIT_AS, &limit) != 0 || bytes >= static_cast<double>(limit.rlim_cur))
-    return;
-  limit.rlim_cur = static_cast<rlim_t>(bytes);
-  setrlimit(RLIMIT_AS, &limit);
+  rlimit before_;
+  bool is_set_ = false;
+
+public:
+  explicit Memory_limit(double bytes)
+  {
+    if (getrlimit(RLIMIT_AS, &before_) != 0 || bytes >= static_cast<double>(before_.rlim_cur))
+      return;
+    rlimit limit = before_;
+    limit.rlim_cur = static_cast<rlim_t>(bytes);
+    is_set_ = setrlimit(RLIMIT_AS, &limit) == 0;
+  }
+
+  ~Memory_limit()
+  {
+    if (is_set_)
+      setrlimit(RLIMIT_AS, &before_);
+  }
+#else
+public:
+  explicit Memory_limit(double) {}
 #endif
-}
+
+  Memory_limit(const Memory_limit&) = delete;
+  Memory_limit& operator=(const Memory_limit&) = delete;
+};
 
 } // namespace segment_mesh
 

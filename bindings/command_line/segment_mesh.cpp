@@ -663,7 +663,7 @@ struct Expected_seconds
 // Segments a mesh and writes the outputs. Returns a row of the table of a batch.
 Json run(const Options& o)
 {
-  limit_memory(1e6 * o.memory_limit);
+  const Memory_limit memory_limit(1e6 * o.memory_limit);
 #ifdef CGAL_LINKED_WITH_TBB
   std::optional<tbb::global_control> limit;
   if (o.threads)
