@@ -5,6 +5,7 @@
 CGAL's meshes."""
 
 import base64
+import collections
 import json
 import math
 import pathlib
@@ -14,7 +15,7 @@ import sys
 import tempfile
 import unittest
 
-from segment_mesh import area, dumbbell, read_off, tube, write_off
+from segment_mesh import area, dumbbell, read_off, read_ply, tube, write_off
 
 TOOL = None
 MESHES = None
@@ -68,14 +69,19 @@ class Page:
     def number_of_segments(self):
         return self.roots + len(self.cuts)
 
-    def labels(self, n):
-        """Of the faces of the input, for n segments."""
+    def segments(self, n):
+        """The nodes of the pieces, for n segments."""
         parent = {self.roots + 2 * i + k: node for i, node in enumerate(self.cuts)
                   for k in range(2)}
         nodes = range(self.roots + len(parent))
         segments = [node for node in nodes if node not in self.cuts] # of pieces
         while max(segments) >= 2 * n - self.roots:
             segments = [s if s < 2 * n - self.roots else parent[s] for s in segments]
+        return segments
+
+    def labels(self, n):
+        """Of the faces of the input, for n segments."""
+        segments = self.segments(n)
         exceptions = self.data["exceptions"].get(str(n))
         if exceptions:
             label = dict(zip(exceptions["segments"][::2], exceptions["segments"][1::2]))
@@ -89,6 +95,18 @@ class Page:
             for face, value in zip(sums(exceptions["faces"]), runs(exceptions["labels"])):
                 result[face] = value
         return result
+
+    def boundaries(self, points, faces, labels):
+        """The edges between faces of two labels. The points are those of the grid of the page,
+        because meshes repeat the points between segments."""
+        grid = [tuple(round((x - c) / self.unit) for x, c in zip(p, self.data["mesh"]["corner"]))
+                for p in points]
+        found = {}
+        for face, label in zip(faces, labels):
+            for i in range(3):
+                edge = frozenset((grid[face[i - 1]], grid[face[i]]))
+                found.setdefault(edge, set()).add(label)
+        return {edge for edge, beside in found.items() if len(beside) > 1 and len(edge) > 1}
 
 
 class Page_test(unittest.TestCase):
@@ -143,12 +161,30 @@ class Page_test(unittest.TestCase):
         self.assertLess(lengths[0], 0.95 * lengths[1])
 
     def boundary_length(self, page):
-        pieces = {}
-        for triangle, piece in zip(page.triangles, page.pieces):
-            for i in range(3):
-                pieces.setdefault(frozenset((triangle[i - 1], triangle[i])), set()).add(piece)
-        return sum(math.dist(*(page.points[v] for v in edge))
-                   for edge, beside in pieces.items() if len(beside) > 1)
+        return page.unit * sum(math.dist(*edge) for edge in
+                               page.boundaries(page.points, page.triangles, page.pieces))
+
+    def test_boundaries_are_those_of_meshes(self):
+        """At the number of segments that is shown first."""
+        for name, *options in [("cow.off",), ("bear.off", "--segments", "5"),
+                               ("elephant.off", "--smooth-boundaries")]:
+            with self.subTest(name=name):
+                page = self.page(MESHES / name, *options, "-o", "out.ply")
+                segments = page.segments(page.data["segments"])
+                ply = read_ply(self.directory / "out.ply")
+                self.assertTrue(page.boundaries(page.points, page.triangles,
+                                                [segments[piece] for piece in page.pieces]) ==
+                                page.boundaries(ply.points, ply.faces, ply.segments))
+
+    def test_pieces_stay(self):
+        """Also pieces that the boundaries of segments would remove. The surfaces are closed."""
+        for name in ("anchor.off", "cross.off", "elephant.off"):
+            with self.subTest(name=name):
+                page = self.page(MESHES / name)
+                self.assertEqual(set(page.pieces), set(page.piece_of_face))
+                edges = collections.Counter(frozenset((t[i - 1], t[i])) for t in page.triangles
+                                            for i in range(3))
+                self.assertEqual(set(edges.values()), {2})
 
     def test_labels(self):
         page = self.check_labels(MESHES / "elephant.off", (1, 2, 7, 12, 20))

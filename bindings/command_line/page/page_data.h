@@ -20,6 +20,7 @@
 #include <cstdint>
 #include <limits>
 #include <map>
+#include <numeric>
 #include <string>
 #include <utility>
 #include <vector>
@@ -154,12 +155,132 @@ inline nlohmann::ordered_json hierarchy_data(const Input& input, const Segmentat
           {"first_triangles", pieces.first_triangles()}};
 }
 
+// Appends points for the corners of triangles, so that each segment has points of its own. Returns
+// the point that each of all points was.
+inline std::vector<Index> take_apart(Page_mesh& mesh, const std::vector<Index>& segments)
+{
+  std::vector<Index> origins, copies(mesh.points.size()), order(mesh.triangles.size());
+  std::iota(order.begin(), order.end(), Index(0));
+  std::stable_sort(order.begin(), order.end(), [&](Index a, Index b)
+                   { return segments[a] < segments[b]; });
+  std::vector<Index> segment_of_copy(mesh.points.size(), mesh_file::null_index);
+  for (Index t : order)
+    for (Index& v : mesh.triangles[t]) {
+      if (std::exchange(segment_of_copy[v], segments[t]) != segments[t]) {
+        copies[v] = static_cast<Index>(origins.size());
+        origins.push_back(v);
+      }
+      v = copies[v];
+    }
+  std::vector<Point> points;
+  for (Index v : origins)
+    points.push_back(mesh.points[v]);
+  mesh.points.swap(points);
+  return origins;
+}
+
+// Gives triangles without a piece that of a triangle which they touch, else any of their segment.
+inline void spread_pieces(Page_mesh& mesh, const std::vector<Index>& segments)
+{
+  std::map<Index, Index> piece_of_segment;
+  std::vector<Index> piece_at(mesh.points.size(), mesh_file::null_index);
+  for (bool has_changed = true; std::exchange(has_changed, false);)
+    for (std::size_t t = 0; t < segments.size(); ++t) {
+      Index& piece = mesh.pieces[t];
+      if (piece == mesh_file::null_index)
+        for (Index v : mesh.triangles[t])
+          piece = (std::min)(piece, piece_at[v]);
+      if (piece == mesh_file::null_index)
+        continue;
+      piece_of_segment[segments[t]] = piece;
+      for (Index v : mesh.triangles[t])
+        if (piece < piece_at[v]) {
+          piece_at[v] = piece;
+          has_changed = true;
+        }
+    }
+  for (std::size_t t = 0; t < segments.size(); ++t)
+    if (mesh.pieces[t] == mesh_file::null_index)
+      mesh.pieces[t] = piece_of_segment[segments[t]];
+}
+
+// Refines the boundaries between `n` segments as meshes on file have them. Triangles on the other
+// side of a boundary lose their pieces. Returns the segment of each triangle. A piece that would
+// lose all its triangles is a segment of its own.
+inline std::vector<Index> refine_segments(Page_mesh& mesh, const Segmentation_hierarchy& tree,
+                                          std::size_t number_of_pieces, std::size_t n)
+{
+  const std::vector<std::size_t> nodes = tree.nodes_above(least_salience(tree), n);
+  const std::vector<std::size_t> labels = tree.labels(nodes);
+  std::vector<Index> segment_of_piece(number_of_pieces);
+  for (Index s = 0; s < nodes.size(); ++s)
+    for (std::size_t t : tree.faces(nodes[s]))
+      segment_of_piece[mesh.pieces[t]] = s;
+  for (std::size_t number = nodes.size();;) {
+    Page_mesh refined = mesh;
+    std::vector<Index> segments(labels.begin(), labels.end());
+    for (std::size_t t = 0; t < segments.size(); ++t)
+      if (segment_of_piece[mesh.pieces[t]] >= nodes.size())
+        segments[t] = segment_of_piece[mesh.pieces[t]];
+    for (std::size_t t :
+         CGAL::refine_segment_boundaries(refined.points, refined.triangles, segments).triangles)
+      refined.pieces.push_back(mesh.pieces[t]);
+    std::vector<char> has_triangle(number_of_pieces, 0);
+    for (std::size_t t = 0; t < segments.size(); ++t)
+      if (Index& piece = refined.pieces[t]; segment_of_piece[piece] == segments[t])
+        has_triangle[piece] = 1;
+      else
+        piece = mesh_file::null_index;
+    const std::size_t number_before = number;
+    for (std::size_t i = 0; i < number_of_pieces; ++i)
+      if (!has_triangle[i] && segment_of_piece[i] < nodes.size())
+        segment_of_piece[i] = static_cast<Index>(number++);
+    if (number == number_before) {
+      mesh = std::move(refined);
+      return segments;
+    }
+  }
+}
+
+// Refines the boundaries between the pieces of each segment, which end at those of segments.
+inline void refine_pieces(Page_mesh& mesh, const std::vector<Index>& segments)
+{
+  std::vector<Point> points = mesh.points;
+  std::vector<Index> origins = take_apart(mesh, segments);
+  spread_pieces(mesh, segments);
+  // A triangle without edges keeps the boundaries at its point from moving.
+  std::vector<Index> number_of_copies(points.size(), 0);
+  for (Index v : origins)
+    ++number_of_copies[v];
+  for (std::size_t t = 0; t < segments.size(); ++t)
+    for (Index v : Triangle(mesh.triangles[t]))
+      if (number_of_copies[origins[v]] > 1) {
+        mesh.triangles.push_back({v, v, v});
+        mesh.pieces.push_back(mesh.pieces[t]);
+      }
+  const auto begin = static_cast<std::ptrdiff_t>(segments.size());
+  const auto end = static_cast<std::ptrdiff_t>(mesh.triangles.size());
+  CGAL::refine_segment_boundaries(mesh.points, mesh.triangles, mesh.pieces);
+  mesh.triangles.erase(mesh.triangles.begin() + begin, mesh.triangles.begin() + end);
+  mesh.pieces.erase(mesh.pieces.begin() + begin, mesh.pieces.begin() + end);
+  for (std::size_t v = origins.size(); v < mesh.points.size(); ++v) {
+    origins.push_back(static_cast<Index>(points.size()));
+    points.push_back(mesh.points[v]);
+  }
+  for (Triangle& t : mesh.triangles)
+    for (Index& v : t)
+      v = origins[v];
+  mesh.points.swap(points);
+}
+
 // Returns the mesh for the eye: with refined boundaries, or with fewer triangles.
-inline Page_mesh page_mesh(const Input& input, const Pieces& pieces, const Page_options& o)
+inline Page_mesh page_mesh(const Input& input, const Segmentation_hierarchy& tree,
+                           const Pieces& pieces, const Page_options& o)
 {
   Page_mesh result{input.soup.points, input.triangles, pieces.of_triangles()};
   if (!o.keep_faces && pieces.number() > 1 && input.triangles.size() <= o.most_triangles)
-    CGAL::refine_segment_boundaries(result.points, result.triangles, result.pieces);
+    refine_pieces(result,
+                  refine_segments(result, tree, pieces.number(), o.number_of_segments));
   return simplified(result, o.most_triangles);
 }
 
@@ -196,7 +317,7 @@ inline nlohmann::ordered_json page_data(const Input& input, const Segmentation_h
           {"salience", o.is_salience_probability ? "probability" : "salience"},
           {"input_triangles", input.triangles.size()},
           {"hierarchy", hierarchy_data(input, tree, pieces)},
-          {"mesh", mesh_data(page_mesh(input, pieces, o))},
+          {"mesh", mesh_data(page_mesh(input, tree, pieces, o))},
           {"piece_of_face", packed_runs(piece_of_polygon)},
           {"exceptions", exceptions}};
 }
