@@ -25,15 +25,15 @@ struct Example
 };
 
 const Example examples[] = {
-  {"segment_mesh hand.off --html hand.html", "shows the parts in a browser."},
-  {"segment_mesh hand.off -o hand.glb -o hand.ply --segments 6", "writes exactly six parts."},
-  {"segment_mesh hand.off -o hand.ply && scripts/render.py hand.ply",
-   "draws hand.png, by a script of the source."},
-  {"segment_mesh hand.stl --split-dir parts --split-format 3mf --close --unit mm",
+  {"segment_mesh bear.off --html bear.html", "shows the parts in a browser."},
+  {"segment_mesh bear.off -o bear.glb -o bear.ply --segments 6", "writes exactly six parts."},
+  {"segment_mesh bear.off -o bear.ply && scripts/render.py bear.ply",
+   "draws bear.png, by a script of the source."},
+  {"segment_mesh bear.stl --split-dir parts --split-format 3mf --close --unit mm",
    "writes closed parts for 3D printing."},
   {"segment_mesh scan.obj --split-dir parts --split-format glb",
    "writes parts with the textures of the scan."},
-  {"segment_mesh hand.off --hulls hulls", "writes convex collision shapes."},
+  {"segment_mesh bear.off --hulls hulls", "writes convex collision shapes."},
   {"segment_mesh folder --out-dir results --outputs labels,html --time-limit 60",
    "segments many meshes, and leaves out those that were finished before."}};
 

@@ -166,9 +166,9 @@ class Page_test(unittest.TestCase):
 
     def test_methods(self):
         self.open()
-        path = MESHES / "camel.off"
-        Select(self.by_id("sample")).select_by_visible_text("camel")
-        self.wait_for("camel.off")
+        path = MESHES / "bear.off"
+        Select(self.by_id("sample")).select_by_visible_text("bear")
+        self.wait_for("bear.off")
         self.assertEqual(self.shown_labels(), tool(path, "--labels", "-")[0])
         Select(self.by_id("method")).select_by_value("paper")
         self.wait(lambda: self.browser.execute_script("return viewer.model.salience")
