@@ -1695,6 +1695,15 @@ class Failures(Tool_test):
         super().setUp()
         self.mesh = MESHES / "hand.off"
 
+    def test_open_mesh_that_points_inward(self):
+        points, faces = read_off(MESHES / "head.off")
+        for name, written, is_warned_of in (("inward.off", faces, True),
+                                            ("outward.off", [f[::-1] for f in faces], False)):
+            write_off(self.directory / name, points, written)
+            done = self.run_tool(name, "--json", "out.json")
+            for text in (done.stderr, " ".join(self.report()["warnings"])):
+                self.assertEqual("seem to point inward" in text, is_warned_of)
+
     def test_points_that_are_not_finite(self):
         """Leave the faces beside them with the label of a neighbor, and a warning."""
         points, faces = read_off(self.mesh)

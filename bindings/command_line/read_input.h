@@ -241,8 +241,8 @@ inline std::size_t number_of_vertices(const Input& input)
   return static_cast<std::size_t>(std::count(is_used.begin(), is_used.end(), 1));
 }
 
-// Twice the area of a triangle.
-inline double area(const Input& input, std::size_t triangle)
+// Returns the normal of a triangle, twice as long as its area.
+inline Point normal(const Input& input, std::size_t triangle)
 {
   const Triangle& t = input.triangles[triangle];
   const Point &p = input.soup.points[t[0]], &q = input.soup.points[t[1]],
@@ -252,7 +252,37 @@ inline double area(const Input& input, std::size_t triangle)
     const std::size_t l = (k + 1) % 3, m = (k + 2) % 3;
     a[k] = (q[l] - p[l]) * (r[m] - p[m]) - (q[m] - p[m]) * (r[l] - p[l]);
   }
-  return std::hypot(a[0], a[1], a[2]);
+  return a;
+}
+
+// Twice the area of a triangle.
+inline double area(const Input& input, std::size_t triangle)
+{
+  const Point n = normal(input, triangle);
+  return std::hypot(n[0], n[1], n[2]);
+}
+
+// Returns a warning if the faces of an open surface with small holes clearly point inward. The
+// normals of a closed surface have the sum 0. There must be a triangle.
+inline std::string inward_warning(const Input& input)
+{
+  const Point& origin = input.soup.points[input.triangles[0][0]];
+  double twice_area = 0, volume = 0; // six times the volume of the cones with the tip `middle`
+  Point sum = {0, 0, 0}, middle = {0, 0, 0};
+  for (std::size_t t = 0; t < input.triangles.size(); ++t) {
+    const Point n = normal(input, t), &p = input.soup.points[input.triangles[t][0]];
+    twice_area += area(input, t);
+    for (std::size_t k = 0; k < 3; ++k) {
+      sum[k] += n[k];
+      middle[k] += area(input, t) * (p[k] - origin[k]);
+      volume += n[k] * (p[k] - origin[k]);
+    }
+  }
+  for (std::size_t k = 0; k < 3; ++k)
+    volume -= sum[k] * middle[k] / twice_area;
+  const double open = std::hypot(sum[0], sum[1], sum[2]) / twice_area;
+  return open > 1e-10 && open < 0.19 && volume / 6 < -0.02 * std::pow(twice_area / 2, 1.5)
+    ? "there are few segments, and the faces seem to point inward: reverse them" : "";
 }
 
 // Returns the label of largest area among the triangles of one polygon.

@@ -14,7 +14,7 @@ from ._checks import flag, function, integer, real, three_numbers
 from ._constraints import edges_arrays, integers_of_triangles
 from ._features import features_of_triangles
 from ._hierarchy import Hierarchy
-from ._meshes import surface_of
+from ._meshes import surface_of, warn
 from ._salience import SalienceFactors
 
 if TYPE_CHECKING:
@@ -229,6 +229,9 @@ def segment_hierarchy(
             None if threads is None else _threads(threads), function("progress", progress))
     except MemoryError:
         raise MemoryError("there is not enough memory for %d triangles" % len(triangles)) from None
+    if number_of_segments is None and maximum_number_of_segments is None and \
+            1 <= len(core.segments(None, None)) <= 3 and surface.core.inward_warning:
+        warn(surface.core.inward_warning)
     return Hierarchy._of(core, surface if surface.needs_core else None)
 
 

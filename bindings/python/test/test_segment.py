@@ -3,6 +3,7 @@
 """Labels, against those of the tool and against what a person sees."""
 
 import subprocess
+import warnings
 
 import numpy as np
 import pytest
@@ -45,6 +46,20 @@ def test_closed_triangles_that_point_inward_have_the_parts_of_the_outward_ones(d
     points, triangles = dumbbell
     np.testing.assert_array_equal(segment(points, np.asarray(triangles)[:, ::-1]),
                                   segment(points, triangles))
+
+
+def test_open_triangles_that_point_inward_are_warned_of(dumbbell):
+    points, triangles = dumbbell
+    with_hole = triangles[40:]
+    bowl = triangles[points[triangles][:, :, 2].mean(axis=1) < -2]
+    with warnings.catch_warnings():
+        warnings.simplefilter("error")
+        for quiet in (with_hole, bowl, bowl[:, ::-1]):
+            segment(points, quiet)
+        segment(points, with_hole[:, ::-1], number_of_segments=1)
+    with pytest.warns(UserWarning, match="seem to point inward") as caught:
+        segment(points, with_hole[:, ::-1])
+    assert caught[0].filename == __file__
 
 
 def test_groups_are_kept_apart_as_by_the_tool(dumbbell, tool, tmp_path):
