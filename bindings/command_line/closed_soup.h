@@ -86,41 +86,56 @@ inline Closed_soup closed_soup(const Input& input, std::vector<Index> segment)
   return {std::move(soup), std::move(segment), std::move(closed_segments)};
 }
 
+typedef CGAL::Surface_mesh<CGAL::Exact_predicates_inexact_constructions_kernel::Point_3> Mesh;
+
+// Returns the triangles as a mesh, in their order. Points are doubled where it is no manifold.
+inline Mesh mesh_of(const Input& input)
+{
+  namespace PMP = CGAL::Polygon_mesh_processing;
+  std::vector<Mesh::Point> points;
+  for (const Point& p : input.soup.points)
+    points.emplace_back(p[0], p[1], p[2]);
+  std::vector<Triangle> triangles = input.triangles;
+  for (Triangle& t : triangles)
+    for (std::size_t k = 0; k < 3; ++k)
+      if (t[k] == t[(k + 1) % 3] || t[k] == t[(k + 2) % 3]) {
+        const Mesh::Point p = points[t[k]];
+        t[k] = static_cast<Index>(points.size());
+        points.push_back(p);
+      }
+  if (!PMP::is_polygon_soup_a_polygon_mesh(triangles))
+    PMP::orient_polygon_soup(points, triangles);
+  Mesh result;
+  PMP::polygon_soup_to_polygon_mesh(points, triangles, result);
+  return result;
+}
+
 // Returns the number of pairs of triangles that intersect outside their common corners, without
 // pairs that meet where the surface is not a manifold. Stops after reading 1000 points per
 // triangle, which bounds the time if very many boxes overlap.
 inline std::size_t number_of_intersecting_pairs(const Input& input)
 {
-  typedef CGAL::Exact_predicates_inexact_constructions_kernel::Point_3 Point_3;
-  typedef CGAL::Surface_mesh<Point_3> Mesh;
-  namespace PMP = CGAL::Polygon_mesh_processing;
-  std::vector<Point_3> points;
-  for (const Point& p : input.soup.points)
-    points.emplace_back(p[0], p[1], p[2]);
-  std::vector<Triangle> triangles = input.triangles;
-  PMP::orient_polygon_soup(points, triangles); // repeats points where it is not a manifold
-  Mesh mesh;
-  PMP::polygon_soup_to_polygon_mesh(points, triangles, mesh);
+  const Mesh mesh = mesh_of(input);
   struct Enough {};
-  std::size_t points_left = 1000 * triangles.size();
-  const auto point_of = boost::make_function_property_map<Mesh::Vertex_index, const Point_3&>(
-    [&](Mesh::Vertex_index v) -> const Point_3& {
+  std::size_t points_left = 1000 * mesh.number_of_faces();
+  const auto point_of = boost::make_function_property_map<Mesh::Vertex_index, const Mesh::Point&>(
+    [&](Mesh::Vertex_index v) -> const Mesh::Point& {
       if (points_left-- == 0)
         throw Enough();
       return mesh.point(v);
     });
   std::size_t result = 0;
   const auto count = [&](const auto& pair) { // of one face if it is degenerate
-    const auto &s = triangles[pair.first], &t = triangles[pair.second];
-    const auto meets = [&](Index v) { // the other triangle at a point that was repeated
-      return std::any_of(t.begin(), t.end(), [&](Index w)
-                         { return v != w && points[v] == points[w]; });
-    };
-    result += pair.first != pair.second && std::none_of(s.begin(), s.end(), meets);
+    bool is_counted = pair.first != pair.second;
+    for (Mesh::Vertex_index v : mesh.vertices_around_face(mesh.halfedge(pair.first)))
+      for (Mesh::Vertex_index w : mesh.vertices_around_face(mesh.halfedge(pair.second)))
+        is_counted &= v == w || mesh.point(v) != mesh.point(w); // a point that was repeated
+    result += is_counted;
   };
   try {
-    PMP::self_intersections(mesh, boost::make_function_output_iterator(count),
-                            CGAL::parameters::vertex_point_map(point_of));
+    CGAL::Polygon_mesh_processing::self_intersections(
+      mesh, boost::make_function_output_iterator(count),
+      CGAL::parameters::vertex_point_map(point_of));
   }
   catch (const Enough&) {
   }

@@ -6,12 +6,8 @@
 #include "arrays.h"
 #include "python_lock.h"
 
-#include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
-#include <CGAL/Polygon_mesh_processing/orient_polygon_soup.h>
-#include <CGAL/Polygon_mesh_processing/polygon_soup_to_polygon_mesh.h>
 #include <CGAL/Segmented_mesh/refine_segment_boundaries.h>
 #include <CGAL/Segmented_mesh/transfer_segments.h>
-#include <CGAL/Surface_mesh.h>
 #include <CGAL/property_map.h>
 
 #include <command_line/closed_soup.h>
@@ -26,13 +22,11 @@
 
 namespace python {
 
-namespace PMP = CGAL::Polygon_mesh_processing;
 using mesh_file::Index;
 using mesh_file::Point;
 using segment_mesh::Input;
+using segment_mesh::Mesh;
 
-typedef CGAL::Exact_predicates_inexact_constructions_kernel::Point_3 Kernel_point;
-typedef CGAL::Surface_mesh<Kernel_point> Mesh;
 typedef Contiguous<std::uint32_t> Labels; // one per triangle
 
 // The arrays of a mesh, which are changed and then given to Python.
@@ -79,27 +73,6 @@ static py::tuple refined(const Input& input, const Labels& labels)
   const auto size = static_cast<py::ssize_t>(polygons.size());
   return py::make_tuple(arrays.tuple(), array_of_indices(std::move(polygons), {size},
                                                          input.soup.number_of_polygons()));
-}
-
-// Returns the triangles as a mesh, in their order. Points are doubled where it is no manifold.
-static Mesh mesh_of(const Input& input)
-{
-  std::vector<Kernel_point> points;
-  for (const Point& p : input.soup.points)
-    points.emplace_back(p[0], p[1], p[2]);
-  std::vector<mesh_file::Triangle> triangles = input.triangles;
-  for (mesh_file::Triangle& t : triangles)
-    for (std::size_t k = 0; k < 3; ++k)
-      if (t[k] == t[(k + 1) % 3] || t[k] == t[(k + 2) % 3]) {
-        const Kernel_point p = points[t[k]];
-        t[k] = static_cast<Index>(points.size());
-        points.push_back(p);
-      }
-  if (!PMP::is_polygon_soup_a_polygon_mesh(triangles))
-    PMP::orient_polygon_soup(points, triangles);
-  Mesh result;
-  PMP::polygon_soup_to_polygon_mesh(points, triangles, result);
-  return result;
 }
 
 // Returns a label for each triangle of another mesh.
