@@ -75,6 +75,7 @@ class Descriptor_numbers
     CGAL::graph_has_property<TriangleMesh, IndexTag>::value;
 
   typename CGAL::property_map_selector<TriangleMesh, IndexTag>::const_type index_map_;
+  std::size_t number_of_equal_ = 0; // if not 0, each number is the index
   std::vector<Index> by_index_;
   std::unordered_map<Descriptor, Index> by_hash_;
 
@@ -82,12 +83,17 @@ class Descriptor_numbers
   {
     if constexpr (has_index_map) {
       const std::size_t limit = 16 * descriptors.size() + 65536;
-      std::size_t size = 0;
+      std::size_t size = 0, number_of_equal = 0;
       for (const Descriptor& d : descriptors) {
         const auto i = static_cast<std::size_t>(get(index_map_, d));
         if (i >= limit)
           return false;
+        number_of_equal += number_of_equal == i;
         size = (std::max)(size, i + 1);
+      }
+      if (number_of_equal == descriptors.size()) {
+        number_of_equal_ = number_of_equal;
+        return true;
       }
       by_index_.assign(size, null_index);
       for (std::size_t number = 0; number < descriptors.size(); ++number) {
@@ -119,8 +125,10 @@ public:
   Index operator()(const Descriptor& d) const
   {
     if constexpr (has_index_map) {
-      if (!by_index_.empty()) {
+      if (number_of_equal_ > 0 || !by_index_.empty()) {
         const auto i = static_cast<std::size_t>(get(index_map_, d));
+        if (number_of_equal_ > 0)
+          return i < number_of_equal_ ? static_cast<Index>(i) : null_index;
         return i < by_index_.size() ? by_index_[i] : null_index;
       }
     }
@@ -139,6 +147,7 @@ numbered_faces(const TriangleMesh& mesh, const CGALNamedParameters& np,
 {
   typedef typename boost::graph_traits<TriangleMesh>::face_descriptor face_descriptor;
   std::vector<face_descriptor> result;
+  result.reserve(num_faces(mesh));
   for (face_descriptor f : faces(mesh))
     result.push_back(f);
   if (result.size() >= null_index / 3)

@@ -14,6 +14,7 @@
 #include <boost/graph/graph_traits.hpp>
 #include <boost/property_map/property_map.hpp>
 
+#include <algorithm>
 #include <cstddef>
 #include <iterator>
 #include <stdexcept>
@@ -23,6 +24,18 @@
 #include <vector>
 
 namespace CGAL::Spectral_segmentation::internal {
+
+// Makes the halfedge h, which is read last, and a halfedge of a face g opposite. An edge from a
+// vertex to itself stays a border.
+inline void join_to_face(Surface& surface, Index h, Index g)
+{
+  const Index v = surface.source_vertex(h), w = surface.target_vertex(h);
+  for (Index o = 3 * g; v != w && o < 3 * g + 3; ++o)
+    if (surface.source_vertex(o) == w && surface.target_vertex(o) == v) {
+      surface.opposite[o] = h;
+      surface.opposite[h] = o;
+    }
+}
 
 // Reads a mesh into arrays. Vertices are numbered in the order of `vertices(mesh)`, and the first
 // corner of a face is its vertex of lowest index, so that every model of the same mesh gives the
@@ -41,6 +54,7 @@ Surface read_triangle_mesh(const TriangleMesh& mesh, const std::vector<FaceDescr
   typedef typename Graph_traits::halfedge_descriptor halfedge_descriptor;
 
   std::vector<vertex_descriptor> vertices_of_mesh;
+  vertices_of_mesh.reserve(num_vertices(mesh));
   for (vertex_descriptor v : vertices(mesh))
     vertices_of_mesh.push_back(v);
   if (vertices_of_mesh.size() >= null_index)
@@ -51,30 +65,33 @@ Surface read_triangle_mesh(const TriangleMesh& mesh, const std::vector<FaceDescr
     face_number(mesh, faces);
 
   Surface surface;
-  surface.corners.resize(faces.size());
-  surface.opposite.resize(3 * faces.size());
+  surface.corners.reserve(faces.size());
+  surface.opposite.reserve(3 * faces.size());
   std::vector<char> is_used(vertices_of_mesh.size(), 0);
   for (Index f = 0; f < faces.size(); ++f) {
-    halfedge_descriptor h = halfedge(faces[f], mesh);
-    if (!CGAL::is_triangle(h, mesh))
+    const halfedge_descriptor first = halfedge(faces[f], mesh);
+    halfedge_descriptor h = first;
+    Corners corners, across;
+    for (Index i = 0; i < 3; ++i, h = next(h, mesh)) {
+      const halfedge_descriptor o = opposite(h, mesh);
+      const auto g = face(o, mesh);
+      corners[i] = vertex_number(target(o, mesh));
+      across[i] = g == Graph_traits::null_face() ? null_index : face_number(g);
+      is_used[corners[i]] = 1;
+    }
+    if (h != first)
       throw std::invalid_argument(function + ": face " + std::to_string(f) +
                                   " is not a triangle");
-    for (Index i = 0; i < 3; ++i, h = next(h, mesh)) {
-      const Index v = vertex_number(source(h, mesh));
-      surface.corners[f][i] = v;
-      is_used[v] = 1;
-      const halfedge_descriptor o = opposite(h, mesh);
-      const auto across = face(o, mesh);
-      const Index g = across == Graph_traits::null_face() ? null_index : face_number(across);
-      Index& number = surface.opposite[3 * f + i];
-      number = 3 * f + i;
-      if (g == null_index || g == f) // a face that is glued to itself has a border there
-        continue;
-      const halfedge_descriptor first = halfedge(across, mesh);
-      number = 3 * g + (o == first ? 0 : o == next(first, mesh) ? 1 : 2);
+    const std::size_t smallest = std::min_element(corners.begin(), corners.end()) - corners.begin();
+    std::rotate(corners.begin(), corners.begin() + smallest, corners.end());
+    std::rotate(across.begin(), across.begin() + smallest, across.end());
+    surface.corners.push_back(corners);
+    for (Index h = 3 * f; h < 3 * f + 3; ++h) {
+      surface.opposite.push_back(h);
+      if (across[h % 3] < f) // it was read before
+        join_to_face(surface, h, across[h % 3]);
     }
   }
-  start_at_smallest_vertices(surface);
 
   const auto x = traits.compute_x_3_object();
   const auto y = traits.compute_y_3_object();
