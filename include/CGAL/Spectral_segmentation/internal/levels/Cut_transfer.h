@@ -133,21 +133,23 @@ class Band_cells
 
   void find_cores(const Surface& mesh)
   {
-    std::vector<char> is_in_band(cell_.size());
+    Face_components cores(cell_.size());
     for (Index f = 0; f < cell_.size(); ++f)
-      is_in_band[f] = cell_[f] != null_index;
-    const Components components = connected_components(mesh, is_in_band);
-    std::vector<Index> core(components.number, null_index); // the core of each component
+      if (cell_[f] == null_index)
+        cores.add(f);
+    for (Index f = 0; f < cell_.size(); ++f)
+      if (cell_[f] == null_index)
+        for (Index h = 3 * f; h < 3 * f + 3; ++h)
+          if (const Index g = mesh.neighbor(h); f < g && cell_[g] == null_index)
+            cores.join(f, g);
     first_face_ = faces_of_bands_;
     for (Index f = 0; f < cell_.size(); ++f) {
       if (cell_[f] != null_index)
         continue;
-      Index& cell = core[components[f]];
-      if (cell == null_index) {
-        cell = static_cast<Index>(first_face_.size());
+      const Index first = cores.representative(f);
+      if (first == f)
         first_face_.push_back(f);
-      }
-      cell_[f] = cell;
+      cell_[f] = first == f ? static_cast<Index>(first_face_.size() - 1) : cell_[first];
     }
   }
 

