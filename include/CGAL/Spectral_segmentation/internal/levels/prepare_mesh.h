@@ -234,6 +234,7 @@ inline Model prepare_model(Surface surface, const Run_data& d)
   Model m;
   Surface& mesh = m.mesh.surface;
   mesh = std::move(surface);
+  reorder_vertices(mesh);
   m.mesh.parent_face = first_indices(mesh.number_of_faces());
   separate_groups(mesh);
   mesh.components = connected_components(mesh);
