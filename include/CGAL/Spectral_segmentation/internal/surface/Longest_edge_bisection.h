@@ -17,14 +17,20 @@
 
 namespace CGAL::Spectral_segmentation::internal {
 
-// Returns the length of the longest edge of each face.
+// Returns the length of the longest edge of a face.
+inline double longest_edge(const Surface& mesh, std::size_t f)
+{
+  const Corners& c = mesh.corners[f];
+  const Vector &p = mesh.points[c[0]], &q = mesh.points[c[1]], &r = mesh.points[c[2]];
+  return std::sqrt((std::max)({(q - p).squared_norm(), (r - q).squared_norm(),
+                               (p - r).squared_norm()}));
+}
+
 inline std::vector<double> longest_edges_of_faces(Execution execution, const Surface& mesh)
 {
   std::vector<double> result(mesh.number_of_faces());
-  for_each_index(execution, result.size(), [&](std::size_t f) {
-    const Index h = static_cast<Index>(3 * f);
-    result[f] = (std::max)({mesh.length(h), mesh.length(h + 1), mesh.length(h + 2)});
-  });
+  for_each_index(execution, result.size(), [&](std::size_t f)
+    { result[f] = longest_edge(mesh, f); });
   return result;
 }
 
@@ -52,12 +58,16 @@ inline std::optional<double> bound_of_edges(Execution execution, const Surface& 
                                             double number_of_faces,
                                             double largest_number_of_added_faces)
 {
+  const std::vector<double> areas = component_areas(mesh, mesh.components);
+  double result = edge_length(*std::max_element(areas.begin(), areas.end()), number_of_faces);
+  const std::size_t number_of_long_faces =
+    sum_of(execution, mesh.number_of_faces(), std::size_t(0), [&](std::size_t f)
+      { return std::size_t(longest_edge(mesh, f) > result); });
+  if (number_of_long_faces == 0)
+    return std::nullopt;
   const std::vector<double> longest_edges = longest_edges_of_faces(execution, mesh);
   const double longest = *std::max_element(longest_edges.begin(), longest_edges.end());
-  const std::vector<double> areas = component_areas(mesh, mesh.components);
-  double result =
-    (std::max)(edge_length(*std::max_element(areas.begin(), areas.end()), number_of_faces),
-               longest / largest_number_of_added_faces); // not 0
+  result = (std::max)(result, longest / largest_number_of_added_faces); // not 0
   while (number_of_added_faces(mesh, longest_edges, result) > largest_number_of_added_faces)
     result *= 1.25;
   return longest > result ? std::make_optional(result) : std::nullopt;
