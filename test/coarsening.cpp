@@ -394,7 +394,7 @@ BOOST_AUTO_TEST_CASE(a_large_mesh_becomes_even)
 namespace {
 
 Level clustered(const Surface& mesh, double width)
-{ return internal::Vertex_clustering(mesh, width)(); }
+{ return internal::Vertex_clustering(mesh, width)(sequential); }
 
 } // namespace
 

@@ -27,86 +27,90 @@ namespace CGAL::Spectral_segmentation::internal {
 // (Lindstrom 2000). Clustering takes linear time, a quarter of the time of collapsing edges.
 class Vertex_clustering
 {
-  typedef std::array<std::int64_t, 3> Cell;
-
   const Surface& mesh_;
   const double width_;                 // the edge length of a cell
-  std::vector<Cell> cells_;            // one per vertex
   std::vector<Index> cluster_;         // one per vertex
   std::vector<char> is_contracted_;    // one per cluster
   Level result_;
 
-  // Returns the cell of a point. Mirroring the surface mirrors the cells.
-  Cell cell(const Vector& p) const
+  // Returns the nearest integer. The reversed number has the reversed integer, therefore mirroring
+  // the surface mirrors the cells.
+  static std::int64_t nearest_integer(double x)
+  { return static_cast<std::int64_t>(x + std::copysign(0.5, x)); }
+
+  // Returns the cell of a point: the last 21 bits of each coordinate, as no edge is longer.
+  std::uint64_t cell(const Vector& p) const
   {
-    return {std::llround(p.x() / width_), std::llround(p.y() / width_),
-            std::llround(p.z() / width_)};
+    std::uint64_t result = 0;
+    for (int i = 0; i < 3; ++i)
+      result = result << 21 | (nearest_integer(p[i] / width_) & 0x1fffff);
+    return result;
   }
 
-  Vector center(const Cell& c) const
+  // Returns the center of the cell of a point.
+  Vector center(const Vector& p) const
   {
-    return width_ * Vector(static_cast<double>(c[0]), static_cast<double>(c[1]),
-                           static_cast<double>(c[2]));
+    const auto coordinate = [this](double x)
+    { return width_ * static_cast<double>(nearest_integer(x / width_)); };
+    return {coordinate(p.x()), coordinate(p.y()), coordinate(p.z())};
   }
 
-  // Returns the cluster of each corner of a face.
-  Corners clusters(Index f) const
+  // Returns the first edge of a face that is contracted, or 3. Clusters that are not contracted
+  // keep their vertices.
+  Index contracted_edge(Index f) const
   {
     const Corners& c = mesh_.corners[f];
-    return {cluster_[c[0]], cluster_[c[1]], cluster_[c[2]]};
+    Index i = 0;
+    while (i < 3 && !(cluster_[c[i]] == cluster_[c[(i + 1) % 3]] && is_contracted_[cluster_[c[i]]]))
+      ++i;
+    return i;
   }
 
-  // Returns whether a face is kept. Clusters that are not contracted keep their vertices.
-  bool is_kept(Index f) const
-  {
-    const auto is_joined = [&](Index a, Index b) { return a == b && is_contracted_[a]; };
-    const Corners c = clusters(f);
-    return !is_joined(c[0], c[1]) && !is_joined(c[1], c[2]) && !is_joined(c[2], c[0]);
-  }
+  bool is_kept(Index f) const { return contracted_edge(f) == 3; }
 
+  // Sets the clusters, and finds those that can be contracted: the vertices, edges and faces inside
+  // are connected and have no hole, and at most one arc of the border runs through.
   void set_clusters()
   {
     const Index n = static_cast<Index>(mesh_.points.size());
+    std::vector<std::uint64_t> cells; // one per vertex
+    cells.reserve(n);
     for (const Vector& p : mesh_.points)
-      cells_.push_back(cell(p));
+      cells.push_back(cell(p));
     Face_components sets(n); // sets of vertices
     for (Index v = 0; v < n; ++v)
       sets.add(v);
-    for (Index h = 0; h < mesh_.number_of_halfedges(); ++h) {
-      const Index v = mesh_.source_vertex(h), w = mesh_.target_vertex(h);
-      if (h <= mesh_.opposite[h] && cells_[v] == cells_[w])
-        sets.join(v, w);
-    }
-    cluster_.reserve(n);
-    for (Index v = 0; v < n; ++v)
-      cluster_.push_back(sets.representative(v));
-  }
-
-  // Finds the clusters that can be contracted: the vertices, edges and faces inside are connected
-  // and have no hole, and at most one arc of the border runs through.
-  void check_topology()
-  {
-    const std::size_t n = mesh_.points.size();
-    std::vector<int> euler(n, 0), number_of_arcs(n, 0); // one per cluster
+    // First of the edges and faces of each vertex, then of its cluster. The ends of an edge are in
+    // one cluster if they are in one cell.
+    std::vector<int> euler(n, 1), number_of_arcs(n, 0);
     std::vector<char> is_on_border(n, 0);
-    for (Index h = 0; h < mesh_.number_of_halfedges(); ++h) {
-      const Index v = mesh_.source_vertex(h), w = mesh_.target_vertex(h);
-      if (mesh_.is_border(h))
-        is_on_border[v] = is_on_border[w] = 1;
-      if (cluster_[v] != cluster_[w] || h > mesh_.opposite[h])
-        continue;
-      --euler[cluster_[v]];
-      if (mesh_.is_border(h))
-        --number_of_arcs[cluster_[v]];
-    }
     for (Index f = 0; f < mesh_.number_of_faces(); ++f) {
-      const Corners c = clusters(f);
-      if (c[0] == c[1] && c[1] == c[2])
+      const Corners& c = mesh_.corners[f];
+      const std::uint64_t cell[3] = {cells[c[0]], cells[c[1]], cells[c[2]]};
+      for (Index i = 0; i < 3; ++i) {
+        const Index h = 3 * f + i, v = c[i], w = c[(i + 1) % 3];
+        const bool is_inside = cell[i] == cell[(i + 1) % 3] && h <= mesh_.opposite[h];
+        if (is_inside) {
+          sets.join(v, w);
+          --euler[v];
+        }
+        if (mesh_.is_border(h)) {
+          is_on_border[v] = is_on_border[w] = 1;
+          number_of_arcs[v] -= is_inside;
+        }
+      }
+      if (cell[0] == cell[1] && cell[1] == cell[2])
         ++euler[c[0]];
     }
+    cluster_.reserve(n);
     for (Index v = 0; v < n; ++v) {
-      ++euler[cluster_[v]];
-      number_of_arcs[cluster_[v]] += is_on_border[v];
+      const Index first = sets.representative(v);
+      cluster_.push_back(first);
+      number_of_arcs[v] += is_on_border[v];
+      if (first != v) {
+        euler[first] += euler[v];
+        number_of_arcs[first] += number_of_arcs[v];
+      }
     }
     is_contracted_.resize(n);
     for (std::size_t i = 0; i < n; ++i)
@@ -124,8 +128,8 @@ class Vertex_clustering
       return;
     for (Index f = 0; f < mesh_.number_of_faces(); ++f)
       if (!has_face[mesh_.components[f]])
-        for (Index cluster : clusters(f))
-          is_contracted_[cluster] = 0;
+        for (Index v : mesh_.corners[f])
+          is_contracted_[cluster_[v]] = 0;
   }
 
   void number_vertices()
@@ -144,6 +148,7 @@ class Vertex_clustering
   // The surroundings of a vertex of the result. Lengths are measured from the center of the cell.
   struct Surroundings
   {
+    Vector center;
     Planes planes; // the planes of the faces
     Vector sum;    // the points, weighted by the areas of the faces around them
     double weight = 0;
@@ -152,95 +157,109 @@ class Vertex_clustering
   };
 
   // Adds the plane through a border edge, orthogonal to its face, which keeps the border in place.
-  void add_border(Index h, const Vector& unit_normal, std::vector<Surroundings>& around,
-                  const std::vector<Cell>& cell) const
+  void add_border(Index h, const Vector& unit_normal, std::vector<Surroundings>& around) const
   {
     const Vector &p = mesh_.points[mesh_.source_vertex(h)],
                  &q = mesh_.points[mesh_.target_vertex(h)];
     const Index first = result_.vertex[mesh_.source_vertex(h)],
                 second = result_.vertex[mesh_.target_vertex(h)];
     const Vector normal = (q - p).norm() * (q - p).cross(unit_normal);
-    around[first].planes.add(normal, p - center(cell[first]));
+    around[first].planes.add(normal, p - around[first].center);
     if (second != first)
-      around[second].planes.add(normal, p - center(cell[second]));
+      around[second].planes.add(normal, p - around[second].center);
   }
 
-  Vector best_point(const Surroundings& around, const Vector& center) const
+  Vector best_point(const Surroundings& around) const
   {
     const Vector mean = around.sum / around.weight;
     const Vector step = around.planes.step_from(mean, 0.01);
     const bool is_near = step.squared_norm() <= width_ * width_; // false for NaN
-    return quantized(center + (is_near ? mean + step : mean));
+    return quantized(around.center + (is_near ? mean + step : mean));
   }
 
   void set_points()
   {
     std::vector<Surroundings> around(result_.surface.points.size());
-    std::vector<Cell> cell(around.size());
     for (Index v = 0; v < mesh_.points.size(); ++v) {
-      const Index i = result_.vertex[v];
-      around[i].is_single = around[i].vertex == null_index;
-      around[i].vertex = v;
-      cell[i] = cells_[v];
+      Surroundings& a = around[result_.vertex[v]];
+      a.is_single = a.vertex == null_index;
+      a.vertex = v;
     }
+    for (Surroundings& a : around)
+      a.center = center(mesh_.points[a.vertex]);
     for (Index f = 0; f < mesh_.number_of_faces(); ++f) {
       const Corners& c = mesh_.corners[f];
-      const Vector normal = mesh_.normal(f);
-      for (int k = 0; k < 3; ++k) {
-        const Index i = result_.vertex[c[k]];
-        Surroundings& p = around[i];
-        if (p.is_single)
-          continue;
-        const Vector at = mesh_.points[c[k]] - center(cell[i]);
-        p.sum += mesh_.areas[f] * at;
-        p.weight += mesh_.areas[f];
-        if ((k > 0 && result_.vertex[c[0]] == i) || (k > 1 && result_.vertex[c[1]] == i))
-          continue; // the plane counts once
-        p.planes.add(normal, at);
-      }
+      const Corners vertex = {result_.vertex[c[0]], result_.vertex[c[1]], result_.vertex[c[2]]};
+      const Vector &p = mesh_.points[c[0]], &q = mesh_.points[c[1]], &r = mesh_.points[c[2]];
+      const Vector normal = (q - p).cross(r - p);
+      const auto add_corner = [&](const Vector& point, Index i, bool is_new) {
+        Surroundings& a = around[i];
+        if (a.is_single)
+          return;
+        const Vector at = point - a.center;
+        a.sum += mesh_.areas[f] * at;
+        a.weight += mesh_.areas[f];
+        if (is_new) // the plane counts once
+          a.planes.add(normal, at);
+      };
+      add_corner(p, vertex[0], true);
+      add_corner(q, vertex[1], vertex[1] != vertex[0]);
+      add_corner(r, vertex[2], vertex[2] != vertex[0] && vertex[2] != vertex[1]);
       for (Index h = 3 * f; h < 3 * f + 3; ++h)
         if (mesh_.is_border(h))
-          add_border(h, normal.stably_normalized(), around, cell);
+          add_border(h, normal.stably_normalized(), around);
     }
     for (Index i = 0; i < around.size(); ++i)
       result_.surface.points[i] = around[i].is_single || !(around[i].weight > 0)
-        ? mesh_.points[around[i].vertex] : best_point(around[i], center(cell[i]));
+        ? mesh_.points[around[i].vertex] : best_point(around[i]);
   }
 
-  // Returns the halfedge of a kept face across h, or h if there is none. A removed face between
-  // them has two edges between different vertices of the result.
-  Index opposite(Index h) const
+  // Returns the opposite halfedges of the kept faces. A path leads from each of their edges over
+  // removed faces, which have one contracted edge each, to another kept face or to the border. All
+  // paths advance by one face at a time: one after the other would wait for memory at each face.
+  std::vector<Index> opposite_halfedges(const std::vector<unsigned char>& contracted) const
   {
-    Index g = h;
-    while (!mesh_.is_border(g)) {
-      g = mesh_.opposite[g];
-      if (is_kept(g / 3))
-        return g;
-      const auto is_between = [&](Index e) {
-        return result_.vertex[mesh_.source_vertex(e)] != result_.vertex[mesh_.target_vertex(e)];
-      };
-      g = is_between(Surface::next(g)) ? Surface::next(g) : Surface::previous(g);
+    std::vector<Index> ends; // a halfedge per path
+    for (Index f : result_.parent_face)
+      ends.insert(ends.end(), {3 * f, 3 * f + 1, 3 * f + 2});
+    const std::vector<Index> starts = ends;
+    for (std::vector<Index> paths = first_indices(ends.size()); !paths.empty();) {
+      std::size_t number_of_paths = 0;
+      for (Index h : paths) {
+        Index& g = ends[h];
+        if (mesh_.is_border(g)) {
+          g = starts[h];
+          continue;
+        }
+        g = mesh_.opposite[g];
+        if (const Index edge = contracted[g / 3]; edge != 3) {
+          g = g - g % 3 + (3 - g % 3 - edge);
+          paths[number_of_paths++] = h;
+        }
+      }
+      paths.resize(number_of_paths);
     }
-    return h;
+    return ends;
   }
 
   void set_faces()
   {
     Surface& graph = result_.surface;
-    std::vector<Index> number(mesh_.number_of_faces(), null_index);
-    for (Index f = 0; f < number.size(); ++f)
-      if (is_kept(f)) {
+    std::vector<unsigned char> contracted(mesh_.number_of_faces()); // one edge per face
+    std::vector<Index> number(mesh_.number_of_faces()); // of the kept faces
+    for (Index f = 0; f < number.size(); ++f) {
+      contracted[f] = static_cast<unsigned char>(contracted_edge(f));
+      if (contracted[f] == 3) {
         number[f] = static_cast<Index>(result_.parent_face.size());
         result_.parent_face.push_back(f);
       }
+    }
+    for (Index h : opposite_halfedges(contracted))
+      graph.opposite.push_back(3 * number[h / 3] + h % 3);
     for (Index f : result_.parent_face) {
       const Corners& c = mesh_.corners[f];
       graph.corners.push_back({result_.vertex[c[0]], result_.vertex[c[1]],
                                result_.vertex[c[2]]});
-      for (Index h = 3 * f; h < 3 * f + 3; ++h) {
-        const Index o = opposite(h);
-        graph.opposite.push_back(3 * number[o / 3] + o % 3);
-      }
       if (mesh_.components.number > 1)
         graph.components.labels.push_back(mesh_.components[f]);
     }
@@ -252,14 +271,12 @@ public:
   Vertex_clustering(const Surface& mesh, double width) : mesh_(mesh), width_(width) {}
 
   // Returns the coarse surface, without areas.
-  Level operator()()
+  Level operator()(Execution execution)
   {
     set_clusters();
-    check_topology();
     keep_components();
     number_vertices();
-    set_points();
-    set_faces();
+    call_all(execution, [&] { set_points(); }, [&] { set_faces(); });
     return std::move(result_);
   }
 };
@@ -293,7 +310,7 @@ inline std::vector<Level> coarsened(Execution execution, const Surface& mesh,
   const double width = width_of_cells(area > 0 ? area : 1, number_of_faces);
   std::vector<Level> result;
   if (mesh.number_of_faces() > number_of_faces) {
-    result.push_back(Vertex_clustering(mesh, width)());
+    result.push_back(Vertex_clustering(mesh, width)(execution));
     set_areas(execution, result.back().surface);
     monitor.advance(0.5);
     monitor.check();
