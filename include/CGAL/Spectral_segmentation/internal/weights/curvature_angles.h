@@ -17,6 +17,7 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
+#include <utility>
 #include <vector>
 
 namespace CGAL::Spectral_segmentation::internal {
@@ -105,10 +106,13 @@ public:
     }
     for_each_index(execution, systems_.size(), [&](std::size_t i) {
       System& system = systems_[i];
-      std::vector<Eigen::Triplet<double> > entries;
-      entries.reserve(4 * system.faces.size());
+      const Eigen::Index n = static_cast<Eigen::Index>(system.faces.size());
+      Matrix lower(n, n); // the lower triangle
+      lower.reserve(3 * n);
+      std::vector<std::pair<int, double> > entries; // of a column, with their rows
       for (Index f : system.faces) {
         double sum = 0;
+        entries.clear();
         for (Index h = 3 * f; h < 3 * f + 3; ++h) {
           if (mesh.is_border(h))
             continue;
@@ -118,32 +122,53 @@ public:
           const double outward =
             (std::min)(flux(mesh, points, h, step, smallest_distance), 1e14 * root);
           sum += outward;
-          entries.emplace_back(row[f], row[g], -outward / root);
+          if (row[g] > row[f])
+            entries.emplace_back(row[g], -outward / root);
         }
-        entries.emplace_back(row[f], row[f], 1 + sum / (root_of_area_[f] * root_of_area_[f]));
+        std::sort(entries.begin(), entries.end());
+        lower.startVec(row[f]);
+        lower.insertBack(row[f], row[f]) = 1 + sum / (root_of_area_[f] * root_of_area_[f]);
+        for (std::size_t i = 0; i < entries.size(); ++i)
+          if (i + 1 < entries.size() && entries[i].first == entries[i + 1].first)
+            entries[i + 1].second += entries[i].second; // two edges of the same faces
+          else
+            lower.insertBack(entries[i].first, row[f]) = entries[i].second;
       }
-      const Eigen::Index n = static_cast<Eigen::Index>(system.faces.size());
-      Matrix matrix(n, n);
-      matrix.setFromTriplets(entries.begin(), entries.end());
-      system.solver.compute(matrix);
+      lower.finalize();
+      system.solver.compute(lower);
     });
   }
 
   // Returns the clamped radius, in the unit of the points.
   double radius() const { return radius_; }
 
-  // Returns the averaged density of a quantity, given its amount in each face.
-  Eigen::VectorXd operator()(const Eigen::VectorXd& amounts) const
+  // Returns the averaged densities of three quantities, given their amounts in each face. Solves
+  // for the three at once, which takes a third of the time of Eigen's solver.
+  std::vector<Vector> operator()(const std::vector<Vector>& amounts) const
   {
-    Eigen::VectorXd result(amounts.size());
+    std::vector<Vector> result(amounts.size());
     for (const System& system : systems_) {
-      Eigen::VectorXd density(system.faces.size());
-      for (Index i = 0; i < system.faces.size(); ++i)
-        density[i] = amounts[system.faces[i]] / root_of_area_[system.faces[i]];
-      for (int step = 0; step < 2; ++step)
-        density = system.solver.solve(density).eval();
-      for (Index i = 0; i < system.faces.size(); ++i)
-        result[system.faces[i]] = density[i] / root_of_area_[system.faces[i]];
+      const Matrix& lower = system.solver.matrixL().nestedExpression();
+      const auto& place = system.solver.permutationP().indices();
+      const Eigen::VectorXd inverse_diagonal = system.solver.vectorD().cwiseInverse();
+      const int *first = lower.outerIndexPtr(), *row = lower.innerIndexPtr();
+      const double* value = lower.valuePtr();
+      const int n = static_cast<int>(system.faces.size());
+      std::vector<Vector> x(system.faces.size());
+      for (int i = 0; i < n; ++i)
+        x[place[i]] = amounts[system.faces[i]] / root_of_area_[system.faces[i]];
+      for (int step = 0; step < 2; ++step) {
+        for (int j = 0; j < n; ++j) {
+          for (int k = first[j]; k < first[j + 1]; ++k)
+            x[row[k]] -= value[k] * x[j];
+          x[j] = inverse_diagonal[j] * x[j];
+        }
+        for (int j = n; j-- > 0;)
+          for (int k = first[j]; k < first[j + 1]; ++k)
+            x[j] -= value[k] * x[row[k]];
+      }
+      for (int i = 0; i < n; ++i)
+        result[system.faces[i]] = x[place[i]] / root_of_area_[system.faces[i]];
     }
     return result;
   }
@@ -151,15 +176,15 @@ public:
 
 // Curvature of the surface at the scale of the shape instead of the scale of the triangulation.
 
-// The coefficients of a symmetric tensor, scaled so that the dot product of two such vectors is the
-// inner product of the tensors.
-typedef std::array<double, 6> Symmetric_tensor;
+// The coefficients of a symmetric tensor, on its diagonal and off it. They are scaled so that the
+// dot product of all is the inner product of the tensors.
+typedef std::array<Vector, 2> Symmetric_tensor;
 
 inline Symmetric_tensor squared(const Vector& v)
 {
   const double root = std::sqrt(2.);
-  return {v.x() * v.x(), v.y() * v.y(), v.z() * v.z(),
-          root * (v.x() * v.y()), root * (v.y() * v.z()), root * (v.z() * v.x())};
+  return {Vector(v.x() * v.x(), v.y() * v.y(), v.z() * v.z()),
+          Vector(root * (v.x() * v.y()), root * (v.y() * v.z()), root * (v.z() * v.x()))};
 }
 
 // Returns for each halfedge the angle by which the surface bends over a path of twice the radius
@@ -176,9 +201,9 @@ inline std::vector<double> curvature_angles(Execution execution, const Surface& 
   std::vector<double> angles(mesh.opposite.size(), 0);
   if (!(total_area(mesh) > 0))
     return angles;
-  std::array<Eigen::VectorXd, 6> tensors; // one number per face
-  for (Eigen::VectorXd& t : tensors)
-    t.setZero(static_cast<Eigen::Index>(mesh.number_of_faces()));
+  std::vector<Vector> tensors[2]; // the two halves of a tensor per face
+  for (std::vector<Vector>& half : tensors)
+    half.resize(mesh.number_of_faces());
   for_each_index(execution, mesh.number_of_faces(), [&](std::size_t i) {
     const Index f = static_cast<Index>(i);
     for (Index h = 3 * f; h < 3 * f + 3; ++h) {
@@ -193,12 +218,12 @@ inline std::vector<double> curvature_angles(Execution execution, const Surface& 
       // The density is split by area; otherwise a sliver beside a sharp edge would get nearly all.
       const double density = angle * mesh.areas[f] / area / length;
       const Symmetric_tensor tensor = squared(edge);
-      for (std::size_t k = 0; k < 6; ++k)
+      for (std::size_t k = 0; k < 2; ++k)
         tensors[k][f] += density * tensor[k];
     }
   });
   const Heat_smoothing smoothing(execution, mesh, points, radius);
-  for_each_index(execution, 6, [&](std::size_t k) { tensors[k] = smoothing(tensors[k]); });
+  for_each_index(execution, 2, [&](std::size_t k) { tensors[k] = smoothing(tensors[k]); });
 
   const double path_length = 2 * smoothing.radius();
   for_each_index(execution, angles.size(), [&](std::size_t i) {
@@ -209,11 +234,12 @@ inline std::vector<double> curvature_angles(Execution execution, const Surface& 
     if (mesh.is_border(h) || squared_length == 0 || area == 0)
       return;
     const Symmetric_tensor across = squared(edge);
-    double sums[2] = {0, 0}; // the even and the odd terms
-    for (std::size_t k : {4, 5, 2, 3, 0, 1})
-      sums[k % 2] +=
-        (mesh.areas[f] * tensors[k][f] + mesh.areas[g] * tensors[k][g]) / area * across[k];
-    const double curvature = (sums[0] + sums[1]) / squared_length;
+    const auto mean = [&](const std::vector<Vector>& half)
+    { return (mesh.areas[f] * half[f] + mesh.areas[g] * half[g]) / area; };
+    const Vector a = mean(tensors[0]), b = mean(tensors[1]);
+    const double curvature =
+      ((b.y() * across[1].y() + a.z() * across[0].z() + a.x() * across[0].x()) +
+       (b.z() * across[1].z() + b.x() * across[1].x() + a.y() * across[0].y())) / squared_length;
     const double angle = path_length * curvature;
     if (std::abs(angle) > 1e-6) // a smaller angle is rounding, and the surface is flat
       angles[h] = (std::min)((std::max)(angle, -CGAL_PI), CGAL_PI);
