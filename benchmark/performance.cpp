@@ -3,7 +3,8 @@
 
 /// \file
 /// Time and peak memory against the size of the mesh: whole runs and their stages, beside CGAL's
-/// SDF segmentation; and another number of segments of a finished tree.
+/// SDF segmentation and the simplification of the same mesh to 4,000 faces by meshoptimizer; and
+/// another number of segments of a finished tree.
 ///
 /// A row is RUN/threads:N/FACES or another_number_of_segments/FACES. Runs have counters: the
 /// milliseconds of each stage, summed over the parts, and the bytes a face at the peak, beyond the
@@ -30,6 +31,10 @@
 
 #include <CLI/CLI.hpp>
 
+#ifdef SPECTRAL_SEGMENTATION_WITH_MESHOPTIMIZER
+#include <meshoptimizer.h>
+#endif
+
 #ifdef CGAL_LINKED_WITH_TBB
 #include <tbb/global_control.h>
 #include <tbb/task_arena.h>
@@ -51,7 +56,7 @@
 using namespace segmentation_benchmark;
 using CGAL::Spectral_segmentation::Stage;
 
-const std::size_t sizes[] = {1000, 3000, 12500, 20000, 50000, 75000, 200000, 350000, 800000,
+const std::size_t sizes[] = {500, 1000, 3000, 12500, 20000, 50000, 75000, 200000, 350000, 800000,
                              2000000, 3200000, 10000000};
 
 const std::pair<Stage, const char*> stages[] = {
@@ -180,6 +185,25 @@ void measure_sdf(benchmark::State& state, Input& input)
   count(state, input.mesh(), number, memory);
 }
 
+#ifdef SPECTRAL_SEGMENTATION_WITH_MESHOPTIMIZER
+void measure_simplification(benchmark::State& state, Input& input)
+{
+  std::vector<float> coordinates;
+  for (auto v : vertices(input.mesh()))
+    for (int i = 0; i < 3; ++i)
+      coordinates.push_back(static_cast<float>(input.mesh().point(v)[i]));
+  std::vector<unsigned> corners;
+  for (auto f : faces(input.mesh()))
+    for (auto v : vertices_around_face(halfedge(f, input.mesh()), input.mesh()))
+      corners.push_back(v);
+  std::vector<unsigned> result(corners.size());
+  for (auto _ : state)
+    benchmark::DoNotOptimize(meshopt_simplify(
+      result.data(), corners.data(), corners.size(), coordinates.data(), coordinates.size() / 3,
+      3 * sizeof(float), 3 * 4000, 1));
+}
+#endif
+
 void measure_another_number(benchmark::State& state, Input& input)
 {
   const Segmentation_hierarchy& tree = input.tree();
@@ -226,6 +250,9 @@ public:
       add_run("paper", Run::PAPER, n);
     if (size_ <= largest_for_sdf)
       add("sdf/threads:1", measure_sdf);
+#ifdef SPECTRAL_SEGMENTATION_WITH_MESHOPTIMIZER
+    add("simplification/threads:1", measure_simplification);
+#endif
     add("another_number_of_segments", measure_another_number);
   }
 };

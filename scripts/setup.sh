@@ -24,8 +24,8 @@ for group in "$@"; do
     pictures) packages+=(python3-vtk9 xvfb xauth) ;;
     manual) packages+=(doxygen python3-vtk9 xvfb xauth) ;;
     performance)
-      packages+=(libbenchmark-dev valgrind python3 python3-matplotlib python3-numpy
-                 python3-scipy) ;;
+      packages+=(libbenchmark-dev libmeshoptimizer-dev valgrind python3 python3-matplotlib
+                 python3-numpy python3-scipy) ;;
     machines)
       packages+=(g++-aarch64-linux-gnu qemu-user g++-mingw-w64-x86-64-posix wine wine64
                  emscripten) ;;
