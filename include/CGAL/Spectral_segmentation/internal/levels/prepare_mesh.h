@@ -173,17 +173,10 @@ inline double move_and_order(Level& mesh, const Run_data& d)
   return unit;
 }
 
-// Moves the points into [-1, 1]^3, and sets the areas. Returns the length of 1 in the old unit.
-inline double normalize(Surface& mesh, const Run_data& d)
-{
-  const double unit = normalize(mesh.points);
-  set_areas(d.execution, mesh);
-  return unit;
-}
-
 inline void prepare_part(Level& mesh, const Run_data& d)
 {
-  normalize(mesh.surface, d);
+  normalize(mesh.surface.points);
+  set_areas(d.execution, mesh.surface);
   move_and_order(mesh, d);
 }
 
@@ -244,7 +237,7 @@ inline Model prepare_model(Surface surface, const Run_data& d)
     m.first_face = remove_duplicates(m.mesh);
   if (are_merged()) { // still
     std::vector<Vector> given_points = mesh.points;
-    m.unit = normalize(mesh, d);
+    m.unit = normalize(mesh.points);
     weld_borders(mesh);
     const std::vector<double> volumes = orient_outward(mesh);
     mesh.groups.clear(); // they are components now
@@ -252,7 +245,7 @@ inline Model prepare_model(Surface surface, const Run_data& d)
     m.parts = parts_of(m.mesh, given_points);
   }
   else {
-    m.unit = normalize(mesh, d);
+    m.unit = normalize(mesh.points);
     orient_outward(mesh);
     mesh.groups.clear();
   }

@@ -17,9 +17,9 @@
 
 namespace CGAL::Spectral_segmentation::internal {
 
-// Returns the volume that each component encloses, negative if its faces point inward; 0 for a
-// component with a border, and for a volume below rounding errors. Faces must have areas.
-inline std::vector<double> enclosed_volumes(const Surface& surface)
+// Sets the areas of the faces. Returns the volume that each component encloses, negative if its
+// faces point inward; 0 for a component with a border, and for a volume below rounding errors.
+inline std::vector<double> set_areas_and_volumes(Surface& surface)
 {
   const std::size_t number = surface.components.number;
   std::vector<double> volume(number, 0), area(number, 0);
@@ -27,13 +27,14 @@ inline std::vector<double> enclosed_volumes(const Surface& surface)
   for (Index h = 0; h < surface.number_of_halfedges(); ++h)
     if (surface.is_border(h))
       is_closed[surface.components[h / 3]] = 0;
-  if (std::find(is_closed.begin(), is_closed.end(), char(1)) == is_closed.end())
-    return volume;
+  surface.areas.resize(surface.number_of_faces());
   std::vector<Index> first(number, null_index); // the local origin of each component
   for (Index f = 0; f < surface.number_of_faces(); ++f) {
     const Index c = surface.components[f], v = surface.corners[f][0];
     first[c] = first[c] == null_index ? v : first[c];
-    volume[c] += surface.normal(f).dot(surface.points[v] - surface.points[first[c]]) / 6;
+    const Vector normal = surface.normal(f);
+    surface.areas[f] = normal.norm() / 2;
+    volume[c] += normal.dot(surface.points[v] - surface.points[first[c]]) / 6;
     area[c] += surface.areas[f];
   }
   for (std::size_t c = 0; c < number; ++c)
@@ -52,11 +53,12 @@ inline void reverse_orientation(Surface& surface, const std::vector<char>& is_re
     { return is_reversed[surface.components[h / 3]] ? h - h % 3 + (2 - h % 3) : h; });
 }
 
-// Reverses each closed component whose faces point inward. Returns the enclosed volumes, negative
-// for components whose orientation disagreed with most of the volume.
+// Sets the areas of the faces, and reverses each closed component whose faces point inward. Returns
+// the enclosed volumes, negative for components whose orientation disagreed with most of the
+// volume.
 inline std::vector<double> orient_outward(Surface& surface)
 {
-  std::vector<double> volumes = enclosed_volumes(surface);
+  std::vector<double> volumes = set_areas_and_volumes(surface);
   std::vector<char> is_reversed;
   for (double volume : volumes)
     is_reversed.push_back(volume < 0);
