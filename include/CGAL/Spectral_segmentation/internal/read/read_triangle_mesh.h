@@ -30,11 +30,12 @@ namespace CGAL::Spectral_segmentation::internal {
 inline void join_to_face(Surface& surface, Index h, Index g)
 {
   const Index v = surface.source_vertex(h), w = surface.target_vertex(h);
-  for (Index o = 3 * g; v != w && o < 3 * g + 3; ++o)
-    if (surface.source_vertex(o) == w && surface.target_vertex(o) == v) {
-      surface.opposite[o] = h;
-      surface.opposite[h] = o;
-    }
+  const Corners& c = surface.corners[g];
+  const Index i = c[0] == w ? (c[1] == v ? 0 : 2) : (c[1] == w ? 1 : 2);
+  if (v == w || c[i] != w || c[(i + 1) % 3] != v)
+    return;
+  surface.opposite[h] = 3 * g + i;
+  surface.opposite[3 * g + i] = h;
 }
 
 // Reads a mesh into arrays. Vertices are numbered in the order of `vertices(mesh)`, and the first
@@ -65,8 +66,8 @@ Surface read_triangle_mesh(const TriangleMesh& mesh, const std::vector<FaceDescr
     face_number(mesh, faces);
 
   Surface surface;
-  surface.corners.reserve(faces.size());
-  surface.opposite.reserve(3 * faces.size());
+  surface.corners.resize(faces.size());
+  surface.opposite.resize(3 * faces.size());
   std::vector<char> is_used(vertices_of_mesh.size(), 0);
   for (Index f = 0; f < faces.size(); ++f) {
     const halfedge_descriptor first = halfedge(faces[f], mesh);
@@ -85,11 +86,11 @@ Surface read_triangle_mesh(const TriangleMesh& mesh, const std::vector<FaceDescr
     const std::size_t smallest = std::min_element(corners.begin(), corners.end()) - corners.begin();
     std::rotate(corners.begin(), corners.begin() + smallest, corners.end());
     std::rotate(across.begin(), across.begin() + smallest, across.end());
-    surface.corners.push_back(corners);
-    for (Index h = 3 * f; h < 3 * f + 3; ++h) {
-      surface.opposite.push_back(h);
-      if (across[h % 3] < f) // it was read before
-        join_to_face(surface, h, across[h % 3]);
+    surface.corners[f] = corners;
+    for (Index i = 0; i < 3; ++i) {
+      surface.opposite[3 * f + i] = 3 * f + i;
+      if (across[i] < f) // it was read before
+        join_to_face(surface, 3 * f + i, across[i]);
     }
   }
 
