@@ -70,13 +70,11 @@ class Vertex_clustering
 
   // Sets the clusters, and finds those that can be contracted: the vertices, edges and faces inside
   // are connected and have no hole, and at most one arc of the border runs through.
-  void set_clusters()
+  void set_clusters(Execution execution)
   {
     const Index n = static_cast<Index>(mesh_.points.size());
-    std::vector<std::uint64_t> cells; // one per vertex
-    cells.reserve(n);
-    for (const Vector& p : mesh_.points)
-      cells.push_back(cell(p));
+    std::vector<std::uint64_t> cells(n); // one per vertex
+    for_each_index(execution, n, [&](std::size_t v) { cells[v] = cell(mesh_.points[v]); });
     Face_components sets(n); // sets of vertices
     for (Index v = 0; v < n; ++v)
       sets.add(v);
@@ -273,7 +271,7 @@ public:
   // Returns the coarse surface, without areas.
   Level operator()(Execution execution)
   {
-    set_clusters();
+    set_clusters(execution);
     keep_components();
     number_vertices();
     call_all(execution, [&] { set_points(); }, [&] { set_faces(); });

@@ -17,6 +17,7 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
+#include <optional>
 #include <utility>
 #include <vector>
 
@@ -204,7 +205,7 @@ inline std::vector<double> curvature_angles(Execution execution, const Surface& 
   std::vector<Vector> tensors[2]; // the two halves of a tensor per face
   for (std::vector<Vector>& half : tensors)
     half.resize(mesh.number_of_faces());
-  for_each_index(execution, mesh.number_of_faces(), [&](std::size_t i) {
+  const auto set_tensor = [&](std::size_t i) {
     const Index f = static_cast<Index>(i);
     for (Index h = 3 * f; h < 3 * f + 3; ++h) {
       const Index g = mesh.neighbor(h);
@@ -221,11 +222,13 @@ inline std::vector<double> curvature_angles(Execution execution, const Surface& 
       for (std::size_t k = 0; k < 2; ++k)
         tensors[k][f] += density * tensor[k];
     }
-  });
-  const Heat_smoothing smoothing(execution, mesh, points, radius);
-  for_each_index(execution, 2, [&](std::size_t k) { tensors[k] = smoothing(tensors[k]); });
+  };
+  std::optional<Heat_smoothing> smoothing;
+  call_all(execution, [&] { smoothing.emplace(execution, mesh, points, radius); },
+           [&] { for_each_index(execution, mesh.number_of_faces(), set_tensor); });
+  for_each_index(execution, 2, [&](std::size_t k) { tensors[k] = (*smoothing)(tensors[k]); });
 
-  const double path_length = 2 * smoothing.radius();
+  const double path_length = 2 * smoothing->radius();
   for_each_index(execution, angles.size(), [&](std::size_t i) {
     const Index h = static_cast<Index>(i), f = h / 3, g = mesh.neighbor(h);
     const Vector edge = edge_vector(h);
