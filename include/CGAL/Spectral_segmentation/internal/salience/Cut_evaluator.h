@@ -11,7 +11,7 @@
 #include <CGAL/Spectral_segmentation/internal/weights/shortest_paths.h>
 
 #include <algorithm>
-#include <bitset>
+#include <array>
 #include <cmath>
 #include <utility>
 #include <vector>
@@ -109,14 +109,17 @@ class Convexity_defect
     return depth;
   }
 
-  // Returns the directions next to which a hull differs from the hull of the part.
-  std::bitset<directions::number> changes(const Support_set& extremes) const
+  // Returns whether a hull differs from the hull of the part next to each direction.
+  std::array<char, directions::number> changes(const Support_set& extremes) const
   {
-    std::bitset<directions::number> result;
-    for (int i = 0; i < directions::number; ++i)
+    std::array<char, directions::number> differs, result;
+    for (int d = 0; d < directions::number; ++d)
+      differs[d] = extremes.points[d] != part_extremes_.points[d];
+    for (int i = 0; i < directions::number; ++i) {
+      result[i] = 0;
       for (int d : directions::neighbors()[i])
-        if (extremes.points[d] != part_extremes_.points[d])
-          result.set(i);
+        result[i] |= differs[d];
+    }
     return result;
   }
 
@@ -149,7 +152,7 @@ public:
     for (Index f : faces)
       in_mesh.push_back(faces_[f]);
     const Support_set extremes = extreme_points_(in_mesh);
-    const std::bitset<directions::number> is_changed = changes(extremes);
+    const std::array<char, directions::number> is_changed = changes(extremes);
     double sum = 0, area = 0;
     for (Index f : faces) {
       const bool changes = is_changed[extreme_points_.plane(faces_[f]).direction];
