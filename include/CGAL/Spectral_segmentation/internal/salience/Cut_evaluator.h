@@ -185,6 +185,7 @@ class Cut_evaluator
   const Surface& part_;
   const std::vector<Index>& faces_; // the faces of the part, by their indices in the mesh
   const Evaluation_context& mesh_;
+  Boundary_statistics empty_;
   Convexity_defect convexity_defect_;
   double defect_of_part_;
 
@@ -192,7 +193,7 @@ class Cut_evaluator
   double set_cut_factors(const std::vector<Index>& faces_of_q, const std::vector<Index>& cut,
                          Salience_factors& factors) const
   {
-    Boundary_statistics q(part_);
+    Boundary_statistics q = empty_;
     for (Index f : faces_of_q)
       q.add(f);
     factors = q.factors();
@@ -335,7 +336,8 @@ public:
   // Takes a part; `faces` are its faces, by their indices in the mesh.
   Cut_evaluator(const Surface& part, const std::vector<Index>& faces,
                 const Evaluation_context& mesh)
-    : part_(part), faces_(faces), mesh_(mesh), convexity_defect_(mesh.support_points, part, faces),
+    : part_(part), faces_(faces), mesh_(mesh), empty_(part),
+      convexity_defect_(mesh.support_points, part, faces),
       defect_of_part_(convexity_defect_.part_defect())
   {}
 
