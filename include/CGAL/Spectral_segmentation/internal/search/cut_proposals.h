@@ -221,6 +221,7 @@ struct Sweep_step
   std::size_t size; // the size of the meta patch
   double area;
   double smaller_area;
+  // These are quantized, so that rounding does not choose between cuts that mirror each other.
   double salience, cheapness;
 };
 
@@ -235,8 +236,8 @@ inline std::vector<Sweep_step> sweep_steps(const Surface& part, const Growth& gr
     [&](const Patch_with_capacity& q, std::size_t size) {
       if (q.area() > constants::largest_ratio_to_rest * q.area_of_rest())
         return false;
-      steps.push_back({size, q.area(), q.smaller_area(), part_salience(q.factors()),
-                       -q.capacity_of_cut() / std::sqrt(q.smaller_area())});
+      steps.push_back({size, q.area(), q.smaller_area(), quantized(part_salience(q.factors())),
+                       quantized(-q.capacity_of_cut() / std::sqrt(q.smaller_area()))});
       return true;
     });
   return steps;
@@ -252,9 +253,7 @@ inline std::vector<Proposal> best_steps(const Growth& growth, const std::vector<
       const bool is_next_to_first =
         i == 1 && std::abs(s.area - best[0]->area) <
                     constants::distance_of_proposals * best[0]->smaller_area;
-      // Scores are quantized, so that rounding does not choose between cuts that mirror each other.
-      if (!is_next_to_first &&
-          (!best[i] || quantized(s.*measure) > quantized(best[i]->*measure)))
+      if (!is_next_to_first && (!best[i] || s.*measure > best[i]->*measure))
         best[i] = &s;
     }
   std::vector<Proposal> result;
@@ -333,7 +332,7 @@ inline std::vector<Sides> cut_proposals(Execution execution, const Surface& part
   for (int m = 0; m < 2; ++m) {
     std::vector<double> keys;
     for (const Proposal& p : by_measure[m])
-      keys.push_back(-quantized(p.score));
+      keys.push_back(-p.score);
     ranks[m] = sorted_indices(Execution::SEQUENTIAL, keys);
   }
 
