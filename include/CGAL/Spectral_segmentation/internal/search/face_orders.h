@@ -9,11 +9,13 @@
 
 #include <Eigen/Core>
 #include <Eigen/Eigenvalues>
+#include <boost/graph/visitors.hpp>
 
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
+#include <iterator>
 #include <random>
 #include <vector>
 
@@ -249,6 +251,23 @@ inline Face_order spectral_order(Execution execution, const std::vector<double>&
     { return from_s[f] < from_s[g] || (from_s[f] == from_s[g] && f < g); });
 }
 
+// Returns the distances of the faces of a connected part from a source. Sets their order by
+// distance; ties go to the first.
+inline std::vector<double> distances_and_order(const Surface& part, Index source, Face_order& order)
+{
+  order.reserve(part.number_of_faces());
+  const std::vector<double> distance = shortest_paths(
+    part, &Edge_weights::combined, source,
+    boost::make_dijkstra_visitor(boost::write_property(
+      boost::typed_identity_property_map<Index>(), std::back_inserter(order),
+      boost::on_examine_vertex())));
+  for (auto first = order.begin(), end = first; first != order.end(); first = end) {
+    end = std::find_if(first, order.end(), [&](Index f) { return distance[f] > distance[*first]; });
+    std::sort(first, end);
+  }
+  return distance;
+}
+
 // Returns the orders of the calibrated method: the spectral order from both ends, and if requested
 // the orders by distance from each sample and each reference face. These grow a single limb where
 // the pair of samples grows several at once.
@@ -262,14 +281,14 @@ inline std::vector<Face_order> face_orders(Execution execution, const Surface& p
       if (reference != samples.s && reference != samples.t)
         sources.push_back(reference);
   std::vector<std::vector<double> > distances(sources.size());
+  std::vector<Face_order> by_distance(sources.size());
   for_each_index(execution, sources.size(), [&](std::size_t i)
-    { distances[i] = shortest_paths(part, &Edge_weights::combined, sources[i]); });
+    { distances[i] = distances_and_order(part, sources[i], by_distance[i]); });
 
   std::vector<Face_order> orders = {spectral_order(execution, distances[0], distances[1]),
                                     spectral_order(execution, distances[1], distances[0])};
   if (from_single_sources)
-    for (const std::vector<double>& distance : distances)
-      orders.push_back(sorted_indices(execution, distance));
+    std::move(by_distance.begin(), by_distance.end(), std::back_inserter(orders));
   return orders;
 }
 

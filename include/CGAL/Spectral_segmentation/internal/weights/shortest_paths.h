@@ -40,13 +40,14 @@ void run_dijkstra(const Surface& part, const std::vector<Index>& sources, const 
 typedef float Edge_weights::* Weighting;
 
 // Returns the distances of all faces from `source`.
-inline std::vector<double> shortest_paths(const Surface& part, Weighting weighting,
-                                          Index source)
+template <class Visitor = boost::dijkstra_visitor<> >
+std::vector<double> shortest_paths(const Surface& part, Weighting weighting, Index source,
+                                   const Visitor& visitor = Visitor())
 {
   std::vector<double> distance(part.number_of_faces(), infinite_distance);
   distance[source] = 0;
   run_dijkstra(part, {source}, [&](Index h) -> double { return part.weights[h].*weighting; },
-               distance, boost::dijkstra_visitor<>());
+               distance, visitor);
   return distance;
 }
 
