@@ -100,7 +100,10 @@ public:
     largest_angle_ = largest;
   }
 
-  void add(Index f)
+  // Adds a face. Calls `visit(h, sign)` for each of its edges that joins the cut (1) or leaves it
+  // (-1).
+  template <class Visit>
+  void add(Index f, const Visit& visit)
   {
     has_face_[f] = 1;
     area_ += part_.areas[f];
@@ -113,15 +116,20 @@ public:
         concavity_ -= concavity;
         remove_vertex(part_.source_vertex(h));
         remove_vertex(part_.target_vertex(h));
+        visit(h, -1);
       }
       else {
         ++number_of_edges_;
         concavity_ += concavity;
         add_vertex(part_.source_vertex(h));
         add_vertex(part_.target_vertex(h));
+        visit(h, 1);
       }
     }
   }
+
+  void add(Index f)
+  { add(f, [](Index, int) {}); }
 
   // Prefetches a face that will be added.
   void prefetch_face(Index f) const

@@ -183,21 +183,18 @@ inline Sides minimum_cut_within(const Surface& part, const std::vector<Index>& b
 // A patch with the capacity of its cut.
 class Patch_with_capacity : public Boundary_statistics
 {
-  const Surface& part_;
   const std::vector<double>& capacities_;
   double capacity_of_cut_ = 0;
 
 public:
   // Makes an empty patch; `capacities` holds one per halfedge.
   Patch_with_capacity(const Surface& part, const std::vector<double>& capacities)
-    : Boundary_statistics(part), part_(part), capacities_(capacities) {}
+    : Boundary_statistics(part), capacities_(capacities) {}
 
   void add(Index f)
   {
-    for (Index h = 3 * f; h < 3 * f + 3; ++h)
-      if (!part_.is_border(h))
-        capacity_of_cut_ += (has_face(part_.neighbor(h)) ? -1 : 1) * capacities_[h];
-    Boundary_statistics::add(f);
+    Boundary_statistics::add(f, [&](Index h, int sign)
+      { capacity_of_cut_ += sign * capacities_[h]; });
   }
 
   double capacity_of_cut() const { return capacity_of_cut_; }
