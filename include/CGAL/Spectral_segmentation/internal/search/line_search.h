@@ -65,25 +65,17 @@ inline std::vector<bool> rest_is_connected(const Surface& part,
                                            const std::vector<Index>& faces)
 {
   const std::size_t n = faces.size();
-  std::size_t number_of_components = 0;
-  std::vector<Index> parent(n, null_index); // null_index: not in the rest
-  const auto representative = [&](Index f) {
-    while (parent[f] != f)
-      f = parent[f] = parent[parent[f]];
-    return f;
-  };
+  Face_components components(n);
+  std::vector<char> is_in_rest(n, 0);
   std::vector<bool> result(n + 1, false);
   for (std::size_t i = n; i-- > 0;) {
     const Index f = faces[i];
-    parent[f] = f;
-    ++number_of_components;
+    components.add(f);
+    is_in_rest[f] = 1;
     for (Index h = 3 * f; h < 3 * f + 3; ++h)
-      if (parent[part.neighbor(h)] != null_index) {
-        const Index a = representative(f), b = representative(part.neighbor(h));
-        number_of_components -= a != b;
-        parent[a] = b;
-      }
-    result[i] = number_of_components == 1;
+      if (is_in_rest[part.neighbor(h)])
+        components.join(f, part.neighbor(h));
+    result[i] = components.number() == 1;
   }
   return result;
 }
