@@ -18,5 +18,6 @@ def replace_file(path, contents):
         with contextlib.suppress(OSError):
             os.remove(temporary)
         if isinstance(error, OSError):
-            error.filename, error.filename2 = path, None # the name that the caller knows
+            error.filename = path # the name that the caller knows
+            del error.filename2 # None would be in the message
         raise

@@ -140,6 +140,7 @@ def test_errors(tmp_path, dumbbell):
         with pytest.raises(OSError) as raised:
             write(path, *dumbbell)
         assert (raised.value.filename, raised.value.filename2) == (str(path), None)
+        assert "None" not in str(raised.value)
     (tmp_path / "none.ply").rmdir()
     assert kept.read_text() == "kept" and len(list(tmp_path.iterdir())) == 3
 
