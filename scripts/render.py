@@ -17,7 +17,10 @@ import pathlib
 import shutil
 import sys
 
-import vtk
+try:
+    import vtk
+except ModuleNotFoundError:
+    sys.exit("render.py: Python has no VTK; scripts/setup.sh pictures installs it")
 
 
 def parse_arguments():
