@@ -224,8 +224,8 @@ void add_output_options(CLI::App& app, Options& o)
            "report with counts, seconds per stage summed over all parts, parameters, segments and "
            "hierarchy of cuts; - writes to standard output");
   add_file(app, "--hierarchy", o.hierarchy_file,
-           "hierarchy of cuts with the leaf of each face, which gives other numbers of segments "
-           "without a new run; - writes to standard output");
+           "hierarchy of cuts with the leaf of each face, from which C++ and Python make other "
+           "numbers of segments without a new run; - writes to standard output");
   add_file(app, "--html", o.page_file,
            "page for a browser that shows the segments, or fewer or more of them, and saves "
            "pictures; - writes to standard output");
