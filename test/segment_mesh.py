@@ -861,7 +861,8 @@ class Formats(Tool_test):
         self.run_tool("in.off", "--out-dir", "out", "--outputs", "hulls")
         self.assertTrue((self.directory / "out/in.off.hulls/segment_000.obj").exists())
 
-    def test_pictures(self):
+    def test_outputs_that_are_no_colored_meshes(self):
+        self.assert_failure("usage", "in.off", "-o", "out.stl", sentence="--split-format")
         for name in ("out.png", "out.SVG"):
             self.assert_failure("usage", "in.off", "-o", name, sentence="--html FILE")
             self.assert_failure("usage", "in.off", "-o", name, sentence="scripts/render.py")

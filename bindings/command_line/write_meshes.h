@@ -66,9 +66,11 @@ inline void check_output_format(const std::filesystem::path& name, bool is_part)
   catch (const std::runtime_error& e) {
     const std::string pictures = " .png .jpg .jpeg .gif .svg .pdf .bmp .tif .tiff .webp ";
     const std::string ending = ' ' + mesh_file::output_extension(name) + ' ';
-    throw Failure(Status::USAGE, std::string(e.what()) + (pictures.find(ending) == pictures.npos ?
-                    "" : "; for a picture, --html FILE shows the segments and saves PNG, and "
-                         "scripts/render.py draws a .ply"));
+    throw Failure(Status::USAGE, std::string(e.what()) + (
+      ending == " .stl " ? "; STL has no colors, but is a --split-format" :
+      pictures.find(ending) == pictures.npos ? "" :
+      "; for a picture, --html FILE shows the segments and saves PNG, and scripts/render.py draws "
+      "a .ply"));
   }
 }
 
