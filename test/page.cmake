@@ -28,7 +28,7 @@ if(CHROMIUM AND CHROMEDRIVER AND python_with_selenium)
   add_test(NAME page_in_browser
     COMMAND ${python_with_selenium} ${CMAKE_CURRENT_LIST_DIR}/page_in_browser.py
       $<TARGET_FILE:segment_mesh> ${meshes_dir} ${CHROMIUM} ${CHROMEDRIVER})
-  set_tests_properties(page_in_browser PROPERTIES LABELS meshes)
+  set_tests_properties(page_in_browser PROPERTIES LABELS meshes COST 1)
 else()
   message(STATUS "No Chromium, its driver or Selenium: the test of the page in a browser is left "
                  "out")
