@@ -209,10 +209,13 @@ inline void add_levels(std::vector<Level>& levels, const Run_data& d)
   Surface& mesh = levels.front().surface;
   const std::size_t n = mesh.number_of_faces();
   d.monitor.check();
-  std::vector<Vector> points = smoothed_points(mesh, o.number_of_smoothing_iterations,
-                                               [&] { d.monitor.check(); return true; });
+  std::vector<Vector> points;
+  if (o.number_of_smoothing_iterations > 0 || is_searched_itself(d, n))
+    points = smoothed_points(mesh, o.number_of_smoothing_iterations,
+                             [&] { d.monitor.check(); return true; });
   if (!is_searched_itself(d, n)) {
-    mesh.points = std::move(points);
+    if (o.number_of_smoothing_iterations > 0)
+      mesh.points = std::move(points);
     const double resolution = search_resolution(o, n);
     if (d.method.bisection && total_area(mesh) > 0)
       if (const auto bound = bound_of_edges(d.execution, mesh, resolution, 16 * resolution))
