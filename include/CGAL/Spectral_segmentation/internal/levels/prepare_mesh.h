@@ -227,7 +227,6 @@ inline Model prepare_model(Surface surface, const Run_data& d)
   Model m;
   Surface& mesh = m.mesh.surface;
   mesh = std::move(surface);
-  reorder_vertices(mesh);
   m.mesh.parent_face = first_indices(mesh.number_of_faces());
   separate_groups(mesh);
   mesh.components = connected_components(mesh);
@@ -245,6 +244,8 @@ inline Model prepare_model(Surface surface, const Run_data& d)
     m.parts = parts_of(m.mesh, given_points);
   }
   else {
+    if (mesh.components.number == 1) // else faces start at the same corners in soups and meshes
+      reorder_vertices(mesh);
     m.unit = normalize(mesh.points);
     orient_outward(mesh);
     mesh.groups.clear();
