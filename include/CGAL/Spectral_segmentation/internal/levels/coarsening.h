@@ -38,7 +38,8 @@ class Vertex_clustering
   static std::int64_t nearest_integer(double x)
   { return static_cast<std::int64_t>(x + std::copysign(0.5, x)); }
 
-  // Returns the cell of a point: the last 21 bits of each coordinate, as no edge is longer.
+  // Returns the cell of a point: the last 21 bits of each coordinate, as edges are shorter than
+  // 2^21 cells.
   std::uint64_t cell(const Vector& p) const
   {
     std::uint64_t result = 0;
@@ -78,8 +79,8 @@ class Vertex_clustering
     Face_components sets(n); // sets of vertices
     for (Index v = 0; v < n; ++v)
       sets.add(v);
-    // First of the edges and faces of each vertex, then of its cluster. The ends of an edge are in
-    // one cluster if they are in one cell.
+    // These are summed for each vertex, then for its cluster. The ends of an edge are in one
+    // cluster if they are in one cell.
     std::vector<int> euler(n, 1), number_of_arcs(n, 0);
     std::vector<char> is_on_border(n, 0);
     for (Index f = 0; f < mesh_.number_of_faces(); ++f) {
