@@ -192,11 +192,11 @@ inline std::vector<Index> neighbors_for_smoothing(const Model& m, const Constrai
   std::vector<Index> result(3 * face.size());
   for (Index h = 0; h < result.size(); ++h) {
     const Index f = face[h / 3];
-    if (f >= n) // this is a face of a wall
-      result[h] = callers_face[n + m.walls.surface.neighbor(3 * (f - n) + h % 3)];
-    else
-      result[h] = callers_face[callers_face[f] != h / 3 ? f
-                                                        : m.mesh.surface.neighbor(3 * f + h % 3)];
+    Index neighbor = f;
+    if (callers_face[f] == h / 3) // else it is a duplicate
+      neighbor = f < n ? m.mesh.surface.neighbor(3 * f + h % 3)
+                       : n + m.walls.surface.neighbor(3 * (f - n) + h % 3);
+    result[h] = callers_face[neighbor];
   }
   const std::vector<char> is_constrained =
     constrained_faces(constraints, face, callers_face.size());
