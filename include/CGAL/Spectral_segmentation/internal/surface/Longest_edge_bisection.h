@@ -4,6 +4,7 @@
 #ifndef CGAL_SPECTRAL_SEGMENTATION_INTERNAL_SURFACE_LONGEST_EDGE_BISECTION_H
 #define CGAL_SPECTRAL_SEGMENTATION_INTERNAL_SURFACE_LONGEST_EDGE_BISECTION_H
 
+#include <CGAL/Spectral_segmentation/internal/surface/Face_tree.h>
 #include <CGAL/Spectral_segmentation/internal/surface/connected_components.h>
 
 #include <algorithm>
@@ -21,9 +22,7 @@ namespace CGAL::Spectral_segmentation::internal {
 inline double longest_edge(const Surface& mesh, std::size_t f)
 {
   const Corners& c = mesh.corners[f];
-  const Vector &p = mesh.points[c[0]], &q = mesh.points[c[1]], &r = mesh.points[c[2]];
-  return std::sqrt((std::max)({(q - p).squared_norm(), (r - q).squared_norm(),
-                               (p - r).squared_norm()}));
+  return std::sqrt(squared_longest_edge({mesh.points[c[0]], mesh.points[c[1]], mesh.points[c[2]]}));
 }
 
 inline std::vector<double> longest_edges_of_faces(Execution execution, const Surface& mesh)
