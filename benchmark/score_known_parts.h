@@ -107,12 +107,10 @@ inline Labels components(const Triangle_soup& soup)
 // `least_share_of_area` is not counted.
 constexpr double greatest_share_of_small_part = 0.1;
 
-// From which intersection over union, by area, a segment is the true part.
-constexpr double least_overlap_of_found_part = 0.5;
-
 struct Known_parts_score
 {
   double by_area = 0, by_faces = 0; // Rand errors; the triangles of CAD have very different sizes
+  double panoptic_quality = 0;       // by area
   std::size_t segments = 0;
   std::size_t found = 0; // small parts
 };
@@ -180,9 +178,10 @@ class Known_parts_scorer
   {
     const Labels result = contiguous(labels(row));
     const Eigen::ArrayXXd area = area_in_common(result);
-    const Flags is_found = greatest_overlaps(area) >= least_overlap_of_found_part;
+    const Eigen::ArrayXd best = overlap_ratios(area).colwise().maxCoeff();
+    const Flags is_found = best >= least_overlap_of_found_part;
     return {rand_error_by_area(area), rand_error(result, input_.truth),
-            number_of_segments(result),
+            part_agreement({area}).panoptic_quality, number_of_segments(result),
             static_cast<std::size_t>((is_small_ && is_found).count())};
   }
 
@@ -239,25 +238,27 @@ inline void print_known_parts(const std::vector<Row>& rows,
   std::size_t width = std::string("Rand error").size();
   for (const Row& row : rows)
     width = (std::max)(width, title(row).size());
-  std::printf("%zu files with known parts\n%-*s %17s %8s %7s %7s\n", meshes.size(),
-              static_cast<int>(width), "Rand error", "by area", "by face", "parts", "found");
+  std::printf("%zu files with known parts\n%-*s %17s %8s %7s %7s %7s\n", meshes.size(),
+              static_cast<int>(width), "Rand error", "by area", "by face", "PQ", "parts", "found");
   for (std::size_t i = 0; i < rows.size(); ++i) {
     const auto values = [&](const auto Known_parts_score::*value) {
       return values_of(meshes, [=](const Scored_known_parts& mesh)
                                { return static_cast<double>(mesh.scores[i].*value); });
     };
     const Estimated_mean by_area = estimated_mean(values(&Known_parts_score::by_area));
-    std::printf("%-*s %7.4f +- %6.4f %8.4f %7.2f", static_cast<int>(width), title(rows[i]).c_str(),
-                by_area.mean, by_area.standard_error,
+    std::printf("%-*s %7.4f +- %6.4f %8.4f %7.4f %7.2f", static_cast<int>(width),
+                title(rows[i]).c_str(), by_area.mean, by_area.standard_error,
                 mean_of(values(&Known_parts_score::by_faces)),
+                mean_of(values(&Known_parts_score::panoptic_quality)),
                 mean_of(values(&Known_parts_score::segments)));
     print_value(7, fraction_found(meshes, i));
     std::printf("\n");
   }
-  std::printf("%-*s %17s %8s %7.2f %7s\n", static_cast<int>(width), "truth", "-", "-",
+  std::printf("%-*s %17s %8s %7s %7.2f %7s\n", static_cast<int>(width), "truth", "-", "-", "-",
               mean_of(values_of(meshes, [](const Scored_known_parts& mesh)
                                         { return static_cast<double>(mesh.parts); })), "-");
-  std::printf("parts: those of the truth have at least 0.5 %% of the area\n"
+  std::printf("PQ: panoptic quality by area; parts: those of the truth have at least 0.5 %% of the "
+              "area\n"
               "found: fraction of the true parts of 0.5 to 10 %% of the area that have an "
               "intersection\n       over union of at least 0.5 with a segment\n");
 }
@@ -271,6 +272,7 @@ inline Json json_of_known_parts(const std::vector<Row>& rows,
       const Known_parts_score& score = mesh.scores[i];
       json[title(rows[i])][mesh.name] = {{"by_area", score.by_area},
                                          {"by_faces", score.by_faces},
+                                         {"panoptic_quality", score.panoptic_quality},
                                          {"segments", score.segments},
                                          {"found", score.found}};
     }

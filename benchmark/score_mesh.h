@@ -5,6 +5,7 @@
 #define SEGMENTATION_BENCHMARK_SCORE_MESH_H
 
 #include "Method_trees.h"
+#include "part_metrics.h"
 #include "segmentation_methods.h"
 #include "timed.h"
 #include "triangulations.h"
@@ -41,6 +42,7 @@ struct Row
 struct Score
 {
   Errors errors;
+  Part_agreement parts;
   double segments = 0;
   double seconds = 0;
 };
@@ -63,26 +65,42 @@ class Mesh_scorer
   std::map<std::string, Retriangulated_mesh> meshes_; // indexed by the name of the triangulation
   std::map<std::pair<std::string, std::string>, Method_trees> trees_; // method, triangulation
 
-  Score score(const Labels& labels, const Time& time) const
+  // Compares a segmentation with all people but itself.
+  Score score(const Segmentation& result) const
   {
-    const Segmentation result = segmentation(facts_, labels);
     std::vector<Errors> all;
+    std::vector<Eigen::ArrayXXd> overlaps;
     for (const Segmentation& person : people_)
-      all.push_back(errors(facts_, result, person));
-    return {mean_errors(all), static_cast<double>(number_of_segments(labels)), time.wall};
+      if (&person != &result) {
+        all.push_back(errors(facts_, result, person));
+        overlaps.push_back(overlap(result.labels, person.labels));
+      }
+    return {mean_errors(all), part_agreement(overlaps),
+            static_cast<double>(number_of_segments(result.labels))};
   }
 
+  Score score(const Labels& labels, const Time& time) const
+  {
+    Score result = score(segmentation(facts_, labels));
+    result.seconds = time.wall;
+    return result;
+  }
+
+  // Returns the mean of the scores of all people; nothing is defined for one person.
   Score score_of_people() const
   {
-    std::vector<Errors> all;
+    std::vector<Errors> errors;
+    std::vector<Part_agreement> parts;
     Mean segments;
     for (const Segmentation& person : people_) {
-      for (const Segmentation& other : people_)
-        if (&other != &person)
-          all.push_back(errors(facts_, person, other));
+      if (people_.size() > 1) {
+        const Score of_person = score(person);
+        errors.push_back(of_person.errors);
+        parts.push_back(of_person.parts);
+      }
       segments.add(static_cast<double>(number_of_segments(person.labels)));
     }
-    return {mean_errors(all), segments()};
+    return {mean_errors(errors), mean_agreement(parts), segments()};
   }
 
   const Retriangulated_mesh& mesh(const std::string& triangulation)

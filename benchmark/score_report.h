@@ -26,6 +26,7 @@ struct Summary
 {
   std::size_t meshes = 0;
   Errors errors;
+  Part_agreement parts;
   double segments = undefined, median_seconds = undefined, people_error = undefined;
 
   bool is_at_or_below_people() const { return errors.rand_error <= people_error; }
@@ -47,16 +48,19 @@ struct Row_summary
 inline Summary summary(std::size_t row, const std::vector<const Scored_mesh*>& meshes)
 {
   std::vector<Errors> errors;
+  std::vector<Part_agreement> parts;
   std::vector<double> seconds;
   Mean segments, people_error;
   for (const Scored_mesh* mesh : meshes) {
     const Score& score = mesh->scores[row];
     errors.push_back(score.errors);
+    parts.push_back(score.parts);
     seconds.push_back(score.seconds);
     segments.add(score.segments);
     people_error.add(mesh->people_error);
   }
-  return {meshes.size(), mean_errors(errors), segments(), median(seconds), people_error()};
+  return {meshes.size(), mean_errors(errors), mean_agreement(parts), segments(), median(seconds),
+          people_error()};
 }
 
 inline std::vector<Row_summary> row_summaries(const std::vector<Row>& rows,
@@ -104,17 +108,24 @@ inline void print_value(int width, double value)
 inline void print_means(const std::vector<Row_summary>& rows)
 {
   const int width = width_of_titles(rows);
-  std::printf("%-*s %7s %7s %7s %9s %11s\n", width, "method", "Rand", "cut", "parts", "median s",
-              "categories");
+  std::printf("%-*s %7s %7s", width, "method", "Rand", "cut");
+  for (const Part_measure& measure : part_measures)
+    std::printf(" %7s", measure.title);
+  std::printf(" %7s %9s %11s\n", "parts", "median s", "categories");
   for (const Row_summary& r : rows) {
     const Summary& means = r.over_meshes;
     std::printf("%-*s", width, title(r.row).c_str());
     print_value(7, means.errors.rand_error);
     print_value(7, means.errors.cut_discrepancy);
+    for (const Part_measure& measure : part_measures)
+      print_value(7, means.parts.*measure.value);
     std::printf(" %7.2f %9.3f %8ld/%zu\n", means.segments, means.median_seconds,
                 r.categories_at_or_below_people(), r.categories.size());
   }
-  std::printf("Rand: Rand error; cut: cut discrepancy; categories: in how many the Rand error is "
+  std::printf("Rand: Rand error; cut: cut discrepancy; PQ: panoptic quality; IoU: mean over people's "
+              "parts of the\n  intersection over union with the most similar segment; made: fraction "
+              "of the segments that somebody\n  made; false: segments a mesh that nobody made; "
+              "scraps: those below 1 %% of the faces; categories: in\n  how many the Rand error is "
               "at most people's own\n");
 }
 
@@ -204,11 +215,13 @@ inline Json json_report(const std::vector<Row>& rows, const std::vector<Scored_m
   for (const Scored_mesh& mesh : meshes)
     for (std::size_t i = 0; i < rows.size(); ++i) {
       const Score& score = mesh.scores[i];
-      json[title(rows[i])][std::to_string(mesh.id)] = {
-        {"rand_error", score.errors.rand_error},
-        {"cut_discrepancy", score.errors.cut_discrepancy},
-        {"segments", score.segments},
-        {"seconds", score.seconds}};
+      Json& of_mesh = json[title(rows[i])][std::to_string(mesh.id)];
+      of_mesh = {{"rand_error", score.errors.rand_error},
+                 {"cut_discrepancy", score.errors.cut_discrepancy},
+                 {"segments", score.segments},
+                 {"seconds", score.seconds}};
+      for (const Part_measure& measure : part_measures)
+        of_mesh[measure.key] = score.parts.*measure.value;
     }
   return json;
 }

@@ -149,17 +149,6 @@ inline double rand_error_by_area(const Eigen::ArrayXXd& area)
           2 * area.square().sum()) / (total * total);
 }
 
-// Returns, for the segment of each column, the greatest intersection over union with one of a row.
-inline Eigen::ArrayXd greatest_overlaps(const Eigen::ArrayXXd& area)
-{
-  const Eigen::ArrayXd of_rows = area.rowwise().sum(), of_columns = area.colwise().sum();
-  Eigen::ArrayXd result(area.cols());
-  for (Eigen::Index column = 0; column < area.cols(); ++column)
-    result(column) =
-      (area.col(column) / (of_rows + of_columns(column) - area.col(column))).maxCoeff();
-  return result;
-}
-
 // The vertices along the cuts, each once.
 inline std::vector<std::size_t> cut_vertices(const Mesh_facts& facts, const Labels& labels)
 {

@@ -94,11 +94,13 @@ BOOST_AUTO_TEST_CASE(scores_of_references_by_hand)
   BOOST_TEST(one.found == 0u);
   BOOST_TEST(one.by_area == 1 - (190 * 190 + 16 + 9 + 4 + 2 * 0.25) / 40000.,
              tt::tolerance(1e-12));
+  BOOST_TEST(one.panoptic_quality == 0.95 * 2 / (1 + 6), tt::tolerance(1e-12));
 
   const Known_parts_score& components = scored.scores[1];
   BOOST_TEST(components.segments == 4u);
   BOOST_TEST(components.found == 2u);
   BOOST_TEST(components.by_area == (2 * 3 * 2 + 2 * 0.5 * 0.5) / 40000., tt::tolerance(1e-9));
+  BOOST_TEST(components.panoptic_quality == (1 + 1 + 3 / 5.) * 2 / (4 + 6), tt::tolerance(1e-12));
 }
 
 BOOST_AUTO_TEST_CASE(fraction_found_is_of_all_parts)

@@ -1,11 +1,13 @@
 // Copyright (c) 2026  The Spectral_segmentation authors.
 // SPDX-License-Identifier: GPL-3.0-or-later
 
+#include "../benchmark/part_metrics.h"
 #include "../benchmark/princeton_benchmark.h"
 #include "test_meshes.h"
 
 #include <boost/test/unit_test.hpp>
 
+#include <algorithm>
 #include <cmath>
 #include <cstddef>
 #include <limits>
@@ -111,17 +113,55 @@ BOOST_AUTO_TEST_CASE(rand_error_is_that_of_all_pairs)
 
 // The parts of after_2 have two squares each. The first one has 1 of 2 squares in common with the
 // first part of after_1; the second one has 2 of 3 in common with the other part.
-BOOST_AUTO_TEST_CASE(greatest_overlaps_by_hand)
+BOOST_AUTO_TEST_CASE(overlap_ratios_by_hand)
 {
   const std::vector<double> areas(8, 0.5);
-  const Eigen::ArrayXd same = greatest_overlaps(overlap(after_2, after_2, areas));
-  BOOST_TEST_REQUIRE(same.size() == 2);
-  BOOST_TEST(same(0) == 1);
-  BOOST_TEST(same(1) == 1);
-  const Eigen::ArrayXd shifted = greatest_overlaps(overlap(after_1, after_2, areas));
-  BOOST_TEST_REQUIRE(shifted.size() == 2);
-  BOOST_TEST(shifted(0) == 1 / 2., tt::tolerance(tolerance));
-  BOOST_TEST(shifted(1) == 2 / 3., tt::tolerance(tolerance));
+  const Eigen::ArrayXXd same = overlap_ratios(overlap(after_2, after_2, areas));
+  BOOST_TEST((same == Eigen::ArrayXXd(Eigen::MatrixXd::Identity(2, 2))).all());
+  const Eigen::ArrayXXd shifted = overlap_ratios(overlap(after_1, after_2, areas));
+  BOOST_TEST_REQUIRE(shifted.rows() == 2);
+  BOOST_TEST_REQUIRE(shifted.cols() == 2);
+  BOOST_TEST(shifted(0, 0) == 1 / 2., tt::tolerance(tolerance));
+  BOOST_TEST(shifted(0, 1) == 0);
+  BOOST_TEST(shifted(1, 0) == 1 / 4., tt::tolerance(tolerance));
+  BOOST_TEST(shifted(1, 1) == 2 / 3., tt::tolerance(tolerance));
+}
+
+// Of the three segments of after_1_and_2, the first is half of the first part of after_2, and the
+// last is its second part. Only the match of the last is above 1/2.
+BOOST_AUTO_TEST_CASE(part_agreement_by_hand)
+{
+  const Part_agreement one = part_agreement({overlap(after_1_and_2, after_2)});
+  BOOST_TEST(one.panoptic_quality == 1 / 2.5, tt::tolerance(tolerance));
+  BOOST_TEST(one.mean_overlap == (1 / 2. + 1) / 2, tt::tolerance(tolerance));
+  BOOST_TEST(one.made == 1);
+  BOOST_TEST(one.false_segments == 0);
+  BOOST_TEST(one.scraps == 0);
+
+  // A person without cuts makes none of them, but half of after_2 is still made by another one.
+  const Part_agreement two =
+    part_agreement({overlap(after_1_and_2, after_2), overlap(after_1_and_2, all_in_one)});
+  BOOST_TEST(two.panoptic_quality == (1 / 2.5 + 0) / 2, tt::tolerance(tolerance));
+  BOOST_TEST(two.mean_overlap == (3 / 4. + 1 / 2.) / 2, tt::tolerance(tolerance));
+  BOOST_TEST(two.made == 1);
+
+  const Part_agreement none = part_agreement({overlap(after_1_and_2, Labels{0, 1, 2, 2, 1, 0, 0, 0})});
+  BOOST_TEST(none.made == 2 / 3., tt::tolerance(tolerance));
+  BOOST_TEST(none.false_segments == 1);
+}
+
+// A segment of one face in 200 that no person made is a scrap, of one in 50 it is none.
+BOOST_AUTO_TEST_CASE(scraps_are_small_false_segments)
+{
+  Labels labels(200, 0);
+  labels.back() = 1;
+  const Labels person(200, 0);
+  BOOST_TEST(part_agreement({overlap(labels, person)}).scraps == 1);
+  std::fill(labels.end() - 4, labels.end(), std::size_t(1));
+  const Part_agreement larger = part_agreement({overlap(labels, person)});
+  BOOST_TEST(larger.false_segments == 1);
+  BOOST_TEST(larger.scraps == 0);
+  BOOST_TEST(part_agreement({overlap(labels, labels)}).false_segments == 0);
 }
 
 BOOST_AUTO_TEST_CASE(errors_are_symmetric)
