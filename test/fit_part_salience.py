@@ -43,21 +43,40 @@ class Test(unittest.TestCase):
         for outputs, labels in (([-1, 1], [0, 0, 0, 0]), ([1, -1], [0, 0, 1, 1]),
                                 ([1, 2], [0, 1, 2, 2])):
             expected = np.mean([pairs_that_differ(labels, truth) for truth in truths])
-            error, segments = tree.error(np.array(outputs))
-            self.assertAlmostEqual(error, expected)
-            self.assertEqual(segments, len(set(labels)))
-            self.assertAlmostEqual(tree.error(np.array([3, 2]), segments)[0], expected)
+            segments = tree.segments(np.array(outputs))
+            self.assertAlmostEqual(tree.error(segments), expected)
+            self.assertEqual(len(segments), len(set(labels)))
+            self.assertEqual(tree.segments(np.array([3, 2]), len(segments)), segments)
         np.testing.assert_allclose(tree.choice_of_package, [0.1, -0.3])
 
     def test_gains_by_hand(self):
         tree = tree_of_four_faces([[0, 0, 1, 1]])
+        tree.set_gains(0)
         np.testing.assert_allclose(tree.gains, [0.5, -0.125])
         np.testing.assert_allclose(tree.agreement, [1, 0])
-        self.assertAlmostEqual(tree.least_error, 0)
+        self.assertAlmostEqual(tree.error(tree.segments(tree.gains)), 0)
+        # The first cut makes two parts of none, as half of the mesh is no part yet. The second cut
+        # makes none of one.
+        tree.set_gains(0.1)
+        np.testing.assert_allclose(tree.gains, [0.5 + 0.1 * (2 * 0.65 + 0.35),
+                                                -0.125 - 0.1 * (0.65 + 2 * 0.35)])
         # The first cut costs the pairs that it separates, but it makes the second one possible.
         tree = tree_of_four_faces([[0, 1, 1, 1]])
+        tree.set_gains(0)
         np.testing.assert_allclose(tree.gains, [0.125, 0.125])
         np.testing.assert_allclose(tree.agreement, [0.5, 1])
+
+    def test_measures_by_hand(self):
+        tree = tree_of_four_faces([[0, 1, 1, 1], [0, 0, 0, 0]])
+        # The halves: one of two faces has 2 of 3 in common with a part, the other 1 of 2; and both
+        # are halves of the whole.
+        measures = tree.measures(tree.segments(np.array([1, -1])))
+        np.testing.assert_allclose(measures[1:], [2 / 3 / 2 / 2, 1, 0, 0, 2])
+        tree = tree_of_four_faces([[0, 0, 1, 1]])
+        measures = tree.measures(tree.segments(np.array([1, 1])))
+        np.testing.assert_allclose(measures[1:], [2 / 5, 1, 0, 0, 3])
+        measures = tree_of_four_faces([[0, 0, 0, 0]]).measures([3, 4, 2])
+        np.testing.assert_allclose(measures[1:], [0, 1 / 3, 2, 0, 3])
 
     def test_a_cut_is_limited_by_the_cut_above_it(self):
         tree = tree_of_four_faces([[0, 0, 1, 1]])
@@ -122,6 +141,23 @@ class Test(unittest.TestCase):
         volume = np.einsum("ij,ij->", torus.points[torus.triangles[:, 0]], np.cross(
             torus.points[torus.triangles[:, 1]], torus.points[torus.triangles[:, 2]])) / 6
         self.assertAlmostEqual(volume / (2 * np.pi ** 2 * 3 * 0.4 ** 2), 1, delta=0.12)
+
+    def test_machines_are_closed_and_have_their_parts(self):
+        numbers = []
+        for machine in fit.machines():
+            t = machine.mesh.triangles
+            edges = {(a[k], a[k - 2]) for a in t for k in range(3)}
+            self.assertEqual(len(edges), 3 * len(t))
+            self.assertEqual(len(machine.truths[0]), len(t))
+            numbers.append(machine.truths[0].max() + 1)
+            if len(numbers) % 11 != 0:  # the last of each size is a strip
+                self.assertTrue(all((b, a) in edges for a, b in edges))
+        self.assertEqual(numbers[:11], [2, 3, 3, 2, 3, 1, 1, 1, 2, 5, 1])
+        flange = fit.machines()[0].mesh
+        volume = np.einsum("ij,ij->", flange.points[flange.triangles[:, 0]], np.cross(
+            flange.points[flange.triangles[:, 1]], flange.points[flange.triangles[:, 2]])) / 6
+        polygon = 24 / 2 * np.sin(2 * np.pi / 24)  # instead of pi
+        self.assertAlmostEqual(abs(volume), polygon * (9 * 0.4 + 1.2 ** 2 * 2.6))
 
     def test_the_table_has_all_numbers(self):
         random = np.random.default_rng(1)
