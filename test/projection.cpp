@@ -86,7 +86,8 @@ struct Run
           for (const auto& [leaf, fraction] : fractions[levels[i].vertex[v]])
             add(leaf, fraction);
       };
-      tree = internal::Cut_transfer(sequential, tree, finer, for_each_fraction,
+      const double minimum_area = 0; // no cut is lost
+      tree = internal::Cut_transfer(sequential, tree, finer, minimum_area, for_each_fraction,
                                     weights_of_calibrated_method, [](const auto&, Surface&) {},
                                     is_stopped ? stopped_monitor : monitor)();
     }

@@ -9,6 +9,7 @@
 #include <CGAL/segment_spectral_recursive.h>
 
 #include <CGAL/Aff_transformation_3.h>
+#include <CGAL/Polygon_mesh_processing/measure.h>
 #include <CGAL/Polygon_mesh_processing/transform.h>
 #include <CGAL/boost/graph/IO/polygon_mesh_io.h>
 #include <CGAL/boost/graph/helpers.h>
@@ -18,6 +19,7 @@
 #include <cmath>
 #include <cstddef>
 #include <filesystem>
+#include <numeric>
 #include <vector>
 
 BOOST_AUTO_TEST_SUITE(real_meshes)
@@ -42,6 +44,20 @@ void check_runs(const Mesh& mesh)
   });
 }
 
+// Checks that no segment of a connected mesh, for any number of segments, is below a fraction of the
+// area. Points are rounded in a run.
+void check_sizes(const Mesh& mesh, double minimum)
+{
+  const auto hierarchy = hierarchy_of(mesh, parameters::minimum_segment_size(minimum));
+  const Labels labels = labels_of_number(hierarchy, hierarchy.number_of_segments());
+  std::vector<double> areas(number_of(labels), 0);
+  for (Mesh::Face_index f : mesh.faces())
+    areas[labels[f]] += PMP::face_area(f, mesh);
+  const double all = std::accumulate(areas.begin(), areas.end(), 0.);
+  for (double area : areas)
+    BOOST_TEST(area >= (1 - 1e-4) * minimum * all);
+}
+
 // A rotation by `angle` around an axis that is not one of the coordinate axes.
 Transformation skew_rotation(double angle)
 {
@@ -62,6 +78,19 @@ BOOST_AUTO_TEST_CASE(meshes_of_many_kinds_are_segmented)
                            "mushroom.off", "dino.off", "camel.off"})
     BOOST_TEST_CONTEXT(name)
       check_runs(mesh_of(read(name)));
+}
+
+// The cuts are carried from a coarse mesh to these, whose triangles are large or uneven.
+BOOST_AUTO_TEST_CASE(no_segment_is_smaller_than_the_minimum)
+{
+  for (const char* name : {"hand.off", "handle.off", "helmet.off", "lion-head.off",
+                           "mannequin-devil.off", "mushroom.off", "oblong.off", "three_peaks.off"})
+    BOOST_TEST_CONTEXT(name)
+    {
+      const Mesh mesh = mesh_of(read(name));
+      for (double minimum : {0.003, 0.02})
+        check_sizes(mesh, minimum);
+    }
 }
 
 BOOST_AUTO_TEST_CASE(the_paper_ends_at_twelve_parts_of_each_of_equal_components)
@@ -122,7 +151,11 @@ BOOST_AUTO_TEST_CASE(each_mesh_of_CGAL_is_segmented)
       continue;
     ++number_of_meshes;
     BOOST_TEST_CONTEXT(path.filename())
+    {
       check_runs(mesh);
+      if (number_of_connected_pieces(mesh, Labels(num_faces(mesh), 0)) == 1)
+        check_sizes(mesh, 0.003);
+    }
   }
   BOOST_TEST(number_of_meshes > 80);
 }

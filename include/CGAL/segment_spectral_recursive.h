@@ -306,9 +306,9 @@ the same. `zhang_liu_2005()` does not support constraints. The example
 <b>Parameters for experts.</b>
 \cgalNamedParamsBegin
   \cgalParamNBegin{minimum_segment_size}
-    \cgalParamDescription{the smallest area of each side of a cut, as a fraction of the area of the
-      mesh. The factors of the salience are unreliable for a few faces; the paper has no such
-      limit.}
+    \cgalParamDescription{the smallest area of a segment, as a fraction of the area of the mesh. No
+      cut leaves less on a side, but a whole component of the mesh may be smaller. The factors of
+      the salience are unreliable for a few faces; the paper has no such limit.}
     \cgalParamType{a number}
     \cgalParamDefault{`0.003`, or `0.005` with `zhang_liu_2005()`. A finger of a human figure is
       larger than this; a pit in its skin is smaller.}
@@ -335,7 +335,7 @@ the same. `zhang_liu_2005()` does not support constraints. The example
       A convex mesh that has at most `number_of_coarse_faces` faces is one part without a search,
       unless `number_of_segments` or constraints are given. In the calibrated method (default) the
       number grows in proportion if more than 20 segments are requested. The factors and saliences
-      of cuts and the `minimum_segment_size` refer to the mesh that is searched.}
+      of cuts refer to the mesh that is searched.}
   \cgalParamNEnd
   \cgalParamNBegin{smooth_boundaries}
     \cgalParamDescription{whether the boundaries of the segments are smoothed (Section 2). A face

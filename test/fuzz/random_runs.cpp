@@ -175,6 +175,18 @@ class Random_run
     check_constraints(mesh(), parameters_, outcome.hierarchy);
   }
 
+  // Checks the sizes of the leaves of a connected mesh, which has its largest coordinate about 1 and
+  // whose points are rounded in a run.
+  void check_sizes(const Segmentation_hierarchy& h) const
+  {
+    const Labels labels = h.labels(h.nodes(h.number_of_segments()));
+    const std::map<int, double> area_of_segment = areas(soup_, Ids(labels.begin(), labels.end()));
+    const double least = parameters_.options.minimum_segment_size * sum(area_of_segment);
+    for (const auto& [id, area] : area_of_segment)
+      require(area >= (1 - 1e-4) * least - 1e-5 * double(number_of_faces()),
+              "no segment is smaller than the minimum: " + text(area) + " and " + text(least));
+  }
+
   void check_overflow(const Outcome& expected)
   {
     step_ = "a run with small ids";
@@ -293,6 +305,9 @@ public:
             "segments are connected");
     check_hierarchy(h, parameters_, neighbors, are_connected ? number_of_components : 0,
                     o.method == Method::CALIBRATED);
+    if (o.method == Method::CALIBRATED && number_of_components == 1 &&
+        !parameters_.has_constraints() && !o.number_of_segments && !o.smooth_boundaries)
+      check_sizes(h);
     check_constraints(mesh(), parameters_, outcome.labels, "the segments");
     check_constraints(mesh(), parameters_, h);
     const bool has_options_only = parameters_.groups.empty() && parameters_.features.empty() &&

@@ -192,7 +192,8 @@ public:
 // Transfers the cuts of another surface of the same shape to a mesh, one by one from the root. A
 // cut assigns each cell to the side that has the larger fraction of it. The cells with fractions on
 // both sides are a band around the cut, which a minimum cut splits. Finally, the sides are made
-// connected: all pieces of a side except the largest go to the other side.
+// connected: all pieces of a side except the largest go to the other side. A cut with a side below
+// the minimum area is lost.
 class Cut_transfer
 {
   enum Side : char { Q, REST, OUTSIDE };
@@ -201,6 +202,7 @@ class Cut_transfer
   const Execution execution_;
   const Merge_tree& tree_; // of the other surface
   const Surface& mesh_;
+  const double minimum_area_;
   Run_monitor& monitor_;
 
   const Merged_sets sets_;
@@ -425,7 +427,7 @@ class Cut_transfer
   }
 
   // Makes a cut of the other surface, if its part is not lost. Returns its smaller and its larger
-  // side, and null_index twice if it is not made because one side would be empty.
+  // side, and null_index twice if it is not made because one side would be empty or too small.
   std::pair<Index, Index> cut(std::size_t i)
   {
     const Index first[2] = {sets_.sides[i][0].first, sets_.sides[i][1].first};
@@ -440,16 +442,15 @@ class Cut_transfer
       cells[int(side[k])].push_back(all[k]);
       area[int(side[k])] += cells_.area(all[k]);
     }
-    if (cells[0].empty() || cells[1].empty()) {
-      const int lost = cells[0].empty() ? 0 : 1;
-      const Merged_set& set = sets_.sides[i][lost];
+    const int smaller = !cells[0].empty() && (cells[1].empty() || area[1] < area[0]) ? 1 : 0;
+    if (cells[smaller].empty() || area[smaller] < minimum_area_) {
+      const Merged_set& set = sets_.sides[i][smaller];
       std::fill(is_lost_.begin() + set.first, is_lost_.begin() + set.end, char(1));
       std::fill(part_.begin() + set.first, part_.begin() + set.end, part);
-      part_[first[1 - lost]] = part;
+      part_[first[1 - smaller]] = part;
       cells_of_part_[part] = all;
       return {null_index, null_index};
     }
-    const int smaller = area[0] <= area[1] ? 0 : 1;
     const Index parts[2] = {add_part(std::move(cells[smaller])),
                             add_part(std::move(cells[1 - smaller]))};
     part_[first[smaller]] = parts[0];
@@ -481,16 +482,19 @@ class Cut_transfer
   }
 
 public:
-  // Takes the cuts of another surface, which has the same components. `for_each_fraction(f, add)`
+  // Takes the cuts of another surface, which has the same components, and the least area of a side.
+  // `for_each_fraction(f, add)`
   // calls add(leaf, fraction) for each leaf of the cuts that the face f of the mesh touches,
   // possibly repeatedly. Once the caller has stopped the run, no minimum cuts are made.
   // `edit_weights(faces, bands)` may change the weights of these faces of the mesh, among which
   // minimum cuts are searched.
   template <class For_each_fraction, class Edit_weights>
   Cut_transfer(Execution execution, const Merge_tree& tree, const Surface& mesh,
-               const For_each_fraction& for_each_fraction, const Distance_weights& weights,
-               const Edit_weights& edit_weights, Run_monitor& monitor)
-    : execution_(execution), tree_(tree), mesh_(mesh), monitor_(monitor), sets_(tree),
+               double minimum_area, const For_each_fraction& for_each_fraction,
+               const Distance_weights& weights, const Edit_weights& edit_weights,
+               Run_monitor& monitor)
+    : execution_(execution), tree_(tree), mesh_(mesh), minimum_area_(minimum_area),
+      monitor_(monitor), sets_(tree),
       cells_(mesh, may_border_cut(execution, tree, mesh, for_each_fraction)),
       fractions_(cell_fractions(cells_, sets_, for_each_fraction, monitor)),
       side_(cells_.number(), OUTSIDE), part_(tree.leaves.size(), null_index),

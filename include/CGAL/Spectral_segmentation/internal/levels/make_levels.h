@@ -282,7 +282,11 @@ inline Merge_tree carry_back(const Merge_tree& tree, Levels& l, const Run_data& 
     if (!l.features.empty() && (to == 0 || l.levels[to].is_subdivision))
       add_steps_of_faces(d, l.features.unit, composed(faces, l.callers_faces(to)), bands);
   };
-  Cut_transfer transfer(d.execution, tree, mesh, for_each_fraction,
+  // The method of the paper loses no small sides: its runs would end with fewer segments than the
+  // hierarchy of a longer run has after as many cuts.
+  const double minimum_area = tree.is_monotonic
+    ? d.options.minimum_segment_size * total_area(mesh) / d.fraction_of_model : 0;
+  Cut_transfer transfer(d.execution, tree, mesh, minimum_area, for_each_fraction,
                         distance_weights(d.options, d.method), add_steps, d.monitor);
   Merge_tree result = transfer();
   l.levels.pop_back();

@@ -44,7 +44,7 @@ struct Merge_tree
   std::vector<Leaf> leaves;   // each has a face
   std::vector<Merge> merges;  // the last cut first
   bool is_monotonic = false;  // no cut is less salient than any later cut
-  bool has_all_cuts = true;   // false if cuts are lost because no face was left for a side
+  bool has_all_cuts = true;   // false if cuts are lost because a side became too small
 
   std::size_t number_of_roots() const { return leaves.size() - merges.size(); }
 };
