@@ -193,15 +193,16 @@ def turned(profile, number_of_sides, is_closed=False):
             np.concatenate([edge + 1, np.zeros(m, int), np.full(m, n)]))
 
 
-def cubes(cells):
+def cubes(cells, period=None):
     """Returns the surface of a union of unit cubes, given as a dictionary of the part of each cube,
-    and the part of each triangle."""
+    and the part of each triangle. With a period, the first axis is closed to a circle."""
     number, triangles, part = {}, [], []
     for cell, part_of_cell in cells.items():
         for axis in range(3):
             for side in (0, 1):
                 neighbor = list(cell)
                 neighbor[axis] += 2 * side - 1
+                neighbor[0] %= period or math.inf
                 if tuple(neighbor) in cells:
                     continue
                 corners = []
@@ -210,6 +211,7 @@ def cubes(cells):
                     corner[axis] += side
                     corner[(axis + 1) % 3] += a
                     corner[(axis + 2) % 3] += b
+                    corner[0] %= period or math.inf
                     corners.append(number.setdefault(tuple(corner), len(number)))
                 a, b, c, d = corners if side else corners[::-1]
                 triangles += [(a, b, c), (a, c, d)]
@@ -224,7 +226,7 @@ def box_of_cells(x, y, z, part=0):
 
 def machines():
     """Returns flanges, rings on cylinders, spools, bolts, shafts, tubes, gear rims, plates with
-    holes or with posts, and bent strips. Their parts meet in concave edges; the others are one."""
+    holes or with posts, tables, and bent strips. Their parts meet in concave edges."""
     def solid(profile, parts, sides):
         mesh, edge = turned(profile, sides)
         return mesh, np.array(parts)[edge]
@@ -246,12 +248,14 @@ def machines():
         mesh, edge = turned(tube_profile, sides, True)
         result.append((mesh, 0 * edge))
 
-        # a gear rim, whose outer rings go in and out
-        mesh, edge = turned([(3, 0), (4, 0), (4, size), (3, size)], 2 * sides, True)
-        is_tooth = np.arange(2 * sides) // 2 % 2 == 0
-        points = mesh.points.reshape(4, 2 * sides, 3).copy()
-        points[1:3, is_tooth, :2] *= 1.12
-        result.append((Mesh(points.reshape(-1, 3), mesh.triangles), 0 * edge))
+        rim = box_of_cells((0, sides), (0, 1), (0, 1))
+        for tooth in range(sides // 2):
+            rim[2 * tooth, 1, 0] = 1 + tooth
+        mesh, part = cubes(rim, sides)
+        angle, height = 2 * np.pi / sides * mesh.points[:, 0], mesh.points[:, 1:]
+        radius = 3 + height[:, 0]
+        result.append((Mesh(np.column_stack([radius * np.cos(angle), radius * np.sin(angle),
+                                             2 * size * height[:, 1]]), mesh.triangles), part))
 
         length = int(8 * size)
         with_holes = box_of_cells((0, length), (0, 5), (0, 1))
@@ -603,10 +607,10 @@ def arguments():
                         metavar="DIR",
                         help="N.off: other triangulations of the benchmark's meshes, as "
                              "segmentation_quality --cache writes them")
-    parser.add_argument("--plain-weight", type=float, default=0.02,
-                        help="of made shapes without parts, such as knots and plates [0.02]")
-    parser.add_argument("--machine-weight", type=float, default=0.02,
-                        help="of made machines, such as flanges and spools [0.02]")
+    parser.add_argument("--plain-weight", type=float, default=0.005,
+                        help="of made shapes without parts, such as knots and plates [0.005]")
+    parser.add_argument("--machine-weight", type=float, default=0.005,
+                        help="of made machines, such as flanges and spools [0.005]")
     parser.add_argument("--noisy-copies", type=int, default=2, help="of each mesh [2]")
     parser.add_argument("--table", type=pathlib.Path, metavar="OUT.h",
                         help="writes the header with the network")

@@ -122,11 +122,11 @@ inline void print_means(const std::vector<Row_summary>& rows)
     std::printf(" %7.2f %9.3f %8ld/%zu\n", means.segments, means.median_seconds,
                 r.categories_at_or_below_people(), r.categories.size());
   }
-  std::printf("Rand: Rand error; cut: cut discrepancy; PQ: panoptic quality; IoU: mean over people's "
-              "parts of the\n  intersection over union with the most similar segment; made: fraction "
-              "of the segments that somebody\n  made; false: segments a mesh that nobody made; "
-              "scraps: those below 1 %% of the faces; categories: in\n  how many the Rand error is "
-              "at most people's own\n");
+  std::printf("Rand: Rand error; cut: cut discrepancy; PQ: panoptic quality; IoU: mean over "
+              "people's parts of the\n  intersection over union with the most similar segment; "
+              "made: fraction of the segments that somebody\n  made; false: segments a mesh that "
+              "nobody made; scraps: those below 1 %% of the faces; categories: in\n  how many the "
+              "Rand error is at most people's own\n");
 }
 
 // Returns the index of the row with the same method and protocol on the meshes as they are; or the

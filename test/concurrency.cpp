@@ -13,7 +13,6 @@
 BOOST_AUTO_TEST_SUITE(concurrency)
 
 using CGAL::Spectral_segmentation::internal::Execution;
-using CGAL::Spectral_segmentation::internal::Task_group;
 using CGAL::Spectral_segmentation::internal::call_all;
 using CGAL::Spectral_segmentation::internal::call_isolated;
 using CGAL::Spectral_segmentation::internal::for_each_index;
@@ -56,18 +55,6 @@ BOOST_AUTO_TEST_CASE(all_functions_are_called_once)
     call_isolated([&] { ++isolated_calls; });
     for (int number : {calls[0], calls[1], calls[2], isolated_calls})
       BOOST_TEST(number == 1);
-  }
-}
-
-BOOST_AUTO_TEST_CASE(a_group_has_run_all_its_tasks_when_it_was_waited_for)
-{
-  for (Execution execution : executions) {
-    std::vector<int> runs(200, 0);
-    Task_group group(execution);
-    for (std::size_t i = 0; i < runs.size(); ++i)
-      group.run([&runs, i] { ++runs[i]; });
-    group.wait();
-    BOOST_TEST(runs == std::vector<int>(200, 1));
   }
 }
 

@@ -330,7 +330,7 @@ class Example(unittest.TestCase):
         areas = re.findall(r'^\d+\[label="\d+\\narea (\S+)"\];$', text, re.MULTILINE)
         saliences = re.findall(r'^\d+--\d+ \[label="(\S+)", len=\S+\];$', text, re.MULTILINE)
         self.assertEqual((len(areas), len(saliences)), (n, number_of_boundaries))
-        self.assertTrue(all(0.3 <= float(salience) <= 1 for salience in saliences))
+        self.assertTrue(all(0.4 <= float(salience) <= 1 for salience in saliences))
         points, faces = read_off(MESHES / "elephant.off")
         area = sum(dot(normal, normal) ** 0.5 / 2 for _, normal in outer_planes(points, faces))
         self.assertAlmostEqual(sum(map(float, areas)) / area, 1, places=4)

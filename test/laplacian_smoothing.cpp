@@ -15,9 +15,14 @@ BOOST_AUTO_TEST_SUITE(laplacian_smoothing)
 
 using namespace test_meshes;
 using CGAL::Spectral_segmentation::internal::Vector;
-using CGAL::Spectral_segmentation::internal::smoothed_points;
 
 namespace {
+
+std::vector<Vector> smoothed_points(const Surface& graph, std::size_t iterations)
+{
+  return CGAL::Spectral_segmentation::internal::smoothed_points(graph, iterations,
+                                                                [] { return true; });
+}
 
 // One step at a time, over the vertices of the mesh.
 std::vector<Vector> smoothed_by_vertex(const Soup& soup, std::vector<Vector> points,

@@ -44,8 +44,8 @@ void check_runs(const Mesh& mesh)
   });
 }
 
-// Checks that no segment of a connected mesh, for any number of segments, is below a fraction of the
-// area. Points are rounded in a run.
+// Checks that no segment of a connected mesh, for any number of segments, is below a fraction of
+// the area. Points are rounded in a run.
 void check_sizes(const Mesh& mesh, double minimum)
 {
   const auto hierarchy = hierarchy_of(mesh, parameters::minimum_segment_size(minimum));

@@ -145,7 +145,8 @@ BOOST_AUTO_TEST_CASE(part_agreement_by_hand)
   BOOST_TEST(two.mean_overlap == (3 / 4. + 1 / 2.) / 2, tt::tolerance(tolerance));
   BOOST_TEST(two.made == 1);
 
-  const Part_agreement none = part_agreement({overlap(after_1_and_2, Labels{0, 1, 2, 2, 1, 0, 0, 0})});
+  const Labels other = {0, 1, 2, 2, 1, 0, 0, 0};
+  const Part_agreement none = part_agreement({overlap(after_1_and_2, other)});
   BOOST_TEST(none.made == 2 / 3., tt::tolerance(tolerance));
   BOOST_TEST(none.false_segments == 1);
 }

@@ -467,7 +467,7 @@ class OBJECT_OT_segment_into_parts(bpy.types.Operator):
         name="Number of Parts", default=5, min=1, soft_max=20,
         description="Up to 20 parts no new search is needed")
     salience_threshold: bpy.props.FloatProperty(
-        name="Threshold", default=0.3, min=0, max=1, step=1,
+        name="Threshold", default=0.4, min=0, max=1, step=1,
         description="The smallest salience of a cut: the probability that people cut there. A "
                     "higher one gives fewer parts. If automatic, it is 0.40, and 0.54 in the "
                     "method of the paper")

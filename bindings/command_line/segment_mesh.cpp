@@ -276,7 +276,7 @@ void add_segmentation_options(CLI::App& app, Options& o)
                    both_defaults(CGAL::Spectral_segmentation::threshold_of))
     ->type_name("T");
   app.add_option("--minimum-segment-size", o.segmentation.minimum_segment_size,
-                 "smallest area of a side of a cut, as a fraction of the area of the mesh" +
+                 "smallest area of a segment, as a fraction of the area of the mesh" +
                    both_defaults(&Segmentation_options::minimum_segment_size))
     ->type_name("S")->check(CLI::Range(0., 0.5));
   app.add_flag("--keep-components-separate", o.segmentation.keep_components_separate,

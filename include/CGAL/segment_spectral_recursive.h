@@ -240,7 +240,7 @@ at most 4000 faces by default. The memory is O(*n*). The section
     \cgalParamDescription{the smallest salience of a cut. Cuts below it are not made (Section 2), or
       are undone by merging. A higher value gives fewer segments.}
     \cgalParamType{a number}
-    \cgalParamDefault{`default_probability_threshold`, `0.3`; for a `Weighted_part_salience`, as
+    \cgalParamDefault{`default_probability_threshold`, `0.4`; for a `Weighted_part_salience`, as
       with `zhang_liu_2005()`, `default_salience_threshold`, `0.54`. Lower values cut flat parts
       along their noise; higher values miss limbs with a shallow seam.}
     \cgalParamExtra{not NaN; `-infinity` accepts every cut, for use with

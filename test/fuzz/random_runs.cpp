@@ -175,8 +175,7 @@ class Random_run
     check_constraints(mesh(), parameters_, outcome.hierarchy);
   }
 
-  // Checks the sizes of the leaves of a connected mesh, which has its largest coordinate about 1 and
-  // whose points are rounded in a run.
+  // Checks the sizes of the leaves of a connected mesh. Points are rounded in a run.
   void check_sizes(const Segmentation_hierarchy& h) const
   {
     const Labels labels = h.labels(h.nodes(h.number_of_segments()));

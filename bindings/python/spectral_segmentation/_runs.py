@@ -68,7 +68,7 @@ _PARAMETERS = """Parameters
     maximum_number_of_segments : int, optional
         At most this number. By default there is no limit, but with the method "paper" 12 for a
         connected mesh, unless a `salience_threshold` is given.
-    salience_threshold : float, default: 0.3, or 0.54 for weighted saliences such as the paper's
+    salience_threshold : float, default: 0.4, or 0.54 for weighted saliences such as the paper's
         The smallest salience of a cut. The salience of the calibrated method is the probability
         that people cut there; there the threshold is in [0, 1], or infinite for all cuts or none.
     keep_components_separate : bool, default: False, or True with the method "paper"
@@ -97,7 +97,7 @@ _PARAMETERS = """Parameters
         not. Negative numbers mean nothing. Neither this nor the two for edges go with the method
         "paper".
     minimum_segment_size : float, default: 0.003, or 0.005 with the method "paper"
-        The least fraction of the area of the mesh for each side of a cut, in [0, 0.5].
+        The smallest area of a segment, as a fraction of the area of the mesh, in [0, 0.5].
     part_salience : callable, optional
         Your own salience of a cut, which takes `SalienceFactors` and returns a number. It is called
         from several threads, one at a time. Give `salience_threshold` with it.

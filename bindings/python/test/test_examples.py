@@ -109,7 +109,7 @@ def test_table_of_parts(tmp_path, meshes, tool):
         assert [int(other) for other in row["neighbors"].split()] == \
             sorted(pairs[at_part].sum(axis=1) - part)
         assert float(row["boundary"]) == pytest.approx(lengths[at_part].sum())
-        assert 0.3 <= float(row["salience"]) <= 1 # from the default threshold on
+        assert 0.4 <= float(row["salience"]) <= 1 # from the default threshold on
 
 
 def test_table_of_a_mesh_that_is_one_part(tmp_path, dumbbell):

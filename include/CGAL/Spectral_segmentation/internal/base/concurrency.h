@@ -85,39 +85,6 @@ Value sum_of(Execution execution, std::size_t n, const Value& zero, const Functi
   return std::accumulate(sums.begin(), sums.end(), zero);
 }
 
-// Runs functions concurrently with the caller, who waits for them; with one thread, in `run()`.
-class Task_group
-{
-  Execution execution_;
-#ifdef CGAL_LINKED_WITH_TBB
-  tbb::task_group_context own_{tbb::task_group_context::isolated};
-  tbb::task_group group_{own_};
-#endif
-
-public:
-  explicit Task_group(Execution execution) : execution_(execution) {}
-
-  template <class Function>
-  void run(const Function& f)
-  {
-#ifdef CGAL_LINKED_WITH_TBB
-    if (execution_ == Execution::PARALLEL) {
-      group_.run(f);
-      return;
-    }
-#endif
-    static_cast<void>(execution_);
-    f();
-  }
-
-  void wait()
-  {
-#ifdef CGAL_LINKED_WITH_TBB
-    group_.wait();
-#endif
-  }
-};
-
 // Prefetches memory that will be read soon, if the compiler supports it. Otherwise, loops that
 // visit faces in a special order wait for memory half of the time.
 inline void prefetch(const void* address)

@@ -100,7 +100,7 @@ struct Feature_logit
   // boundaries
   double first_reliability = 0.2, last_reliability = 0.4;
   double shape = 0.75;
-  double constant = -3.87;
+  double constant = -3.43;
   double feature_step = -1.7;
   double explained_variance_near_cut = 3.95;
   double explained_variance = 1.75;

@@ -309,9 +309,6 @@ std::vector<Vector> smoothed_points(const Surface& graph, std::size_t iterations
   return points;
 }
 
-inline std::vector<Vector> smoothed_points(const Surface& graph, std::size_t iterations)
-{ return smoothed_points(graph, iterations, [] { return true; }); }
-
 } // namespace CGAL::Spectral_segmentation::internal
 
 #endif // CGAL_SPECTRAL_SEGMENTATION_INTERNAL_WEIGHTS_FACE_DISTANCES_H
