@@ -20,8 +20,8 @@ export type Integers = Int32Array | Uint32Array | Uint16Array | Int16Array | Uin
 export interface Options extends Choice {
   /** "calibrated", the default, cuts where people cut; "paper" is Zhang and Liu 2005. */
   method?: "calibrated" | "paper";
-  /** The smallest area of a segment, as a fraction of the area of the mesh, from 0 to 0.5: by default
-   *  0.003, with the method "paper" 0.005. */
+  /** The smallest area of a segment, as a fraction of the area of the mesh, from 0 to 0.5: by
+   *  default 0.003, with the method "paper" 0.005. */
   minimumSegmentSize?: number;
   /** Edges that must be between segments, each given by the indices of its two points. The
    *  constraints, which are this and the next two, do not go with the method "paper". */

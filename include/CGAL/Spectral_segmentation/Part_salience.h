@@ -49,9 +49,10 @@ struct Weighted_part_salience
 /// fraction of the area of the mesh that the smaller side has. It is fitted to what a cut costs:
 /// each cut is weighted by the Rand error and by the human parts that it adds or removes. Therefore
 /// a missing head weighs more than a missing finger, and a superfluous scrap counts, too. The more
-/// reliable the features of faces are, the more the first network replaces it. Its output is calibrated: of the cuts with a salience of 0.7,
-/// seven of ten people make the mean one. The table has the mean change of its logit if an
-/// input grows by one standard deviation, which benchmark/fit_part_salience.py prints.
+/// reliable the features of faces are, the more the first network replaces it. Its output is
+/// calibrated: of the cuts with a salience of 0.7, seven of ten people make the mean one. The table
+/// has the mean change of its logit if an input grows by one standard deviation, which
+/// benchmark/fit_part_salience.py prints.
 ///
 /// A function of the caller that calls this one gives the order of merging, too, so that its
 /// hierarchy may differ.
