@@ -8,6 +8,7 @@
 
 #include <Eigen/Core>
 
+#include <limits>
 #include <vector>
 
 // Measures in which each part counts the same, however small it is. In the Rand error a false
@@ -34,8 +35,9 @@ inline Eigen::ArrayXXd overlap_ratios(const Eigen::ArrayXXd& overlap)
 {
   const Eigen::ArrayXd rows = overlap.rowwise().sum();
   const Eigen::ArrayXXd columns = overlap.colwise().sum();
-  return overlap / (rows.replicate(1, overlap.cols()) + columns.replicate(overlap.rows(), 1) -
-                    overlap);
+  const Eigen::ArrayXXd all = rows.replicate(1, overlap.cols()) +
+                              columns.replicate(overlap.rows(), 1) - overlap;
+  return overlap / all.max((std::numeric_limits<double>::min)()); // areas may be 0
 }
 
 // Compares segments with the parts of some people, given the overlap of the segments, in rows, with

@@ -317,7 +317,9 @@ class Real_meshes(Tool_test):
         report = self.report()
         self.assertEqual(report["parameters"]["method"], "calibrated")
         cuts = [n for n in report["hierarchy"]["nodes"] if n["children"]]
-        self.assertEqual(len(cuts), 19)
+        # of about 20 regions
+        self.assertGreaterEqual(len(cuts), 16)
+        self.assertLessEqual(len(cuts), 22)
         for node in cuts:
             self.assertTrue(0 <= node["salience"] <= 1)
             self.assertGreater(node["factors"]["expansion_behind_cut"], 0)

@@ -306,9 +306,11 @@ the same. `zhang_liu_2005()` does not support constraints. The example
 <b>Parameters for experts.</b>
 \cgalNamedParamsBegin
   \cgalParamNBegin{minimum_segment_size}
-    \cgalParamDescription{the smallest area of a segment, as a fraction of the area of the mesh. No
-      cut leaves less on a side, but a whole component of the mesh may be smaller. The factors of
-      the salience are unreliable for a few faces; the paper has no such limit.}
+    \cgalParamDescription{the smallest area of a segment, as a fraction of the area of the mesh. A
+      whole component of the mesh may be smaller, and so may parts that constraints or a
+      `number_of_segments` need. With `zhang_liu_2005()` the areas are those of the mesh that is
+      searched. The factors of the salience are unreliable for a few faces; the paper has no such
+      limit.}
     \cgalParamType{a number}
     \cgalParamDefault{`0.003`, or `0.005` with `zhang_liu_2005()`. A finger of a human figure is
       larger than this; a pit in its skin is smaller.}

@@ -7,7 +7,9 @@
 #include <CGAL/Spectral_segmentation/internal/engine.h>
 #include <CGAL/Spectral_segmentation/internal/levels/make_levels.h>
 #include <CGAL/Spectral_segmentation/internal/levels/prepare_mesh.h>
+#include <CGAL/Spectral_segmentation/internal/search/mirrored_cuts.h>
 #include <CGAL/Spectral_segmentation/internal/search/region_merging.h>
+#include <CGAL/Spectral_segmentation/internal/surface/mirror_symmetry.h>
 #include <CGAL/Spectral_segmentation/internal/tree/Component_merging.h>
 #include <CGAL/Spectral_segmentation/internal/tree/Constrained_merging.h>
 #include <CGAL/Spectral_segmentation/internal/tree/Constraint_groups.h>
@@ -45,9 +47,30 @@ inline Merge_tree search_calibrated(const Levels& l, const Run_data& d)
     Recursion(d.execution, surface, best_cut, d.options, d.monitor)
       .by_salience(d.method.number_of_regions).leaf;
   return d.monitor.stage(Stage::MERGING, Segmentation_visitor::whole_mesh, [&] {
-    Merge_tree tree = Region_merging(d.execution, surface, best_cut.context(),
-                                     d.options.part_salience, d.monitor)(regions);
+    const auto merged = [&](const std::vector<Index>& regions_of_faces) {
+      return Region_merging(d.execution, surface, best_cut.context(), d.options.part_salience,
+                            d.monitor)(regions_of_faces);
+    };
+    Merge_tree tree = merged(regions);
+    std::vector<Index> image; // of each face, if the surface is its own mirror image
+    if (surface.components.number == 1 && d.monitor.go_further() &&
+        d.options.part_salience.target<Calibrated_part_salience>()) {
+      const Mirror_symmetry symmetry(surface);
+      if (const auto reflection = symmetry())
+        image = symmetry.images(d.execution, *reflection);
+    }
+    if (!image.empty()) {
+      apply_from_top_down(tree);
+      const std::vector<Index> divided =
+        Mirrored_cuts(surface, tree, image).divided_leaves(best_cut.minimum_area());
+      if (divided != tree.leaf && d.monitor.go_further())
+        tree = merged(divided);
+    }
     average_saliences(surface, tree);
+    if (!image.empty()) {
+      raise_saliences(tree, Mirrored_cuts(surface, tree, image).partners());
+      apply_from_top_down(tree);
+    }
     return tree;
   });
 }

@@ -371,7 +371,7 @@ class Cut_transfer
       return;
     const auto key = [&](Index cell) {
       const double fraction = fraction_in(sets_.sides[cut][int(other)], cell);
-      const double all = fraction_in(union_of(cut), cell);
+      const double all = fraction_in(sets_.union_of(cut), cell);
       const Vector position = quantized(mesh_.centroid(cells_.first_face(cell)));
       return std::make_tuple(all > 0 ? quantized(fraction / all) : 0, position.x(), position.y(),
                              position.z());
@@ -379,13 +379,6 @@ class Cut_transfer
     side_[*std::max_element(cells.begin(), cells.end(), [&](Index a, Index b)
                             { return key(a) < key(b); })] = other;
     keep_largest(cells, Side(only));
-  }
-
-  Merged_set union_of(std::size_t cut) const
-  {
-    Merged_set result = sets_.sides[cut][0];
-    result.end = sets_.sides[cut][1].end;
-    return result;
   }
 
   // Returns the sides of the cells of a part, by a cut of the other surface. Both are connected,
@@ -483,11 +476,10 @@ class Cut_transfer
 
 public:
   // Takes the cuts of another surface, which has the same components, and the least area of a side.
-  // `for_each_fraction(f, add)`
-  // calls add(leaf, fraction) for each leaf of the cuts that the face f of the mesh touches,
-  // possibly repeatedly. Once the caller has stopped the run, no minimum cuts are made.
-  // `edit_weights(faces, bands)` may change the weights of these faces of the mesh, among which
-  // minimum cuts are searched.
+  // `for_each_fraction(f, add)` calls add(leaf, fraction) for each leaf of the cuts that the face f
+  // of the mesh touches, possibly repeatedly. Once the caller has stopped the run, no minimum cuts
+  // are made. `edit_weights(faces, bands)` may change the weights of these faces of the mesh, among
+  // which minimum cuts are searched.
   template <class For_each_fraction, class Edit_weights>
   Cut_transfer(Execution execution, const Merge_tree& tree, const Surface& mesh,
                double minimum_area, const For_each_fraction& for_each_fraction,

@@ -131,6 +131,12 @@ struct Merged_sets
     set_ranges();
   }
 
+  Merged_set union_of(std::size_t merge) const
+  {
+    const auto& [a, b] = sides[merge];
+    return {a.first, b.end, a.leaf, static_cast<Index>(merge), a.area + b.area};
+  }
+
 private:
   void set_ranges()
   {

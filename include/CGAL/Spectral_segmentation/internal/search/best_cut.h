@@ -70,6 +70,8 @@ protected:
 public:
   virtual ~Best_cut() = default;
 
+  double minimum_area() const { return minimum_area_; }
+
   // Returns the cuts that are compared, the most salient first. Throws `Run_stopped` if the caller
   // stops the run.
   std::vector<Cut> compared_cuts(Execution execution, const Part& part, Run_monitor& monitor) const
