@@ -148,7 +148,7 @@ constexpr std::size_t default_number_of_parts = 12;
 /// \ingroup PkgSpectralSegmentationRef
 /// The default of the named parameter `salience_threshold` for any other part salience.
 ///
-/// It is a little above the probability at which a cut neither pays nor costs, 0.38. That
+/// It is a little above the probability at which a cut neither pays nor costs, 0.39. That
 /// probability is below 1/2 because a superfluous cut costs less than a missing one.
 constexpr double default_probability_threshold = 0.40;
 
