@@ -86,8 +86,8 @@ class Mirrored_cuts
     return result;
   }
 
-  // Moves all pieces of side 1 or 2 but the largest to the other one. Faces of no region that is
-  // divided are on side 0.
+  // Moves all pieces of side 1 or 2 but the largest to the other of these sides. Side 0 has the
+  // faces outside of the region.
   void keep_largest(Sides& sides, char side) const
   {
     const Components pieces = connected_components(surface_, sides);
