@@ -131,11 +131,16 @@ class Page_test(unittest.TestCase):
     def labels(self, *arguments):
         return [int(l) for l in self.output(*arguments, "--labels", "-", "--quiet").split()]
 
+    def check_equal(self, labels, expected):
+        """assertEqual() would print a difference of lists this long in no useful time."""
+        self.assertEqual(len(labels), len(expected))
+        self.assertEqual(sum(a != b for a, b in zip(labels, expected)), 0)
+
     def check_labels(self, path, numbers, *options):
         page = self.page(path, *options)
         for n in numbers:
             with self.subTest(n=n):
-                self.assertEqual(page.labels(n), self.labels(path, "--segments", n, *options))
+                self.check_equal(page.labels(n), self.labels(path, "--segments", n, *options))
         return page
 
     def test_mesh(self):
@@ -187,16 +192,17 @@ class Page_test(unittest.TestCase):
                 self.assertEqual(set(edges.values()), {2})
 
     def test_labels(self):
-        page = self.check_labels(MESHES / "elephant.off", (1, 2, 7, 12, 20))
-        self.assertEqual(page.number_of_segments(), 20)
+        page = self.check_labels(MESHES / "elephant.off", (1, 2, 7, 12, 19))
+        self.assertEqual(page.number_of_segments(), 19) # one of 20 was below the minimum size
         self.assertEqual(page.data["exceptions"], {})
-        self.assertEqual(page.labels(page.data["segments"]), self.labels(MESHES / "elephant.off"))
+        self.check_equal(page.labels(page.data["segments"]),
+                         self.labels(MESHES / "elephant.off"))
 
     def test_more_segments_than_by_default(self):
         page = self.page(MESHES / "elephant.off", "--segments", "40")
         self.assertEqual(page.number_of_segments(), 40)
         self.assertEqual(page.data["segments"], 40)
-        self.assertEqual(page.labels(40), self.labels(MESHES / "elephant.off", "--segments", 40))
+        self.check_equal(page.labels(40), self.labels(MESHES / "elephant.off", "--segments", 40))
 
     def test_report_has_same_cuts(self):
         report = json.loads(self.output(MESHES / "elephant.off", "--json", "-", "--quiet"))
@@ -212,27 +218,30 @@ class Page_test(unittest.TestCase):
         self.assertEqual(sorted(set(classes)), list(range(max(classes) + 1)))
 
     def test_smoothed_boundaries(self):
-        page = self.check_labels(MESHES / "elephant.off", (2, 9, 20), "--smooth-boundaries")
+        page = self.check_labels(MESHES / "elephant.off", (2, 9, 19), "--smooth-boundaries")
         self.assertNotEqual(page.data["exceptions"], {})
 
     def test_method_of_paper(self):
         page = self.page(MESHES / "elephant.off", "--method", "paper", "--segments", "6")
         self.assertEqual(page.data["salience"], "salience")
-        self.assertEqual(page.labels(4), self.labels(MESHES / "elephant.off", "--method", "paper",
+        self.check_equal(page.labels(4), self.labels(MESHES / "elephant.off", "--method", "paper",
                                                      "--segments", "4"))
 
     def test_polygons(self):
-        """Polygons that boundaries cut, and one without area, whose label is borrowed."""
+        """Polygons that boundaries cut, and one without area, whose label is borrowed. A hexagon
+        spans the thinnest ring, at the middle of the neck."""
         points, faces = dumbbell()
         around = 16
         start = lambda z, i: 1 + z * around + i % around
         sides = [(start(z, i), start(z, i + 1), start(z + 1, i + 1), start(z + 2, i + 1),
                   start(z + 2, i), start(z + 1, i))
-                 for z in range(0, 16, 2) for i in range(around)]
+                 for z in range(1, 15, 2) for i in range(around)]
+        sides += [(start(z, i), start(z, i + 1), start(z + 1, i + 1), start(z + 1, i))
+                  for z in (0, 15) for i in range(around)]
         ends = [face for face in faces if 0 in face or len(points) - 1 in face]
         path = self.directory / "polygons.off"
         write_off(path, points, [(40, 40, 40)] + sides + ends)
-        page = self.check_labels(path, (1, 2, 3, 6, 10))
+        page = self.check_labels(path, (1, 2, 3, 6, 8))
         self.assertTrue(any(e["faces"] for e in page.data["exceptions"].values()))
 
     def test_components(self):
@@ -261,7 +270,7 @@ class Page_test(unittest.TestCase):
         exact = 2 * math.pi * length * (rings - 1) / rings + 2 * math.pi
         surface = sum(area(page.points, t) for t in page.triangles)
         self.assertAlmostEqual(surface / exact, 1, delta=0.01)
-        self.assertEqual(page.labels(3), self.labels(path, "--segments", 3))
+        self.check_equal(page.labels(3), self.labels(path, "--segments", 3))
 
     def test_page_needs_no_network(self):
         text = self.page(MESHES / "elephant.off").text
