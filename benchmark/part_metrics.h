@@ -28,6 +28,9 @@ struct Part_agreement
   double made = undefined;             // the fraction of the segments that some person made
   double false_segments = undefined;   // the number of segments that nobody made
   double scraps = undefined;           // the number of those that are scraps
+  // Only of meshes that are their own mirror images, but for details (mirror_metrics.h):
+  double unlike = undefined;     // the number of segments whose mirror images are no segments
+  double same_place = undefined; // of the others, the fraction whose seams are mirror images
 };
 
 // Returns the intersection over union of each row with each column.
@@ -58,8 +61,13 @@ inline Part_agreement part_agreement(const std::vector<Eigen::ArrayXXd>& overlap
   const Flags is_false = best < least_overlap_of_found_part;
   const Flags is_small = sizes < greatest_fraction_of_scrap * sizes.sum();
   const double number = static_cast<double>(is_false.count());
-  return {quality(), mean_overlap(), 1 - number / static_cast<double>(best.size()), number,
-          static_cast<double>((is_false && is_small).count())};
+  Part_agreement result;
+  result.panoptic_quality = quality();
+  result.mean_overlap = mean_overlap();
+  result.made = 1 - number / static_cast<double>(best.size());
+  result.false_segments = number;
+  result.scraps = static_cast<double>((is_false && is_small).count());
+  return result;
 }
 
 // The measures, in the order in which tables have them.
@@ -75,7 +83,9 @@ constexpr Part_measure part_measures[] = {
   {"IoU", "mean_overlap", &Part_agreement::mean_overlap},
   {"made", "made", &Part_agreement::made},
   {"false", "false_segments", &Part_agreement::false_segments},
-  {"scraps", "scraps", &Part_agreement::scraps}};
+  {"scraps", "scraps", &Part_agreement::scraps},
+  {"unlike", "unlike", &Part_agreement::unlike},
+  {"place", "same_place", &Part_agreement::same_place}};
 
 // Returns the mean of each measure where it is defined.
 inline Part_agreement mean_agreement(const std::vector<Part_agreement>& all)

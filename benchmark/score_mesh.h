@@ -5,6 +5,7 @@
 #define SEGMENTATION_BENCHMARK_SCORE_MESH_H
 
 #include "Method_trees.h"
+#include "mirror_metrics.h"
 #include "part_metrics.h"
 #include "segmentation_methods.h"
 #include "timed.h"
@@ -60,6 +61,7 @@ class Mesh_scorer
   std::optional<double> threshold_;
   std::filesystem::path cache_;
   Mesh_facts facts_;
+  Mirror_scorer mirror_scorer_;
   std::vector<Segmentation> people_;
   std::size_t usual_number_;
   std::map<std::string, Retriangulated_mesh> meshes_; // indexed by the name of the triangulation
@@ -75,8 +77,10 @@ class Mesh_scorer
         all.push_back(errors(facts_, result, person));
         overlaps.push_back(overlap(result.labels, person.labels));
       }
-    return {mean_errors(all), part_agreement(overlaps),
-            static_cast<double>(number_of_segments(result.labels))};
+    Score of_result{mean_errors(all), part_agreement(overlaps),
+                    static_cast<double>(number_of_segments(result.labels))};
+    mirror_scorer_.set(of_result.parts, result.labels);
+    return of_result;
   }
 
   Score score(const Labels& labels, const Time& time) const
@@ -145,7 +149,7 @@ public:
   Mesh_scorer(const Benchmark_mesh& input, std::optional<double> threshold,
               std::filesystem::path cache = {})
     : input_(input), threshold_(threshold), cache_(std::move(cache)),
-      facts_(mesh_facts(input.mesh)),
+      facts_(mesh_facts(input.mesh)), mirror_scorer_(input.mesh),
       usual_number_(usual_number_of_segments(input.people))
   {
     for (const Labels& labels : input.people)

@@ -125,8 +125,10 @@ inline void print_means(const std::vector<Row_summary>& rows)
   std::printf("Rand: Rand error; cut: cut discrepancy; PQ: panoptic quality; IoU: mean over "
               "people's parts of the\n  intersection over union with the most similar segment; "
               "made: fraction of the segments that somebody\n  made; false: segments a mesh that "
-              "nobody made; scraps: those below 1 %% of the faces; categories: in\n  how many the "
-              "Rand error is at most people's own\n");
+              "nobody made; scraps: those below 1 %% of the faces; unlike,\n  "
+              "place, of meshes that are their own mirror images: segments a mesh whose mirror "
+              "images are no\n  segments; of the others, the fraction whose seams are mirror "
+              "images; categories: in how many the\n  Rand error is at most people's own\n");
 }
 
 // Returns the index of the row with the same method and protocol on the meshes as they are; or the
