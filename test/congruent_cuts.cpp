@@ -69,13 +69,17 @@ struct Figure
   Soup soup;
   Surface graph;
 
-  Figure()
+  // The top arm may be thick, and far from the middle.
+  explicit Figure(bool is_symmetric = true)
   {
     Cells cells;
     add_box(cells, {-6, -1, -2}, {6, 1, 2});
     add_box(cells, {-10, 0, 0}, {-6, 1, 1});
     add_box(cells, {6, 0, 0}, {10, 1, 1});
-    add_box(cells, {0, 0, 2}, {1, 1, 9});
+    if (is_symmetric)
+      add_box(cells, {0, 0, 2}, {1, 1, 9});
+    else
+      add_box(cells, {-5, -1, 2}, {-3, 1, 9});
     add_box(cells, {0, 0, -6}, {1, 1, -2});
     soup = boundary_of(cells);
     graph = surface_of(soup);
@@ -134,7 +138,10 @@ void check(const Cut_hierarchy& before, const Cut_hierarchy& after)
 Cut_hierarchy checked_cuts(const Surface& graph, const Cut_hierarchy& hierarchy)
 {
   internal::Merge_tree tree = tree_of(hierarchy);
-  internal::average_saliences(graph, tree);
+  internal::apply_from_top_down(tree);
+  internal::average_saliences(graph, tree,
+                              std::vector<std::size_t>(tree.merges.size(), internal::null_node));
+  internal::apply_from_top_down(tree);
   const Cut_hierarchy result = internal::hierarchy_of(tree);
   BOOST_TEST(result.is_monotonic);
   check(hierarchy, result);
@@ -302,10 +309,12 @@ BOOST_AUTO_TEST_CASE(random_hierarchies_stay_in_order)
   BOOST_TEST(changed >= 5u);
 }
 
-// The whole run: whatever the threshold, either the three arms are parts or none is.
-BOOST_AUTO_TEST_CASE(a_threshold_cuts_off_all_arms_of_one_shape_or_none)
+namespace {
+
+// Runs the whole search. Checks that, whatever the threshold, either all these arms are parts or
+// none is.
+void check_arms(const Figure& f, const std::vector<Face_set>& arms)
 {
-  const Figure& f = figure();
   const auto hierarchy =
     hierarchy_of(mesh_of(f.soup), CGAL::Spectral_segmentation::parameters::default_values());
   const auto has_part = [](const std::vector<std::size_t>& labels, const Face_set& arm) {
@@ -318,11 +327,25 @@ BOOST_AUTO_TEST_CASE(a_threshold_cuts_off_all_arms_of_one_shape_or_none)
   for (int percent = 0; percent <= 100; percent += 2)
     BOOST_TEST_CONTEXT("threshold " << percent << " %") {
       const std::vector<std::size_t> labels = labels_above(hierarchy, percent / 100., 100);
-      BOOST_TEST(has_part(labels, f.left()) == has_part(labels, f.right()));
-      BOOST_TEST(has_part(labels, f.left()) == has_part(labels, f.bottom()));
-      is_ever_cut |= has_part(labels, f.left());
+      for (const Face_set& arm : arms)
+        BOOST_TEST(has_part(labels, arm) == has_part(labels, arms.front()));
+      is_ever_cut |= has_part(labels, arms.front());
     }
   BOOST_TEST(is_ever_cut);
+}
+
+} // namespace
+
+BOOST_AUTO_TEST_CASE(a_threshold_cuts_off_mirror_images_or_none)
+{
+  const Figure& f = figure();
+  check_arms(f, {f.left(), f.right()});
+}
+
+BOOST_AUTO_TEST_CASE(a_threshold_cuts_off_all_arms_of_one_shape_or_none)
+{
+  const Figure f(false);
+  check_arms(f, {f.left(), f.right(), f.bottom()});
 }
 
 BOOST_AUTO_TEST_SUITE_END()

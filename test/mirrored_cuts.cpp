@@ -8,7 +8,6 @@
 #include <CGAL/Spectral_segmentation/internal/search/mirrored_cuts.h>
 
 #include <cstddef>
-#include <limits>
 #include <utility>
 #include <vector>
 
@@ -129,26 +128,54 @@ BOOST_AUTO_TEST_CASE(a_region_with_a_similar_cut_stays)
              tt::per_element());
 }
 
-BOOST_AUTO_TEST_CASE(the_lower_salience_rises_to_the_mean)
+BOOST_AUTO_TEST_CASE(the_seam_of_the_less_salient_partner_moves)
+{
+  const Strip strip;
+  const auto moved = [&](const Merge_tree& tree, double minimum_area = 0) {
+    const double area_of_square = 2 * strip.surface.areas[0];
+    Mirrored_cuts cuts(strip.surface, tree, strip.image);
+    return of_squares(cuts.mirrored_leaves(cuts.partners(), minimum_area * area_of_square));
+  };
+  const Merge_tree tree = strip.tree({0, 2, 7}, {{1, 2}, {0, 1}}, {0.3, 0.8});
+  const std::vector<Index> before = {0, 0, 1, 1, 1, 1, 1, 2, 2, 2},
+                           after = {0, 0, 1, 1, 1, 1, 1, 1, 2, 2};
+  BOOST_TEST(moved(tree) == after, tt::per_element());
+  BOOST_TEST(moved(tree, 2) == after, tt::per_element());
+  BOOST_TEST(moved(tree, 2.1) == before, tt::per_element()); // the last part is too small
+
+  const Merge_tree other = strip.tree({0, 3, 8}, {{1, 2}, {0, 1}}, {0.3, 0.8});
+  BOOST_TEST(moved(other) == (std::vector<Index>{0, 0, 0, 1, 1, 1, 1, 2, 2, 2}),
+             tt::per_element());
+
+  // the part that begins at square 7 would lose its only square
+  const Merge_tree divided = strip.tree({0, 2, 7, 8}, {{2, 3}, {1, 2}, {0, 1}}, {0.1, 0.3, 0.8});
+  BOOST_TEST(moved(divided) == (std::vector<Index>{0, 0, 1, 1, 1, 1, 1, 2, 3, 3}),
+             tt::per_element());
+}
+
+BOOST_AUTO_TEST_CASE(partners_get_the_mean_salience)
 {
   const Strip strip;
   Merge_tree tree = strip.tree({0, 2, 8}, {{1, 2}, {0, 1}}, {0.25, 0.75});
-  internal::raise_saliences(tree, {1, 0});
+  internal::average_partners(tree, {1, 0});
+  BOOST_TEST(tree.merges[0].salience == 0.5);
+  BOOST_TEST(tree.merges[1].salience == 0.5);
+  tree.merges[1].salience = 0.75;
+  internal::average_partners(tree, {null_node, null_node});
   BOOST_TEST(tree.merges[0].salience == 0.5);
   BOOST_TEST(tree.merges[1].salience == 0.75);
-  internal::raise_saliences(tree, {null_node, null_node});
-  BOOST_TEST(tree.merges[0].salience == 0.5);
+}
 
-  const double infinity = std::numeric_limits<double>::infinity();
-  const double largest = (std::numeric_limits<double>::max)();
-  for (const auto& [first, second] : std::vector<std::pair<double, double> >{
-         {largest, largest}, {infinity, -infinity}, {1, -infinity}}) {
-    tree.merges[0].salience = first;
-    tree.merges[1].salience = second;
-    internal::raise_saliences(tree, {1, 0});
-    BOOST_TEST(tree.merges[0].salience == first);
-    BOOST_TEST(tree.merges[1].salience == second);
-  }
+// The first four squares are divided by a cut that would not be made without the cut above it.
+BOOST_AUTO_TEST_CASE(a_partner_keeps_the_salience_of_the_cuts_below_it)
+{
+  const Strip strip;
+  Merge_tree tree =
+    strip.tree({0, 2, 4, 8}, {{0, 1}, {2, 3}, {1, 2}}, {0.6, 0.25, 0.75});
+  internal::average_partners(tree, {null_node, 2, 1});
+  BOOST_TEST(tree.merges[0].salience == 0.6);
+  BOOST_TEST(tree.merges[1].salience == 0.5);
+  BOOST_TEST(tree.merges[2].salience == 0.6);
 }
 
 BOOST_AUTO_TEST_SUITE_END()

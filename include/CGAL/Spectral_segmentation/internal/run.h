@@ -66,11 +66,17 @@ inline Merge_tree search_calibrated(const Levels& l, const Run_data& d)
       if (divided != tree.leaf && d.monitor.go_further())
         tree = merged(divided);
     }
-    average_saliences(surface, tree);
+    apply_from_top_down(tree);
+    std::vector<std::size_t> partner(tree.merges.size(), null_node);
     if (!image.empty()) {
-      raise_saliences(tree, Mirrored_cuts(surface, tree, image).partners());
-      apply_from_top_down(tree);
+      Mirrored_cuts cuts(surface, tree, image);
+      partner = cuts.partners();
+      tree.leaf = cuts.mirrored_leaves(partner, best_cut.minimum_area());
+      set_areas_of_leaves(tree, surface);
+      average_partners(tree, partner);
     }
+    average_saliences(surface, tree, partner);
+    apply_from_top_down(tree);
     return tree;
   });
 }

@@ -31,13 +31,14 @@ class Mirrored_cuts
   const Merge_tree& tree_;
   const std::vector<Index>& image_; // the face to which each face is mapped, or null_index
   const Merged_sets sets_;
+  std::vector<Index> leaf_;         // of each face: that of the tree, until seams are moved
   std::vector<char> is_mirrored_;   // the faces of the mirror image of the current side
   double area_ = 0;                 // its area
   std::vector<double> area_before_; // of it in the leaves before each position
 
   bool is_in(const Merged_set& set, Index f) const
   {
-    const Index position = sets_.position[tree_.leaf[f]];
+    const Index position = sets_.position[leaf_[f]];
     return position >= set.first && position < set.end;
   }
 
@@ -50,7 +51,7 @@ class Mirrored_cuts
     for (Index f = 0; f < image_.size(); ++f) {
       is_mirrored_[f] = image_[f] != null_index && is_in(side, image_[f]);
       if (is_mirrored_[f]) {
-        areas[sets_.position[tree_.leaf[f]]] += surface_.areas[f];
+        areas[sets_.position[leaf_[f]]] += surface_.areas[f];
         area_ += surface_.areas[f];
       }
     }
@@ -130,9 +131,69 @@ class Mirrored_cuts
     ++number;
   }
 
+  // Returns the sides of a cut whose seam is the boundary of the mirror image that is set: 0 or 1,
+  // and 2 outside of the region. Faces without mirror image stay.
+  Sides mirrored_sides(std::size_t cut) const
+  {
+    const auto& [smaller, larger] = sets_.sides[cut];
+    const bool is_smaller = overlap_with(smaller) >= overlap_with(larger);
+    Sides result(leaf_.size(), 2);
+    for (Index f = 0; f < result.size(); ++f)
+      if (is_in(sets_.union_of(cut), f))
+        result[f] = image_[f] == null_index ? is_in(larger, f) : is_mirrored_[f] != is_smaller;
+    return result;
+  }
+
+  // Gives each face without leaf that of a neighbor on its side. Returns whether all have one.
+  bool fill(std::vector<Index>& leaf, const Sides& sides) const
+  {
+    bool is_full = false;
+    for (bool is_changed = true; is_changed && !is_full;) {
+      is_changed = false;
+      is_full = true;
+      for (Index f = 0; f < leaf.size(); ++f) {
+        for (Index h = 3 * f; h < 3 * f + 3 && leaf[f] == null_index; ++h)
+          if (const Index g = surface_.neighbor(h); sides[g] == sides[f] && leaf[g] != null_index) {
+            leaf[f] = leaf[g];
+            is_changed = true;
+          }
+        is_full = is_full && leaf[f] != null_index;
+      }
+    }
+    return is_full;
+  }
+
+  // Returns whether these leaves, and all sets of the tree, are connected.
+  bool are_connected(const std::vector<Index>& leaf) const
+  {
+    if (connected_components(surface_, leaf).number != tree_.leaves.size())
+      return false;
+    std::vector<char> do_sides_touch(sets_.sides.size(), 0);
+    for (Index h = 0; h < surface_.number_of_halfedges(); ++h) {
+      const Index p = sets_.position[leaf[h / 3]], q = sets_.position[leaf[surface_.neighbor(h)]];
+      for (std::size_t i = 0; p < q && i < sets_.sides.size(); ++i)
+        if (const auto& [a, b] = sets_.sides[i];
+            a.first <= p && p < a.end && b.first <= q && q < b.end)
+          do_sides_touch[i] = 1;
+    }
+    return std::count(do_sides_touch.begin(), do_sides_touch.end(), char(0)) == 0;
+  }
+
+  // Returns whether no leaf has become smaller than the minimum area.
+  bool are_large(const std::vector<Index>& leaf, double minimum_area) const
+  {
+    std::vector<double> areas(tree_.leaves.size(), 0);
+    for (Index f = 0; f < leaf.size(); ++f)
+      areas[leaf[f]] += surface_.areas[f];
+    for (std::size_t i = 0; i < areas.size(); ++i)
+      if (areas[i] < (std::min)(minimum_area, (1 - 1e-9) * tree_.leaves[i].area))
+        return false;
+    return true;
+  }
+
 public:
   Mirrored_cuts(const Surface& surface, const Merge_tree& tree, const std::vector<Index>& image)
-    : surface_(surface), tree_(tree), image_(image), sets_(tree),
+    : surface_(surface), tree_(tree), image_(image), sets_(tree), leaf_(tree.leaf),
       is_mirrored_(surface.number_of_faces(), 0) {}
 
   // Returns the partner of each cut, null_node if it has none. A cut is the partner of at most one.
@@ -161,18 +222,47 @@ public:
         divide(result, number, minimum_area);
     return result;
   }
+
+  // Returns the leaves after the seams of cuts are moved to the mirror images of the seams of their
+  // more salient partners. A seam stays if else a set were not connected or a leaf were too small.
+  std::vector<Index> mirrored_leaves(const std::vector<std::size_t>& partner, double minimum_area)
+  {
+    for (std::size_t i = partner.size(); i-- > 0;) {
+      const std::size_t j = partner[i];
+      if (j == null_node || j < i || !set_image(j)) // the one that is cut first is more salient
+        continue;
+      const Sides sides = mirrored_sides(i);
+      std::vector<Index> leaf = leaf_;
+      for (Index f = 0; f < leaf.size(); ++f)
+        if (sides[f] != 2 && is_in(sets_.sides[i][1], f) != (sides[f] == 1))
+          leaf[f] = null_index;
+      if (fill(leaf, sides) && are_connected(leaf) && are_large(leaf, minimum_area))
+        leaf_ = leaf;
+    }
+    return leaf_;
+  }
 };
 
-// Raises the lower salience of two partners to their mean. The higher one stays, because it may
-// limit the saliences of many cuts below it.
-inline void raise_saliences(Merge_tree& tree, const std::vector<std::size_t>& partner)
+// Gives two partners the mean of their saliences. A cut keeps at least the salience of the cuts of
+// its sides, which would not be made without it.
+inline void average_partners(Merge_tree& tree, const std::vector<std::size_t>& partner)
 {
+  const Merged_sets sets(tree);
+  std::vector<double> result;
+  for (std::size_t i = 0; i < partner.size(); ++i) {
+    const double salience = tree.merges[i].salience;
+    result.push_back(salience);
+    if (partner[i] == null_node)
+      continue;
+    double least = 0;
+    for (const Merged_set& side : sets.sides[i])
+      if (side.merge != null_index)
+        least = (std::max)(least, result[side.merge]);
+    result[i] = (std::max)((std::min)(salience, least),
+                           (salience + tree.merges[partner[i]].salience) / 2);
+  }
   for (std::size_t i = 0; i < partner.size(); ++i)
-    if (partner[i] != null_node) {
-      double& salience = tree.merges[i].salience;
-      // The order of arguments matters: the mean of infinite saliences may be NaN.
-      salience = (std::max)(salience, salience / 2 + tree.merges[partner[i]].salience / 2);
-    }
+    tree.merges[i].salience = result[i];
 }
 
 } // namespace CGAL::Spectral_segmentation::internal

@@ -11,7 +11,6 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
-#include <numeric>
 #include <utility>
 #include <vector>
 
@@ -69,14 +68,16 @@ inline std::vector<Cut_shape> cut_shapes(const Surface& mesh, const Merge_tree& 
   return result;
 }
 
-// Applies the cuts from the top down. Congruent cuts, such as the cuts of the legs of a horse, get
-// the mean of their saliences, which cuts above them may limit.
-inline void average_saliences(const Surface& mesh, Merge_tree& tree)
+// Gives congruent cuts, such as the cuts of the legs of a horse in a pose, the mean of their
+// saliences. Cuts that have a partner in place get none. The merges ascend in salience.
+inline void average_saliences(const Surface& mesh, Merge_tree& tree,
+                              const std::vector<std::size_t>& partner)
 {
-  apply_from_top_down(tree);
   const std::vector<Cut_shape> shapes = cut_shapes(mesh, tree);
-  std::vector<std::size_t> all(shapes.size());
-  std::iota(all.rbegin(), all.rend(), std::size_t(0));
+  std::vector<std::size_t> all;
+  for (std::size_t i = shapes.size(); i-- > 0;)
+    if (partner[i] == null_node)
+      all.push_back(i);
   for (const std::vector<std::size_t>& congruent : first_fit_classes(all,
          [&](std::size_t i, std::size_t j)
          { return difference(shapes[i], shapes[j]) <= difference_of_congruent_cuts; })) {
@@ -89,7 +90,6 @@ inline void average_saliences(const Surface& mesh, Merge_tree& tree)
     for (std::size_t i : congruent)
       tree.merges[i].salience = mean;
   }
-  apply_from_top_down(tree);
 }
 
 } // namespace CGAL::Spectral_segmentation::internal
