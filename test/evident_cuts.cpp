@@ -393,35 +393,4 @@ BOOST_AUTO_TEST_CASE(a_flat_plate_is_one_part)
     }
 }
 
-BOOST_AUTO_TEST_CASE(a_twisted_band_is_one_part)
-{
-  for (int half_turns : {1, 2, 3, 4})
-    for (std::size_t n : {32, 200})
-      BOOST_TEST_CONTEXT(half_turns << " half turns, " << n << " steps")
-        BOOST_TEST(number_of_parts(twisted_band(n, 4, half_turns)) == 1);
-}
-
-BOOST_AUTO_TEST_CASE(a_wave_is_one_part_unless_it_has_folds_or_another_outline)
-{
-  const auto wave = [](const Soup& flat, const auto& height) {
-    return transformed(flat, [&](const Point& p) { return Point(p.x(), p.y(), height(p.x())); });
-  };
-  const auto smooth = [](double x) { return 8 * std::sin(x / 8); };
-  const auto folded = [](double x) { return std::abs(std::remainder(x, 40)); };
-  const Soup strip = plate(120, 5);
-  BOOST_TEST(number_of_parts(wave(strip, smooth)) == 1);
-  BOOST_TEST(number_of_parts(wave(strip, folded)) > 1);
-  const Soup pan = transformed(strip, [](const Point& p)
-    { return p.x() < 90 ? p : Point(p.x(), 6 * p.y(), 0); });
-  BOOST_TEST(number_of_parts(wave(pan, smooth)) > 1);
-  Soup cross = plate(120, 65);
-  const auto is_beside_cross = [&](const std::vector<std::size_t>& t) {
-    const Point p = CGAL::centroid(cross.points[t[0]], cross.points[t[1]], cross.points[t[2]]);
-    return std::abs(p.y() - 32.5) > 2.5 && std::abs(p.x() - 60) > 2.5;
-  };
-  cross.triangles.erase(std::remove_if(cross.triangles.begin(), cross.triangles.end(),
-                                       is_beside_cross), cross.triangles.end());
-  BOOST_TEST(number_of_parts(wave(cross, smooth)) > 1);
-}
-
 BOOST_AUTO_TEST_SUITE_END()

@@ -12,10 +12,8 @@
 #include <CGAL/Spectral_segmentation/internal/surface/model_components.h>
 #include <CGAL/Spectral_segmentation/internal/weights/face_distances.h>
 #include <CGAL/Spectral_segmentation/internal/weights/searched_features.h>
-#include <CGAL/Spectral_segmentation/internal/weights/shortest_paths.h>
 
 #include <algorithm>
-#include <cmath>
 #include <cstddef>
 #include <utility>
 #include <vector>
@@ -132,71 +130,12 @@ inline void set_features(Levels& l, const Run_data& d)
   add_steps_of_faces(d, l.features.unit, l.callers_faces(l.levels.size() - 1), searched);
 }
 
-// Returns the total length of the edges at which the normals differ by more than 37 degrees.
-inline double length_of_folds(const Surface& surface)
-{
-  double result = 0;
-  for (Index h = 0; h < surface.number_of_halfedges(); ++h) {
-    const Vector a = surface.normal(h / 3), b = surface.normal(surface.neighbor(h));
-    if (h < surface.opposite[h] && a.dot(b) < 0.8 * a.norm() * b.norm())
-      result += surface.length(h);
-  }
-  return result;
-}
-
-// Returns whether a connected mesh is a ribbon: a strip or a ring of even width, at least four
-// times as long as wide, without branches or sharp folds. It may bend and twist. Folds are measured
-// on the mesh, because coarsening folds some faces, all else on the surface that is searched.
-inline bool is_ribbon(const Surface& mesh, const Surface& surface)
-{
-  const auto n = static_cast<std::ptrdiff_t>(surface.number_of_faces());
-  std::vector<Index> border_faces;
-  std::vector<double> depth(n, infinite_distance);
-  std::vector<char> is_inner(surface.points.size(), 1);
-  double border_length = 0;
-  for (Index h = 0; h < surface.number_of_halfedges(); ++h)
-    if (surface.is_border(h)) {
-      border_length += surface.length(h);
-      border_faces.push_back(h / 3);
-      depth[h / 3] = 0;
-      is_inner[surface.source_vertex(h)] = is_inner[surface.target_vertex(h)] = 0;
-    }
-  // The Euler characteristic is that of the fans of faces at the vertices, one for each halfedge on
-  // the border and one for each inner vertex.
-  const auto borders = static_cast<std::ptrdiff_t>(border_faces.size());
-  const std::ptrdiff_t characteristic =
-    std::count(is_inner.begin(), is_inner.end(), 1) + (borders - n) / 2;
-  if (borders == 0 || (characteristic != 0 && characteristic != 1))
-    return false;
-  // Half of the border of a strip is its length and its width.
-  const bool is_ring = characteristic == 0;
-  const double half = border_length / 2, area = total_area(surface);
-  const double length =
-    is_ring ? half : half / 2 + std::sqrt((std::max)(half * half / 4 - area, 0.));
-  const double width = area / length;
-  if (!(length >= 4 * width))
-    return false;
-  run_dijkstra(surface, border_faces, [&](Index h) -> double
-    { return surface.weights[h].centroids; }, depth, boost::dijkstra_visitor<>());
-  if (*std::max_element(depth.begin(), depth.end()) > 0.8 * width)
-    return false;
-  Index end = 0;
-  double diameter = 0;
-  for (int i = 0; i < 2; ++i) {
-    const std::vector<double> distance = shortest_paths(surface, &Edge_weights::centroids, end);
-    const auto farthest = std::max_element(distance.begin(), distance.end());
-    end = static_cast<Index>(farthest - distance.begin());
-    diameter = *farthest;
-  }
-  const double straight = is_ring ? length / 2 : length; // paths over centroids are longer
-  return diameter > 0.85 * straight && diameter < 1.5 * straight &&
-         length_of_folds(mesh) <= 0.5 * width;
-}
-
-// Returns whether the calibrated method does not search a mesh that is a convex solid or a ribbon.
+// Returns whether the search is skipped if the mesh is a convex solid. The coarse surface of many
+// faces is searched as fast if they are convex as if they are not.
 inline bool may_be_one_part(const Surface& mesh, const Run_data& d)
 {
-  return d.method.number_of_regions > 0 && !d.options.number_of_segments && !has_features(d) &&
+  return mesh.number_of_faces() <= d.options.number_of_coarse_faces &&
+         d.method.number_of_regions > 0 && !d.options.number_of_segments && !has_features(d) &&
          mesh.components.number == 1;
 }
 
@@ -237,17 +176,10 @@ inline Levels make_levels(Level mesh, const Run_data& d)
   d.start_phase(Phase_times(d, mesh.surface.number_of_faces()).coarsening);
   Levels result;
   result.levels.push_back(std::move(mesh));
-  const bool is_checked = may_be_one_part(result.mesh(), d);
-  // The coarse surface of many faces is searched as fast if they are convex as if they are not.
-  if (is_checked && result.mesh().number_of_faces() <= d.options.number_of_coarse_faces &&
-      is_convex(result.mesh()))
+  if (may_be_one_part(result.mesh(), d) && is_convex(result.mesh()))
     return result;
   try {
     add_levels(result.levels, d);
-    if (is_checked && is_ribbon(result.mesh(), result.last())) {
-      result.levels.resize(1);
-      result.levels.front().surface.weights.clear();
-    }
     if (has_features(d))
       set_features(result, d);
   }
