@@ -191,6 +191,30 @@ BOOST_AUTO_TEST_CASE(copies_at_one_place_share_their_parts)
   }
 }
 
+BOOST_AUTO_TEST_CASE(levels_of_detail_share_the_parts_of_the_finest)
+{
+  const Soup fine = dumbbell(24, 20), coarse = dumbbell(20, 14), coarsest = dumbbell(16, 12);
+  const std::size_t n = fine.triangles.size(), m = coarse.triangles.size();
+  const Labels alone = labels_of_default(fine);
+  const Labels first = labels_of_default(disjoint_union(fine, coarse)),
+               last = labels_of_default(disjoint_union(coarse, fine)),
+               three = labels_of_default(disjoint_union(disjoint_union(coarse, coarsest), fine));
+  BOOST_TEST(range(first, 0, n) == alone, boost::test_tools::per_element());
+  for (const Labels& labels : {first, last, three})
+    BOOST_TEST(number_of(labels) == number_of(alone));
+  std::size_t different = 0; // of the numbers of segments, the first face decides
+  for (std::size_t f = 0; f < n; ++f)
+    different += (last[m + f] == last[m]) != (alone[f] == alone[0]);
+  BOOST_TEST(different == 0u);
+}
+
+BOOST_AUTO_TEST_CASE(thin_plates_on_each_other_are_no_copies)
+{
+  const Soup thin = transformed(ball(), [](const Point& p)
+    { return Point(10 * p.x(), 10 * p.y(), 0.02 * p.z()); });
+  BOOST_TEST(number_of(labels_of_default(disjoint_union(thin, moved(thin, 0, 0, 0.05)))) == 2u);
+}
+
 BOOST_AUTO_TEST_CASE(open_surfaces_beside_each_other_are_no_walls)
 {
   // a stack of plates, and an open shell around a body

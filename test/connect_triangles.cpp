@@ -3,6 +3,7 @@
 
 #include <boost/test/unit_test.hpp>
 
+#include "box_figures.h"
 #include "test_meshes.h"
 
 #include <CGAL/Spectral_segmentation/internal/surface/connect_triangles.h>
@@ -12,6 +13,7 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <map>
 #include <set>
 #include <utility>
 #include <vector>
@@ -489,6 +491,51 @@ BOOST_AUTO_TEST_CASE(random_triangles_of_few_points_are_connected_somehow)
       connect(soup, triangles); // checks them
     }
   }
+}
+
+// Solids of unit cubes that have squares, edges and corners in common.
+BOOST_AUTO_TEST_CASE(solids_that_touch_are_components)
+{
+  const auto box = [](const Cell& low, const Cell& high) {
+    Cells cells;
+    add_box(cells, low, high);
+    return boundary_of(cells);
+  };
+  const std::vector<Soup> solids = {box({0, 0, 0}, {3, 3, 3}), box({3, 0, 0}, {5, 3, 3}),
+                                    box({1, 1, 3}, {2, 2, 5}), box({3, 3, 0}, {5, 5, 3})};
+  Soup all;
+  std::vector<std::size_t> solid_of_face;
+  std::map<Point, std::size_t> vertex; // coincident points are one vertex
+  for (std::size_t i = 0; i < solids.size(); ++i)
+    for (const std::vector<std::size_t>& t : solids[i].triangles) {
+      all.triangles.emplace_back();
+      for (std::size_t v : t) {
+        const Point& p = solids[i].points[v];
+        const auto [found, is_new] = vertex.emplace(p, all.points.size());
+        if (is_new)
+          all.points.push_back(p);
+        all.triangles.back().push_back(found->second);
+      }
+      solid_of_face.push_back(i);
+    }
+  for (unsigned seed = 0; seed < 40; ++seed)
+    BOOST_TEST_CONTEXT("seed " << seed) {
+      Random random(seed);
+      std::vector<std::size_t> face;
+      Soup soup = renumbered(all, random, face);
+      if (seed % 2 == 1) // faces that point inward
+        soup = turned_inside_out(soup);
+      Surface triangles;
+      connect(soup, triangles);
+      const auto components = internal::connected_components(triangles);
+      BOOST_TEST(components.number == solids.size());
+      BOOST_TEST(number_of_inner_edges(triangles) == 3 * soup.triangles.size() / 2);
+      std::map<std::size_t, std::size_t> component;
+      for (std::size_t f = 0; f < solid_of_face.size(); ++f) {
+        const std::size_t c = components[static_cast<Index>(face[f])];
+        BOOST_TEST(component.emplace(solid_of_face[f], c).first->second == c);
+      }
+    }
 }
 
 BOOST_AUTO_TEST_CASE(no_triangles_are_no_surface)

@@ -1706,6 +1706,18 @@ class Failures(Tool_test):
             done = self.run_tool(name, "--json", "out.json")
             for text in (done.stderr, " ".join(self.report()["warnings"])):
                 self.assertEqual("seem to point inward" in text, is_warned_of)
+            self.assertEqual(self.report()["segments"], 4)
+
+    def test_reversed_mesh(self):
+        """An open part of a dumbbell has its parts from outside only."""
+        points, faces = dumbbell()
+        part = [f for f in faces if sum(points[v][2] for v in f) < 36]
+        write_off(self.directory / "part.off", points, part)
+        write_off(self.directory / "reversed.off", points, [f[::-1] for f in part])
+        labels = [self.run_tool(*arguments, "--labels", "-", "--quiet").stdout for arguments in
+                  (("part.off",), ("reversed.off", "--reverse"), ("reversed.off",))]
+        self.assertEqual(labels[0], labels[1])
+        self.assertNotEqual(labels[0], labels[2])
 
     def test_points_that_are_not_finite(self):
         """Leave the faces beside them with the label of a neighbor, and a warning."""

@@ -14,6 +14,7 @@
 #include "../files/read_by_lib3mf.h"
 
 #include <algorithm>
+#include <cerrno>
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
@@ -22,6 +23,7 @@
 #include <iostream>
 #include <iterator>
 #include <map>
+#include <new>
 #include <stdexcept>
 #include <string>
 #include <system_error>
@@ -77,8 +79,12 @@ inline void check_is_file(const std::string& name)
     throw Failure(Status::INPUT, name + " cannot be opened: " + error.message());
   if (!std::filesystem::is_regular_file(status))
     throw Failure(Status::INPUT, name + " is not a file");
-  if (!std::ifstream(name))
+  errno = 0;
+  if (!std::ifstream(name)) {
+    if (errno == ENOMEM)
+      throw std::bad_alloc();
     throw Failure(Status::INPUT, name + " cannot be opened");
+  }
 }
 
 // Returns the end of a sentence on a mesh of no use; empty without a warning.
@@ -262,10 +268,28 @@ inline double area(const Input& input, std::size_t triangle)
   return std::hypot(n[0], n[1], n[2]);
 }
 
-// Returns a warning if the faces of an open surface with small holes clearly point inward. The
-// normals of a closed surface have the sum 0. There must be a triangle.
+// Returns whether an edge has only one triangle.
+inline bool has_border(const Input& input)
+{
+  std::vector<std::pair<Index, Index> > edges;
+  for (const auto& t : input.triangles)
+    for (std::size_t k = 0; k < 3; ++k)
+      edges.push_back(std::minmax<Index>(t[k], t[(k + 1) % 3]));
+  std::sort(edges.begin(), edges.end());
+  for (auto i = edges.begin(); i != edges.end();) {
+    const auto end = std::upper_bound(i, edges.end(), *i);
+    if (end - i == 1)
+      return true;
+    i = end;
+  }
+  return false;
+}
+
+// Returns a warning if the faces of an open surface with small holes clearly point inward.
 inline std::string inward_warning(const Input& input)
 {
+  if (input.triangles.empty())
+    return "";
   const Point& origin = input.soup.points[input.triangles[0][0]];
   double twice_area = 0, volume = 0; // six times the volume of the cones with the tip `middle`
   Point sum = {0, 0, 0}, middle = {0, 0, 0};
@@ -281,8 +305,8 @@ inline std::string inward_warning(const Input& input)
   for (std::size_t k = 0; k < 3; ++k)
     volume -= sum[k] * middle[k] / twice_area;
   const double open = std::hypot(sum[0], sum[1], sum[2]) / twice_area;
-  return open > 1e-10 && open < 0.19 && volume / 6 < -0.02 * std::pow(twice_area / 2, 1.5)
-    ? "there are few segments, and the faces seem to point inward: reverse them" : "";
+  return open < 0.19 && volume / 6 < -0.02 * std::pow(twice_area / 2, 1.5) && has_border(input)
+    ? "the faces seem to point inward, and are turned around for the search" : "";
 }
 
 // Returns the label of largest area among the triangles of one polygon.

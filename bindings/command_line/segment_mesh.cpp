@@ -112,6 +112,7 @@ struct Options
   double time_limit = std::numeric_limits<double>::infinity();   // in seconds
   double memory_limit = std::numeric_limits<double>::infinity(); // in 10^6 bytes
   bool keep_groups = false;
+  bool is_reversed = false;
   bool allow_external_files = false;
   bool keep_faces = false;
   bool close = false;
@@ -282,6 +283,10 @@ void add_segmentation_options(CLI::App& app, Options& o)
   app.add_flag("--keep-components-separate", o.segmentation.keep_components_separate,
                "make each connected component a part from the start, as --method paper does; "
                "otherwise components that touch may belong to the same part");
+  app.add_flag("--reverse", o.is_reversed,
+               "search the surface as if all its faces were turned around; the outputs keep the "
+               "faces of IN. Closed components that point inward, and open ones with small holes, "
+               "are turned around anyway");
   app.add_flag("--keep-groups", o.keep_groups,
                "treat each object or group of IN as a separate component; those of .obj, "
                "and the nodes of files that Assimp reads");
@@ -448,10 +453,18 @@ std::size_t segment(const Input& input, std::vector<Index>& labels, const Option
                     const NamedParameters& np)
 {
   const auto ids = CGAL::make_property_map(labels);
-  if (o.threads == 1) // starts no thread, so that running out of memory is an exception
-    return CGAL::segment_spectral_recursive<CGAL::Sequential_tag>(input.soup.points,
-                                                                  input.triangles, ids, np);
-  return CGAL::segment_spectral_recursive(input.soup.points, input.triangles, ids, np);
+  const auto run = [&](const auto& triangles) {
+    if (o.threads == 1) // starts no thread, so that running out of memory is an exception
+      return CGAL::segment_spectral_recursive<CGAL::Sequential_tag>(input.soup.points, triangles,
+                                                                    ids, np);
+    return CGAL::segment_spectral_recursive(input.soup.points, triangles, ids, np);
+  };
+  if (!o.is_reversed)
+    return run(input.triangles);
+  auto reversed = input.triangles;
+  for (auto& t : reversed)
+    std::swap(t[1], t[2]);
+  return run(reversed);
 }
 
 // Returns the features of the polygons; none without a file.
@@ -534,6 +547,7 @@ Json parameters_report(const Options& o)
           {"salience_threshold", used.number_of_segments ? Json() : Json(threshold_of(used))},
           {"random_seed", json_or_null(used.random_seed)},
           {"keep_groups", o.keep_groups},
+          {"reverse", o.is_reversed},
           {"seeds", o.seed_file.empty() ? Json() : Json(o.seed_file)},
           {"edges", o.edge_file.empty() ? Json() : Json(o.edge_file)},
           {"features", o.feature_file.empty() ? Json() : Json(o.feature_file)},
@@ -697,9 +711,8 @@ Json run(const Options& o)
   std::vector<Index> labels(input.triangles.size());
   Segmentation_hierarchy tree;
   const std::size_t number_of_segments = segment(input, labels, o, tree, watch);
-  if (!o.segments && number_of_segments <= 3)
-    if (std::string warning = inward_warning(input); !warning.empty())
-      input.soup.warnings.push_back(std::move(warning));
+  if (std::string warning = inward_warning(input); !warning.empty() && !o.is_reversed)
+    input.soup.warnings.push_back(std::move(warning));
 
   watch.start_phase("writing", expected.writing, 0);
   const std::vector<Index> label_of_polygon = labels_of_polygons(input, labels);

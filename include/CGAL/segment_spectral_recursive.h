@@ -128,8 +128,9 @@ visitor stops the run), and for every data structure that holds the same mesh.
 
 Every segment of a connected mesh is connected. Degenerate faces, boundaries and several connected
 components are supported; components that touch may belong to the same part. A segment of a hollow
-body has faces of both walls, which are connected within each wall. A closed component whose faces
-point inward has the parts that it has turned around. The mesh is not changed.
+body has faces of both walls, which are connected within each wall. A component whose faces point
+inward has the parts that it has turned around, if it is closed or has small holes. The mesh is not
+changed.
 
 There are two methods, both by recursive and visually salient spectral cuts. The <b>calibrated
 method (default)</b> cuts where people cut: its salience of a cut is the probability that a person
@@ -182,7 +183,7 @@ at most 4000 faces by default. The memory is O(*n*). The section
     \cgalParamType{an integer}
     \cgalParamDefault{none; the threshold ends the run}
     \cgalParamExtra{from 1 to the number of faces. If components are kept separate, the smallest
-      value is the number of components; otherwise faces with the same points count once. Not
+      value is the number of components; otherwise duplicate faces count once. Not
       together with `maximum_number_of_segments` or `salience_threshold`. For a number above 20 the
       calibrated method (default) searches as many regions, up to 200, on a proportionally finer
       coarse mesh.}

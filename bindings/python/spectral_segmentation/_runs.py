@@ -229,8 +229,7 @@ def segment_hierarchy(
             None if threads is None else _threads(threads), function("progress", progress))
     except MemoryError:
         raise MemoryError("there is not enough memory for %d triangles" % len(triangles)) from None
-    if number_of_segments is None and maximum_number_of_segments is None and \
-            1 <= len(core.segments(None, None)) <= 3 and surface.core.inward_warning:
+    if surface.core.inward_warning:
         warn(surface.core.inward_warning)
     return Hierarchy._of(core, surface if surface.needs_core else None)
 

@@ -48,7 +48,7 @@ def test_closed_triangles_that_point_inward_have_the_parts_of_the_outward_ones(d
                                   segment(points, triangles))
 
 
-def test_open_triangles_that_point_inward_are_warned_of(dumbbell):
+def test_open_triangles_that_point_inward_are_turned_around(dumbbell):
     points, triangles = dumbbell
     with_hole = triangles[40:]
     bowl = triangles[points[triangles][:, :, 2].mean(axis=1) < -2]
@@ -56,9 +56,9 @@ def test_open_triangles_that_point_inward_are_warned_of(dumbbell):
         warnings.simplefilter("error")
         for quiet in (with_hole, bowl, bowl[:, ::-1]):
             segment(points, quiet)
-        segment(points, with_hole[:, ::-1], number_of_segments=1)
     with pytest.warns(UserWarning, match="seem to point inward") as caught:
-        segment(points, with_hole[:, ::-1])
+        labels = segment(points, with_hole[:, ::-1])
+    np.testing.assert_array_equal(labels, segment(points, with_hole))
     assert caught[0].filename == __file__
 
 

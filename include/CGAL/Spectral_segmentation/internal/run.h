@@ -147,7 +147,7 @@ inline Set_features features_of_components(Model& m, const std::vector<Index>& f
   return result;
 }
 
-// Cuts the parts of a model one after the other, and merges its components.
+// Cuts the parts of a model one after the other, and merges its components unless they are kept.
 inline Merge_tree cut_parts(Model& m, const Run_data& d)
 {
   double time = 1;
@@ -162,6 +162,11 @@ inline Merge_tree cut_parts(Model& m, const Run_data& d)
     append(tree, of_part, composed(callers_face, face));
   }
   set_areas_of_leaves(tree, m.mesh.surface);
+  if (d.options.keep_components_separate) {
+    apply_from_top_down(tree);
+    tree.is_monotonic = !d.monitor.is_stopped();
+    return tree;
+  }
   const Component_fractions fractions = component_fractions(m.mesh.surface);
   const Set_features features = features_of_components(m, face, d);
   return Component_merging(std::move(tree), m.mesh.surface, fractions, features,
@@ -194,8 +199,8 @@ inline Cut_hierarchy hierarchy_of_caller(Merge_tree tree, Model m)
   return result;
 }
 
-// Returns the hierarchy of a mesh. A connected mesh is cut as a whole, and so is a mesh whose
-// components are kept separate. The components of other meshes are cut in parts, then merged.
+// Returns the hierarchy of a mesh. A connected mesh is cut as a whole, and so is any mesh by the
+// method of the paper. Other meshes are cut in parts.
 inline Cut_hierarchy run(Surface input, const Run_data& d)
 {
   Model m;

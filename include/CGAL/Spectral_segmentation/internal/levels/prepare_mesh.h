@@ -36,7 +36,7 @@ struct Model
   Level walls;                      // the components that are walls of others
   // The caller's indices:
   std::vector<Index> outer_face;    // for each face of a wall, the nearest of the outer wall
-  std::vector<Index> first_face;    // with the same points; empty if no components are merged
+  std::vector<Index> original_face; // of duplicates; empty if no components are merged
   std::vector<Index> neighbors;     // one per halfedge; only for smoothing
 
   double unit = 1;                  // the length of 1 in the coordinates of the caller
@@ -45,12 +45,12 @@ struct Model
   std::vector<Index> faces() const
   {
     const Index n = static_cast<Index>(mesh.parent_face.size());
-    std::vector<Index> result(first_face.empty() ? n : first_face.size(), null_index);
+    std::vector<Index> result(original_face.empty() ? n : original_face.size(), null_index);
     for (Index f = 0; f < n; ++f)
       result[mesh.parent_face[f]] = f;
     for (Index f = 0; f < walls.parent_face.size(); ++f)
       result[walls.parent_face[f]] = n + f;
-    return first_face.empty() ? result : composed(first_face, result);
+    return original_face.empty() ? result : composed(original_face, result);
   }
 };
 
@@ -59,20 +59,20 @@ inline Level some_faces(const Level& level, const std::vector<Vector>& points,
                         const std::vector<Index>& faces)
 { return {submesh(level.surface, points, faces), composed(faces, level.parent_face), {}}; }
 
-// Removes duplicate faces. Returns the first face with the same points for each face.
+// Removes duplicate faces. Returns the face of which each face is a duplicate, or the face itself.
 inline std::vector<Index> remove_duplicates(Level& mesh)
 {
-  std::vector<Index> first = Duplicate_faces(mesh.surface)();
+  std::vector<Index> original = originals_of_faces(mesh.surface);
   std::vector<Index> kept;
-  for (Index f = 0; f < first.size(); ++f)
-    if (first[f] == f)
+  for (Index f = 0; f < original.size(); ++f)
+    if (original[f] == f)
       kept.push_back(f);
-  if (kept.size() < first.size()) {
-    mesh.surface = distinct_faces(mesh.surface, first);
+  if (kept.size() < original.size()) {
+    mesh.surface = distinct_faces(mesh.surface, original);
     mesh.surface.components = connected_components(mesh.surface);
     mesh.parent_face = std::move(kept);
   }
-  return first;
+  return original;
 }
 
 // Removes the components that are walls of others, unless they are constrained, or the rest has
@@ -82,7 +82,7 @@ inline void remove_walls(Model& m, const std::vector<double>& volumes,
 {
   Surface& mesh = m.mesh.surface;
   const std::vector<char> is_constrained =
-    constrained_faces(d.constraints, m.first_face, m.first_face.size());
+    constrained_faces(d.constraints, m.original_face, m.original_face.size());
   std::vector<char> may_be_wall(mesh.components.number, 1);
   for (Index f = 0; f < mesh.number_of_faces(); ++f)
     if (is_constrained[m.mesh.parent_face[f]])
@@ -142,14 +142,14 @@ inline bool keeps_points(const Surface& mesh, const Run_data& d)
 { return d.method.keeps_points && is_searched_itself(d, mesh.number_of_faces()); }
 
 // Returns the order in which faces are kept; empty for the order of the caller. A mesh that is only
-// coarsened needs no order, because its coarse surface is put in one. Components that are merged
-// need one, because ties go to the first of equal components.
+// coarsened needs no order, because its coarse surface is put in one. Components that are searched
+// by themselves need one, because ties go to the first of equal components.
 inline std::vector<Index> order_of_faces(Surface& mesh, const Run_data& d)
 {
   if (keeps_points(mesh, d))
     return locality_order(mesh);
-  const bool are_merged = !d.options.keep_components_separate && mesh.components.number > 1;
-  if (are_merged || d.options.number_of_coarse_faces == 0)
+  const bool has_parts = d.options.method == Method::CALIBRATED && mesh.components.number > 1;
+  if (has_parts || d.options.number_of_coarse_faces == 0)
     return geometric_order(mesh);
   return {};
 }
@@ -181,7 +181,7 @@ inline void prepare_part(Level& mesh, const Run_data& d)
 }
 
 // Returns the neighbors of the caller's faces for smoothing. The only neighbor of a duplicate face
-// is the first face with the same points. A constrained face is its own neighbor, so that its label
+// is its original. A constrained face is its own neighbor, so that its label
 // stays.
 inline std::vector<Index> neighbors_for_smoothing(const Model& m, const Constraints& constraints)
 {
@@ -220,7 +220,8 @@ inline void check_number(const Surface& mesh, const Options& o)
 }
 
 // Prepares the mesh of a run: joins faces at borders that meet, removes duplicate faces and walls
-// if components are merged, orients the components, and divides them into parts.
+// if components are merged, orients the components, and divides them into parts. The method of the
+// paper searches all components together.
 inline Model prepare_model(Surface surface, const Run_data& d)
 {
   d.start_phase(Phase_times(d, surface.number_of_faces()).reading);
@@ -233,23 +234,24 @@ inline Model prepare_model(Surface surface, const Run_data& d)
   const auto are_merged = [&]
     { return !d.options.keep_components_separate && mesh.components.number > 1; };
   if (are_merged())
-    m.first_face = remove_duplicates(m.mesh);
-  if (are_merged()) { // still
-    std::vector<Vector> given_points = mesh.points;
-    m.unit = normalize(mesh.points);
+    m.original_face = remove_duplicates(m.mesh);
+  const bool is_merged = are_merged(); // still
+  if (mesh.components.number == 1) // else faces start at the same corners in soups and meshes
+    reorder_vertices(mesh);
+  const bool has_parts =
+    is_merged || (mesh.components.number > 1 && d.options.method == Method::CALIBRATED);
+  std::vector<Vector> given_points;
+  if (has_parts)
+    given_points = mesh.points;
+  m.unit = normalize(mesh.points);
+  if (is_merged)
     weld_borders(mesh);
-    const std::vector<double> volumes = orient_outward(mesh);
-    mesh.groups.clear(); // they are components now
+  const std::vector<double> volumes = orient_outward(mesh);
+  mesh.groups.clear(); // they are components now
+  if (is_merged)
     remove_walls(m, volumes, given_points, d);
+  if (has_parts)
     m.parts = parts_of(m.mesh, given_points);
-  }
-  else {
-    if (mesh.components.number == 1) // else faces start at the same corners in soups and meshes
-      reorder_vertices(mesh);
-    m.unit = normalize(mesh.points);
-    orient_outward(mesh);
-    mesh.groups.clear();
-  }
   const double unit_of_frame = move_and_order(m.mesh, d);
   m.unit *= unit_of_frame;
   for (double& area : m.walls.surface.areas)

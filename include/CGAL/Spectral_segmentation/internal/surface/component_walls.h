@@ -15,13 +15,16 @@
 
 namespace CGAL::Spectral_segmentation::internal {
 
-// Finds the components that are walls of other components. A closed component inside a solid whose
-// faces point inward bounds a cavity of the solid. A component at a small, nearly constant distance
-// from another one, along most of the area of both, is its second wall. A solid with other solids
-// inside has no cavities, because parts of an assembled model may be mirrored by mistake.
+// Finds the components that are walls of other components. A closed component whose faces point
+// inward, inside a solid whose faces point outward, bounds a cavity of the solid. A component at a
+// small, nearly constant distance from another one, along most of the area of both, is its second
+// wall. So is the coarser of two copies, such as levels of detail: solids of about the same volume,
+// most of it in common. A solid with other solids inside has no cavities, because
+// parts of an assembled model may be mirrored by mistake.
 class Wall_finder
 {
   static constexpr double largest_distance = 0.02; // relative to the diagonal of the outer wall
+  static constexpr double largest_distance_of_copy = 0.01;
   static constexpr double least_area_of_outer_wall = 0.01; // relative to the area of the model
   static constexpr std::size_t number_of_samples = 100;
 
@@ -44,7 +47,7 @@ class Wall_finder
   };
 
   const Surface& surface_;
-  const std::vector<double>& volume_; // one per component, negative if its faces point inward
+  const std::vector<double>& volume_; // one per component, negative if its faces pointed inward
   std::vector<Component> components_;
 
   Triangle triangle(Index f) const
@@ -129,6 +132,13 @@ class Wall_finder
     return 10 * there.number_inside > 9 * there.sorted.size();
   }
 
+  // Returns whether most of the distances between two components are at most this.
+  static bool are_near(const Distances& there, const Distances& back, double most)
+  {
+    return there.sorted[there.sorted.size() * 4 / 5] <= most &&
+           back.sorted[back.sorted.size() * 4 / 5] <= most;
+  }
+
   // Returns whether the distances between two components are small and nearly constant over most of
   // their areas. Where a limb is thinner than the distance, its inner wall comes nearer to the
   // outer wall. The outer wall is closed and has the second wall inside, unless both coincide:
@@ -142,11 +152,22 @@ class Wall_finder
       return false;
     const double distance = back.sorted[back.sorted.size() / 2];
     const double diagonal = components_[outer].diagonal(), tiny = 1e-3 * diagonal;
-    const double most = 1.5 * distance + tiny;
     const bool is_behind = volume_[outer] != 0 && 2 * there.number_inside > there.sorted.size();
     return (is_behind || distance <= tiny) && distance <= largest_distance * diagonal &&
-           there.sorted[there.sorted.size() * 4 / 5] <= most &&
-           back.sorted[back.sorted.size() * 4 / 5] <= most;
+           are_near(there, back, 1.5 * distance + tiny);
+  }
+
+  // Returns whether two solids have about the same volume, most of it in common, and whether most
+  // of each is near the other. Thin plates on each other have nothing in common.
+  bool are_copies(Index a, Index b)
+  {
+    const double ratio = volume_[a] / volume_[b]; // negative for an inner wall
+    if (!(ratio > 0.8 && ratio < 1.25) || !may_be_walls(a, b))
+      return false;
+    const Distances there = distances(a, b), back = distances(b, a);
+    return !there.sorted.empty() && !back.sorted.empty() &&
+           4 * (there.number_inside + back.number_inside) > 3 * there.sorted.size() &&
+           are_near(there, back, largest_distance_of_copy * components_[b].diagonal());
   }
 
   // Returns for each closed component the smallest that contains it, or null_index.
@@ -166,7 +187,7 @@ class Wall_finder
 
 public:
   // Takes a surface whose faces have areas and whose components enclose these volumes. Faces of
-  // solids point outward.
+  // closed components point outward now; the volumes of those that pointed inward are negative.
   Wall_finder(const Surface& surface, const std::vector<double>& volume)
     : surface_(surface), volume_(volume), components_(surface.components.number)
   {
@@ -202,8 +223,19 @@ public:
     std::vector<Index> result(components_.size(), null_index), outer_walls; // the largest first
     for (Index c : order) {
       const Index solid = volume_[c] < 0 ? container[c] : null_index;
+      const auto copy = std::find_if(outer_walls.begin(), outer_walls.end(),
+                                     [&](Index o) { return are_copies(c, o); });
+      if (copy != outer_walls.end() && may_be_wall[*copy] &&
+          components_[c].faces.size() > components_[*copy].faces.size()) {
+        std::replace(result.begin(), result.end(), *copy, c);
+        result[*copy] = c;
+        *copy = c;
+        continue;
+      }
       if (may_be_wall[c] && solid != null_index && volume_[solid] > 0 && !has_solid[solid])
         result[c] = result[solid] == null_index ? solid : result[solid];
+      else if (may_be_wall[c] && copy != outer_walls.end())
+        result[c] = *copy;
       else if (may_be_wall[c]) {
         const auto outer = std::find_if(outer_walls.rbegin(), outer_walls.rend(),
                                         [&](Index o) { return is_second_wall(c, o); });

@@ -7,7 +7,9 @@
 #include <CGAL/Spectral_segmentation/internal/surface/Surface.h>
 
 #include <algorithm>
+#include <cmath>
 #include <cstddef>
+#include <tuple>
 #include <utility>
 #include <vector>
 
@@ -15,9 +17,11 @@ namespace CGAL::Spectral_segmentation::internal {
 
 // Connects the triangles of a soup to a surface: finds their neighbors and orients them.
 //
-// If only two faces meet at an edge, they are neighbors. Among more faces, pairs become neighbors
-// one by one: first consistently oriented pairs, the flattest pair first, then pairs that need a
-// reversal. Ties go to the lowest face indices. At an edge of very many faces none are neighbors.
+// If only two faces meet at an edge, they are neighbors. If more faces bound solids there, their
+// front and back sides alternate around the edge, and the two faces of each solid are neighbors.
+// Otherwise pairs become neighbors one by one: first consistently oriented pairs, the flattest pair
+// first, then pairs that need a reversal. Ties go to the smallest coordinates. At an edge of very
+// many faces none are neighbors.
 //
 // Connected faces are oriented consistently. If that is not possible, such as on a Moebius strip,
 // an edge becomes a border. Consistently oriented components stay unchanged. Other components are
@@ -29,6 +33,7 @@ class Triangle_connection
   Surface& surface_;
   std::vector<Index>& opposite_;
   std::vector<char> is_reversed_; // one per face, relative to the soup
+  bool points_inward_ = false;    // most of the volume is on the front sides
 
   Index source(Index h) const { return surface_.source_vertex(h); }
   Index target(Index h) const { return surface_.target_vertex(h); }
@@ -40,8 +45,67 @@ class Triangle_connection
     opposite_[g] = h;
   }
 
-  // Joins pairs of the halfedges of one edge, which ascend.
-  void join_pairs(const std::vector<Index>& halfedges)
+  const Vector& apex(Index h) const { return surface_.points[target(Surface::next(h))]; }
+
+  static auto coordinates(const Vector& p) { return std::make_tuple(p.x(), p.y(), p.z()); }
+
+  // A face around an edge: its angle, whether the solid behind it begins there, and its halfedge.
+  struct Face_at_edge
+  {
+    double angle;
+    bool begins_solid;
+    Index halfedge;
+  };
+
+  // Returns the faces around an edge in the order of their angles. Where faces coincide, those that
+  // end a solid come first.
+  std::vector<Face_at_edge> faces_around(const std::vector<Index>& halfedges,
+                                         bool points_inward, double tolerance) const
+  {
+    const Vector origin = surface_.points[source(halfedges[0])],
+                 axis = (surface_.points[target(halfedges[0])] - origin).stably_normalized();
+    const auto direction = [&](Index h) {
+      const Vector d = apex(h) - origin;
+      return (d - axis.dot(d) * axis).stably_normalized();
+    };
+    const Vector x = direction(halfedges[0]), y = axis.cross(x);
+    std::vector<Face_at_edge> result;
+    for (Index h : halfedges) {
+      const Vector d = direction(h);
+      const bool runs_along = source(h) == source(halfedges[0]);
+      result.push_back({std::atan2(y.dot(d), x.dot(d)), runs_along == points_inward, h});
+    }
+    const auto is_before = [](const Face_at_edge& a, const Face_at_edge& b)
+      { return std::make_pair(a.angle, a.begins_solid) < std::make_pair(b.angle, b.begins_solid); };
+    std::sort(result.begin(), result.end(), is_before);
+    double first = -4; // the first angle of the current faces that coincide; less than all at first
+    for (Face_at_edge& f : result)
+      f.angle = first = f.angle > first + tolerance ? f.angle : first;
+    const double turn = 2 * std::acos(-1.);
+    for (Face_at_edge& f : result)
+      if (f.angle + tolerance > result[0].angle + turn)
+        f.angle = result[0].angle;
+    std::sort(result.begin(), result.end(), is_before);
+    return result;
+  }
+
+  // Joins the halfedges of an edge where solids meet. Returns false if the faces bound no solids.
+  bool join_solids(const std::vector<Index>& halfedges, bool points_inward, double tolerance)
+  {
+    const std::vector<Face_at_edge> faces = faces_around(halfedges, points_inward, tolerance);
+    const auto next = [&](std::size_t i) -> const Face_at_edge&
+      { return faces[(i + 1) % faces.size()]; };
+    for (std::size_t i = 0; i < faces.size(); ++i)
+      if (faces[i].begins_solid == next(i).begins_solid)
+        return false;
+    for (std::size_t i = 0; i < faces.size(); ++i)
+      if (faces[i].begins_solid)
+        join(faces[i].halfedge, next(i).halfedge);
+    return true;
+  }
+
+  // Joins pairs of the halfedges of one edge.
+  void join_pairs(std::vector<Index>& halfedges)
   {
     if (halfedges.size() < 2 || halfedges.size() > most_faces_at_edge)
       return;
@@ -49,17 +113,28 @@ class Triangle_connection
       join(halfedges[0], halfedges[1]);
       return;
     }
+    const bool have_area = std::all_of(halfedges.begin(), halfedges.end(), [this](Index h)
+      { return surface_.normal(h / 3).squared_norm() > 0; });
+    if (halfedges.size() % 2 == 0 && have_area)
+      for (double tolerance : {1e-5, 1e-3}) // of angles
+        for (bool points_inward : {points_inward_, !points_inward_})
+          if (join_solids(halfedges, points_inward, tolerance))
+            return;
+    const auto place = [this](Index h) {
+      return std::make_tuple(coordinates(apex(h)), coordinates(surface_.points[source(h)]), h);
+    };
+    std::sort(halfedges.begin(), halfedges.end(),
+              [&](Index h, Index g) { return place(h) < place(g); });
     std::vector<std::pair<Index, Index> > pairs;
     std::vector<double> keys; // the flattest first; pairs that need a reversal come last
-    for (Index h : halfedges)
-      for (Index g : halfedges)
-        if (h < g) {
-          const double cosine =
-            surface_.normal(h / 3).stably_normalized().dot(
-              surface_.normal(g / 3).stably_normalized());
-          pairs.emplace_back(h, g);
-          keys.push_back(quantized(are_alike(h, g) ? -cosine : cosine + 4));
-        }
+    for (std::size_t i = 0; i < halfedges.size(); ++i)
+      for (std::size_t j = i + 1; j < halfedges.size(); ++j) {
+        const Index h = halfedges[i], g = halfedges[j];
+        const double cosine = surface_.normal(h / 3).stably_normalized().dot(
+          surface_.normal(g / 3).stably_normalized());
+        pairs.emplace_back(h, g);
+        keys.push_back(quantized(are_alike(h, g) ? -cosine : cosine + 4));
+      }
     for (Index i : sorted_indices(Execution::SEQUENTIAL, keys)) {
       const auto [h, g] = pairs[i];
       if (surface_.is_border(h) && surface_.is_border(g))
@@ -149,6 +224,12 @@ public:
 
   void operator()()
   {
+    double volume = 0;
+    const Bounding_box box(surface_.points);
+    const Vector center = box.smallest / 2 + box.largest / 2;
+    for (Index f = 0; f < surface_.number_of_faces(); ++f)
+      volume += surface_.normal(f).dot(surface_.points[source(3 * f)] - center);
+    points_inward_ = volume < 0;
     find_opposites();
     std::vector<char> is_reached(is_reversed_.size(), 0);
     for (Index f = 0; f < is_reversed_.size(); ++f)

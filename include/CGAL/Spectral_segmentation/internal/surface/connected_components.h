@@ -189,6 +189,16 @@ std::vector<Surface> split(Surface graph, const std::vector<Number>& part,
   return result;
 }
 
+// Returns whether each component is closed.
+inline std::vector<char> closed_components(const Surface& surface)
+{
+  std::vector<char> result(surface.components.number, 1);
+  for (Index h = 0; h < surface.number_of_halfedges(); ++h)
+    if (surface.is_border(h))
+      result[surface.components[h / 3]] = 0;
+  return result;
+}
+
 } // namespace CGAL::Spectral_segmentation::internal
 
 #endif // CGAL_SPECTRAL_SEGMENTATION_INTERNAL_SURFACE_CONNECTED_COMPONENTS_H

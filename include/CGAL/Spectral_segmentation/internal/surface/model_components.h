@@ -11,36 +11,57 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
-#include <numeric>
+#include <limits>
 #include <utility>
 #include <vector>
 
 namespace CGAL::Spectral_segmentation::internal {
 
-// Sets the areas of the faces. Returns the volume that each component encloses, negative if its
-// faces point inward; 0 for a component with a border, and for a volume below rounding errors.
-inline std::vector<double> set_areas_and_volumes(Surface& surface)
+// A component: its area, the volume that it encloses, negative if its faces point inward, and
+// whether it has no border. The volume of an open component is closed by cones to its center.
+struct Extent
 {
-  const std::size_t number = surface.components.number;
-  std::vector<double> volume(number, 0), area(number, 0);
-  std::vector<char> is_closed(number, 1);
-  for (Index h = 0; h < surface.number_of_halfedges(); ++h)
-    if (surface.is_border(h))
-      is_closed[surface.components[h / 3]] = 0;
-  surface.areas.resize(surface.number_of_faces());
-  std::vector<Index> first(number, null_index); // the local origin of each component
-  for (Index f = 0; f < surface.number_of_faces(); ++f) {
-    const Index c = surface.components[f], v = surface.corners[f][0];
-    first[c] = first[c] == null_index ? v : first[c];
-    const Vector normal = surface.normal(f);
-    surface.areas[f] = normal.norm() / 2;
-    volume[c] += normal.dot(surface.points[v] - surface.points[first[c]]) / 6;
-    area[c] += surface.areas[f];
+  double area = 0, volume = 0;
+  Vector sum_of_normals; // each is as long as the area of its face
+  bool is_closed = true;
+
+  bool has_volume() const { return std::abs(volume) > quantum * area * std::sqrt(area); }
+
+  // Returns whether the faces clearly point inward: the component is closed, or has small holes.
+  bool points_inward() const
+  {
+    if (is_closed)
+      return has_volume() && volume < 0;
+    return sum_of_normals.norm() < 0.19 * area && volume < -0.02 * area * std::sqrt(area);
   }
-  for (std::size_t c = 0; c < number; ++c)
-    if (!is_closed[c] || std::abs(volume[c]) <= quantum * area[c] * std::sqrt(area[c]))
-      volume[c] = 0;
-  return volume;
+};
+
+// Sets the areas of the faces, and returns the extents of the components.
+inline std::vector<Extent> set_areas_and_extents(Surface& surface)
+{
+  const std::vector<char> is_closed = closed_components(surface);
+  std::vector<Extent> result(surface.components.number);
+  std::vector<Vector> origin(result.size()), first_moment(result.size()); // relative to the origin
+  surface.areas.resize(surface.number_of_faces());
+  for (Index f = 0; f < surface.number_of_faces(); ++f) {
+    const Index c = surface.components[f];
+    Extent& e = result[c];
+    if (e.area == 0)
+      origin[c] = surface.points[surface.corners[f][0]];
+    const Vector normal = surface.normal(f) / 2;
+    const Vector p = surface.points[surface.corners[f][0]] - origin[c];
+    surface.areas[f] = normal.norm();
+    e.area += surface.areas[f];
+    e.volume += normal.dot(p) / 3;
+    e.sum_of_normals += normal;
+    first_moment[c] += surface.areas[f] * (surface.centroid(f) - origin[c]);
+  }
+  for (std::size_t c = 0; c < result.size(); ++c) {
+    result[c].is_closed = is_closed[c] != 0;
+    if (!is_closed[c] && result[c].area > 0)
+      result[c].volume -= result[c].sum_of_normals.dot(first_moment[c] / result[c].area) / 3;
+  }
+  return result;
 }
 
 // Reverses the faces of some components.
@@ -53,21 +74,20 @@ inline void reverse_orientation(Surface& surface, const std::vector<char>& is_re
     { return is_reversed[surface.components[h / 3]] ? h - h % 3 + (2 - h % 3) : h; });
 }
 
-// Sets the areas of the faces, and reverses each closed component whose faces point inward. Returns
-// the enclosed volumes, negative for components whose orientation disagreed with most of the
-// volume.
+// Sets the areas of the faces, and reverses each component whose faces point inward. Returns the
+// volumes that closed components enclose, negative for those that are reversed; 0 for a component
+// with a border, and for a volume below rounding errors.
 inline std::vector<double> orient_outward(Surface& surface)
 {
-  std::vector<double> volumes = set_areas_and_volumes(surface);
+  std::vector<double> volumes;
   std::vector<char> is_reversed;
-  for (double volume : volumes)
-    is_reversed.push_back(volume < 0);
+  for (const Extent& e : set_areas_and_extents(surface)) {
+    volumes.push_back(e.is_closed && e.has_volume() ? e.volume : 0);
+    is_reversed.push_back(e.points_inward());
+  }
   if (std::find(is_reversed.begin(), is_reversed.end(), char(1)) == is_reversed.end())
     return volumes;
   reverse_orientation(surface, is_reversed);
-  if (std::accumulate(volumes.begin(), volumes.end(), 0.) < 0)
-    for (double& volume : volumes)
-      volume = -volume;
   return volumes;
 }
 
@@ -101,72 +121,180 @@ inline Surface submesh(const Surface& surface, const std::vector<Vector>& points
   return result;
 }
 
-// The areas of the components of a model, relative to their total area. A sheet under them, such as
-// the water under a ship, is excluded from the total.
-struct Component_fractions
+// Returns whether a component is a convex solid: it is closed, its faces point outward, and no face
+// rises above the plane of a neighbor by more than rounding errors of points that were given with
+// about six digits.
+inline bool is_convex(const Surface& surface, Index component = 0)
 {
-  std::vector<double> fraction; // one per component
-  Index sheet = null_index;     // a component, or null_index
-
-  // Returns the effective number of components: the inverse of the sum of squared fractions.
-  double effective_number() const
-  {
-    double squares = 0;
-    for (Index c = 0; c < fraction.size(); ++c)
-      squares += c == sheet ? 0 : fraction[c] * fraction[c];
-    return squares > 0 ? 1 / squares : 1;
-  }
-};
-
-// Returns the fractions of the components, whose faces have areas. The sheet is the largest
-// component, if it is flat and at least twice as long as all others together.
-inline Component_fractions component_fractions(const Surface& surface)
-{
-  std::vector<Moments> moments(surface.components.number);
+  constexpr double largest_height = 1e-5; // of the square root of the area
+  double volume = 0, area = 0;
   for (Index f = 0; f < surface.number_of_faces(); ++f)
-    moments[surface.components[f]].add(surface, f);
-  const Index largest = static_cast<Index>(
-    std::max_element(moments.begin(), moments.end(),
-                     [](const Moments& a, const Moments& b) { return a.area < b.area; }) -
-    moments.begin());
-  Moments others;
-  for (Index c = 0; c < moments.size(); ++c)
-    if (c != largest)
-      others += moments[c];
-  Component_fractions result;
-  double area = others.area;
-  if (others.area > 0) {
-    const std::array<double, 3> extents = moments[largest].deviations();
-    if (extents[0] <= 0.02 * extents[1] && extents[2] >= 2 * others.deviations()[2])
-      result.sheet = largest;
-  }
-  if (result.sheet == null_index)
-    area += moments[largest].area;
-  for (const Moments& m : moments)
-    result.fraction.push_back(area > 0 ? m.area / area : 0);
-  return result;
-}
-
-// Returns whether a connected surface in its frame, with area 1, bounds a convex solid: it is
-// closed, it encloses a volume, and no face rises above the plane of a neighbor by more than
-// rounding errors.
-inline bool is_convex(const Surface& surface)
-{
-  constexpr double largest_height = 1e-5; // points are rounded to 1e-6
-  double volume = 0;
+    if (surface.components[f] == component)
+      area += surface.areas[f];
+  const double unit = std::sqrt(area);
   for (Index f = 0; f < surface.number_of_faces(); ++f) {
+    if (surface.components[f] != component)
+      continue;
     const Vector normal = surface.normal(f);
     volume += normal.dot(surface.centroid(f)) / 6;
     for (Index h = 3 * f; h < 3 * f + 3; ++h) {
       const Vector apex =
         surface.points[surface.target_vertex(Surface::next(surface.opposite[h]))];
       const double height = normal.dot(apex - surface.points[surface.source_vertex(h)]);
-      if (surface.is_border(h) || height > largest_height * normal.norm())
+      if (surface.is_border(h) || height > largest_height * unit * normal.norm())
         return false;
     }
   }
-  return volume > largest_height;
+  return volume > largest_height * area * unit;
 }
+
+// The areas of the components of a model, relative to their total area. The surroundings of the
+// others, such as the water under a ship, are excluded from the total.
+struct Component_fractions
+{
+  std::vector<double> fraction;    // one per component
+  std::vector<char> is_surrounding;
+
+  // Returns the effective number of components: the inverse of the sum of squared fractions.
+  double effective_number() const
+  {
+    double squares = 0;
+    for (Index c = 0; c < fraction.size(); ++c)
+      squares += is_surrounding[c] ? 0 : fraction[c] * fraction[c];
+    return squares > 0 ? 1 / squares : 1;
+  }
+};
+
+// Finds the surroundings of a model, whose faces have areas and point outward: a sheet or a flat
+// convex solid that is at least twice as long as all others together, or a convex solid with all
+// others inside, such as the dome of a sky, a room, or a convex hull. There may be several, such as
+// a floor in a room. Candidates are the component of largest area, and the one of largest extent.
+class Surrounding_components
+{
+  static constexpr double flatness_of_sheet = 0.02, flatness_of_slab = 0.2;
+  static constexpr int most_rounds = 8, number_of_directions = 100;
+
+  const Surface& surface_;
+  std::vector<Moments> moments_; // one per component
+  std::vector<char> is_surrounding_;
+
+  // Returns the points of the others that are farthest in directions that are spread over a sphere.
+  std::vector<Vector> extreme_points_of_others(Index component) const
+  {
+    std::vector<Vector> directions, result;
+    for (int i = 0; i < number_of_directions; ++i) { // on a spiral
+      const double z = 1 - (2 * i + 1.) / number_of_directions, angle = 2.399963229728653 * i;
+      const double r = std::sqrt(1 - z * z);
+      directions.emplace_back(r * std::cos(angle), r * std::sin(angle), z);
+    }
+    std::vector<double> farthest(directions.size(), -std::numeric_limits<double>::infinity());
+    result.resize(directions.size());
+    std::vector<char> is_seen(surface_.points.size(), 0);
+    for (Index f = 0; f < surface_.number_of_faces(); ++f) {
+      if (const Index c = surface_.components[f]; c == component || is_surrounding_[c])
+        continue;
+      for (Index v : surface_.corners[f])
+        if (!std::exchange(is_seen[v], char(1)))
+          for (std::size_t i = 0; i < directions.size(); ++i)
+            if (const double x = directions[i].dot(surface_.points[v]); x > farthest[i]) {
+              farthest[i] = x;
+              result[i] = surface_.points[v];
+            }
+    }
+    return result;
+  }
+
+  // Returns whether the others are inside a convex component. If they touch it all around, they are
+  // not much smaller: the details of a block are not in it as in a room.
+  bool are_others_inside(Index component, double area_of_others) const
+  {
+    const double tolerance = 1e-3 * std::sqrt(moments_[component].area);
+    const std::vector<Vector> points = extreme_points_of_others(component);
+    std::vector<double> depths(points.size(), std::numeric_limits<double>::infinity());
+    for (Index f = 0; f < surface_.number_of_faces(); ++f)
+      if (surface_.components[f] == component) {
+        const Vector normal = surface_.normal(f).stably_normalized();
+        const double height = normal.dot(surface_.points[surface_.corners[f][0]]);
+        for (std::size_t i = 0; i < points.size(); ++i)
+          depths[i] = (std::min)(depths[i], height - normal.dot(points[i]));
+      }
+    std::sort(depths.begin(), depths.end());
+    return depths.front() >= -tolerance &&
+           (depths[depths.size() / 2] > 10 * tolerance ||
+            area_of_others > 0.3 * moments_[component].area);
+  }
+
+  bool surrounds(Index component, bool has_largest_area) const
+  {
+    Moments others;
+    for (Index c = 0; c < moments_.size(); ++c)
+      if (c != component && !is_surrounding_[c])
+        others += moments_[c];
+    if (!(others.area > 0))
+      return false;
+    const std::array<double, 3> extents = moments_[component].deviations();
+    const bool is_long = has_largest_area && extents[2] >= 2 * others.deviations()[2];
+    if (is_long && extents[0] <= flatness_of_sheet * extents[1])
+      return true;
+    return is_convex(surface_, component) &&
+           ((is_long && extents[0] <= flatness_of_slab * extents[1]) ||
+            are_others_inside(component, others.area));
+  }
+
+  // Returns the component of largest value among those that are not surroundings.
+  template <class Value>
+  Index largest(const Value& value) const
+  {
+    Index result = null_index;
+    double best = -1;
+    for (Index c = 0; c < moments_.size(); ++c)
+      if (const double x = is_surrounding_[c] ? -1 : quantized(value(moments_[c])); x > best) {
+        best = x;
+        result = c;
+      }
+    return result;
+  }
+
+  // Marks a component if it surrounds the others. Returns whether it does.
+  bool mark(Index component, bool has_largest_area)
+  {
+    if (component == null_index || !surrounds(component, has_largest_area))
+      return false;
+    is_surrounding_[component] = 1;
+    return true;
+  }
+
+public:
+  explicit Surrounding_components(const Surface& surface)
+    : surface_(surface), moments_(surface.components.number),
+      is_surrounding_(surface.components.number, 0)
+  {
+    for (Index f = 0; f < surface.number_of_faces(); ++f)
+      moments_[surface.components[f]].add(surface, f);
+  }
+
+  Component_fractions operator()()
+  {
+    const auto area = [](const Moments& m) { return m.area; };
+    const auto extent = [](const Moments& m) { return m.deviations()[2]; };
+    for (int round = 0; round < most_rounds; ++round) {
+      const Index by_area = largest(area), by_extent = largest(extent);
+      if (!mark(by_area, true) && (by_extent == by_area || !mark(by_extent, false)))
+        break;
+    }
+    double total = 0;
+    for (Index c = 0; c < moments_.size(); ++c)
+      total += is_surrounding_[c] ? 0 : moments_[c].area;
+    Component_fractions result;
+    for (const Moments& m : moments_)
+      result.fraction.push_back(total > 0 ? m.area / total : 0);
+    result.is_surrounding = is_surrounding_;
+    return result;
+  }
+};
+
+inline Component_fractions component_fractions(const Surface& surface)
+{ return Surrounding_components(surface)(); }
 
 } // namespace CGAL::Spectral_segmentation::internal
 

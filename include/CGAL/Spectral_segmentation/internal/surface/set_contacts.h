@@ -160,11 +160,15 @@ struct Set_contact
 
 // Returns the number of cells along the longest side of the bounding box. Coarse meshes get a
 // coarse grid. Cells are larger if unusually large faces or many needles would be cut into more
-// than a million pieces.
-inline double number_of_cells(const Surface& mesh, double extent)
+// than a million pieces. Faces without set do not count.
+inline double number_of_cells(const Surface& mesh, const std::vector<Index>& set_of_face,
+                              double extent)
 {
   constexpr double largest_number_of_pieces = 1e6;
-  const std::vector<double> longest = longest_edges_of_faces(Execution::SEQUENTIAL, mesh);
+  std::vector<double> longest = longest_edges_of_faces(Execution::SEQUENTIAL, mesh);
+  for (Index f = 0; f < longest.size(); ++f)
+    if (set_of_face[f] == null_index)
+      longest[f] = 0;
   double result = (std::min)(100., 4 * std::sqrt(static_cast<double>(mesh.number_of_faces())));
   while (result > 1 &&
          number_of_added_faces(mesh, longest, extent / result) > largest_number_of_pieces)
@@ -175,17 +179,24 @@ inline double number_of_cells(const Surface& mesh, double extent)
 // Progress callback with a number of short steps; may throw to cancel.
 typedef std::function<void(std::size_t)> Step_counter;
 
-// Returns the contacts of neighboring sets, the smallest gap first. They connect all sets.
+// Returns the contacts of neighboring sets, the smallest gap first. They connect all sets. Faces
+// with the set null_index are left out.
 inline std::vector<Set_contact> set_contacts(
   const Surface& mesh, const std::vector<Index>& set_of_face,
   const Step_counter& count_steps = [](std::size_t) {})
 {
-  Bounding_box box(mesh.points);
+  Bounding_box box({});
+  for (Index f = 0; f < mesh.number_of_faces(); ++f)
+    if (set_of_face[f] != null_index)
+      for (Index v : mesh.corners[f])
+        box.add(mesh.points[v]);
   const double extent = (box.largest - box.smallest).largest_coordinate();
-  const double scale = extent > 0 ? number_of_cells(mesh, extent) / extent : 0;
+  const double scale = extent > 0 ? number_of_cells(mesh, set_of_face, extent) / extent : 0;
   std::vector<Vector> points; // one per piece
   std::vector<Index> set;     // one per piece
   for (Index f = 0; f < mesh.number_of_faces(); ++f) {
+    if (set_of_face[f] == null_index)
+      continue;
     const Corners& c = mesh.corners[f];
     const std::size_t first = points.size();
     for_each_piece({scale * mesh.points[c[0]], scale * mesh.points[c[1]],

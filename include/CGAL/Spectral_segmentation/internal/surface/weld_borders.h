@@ -12,9 +12,7 @@
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
-#include <cstring>
 #include <map>
-#include <random>
 #include <tuple>
 #include <utility>
 #include <vector>
@@ -68,99 +66,71 @@ inline void separate_groups(Surface& surface)
     }
 }
 
-// Finds duplicate faces, which have the same three points in any order, by a hash table. A face
-// with coincident points is not a duplicate. A random key guards the hash against points that were
-// chosen to collide; the result does not depend on it.
-class Duplicate_faces
+// Returns a number for each vertex, which vertices of one group at one point have in common.
+inline std::vector<Index> numbers_of_points(const Surface& surface,
+                                            const std::vector<Index>& group = {})
 {
-  const Surface& surface_;
-  std::vector<std::uint64_t> hash_; // one per vertex
+  const auto place = [&](Index v) {
+    const Vector& p = surface.points[v];
+    return std::make_tuple(p.x(), p.y(), p.z(), group.empty() ? 0 : group[v]);
+  };
+  std::vector<Index> order = first_indices(surface.points.size()), result(order.size());
+  std::sort(order.begin(), order.end(), [&](Index v, Index w)
+    { return std::make_pair(place(v), v) < std::make_pair(place(w), w); });
+  for (std::size_t i = 0; i < order.size(); ++i)
+    result[order[i]] = i > 0 && place(order[i - 1]) == place(order[i])
+      ? result[order[i - 1]] : order[i];
+  return result;
+}
 
-  const std::uint64_t key_ = std::uint64_t(std::random_device()()) << 32 | std::random_device()();
-
-  std::uint64_t hash(const Vector& p) const
-  {
-    std::uint64_t h = key_;
-    for (int i = 0; i < 3; ++i) {
-      const double coordinate = p[i] + 0.; // no negative zero
-      std::uint64_t bits;
-      std::memcpy(&bits, &coordinate, sizeof bits);
-      h = (h ^ bits) * 0x9e3779b97f4a7c15;
-      h ^= h >> 29;
-    }
-    return h;
+// Returns the face of which each face is a duplicate, or the face itself. Duplicates have the same
+// three points in any order, which must be different. A closed component keeps its faces where it
+// touches another one, unless all of them are duplicates of faces of the other.
+inline std::vector<Index> originals_of_faces(const Surface& surface)
+{
+  const std::vector<Index> number = numbers_of_points(surface);
+  const std::vector<char> is_closed = closed_components(surface);
+  const Components& component = surface.components;
+  typedef std::tuple<Corners, bool, Index, Index> Key; // the points, whether open, component, face
+  std::vector<Key> faces;
+  for (Index f = 0; f < surface.number_of_faces(); ++f) {
+    Corners c = surface.corners[f];
+    c = {number[c[0]], number[c[1]], number[c[2]]};
+    std::sort(c.begin(), c.end());
+    if (c[0] != c[1] && c[1] != c[2])
+      faces.emplace_back(c, !is_closed[component[f]], component[f], f);
   }
+  std::sort(faces.begin(), faces.end());
+  std::vector<Index> result = first_indices(surface.number_of_faces());
+  for (std::size_t i = 1; i < faces.size(); ++i)
+    if (std::get<0>(faces[i]) == std::get<0>(faces[i - 1]))
+      result[std::get<3>(faces[i])] = result[std::get<3>(faces[i - 1])];
 
-  std::array<Vector, 3> sorted_points(Index f) const
-  {
-    const Corners& c = surface_.corners[f];
-    std::array<Vector, 3> result = {surface_.points[c[0]], surface_.points[c[1]],
-                                    surface_.points[c[2]]};
-    std::sort(result.begin(), result.end(), [](const Vector& p, const Vector& q)
-      { return std::make_tuple(p.x(), p.y(), p.z()) < std::make_tuple(q.x(), q.y(), q.z()); });
-    return result;
+  std::vector<Index> original(component.number, null_index); // the component of the first face
+  std::vector<char> is_copy(component.number, 1);
+  for (Index f = 0; f < result.size(); ++f) {
+    const Index c = component[f], o = component[result[f]];
+    original[c] = original[c] == null_index ? o : original[c];
+    is_copy[c] = is_copy[c] && o != c && o == original[c];
   }
-
-public:
-  explicit Duplicate_faces(const Surface& surface) : surface_(surface)
-  {
-    hash_.reserve(surface.points.size());
-    for (const Vector& p : surface.points)
-      hash_.push_back(hash(p));
+  std::map<std::pair<Index, Index>, Index> first_of_component; // of faces with the same points
+  for (Index f = 0; f < result.size(); ++f) {
+    const Index c = component[f];
+    if (is_closed[c] && !is_copy[c] && component[result[f]] != c)
+      result[f] = first_of_component.emplace(std::make_pair(result[f], c), f).first->second;
   }
+  return result;
+}
 
-  // Returns the first face with the same points for each face, which may be the face itself.
-  std::vector<Index> operator()() const
-  {
-    const std::size_t n = surface_.corners.size();
-    std::size_t size = 1;
-    while (size < 2 * n)
-      size *= 2;
-    std::vector<Index> table(size, null_index), result;
-    result.reserve(n);
-    const auto face_hash = [&](Index f) {
-      const Corners& c = surface_.corners[f];
-      const std::uint64_t h = (hash_[c[0]] + hash_[c[1]] + hash_[c[2]]) * 0xbf58476d1ce4e5b9;
-      return static_cast<std::size_t>(h ^ (h >> 31));
-    };
-    for (Index f = 0; f < n; ++f) {
-      const std::array<Vector, 3> points = sorted_points(f);
-      if (points[0] == points[1] || points[1] == points[2]) {
-        result.push_back(f);
-        continue;
-      }
-      std::size_t slot = face_hash(f) & (size - 1);
-      while (table[slot] != null_index && !(sorted_points(table[slot]) == points))
-        slot = (slot + 1) & (size - 1);
-      if (table[slot] == null_index)
-        table[slot] = f;
-      result.push_back(table[slot]);
-    }
-    return result;
-  }
-};
-
-// Returns the faces that `first_duplicate` maps to themselves, connected as a soup whose coincident
-// points of one group are merged. This can connect faces that duplicate faces had separated.
-inline Surface distinct_faces(const Surface& surface, const std::vector<Index>& first_duplicate)
+// Returns the faces that are their own originals, connected as a soup whose coincident points of
+// one group are merged. This can connect faces that duplicate faces had separated.
+inline Surface distinct_faces(const Surface& surface, const std::vector<Index>& original)
 {
   Surface result;
   result.points = surface.points;
-  const std::vector<Index> group = groups_of_vertices(surface);
-  const auto coordinates = [&](Index v) {
-    const Vector& p = surface.points[v];
-    return std::make_tuple(p.x(), p.y(), p.z(), group[v]);
-  };
-  std::vector<Index> order(surface.points.size()), number(order.size());
-  for (Index v = 0; v < order.size(); ++v)
-    order[v] = v;
-  std::sort(order.begin(), order.end(), [&](Index v, Index w)
-    { return std::make_pair(coordinates(v), v) < std::make_pair(coordinates(w), w); });
-  for (std::size_t i = 0; i < order.size(); ++i)
-    number[order[i]] = i > 0 && coordinates(order[i - 1]) == coordinates(order[i])
-      ? number[order[i - 1]] : order[i];
-  for (Index f = 0; f < first_duplicate.size(); ++f)
-    if (first_duplicate[f] == f) {
+  const std::vector<Index> number = numbers_of_points(surface, groups_of_vertices(surface));
+  for (Index f = 0; f < original.size(); ++f)
+    if (original[f] == f) {
       const Corners& c = surface.corners[f];
       result.corners.push_back({number[c[0]], number[c[1]], number[c[2]]});
       if (!surface.groups.empty())

@@ -56,18 +56,21 @@ inline double required_evidence(double effective_number_of_components)
 // Merges the components of a model: repeatedly joins the smallest one to the neighbor with which it
 // has the most contact. The larger it is, the more salient is its boundary. A component without
 // contact comes last, with an infinite salience, unless it is tiny beside the largest component.
-// Contacts of a sheet are ignored. A component keeps all of its cuts or none, depending on their
-// total evidence.
+// Surroundings have no contacts, and come last. A component keeps all of its cuts or none,
+// depending on their total evidence.
 class Component_merging
 {
+  static constexpr double infinite_gap = std::numeric_limits<double>::infinity(),
+                          largest_gap = (std::numeric_limits<double>::max)();
+
   // A set of components next to another set.
   struct Neighbor
   {
     std::size_t contact = 0;
-    double squared_gap = std::numeric_limits<double>::infinity();
+    double squared_gap = infinite_gap;
     Index leaves[2] = {null_index, null_index}; // the leaves of both sets with the most contact
     std::size_t contact_of_leaves = 0;
-    double squared_gap_of_leaves = std::numeric_limits<double>::infinity();
+    double squared_gap_of_leaves = infinite_gap;
 
     void add(const Neighbor& other)
     {
@@ -95,17 +98,30 @@ class Component_merging
   std::vector<Neighbors> neighbors() const
   {
     std::vector<Neighbors> result(fractions_.fraction.size());
-    const auto count_steps = [&](std::size_t number) { monitor_.count_steps(number); };
-    for (const Set_contact& c : set_contacts(mesh_, result_.leaf, count_steps)) {
-      count_steps(1000); // the cost of a map
-      const auto [a, b] = c.sets;
+    const auto add = [&](const Neighbor& n) {
+      const auto [a, b] = n.leaves;
       const Index i = component_of_leaf_[a], j = component_of_leaf_[b];
       if (i == j)
-        continue;
-      const std::size_t contact = i == fractions_.sheet || j == fractions_.sheet ? 0 : c.area;
-      result[i][j].add({contact, c.squared_gap, {a, b}, contact, c.squared_gap});
-      result[j][i].add({contact, c.squared_gap, {b, a}, contact, c.squared_gap});
+        return;
+      result[i][j].add(n);
+      result[j][i].add({n.contact, n.squared_gap, {b, a}, n.contact, n.squared_gap});
+    };
+    std::vector<Index> set = result_.leaf; // of each face; none for surroundings
+    Index inside = null_index;             // a leaf that is not in the surroundings
+    for (Index& leaf : set)
+      if (fractions_.is_surrounding[component_of_leaf_[leaf]])
+        leaf = null_index;
+      else
+        inside = leaf;
+    const auto count_steps = [&](std::size_t number) { monitor_.count_steps(number); };
+    for (const Set_contact& c : set_contacts(mesh_, set, count_steps)) {
+      count_steps(1000); // the cost of a map
+      const auto [a, b] = c.sets;
+      add({c.area, c.squared_gap, {a, b}, c.area, c.squared_gap});
     }
+    for (Index leaf = 0; leaf < component_of_leaf_.size(); ++leaf)
+      if (fractions_.is_surrounding[component_of_leaf_[leaf]])
+        add({0, largest_gap, {leaf, inside}, 0, largest_gap});
     return result;
   }
 
@@ -124,7 +140,7 @@ class Component_merging
     double tiny = 0;
     for (Index i = 0; i < area.size(); ++i) {
       insert(sets, i);
-      if (i != fractions_.sheet)
+      if (!fractions_.is_surrounding[i])
         tiny = (std::max)(tiny, fraction_at_threshold * area[i]);
     }
     const auto join = [&](Index a, Index b, double salience) {

@@ -30,8 +30,8 @@ inline std::size_t segment_around_tooth(const std::vector<Index>& neighbors,
 // into which it sticks, so that two edges of the boundary become one; then the face behind it may
 // be a tooth. No segment is emptied or disconnected, because a tooth touches its own segment along
 // one edge only. A morphological opening with the ball of radius two made boundaries longer, and
-// they turned more from edge to edge. A duplicate face, whose neighbors are three times the first
-// face with the same points, keeps the label of that face.
+// they turned more from edge to edge. A duplicate face, whose neighbors are three times its
+// original, keeps the label of that face.
 inline void remove_teeth(const std::vector<Index>& neighbors, std::vector<std::size_t>& labels)
 {
   std::vector<Index> faces = first_indices(labels.size());
