@@ -57,8 +57,10 @@ Soup double_sided(Soup soup)
   return soup;
 }
 
-Labels first_half(const Labels& labels)
-{ return Labels(labels.begin(), labels.begin() + std::ptrdiff_t(labels.size() / 2)); }
+Labels first_labels(const Labels& labels, std::size_t n)
+{ return Labels(labels.begin(), labels.begin() + std::ptrdiff_t(n)); }
+
+Labels first_half(const Labels& labels) { return first_labels(labels, labels.size() / 2); }
 
 Labels second_half(const Labels& labels)
 { return Labels(labels.begin() + std::ptrdiff_t(labels.size() / 2), labels.end()); }
@@ -300,7 +302,7 @@ BOOST_AUTO_TEST_CASE(a_sheet_under_a_model_changes_nothing_in_it)
   BOOST_TEST(number_of(alone) == 3u);
   const Labels labels = labels_of_soup(disjoint_union(model, sheet));
   BOOST_TEST(number_of(labels) == 4u);
-  BOOST_TEST(Labels(labels.begin(), labels.begin() + std::ptrdiff_t(alone.size())) == alone,
+  BOOST_TEST(first_labels(labels, alone.size()) == alone,
              boost::test_tools::per_element());
 }
 
@@ -404,7 +406,7 @@ BOOST_AUTO_TEST_CASE(a_body_has_its_parts_in_any_surroundings)
   for (const Soup& surroundings : {dome, room, plinth, disjoint_union(scaled(dome, 2), plinth)})
     for (const Soup& turned : {surroundings, turned_inside_out(surroundings)}) {
       const Labels labels = labels_of_soup(disjoint_union(body, turned));
-      BOOST_TEST(Labels(labels.begin(), labels.begin() + std::ptrdiff_t(n)) == alone,
+      BOOST_TEST(first_labels(labels, n) == alone,
                  boost::test_tools::per_element());
       BOOST_TEST(number_of(labels) > number_of(alone));
     }
@@ -419,7 +421,7 @@ BOOST_AUTO_TEST_CASE(several_components_have_their_parts_in_a_dome)
   const Labels alone = labels_of_soup(model);
   const Labels labels =
     labels_of_soup(disjoint_union(model, turned_inside_out(scaled(sphere(3), 50))));
-  BOOST_TEST(Labels(labels.begin(), labels.begin() + std::ptrdiff_t(alone.size())) == alone,
+  BOOST_TEST(first_labels(labels, alone.size()) == alone,
              boost::test_tools::per_element());
   BOOST_TEST(number_of(labels) == number_of(alone) + 1);
 }
@@ -477,7 +479,7 @@ BOOST_AUTO_TEST_CASE(a_large_component_that_is_kept_is_cut_as_if_it_was_alone)
   const Labels alone = labels_of_soup(body),
                labels = labels_of_soup(all, parameters::keep_components_separate(true));
   BOOST_TEST(number_of(labels) == number_of(alone) + 1);
-  BOOST_TEST(Labels(labels.begin(), labels.begin() + std::ptrdiff_t(n)) == alone,
+  BOOST_TEST(first_labels(labels, n) == alone,
              boost::test_tools::per_element());
 }
 

@@ -505,19 +505,11 @@ BOOST_AUTO_TEST_CASE(solids_that_touch_are_components)
                                     box({1, 1, 3}, {2, 2, 5}), box({3, 3, 0}, {5, 5, 3})};
   Soup all;
   std::vector<std::size_t> solid_of_face;
-  std::map<Point, std::size_t> vertex; // coincident points are one vertex
-  for (std::size_t i = 0; i < solids.size(); ++i)
-    for (const std::vector<std::size_t>& t : solids[i].triangles) {
-      all.triangles.emplace_back();
-      for (std::size_t v : t) {
-        const Point& p = solids[i].points[v];
-        const auto [found, is_new] = vertex.emplace(p, all.points.size());
-        if (is_new)
-          all.points.push_back(p);
-        all.triangles.back().push_back(found->second);
-      }
-      solid_of_face.push_back(i);
-    }
+  for (std::size_t i = 0; i < solids.size(); ++i) {
+    all = disjoint_union(all, solids[i]);
+    solid_of_face.resize(all.triangles.size(), i);
+  }
+  all = welded(all);
   for (unsigned seed = 0; seed < 40; ++seed)
     BOOST_TEST_CONTEXT("seed " << seed) {
       Random random(seed);

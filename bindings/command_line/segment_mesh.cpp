@@ -711,8 +711,9 @@ Json run(const Options& o)
   std::vector<Index> labels(input.triangles.size());
   Segmentation_hierarchy tree;
   const std::size_t number_of_segments = segment(input, labels, o, tree, watch);
-  if (std::string warning = inward_warning(input); !warning.empty() && !o.is_reversed)
-    input.soup.warnings.push_back(std::move(warning));
+  if (!o.is_reversed)
+    if (std::string warning = inward_warning(input); !warning.empty())
+      input.soup.warnings.push_back(std::move(warning));
 
   watch.start_phase("writing", expected.writing, 0);
   const std::vector<Index> label_of_polygon = labels_of_polygons(input, labels);

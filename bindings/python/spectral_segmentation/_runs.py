@@ -229,8 +229,9 @@ def segment_hierarchy(
             None if threads is None else _threads(threads), function("progress", progress))
     except MemoryError:
         raise MemoryError("there is not enough memory for %d triangles" % len(triangles)) from None
-    if surface.core.inward_warning:
-        warn(surface.core.inward_warning)
+    warning = surface.core.inward_warning # computed by each access
+    if warning:
+        warn(warning)
     return Hierarchy._of(core, surface if surface.needs_core else None)
 
 

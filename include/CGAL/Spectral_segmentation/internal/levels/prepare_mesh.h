@@ -141,6 +141,11 @@ inline std::vector<Part_of_model> parts_of(const Level& mesh,
 inline bool keeps_points(const Surface& mesh, const Run_data& d)
 { return d.method.keeps_points && is_searched_itself(d, mesh.number_of_faces()); }
 
+// Returns whether the components of a mesh are searched in parts. The method of the paper searches
+// all together.
+inline bool is_searched_in_parts(const Surface& mesh, const Run_data& d)
+{ return d.options.method == Method::CALIBRATED && mesh.components.number > 1; }
+
 // Returns the order in which faces are kept; empty for the order of the caller. A mesh that is only
 // coarsened needs no order, because its coarse surface is put in one. Components that are searched
 // by themselves need one, because ties go to the first of equal components.
@@ -148,8 +153,7 @@ inline std::vector<Index> order_of_faces(Surface& mesh, const Run_data& d)
 {
   if (keeps_points(mesh, d))
     return locality_order(mesh);
-  const bool has_parts = d.options.method == Method::CALIBRATED && mesh.components.number > 1;
-  if (has_parts || d.options.number_of_coarse_faces == 0)
+  if (is_searched_in_parts(mesh, d) || d.options.number_of_coarse_faces == 0)
     return geometric_order(mesh);
   return {};
 }
@@ -181,8 +185,7 @@ inline void prepare_part(Level& mesh, const Run_data& d)
 }
 
 // Returns the neighbors of the caller's faces for smoothing. The only neighbor of a duplicate face
-// is its original. A constrained face is its own neighbor, so that its label
-// stays.
+// is its original. A constrained face is its own neighbor, so that its label stays.
 inline std::vector<Index> neighbors_for_smoothing(const Model& m, const Constraints& constraints)
 {
   const std::vector<Index> face = m.faces();
@@ -220,8 +223,7 @@ inline void check_number(const Surface& mesh, const Options& o)
 }
 
 // Prepares the mesh of a run: joins faces at borders that meet, removes duplicate faces and walls
-// if components are merged, orients the components, and divides them into parts. The method of the
-// paper searches all components together.
+// if components are merged, orients the components, and divides them into parts.
 inline Model prepare_model(Surface surface, const Run_data& d)
 {
   d.start_phase(Phase_times(d, surface.number_of_faces()).reading);
@@ -238,8 +240,7 @@ inline Model prepare_model(Surface surface, const Run_data& d)
   const bool is_merged = are_merged(); // still
   if (mesh.components.number == 1) // else faces start at the same corners in soups and meshes
     reorder_vertices(mesh);
-  const bool has_parts =
-    is_merged || (mesh.components.number > 1 && d.options.method == Method::CALIBRATED);
+  const bool has_parts = is_searched_in_parts(mesh, d);
   std::vector<Vector> given_points;
   if (has_parts)
     given_points = mesh.points;

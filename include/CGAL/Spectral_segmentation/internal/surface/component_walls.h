@@ -19,8 +19,8 @@ namespace CGAL::Spectral_segmentation::internal {
 // inward, inside a solid whose faces point outward, bounds a cavity of the solid. A component at a
 // small, nearly constant distance from another one, along most of the area of both, is its second
 // wall. So is the coarser of two copies, such as levels of detail: solids of about the same volume,
-// most of it in common. A solid with other solids inside has no cavities, because
-// parts of an assembled model may be mirrored by mistake.
+// most of it in common. A solid with other solids inside has no cavities, because parts of an
+// assembled model may be mirrored by mistake.
 class Wall_finder
 {
   static constexpr double largest_distance = 0.02; // relative to the diagonal of the outer wall

@@ -100,8 +100,8 @@ inline std::string names_of_faces(Index f, Index g)
 { return "the faces " + std::to_string(f) + " and " + std::to_string(g); }
 
 // Groups constrained faces. `number` holds the face of the mesh for each face of the caller; it is
-// the same for all duplicates of a face. Throws `std::invalid_argument` if constraints
-// contradict each other.
+// the same for all duplicates of a face. Throws `std::invalid_argument` if constraints contradict
+// each other.
 class Constraint_grouping
 {
   const Constraints& constraints_;
