@@ -167,9 +167,8 @@ inline Merge_tree cut_parts(Model& m, const Run_data& d)
     tree.is_monotonic = !d.monitor.is_stopped();
     return tree;
   }
-  const Component_fractions fractions = component_fractions(m.mesh.surface);
   const Set_features features = features_of_components(m, face, d);
-  return Component_merging(std::move(tree), m.mesh.surface, fractions, features,
+  return Component_merging(std::move(tree), m.mesh.surface, m.fractions, features,
                            d.options.feature_weight, d.monitor)();
 }
 

@@ -33,6 +33,7 @@ struct Model
 {
   Level mesh;                       // the first level
   std::vector<Part_of_model> parts; // not empty if components are searched by themselves
+  Component_fractions fractions;    // of the mesh, if there are parts
   Level walls;                      // the components that are walls of others
   // The caller's indices:
   std::vector<Index> outer_face;    // for each face of a wall, the nearest of the outer wall
@@ -110,11 +111,10 @@ inline void remove_walls(Model& m, const std::vector<double>& volumes,
 
 // Returns the parts of a model that are searched by themselves, with the points that the caller
 // gave.
-inline std::vector<Part_of_model> parts_of(const Level& mesh,
+inline std::vector<Part_of_model> parts_of(const Level& mesh, const Component_fractions& fractions,
                                            const std::vector<Vector>& given_points)
 {
   constexpr double least_fraction_of_large_component = 0.1;
-  const Component_fractions fractions = component_fractions(mesh.surface);
   std::vector<std::vector<Index> > faces(mesh.surface.components.number);
   for (Index f = 0; f < mesh.surface.number_of_faces(); ++f)
     faces[mesh.surface.components[f]].push_back(f);
@@ -226,7 +226,8 @@ inline void check_number(const Surface& mesh, const Options& o)
 // if components are merged, orients the components, and divides them into parts.
 inline Model prepare_model(Surface surface, const Run_data& d)
 {
-  d.start_phase(Phase_times(d, surface.number_of_faces()).reading);
+  const std::size_t number_of_faces = surface.number_of_faces();
+  d.start_phase(Phase_times(d, number_of_faces).reading);
   Model m;
   Surface& mesh = m.mesh.surface;
   mesh = std::move(surface);
@@ -251,9 +252,20 @@ inline Model prepare_model(Surface surface, const Run_data& d)
   mesh.groups.clear(); // they are components now
   if (is_merged)
     remove_walls(m, volumes, given_points, d);
-  if (has_parts)
-    m.parts = parts_of(m.mesh, given_points);
+  Component_fractions fractions;
+  std::vector<Index> component(number_of_faces); // of the caller's faces, before they are ordered
+  if (has_parts) {
+    fractions = m.fractions = component_fractions(mesh);
+    m.parts = parts_of(m.mesh, fractions, given_points);
+    for (Index f = 0; f < mesh.number_of_faces(); ++f)
+      component[m.mesh.parent_face[f]] = mesh.components[f];
+  }
   const double unit_of_frame = move_and_order(m.mesh, d);
+  for (Index f = 0; has_parts && f < mesh.number_of_faces(); ++f) {
+    const Index c = mesh.components[f], before = component[m.mesh.parent_face[f]];
+    m.fractions.fraction[c] = fractions.fraction[before];
+    m.fractions.is_surrounding[c] = fractions.is_surrounding[before];
+  }
   m.unit *= unit_of_frame;
   for (double& area : m.walls.surface.areas)
     area /= unit_of_frame * unit_of_frame;
