@@ -9,6 +9,8 @@ import inspect
 import math
 from typing import TYPE_CHECKING, Any, Callable, Literal, Optional, Sequence, TypeVar
 
+import numpy as np
+
 from . import _core
 from ._checks import flag, function, integer, real, three_numbers
 from ._constraints import edges_arrays, integers_of_triangles
@@ -18,7 +20,6 @@ from ._meshes import surface_of, warn
 from ._salience import SalienceFactors
 
 if TYPE_CHECKING:
-    import numpy as np
     from numpy.typing import ArrayLike, NDArray
     from typing_extensions import ParamSpec
     _P = ParamSpec("_P")
@@ -116,6 +117,9 @@ _PARAMETERS = """Parameters
         Steps of Laplacian smoothing before the search, at most 100000.
     smooth_boundaries : bool, default: False
         Whether boundaries of segments are smoothed.
+    reverse : bool, default: False
+        Whether the surface is searched as if all its triangles were turned around. Closed
+        components that point inward, and open ones with small holes, are turned around anyway.
     random_seed : int, optional
         Chooses reference faces at random, as in the paper. By default they are not random.
     threads : int, default: all that the machine has
@@ -175,6 +179,7 @@ def segment_hierarchy(
         number_of_reference_faces: int = 10,
         number_of_smoothing_iterations: int = 0,
         smooth_boundaries: bool = False,
+        reverse: bool = False,
         random_seed: Optional[int] = None,
         threads: Optional[int] = None,
         progress: Optional[Callable[[float], object]] = None) -> Hierarchy:
@@ -199,6 +204,7 @@ def segment_hierarchy(
                                                salience_threshold is None):
         raise ValueError("number_of_segments goes neither with maximum_number_of_segments nor "
                          "with salience_threshold")
+    is_reversed = flag("reverse", reverse)
     function("part_salience", part_salience)
     if salience_threshold is not None and part_salience is None and salience_weights is None and \
             not _METHODS[method]:
@@ -222,14 +228,15 @@ def segment_hierarchy(
           for name, value in (("face_seeds", face_seeds), ("face_groups", face_groups)))]
     try:
         core = _core.segment(
-            points, triangles, given, *constraints,
+            points, np.ascontiguousarray(triangles[:, ::-1]) if is_reversed else triangles, given,
+            *constraints,
             None if features is None else features_of_triangles(features, surface),
             None if part_salience is None
             else lambda factors: part_salience(SalienceFactors._make(factors)),
             None if threads is None else _threads(threads), function("progress", progress))
     except MemoryError:
         raise MemoryError("there is not enough memory for %d triangles" % len(triangles)) from None
-    warning = surface.core.inward_warning # computed by each access
+    warning = "" if is_reversed else surface.core.inward_warning # computed by each access
     if warning:
         warn(warning)
     return Hierarchy._of(core, surface if surface.needs_core else None)
