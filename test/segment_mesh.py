@@ -6,6 +6,7 @@
 import base64
 import collections
 import contextlib
+import itertools
 import json
 import math
 import operator
@@ -1718,6 +1719,37 @@ class Failures(Tool_test):
                   (("part.off",), ("reversed.off", "--reverse"), ("reversed.off",))]
         self.assertEqual(labels[0], labels[1])
         self.assertNotEqual(labels[0], labels[2])
+
+    def test_faces_of_tetrahedra(self):
+        """A dumbbell of cells, each of six tetrahedra: faces of the surface occur once."""
+        cells = [(x, y, z) for x in range(10) for y in range(3) for z in range(3)
+                 if not 3 <= x < 7 or y == z == 1]
+        points, faces = {}, []
+        for cell in cells:
+            for order in itertools.permutations(range(3)):
+                corners = [cell]
+                for axis in order:
+                    corners.append(tuple(c + (k == axis) for k, c in enumerate(corners[-1])))
+                indices = [points.setdefault(p, len(points)) for p in corners]
+                faces += itertools.combinations(indices, 3)
+        number = collections.Counter(map(frozenset, faces))
+        surface = [f for f in faces if number[frozenset(f)] == 1]
+        write_off(self.directory / "surface.off", list(points), surface)
+        expected = self.run_tool("surface.off", "--labels", "-", "-o", "surface_out.off",
+                                 "--quiet").stdout.split()
+        self.assertEqual(set(expected), {"0", "1", "2"})
+        distinct = [tuple(f) for f in number]
+        for written in (faces, distinct):
+            write_off(self.directory / "in.off", list(points), written)
+            done = self.run_tool("in.off", "--labels", "labels.txt", "-o", "out.off")
+            self.assertIn("tetrahedra", done.stderr)
+            self.assertIn("left out: %d\n" % (len(written) - len(surface)), done.stderr)
+            labels = (self.directory / "labels.txt").read_text().split()
+            label_of_face = dict(zip(map(frozenset, written), labels))
+            self.assertEqual([label_of_face[frozenset(f)] for f in surface], expected)
+            number_of_polygons = [(self.directory / name).read_text().split()[2]
+                                  for name in ("out.off", "surface_out.off")]
+            self.assertEqual(*number_of_polygons)
 
     def test_points_that_are_not_finite(self):
         """Leave the faces beside them with the label of a neighbor, and a warning."""

@@ -232,7 +232,7 @@ public:
           result.segment.push_back(segment_of_triangle_[parts[i].second]);
         }
       }
-      else {
+      else if (t < end || !input_.has_tetrahedra) {
         copy_polygon(polygon);
         result.segment.push_back(t < end ? segment_of_triangle_[t] : segment_of_polygon[polygon]);
       }

@@ -105,9 +105,10 @@ class Surface:
     def __init__(self, points, faces, warns=True):
         self.points = None if points is None else points_array(points)
         self.faces = _polygons(faces)
-        # Whether the triangles of a run may be others than the faces
-        self.needs_core = self.has_polygons or (
-            points is not None and not np.isfinite(self.points).all())
+        # Whether the triangles of a run may be others than the faces. The faces of tetrahedra are
+        # more for each point than those of surfaces.
+        self.needs_core = self.has_polygons or points is not None and (
+            4 * len(self.faces) >= 9 * len(self.points) or not np.isfinite(self.points).all())
         self._warns = warns
         self._core = None
 
@@ -142,12 +143,15 @@ class Surface:
 
     @property
     def core(self):
-        """The mesh for C++. Leaves out corners at points that are not finite, and warns of them.
+        """The mesh for C++. Leaves out corners at points that are not finite, and triangles between
+        tetrahedra, and warns of them.
         Raises ValueError if a corner is no point, or no face keeps three corners."""
         if self._core is None:
             corners = self.corners
             if corners.size > 0 and not (corners.min() >= 0 and corners.max() < len(self.points)):
-                raise ValueError("triangles have corners that are no indices of points")
+                is_wrong = (corners < 0) | (corners >= len(self.points))
+                i = np.searchsorted(np.cumsum(self.sizes), np.argmax(is_wrong), side="right")
+                raise ValueError("triangle %d has a corner that is no index of a point" % i)
             self._core = _core.Polygons(
                 np.ascontiguousarray(self.points, np.float64), self.points.dtype == np.float32,
                 np.ascontiguousarray(corners, np.uint32),

@@ -2,6 +2,7 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Labels, against those of the tool and against what a person sees."""
 
+import itertools
 import subprocess
 import warnings
 
@@ -60,6 +61,37 @@ def test_open_triangles_that_point_inward_are_turned_around(dumbbell):
         labels = segment(points, with_hole[:, ::-1])
     np.testing.assert_array_equal(labels, segment(points, with_hole))
     assert caught[0].filename == __file__
+
+
+def test_reversed_triangles_are_searched_as_the_others(dumbbell):
+    """Half of a dumbbell has its parts from outside only."""
+    points, triangles = dumbbell
+    half = triangles[points[triangles][:, :, 1].mean(axis=1) < 0]
+    np.testing.assert_array_equal(segment(points, half[:, ::-1], reverse=True),
+                                  segment(points, half))
+    assert (segment(points, half[:, ::-1]) != segment(points, half)).any()
+    with pytest.raises(TypeError, match="reverse"):
+        segment(points, half, reverse="yes")
+
+
+def test_triangles_between_tetrahedra_are_left_out():
+    """Each cell of a grid is six tetrahedra; the faces outside are those that occur once."""
+    cells = [(x, y, z) for x in range(10) for y in range(3) for z in range(3)
+             if not 3 <= x < 7 or y == z == 1]
+    tetrahedra = [np.cumsum([cell, *np.eye(3, dtype=int)[list(order)]], axis=0)
+                  for cell in cells for order in itertools.permutations(range(3))]
+    corners = np.array([np.delete(t, i, axis=0) for t in tetrahedra for i in range(4)])
+    points, indices = np.unique(corners.reshape(-1, 3), axis=0, return_inverse=True)
+    triangles = indices.reshape(-1, 3)
+    _, first, number = np.unique(np.sort(triangles), axis=0, return_index=True, return_counts=True)
+    outside = np.sort(first[number == 1])
+    alone = segment(points, triangles[outside])
+    assert alone.max() == 2
+    for chosen in (np.arange(len(triangles)), np.sort(first)): # each tetrahedron's, each once
+        with pytest.warns(UserWarning, match="tetrahedra.*: %d" % (len(chosen) - len(outside))):
+            labels = segment(points, triangles[chosen])
+        assert len(labels) == len(chosen)
+        np.testing.assert_array_equal(labels[np.isin(chosen, outside)], alone)
 
 
 def test_groups_are_kept_apart_as_by_the_tool(dumbbell, tool, tmp_path):
