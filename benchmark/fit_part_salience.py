@@ -433,7 +433,7 @@ class Tree:
 
 def names_of_inputs():
     """Returns the names of the factors in the order of the network's inputs."""
-    text = (FOLDER / "internal/salience/Boundary_network.h").read_text()
+    text = (FOLDER / "internal/base/Boundary_network.h").read_text()
     return re.findall(r'\{"(\w+)", &Salience_factors', text)
 
 
@@ -580,7 +580,7 @@ def write_table(file, network):
 
     units = "".join(f"  {{{bias:.5f},\n    {array(weights)},\n   {out:.5f}}},\n"
                     for bias, weights, out in zip(network.bias, network.hidden.T, network.out))
-    target = FOLDER / "internal/salience/calibrated_networks.h"
+    target = FOLDER / "internal/base/calibrated_networks.h"
     before, _, after = re.split(r"(?<=calibrated_boundary_network = \{\n)(.*?)(?=\n  \}\}\};)",
                                 target.read_text(), flags=re.S)
     file.write_text(before + f"""  // means and standard deviations of the inputs

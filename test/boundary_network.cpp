@@ -4,7 +4,7 @@
 #include <boost/test/unit_test.hpp>
 
 #include <CGAL/Spectral_segmentation/Part_salience.h>
-#include <CGAL/Spectral_segmentation/internal/salience/Boundary_network.h>
+#include <CGAL/Spectral_segmentation/internal/base/Boundary_network.h>
 
 #include <cmath>
 

@@ -5,9 +5,9 @@
 
 #include "test_meshes.h"
 
+#include <CGAL/Spectral_segmentation/internal/hierarchy/boundary_smoothing.h>
 #include <CGAL/Spectral_segmentation/internal/surface/Surface.h>
 #include <CGAL/Spectral_segmentation/internal/surface/connected_components.h>
-#include <CGAL/Spectral_segmentation/internal/tree/boundary_smoothing.h>
 
 #include <algorithm>
 #include <cstddef>

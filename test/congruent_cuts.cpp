@@ -8,8 +8,8 @@
 #include "tree_of_hierarchy.h"
 
 #include <CGAL/Spectral_segmentation/internal/search/Merge_tree.h>
+#include <CGAL/Spectral_segmentation/internal/search/congruent_cuts.h>
 #include <CGAL/Spectral_segmentation/internal/surface/connected_components.h>
-#include <CGAL/Spectral_segmentation/internal/tree/congruent_cuts.h>
 
 #include <algorithm>
 #include <cmath>

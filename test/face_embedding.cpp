@@ -6,6 +6,7 @@
 #include "test_meshes.h"
 
 #include <CGAL/Spectral_segmentation/internal/search/face_orders.h>
+#include <CGAL/Spectral_segmentation/internal/search/nystrom_embedding.h>
 #include <CGAL/Spectral_segmentation/internal/weights/shortest_paths.h>
 
 #include <cmath>

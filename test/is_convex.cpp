@@ -5,8 +5,8 @@
 
 #include "test_meshes.h"
 
+#include <CGAL/Spectral_segmentation/internal/model/model_components.h>
 #include <CGAL/Spectral_segmentation/internal/surface/Moments.h>
-#include <CGAL/Spectral_segmentation/internal/surface/model_components.h>
 
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 #include <CGAL/Surface_mesh.h>

@@ -3,7 +3,7 @@
 
 #include <boost/test/unit_test.hpp>
 
-#include <CGAL/Spectral_segmentation/internal/search/face_orders.h>
+#include <CGAL/Spectral_segmentation/internal/search/nystrom_embedding.h>
 
 #include <Eigen/Core>
 #include <Eigen/Eigenvalues>

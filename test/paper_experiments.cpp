@@ -13,6 +13,7 @@
 #include "../benchmark/paper_experiments/spectral_lines.h"
 
 #include <CGAL/Spectral_segmentation/internal/search/face_orders.h>
+#include <CGAL/Spectral_segmentation/internal/search/nystrom_embedding.h>
 #include <CGAL/Spectral_segmentation/internal/search/line_search.h>
 #include <CGAL/Spectral_segmentation/internal/weights/shortest_paths.h>
 

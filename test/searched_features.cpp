@@ -5,7 +5,7 @@
 
 #include "test_meshes.h"
 
-#include <CGAL/Spectral_segmentation/internal/weights/Face_features.h>
+#include <CGAL/Spectral_segmentation/internal/base/Face_features.h>
 #include <CGAL/Spectral_segmentation/internal/weights/searched_features.h>
 
 #include <Eigen/Core>

@@ -5,7 +5,8 @@
 
 Lines have at most 100 columns, and no tabs or blanks at the end. A comment in include/ begins with
 its subject or its verb. Bindings and examples use public headers and names only, and the
-segmentation includes no header of Segmented_mesh. Folders of internal/ include only those below.
+segmentation includes no header of Segmented_mesh. Folders of the engine include only those below,
+also through public headers. include/ does not grow beyond a number of lines.
 """
 
 import pathlib
@@ -16,21 +17,40 @@ FOLDERS = ("include", "examples", "bindings", "benchmark", "test", "scripts", "d
 SUFFIXES = (".h", ".cpp", ".py", ".js", ".mjs", ".ts", ".cmake", ".sh")
 LONG_LINES = ("test/compile_failure/",) # each line has the error that it must cause
 OPENING = re.compile(r"\s*// (Of|As|But|Where|What|Without) ")
-# The folders of internal/ whose headers each folder must not include
-INTERNAL_FOLDERS = ("tree", "levels", "search", "salience", "weights", "surface", "base")
-FOLDERS_ABOVE = [(folder, ("read",) + INTERNAL_FOLDERS[:i])
-                 for i, folder in enumerate(INTERNAL_FOLDERS)]
-FOLDERS_ABOVE.append(("read", INTERNAL_FOLDERS[:-2]))
+# The folders of the engine: each includes headers of those after it only, also through public
+# headers. engine.h, run.h and cut_surface.h are of no folder.
+ENGINE = "CGAL/Spectral_segmentation/internal/"
+ENGINE_FOLDERS = ("json", "model", "constraints", "levels", "search", "salience", "hierarchy",
+                  "weights", "read", "surface", "base")
+INCLUDE = re.compile(r"#include <(CGAL/(?:Spectral_segmentation|Segmented_mesh)[^>]*)>")
+MOST_LINES_OF_INCLUDE = 19863
 # Words that files must not have
 FORBIDDEN = (
     (re.compile(r"(bindings|examples)/"),
      re.compile(r"#include .CGAL/.*\binternal/|\binternal::|::internal\b|namespace internal\b"),
      "a header or a name of internal"),
     (re.compile(r"include/CGAL/(?!Segmented_mesh/)"),
-     re.compile(r"#include .CGAL/Segmented_mesh/"), "a header of Segmented_mesh"),
-    *((re.compile("include/CGAL/Spectral_segmentation/internal/%s/" % folder),
-       re.compile("internal/(?:%s)/" % "|".join(others)), "a header of a folder above its own")
-      for folder, others in FOLDERS_ABOVE))
+     re.compile(r"#include .CGAL/Segmented_mesh/"), "a header of Segmented_mesh"))
+
+
+def folder_of(header):
+    """The folder of a header of the engine, else None."""
+    parts = header[len(ENGINE):].split("/") if header.startswith(ENGINE) else ()
+    return parts[0] if len(parts) == 2 else None
+
+
+def includes_of_folders(include):
+    """The pairs of a header of a folder and a header of another one, which it includes itself or
+    through public headers."""
+    included = {path.relative_to(include).as_posix(): INCLUDE.findall(path.read_text("utf-8"))
+                for path in include.rglob("*.h")}
+    for header in sorted(filter(folder_of, included)):
+        reached = list(included[header])
+        for other in reached: # grows
+            if folder_of(other) is None:
+                reached += [h for h in included[other] if h not in reached]
+            elif folder_of(other) != folder_of(header):
+                yield header, other
 
 
 def problems(path, name):
@@ -58,6 +78,15 @@ def main(source):
         for number, problem in problems(path, name):
             print("%s:%d: %s" % (name, number, problem))
             found += 1
+    for header, other in includes_of_folders(source / "include"):
+        if ENGINE_FOLDERS.index(folder_of(other)) < ENGINE_FOLDERS.index(folder_of(header)):
+            print("%s includes %s, of a folder above its own" % (header, other))
+            found += 1
+    lines = sum(len(path.read_text(encoding="utf-8").splitlines())
+                for path in (source / "include").rglob("*.h"))
+    if lines > MOST_LINES_OF_INCLUDE:
+        print("include/ has %d lines, more than %d" % (lines, MOST_LINES_OF_INCLUDE))
+        found += 1
     sys.exit(1 if found else 0)
 
 

@@ -7,6 +7,7 @@
 #include "test_meshes.h"
 
 #include <CGAL/Spectral_segmentation/internal/search/face_orders.h>
+#include <CGAL/Spectral_segmentation/internal/search/nystrom_embedding.h>
 #include <CGAL/spectral_embedding.h>
 
 #include <CGAL/Polyhedron_3.h>

@@ -9,6 +9,7 @@
 #include "parts.h"
 
 #include <CGAL/Spectral_segmentation/internal/search/face_orders.h>
+#include <CGAL/Spectral_segmentation/internal/search/nystrom_embedding.h>
 
 #include <Eigen/Core>
 

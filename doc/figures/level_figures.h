@@ -8,7 +8,7 @@
 #include "segmentations.h"
 
 #include <CGAL/Spectral_segmentation/internal/levels/make_levels.h>
-#include <CGAL/Spectral_segmentation/internal/levels/prepare_mesh.h>
+#include <CGAL/Spectral_segmentation/internal/model/prepare_model.h>
 #include <CGAL/Spectral_segmentation/internal/search/recursion.h>
 #include <CGAL/Spectral_segmentation/internal/search/region_merging.h>
 

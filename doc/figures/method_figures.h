@@ -10,6 +10,7 @@
 #include "segmentations.h"
 
 #include <CGAL/Spectral_segmentation/internal/search/face_orders.h>
+#include <CGAL/Spectral_segmentation/internal/search/nystrom_embedding.h>
 #include <CGAL/Spectral_segmentation/internal/search/line_search.h>
 #include <CGAL/Spectral_segmentation/internal/surface/Moments.h>
 #include <CGAL/Spectral_segmentation/internal/weights/shortest_paths.h>

@@ -7,7 +7,7 @@
 // These headers, below Spectral_segmentation/internal/, hold the sections of the paper:
 //
 //   2    overview, queue of parts        search/recursion.h
-//   2    smoothing before and after      weights/face_distances.h, tree/boundary_smoothing.h
+//   2    smoothing before and after      weights/face_distances.h, hierarchy/boundary_smoothing.h
 //   2    BESTCUT (Figure 2)              search/best_cut.h
 //   3    distances of adjacent faces     weights/face_distances.h
 //   3    distances of all faces          weights/shortest_paths.h, by BGL's Dijkstra

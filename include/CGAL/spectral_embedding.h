@@ -11,6 +11,7 @@
 #include <CGAL/Spectral_segmentation/internal/read/read_options.h>
 #include <CGAL/Spectral_segmentation/internal/read/read_triangle_mesh.h>
 #include <CGAL/Spectral_segmentation/internal/search/face_orders.h>
+#include <CGAL/Spectral_segmentation/internal/search/nystrom_embedding.h>
 #include <CGAL/Spectral_segmentation/internal/surface/connected_components.h>
 #include <CGAL/Spectral_segmentation/internal/weights/face_distances.h>
 

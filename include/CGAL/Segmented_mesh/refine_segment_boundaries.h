@@ -6,6 +6,7 @@
 
 #include <CGAL/Segmented_mesh/internal/base.h>
 #include <CGAL/Segmented_mesh/internal/read_segments.h>
+#include <CGAL/Segmented_mesh/internal/refinement/Face_splitter.h>
 #include <CGAL/Segmented_mesh/internal/refinement/refined_boundaries.h>
 #include <CGAL/Spectral_segmentation/internal/read/read_triangle_mesh.h>
 #include <CGAL/Spectral_segmentation/internal/surface/connect_triangles.h>

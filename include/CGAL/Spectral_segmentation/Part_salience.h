@@ -5,8 +5,8 @@
 #define CGAL_SPECTRAL_SEGMENTATION_PART_SALIENCE_H
 
 #include <CGAL/Spectral_segmentation/Salience_factors.h>
-#include <CGAL/Spectral_segmentation/internal/salience/Boundary_network.h>
-#include <CGAL/Spectral_segmentation/internal/salience/calibrated_networks.h>
+#include <CGAL/Spectral_segmentation/internal/base/Boundary_network.h>
+#include <CGAL/Spectral_segmentation/internal/base/calibrated_networks.h>
 
 #include <cmath>
 #include <cstddef>

@@ -5,10 +5,10 @@
 #define CGAL_SPECTRAL_SEGMENTATION_SEGMENTATION_HIERARCHY_H
 
 #include <CGAL/Spectral_segmentation/Options.h>
+#include <CGAL/Spectral_segmentation/internal/hierarchy/Cut_editor.h>
+#include <CGAL/Spectral_segmentation/internal/hierarchy/Cut_hierarchy.h>
+#include <CGAL/Spectral_segmentation/internal/hierarchy/boundary_smoothing.h>
 #include <CGAL/Spectral_segmentation/internal/read/numbered_descriptors.h>
-#include <CGAL/Spectral_segmentation/internal/search/Cut_hierarchy.h>
-#include <CGAL/Spectral_segmentation/internal/tree/Cut_editor.h>
-#include <CGAL/Spectral_segmentation/internal/tree/boundary_smoothing.h>
 #include <CGAL/Spectral_segmentation/parameters.h>
 
 #include <algorithm>

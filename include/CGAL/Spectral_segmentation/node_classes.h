@@ -5,9 +5,9 @@
 #define CGAL_SPECTRAL_SEGMENTATION_NODE_CLASSES_H
 
 #include <CGAL/Spectral_segmentation/Segmentation_hierarchy.h>
+#include <CGAL/Spectral_segmentation/internal/hierarchy/Cut_hierarchy.h>
 #include <CGAL/Spectral_segmentation/internal/read/numbered_descriptors.h>
 #include <CGAL/Spectral_segmentation/internal/read/read_triangle_mesh.h>
-#include <CGAL/Spectral_segmentation/internal/search/Cut_hierarchy.h>
 #include <CGAL/Spectral_segmentation/internal/surface/Moments.h>
 
 #include <cstddef>

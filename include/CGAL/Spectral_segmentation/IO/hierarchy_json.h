@@ -8,9 +8,9 @@
 // nlohmann_json::nlohmann_json.
 
 #include <CGAL/Spectral_segmentation/Segmentation_hierarchy.h>
+#include <CGAL/Spectral_segmentation/internal/json/hierarchy_json.h>
 #include <CGAL/Spectral_segmentation/internal/read/numbered_descriptors.h>
 #include <CGAL/Spectral_segmentation/internal/read/read_triangle_mesh.h>
-#include <CGAL/Spectral_segmentation/internal/tree/hierarchy_json.h>
 #include <CGAL/Spectral_segmentation/parameters.h>
 
 #include <CGAL/boost/graph/named_params_helper.h>

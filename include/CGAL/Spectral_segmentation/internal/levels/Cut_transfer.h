@@ -6,7 +6,7 @@
 
 #include <CGAL/Spectral_segmentation/internal/base/Run_monitor.h>
 #include <CGAL/Spectral_segmentation/internal/search/Merge_tree.h>
-#include <CGAL/Spectral_segmentation/internal/search/cut_proposals.h>
+#include <CGAL/Spectral_segmentation/internal/search/minimum_cut.h>
 #include <CGAL/Spectral_segmentation/internal/weights/face_distances.h>
 
 #include <CGAL/Iterator_range.h>

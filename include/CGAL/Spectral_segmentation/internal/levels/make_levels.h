@@ -7,9 +7,9 @@
 #include <CGAL/Spectral_segmentation/internal/base/Run_data.h>
 #include <CGAL/Spectral_segmentation/internal/levels/Cut_transfer.h>
 #include <CGAL/Spectral_segmentation/internal/levels/coarsening.h>
+#include <CGAL/Spectral_segmentation/internal/surface/is_convex.h>
 #include <CGAL/Spectral_segmentation/internal/search/recursion.h>
 #include <CGAL/Spectral_segmentation/internal/surface/Longest_edge_bisection.h>
-#include <CGAL/Spectral_segmentation/internal/surface/model_components.h>
 #include <CGAL/Spectral_segmentation/internal/weights/face_distances.h>
 #include <CGAL/Spectral_segmentation/internal/weights/searched_features.h>
 

@@ -141,7 +141,6 @@ public:
     prefetch(&part_.weights[3 * f + 2]);
   }
 
-  bool has_face(Index f) const { return has_face_[f] != 0; }
   double area() const { return area_; }
   double area_of_part() const { return area_of_part_; }
   double area_of_rest() const { return area_of_part_ - area_; }

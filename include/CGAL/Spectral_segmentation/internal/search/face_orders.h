@@ -5,10 +5,10 @@
 #define CGAL_SPECTRAL_SEGMENTATION_INTERNAL_SEARCH_FACE_ORDERS_H
 
 #include <CGAL/Spectral_segmentation/internal/surface/Moments.h>
+#include <CGAL/Spectral_segmentation/internal/weights/searched_features.h>
 #include <CGAL/Spectral_segmentation/internal/weights/shortest_paths.h>
 
 #include <Eigen/Core>
-#include <Eigen/Eigenvalues>
 #include <boost/graph/visitors.hpp>
 
 #include <algorithm>
@@ -111,124 +111,6 @@ inline Sample_faces sample_faces(Execution execution, const Shape_contexts& cont
   return samples;
 }
 
-// The Nystrom approximation of the eigenvectors of a symmetric n x n matrix of affinities, of which
-// only the m rows of some samples are known (Section 5.2; Fowlkes et al., PAMI 26(2), 2004).
-//
-// `rows` is the m x n block of these rows; row i belongs to element `samples[i]`.
-
-struct Eigenpairs
-{
-  Eigen::VectorXd values;  // descending
-  Eigen::MatrixXd vectors; // n x m, one a column
-};
-
-inline Eigen::MatrixXd sampled_block(const Eigen::MatrixXd& rows, const std::vector<Index>& samples)
-{
-  Eigen::MatrixXd block(rows.rows(), rows.rows());
-  for (std::size_t j = 0; j < samples.size(); ++j)
-    block.col(static_cast<Eigen::Index>(j)) = rows.col(samples[j]);
-  return block;
-}
-
-inline Eigenpairs descending_eigenpairs(const Eigen::MatrixXd& symmetric)
-{
-  const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> solver(symmetric);
-  return {solver.eigenvalues().reverse(), solver.eigenvectors().rowwise().reverse()};
-}
-
-// Returns f(eigenvalue), or 0 if the eigenvalue is 0 up to rounding, like a pseudo-inverse.
-template <class Function>
-Eigen::VectorXd on_nonzero(const Eigen::VectorXd& values, Function f)
-{
-  const double smallest = 1e-12 * values.cwiseAbs().maxCoeff();
-  return values.unaryExpr([&](double v) { return std::abs(v) > smallest ? f(v) : 0.; });
-}
-
-// Returns the normalized rows D^-1/2 A D^-1/2. The row sums D of elements that are not samples come
-// from the approximation of A.
-inline Eigen::MatrixXd normalized_rows(const Eigen::MatrixXd& rows,
-                                       const std::vector<Index>& samples)
-{
-  const Eigenpairs block = descending_eigenpairs(sampled_block(rows, samples));
-  const Eigen::MatrixXd inverse = block.vectors *
-    on_nonzero(block.values, [](double v) { return 1 / v; }).asDiagonal() *
-    block.vectors.transpose();
-  const Eigen::VectorXd row_sums = rows.transpose() * (inverse * rows.rowwise().sum());
-  // An approximated sum may be negative. Any positive value serves, because it cancels out in the
-  // ratio of two eigenvectors.
-  const Eigen::VectorXd scale = row_sums.unaryExpr(
-    [](double sum) { return 1 / std::sqrt((std::max)(std::abs(sum), 1e-300)); });
-  Eigen::VectorXd scale_of_samples(rows.rows());
-  for (std::size_t i = 0; i < samples.size(); ++i)
-    scale_of_samples[static_cast<Eigen::Index>(i)] = scale[samples[i]];
-  return scale_of_samples.asDiagonal() * rows * scale.asDiagonal();
-}
-
-// Returns the eigenvectors of the sampled block, extrapolated to all elements (Section 5.2):
-// [U; Y^T U Lambda^-1]. They reproduce the sampled rows, but are not orthogonal.
-inline Eigenpairs nystrom_extrapolation(const Eigen::MatrixXd& rows,
-                                        const std::vector<Index>& samples)
-{
-  const Eigenpairs block = descending_eigenpairs(sampled_block(rows, samples));
-  return {block.values, rows.transpose() * block.vectors *
-    on_nonzero(block.values, [](double v) { return 1 / v; }).asDiagonal()};
-}
-
-// The spectral embedding of the faces of a part (Section 5). The search needs only the order of the
-// embedding for two samples, which `spectral_order()` finds without it.
-
-// Returns the combined distances of all faces from some samples, one row per sample.
-inline Eigen::MatrixXd distances_from(const Surface& part, const std::vector<Index>& samples)
-{
-  Eigen::MatrixXd rows(samples.size(), part.number_of_faces());
-  for (std::size_t i = 0; i < samples.size(); ++i) {
-    const std::vector<double> distance =
-      shortest_paths(part, &Edge_weights::combined, samples[i]);
-    rows.row(static_cast<Eigen::Index>(i)) =
-      Eigen::Map<const Eigen::VectorXd>(distance.data(), rows.cols());
-  }
-  return rows;
-}
-
-// Returns the affinities by the paper's kernel, whose width is the mean of all given distances.
-// Faces of different components, at infinite distance, have the affinity 0.
-inline Eigen::MatrixXd affinities(const Eigen::MatrixXd& distances)
-{
-  const auto is_finite = distances.array().isFinite();
-  const double sum = is_finite.select(distances.array(), 0).sum();
-  const double sigma = sum > 0 ? sum / static_cast<double>(is_finite.count()) : 1;
-  return (-distances.array() / (sigma * sigma)).exp().matrix();
-}
-
-// Returns D^-1/2 A D^-1/2 for a complete matrix A of affinities.
-inline Eigen::MatrixXd normalized(const Eigen::MatrixXd& affinities)
-{
-  const Eigen::VectorXd scale = affinities.rowwise().sum().cwiseSqrt().cwiseInverse();
-  return scale.asDiagonal() * affinities * scale.asDiagonal();
-}
-
-// Returns the eigenvectors of the normalized affinities, approximated from the distances of some
-// samples (Section 5.2), or exact if all faces are samples, in ascending order.
-inline Eigenpairs affinity_eigenpairs(const Eigen::MatrixXd& distances,
-                                      const std::vector<Index>& samples)
-{
-  const Eigen::MatrixXd rows = affinities(distances);
-  return rows.rows() == rows.cols() && std::is_sorted(samples.begin(), samples.end())
-    ? descending_eigenpairs(normalized(rows))
-    : nystrom_extrapolation(normalized_rows(rows, samples), samples);
-}
-
-inline Eigenpairs face_eigenpairs(const Surface& part, const std::vector<Index>& samples)
-{ return affinity_eigenpairs(distances_from(part, samples), samples); }
-
-// Returns the coordinate of each face on the spectral line: the ratio of the second eigenvector to
-// the first (Section 5.3). The first sample does not lie above the last one.
-inline Eigen::VectorXd spectral_coordinates(const Eigenpairs& e, const std::vector<Index>& samples)
-{
-  const Eigen::VectorXd z = e.vectors.col(1).cwiseQuotient(e.vectors.col(0));
-  return z[samples.front()] <= z[samples.back()] ? z : Eigen::VectorXd(-z);
-}
-
 // The faces of a part in an order along which cuts are searched: a cut is between the faces up to
 // one of them and the rest.
 typedef std::vector<Index> Face_order;
@@ -301,6 +183,40 @@ inline Face_order face_order(Execution execution, const Surface& part,
     [&] { from_s = shortest_paths(part, &Edge_weights::combined, samples.s); },
     [&] { from_t = shortest_paths(part, &Edge_weights::combined, samples.t); });
   return spectral_order(execution, from_s, from_t);
+}
+
+// Returns the faces of a part ordered along the direction of largest variance of their features.
+// `faces` are their indices in the mesh.
+inline std::vector<Index> feature_order(Execution execution, const Face_features& features,
+                                        const std::vector<double>& areas,
+                                        const std::vector<Index>& faces)
+{
+  const std::size_t d = features.dimension;
+  std::vector<double> mean(d, 0);
+  double area = 0;
+  for (std::size_t f = 0; f < faces.size(); ++f) {
+    area += areas[f];
+    for (std::size_t i = 0; i < d; ++i)
+      mean[i] += areas[f] * features[faces[f]][i];
+  }
+  Row_matrix rows(faces.size(), d);
+  for (std::size_t f = 0; f < faces.size(); ++f)
+    for (std::size_t i = 0; i < d; ++i)
+      rows[f][i] = features[faces[f]][i] - (area > 0 ? mean[i] / area : 0);
+  Row_matrix covariance = weighted_transposed_product(rows, areas, rows);
+  std::size_t longest = 0;
+  for (std::size_t i = 1; i < d; ++i)
+    if (covariance[i][i] > covariance[longest][longest])
+      longest = i;
+  Row_matrix direction(d, 1);
+  for (std::size_t i = 0; i < d; ++i)
+    direction[i][0] = covariance[i][longest];
+  for (int i = 0; i < 20; ++i) {
+    orthonormalize(direction);
+    direction = product(covariance, direction);
+  }
+  orthonormalize(direction);
+  return sorted_indices(execution, product(rows, direction).values);
 }
 
 } // namespace CGAL::Spectral_segmentation::internal

@@ -8,7 +8,6 @@
 #include <CGAL/Spectral_segmentation/internal/base/Run_monitor.h>
 #include <CGAL/Spectral_segmentation/internal/search/Merge_tree.h>
 #include <CGAL/Spectral_segmentation/internal/search/best_cut.h>
-#include <CGAL/Spectral_segmentation/internal/surface/model_components.h>
 
 #include <algorithm>
 #include <cmath>
@@ -50,19 +49,19 @@ class Recursion
   const Best_cut& best_cut_;
 
   const std::size_t number_of_roots_;
-  const std::size_t maximum_;         // number of segments of the recursion by area
+  std::size_t maximum_ = 0;           // number of segments of the recursion by area
   Merge_tree tree_;                   // its merges are in the order of the cuts
   std::vector<Pending_part> pending_; // one per node; without faces if the node is not pending
   std::set<Key> queue_;               // the pending parts
 
   // Returns the maximum number of segments of the recursion by area.
-  static std::size_t maximum_number_by_area(const Options& options, const Surface& mesh)
+  std::size_t maximum_number_by_area(double number_of_components) const
   {
-    if (!has_default_end(options))
-      return maximum_number(options);
-    const double number = component_fractions(mesh).effective_number();
-    const double cuts = std::round(quantized(number) * (default_number_of_parts - 1.));
-    return mesh.components.number + static_cast<std::size_t>(cuts);
+    if (!has_default_end(options_))
+      return maximum_number(options_);
+    const double cuts =
+      std::round(quantized(number_of_components) * (default_number_of_parts - 1.));
+    return number_of_roots_ + static_cast<std::size_t>(cuts);
   }
 
   std::size_t number_of_segments() const { return tree_.leaves.size(); }
@@ -176,7 +175,7 @@ public:
   Recursion(Execution execution, Surface mesh, const Best_cut& best_cut, const Options& options,
             Run_monitor& monitor)
     : execution_(execution), options_(options), monitor_(monitor), best_cut_(best_cut),
-      number_of_roots_(mesh.components.number), maximum_(maximum_number_by_area(options, mesh)),
+      number_of_roots_(mesh.components.number),
       tree_(uncut_tree(mesh, Cut_state::NOT_SEARCHED))
   {
     const std::vector<Index> component = tree_.leaf;
@@ -189,9 +188,10 @@ public:
   }
 
   // Cuts in the order of the paper, the largest part next, until no part has a salient cut or the
-  // maximum number of segments is reached.
-  Merge_tree by_area()
+  // maximum number of segments is reached, which may depend on the effective number of components.
+  Merge_tree by_area(double number_of_components)
   {
+    maximum_ = maximum_number_by_area(number_of_components);
     try {
       for (const Pending_part& root : pending_)
         enqueue_by_area(root);

@@ -199,6 +199,36 @@ inline std::vector<char> closed_components(const Surface& surface)
   return result;
 }
 
+// Returns a surface of some faces, which ascend, with other points. Faces and vertices keep their
+// order.
+inline Surface submesh(const Surface& surface, const std::vector<Vector>& points,
+                       const std::vector<Index>& faces)
+{
+  Surface result;
+  std::vector<Index> vertex(points.size(), null_index);
+  for (Index f : faces)
+    for (Index v : surface.corners[f])
+      vertex[v] = 0;
+  for (Index v = 0; v < vertex.size(); ++v)
+    if (vertex[v] != null_index) {
+      vertex[v] = static_cast<Index>(result.points.size());
+      result.points.push_back(points[v]);
+    }
+  std::vector<Index> face(surface.number_of_faces(), null_index);
+  for (Index i = 0; i < faces.size(); ++i)
+    face[faces[i]] = i;
+  for (Index i = 0; i < faces.size(); ++i) {
+    const Corners& c = surface.corners[faces[i]];
+    result.corners.push_back({vertex[c[0]], vertex[c[1]], vertex[c[2]]});
+    for (Index k = 0; k < 3; ++k) {
+      const Index across = surface.opposite[3 * faces[i] + k], neighbor = face[across / 3];
+      result.opposite.push_back(neighbor == null_index ? 3 * i + k : 3 * neighbor + across % 3);
+    }
+  }
+  result.components = connected_components(result);
+  return result;
+}
+
 } // namespace CGAL::Spectral_segmentation::internal
 
 #endif // CGAL_SPECTRAL_SEGMENTATION_INTERNAL_SURFACE_CONNECTED_COMPONENTS_H

@@ -10,6 +10,7 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <map>
 #include <tuple>
 #include <utility>
 #include <vector>
@@ -154,6 +155,29 @@ inline std::vector<Index> reorder_faces(Surface& surface, const std::vector<Inde
   surface.components.labels = std::move(component);
   number_by_first_faces(surface.components);
   return vertex;
+}
+
+// Copies vertices so that each part has its own. `part_of_face` maps each face to its part.
+template <class PartOfFace>
+void separate_vertices(Surface& surface, const PartOfFace& part_of_face)
+{
+  start_at_smallest_vertices(surface); // so that copies get the same indices in soups and meshes
+  std::vector<Index> part(surface.points.size(), null_index); // the part that keeps the vertex
+  std::map<std::pair<Index, Index>, Index> copies;            // the copy for another part
+  for (Index f = 0; f < surface.number_of_faces(); ++f)
+    for (Index& v : surface.corners[f]) {
+      const Index p = part_of_face[f];
+      if (part[v] == null_index)
+        part[v] = p;
+      if (part[v] == p)
+        continue;
+      const auto [copy, is_new] =
+        copies.emplace(std::make_pair(v, p), static_cast<Index>(surface.points.size()));
+      if (is_new)
+        surface.points.push_back(Vector(surface.points[v]));
+      v = copy->second;
+    }
+  start_at_smallest_vertices(surface);
 }
 
 } // namespace CGAL::Spectral_segmentation::internal

@@ -1,12 +1,12 @@
 // Copyright (c) 2026  The Spectral_segmentation authors.
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#ifndef CGAL_SPECTRAL_SEGMENTATION_INTERNAL_TREE_FURTHER_CUTS_H
-#define CGAL_SPECTRAL_SEGMENTATION_INTERNAL_TREE_FURTHER_CUTS_H
+#ifndef CGAL_SPECTRAL_SEGMENTATION_INTERNAL_CONSTRAINTS_FURTHER_CUTS_H
+#define CGAL_SPECTRAL_SEGMENTATION_INTERNAL_CONSTRAINTS_FURTHER_CUTS_H
 
+#include <CGAL/Spectral_segmentation/internal/constraints/Constraint_groups.h>
 #include <CGAL/Spectral_segmentation/internal/salience/Boundary_statistics.h>
 #include <CGAL/Spectral_segmentation/internal/search/Merge_tree.h>
-#include <CGAL/Spectral_segmentation/internal/tree/Constraint_groups.h>
 
 #include <algorithm>
 #include <cstddef>
@@ -211,4 +211,4 @@ inline void cut_further(Merge_tree& tree, const Constraint_groups& groups, const
 
 } // namespace CGAL::Spectral_segmentation::internal
 
-#endif // CGAL_SPECTRAL_SEGMENTATION_INTERNAL_TREE_FURTHER_CUTS_H
+#endif // CGAL_SPECTRAL_SEGMENTATION_INTERNAL_CONSTRAINTS_FURTHER_CUTS_H

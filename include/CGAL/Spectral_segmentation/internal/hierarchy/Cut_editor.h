@@ -1,10 +1,10 @@
 // Copyright (c) 2026  The Spectral_segmentation authors.
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#ifndef CGAL_SPECTRAL_SEGMENTATION_INTERNAL_TREE_CUT_EDITOR_H
-#define CGAL_SPECTRAL_SEGMENTATION_INTERNAL_TREE_CUT_EDITOR_H
+#ifndef CGAL_SPECTRAL_SEGMENTATION_INTERNAL_HIERARCHY_CUT_EDITOR_H
+#define CGAL_SPECTRAL_SEGMENTATION_INTERNAL_HIERARCHY_CUT_EDITOR_H
 
-#include <CGAL/Spectral_segmentation/internal/search/Cut_hierarchy.h>
+#include <CGAL/Spectral_segmentation/internal/hierarchy/Cut_hierarchy.h>
 
 #include <algorithm>
 #include <cstddef>
@@ -211,4 +211,4 @@ public:
 } // namespace Spectral_segmentation
 } // namespace CGAL
 
-#endif // CGAL_SPECTRAL_SEGMENTATION_INTERNAL_TREE_CUT_EDITOR_H
+#endif // CGAL_SPECTRAL_SEGMENTATION_INTERNAL_HIERARCHY_CUT_EDITOR_H

@@ -1,13 +1,13 @@
 // Copyright (c) 2026  The Spectral_segmentation authors.
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#ifndef CGAL_SPECTRAL_SEGMENTATION_INTERNAL_TREE_CONSTRAINED_MERGING_H
-#define CGAL_SPECTRAL_SEGMENTATION_INTERNAL_TREE_CONSTRAINED_MERGING_H
+#ifndef CGAL_SPECTRAL_SEGMENTATION_INTERNAL_CONSTRAINTS_CONSTRAINED_MERGING_H
+#define CGAL_SPECTRAL_SEGMENTATION_INTERNAL_CONSTRAINTS_CONSTRAINED_MERGING_H
 
 #include <CGAL/Spectral_segmentation/internal/base/Run_monitor.h>
+#include <CGAL/Spectral_segmentation/internal/constraints/Constraint_groups.h>
 #include <CGAL/Spectral_segmentation/internal/search/Merge_tree.h>
 #include <CGAL/Spectral_segmentation/internal/surface/Moments.h>
-#include <CGAL/Spectral_segmentation/internal/tree/Constraint_groups.h>
 
 #include <algorithm>
 #include <cstddef>
@@ -361,4 +361,4 @@ inline void enforce_constraints(Merge_tree& tree, Constraint_groups& groups, con
 
 } // namespace CGAL::Spectral_segmentation::internal
 
-#endif // CGAL_SPECTRAL_SEGMENTATION_INTERNAL_TREE_CONSTRAINED_MERGING_H
+#endif // CGAL_SPECTRAL_SEGMENTATION_INTERNAL_CONSTRAINTS_CONSTRAINED_MERGING_H

@@ -1,15 +1,15 @@
 // Copyright (c) 2026  The Spectral_segmentation authors.
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#ifndef CGAL_SPECTRAL_SEGMENTATION_INTERNAL_LEVELS_PREPARE_MESH_H
-#define CGAL_SPECTRAL_SEGMENTATION_INTERNAL_LEVELS_PREPARE_MESH_H
+#ifndef CGAL_SPECTRAL_SEGMENTATION_INTERNAL_MODEL_PREPARE_MODEL_H
+#define CGAL_SPECTRAL_SEGMENTATION_INTERNAL_MODEL_PREPARE_MODEL_H
 
-#include <CGAL/Spectral_segmentation/internal/levels/make_levels.h>
-#include <CGAL/Spectral_segmentation/internal/surface/component_walls.h>
+#include <CGAL/Spectral_segmentation/internal/levels/prepare_surface.h>
+#include <CGAL/Spectral_segmentation/internal/model/component_walls.h>
+#include <CGAL/Spectral_segmentation/internal/model/model_components.h>
+#include <CGAL/Spectral_segmentation/internal/model/weld_borders.h>
 #include <CGAL/Spectral_segmentation/internal/surface/connect_triangles.h>
-#include <CGAL/Spectral_segmentation/internal/surface/model_components.h>
 #include <CGAL/Spectral_segmentation/internal/surface/reorder_faces.h>
-#include <CGAL/Spectral_segmentation/internal/surface/weld_borders.h>
 
 #include <algorithm>
 #include <cstddef>
@@ -33,7 +33,7 @@ struct Model
 {
   Level mesh;                       // the first level
   std::vector<Part_of_model> parts; // not empty if components are searched by themselves
-  Component_fractions fractions;    // of the mesh, if there are parts
+  Component_fractions fractions;    // of the mesh, if it has several components
   Level walls;                      // the components that are walls of others
   // The caller's indices:
   std::vector<Index> outer_face;    // for each face of a wall, the nearest of the outer wall
@@ -137,53 +137,6 @@ inline std::vector<Part_of_model> parts_of(const Level& mesh, const Component_fr
   return result;
 }
 
-// Returns whether a method searches the points of a mesh as they are given.
-inline bool keeps_points(const Surface& mesh, const Run_data& d)
-{ return d.method.keeps_points && is_searched_itself(d, mesh.number_of_faces()); }
-
-// Returns whether the components of a mesh are searched in parts. The method of the paper searches
-// all together.
-inline bool is_searched_in_parts(const Surface& mesh, const Run_data& d)
-{ return d.options.method == Method::CALIBRATED && mesh.components.number > 1; }
-
-// Returns the order in which faces are kept; empty for the order of the caller. A mesh that is only
-// coarsened needs no order, because its coarse surface is put in one. Components that are searched
-// by themselves need one, because ties go to the first of equal components.
-inline std::vector<Index> order_of_faces(Surface& mesh, const Run_data& d)
-{
-  if (keeps_points(mesh, d))
-    return locality_order(mesh);
-  if (is_searched_in_parts(mesh, d) || d.options.number_of_coarse_faces == 0)
-    return geometric_order(mesh);
-  return {};
-}
-
-// Moves a mesh into a frame of its own, unless its points are kept, and orders its faces. A run
-// that is stopped meanwhile leaves the order. Returns the length of 1 in the old unit.
-inline double move_and_order(Level& mesh, const Run_data& d)
-{
-  const double unit = keeps_points(mesh.surface, d) ? 1 : move_to_frame(d.execution, mesh.surface);
-  if (mesh.surface.components.number > 1) // thousands may meet at one vertex, with all their leaves
-    separate_vertices(mesh.surface, mesh.surface.components);
-  if (d.monitor.go_further()) {
-    const std::vector<Index> order = order_of_faces(mesh.surface, d);
-    d.monitor.advance(0.3);
-    if (!order.empty() && d.monitor.go_further()) {
-      reorder_faces(mesh.surface, order);
-      mesh.parent_face = composed(order, mesh.parent_face);
-    }
-  }
-  d.monitor.advance(0.3);
-  return unit;
-}
-
-inline void prepare_part(Level& mesh, const Run_data& d)
-{
-  normalize(mesh.surface.points);
-  set_areas(d.execution, mesh.surface);
-  move_and_order(mesh, d);
-}
-
 // Returns the neighbors of the caller's faces for smoothing. The only neighbor of a duplicate face
 // is its original. A constrained face is its own neighbor, so that its label stays.
 inline std::vector<Index> neighbors_for_smoothing(const Model& m, const Constraints& constraints)
@@ -206,6 +159,19 @@ inline std::vector<Index> neighbors_for_smoothing(const Model& m, const Constrai
   for (Index h = 0; h < result.size(); ++h)
     if (is_constrained[face[h / 3]])
       result[h] = h / 3;
+  return result;
+}
+
+// Returns the fractions of components whose faces get these numbers.
+inline Component_fractions renumbered(const Component_fractions& fractions,
+                                      const std::vector<Index>& old_number,
+                                      const std::vector<Index>& new_number)
+{
+  Component_fractions result = fractions;
+  for (std::size_t i = 0; i < new_number.size(); ++i) {
+    result.fraction[new_number[i]] = fractions.fraction[old_number[i]];
+    result.is_surrounding[new_number[i]] = fractions.is_surrounding[old_number[i]];
+  }
   return result;
 }
 
@@ -252,20 +218,19 @@ inline Model prepare_model(Surface surface, const Run_data& d)
   mesh.groups.clear(); // they are components now
   if (is_merged)
     remove_walls(m, volumes, given_points, d);
-  Component_fractions fractions;
-  std::vector<Index> component(number_of_faces); // of the caller's faces, before they are ordered
-  if (has_parts) {
-    fractions = m.fractions = component_fractions(mesh);
-    m.parts = parts_of(m.mesh, fractions, given_points);
+  std::vector<Index> component; // of the caller's faces, before they are ordered
+  if (has_parts || mesh.components.number > 1) {
+    m.fractions = component_fractions(mesh);
+    component.resize(number_of_faces);
     for (Index f = 0; f < mesh.number_of_faces(); ++f)
       component[m.mesh.parent_face[f]] = mesh.components[f];
   }
+  if (has_parts)
+    m.parts = parts_of(m.mesh, m.fractions, given_points);
   const double unit_of_frame = move_and_order(m.mesh, d);
-  for (Index f = 0; has_parts && f < mesh.number_of_faces(); ++f) {
-    const Index c = mesh.components[f], before = component[m.mesh.parent_face[f]];
-    m.fractions.fraction[c] = fractions.fraction[before];
-    m.fractions.is_surrounding[c] = fractions.is_surrounding[before];
-  }
+  if (!component.empty())
+    m.fractions = renumbered(m.fractions, composed(m.mesh.parent_face, component),
+                             mesh.components.labels);
   m.unit *= unit_of_frame;
   for (double& area : m.walls.surface.areas)
     area /= unit_of_frame * unit_of_frame;
@@ -277,4 +242,4 @@ inline Model prepare_model(Surface surface, const Run_data& d)
 
 } // namespace CGAL::Spectral_segmentation::internal
 
-#endif // CGAL_SPECTRAL_SEGMENTATION_INTERNAL_LEVELS_PREPARE_MESH_H
+#endif // CGAL_SPECTRAL_SEGMENTATION_INTERNAL_MODEL_PREPARE_MODEL_H

@@ -1,8 +1,8 @@
 // Copyright (c) 2026  The Spectral_segmentation authors.
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#ifndef CGAL_SPECTRAL_SEGMENTATION_INTERNAL_WEIGHTS_FACE_FEATURES_H
-#define CGAL_SPECTRAL_SEGMENTATION_INTERNAL_WEIGHTS_FACE_FEATURES_H
+#ifndef CGAL_SPECTRAL_SEGMENTATION_INTERNAL_BASE_FACE_FEATURES_H
+#define CGAL_SPECTRAL_SEGMENTATION_INTERNAL_BASE_FACE_FEATURES_H
 
 #include <CGAL/Spectral_segmentation/Salience_factors.h>
 #include <CGAL/Spectral_segmentation/internal/base/Index.h>
@@ -168,4 +168,4 @@ inline void set_feature_factors(const Feature_variance& sides, const Feature_var
 
 } // namespace CGAL::Spectral_segmentation::internal
 
-#endif // CGAL_SPECTRAL_SEGMENTATION_INTERNAL_WEIGHTS_FACE_FEATURES_H
+#endif // CGAL_SPECTRAL_SEGMENTATION_INTERNAL_BASE_FACE_FEATURES_H

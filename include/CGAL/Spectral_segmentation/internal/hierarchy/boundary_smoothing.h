@@ -1,8 +1,8 @@
 // Copyright (c) 2026  The Spectral_segmentation authors.
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#ifndef CGAL_SPECTRAL_SEGMENTATION_INTERNAL_TREE_BOUNDARY_SMOOTHING_H
-#define CGAL_SPECTRAL_SEGMENTATION_INTERNAL_TREE_BOUNDARY_SMOOTHING_H
+#ifndef CGAL_SPECTRAL_SEGMENTATION_INTERNAL_HIERARCHY_BOUNDARY_SMOOTHING_H
+#define CGAL_SPECTRAL_SEGMENTATION_INTERNAL_HIERARCHY_BOUNDARY_SMOOTHING_H
 
 #include <CGAL/Spectral_segmentation/internal/base/Index.h>
 
@@ -57,4 +57,4 @@ inline void remove_teeth(const std::vector<Index>& neighbors, std::vector<std::s
 
 } // namespace CGAL::Spectral_segmentation::internal
 
-#endif // CGAL_SPECTRAL_SEGMENTATION_INTERNAL_TREE_BOUNDARY_SMOOTHING_H
+#endif // CGAL_SPECTRAL_SEGMENTATION_INTERNAL_HIERARCHY_BOUNDARY_SMOOTHING_H

@@ -1,8 +1,8 @@
 // Copyright (c) 2026  The Spectral_segmentation authors.
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#ifndef CGAL_SPECTRAL_SEGMENTATION_INTERNAL_TREE_CONGRUENT_CUTS_H
-#define CGAL_SPECTRAL_SEGMENTATION_INTERNAL_TREE_CONGRUENT_CUTS_H
+#ifndef CGAL_SPECTRAL_SEGMENTATION_INTERNAL_SEARCH_CONGRUENT_CUTS_H
+#define CGAL_SPECTRAL_SEGMENTATION_INTERNAL_SEARCH_CONGRUENT_CUTS_H
 
 #include <CGAL/Spectral_segmentation/internal/search/Merge_tree.h>
 #include <CGAL/Spectral_segmentation/internal/surface/Moments.h>
@@ -94,4 +94,4 @@ inline void average_saliences(const Surface& mesh, Merge_tree& tree,
 
 } // namespace CGAL::Spectral_segmentation::internal
 
-#endif // CGAL_SPECTRAL_SEGMENTATION_INTERNAL_TREE_CONGRUENT_CUTS_H
+#endif // CGAL_SPECTRAL_SEGMENTATION_INTERNAL_SEARCH_CONGRUENT_CUTS_H

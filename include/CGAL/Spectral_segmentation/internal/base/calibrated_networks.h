@@ -1,10 +1,10 @@
 // Copyright (c) 2026  The Spectral_segmentation authors.
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#ifndef CGAL_SPECTRAL_SEGMENTATION_INTERNAL_SALIENCE_CALIBRATED_NETWORKS_H
-#define CGAL_SPECTRAL_SEGMENTATION_INTERNAL_SALIENCE_CALIBRATED_NETWORKS_H
+#ifndef CGAL_SPECTRAL_SEGMENTATION_INTERNAL_BASE_CALIBRATED_NETWORKS_H
+#define CGAL_SPECTRAL_SEGMENTATION_INTERNAL_BASE_CALIBRATED_NETWORKS_H
 
-#include <CGAL/Spectral_segmentation/internal/salience/Boundary_network.h>
+#include <CGAL/Spectral_segmentation/internal/base/Boundary_network.h>
 
 namespace CGAL::Spectral_segmentation::internal {
 
@@ -107,4 +107,4 @@ constexpr Boundary_network<15, 12> calibrated_boundary_network = {
 
 } // namespace CGAL::Spectral_segmentation::internal
 
-#endif // CGAL_SPECTRAL_SEGMENTATION_INTERNAL_SALIENCE_CALIBRATED_NETWORKS_H
+#endif // CGAL_SPECTRAL_SEGMENTATION_INTERNAL_BASE_CALIBRATED_NETWORKS_H

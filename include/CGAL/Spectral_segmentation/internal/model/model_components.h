@@ -1,11 +1,12 @@
 // Copyright (c) 2026  The Spectral_segmentation authors.
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#ifndef CGAL_SPECTRAL_SEGMENTATION_INTERNAL_SURFACE_MODEL_COMPONENTS_H
-#define CGAL_SPECTRAL_SEGMENTATION_INTERNAL_SURFACE_MODEL_COMPONENTS_H
+#ifndef CGAL_SPECTRAL_SEGMENTATION_INTERNAL_MODEL_MODEL_COMPONENTS_H
+#define CGAL_SPECTRAL_SEGMENTATION_INTERNAL_MODEL_MODEL_COMPONENTS_H
 
 #include <CGAL/Spectral_segmentation/internal/surface/Moments.h>
 #include <CGAL/Spectral_segmentation/internal/surface/connected_components.h>
+#include <CGAL/Spectral_segmentation/internal/surface/is_convex.h>
 
 #include <algorithm>
 #include <array>
@@ -91,63 +92,6 @@ inline std::vector<double> orient_outward(Surface& surface)
   return volumes;
 }
 
-// Returns a surface of some faces, which ascend, with other points. Faces and vertices keep their
-// order.
-inline Surface submesh(const Surface& surface, const std::vector<Vector>& points,
-                       const std::vector<Index>& faces)
-{
-  Surface result;
-  std::vector<Index> vertex(points.size(), null_index);
-  for (Index f : faces)
-    for (Index v : surface.corners[f])
-      vertex[v] = 0;
-  for (Index v = 0; v < vertex.size(); ++v)
-    if (vertex[v] != null_index) {
-      vertex[v] = static_cast<Index>(result.points.size());
-      result.points.push_back(points[v]);
-    }
-  std::vector<Index> face(surface.number_of_faces(), null_index);
-  for (Index i = 0; i < faces.size(); ++i)
-    face[faces[i]] = i;
-  for (Index i = 0; i < faces.size(); ++i) {
-    const Corners& c = surface.corners[faces[i]];
-    result.corners.push_back({vertex[c[0]], vertex[c[1]], vertex[c[2]]});
-    for (Index k = 0; k < 3; ++k) {
-      const Index across = surface.opposite[3 * faces[i] + k], neighbor = face[across / 3];
-      result.opposite.push_back(neighbor == null_index ? 3 * i + k : 3 * neighbor + across % 3);
-    }
-  }
-  result.components = connected_components(result);
-  return result;
-}
-
-// Returns whether a component is a convex solid: it is closed, its faces point outward, and no face
-// rises above the plane of a neighbor by more than rounding errors of points that were given with
-// about six digits.
-inline bool is_convex(const Surface& surface, Index component = 0)
-{
-  constexpr double largest_height = 1e-5; // of the square root of the area
-  double volume = 0, area = 0;
-  for (Index f = 0; f < surface.number_of_faces(); ++f)
-    if (surface.components[f] == component)
-      area += surface.areas[f];
-  const double unit = std::sqrt(area);
-  for (Index f = 0; f < surface.number_of_faces(); ++f) {
-    if (surface.components[f] != component)
-      continue;
-    const Vector normal = surface.normal(f);
-    volume += normal.dot(surface.centroid(f)) / 6;
-    for (Index h = 3 * f; h < 3 * f + 3; ++h) {
-      const Vector apex =
-        surface.points[surface.target_vertex(Surface::next(surface.opposite[h]))];
-      const double height = normal.dot(apex - surface.points[surface.source_vertex(h)]);
-      if (surface.is_border(h) || height > largest_height * unit * normal.norm())
-        return false;
-    }
-  }
-  return volume > largest_height * area * unit;
-}
-
 // The areas of the components of a model, relative to their total area. The surroundings of the
 // others, such as the water under a ship, are excluded from the total.
 struct Component_fractions
@@ -155,7 +99,8 @@ struct Component_fractions
   std::vector<double> fraction;    // one per component
   std::vector<char> is_surrounding;
 
-  // Returns the effective number of components: the inverse of the sum of squared fractions.
+  // Returns the effective number of components: the inverse of the sum of squared fractions; 1
+  // without components.
   double effective_number() const
   {
     double squares = 0;
@@ -298,4 +243,4 @@ inline Component_fractions component_fractions(const Surface& surface)
 
 } // namespace CGAL::Spectral_segmentation::internal
 
-#endif // CGAL_SPECTRAL_SEGMENTATION_INTERNAL_SURFACE_MODEL_COMPONENTS_H
+#endif // CGAL_SPECTRAL_SEGMENTATION_INTERNAL_MODEL_MODEL_COMPONENTS_H

@@ -1,8 +1,8 @@
 // Copyright (c) 2026  The Spectral_segmentation authors.
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#ifndef CGAL_SPECTRAL_SEGMENTATION_INTERNAL_SURFACE_WELD_BORDERS_H
-#define CGAL_SPECTRAL_SEGMENTATION_INTERNAL_SURFACE_WELD_BORDERS_H
+#ifndef CGAL_SPECTRAL_SEGMENTATION_INTERNAL_MODEL_WELD_BORDERS_H
+#define CGAL_SPECTRAL_SEGMENTATION_INTERNAL_MODEL_WELD_BORDERS_H
 
 #include <CGAL/Spectral_segmentation/internal/surface/connect_triangles.h>
 #include <CGAL/Spectral_segmentation/internal/surface/connected_components.h>
@@ -27,29 +27,6 @@ inline std::vector<Index> groups_of_vertices(const Surface& surface)
     for (Index v : surface.corners[f])
       result[v] = surface.groups[f];
   return result;
-}
-
-// Copies vertices so that each part has its own. `part_of_face` maps each face to its part.
-template <class PartOfFace>
-void separate_vertices(Surface& surface, const PartOfFace& part_of_face)
-{
-  start_at_smallest_vertices(surface); // so that copies get the same indices in soups and meshes
-  std::vector<Index> part(surface.points.size(), null_index); // the part that keeps the vertex
-  std::map<std::pair<Index, Index>, Index> copies;            // the copy for another part
-  for (Index f = 0; f < surface.number_of_faces(); ++f)
-    for (Index& v : surface.corners[f]) {
-      const Index p = part_of_face[f];
-      if (part[v] == null_index)
-        part[v] = p;
-      if (part[v] == p)
-        continue;
-      const auto [copy, is_new] =
-        copies.emplace(std::make_pair(v, p), static_cast<Index>(surface.points.size()));
-      if (is_new)
-        surface.points.push_back(Vector(surface.points[v]));
-      v = copy->second;
-    }
-  start_at_smallest_vertices(surface);
 }
 
 // Separates the groups of faces: each gets its own vertices, and edges between groups become
@@ -203,4 +180,4 @@ inline void weld_borders(Surface& surface)
 
 } // namespace CGAL::Spectral_segmentation::internal
 
-#endif // CGAL_SPECTRAL_SEGMENTATION_INTERNAL_SURFACE_WELD_BORDERS_H
+#endif // CGAL_SPECTRAL_SEGMENTATION_INTERNAL_MODEL_WELD_BORDERS_H

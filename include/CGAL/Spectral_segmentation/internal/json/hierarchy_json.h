@@ -1,11 +1,11 @@
 // Copyright (c) 2026  The Spectral_segmentation authors.
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#ifndef CGAL_SPECTRAL_SEGMENTATION_INTERNAL_TREE_HIERARCHY_JSON_H
-#define CGAL_SPECTRAL_SEGMENTATION_INTERNAL_TREE_HIERARCHY_JSON_H
+#ifndef CGAL_SPECTRAL_SEGMENTATION_INTERNAL_JSON_HIERARCHY_JSON_H
+#define CGAL_SPECTRAL_SEGMENTATION_INTERNAL_JSON_HIERARCHY_JSON_H
 
 #include <CGAL/Spectral_segmentation/Segmentation_hierarchy.h>
-#include <CGAL/Spectral_segmentation/internal/salience/Boundary_network.h>
+#include <CGAL/Spectral_segmentation/internal/base/Boundary_network.h>
 #include <CGAL/Spectral_segmentation/internal/surface/Moments.h>
 
 #include <nlohmann/json.hpp>
@@ -493,4 +493,4 @@ public:
 
 } // namespace CGAL::Spectral_segmentation::internal
 
-#endif // CGAL_SPECTRAL_SEGMENTATION_INTERNAL_TREE_HIERARCHY_JSON_H
+#endif // CGAL_SPECTRAL_SEGMENTATION_INTERNAL_JSON_HIERARCHY_JSON_H

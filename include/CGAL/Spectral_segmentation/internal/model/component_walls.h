@@ -1,16 +1,18 @@
 // Copyright (c) 2026  The Spectral_segmentation authors.
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#ifndef CGAL_SPECTRAL_SEGMENTATION_INTERNAL_SURFACE_COMPONENT_WALLS_H
-#define CGAL_SPECTRAL_SEGMENTATION_INTERNAL_SURFACE_COMPONENT_WALLS_H
+#ifndef CGAL_SPECTRAL_SEGMENTATION_INTERNAL_MODEL_COMPONENT_WALLS_H
+#define CGAL_SPECTRAL_SEGMENTATION_INTERNAL_MODEL_COMPONENT_WALLS_H
 
+#include <CGAL/Spectral_segmentation/internal/search/Merge_tree.h>
 #include <CGAL/Spectral_segmentation/internal/surface/Face_tree.h>
-#include <CGAL/Spectral_segmentation/internal/surface/model_components.h>
 
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <map>
 #include <memory>
+#include <utility>
 #include <vector>
 
 namespace CGAL::Spectral_segmentation::internal {
@@ -255,6 +257,115 @@ public:
   }
 };
 
+// Makes the faces of walls in each set of a tree connected, from the roots on. Pieces that are
+// disconnected from their side of a cut go to the other side.
+class Wall_labels
+{
+  typedef std::vector<Index> Faces;
+  typedef const Merged_set* Node;
+
+  const Surface& walls_;           // each component is a wall
+  const Merged_sets sets_;         // the sets of the outer walls
+  Faces& leaf_;                    // one per face
+  std::vector<Node> node_;         // one per face: a side of the current cut
+  std::vector<std::pair<Node, Faces> > connected_; // faces to divide further, and their node
+
+  // Returns the connected pieces of the faces of a node.
+  std::vector<Faces> pieces(const Faces& faces, Node node)
+  {
+    std::vector<Faces> result;
+    for (Index first : faces)
+      if (node_[first] == node) {
+        Faces piece(1, first);
+        node_[first] = nullptr;
+        for (std::size_t i = 0; i < piece.size(); ++i)
+          for (Index h = 3 * piece[i]; h < 3 * piece[i] + 3; ++h)
+            if (const Index g = walls_.neighbor(h); node_[g] == node) {
+              node_[g] = nullptr;
+              piece.push_back(g);
+            }
+        result.push_back(std::move(piece));
+      }
+    for (const Faces& piece : result)
+      for (Index f : piece)
+        node_[f] = node;
+    return result;
+  }
+
+  double area(const Faces& faces) const
+  {
+    double result = 0;
+    for (Index f : faces)
+      result += walls_.areas[f];
+    return quantized(result);
+  }
+
+  // Moves a piece to the face of another node beside which it has the longest boundary.
+  void move(const Faces& piece)
+  {
+    const Node node = node_[piece.front()];
+    std::map<Index, std::pair<double, Index> > boundary; // its length, and a face, for each leaf
+    for (Index f : piece)
+      for (Index h = 3 * f; h < 3 * f + 3; ++h)
+        if (const Index g = walls_.neighbor(h); node_[g] != node && node_[g] != nullptr) {
+          boundary[leaf_[g]].first += walls_.length(h);
+          boundary[leaf_[g]].second = g;
+        }
+    const Index g =
+      std::max_element(boundary.begin(), boundary.end(), [](const auto& a, const auto& b)
+        { return quantized(a.second.first) < quantized(b.second.first); })->second.second;
+    for (Index f : piece) {
+      node_[f] = node_[g];
+      leaf_[f] = leaf_[g];
+    }
+  }
+
+  // Divides connected faces among nodes. Moves all pieces of a node except the largest.
+  void divide(const Faces& faces, const std::vector<Node>& nodes)
+  {
+    for (Node node : nodes)
+      for (Index f : faces)
+        if (sets_.position[leaf_[f]] - node->first < node->size()) // wraps around if it is less
+          node_[f] = node;
+    for (Node node : nodes) {
+      const std::vector<Faces> all = pieces(faces, node);
+      const auto largest = std::max_element(all.begin(), all.end(),
+        [&](const Faces& a, const Faces& b) { return area(a) < area(b); });
+      for (auto piece = all.begin(); piece != all.end(); ++piece)
+        if (piece != largest)
+          move(*piece);
+    }
+    for (Node node : nodes)
+      if (std::vector<Faces> all = pieces(faces, node); !all.empty())
+        connected_.emplace_back(node, std::move(all.front()));
+    for (Index f : faces)
+      node_[f] = nullptr;
+  }
+
+public:
+  // Takes the leaf of the nearest face of an outer wall for each face, which it changes.
+  Wall_labels(const Surface& walls, const Merge_tree& tree, std::vector<Index>& leaf)
+    : walls_(walls), sets_(tree), leaf_(leaf), node_(leaf.size(), nullptr) {}
+
+  void operator()()
+  {
+    std::vector<Faces> walls(walls_.components.number);
+    for (Index f = 0; f < leaf_.size(); ++f)
+      walls[walls_.components[f]].push_back(f);
+    std::vector<Node> roots;
+    for (const Merged_set& root : sets_.roots)
+      roots.push_back(&root);
+    for (const Faces& wall : walls)
+      divide(wall, roots);
+    while (!connected_.empty()) {
+      const auto [node, faces] = std::move(connected_.back());
+      connected_.pop_back();
+      if (node->merge != null_index)
+        divide(faces, {&sets_.sides[node->merge][0], &sets_.sides[node->merge][1]});
+    }
+  }
+};
+
 } // namespace CGAL::Spectral_segmentation::internal
 
-#endif // CGAL_SPECTRAL_SEGMENTATION_INTERNAL_SURFACE_COMPONENT_WALLS_H
+#endif // CGAL_SPECTRAL_SEGMENTATION_INTERNAL_MODEL_COMPONENT_WALLS_H

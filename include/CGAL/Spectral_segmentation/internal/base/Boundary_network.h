@@ -1,11 +1,11 @@
 // Copyright (c) 2026  The Spectral_segmentation authors.
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#ifndef CGAL_SPECTRAL_SEGMENTATION_INTERNAL_SALIENCE_BOUNDARY_NETWORK_H
-#define CGAL_SPECTRAL_SEGMENTATION_INTERNAL_SALIENCE_BOUNDARY_NETWORK_H
+#ifndef CGAL_SPECTRAL_SEGMENTATION_INTERNAL_BASE_BOUNDARY_NETWORK_H
+#define CGAL_SPECTRAL_SEGMENTATION_INTERNAL_BASE_BOUNDARY_NETWORK_H
 
 #include <CGAL/Spectral_segmentation/Salience_factors.h>
-#include <CGAL/Spectral_segmentation/internal/weights/Face_features.h>
+#include <CGAL/Spectral_segmentation/internal/base/Face_features.h>
 
 #include <algorithm>
 #include <array>
@@ -158,4 +158,4 @@ struct Feature_logit
 
 } // namespace CGAL::Spectral_segmentation::internal
 
-#endif // CGAL_SPECTRAL_SEGMENTATION_INTERNAL_SALIENCE_BOUNDARY_NETWORK_H
+#endif // CGAL_SPECTRAL_SEGMENTATION_INTERNAL_BASE_BOUNDARY_NETWORK_H

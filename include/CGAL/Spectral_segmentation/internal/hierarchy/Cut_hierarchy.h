@@ -1,8 +1,8 @@
 // Copyright (c) 2026  The Spectral_segmentation authors.
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#ifndef CGAL_SPECTRAL_SEGMENTATION_INTERNAL_SEARCH_CUT_HIERARCHY_H
-#define CGAL_SPECTRAL_SEGMENTATION_INTERNAL_SEARCH_CUT_HIERARCHY_H
+#ifndef CGAL_SPECTRAL_SEGMENTATION_INTERNAL_HIERARCHY_CUT_HIERARCHY_H
+#define CGAL_SPECTRAL_SEGMENTATION_INTERNAL_HIERARCHY_CUT_HIERARCHY_H
 
 #include <CGAL/Spectral_segmentation/Part_salience.h>
 #include <CGAL/Spectral_segmentation/internal/base/Index.h>
@@ -140,4 +140,4 @@ public:
 } // namespace Spectral_segmentation
 } // namespace CGAL
 
-#endif // CGAL_SPECTRAL_SEGMENTATION_INTERNAL_SEARCH_CUT_HIERARCHY_H
+#endif // CGAL_SPECTRAL_SEGMENTATION_INTERNAL_HIERARCHY_CUT_HIERARCHY_H

@@ -1,8 +1,8 @@
 // Copyright (c) 2026  The Spectral_segmentation authors.
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#ifndef CGAL_SPECTRAL_SEGMENTATION_INTERNAL_SURFACE_SET_CONTACTS_H
-#define CGAL_SPECTRAL_SEGMENTATION_INTERNAL_SURFACE_SET_CONTACTS_H
+#ifndef CGAL_SPECTRAL_SEGMENTATION_INTERNAL_MODEL_SET_CONTACTS_H
+#define CGAL_SPECTRAL_SEGMENTATION_INTERNAL_MODEL_SET_CONTACTS_H
 
 #include <CGAL/Spectral_segmentation/internal/surface/Face_tree.h>
 #include <CGAL/Spectral_segmentation/internal/surface/Longest_edge_bisection.h>
@@ -26,35 +26,19 @@ class Grid
   Index size_[3];                // the number of nodes along each axis, the first two powers of 2
   unsigned shift_[3] = {0, 0, 0}; // the position of each coordinate in the bits of a node
 
-  static std::array<double, 3> sizes(const Bounding_box& box, int margin)
-  {
-    std::array<double, 3> result;
-    for (int i = 0; i < 3; ++i) {
-      result[i] = std::ceil(box.largest[i]) - std::floor(box.smallest[i]) + 2 * margin + 1;
-      if (i < 2)
-        result[i] = std::exp2(std::ceil(std::log2(result[i])));
-    }
-    return result;
-  }
-
 public:
-  // Makes a grid around a box, with at least `margin` cells beside it on each side.
-  Grid(const Bounding_box& box, int margin)
+  // Makes a grid around a box, with at least one cell beside it on each side.
+  explicit Grid(const Bounding_box& box)
   {
-    const std::array<double, 3> size = sizes(box, margin);
     for (int i = 0; i < 3; ++i) {
-      origin_[i] = std::floor(box.smallest[i]) - margin;
-      size_[i] = static_cast<Index>(size[i]);
+      origin_[i] = std::floor(box.smallest[i]) - 1;
+      double size = std::ceil(box.largest[i]) - origin_[i] + 2;
+      if (i < 2)
+        size = std::exp2(std::ceil(std::log2(size)));
+      size_[i] = static_cast<Index>(size);
       if (i > 0)
-        shift_[i] = shift_[i - 1] + static_cast<unsigned>(std::ilogb(size[i - 1]));
+        shift_[i] = shift_[i - 1] + static_cast<unsigned>(std::ilogb(size_[i - 1]));
     }
-  }
-
-  // Returns the number of nodes that such a grid would have.
-  static double number_of_nodes(const Bounding_box& box, int margin)
-  {
-    const std::array<double, 3> size = sizes(box, margin);
-    return size[0] * size[1] * size[2];
   }
 
   Index number_of_nodes() const { return size_[2] << shift_[2]; }
@@ -100,32 +84,35 @@ public:
   }
 };
 
-// Finds the nearest element for each node of a grid by a closest point transform (Danielsson 1980):
-// elements are offered to nodes near them, and a node that accepts an element offers it to its
-// neighbors. `reaches(node, squared distance)` returns whether a node may accept one.
-template <class SquaredDistance, class Reaches>
-class Nearest_elements
+// Progress callback with a number of short steps; may throw to cancel.
+typedef std::function<void(std::size_t)> Step_counter;
+
+// Finds the nearest of some points for each node of a grid by a closest point transform (Danielsson
+// 1980): points are offered to nodes near them, and a node that accepts a point offers it to its
+// neighbors.
+class Nearest_points
 {
   const Grid& grid_;
-  const SquaredDistance squared_distance_of_; // between an element and a point
-  const Reaches reaches_;
-  std::vector<Index> element_;         // one per node
+  const std::vector<Vector>& points_;
+  const Step_counter& count_steps_;
+  std::vector<Index> point_;           // one per node
   std::vector<float> squared_distance_;
-  std::vector<Index> improved_;        // the nodes that accepted an element
+  std::vector<Index> improved_;        // the nodes that accepted a point
 
 public:
-  Nearest_elements(const Grid& grid, const SquaredDistance& squared_distance,
-                   const Reaches& reaches)
-    : grid_(grid), squared_distance_of_(squared_distance), reaches_(reaches),
-      element_(grid.number_of_nodes(), null_index),
+  Nearest_points(const Grid& grid, const std::vector<Vector>& points,
+                 const Step_counter& count_steps)
+    : grid_(grid), points_(points), count_steps_(count_steps),
+      point_(grid.number_of_nodes(), null_index),
       squared_distance_(grid.number_of_nodes(), (std::numeric_limits<float>::max)()) {}
 
-  void offer(Index node, Index element)
+  void offer(Index node, Index i)
   {
-    const float d = static_cast<float>(squared_distance_of_(element, grid_.point(node)));
-    if (d < squared_distance_[node] && reaches_(node, d)) {
+    const float d = static_cast<float>((points_[i] - grid_.point(node)).squared_norm());
+    if (d < squared_distance_[node]) {
+      count_steps_(1);
       squared_distance_[node] = d;
-      element_[node] = element;
+      point_[node] = i;
       improved_.push_back(node);
     }
   }
@@ -136,17 +123,16 @@ public:
       nodes.clear();
       nodes.swap(improved_);
       for (Index node : nodes) {
-        const Index element = element_[node];
+        const Index i = point_[node];
         grid_.for_each_neighbor(node, [&](Index neighbor) {
-          if (element_[neighbor] != element)
-            offer(neighbor, element);
+          if (point_[neighbor] != i)
+            offer(neighbor, i);
         });
       }
     }
   }
 
-  Index element(Index node) const { return element_[node]; } // null_index if none is near
-  float squared_distance(Index node) const { return squared_distance_[node]; }
+  Index operator[](Index node) const { return point_[node]; }
 };
 
 // The contact of two sets of faces. Lengths are measured in cells of a grid of at most a hundred
@@ -176,9 +162,6 @@ inline double number_of_cells(const Surface& mesh, const std::vector<Index>& set
   return result;
 }
 
-// Progress callback with a number of short steps; may throw to cancel.
-typedef std::function<void(std::size_t)> Step_counter;
-
 // Returns the contacts of neighboring sets, the smallest gap first. They connect all sets. Faces
 // with the set null_index are left out.
 inline std::vector<Set_contact> set_contacts(
@@ -206,15 +189,8 @@ inline std::vector<Set_contact> set_contacts(
     });
     count_steps(points.size() - first);
   }
-  const Grid grid(Bounding_box(points), 1);
-  const auto squared_distance = [&](Index i, const Vector& p)
-  { return (points[i] - p).squared_norm(); };
-  const auto reaches = [&](Index, float) {
-    count_steps(1);
-    return true;
-  };
-  Nearest_elements<decltype(squared_distance), decltype(reaches)>
-    nearest(grid, squared_distance, reaches);
+  const Grid grid((Bounding_box(points)));
+  Nearest_points nearest(grid, points, count_steps);
   for (Index i = 0; i < points.size(); ++i) {
     for (Index node : grid.corners(grid.cell(points[i])))
       nearest.offer(node, i);
@@ -228,17 +204,17 @@ inline std::vector<Set_contact> set_contacts(
     if (set[i] == set[j])
       return;
     constexpr double largest_squared_gap = 1.5 * 1.5;
-    const double d = quantized(squared_distance(i, points[j]));
+    const double d = quantized((points[i] - points[j]).squared_norm());
     gaps.push_back({{(std::min)(set[i], set[j]), (std::max)(set[i], set[j])}, d,
                     is_face && d <= largest_squared_gap ? std::size_t(1) : 0});
   };
   // Adds the gaps of pieces that are nearest to no node, because of other pieces in their cell.
   for (Index i = 0; i < points.size(); ++i)
-    add_gap(i, nearest.element(grid.cell(points[i])), false);
+    add_gap(i, nearest[grid.cell(points[i])], false);
   for (Index node = 0; node < grid.number_of_nodes(); ++node)
     grid.for_each_neighbor(node, [&](Index neighbor) {
       if (node < neighbor)
-        add_gap(nearest.element(node), nearest.element(neighbor), true);
+        add_gap(nearest[node], nearest[neighbor], true);
     });
   const auto key = [](const Set_contact& c) { return std::tie(c.sets[0], c.sets[1]); };
   std::sort(gaps.begin(), gaps.end(), [&](const Set_contact& a, const Set_contact& b) {
@@ -263,4 +239,4 @@ inline std::vector<Set_contact> set_contacts(
 
 } // namespace CGAL::Spectral_segmentation::internal
 
-#endif // CGAL_SPECTRAL_SEGMENTATION_INTERNAL_SURFACE_SET_CONTACTS_H
+#endif // CGAL_SPECTRAL_SEGMENTATION_INTERNAL_MODEL_SET_CONTACTS_H

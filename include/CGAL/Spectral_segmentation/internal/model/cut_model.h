@@ -1,0 +1,99 @@
+// Copyright (c) 2026  The Spectral_segmentation authors.
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_SPECTRAL_SEGMENTATION_INTERNAL_MODEL_CUT_MODEL_H
+#define CGAL_SPECTRAL_SEGMENTATION_INTERNAL_MODEL_CUT_MODEL_H
+
+#include <CGAL/Spectral_segmentation/internal/cut_surface.h>
+#include <CGAL/Spectral_segmentation/internal/model/Component_merging.h>
+#include <CGAL/Spectral_segmentation/internal/model/component_walls.h>
+#include <CGAL/Spectral_segmentation/internal/model/prepare_model.h>
+
+#include <cmath>
+#include <cstddef>
+#include <utility>
+#include <vector>
+
+namespace CGAL::Spectral_segmentation::internal {
+
+// Returns the cuts of a part of a model, and the caller's face for each of its faces. The part may
+// be searched at the scale of the model, of whose area it has a fraction.
+inline std::pair<Merge_tree, std::vector<Index> >
+cut_part(Part_of_model part, double time_scale, const Run_data& d)
+{
+  Options options = d.options;
+  Method_constants method = d.method;
+  if (part.fraction_of_model != 1) { // else any number of coarse faces stays, however large
+    method.concavity_radius /= std::sqrt(part.fraction_of_model);
+    options.number_of_coarse_faces = static_cast<std::size_t>(std::ceil(
+      static_cast<double>(options.number_of_coarse_faces) * part.fraction_of_model));
+  }
+  const Run_data of_part{options, method, d.constraints, d.features, d.execution, d.monitor,
+                         time_scale, part.fraction_of_model};
+  Levels l = d.monitor.stage(Stage::INITIALIZATION, Segmentation_visitor::whole_mesh, [&] {
+    prepare_part(part.mesh, of_part);
+    return make_levels(std::move(part.mesh), of_part);
+  });
+  Merge_tree tree = cut_surface(l, of_part);
+  return {std::move(tree), l.callers_faces(0)};
+}
+
+// Returns the features of the components of the mesh, computed on its last level. `face` holds the
+// face of the mesh for each of the caller's faces.
+inline Set_features features_of_components(Model& m, const std::vector<Index>& face,
+                                           const Run_data& d)
+{
+  if (!has_features(d))
+    return {};
+  Levels l = make_levels(std::move(m.mesh), d);
+  std::vector<Index> component = composed(l.callers_faces(l.levels.size() - 1), face);
+  for (Index& f : component)
+    f = l.mesh().components[f];
+  const Set_features result = l.features.empty() ? Set_features() :
+    Set_features(l.features, l.last().areas, component, l.mesh().components.number);
+  m.mesh = std::move(l.levels.front());
+  return result;
+}
+
+// Cuts the parts of a model one after the other, and merges its components unless they are kept.
+inline Merge_tree cut_parts(Model& m, const Run_data& d)
+{
+  double time = 1;
+  for (const Part_of_model& part : m.parts)
+    time += Phase_times(d, part.mesh.parent_face.size()).time_after_reading();
+  const std::vector<Index> face = m.faces();
+  Merge_tree tree;
+  tree.leaf.resize(m.mesh.parent_face.size());
+  const double rest = 1 - d.time_scale * Phase_times(d, face.size()).reading; // of the run
+  for (Part_of_model& part : m.parts) {
+    const auto [of_part, callers_face] = cut_part(std::move(part), rest / time, d);
+    append(tree, of_part, composed(callers_face, face));
+  }
+  set_areas_of_leaves(tree, m.mesh.surface);
+  if (d.options.keep_components_separate) {
+    apply_from_top_down(tree);
+    tree.is_monotonic = !d.monitor.is_stopped();
+    return tree;
+  }
+  const Set_features features = features_of_components(m, face, d);
+  return Component_merging(std::move(tree), m.mesh.surface, m.fractions, features,
+                           d.options.feature_weight, d.monitor)();
+}
+
+// Adds the walls to a tree. Their faces get the leaves of the nearest faces of their outer walls,
+// provided that the faces of a wall in each set stay connected.
+inline void add_walls(Merge_tree& tree, const Model& m)
+{
+  if (m.outer_face.empty())
+    return;
+  std::vector<Index> leaf = composed(composed(m.outer_face, m.faces()), tree.leaf);
+  Wall_labels(m.walls.surface, tree, leaf)();
+  for (std::size_t i = 0; i < leaf.size(); ++i) {
+    tree.leaf.push_back(leaf[i]);
+    tree.leaves[leaf[i]].area += m.walls.surface.areas[i];
+  }
+}
+
+} // namespace CGAL::Spectral_segmentation::internal
+
+#endif // CGAL_SPECTRAL_SEGMENTATION_INTERNAL_MODEL_CUT_MODEL_H
