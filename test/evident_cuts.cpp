@@ -214,13 +214,6 @@ void check_one_part(const Mesh& mesh)
   for_both_methods([&](const auto& np) { BOOST_TEST(number_of(labels_of(mesh, np)) == 1); });
 }
 
-std::size_t number_of_parts(const Soup& soup)
-{
-  std::vector<std::size_t> labels(soup.triangles.size());
-  return CGAL::segment_spectral_recursive(soup.points, soup.triangles,
-                                          CGAL::make_property_map(labels));
-}
-
 } // namespace
 
 BOOST_AUTO_TEST_CASE(spheres_that_meet_in_a_crease)

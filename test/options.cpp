@@ -118,7 +118,8 @@ BOOST_AUTO_TEST_CASE(values_out_of_range_are_refused_by_name)
 {
   check_refused("number_of_segments", [](Options& o) { o.number_of_segments = 0; });
   check_refused("maximum_number_of_segments", [](Options& o) { o.maximum_number_of_segments = 0; });
-  check_refused("salience_threshold", [](Options& o) { o.salience_threshold = not_a_number; });
+  for (double bad : {-0.001, 1.001, not_a_number})
+    check_refused("salience_threshold", [&](Options& o) { o.salience_threshold = bad; });
   check_refused("keep_components_separate", [](Options& o) { o.keep_components_separate = false; },
                 Options::zhang_liu_2005());
   for (double bad : {-0.001, 0.501, not_a_number})
@@ -139,6 +140,21 @@ BOOST_AUTO_TEST_CASE(values_out_of_range_are_refused_by_name)
                 [](Options& o) { o.number_of_reference_faces = 1001; });
   check_refused("number_of_smoothing_iterations",
                 [](Options& o) { o.number_of_smoothing_iterations = 100001; });
+}
+
+BOOST_AUTO_TEST_CASE(thresholds_of_saliences_that_are_no_probabilities_may_be_any_number)
+{
+  Options custom;
+  custom.part_salience = [](const Salience_factors&) { return 3.; };
+  for (Options o : {Options::zhang_liu_2005(), custom}) {
+    o.salience_threshold = -2;
+    BOOST_CHECK_NO_THROW(check(o));
+  }
+  Options o;
+  for (double threshold : {-infinity, 0., 1., infinity}) {
+    o.salience_threshold = threshold;
+    BOOST_CHECK_NO_THROW(check(o));
+  }
 }
 
 BOOST_AUTO_TEST_CASE(each_option_tells_its_name_kind_and_range)

@@ -396,9 +396,10 @@ void check_usage(const Options& o)
     throw Failure(Status::USAGE, "--memory-limit allows only one thread; leave out --threads");
   if (o.threshold && std::isnan(*o.threshold))
     throw Failure(Status::USAGE, "--salience-threshold must be a number");
-  if (o.threshold && !o.uses_paper_method() && !(*o.threshold >= 0 && *o.threshold <= 1))
-    throw Failure(Status::USAGE, "--salience-threshold must be between 0 and 1 with --method "
-                                 "calibrated, because it is a probability");
+  if (o.threshold && !o.uses_paper_method() && std::isfinite(*o.threshold) &&
+      !(*o.threshold >= 0 && *o.threshold <= 1))
+    throw Failure(Status::USAGE, "--salience-threshold must be in [0, 1] with --method "
+                                 "calibrated, because it is a probability, or infinite");
   if (o.output_directory.empty()) {
     if (o.inputs.empty() && o.list_file.empty())
       throw Failure(Status::USAGE, "no input mesh given; see --help");

@@ -244,8 +244,8 @@ at most 4000 faces by default. The memory is O(*n*). The section
     \cgalParamDefault{`default_probability_threshold`, `0.4`; for a `Weighted_part_salience`, as
       with `zhang_liu_2005()`, `default_salience_threshold`, `0.54`. Lower values cut flat parts
       along their noise; higher values miss limbs with a shallow seam.}
-    \cgalParamExtra{not NaN; `-infinity` accepts every cut, for use with
-      `maximum_number_of_segments`}
+    \cgalParamExtra{not NaN; with the default salience, a probability, in [0, 1] or infinite.
+      `-infinity` accepts every cut, for use with `maximum_number_of_segments`.}
   \cgalParamNEnd
   \cgalParamNBegin{hierarchy}
     \cgalParamDescription{receives all cuts with their salience}

@@ -6,7 +6,6 @@ from __future__ import annotations
 
 import difflib
 import inspect
-import math
 from typing import TYPE_CHECKING, Any, Callable, Literal, Optional, Sequence, TypeVar
 
 import numpy as np
@@ -206,12 +205,6 @@ def segment_hierarchy(
                          "with salience_threshold")
     is_reversed = flag("reverse", reverse)
     function("part_salience", part_salience)
-    if salience_threshold is not None and part_salience is None and salience_weights is None and \
-            not _METHODS[method]:
-        threshold = real("salience_threshold", salience_threshold)
-        if math.isfinite(threshold) and not 0 <= threshold <= 1:
-            raise ValueError("salience_threshold must be in [0, 1], because it is a probability, "
-                             "not %g" % threshold)
     if part_salience is not None and salience_weights is not None:
         raise ValueError("part_salience does not go with salience_weights")
     for name in ("constrained_edges", "uncuttable_edges", "face_seeds", "features"):

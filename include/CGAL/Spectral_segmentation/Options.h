@@ -58,7 +58,9 @@ struct Options
   /// `salience_threshold` are not used.
   std::optional<std::size_t> number_of_segments;
   std::size_t maximum_number_of_segments = unlimited;        ///< at least 1
-  std::optional<double> salience_threshold; ///< not NaN. If it is not set, see `threshold_of()`.
+  /// not NaN; of a `Calibrated_part_salience` in [0, 1], or infinite. If it is not set, see
+  /// `threshold_of()`.
+  std::optional<double> salience_threshold;
   bool keep_components_separate = false;                     ///< `true` in the paper's method
   double minimum_segment_size = 0.003;                       ///< in [0, 0.5]
   double feature_weight = 0.5;                               ///< in [0, 1]
@@ -190,6 +192,10 @@ inline void check(const Options& o)
     require(w->alpha >= 0 && w->beta >= 0 && w->gamma >= 0 &&
               std::abs(w->alpha + w->beta + w->gamma - 1) < 1e-6,
             "salience_weights", "not negative and sum to 1");
+  if (o.part_salience.target<Calibrated_part_salience>() && o.salience_threshold)
+    require(std::isinf(*o.salience_threshold) ||
+              (*o.salience_threshold >= 0 && *o.salience_threshold <= 1),
+            "salience_threshold", "in [0, 1], because it is a probability, or infinite");
   require(o.geodesic_weight >= 0 && o.geodesic_weight <= 1, "the first of distance_weights",
           "in [0, 1]");
   require(is_weight(o.concave_angle_weight) && is_weight(o.convex_angle_weight),
