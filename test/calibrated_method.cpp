@@ -83,7 +83,7 @@ BOOST_AUTO_TEST_CASE(labels_for_any_number_and_threshold_are_those_of_a_fresh_ru
     BOOST_TEST((labels_above(all, -infinity, n) ==
                 labels_of(doll(), all_cuts.maximum_number_of_segments(n))));
   }
-  for (double t : {-1., 0.1, 0.3, 0.5, 0.6, 0.8, 0.95, 2.})
+  for (double t : {-infinity, 0., 0.1, 0.3, 0.5, 0.6, 0.8, 0.95, 1., infinity})
     BOOST_TEST((labels_above(hierarchy_of_doll(), t, unlimited) ==
                 labels_of(doll(), calibrated().salience_threshold(t))));
 }
