@@ -80,14 +80,9 @@ struct Run
     stopped_monitor.go_further();
     for (std::size_t i = levels.size(); i-- > 0;) {
       const Surface& finer = i > 0 ? levels[i - 1].surface : mesh;
-      const auto fractions = internal::vertex_fractions(levels[i].surface, tree.leaf);
-      const auto for_each_fraction = [&](Index f, const auto& add) {
-        for (Index v : finer.corners[f])
-          for (const auto& [leaf, fraction] : fractions[levels[i].vertex[v]])
-            add(leaf, fraction);
-      };
+      const internal::Face_fractions fractions(finer, levels[i], tree.leaf);
       const double minimum_area = 0; // no cut is lost
-      tree = internal::Cut_transfer(sequential, tree, finer, minimum_area, for_each_fraction,
+      tree = internal::Cut_transfer(sequential, tree, finer, minimum_area, fractions,
                                     weights_of_calibrated_method, [](const auto&, Surface&) {},
                                     is_stopped ? stopped_monitor : monitor)();
     }

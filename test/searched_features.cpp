@@ -6,6 +6,7 @@
 #include "test_meshes.h"
 
 #include <CGAL/Spectral_segmentation/internal/base/Face_features.h>
+#include <CGAL/Spectral_segmentation/internal/search/face_orders.h>
 #include <CGAL/Spectral_segmentation/internal/weights/searched_features.h>
 
 #include <Eigen/Core>

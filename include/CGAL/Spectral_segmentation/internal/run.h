@@ -21,13 +21,13 @@ namespace CGAL::Spectral_segmentation::internal {
 
 // Returns the hierarchy of a tree in the indices and the unit of the caller. The square of the unit
 // may be infinite even if an area is not.
-inline Cut_hierarchy hierarchy_of_caller(Merge_tree tree, Model m)
+inline Cut_hierarchy hierarchy_of_caller(Merge_tree tree, Face_map map)
 {
-  tree.leaf = composed(m.faces(), tree.leaf);
+  tree.leaf = composed(map.face, tree.leaf);
   Cut_hierarchy result = hierarchy_of(tree);
   for (Cut_node& node : result.nodes)
-    node.area = node.area * m.unit * m.unit;
-  result.neighbors = std::move(m.neighbors);
+    node.area = node.area * map.unit * map.unit;
+  result.neighbors = std::move(map.neighbors);
   return result;
 }
 
@@ -35,27 +35,32 @@ inline Cut_hierarchy hierarchy_of_caller(Merge_tree tree, Model m)
 // method of the paper. Other meshes are cut in parts.
 inline Cut_hierarchy run(Surface input, const Run_data& d)
 {
-  Model m;
+  Face_map map;
+  Model m; // stays empty if the mesh is connected
   Constraint_groups groups;
   Levels l = d.monitor.stage(Stage::INITIALIZATION, Segmentation_visitor::whole_mesh, [&] {
-    m = prepare_model(std::move(input), d);
+    d.start_phase(Phase_times(d, input.number_of_faces()).reading);
+    Levels l;
+    l.levels.push_back(first_level(std::move(input)));
+    Level& mesh = l.levels.front();
+    if (mesh.surface.components.number > 1)
+      m = prepare_model(mesh, map, d);
+    else
+      map = prepare_surface(mesh, d);
     if (!d.constraints.empty())
-      groups = Constraint_grouping(d.constraints, m.faces(),
-                                   m.mesh.surface)(d.options.keep_components_separate);
-    return m.parts.empty() ? make_levels(std::move(m.mesh), d) : Levels();
+      groups = Constraint_grouping(d.constraints, map.face,
+                                   mesh.surface)(d.options.keep_components_separate);
+    if (m.parts.empty())
+      make_levels(l, d);
+    return l;
   });
-  Merge_tree tree;
-  if (m.parts.empty()) {
-    tree = cut_surface(l, d, m.fractions.effective_number());
-    m.mesh = std::move(l.levels.front());
-  }
-  else
-    tree = cut_parts(m, d);
-  enforce_constraints(tree, groups, m.mesh, d);
-  cut_further(tree, groups, m.mesh.surface, d);
-  add_walls(tree, m);
+  Merge_tree tree = m.parts.empty() ? cut_surface(l, d, m.fractions.effective_number())
+                                    : cut_parts(l, m, map, d);
+  enforce_constraints(tree, groups, l.levels.front(), d);
+  cut_further(tree, groups, l.mesh(), d);
+  add_walls(tree, m, map);
   d.monitor.finish();
-  return hierarchy_of_caller(std::move(tree), std::move(m));
+  return hierarchy_of_caller(std::move(tree), std::move(map));
 }
 
 CGAL_SPECTRAL_SEGMENTATION_INLINE

@@ -5,189 +5,19 @@
 #define CGAL_SPECTRAL_SEGMENTATION_INTERNAL_LEVELS_CUT_TRANSFER_H
 
 #include <CGAL/Spectral_segmentation/internal/base/Run_monitor.h>
+#include <CGAL/Spectral_segmentation/internal/levels/Band_cells.h>
 #include <CGAL/Spectral_segmentation/internal/search/Merge_tree.h>
 #include <CGAL/Spectral_segmentation/internal/search/minimum_cut.h>
 #include <CGAL/Spectral_segmentation/internal/weights/face_distances.h>
 
-#include <CGAL/Iterator_range.h>
-
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
-#include <limits>
-#include <optional>
 #include <tuple>
 #include <utility>
 #include <vector>
 
 namespace CGAL::Spectral_segmentation::internal {
-
-// The leaves of a tree that each element touches, with its fraction in each leaf.
-class Leaf_fractions
-{
-public:
-  struct Fraction
-  {
-    Index leaf;
-    float fraction;
-  };
-
-private:
-  std::vector<Fraction> fractions_; // grouped by element
-  std::vector<Index> first_ = {0};  // one per element, and the end
-
-  const Fraction* begin(std::size_t element) const { return fractions_.data() + first_[element]; }
-
-public:
-  // Adds an element without fractions.
-  void add_element() { first_.push_back(first_.back()); }
-
-  // Adds to the fraction of the last element in a leaf.
-  void add(Index leaf, float fraction)
-  {
-    const auto first = fractions_.begin() + static_cast<std::ptrdiff_t>(first_[first_.size() - 2]);
-    const auto found = std::find_if(first, fractions_.end(),
-                                    [leaf](const Fraction& f) { return f.leaf == leaf; });
-    if (found != fractions_.end())
-      found->fraction += fraction;
-    else {
-      fractions_.push_back({leaf, fraction});
-      ++first_.back();
-    }
-  }
-
-  std::size_t number_of_elements() const { return first_.size() - 1; }
-
-  // Returns whether each element touches only one leaf.
-  bool are_undivided() const { return fractions_.size() == number_of_elements(); }
-
-  Iterator_range<const Fraction*> operator[](std::size_t element) const
-  { return make_range(begin(element), begin(element + 1)); }
-};
-
-// Returns the fractions of the vertices of a coarse surface in the leaves of the faces around them.
-inline Leaf_fractions vertex_fractions(const Surface& coarse, const std::vector<Index>& leaf)
-{
-  std::vector<Packed_graph::Ends> corners;
-  corners.reserve(3 * leaf.size());
-  for (Index f = 0; f < leaf.size(); ++f)
-    for (Index v : coarse.corners[f])
-      corners.emplace_back(v, leaf[f]);
-  std::vector<Index> position;
-  const Packed_graph leaves(coarse.points.size(), corners, position);
-  Leaf_fractions result;
-  for (Index v = 0; v < coarse.points.size(); ++v) {
-    result.add_element();
-    const Index first = leaves.first_arc[v], end = leaves.first_arc[v + 1];
-    for (Index i = first; i < end; ++i)
-      result.add(leaves.targets[i], 1 / static_cast<float>(end - first));
-  }
-  return result;
-}
-
-// Returns the fractions, as areas, of the n faces of a surface in the leaves of a subdivision.
-inline Leaf_fractions face_fractions(const Level& subdivision, const std::vector<Index>& leaf,
-                                     std::size_t n)
-{
-  std::vector<Packed_graph::Ends> ends;
-  for (Index f = 0; f < leaf.size(); ++f)
-    ends.emplace_back(subdivision.parent_face[f], f);
-  std::vector<Index> position;
-  const Packed_graph faces(n, ends, position);
-  Leaf_fractions result;
-  for (Index parent = 0; parent < n; ++parent) {
-    result.add_element();
-    for (Index i = faces.first_arc[parent]; i < faces.first_arc[parent + 1]; ++i) {
-      const double area = subdivision.surface.areas[faces.targets[i]];
-      result.add(leaf[faces.targets[i]],
-                 (std::max)(static_cast<float>(area), (std::numeric_limits<float>::min)()));
-    }
-  }
-  return result;
-}
-
-// The cells of a mesh, which no cut divides: the single faces of the bands, followed by the cores.
-// The bands are the faces that may border a cut, and the faces next to these. A core is a connected
-// component of the other faces.
-class Band_cells
-{
-  std::vector<Index> faces_of_bands_;
-  std::vector<Index> cell_;       // the cell of each face
-  std::vector<Index> first_face_; // one per cell
-  std::vector<double> areas_;     // one per cell
-  std::optional<Packed_graph> graph_;
-
-  void find_bands(const Surface& mesh, const std::vector<char>& may_border_cut)
-  {
-    cell_.assign(mesh.number_of_faces(), null_index);
-    for (Index f = 0; f < mesh.number_of_faces(); ++f) {
-      bool is_needed = may_border_cut[f];
-      for (Index h = 3 * f; h < 3 * f + 3; ++h)
-        is_needed = is_needed || may_border_cut[mesh.neighbor(h)];
-      if (is_needed) {
-        cell_[f] = static_cast<Index>(faces_of_bands_.size());
-        faces_of_bands_.push_back(f);
-      }
-    }
-  }
-
-  void find_cores(const Surface& mesh)
-  {
-    Face_components cores(cell_.size());
-    for (Index f = 0; f < cell_.size(); ++f)
-      if (cell_[f] == null_index)
-        cores.add(f);
-    for (Index f = 0; f < cell_.size(); ++f)
-      if (cell_[f] == null_index)
-        for (Index h = 3 * f; h < 3 * f + 3; ++h)
-          if (const Index g = mesh.neighbor(h); f < g && cell_[g] == null_index)
-            cores.join(f, g);
-    first_face_ = faces_of_bands_;
-    for (Index f = 0; f < cell_.size(); ++f) {
-      if (cell_[f] != null_index)
-        continue;
-      const Index first = cores.representative(f);
-      if (first == f)
-        first_face_.push_back(f);
-      cell_[f] = first == f ? static_cast<Index>(first_face_.size() - 1) : cell_[first];
-    }
-  }
-
-public:
-  // Makes the cells; `may_border_cut` has a flag for each face.
-  Band_cells(const Surface& mesh, const std::vector<char>& may_border_cut)
-  {
-    find_bands(mesh, may_border_cut);
-    find_cores(mesh);
-    areas_.assign(first_face_.size(), 0);
-    for (Index f = 0; f < cell_.size(); ++f)
-      areas_[cell_[f]] += mesh.areas[f];
-
-    std::vector<Packed_graph::Ends> arcs;
-    for (Index cell = 0; cell < faces_of_bands_.size(); ++cell)
-      for (Index h = 3 * first_face_[cell]; h < 3 * first_face_[cell] + 3; ++h) {
-        const Index neighbor = cell_[mesh.neighbor(h)];
-        arcs.emplace_back(cell, neighbor);
-        if (is_core(neighbor))
-          arcs.emplace_back(neighbor, cell);
-      }
-    std::vector<Index> position;
-    graph_.emplace(number(), arcs, position);
-  }
-
-  std::size_t number() const { return first_face_.size(); }
-  const std::vector<Index>& faces_of_bands() const { return faces_of_bands_; } // ascending
-  bool is_core(Index cell) const { return cell >= faces_of_bands_.size(); }
-  Index cell_of_face(Index f) const { return cell_[f]; }
-  Index first_face(Index cell) const { return first_face_[cell]; }
-  double area(Index cell) const { return areas_[cell]; }
-
-  Iterator_range<const Index*> neighbors(Index cell) const
-  {
-    const Index* targets = graph_->targets.data();
-    return make_range(targets + graph_->first_arc[cell], targets + graph_->first_arc[cell + 1]);
-  }
-};
 
 // Transfers the cuts of another surface of the same shape to a mesh, one by one from the root. A
 // cut assigns each cell to the side that has the larger fraction of it. The cells with fractions on
@@ -225,15 +55,13 @@ class Cut_transfer
   Index number_of_floods_ = 0;
 
   // Returns the fractions of the cells. Their leaves are positions in the order of `sets`.
-  template <class For_each_fraction>
   static Leaf_fractions cell_fractions(const Band_cells& cells, const Merged_sets& sets,
-                                       const For_each_fraction& for_each_fraction,
-                                       Run_monitor& monitor)
+                                       const Face_fractions& fractions, Run_monitor& monitor)
   {
     Leaf_fractions result;
     for (Index cell = 0; cell < cells.number(); ++cell) {
       result.add_element();
-      for_each_fraction(cells.first_face(cell), [&](Index leaf, float fraction)
+      fractions.for_each(cells.first_face(cell), [&](Index leaf, float fraction)
         { result.add(sets.position[leaf], fraction); });
       const std::size_t number = result[cell].size();
       monitor.count_steps(number * number);
@@ -243,10 +71,8 @@ class Cut_transfer
 
   // Returns whether each face may border a cut. All may if further cuts might follow, because a cut
   // must not depend on later cuts.
-  template <class For_each_fraction>
   static std::vector<char> may_border_cut(Execution execution, const Merge_tree& tree,
-                                          const Surface& mesh,
-                                          const For_each_fraction& for_each_fraction)
+                                          const Surface& mesh, const Face_fractions& fractions)
   {
     std::vector<char> result(mesh.number_of_faces(), 1);
     if (!tree.is_monotonic)
@@ -254,7 +80,7 @@ class Cut_transfer
     constexpr Index several = null_index - 1;
     std::vector<Index> leaf(mesh.number_of_faces(), null_index);
     for_each_index(execution, leaf.size(), [&](std::size_t f) {
-      for_each_fraction(static_cast<Index>(f), [&, f](Index other, float)
+      fractions.for_each(static_cast<Index>(f), [&, f](Index other, float)
         { leaf[f] = leaf[f] == null_index || leaf[f] == other ? other : several; });
     });
     for_each_index(execution, leaf.size(), [&](std::size_t f) {
@@ -476,19 +302,17 @@ class Cut_transfer
 
 public:
   // Takes the cuts of another surface, which has the same components, and the least area of a side.
-  // `for_each_fraction(f, add)` calls add(leaf, fraction) for each leaf of the cuts that the face f
-  // of the mesh touches, possibly repeatedly. Once the caller has stopped the run, no minimum cuts
-  // are made. `edit_weights(faces, bands)` may change the weights of these faces of the mesh, among
-  // which minimum cuts are searched.
-  template <class For_each_fraction, class Edit_weights>
+  // Once the caller has stopped the run, no minimum cuts are made. `edit_weights(faces, bands)` may
+  // change the weights of these faces of the mesh, among which minimum cuts are searched.
+  template <class Edit_weights>
   Cut_transfer(Execution execution, const Merge_tree& tree, const Surface& mesh,
-               double minimum_area, const For_each_fraction& for_each_fraction,
+               double minimum_area, const Face_fractions& fractions,
                const Distance_weights& weights, const Edit_weights& edit_weights,
                Run_monitor& monitor)
     : execution_(execution), tree_(tree), mesh_(mesh), minimum_area_(minimum_area),
       monitor_(monitor), sets_(tree),
-      cells_(mesh, may_border_cut(execution, tree, mesh, for_each_fraction)),
-      fractions_(cell_fractions(cells_, sets_, for_each_fraction, monitor)),
+      cells_(mesh, may_border_cut(execution, tree, mesh, fractions)),
+      fractions_(cell_fractions(cells_, sets_, fractions, monitor)),
       side_(cells_.number(), OUTSIDE), part_(tree.leaves.size(), null_index),
       is_lost_(tree.leaves.size(), 0), flood_(cells_.number(), 0)
   {

@@ -170,23 +170,21 @@ inline void add_levels(std::vector<Level>& levels, const Run_data& d)
                      distance_weights(o, d.method));
 }
 
-// Returns the levels of a mesh. If the caller stops the run, they are the mesh only.
-inline Levels make_levels(Level mesh, const Run_data& d)
+// Adds the levels to the mesh, which is the only one. A convex mesh stays the only one, because it
+// has no cuts, and so does the mesh of a run that is stopped meanwhile.
+inline void make_levels(Levels& l, const Run_data& d)
 {
-  d.start_phase(Phase_times(d, mesh.surface.number_of_faces()).coarsening);
-  Levels result;
-  result.levels.push_back(std::move(mesh));
-  if (may_be_one_part(result.mesh(), d) && is_convex(result.mesh()))
-    return result;
+  d.start_phase(Phase_times(d, l.mesh().number_of_faces()).coarsening);
+  if (may_be_one_part(l.mesh(), d) && is_convex(l.mesh()))
+    return;
   try {
-    add_levels(result.levels, d);
+    add_levels(l.levels, d);
     if (has_features(d))
-      set_features(result, d);
+      set_features(l, d);
   }
   catch (const Run_stopped&) {
-    result.levels.resize(1);
+    l.levels.resize(1);
   }
-  return result;
 }
 
 // Carries the cuts of the last level back to the level before it, which becomes the last.
@@ -195,21 +193,7 @@ inline Merge_tree carry_back(const Merge_tree& tree, Levels& l, const Run_data& 
   const std::size_t to = l.levels.size() - 2;
   const Level& from = l.levels.back();
   const Surface& mesh = l.levels[to].surface;
-  const bool is_subdivision = from.is_subdivision;
-  const Leaf_fractions fractions = is_subdivision
-    ? face_fractions(from, tree.leaf, mesh.number_of_faces())
-    : vertex_fractions(from.surface, tree.leaf);
-  const auto for_each_fraction = [&](Index f, const auto& add) {
-    const auto add_element = [&](Index element) {
-      for (const auto& [leaf, fraction] : fractions[element])
-        add(leaf, fraction);
-    };
-    if (is_subdivision)
-      add_element(f);
-    else
-      for (Index v : mesh.corners[f])
-        add_element(from.vertex[v]);
-  };
+  const Face_fractions fractions(mesh, from, tree.leaf);
   const auto add_steps = [&](const std::vector<Index>& faces, Surface& bands) {
     if (!l.features.empty() && (to == 0 || l.levels[to].is_subdivision))
       add_steps_of_faces(d, l.features.unit, composed(faces, l.callers_faces(to)), bands);
@@ -218,7 +202,7 @@ inline Merge_tree carry_back(const Merge_tree& tree, Levels& l, const Run_data& 
   // hierarchy of a longer run has after as many cuts.
   const double minimum_area = tree.is_monotonic
     ? d.options.minimum_segment_size * total_area(mesh) / d.fraction_of_model : 0;
-  Cut_transfer transfer(d.execution, tree, mesh, minimum_area, for_each_fraction,
+  Cut_transfer transfer(d.execution, tree, mesh, minimum_area, fractions,
                         distance_weights(d.options, d.method), add_steps, d.monitor);
   Merge_tree result = transfer();
   l.levels.pop_back();

@@ -4,13 +4,56 @@
 #ifndef CGAL_SPECTRAL_SEGMENTATION_INTERNAL_LEVELS_PREPARE_SURFACE_H
 #define CGAL_SPECTRAL_SEGMENTATION_INTERNAL_LEVELS_PREPARE_SURFACE_H
 
+#include <CGAL/Spectral_segmentation/internal/base/Run_data.h>
 #include <CGAL/Spectral_segmentation/internal/levels/make_levels.h>
 #include <CGAL/Spectral_segmentation/internal/surface/Moments.h>
+#include <CGAL/Spectral_segmentation/internal/surface/orient_outward.h>
 #include <CGAL/Spectral_segmentation/internal/surface/reorder_faces.h>
 
+#include <cstddef>
+#include <stdexcept>
+#include <string>
+#include <utility>
 #include <vector>
 
 namespace CGAL::Spectral_segmentation::internal {
+
+// The caller's faces and unit in terms of the first level of a run. Faces of walls, which are no
+// part of the mesh, follow those of the mesh.
+struct Face_map
+{
+  double unit;                  // the length of 1 in the coordinates of the caller
+  std::vector<Index> face;      // for each of the caller's; a duplicate has that of its original
+  std::vector<Index> neighbors; // one per halfedge of the caller; only for smoothing
+};
+
+// Returns the map of the caller's faces, given the original of each duplicate, or the face itself.
+// For smoothing, the only neighbor of a duplicate is its original, and a constrained face is its
+// own neighbor, so that its label stays.
+inline Face_map face_map(double unit, const std::vector<Index>& original, const Level& mesh,
+                         const Level& walls, const Run_data& d)
+{
+  std::vector<Index> callers_face = mesh.parent_face;
+  callers_face.insert(callers_face.end(), walls.parent_face.begin(), walls.parent_face.end());
+  std::vector<Index> number(original.size(), null_index);
+  for (Index f = 0; f < callers_face.size(); ++f)
+    number[callers_face[f]] = f;
+  Face_map result{unit, composed(original, number), {}};
+  if (!d.options.smooth_boundaries)
+    return result;
+  const Index n = static_cast<Index>(mesh.parent_face.size());
+  const std::vector<char> is_constrained =
+    constrained_faces(d.constraints, result.face, callers_face.size());
+  for (Index h = 0; h < 3 * original.size(); ++h) {
+    const Index f = result.face[h / 3];
+    Index neighbor = f;
+    if (callers_face[f] == h / 3) // else it is a duplicate
+      neighbor = f < n ? mesh.surface.neighbor(3 * f + h % 3)
+                       : n + walls.surface.neighbor(3 * (f - n) + h % 3);
+    result.neighbors.push_back(is_constrained[f] ? h / 3 : callers_face[neighbor]);
+  }
+  return result;
+}
 
 // Returns whether a method searches the points of a mesh as they are given.
 inline bool keeps_points(const Surface& mesh, const Run_data& d)
@@ -57,6 +100,40 @@ inline void prepare_part(Level& mesh, const Run_data& d)
   normalize(mesh.surface.points);
   set_areas(d.execution, mesh.surface);
   move_and_order(mesh, d);
+}
+
+inline void check_number(const Surface& mesh, const Options& o)
+{
+  if (!o.number_of_segments)
+    return;
+  const std::size_t number = *o.number_of_segments;
+  const std::size_t least = o.keep_components_separate ? mesh.components.number : 1;
+  if (number < least || number > mesh.number_of_faces())
+    throw std::invalid_argument(
+      "segment_spectral_recursive: number_of_segments is " + std::to_string(number) +
+      ", but the mesh can have " + std::to_string(least) + " to " +
+      std::to_string(mesh.number_of_faces()) + " segments");
+}
+
+// Returns the first level of a run, with its components.
+inline Level first_level(Surface mesh)
+{
+  separate_groups(mesh);
+  mesh.components = connected_components(mesh);
+  const std::size_t n = mesh.number_of_faces();
+  return {std::move(mesh), first_indices(n), {}};
+}
+
+// Prepares a connected mesh, and returns the map of the caller's faces.
+inline Face_map prepare_surface(Level& mesh, const Run_data& d)
+{
+  reorder_vertices(mesh.surface);
+  double unit = normalize(mesh.surface.points);
+  orient_outward(mesh.surface);
+  mesh.surface.groups.clear();
+  unit *= move_and_order(mesh, d);
+  check_number(mesh.surface, d.options);
+  return face_map(unit, first_indices(mesh.parent_face.size()), mesh, {}, d);
 }
 
 } // namespace CGAL::Spectral_segmentation::internal

@@ -31,62 +31,63 @@ cut_part(Part_of_model part, double time_scale, const Run_data& d)
   const Run_data of_part{options, method, d.constraints, d.features, d.execution, d.monitor,
                          time_scale, part.fraction_of_model};
   Levels l = d.monitor.stage(Stage::INITIALIZATION, Segmentation_visitor::whole_mesh, [&] {
-    prepare_part(part.mesh, of_part);
-    return make_levels(std::move(part.mesh), of_part);
+    Levels l;
+    l.levels.push_back(std::move(part.mesh));
+    prepare_part(l.levels.front(), of_part);
+    make_levels(l, of_part);
+    return l;
   });
   Merge_tree tree = cut_surface(l, of_part);
   return {std::move(tree), l.callers_faces(0)};
 }
 
-// Returns the features of the components of the mesh, computed on its last level. `face` holds the
-// face of the mesh for each of the caller's faces.
-inline Set_features features_of_components(Model& m, const std::vector<Index>& face,
-                                           const Run_data& d)
+// Returns the features of the components of the mesh, the only level, computed on its last level.
+inline Set_features features_of_components(Levels& l, const Face_map& map, const Run_data& d)
 {
   if (!has_features(d))
     return {};
-  Levels l = make_levels(std::move(m.mesh), d);
-  std::vector<Index> component = composed(l.callers_faces(l.levels.size() - 1), face);
+  make_levels(l, d);
+  std::vector<Index> component = composed(l.callers_faces(l.levels.size() - 1), map.face);
   for (Index& f : component)
     f = l.mesh().components[f];
   const Set_features result = l.features.empty() ? Set_features() :
     Set_features(l.features, l.last().areas, component, l.mesh().components.number);
-  m.mesh = std::move(l.levels.front());
+  l.levels.resize(1);
   return result;
 }
 
 // Cuts the parts of a model one after the other, and merges its components unless they are kept.
-inline Merge_tree cut_parts(Model& m, const Run_data& d)
+inline Merge_tree cut_parts(Levels& l, Model& m, const Face_map& map, const Run_data& d)
 {
   double time = 1;
   for (const Part_of_model& part : m.parts)
     time += Phase_times(d, part.mesh.parent_face.size()).time_after_reading();
-  const std::vector<Index> face = m.faces();
+  const double rest = // of the run
+    1 - d.time_scale * Phase_times(d, map.face.size()).reading;
   Merge_tree tree;
-  tree.leaf.resize(m.mesh.parent_face.size());
-  const double rest = 1 - d.time_scale * Phase_times(d, face.size()).reading; // of the run
+  tree.leaf.resize(l.mesh().number_of_faces());
   for (Part_of_model& part : m.parts) {
     const auto [of_part, callers_face] = cut_part(std::move(part), rest / time, d);
-    append(tree, of_part, composed(callers_face, face));
+    append(tree, of_part, composed(callers_face, map.face));
   }
-  set_areas_of_leaves(tree, m.mesh.surface);
+  set_areas_of_leaves(tree, l.mesh());
   if (d.options.keep_components_separate) {
     apply_from_top_down(tree);
     tree.is_monotonic = !d.monitor.is_stopped();
     return tree;
   }
-  const Set_features features = features_of_components(m, face, d);
-  return Component_merging(std::move(tree), m.mesh.surface, m.fractions, features,
+  const Set_features features = features_of_components(l, map, d);
+  return Component_merging(std::move(tree), l.mesh(), m.fractions, features,
                            d.options.feature_weight, d.monitor)();
 }
 
 // Adds the walls to a tree. Their faces get the leaves of the nearest faces of their outer walls,
 // provided that the faces of a wall in each set stay connected.
-inline void add_walls(Merge_tree& tree, const Model& m)
+inline void add_walls(Merge_tree& tree, const Model& m, const Face_map& map)
 {
   if (m.outer_face.empty())
     return;
-  std::vector<Index> leaf = composed(composed(m.outer_face, m.faces()), tree.leaf);
+  std::vector<Index> leaf = composed(composed(m.outer_face, map.face), tree.leaf);
   Wall_labels(m.walls.surface, tree, leaf)();
   for (std::size_t i = 0; i < leaf.size(); ++i) {
     tree.leaf.push_back(leaf[i]);

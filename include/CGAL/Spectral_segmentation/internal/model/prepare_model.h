@@ -13,8 +13,6 @@
 
 #include <algorithm>
 #include <cstddef>
-#include <stdexcept>
-#include <string>
 #include <utility>
 #include <vector>
 
@@ -28,31 +26,13 @@ struct Part_of_model
   double fraction_of_model = 1; // 1 unless it is searched at the scale of the model
 };
 
-// The mesh of a run, without duplicate faces and walls, in a frame of its own.
+// What a mesh of several components has besides its faces.
 struct Model
 {
-  Level mesh;                       // the first level
   std::vector<Part_of_model> parts; // not empty if components are searched by themselves
   Component_fractions fractions;    // of the mesh, if it has several components
   Level walls;                      // the components that are walls of others
-  // The caller's indices:
-  std::vector<Index> outer_face;    // for each face of a wall, the nearest of the outer wall
-  std::vector<Index> original_face; // of duplicates; empty if no components are merged
-  std::vector<Index> neighbors;     // one per halfedge; only for smoothing
-
-  double unit = 1;                  // the length of 1 in the coordinates of the caller
-
-  // Returns the face of the mesh for each of the caller's faces. Those of walls follow.
-  std::vector<Index> faces() const
-  {
-    const Index n = static_cast<Index>(mesh.parent_face.size());
-    std::vector<Index> result(original_face.empty() ? n : original_face.size(), null_index);
-    for (Index f = 0; f < n; ++f)
-      result[mesh.parent_face[f]] = f;
-    for (Index f = 0; f < walls.parent_face.size(); ++f)
-      result[walls.parent_face[f]] = n + f;
-    return original_face.empty() ? result : composed(original_face, result);
-  }
+  std::vector<Index> outer_face;    // for each face of a wall, the caller's nearest of the outer wall
 };
 
 // Returns some faces of a level, which ascend, with other points.
@@ -78,15 +58,16 @@ inline std::vector<Index> remove_duplicates(Level& mesh)
 
 // Removes the components that are walls of others, unless they are constrained, or the rest has
 // fewer faces than segments are asked for.
-inline void remove_walls(Model& m, const std::vector<double>& volumes,
-                         std::vector<Vector>& given_points, const Run_data& d)
+inline void remove_walls(Model& m, Level& level, const std::vector<double>& volumes,
+                         const std::vector<Index>& original, std::vector<Vector>& given_points,
+                         const Run_data& d)
 {
-  Surface& mesh = m.mesh.surface;
+  Surface& mesh = level.surface;
   const std::vector<char> is_constrained =
-    constrained_faces(d.constraints, m.original_face, m.original_face.size());
+    constrained_faces(d.constraints, original, original.size());
   std::vector<char> may_be_wall(mesh.components.number, 1);
   for (Index f = 0; f < mesh.number_of_faces(); ++f)
-    if (is_constrained[m.mesh.parent_face[f]])
+    if (is_constrained[level.parent_face[f]])
       may_be_wall[mesh.components[f]] = 0;
 
   Wall_finder finder(mesh, volumes);
@@ -97,14 +78,14 @@ inline void remove_walls(Model& m, const std::vector<double>& volumes,
       kept.push_back(f);
     else {
       walls.push_back(f);
-      outer_face.push_back(m.mesh.parent_face[finder.nearest_face(o, f)]);
+      outer_face.push_back(level.parent_face[finder.nearest_face(o, f)]);
     }
   if (walls.empty() || kept.size() < d.options.number_of_segments.value_or(0))
     return;
   m.outer_face = std::move(outer_face);
-  m.walls = some_faces(m.mesh, mesh.points, walls);
+  m.walls = some_faces(level, mesh.points, walls);
   given_points = submesh(mesh, given_points, kept).points;
-  m.mesh = some_faces(m.mesh, mesh.points, kept);
+  level = some_faces(level, mesh.points, kept);
   set_areas(d.execution, m.walls.surface);
   set_areas(d.execution, mesh);
 }
@@ -137,31 +118,6 @@ inline std::vector<Part_of_model> parts_of(const Level& mesh, const Component_fr
   return result;
 }
 
-// Returns the neighbors of the caller's faces for smoothing. The only neighbor of a duplicate face
-// is its original. A constrained face is its own neighbor, so that its label stays.
-inline std::vector<Index> neighbors_for_smoothing(const Model& m, const Constraints& constraints)
-{
-  const std::vector<Index> face = m.faces();
-  std::vector<Index> callers_face = m.mesh.parent_face;
-  callers_face.insert(callers_face.end(), m.walls.parent_face.begin(), m.walls.parent_face.end());
-  const Index n = static_cast<Index>(m.mesh.parent_face.size());
-  std::vector<Index> result(3 * face.size());
-  for (Index h = 0; h < result.size(); ++h) {
-    const Index f = face[h / 3];
-    Index neighbor = f;
-    if (callers_face[f] == h / 3) // else it is a duplicate
-      neighbor = f < n ? m.mesh.surface.neighbor(3 * f + h % 3)
-                       : n + m.walls.surface.neighbor(3 * (f - n) + h % 3);
-    result[h] = callers_face[neighbor];
-  }
-  const std::vector<char> is_constrained =
-    constrained_faces(constraints, face, callers_face.size());
-  for (Index h = 0; h < result.size(); ++h)
-    if (is_constrained[face[h / 3]])
-      result[h] = h / 3;
-  return result;
-}
-
 // Returns the fractions of components whose faces get these numbers.
 inline Component_fractions renumbered(const Component_fractions& fractions,
                                       const std::vector<Index>& old_number,
@@ -175,68 +131,48 @@ inline Component_fractions renumbered(const Component_fractions& fractions,
   return result;
 }
 
-inline void check_number(const Surface& mesh, const Options& o)
+// Prepares a mesh of several components: removes duplicate faces, joins faces at borders that meet
+// and removes walls if components are merged, orients the components, and divides them into parts.
+// Sets the map of the caller's faces.
+inline Model prepare_model(Level& level, Face_map& map, const Run_data& d)
 {
-  if (!o.number_of_segments)
-    return;
-  const std::size_t number = *o.number_of_segments;
-  const std::size_t least = o.keep_components_separate ? mesh.components.number : 1;
-  if (number < least || number > mesh.number_of_faces())
-    throw std::invalid_argument(
-      "segment_spectral_recursive: number_of_segments is " + std::to_string(number) +
-      ", but the mesh can have " + std::to_string(least) + " to " +
-      std::to_string(mesh.number_of_faces()) + " segments");
-}
-
-// Prepares the mesh of a run: joins faces at borders that meet, removes duplicate faces and walls
-// if components are merged, orients the components, and divides them into parts.
-inline Model prepare_model(Surface surface, const Run_data& d)
-{
-  const std::size_t number_of_faces = surface.number_of_faces();
-  d.start_phase(Phase_times(d, number_of_faces).reading);
-  Model m;
-  Surface& mesh = m.mesh.surface;
-  mesh = std::move(surface);
-  m.mesh.parent_face = first_indices(mesh.number_of_faces());
-  separate_groups(mesh);
-  mesh.components = connected_components(mesh);
-  const auto are_merged = [&]
-    { return !d.options.keep_components_separate && mesh.components.number > 1; };
-  if (are_merged())
-    m.original_face = remove_duplicates(m.mesh);
-  const bool is_merged = are_merged(); // still
+  Surface& mesh = level.surface;
+  const std::size_t number_of_faces = mesh.number_of_faces();
+  const bool are_kept = d.options.keep_components_separate;
+  const std::vector<Index> original = are_kept ? first_indices(number_of_faces)
+                                               : remove_duplicates(level);
+  const bool is_merged = !are_kept && mesh.components.number > 1; // still
   if (mesh.components.number == 1) // else faces start at the same corners in soups and meshes
     reorder_vertices(mesh);
   const bool has_parts = is_searched_in_parts(mesh, d);
   std::vector<Vector> given_points;
   if (has_parts)
     given_points = mesh.points;
-  m.unit = normalize(mesh.points);
+  double unit = normalize(mesh.points);
   if (is_merged)
     weld_borders(mesh);
   const std::vector<double> volumes = orient_outward(mesh);
   mesh.groups.clear(); // they are components now
+  Model m;
   if (is_merged)
-    remove_walls(m, volumes, given_points, d);
-  std::vector<Index> component; // of the caller's faces, before they are ordered
+    remove_walls(m, level, volumes, original, given_points, d);
+  std::vector<Index> component(number_of_faces); // of the caller's faces, before they are ordered
   if (has_parts || mesh.components.number > 1) {
     m.fractions = component_fractions(mesh);
-    component.resize(number_of_faces);
     for (Index f = 0; f < mesh.number_of_faces(); ++f)
-      component[m.mesh.parent_face[f]] = mesh.components[f];
+      component[level.parent_face[f]] = mesh.components[f];
   }
   if (has_parts)
-    m.parts = parts_of(m.mesh, m.fractions, given_points);
-  const double unit_of_frame = move_and_order(m.mesh, d);
-  if (!component.empty())
-    m.fractions = renumbered(m.fractions, composed(m.mesh.parent_face, component),
+    m.parts = parts_of(level, m.fractions, given_points);
+  const double unit_of_frame = move_and_order(level, d);
+  if (has_parts || mesh.components.number > 1)
+    m.fractions = renumbered(m.fractions, composed(level.parent_face, component),
                              mesh.components.labels);
-  m.unit *= unit_of_frame;
+  unit *= unit_of_frame;
   for (double& area : m.walls.surface.areas)
     area /= unit_of_frame * unit_of_frame;
   check_number(mesh, d.options);
-  if (d.options.smooth_boundaries)
-    m.neighbors = neighbors_for_smoothing(m, d.constraints);
+  map = face_map(unit, original, level, m.walls, d);
   return m;
 }
 

@@ -29,20 +29,6 @@ inline std::vector<Index> groups_of_vertices(const Surface& surface)
   return result;
 }
 
-// Separates the groups of faces: each gets its own vertices, and edges between groups become
-// borders.
-inline void separate_groups(Surface& surface)
-{
-  if (surface.groups.empty())
-    return;
-  separate_vertices(surface, surface.groups);
-  for (Index h = 0; h < surface.opposite.size(); ++h)
-    if (const Index o = surface.opposite[h]; surface.groups[h / 3] != surface.groups[o / 3]) {
-      surface.opposite[h] = h;
-      surface.opposite[o] = o;
-    }
-}
-
 // Returns a number for each vertex, which vertices of one group at one point have in common.
 inline std::vector<Index> numbers_of_points(const Surface& surface,
                                             const std::vector<Index>& group = {})

@@ -180,6 +180,20 @@ void separate_vertices(Surface& surface, const PartOfFace& part_of_face)
   start_at_smallest_vertices(surface);
 }
 
+// Separates the groups of faces: each gets its own vertices, and edges between groups become
+// borders.
+inline void separate_groups(Surface& surface)
+{
+  if (surface.groups.empty())
+    return;
+  separate_vertices(surface, surface.groups);
+  for (Index h = 0; h < surface.opposite.size(); ++h)
+    if (const Index o = surface.opposite[h]; surface.groups[h / 3] != surface.groups[o / 3]) {
+      surface.opposite[h] = h;
+      surface.opposite[o] = o;
+    }
+}
+
 } // namespace CGAL::Spectral_segmentation::internal
 
 #endif // CGAL_SPECTRAL_SEGMENTATION_INTERNAL_SURFACE_REORDER_FACES_H
