@@ -151,21 +151,20 @@ class Triangle_connection
       ++first[ends(h).first + 1];
     for (std::size_t v = 1; v < first.size(); ++v)
       first[v] += first[v - 1];
-    std::vector<Index> sorted(opposite_.size()), next(first);
+    std::vector<std::pair<Index, Index> > sorted(opposite_.size()); // larger vertices, halfedges
+    std::vector<Index> next(first), edge_halfedges;
     for (Index h = 0; h < opposite_.size(); ++h)
-      sorted[next[ends(h).first]++] = h;
-    std::vector<Index> edge_halfedges;
-    for (std::size_t v = 0; v + 1 < first.size(); ++v) {
+      sorted[next[ends(h).first]++] = {ends(h).second, h};
+    for (Index v = 0; v + 1 < first.size(); ++v) {
       const auto begin = sorted.begin() + first[v], end = sorted.begin() + first[v + 1];
-      std::sort(begin, end, [&](Index g, Index h)
-        { return std::make_pair(ends(g).second, g) < std::make_pair(ends(h).second, h); });
+      std::sort(begin, end);
       for (auto i = begin; i != end;) {
-        const auto j = std::find_if(i, end, [&](Index h)
-          { return ends(h).second != ends(*i).second; });
-        edge_halfedges.assign(i, j);
-        if (source(*i) != target(*i))
+        const Index w = i->first;
+        edge_halfedges.clear();
+        for (; i != end && i->first == w; ++i)
+          edge_halfedges.push_back(i->second);
+        if (v != w)
           join_pairs(edge_halfedges);
-        i = j;
       }
     }
   }
@@ -215,6 +214,23 @@ class Triangle_connection
         is_reversed_[f] = !is_reversed_[f];
   }
 
+  void orient_components()
+  {
+    std::vector<char> is_reached(is_reversed_.size(), 0);
+    for (Index f = 0; f < is_reversed_.size(); ++f)
+      if (!is_reached[f])
+        orient_outwards(orient_alike(f, is_reached));
+  }
+
+  void reverse_faces()
+  {
+    for (Index f = 0; f < is_reversed_.size(); ++f)
+      if (is_reversed_[f])
+        std::swap(surface_.corners[f][1], surface_.corners[f][2]);
+    renumber_halfedges(surface_, [this](Index h)
+      { return is_reversed_[h / 3] ? h - h % 3 + (2 - h % 3) : h; });
+  }
+
 public:
   explicit Triangle_connection(Surface& surface)
     : surface_(surface), opposite_(surface.opposite), is_reversed_(surface.number_of_faces(), 0)
@@ -231,18 +247,16 @@ public:
       volume += surface_.normal(f).dot(surface_.points[source(3 * f)] - center);
     points_inward_ = volume < 0;
     find_opposites();
-    std::vector<char> is_reached(is_reversed_.size(), 0);
-    for (Index f = 0; f < is_reversed_.size(); ++f)
-      if (!is_reached[f])
-        orient_outwards(orient_alike(f, is_reached));
+    bool are_all_alike = true;
+    for (Index h = 0; h < opposite_.size(); ++h)
+      are_all_alike = are_all_alike && (surface_.is_border(h) || are_alike(h, opposite_[h]));
+    if (!are_all_alike)
+      orient_components();
     for (Index h = 0; h < opposite_.size(); ++h)
       if (surface_.neighbor(h) == h / 3) // the face is glued to itself
         opposite_[h] = h;
-    for (Index f = 0; f < is_reversed_.size(); ++f)
-      if (is_reversed_[f])
-        std::swap(surface_.corners[f][1], surface_.corners[f][2]);
-    renumber_halfedges(surface_, [this](Index h)
-      { return is_reversed_[h / 3] ? h - h % 3 + (2 - h % 3) : h; });
+    if (!are_all_alike)
+      reverse_faces();
     start_at_smallest_vertices(surface_);
   }
 };
