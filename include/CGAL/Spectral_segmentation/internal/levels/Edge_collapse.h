@@ -147,12 +147,23 @@ class Edge_collapse : private Surface
     return h;
   }
 
+  // Returns the dot product of two vectors, whose coordinates it rounds to floats. The product of
+  // two floats is exact in double precision. Therefore the result, which is compared with that of
+  // another call, does not depend on which multiplications the compiler fuses with additions.
+  static double dot_of_floats(const Vector& v, const Vector& w)
+  {
+    double result = 0;
+    for (int i = 0; i < 3; ++i)
+      result += static_cast<double>(static_cast<float>(v[i])) * static_cast<float>(w[i]);
+    return result;
+  }
+
   Edge edge(Index h) const
   {
     const Index v = source_vertex(h), w = target_vertex(h);
     const Vector &p = rounded_[v], &q = rounded_[w];
-    return {static_cast<float>((q - p).squared_norm()), hash(p + q),
-            Vector(0.5377, 0.6211, 0.5701).dot(points[v] + points[w]), h};
+    return {static_cast<float>(dot_of_floats(q - p, q - p)), hash(p + q),
+            dot_of_floats({0.5377, 0.6211, 0.5701}, points[v] + points[w]), h};
   }
 
   // Returns the normal of the face of h if the source of h moves to a point.

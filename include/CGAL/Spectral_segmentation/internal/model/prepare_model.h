@@ -26,13 +26,13 @@ struct Part_of_model
   double fraction_of_model = 1; // 1 unless it is searched at the scale of the model
 };
 
-// What a mesh of several components has besides its faces.
+// A mesh of several components, besides its faces.
 struct Model
 {
   std::vector<Part_of_model> parts; // not empty if components are searched by themselves
   Component_fractions fractions;    // of the mesh, if it has several components
   Level walls;                      // the components that are walls of others
-  std::vector<Index> outer_face;    // for each face of a wall, the caller's nearest of the outer wall
+  std::vector<Index> outer_face;    // of the caller, the nearest to each face of a wall
 };
 
 // Returns some faces of a level, which ascend, with other points.

@@ -223,8 +223,9 @@ inline std::vector<double> curvature_angles(Execution execution, const Surface& 
       const double area = mesh.areas[f] + mesh.areas[g];
       if (mesh.is_border(h) || length == 0 || area == 0)
         continue;
-      const double angle =
-        std::atan2(normals[f].cross(normals[g]).dot(edge) / length, normals[f].dot(normals[g]));
+      const double sine = normals[f].cross(normals[g]).dot(edge) / length;
+      const double angle = // pi at a fold, where the sign of the sine is that of rounding errors
+        std::atan2(std::abs(sine) > 1e-6 ? sine : 0, normals[f].dot(normals[g]));
       // The density is split by area; otherwise a sliver beside a sharp edge would get nearly all.
       const double density = angle * mesh.areas[f] / area / length;
       const Symmetric_tensor tensor = squared(edge);
