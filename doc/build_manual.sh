@@ -11,13 +11,16 @@ mkdir -p "$4/pictures"
 # Pages of an earlier build go; the pictures, and the shapes that they lead to, are made before.
 find "$4" -mindepth 1 -maxdepth 1 ! -name pictures ! -name pages -exec rm -r {} +
 [[ -z ${5:-} ]] || cp -r "$5" "$4/try"
-# Without pictures, a sentence is in the place of each figure.
-if ! compgen -G "$4/pictures/*.png" > /dev/null; then
-  for name in $(sed -n 's/^\\htmlinclude\[block\] //p' "$(dirname "$0")"/*.txt); do
+# Without pictures, a sentence is in the place of each figure. Without Chromium, the picture of the
+# editor is missing alone.
+names=editor.html
+compgen -G "$4/pictures/*.png" > /dev/null ||
+  names=$(sed -n 's/^\\htmlinclude\[block\] //p' "$(dirname "$0")"/*.txt)
+for name in $names; do
+  [[ -e $4/pictures/$name ]] ||
     echo '<p class="left-out"><i>Left out: the pictures of this figure.</i></p>' \
       > "$4/pictures/$name"
-  done
-fi
+done
 "$1" "$2"
 "$3" "$(dirname "$0")/finish_manual.py" "$4"
 "$3" "$(dirname "$0")/check_links.py" "$4"
