@@ -5,7 +5,7 @@
 # check_python.sh SEGMENT_MESH MESHES
 # Whether the Python package is installed by README's lines, without a network, and passes its tests
 # then; and whether it is installed from its sdist and its wheel. Needs the packages of
-# `setup.sh build python`.
+# `setup.sh build test python`.
 
 set -euo pipefail
 

@@ -4,7 +4,8 @@
 #
 # setup.sh GROUP ...
 # Installs the Debian packages that are missing of the groups build, test, python, python_examples,
-# pictures, manual, performance, machines, cluster, blender and web.
+# pictures, manual, performance, machines, cluster, blender and web. The tests of the Python package
+# need the groups python and test.
 
 set -euo pipefail
 
@@ -16,11 +17,11 @@ for group in "$@"; do
                  nlohmann-json3-dev libassimp-dev lib3mf-dev libjs-three libcgal-demo) ;;
     test)
       packages+=(ninja-build libboost-test-dev libopenmesh-dev python3 doxygen chromium
-                 chromium-driver python3-selenium) ;;
+                 chromium-driver python3-selenium python3-pytest python3-hypothesis python3-meshio
+                 python3-open3d) ;;
     python)
       packages+=(python3-dev python3-numpy python3-pybind11 python3-setuptools python3-wheel
-                 python3-pip python3-venv python3-pytest python3-hypothesis python3-meshio
-                 python3-open3d) ;;
+                 python3-pip python3-venv) ;;
     pictures) packages+=(python3-vtk9 xvfb xauth) ;;
     manual) packages+=(doxygen python3-vtk9 xvfb xauth) ;;
     performance)
