@@ -12,7 +12,7 @@ const isList = value =>
 const clamped = integer => Math.max(-(2 ** 31), Math.min(integer, 2 ** 31 - 1)); // for the module
 const isNumber = value => typeof value === "number";
 
-// The kinds of options, and what the value of one must be.
+// The kinds of options, and the requirement on a value of each.
 const kinds = {
   method: [value => value === "calibrated" || value === "paper", "'calibrated' or 'paper'"],
   integer: [Number.isInteger, "an integer"],
@@ -66,9 +66,9 @@ function checkedOptions(options, kindOfOption = optionKinds) {
   for (const [name, value] of Object.entries(given)) {
     if (!Object.hasOwn(kindOfOption, name))
       throw new TypeError(`there is no option ${name}`);
-    const [isRight, sentence] = kinds[kindOfOption[name]];
+    const [isRight, requirement] = kinds[kindOfOption[name]];
     if (!isRight(value))
-      throw new TypeError(`${name} must be ${sentence}`);
+      throw new TypeError(`${name} must be ${requirement}`);
     if (kindOfOption[name] === "integer")
       given[name] = clamped(value);
   }
@@ -96,7 +96,7 @@ function addFeatures(features, mesh, given) {
   given.features = (given.featuresAreLabels ? Int32Array : Float64Array).from(features);
 }
 
-// Throws a TypeError if a threshold is not that of a probability, the salience without options.
+// Throws a TypeError if a threshold is no probability, although saliences are probabilities.
 function checkThreshold({ method, salienceWeights, salienceThreshold: threshold = 0 }) {
   if (method !== "paper" && !salienceWeights && Number.isFinite(threshold) &&
       (threshold < 0 || threshold > 1))
@@ -124,7 +124,7 @@ function checkedRunOptions(options, mesh) {
   return given;
 }
 
-// Returns which segments a run has to give, for the module; undefined for those of the run.
+// Returns the choice of segments for the module; undefined for the segments of the run.
 function checkedChoice(choice) {
   if (choice === undefined)
     return undefined;
@@ -256,9 +256,9 @@ class Module {
     const { progress, ...others } = checkedRunOptions(options, mesh);
     let error;
     // An exception that passed through the module would leave its memory behind.
-    const told = progress && (share => {
+    const report = progress && (fraction => {
       try {
-        return progress(share) !== false;
+        return progress(fraction) !== false;
       }
       catch (e) {
         error = e ?? new Error("progress failed");
@@ -266,7 +266,7 @@ class Module {
       }
     });
     const handle = mesh.call(`for ${mesh.numberOfFaces} faces`, handleOfMesh =>
-      new this.#module.Segmentation(handleOfMesh, others, told));
+      new this.#module.Segmentation(handleOfMesh, others, report));
     if (error) {
       handle.delete();
       throw error;
@@ -275,7 +275,7 @@ class Module {
   }
 }
 
-// Starts an instance of the module; `settings` tell emscripten where module.wasm is.
+// Starts an instance of the module. `settings` give emscripten the place of module.wasm.
 export async function start(settings) {
   const module = await createModule(settings);
   Object.assign(optionKinds, module.optionKinds());

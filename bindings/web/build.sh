@@ -11,7 +11,7 @@ here=$(cd "$(dirname "$0")" && pwd)
 root=$here/../..
 build=$(mkdir -p "${1:-$root/build-web}" && cd "${1:-$root/build-web}" && pwd)
 
-# The libraries' headers without those of the system.
+# The headers of the libraries, without the headers of the system.
 mkdir -p "$build/include"
 for name in CGAL boost eigen3/Eigen nlohmann fast_float fmt; do
   ln -sfn "/usr/include/$name" "$build/include/$(basename "$name")"
@@ -19,7 +19,7 @@ done
 
 version=$(sed -n 's/.*_VERSION "\(.*\)"/\1/p' \
   "$root/include/CGAL/Spectral_segmentation/version.h")
-# The compiler must not fuse multiplications and additions: labels are those of other machines.
+# The compiler must not fuse multiplications and additions, so that labels equal those elsewhere.
 flags=(-std=c++17 -DNDEBUG -fexceptions -ffp-contract=off -msimd128 -Wall -Wextra
   -DCGAL_SPECTRAL_SEGMENTATION_COMPILED
   -DCGAL_DISABLE_GMP -DCGAL_NO_GMP -DCGAL_DISABLE_ROUNDING_MATH_CHECK

@@ -37,10 +37,10 @@ export class Client {
     });
   }
 
-  #receive({ id, share, result, error }) {
+  #receive({ id, fraction, result, error }) {
     const request = this.#requests.get(id);
-    if (share !== undefined) {
-      request?.progress?.(share);
+    if (fraction !== undefined) {
+      request?.progress?.(fraction);
       return;
     }
     this.#requests.delete(id);

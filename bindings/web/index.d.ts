@@ -9,14 +9,14 @@ export interface Choice {
    *  connected mesh, unless a salienceThreshold is given. */
   maximumNumberOfSegments?: number;
   /** The smallest salience of a cut: by default 0.4, the probability that people cut there, from 0
-   *  to 1 or infinite; or 0.54 for weighted saliences such as those of the method "paper". */
+   *  to 1 or infinite; or 0.54 for weighted saliences, such as with the method "paper". */
   salienceThreshold?: number;
 }
 
 export type Integers = Int32Array | Uint32Array | Uint16Array | Int16Array | Uint8Array |
   Int8Array | readonly number[];
 
-/** The parameters of a run; those of the C++ library, whose manual tells more. */
+/** The parameters of a run. The manual of the C++ library has more about each of them. */
 export interface Options extends Choice {
   /** "calibrated", the default, cuts where people cut; "paper" is Zhang and Liu 2005. */
   method?: "calibrated" | "paper";
@@ -26,15 +26,15 @@ export interface Options extends Choice {
   /** Edges that must be between segments, each given by the indices of its two points. The
    *  constraints, which are this and the next two, do not go with the method "paper". */
   constrainedEdges?: Integers;
-  /** Edges whose triangles must be of one segment, given like `constrainedEdges`. */
+  /** Edges whose triangles must belong to one segment, given like `constrainedEdges`. */
   uncuttableEdges?: Integers;
-  /** A number for each face. Faces with the same number are of one segment, those with different
-   *  numbers are not; negative numbers mean nothing. */
+  /** A number for each face. Faces with the same number belong to one segment, and faces with
+   *  different numbers to different segments. Negative numbers mean nothing. */
   faceSeeds?: Integers;
   /** The group of each face, such as an object of a file. Groups are kept apart like connected
    *  components. */
   faceGroups?: Integers;
-  /** What is known of each face beyond the shape: the vectors of all faces one after the other,
+  /** The features of each face beyond the shape: the vectors of all faces one after the other,
    *  each of the same length; or one whole number a face, a label that may be wrong (not as a
    *  `Float32Array` or `Float64Array`). Not with the method "paper". */
   features?: Integers | Float32Array | Float64Array;
@@ -63,16 +63,16 @@ export interface Options extends Choice {
 }
 
 export interface RunOptions extends Options {
-  /** Is told the share of the run that is done. If it returns false, the run ends with the cuts
-   *  made so far. If it throws, the run ends with that. */
-  progress?: (share: number) => boolean | void;
+  /** Receives the fraction of the run that is done. If it returns false, the run ends with the
+   *  cuts made so far. If it throws, the run throws the same. */
+  progress?: (fraction: number) => boolean | void;
 }
 
 /** A mesh in the memory of the module. `free()` gives the memory back at once, a second call does
  *  nothing, and any other use of a freed mesh throws an Error. Without `free()` the memory is given
  *  back some time after the last use. */
 export interface Mesh {
-  /** Of the file, polygons being single faces; else the number of triangles. */
+  /** The number of faces in the file, where a polygon is one face; else of triangles. */
   readonly numberOfFaces: number;
   /** Copies: three coordinates a point, */
   readonly points: Float64Array;
@@ -80,40 +80,40 @@ export interface Mesh {
   readonly triangles: Uint32Array;
   /** and the face that each triangle belongs to. */
   readonly faceOfTriangle: Uint32Array;
-  /** Sentences on what `read()` left out of the file or found missing, such as "line 5: 'vw' is not
-   *  a statement of OBJ". `read()` and `mesh()` leave out corners at points that are not finite. A
-   *  face with fewer than three others has no triangle, and the label of a neighbor. */
+  /** Messages about what `read()` left out of the file or found missing, such as "line 5: 'vw' is
+   *  not a statement of OBJ". `read()` and `mesh()` leave out corners at points that are not
+   *  finite. A face with fewer than three others has no triangle, and the label of a neighbor. */
   readonly warnings: readonly string[];
   free(): void;
 }
 
-/** A run, in the memory of the module; `free()` does the same as that of `Mesh`. */
+/** A run, in the memory of the module; `free()` does the same as `Mesh.free()`. */
 export interface Segmentation {
   readonly numberOfSegments: number;
   /** The most that can be asked for below. */
   readonly maximumNumberOfSegments: number;
   /** The label of each face: of the run, of `n` segments, or of another choice. There are more
    *  than `n` segments if there are more components, and only `maximumNumberOfSegments` if `n` is
-   *  larger than this; a run with `{ numberOfSegments: n }` makes exactly `n`. The same labels as
-   *  those of the C++ library and its tool. */
+   *  larger than this; a run with `{ numberOfSegments: n }` makes exactly `n`. The C++
+   *  library and its tool give the same labels. */
   labels(n?: number | Choice): Uint32Array;
-  /** A colored mesh in the format that the name tells: .ply, .glb, .off or .obj. Its faces are
-   *  split along smooth boundaries between the segments. */
+  /** Returns a colored mesh, in the format of the ending of the name: .ply, .glb, .off or .obj. Its
+   *  faces are split along smooth boundaries between the segments. */
   write(name: string, n?: number | Choice): Uint8Array;
   /** All cuts, as `segment_mesh --hierarchy` writes them. */
   toJSON(): object;
-  /** What `decode()` of decode.js makes the model of a Viewer of. */
+  /** Returns the data from which `decode()` of decode.js makes the model of a Viewer. */
   pageData(name?: string): object;
   free(): void;
 }
 
 export interface Module {
   readonly version: string;
-  /** Reads OFF, OBJ, PLY or STL, as the name tells. Throws an Error with the line or byte at fault
-   *  if the bytes contradict the format. */
+  /** Reads OFF, OBJ, PLY or STL, by the ending of the name. Throws an Error with the line or byte
+   *  at fault if the bytes contradict the format. */
   read(bytes: Uint8Array, name: string): Mesh;
   /** A mesh of three coordinates a point and three indices a triangle. Throws an Error if an index
-   *  is that of no point, or no triangle has three finite points. */
+   *  belongs to no point, or no triangle has three finite points. */
   mesh(points: Float32Array | Float64Array,
        triangles: Uint32Array | Int32Array | Uint16Array): Mesh;
   /** Throws a TypeError for an argument of a wrong type, a RangeError if memory is out, an Error
@@ -122,7 +122,7 @@ export interface Module {
 }
 
 export interface LoadOptions {
-  /** Where module.wasm is, by default beside the module. In Node, a URL of a file. */
+  /** The place of module.wasm, by default beside the module. In Node, a URL of a file. */
   wasmUrl?: string | URL;
 }
 

@@ -1,9 +1,9 @@
 // Copyright (c) 2026  The Spectral_segmentation authors.
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// What a worker does: it has one mesh and its segmentation.
+// The actions of a worker, which has one mesh and its segmentation.
 
-// Returns a function that does what a message of client.js asks. It sends its answers by `send`.
+// Returns a function that carries out the requests of client.js. It sends its answers by `send`.
 export function answerer(load, send) {
   let segmentation;
 
@@ -13,14 +13,14 @@ export function answerer(load, send) {
     return segmentation;
   }
 
-  // Progress is told at most some twenty times a second.
-  function teller(id) {
+  // Returns a function that sends the progress, some twenty times a second at most.
+  function progressReporter(id) {
     let last = -Infinity;
-    return share => {
+    return fraction => {
       const now = performance.now();
       if (now - last > 50) {
         last = now;
-        send({ id, share });
+        send({ id, fraction });
       }
     };
   }
@@ -30,9 +30,9 @@ export function answerer(load, send) {
       const module = await load({ wasmUrl });
       const mesh = file ? module.read(file, name) : module.mesh(points, triangles);
       const next = module.segment(
-        mesh, options instanceof Object ? { ...options, progress: teller(id) } : options);
+        mesh, options instanceof Object ? { ...options, progress: progressReporter(id) } : options);
       const { warnings } = mesh;
-      mesh.free(); // but for what the segmentation needs of it
+      mesh.free(); // except the data that the segmentation needs
       segmentation = next; // the instance of the former one goes with it
       return { data: segmentation.pageData(name), warnings,
                numberOfSegments: segmentation.numberOfSegments };

@@ -8,8 +8,8 @@ export type Input = { name: string; bytes: Uint8Array } |
   { name?: string; points: Float32Array | Float64Array;
     triangles: Uint32Array | Int32Array | Uint16Array };
 
-/** What the class Viewer of viewer.js shows. `faceLabels()` of hierarchy.js gives the labels of any
- *  number of segments of it. */
+/** The model that the class Viewer of viewer.js shows. `faceLabels()` of hierarchy.js returns its
+ *  labels for any number of segments. */
 export interface Model {
   name: string;
   segments: number;
@@ -22,11 +22,12 @@ export interface Model {
 export class SegmentationWorker {
   /** The worker starts with the first call below. */
   constructor(options?: LoadOptions);
-  /** `progress` is told the share of the run that is done. If the promise is rejected, the former
-   *  segmentation stays. The warnings are those of `Mesh`. */
-  segment(input: Input, options?: Options, progress?: (share: number) => void):
+  /** `progress` receives the fraction of the run that is done. If the promise is rejected, the
+   *  former segmentation stays. The warnings are the same as in `Mesh`. */
+  segment(input: Input, options?: Options, progress?: (fraction: number) => void):
     Promise<{ model: Model; numberOfSegments: number; warnings: readonly string[] }>;
-  /** These are those of `Segmentation`, of the last mesh; rejected with an Error without one. */
+  /** These do the same as in `Segmentation`, for the last mesh. Without one, the promise is
+   *  rejected with an Error. */
   write(name: string, n?: number | Choice): Promise<Uint8Array>;
   labels(n?: number | Choice): Promise<Uint32Array>;
   toJSON(): Promise<object>;

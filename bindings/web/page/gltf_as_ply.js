@@ -49,7 +49,7 @@ function onlyShape(json) {
 
 const isGlb = bytes => new TextDecoder().decode(bytes.subarray(0, 4)) === "glTF";
 
-// The same file, without what is beside the shape.
+// Returns the same file, with nothing but the shape.
 function shapeOf(bytes) {
   if (!isGlb(bytes))
     return new TextEncoder().encode(JSON.stringify(

@@ -14,18 +14,18 @@ let running, shown;
 let viewer;
 let prepared; // a worker
 
-function fail(sentence) {
+function fail(message) {
   ui.failure.hidden = false;
-  ui.error.textContent = sentence;
+  ui.error.textContent = message;
 }
 
-function tell(stage, share = undefined) {
+function showProgress(stage, fraction = undefined) {
   ui.progress.hidden = false;
   ui.stage.textContent = stage;
-  if (share === undefined)
-    ui.share.removeAttribute("value");
+  if (fraction === undefined)
+    ui.fraction.removeAttribute("value");
   else
-    ui.share.value = share;
+    ui.fraction.value = fraction;
 }
 
 // Nothing runs any more.
@@ -40,7 +40,7 @@ function cancel() {
   ui.method.value = shown?.method ?? ui.method.value;
 }
 
-// Returns the file of a number of segments, or tells why there is none.
+// Returns the file of a number of segments. If it cannot be made, shows the reason.
 async function meshFile(extension, number) {
   try {
     return new Blob([await shown.worker.write(`mesh${extension}`, number)]);
@@ -95,14 +95,14 @@ async function segment(name, read, notes = []) {
                           worker: prepared ?? new SegmentationWorker() };
   prepared = undefined;
   ui.failure.hidden = true;
-  tell(`Reading ${name}`);
+  showProgress(`Reading ${name}`);
   try {
     const file = await readableFile(job);
     if (running !== job)
       return;
-    const { model, warnings } = await job.worker.segment(file, { method: job.method }, share => {
+    const { model, warnings } = await job.worker.segment(file, { method: job.method }, fraction => {
       if (running === job)
-        tell(`Cutting ${name}`, share);
+        showProgress(`Cutting ${name}`, fraction);
     });
     if (running !== job)
       return;
@@ -173,12 +173,12 @@ addEventListener("drop", event => {
 });
 document.documentElement.dataset.ready = "";
 
-// A browser compiles well what has run for a while, so a worker cuts a sample beforehand. Others
-// share its code.
+// A browser compiles code well after it has run for a while. Therefore a worker cuts a sample
+// beforehand. Other workers use the same code.
 async function prepare() {
   const worker = new SegmentationWorker();
   await worker.segment({ name: samples[0], bytes: await fetched(`samples/${samples[0]}`) });
   prepared = worker;
 }
 
-prepare().catch(() => {}); // the first mesh tells why
+prepare().catch(() => {}); // the first mesh shows the error

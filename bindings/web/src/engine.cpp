@@ -1,5 +1,5 @@
 // Copyright (c) 2026  The Spectral_segmentation authors.
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// The engine, as the CMake target Spectral_segmentation::compiled has it.
+// Compiles the engine, like the CMake target Spectral_segmentation::compiled.
 #include <CGAL/Spectral_segmentation/compiled.h>

@@ -136,10 +136,10 @@ class Progress : public segmentation::Segmentation_visitor
 public:
   explicit Progress(const val& function) : function_(function) {}
 
-  void progress(double share)
+  void progress(double fraction)
   {
     if (goes_on_ && !function_.isUndefined())
-      goes_on_ = function_(share).as<bool>();
+      goes_on_ = function_(fraction).as<bool>();
   }
 
   bool go_further() { return goes_on_; }

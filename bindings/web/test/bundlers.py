@@ -33,14 +33,14 @@ import { load } from "spectral-segmentation";
 import { SegmentationWorker } from "spectral-segmentation/worker";
 const points = new Float32Array([0, 0, 0, 1, 0, 0, 0, 1, 0, 0, 0, 1]);
 const triangles = new Uint32Array([0, 2, 1, 0, 1, 3, 1, 2, 3, 2, 0, 3]);
-const tell = text => { document.title += ` ${text};`; };
-const failed = error => tell(`failed: ${error.message}`);
-load().then(s => tell(s.segment(s.mesh(points, triangles)).numberOfSegments), failed)
+const report = text => { document.title += ` ${text};`; };
+const failed = error => report(`failed: ${error.message}`);
+load().then(s => report(s.segment(s.mesh(points, triangles)).numberOfSegments), failed)
   .then(() => new SegmentationWorker().segment({ points, triangles }))
-  .then(run => tell(`worker ${run.numberOfSegments}`), failed);
+  .then(run => report(`worker ${run.numberOfSegments}`), failed);
 """
 
-# What README.md says of the dev server before Vite 8.
+# The setting that README.md gives for the dev server before Vite 8.
 OLD_VITE = 'export default { optimizeDeps: { exclude: ["spectral-segmentation"] } };'
 
 

@@ -8,7 +8,7 @@ import threading
 
 
 class Handler(http.server.SimpleHTTPRequestHandler):
-    """Remembers what is asked."""
+    """Remembers the requests."""
 
     requests = []
     extensions_map = {**http.server.SimpleHTTPRequestHandler.extensions_map,

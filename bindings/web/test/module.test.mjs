@@ -1,8 +1,8 @@
 // Copyright (c) 2026  The Spectral_segmentation authors.
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// The module in Node. PACKAGE is its folder, MESHES that of libcgal-demo's meshes, SEGMENT_MESH the
-// native tool. With ALL_MESHES the labels of all meshes are compared.
+// Tests the module in Node. PACKAGE is its folder, MESHES the folder of libcgal-demo's meshes, and
+// SEGMENT_MESH the native tool. With ALL_MESHES the labels of all meshes are compared.
 
 import assert from "node:assert/strict";
 import { execFileSync } from "node:child_process";
@@ -47,7 +47,7 @@ const text = labels => labels.join("\n") + "\n";
 const tetrahedron = () => segmentation.mesh(new Float32Array([0, 0, 0, 1, 0, 0, 0, 1, 0, 0, 0, 1]),
                                             new Uint16Array([0, 2, 1, 0, 1, 3, 1, 2, 3, 2, 0, 3]));
 
-test("labels are those of the native tool", { timeout: 7200e3 }, () => {
+test("labels equal the labels of the native tool", { timeout: 7200e3 }, () => {
   const names = ALL_MESHES ? readdirSync(MESHES).filter(name => /\.(off|obj|ply|stl)$/.test(name))
     : ["elephant.off", "bear.off", "fandisk.off", "cube.off", "blobby_3cc.off"];
   let compared = 0;
@@ -72,7 +72,7 @@ test("labels are those of the native tool", { timeout: 7200e3 }, () => {
   console.log(`${compared} runs give the labels of the tool`);
 });
 
-test("options are those of the tool", () => {
+test("options do the same as in the tool", () => {
   const mesh = segmentation.read(elephant, "elephant.off");
   for (const [options, ...ofTool] of [
     [{ numberOfSegments: 7, smoothBoundaries: true }, "--segments", "7", "--smooth-boundaries"],
@@ -98,7 +98,7 @@ test("a run gives the labels of all numbers, also as its page does", () => {
   run.free();
 });
 
-test("labels of a choice are those of a run with it", () => {
+test("labels of a choice equal the labels of a run with it", () => {
   const mesh = segmentation.read(elephant, "elephant.off");
   const run = segmentation.segment(mesh);
   for (const choice of [{}, { numberOfSegments: 4 }, { salienceThreshold: 0.7 },
@@ -165,7 +165,7 @@ test("features decide with the shape", () => {
     assert.equal(text(segmentation.segment(mesh, { features }).labels()), plain);
 });
 
-test("options for experts change what they say", () => {
+test("options for experts have an effect", () => {
   const mesh = segmentation.read(elephant, "elephant.off");
   const file = path.join(MESHES, "elephant.off");
   const labels = options => segmentation.segment(mesh, options).labels();
@@ -193,7 +193,7 @@ test("arrays and files give the same", () => {
                      expected);
 });
 
-test("written files are those of the tool", t => {
+test("written files equal the files of the tool", t => {
   const folder = scratch(t);
   const run = segmentation.segment(segmentation.read(elephant, "elephant.off"));
   for (const format of ["ply", "glb", "off"]) {
@@ -205,7 +205,7 @@ test("written files are those of the tool", t => {
   assert.throws(() => run.write("x.xyz"), /the name must end in .glb/);
 });
 
-test("what is wrong is named", async () => {
+test("errors name the cause", async () => {
   const mesh = tetrahedron();
   const other = await load();
   const freed = tetrahedron();
@@ -282,7 +282,7 @@ test("what is wrong is named", async () => {
                   `${action}`);
 });
 
-test("damaged files give a mesh or a sentence", () => {
+test("damaged files give a mesh or a message", () => {
   const octahedron = bytesOf("octahedron.off");
   let seed = 1;
   const random = n => (seed = seed * 48271 % 2147483647) % n;
@@ -300,7 +300,7 @@ test("damaged files give a mesh or a sentence", () => {
   }
 });
 
-test("warnings and labels of a lenient reading are those of the tool", async t => {
+test("warnings and labels of a lenient reading equal those of the tool", async t => {
   const file = path.join(scratch(t), "x.off");
   const lines = Buffer.from(elephant).toString().split("\n");
   lines[38] = "0 nan 0"; // a point
@@ -356,9 +356,10 @@ test("faces without a triangle need no features and no seeds", () => {
 
 test("progress ascends, ends a run, and may fail", () => {
   const mesh = segmentation.read(elephant, "elephant.off");
-  const shares = [];
-  segmentation.segment(mesh, { progress: share => { shares.push(share); } });
-  assert.ok(shares.length > 2 && shares.every((share, i) => i === 0 || share >= shares[i - 1]));
+  const fractions = [];
+  segmentation.segment(mesh, { progress: fraction => { fractions.push(fraction); } });
+  assert.ok(fractions.length > 2);
+  assert.ok(fractions.every((fraction, i) => i === 0 || fraction >= fractions[i - 1]));
   const run = segmentation.segment(mesh, { progress: () => false });
   assert.ok(run.maximumNumberOfSegments <= segmentation.segment(mesh).maximumNumberOfSegments);
   assert.throws(() => segmentation.segment(mesh, { progress: () => { throw new Error("mine"); } }),
@@ -392,7 +393,7 @@ test("memory is given back", async () => {
     result.free();
     assert.throws(() => own.read(Buffer.from("OFF 9"), "x.off"));
   };
-  const memory = () => process.memoryUsage().external; // with that of the module
+  const memory = () => process.memoryUsage().external; // with the memory of the module
   run();
   const before = memory();
   for (let i = 0; i < 1000; ++i)
@@ -416,10 +417,10 @@ test("module.wasm may be elsewhere", async t => {
 
 test("a worker does the same, and ends at once", async () => {
   const worker = new SegmentationWorker();
-  const shares = [];
+  const fractions = [];
   const { model, numberOfSegments } = await worker.segment(
-    { bytes: elephant, name: "elephant.off" }, {}, share => shares.push(share));
-  assert.ok(shares.length > 0);
+    { bytes: elephant, name: "elephant.off" }, {}, fraction => fractions.push(fraction));
+  assert.ok(fractions.length > 0);
   const run = segmentation.segment(segmentation.read(elephant, "elephant.off"));
   assert.equal(numberOfSegments, run.numberOfSegments);
   const hierarchy = new Hierarchy(model.hierarchy);

@@ -72,7 +72,7 @@ class Page_test(unittest.TestCase):
         command("Emulation.setTouchEmulationEnabled", {"enabled": width < 700})
         command("Emulation.setEmulatedMedia", {"features": [
             {"name": "prefers-color-scheme", "value": "dark" if is_dark else "light"}]})
-        # Without a certificate, and not of this machine, where browsers allow less.
+        # The server has no certificate and no local name, so that browsers allow less.
         self.browser.get("http://mesh.test:%d/" % self.server.server_port)
         self.wait(lambda: self.browser.find_element(By.CSS_SELECTOR, "[data-ready]"))
 
@@ -119,7 +119,7 @@ class Page_test(unittest.TestCase):
         self.assertEqual(self.number(), n)
 
     def colors(self):
-        """Of the segments that are seen."""
+        """Returns the colors of the segments that are seen."""
         Select(self.part("shading")).select_by_value("none")
         if self.part("seams").is_selected():
             self.part("seams").click()
@@ -225,11 +225,11 @@ class Page_test(unittest.TestCase):
             path.write_bytes(contents)
             self.choose(path)
             self.wait(lambda: name in self.by_id("error").text)
-            sentence = self.error()
-            self.assertIn(words, sentence)
+            message = self.error()
+            self.assertIn(words, message)
             self.assertEqual(self.by_id("error").get_attribute("role"), "alert")
             if path.suffix in (".off", ".ply", ".stl"): # else the tool has another reader
-                self.assertIn(sentence.split("cannot be cut: ")[1], tool(path)[1])
+                self.assertIn(message.split("cannot be cut: ")[1], tool(path)[1])
             self.assertEqual(self.part("name").text, "hand.off")
             self.assertEqual(self.shown_labels(), labels)
         self.by_id("closeError").click()
@@ -310,7 +310,7 @@ class Page_test(unittest.TestCase):
             self.assertLessEqual(rectangle["x"] + rectangle["width"], width)
 
     def test_time_from_drop_to_colors(self):
-        """It is only told, if MESHES_TO_TIME has names of files."""
+        """Prints the times only if MESHES_TO_TIME has names of files."""
         if "MESHES_TO_TIME" not in os.environ:
             self.skipTest("MESHES_TO_TIME has no names of files")
         self.open()

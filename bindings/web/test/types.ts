@@ -11,13 +11,13 @@ export async function allowed(bytes: Uint8Array): Promise<Uint32Array[]> {
   const mesh: Mesh = module.read(bytes, "elephant.off");
   const run: Segmentation = module.segment(mesh, {
     method: "paper", maximumNumberOfSegments: 5, salienceThreshold: 0.3,
-    progress: share => share < 0.5 });
+    progress: fraction => fraction < 0.5 });
   const sameMesh = module.mesh(mesh.points, mesh.triangles);
   const worker = new SegmentationWorker();
   const { model, warnings } = await worker.segment(
-    { bytes, name: "elephant.off" }, { numberOfSegments: 5 }, share => console.log(share));
-  const sentences: readonly string[] = [...mesh.warnings, ...warnings];
-  console.log(sentences.join("\n"));
+    { bytes, name: "elephant.off" }, { numberOfSegments: 5 }, fraction => console.log(fraction));
+  const messages: readonly string[] = [...mesh.warnings, ...warnings];
+  console.log(messages.join("\n"));
   const labels = await worker.labels(model.segments);
   worker.close();
   const constrained = module.segment(mesh, {
