@@ -11,8 +11,8 @@ mkdir -p "$4/pictures"
 # Pages of an earlier build go; the pictures, and the shapes that they lead to, are made before.
 find "$4" -mindepth 1 -maxdepth 1 ! -name pictures ! -name pages -exec rm -r {} +
 [[ -z ${5:-} ]] || cp -r "$5" "$4/try"
-# Without pictures, a sentence is in the place of each figure. Without Chromium, the picture of the
-# editor is missing alone.
+# If there are no pictures, a note is in the place of each figure. If there is no Chromium, only the
+# picture of the editor is missing.
 names=editor.html
 compgen -G "$4/pictures/*.png" > /dev/null ||
   names=$(sed -n 's/^\\htmlinclude\[block\] //p' "$(dirname "$0")"/*.txt)
