@@ -34,12 +34,12 @@ the closed surface.
 
 <b>Hollow bodies.</b> The surface may have several components. A component that is oriented inward
 and lies in another one bounds a cavity. If one segment has all of its triangles and surrounds it,
-it stays a cavity of that closed segment. If several segments share it, as the inner wall of a
-hollow body whose triangles have the segments of the outer wall, each is closed between the walls.
-A loop on the outer wall and one that lies opposite of it on the inner wall get a ring of triangles
-as their common cap. Other segments begin at edges that lead from wall to wall, and a loop that
-passes such edges gets a strip from wall to wall. This holds for a hole through one component, too,
-such as that of a pipe. A loop without an opposite loop gets a cap of its own.
+it stays a cavity of that closed segment. If several segments have triangles of it, as in a hollow
+body whose inner wall has the segments of the outer wall, each is closed between the walls. A loop
+on the outer wall and one that lies opposite of it on the inner wall get a ring of triangles as
+their common cap. Other segments begin at edges that lead from wall to wall, and a loop that passes
+such edges gets a strip from wall to wall. This holds for a hole through one component, too, such as
+the hole of a pipe. A loop without an opposite loop gets a cap of its own.
 
 Several caps are tried in this order. The first one that lies inside the surface, and intersects
 neither it nor other caps, is taken:

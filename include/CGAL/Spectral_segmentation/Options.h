@@ -108,7 +108,7 @@ struct Options
   f(g, number_of_reference_faces, is_count, "takes an integer", 1, 1000)
 
 /// \ingroup PkgSpectralSegmentationRef
-/// What `for_each_option()` tells of an option.
+/// The description of an option, which `for_each_option()` passes on.
 struct Option_description
 {
   const char* name;      ///< of the field

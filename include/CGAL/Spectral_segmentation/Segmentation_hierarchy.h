@@ -238,7 +238,7 @@ public:
   /// \name Changes by Hand
   /// Experimental: `merge()` makes two nodes the children of one node, and `split_leaf()`
   /// cuts a leaf. All functions keep working and nodes keep their indices.
-  /// Nodes below the given ones, and nodes that share no face with them, also keep their faces.
+  /// Nodes below the given ones, and nodes with no face in common with them, also keep their faces.
   /// Both functions take time linear in the number of faces and O(*c* log *c*) in the number *c* of
   /// cuts. If they throw an exception, nothing has changed.
   ///
