@@ -30,7 +30,7 @@ inline const char* name_of(Status status)
   }
 }
 
-// Ends a run with a sentence.
+// Ends a run with an error message.
 struct Failure : std::runtime_error
 {
   Status status;

@@ -109,7 +109,7 @@ public:
     return found == seconds_of_phase_.end() ? 0 : found->second;
   }
 
-  // Ends the phase before. The expected seconds of this one and of all after it give its share.
+  // Ends the phase before. The expected seconds of this one and of all later ones give its weight.
   void start_phase(const std::string& name, double seconds_expected, double seconds_after)
   {
     end_phase();

@@ -157,7 +157,7 @@ inline nlohmann::ordered_json closed_report(const Closed_segments& segments)
   return result;
 }
 
-// Returns a sentence about the segments that bound no solid; it is empty if all do.
+// Returns a message about the segments that bound no solid; it is empty if all do.
 inline std::string closed_warning(const Closed_segments& segments)
 {
   std::string list;

@@ -12,7 +12,7 @@
 
 namespace segment_mesh {
 
-// The largest memory of the process so far, in bytes; 0 where the system does not tell it.
+// The largest memory of the process so far, in bytes; 0 if the system does not report it.
 inline std::size_t peak_memory()
 {
 #if defined(__unix__) || defined(__APPLE__)

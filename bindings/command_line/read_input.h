@@ -89,7 +89,7 @@ inline void check_is_file(const std::string& name)
   }
 }
 
-// Returns the end of a sentence on a mesh of no use; empty without a warning.
+// Returns the end of a message about a mesh of no use; empty without a warning.
 inline std::string first_warning(const Polygon_soup& soup)
 { return soup.warnings.empty() ? "" : "; " + soup.warnings[0]; }
 
@@ -124,9 +124,9 @@ inline bool has_mesh_ending(const std::filesystem::path& name)
          (extension != ".xml" && assimp_reads(extension));
 }
 
-// Throws `Failure` if the file has no mesh. The contents tell the format of a stream, and of a file
-// whose ending is of another format or of none. Names of nodes and meshes are those of formats that
-// Assimp reads.
+// Throws `Failure` if the file has no mesh. The contents determine the format of a stream, and of a
+// file whose ending belongs to another format or to none. Formats that Assimp reads have names of
+// nodes and meshes.
 inline Scene read_scene(const std::string& name, bool keeps_properties,
                         const Reading_limits& limits = {})
 {

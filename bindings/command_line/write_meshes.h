@@ -118,7 +118,8 @@ std::vector<std::string> write_images(const std::vector<mesh_file::Image>& image
   return names;
 }
 
-// In the format that the name tells. OBJ has its materials and their images in files beside it.
+// Writes a mesh in the format of the ending of the name. OBJ has its materials and their images in
+// files beside it.
 inline void write_mesh(Output_files& files, const std::filesystem::path& name,
                        const mesh_file::Segmented_mesh& mesh, double unit)
 {

@@ -34,7 +34,7 @@ inline std::string type_of(const Image& image)
   return result.empty() ? "unknown" : result;
 }
 
-// What a surface looks like.
+// The appearance of a surface.
 struct Material
 {
   static constexpr std::size_t no_image = static_cast<std::size_t>(-1);

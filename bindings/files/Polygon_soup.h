@@ -90,7 +90,7 @@ struct Polygon_soup
   std::vector<Index> material_of_polygon;
   std::vector<Image> images; // of the materials
   std::vector<std::string> material_files; // of the materials of OBJ, as it names them
-  std::vector<std::string> warnings; // a sentence for each kind of what was left out
+  std::vector<std::string> warnings; // a message for each kind of data that was left out
 
   std::size_t number_of_polygons() const { return first_corner.size() - 1; }
 

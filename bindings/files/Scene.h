@@ -22,11 +22,11 @@ struct Scene
   std::vector<std::string> missing_files; // of materials and textures
 };
 
-// What a file may make the program do.
+// The limits on what a file may make the program do.
 struct Reading_limits
 {
   double seconds = std::numeric_limits<double>::infinity();
-  std::size_t number_of_jobs = 1; // which share the memory of the machine
+  std::size_t number_of_jobs = 1; // which use the memory of one machine
   bool allows_external_files = false; // files outside of its folder, which it names
   bool reads_materials = false; // and the images of materials
 };

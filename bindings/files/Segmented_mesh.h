@@ -207,7 +207,7 @@ public:
       flush();
   }
 
-  // Writes as few digits as tell the number from all others of its type.
+  // Writes as few digits as distinguish the number from all others of its type.
   template <class Number>
   void decimal(Number number)
   {

@@ -19,7 +19,7 @@
 
 namespace mesh_file {
 
-// A word of a file for an error sentence: short and printable.
+// Returns a word of a file for an error message: short and printable.
 inline std::string in_quotes(std::string_view word)
 {
   const std::size_t longest = 24;
@@ -159,8 +159,8 @@ public:
     return result;
   }
 
-  // What is left of the line, without the blanks around it, and with what looks like a comment. It
-  // stays.
+  // Returns the rest of the line without the blanks around it, with all that looks like a comment.
+  // The rest stays.
   std::string_view peek_rest_of_line() const
   {
     const char *first = position_, *last = position_;

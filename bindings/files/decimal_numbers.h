@@ -26,8 +26,8 @@ inline std::from_chars_result parse_decimal(const char* first, const char* last,
 #endif
 }
 
-// Prints as few digits as tell the number from all others of its type, at most 32. Returns their
-// end.
+// Prints as few digits as distinguish the number from all others of its type, at most 32. Returns
+// their end.
 template <class Number>
 char* print_decimal(char* digits, Number number)
 {

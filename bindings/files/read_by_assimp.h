@@ -279,7 +279,7 @@ public:
   Assimp::IOStream* Open(const char* name, const char* mode) override
   { return is_allowed(name) ? DefaultIOSystem::Open(name, mode) : nullptr; }
 
-  // Returns a sentence about a file that was not opened, or an empty one.
+  // Returns a message about a file that was not opened, or an empty one.
   std::string error() const
   {
     if (refused_.empty())
@@ -307,7 +307,7 @@ inline std::string filled_glb(const std::string& name)
   return bytes.insert(20 + size, 4 - size % 4, ' ');
 }
 
-// In the child process: sends an error sentence, which may be empty, and the scene.
+// In the child process: sends an error message, which may be empty, and the scene.
 inline void send_by_assimp(const std::string& name, const Reading_limits& limits,
                            Child_output output)
 {
@@ -337,7 +337,7 @@ inline bool assimp_reads(const std::string& extension)
 { return Assimp::Importer().IsExtensionSupported(extension); }
 
 // Reads glTF, FBX, Collada and all else that Assimp reads, with all transformations applied; a
-// mirrored mesh keeps its outside. Throws `std::runtime_error`, with a sentence.
+// mirrored mesh keeps its outside. Throws `std::runtime_error`.
 inline Scene read_by_assimp(const std::string& name, const Reading_limits& limits = {})
 {
   if (!assimp_reads(std::filesystem::path(name).extension().string()))

@@ -55,7 +55,7 @@ inline void append_object(const Lib3mf& object, Flat_scene& scene)
   Flat_scene::append_name("", scene.mesh_names);
 }
 
-// In the child process: sends an error sentence, or what all build items show, as one object.
+// In the child process: sends an error message, or what all build items show, as one object.
 inline void send_by_lib3mf(const std::string& name, Child_output output)
 {
   try {
@@ -76,7 +76,7 @@ inline void send_by_lib3mf(const std::string& name, Child_output output)
   }
 }
 
-// Reads 3MF. Throws `std::runtime_error`, with a sentence.
+// Reads 3MF. Throws `std::runtime_error`.
 inline Scene read_by_lib3mf(const std::string& name, const Reading_limits& limits = {})
 {
   return read_scene_in_child(name, limits,

@@ -69,7 +69,7 @@ public:
 // A child process for code that may crash, or use more memory or time than there is. It writes no
 // file and nothing to the terminal, and it ends at the latest with this object.
 //
-// All functions throw `std::runtime_error`, with a sentence about the child.
+// All functions throw `std::runtime_error`, with a message about the child.
 class Child_process
 {
   typedef std::chrono::steady_clock Clock;

@@ -27,7 +27,7 @@ struct Mesh_instance
   mesh_file::Index node, mesh, end_of_polygons;
 };
 
-// What the child process sends of a scene.
+// The data of a scene that the child process sends.
 struct Flat_scene
 {
   mesh_file::Polygon_soup soup;
@@ -208,8 +208,7 @@ inline Child_limits child_limits(double size_of_file, const Reading_limits& limi
 }
 
 // Reads a file by a function of a library, which may crash on damaged files, in a child process.
-// The function takes a `Child_output`, and sends a scene or an error. Throws `std::runtime_error`,
-// with a sentence.
+// The function takes a `Child_output`, and sends a scene or an error. Throws `std::runtime_error`.
 template <class Send>
 Scene read_scene_in_child(const std::string& name, const Reading_limits& limits, const Send& send)
 {

@@ -33,9 +33,9 @@ class Stl_reader
   static std::uint32_t number_of_faces(std::string_view file)
   { return Byte_scanner(file, 80, false).number<std::uint32_t>(); }
 
-  // The size tells, as also binary files begin with "solid". In a text the bytes of the number are
-  // characters, which would be a number of faces larger than the file. Where the number is wrong, a
-  // zero up to the end of the first face tells, unless it fills up a text.
+  // Decides by the size, because binary files may begin with "solid", too. In a text the bytes of
+  // the number are characters, which would be a number of faces larger than the file. If the number
+  // is wrong, a zero before the end of the first face decides, unless it fills up a text.
   bool is_binary() const
   {
     if (file_.size() < size_of_header)

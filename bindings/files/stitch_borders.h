@@ -17,7 +17,7 @@
 namespace mesh_file {
 
 // Joins what a file repeats along seams, for each texture, or for each face: border edges at the
-// same place become one edge. Points at the same place that no such edges share stay different.
+// same place become one edge. Points at the same place stay different unless such edges end there.
 class Border_stitching
 {
   // The places of its ends, the smaller one first, and the points there.
@@ -27,7 +27,7 @@ class Border_stitching
   std::vector<Triangle>& triangles_;
   std::vector<Index> place_; // one per point, by number
 
-  // Whether points share places.
+  // Sets the places of the points. Returns whether several points have one place.
   bool set_places()
   {
     std::vector<Point> places;
@@ -38,7 +38,7 @@ class Border_stitching
     return places.size() < points_.size();
   }
 
-  // Those with an end whose place other points share, sorted.
+  // Returns the edges with an end whose place other points have, too, sorted.
   std::vector<Edge> edges() const
   {
     std::vector<char> is_used(points_.size(), 0), is_shared(points_.size(), 0);

@@ -213,7 +213,7 @@ class Lib3mf_writer
     return components_object("segments", components.back());
   }
 
-  // The output itself tells whether writing failed.
+  // The output itself knows whether writing failed.
   static DWORD write_bytes(BYTE* bytes, DWORD number, void* output)
   {
     static_cast<std::ostream*>(output)->write(reinterpret_cast<const char*>(bytes), number);

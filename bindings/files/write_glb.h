@@ -52,8 +52,8 @@ class Glb_writer
   std::set<std::string> extensions_; // in use
   std::uint64_t size_of_data_ = 0;
 
-  // What has one material. The corners of the soup are vertices, each of which has one of the
-  // texture coordinates and normals.
+  // The part of a mesh with one material. The corners of the soup are vertices, each of which has
+  // one of the texture coordinates and normals.
   struct Primitive
   {
     Index material; // or the segment for its color

@@ -57,8 +57,8 @@ export class Hierarchy {
   }
 }
 
-// The label of each node that is a segment, and the label of each face. Where pieces do not tell a
-// label, `exceptions` has it: for each n {segments: Map, faces, labels}.
+// The label of each node that is a segment, and the label of each face. If the pieces do
+// not determine a label, `exceptions` has it: for each n {segments: Map, faces, labels}.
 export function labelOfSegment(hierarchy, n, exceptions) {
   return exceptions?.[n]?.segments ??
     new Map(hierarchy.order(hierarchy.segmentOfPiece(n)).map((node, label) => [node, label]));

@@ -27,7 +27,7 @@ inline std::string base64(const std::string& bytes)
 }
 
 // Integers as text, the shorter the smaller they are: 0, -1, 1, -2 ... are 0, 1, 2, 3 ..., of which
-// each byte has 7 bits, the lowest first, and tells in the eighth whether more follow.
+// each byte has 7 bits, the lowest first. The eighth bit states whether more follow.
 class Packed
 {
   std::string bytes_;

@@ -103,11 +103,11 @@ const percent = share => `${(100 * share).toPrecision(share < 0.1 ? 2 : 3)} %`;
 // - name: of the mesh;
 // - mesh: {points, triangles, pieces}, see Scene; {corner, unit} place the points;
 // - hierarchy: the arguments of Hierarchy;
-// - pieceOfFace: the piece of each face of the input; and, if these do not tell all labels,
+// - pieceOfFace: the piece of each face of the input; and, if these do not determine all labels,
 //   exceptions, see faceLabels();
 // - segments: the number of segments to begin with;
 // - salience: what the number of a cut is called, as "probability";
-// - notes: sentences to show, if any;
+// - notes: messages to show, if any;
 // - glb: a function that returns the file of a number of segments, if there is a better one than
 //   that of the mesh shown.
 export class Viewer {
@@ -301,7 +301,7 @@ export class Viewer {
     actions[key]();
   }
 
-  // Tells a screen reader.
+  // Shows a text to screen readers.
   say(text) { this.ui.said.textContent = text; }
 
   // The state with the first cuts of the hierarchy. A segment is a node; after edits the nodes only
