@@ -62,7 +62,7 @@ const std::array<Kind, 7> kinds = {{
   {"noise", [](const Mesh&, const Labels& person, Feature_random& random)
     { return normal_noise(person.size(), 8, random); }}}};
 
-// What is known of a mesh with one kind of features.
+// The results on a mesh with one kind of features.
 struct Outcome
 {
   double error = undefined, error_of_k_means = undefined;

@@ -647,7 +647,7 @@ def main():
     network.calibrate(scale, shift)
     rows = np.vstack([tree.inputs[tree.is_boundary] for tree in meshes])
     print("\nmean change of the logit if an input grows by one standard deviation")
-    for name, change in zip(NAMES + ["share of the smaller side"], network.mean_changes(rows)):
+    for name, change in zip(NAMES + ["fraction of the smaller side"], network.mean_changes(rows)):
         print(f"{name:28} {change:+.2f}")
     if options.table:
         write_table(options.table, network)

@@ -21,7 +21,7 @@ namespace segmentation_benchmark {
 typedef Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor> Feature_matrix;
 typedef std::mt19937 Feature_random;
 
-// Returns the faces that share an edge with each face.
+// Returns the faces that have an edge in common with each face.
 inline std::vector<std::vector<std::size_t> > neighbors_of_faces(const Mesh& mesh)
 {
   std::vector<std::vector<std::size_t> > result(mesh.number_of_faces());
@@ -101,8 +101,8 @@ inline Feature_matrix smooth_features(const Mesh& mesh, std::size_t dimension,
   return result;
 }
 
-// Returns labels of which a share is wrong, in patches of a hundredth of the area.
-inline Labels noisy_labels(const Mesh& mesh, const Labels& person, double share,
+// Returns labels of which a fraction is wrong, in patches of a hundredth of the area.
+inline Labels noisy_labels(const Mesh& mesh, const Labels& person, double fraction,
                            Feature_random& random)
 {
   const auto neighbors = neighbors_of_faces(mesh);
@@ -116,7 +116,7 @@ inline Labels noisy_labels(const Mesh& mesh, const Labels& person, double share,
   Labels result = person;
   std::vector<char> is_wrong(n, 0);
   std::size_t number_of_wrong = 0;
-  for (int tries = 0; tries < 10000 && number_of_wrong < share * n && k > 1; ++tries) {
+  for (int tries = 0; tries < 10000 && number_of_wrong < fraction * n && k > 1; ++tries) {
     const std::size_t seed = random() % n;
     if (is_wrong[seed])
       continue;

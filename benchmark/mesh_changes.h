@@ -164,11 +164,11 @@ inline Changed_mesh renumbered(const Mesh& mesh, CGAL::Random& random)
   return result;
 }
 
-// Each vertex by `share` of the diagonal of the bounding box, along a random direction.
-inline Changed_mesh with_noise(const Mesh& mesh, CGAL::Random& random, double share)
+// Moves each vertex by `fraction` of the diagonal of the bounding box, along a random direction.
+inline Changed_mesh with_noise(const Mesh& mesh, CGAL::Random& random, double fraction)
 {
   Changed_mesh result = with_same_faces(mesh);
-  const double distance = share * diagonal(mesh);
+  const double distance = fraction * diagonal(mesh);
   for (Mesh::Vertex_index v : mesh.vertices())
     result.mesh.point(v) += distance * random_direction(random);
   return result;

@@ -108,7 +108,7 @@ std::size_t segment(const Mesh& mesh, Run run, std::size_t threads, segment_mesh
   });
 }
 
-// The data that the rows of a size share, made when they are asked for.
+// The data that the rows of one size have in common, made when they are requested.
 class Input
 {
   Mesh mesh_;

@@ -30,7 +30,7 @@
 // triangle.
 namespace segmentation_benchmark {
 
-// A part with a smaller share of the area of the mesh is hardly seen.
+// A part with a smaller fraction of the area of the mesh is hardly seen.
 constexpr double least_share_of_area = 0.005;
 
 struct Known_parts
@@ -103,7 +103,7 @@ inline Labels components(const Triangle_soup& soup)
   return contiguous(representatives);
 }
 
-// A true part with at most this share of the area is small. One with less than
+// A true part with at most this fraction of the area is small. One with less than
 // `least_share_of_area` is not counted.
 constexpr double greatest_share_of_small_part = 0.1;
 
@@ -122,7 +122,7 @@ struct Scored_known_parts
   std::vector<Known_parts_score> scores; // one a row
 };
 
-// What a method is compared with: labels that need no search.
+// Labels that need no search, with which a method is compared.
 struct Reference
 {
   const char* name;
@@ -191,10 +191,10 @@ public:
   {
     const Eigen::ArrayXd areas =
       area_in_common(Labels(input.truth.size(), 0)).row(0).transpose();
-    const Eigen::ArrayXd shares = areas / areas.sum();
-    const Flags is_counted = shares >= least_share_of_area;
+    const Eigen::ArrayXd fractions = areas / areas.sum();
+    const Flags is_counted = fractions >= least_share_of_area;
     parts_ = static_cast<std::size_t>(is_counted.count());
-    is_small_ = is_counted && shares <= greatest_share_of_small_part;
+    is_small_ = is_counted && fractions <= greatest_share_of_small_part;
   }
 
   Scored_known_parts operator()(const std::vector<Row>& rows)

@@ -128,8 +128,8 @@ inline Eigen::ArrayXXd overlap(const Labels& a, const Labels& b,
   return table;
 }
 
-// The share of the pairs of faces that one side joins and the other does not. The program of the
-// authors counts n floor((n - 1) / 2) pairs among n faces.
+// Returns the fraction of the pairs of faces that one side joins and the other does not. The
+// program of the authors counts n floor((n - 1) / 2) pairs among n faces.
 inline double rand_error(const Eigen::ArrayXXd& faces)
 {
   const auto ordered_pairs = [](const auto& counts) { return (counts * (counts - 1)).sum(); };

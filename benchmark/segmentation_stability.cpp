@@ -29,7 +29,7 @@ struct Options
   std::size_t threads = 1;
 };
 
-// What one change does to one mesh.
+// The effect of one change on one mesh.
 struct Effect
 {
   double rand_distance, agreement;
@@ -54,7 +54,7 @@ struct Effects
   }
 };
 
-// Returns the share of faces with the same label, after the labels were matched, those with most
+// Returns the fraction of faces with the same label, after the labels were matched, those with most
 // faces in common first.
 double agreement(const Labels& a, const Labels& b)
 {

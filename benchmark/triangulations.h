@@ -123,8 +123,8 @@ inline std::vector<std::vector<std::size_t> > nearest_faces(const Mesh& mesh, co
   return result;
 }
 
-// Relates a triangulation that has been made to the original. Subdivision tells the parents of its
-// faces; in others the faces are compared by their place.
+// Relates a triangulation that has been made to the original. Subdivision returns the parents of
+// its faces; in others the faces are compared by their place.
 inline Retriangulated_mesh retriangulated(const std::string& triangulation, const Mesh& original,
                                           Mesh mesh)
 {

@@ -56,9 +56,9 @@ json joint(const Mesh& mesh, const CGAL::Segmented_mesh::Segment_boundary<Mesh>&
   for (Mesh::Halfedge_index h : boundary.halfedges) {
     const Eigen::Vector3d p = point(mesh, source(h, mesh)) - center.point();
     const Eigen::Vector3d q = point(mesh, target(h, mesh)) - center.point();
-    const double share = (q - p).norm() / center.size / 2; // of each end of the edge
-    covariance += share * (p * p.transpose() + q * q.transpose());
-    radius += share * (p.norm() + q.norm());
+    const double fraction = (q - p).norm() / center.size / 2; // of each end of the edge
+    covariance += fraction * (p * p.transpose() + q * q.transpose());
+    radius += fraction * (p.norm() + q.norm());
   }
   const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> axes(covariance);
   const auto& [smaller, larger] = boundary.segments;

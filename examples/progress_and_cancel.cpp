@@ -32,13 +32,13 @@ class Progress : public CGAL::Spectral_segmentation::Segmentation_visitor
 public:
   explicit Progress(const std::atomic<bool>& stop) : stop_(stop) {}
 
-  void progress(double share)
+  void progress(double fraction)
   {
-    const int percent = static_cast<int>(100 * share);
+    const int percent = static_cast<int>(100 * fraction);
     if (percent <= percent_)
       return;
     percent_ = percent;
-    const double to_go = Seconds(Clock::now() - start_).count() * (1 - share) / share;
+    const double to_go = Seconds(Clock::now() - start_).count() * (1 - fraction) / fraction;
     std::cout << percent << " %, about " << to_go << " s to go" << std::endl;
   }
 

@@ -32,11 +32,11 @@ public:
   Dialog_visitor(QProgressDialog& dialog, const std::atomic<bool>& is_canceled)
     : dialog_(dialog), is_canceled_(is_canceled) {}
 
-  void progress(double share)
+  void progress(double fraction)
   {
-    QMetaObject::invokeMethod(&dialog_, [&dialog = dialog_, share] {
+    QMetaObject::invokeMethod(&dialog_, [&dialog = dialog_, fraction] {
       if (!dialog.wasCanceled())
-        dialog.setValue(static_cast<int>(100 * share));
+        dialog.setValue(static_cast<int>(100 * fraction));
     }, Qt::QueuedConnection);
   }
 

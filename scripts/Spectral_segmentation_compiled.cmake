@@ -15,7 +15,7 @@ if(NOT TARGET Spectral_segmentation_compiled)
   # Labels do not depend on whether the processor has fused multiplications.
   target_compile_options(Spectral_segmentation_compiled PRIVATE
     $<$<CXX_COMPILER_ID:GNU,Clang,AppleClang>:-ffp-contract=off>)
-  # Without a build type CMake asks for no optimization. A Debug build is taken to be wanted.
+  # CMake asks for no optimization without a build type. A Debug build is taken to be wanted.
   if(NOT CMAKE_CXX_FLAGS MATCHES "-O")
     target_compile_options(Spectral_segmentation_compiled PRIVATE
       $<$<AND:$<CONFIG:>,$<CXX_COMPILER_ID:GNU,Clang,AppleClang>>:-O2>)

@@ -110,7 +110,7 @@ BIB_ENTRY = """@misc{%s,
 }
 """
 
-# What CGAL's build of its manual sets besides the aliases
+# The settings of CGAL's manual besides the aliases
 DOXYGEN_SETTINGS = r"""
 JAVADOC_AUTOBRIEF = YES
 QT_AUTOBRIEF = YES

@@ -25,11 +25,11 @@ constexpr int number_of_trials = 5;
 // segments or more in the part.
 double share_that_separates(const std::vector<Labels>& people_in_part, Index s, Index t)
 {
-  Mean share;
+  Mean fraction;
   for (const Labels& person : people_in_part)
     if (number_of_segments(person) > 1)
-      share.add(person[s] != person[t]);
-  return share();
+      fraction.add(person[s] != person[t]);
+  return fraction();
 }
 
 double separation(const Part& part, const std::vector<Labels>& people,
@@ -38,12 +38,12 @@ double separation(const Part& part, const std::vector<Labels>& people,
   std::vector<Labels> people_in_part;
   for (const Labels& person : people)
     people_in_part.push_back(labels_of_part(part, person));
-  Mean share;
+  Mean fraction;
   for (int i = 0; i < (scheme.take == samples_by_contexts ? 1 : number_of_trials); ++i) {
     const std::vector<Index> samples = scheme.take(part.graph, 2, random);
-    share.add(share_that_separates(people_in_part, samples[0], samples[1]));
+    fraction.add(share_that_separates(people_in_part, samples[0], samples[1]));
   }
-  return share();
+  return fraction();
 }
 
 typedef std::array<double, number_of_schemes> Values; // indexed by scheme
@@ -107,9 +107,9 @@ void compare_samplings(const Experiment_options& o)
     }
     std::printf("\n");
   }
-  std::printf("first cut, recursion: share of people who have the two samples in different parts, "
-              "of those\nwho have two parts there; Rand error: with people's usual number of "
-              "parts; differences from\nshape context with their standard errors\n");
+  std::printf("first cut, recursion: fraction of people who have the two samples in different "
+              "parts, of those\nwho have two parts there; Rand error: with people's usual number "
+              "of parts; differences from\nshape context with their standard errors\n");
 }
 
 } // namespace segmentation_benchmark

@@ -97,7 +97,7 @@ void compare_placements(const Experiment_options& o)
   std::printf("%-20s %+.3f +- %.3f, %+.3f +- %.3f\n", "different - same", salience.mean,
               salience.standard_error, agreement.mean, agreement.standard_error);
   std::printf("agreement: 1 where the best cut follows the borders of a person's segments; found: "
-              "share of cuts\nwith at least %.2f\n", enough_agreement);
+              "fraction of cuts\nwith at least %.2f\n", enough_agreement);
 }
 
 } // namespace segmentation_benchmark

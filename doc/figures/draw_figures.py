@@ -43,7 +43,7 @@ LAYOUTS = {
     "equipment": (2, (700, 560)),
     "clusterings": (3, (480, 400)),
     "features": (3, (480, 400)),
-    # Of a mesh that is long and low
+    # A mesh that is long and low
     "tree": (4, (480, 290)),
     "salience_threshold": (4, (480, 290)),
     "number_of_segments": (4, (480, 290)),
