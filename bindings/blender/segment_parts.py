@@ -158,7 +158,7 @@ def segment_triangles(ply, method, number, threshold, progress):
 
 
 def labels_of_polygons(mesh, labels, number_of_polygons):
-    """For each polygon the label that has the largest area of its triangles."""
+    """Returns for each polygon the label that has the largest area of its triangles."""
     a, b, c = (mesh.points[mesh.triangles[:, k]] for k in range(3))
     area = np.linalg.norm(np.cross(b - a, c - a), axis=1)
     number = labels.max() + 1
@@ -172,7 +172,7 @@ def labels_of_polygons(mesh, labels, number_of_polygons):
 
 
 def linear(colors):
-    """Of 8 bits in sRGB, Blender's colors: linear, with the opacity."""
+    """Returns Blender's colors, linear and with the opacity, for 8 bits in sRGB."""
     c = colors / 255
     c = np.where(c <= 0.04045, c / 12.92, ((c + 0.055) / 1.055) ** 2.4)
     return np.concatenate([c, np.ones((len(c), 1))], axis=1).tolist()
@@ -250,7 +250,7 @@ def write_vertex_groups(object, labels, colors):
 
 
 def remove_materials(object):
-    """Removes the add-on's materials. Faces that have them get back what they had before."""
+    """Removes the add-on's materials. Faces that have them get back their former materials."""
     mesh = object.data
     slots = mesh.materials
     is_own = np.array([slot is not None and slot.get(MARK) == slot.name for slot in slots], bool)
@@ -361,7 +361,7 @@ def write_objects(object, labels, colors):
     object.hide_set(True)
 
 
-# What is written, in this order: the separate objects have what was written before.
+# The results in the order in which they are written: separate objects have the results before.
 RESULTS = [
     ('MATERIALS', "Materials", "A material for each part, unlike those of its neighbors",
      write_materials, remove_materials),
@@ -385,7 +385,7 @@ class Run:
     """A run for all selected objects. Only `search` may be called in another thread."""
 
     def __init__(self, operator, context):
-        unpack_wheel() # only now, so that the add-on can tell what is missing
+        unpack_wheel() # only now, so that the add-on can report what is missing
         import spectral_segmentation # for an error before the run
         if not operator.results:
             raise ValueError("no result is chosen")
@@ -393,7 +393,7 @@ class Run:
         self.number = operator.number if operator.choice == 'NUMBER' else None
         self.threshold = round(operator.salience_threshold, 6) \
             if operator.choice == 'THRESHOLD' else None # a property of 32 bits
-        self.share = 0 # that is done
+        self.fraction = 0 # of the run that is done
         self.is_cancelled = False
         self.error = None
         self.inputs = []  # each object, its name, its number of polygons, and these as a PLY file
@@ -410,16 +410,16 @@ class Run:
         if not self.inputs:
             raise ValueError("; ".join(self.skipped) or "no object is selected")
 
-    def search(self, tell):
-        """Finds the parts, and tells the share that is done. Nothing of Blender is called."""
+    def search(self, report):
+        """Finds the parts, and reports the fraction that is done. Calls nothing of Blender."""
         from spectral_segmentation import segment_colors
         for i, (object, name, number_of_polygons, ply) in enumerate(self.inputs):
 
-            def progress(share):
+            def progress(fraction):
                 if self.is_cancelled:
                     raise Cancelled
-                self.share = (i + share) / len(self.inputs)
-                tell(self.share)
+                self.fraction = (i + fraction) / len(self.inputs)
+                report(self.fraction)
 
             try:
                 mesh, labels = segment_triangles(ply, self.method, self.number, self.threshold,
@@ -434,7 +434,7 @@ class Run:
 
     def search_in_thread(self):
         try:
-            self.search(lambda share: None)
+            self.search(lambda fraction: None)
         except BaseException as error: # finish() raises it.
             self.error = error
 
@@ -498,7 +498,7 @@ class OBJECT_OT_segment_into_parts(bpy.types.Operator):
     def report_error(self, error):
         if isinstance(error, ImportError):
             self.report({'ERROR'}, "The Python package spectral_segmentation cannot be loaded; the "
-                        "README of the add-on tells how to install it: %s" % error)
+                        "README of the add-on describes how to install it: %s" % error)
         elif isinstance(error, (ValueError, OverflowError, MemoryError, OSError)):
             self.report({'ERROR'}, "Not segmented: %s" % error)
         else:
@@ -510,7 +510,7 @@ class OBJECT_OT_segment_into_parts(bpy.types.Operator):
         manager.progress_begin(0, 100)
         try:
             run = Run(self, context)
-            run.search(lambda share: manager.progress_update(100 * share))
+            run.search(lambda fraction: manager.progress_update(100 * fraction))
         except Exception as error:
             return self.report_error(error)
         finally:
@@ -544,9 +544,9 @@ class OBJECT_OT_segment_into_parts(bpy.types.Operator):
             if not self.thread.is_alive():
                 self.end_modal(context)
                 return self.finish(context)
-            context.window_manager.progress_update(100 * self.run.share)
+            context.window_manager.progress_update(100 * self.run.fraction)
             context.workspace.status_text_set("Segment into Parts: %d %%     Esc: Cancel"
-                                              % (100 * self.run.share))
+                                              % (100 * self.run.fraction))
         return {'RUNNING_MODAL'}
 
     def end_modal(self, context):
@@ -577,8 +577,8 @@ class OBJECT_OT_segment_into_parts(bpy.types.Operator):
         total = sum(numbers.values())
         if self.choice != 'NUMBER': # where the slider starts
             self.number = numbers.get(active.name if active else None, max(numbers.values()))
-        for sentence in run.skipped:
-            self.report({'WARNING'}, "Skipped %s" % sentence)
+        for reason in run.skipped:
+            self.report({'WARNING'}, "Skipped %s" % reason)
         self.report({'INFO'}, "Number of parts: %d" % total if len(numbers) == 1 else
                     "Number of parts: %d in %d objects" % (total, len(numbers)))
         return {'FINISHED'}

@@ -20,9 +20,9 @@ from setuptools.command.sdist import sdist
 
 HERE = pathlib.Path(__file__).resolve().parent
 ROOT = HERE if (HERE / "include").is_dir() else HERE.parent.parent
-# What is compiled, or belongs to it, outside of this folder
+# The files and folders outside of this folder that the package needs
 SHARED = ["LICENSE", "include", "bindings/files", "bindings/command_line"]
-THREE_JS = ["three.min.js", "OrbitControls.js"] # of the page, as in page.cmake
+THREE_JS = ["three.min.js", "OrbitControls.js"] # for the page, as in page.cmake
 
 TBB_PROGRAM = """
 #include <tbb/task_arena.h>
@@ -36,7 +36,7 @@ def version():
 
 
 def headers():
-    """The files that the sources include: a change of any makes the extension outdated."""
+    """Returns the files that the sources include: a change of any makes the extension outdated."""
     folders = [ROOT / "include", ROOT / "bindings/files", ROOT / "bindings/command_line",
                HERE / "src"]
     return [str(path) for folder in folders for path in sorted(folder.rglob("*.h"))]
@@ -49,7 +49,7 @@ def eigen_folders():
 
 
 def three_js_files():
-    """The files of three.js: those of an sdist, or those of Debian's package libjs-three."""
+    """Returns the files of three.js: from an sdist, or from Debian's package libjs-three."""
     debian = pathlib.Path("/usr/share/javascript/three")
     for folders in ([HERE / "three"] * 2, [debian, debian / "examples/js/controls"]):
         files = [folder / name for folder, name in zip(folders, THREE_JS)]
@@ -128,7 +128,7 @@ setup(
          "src/segmentation.cpp"],
         include_dirs=[str(ROOT / "include"), str(ROOT / "bindings"), *eigen_folders()],
         depends=[__file__, *headers()],
-        # Without GMP, CGAL takes the exact numbers of Boost, and a wheel needs no library.
+        # CGAL takes the exact numbers of Boost instead of GMP, so that a wheel needs no library.
         define_macros=[("CGAL_SPECTRAL_SEGMENTATION_COMPILED", "1"), ("NDEBUG", "1"),
                        ("CGAL_DISABLE_GMP", "1")],
         # Labels do not depend on whether the processor has fused multiplications.

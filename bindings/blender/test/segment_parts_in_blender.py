@@ -72,7 +72,7 @@ def clear_scene():
 
 
 def assert_same(first, second, msg=None):
-    """In place of unittest's, whose description of the difference takes minutes for a mesh."""
+    """Replaces unittest's function, whose description of a difference takes minutes for a mesh."""
     if first != second:
         raise AssertionError(msg or "%.200r is not %.200r" % (first, second))
 
@@ -94,7 +94,7 @@ class Object_test(unittest.TestCase):
 class Labels(Object_test):
 
     def labels_of_tool(self, thing, *arguments):
-        """Those of a file with the same polygons."""
+        """Returns the labels of a file with the same polygons."""
         points, faces = points_of(thing.data), faces_of(thing.data)
         with tempfile.TemporaryDirectory() as folder:
             off = os.path.join(folder, "mesh.off")
@@ -144,7 +144,7 @@ class Labels(Object_test):
             self.assertEqual(self.labels(thing, choice='NUMBER', number=number),
                              self.labels_of_tool(thing, "--segments", str(number)))
 
-    def test_number_is_that_of_parts(self):
+    def test_number_is_the_number_of_parts(self):
         thing = add_elephant()
         for number in (1, 5, 11, 20, 25):
             labels = self.labels(thing, choice='NUMBER', number=number)
@@ -414,11 +414,11 @@ class Results(Object_test):
 
 class Errors(Object_test):
 
-    def assert_error(self, sentence, **parameters):
-        """The operator reports the sentence, and nothing is made."""
+    def assert_error(self, message, **parameters):
+        """Checks that the operator reports the message, and makes nothing."""
         everything = ("objects", "meshes", "materials", "collections")
         before = [len(getattr(bpy.data, name)) for name in everything]
-        with self.assertRaisesRegex(RuntimeError, sentence):
+        with self.assertRaisesRegex(RuntimeError, message):
             segment(results={'ATTRIBUTE', 'MATERIALS', 'OBJECTS'}, **parameters)
         self.assertEqual([len(getattr(bpy.data, name)) for name in everything], before)
         mesh = getattr(bpy.context.object, "data", None)
@@ -488,7 +488,7 @@ class Errors(Object_test):
 
 class Description(unittest.TestCase):
 
-    def test_version_is_that_of_package(self):
+    def test_version_equals_the_version_of_the_package(self):
         version = ".".join(map(str, segment_parts.bl_info["version"]))
         self.assertEqual(version, spectral_segmentation.__version__)
 

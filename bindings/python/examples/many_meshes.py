@@ -11,7 +11,7 @@ of segments, seconds, and the file of labels in out/labels, a line for each tria
 mesh that is missing or damaged has another status than "ok" and an error; so has one at which a
 process crashes, and the others go on.
 
-A run that was ended on the way goes on when it is started again: what has a row is not done again.
+A run that was ended on the way goes on when it is started again. Files that have a row are skipped.
 With other options, take another folder. contact_sheet.py draws all meshes of a table, and
 many_meshes_by_dask.py does the same on many machines. Needs nothing but the package.
 """

@@ -6,10 +6,10 @@
     many_meshes_by_dask.py scans/ -o out
     many_meshes_by_dask.py scans/ -o out --scheduler tcp://head:8786
 
-The results are those of many_meshes.py, also when workers are killed, and it goes on in the same
-way when it is started again. On many machines the folders must be the same on all of them, as by
-NFS, and the package must be installed there. Start `dask scheduler` on one of them, and on each
-`dask worker tcp://head:8786 --nworkers auto --nthreads 1`.
+The results equal the results of many_meshes.py, also when workers are killed, and the program goes
+on in the same way when it is started again. On many machines the folders must be the same on all of
+them, such as by NFS, and the package must be installed there. Start `dask scheduler` on one of
+them, and on each `dask worker tcp://head:8786 --nworkers auto --nthreads 1`.
 
 Needs dask.distributed, Debian's package python3-distributed.
 """

@@ -1,6 +1,6 @@
 # Copyright (c) 2026  The Spectral_segmentation authors.
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""What many_meshes.py and many_meshes_by_dask.py share: a mesh as a row, and a table of these."""
+"""Makes a row of a table from a mesh, for many_meshes.py and many_meshes_by_dask.py."""
 
 import argparse
 import csv
@@ -30,7 +30,7 @@ def parse_arguments(description, *options):
 
 
 def files_of(inputs):
-    """The absolute names of the files; of a folder all meshes below it. Each comes once."""
+    """Returns the absolute names of the files; of a folder all meshes below it. Each comes once."""
     files = {}
     for name in map(os.path.abspath, inputs):
         found = [name]
@@ -47,19 +47,19 @@ def areas_of_segments(mesh, labels):
 
 
 def write_labels(path, labels):
-    """A line for each triangle. The file is complete or not there."""
+    """Writes a line for each triangle. The file is complete or not there."""
     path.parent.mkdir(parents=True, exist_ok=True)
     temporary = path.with_name("%s.%d.tmp" % (path.name, os.getpid()))
     temporary.write_text("".join("%d\n" % label for label in labels))
     os.replace(temporary, path)
 
 
-def failed_row(file, status, sentence):
-    return {"file": file, "status": status, "error": " ".join(sentence.split())}
+def failed_row(file, status, message):
+    return {"file": file, "status": status, "error": " ".join(message.split())}
 
 
 def segment_file(file, output, number_of_segments=None):
-    """The row of a mesh, after its labels have been written below `output`.
+    """Returns the row of a mesh, after its labels have been written below `output`.
 
     The status is "ok"; "input" if the file cannot be opened; "mesh" if it has none, or the number
     of segments is impossible; or "memory". An error in writing labels is not one of the mesh.
@@ -102,7 +102,7 @@ class Table:
             self._writer.writeheader()
 
     def missing(self, files):
-        """Those of the files that have no row."""
+        """Returns the files that have no row."""
         return [file for file in files if file not in self._done]
 
     def add_all(self, rows, number_of_rows):
@@ -111,8 +111,8 @@ class Table:
             self._writer.writerow(row)
             self._file.flush()
             failed += row["status"] != "ok"
-            sentence = "%d/%d %s: %s" % (i, number_of_rows, os.path.basename(row["file"]),
-                                         row["error"] or "segments: %d" % row["segments"])
-            print(os.fsencode(sentence).decode("utf-8", "replace"), flush=True)
+            line = "%d/%d %s: %s" % (i, number_of_rows, os.path.basename(row["file"]),
+                                     row["error"] or "segments: %d" % row["segments"])
+            print(os.fsencode(line).decode("utf-8", "replace"), flush=True)
         print("%d meshes segmented, %d failed, %d done before"
               % (number_of_rows - failed, failed, len(self._done)))

@@ -7,7 +7,7 @@
     picture.py hand.off --segments 6 --up z -o hand.png
 
 For meshes of up to some 100,000 triangles. picture_by_vtk.py draws larger ones faster, and large
-triangles, as those of a cube, always in the right order.
+triangles, such as in a cube, always in the right order.
 Needs matplotlib, Debian's package python3-matplotlib.
 """
 
@@ -24,7 +24,7 @@ TOWARD_LIGHT = np.array([-0.4, 0.5, 0.77]) # to the right, up, and toward the vi
 
 
 def view(points, up):
-    """The coordinates of the points to the right, up, and toward the viewer."""
+    """Returns the coordinates of the points to the right, up, and toward the viewer."""
     rightward = [-np.sin(AROUND), np.cos(AROUND), 0]
     toward = [np.cos(ABOVE) * np.cos(AROUND), np.cos(ABOVE) * np.sin(AROUND), np.sin(ABOVE)]
     axes = np.stack([rightward, np.cross(toward, rightward), toward])

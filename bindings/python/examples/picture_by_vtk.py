@@ -38,7 +38,7 @@ def actor_of(data):
 
 
 def actors_of(mesh, labels):
-    """The triangles in the colors of their segments, and lines between segments."""
+    """Returns the triangles in the colors of their segments, and lines between segments."""
     points = vtk.vtkPoints()
     points.SetData(numpy_to_vtk(mesh.points, deep=True))
     surface, lines = vtk.vtkPolyData(), vtk.vtkPolyData()

@@ -6,11 +6,12 @@
     table_of_parts.py elephant.off
     table_of_parts.py elephant.off --segments 6 --csv parts.csv
 
-Columns: `node`, that of the part in the hierarchy of cuts; `triangles`, `area` and its `share` of
-the mesh; `neighbors`, the parts with which it has edges in common, and `boundary`, the length of
-these; `x_min` to `z_max`, the bounding box. Of the cut that separated it from its other side:
-`salience`, the probability that people cut there, infinite where the sides did not touch; `size`,
-`cut_strength` and `protrusiveness`. Lengths are in the unit of the mesh.
+Columns: `node`, the node of the part in the hierarchy of cuts; `triangles`, `area` and its
+`fraction` of the area of the mesh; `neighbors`, the parts with which it has edges in common, and
+`boundary`, the length of these; `x_min` to `z_max`, the bounding box. Four columns describe the cut
+that separated the part from its other side: `salience`, the probability that people cut there,
+infinite where the sides did not touch; `size`, `cut_strength` and `protrusiveness`. Lengths are in
+the unit of the mesh.
 
 Needs pandas, Debian's package python3-pandas.
 """
@@ -40,13 +41,13 @@ def boxes_of_parts(mesh, labels):
 
 
 def table_of_parts(mesh, number_of_segments=None):
-    """A row for each segment, in the order of their labels."""
+    """Returns a row for each segment, in the order of their labels."""
     hierarchy = segment_hierarchy(mesh, number_of_segments=number_of_segments)
     labels = hierarchy.labels()
     nodes = pd.DataFrame(hierarchy.nodes)
     parts = nodes.loc[hierarchy.segments(), ["number_of_faces", "area", "parent"]]
     parts = parts.reset_index(names="node").rename(columns={"number_of_faces": "triangles"})
-    parts["share"] = parts["area"] / parts["area"].sum()
+    parts["fraction"] = parts["area"] / parts["area"].sum()
     parts = parts.join(neighbors_of_parts(mesh, labels)).join(boxes_of_parts(mesh, labels))
     # A part that no cut made is a root, whose parent is -1.
     parts = parts.join(nodes[OF_CUT], on="parent").drop(columns="parent")

@@ -1,6 +1,6 @@
 # Copyright (c) 2026  The Spectral_segmentation authors.
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""What is between segments: edges, neighbors, and colors that tell them apart."""
+"""Edges between segments, neighbors of segments, and colors that distinguish them."""
 
 from __future__ import annotations
 
@@ -28,7 +28,7 @@ _RAISES = """Raises
 
 
 def _described(function):
-    """Fills in what the functions have in common."""
+    """Fills in the parts that the functions have in common."""
     no_points = "" if function is segment_adjacency else \
         " The points are not needed: `%s(triangles, labels)` is enough." % function.__name__
     mesh = _MESH % (function.__name__, no_points and "\n       " + no_points)
@@ -120,7 +120,7 @@ def colors_of(surface, labels):
 
 def segment_colors(points: Any, triangles: Optional[ArrayLike] = None,
                    labels: Optional[ArrayLike] = None) -> NDArray[np.uint8]:
-    """Returns a color for each segment, unlike those of its neighbors, as the tool gives.
+    """Returns a color for each segment, unlike the colors of its neighbors, as the tool does.
 
     Parameters
     ----------

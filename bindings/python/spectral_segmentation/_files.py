@@ -34,7 +34,7 @@ class Mesh(NamedTuple):
     triangles : ndarray of int32, shape (m, 3)
         The indices of the corners in `points`.
     polygon_of_triangle : ndarray of int32, shape (m,)
-        The polygon of the file, or of the mesh that was refined, that each triangle is of.
+        The polygon of the file, or of the mesh that was refined, to which each triangle belongs.
     labels : ndarray of int, shape (m,), or None
         The segment of each triangle, if known: a file has it as the property `segment` of PLY, or
         as the objects and groups of OBJ, which are numbered in the order of the file.
@@ -63,7 +63,7 @@ def _labels_of_file(segments, extension):
 
 
 def read(path: Path) -> Mesh:
-    """Reads the mesh of a file of OFF, OBJ, PLY or STL, as its name tells.
+    """Reads the mesh of a file of OFF, OBJ, PLY or STL, by the ending of its name.
 
     Polygons are cut into triangles. If a file repeats points along a seam, or for each triangle as
     in STL, the triangles there get the first of them, so that they are neighbors.
@@ -98,22 +98,22 @@ def read(path: Path) -> Mesh:
     with open(path, "rb") as file:
         contents = file.read()
     try:
-        *arrays, segments, sentences = _core.parse_mesh(contents, extension)
+        *arrays, segments, messages = _core.parse_mesh(contents, extension)
     except ValueError as error:
         raise ValueError("%s cannot be read: %s" % (path, error)) from None
     mesh = Mesh(*arrays, _labels_of_file(segments, extension))
     if len(mesh.triangles) == 0:
         raise ValueError("; ".join(["%s has no face with three different corners" % path]
-                                   + sentences[:1]))
-    for sentence in sentences:
-        warnings.warn("%s: %s" % (path, sentence), stacklevel=2)
+                                   + messages[:1]))
+    for message in messages:
+        warnings.warn("%s: %s" % (path, message), stacklevel=2)
     return mesh
 
 
 def write(path: Path, points: Any, triangles: Union[ArrayLike, Hierarchy, None] = None,
           labels: Union[ArrayLike, Hierarchy, None] = None, *,
           colors: Optional[ArrayLike] = None) -> None:
-    """Writes a mesh in the format that the name tells: PLY, OBJ, OFF, GLB, STL or HTML.
+    """Writes a mesh in the format of the ending of the name: PLY, OBJ, OFF, GLB, STL or HTML.
 
     STL has no labels. HTML is a page that shows the mesh, with a slider for the number of segments;
     it needs a `Hierarchy` in place of labels.
@@ -133,7 +133,7 @@ def write(path: Path, points: Any, triangles: Union[ArrayLike, Hierarchy, None] 
         The segment of each triangle or polygon, from 0 on. PLY has them as the property `segment`
         of faces, OBJ as groups, GLB as nodes.
     colors : array_like of integers from 0 to 255, shape (number of segments, 3), optional
-        By default those of `segment_colors()`. OBJ has them in a file of materials beside it, which
+        The default is `segment_colors()`. OBJ has them in a file of materials beside it, which
         is written too.
 
     Raises

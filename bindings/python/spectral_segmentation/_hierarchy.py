@@ -24,10 +24,10 @@ class Hierarchy:
     `segment_hierarchy()` makes a hierarchy, and so do `load()` and `from_json()`. Nodes are
     numbered from 0. A hierarchy can be pickled and copied.
 
-    If the run was given polygons, labels and `faces()` are those of polygons: a polygon has the
-    label with the largest area of its triangles, and a segment with the largest area of no polygon
-    is missing. Nodes, JSON and files are those of the triangles. They lack triangles with a corner
-    at a point that is not finite, which `labels()` and `faces()` give to the part of a neighbor.
+    If the run was given polygons, labels and `faces()` refer to polygons: a polygon has the label
+    with the largest area of its triangles, and a segment with the largest area of no polygon is
+    missing. Nodes, JSON and files refer to the triangles. They lack triangles with a corner at a
+    point that is not finite, which `labels()` and `faces()` give to the part of a neighbor.
 
     Examples
     --------
@@ -155,10 +155,10 @@ class Hierarchy:
         ----------
         n : int, optional
             The number of segments, from `number_of_roots` to `number_of_segments`, or else the
-            nearest of these. Together with `salience_threshold` the most segments. By default the
-            segments are those of the run.
+            nearest of these. With `salience_threshold`, the largest number of segments. By default
+            it is the number of segments of the run.
         salience_threshold : float, optional
-            The smallest salience of a cut, as in a run with this threshold.
+            The smallest salience of a cut, like in a run with this threshold.
 
         Returns
         -------

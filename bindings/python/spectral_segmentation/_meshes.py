@@ -1,6 +1,6 @@
 # Copyright (c) 2026  The Spectral_segmentation authors.
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""The arrays of meshes, also of those of other libraries, which are known by their attributes."""
+"""The arrays of meshes, also of meshes of other libraries, which are known by their attributes."""
 
 import os
 import sys
@@ -89,12 +89,12 @@ def _polygons(value):
     return _Polygons(corners, sizes)
 
 
-def warn(sentence):
+def warn(message):
     """Warns in the line that calls the package."""
     frame, level = sys._getframe(), 1
     while frame.f_back and frame.f_globals.get("__package__") == __package__:
         frame, level = frame.f_back, level + 1
-    warnings.warn(sentence, stacklevel=level)
+    warnings.warn(message, stacklevel=level)
 
 
 class Surface:
@@ -105,8 +105,8 @@ class Surface:
     def __init__(self, points, faces, warns=True):
         self.points = None if points is None else points_array(points)
         self.faces = _polygons(faces)
-        # Whether the triangles of a run may be others than the faces. The faces of tetrahedra are
-        # more for each point than those of surfaces.
+        # The triangles of a run may differ from the faces if a face is a polygon, if there may be
+        # tetrahedra, which have more faces for each point than surfaces, or if a point is infinite.
         self.needs_core = self.has_polygons or points is not None and (
             4 * len(self.faces) >= 9 * len(self.points) or not np.isfinite(self.points).all())
         self._warns = warns
@@ -121,7 +121,7 @@ class Surface:
 
     @property
     def corners(self):
-        """Of one face after the other."""
+        """The corners of one face after the other."""
         return self.faces.corners if self.has_polygons else self.faces.ravel()
 
     @property
@@ -156,8 +156,8 @@ class Surface:
                 np.ascontiguousarray(self.points, np.float64), self.points.dtype == np.float32,
                 np.ascontiguousarray(corners, np.uint32),
                 np.ascontiguousarray(self.sizes, np.uint32))
-            for sentence in self._core.warnings if self._warns else ():
-                warn(sentence)
+            for message in self._core.warnings if self._warns else ():
+                warn(message)
         return self._core
 
     @property
@@ -287,8 +287,8 @@ def surface_of(points, triangles=None):
 
 
 def surface_and_labels(points, triangles, labels, needs_points=False):
-    """Of a function that is called with (mesh, labels) or (points, triangles, labels), and without
-    need of the points also with (triangles, labels)."""
+    """Returns the surface and the labels of a call with (mesh, labels), (points, triangles, labels)
+    or, if the points are not needed, (triangles, labels)."""
     if labels is None:
         triangles, labels = None, triangles
     if labels is None:
@@ -303,7 +303,7 @@ def surface_and_labels(points, triangles, labels, needs_points=False):
 
 
 def is_flat(value):
-    """Whether a value holds single numbers, at least one, as labels do."""
+    """Returns whether a value holds single numbers, at least one, like labels."""
     try:
         return np.ndim(next(iter(value))) == 0
     except (TypeError, StopIteration):

@@ -84,7 +84,7 @@ def view(mesh: Any, hierarchy: Optional[Hierarchy] = None, *, n: Optional[int] =
     hierarchy : Hierarchy, default: segment_hierarchy(mesh)
         The cuts of the mesh.
     n : int, optional
-        The number of segments that the page shows first, by default those of the run.
+        The number of segments that the page shows first, by default the number of the run.
     name : str, default: "mesh"
         The title of the page.
     height : int, default: 600

@@ -34,11 +34,11 @@ class Part(NamedTuple):
     triangles : ndarray of int32, shape (m, 3)
         The indices of the corners in `points`.
     faces : ndarray of int, shape (m,)
-        The triangle or polygon of the whole mesh that each triangle is of; -1 for the triangles of
-        caps and hulls.
+        The triangle or polygon of the whole mesh to which each triangle belongs; -1 for the
+        triangles of caps and hulls.
     report : dict
-        What is known of the part: always its `label`. Closed parts have what the tool reports with
-        `--close`: `is_solid`, `is_closed`, `is_manifold`, `is_outward_oriented`,
+        A description of the part, always with its `label`. Closed parts have the report of the
+        tool with `--close`: `is_solid`, `is_closed`, `is_manifold`, `is_outward_oriented`,
         `has_self_intersections` and `volume`. Hulls have `thickness`, which is 0 unless flat.
     """
 
@@ -79,11 +79,11 @@ def split(mesh: Any, labels: ArrayLike, close: bool = False) -> List[Part]:
     points, triangles = surface.points.astype(float, copy=False), surface.core.triangles
     faces, reports = surface.core.polygon_of_triangle, {}
     if close:
-        (points, triangles, labels), report, sentence = _core.closed(surface.core, labels)
+        (points, triangles, labels), report, message = _core.closed(surface.core, labels)
         reports = {each["label"]: each for each in json.loads(report)}
         faces = np.concatenate([faces, np.full(len(triangles) - len(faces), -1, faces.dtype)])
-        if sentence:
-            warn(sentence)
+        if message:
+            warn(message)
     order = np.argsort(labels, kind="stable")
     present, first = np.unique(labels[order], return_index=True)
     parts = []
@@ -130,7 +130,7 @@ def refine_boundaries(mesh: Any, labels: ArrayLike) -> Mesh:
     -------
     Mesh
         The mesh with the triangles along the boundaries cut, its `labels`, and the triangle or
-        polygon that each triangle is of, as `polygon_of_triangle`.
+        polygon to which each triangle belongs, as `polygon_of_triangle`.
 
     {raises}
     """

@@ -8,7 +8,7 @@ import secrets
 
 
 def replace_file(path, contents):
-    """Writes a file that is complete or, after an error, what it was."""
+    """Writes a file that is complete or, after an error, unchanged."""
     temporary = os.path.join(os.path.dirname(path), ".%s.tmp" % secrets.token_hex(8))
     try:
         with open(temporary, "xb") as file:

@@ -81,9 +81,9 @@ _PARAMETERS = """Parameters
     features : array_like, shape (m,) or (m, d), optional
         Features of each triangle or polygon: a vector of real numbers, such
         as a color or the output of a neural network; one real number; or an integer, a label that
-        may be wrong. Cuts where features change are preferred. Features that do not tell parts,
-        such as noise, have little effect at the default weight. Arrays of float32 are read without
-        a copy. Not with the method "paper".
+        may be wrong. Cuts where features change are preferred. Features that do not
+        depend on the parts, such as noise, have little effect at the default weight. Arrays of
+        float32 are read without a copy. Not with the method "paper".
     feature_weight : float, default: 0.5
         The weight of the features, in [0, 1]: with 0 they are not used, with 1 the shape only
         breaks ties between cuts that the features do not distinguish.
@@ -91,11 +91,11 @@ _PARAMETERS = """Parameters
         Edges by their points, as of `boundary_edges()`, that must be between segments. Edges of
         one triangle are ignored.
     uncuttable_edges : array_like of integers, shape (k, 2), optional
-        Edges whose triangles must be of one segment.
+        Edges whose triangles must belong to one segment.
     face_seeds : array_like of integers, shape (m,), optional
-        Triangles with the same number are of one segment, and those with different numbers are
-        not. Negative numbers mean nothing. Neither this nor the two for edges go with the method
-        "paper".
+        Triangles with the same number belong to one segment, and triangles with different numbers
+        to different segments. Negative numbers mean nothing. Neither this nor the two for edges go
+        with the method "paper".
     minimum_segment_size : float, default: 0.003, or 0.005 with the method "paper"
         The smallest area of a segment, as a fraction of the area of the mesh, in [0, 0.5].
     part_salience : callable, optional
@@ -124,10 +124,10 @@ _PARAMETERS = """Parameters
     threads : int, default: all that the machine has
         At most this number of threads. Wheels are built without TBB, and use one.
     progress : callable, optional
-        Is called with the share of the run that is done, from 0 to 1, in the caller's thread. If it
-        returns False, or another value but None that counts as false, the run ends, and the result
-        has the cuts made so far. If it raises an exception, the run ends with that. So it does with
-        KeyboardInterrupt after Ctrl-C.
+        Is called with the fraction of the run that is done, from 0 to 1, in the caller's thread. If
+        it returns False, or another value but None that counts as false, the run ends, and the
+        result has the cuts made so far. If it raises an exception, the run ends with that. So it
+        does with KeyboardInterrupt after Ctrl-C.
 
     Returns
     -------
@@ -152,7 +152,7 @@ _PARAMETERS = """Parameters
     -----
     The same input gives the same result on every run, with any number of threads. The lock of
     Python is released: several threads may run at a time. The arrays must not change meanwhile.
-    The manual of the C++ library tells more."""
+    The manual of the C++ library has more."""
 
 
 def segment_hierarchy(

@@ -1,15 +1,15 @@
 # Copyright (c) 2026  The Spectral_segmentation authors.
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""What an own salience is called with."""
+"""The argument of a custom salience."""
 
 from typing import NamedTuple
 
 _FACTORS = {
-    "size": "share of the part's area, in [0, 1/2]",
+    "size": "fraction of the area of the part, in [0, 1/2]",
     "cut_strength": "concavity of the cut, in [0, 1]",
     "protrusiveness": "at most 1",
     "log_relative_part_area":
-        "logarithm of the part's share of the area of the mesh, at most 0",
+        "logarithm of the fraction of the area of the mesh that the part has, at most 0",
     "concavity_near_cut": "in [0, 1]",
     "convexity_gain": "how much closer to convex the sides are than the part",
     "relative_convexity_gain": "logarithm of the ratio of convexity defects",

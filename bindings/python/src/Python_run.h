@@ -28,14 +28,15 @@ namespace python {
 namespace py = pybind11;
 
 // A run in another thread, without Python's lock. The caller's thread waits: there, and only there,
-// signals are handled and progress is told, for Python handles signals in its main thread.
+// signals are handled and progress is reported, because Python handles signals in its main thread.
 class Python_run : public CGAL::Spectral_segmentation::Segmentation_visitor
 {
 public:
   struct Abandoned {}; // unwinds the run, whose result nobody will see
 
 private:
-  // What Python's lock guards. A process that was forked has none of the threads of its parent.
+  // The data that Python's lock guards. A process that was forked has none of the threads of its
+  // parent.
   struct Process
   {
     pid_t id = getpid();
@@ -55,12 +56,12 @@ private:
   const py::object progress_; // a callable or None
   std::mutex mutex_;
   std::condition_variable changed_;
-  double share_ = 0;                       // that is done
+  double fraction_ = 0;                    // of the run that is done
   bool is_done_ = false;
   std::exception_ptr error_;               // thrown by the run
   std::exception_ptr error_of_python_;     // raised by a callable or a signal
   std::atomic<bool> is_stopped_{false}, is_abandoned_{false};
-  double told_share_ = 0;
+  double reported_fraction_ = 0;
 
   // Ends the thread without a message.
   [[noreturn]] static void throw_system_exit()
@@ -69,15 +70,15 @@ private:
     throw py::error_already_set();
   }
 
-  // Handles signals and tells the progress, holding Python's lock.
-  void report(double share)
+  // Handles signals and reports the progress, holding Python's lock.
+  void report(double fraction)
   {
     if (PyErr_CheckSignals() != 0)
       throw py::error_already_set();
-    if (progress_.is_none() || share <= told_share_ || is_stopped_)
+    if (progress_.is_none() || fraction <= reported_fraction_ || is_stopped_)
       return;
-    told_share_ = share;
-    const py::object answer = call(progress_, py::float_(share));
+    reported_fraction_ = fraction;
+    const py::object answer = call(progress_, py::float_(fraction));
     if (!answer.is_none() && !py::bool_(answer))
       is_stopped_ = true;
   }
@@ -87,17 +88,19 @@ private:
   {
     std::unique_lock<std::mutex> lock(mutex_);
     while (!is_done_) {
-      const bool is_told = !progress_.is_none() && !is_stopped_ && !is_abandoned_;
+      const bool is_reported = !progress_.is_none() && !is_stopped_ && !is_abandoned_;
       changed_.wait_for(lock, std::chrono::milliseconds(50),
-                        [&] { return is_done_ || (is_told && share_ > told_share_); });
+                        [&] {
+                          return is_done_ || (is_reported && fraction_ > reported_fraction_);
+                        });
       if (is_done_ || is_abandoned_)
         continue;
-      const double share = share_;
+      const double fraction = fraction_;
       lock.unlock();
       {
         const Python_lock python_lock;
         try {
-          report(share);
+          report(fraction);
         }
         catch (...) {
           abandon(std::current_exception());
@@ -110,10 +113,10 @@ private:
 public:
   explicit Python_run(const py::object& progress) : progress_(progress) {}
 
-  void progress(double share)
+  void progress(double fraction)
   {
     const std::lock_guard<std::mutex> lock(mutex_);
-    share_ = share;
+    fraction_ = fraction;
     changed_.notify_one();
   }
 
@@ -147,7 +150,7 @@ public:
     }
   }
 
-  // Calls `work`. Exceptions are those of `work`, of the callables and of signals.
+  // Calls `work`. Throws the exceptions of `work`, of the callables and of signals.
   template <class Function>
   void operator()(const Function& work)
   {
@@ -184,7 +187,7 @@ public:
     if (is_abandoned_ && !error_of_python_)
       throw_system_exit();
     if (!error_of_python_ && !error_)
-      report(share_); // the last one
+      report(fraction_); // the last one
     if (error_of_python_)
       std::rethrow_exception(error_of_python_);
     if (error_)

@@ -72,7 +72,7 @@ children_of_nodes(const CGAL::Spectral_segmentation::Segmentation_hierarchy& h)
   py::array_t<py::ssize_t> result({static_cast<py::ssize_t>(h.number_of_nodes()), py::ssize_t(2)});
   auto children = result.mutable_unchecked<2>();
   for (py::ssize_t i = 0; i < children.shape(0); ++i)
-    for (py::ssize_t k = 0; k < 2; ++k) // that of a leaf becomes -1
+    for (py::ssize_t k = 0; k < 2; ++k) // the child of a leaf becomes -1
       children(i, k) = static_cast<py::ssize_t>(h.node(static_cast<std::size_t>(i)).children[k]);
   return result;
 }

@@ -144,7 +144,7 @@ static py::array_t<py::ssize_t> labels_of_polygons(const Input& input,
   return array_of(std::vector<std::size_t>(result.begin(), result.end()));
 }
 
-// Returns the contents of the file, and of that of its materials. The module's own Python has
+// Returns the contents of the file, and of the file of its materials. The module's own Python has
 // checked the arguments.
 static py::tuple format_mesh(const Input& input, const std::string& extension,
                              const Contiguous<std::uint32_t>& labels,

@@ -46,7 +46,7 @@ public:
   { call_python([this] { PyEval_RestoreThread(state_); }); }
 };
 
-// Calls a callable of Python's. Throws what it raises.
+// Calls a callable of Python. Throws the exception that it raises.
 inline py::object call(const py::object& callable, const py::object& argument)
 {
   PyObject* const result = call_python(

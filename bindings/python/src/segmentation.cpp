@@ -212,7 +212,7 @@ void define_hierarchy(py::module_& m)
 
 PYBIND11_MODULE(_core, m)
 {
-  // CGAL prints what it throws.
+  // CGAL prints its exceptions before it throws them.
   CGAL::set_error_handler([](const char*, const char*, const char*, int, const char*) {});
   CGAL::set_warning_handler([](const char*, const char*, const char*, int, const char*) {});
   py::register_exception_translator([](std::exception_ptr error) {
@@ -222,7 +222,7 @@ PYBIND11_MODULE(_core, m)
     catch (const std::invalid_argument& e) {
       PyErr_SetString(PyExc_ValueError, message_of_python(e).c_str());
     }
-    catch (const std::out_of_range& e) { // pybind11 takes it for that of a container
+    catch (const std::out_of_range& e) { // pybind11 takes it for an exception of a container
       PyErr_SetString(PyExc_ValueError, message_of_python(e).c_str());
     }
   });

@@ -1,7 +1,7 @@
 # Copyright (c) 2026  The Spectral_segmentation authors.
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""What the tests share. MESHES is the folder of libcgal-demo's meshes and SEGMENT_MESH the tool;
-the tests that need them are skipped without."""
+"""Meshes and functions for all tests. MESHES is the folder of libcgal-demo's meshes, and
+SEGMENT_MESH the tool. The tests that need them are skipped without."""
 
 import os
 import pathlib
@@ -17,7 +17,7 @@ hypothesis.settings.load_profile("project")
 
 
 def surface_of_revolution(radii, heights, around=24):
-    """Points and triangles of a closed surface, oriented outwards."""
+    """Returns points and triangles of a closed surface, oriented outwards."""
     angles = 2 * np.pi * np.arange(around) / around
     rings = [np.stack([r * np.cos(angles), r * np.sin(angles), np.full(around, z)], axis=1)
              for r, z in zip(radii[1:-1], heights[1:-1])]
@@ -36,7 +36,7 @@ def surface_of_revolution(radii, heights, around=24):
 
 
 def dumbbell_of(rings, around):
-    """Two balls of radius 1 with the centers -2 and 2, and a bar of radius 0.25 between them."""
+    """Returns two balls of radius 1 around -2 and 2, with a bar of radius 0.25 between them."""
     heights = np.linspace(-3, 3, rings)
     radii = np.maximum(np.sqrt(np.maximum(1 - (np.abs(heights) - 2)**2, 0)),
                        np.where(np.abs(heights) < 2, 0.25, 0))
@@ -49,7 +49,7 @@ def dumbbell():
 
 
 def bumpy_dumbbell_of(seed):
-    """A small one without symmetries, on a grid, so that sums with small numbers are exact."""
+    """Returns a small one without symmetries, on a grid, so that small sums are exact."""
     points, triangles = dumbbell_of(21, 10)
     points = points + np.random.default_rng(seed).uniform(-0.03, 0.03, points.shape)
     return np.round(points * 2.**20) / 2.**20, triangles

@@ -1,6 +1,6 @@
 # Copyright (c) 2026  The Spectral_segmentation authors.
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""What is no argument is refused by an exception that names it."""
+"""Wrong arguments are refused by an exception that names them."""
 
 import re
 import subprocess
@@ -221,7 +221,7 @@ def test_hierarchy():
 
 
 def test_memory_error():
-    """In a process of its own, which is allowed little more than what it has."""
+    """Runs in a process of its own, which is allowed little more memory than it has."""
     program = """
 import resource
 import numpy as np
@@ -243,7 +243,7 @@ except MemoryError as error:
     print(error, segment(np.eye(3), [[0, 1, 2]]))
 """
     if not sys.platform.startswith("linux"):
-        pytest.skip("/proc is of Linux")
+        pytest.skip("only Linux has /proc")
     done = subprocess.run([sys.executable, "-c", program], stdout=subprocess.PIPE,
                           stderr=subprocess.PIPE, text=True, check=False)
     assert done.stdout == "there is not enough memory for 1996002 triangles [0]\n", done.stderr

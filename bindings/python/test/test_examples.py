@@ -96,7 +96,7 @@ def test_table_of_parts(tmp_path, meshes, tool):
     points, triangles, _ = read(path)
     labels = np.array(labels_of_tool(tool, path).split(), int)
     assert len(rows) == labels.max() + 1
-    assert sum(float(row["share"]) for row in rows) == pytest.approx(1)
+    assert sum(float(row["fraction"]) for row in rows) == pytest.approx(1)
     pairs, lengths = segment_adjacency(points, triangles, labels)
     for part, row in enumerate(rows):
         of_part = triangles[labels == part]
@@ -115,13 +115,13 @@ def test_table_of_parts(tmp_path, meshes, tool):
 def test_table_of_a_mesh_that_is_one_part(tmp_path, dumbbell):
     write(tmp_path / "a.ply", *dumbbell)
     row, = table_of_parts(tmp_path / "a.ply", tmp_path, "--segments", 1)
-    assert (int(row["triangles"]), float(row["share"]), row["neighbors"], float(row["boundary"]),
+    assert (int(row["triangles"]), float(row["fraction"]), row["neighbors"], float(row["boundary"]),
             row["salience"]) == (len(dumbbell[1]), 1, "", 0, "")
 
 
 @pytest.fixture
 def scans(tmp_path, meshes):
-    """A folder of meshes, one of which is damaged."""
+    """Returns a folder of meshes, one of which is damaged."""
     folder = tmp_path / "scans"
     (folder / "more").mkdir(parents=True)
     for name in ("elephant", "hand", "cube"):
@@ -134,7 +134,7 @@ def scans(tmp_path, meshes):
 
 
 def check_rows(folder, scans, tool, others):
-    """`others`: the status of files that are not in `scans`."""
+    """Checks a table. `others` has the status of files that are not in `scans`."""
     rows = rows_of(folder)
     files = {path.name: path for path in scans.rglob("*") if path.suffix.lower() == ".off"}
     assert set(rows) == set(files) | set(others)
@@ -172,12 +172,12 @@ def reader_of(pipe, process):
                     if pid != os.getpid() and os.readlink(link) == str(pipe):
                         return writer, pid
                 except OSError:
-                    pass # of a file that has been closed
+                    pass # the file has been closed
     return None
 
 
 def wait_for_end(pid):
-    """Until it has closed its files; the test's time limit is that of the wait."""
+    """Waits until a process has closed its files, at most for the time limit of the test."""
     try:
         while pathlib.Path("/proc/%d/stat" % pid).read_text().rsplit(")")[-1].split()[0] != "Z":
             time.sleep(0.01)
@@ -187,7 +187,7 @@ def wait_for_end(pid):
 
 def start(name, pipe, *arguments):
     if not sys.platform.startswith("linux"):
-        pytest.skip("/proc is of Linux")
+        pytest.skip("only Linux has /proc")
     if not pipe.exists():
         os.mkfifo(pipe)
     return subprocess.Popen(command(name, *arguments), stdout=subprocess.PIPE,
@@ -195,7 +195,7 @@ def start(name, pipe, *arguments):
 
 
 def run_with_kills(name, pipe, kills, contents, *arguments):
-    """Kills the process that reads the pipe, as often as told, and writes to it for the next."""
+    """Kills the process that reads the pipe some times, and writes to the pipe for the next."""
     process = start(name, pipe, *arguments)
     try:
         for _ in range(kills):

@@ -73,7 +73,7 @@ def test_labels_are_read_back(dumbbell, tmp_path):
 
 
 def test_names_may_be_bytes(dumbbell, tmp_path):
-    """Also such as are no text."""
+    """Checks also names that are no text."""
     path = os.fsencode(tmp_path) + b"/\xff.ply"
     write(path, *dumbbell)
     np.testing.assert_array_equal(read(path).triangles, dumbbell[1])
@@ -109,9 +109,9 @@ def test_warnings(tmp_path):
     with pytest.warns(UserWarning) as caught:
         mesh = read(tmp_path / "more.obj")
     assert mesh.triangles.tolist() == [[0, 1, 2]]
-    sentences = [str(w.message).split(": ", 1)[1] for w in caught]
-    assert sentences == ["line 5: 'vw' is not a statement of OBJ",
-                         "face 1 uses a point that is not finite; corners left out: 1"]
+    messages = [str(w.message).split(": ", 1)[1] for w in caught]
+    assert messages == ["line 5: 'vw' is not a statement of OBJ",
+                        "face 1 uses a point that is not finite; corners left out: 1"]
     (tmp_path / "none.obj").write_text("v 0 0 0\nv 1 0 0\nv nan 0 0\nf 1 2 3\n")
     with pytest.raises(ValueError, match="different corners; face 0 uses a point"):
         read(tmp_path / "none.obj")
@@ -145,7 +145,7 @@ def test_errors(tmp_path, dumbbell):
     assert kept.read_text() == "kept" and len(list(tmp_path.iterdir())) == 3
 
 
-def test_damaged_files_give_a_mesh_or_a_sentence(meshes, tmp_path):
+def test_damaged_files_give_a_mesh_or_a_message(meshes, tmp_path):
     contents = (meshes / "octahedron.off").read_bytes()
     rng = random.Random(1)
     for i in range(300):
@@ -162,7 +162,7 @@ def test_damaged_files_give_a_mesh_or_a_sentence(meshes, tmp_path):
             assert mesh.triangles.max() < len(mesh.points)
 
 
-def test_written_files_are_those_of_the_tool(meshes, tool, tmp_path):
+def test_written_files_equal_the_files_of_the_tool(meshes, tool, tmp_path):
     source = meshes / "elephant.off"
     subprocess.run([tool, source, "--quiet", "--keep-faces", "-o", tmp_path / "tool.off",
                     "--labels", tmp_path / "labels"], check=True)

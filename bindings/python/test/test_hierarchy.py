@@ -24,7 +24,7 @@ def hierarchy(elephant):
 
 
 def is_refinement(fine, coarse):
-    """Whether each segment of the finer labels lies in one of the coarser labels."""
+    """Returns whether each segment of the finer labels lies in one of the coarser labels."""
     return len(np.unique(np.stack([fine, coarse]), axis=1).T) == fine.max() + 1
 
 
@@ -43,7 +43,7 @@ def test_labels_of_each_number_are_nested(hierarchy):
     assert [each.filename for each in warned] == [__file__]
 
 
-def test_labels_are_those_of_runs(elephant, hierarchy):
+def test_labels_equal_the_labels_of_runs(elephant, hierarchy):
     np.testing.assert_array_equal(hierarchy.labels(), segment(elephant))
     np.testing.assert_array_equal(hierarchy.labels(7), segment(elephant, number_of_segments=7))
     np.testing.assert_array_equal(hierarchy.labels(salience_threshold=0.7),

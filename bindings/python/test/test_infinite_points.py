@@ -16,7 +16,7 @@ RUN = {"number_of_segments": 3, "number_of_coarse_faces": 0}
 
 @pytest.fixture(scope="module")
 def spoiled(bumpy_dumbbell):
-    """Points, triangles and which of these have finite corners. The first triangle has none."""
+    """Returns points, triangles and whether their corners are finite. The first has none."""
     points = np.concatenate([bumpy_dumbbell[0], np.full((2, 3), np.nan)])
     points[17] = np.inf, 0, 0
     points[90, 2] = np.nan
@@ -33,7 +33,7 @@ def silent():
 
 
 def warning_of(points, triangles, function):
-    """The result, and the message of the one warning, which is given in this file."""
+    """Returns the result, and the message of the one warning, which is given in this file."""
     with pytest.warns(UserWarning) as caught:
         result = function()
     bad = ~np.isfinite(points).all(axis=1)
@@ -44,7 +44,7 @@ def warning_of(points, triangles, function):
 
 
 def expected_labels(triangles, is_usable, labels_of_usable):
-    """Those of the usable triangles, and of the neighbor at the one edge with finite points."""
+    """Returns labels of usable triangles, and of the neighbor at the edge with finite points."""
     result = np.full(len(triangles), -1)
     result[is_usable] = labels_of_usable
     for i in np.flatnonzero(~is_usable):
@@ -159,7 +159,7 @@ def test_pages(spoiled, tmp_path):
 
 
 def test_boundaries(spoiled, silent):
-    """Need no warning, because they leave out nothing but lengths."""
+    """They need no warning, because they leave out nothing but lengths."""
     points, triangles, is_usable = spoiled
     labels = (np.arange(len(triangles)) % 2).astype(int)
     assert segment_colors(points, triangles, labels).shape == (2, 3)

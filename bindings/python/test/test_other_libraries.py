@@ -77,7 +77,7 @@ def test_all_functions_take_the_same(dumbbell, expected, tmp_path):
 
 
 def test_polygons_have_labels(dumbbell, tmp_path):
-    """The quads of the dumbbell, whose triangles at the two ends are polygons too."""
+    """Returns the quads of the dumbbell, whose triangles at the two ends are polygons too."""
     points, triangles = dumbbell
     first, second = triangles[24:-24].reshape(-1, 2, 24, 3).transpose(1, 0, 2, 3).reshape(2, -1, 3)
     quads = np.column_stack([first, second[:, 2]])

@@ -22,7 +22,7 @@ def volume(part):
 
 
 def sides(triangles):
-    """The directed edges, sorted."""
+    """Returns the directed edges, sorted."""
     pairs = np.concatenate([triangles[:, [0, 1]], triangles[:, [1, 2]], triangles[:, [2, 0]]])
     return sorted(map(tuple, pairs.tolist()))
 
@@ -62,7 +62,7 @@ def test_closed_parts(dumbbell, tmp_path):
     assert sum(map(volume, parts)) == pytest.approx(volume(whole), rel=1e-9)
 
 
-def test_the_report_is_that_of_the_tool(meshes, tool, tmp_path):
+def test_the_report_equals_the_report_of_the_tool(meshes, tool, tmp_path):
     path = meshes / "elephant.off"
     mesh = read(path)
     labels = segment(mesh)
@@ -100,7 +100,7 @@ def test_labels_may_be_missing():
 
 
 def is_convex(part):
-    """Whether all points are below the plane of each triangle."""
+    """Returns whether all points are below the plane of each triangle."""
     a, b, c = part.points[part.triangles].transpose(1, 0, 2)
     normals = np.cross(b - a, c - a)
     normals /= np.linalg.norm(normals, axis=1, keepdims=True)
@@ -126,7 +126,7 @@ def test_hull_of_a_cube_with_a_dent():
 
 
 def test_hull_of_planar_facets_is_the_same_in_any_order():
-    """A cube of 5^3 points, in a frame in which sides are planar exactly."""
+    """Returns a cube of 5^3 points, in a frame in which sides are planar exactly."""
     points = np.stack(np.meshgrid(*[np.arange(5.)] * 3), -1).reshape(-1, 3)
     points = points @ [[3, 4, 0], [-4, 3, 0], [0, 0, 5]] # turned
     first = None
@@ -143,7 +143,7 @@ def test_hull_of_planar_facets_is_the_same_in_any_order():
 
 @pytest.mark.parametrize("axis", [(0, 0, 1), (0, 1, 0), (1, 2, 3)])
 def test_flat_hulls_have_a_thickness(axis):
-    """A square, and a triangle without an area, beside a cube."""
+    """Returns a square, and a triangle without an area, beside a cube."""
     axis = np.array(axis) / np.linalg.norm(axis)
     u = np.cross(axis, [0.3, 0.5, 0.7])
     u /= np.linalg.norm(u)
@@ -207,7 +207,7 @@ def test_transfer(dumbbell):
         transfer_labels((finer_points, finer), there, dumbbell), labels)
 
 
-def test_transfer_to_what_is_no_manifold():
+def test_transfer_to_a_mesh_that_is_no_manifold():
     mesh = (CUBE, SQUARES)
     labels = np.array([0, 1, 0, 0, 1, 1])
     # A square that comes twice, one that has collapsed, and a triangle at edges of others

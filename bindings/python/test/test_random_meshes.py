@@ -1,6 +1,6 @@
 # Copyright (c) 2026  The Spectral_segmentation authors.
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""What holds for every mesh, on meshes that Hypothesis makes up."""
+"""Checks properties of every run, on meshes that Hypothesis makes up."""
 
 import pickle
 
@@ -19,7 +19,7 @@ METHODS = st.sampled_from(["calibrated", "paper"])
 
 @st.composite
 def soups(draw):
-    """Any triangles: degenerate ones, equal ones, of many or no neighbors."""
+    """Makes any triangles: degenerate, equal, with many or no neighbors."""
     n = draw(st.integers(3, 10))
     coordinate = st.integers(-4, 4)
     points = draw(st.lists(st.tuples(coordinate, coordinate, coordinate), min_size=n, max_size=n))
@@ -29,7 +29,7 @@ def soups(draw):
 
 
 def canonical(labels):
-    """The labels of the same segments, numbered by their first triangle."""
+    """Returns the labels of the same segments, numbered by their first triangle."""
     _, first, place = np.unique(labels, return_index=True, return_inverse=True)
     return np.argsort(np.argsort(first))[place]
 

@@ -23,24 +23,24 @@ class OwnError(Exception):
 
 
 def test_progress_goes_from_0_to_1_in_the_thread_of_the_caller(dumbbell):
-    told = []
-    segment(*dumbbell, progress=lambda share: told.append((share, threading.get_ident())))
-    shares, threads = zip(*told)
+    reported = []
+    segment(*dumbbell, progress=lambda fraction: reported.append((fraction, threading.get_ident())))
+    fractions, threads = zip(*reported)
     assert set(threads) == {threading.get_ident()}
-    assert 0 < shares[0] and shares[-1] == 1
-    assert all(a < b for a, b in zip(shares, shares[1:]))
+    assert 0 < fractions[0] and fractions[-1] == 1
+    assert all(a < b for a, b in zip(fractions, fractions[1:]))
 
 
 def test_progress_cancels(dumbbell):
-    told = []
+    reported = []
 
-    def progress(share):
-        told.append(share)
+    def progress(fraction):
+        reported.append(fraction)
         return False
 
     whole = segment_hierarchy(*dumbbell)
     part = segment_hierarchy(*dumbbell, progress=progress)
-    assert len(told) == 1
+    assert len(reported) == 1
     assert part.number_of_nodes <= whole.number_of_nodes
     assert len(part.labels()) == len(dumbbell[1])
 
@@ -49,19 +49,19 @@ def test_progress_cancels(dumbbell):
     (None, False), (True, False), (np.True_, False), ("no", False), (np.float64(0.5) < 1, False),
     (False, True), (np.False_, True), (0, True), (np.float64(0.5) < 0, True)])
 def test_answers_that_count_as_false_cancel(dumbbell, answer, cancels):
-    shares = []
+    fractions = []
 
-    def progress(share):
-        shares.append(share)
+    def progress(fraction):
+        fractions.append(fraction)
         return answer
 
     segment(*dumbbell, progress=progress)
-    assert (len(shares) == 1) == cancels
+    assert (len(fractions) == 1) == cancels
     with pytest.raises(ValueError, match="truth value"):
-        segment(*dumbbell, progress=lambda share: np.array([True, False]))
+        segment(*dumbbell, progress=lambda fraction: np.array([True, False]))
 
 
-def test_errors_of_callables_are_those_of_the_run(dumbbell):
+def test_errors_of_callables_end_the_run(dumbbell):
     error = OwnError("own")
 
     def fail(_):
@@ -125,8 +125,8 @@ def test_a_signal_ends_a_run_on_triangles_that_are_not_connected():
 
     before = signal.signal(signal.SIGALRM, stop)
     try:
-        for share in (0.2, 0.4):
-            signal.setitimer(signal.ITIMER_REAL, share * whole_run)
+        for fraction in (0.2, 0.4):
+            signal.setitimer(signal.ITIMER_REAL, fraction * whole_run)
             with pytest.raises(OwnError):
                 segment(points, triangles, threads=1)
             delays.append(time.perf_counter() - delays.pop())
@@ -155,11 +155,11 @@ def test_other_threads_of_python_go_on(dumbbell):
 
 
 def test_runs_in_several_threads():
-    """Also with callables, for which each waits for the lock of Python."""
+    """Runs also with callables, for which each waits for the lock of Python."""
     meshes = [bumpy_dumbbell_of(seed) for seed in range(6)]
     parameters = [{"number_of_segments": 3, "number_of_coarse_faces": 0}, PAPER,
                   {**PAPER, "part_salience": lambda factors: factors.cut_strength,
-                   "progress": lambda share: None}]
+                   "progress": lambda fraction: None}]
     runs = [(mesh, p) for mesh in meshes for p in parameters]
 
     def labels_of(run):
@@ -198,16 +198,16 @@ assert counts() == before
     subprocess.run([sys.executable, "-c", program], check=True, timeout=120)
 
 
-# What a daemon thread does while the process ends: `busy` has a long run, `sleep` a callable that
-# does not return, and the others a loop of short calls.
+# Daemon threads work while the process ends: `busy` has a long run, `sleep` a callable that does
+# not return, and the others have a loop of short calls.
 END_OF_PROCESS = SHEET % 500 + """
 import sys, threading, time
 from spectral_segmentation import read, segment
 small = np.eye(3), [[0, 1, 2]]
 is_started = threading.Event()
-def tell(share):
+def report(fraction):
     is_started.set()
-def tell_size(factors):
+def report_size(factors):
     is_started.set()
     return factors.size
 def sleep(_):
@@ -223,11 +223,11 @@ def read_file():
     except ValueError:
         pass
 actions = {
-    "busy": lambda: segment(points, triangles, progress=tell),
-    "busy_salience": lambda: segment(points, triangles, part_salience=tell_size),
+    "busy": lambda: segment(points, triangles, progress=report),
+    "busy_salience": lambda: segment(points, triangles, part_salience=report_size),
     "sleep": lambda: segment(points, triangles, progress=sleep),
     "sleep_salience": lambda: segment(points, triangles, part_salience=sleep),
-    "short": lambda: loop(lambda: segment(*small, number_of_coarse_faces=0, progress=tell)),
+    "short": lambda: loop(lambda: segment(*small, number_of_coarse_faces=0, progress=report)),
     "read": lambda: loop(read_file)}
 for _ in range(2):
     threading.Thread(target=actions[sys.argv[1]], daemon=True).start()
@@ -268,7 +268,7 @@ def labels_in_child(seed):
 
 
 def test_runs_in_processes_that_are_forked():
-    """After a run with threads, which a child does not have."""
+    """Forks after a run with threads, which a child does not have."""
     expected = [labels_in_child(seed) for seed in range(2)]
     program = """
 import concurrent.futures, multiprocessing, sys
@@ -303,7 +303,7 @@ run(1000)
 print(memory() - before)
 """
     if not sys.platform.startswith("linux"):
-        pytest.skip("/proc is of Linux")
+        pytest.skip("only Linux has /proc")
     done = subprocess.run([sys.executable, "-c", program], stdout=subprocess.PIPE, text=True,
                           check=True, timeout=60)
     assert int(done.stdout) < 1_000_000
@@ -322,7 +322,7 @@ def run():
     hierarchy = segment_hierarchy(points, triangles, method="paper", salience_threshold=0,
                                   threads=1,
                                   part_salience=lambda factors: factors.size,
-                                  progress=lambda share: None)
+                                  progress=lambda fraction: None)
     labels = pickle.loads(pickle.dumps(hierarchy)).labels()
     hierarchy.nodes, segment_colors(triangles, labels)
     for wrong in ({"progress": fail}, {"part_salience": fail},
@@ -341,7 +341,7 @@ for _ in range(400):
 print(memory() - before)
 """
     if not sys.platform.startswith("linux"):
-        pytest.skip("/proc is of Linux")
+        pytest.skip("only Linux has /proc")
     done = subprocess.run([sys.executable, "-c", program, str(__file__).rpartition("/")[0]],
                           stdout=subprocess.PIPE, text=True, check=True)
     assert int(done.stdout) < 200_000 # the labels of the runs alone would take more

@@ -1,6 +1,6 @@
 # Copyright (c) 2026  The Spectral_segmentation authors.
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Labels, against those of the tool and against what a person sees."""
+"""Compares labels with the labels of the tool, and with the parts that a person sees."""
 
 import itertools
 import subprocess
@@ -20,13 +20,13 @@ def labels_of_tool(tool, path, *options):
 
 @pytest.mark.parametrize("method", ["calibrated", "paper"])
 @pytest.mark.parametrize("name", ["elephant", "hand", "cube", "blobby_3cc", "camel", "bones"])
-def test_labels_are_those_of_the_tool(meshes, tool, name, method):
+def test_labels_equal_the_labels_of_the_tool(meshes, tool, name, method):
     path = meshes / (name + ".off")
     np.testing.assert_array_equal(segment(read(path), method=method),
                                   labels_of_tool(tool, path, "--method", method))
 
 
-def test_parameters_are_those_of_the_tool(meshes, tool):
+def test_parameters_do_the_same_as_in_the_tool(meshes, tool):
     path = meshes / "elephant.off"
     mesh = read(path)
     np.testing.assert_array_equal(
@@ -200,7 +200,7 @@ def rows(array):
 
 
 def test_edges_hold(meshes):
-    """In all segmentations of the hierarchy that are fine enough: those of the run and finer."""
+    """Constraints hold in the segmentation of the run, and in all finer ones of the hierarchy."""
     mesh = read(meshes / "elephant.off")
     free = rows(boundary_edges(mesh.triangles, segment(mesh))[0])
     all_edges, _ = boundary_edges(mesh.triangles, np.arange(len(mesh.triangles)))

@@ -133,7 +133,7 @@ class Page_test(unittest.TestCase):
         return path.read_bytes()
 
     def shown_labels(self):
-        """Those that the button saves."""
+        """Returns those that the button saves."""
         return self.browser.execute_script("return viewer.labelText()").encode()
 
     def test_elephant(self):
@@ -177,7 +177,7 @@ class Page_test(unittest.TestCase):
                          tool(path, "--method", "paper", "--labels", "-")[0])
 
     def test_formats(self):
-        """Also of a mesh that the tool has put together from parts."""
+        """A mesh that the tool has put together from parts has them, too."""
         self.open()
         for extension in ("off", "obj", "ply", "glb"):
             path = self.directory / ("parts." + extension)
@@ -324,7 +324,7 @@ class Page_test(unittest.TestCase):
                 print("%s: %.2f s" % (path.name, seconds))
 
     def test_keyboard(self):
-        """All that can be done has its turn under the tab key, and shows it."""
+        """Each control has its turn under the tab key, and shows it."""
         self.open()
         self.choose(MESHES / "hand.off")
         self.wait_for("hand.off")
@@ -345,7 +345,7 @@ class Page_test(unittest.TestCase):
 
 
 def write_grid(path, n):
-    """A bumpy square of 2 n^2 triangles."""
+    """Returns a bumpy square of 2 n^2 triangles."""
     with path.open("w") as out:
         out.write("OFF\n%d %d 0\n" % ((n + 1) ** 2, 2 * n * n))
         for i in range(n + 1):
