@@ -51,7 +51,7 @@ def name_and_size(row):
 
 
 def rows_of(paths):
-    """The rows by name and size; of repetitions the median, of files with the same row the last."""
+    """Returns the rows by name and size: the median of repetitions, the last of equal rows."""
     rows = collections.defaultdict(dict)
     for path in paths:
         for row in json.loads(pathlib.Path(path).read_text())["benchmarks"]:

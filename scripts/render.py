@@ -100,7 +100,7 @@ def actor_of(mesh, with_edges):
 
 
 def upward_and_frontal(mesh, up):
-    """The directions that are up and toward a viewer in front of the mesh."""
+    """Returns the directions that are up and toward a viewer in front of the mesh."""
     if up == "pca":
         corner, longest, middle, shortest, sizes = ([0, 0, 0] for _ in range(5))
         vtk.vtkOBBTree.ComputeOBB(mesh.GetPoints(), corner, longest, middle, shortest, sizes)

@@ -23,7 +23,7 @@ inline Two_faces faces_at(const test_meshes::Mesh& mesh, test_meshes::Mesh::Edge
   return {std::size_t(mesh.face(h)), std::size_t(mesh.face(mesh.opposite(h)))};
 }
 
-// Constraints and what they mean, by definition.
+// Constraints and their meaning, by definition.
 struct Face_constraints
 {
   std::vector<int> seeds; // of the faces; negative for none. Empty if no face has one
@@ -52,13 +52,13 @@ struct Face_constraints
     return false;
   }
 
-  // Returns the sentences that are not so of these labels.
+  // Returns the constraints that these labels violate.
   std::vector<std::string> violations(const std::vector<std::size_t>& labels) const
   {
     std::vector<std::string> result;
-    const auto check = [&](bool holds, const char* sentence) {
+    const auto check = [&](bool holds, const char* constraint) {
       if (!holds)
-        result.push_back(sentence);
+        result.push_back(constraint);
     };
     std::map<int, std::set<std::size_t> > segments_of_seed;
     std::map<std::size_t, std::set<int> > seeds_of_segment;

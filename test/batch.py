@@ -4,8 +4,8 @@
 """Many meshes through the command line tool: batch.py TOOL [--count N].
 
 N small meshes, some of them damaged, are segmented in one batch, which is killed on the way and
-started again. Its table and labels have to be those of single runs. Another runs after many
-meshes.
+started again. Its table and labels must equal the results of single runs. Another batch runs
+after many meshes.
 """
 
 import argparse
@@ -23,7 +23,7 @@ import time
 
 
 def blob(random_numbers):
-    """OFF: two balls with a neck between them, each time another."""
+    """Returns an OFF of two balls with a neck between them, each time another one."""
     around, rings = 8, 11
     thick = [0.3 + abs(math.cos(math.pi * (i + 0.5) / rings * random_numbers.uniform(1.5, 2.5)))
              for i in range(rings)]
@@ -46,7 +46,7 @@ def blob(random_numbers):
 
 
 def make_inputs(directory, count):
-    """The status that is expected of each input, by its name."""
+    """Returns the status that is expected of each input, by its name."""
     random_numbers = random.Random(1)
     expected = {}
     for i in range(count):
@@ -70,7 +70,7 @@ def check(condition, message):
 
 
 def rows(directory):
-    """Of the table, without a line that is not whole."""
+    """Returns the rows of the table, without a line that is not whole."""
     result = []
     table = directory / "out/table.jsonl"
     for line in table.read_text().splitlines() if table.exists() else []:
@@ -110,7 +110,7 @@ def run(directory, tool, *arguments):
 
 
 def check_long_table(directory, tool):
-    """What is done does not take memory from a run. A name need not be UTF-8."""
+    """Checks that rows before take no memory from a run, and a name that is not UTF-8."""
     name = b"\xff.off" if sys.platform == "linux" else b"a.off"
     (directory / os.fsdecode(name)).write_text(blob(random.Random(1)))
     (directory / "out").mkdir()

@@ -191,8 +191,8 @@ BOOST_AUTO_TEST_CASE(a_part_without_room_for_two_segments_is_not_searched)
   } counter;
   internal::Run_monitor monitor(counter);
   Options options = Options::zhang_liu_2005();
-  const auto search = [&](double minimum_share_of_part) {
-    options.minimum_segment_size = minimum_share_of_part;
+  const auto search = [&](double minimum_fraction_of_part) {
+    options.minimum_segment_size = minimum_fraction_of_part;
     return internal::Paper_cut(part, options)(sequential, whole(part), monitor);
   };
   BOOST_TEST(!search(0.501).has_value());
@@ -200,7 +200,7 @@ BOOST_AUTO_TEST_CASE(a_part_without_room_for_two_segments_is_not_searched)
   BOOST_TEST(search(0.1).has_value());
   BOOST_TEST(counter.number_of_parts == 1u);
 
-  // The minimum is a share of the whole mesh, not of the part.
+  // The minimum is a fraction of the area of the mesh, not of the part.
   Surface mesh = part;
   for (double& area : mesh.areas)
     area *= 5.01;

@@ -10,8 +10,8 @@
 
 BOOST_AUTO_TEST_SUITE(boundary_network)
 
-// Three inputs of a network with one unit: of roundness, an outlier, of size, and the last one, the
-// logarithm of the smaller side's share of the area of the mesh.
+// A network with one unit has three inputs: the roundness, which is an outlier, the size, and the
+// logarithm of the fraction of the area of the mesh that the smaller side has.
 BOOST_AUTO_TEST_CASE(logit_of_a_network_by_hand)
 {
   const auto tolerance = boost::test_tools::tolerance(1e-12);

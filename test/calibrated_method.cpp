@@ -19,7 +19,7 @@
 #include <set>
 #include <vector>
 
-// Tests what is particular to the default method; tests of what both methods promise are elsewhere.
+// Tests the particularities of the default method. The promises of both methods have other suites.
 BOOST_AUTO_TEST_SUITE(calibrated_method)
 
 using namespace test_meshes;
@@ -71,7 +71,7 @@ BOOST_AUTO_TEST_CASE(a_dumbbell_is_cut_at_its_neck)
   BOOST_TEST((low != high));
 }
 
-BOOST_AUTO_TEST_CASE(labels_for_any_number_and_threshold_are_those_of_a_fresh_run)
+BOOST_AUTO_TEST_CASE(labels_for_any_number_and_threshold_equal_a_fresh_run)
 {
   const auto all_cuts = calibrated().salience_threshold(-infinity);
   const Segmentation_hierarchy all = hierarchy_of(mesh_of(doll()), all_cuts);
@@ -152,7 +152,7 @@ BOOST_AUTO_TEST_CASE(the_salience_is_asked_for_each_cut_of_the_hierarchy)
       BOOST_TEST(asked.count(salience_without_neighbors(node.factors)) == 1u);
 }
 
-BOOST_AUTO_TEST_CASE(factors_are_those_of_the_mesh_that_is_searched)
+BOOST_AUTO_TEST_CASE(factors_describe_the_mesh_that_is_searched)
 {
   const Segmentation_hierarchy hierarchy =
     hierarchy_of(mesh_of(doll()), calibrated().number_of_coarse_faces(0));

@@ -52,7 +52,8 @@ std::map<int, double> volumes(const Soup& soup, const std::vector<int>& segment)
   return result;
 }
 
-// Whether as many triangles of each segment pass each edge in one direction as in the other.
+// Returns whether as many triangles of each segment pass each edge in one direction as in the
+// other.
 bool is_closed(const Soup& soup, const std::vector<int>& segment)
 {
   std::map<std::array<std::size_t, 3>, int> sums;
@@ -261,7 +262,7 @@ BOOST_AUTO_TEST_CASE(open_parts_have_the_faces_of_their_segments)
   }
 }
 
-// Returns what `Closed_segment` tells, as CGAL finds it for the mesh of a part.
+// Returns whether the mesh of a part is a solid, by functions of CGAL.
 bool is_solid(const Mesh& part)
 {
   return CGAL::is_closed(part) && PMP::volume(part) > 0 && !PMP::does_self_intersect(part) &&
@@ -470,7 +471,7 @@ BOOST_AUTO_TEST_CASE(base_of_a_prism_that_is_inside_out_becomes_solid)
 }
 
 // Each property fails alone. The volumes are worked out by hand.
-BOOST_AUTO_TEST_CASE(what_does_not_hold_is_told)
+BOOST_AUTO_TEST_CASE(broken_promises_are_reported)
 {
   const auto told = [](Soup soup) {
     std::vector<int> segment(soup.triangles.size(), 7);

@@ -53,7 +53,7 @@ Level coarsen(const Surface& mesh, std::size_t number_of_faces)
   return result;
 }
 
-// The surface in its frame, as in a run.
+// Returns the surface in its frame, like in a run.
 Surface framed(const Soup& soup)
 {
   Surface result = surface_of(soup);
@@ -279,8 +279,8 @@ BOOST_AUTO_TEST_CASE(the_numbers_of_faces_and_vertices_do_not_matter)
   }
 }
 
-// So the hash decides. The mesh has no symmetry, as the principal frame of one that has some
-// depends on the rounding of sums.
+// Therefore the hash decides. The mesh has no symmetry, because the principal frame of a symmetric
+// mesh depends on the rounding of sums.
 BOOST_AUTO_TEST_CASE(the_numbers_do_not_matter_where_most_edges_are_of_equal_length)
 {
   const Soup soup = folded_plate();
@@ -300,7 +300,7 @@ BOOST_AUTO_TEST_CASE(the_numbers_do_not_matter_where_most_edges_are_of_equal_len
   }
 }
 
-BOOST_AUTO_TEST_CASE(what_is_small_enough_stays)
+BOOST_AUTO_TEST_CASE(small_meshes_stay)
 {
   const Soup soup = rough_dumbbell(6);
   const Surface mesh = surface_of(soup);

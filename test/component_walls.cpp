@@ -179,7 +179,7 @@ BOOST_AUTO_TEST_CASE(a_solid_inside_of_another_component_is_no_wall)
                disjoint_union(box, moved(scaled(ball(), 1.9), 0.3, 0, 0)))) == 2u);
 }
 
-BOOST_AUTO_TEST_CASE(copies_at_one_place_share_their_parts)
+BOOST_AUTO_TEST_CASE(copies_at_one_place_have_the_same_parts)
 {
   const Soup soup = dumbbell(24, 20);
   const std::size_t n = soup.triangles.size();
@@ -191,7 +191,7 @@ BOOST_AUTO_TEST_CASE(copies_at_one_place_share_their_parts)
   }
 }
 
-BOOST_AUTO_TEST_CASE(levels_of_detail_share_the_parts_of_the_finest)
+BOOST_AUTO_TEST_CASE(levels_of_detail_have_the_parts_of_the_finest)
 {
   const Soup fine = dumbbell(24, 20), coarse = dumbbell(20, 14), coarsest = dumbbell(16, 12);
   const std::size_t n = fine.triangles.size(), m = coarse.triangles.size();

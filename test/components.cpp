@@ -355,7 +355,7 @@ BOOST_AUTO_TEST_CASE(no_leaf_spans_two_groups)
   }
 }
 
-BOOST_AUTO_TEST_CASE(what_nothing_touches_stays_apart_and_is_joined_nearest_first)
+BOOST_AUTO_TEST_CASE(isolated_components_stay_apart_and_are_joined_nearest_first)
 {
   const Soup soup = union_of({sphere(2), moved(sphere(2), 10, 0, 0), moved(sphere(2), 14, 0, 0)});
   const Mesh mesh = mesh_of(soup);

@@ -164,7 +164,7 @@ Cut_hierarchy cuts_of_both_ends(double of_left, double of_top, double of_bottom)
 } // namespace
 
 // An arm is an open box of 4 x 1 x 1, whose sides have the area 16 and whose end has the area 1.
-BOOST_AUTO_TEST_CASE(the_shape_of_a_cut_is_that_of_a_box)
+BOOST_AUTO_TEST_CASE(the_shape_of_a_cut_equals_the_shape_of_a_box)
 {
   const Figure& f = figure();
   Cut_hierarchy cuts = uncut_hierarchy(f.graph);
@@ -205,7 +205,7 @@ BOOST_AUTO_TEST_CASE(a_cut_is_at_most_as_salient_as_the_cut_above_it)
              std::vector<double>({0.5, 0.5, 0.5, 0.5}), tt::per_element());
 }
 
-BOOST_AUTO_TEST_CASE(the_mean_is_that_of_saliences_which_cuts_above_have_limited)
+BOOST_AUTO_TEST_CASE(the_mean_is_taken_of_saliences_that_cuts_above_have_limited)
 {
   const Cut_hierarchy cuts = cuts_of_both_ends(0.625, 0.25, 0.875);
   BOOST_TEST(saliences(checked_cuts(figure().graph, cuts)) ==

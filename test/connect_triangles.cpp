@@ -49,7 +49,7 @@ bool is_same_cycle(const Corners& a, Corners b)
 
 Corners reversed(const Corners& c) { return {c[0], c[2], c[1]}; }
 
-// Whether each face was turned. Checks what holds for every soup.
+// Returns whether each face was turned. Checks the properties that hold for every soup.
 std::vector<char> connect(const Soup& soup, Surface& triangles)
 {
   triangles = unconnected(soup);
@@ -216,7 +216,7 @@ BOOST_AUTO_TEST_CASE(outwards_does_not_depend_on_the_place)
   }
 }
 
-BOOST_AUTO_TEST_CASE(what_is_oriented_alike_stays_as_it_is_inwards_too)
+BOOST_AUTO_TEST_CASE(oriented_surfaces_stay_also_if_they_point_inward)
 {
   std::vector<Soup> soups = small_soups();
   for (const Soup& soup : small_soups())
@@ -270,7 +270,7 @@ BOOST_AUTO_TEST_CASE(an_open_surface_is_oriented_as_most_of_its_area_is)
   }
 }
 
-BOOST_AUTO_TEST_CASE(random_surfaces_get_the_neighbors_that_all_pairs_of_edges_tell)
+BOOST_AUTO_TEST_CASE(random_surfaces_get_the_neighbors_of_a_search_through_all_pairs)
 {
   const std::vector<Soup> shapes = {plate(9, 7), sphere(2), torus(2, 0.7, 12, 8), dumbbell(9, 7)};
   for (unsigned seed = 1; seed <= 60; ++seed) {
@@ -339,7 +339,7 @@ BOOST_AUTO_TEST_CASE(the_flat_two_of_three_sheets_are_neighbors)
   }
 }
 
-BOOST_AUTO_TEST_CASE(of_sheets_that_all_have_to_be_turned_the_flat_two_are_neighbors)
+BOOST_AUTO_TEST_CASE(the_flat_two_of_sheets_that_all_have_to_be_turned_are_neighbors)
 {
   const Soup soup = {{Point(0, 0, 0), Point(0, 1, 0), Point(0, 0.5, 1), Point(-1, 0.5, 0.1),
                       Point(1, 0.5, 0)}, {{0, 1, 2}, {0, 1, 3}, {0, 1, 4}}};
@@ -394,7 +394,7 @@ BOOST_AUTO_TEST_CASE(a_closed_surface_with_one_side_is_opened)
   BOOST_TEST(number_of_inner_edges(triangles) < 15u);
 }
 
-BOOST_AUTO_TEST_CASE(two_cubes_that_share_an_edge_stay_two)
+BOOST_AUTO_TEST_CASE(two_cubes_with_a_common_edge_stay_two)
 {
   const Soup soup = welded(disjoint_union(cube(0, 0), cube(1, 1)));
   BOOST_TEST(soup.points.size() == 14u);
@@ -461,7 +461,7 @@ BOOST_AUTO_TEST_CASE(triangles_with_a_repeated_corner_do_no_harm)
   BOOST_TEST(triangles.opposite.size() == 9u);
 }
 
-BOOST_AUTO_TEST_CASE(at_an_edge_of_very_many_faces_none_are_neighbors)
+BOOST_AUTO_TEST_CASE(no_faces_are_neighbors_at_an_edge_of_very_many)
 {
   for (std::size_t n : {2, 4, 8, 16}) {
     Surface triangles;

@@ -46,7 +46,7 @@ BOOST_AUTO_TEST_CASE(components_are_numbered_by_their_first_faces)
   }
 }
 
-BOOST_AUTO_TEST_CASE(faces_that_share_only_a_vertex_are_not_connected)
+BOOST_AUTO_TEST_CASE(faces_with_only_a_common_vertex_are_not_connected)
 {
   const Surface graph = surface_of(plate(2, 2));
   // The squares at two opposite corners touch in the middle.

@@ -101,8 +101,8 @@ struct Constrained_mesh
 
   void check(const Labels& labels) const
   {
-    for (const std::string& sentence : face_constraints().violations(labels))
-      BOOST_ERROR("not so: " << sentence);
+    for (const std::string& constraint : face_constraints().violations(labels))
+      BOOST_ERROR("violated: " << constraint);
   }
 
   bool has_contradiction() const
@@ -111,11 +111,11 @@ struct Constrained_mesh
   Labels labels() const { return labels_of(mesh, parameters()); }
 
   template <class NamedParameters>
-  void check_is_refused(const NamedParameters& np, const std::string& sentence) const
-  { check_refused(mesh, np, sentence); }
+  void check_is_refused(const NamedParameters& np, const std::string& message) const
+  { check_refused(mesh, np, message); }
 
-  void check_is_refused(const std::string& sentence) const
-  { check_is_refused(parameters(), sentence); }
+  void check_is_refused(const std::string& message) const
+  { check_is_refused(parameters(), message); }
 };
 
 // The face whose centroid is nearest to a point.
@@ -146,7 +146,7 @@ BOOST_AUTO_TEST_CASE(no_constraint_changes_nothing)
   BOOST_TEST(m.labels() == labels_of(m.mesh, parameters::default_values()));
 }
 
-// What is constrained is what the method finds.
+// The constraints are on edges where the method cuts anyway.
 BOOST_AUTO_TEST_CASE(seams_that_are_there_change_nothing)
 {
   Constrained_mesh m(dumbbell(20, 20));
@@ -228,7 +228,7 @@ BOOST_AUTO_TEST_CASE(border_edges_mean_nothing)
   BOOST_TEST(number_of(m.labels()) == 1u);
 }
 
-// Both ends of a limb, and what is between them, are one segment.
+// Both ends of a limb, and all faces between them, are one segment.
 BOOST_AUTO_TEST_CASE(equal_seeds_join_segments)
 {
   Constrained_mesh m(read("elephant.off"));

@@ -149,7 +149,7 @@ BOOST_AUTO_TEST_CASE(two_spheres_are_convex_once_they_are_cut_apart)
   BOOST_TEST(f.convexity_gain == distance / 4 / std::sqrt(8 * pi), tolerance(0.05));
 }
 
-BOOST_AUTO_TEST_CASE(gains_of_convexity_are_those_of_the_defects)
+BOOST_AUTO_TEST_CASE(gains_of_convexity_are_differences_of_the_defects)
 {
   const Soup soup = dumbbell(20, 15);
   const Surface graph = graph_of(soup);
@@ -190,7 +190,7 @@ BOOST_AUTO_TEST_CASE(concavity_near_the_cut_is_a_mean_by_length)
   BOOST_TEST(f.concavity_near_cut == 0.5 / (2 + std::sqrt(2.)), tolerance(1e-12));
 }
 
-BOOST_AUTO_TEST_CASE(concavity_near_the_cut_does_not_see_what_is_far_from_it)
+BOOST_AUTO_TEST_CASE(concavity_near_the_cut_ignores_distant_edges)
 {
   const Soup soup = tube(12, 4, 24);
   Surface graph = graph_of(soup);
@@ -330,7 +330,7 @@ BOOST_AUTO_TEST_CASE(concavity_around_the_cut_sees_twice_as_far)
 }
 
 // On both sides of the middle of a cylinder the same area is near.
-BOOST_AUTO_TEST_CASE(expansion_before_the_cut_is_that_of_the_smaller_side)
+BOOST_AUTO_TEST_CASE(expansion_before_the_cut_is_measured_on_the_smaller_side)
 {
   const Soup cylinder = tube(20, 6, 36);
   const Salience_factors long_side = factors_of_boundary(graph_of(cylinder), below(cylinder, 8));
@@ -349,7 +349,7 @@ BOOST_AUTO_TEST_CASE(halves_of_equal_area_swap_their_factors_with_their_labels)
   const Soup soup = displaced(dumbbell(20, 15), 0.01, random);
   Surface graph = graph_of(soup);
   const Sides side = below(soup, 0);
-  // The halves get the same area, each face its share.
+  // The halves get the same area, and each face its fraction of it.
   double area[2] = {0, 0};
   for (Index f = 0; f < side.size(); ++f)
     area[int(side[f])] += graph.areas[f];

@@ -49,8 +49,8 @@ struct Limb
   Region is_seam;
 };
 
-// Whether the cut of a node runs within a ring of faces of the seam: of its faces that do not touch
-// the seam, those of the limb and no others are on the one side.
+// Returns whether the cut of a node runs within a ring of faces of the seam: the faces of the limb
+// that do not touch the seam are on one side, and all other such faces of the node on the other.
 bool is_cut_at_seam(const Mesh& mesh, const Segmentation_hierarchy& hierarchy, std::size_t node,
                     const Limb& limb)
 {

@@ -25,7 +25,7 @@ MESHES = None
 
 
 def read_ply(path):
-    """Points, triangles, and the other properties of the triangles by name, of a binary PLY."""
+    """Returns the points, the triangles, and the other properties of triangles of a binary PLY."""
     rows = read_ply_rows(path)
     corners, = (name for name, value in rows["face"][0].items() if isinstance(value, tuple))
     faces = [row.pop(corners) for row in rows["face"]]
@@ -43,7 +43,7 @@ def read_stl(path):
 
 
 def connected_sets(faces):
-    """The faces, in one list for each set that is connected across edges."""
+    """Returns the faces, in one list for each set that is connected across edges."""
     faces_at = collections.defaultdict(list)
     for i, face in enumerate(faces):
         for a, b in directed_edges([face]):
@@ -71,7 +71,7 @@ def faces_of_segments(faces, labels):
 
 
 def outer_planes(points, faces):
-    """Point and outer normal of the plane of each face."""
+    """Returns Point and outer normal of the plane of each face."""
     return [(points[a], cross(minus(points[b], points[a]), minus(points[c], points[a])))
             for a, b, c in faces]
 
@@ -89,7 +89,7 @@ class Example(unittest.TestCase):
         self.directory = pathlib.Path(directory.name)
 
     def run_example(self, *arguments):
-        """What it prints. Without arguments it reads the elephant."""
+        """Returns the output of the example, which reads the elephant if it has no arguments."""
         done = subprocess.run(
             [EXAMPLE, *map(str, arguments)], cwd=self.directory, text=True, check=False,
             stdin=subprocess.DEVNULL, stdout=subprocess.PIPE, stderr=subprocess.PIPE, timeout=300,
@@ -99,7 +99,7 @@ class Example(unittest.TestCase):
         return done.stdout
 
     def numbers(self, pattern, output):
-        """The numbers in the only line of the output, which has the pattern."""
+        """Returns the numbers in the only line of the output, which has the pattern."""
         match = re.fullmatch(pattern + r"\n", output)
         self.assertTrue(match, output)
         return [float(x) for x in match.groups()]
@@ -207,7 +207,7 @@ class Example(unittest.TestCase):
         self.assertEqual(len(set(zip(labels[3], labels[7]))), 7, "the few are unions of the many")
 
     def test_save_and_load_hierarchy(self):
-        """One process saves, others load: the labels are those of runs."""
+        """One process saves, others load. The labels equal the labels of runs."""
         n, most = self.numbers(r"(\d+) segments, up to (\d+)", self.run_example())
         self.assertGreater(n, 6)
         labels = {}
@@ -258,7 +258,7 @@ class Example(unittest.TestCase):
         self.check_segments(read_off(MESHES / "elephant.off")[1], self.labels_in_text(), n)
 
     def long_tube(self):
-        """A mesh of 180,000 faces."""
+        """Returns a mesh of 180,000 faces."""
         return self.write(*tube([10 + 5 * math.sin(i / 20) for i in range(300)], 300))
 
     def test_progress_and_cancel(self):

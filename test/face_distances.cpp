@@ -44,7 +44,7 @@ double shortest_by_search(const Vector& a, const Vector& b, const Vector& f, con
   return std::min({inside, length(0), length(1)});
 }
 
-// Two squares that share the edge from (0, 0, 0) to (1, 0, 0), both going down, or up where the
+// Returns two squares with the common edge from (0, 0, 0) to (1, 0, 0). Both go down, or up if the
 // slope is positive.
 Soup roof(double slope)
 {
@@ -117,8 +117,8 @@ double rank_by_counting(const Values& values, std::size_t i)
   return (smaller + (equal - 1) / 2) / static_cast<double>(values.size() - 1);
 }
 
-// The share of the weight of those that are smaller, and half of the equal ones.
-double share_by_adding(const std::vector<float>& values, const std::vector<double>& weights,
+// Returns the fraction of the weight that smaller values have, and half of the equal ones.
+double rank_by_adding(const std::vector<float>& values, const std::vector<double>& weights,
                        std::size_t i)
 {
   double below = 0, total = 0;
@@ -282,7 +282,7 @@ BOOST_AUTO_TEST_CASE(the_weight_of_concave_edges_decides_against_sharper_convex_
         return graph.weights[h].angle;
     return -1.f;
   };
-  // Three of the five inner edges are flat and share the lowest ranks.
+  // Three of the five inner edges are flat, and have the mean of the lowest ranks.
   set_face_distances(graph, {0.01, 1, 0.1});
   BOOST_TEST(angle_between(0, 3) == 1.f);    // the valley
   BOOST_TEST(angle_between(2, 5) == 0.75f);  // the ridge
@@ -343,7 +343,7 @@ BOOST_AUTO_TEST_CASE(equalized_values_are_mean_ranks)
   }
 }
 
-BOOST_AUTO_TEST_CASE(with_weights_a_value_takes_as_much_room_as_its_weight)
+BOOST_AUTO_TEST_CASE(a_value_takes_as_much_room_as_its_weight)
 {
   BOOST_TEST(equalize(sequential, {}, {}).empty());
   BOOST_TEST(equalize(sequential, {7.f}, {3}) == std::vector<double>({0.5}), tt::per_element());
@@ -366,12 +366,12 @@ BOOST_AUTO_TEST_CASE(with_weights_a_value_takes_as_much_room_as_its_weight)
       }
       const std::vector<double> result = equalize(sequential, values, weights);
       for (std::size_t i = 0; i < values.size(); ++i)
-        BOOST_TEST(result[i] == share_by_adding(values, weights, i), tt::tolerance(1e-12));
+        BOOST_TEST(result[i] == rank_by_adding(values, weights, i), tt::tolerance(1e-12));
     }
   }
 }
 
-BOOST_AUTO_TEST_CASE(with_a_radius_bending_takes_the_place_of_the_dihedral_angle)
+BOOST_AUTO_TEST_CASE(curvature_replaces_the_dihedral_angle_with_a_radius)
 {
   for (unsigned seed = 1; seed <= 8; ++seed) {
     BOOST_TEST_CONTEXT("seed " << seed) {
@@ -396,7 +396,7 @@ BOOST_AUTO_TEST_CASE(with_a_radius_bending_takes_the_place_of_the_dihedral_angle
       bool differs = false;
       for (std::size_t e = 0; e < edges.size(); ++e) {
         const Edge_weights& h = graph.weights[edges[e]];
-        const double angle = share_by_adding(values, lengths, e);
+        const double angle = rank_by_adding(values, lengths, e);
         BOOST_TEST(std::abs(h.angle - angle) < rounding);
         BOOST_TEST(h.concavity == (bending[edges[e]] < 0 ? h.angle : 0));
         BOOST_TEST(std::abs(h.combined - (0.75 * angle + 0.25 * h.geodesic)) < 2 * rounding);

@@ -101,7 +101,7 @@ BOOST_AUTO_TEST_CASE(unit_and_offset_make_no_difference)
   BOOST_TEST(segments(1, 1 << 20) == expected);
 }
 
-BOOST_AUTO_TEST_CASE(features_that_tell_nothing_change_nothing)
+BOOST_AUTO_TEST_CASE(uninformative_features_change_nothing)
 {
   const Mesh mesh = mesh_of(doll());
   const Labels expected = labels_of(mesh, parameters::default_values());

@@ -22,7 +22,7 @@ def factors(**changed):
 
 
 def tree_of_four_faces(truths):
-    """Two halves of two faces, the first of which is cut further."""
+    """Returns two halves of two faces, the first of which is cut further."""
     parents, children = [None, 0, 0, 1, 1], [[1, 2], [3, 4], [], [], []]
     nodes = [{"parent": parent, "children": c, "factors": factors() if c else None,
               "salience": 0.6 - 0.4 * i if c else None}

@@ -199,9 +199,9 @@ BOOST_AUTO_TEST_CASE(components_of_any_size_are_averaged_as_if_alone)
   for (const Soup& component : components) {
     const Surface alone = surface_of(component);
     const Eigen::Index n = Eigen::Index(alone.number_of_faces());
-    const double share = areas_of(graph).segment(first, n).sum() / total_area(graph);
+    const double fraction = areas_of(graph).segment(first, n).sum() / total_area(graph);
     const VectorXd amounts = start.segment(first, n).cwiseProduct(areas_of(alone));
-    BOOST_TEST((averages.segment(first, n) - averaged(alone, 0.02 / std::sqrt(share), amounts))
+    BOOST_TEST((averages.segment(first, n) - averaged(alone, 0.02 / std::sqrt(fraction), amounts))
                  .cwiseAbs().maxCoeff() < 1e-9);
     first += n;
   }

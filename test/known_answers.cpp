@@ -60,9 +60,9 @@ struct Segmented_mesh
     return result;
   }
 
-  // The share of the faces of a place that belong to the segment with most of them.
+  // Returns the fraction of the faces of a place that belong to the segment with most of them.
   template <class Condition>
-  double largest_share(const Condition& condition) const
+  double largest_fraction(const Condition& condition) const
   {
     std::vector<std::size_t> number(labels.size(), 0);
     std::size_t all = 0;
@@ -94,7 +94,7 @@ BOOST_AUTO_TEST_CASE(a_rotor_has_a_body_and_two_pins)
 
 BOOST_AUTO_TEST_CASE(each_tooth_of_a_pinion_is_a_segment)
 {
-  // Whether teeth are parts of a wheel is a matter of taste. They are the most salient parts.
+  // Teeth are parts of a wheel or not, as a matter of taste. They are its most salient parts.
   const Segmented_mesh pinion("pinion.off",
     CGAL::Spectral_segmentation::parameters::salience_threshold(0.3));
   Eigen::Matrix3d moments = Eigen::Matrix3d::Zero();
@@ -150,7 +150,7 @@ BOOST_AUTO_TEST_CASE(both_arms_of_a_cactus_are_cut_off)
       return side * p.x() > 0.13 && side * p.x() < 0.165 && p.y() > -0.2 && p.y() < 0.2;
     };
     BOOST_TEST(cactus.segments(upper).size() == 1);
-    BOOST_TEST(cactus.largest_share(lower) > 0.9);
+    BOOST_TEST(cactus.largest_fraction(lower) > 0.9);
     BOOST_TEST(cactus.segments(upper).count(*cactus.segments(is_trunk).begin()) == 0);
   }
   BOOST_TEST(number_of(cactus.labels) <= 5); // an arm may also be cut at the elbow

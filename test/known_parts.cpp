@@ -76,9 +76,9 @@ const std::vector<Row> only_references = rows_of_known_parts({});
 
 } // namespace
 
-// As segments, the components find the second plate and, with 3 squares of 5, one of the two parts
-// of the third; the other has 2 squares of 5. They join 2 * 3 * 2 ordered pairs of squares wrongly
-// on the third plate, and 2 * 1/2 * 1/2 on the last one.
+// The components, taken as segments, find the second plate and, with 3 squares of 5, one of the two
+// parts of the third; the other has 2 squares of 5. They join 2 * 3 * 2 ordered pairs of squares
+// wrongly on the third plate, and 2 * 1/2 * 1/2 on the last one.
 BOOST_AUTO_TEST_CASE(scores_of_references_by_hand)
 {
   const Known_parts input = four_plates();

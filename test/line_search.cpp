@@ -50,8 +50,8 @@ namespace {
 
 typedef std::set<Index> Faces;
 
-// The line search of Sections 5.3 and 6 as sets: all is recomputed at each visited face.
-class Twin
+// The line search of Sections 5.3 and 6 with sets: all is computed anew at each visited face.
+class Search_by_sets
 {
   struct Edge
   {
@@ -100,7 +100,7 @@ public:
     double base; // the product of the two largest eigenvalues
   };
 
-  explicit Twin(const Surface& part) : part_(part)
+  explicit Search_by_sets(const Surface& part) : part_(part)
   {
     for (Index h = 0; h < part.number_of_halfedges(); ++h) {
       Edge& e = edges_[std::minmax(part.source_vertex(h), part.target_vertex(h))];
@@ -178,7 +178,7 @@ public:
   }
 };
 
-Salience_factors factors_of(const Twin::Step& step)
+Salience_factors factors_of(const Search_by_sets::Step& step)
 {
   Salience_factors factors;
   factors.size = step.size;
@@ -188,7 +188,7 @@ Salience_factors factors_of(const Twin::Step& step)
 }
 
 // Compares every step and the chosen cut; returns the number of compared cuts.
-std::size_t compare_with_twin(const Surface& part, const std::vector<Index>& line,
+std::size_t compare_with_sets(const Surface& part, const std::vector<Index>& line,
                               const Weighted_part_salience& part_salience, double minimum_area)
 {
   std::vector<Salience_factors> observed;
@@ -198,19 +198,19 @@ std::size_t compare_with_twin(const Surface& part, const std::vector<Index>& lin
   };
   const std::optional<Cut> cut =
     internal::line_search(sequential, part, line, observing_salience, minimum_area);
-  const std::vector<Twin::Step> expected = Twin(part).steps(line, minimum_area);
+  const std::vector<Search_by_sets::Step> expected = Search_by_sets(part).steps(line, minimum_area);
 
   BOOST_REQUIRE(observed.size() == expected.size());
   // The second half is swept from the other end.
-  const auto is_of_first_half = [&](const Twin::Step& step)
+  const auto is_of_first_half = [&](const Search_by_sets::Step& step)
   { return 2 * step.q.size() <= part.number_of_faces(); };
   std::reverse(observed.begin() + std::count_if(expected.begin(), expected.end(),
                                                 is_of_first_half), observed.end());
   BOOST_REQUIRE(cut.has_value() == !expected.empty());
   std::size_t best = 0;
-  double largest = 0; // salience, by the twin
+  double largest = 0; // salience, by the search with sets
   for (std::size_t i = 0; i < expected.size(); ++i) {
-    const Twin::Step& step = expected[i];
+    const Search_by_sets::Step& step = expected[i];
     const Salience_factors& factors = observed[i];
     BOOST_TEST(std::abs(factors.size - step.size) < 1e-12);
     BOOST_TEST(std::abs(factors.cut_strength - step.cut_strength) < 1e-12);
@@ -284,21 +284,21 @@ void compare_on_random_meshes(unsigned number, const std::vector<Soup>& shapes, 
       for (const std::vector<Index>& line :
            {random_line(part, random), disturbed_line(part, random),
             line_between(part, Index(random() % n), Index(random() % n))})
-        compared += compare_with_twin(part, line, weights[seed % 4], minimum_area);
+        compared += compare_with_sets(part, line, weights[seed % 4], minimum_area);
     }
   BOOST_TEST(compared > 10 * number);
 }
 
 } // namespace
 
-BOOST_AUTO_TEST_CASE(it_agrees_with_its_twin_on_closed_meshes)
+BOOST_AUTO_TEST_CASE(it_agrees_with_sets_on_closed_meshes)
 {
   compare_on_random_meshes(
     60, {sphere(0), sphere(1), dumbbell(5, 4), surface_of_revolution({{-1, 0}, {0, 1}, {1, 0}}, 9)},
     false);
 }
 
-BOOST_AUTO_TEST_CASE(it_agrees_with_its_twin_on_meshes_with_border)
+BOOST_AUTO_TEST_CASE(it_agrees_with_sets_on_meshes_with_border)
 {
   compare_on_random_meshes(
     60, {plate(6, 5), plate(12, 1), surface_of_revolution({{0, 1}, {1, 2}, {2, 1}, {3, 1}}, 8)},
@@ -307,14 +307,14 @@ BOOST_AUTO_TEST_CASE(it_agrees_with_its_twin_on_meshes_with_border)
     120, {plate(7, 7), sphere(1), torus(2, 0.7, 7, 6), dumbbell(6, 5)}, true);
 }
 
-BOOST_AUTO_TEST_CASE(it_agrees_with_its_twin_on_meshes_of_genus_1)
+BOOST_AUTO_TEST_CASE(it_agrees_with_sets_on_meshes_of_genus_1)
 {
   compare_on_random_meshes(
     60, {torus(2, 0.7, 3, 3), torus(2, 0.7, 5, 4), torus(2, 0.7, 8, 8), torus(3, 0.5, 20, 3)},
     false);
 }
 
-BOOST_AUTO_TEST_CASE(it_agrees_with_its_twin_on_meshes_of_genus_2)
+BOOST_AUTO_TEST_CASE(it_agrees_with_sets_on_meshes_of_genus_2)
 {
   const std::vector<Soup> shapes = {
     connected_sum(torus(2, 0.7, 4, 4), torus(2, 1, 5, 4)),
@@ -359,7 +359,7 @@ BOOST_AUTO_TEST_CASE(a_patch_that_is_closed_around_a_hole_is_no_cut)
   BOOST_TEST(sizes.back() == 49u);
 }
 
-BOOST_AUTO_TEST_CASE(of_equally_salient_cuts_the_first_is_taken)
+BOOST_AUTO_TEST_CASE(the_first_of_equally_salient_cuts_is_taken)
 {
   const Surface part = graph_with_distances(plate(5, 4));
   std::vector<Index> line(40);

@@ -63,9 +63,9 @@ long euler_characteristic(const Surface& graph)
 BOOST_AUTO_TEST_CASE(the_surface_stays_and_no_edge_is_longer_than_the_bound)
 {
   for (const Soup& soup : small_soups())
-    for (double share : {0.07, 0.3, 0.9}) {
+    for (double fraction : {0.07, 0.3, 0.9}) {
       const Surface graph = surface_of(soup);
-      const double length = share * longest_edge(graph);
+      const double length = fraction * longest_edge(graph);
       const Level result = refined(graph, length);
       BOOST_TEST(longest_edge(result.surface) <= length * (1 + 1e-6));
       BOOST_TEST(euler_characteristic(result.surface) == euler_characteristic(graph));

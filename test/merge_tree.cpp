@@ -94,7 +94,7 @@ void for_each_random_cuts(const Function& f)
 
 } // namespace
 
-BOOST_AUTO_TEST_CASE(without_merges_there_are_only_roots)
+BOOST_AUTO_TEST_CASE(all_leaves_are_roots_without_merges)
 {
   Surface surface = surface_of(disjoint_union(plate(2, 1), plate(1, 1)));
   for (Cut_state state : {Cut_state::NOT_SEARCHED, Cut_state::NO_CUT}) {
@@ -150,7 +150,7 @@ BOOST_AUTO_TEST_CASE(a_hierarchy_has_the_cuts_in_their_order)
 BOOST_AUTO_TEST_CASE(decisions_on_leaves_stand_between_the_cuts)
 {
   for_each_random_cuts([](Random_cuts cuts, Random& random) {
-    std::map<std::size_t, Index> decided; // by salience, which tells them apart
+    std::map<std::size_t, Index> decided; // by salience, which distinguishes them
     for (Index leaf = 0; leaf < cuts.tree.leaves.size(); ++leaf)
       if (random() % 2 == 0) {
         // A leaf is decided on after the cut that makes it.
@@ -218,7 +218,7 @@ BOOST_AUTO_TEST_CASE(merged_sets_are_ranges)
 }
 
 // The cut to make next is looked up among all cuts of the parts that remain.
-BOOST_AUTO_TEST_CASE(from_the_top_down_the_most_salient_cut_that_can_be_made_comes_next)
+BOOST_AUTO_TEST_CASE(the_most_salient_cut_that_can_be_made_comes_next)
 {
   for_each_random_cuts([](const Random_cuts& cuts, Random&) {
     Merge_tree tree = cuts.tree;

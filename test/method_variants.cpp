@@ -69,7 +69,7 @@ Segmentation_hierarchy default_tree(const Tree_method& method, const Mesh& mesh)
 
 } // namespace
 
-BOOST_AUTO_TEST_CASE(options_of_the_engine_are_those_of_the_named_parameters)
+BOOST_AUTO_TEST_CASE(options_of_the_engine_equal_the_named_parameters)
 {
   const Mesh mesh = two_bodies();
   const Segmentation_hierarchy calibrated = hierarchy(mesh, params::default_values()),
@@ -120,7 +120,7 @@ BOOST_AUTO_TEST_CASE(kept_trees_give_the_labels_of_runs)
 }
 
 // People are the methods themselves, with six segments each.
-BOOST_AUTO_TEST_CASE(errors_read_off_trees_are_those_of_runs)
+BOOST_AUTO_TEST_CASE(errors_read_off_trees_equal_errors_of_runs)
 {
   Benchmark_mesh input{1, two_bodies(), {}};
   for (const Tree_method& method : tree_methods())
@@ -141,7 +141,7 @@ BOOST_AUTO_TEST_CASE(errors_read_off_trees_are_those_of_runs)
   }
 }
 
-// One person cuts at the neck, as the tree does first, the other not at all.
+// One person cuts at the neck, where the tree cuts first, and the other one does not cut.
 BOOST_AUTO_TEST_CASE(errors_of_a_dumbbell)
 {
   Benchmark_mesh input = dumbbell();

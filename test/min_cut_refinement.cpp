@@ -316,7 +316,7 @@ BOOST_AUTO_TEST_CASE(no_cut_becomes_more_expensive_and_faces_far_from_it_stay)
   }
 }
 
-BOOST_AUTO_TEST_CASE(of_all_cuts_within_reach_there_is_no_cheaper_one)
+BOOST_AUTO_TEST_CASE(no_cut_within_reach_is_cheaper)
 {
   const Surface whole = graph_of(torus(2, 0.7, 12, 8));
   for (unsigned seed = 1; seed <= 60; ++seed) {

@@ -88,7 +88,7 @@ BOOST_AUTO_TEST_CASE(a_twisted_body_has_no_plane)
   BOOST_TEST(!Mirror_symmetry(surface)().has_value());
 }
 
-// Of the three planes, the one that divides the length is taken.
+// The plane that divides the length is taken, among three planes.
 BOOST_AUTO_TEST_CASE(ties_go_to_the_axis_of_larger_variance)
 {
   const Surface surface = framed(sphere(4), [](const Point& p)

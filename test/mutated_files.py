@@ -3,10 +3,10 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Runs the command line tool on damaged files: mutated_files.py TOOL [--count N] [--seed S].
 
-The files are those of fuzz/make_corpus.py. The fuzzers look for damage that harms a reader; this
+The files come from fuzz/make_corpus.py. The fuzzers look for damage that harms a reader; this
 looks at the tool. Each run has to end in time with exit code 0 and labels, or with exit code 4 and
-a sentence of its own, and to take no more memory than a small multiple of the file. What fails is
-kept in --keep, if it is given.
+a message of its own, and to take no more memory than a small multiple of the file. Files that fail
+are kept in --keep, if it is given.
 """
 
 import argparse
@@ -45,7 +45,7 @@ def base_files():
     return [file for file in files if file not in refused], refused
 
 
-# What damages them. Each function takes and returns bytes.
+# The functions that damage files. Each takes and returns bytes.
 
 def change_numbers(data, rng, choose):
     """Replaces one number of a text."""
@@ -93,7 +93,7 @@ MUTATORS = [flip_bits, truncate, put_extreme, put_binary_extreme, change_count]
 
 
 def cases(bases, count, seed):
-    """The untouched files first. Tuples of what was done, the extension and the bytes."""
+    """Yields a description, the extension and the bytes of each file, the untouched ones first."""
     for i, (name, data) in enumerate(bases):
         yield "file %d untouched" % i, name, data
     for number in range(count):
@@ -130,7 +130,7 @@ def check_sentence(error):
 
 
 def run(tool, folder, number, case, is_sound):
-    """What is wrong, or None; and the exit code."""
+    """Returns a description of the failure, or None; and the exit code."""
     _, name, data = case
     path, labels = folder / ("%d.%s" % (number, name)), folder / ("%d.labels" % number)
     path.write_bytes(data)

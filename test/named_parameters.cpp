@@ -104,7 +104,7 @@ struct Scaling_traits
 
 } // namespace
 
-BOOST_AUTO_TEST_CASE(maps_and_traits_are_those_of_the_mesh_by_default)
+BOOST_AUTO_TEST_CASE(maps_and_traits_come_from_the_mesh_by_default)
 {
   Segmentation_visitor visitor;
   const Labels labels = labels_of_doll();
@@ -341,7 +341,7 @@ BOOST_AUTO_TEST_CASE(numbers_of_any_type_are_taken)
 
 BOOST_AUTO_TEST_CASE(each_number_has_an_effect)
 {
-  // Whether the labels are others than those of `by_default`, alike for all thresholds.
+  // Returns whether labels differ from those of `by_default`, whatever the default threshold is.
   const auto differ = [](const auto& by_default, const auto& np) {
     const auto labels = [](const auto& pack)
     { return labels_of_doll(pack.salience_threshold(-infinity).maximum_number_of_segments(12)); };
@@ -483,7 +483,7 @@ BOOST_AUTO_TEST_CASE(a_face_index_map_is_as_good_as_the_order_of_the_faces)
     BOOST_TEST(labels[i] == expected[old_number[i]]);
 }
 
-// The suite of the options has the ranges; here is what a number may lose on the way to them.
+// The suite of the options tests the ranges. These are values that could be lost on the way there.
 BOOST_AUTO_TEST_CASE(numbers_out_of_range_are_refused_by_name)
 {
   check_refused("maximum_number_of_segments", parameters::maximum_number_of_segments(-3));

@@ -21,8 +21,8 @@ typedef std::vector<Index> Faces;
 Faces faces(const Nested_ranges& ranges, std::size_t node)
 { return Faces(ranges[node].begin(), ranges[node].end()); }
 
-// A random forest with the faces of each node, one by one: those of a leaf ascend, those of
-// another node are those of its first child, then those of its second.
+// A random forest with the faces of each node, one by one. The faces of a leaf ascend; another node
+// has the faces of its first child, then the faces of its second.
 struct Forest
 {
   Cut_hierarchy hierarchy;
@@ -73,7 +73,7 @@ BOOST_AUTO_TEST_CASE(ranges_are_the_faces_of_the_nodes_of_a_random_forest)
   }
 }
 
-BOOST_AUTO_TEST_CASE(without_faces_all_ranges_are_empty)
+BOOST_AUTO_TEST_CASE(all_ranges_are_empty_without_faces)
 {
   Cut_hierarchy hierarchy;
   hierarchy.number_of_roots = 2;

@@ -59,7 +59,7 @@ Eigenpairs dense_eigenpairs(const MatrixXd& a)
   return {solver.eigenvalues().reverse(), solver.eigenvectors().rowwise().reverse()};
 }
 
-// Whether two vectors are equal up to sign.
+// Returns whether two vectors are equal up to sign.
 bool are_parallel(const VectorXd& a, const VectorXd& b, double tolerance)
 { return std::min((a - b).norm(), (a + b).norm()) < tolerance; }
 
@@ -96,7 +96,7 @@ BOOST_AUTO_TEST_CASE(extrapolated_vectors_reproduce_the_sampled_rows)
   });
 }
 
-BOOST_AUTO_TEST_CASE(with_all_rows_the_result_is_exact)
+BOOST_AUTO_TEST_CASE(the_result_is_exact_with_all_rows)
 {
   with_seeds(20, [](Random& random) {
     const Eigen::Index n = 2 + random() % 10;

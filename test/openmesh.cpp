@@ -34,7 +34,7 @@ typedef boost::mpl::list<
 
 } // namespace
 
-BOOST_AUTO_TEST_CASE_TEMPLATE(labels_are_those_of_a_surface_mesh, Graph, Models)
+BOOST_AUTO_TEST_CASE_TEMPLATE(labels_equal_the_labels_of_a_surface_mesh, Graph, Models)
 { check_labels_of_model<Graph>(); }
 
 BOOST_AUTO_TEST_CASE_TEMPLATE(deleted_faces_are_left_out, Graph, Models)

@@ -64,7 +64,7 @@ BOOST_AUTO_TEST_CASE(presets_are_the_methods)
   check_equal(Options::zhang_liu_2005(), parameters::zhang_liu_2005());
 }
 
-BOOST_AUTO_TEST_CASE(fields_mean_what_named_parameters_do)
+BOOST_AUTO_TEST_CASE(fields_have_the_effects_of_named_parameters)
 {
   Options o;
   o.number_of_segments = 9;
@@ -157,7 +157,7 @@ BOOST_AUTO_TEST_CASE(thresholds_of_saliences_that_are_no_probabilities_may_be_an
   }
 }
 
-BOOST_AUTO_TEST_CASE(each_option_tells_its_name_kind_and_range)
+BOOST_AUTO_TEST_CASE(each_option_has_its_name_kind_and_range)
 {
   Options o;
   std::map<std::string, std::string> kinds;

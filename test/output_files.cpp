@@ -273,7 +273,7 @@ BOOST_AUTO_TEST_CASE(missing_permission)
     if (checked({"closed/x"}) != "cannot write closed/x" + end ||
         checked({}, "closed/parts") != "cannot write closed/parts" + end ||
         checked({}, "closed/") != "cannot write closed" + end)
-      throw std::logic_error("no sentence");
+      throw std::logic_error("no message");
   }) == EXIT_SUCCESS);
 }
 
@@ -299,7 +299,7 @@ BOOST_AUTO_TEST_CASE(files_of_other_users)
     write("shared/x", "new");
     if (checked({"sticky/x"}) != "cannot write sticky/x: only its owner may replace it" ||
         checked({"sticky/y"}) != "")
-      throw std::logic_error("no sentence");
+      throw std::logic_error("no message");
   }) == EXIT_SUCCESS);
   struct stat status;
   BOOST_REQUIRE(stat("shared/x", &status) == 0);
@@ -351,7 +351,7 @@ BOOST_AUTO_TEST_CASE(inputs_are_not_overwritten)
   BOOST_TEST(exit_status([] {
     if (dup2(open("in", O_RDONLY), STDIN_FILENO) != STDIN_FILENO ||
         checked({"link"}, "", {"-"}) != "link is the input")
-      throw std::logic_error("no sentence");
+      throw std::logic_error("no message");
   }) == EXIT_SUCCESS);
 }
 
@@ -379,7 +379,7 @@ BOOST_AUTO_TEST_CASE(clashes_of_names)
   BOOST_TEST(exit_status([] {
     if (dup2(open("d/x", O_WRONLY), STDOUT_FILENO) != STDOUT_FILENO ||
         checked({"-", "e/x"}) == "" || checked({"e/x", "-"}) == "")
-      throw std::logic_error("no sentence");
+      throw std::logic_error("no message");
   }) == EXIT_SUCCESS);
 }
 
@@ -413,13 +413,13 @@ BOOST_AUTO_TEST_CASE(files_of_an_earlier_run_that_stay)
   const In_directory directory;
   write_segments("parts", 3);
   chmod("parts/segment_002.ply", 0444);
-  const std::string sentence = "cannot write parts/segment_002.ply: it is ";
-  BOOST_TEST(checked({}, "parts") == sentence + "write-protected");
+  const std::string message = "cannot write parts/segment_002.ply: it is ";
+  BOOST_TEST(checked({}, "parts") == message + "write-protected");
   BOOST_CHECK_THROW(write_segments("parts", 1), std::runtime_error);
   BOOST_TEST(content("parts/segment_002.ply") == "new");
   std::filesystem::remove("parts/segment_002.ply");
   std::filesystem::create_directory("parts/segment_002.ply"); // an empty one of the user
-  BOOST_TEST(checked({}, "parts") == sentence + "not a file");
+  BOOST_TEST(checked({}, "parts") == message + "not a file");
   BOOST_CHECK_THROW(write_segments("parts", 1), std::runtime_error);
   BOOST_TEST(std::filesystem::is_directory("parts/segment_002.ply"));
   std::filesystem::remove("parts/segment_002.ply");
@@ -491,7 +491,7 @@ BOOST_AUTO_TEST_CASE(targets_that_change_during_a_run)
   BOOST_TEST(content("parts/segment_001.ply") == "new");
 }
 
-BOOST_AUTO_TEST_CASE(a_failure_tells_what_was_written)
+BOOST_AUTO_TEST_CASE(a_failure_names_the_files_that_were_written)
 {
   const In_directory directory;
   {
@@ -576,7 +576,7 @@ BOOST_AUTO_TEST_CASE(streams_that_take_nothing)
 {
   const In_directory directory;
   make("a", old_content);
-  const std::string sentence = "cannot write to standard output";
+  const std::string message = "cannot write to standard output";
   const auto fails = [&](const auto& spoil) {
     return exit_status([&] {
       spoil();
@@ -585,8 +585,8 @@ BOOST_AUTO_TEST_CASE(streams_that_take_nothing)
             files.write("-", text(std::string(100000, 'x')));
             files.write("a", text("new"));
             files.commit();
-          }) != sentence)
-        throw std::logic_error("no sentence");
+          }) != message)
+        throw std::logic_error("no message");
     }) == EXIT_SUCCESS;
   };
   BOOST_TEST(fails([] { close(STDOUT_FILENO); }));
@@ -610,7 +610,7 @@ BOOST_AUTO_TEST_CASE(a_file_that_gets_too_large)
     const struct rlimit limit = {10000, 10000};
     setrlimit(RLIMIT_FSIZE, &limit);
     if (sentence_of([] { write("a", std::string(20000, 'x')); }) != "cannot write a")
-      throw std::logic_error("no sentence");
+      throw std::logic_error("no message");
   }) == EXIT_SUCCESS);
   BOOST_TEST(names_in(".") == Names{"a"}, boost::test_tools::per_element());
   BOOST_TEST(content("a") == old_content);

@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
 # Copyright (c) 2026  The Spectral_segmentation authors.
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Tests what the page of `segment_mesh --html` has: page.py TOOL MESHES, with the directory of
+"""Tests the data of the page of `segment_mesh --html`: page.py TOOL MESHES, with the directory of
 CGAL's meshes."""
 
 import base64
@@ -22,7 +22,7 @@ MESHES = None
 
 
 def integers(text):
-    """The integers that packed.h describes."""
+    """Returns the integers that packed.h describes."""
     value, weight = 0, 1
     for byte in base64.b64decode(text, validate=True):
         value += (byte & 127) * weight
@@ -49,7 +49,7 @@ def triples(numbers):
 
 
 class Page:
-    """What is embedded in a page."""
+    """The data that a page embeds."""
 
     def __init__(self, text):
         self.text = text
@@ -70,7 +70,7 @@ class Page:
         return self.roots + len(self.cuts)
 
     def segments(self, n):
-        """The nodes of the pieces, for n segments."""
+        """Returns the nodes of the pieces, for n segments."""
         parent = {self.roots + 2 * i + k: node for i, node in enumerate(self.cuts)
                   for k in range(2)}
         nodes = range(self.roots + len(parent))
@@ -80,7 +80,7 @@ class Page:
         return segments
 
     def labels(self, n):
-        """Of the faces of the input, for n segments."""
+        """Returns the labels of the faces of the input, for n segments."""
         segments = self.segments(n)
         exceptions = self.data["exceptions"].get(str(n))
         if exceptions:
@@ -97,7 +97,7 @@ class Page:
         return result
 
     def boundaries(self, points, faces, labels):
-        """The edges between faces of two labels. The points are those of the grid of the page,
+        """Returns the edges between faces of two labels, with points on the grid of the page,
         because meshes repeat the points between segments."""
         grid = [tuple(round((x - c) / self.unit) for x, c in zip(p, self.data["mesh"]["corner"]))
                 for p in points]
@@ -169,8 +169,8 @@ class Page_test(unittest.TestCase):
         return page.unit * sum(math.dist(*edge) for edge in
                                page.boundaries(page.points, page.triangles, page.pieces))
 
-    def test_boundaries_are_those_of_meshes(self):
-        """At the number of segments that is shown first."""
+    def test_boundaries_equal_boundaries_of_meshes(self):
+        """The page has them at the number of segments that is shown first."""
         for name, *options in [("cow.off",), ("bear.off", "--segments", "5"),
                                ("elephant.off", "--smooth-boundaries")]:
             with self.subTest(name=name):
@@ -182,7 +182,7 @@ class Page_test(unittest.TestCase):
                                 page.boundaries(ply.points, ply.faces, ply.segments))
 
     def test_pieces_stay(self):
-        """Also pieces that the boundaries of segments would remove. The surfaces are closed."""
+        """Pieces stay that the boundaries of segments would remove. The surfaces are closed."""
         for name in ("anchor.off", "cross.off", "elephant.off"):
             with self.subTest(name=name):
                 page = self.page(MESHES / name)
@@ -255,7 +255,7 @@ class Page_test(unittest.TestCase):
         self.assertIsNone(page.data["hierarchy"]["saliences"][0]) # infinite
 
     def test_large_mesh_is_simplified(self):
-        """A tube of 320,000 faces; the area is that of a cylinder with two cones."""
+        """Returns a tube of 320,000 faces; the area is that of a cylinder with two cones."""
         around, rings = 400, 400
         length = 6 * math.pi
         points, faces = tube([1.] * rings, around)

@@ -27,8 +27,8 @@ MESHES = None
 CHROMIUM = None
 DRIVER = None
 
-# Of the picture that is shown: how often a color is there, and where. Only colors of some hundred
-# pixels are those of segments; others are mixed at their boundaries.
+# Counts the pixels of each color in the picture, with one place. Only colors of some hundred pixels
+# belong to segments; others are mixed at their boundaries.
 COUNT_COLORS = """
 const done = arguments[0];
 viewer.scene.picture(async blob => {
@@ -59,7 +59,7 @@ viewer.scene.picture(async blob => {
 """
 
 
-# The box around what the picture shows, and its size.
+# Returns the box around the shape in the picture, and the size of the picture.
 FIND_EXTENT = """
 const done = arguments[0];
 requestAnimationFrame(() => setTimeout(() => viewer.scene.picture(async blob => {
@@ -81,7 +81,7 @@ requestAnimationFrame(() => setTimeout(() => viewer.scene.picture(async blob => 
 """
 
 
-# What is seen by those who lack one of two kinds of cones, on linear RGB: Vienot, Brettel, Mollon,
+# Linear RGB as seen by people who lack one of two kinds of cones: Vienot, Brettel, Mollon,
 # "Digital Video Colourmaps for Checking the Legibility of Displays by Dichromats", 1999.
 VISIONS = {
     "all cones": ((1, 0, 0), (0, 1, 0), (0, 0, 1)),
@@ -103,7 +103,7 @@ def cielab(linear):
 
 
 def seen_difference(kind, *colors):
-    """Of two colors, in CIELAB, where 2 can be just seen."""
+    """Returns the difference of two colors in CIELAB, where 2 can be just seen."""
     linear = [[c / 12.92 if c <= 0.04045 else ((c + 0.055) / 1.055) ** 2.4 for c in color]
               for color in colors]
     return math.dist(*(cielab(product(VISIONS[kind], rgb)) for rgb in linear))
@@ -166,7 +166,7 @@ class Page_in_browser_test(unittest.TestCase):
         self.assertEqual(self.number(), n)
 
     def colors(self):
-        """Of the segments that are seen; without shading each has one."""
+        """Returns the colors of visible segments, each of which has one without shading."""
         return self.browser.execute_async_script(COUNT_COLORS)
 
     def show_plain(self):
@@ -274,7 +274,7 @@ class Page_in_browser_test(unittest.TestCase):
         return self.browser.execute_script("return viewer.labelText()").encode()
 
     def test_edits(self):
-        """Merges what the last cut has made, cuts it again, undoes, and saves a name."""
+        """Merges the two sides of the last cut, cuts them again, undoes, and saves a name."""
         self.open()
         self.set_number(5)
         a, b = self.browser.execute_script("""

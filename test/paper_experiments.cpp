@@ -156,7 +156,7 @@ BOOST_AUTO_TEST_CASE(no_error_if_all_faces_are_samples)
     BOOST_TEST(direction_error(approximate.vectors.col(e), exact.vectors.col(e)) < 1e-6);
 }
 
-// The order of the two-sample embedding is that of the difference of the distances.
+// The order of the two-sample embedding equals the order by the difference of the distances.
 BOOST_AUTO_TEST_CASE(line_of_two_samples)
 {
   const Surface graph = irregular_dumbbell();
@@ -242,7 +242,7 @@ BOOST_AUTO_TEST_CASE(farthest_first_on_a_line)
              tt::per_element());
 }
 
-BOOST_AUTO_TEST_CASE(first_two_samples_by_contexts_are_those_of_the_package)
+BOOST_AUTO_TEST_CASE(first_two_samples_by_contexts_equal_the_samples_of_the_package)
 {
   const Surface graph = irregular_dumbbell();
   const internal::Sample_faces expected =
@@ -269,7 +269,7 @@ BOOST_AUTO_TEST_CASE(recursion_cuts_the_largest_part)
   BOOST_TEST(number_of_segments(recursive_cuts(graph, 3, none)) == 1u);
 }
 
-BOOST_AUTO_TEST_CASE(recursion_by_shape_context_is_that_of_the_package)
+BOOST_AUTO_TEST_CASE(recursion_by_shape_context_equals_the_package)
 {
   namespace params = CGAL::Spectral_segmentation::parameters;
   test_meshes::Random displacement(1);

@@ -56,7 +56,7 @@ template <class NamedParameters, class Tag>
 using Value = decltype(CGAL::parameters::get_parameter(
   std::declval<const NamedParameters&>().cgal_parameters(), Tag()));
 
-// Tells whether each chain has the value of `start` and the values of the two other parameters.
+// Returns whether each chain has the value of `start` and the values of the two other parameters.
 template <class T, class Tag, class... Chains>
 constexpr auto have_all_values(
   const package::Named_parameters<

@@ -30,8 +30,8 @@ namespace {
 
 struct Progress_visitor : Segmentation_visitor
 {
-  std::vector<double> shares;
-  void progress(double share) { shares.push_back(share); }
+  std::vector<double> fractions;
+  void progress(double fraction) { fractions.push_back(fraction); }
 };
 
 template <class ConcurrencyTag, class NamedParameters>
@@ -39,13 +39,13 @@ void check_progress(const Mesh& mesh, const NamedParameters& np, std::size_t lea
 {
   Progress_visitor visitor;
   labels_of<ConcurrencyTag>(mesh, np.visitor(std::ref(visitor)));
-  const std::vector<double>& shares = visitor.shares;
-  BOOST_TEST_REQUIRE(!shares.empty());
-  BOOST_TEST(shares.size() >= least_number_of_calls);
-  BOOST_TEST(shares.size() <= 1000);
-  BOOST_TEST(shares.front() >= 0);
-  BOOST_TEST(std::is_sorted(shares.begin(), shares.end()));
-  BOOST_TEST(shares.back() == 1);
+  const std::vector<double>& fractions = visitor.fractions;
+  BOOST_TEST_REQUIRE(!fractions.empty());
+  BOOST_TEST(fractions.size() >= least_number_of_calls);
+  BOOST_TEST(fractions.size() <= 1000);
+  BOOST_TEST(fractions.front() >= 0);
+  BOOST_TEST(std::is_sorted(fractions.begin(), fractions.end()));
+  BOOST_TEST(fractions.back() == 1);
 }
 
 template <class NamedParameters>

@@ -152,7 +152,7 @@ BOOST_AUTO_TEST_CASE(fractions_add_up)
   }
 }
 
-BOOST_AUTO_TEST_CASE(the_cuts_are_those_of_the_coarse_mesh)
+BOOST_AUTO_TEST_CASE(the_cuts_equal_the_cuts_of_the_coarse_mesh)
 {
   for (const Soup& soup :
        {fine_dumbbell(), disjoint_union(sphere(4), moved(dumbbell(60, 40), 5, 0, 0))}) {
@@ -220,7 +220,7 @@ BOOST_AUTO_TEST_CASE(the_neck_is_cut_along_its_shortest_ring)
   BOOST_TEST(CGAL::segment_spectral_recursive(mesh, map_to(labels, mesh),
                                               parameters::maximum_number_of_segments(2)
                                                 .number_of_coarse_faces(3000)) == 2);
-  // The ring at z = 0 of radius 0.2, as a polygon of 80 sides.
+  // The ring at z = 0 of radius 0.2 is a polygon of 80 sides.
   BOOST_TEST(length_of_boundaries(soup, labels) == 2 * 80 * 0.2 * std::sin(pi / 80),
              boost::test_tools::tolerance(1e-6));
 }
@@ -246,7 +246,7 @@ BOOST_AUTO_TEST_CASE(a_very_coarse_surface_ends_at_the_same_neck)
   BOOST_TEST(length_of_boundaries(soup, labels) < 1.1 * 2 * pi * 0.2);
 }
 
-BOOST_AUTO_TEST_CASE(once_the_run_is_stopped_larger_shares_replace_minimum_cuts)
+BOOST_AUTO_TEST_CASE(larger_fractions_replace_minimum_cuts_once_the_run_is_stopped)
 {
   const Soup soup = fine_dumbbell();
   const Mesh mesh = mesh_of(soup);

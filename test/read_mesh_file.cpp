@@ -59,13 +59,13 @@ void check(Format format, const std::string& file, const Points& points, const P
     check(mesh_file::read_mesh_file(file, format, keeps_properties), points, polygons);
 }
 
-void check_failure(Format format, const std::string& file, const std::string& sentence)
+void check_failure(Format format, const std::string& file, const std::string& message)
 {
   BOOST_TEST_INFO_SCOPE(file.substr(0, 300));
   for (bool keeps_properties : {false, true})
     BOOST_CHECK_EXCEPTION(mesh_file::read_mesh_file(file, format, keeps_properties),
                           std::runtime_error, [&](const std::runtime_error& e) {
-                            BOOST_TEST(e.what() == sentence);
+                            BOOST_TEST(e.what() == message);
                             return true;
                           });
 }
@@ -80,7 +80,7 @@ void check_warnings(Format format, const std::string& file, const Points& points
              boost::test_tools::per_element());
 }
 
-// What fills up the end of a text.
+// Characters that fill up the end of a text.
 const std::string paddings[] = {std::string(2, '\0'), std::string(4000, '\0'), "\x1A",
                                 std::string("\0\r\n\0\n", 5), std::string(" \0 \x1A\n", 5)};
 
@@ -225,8 +225,8 @@ BOOST_AUTO_TEST_CASE(off_binary)
 BOOST_AUTO_TEST_CASE(off_contradictions)
 {
   const std::string points = "OFF\n3 1 0\n0 0 0\n1 0 0\n0 1 0\n";
-  const auto fails = [](const std::string& file, const std::string& sentence)
-  { check_failure(Format::OFF, file, sentence); };
+  const auto fails = [](const std::string& file, const std::string& message)
+  { check_failure(Format::OFF, file, message); };
   fails("", "line 1: the file ends where a number of points should be");
   fails("OOF\n3 1 0\n", "line 1: 'OOF' is not OFF");
   fails("OFF\n-3 1 0\n", "line 2: '-3' is not a number of points");
@@ -260,10 +260,10 @@ BOOST_AUTO_TEST_CASE(off_contradictions)
 
 BOOST_AUTO_TEST_CASE(off_binary_contradictions)
 {
-  const auto fails = [](const std::vector<std::int32_t>& faces, const std::string& sentence) {
+  const auto fails = [](const std::vector<std::int32_t>& faces, const std::string& message) {
     Bytes bytes(true, "OFF BINARY\n");
     bytes.ints({3, 1, 0}).floats(corner_floats).ints(faces);
-    check_failure(Format::OFF, bytes(), sentence); // the faces begin at byte 59
+    check_failure(Format::OFF, bytes(), message); // the faces begin at byte 59
   };
   fails({3, 0, 1, 3, 0}, "byte 71: 3 is not the number of a point");
   fails({3, 0, -1, 2, 0}, "byte 67: -1 is not the number of a point");
@@ -437,8 +437,8 @@ BOOST_AUTO_TEST_CASE(descriptions_of_a_broken_child)
 BOOST_AUTO_TEST_CASE(obj_contradictions)
 {
   const std::string points = "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 1 1 0\n";
-  const auto fails = [](const std::string& file, const std::string& sentence)
-  { check_failure(Format::OBJ, file, sentence); };
+  const auto fails = [](const std::string& file, const std::string& message)
+  { check_failure(Format::OBJ, file, message); };
   fails(points + "f 1 2 3\nf 3 2 x4\n", "line 6: 'x4' is not the corner of a face");
   fails(points + "f 1 2 99999999999\n", "line 5: '99999999999' is not the corner of a face");
   fails(points + "f 1 2 3.5\n", "line 5: '3.5' is not the corner of a face");
@@ -455,7 +455,7 @@ BOOST_AUTO_TEST_CASE(obj_contradictions)
   fails(std::string("\0\1\2", 3), "line 1: '?\?' is not a statement of OBJ");
 }
 
-BOOST_AUTO_TEST_CASE(obj_with_what_is_not_known)
+BOOST_AUTO_TEST_CASE(obj_with_unknown_statements)
 {
   const std::string mesh = "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n";
   const auto warns = [](const std::string& file, const std::vector<std::string>& warnings)
@@ -556,7 +556,7 @@ BOOST_AUTO_TEST_CASE(ply_with_other_names_of_the_corners)
                 "line 12: the elements 'tristrips' have no list 'vertex_indices'");
 }
 
-// All number types, before and after what is read.
+// All number types, before and after the properties that are read.
 BOOST_AUTO_TEST_CASE(ply_binary)
 {
   for (bool is_big_endian : {false, true}) {
@@ -665,8 +665,8 @@ BOOST_AUTO_TEST_CASE(ply_with_more_than_the_header_declares)
 
 BOOST_AUTO_TEST_CASE(ply_header_contradictions)
 {
-  const auto fails = [](const std::string& file, const std::string& sentence)
-  { check_failure(Format::PLY, file, sentence); };
+  const auto fails = [](const std::string& file, const std::string& message)
+  { check_failure(Format::PLY, file, message); };
   fails("", "line 1: the file ends where 'ply' should be");
   fails("plx\n", "line 1: 'plx' is not 'ply'");
   fails("ply\nformat ascii 1.0\nproperty float x\n",
@@ -699,8 +699,8 @@ BOOST_AUTO_TEST_CASE(ply_header_contradictions)
 BOOST_AUTO_TEST_CASE(ply_body_contradictions)
 {
   const std::string header = ply_header("ascii", ply_points + ply_faces);
-  const auto fails = [&](const std::string& body, const std::string& sentence)
-  { check_failure(Format::PLY, header + body, sentence); }; // the body begins in line 10
+  const auto fails = [&](const std::string& body, const std::string& message)
+  { check_failure(Format::PLY, header + body, message); }; // the body begins in line 10
   fails("0 0 0\n1 x 0\n0 1 0\n3 0 1 2\n", "line 11: 'x' is not a number");
   fails("0 0 0\n1 1e39 0\n0 1 0\n3 0 1 2\n",
         "line 11: '1e39' is not a number of the type of its property");
@@ -729,9 +729,9 @@ BOOST_AUTO_TEST_CASE(ply_binary_contradictions)
                                         "property list int int vertex_indices\n");
   const std::size_t faces = header.size() + 36;
   const auto fails = [&](const std::vector<float>& points, const std::vector<std::int32_t>& face,
-                         std::size_t byte, const std::string& sentence) {
+                         std::size_t byte, const std::string& message) {
     check_failure(Format::PLY, Bytes(false, header).floats(points).ints(face)(),
-                  "byte " + std::to_string(byte) + ": " + sentence);
+                  "byte " + std::to_string(byte) + ": " + message);
   };
   fails(corner_floats, {3, 0, 1, 3}, faces + 12, "the number here is not the number of a point");
   fails(corner_floats, {3, 0, -1, 2}, faces + 8, "the number here is not the number of a point");
@@ -841,8 +841,8 @@ BOOST_AUTO_TEST_CASE(stl_binary)
 
 BOOST_AUTO_TEST_CASE(stl_contradictions)
 {
-  const auto fails = [](const std::string& file, const std::string& sentence)
-  { check_failure(Format::STL, file, sentence); };
+  const auto fails = [](const std::string& file, const std::string& message)
+  { check_failure(Format::STL, file, message); };
   const std::string facet = stl_facet("0 0 1");
   const auto changed = [&](const std::string& word, const std::string& by)
   {
@@ -964,7 +964,7 @@ BOOST_AUTO_TEST_CASE(corners_that_are_not_finite_have_one_place)
 }
 
 #ifdef __unix__
-BOOST_AUTO_TEST_CASE(jobs_share_the_memory)
+BOOST_AUTO_TEST_CASE(jobs_divide_the_memory)
 {
   const auto memory = [](std::size_t number_of_jobs) {
     segment_mesh::Reading_limits limits;
@@ -976,7 +976,7 @@ BOOST_AUTO_TEST_CASE(jobs_share_the_memory)
 }
 #endif
 
-BOOST_AUTO_TEST_CASE(contents_tell_the_format)
+BOOST_AUTO_TEST_CASE(contents_determine_the_format)
 {
   const std::string off = "OFF\n3 1 0\n0 0 0\n1 0 0\n0 1 0\n3 0 1 2\n";
   const std::string obj = "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n";
@@ -985,10 +985,10 @@ BOOST_AUTO_TEST_CASE(contents_tell_the_format)
   for (Format format : {Format::OFF, Format::OBJ, Format::PLY, Format::STL, Format::UNKNOWN})
     for (const std::string& file : {off, obj, ply, stl, "\xEF\xBB\xBF" + obj})
       check(format, file, corner_points, {{0, 1, 2}});
-  // The size tells binary STL, whatever its first word is.
+  // The size identifies binary STL, whatever its first word is.
   check(Format::STL, binary_stl("OFF"), stl_points, {{0, 1, 2}, {0, 1, 3}});
   check(Format::OBJ, binary_stl("v"), stl_points, {{0, 1, 2}, {0, 1, 3}});
-  // What has no mark is as its name says.
+  // Files without a mark have the format of their names.
   check(Format::OFF, off.substr(4), corner_points, {{0, 1, 2}});
   check(Format::OBJ, "f 1 2 3\n" + obj.substr(0, 24), corner_points, {{0, 1, 2}});
 }
@@ -1010,10 +1010,10 @@ BOOST_AUTO_TEST_CASE(contents_that_are_no_mesh)
     {zip + "3D/3dmodel.model",
      "it is 3MF, which is read only from a file with the ending .3mf"},
     {"glTF\2", "it is binary glTF, which is read only from a file with the ending .glb"}};
-  for (const auto& [file, sentence] : cases)
+  for (const auto& [file, message] : cases)
     for (Format format : {Format::OFF, Format::OBJ, Format::PLY, Format::STL, Format::UNKNOWN})
-      check_failure(format, file, sentence);
-  // What a library refuses is not said to need a library.
+      check_failure(format, file, message);
+  // If a library refuses a file, the message does not say that a library is needed.
   BOOST_TEST(mesh_file::other_contents("glTF\2", false) == "");
 }
 

@@ -36,7 +36,7 @@ BOOST_AUTO_TEST_CASE(the_first_corner_is_the_smallest_vertex_whatever_the_mesh_s
   }
 }
 
-BOOST_AUTO_TEST_CASE(points_are_those_of_the_mesh)
+BOOST_AUTO_TEST_CASE(points_equal_the_points_of_the_mesh)
 {
   for (const Soup& soup : small_soups()) {
     const Surface triangles = read_surface(soup);

@@ -25,7 +25,7 @@ const double bad_coordinates[] = {std::numeric_limits<double>::infinity(),
 
 } // namespace
 
-BOOST_AUTO_TEST_CASE(points_and_corners_are_those_of_the_soup)
+BOOST_AUTO_TEST_CASE(points_and_corners_equal_the_soup)
 {
   for (const Soup& soup : small_soups()) {
     const Surface triangles = read_triangle_soup(soup.points, soup.triangles);

@@ -23,7 +23,7 @@ SOURCE = None
 HAS_TBB = None
 OPTIONS = None
 
-# What a machine need not have on which the headers are installed
+# Packages that a machine need not have to install the headers
 NOT_NEEDED = ["CLI11", "nlohmann_json", "assimp", "OpenMesh", "Python3", "Doxygen", "TBB"]
 
 # In the shell of a block, cmake has further options where it configures.
@@ -36,7 +36,7 @@ cmake() {
 
 
 def blocks_of(text, language):
-    """The fenced blocks of a language; those of `shell` are indented."""
+    """Returns the fenced blocks of a language. Blocks of `shell` are indented."""
     if language == "shell":
         blocks = re.findall(r"\n\n((?: {4}.*\n)+)", text)
         return [re.sub(r"^ {4}", "", block, flags=re.MULTILINE) for block in blocks]
@@ -75,7 +75,7 @@ class Readme(unittest.TestCase):
         return self.directory / "root/usr/local"
 
     def configure(self, name, way, tbb, *options):
-        """The block for CMake, with `way` in place of find_package(). Returns the build folder."""
+        """Configures the block for CMake with `way` for find_package(). Returns the folder."""
         folder = self.directory / name
         folder.mkdir()
         self.assertEqual(self.project.count("find_package(Spectral_segmentation REQUIRED)\n"), 1)
@@ -99,7 +99,7 @@ class Readme(unittest.TestCase):
         return folder / "build"
 
     def check_warnings(self, errors, is_debug):
-        """One of the build type if there is none."""
+        """CMake warns of the build type if there is none."""
         self.assertEqual(errors.count("CMake Warning"), 0 if is_debug else 1, errors)
         self.assertEqual("CMAKE_BUILD_TYPE" in errors, not is_debug)
 
@@ -144,14 +144,14 @@ class Readme(unittest.TestCase):
         for switch in switches:
             self.assertIn(switch, done.stderr)
 
-    def test_without_installation(self):
+    def test_ways_without_installation(self):
         subdirectory, fetch_content = self.instead_of_find_package
         self.assertIn("FetchContent_Declare", fetch_content)
         for name, way in (("subdirectory", subdirectory), ("fetch_content", fetch_content)):
             with self.subTest(name):
                 self.check_both(name, way)
 
-    def test_that_what_blocks_name_exists(self):
+    def test_that_commands_and_files_in_blocks_exist(self):
         commands = [line for block in self.shell for line in block.splitlines()]
         scripts = [command.split()[0] for command in commands if command.startswith("scripts/")]
         self.assertGreater(len(scripts), 2)

@@ -100,7 +100,7 @@ internal::Cut_hierarchy over_segmentation(const Surface& graph,
 
 } // namespace
 
-BOOST_AUTO_TEST_CASE(by_salience_the_most_salient_of_all_cuts_is_made_next)
+BOOST_AUTO_TEST_CASE(the_most_salient_of_all_cuts_is_made_next)
 {
   Random random(1);
   const Surface graph = graph_with_distances(
@@ -116,7 +116,7 @@ BOOST_AUTO_TEST_CASE(by_salience_the_most_salient_of_all_cuts_is_made_next)
   BOOST_TEST(result.cut_order == record.cut, boost::test_tools::per_element());
   BOOST_TEST(record.number_of_searches > record.cut.size());
 
-  // Each leaf is searched by itself, which tells how salient its cut would be.
+  // Each leaf is searched by itself, which shows how salient its cut would be.
   const internal::Calibrated_cut best_cut(graph, options);
   internal::Run_control control;
   internal::Run_monitor monitor(control);

@@ -707,7 +707,7 @@ BOOST_AUTO_TEST_CASE(no_boundary_crosses_an_edge_of_three_triangles)
 }
 
 // A triangle of a third segment touches the corner of a plate that is far from the boundary.
-BOOST_AUTO_TEST_CASE(segments_may_share_a_vertex_away_from_boundaries)
+BOOST_AUTO_TEST_CASE(segments_may_meet_at_a_vertex_away_from_boundaries)
 {
   Random random(3);
   Soup soup = displaced(plate(20, 2), 0.1, random);

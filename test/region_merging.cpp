@@ -248,7 +248,7 @@ double coarse_salience(const Salience_factors& factors)
 
 } // namespace
 
-BOOST_AUTO_TEST_CASE(merges_are_those_of_sets_that_are_evaluated_anew_in_each_step)
+BOOST_AUTO_TEST_CASE(merges_equal_merges_of_sets_that_are_evaluated_anew_in_each_step)
 {
   const Calibrated_part_salience calibrated;
   const std::pair<Part_salience, Part_salience> saliences[] = {

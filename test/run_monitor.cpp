@@ -24,7 +24,7 @@ struct Progress_record : Run_control
 {
   std::vector<double> told;
 
-  void progress(double share) override { told.push_back(share); }
+  void progress(double fraction) override { told.push_back(fraction); }
 };
 
 // Says no to the n-th question.
@@ -48,8 +48,8 @@ BOOST_AUTO_TEST_CASE(progress_never_falls_and_stays_in_its_phase)
       Progress_record record;
       Run_monitor monitor(record);
       double start = 0;
-      for (double share : {0.1, 0.6, 0.0, 0.25}) {
-        monitor.start_phase(share);
+      for (double fraction : {0.1, 0.6, 0.0, 0.25}) {
+        monitor.start_phase(fraction);
         const std::size_t first = record.told.size();
         for (int i = 0; i < 200; ++i)
           switch (random() % 4) {
@@ -60,9 +60,9 @@ BOOST_AUTO_TEST_CASE(progress_never_falls_and_stays_in_its_phase)
           }
         for (std::size_t i = first; i < record.told.size(); ++i) {
           BOOST_TEST(record.told[i] >= start);
-          BOOST_TEST(record.told[i] <= start + share + 1e-12);
+          BOOST_TEST(record.told[i] <= start + fraction + 1e-12);
         }
-        start += share;
+        start += fraction;
       }
       monitor.finish();
       for (std::size_t i = 1; i < record.told.size(); ++i)
@@ -83,7 +83,7 @@ BOOST_AUTO_TEST_CASE(phases_add_up_to_the_run)
   BOOST_TEST(record.told == std::vector<double>({0.3}), tt::per_element());
   monitor.advance(0.5);
   BOOST_TEST(record.told.back() == 0.55, tt::tolerance(1e-12));
-  monitor.start_phase(1); // no more than what is left
+  monitor.start_phase(1); // no more than the rest
   BOOST_TEST(record.told.back() == 0.8, tt::tolerance(1e-12));
   monitor.advance(0.5);
   BOOST_TEST(record.told.back() == 0.9, tt::tolerance(1e-12));
@@ -91,7 +91,7 @@ BOOST_AUTO_TEST_CASE(phases_add_up_to_the_run)
   BOOST_TEST(record.told.back() == 1);
 }
 
-BOOST_AUTO_TEST_CASE(a_phase_advances_by_shares_of_its_own)
+BOOST_AUTO_TEST_CASE(a_phase_advances_by_its_own_fractions)
 {
   Progress_record record;
   Run_monitor monitor(record);

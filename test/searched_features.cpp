@@ -111,7 +111,7 @@ BOOST_AUTO_TEST_CASE(means_at_vertices_by_brute_force)
   }
 }
 
-// Of many faces at one vertex only some are read, but each vertex gets features.
+// Only some of many faces at one vertex are read, but each vertex gets features.
 BOOST_AUTO_TEST_CASE(each_vertex_has_features_of_many_faces)
 {
   Random random(3);

@@ -212,7 +212,7 @@ BOOST_AUTO_TEST_CASE(exact_points_and_points_of_a_map)
   BOOST_TEST(flat[*edges(flat).first].length == 24.);
 }
 
-BOOST_AUTO_TEST_CASE(salience_is_that_of_the_cut_between_two_segments)
+BOOST_AUTO_TEST_CASE(salience_equals_the_salience_of_the_cut_between_two_segments)
 {
   for (const char* name : {"elephant", "hand"}) {
     const Mesh mesh = mesh_of(read(name + std::string(".off")));

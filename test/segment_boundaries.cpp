@@ -60,7 +60,7 @@ auto boundaries_by(const Mesh& mesh, const Function& id_at)
   return CGAL::segment_boundaries(mesh, map_of(ids, mesh));
 }
 
-// Compares with what a loop over all edges finds. Returns the number of polylines.
+// Compares with the result of a loop over all edges. Returns the number of polylines.
 template <class AnyMesh, class SegmentIdMap>
 std::size_t check(const AnyMesh& mesh, SegmentIdMap segment_ids)
 {

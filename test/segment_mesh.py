@@ -48,7 +48,7 @@ def write_off(path, points, faces):
 
 
 def read_ply_rows(path):
-    """The elements of a binary PLY as the tool writes it, by name; each a list of dictionaries."""
+    """Returns the elements of a binary PLY of the tool, by name; each is a list of dictionaries."""
     header, body = path.read_bytes().split(b"end_header\n", 1)
     codes = {"char": "b", "uchar": "B", "short": "h", "ushort": "H", "int": "i", "uint": "I",
              "float": "f", "double": "d"}
@@ -79,7 +79,7 @@ def read_ply_rows(path):
 
 
 def read_ply(path):
-    """A binary PLY as the tool writes it; segments and colors are empty if it has none."""
+    """Returns a binary PLY as the tool writes it; segments and colors are empty if it has none."""
     rows = read_ply_rows(path)
     color = operator.itemgetter("red", "green", "blue")
     faces = rows["face"]
@@ -98,7 +98,7 @@ def read_obj(path):
 
 
 def read_glb_nodes(path):
-    """The nodes of a binary glTF."""
+    """Returns the nodes of a binary glTF."""
     content = path.read_bytes()
     (size,) = struct.unpack_from("<I", content, 12)
     return json.loads(content[20:20 + size])["nodes"]
@@ -108,7 +108,7 @@ Object_3mf = collections.namedtuple("Object_3mf", "name type color points triang
 
 
 def read_3mf(path):
-    """The objects of a 3MF by their ids, and the ids of those that are built."""
+    """Returns the objects of a 3MF by their ids, and the ids of those that are built."""
     core = "{http://schemas.microsoft.com/3dmanufacturing/core/2015/02}"
     with zipfile.ZipFile(path) as file:
         assert file.testzip() is None
@@ -156,7 +156,7 @@ def directed_edges(faces):
 
 
 def is_closed(faces):
-    """Whether each edge has a face on both sides."""
+    """Returns whether each edge has a face on both sides."""
     edges = set(directed_edges(faces))
     return len(edges) == 3 * len(faces) and edges == {(b, a) for a, b in edges}
 
@@ -167,7 +167,7 @@ def area(points, face):
 
 
 def tube(radii, around=16):
-    """A closed surface around the z axis: rings of these radii, a point at both ends."""
+    """Returns a closed surface around the z axis: rings of these radii, a point at both ends."""
     points = [(0., 0., -0.5)]
     for z, radius in enumerate(radii):
         for i in range(around):
@@ -192,7 +192,7 @@ STATUSES = ["ok", "bug", "usage", "input", "mesh", "memory", "time", "output", "
 
 
 def dumbbell():
-    """Two balls with a neck between them; the faces are those of one ball, then the other's."""
+    """Returns two balls with a neck between them: the faces of one ball, then of the other one."""
     ball = [math.sin(math.pi * (i + 0.5) / 9) * 5 for i in range(9)]
     return tube(ball[:8] + [1.] + ball[1:])
 
@@ -229,8 +229,8 @@ class Tool_test(unittest.TestCase):
                               stderr=subprocess.PIPE, timeout=300, check=False)
 
     def segment(self, mesh, *arguments):
-        """The labels of a run without errors, which also writes out.ply, with the faces of the
-        mesh, and out.json."""
+        """Returns the labels of a run without errors, which also writes out.ply, with the faces of
+        the mesh, and out.json."""
         done = self.run_tool(mesh, "-o", "out.ply", "--labels", "out.seg", "--json", "out.json",
                              "--keep-faces", *arguments)
         self.assertEqual((done.returncode, done.stderr), (0, ""), mesh)
@@ -246,7 +246,7 @@ class Tool_test(unittest.TestCase):
         return json.loads((self.directory / "out.json").read_text())
 
     def assert_same_parts(self, labels, expected):
-        """The same partition, however the segments are numbered."""
+        """Checks that the partitions are equal, however the segments are numbered."""
         self.assertEqual(len(labels), len(expected))
         pairs = set(zip(labels, expected))
         self.assertEqual(len(pairs), len(set(labels)))
@@ -256,13 +256,13 @@ class Tool_test(unittest.TestCase):
         write_off(self.directory / name, points, faces)
         return name
 
-    def assert_failure(self, status, *arguments, sentence=""):
+    def assert_failure(self, status, *arguments, message=""):
         before = sorted(self.directory.rglob("*"))
         done = self.run_tool(*arguments)
         self.assertEqual(done.returncode, STATUSES.index(status), arguments)
         self.assertEqual(done.stdout, "")
         self.assertRegex(done.stderr, r"\Asegment_mesh: .+\n\Z")
-        self.assertIn(sentence, done.stderr)
+        self.assertIn(message, done.stderr)
         self.assertEqual(sorted(self.directory.rglob("*")), before, arguments)
 
 
@@ -286,7 +286,7 @@ class Real_meshes(Tool_test):
                 for face, written in zip(faces, ply.faces):
                     self.assertEqual([points[v] for v in face], [ply.points[v] for v in written])
 
-    def test_tree_tells_the_segments(self):
+    def test_tree_has_the_segments(self):
         labels = self.segment(MESHES / "elephant.off", "--method", "paper")
         points, faces = read_off(MESHES / "elephant.off")
         report = self.report()
@@ -313,7 +313,7 @@ class Real_meshes(Tool_test):
         whole = sum(area(points, face) for face in faces)
         self.assertAlmostEqual(nodes[0]["area"] / whole, 1)
 
-    def test_tree_tells_the_probability_of_each_cut(self):
+    def test_tree_has_the_probability_of_each_cut(self):
         labels = self.segment(MESHES / "elephant.off")
         report = self.report()
         self.assertEqual(report["parameters"]["method"], "calibrated")
@@ -564,11 +564,11 @@ class Real_meshes(Tool_test):
         for given, read in zip(*surfaces):
             self.assertAlmostEqual(given, read, places=6)
         (self.directory / "bad.3mf").write_bytes((self.directory / "out.3mf").read_bytes()[:5000])
-        self.assert_failure("mesh", "bad.3mf", "--labels", "x", sentence="cannot be read")
+        self.assert_failure("mesh", "bad.3mf", "--labels", "x", message="cannot be read")
 
     def test_coordinates_beyond_the_numbers_of_a_format(self):
         stl = ("--split-dir", "parts", "--split-format", "stl")
-        for mesh, factor, output, sentence in (
+        for mesh, factor, output, message in (
                 ("elephant.off", 1e40, stl, "too large for the numbers of STL"),
                 ("hand.off", 1e12, ("-o", "a.3mf"), "too large for the numbers of 3MF"),
                 ("elephant.off", 1e-7, ("-o", "a.3mf"), "too small for")):
@@ -576,7 +576,7 @@ class Real_meshes(Tool_test):
             self.write_off([tuple(factor * x for x in p) for p in points], faces)
             if "a.3mf" in output:
                 self.write_3mf(MESHES / mesh) # which skips the test without lib3mf
-            self.assert_failure("output", "in.off", *output, sentence=sentence)
+            self.assert_failure("output", "in.off", *output, message=message)
 
     def test_faces_that_point_inward(self):
         """A closed mesh has the same parts if all or some of its faces are turned around."""
@@ -589,7 +589,7 @@ class Real_meshes(Tool_test):
 
     def test_obj_needs_a_name_in_one_line(self):
         self.assert_failure("usage", MESHES / "elephant.off", "-o", "a\nb.obj",
-                            sentence="line break")
+                            message="line break")
 
     def test_closed_parts_fill_the_mesh(self):
         points, faces = read_off(MESHES / "elephant.off")
@@ -664,13 +664,13 @@ class Formats(Tool_test):
             self.assertEqual(done.returncode, 0, name)
             self.assertEqual([int(line) for line in done.stdout.split()], self.expected)
 
-    def test_contents_tell_the_format(self):
+    def test_contents_determine_the_format(self):
         content = (self.directory / "in.off").read_bytes()
         for name in ("in.ply", "in.fbx", "in.xyz", "in"):
             (self.directory / name).write_bytes(content)
             self.assertEqual(self.segment(name), self.expected)
         (self.directory / "in.obj").write_bytes(b"glTF")
-        self.assert_failure("mesh", "in.obj", sentence="it is binary glTF, which is read only from")
+        self.assert_failure("mesh", "in.obj", message="it is binary glTF, which is read only from")
 
     @unittest.skipUnless(hasattr(os, "mkfifo"), "this system has no named pipes")
     def test_named_pipe(self):
@@ -688,7 +688,7 @@ class Formats(Tool_test):
         self.assert_same_parts(self.segment("out.off"), self.expected)
 
     def test_several_outputs(self):
-        """Of one run, also in the directory of segments."""
+        """One run has several outputs, also in the directory of segments."""
         (self.directory / "parts").mkdir()
         done = self.run_tool("in.off", "-o", "out.ply", "-o", "out.obj", "--split-dir", "parts",
                              "--labels", "parts/labels.seg", "--json", "parts/report.json")
@@ -763,7 +763,7 @@ class Formats(Tool_test):
     def test_closing_needs_separate_segments(self):
         for options in ((), ("-o", "out.ply")):
             self.assert_failure("usage", "in.off", "--close", *options,
-                                sentence="--close needs an output of separate segments")
+                                message="--close needs an output of separate segments")
         done = self.run_tool("in.off", "--close", "-o", "out.glb")
         self.assertEqual((done.returncode, done.stderr), (0, ""))
 
@@ -795,11 +795,11 @@ class Formats(Tool_test):
         self.assertEqual(self.labels(), self.expected)
         self.assertEqual(self.report()["parameters"]["scale"], 3)
         check(3, "-o", "out.glb", "--unit", "mm", "--scale", "3000")
-        for options, sentence in ((("--unit", "in"), "--unit needs an output that has a unit"),
+        for options, message in ((("--unit", "in"), "--unit needs an output that has a unit"),
                                   (("-o", "a.glb", "--unit", "yard"), "--unit"),
                                   (("-o", "a.glb", "--scale", "0"), "--scale"),
                                   (("-o", "a.glb", "--scale", "nan"), "--scale")):
-            self.assert_failure("usage", "in.off", *options, sentence=sentence)
+            self.assert_failure("usage", "in.off", *options, message=message)
         if "lib3mf" not in self.run_tool("in.off", "-o", "out.3mf").stderr:
             check(1, "-o", "out.3mf")
             check(25.4, "-o", "out.3mf", "--unit", "in")
@@ -811,7 +811,7 @@ class Formats(Tool_test):
         if done.returncode == 0:
             self.skipTest("the tool was built with lib3mf")
         for options in (("-o", "new.3mf"), ("--split-dir", "parts", "--split-format", "3mf")):
-            self.assert_failure("usage", "in.off", *options, sentence="lib3mf")
+            self.assert_failure("usage", "in.off", *options, message="lib3mf")
 
     def test_formats_of_parts(self):
         for form in ("ply", "obj", "off", "stl", "glb"):
@@ -860,15 +860,15 @@ class Formats(Tool_test):
             self.assertEqual(names, ["segment_%03d.%s" % (i, form)
                                      for i in range(max(self.expected) + 1)] + ["segments.json"])
         self.assert_failure("usage", "in.off", "--hulls", "x", "--split-dir", "./x/",
-                            sentence="two outputs")
+                            message="two outputs")
         self.run_tool("in.off", "--out-dir", "out", "--outputs", "hulls")
         self.assertTrue((self.directory / "out/in.off.hulls/segment_000.obj").exists())
 
     def test_outputs_that_are_no_colored_meshes(self):
-        self.assert_failure("usage", "in.off", "-o", "out.stl", sentence="--split-format")
+        self.assert_failure("usage", "in.off", "-o", "out.stl", message="--split-format")
         for name in ("out.png", "out.SVG"):
-            self.assert_failure("usage", "in.off", "-o", name, sentence="--html FILE")
-            self.assert_failure("usage", "in.off", "-o", name, sentence="scripts/render.py")
+            self.assert_failure("usage", "in.off", "-o", name, message="--html FILE")
+            self.assert_failure("usage", "in.off", "-o", name, message="scripts/render.py")
         self.assertTrue((pathlib.Path(__file__).parents[1] / "scripts/render.py").exists())
 
     def test_further_properties_are_kept(self):
@@ -885,7 +885,7 @@ class Formats(Tool_test):
         self.assertIn(b"property uchar quality\n", header)
         self.assertIn(b"property short id\n", header)
 
-    def test_refined_boundaries_keep_what_points_say(self):
+    def test_refined_boundaries_keep_properties_of_points(self):
         """New points have the means of the values around them: linear functions stay linear."""
         z = [p[2] for p in self.points]
         height = lambda z0: round(200 * (z0 - min(z)) / (max(z) - min(z)))
@@ -926,8 +926,8 @@ class Formats(Tool_test):
                 self.assertAlmostEqual(math.hypot(*vn[k]), 1)
 
     def test_refined_boundaries_keep_polygons_and_joined_borders(self):
-        """Of quadrangles only those at the boundary are cut; each has its own points in the file,
-        and its texture."""
+        """Only quadrangles at the boundary are cut. Each has its own points in the file, and its
+        texture."""
         around, rings = 16, 24
         radius = lambda z: 1 + 0.7 * math.cos(2 * math.pi * z / (rings - 1)) + 0.02 * (z % 3)
         angle = lambda i: 2 * math.pi * (i % around) / around # the same points at both ends
@@ -955,7 +955,7 @@ class Formats(Tool_test):
             for i, j in face:
                 self.assertAlmostEqual(vt[j][0], v[i][2])
                 self.assertAlmostEqual(vt[j][1], v[i][0])
-        # Closed parts are closed for programs, too, which tell points by their numbers.
+        # Closed parts are closed for programs, too, which distinguish points by their numbers.
         done = self.run_tool("in.obj", "--segments", 2, "--close", "--split-dir", "closed")
         self.assertEqual((done.returncode, done.stderr), (0, ""))
         for part in (self.directory / "closed").glob("*.ply"):
@@ -996,7 +996,7 @@ Node = collections.namedtuple("Node", "name mesh_name z points faces")
 
 
 def gltf(nodes, uri):
-    """A description of glTF for data at an address, or in a file of GLB; and the data."""
+    """Returns a description of glTF for data at an address, or in a file of GLB; and the data."""
     data, views, accessors = b"", [], []
 
     def add(content, count, component_type, kind, **further):
@@ -1092,8 +1092,8 @@ def fbx(nodes):
 
 
 def autodesk_3ds(nodes):
-    """Of the points of the scene, as only key frames have translations. Its z axis is up, and
-    Assimp turns it to y."""
+    """Returns the file of a scene. Only key frames have translations. The z axis is up, and Assimp
+    turns it to y."""
     def chunk(number, *contents):
         content = b"".join(contents)
         return struct.pack("<HI", number, 6 + len(content)) + content
@@ -1116,7 +1116,7 @@ WRITERS = {"gltf": lambda nodes: gltf(nodes, True)[0], "glb": glb, "dae": collad
 
 
 class Scenes(Tool_test):
-    """What Assimp reads."""
+    """Files that Assimp reads."""
 
     def setUp(self):
         super().setUp()
@@ -1135,7 +1135,7 @@ class Scenes(Tool_test):
             self.points += own
         name = self.write("glb", glb(self.nodes))
         if "Assimp at build time" in self.run_tool(name).stderr:
-            self.assert_failure("mesh", name, sentence=name)
+            self.assert_failure("mesh", name, message=name)
             self.skipTest("the tool was built without Assimp")
 
     def write(self, extension, content):
@@ -1164,7 +1164,7 @@ class Scenes(Tool_test):
                     self.assertEqual([self.points[v] for v in face], [points[v] for v in written])
 
     def test_files_outside_of_the_folder(self):
-        """Are read on request only, whatever way a file names them."""
+        """They are read on request only, whatever way a file names them."""
         text, data = gltf(self.nodes, False)
         (self.directory / "in").mkdir()
         (self.directory / "inside").mkdir() # begins like the folder
@@ -1207,11 +1207,11 @@ class Scenes(Tool_test):
                 with self.subTest(extension, case=i):
                     name = self.write(extension, content)
                     self.assert_failure("mesh", name, "-o", "out.ply", "--labels", "out.seg",
-                                        sentence=name + " cannot be read: ")
+                                        message=name + " cannot be read: ")
 
 
 def png(red):
-    """The bytes of a picture of one pixel."""
+    """Returns the bytes of a picture of one pixel."""
     def chunk(kind, content):
         return (struct.pack(">I", len(content)) + kind + content +
                 struct.pack(">I", zlib.crc32(kind + content)))
@@ -1226,13 +1226,13 @@ Textured = collections.namedtuple("Textured", "corners image material")
 
 
 def rotated(corners):
-    """The corners of a triangle, from the smallest."""
+    """Returns the corners of a triangle, from the smallest."""
     i = corners.index(min(corners))
     return (*corners[i:], *corners[:i])
 
 
 def read_textured_obj(path):
-    """The triangles of an OBJ, sorted; and by materials the statements without textures."""
+    """Returns the triangles of an OBJ, sorted; and by materials the statements without textures."""
     values, triangles, images, statements = {"v": [], "vt": [], "vn": []}, [], {}, {}
     used, group = None, None
     for line in path.read_text().splitlines():
@@ -1483,7 +1483,7 @@ class Materials(Tool_test):
         self.assertEqual((triangles, again.keys()), (self.expected, materials.keys()))
 
     def test_missing_files(self):
-        """Are told; those of other folders are only read on request."""
+        """They are reported. Files of other folders are only read on request."""
         (self.directory / "in/c.png").rename(self.directory / "c.png")
         mtl = self.directory / "in/the materials.mtl"
         mtl.write_text(mtl.read_text().replace("/home/me/c.png", "../c.png"))
@@ -1508,7 +1508,7 @@ class Materials(Tool_test):
     def test_wrong_usage(self):
         for options in ((), ("-o", "out.ply")):
             self.assert_failure("usage", "in/in.obj", "--keep-materials", *options,
-                                sentence="--keep-materials needs -o with .obj or .glb")
+                                message="--keep-materials needs -o with .obj or .glb")
 
 
 class Soups(Tool_test):
@@ -1650,15 +1650,15 @@ class Constraints(Tool_test):
 
     def test_bad_features(self):
         n = len(self.faces)
-        for lines, kind, sentence in (
+        for lines, kind, message in (
                 (["1"], "usage", "1 vectors, but the mesh has"),
                 (["1 2"] * (n - 1) + ["1"], "input", "line %d has 1 numbers" % n),
                 (["1"] * (n - 1) + ["x"], "input", "'x', which is no number"),
                 (["1", ""] + ["1"] * n, "input", "line 2 has 0 numbers"),
                 (["nan"] * n, "usage", "not finite"), ([], "usage", "0 vectors")):
             self.write("features", lines)
-            self.assert_failure(kind, self.mesh, "--features", "features", sentence=sentence)
-        for header, sentence in (("{'descr': '<f4', 'fortran_order': False, 'shape': (%d,), }" % n,
+            self.assert_failure(kind, self.mesh, "--features", "features", message=message)
+        for header, message in (("{'descr': '<f4', 'fortran_order': False, 'shape': (%d,), }" % n,
                                   "too short"), ("{}", "has no shape"),
                                  ("{'descr': '<c8', 'fortran_order': False, 'shape': (0, 1)}",
                                   "'c8'"),
@@ -1667,30 +1667,30 @@ class Constraints(Tool_test):
                                  ("{'shape': (1, 2, 3)}", "not the shape")):
             (self.directory / "f.npy").write_bytes(
                 b"\x93NUMPY\x01\x00" + struct.pack("<H", len(header)) + header.encode())
-            self.assert_failure("input", self.mesh, "--features", "f.npy", sentence=sentence)
+            self.assert_failure("input", self.mesh, "--features", "f.npy", message=message)
         (self.directory / "f.npy").write_bytes(b"\x93NUMPY\x01\x00\xff\xff{")
         self.assert_failure("input", self.mesh, "--features", "f.npy",
-                            sentence="ends in its header")
-        self.assert_failure("input", self.mesh, "--features", "nothing", sentence="cannot be read")
+                            message="ends in its header")
+        self.assert_failure("input", self.mesh, "--features", "nothing", message="cannot be read")
 
     def test_bad_files(self):
         n = len(self.faces)
-        for lines, sentence in ((["1"], "1 lines"), (["x"] * n, "line 1: a seed is"),
+        for lines, message in ((["1"], "1 lines"), (["x"] * n, "line 1: a seed is"),
                                 (["1 2"] * n, "line 1: there is more")):
             self.write("seeds", lines)
-            self.assert_failure("usage", self.mesh, "--seeds", "seeds", sentence=sentence)
-        for line, sentence in (("1 2", "line 1: an edge is"), ("1 2 glue", "line 1: an edge is"),
+            self.assert_failure("usage", self.mesh, "--seeds", "seeds", message=message)
+        for line, message in (("1 2", "line 1: an edge is"), ("1 2 glue", "line 1: an edge is"),
                                ("1 -2 cut", "line 1: an edge is"), ("0 1 cut x", "more than"),
                                ("0 99999 cut", "line 1: an edge is"), ("0 60 cut", "no edge")):
             self.write("edges", [line])
-            self.assert_failure("usage", self.mesh, "--edges", "edges", sentence=sentence)
-        self.assert_failure("input", self.mesh, "--edges", "nothing", sentence="cannot be read")
+            self.assert_failure("usage", self.mesh, "--edges", "edges", message=message)
+        self.assert_failure("input", self.mesh, "--edges", "nothing", message="cannot be read")
         self.write("edges", ["0 1 cut"])
         self.write("seeds", ["3"] * n)
         self.assert_failure("usage", self.mesh, "--seeds", "seeds", "--edges", "edges",
-                            sentence="is constrained")
+                            message="is constrained")
         self.assert_failure("usage", self.mesh, "--seeds", "seeds", "--out-dir", "out",
-                            sentence="of one mesh")
+                            message="of one mesh")
 
 
 class Failures(Tool_test):
@@ -1764,10 +1764,10 @@ class Failures(Tool_test):
         done = self.run_tool("in.obj", "--labels", "out.seg", "--json", "out.json", *outputs)
         self.assertEqual(done.returncode, 0, done.stderr)
         spoiled_faces = [i for i, face in enumerate(faces) if set(face) & set(spoiled)]
-        sentence = ("face %d uses a point that is not finite; corners left out: %d"
+        message = ("face %d uses a point that is not finite; corners left out: %d"
                     % (spoiled_faces[0], sum(v in spoiled for face in faces for v in face)))
-        self.assertEqual(done.stderr, "segment_mesh: warning: in.obj: " + sentence + "\n")
-        self.assertEqual(self.report()["warnings"], [sentence])
+        self.assertEqual(done.stderr, "segment_mesh: warning: in.obj: " + message + "\n")
+        self.assertEqual(self.report()["warnings"], [message])
         labels = self.labels()
         self.assertEqual(len(labels), len(faces))
         for i in spoiled_faces:
@@ -1800,8 +1800,8 @@ class Failures(Tool_test):
             (self.directory / name).write_text(text)
             with self.subTest(name):
                 self.assert_failure("mesh", name, "-o", "out.ply", "--labels", "out.seg",
-                                    sentence=name)
-        self.assert_failure("input", "missing.off", sentence="there is no file missing.off")
+                                    message=name)
+        self.assert_failure("input", "missing.off", message="there is no file missing.off")
 
     def test_folders_are_searched(self):
         (self.directory / "scans/deep/.hidden").mkdir(parents=True)
@@ -1822,9 +1822,9 @@ class Failures(Tool_test):
                              ["scans/a.off", "scans/deep/.hidden/c.off", "scans/deep/b.STL"])
         (self.directory / "empty").mkdir()
         self.assert_failure("usage", "scans", "-o", "out.ply",
-                            sentence="scans is a folder; --out-dir DIR segments the meshes in it")
-        self.assert_failure("usage", "scans", "--out-dir", ".", sentence="another --out-dir")
-        self.assert_failure("input", "empty", "--out-dir", "out", sentence="no mesh in empty")
+                            message="scans is a folder; --out-dir DIR segments the meshes in it")
+        self.assert_failure("usage", "scans", "--out-dir", ".", message="another --out-dir")
+        self.assert_failure("input", "empty", "--out-dir", "out", message="no mesh in empty")
 
     def test_wrong_usage(self):
         for arguments in ((), ("--unknown", self.mesh), (self.mesh, self.mesh),
@@ -1844,8 +1844,8 @@ class Failures(Tool_test):
                           (self.mesh, "-o", "out.stl"), (self.mesh, "-o", "out"), ("",)):
             self.assert_failure("usage", *arguments)
         self.assert_failure("usage", self.mesh, "--segment", "5",
-                            sentence="did you mean --segments?")
-        self.assert_failure("usage", self.mesh, "--segments", "1000000", sentence="1 to 2390")
+                            message="did you mean --segments?")
+        self.assert_failure("usage", self.mesh, "--segments", "1000000", message="1 to 2390")
 
     def test_output_that_cannot_be_written(self):
         (self.directory / "directory.ply").mkdir()
@@ -1854,17 +1854,17 @@ class Failures(Tool_test):
                              ("--labels", "missing/out.seg"), ("--labels", "/dev/full"),
                              ("--json", "."), ("--json", "file/out.json"),
                              ("--split-dir", "file"), ("--split-dir", "missing/parts")):
-            self.assert_failure("output", self.mesh, option, name, sentence="cannot")
+            self.assert_failure("output", self.mesh, option, name, message="cannot")
         self.assert_failure("usage", self.mesh, "--labels", "x", "--json", "./x",
-                            sentence="two outputs")
+                            message="two outputs")
         self.assert_failure("usage", self.mesh, "--labels", "-", "--json", "-",
-                            sentence="two outputs")
+                            message="two outputs")
         (self.directory / "in.off").write_bytes(self.mesh.read_bytes())
-        self.assert_failure("usage", "in.off", "--labels", "./in.off", sentence="is the input")
+        self.assert_failure("usage", "in.off", "--labels", "./in.off", message="is the input")
         self.assertEqual((self.directory / "file").read_text(), "kept")
 
     def test_time_limit(self):
-        self.assert_failure("time", self.mesh, "--time-limit", "0.001", sentence="time limit")
+        self.assert_failure("time", self.mesh, "--time-limit", "0.001", message="time limit")
         for limit in ("nan", "0"):
             self.assert_failure("usage", self.mesh, "--time-limit", limit)
 
@@ -1873,7 +1873,7 @@ class Failures(Tool_test):
             self.assert_failure("usage", self.mesh, "--memory-limit", *limits)
         if b"__asan_init" in pathlib.Path(TOOL).read_bytes():
             self.skipTest("the sanitizer needs address space without a limit")
-        self.assert_failure("memory", self.mesh, "--memory-limit", "1", sentence="memory")
+        self.assert_failure("memory", self.mesh, "--memory-limit", "1", message="memory")
         for limit in (20, 30, 36, 40, 50): # somewhere on the way
             done = self.run_tool(self.mesh, "--memory-limit", limit, "--quiet")
             self.assertIn(done.returncode, (0, STATUSES.index("memory")), limit)

@@ -130,7 +130,7 @@ void check_nodes(const Segmentation_hierarchy& hierarchy, const Mesh& mesh)
   BOOST_TEST((faces_of_roots == std::multiset<Face>(all.begin(), all.end())));
 }
 
-// Each number gives that many segments, which are those of one fewer with one cut in two.
+// Each number gives that many segments: the segments of one fewer, with one of them cut in two.
 void check_labels_of_numbers(const Segmentation_hierarchy& hierarchy, bool smoothing = false)
 {
   Labels coarse;
@@ -208,7 +208,7 @@ BOOST_AUTO_TEST_CASE(each_cut_has_the_factors_of_its_salience)
   }
 }
 
-BOOST_AUTO_TEST_CASE(labels_for_any_number_and_threshold_are_those_of_a_fresh_run)
+BOOST_AUTO_TEST_CASE(labels_for_any_number_and_threshold_equal_a_fresh_run)
 {
   const double smallest = 0.4;
   for (const Mesh& mesh : several_meshes())

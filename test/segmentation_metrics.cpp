@@ -99,7 +99,7 @@ BOOST_AUTO_TEST_CASE(rand_error_by_hand)
   BOOST_TEST(rand_error(Labels{0, 0, 0}, Labels{0, 0, 1}) == 2 / 3., tt::tolerance(tolerance));
 }
 
-BOOST_AUTO_TEST_CASE(rand_error_is_that_of_all_pairs)
+BOOST_AUTO_TEST_CASE(rand_error_equals_a_count_of_all_pairs)
 {
   for (unsigned seed = 0; seed < 50; ++seed) {
     std::mt19937 random(seed);
@@ -127,7 +127,7 @@ BOOST_AUTO_TEST_CASE(overlap_ratios_by_hand)
   BOOST_TEST(shifted(1, 1) == 2 / 3., tt::tolerance(tolerance));
 }
 
-// Of the three segments of after_1_and_2, the first is half of the first part of after_2, and the
+// The first of the three segments of after_1_and_2 is half of the first part of after_2, and the
 // last is its second part. Only the match of the last is above 1/2.
 BOOST_AUTO_TEST_CASE(part_agreement_by_hand)
 {
@@ -219,7 +219,7 @@ BOOST_AUTO_TEST_CASE(distances_from_cuts_are_along_edges)
              tt::per_element());
 }
 
-BOOST_AUTO_TEST_CASE(means_leave_out_what_is_undefined)
+BOOST_AUTO_TEST_CASE(means_leave_out_undefined_values)
 {
   Errors a{}, b{};
   a.rand_error = 1;

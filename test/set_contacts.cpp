@@ -96,20 +96,20 @@ BOOST_AUTO_TEST_CASE(pieces_of_a_triangle_are_all_of_it)
     const Triangle t = {random_point(random, 1), random_point(random, 1), random_point(random, 1)};
     const auto area = [](const Triangle& of)
     { return (of[1] - of[0]).cross(of[2] - of[0]).norm() / 2; };
-    double sum = 0, shares = 0;
-    internal::for_each_piece(t, bound, [&](const Triangle& piece, double share) {
+    double sum = 0, fractions = 0;
+    internal::for_each_piece(t, bound, [&](const Triangle& piece, double fraction) {
       sum += area(piece);
-      shares += share;
-      BOOST_TEST(share * area(t) == area(piece), tt::tolerance(1e-9));
+      fractions += fraction;
+      BOOST_TEST(fraction * area(t) == area(piece), tt::tolerance(1e-9));
       for (int k = 0; k < 3; ++k)
         BOOST_TEST((piece[k] - piece[(k + 1) % 3]).norm() <= bound);
     });
     BOOST_TEST(sum == area(t), tt::tolerance(1e-9));
-    BOOST_TEST(shares == 1, tt::tolerance(1e-12));
+    BOOST_TEST(fractions == 1, tt::tolerance(1e-12));
   }
 }
 
-BOOST_AUTO_TEST_CASE(nearest_points_are_about_those_of_a_search_through_all)
+BOOST_AUTO_TEST_CASE(nearest_points_are_near_the_results_of_a_search_through_all)
 {
   Random random(4);
   std::vector<Vector> points;

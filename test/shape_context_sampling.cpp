@@ -119,7 +119,7 @@ BOOST_AUTO_TEST_CASE(the_first_reference_is_farthest_from_the_center_of_area)
   }
 }
 
-BOOST_AUTO_TEST_CASE(of_equally_far_faces_the_first_is_taken)
+BOOST_AUTO_TEST_CASE(the_first_of_equally_far_faces_is_taken)
 {
   BOOST_TEST(farthest_face_from_center(sequential, surface_of(sphere(0))) == 0u);
 }

@@ -78,7 +78,7 @@ std::vector<std::vector<double> > floyd_warshall(const Surface& graph, Weighting
 } // namespace
 
 // Distances lie on a grid, so that they agree in every bit.
-BOOST_AUTO_TEST_CASE(distances_equal_those_of_floyd_and_warshall)
+BOOST_AUTO_TEST_CASE(distances_equal_distances_by_floyd_and_warshall)
 {
   for (unsigned seed = 1; seed <= 40; ++seed) {
     BOOST_TEST_CONTEXT("seed " << seed) {
@@ -149,7 +149,7 @@ std::vector<float> angles_by_definition(const Surface& graph,
 
 } // namespace
 
-BOOST_AUTO_TEST_CASE(distances_on_real_meshes_equal_those_of_bellman_and_ford)
+BOOST_AUTO_TEST_CASE(distances_on_real_meshes_equal_distances_by_bellman_and_ford)
 {
   for (const char* name : {"elephant.off", "hand.off", "dino.off", "mushroom.off"})
     BOOST_TEST_CONTEXT(name) {
@@ -166,7 +166,7 @@ BOOST_AUTO_TEST_CASE(distances_on_real_meshes_equal_those_of_bellman_and_ford)
     }
 }
 
-BOOST_AUTO_TEST_CASE(of_several_sources_the_nearest_counts)
+BOOST_AUTO_TEST_CASE(the_nearest_of_several_sources_counts)
 {
   for (unsigned seed = 1; seed <= 40; ++seed) {
     BOOST_TEST_CONTEXT("seed " << seed) {

@@ -33,7 +33,7 @@ std::vector<Index> stably_sorted(const std::vector<Value>& values)
 
 } // namespace
 
-BOOST_AUTO_TEST_CASE(order_is_that_of_a_stable_sort_with_any_number_of_threads)
+BOOST_AUTO_TEST_CASE(order_equals_a_stable_sort_with_any_number_of_threads)
 {
   Random random(1);
   for (std::size_t n : {0, 1, 2, 500, 10001, 60000})

@@ -117,7 +117,7 @@ BOOST_AUTO_TEST_CASE(two_samples_give_the_order_of_the_search)
     }
 }
 
-BOOST_AUTO_TEST_CASE(the_default_samples_are_those_of_section_4)
+BOOST_AUTO_TEST_CASE(the_default_samples_follow_section_4)
 {
   const Soup soup = read("hand.off");
   const Surface graph = graph_with_distances(soup);

@@ -44,7 +44,7 @@ std::vector<Point> cube_points(double x, double y)
   return result;
 }
 
-// Each triangle with points of its own, as in STL.
+// Appends each triangle with points of its own, like STL.
 void add_apart(const std::vector<Point>& points, const std::vector<Triangle>& triangles,
                std::vector<Point>& apart_points, std::vector<Triangle>& apart)
 {
@@ -91,7 +91,7 @@ BOOST_AUTO_TEST_CASE(two_triangles_along_an_edge)
 }
 
 // The ends of the edge are two points and one.
-BOOST_AUTO_TEST_CASE(one_end_of_an_edge_is_shared_already)
+BOOST_AUTO_TEST_CASE(one_end_of_an_edge_is_joined_already)
 {
   const std::vector<Point> points{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {1, 1, 0}, {0, 1, 0}};
   const std::vector<Triangle> expected{{0, 1, 2}, {3, 2, 1}};

@@ -28,13 +28,13 @@ Symmetric_matrix random_matrix(std::mt19937& random)
           normal(random), normal(random), normal(random)};
 }
 
-// Whether a unit vector is only scaled by the matrix, and how much.
+// Returns whether the matrix only scales a unit vector, by this value.
 bool is_eigenvector(const Symmetric_matrix& m, const Vector& v, double eigenvalue)
 { return std::abs(v.norm() - 1) < 1e-12 && (m * v - eigenvalue * v).norm() < 1e-9; }
 
 } // namespace
 
-BOOST_AUTO_TEST_CASE(eigenvalues_and_vectors_are_those_of_a_dense_solver)
+BOOST_AUTO_TEST_CASE(eigenvalues_and_vectors_equal_the_results_of_a_dense_solver)
 {
   std::mt19937 random(1);
   for (int i = 0; i < 200; ++i) {

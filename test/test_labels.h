@@ -52,17 +52,17 @@ template <class ConcurrencyTag = CGAL::Parallel_if_available_tag, class NamedPar
 Labels labels_of(const Soup& soup, const NamedParameters& np)
 { return labels_of<ConcurrencyTag>(mesh_of(soup), np); }
 
-// Checks that a run throws an exception whose message has the sentence, and writes nothing.
+// Checks that a run throws an exception whose text has the message, and writes nothing.
 template <class NamedParameters>
-void check_refused(const Mesh& mesh, const NamedParameters& np, const std::string& sentence = "")
+void check_refused(const Mesh& mesh, const NamedParameters& np, const std::string& message = "")
 {
-  BOOST_TEST_CONTEXT(sentence) {
+  BOOST_TEST_CONTEXT(message) {
     Labels labels;
     const auto map = map_to(labels, mesh);
     BOOST_CHECK_EXCEPTION(
       CGAL::segment_spectral_recursive(mesh, map, np), std::invalid_argument,
       [&](const std::invalid_argument& e)
-      { return std::string(e.what()).find(sentence) != std::string::npos; });
+      { return std::string(e.what()).find(message) != std::string::npos; });
     BOOST_TEST(labels == Labels(num_faces(mesh), untouched), boost::test_tools::per_element());
   }
 }
@@ -136,7 +136,7 @@ inline Labels labels_above(const CGAL::Spectral_segmentation::Segmentation_hiera
                            double threshold, std::size_t maximum_number)
 { return hierarchy.labels(hierarchy.nodes_above(threshold, maximum_number)); }
 
-// Labels are contiguous and numbered by their first face, which is what is known of any labels.
+// Checks that labels are contiguous and numbered by their first face.
 inline void check_numbering(const Labels& labels)
 {
   std::size_t next = 0;
@@ -156,7 +156,7 @@ inline std::size_t check_labels(const Mesh& mesh, const Labels& labels)
   return number_of(labels);
 }
 
-// The share of the pairs of faces that both segmentations join or both separate.
+// Returns the fraction of the pairs of faces that both segmentations join or both separate.
 inline double rand_index(const Labels& a, const Labels& b)
 {
   std::map<std::pair<std::size_t, std::size_t>, double> in_both;

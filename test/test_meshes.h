@@ -68,7 +68,7 @@ Soup disjoint_union(Soup a, const Soup& b);
 // Makes n triangles on a line, far from each other.
 Soup separate_triangles(std::size_t n);
 
-// Makes n triangles that share the edge from (0, 0, 0) to (0, 0, 1), in all directions around it.
+// Makes n triangles at the edge from (0, 0, 0) to (0, 0, 1), in all directions around it.
 Soup fan_at_edge(std::size_t n);
 
 // Makes a ring of n by m squares of two triangles, with a radius of 1 and a width of 0.8, that is
@@ -130,8 +130,8 @@ Surface read_surface(const Mesh& mesh);
 
 Surface read_surface(const Soup& soup);
 
-// Faces and vertices have the numbers of the mesh; points are normalized, as in a run. There are no
-// weights.
+// Returns a surface without weights, whose faces and vertices have the numbers of the mesh. Points
+// are normalized, like in a run.
 Surface surface_of(const Mesh& mesh);
 
 Surface surface_of(const Soup& soup);
@@ -139,7 +139,7 @@ Surface surface_of(const Soup& soup);
 // The face across each halfedge.
 std::vector<Index> neighbors_of(const Surface& surface);
 
-// The length of 1 in the coordinates of the surface, in those of the soup.
+// Returns the unit of the surface, in the coordinates of the soup.
 double unit_of(const Soup& soup);
 
 inline auto face_normals(const Surface& graph,
@@ -155,7 +155,7 @@ void set_face_distances(Surface& graph, const Distance_weights& weights);
 Surface graph_with_distances(const Soup& soup,
                              const Distance_weights& weights = weights_of_paper);
 
-// A connected part of n random faces. It may touch itself at a vertex, as the parts of a cut can.
+// Returns a connected part of n random faces. It may touch itself at a vertex, like parts of cuts.
 Surface random_part(const Surface& graph, std::size_t n, Random& random);
 
 // A mesh of the test data, oriented; vertices are duplicated where it is not a manifold.

@@ -13,7 +13,7 @@
 #include <cstddef>
 #include <vector>
 
-// How the labels of a changed mesh are related to those of the mesh.
+// Tests the relation of the labels of a changed mesh to the labels of the mesh.
 BOOST_AUTO_TEST_SUITE(transformed_meshes)
 
 using namespace test_meshes;

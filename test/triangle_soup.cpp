@@ -87,7 +87,7 @@ typedef std::vector<std::array<int, 3> > Triples;
 
 } // namespace
 
-BOOST_AUTO_TEST_CASE(labels_with_groups_are_those_of_the_mesh)
+BOOST_AUTO_TEST_CASE(labels_with_groups_equal_the_labels_of_the_mesh)
 {
   const auto group = [](std::size_t f) { return int(f / 40 % 3); };
   for_both_methods([&](const auto& np) {
@@ -168,7 +168,7 @@ BOOST_AUTO_TEST_CASE(an_edge_of_three_faces)
   });
 }
 
-// Two solids that share an edge stay apart, although each face at the edge bends less with one of
+// Two solids with a common edge stay apart, although each face at the edge bends less with one of
 // the other solid.
 BOOST_AUTO_TEST_CASE(an_edge_of_four_faces)
 {
@@ -209,7 +209,7 @@ BOOST_AUTO_TEST_CASE(no_triangles)
   BOOST_TEST(labels_of_triangles(nowhere, Triples(), parameters::default_values()).empty());
 }
 
-BOOST_AUTO_TEST_CASE(what_is_no_triangle_is_refused)
+BOOST_AUTO_TEST_CASE(polygons_other_than_triangles_are_refused)
 {
   const double infinity = std::numeric_limits<double>::infinity();
   const double not_a_number = std::numeric_limits<double>::quiet_NaN();

@@ -589,14 +589,14 @@ BOOST_AUTO_TEST_CASE(too_large_for_the_format)
                         is_too_large);
 }
 
-BOOST_AUTO_TEST_CASE(names_tell_the_format)
+BOOST_AUTO_TEST_CASE(names_determine_the_format)
 {
   using mesh_file::check_output_format;
   for (const char* name : {"a.ply", "dir.stl/a.OBJ", "a.b.Off", "a.glb"})
     for (bool is_part : {false, true})
       BOOST_CHECK_NO_THROW(check_output_format(name, is_part));
   BOOST_CHECK_NO_THROW(check_output_format("a.STL", true));
-  const auto sentence = [](const char* name, bool is_part) -> std::string {
+  const auto message = [](const char* name, bool is_part) -> std::string {
     try {
       check_output_format(name, is_part);
       return "";
@@ -606,9 +606,9 @@ BOOST_AUTO_TEST_CASE(names_tell_the_format)
     }
   };
   for (const std::string name : {"a.xyz", "ply", "a.ply/b", "a.stl", ""})
-    BOOST_TEST(sentence(name.c_str(), false) ==
+    BOOST_TEST(message(name.c_str(), false) ==
                "cannot write " + name + ": the name must end in .ply, .obj, .off or .glb");
-  BOOST_TEST(sentence("a.xyz", true) ==
+  BOOST_TEST(message("a.xyz", true) ==
              "cannot write a.xyz: the name must end in .ply, .obj, .off, .glb or .stl");
   BOOST_CHECK_NO_THROW(check_output_format("a.xyz", true, ".xyz"));
   BOOST_CHECK_EXCEPTION(check_output_format("a.stl", false, ".xyz"), std::runtime_error,

@@ -1,7 +1,7 @@
 // Copyright (c) 2026  The Spectral_segmentation authors.
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// The right form of what is wrong in the other files: compiles.
+// The right form of the lines that are wrong in the other files: compiles.
 
 #include <CGAL/segment_spectral_recursive.h>
 

@@ -69,7 +69,7 @@ auto pack_46 = params::feature_weight("much");      // error: feature_weight tak
 auto pack_33 = params::number_of_segment(5);                       // error: did you mean 'number_of_segments'
 auto pack_34 = params::random_seed(1).number_of_segment(5);        // error: did you mean 'number_of_segments'
 
-// The members of a pack of CGAL are CGAL's own, so that the sentence is the compiler's.
+// The members of a pack of CGAL are CGAL's own, so that the message comes from the compiler.
 auto pack_35 = CGAL::parameters::random_seed(1).number_of_segments(5); // error: no member named 'number_of_segments'
 
 auto pack_38 = CGAL::parameters::number_of_segments(2.5);            // error: number_of_segments takes an integer

@@ -20,7 +20,7 @@
 #include <utility>
 #include <vector>
 
-// What the manual promises of a hierarchy, also after changes by hand.
+// Checks the promises of the manual about a hierarchy, also after changes by hand.
 namespace random_runs {
 
 typedef Segmentation_hierarchy::Node Node;
@@ -86,7 +86,7 @@ public:
   }
 };
 
-// Whether each segment of `fine` is within one of `coarse`.
+// Returns whether each segment of `fine` is within one of `coarse`.
 inline bool is_nested(const Labels& fine, const Labels& coarse)
 {
   std::vector<std::size_t> around(number_of(fine), std::size_t(-1));
@@ -198,7 +198,7 @@ inline void check_thresholds(const Segmentation_hierarchy& h, const Parameters& 
               "saliences never grow");
 }
 
-// Reads back what is written, with the nodes.
+// Writes the hierarchy with the nodes, and reads it back.
 inline void check_json(const Segmentation_hierarchy& h)
 {
   const std::string text = written(h);

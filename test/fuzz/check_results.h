@@ -29,7 +29,7 @@
 #include <utility>
 #include <vector>
 
-// What the manual promises of the functions that take a segmentation.
+// Checks the promises of the manual about the functions that take a segmentation.
 namespace random_runs {
 
 typedef std::vector<int> Ids;

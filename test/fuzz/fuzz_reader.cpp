@@ -47,11 +47,11 @@ void count_release(const volatile void* p)
     live_bytes -= __sanitizer_get_allocated_size(p);
 }
 
-void check_sentence(const std::string& sentence)
+void check_message(const std::string& message)
 {
-  require(!sentence.empty() && sentence.size() < 200, "a sentence has a line");
-  for (char c : sentence)
-    require(c >= ' ' && c <= '~', "a sentence can be printed");
+  require(!message.empty() && message.size() < 200, "a message has a line");
+  for (char c : message)
+    require(c >= ' ' && c <= '~', "a message can be printed");
 }
 
 void check_properties(const std::vector<Property>& properties, std::size_t size)
@@ -76,7 +76,7 @@ void check_elements_of_corners(const std::vector<Index>& of_corner,
 void check(const Polygon_soup& soup)
 {
   require(!soup.first_corner.empty() && soup.first_corner.front() == 0 &&
-            soup.first_corner.back() == soup.corners.size(), "all corners are of polygons");
+            soup.first_corner.back() == soup.corners.size(), "all corners belong to polygons");
   require(std::is_sorted(soup.first_corner.begin(), soup.first_corner.end()),
           "the first corners ascend");
   for (Index v : soup.corners)
@@ -89,7 +89,7 @@ void check(const Polygon_soup& soup)
   check_elements_of_corners(soup.texture_of_corner, soup.texture_coordinates, soup);
   check_elements_of_corners(soup.normal_of_corner, soup.normals, soup);
   for (const std::string& warning : soup.warnings)
-    check_sentence(warning);
+    check_message(warning);
 }
 
 // Triangles of all polygons, and what becomes of them where points are repeated.
@@ -125,7 +125,7 @@ std::optional<Polygon_soup> read(std::string_view file, bool keeps_properties)
     result = read_mesh_file(file, Format::FUZZED_FORMAT, keeps_properties);
   }
   catch (const std::runtime_error& e) {
-    check_sentence(e.what());
+    check_message(e.what());
   }
   require(most_live_bytes - before < 64 * file.size() + (1 << 14),
           "a reader takes a small multiple of the size of the file");

@@ -11,7 +11,7 @@
 #include <string>
 #include <vector>
 
-// Constraints at random, and what they mean.
+// Constraints at random, and their meaning.
 namespace random_runs {
 
 // Returns the faces within some steps over edges from a face at random.

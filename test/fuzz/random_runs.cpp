@@ -3,7 +3,7 @@
 
 // random_runs [--seconds S] [--runs N] [--first SEED]
 //
-// Checks what the manual promises on small meshes, damaged and segmented at random, one for each
+// Checks the promises of the manual on small meshes, damaged and segmented at random, one for each
 // seed from SEED on, until N runs are done or S seconds have passed. Prints the seeds of the runs
 // that break a promise, saves their triangles to the working directory, and then exits with 1.
 
@@ -37,7 +37,7 @@
 #include <utility>
 #include <vector>
 
-// Whether the compiler adds the address sanitizer
+// Finds out whether the compiler adds the address sanitizer
 #ifdef __has_feature
 #define SPECTRAL_SEGMENTATION_HAS_FEATURE(name) __has_feature(name)
 #else
@@ -99,8 +99,8 @@ class Random_run
     return result.size();
   }
 
-  // Whether the numbers of segments and the method allow a run. If it is not known, returns
-  // nothing: duplicate faces that are not adjacent count once.
+  // Returns whether the numbers of segments and the method allow a run, or nothing if this is not
+  // known: duplicate faces that are not adjacent count once.
   std::optional<bool> is_allowed(std::size_t number_of_components) const
   {
     const Options& o = parameters_.options;

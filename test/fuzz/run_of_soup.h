@@ -111,7 +111,7 @@ inline Options random_options(std::size_t number_of_faces, Random& random)
     o.keep_components_separate = one_in(random, 4);
   if (one_in(random, 2))
     o.minimum_segment_size = one_of(random, std::vector<double>{0, 0, 0.02, 0.1, 0.25, 0.5});
-  // Of the large numbers, with which a run takes long, only few.
+  // Large numbers, with which a run takes long, are rare.
   o.number_of_coarse_faces = one_of(
     random, std::vector<std::size_t>{0, 0, 0, 1, 2, 5, 10, 20, 20, 50, 50, 100, 100, 300, 4000});
   o.number_of_smoothing_iterations = one_in(random, 4) ? random() % 4 : 0;

@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 // labels FILE.off
-// Prints the labels of each face by the default method and by that of the paper, one face a line.
-// scripts/check_machines.sh builds it for other machines and compares what it prints.
+// Prints the labels of each face by the default method and by the method of the paper, one face a
+// line. scripts/check_machines.sh builds it for other machines and compares the output.
 
 #include <CGAL/segment_spectral_recursive.h>
 
