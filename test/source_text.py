@@ -1,12 +1,12 @@
 #!/usr/bin/env python3
 # Copyright (c) 2026  The Spectral_segmentation authors.
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""source_text.py SOURCE_DIR: checks the layout of the sources, and what they name.
+"""source_text.py SOURCE_DIR: checks the layout of the sources, and the names in them.
 
-Lines have at most 100 columns, and no tabs or blanks at the end. A comment in include/ begins with
-its subject or its verb. Bindings and examples use public headers and names only, and the
-segmentation includes no header of Segmented_mesh. Folders of the engine include only those below,
-also through public headers. include/ does not grow beyond a number of lines.
+Lines have at most 100 columns, and no tabs or blanks at the end. A comment begins with its subject
+or its verb, and has none of some private words. Bindings and examples use public headers and names
+only, and the segmentation includes no header of Segmented_mesh. Folders of the engine include only
+those below, also through public headers. include/ does not grow beyond a number of lines.
 """
 
 import pathlib
@@ -16,9 +16,12 @@ import sys
 FOLDERS = ("include", "examples", "bindings", "benchmark", "test", "scripts", "doc/figures")
 SUFFIXES = (".h", ".cpp", ".py", ".js", ".mjs", ".ts", ".cmake", ".sh")
 LONG_LINES = ("test/compile_failure/",) # each line has the error that it must cause
-OPENING = re.compile(r"\s*// (Of|As|But|Where|What|Without) ")
+OPENING = re.compile(r"\s*(?://[/!]?|#|/\*\*|\"\"\") ?(?:Of|As|But|Where|What|Without) ")
+COMMENT = re.compile(r"(?:(?:^|\s)(?:///?|#|/\*\*)|^\s*\*) (.*)")
+# The words of the field are fraction, message, and to report, determine or have in common.
+PRIVATE_WORDS = re.compile(r"(?<![/\w])(?:[Tt]ells?|[Ss]entences?|[Ss]hares?)\b")
 # The folders of the engine: each includes headers of those after it only, also through public
-# headers. engine.h, run.h and cut_surface.h are of no folder.
+# headers. engine.h, run.h and cut_surface.h belong to no folder.
 ENGINE = "CGAL/Spectral_segmentation/internal/"
 ENGINE_FOLDERS = ("json", "model", "constraints", "levels", "search", "salience", "hierarchy",
                   "weights", "read", "surface", "base")
@@ -53,16 +56,26 @@ def includes_of_folders(include):
                 yield header, other
 
 
+def comment_of(line, is_docstring):
+    """Returns the comment in a line, or a line of a docstring."""
+    comment = COMMENT.search(line)
+    return line if is_docstring else comment[1] if comment else ""
+
+
 def problems(path, name):
-    previous = ""
+    previous, is_docstring = "", False
     for number, line in enumerate(path.read_text(encoding="utf-8").split("\n"), 1):
         if len(line) > 100 and not name.startswith(LONG_LINES):
             yield number, "%d columns" % len(line)
         if "\t" in line or line != line.rstrip():
             yield number, "a tab, or a blank at the end"
-        begins_comment = not previous.lstrip().startswith("//")
-        if name.startswith("include/") and begins_comment and OPENING.match(line):
+        begins_comment = not previous.lstrip().startswith(("//", "# "))
+        if begins_comment and OPENING.match(line):
             yield number, "a comment that begins with neither its subject nor its verb"
+        quotes = line.count('"""') if path.suffix == ".py" else 0
+        if PRIVATE_WORDS.search(comment_of(line, is_docstring or quotes > 0)):
+            yield number, "a private word: " + line.strip()
+        is_docstring ^= quotes % 2 == 1
         for names, words, problem in FORBIDDEN:
             if names.match(name) and words.search(line):
                 yield number, problem
