@@ -95,11 +95,17 @@ class Build(build_ext):
         self.force = bool(self.force or os.environ.get("CPPFLAGS"))
 
     def build_extensions(self):
-        if self.has_tbb():
+        has_tbb = self.has_tbb()
+        if has_tbb:
             for extension in self.extensions:
                 extension.define_macros.append(("CGAL_LINKED_WITH_TBB", "1"))
                 extension.libraries.append("tbb")
+        # What an earlier build made with the other choice is outdated.
+        choice = pathlib.Path(self.build_temp, "tbb")
+        self.force = self.force or not choice.is_file() or choice.read_text() != str(has_tbb)
         super().build_extensions()
+        choice.parent.mkdir(parents=True, exist_ok=True)
+        choice.write_text(str(has_tbb))
 
 
 class Sdist(sdist):

@@ -54,3 +54,42 @@ def test_a_changed_header_makes_the_extension_outdated(tmp_path, flags, states):
                           cwd=PACKAGE, env={**os.environ, "CPPFLAGS": flags}, check=True,
                           stdout=subprocess.DEVNULL, stderr=subprocess.PIPE, text=True)
     assert done.stderr == states * len(HEADERS)
+
+
+# For each choice of TBB prints whether the build compiles an extension that is younger than all
+# files.
+CHOICES = """
+import os, pathlib, sys
+import setuptools
+from distutils.core import run_setup
+command = run_setup("setup.py", stop_after="init").get_command_obj("build_ext")
+command.build_lib = command.build_temp = sys.argv[1]
+command.ensure_finalized()
+class Compiler:
+    def compile(self, *_, **__):
+        print("built", end=" ", file=sys.stderr)
+        return []
+    def link_shared_object(self, *_, **__):
+        pass
+command.compiler = Compiler()
+extension, = command.extensions
+extension.language = "c++"
+made = pathlib.Path(command.get_ext_fullpath(extension.name))
+made.parent.mkdir()
+made.touch()
+for has_tbb in (True, True, False, False, True):
+    print(has_tbb, end=" ", file=sys.stderr)
+    command.has_tbb = lambda: has_tbb
+    command.force = False
+    command.build_extensions()
+"""
+
+
+@pytest.mark.skipif(not (PACKAGE / "../../include").is_dir(), reason="only in the repository")
+def test_another_choice_of_tbb_makes_the_extension_outdated(tmp_path):
+    pytest.importorskip("setuptools")
+    environment = {name: value for name, value in os.environ.items() if name != "CPPFLAGS"}
+    done = subprocess.run([sys.executable, "-W", "ignore", "-c", CHOICES, tmp_path], cwd=PACKAGE,
+                          env=environment, check=True, stdout=subprocess.DEVNULL,
+                          stderr=subprocess.PIPE, text=True)
+    assert done.stderr == "True built True False built False True built "
