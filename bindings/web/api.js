@@ -54,6 +54,8 @@ function translatedName(name) {
 
 const translated = message => message
   .replace(/^(segment_spectral_recursive|Segmentation_hierarchy): /, "")
+  .replace(/, which is read only from a file with .*/,
+           ", which is not read here: save the mesh as PLY")
   .replace(/[a-z]+(_[a-z0-9]+)+(\(\))?/g, translatedName);
 
 const extensionOf = name => (/\.[^./\\]*$/.exec(name)?.[0] ?? "").toLowerCase();
@@ -96,10 +98,12 @@ function addFeatures(features, mesh, given) {
   given.features = (given.featuresAreLabels ? Int32Array : Float64Array).from(features);
 }
 
-// Throws a TypeError if a threshold is no probability, although saliences are probabilities.
-function checkThreshold({ method, salienceWeights, salienceThreshold: threshold = 0 }) {
-  if (method !== "paper" && !salienceWeights && Number.isFinite(threshold) &&
-      (threshold < 0 || threshold > 1))
+// Returns whether the salience of a run is a probability, as it is without options.
+const isProbability = ({ method, salienceWeights }) => method !== "paper" && !salienceWeights;
+
+// Throws a TypeError if a threshold is no probability.
+function checkThreshold({ salienceThreshold: threshold = 0 }) {
+  if (Number.isFinite(threshold) && (threshold < 0 || threshold > 1))
     throw new TypeError("salienceThreshold must be from 0 to 1, because it is a probability, " +
                         `not ${threshold}`);
 }
@@ -107,7 +111,8 @@ function checkThreshold({ method, salienceWeights, salienceThreshold: threshold 
 // Returns the options for the module, which takes constraints as arrays of one type.
 function checkedRunOptions(options, mesh) {
   const given = checkedOptions(options);
-  checkThreshold(given);
+  if (isProbability(given))
+    checkThreshold(given);
   for (const name of [...constraints, "faceGroups"].filter(each => each in given)) {
     if (given.method === "paper" && constraints.includes(name))
       throw new TypeError(`${name} does not go with the method 'paper'`);
@@ -125,7 +130,7 @@ function checkedRunOptions(options, mesh) {
 }
 
 // Returns the choice of segments for the module; undefined for the segments of the run.
-function checkedChoice(choice) {
+function checkedChoice(choice, maximum, hasProbability) {
   if (choice === undefined)
     return undefined;
   const given = checkedOptions(isNumber(choice) ? { numberOfSegments: choice } : choice,
@@ -133,8 +138,14 @@ function checkedChoice(choice) {
   for (const name of ["numberOfSegments", "maximumNumberOfSegments"])
     if (given[name] < 1)
       throw new TypeError(`${name} must be at least 1`);
+  const { numberOfSegments } = given;
+  if (numberOfSegments > maximum)
+    throw new TypeError(`there are only ${maximum} segments, not ${numberOfSegments}; a run with ` +
+                        `{ numberOfSegments: ${numberOfSegments} } makes exactly this number`);
   if (Number.isNaN(given.salienceThreshold))
     throw new TypeError("salienceThreshold must be a number");
+  if (hasProbability)
+    checkThreshold(given);
   return Object.keys(given).length > 0 ? given : undefined;
 }
 
@@ -207,12 +218,25 @@ class Mesh extends Owned {
 }
 
 class Segmentation extends Owned {
+  #hasProbability;
+
+  constructor(module, handle, hasProbability) {
+    super(module, handle);
+    this.#hasProbability = hasProbability;
+  }
+
+  #checked(choice) {
+    return checkedChoice(choice, this.maximumNumberOfSegments, this.#hasProbability);
+  }
+
   get description() { return "the segmentation"; }
   get numberOfSegments() { return this.call("", handle => handle.numberOfSegments()); }
   get maximumNumberOfSegments() {
     return this.call("", handle => handle.maximumNumberOfSegments());
   }
-  labels(choice) { return this.call("for labels", handle => handle.labels(checkedChoice(choice))); }
+  labels(choice) {
+    return this.call("for labels", handle => handle.labels(this.#checked(choice)));
+  }
   toJSON() { return JSON.parse(this.call("for JSON", handle => handle.json())); }
   pageData(name = "") {
     return JSON.parse(this.call("for a page", handle => handle.pageData(String(name))));
@@ -222,7 +246,7 @@ class Segmentation extends Owned {
     const extension = extensionOf(name);
     if (!writtenFormats.includes(extension))
       throw new TypeError(`the name must end in ${writtenFormats.join(", ")}, not ${name}`);
-    return this.call("for a file", handle => handle.write(extension, checkedChoice(choice)));
+    return this.call("for a file", handle => handle.write(extension, this.#checked(choice)));
   }
 }
 
@@ -271,7 +295,7 @@ class Module {
       handle.delete();
       throw error;
     }
-    return new Segmentation(this.#module, handle);
+    return new Segmentation(this.#module, handle, isProbability(others));
   }
 }
 

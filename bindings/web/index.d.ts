@@ -93,8 +93,8 @@ export interface Segmentation {
   /** The most that can be asked for below. */
   readonly maximumNumberOfSegments: number;
   /** The label of each face: of the run, of `n` segments, or of another choice. There are more
-   *  than `n` segments if there are more components, and only `maximumNumberOfSegments` if `n` is
-   *  larger than this; a run with `{ numberOfSegments: n }` makes exactly `n`. The C++
+   *  than `n` segments if there are more components. Throws if `n` is larger than
+   *  `maximumNumberOfSegments`; a run with `{ numberOfSegments: n }` makes exactly `n`. The C++
    *  library and its tool give the same labels. */
   labels(n?: number | Choice): Uint32Array;
   /** Returns a colored mesh, in the format of the ending of the name: .ply, .glb, .off or .obj. Its

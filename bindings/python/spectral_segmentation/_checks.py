@@ -2,6 +2,7 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Checks of single arguments. Each function returns the argument as a type of Python's own."""
 
+import math
 import operator
 import os
 from typing import Union
@@ -27,6 +28,15 @@ def real(name, value):
     if isinstance(value, (bool, np.bool_, str, bytes)) or not hasattr(value, "__float__"):
         raise TypeError("%s must be a number, not %s" % (name, type(value).__name__))
     return float(value)
+
+
+def threshold(value, is_probability):
+    """A salience threshold."""
+    result = real("salience_threshold", value)
+    if is_probability and math.isfinite(result) and not 0 <= result <= 1:
+        raise ValueError("salience_threshold must be in [0, 1], because it is a probability, or "
+                         "infinite")
+    return result
 
 
 def flag(name, value):

@@ -10,7 +10,7 @@ from typing import TYPE_CHECKING, Any, Dict, Iterable, Optional, Union
 import numpy as np
 
 from . import _core
-from ._checks import Path, integer, real
+from ._checks import Path, integer, threshold
 from ._meshes import warn
 from ._replace_file import replace_file
 
@@ -35,32 +35,34 @@ class Hierarchy:
     >>> labels = hierarchy.labels(5)
     """
 
-    __slots__ = ("_core", "_surface", "__weakref__")
+    __slots__ = ("_core", "_surface", "_is_probability", "__weakref__")
 
     def __init__(self):
         raise TypeError("segment_hierarchy(), Hierarchy.load() or Hierarchy.from_json() makes a "
                         "Hierarchy")
 
     @classmethod
-    def _of(cls, core, surface=None):
-        """The hierarchy of triangles, or with a surface the one of its polygons."""
+    def _of(cls, core, surface=None, is_probability=False):
+        """The hierarchy of triangles, or with a surface the one of its polygons. The salience is a
+        probability, or nobody knows."""
         result = object.__new__(cls)
         result._core = core
         result._surface = surface
+        result._is_probability = is_probability
         return result
 
     @classmethod
-    def _restored(cls, text, surface):
-        return cls._of(_core.Hierarchy.from_json(text), surface)
+    def _restored(cls, text, surface, is_probability):
+        return cls._of(_core.Hierarchy.from_json(text), surface, is_probability)
 
     def __copy__(self) -> Hierarchy:
-        return Hierarchy._of(self._core.copy(), self._surface)
+        return Hierarchy._of(self._core.copy(), self._surface, self._is_probability)
 
     def __deepcopy__(self, memo: Dict[int, Any]) -> Hierarchy:
         return self.__copy__()
 
     def __reduce__(self):
-        return Hierarchy._restored, (self.to_json(), self._surface)
+        return Hierarchy._restored, (self.to_json(), self._surface, self._is_probability)
 
     def __repr__(self):
         return "<Hierarchy of %d faces, %d nodes>" % (self.number_of_faces, self.number_of_nodes)
@@ -141,7 +143,7 @@ class Hierarchy:
             if n < 1:
                 raise ValueError("n must be at least 1")
         if salience_threshold is not None:
-            salience_threshold = real("salience_threshold", salience_threshold)
+            salience_threshold = threshold(salience_threshold, self._is_probability)
         elif n is not None and n > self.number_of_segments:
             warn("the hierarchy has only %d segments, not %d; a run with number_of_segments=%d "
                  "makes exactly this number" % (self.number_of_segments, n, n))
@@ -168,7 +170,7 @@ class Hierarchy:
         ------
         ValueError
             If a cut is needed that the run did not search, `n` is below 1, or `salience_threshold`
-            is not a number.
+            is not a number, or not in [0, 1] although the salience of the run is a probability.
 
         Warns
         -----

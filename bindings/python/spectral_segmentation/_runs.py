@@ -11,7 +11,7 @@ from typing import TYPE_CHECKING, Any, Callable, Literal, Optional, Sequence, Ty
 import numpy as np
 
 from . import _core
-from ._checks import flag, function, integer, real, three_numbers
+from ._checks import flag, function, integer, real, three_numbers, threshold
 from ._constraints import edges_arrays, integers_of_triangles
 from ._features import features_of_triangles
 from ._hierarchy import Hierarchy
@@ -205,6 +205,7 @@ def segment_hierarchy(
                          "with salience_threshold")
     is_reversed = flag("reverse", reverse)
     function("part_salience", part_salience)
+    is_probability = part_salience is None and salience_weights is None and not _METHODS[method]
     if part_salience is not None and salience_weights is not None:
         raise ValueError("part_salience does not go with salience_weights")
     for name in ("constrained_edges", "uncuttable_edges", "face_seeds", "features"):
@@ -232,7 +233,7 @@ def segment_hierarchy(
     warning = "" if is_reversed else surface.core.inward_warning # computed by each access
     if warning:
         warn(warning)
-    return Hierarchy._of(core, surface if surface.needs_core else None)
+    return Hierarchy._of(core, surface if surface.needs_core else None, is_probability)
 
 
 def _with_parameters_of(other: Callable[_P, Any]

@@ -53,6 +53,17 @@ def test_labels_equal_the_labels_of_runs(elephant, hierarchy):
         segment(elephant, salience_threshold=0.1, maximum_number_of_segments=4))
 
 
+def test_thresholds_of_probabilities(elephant, hierarchy):
+    for each in (hierarchy, copy.copy(hierarchy), pickle.loads(pickle.dumps(hierarchy))):
+        for threshold in (2, -0.5):
+            with pytest.raises(ValueError, match=r"in \[0, 1\], because it is a probability"):
+                each.labels(salience_threshold=threshold)
+        assert (each.labels(salience_threshold=np.inf) == 0).all()
+    for options in ({"method": "paper"}, {"part_salience": lambda factors: 3}):
+        labels = segment_hierarchy(elephant, **options).labels(salience_threshold=4)
+        assert (labels == 0).all()
+
+
 def test_nodes(elephant, hierarchy):
     nodes = hierarchy.nodes
     points, triangles = elephant.points, elephant.triangles

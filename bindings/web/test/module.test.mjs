@@ -88,14 +88,21 @@ test("a run gives the labels of all numbers, also as its page does", () => {
   const mesh = segmentation.read(elephant, "elephant.off");
   const run = segmentation.segment(mesh);
   mesh.free();
-  for (const many of [1e6, 2 ** 32 + 1, 2 ** 50])
-    assert.deepEqual(run.labels(many), run.labels(run.maximumNumberOfSegments));
+  for (const many of [run.maximumNumberOfSegments + 1, 1e6, 2 ** 32 + 1, 2 ** 50])
+    for (const action of [() => run.labels(many), () => run.write("x.ply", many)])
+      assert.throws(action, /^TypeError: there are only [0-9]+ segments, not [0-9]+; a run with/);
   assert.equal(run.numberOfSegments, new Set(run.labels()).size);
   for (let n = 1; n <= run.maximumNumberOfSegments; ++n)
     assert.equal(new Set(run.labels(n)).size, n);
   assert.equal(text(run.labels(5)),
                labelsOfTool(path.join(MESHES, "elephant.off"), "--segments", "5"));
   run.free();
+});
+
+test("a salience that is no probability has any threshold", () => {
+  const mesh = segmentation.read(elephant, "elephant.off");
+  const labels = segmentation.segment(mesh, { method: "paper" }).labels({ salienceThreshold: 9 });
+  assert.deepEqual(new Set(labels), new Set([0]));
 });
 
 test("labels of a choice equal the labels of a run with it", () => {
@@ -265,6 +272,12 @@ test("errors name the cause", async () => {
     [() => segmentation.segment(mesh, { randomSeed: -1 }), TypeError, /randomSeed must be/],
     [() => segmentation.segment(mesh).labels({ method: "paper" }), TypeError, /no option method/],
     [() => segmentation.segment(mesh).labels({ salienceThreshold: NaN }), TypeError, /a number/],
+    [() => segmentation.segment(mesh).labels({ salienceThreshold: 2 }), TypeError,
+     /from 0 to 1, because it is a probability, not 2$/],
+    [() => segmentation.read(new TextEncoder().encode("glTF\u0002"), "db.glb"), Error,
+     /^it is binary glTF, which is not read here: save the mesh as PLY$/],
+    [() => segmentation.read(new TextEncoder().encode("; FBX 7.4.0"), "db.fbx"), Error,
+     /^it is FBX, which is not read here: save the mesh as PLY$/],
     [() => segmentation.segment(mesh, { numberOfSegments: 2, salienceThreshold: 1 }),
      TypeError, /neither/],
     [() => segmentation.segment(mesh, { salienceThreshold: NaN }), Error, /number/],
