@@ -11,7 +11,7 @@ from typing import TYPE_CHECKING, Any, Callable, Literal, Optional, Sequence, Ty
 import numpy as np
 
 from . import _core
-from ._checks import flag, function, integer, real, three_numbers, threshold
+from ._checks import flag, function, integer, real, three_numbers
 from ._constraints import edges_arrays, integers_of_triangles
 from ._features import features_of_triangles
 from ._hierarchy import Hierarchy
