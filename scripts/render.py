@@ -65,6 +65,10 @@ def ensure_display():
 
 
 def read_mesh(path):
+    with open(path, "rb") as file:
+        if file.read(3).lower() != b"ply":
+            sys.exit("render.py: %s is no PLY; segment_mesh %s -o OUT.ply makes one, with a color "
+                     "for each part" % (path, path))
     reader = vtk.vtkPLYReader()
     reader.SetFileName(path)
     reader.Update()
