@@ -1028,7 +1028,10 @@ def gltf(nodes, uri):
 
 
 def glb(nodes):
-    text, data = gltf(nodes, False)
+    return glb_of(*gltf(nodes, False))
+
+
+def glb_of(text, data):
     text += b" " * (-len(text) % 4)
     return (struct.pack("<4sII", b"glTF", 2, 12 + 8 + len(text) + 8 + len(data)) +
             struct.pack("<I4s", len(text), b"JSON") + text +
@@ -1162,6 +1165,129 @@ class Scenes(Tool_test):
                 points = self.ply().points
                 for face, written in zip(self.faces, self.ply().faces):
                     self.assertEqual([self.points[v] for v in face], [points[v] for v in written])
+
+    def quantized(self, component_type, is_normalized):
+        """The description and the data of a file with integer points, of which each has two bytes
+        before it, and these points in the scene."""
+        code, largest = {5120: ("b", 127), 5121: ("B", 255), 5122: ("h", 32767),
+                         5123: ("H", 65535)}[component_type]
+        text, data = gltf(self.nodes, False)
+        scene, points = json.loads(text), []
+        for node, mesh, n in zip(scene["nodes"], scene["meshes"], self.nodes):
+            low = min(min(p) for p in n.points)
+            size = max(max(p) for p in n.points) - low
+            origin = low if code.isupper() else low + size / 2
+            unit = (size if code.isupper() else size / 2) / largest
+            rows = [[round((x - origin) / unit) for x in p] for p in n.points]
+            content = b"".join((b"xx" + struct.pack("<3" + code, *row)).ljust(8) for row in rows)
+            mesh["primitives"][0]["attributes"]["POSITION"] = len(scene["accessors"])
+            scene["accessors"].append(
+                {"bufferView": len(scene["bufferViews"]), "byteOffset": 2, "type": "VEC3",
+                 "componentType": component_type, "count": len(rows), "normalized": is_normalized})
+            scene["bufferViews"].append({"buffer": 0, "byteOffset": len(data), "byteStride": 8,
+                                         "byteLength": len(content)})
+            data += content
+            node.update(scale=[unit * (largest if is_normalized else 1)] * 3,
+                        translation=[origin, origin, origin + n.z])
+            points += [(x * unit + origin, y * unit + origin, z * unit + origin + n.z)
+                       for x, y, z in rows]
+        scene["buffers"][0]["byteLength"] = len(data)
+        scene["extensionsUsed"] = scene["extensionsRequired"] = ["KHR_mesh_quantization"]
+        return json.dumps(scene).encode(), data, points
+
+    def test_quantized_points(self):
+        for component_type, is_normalized in itertools.product(range(5120, 5124), (False, True)):
+            with self.subTest(component_type, is_normalized=is_normalized):
+                text, data, expected = self.quantized(component_type, is_normalized)
+                self.segment(self.write("glb", glb_of(text, data)), "--segments", 2)
+                points = self.ply().points
+                for face, written in zip(self.faces, self.ply().faces):
+                    for v, w in zip(face, written):
+                        self.assertLess(math.dist(expected[v], points[w]), 1e-5)
+        text, data, _ = self.quantized(5123, False)
+        for old, new in (('"count": %d,' % len(self.nodes[1].points), '"count": 99999,'),
+                         ('"byteStride": 8', '"byteStride": 99'),
+                         ('"byteOffset": 2,', '"byteOffset": -2,'),
+                         ('"componentType": 5123', '"componentType": 5124')):
+            self.assertIn(old.encode(), text)
+            self.write("glb", glb_of(text.replace(old.encode(), new.encode()), data))
+            self.assert_failure("mesh", "in.glb", "-o", "out.ply", sentence="cannot be read: it")
+
+    def test_instances(self):
+        """Each is a node below theirs."""
+        nodes = self.nodes[:1]
+        text, data = gltf(nodes, False)
+        scene = json.loads(text)
+        scene["accessors"].append({"bufferView": 2, "componentType": 5126, "count": 3,
+                                   "type": "VEC3"})
+        scene["bufferViews"].append({"buffer": 0, "byteOffset": len(data), "byteLength": 36})
+        places = [(0, 0, 0), (9, 0, 0), (0, 9, 0)]
+        data += b"".join(struct.pack("<3f", *p) for p in places)
+        scene["buffers"][0]["byteLength"] = len(data)
+        scene["extensionsUsed"] = ["EXT_mesh_gpu_instancing"]
+        scene["nodes"][0]["extensions"] = {
+            "EXT_mesh_gpu_instancing": {"attributes": {"TRANSLATION": 2}}}
+        self.write("glb", glb_of(json.dumps(scene).encode(), data))
+        self.segment("in.glb")
+        mesh, number = self.ply(), len(nodes[0].points)
+        self.assertEqual(mesh.points, [tuple(map(sum, zip(p, place)))
+                                       for place in places for p in nodes[0].points])
+        self.assertEqual(mesh.faces, [tuple(v + i * number for v in face)
+                                      for i in range(3) for face in nodes[0].faces])
+
+    def test_required_extensions(self):
+        for name, sentence in (("EXT_meshopt_compression", "gltf-transform copy IN.glb OUT.glb"),
+                               ("KHR_made_up", "'KHR_made_up' of glTF, which is not read")):
+            scene = json.loads(gltf(self.nodes, True)[0])
+            scene["extensionsRequired"] = ["KHR_materials_unlit", name]
+            self.write("gltf", json.dumps(scene).encode())
+            self.assert_failure("mesh", "in.gltf", "-o", "out.ply", sentence=sentence)
+        scene["extensionsRequired"] = ["KHR_materials_unlit"]
+        self.segment(self.write("gltf", json.dumps(scene).encode()))
+
+    def test_draco(self):
+        """A box of 2 by 1 by 4, of which an encoder has made these bytes."""
+        data = base64.b64decode(
+            "RFJBQ08CAgEBAAAACAwACwAAA19LFQEBEAH/AAABAAkDAAACAQEBAA8DARArAQgBKAQAuhyB/z8AAAAAAABg"
+            "AAAA/j8A+P//PwAA////JwDg/wcAAAAAAAAA/z8AAAAAAAAAAAAAAAAAAAAAgEAO")
+        name = "KHR_draco_mesh_compression"
+        scene = {
+            "asset": {"version": "2.0"}, "scenes": [{"nodes": [0]}], "nodes": [{"mesh": 0}],
+            "extensionsUsed": [name], "extensionsRequired": [name],
+            "meshes": [{"primitives": [{
+                "attributes": {"POSITION": 1}, "indices": 0,
+                "extensions": {name: {"bufferView": 0, "attributes": {"POSITION": 0}}}}]}],
+            "buffers": [{"byteLength": len(data)}],
+            "bufferViews": [{"buffer": 0, "byteLength": len(data)}],
+            "accessors": [{"type": "SCALAR", "componentType": 5125, "count": 36},
+                          {"type": "VEC3", "componentType": 5126, "count": 8}]}
+        for component_type in (5123, 5125):
+            scene["accessors"][0]["componentType"] = component_type
+            self.write("glb", glb_of(json.dumps(scene).encode(), data))
+            done = self.run_tool("in.glb", "-o", "out.ply")
+            if "KHR_draco" in done.stderr:
+                self.assertIn("gltf-transform copy IN.glb OUT.glb", done.stderr)
+                self.skipTest("the tool was built without Draco")
+            mesh = self.ply()
+            self.assertEqual({tuple(round(x, 3) for x in p) for p in mesh.points}, # of 14 bits
+                             set(itertools.product((0, 2), (0, 1), (0, 4))))
+            self.assertTrue(is_closed(mesh.faces))
+            self.assertAlmostEqual(volume(mesh.points, mesh.faces), 8, 2)
+        for i in range(len(data)): # damage is an error, or other points
+            damaged = data[:i] + bytes([data[i] ^ 0x55]) + data[i + 1:]
+            self.write("glb", glb_of(json.dumps(scene).encode(), damaged))
+            done = self.run_tool("in.glb", "--time-limit", "60")
+            self.assertIn(done.returncode, (0, STATUSES.index("mesh")), done.stderr)
+
+    def test_animations_are_skipped(self):
+        """Also those that are no glTF."""
+        text, data = gltf(self.nodes, False)
+        expected = self.segment(self.write("glb", glb_of(text, data)))
+        scene = json.loads(text)
+        scene["animations"] = [{"channels": [{"sampler": 0, "target": {"path": 5, "node": 99}}],
+                                "samplers": "none"}]
+        text = json.dumps(scene).encode()
+        self.assertEqual(self.segment(self.write("glb", glb_of(text, data))), expected)
 
     def test_files_outside_of_the_folder(self):
         """They are read on request only, whatever way a file names them."""

@@ -20,9 +20,8 @@
 namespace mesh_file {
 
 // Returns a word of a file for an error message: short and printable.
-inline std::string in_quotes(std::string_view word)
+inline std::string in_quotes(std::string_view word, std::size_t longest = 24)
 {
-  const std::size_t longest = 24;
   std::string result(word.substr(0, longest));
   for (char& c : result)
     if (c < ' ' || c > '~')

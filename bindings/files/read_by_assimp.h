@@ -4,21 +4,22 @@
 #ifndef SEGMENT_MESH_READ_BY_ASSIMP_H
 #define SEGMENT_MESH_READ_BY_ASSIMP_H
 
-#include "Byte_scanner.h"
 #include "Input_folder.h"
-#include "Scene.h"
 #include "Point_numbering.h"
+#include "Scene.h"
+#include "Text_scanner.h"
 
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
 #include <exception>
 #include <filesystem>
-#include <fstream>
-#include <iterator>
+#include <map>
+#include <memory>
 #include <stdexcept>
 #include <string>
 #include <system_error>
+#include <utility>
 #include <vector>
 
 #if defined(SEGMENT_MESH_WITH_ASSIMP) && (defined(__unix__) || defined(__APPLE__))
@@ -26,11 +27,13 @@
 #endif
 
 #ifdef SEGMENT_MESH_READS_BY_ASSIMP
+#include "Plain_gltf.h"
 #include "read_scene_in_child.h"
 
 #include <assimp/DefaultIOSystem.h>
 #include <assimp/Exceptional.h>
 #include <assimp/Importer.hpp>
+#include <assimp/MemoryIOWrapper.h>
 #include <assimp/config.h>
 #include <assimp/scene.h>
 
@@ -250,19 +253,22 @@ inline std::string error_sentence(const Assimp::Importer& importer)
   return is_clear_sentence(result) ? result : own_sentence;
 }
 
-// The file that the user has named, and the files in its folder. Other files are not there for
-// Assimp.
-class Files_of_folder : public Assimp::DefaultIOSystem
+// The files that Assimp may open: the one that the user has named, those in its folder, or any if
+// external files are allowed; and contents in memory with the names of files.
+class Input_files : public Assimp::DefaultIOSystem
 {
   const std::string name_;
   const Input_folder folder_;
+  const bool allows_external_files_;
+  std::map<std::string, std::string> contents_;
   mutable std::string refused_;
 
   bool is_allowed(const std::string& name) const
   {
     std::error_code error;
     const std::filesystem::path file = std::filesystem::canonical(name, error);
-    if (name == name_ || error || folder_.is_readable(file)) // what is not there cannot be opened
+    if (allows_external_files_ || name == name_ || error || // what is not there cannot be opened
+        folder_.is_readable(file))
       return true;
     if (refused_.empty())
       refused_ = name;
@@ -270,14 +276,32 @@ class Files_of_folder : public Assimp::DefaultIOSystem
   }
 
 public:
-  explicit Files_of_folder(const std::string& name)
-    : name_(name), folder_(name, false) {}
+  Input_files(const std::string& name, bool allows_external_files)
+    : name_(name), folder_(name, false), allows_external_files_(allows_external_files) {}
+
+  void put(const std::string& name, std::string content) { contents_[name] = std::move(content); }
 
   bool Exists(const char* name) const override
-  { return is_allowed(name) && DefaultIOSystem::Exists(name); }
+  { return contents_.count(name) > 0 || (is_allowed(name) && DefaultIOSystem::Exists(name)); }
 
   Assimp::IOStream* Open(const char* name, const char* mode) override
-  { return is_allowed(name) ? DefaultIOSystem::Open(name, mode) : nullptr; }
+  {
+    const auto found = contents_.find(name);
+    if (found != contents_.end())
+      return new Assimp::MemoryIOStream(
+        reinterpret_cast<const std::uint8_t*>(found->second.data()), found->second.size());
+    return is_allowed(name) ? DefaultIOSystem::Open(name, mode) : nullptr;
+  }
+
+  // Returns the bytes of a file; none if it cannot be read.
+  std::string read(const std::string& name)
+  {
+    const std::unique_ptr<Assimp::IOStream> stream(Open(name.c_str(), "rb"));
+    std::string result(stream ? stream->FileSize() : 0, '\0');
+    if (!result.empty())
+      result.resize(stream->Read(result.data(), 1, result.size()));
+    return result;
+  }
 
   // Returns a message about a file that was not opened, or an empty one.
   std::string error() const
@@ -290,21 +314,25 @@ public:
   }
 };
 
-// Returns a binary glTF whose description is not filled up to a multiple of four bytes with blanks
-// there, which Assimp skips; else nothing.
-inline std::string filled_glb(const std::string& name)
+// Puts what Assimp shall read instead of a file of glTF 2 into the files. Returns its name.
+inline std::string put_plain_gltf(const std::string& name, Input_files& files)
 {
-  std::ifstream in(name, std::ios::binary);
-  std::string bytes(20, '\0');
-  const auto number = [&](std::size_t at)
-  { return mesh_file::Byte_scanner(bytes, at, false).number<std::uint32_t>(); };
-  if (!in.read(bytes.data(), 20) || bytes.compare(0, 4, "glTF") != 0 || number(12) % 4 == 0)
-    return "";
-  bytes.append(std::istreambuf_iterator<char>(in), {});
-  const std::uint32_t size = number(12);
-  if (size > bytes.size() - 20)
-    return "";
-  return bytes.insert(20 + size, 4 - size % 4, ' ');
+  const std::string folder = name.substr(0, name.find_last_of("/\\") + 1);
+  const std::string file = files.read(name);
+  const Plain_gltf gltf(file, [&](const std::string& address) {
+    std::string bytes = files.read(folder + address);
+    if (bytes.empty())
+      throw std::runtime_error("it names " + mesh_file::in_quotes(address, 100) +
+                               ", which cannot be read");
+    return bytes;
+  });
+  if (!gltf.is_version_2())
+    return name;
+  const std::string result = name + ".gltf";
+  files.put(result, gltf.description());
+  files.put(folder + Plain_gltf::binary_address(), std::string(gltf.binary()));
+  files.put(folder + Plain_gltf::data_address(), gltf.data());
+  return result;
 }
 
 // In the child process: sends an error message, which may be empty, and the scene.
@@ -312,24 +340,24 @@ inline void send_by_assimp(const std::string& name, const Reading_limits& limits
                            Child_output output)
 {
   Assimp::Importer importer;
-  Files_of_folder* const files =
-    limits.allows_external_files ? nullptr : new Files_of_folder(name);
-  importer.SetIOHandler(files); // which owns them; without, any file may be read
+  Input_files* const files = new Input_files(name, limits.allows_external_files);
+  importer.SetIOHandler(files); // which owns them
   importer.SetPropertyBool(AI_CONFIG_IMPORT_NO_SKELETON_MESHES, true);
-  const std::string glb = filled_glb(name);
-  const aiScene* const scene =
-    glb.empty() ? importer.ReadFile(name, 0)
-                : importer.ReadFileFromMemory(glb.data(), glb.size(), 0, "glb");
-  if (files && !files->error().empty())
-    return send_error(files->error(), output);
-  if (!scene)
-    return send_error(error_sentence(importer), output);
+  const std::string extension =
+    mesh_file::lower_case(std::filesystem::path(name).extension().string());
+  std::string error;
   try {
-    send_scene(Scene_flattening(*scene, limits.reads_materials), output);
+    const bool is_gltf = extension == ".gltf" || extension == ".glb";
+    const aiScene* const scene =
+      importer.ReadFile(is_gltf ? put_plain_gltf(name, *files) : name, 0);
+    if (scene && files->error().empty())
+      return send_scene(Scene_flattening(*scene, limits.reads_materials), output);
+    error = error_sentence(importer);
   }
   catch (const std::runtime_error& e) {
-    send_error(e.what(), output);
+    error = e.what();
   }
+  send_error(files->error().empty() ? error : files->error(), output);
 }
 
 // The extension has its dot; its case does not matter.

@@ -32,6 +32,8 @@ function onlyShape(json) {
   const compression = compressions.find(name => json.extensionsRequired?.includes(name));
   if (compression)
     throw new Error(`it is compressed by ${compression}, which is not read here`);
+  if (json.nodes?.some(({ extensions }) => extensions?.EXT_mesh_gpu_instancing))
+    throw new Error("its nodes have instances of EXT_mesh_gpu_instancing, which are not read here");
   const { uri } = json.buffers?.find(({ uri }) => uri && !uri.startsWith("data:")) ?? {};
   if (uri)
     throw new Error(`its points are in another file, ${uri}: save it as GLB, which is one file`);

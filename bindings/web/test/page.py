@@ -218,6 +218,8 @@ class Page_test(unittest.TestCase):
                 ("lost.gltf", b'{"meshes": [{"primitives": [{"attributes": {"POSITION": 7}}]}], '
                  b'"nodes": [{"mesh": 0}], "scenes": [{"nodes": [0]}], "scene": 0}',
                  "its data contradict each other"),
+                ("copies.gltf", b'{"meshes": [{"primitives": []}], "nodes": [{"mesh": 0, '
+                 b'"extensions": {"EXT_mesh_gpu_instancing": {}}}]}', "EXT_mesh_gpu_instancing"),
                 ("far.gltf", b'{"meshes": [{"primitives": []}], '
                  b'"buffers": [{"uri": "http://example.org/points.bin"}]}',
                  "in another file, http://example.org/points.bin")]:
