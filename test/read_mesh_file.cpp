@@ -307,8 +307,9 @@ BOOST_AUTO_TEST_CASE(obj_corners)
 
 BOOST_AUTO_TEST_CASE(obj_further_statements)
 {
-  check(Format::OBJ, "mtllib a b.mtl\no name\ng a b\ns off\nv 0 0 0\nvp 1 2\nv 1 0 0\nv 0 1 0\n"
-                     "usemtl a/b \\\n c\np 1 2\nl 1/1 2/2\ncstype bezier\nf 1 2 3\ng\n",
+  check(Format::OBJ, "csh -e rm x\nmtllib a b.mtl\no name\ng a b\ns off\nv 0 0 0\nvp 1 2\n"
+                     "v 1 0 0\nv 0 1 0\nusemtl a/b \\\n c\np 1 2\nl 1/1 2/2\ncstype bezier\n"
+                     "f 1 2 3\ng\n",
         corner_points, {{0, 1, 2}});
 }
 

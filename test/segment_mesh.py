@@ -1279,6 +1279,17 @@ class Scenes(Tool_test):
             done = self.run_tool("in.glb", "--time-limit", "60")
             self.assertIn(done.returncode, (0, STATUSES.index("mesh")), done.stderr)
 
+    def test_collada_with_blanks(self):
+        """Before numbers, also those of a color."""
+        effect = ('<library_effects><effect id="e"><profile_COMMON><technique sid="t"><phong>'
+                  '<diffuse><color>  0.5 0.5 0.5  1.0 </color></diffuse></phong></technique>'
+                  '</profile_COMMON></effect></library_effects>')
+        plain = collada(self.nodes).decode()
+        expected = self.segment(self.write("dae", plain.encode()))
+        blanks = re.sub(">(?=[-0-9])", ">\n  ", plain).replace("<library_g", effect + "<library_g")
+        self.assertNotEqual(blanks.count("\n"), 0)
+        self.assertEqual(self.segment(self.write("dae", blanks.encode())), expected)
+
     def test_animations_are_skipped(self):
         """Also those that are no glTF."""
         text, data = gltf(self.nodes, False)

@@ -10,10 +10,12 @@
 #include "Text_scanner.h"
 
 #include <algorithm>
+#include <cctype>
 #include <cmath>
 #include <cstdint>
 #include <exception>
 #include <filesystem>
+#include <functional>
 #include <map>
 #include <memory>
 #include <stdexcept>
@@ -335,6 +337,21 @@ inline std::string put_plain_gltf(const std::string& name, Input_files& files)
   return result;
 }
 
+// Puts Collada without white space before its texts into the files, because Assimp finds no number
+// in a color that begins with a blank.
+inline void put_plain_collada(const std::string& name, Input_files& files)
+{
+  std::string text = files.read(name);
+  bool is_after_tag = false;
+  const auto is_left_out = [&](char c) {
+    const bool result = is_after_tag && std::isspace(static_cast<unsigned char>(c));
+    is_after_tag = c == '>' || result;
+    return result;
+  };
+  text.erase(std::remove_if(text.begin(), text.end(), std::ref(is_left_out)), text.end());
+  files.put(name, std::move(text));
+}
+
 // In the child process: sends an error message, which may be empty, and the scene.
 inline void send_by_assimp(const std::string& name, const Reading_limits& limits,
                            Child_output output)
@@ -348,6 +365,8 @@ inline void send_by_assimp(const std::string& name, const Reading_limits& limits
   std::string error;
   try {
     const bool is_gltf = extension == ".gltf" || extension == ".glb";
+    if (extension == ".dae")
+      put_plain_collada(name, *files);
     const aiScene* const scene =
       importer.ReadFile(is_gltf ? put_plain_gltf(name, *files) : name, 0);
     if (scene && files->error().empty())

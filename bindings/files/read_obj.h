@@ -25,8 +25,8 @@
 namespace mesh_file {
 
 // The format of Wavefront. Of its statements those of points, faces, objects, groups and names of
-// materials are read; lines, points, curves and settings are skipped. So is what is not known, with
-// a warning.
+// materials are read; lines, points, curves, settings and commands are skipped. So is what is not
+// known, with a warning.
 class Obj_reader
 {
   static constexpr long long most = null_index - 1;
@@ -52,7 +52,7 @@ class Obj_reader
       "vp", "deg", "bmat", "step", "cstype", "p", "l", "curv", "curv2", "surf", "parm", "trim",
       "hole", "scrv", "sp", "end", "con", "s", "mg", "bevel", "c_interp", "d_interp",
       "lod", "shadow_obj", "trace_obj", "ctech", "stech",
-      "maplib", "usemap", "bsp", "bzp", "cdc", "cdp", "res"};
+      "maplib", "usemap", "bsp", "bzp", "cdc", "cdp", "res", "csh"};
     return std::find(std::begin(known), std::end(known), statement) != std::end(known);
   }
 
@@ -196,8 +196,8 @@ class Obj_reader
       read_material();
     else if (statement == "mtllib")
       soup_.material_files.emplace_back(text_.peek_rest_of_line());
-    else if (statement == "call" || statement == "csh")
-      where.fail_with("other files and commands are not read");
+    else if (statement == "call")
+      where.fail_with("other files are not read");
     else if (!is_skipped(statement))
       warn_of_unknown(where, statement);
     text_.skip_rest_of_line();
