@@ -62,6 +62,8 @@ inline Format format_of_contents(std::string_view file)
 inline std::string other_contents(std::string_view file, bool tells_formats_of_libraries)
 {
   const char* const cad = "export a mesh, such as STL";
+  const char* const vtk =
+    "ParaView, or the command pyvista convert IN.vtp OUT.ply, makes PLY of it";
   const struct { std::string_view begin; const char *what, *remedy; } known[] = {
     {"version https://git-lfs", "a Git LFS pointer", "git lfs pull fetches the file"},
     {"\x1F\x8B", "compressed by gzip", "unpack it"}, {"pk\3\4", "a ZIP archive", "unpack it"},
@@ -69,11 +71,17 @@ inline std::string other_contents(std::string_view file, bool tells_formats_of_l
     {"<html", "an HTML page", "download the mesh itself"},
     {"iso-10303-21", "CAD in STEP", cad}, {"dbrep_drawableshape", "CAD in BREP", cad},
     {"**abcdefghij", "CAD in Parasolid", cad}, {"\xD0\xCF\x11\xE0", "a document, as of CAD", cad},
-    {"meshversionformatted", "Medit", cad}, {"$meshformat", "Gmsh", cad},
+    {"meshversionformatted", "Medit", "the command meshio convert IN.mesh OUT.ply makes PLY of it"},
+    {"$meshformat", "Gmsh", "the command meshio convert IN.msh OUT.ply makes PLY of it"},
+    {"# vtk datafile", "VTK", vtk}, {"<vtkfile", "VTK", vtk},
+    {"#vrml", "VRML", "MeshLab makes PLY of it"},
     {"\xFF\xFE", "UTF-16", "save it as UTF-8"}, {"\xFE\xFF", "UTF-16", "save it as UTF-8"},
     {"pk\3\4", "3MF", ".3mf"}, {"gltf", "binary glTF", ".glb"}, {"{", "JSON, as of glTF", ".gltf"},
     {"kaydara", "FBX", ".fbx"}, {"; fbx", "FBX", ".fbx"}, {"<?xml", "XML, as of Collada", ".dae"}};
-  const std::size_t first = (std::min)(file.find_first_not_of(" \t\r\n"), file.size());
+  std::size_t first = (std::min)(file.find_first_not_of(" \t\r\n"), file.size());
+  const std::size_t element = file.substr(first, 200).find("<VTKFile"); // after "<?xml"
+  if (element != std::string_view::npos)
+    first += element;
   const std::string begin = lower_case(file.substr(first, 40));
   for (const auto& k : known) {
     const bool is_of_library = k.remedy[0] == '.';
