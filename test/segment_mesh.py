@@ -398,8 +398,12 @@ class Real_meshes(Tool_test):
             for n in (1, 2, 7, 40):
                 self.segment(MESHES / "elephant.off", "--method", method, "--segments", n)
                 self.assertEqual(self.report()["segments"], n)
-        self.segment(MESHES / "elephant.off", "--segments", 40, "--salience-threshold", 0.7)
-        self.assertLess(self.report()["segments"], 40)
+        threshold = ("--salience-threshold", 0.7)
+        labels = self.segment(MESHES / "elephant.off", "--maximum-segments", 15, *threshold)
+        self.assertLess(self.report()["segments"], 15)
+        self.assertTrue(labels == self.segment(MESHES / "elephant.off", *threshold))
+        self.segment(MESHES / "elephant.off", "--maximum-segments", 5)
+        self.assertEqual(self.report()["segments"], 5)
 
     def test_every_run_is_the_same(self):
         for options in ((), ("--seed", 5), ("--smooth-boundaries", "--smooth", 2)):
@@ -1982,6 +1986,9 @@ class Failures(Tool_test):
             self.assert_failure("usage", *arguments)
         self.assert_failure("usage", self.mesh, "--segment", "5",
                             message="did you mean --segments?")
+        for options in (("--salience-threshold", "0.5"), ("--maximum-segments", "7")):
+            self.assert_failure("usage", self.mesh, "--segments", "5", *options,
+                                message="--maximum-segments N limits the number")
         self.assert_failure("usage", self.mesh, "--segments", "1000000", message="1 to 2390")
 
     def test_output_that_cannot_be_written(self):

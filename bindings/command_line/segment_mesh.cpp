@@ -105,7 +105,7 @@ struct Options
   std::vector<std::string> mesh_files; // used by single runs, too
   std::string split_format; // empty for the defaults
   std::string method_name = "calibrated";
-  std::optional<std::size_t> segments;
+  std::optional<std::size_t> segments, maximum_segments;
   std::optional<double> threshold;
   Segmentation_options segmentation;
   std::optional<std::size_t> threads;
@@ -165,10 +165,9 @@ struct Options
   Segmentation_options segmentation_options() const
   {
     Segmentation_options result = segmentation;
-    if (segments && !threshold) // a number without a threshold is exact
-      result.number_of_segments = segments;
-    else if (segments)
-      result.maximum_number_of_segments = *segments;
+    result.number_of_segments = segments;
+    if (maximum_segments)
+      result.maximum_number_of_segments = *maximum_segments;
     result.salience_threshold = threshold;
     if (feature_file.empty())
       result.feature_weight = 0;
@@ -268,8 +267,11 @@ void add_written_mesh_options(CLI::App& app, Options& o)
 void add_segmentation_options(CLI::App& app, Options& o)
 {
   app.option_defaults()->group("Segmentation");
-  app.add_option("--segments", o.segments,
-                 "exact number of segments; with --salience-threshold the largest number")
+  app.add_option("--segments", o.segments, "exact number of segments")
+    ->type_name("N")->check(CLI::Range(std::int64_t(1), largest_number));
+  app.add_option("--maximum-segments", o.maximum_segments,
+                 "largest number of segments: of the cuts above the threshold, the most salient "
+                 "ones are made")
     ->type_name("N")->check(CLI::Range(std::int64_t(1), largest_number));
   app.add_option("--salience-threshold", o.threshold,
                  "smallest salience of a cut; with --method calibrated the probability that a "
@@ -394,6 +396,10 @@ void check_usage(const Options& o)
     throw Failure(Status::USAGE, "--time-limit, --memory-limit and --scale must be numbers");
   if (std::isfinite(o.memory_limit) && o.threads.value_or(1) > 1)
     throw Failure(Status::USAGE, "--memory-limit allows only one thread; leave out --threads");
+  if (o.segments && (o.threshold || o.maximum_segments))
+    throw Failure(Status::USAGE, "--segments N makes exactly N segments, so it goes neither with "
+                                 "--salience-threshold nor with --maximum-segments; "
+                                 "--maximum-segments N limits the number");
   if (o.threshold && std::isnan(*o.threshold))
     throw Failure(Status::USAGE, "--salience-threshold must be a number");
   if (o.threshold && !o.uses_paper_method() && std::isfinite(*o.threshold) &&
@@ -544,7 +550,8 @@ Json parameters_report(const Options& o)
   for (const char* name : {"number_of_coarse_faces", "number_of_reference_faces"}) // no option
     result.erase(name);
   result.update({
-          {"maximum_number_of_segments", json_or_null(o.segments)},
+          {"number_of_segments", json_or_null(o.segments)},
+          {"maximum_number_of_segments", json_or_null(o.maximum_segments)},
           {"salience_threshold", used.number_of_segments ? Json() : Json(threshold_of(used))},
           {"random_seed", json_or_null(used.random_seed)},
           {"keep_groups", o.keep_groups},
@@ -761,8 +768,9 @@ Json run(const Options& o)
                 << (input.missing_files.size() > 1 ? " and other files of materials" : "")
                 << " cannot be read"
                 << (o.allow_external_files ? "" : " in the folder of " + o.input) << std::endl;
-    if (o.segments && number_of_segments > *o.segments)
-      std::cerr << "segment_mesh: warning: more than " << *o.segments
+    const std::size_t wanted = o.segments.value_or(o.maximum_segments.value_or(number_of_segments));
+    if (number_of_segments > wanted)
+      std::cerr << "segment_mesh: warning: more than " << wanted
                 << " segments, because each connected component is at least one" << std::endl;
   }
   return {{"input", o.input},

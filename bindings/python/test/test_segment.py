@@ -36,7 +36,7 @@ def test_parameters_do_the_same_as_in_the_tool(meshes, tool):
     np.testing.assert_array_equal(
         segment(mesh, salience_threshold=0.6, maximum_number_of_segments=5,
                 minimum_segment_size=0.02),
-        labels_of_tool(tool, path, "--segments", "5", "--salience-threshold", "0.6",
+        labels_of_tool(tool, path, "--maximum-segments", "5", "--salience-threshold", "0.6",
                        "--minimum-segment-size", "0.02"))
     np.testing.assert_array_equal(
         segment(mesh, method="paper", random_seed=7, threads=1),

@@ -77,7 +77,7 @@ test("options do the same as in the tool", () => {
   for (const [options, ...ofTool] of [
     [{ numberOfSegments: 7, smoothBoundaries: true }, "--segments", "7", "--smooth-boundaries"],
     [{ salienceThreshold: 0.7, maximumNumberOfSegments: 4 }, "--salience-threshold", "0.7",
-     "--segments", "4"],
+     "--maximum-segments", "4"],
     [{ minimumSegmentSize: 0.02, numberOfSmoothingIterations: 2 }, "--minimum-segment-size", "0.02",
      "--smooth", "2"]])
     assert.equal(text(segmentation.segment(mesh, options).labels()),
