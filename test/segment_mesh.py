@@ -1984,8 +1984,12 @@ class Failures(Tool_test):
                           (self.mesh, "-o", "", "--labels", "out.seg"),
                           (self.mesh, "-o", "out.stl"), (self.mesh, "-o", "out"), ("",)):
             self.assert_failure("usage", *arguments)
-        self.assert_failure("usage", self.mesh, "--segment", "5",
-                            message="did you mean --segments?")
+        for word, option in (("--segment", "--segments"), ("--output", "-o"), ("-n", "--segments"),
+                             ("--parts", "--segments"), ("--threshold=1", "--salience-threshold"),
+                             ("--lables", "--labels")):
+            self.assert_failure("usage", self.mesh, word, "5",
+                                message="unknown option %s; did you mean %s?" % (word, option))
+        self.assert_failure("usage", self.mesh, "--unknown", message="--unknown; see --help")
         for options in (("--salience-threshold", "0.5"), ("--maximum-segments", "7")):
             self.assert_failure("usage", self.mesh, "--segments", "5", *options,
                                 message="--maximum-segments N limits the number")

@@ -12,6 +12,7 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <map>
 #include <numeric>
 #include <sstream>
 #include <string>
@@ -234,7 +235,16 @@ inline std::size_t edit_distance(const std::string& a, const std::string& b)
 // Returns the name of an option that may have been meant; empty if none is like it.
 inline std::string similar_option(const CLI::App& app, std::string word)
 {
+  static const std::map<std::string, std::string> synonyms{ // of other programs
+    {"--output", "-o"}, {"--out", "-o"}, {"-n", "--segments"}, {"-k", "--segments"},
+    {"--parts", "--segments"}, {"--clusters", "--segments"}, {"--number", "--segments"},
+    {"--max", "--maximum-segments"}, {"-t", "--salience-threshold"},
+    {"--threshold", "--salience-threshold"}, {"-j", "--jobs"}, {"--format", "--split-format"},
+    {"--split", "--split-dir"}, {"--watertight", "--close"}, {"--convex", "--hulls"},
+    {"--flip", "--reverse"}, {"--timeout", "--time-limit"}, {"-q", "--quiet"}, {"-v", "--version"}};
   word = word.substr(0, word.find('='));
+  if (const auto found = synonyms.find(word); found != synonyms.end())
+    return found->second;
   std::string result;
   std::size_t smallest = word.size() / 3 + 1; // a third of the characters may be wrong
   for (const CLI::Option* option : documented_options(app))
