@@ -637,7 +637,8 @@ void write_meshes(const Options& o, const Input& input, const std::vector<Index>
     report["intersecting_pairs"] = pairs;
     if (pairs > 0)
       warnings.push_back("the input intersects itself in " + std::to_string(pairs) +
-                         (pairs == 1 ? " pair" : " pairs") + " of faces");
+                         (pairs == 1 ? " pair" : " pairs") + " of faces; the modifier Remesh of "
+                         "Blender, in its mode Voxel, makes a solid of it");
     closed = closed_soup(written, labels);
     report["closed_segments"] = closed_report(closed.segments);
     if (const std::string warning = closed_warning(closed.segments); !warning.empty())
