@@ -868,6 +868,65 @@ class Formats(Tool_test):
         self.run_tool("in.off", "--out-dir", "out", "--outputs", "hulls")
         self.assertTrue((self.directory / "out/in.off.hulls/segment_000.obj").exists())
 
+    def test_labels_of_another_mesh(self):
+        """Are those of the nearest faces: each face of the other mesh is a quarter of one."""
+        faces, points, quarters, expected = self.faces, list(self.points), [], []
+        middle = {}
+        for face, label in zip(faces, self.expected):
+            between = []
+            for i in range(3):
+                edge = tuple(sorted((face[i], face[(i + 1) % 3])))
+                if edge not in middle:
+                    middle[edge] = len(points)
+                    points.append(tuple(sum(c) / 2 for c in zip(*(points[v] for v in edge))))
+                between.append(middle[edge])
+            a, b, c = between
+            quarters += [(face[0], a, c), (a, face[1], b), (c, b, face[2]), (a, b, c)]
+            expected += 4 * [label]
+        write_off(self.directory / "other.off", points, quarters)
+        done = self.run_tool("in.off", "--transfer-to", "other.off", "--keep-faces", "--labels",
+                             "out.seg", "-o", "out.ply", "-o", "out.glb", "--split-dir", "parts",
+                             "--hierarchy", "h.json", "--json", "out.json", "--scale", "2")
+        self.assertEqual((done.returncode, done.stderr), (0, ""))
+        self.assertEqual(self.labels(), expected)
+        mesh = self.ply()
+        self.assertEqual([[tuple(c / 2 for c in mesh.points[v]) for v in f] for f in mesh.faces],
+                         [[points[v] for v in f] for f in quarters])
+        self.assertEqual(mesh.segments, expected)
+        self.assertEqual(self.report()["parameters"]["transfer_to"], "other.off")
+        self.assertEqual(self.report()["input_faces"], len(faces)) # the hierarchy is that of IN
+        self.assertEqual(len(json.loads((self.directory / "h.json").read_text())["leaf_of_face"]),
+                         len(faces))
+        sizes = [len(read_ply(path).faces)
+                 for path in sorted((self.directory / "parts").glob("segment_*"))]
+        self.assertEqual(sizes, [expected.count(s) for s in range(max(expected) + 1)])
+
+    def test_segments_that_another_mesh_lacks(self):
+        """The other mesh is a part."""
+        self.run_tool("in.off", "--keep-faces", "--split-dir", "parts")
+        done = self.run_tool("in.off", "--transfer-to", "parts/segment_001.ply", "--labels",
+                             "out.seg", "--split-dir", "again", "--hulls", "hulls")
+        self.assertEqual(done.returncode, 0)
+        number = max(self.expected)
+        self.assertIn("segment_001.ply: %d segments are smaller" % number, done.stderr)
+        self.assertEqual(set(self.labels()), {1})
+        for folder, extension in (("again", "ply"), ("hulls", "obj")):
+            self.assertEqual([path.name for path in (self.directory / folder).glob("segment_*")],
+                             ["segment_001." + extension])
+
+    def test_wrong_transfers(self):
+        self.assert_failure("usage", "in.off", "--transfer-to", "in.off", "--html", "out.html",
+                            sentence="--transfer-to needs an output of the other mesh")
+        self.assert_failure("usage", "in.off", "--transfer-to", "in.off", "--out-dir", "out",
+                            sentence="not with --out-dir")
+        self.assert_failure("input", "in.off", "--transfer-to", "no.off", "--labels", "out.seg",
+                            sentence="there is no file no.off")
+        self.assert_failure("usage", "in.off", "--transfer-to", "out.ply", "-o", "out.ply",
+                            sentence="out.ply is the input")
+        self.write_off([], [], "empty.off")
+        self.assert_failure("mesh", "in.off", "--transfer-to", "empty.off", "--labels", "out.seg",
+                            sentence="empty.off has no faces")
+
     def test_outputs_that_are_no_colored_meshes(self):
         self.assert_failure("usage", "in.off", "-o", "out.stl", message="--split-format")
         for name in ("out.png", "out.SVG"):

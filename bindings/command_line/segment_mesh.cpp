@@ -20,6 +20,7 @@
 #include "read_input.h"
 #include "refined_input.h"
 #include "report.h"
+#include "transferred_labels.h"
 #include "write_meshes.h"
 
 #include <CGAL/Spectral_segmentation/Options.h>
@@ -101,7 +102,7 @@ struct Options
   std::optional<std::size_t> jobs;
   std::string input, seed_file, edge_file, feature_file;
   std::string label_file, report_file, hierarchy_file, page_file, split_directory,
-    hull_directory;
+    hull_directory, transfer_file;
   std::vector<std::string> mesh_files; // used by single runs, too
   std::string split_format; // empty for the defaults
   std::string method_name = "calibrated";
@@ -236,6 +237,10 @@ void add_output_options(CLI::App& app, Options& o)
            "directory for the convex hull of each segment, such as collision shapes; like "
            "--split-dir. The hull of a flat segment gets a thickness, which the report names")
     ->type_name("DIR");
+  add_file(app, "--transfer-to", o.transfer_file,
+           "another mesh of the same shape, such as a decimated copy: its faces get the labels of "
+           "the nearest faces of IN, and -o, --labels, --split-dir and --hulls write it instead of "
+           "IN");
   app.add_option("--split-format", o.split_format,
                  "format of the files in --split-dir [ply] and --hulls [obj]")
     ->type_name("F")->check(CLI::IsMember({"ply", "obj", "off", "stl", "glb", "3mf"}));
@@ -421,6 +426,8 @@ void check_usage(const Options& o)
   }
   if (o.has_output())
     throw Failure(Status::USAGE, "with --out-dir, choose the outputs with --outputs");
+  if (!o.transfer_file.empty())
+    throw Failure(Status::USAGE, "--transfer-to goes with one mesh, not with --out-dir");
   if (!o.seed_file.empty() || !o.edge_file.empty() || !o.feature_file.empty())
     throw Failure(Status::USAGE, "--seeds, --edges and --features are of one mesh, not of those of "
                                  "--out-dir");
@@ -451,7 +458,10 @@ void check_files(const Options& o)
     throw Failure(Status::USAGE, "--keep-materials needs -o with .obj or .glb");
   if (!o.unit.empty() && !o.writes_unit())
     throw Failure(Status::USAGE, "--unit needs an output that has a unit: .glb or .3mf");
-  check_outputs({o.input, o.seed_file, o.edge_file, o.feature_file}, outputs,
+  if (!o.transfer_file.empty() && !o.writes_meshes() && o.label_file.empty())
+    throw Failure(Status::USAGE, "--transfer-to needs an output of the other mesh: -o, --labels, "
+                                 "--split-dir or --hulls");
+  check_outputs({o.input, o.seed_file, o.edge_file, o.feature_file, o.transfer_file}, outputs,
                 {o.split_directory, o.hull_directory});
 }
 
@@ -560,6 +570,7 @@ Json parameters_report(const Options& o)
           {"edges", o.edge_file.empty() ? Json() : Json(o.edge_file)},
           {"features", o.feature_file.empty() ? Json() : Json(o.feature_file)},
           {"feature_weight", o.feature_file.empty() ? Json() : Json(used.feature_weight)},
+          {"transfer_to", o.transfer_file.empty() ? Json() : Json(o.transfer_file)},
           {"keep_faces", o.keep_faces},
           {"close", o.close},
           {"keep_materials", o.keep_materials},
@@ -611,11 +622,11 @@ Json report(const Options& o, const Input& input, std::size_t number_of_segments
   return result;
 }
 
-// Writes the input as meshes, with refined boundaries if its faces need not be kept. Adds what
-// holds for closed segments and hulls to a report, and warnings.
+// Writes an input as meshes, with refined boundaries if its faces need not be kept. Adds what holds
+// for closed segments and hulls to a report, and warnings.
 void write_meshes(const Options& o, const Input& input, const std::vector<Index>& label_of_triangle,
                   const std::vector<Index>& label_of_polygon, std::size_t number_of_segments,
-                  const Segmentation_hierarchy& tree, Output_files& files, Json& report,
+                  const std::vector<mesh_file::Part>& parts, Output_files& files, Json& report,
                   std::vector<std::string>& warnings)
 {
   const std::vector<Rgb> colors =
@@ -626,8 +637,6 @@ void write_meshes(const Options& o, const Input& input, const std::vector<Index>
     refined = Input_refinement(input, label_of_triangle)(label_of_polygon);
   const Input& written = is_refined ? refined.input : input;
   const std::vector<Index>& labels = is_refined ? refined.segment : label_of_polygon;
-  const std::vector<mesh_file::Part> parts =
-    part_tree(tree, label_of_triangle, number_of_segments);
   const mesh_file::Segmented_mesh mesh{written.soup, labels, colors, parts, refined.polygon,
                                        o.keep_materials};
   Closed_soup closed;
@@ -683,6 +692,40 @@ struct Expected_seconds
       writing((writes_triangles ? 3e-7 : 5e-8) * faces) {}
 };
 
+// Returns an input that has triangles.
+Input checked(Input input, const std::string& name)
+{
+  if (input.triangles.empty())
+    throw Failure(Status::MESH, name + " has no face with three different corners" +
+                                  first_warning(input.soup));
+  return input;
+}
+
+// Returns a warning of segments that no triangle of another mesh has; else nothing.
+std::string missing_segments(const std::vector<Index>& labels, std::size_t number_of_segments)
+{
+  std::vector<char> is_found(number_of_segments, 0);
+  for (Index label : labels)
+    is_found[label] = 1;
+  const auto number = std::count(is_found.begin(), is_found.end(), 0);
+  return number == 0 ? "" : std::to_string(number) +
+                              (number == 1 ? " segment is" : " segments are") +
+                              " smaller than its faces, and missing";
+}
+
+// Multiplies the points, which must stay finite.
+void multiply_points(Polygon_soup& soup, double factor)
+{
+  mesh_file::scale(soup, factor);
+  for (Index v : soup.corners)
+    for (double c : soup.points[v])
+      if (!std::isfinite(c))
+        throw Failure(Status::OUTPUT, "--scale makes the coordinates too large");
+}
+
+void print_warning(const std::string& name, const std::string& warning)
+{ std::cerr << "segment_mesh: warning: " << name << ": " << warning << std::endl; }
+
 // Segments a mesh and writes the outputs. Returns a row of the table of a batch.
 Json run(const Options& o)
 {
@@ -698,11 +741,14 @@ Json run(const Options& o)
   const Expected_seconds first_guess(bytes, bytes / 20, writes_triangles);
   watch.start_phase("reading", first_guess.reading, first_guess.joining + first_guess.segmenting +
                                                       first_guess.writing);
-  Scene scene;
+  const bool is_transferred = !o.transfer_file.empty();
+  const Reading_limits limits{o.time_limit, o.jobs.value_or(1), o.allow_external_files,
+                              o.writes_materials()};
+  Scene scene, other_scene;
   try {
-    scene = read_scene(o.input, o.writes_meshes(),
-                       {o.time_limit, o.jobs.value_or(1), o.allow_external_files,
-                        o.writes_materials()});
+    scene = read_scene(o.input, o.writes_meshes(), limits);
+    if (is_transferred)
+      other_scene = read_scene(o.transfer_file, o.writes_meshes(), limits);
   }
   catch (const Failure&) {
     watch.end_phase(); // fails if the reader has taken all the time
@@ -711,10 +757,10 @@ Json run(const Options& o)
   const Expected_seconds expected(bytes, static_cast<double>(scene.soup.number_of_polygons()),
                                   writes_triangles);
   watch.start_phase("joining", expected.joining, expected.segmenting + expected.writing);
-  Input input = triangulated(std::move(scene));
-  if (input.triangles.empty())
-    throw Failure(Status::MESH, o.input + " has no face with three different corners" +
-                                  first_warning(input.soup));
+  Input input = checked(triangulated(std::move(scene)), o.input), other;
+  if (is_transferred)
+    other = checked(triangulated(std::move(other_scene)), o.transfer_file);
+  Input& written = is_transferred ? other : input;
 
   watch.start_phase("segmentation", expected.segmenting, expected.writing);
   std::vector<Index> labels(input.triangles.size());
@@ -725,22 +771,28 @@ Json run(const Options& o)
       input.soup.warnings.push_back(std::move(warning));
 
   watch.start_phase("writing", expected.writing, 0);
-  const std::vector<Index> label_of_polygon = labels_of_polygons(input, labels);
+  std::vector<mesh_file::Part> parts;
+  if (o.writes_meshes())
+    parts = part_tree(tree, labels, number_of_segments);
+  if (is_transferred)
+    labels = transferred_labels(input, std::move(labels), other);
+  const std::vector<Index> label_of_polygon = labels_of_polygons(written, labels);
   if (o.scale != 1) { // the labels do not depend on it
-    mesh_file::scale(input.soup, o.scale);
-    for (Index v : input.soup.corners)
-      for (double c : input.soup.points[v])
-        if (!std::isfinite(c))
-          throw Failure(Status::OUTPUT, "--scale makes the coordinates too large");
+    multiply_points(input.soup, o.scale);
+    if (is_transferred)
+      multiply_points(other.soup, o.scale);
   }
   Output_files files;
   if (!o.label_file.empty())
     files.write(o.label_file, [&](std::ostream& out) { write_labels(out, label_of_polygon); });
   Json of_parts = {{"intersecting_pairs", nullptr}, {"closed_segments", Json::array()},
                    {"hulls", Json::array()}};
-  std::vector<std::string> warnings = input.soup.warnings;
+  std::vector<std::string> warnings = written.soup.warnings;
+  if (is_transferred)
+    if (const std::string warning = missing_segments(labels, number_of_segments); !warning.empty())
+      warnings.push_back(warning);
   if (o.writes_meshes())
-    write_meshes(o, input, labels, label_of_polygon, number_of_segments, tree, files, of_parts,
+    write_meshes(o, written, labels, label_of_polygon, number_of_segments, parts, files, of_parts,
                  warnings);
   if (!o.hierarchy_file.empty())
     files.write(o.hierarchy_file, [&](std::ostream& out) { write_hierarchy(out, tree, input); });
@@ -762,13 +814,18 @@ Json run(const Options& o)
     if (!o.has_output() && standard_error_is_terminal())
       std::cerr << "Nothing was written. --html FILE shows the segments, -o FILE.ply or .glb has "
                    "their colors; see --help" << std::endl;
+    if (is_transferred)
+      for (const std::string& warning : input.soup.warnings)
+        print_warning(o.input, warning);
+    const std::string& name_of_written = is_transferred ? o.transfer_file : o.input;
     for (const std::string& warning : warnings)
-      std::cerr << "segment_mesh: warning: " << o.input << ": " << warning << std::endl;
-    if (!input.missing_files.empty())
-      std::cerr << "segment_mesh: warning: " << mesh_file::in_quotes(input.missing_files[0])
-                << (input.missing_files.size() > 1 ? " and other files of materials" : "")
+      print_warning(name_of_written, warning);
+    if (!written.missing_files.empty())
+      std::cerr << "segment_mesh: warning: " << mesh_file::in_quotes(written.missing_files[0])
+                << (written.missing_files.size() > 1 ? " and other files of materials" : "")
                 << " cannot be read"
-                << (o.allow_external_files ? "" : " in the folder of " + o.input) << std::endl;
+                << (o.allow_external_files ? "" : " in the folder of " + name_of_written)
+                << std::endl;
     const std::size_t wanted = o.segments.value_or(o.maximum_segments.value_or(number_of_segments));
     if (number_of_segments > wanted)
       std::cerr << "segment_mesh: warning: more than " << wanted

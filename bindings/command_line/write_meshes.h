@@ -153,6 +153,8 @@ inline void write_segments(Output_files& files, const std::filesystem::path& dir
                           { files.write_segment(name, writer); });
   for (std::size_t s = 0; s < extract.number_of_segments(); ++s) {
     const Polygon_soup part = extract(s);
+    if (part.number_of_polygons() == 0) // it is missing in a mesh that got its labels
+      continue;
     const std::vector<Index> segment(part.number_of_polygons(), static_cast<Index>(s));
     const mesh_file::Segmented_mesh written{part, segment, mesh.colors, {}, {}, true};
     const std::string name = mesh_file::segment_name(s);
@@ -181,7 +183,10 @@ write_hulls(Output_files& files, const std::filesystem::path& directory,
   std::ostringstream warning;
   files.start_segments(directory);
   for (std::size_t s = 0; s < extract.number_of_segments(); ++s) {
-    const mesh_file::Convex_hull hull = mesh_file::convex_hull(extract(s).points, extent);
+    const std::vector<Point> points = extract(s).points;
+    if (points.empty())
+      continue;
+    const mesh_file::Convex_hull hull = mesh_file::convex_hull(points, extent);
     Polygon_soup soup;
     soup.points = hull.points;
     for (const Triangle& t : hull.triangles) {

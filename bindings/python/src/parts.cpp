@@ -7,13 +7,10 @@
 #include "python_lock.h"
 
 #include <CGAL/Segmented_mesh/refine_segment_boundaries.h>
-#include <CGAL/Segmented_mesh/transfer_segments.h>
-#include <CGAL/property_map.h>
 
 #include <command_line/closed_soup.h>
+#include <command_line/transferred_labels.h>
 #include <files/convex_hull.h>
-
-#include <boost/property_map/compose_property_map.hpp>
 
 #include <cstddef>
 #include <cstdint>
@@ -25,7 +22,6 @@ namespace python {
 using mesh_file::Index;
 using mesh_file::Point;
 using segment_mesh::Input;
-using segment_mesh::Mesh;
 
 typedef Contiguous<std::uint32_t> Labels; // one per triangle
 
@@ -79,16 +75,11 @@ static py::tuple refined(const Input& input, const Labels& labels)
 static py::array_t<std::int32_t> transferred(const Input& from, const Labels& labels,
                                              const Input& to)
 {
-  std::vector<Index> from_labels = vector_of<Index>(labels), result(to.triangles.size());
+  const std::vector<Index> from_labels = vector_of<Index>(labels);
+  std::vector<Index> result;
   {
     const No_python_lock no_python_lock;
-    const Mesh from_mesh = mesh_of(from), to_mesh = mesh_of(to);
-    const auto id_map = [](const Mesh& mesh, std::vector<Index>& ids) {
-      return boost::make_compose_property_map(CGAL::make_property_map(ids),
-                                              get(CGAL::face_index, mesh));
-    };
-    CGAL::transfer_segments(from_mesh, id_map(from_mesh, from_labels), to_mesh,
-                            id_map(to_mesh, result));
+    result = segment_mesh::transferred_labels(from, from_labels, to);
   }
   const auto size = static_cast<py::ssize_t>(result.size());
   return array_of_indices(std::move(result), {size}, 0);
