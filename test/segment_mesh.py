@@ -1408,6 +1408,10 @@ class Scenes(Tool_test):
                     name = self.write(extension, content)
                     self.assert_failure("mesh", name, "-o", "out.ply", "--labels", "out.seg",
                                         message=name + " cannot be read: ")
+        for extension in ("gltf", "glb"):
+            content = WRITERS[extension](self.nodes).replace(b"}", b"]", 1)
+            self.assert_failure("mesh", self.write(extension, content),
+                                message="its description is no JSON")
 
 
 def png(red):

@@ -403,6 +403,8 @@ public:
   {
     const bool is_version_2 = split(file);
     json_ = parsed(std::string(text_));
+    if (is_version_2 && json_.is_discarded())
+      fail("its description is no JSON");
     try {
       const std::string version = is_version_2 && json_.is_object()
         ? json_.value("/asset/version"_json_pointer, "") : "";
