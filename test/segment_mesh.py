@@ -916,16 +916,16 @@ class Formats(Tool_test):
 
     def test_wrong_transfers(self):
         self.assert_failure("usage", "in.off", "--transfer-to", "in.off", "--html", "out.html",
-                            sentence="--transfer-to needs an output of the other mesh")
+                            message="--transfer-to needs an output of the other mesh")
         self.assert_failure("usage", "in.off", "--transfer-to", "in.off", "--out-dir", "out",
-                            sentence="not with --out-dir")
+                            message="not with --out-dir")
         self.assert_failure("input", "in.off", "--transfer-to", "no.off", "--labels", "out.seg",
-                            sentence="there is no file no.off")
+                            message="there is no file no.off")
         self.assert_failure("usage", "in.off", "--transfer-to", "out.ply", "-o", "out.ply",
-                            sentence="out.ply is the input")
+                            message="out.ply is the input")
         self.write_off([], [], "empty.off")
         self.assert_failure("mesh", "in.off", "--transfer-to", "empty.off", "--labels", "out.seg",
-                            sentence="empty.off has no faces")
+                            message="empty.off has no faces")
 
     def test_outputs_that_are_no_colored_meshes(self):
         self.assert_failure("usage", "in.off", "-o", "out.stl", message="--split-format")
@@ -1274,7 +1274,7 @@ class Scenes(Tool_test):
                          ('"componentType": 5123', '"componentType": 5124')):
             self.assertIn(old.encode(), text)
             self.write("glb", glb_of(text.replace(old.encode(), new.encode()), data))
-            self.assert_failure("mesh", "in.glb", "-o", "out.ply", sentence="cannot be read: it")
+            self.assert_failure("mesh", "in.glb", "-o", "out.ply", message="cannot be read: it")
 
     def test_instances(self):
         """Each is a node below theirs."""
@@ -1299,12 +1299,12 @@ class Scenes(Tool_test):
                                       for i in range(3) for face in nodes[0].faces])
 
     def test_required_extensions(self):
-        for name, sentence in (("EXT_meshopt_compression", "gltf-transform copy IN.glb OUT.glb"),
-                               ("KHR_made_up", "'KHR_made_up' of glTF, which is not read")):
+        for name, message in (("EXT_meshopt_compression", "gltf-transform copy IN.glb OUT.glb"),
+                              ("KHR_made_up", "'KHR_made_up' of glTF, which is not read")):
             scene = json.loads(gltf(self.nodes, True)[0])
             scene["extensionsRequired"] = ["KHR_materials_unlit", name]
             self.write("gltf", json.dumps(scene).encode())
-            self.assert_failure("mesh", "in.gltf", "-o", "out.ply", sentence=sentence)
+            self.assert_failure("mesh", "in.gltf", "-o", "out.ply", message=message)
         scene["extensionsRequired"] = ["KHR_materials_unlit"]
         self.segment(self.write("gltf", json.dumps(scene).encode()))
 

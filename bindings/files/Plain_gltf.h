@@ -45,7 +45,7 @@ class Plain_gltf
   std::map<std::size_t, std::size_t> plain_accessors_; // by the accessors that they replace
   std::string data_; // of the plain accessors
 
-  [[noreturn]] static void fail(const std::string& sentence) { throw std::runtime_error(sentence); }
+  [[noreturn]] static void fail(const std::string& message) { throw std::runtime_error(message); }
 
   static std::size_t number(const Json& object, const char* key)
   {

@@ -100,7 +100,7 @@ class Build(build_ext):
             for extension in self.extensions:
                 extension.define_macros.append(("CGAL_LINKED_WITH_TBB", "1"))
                 extension.libraries.append("tbb")
-        # What an earlier build made with the other choice is outdated.
+        # The result of an earlier build with the other choice is outdated.
         choice = pathlib.Path(self.build_temp, "tbb")
         self.force = self.force or not choice.is_file() or choice.read_text() != str(has_tbb)
         super().build_extensions()
