@@ -314,10 +314,11 @@ inline std::string inward_warning(const Input& input)
   Point sum = {0, 0, 0}, middle = {0, 0, 0};
   for (std::size_t t = 0; t < input.triangles.size(); ++t) {
     const Point n = normal(input, t), &p = input.soup.points[input.triangles[t][0]];
-    twice_area += area(input, t);
+    const double length = std::hypot(n[0], n[1], n[2]); // twice the area
+    twice_area += length;
     for (std::size_t k = 0; k < 3; ++k) {
       sum[k] += n[k];
-      middle[k] += area(input, t) * (p[k] - origin[k]);
+      middle[k] += length * (p[k] - origin[k]);
       volume += n[k] * (p[k] - origin[k]);
     }
   }
