@@ -3,6 +3,7 @@
 
 #include <boost/test/unit_test.hpp>
 
+#include "box_figures.h"
 #include "test_labels.h"
 #include "test_meshes.h"
 
@@ -411,6 +412,56 @@ BOOST_AUTO_TEST_CASE(cut_through_two_cavities_has_two_holes)
          soup, by_place<int>(soup, [](const Point& p) { return p.z() < 2; })))
     BOOST_TEST(volume == 2 * area_of_polygon(12, 2) - 2 * area_of_polygon(6, 0.5),
                tt::tolerance(1e-12));
+}
+
+// Two boxes stand on a plate and against each other, so that borders have right angles, and three
+// planes meet in the corner of the last box. Each part has the volume of its cubes.
+BOOST_AUTO_TEST_CASE(boxes_in_corners_get_flat_sectors)
+{
+  Cells cells;
+  add_box(cells, {0, 0, 0}, {12, 8, 2});
+  add_box(cells, {2, 2, 2}, {5, 5, 10});
+  add_box(cells, {5, 3, 2}, {10, 4, 6});
+  const Soup wall_at_post = boundary_of(cells);
+  auto volume = volumes_of_solids(wall_at_post, by_place<int>(wall_at_post, [](const Point& p) {
+    return p.z() <= 2 ? 0 : p.x() <= 5 ? 1 : 2;
+  }));
+  BOOST_TEST(volume.at(0) == 192, tt::tolerance(1e-12));
+  BOOST_TEST(volume.at(1) == 72, tt::tolerance(1e-12));
+  BOOST_TEST(volume.at(2) == 20, tt::tolerance(1e-12));
+
+  cells.clear();
+  add_box(cells, {0, 0, 0}, {8, 8, 2});
+  add_box(cells, {0, 0, 2}, {1, 8, 10});
+  add_box(cells, {1, 0, 2}, {8, 1, 10});
+  add_box(cells, {1, 1, 2}, {4, 4, 5});
+  const Soup box_in_corner = boundary_of(cells);
+  volume = volumes_of_solids(box_in_corner, by_place<int>(box_in_corner, [](const Point& p) {
+    return p.z() <= 2 ? 0 : p.x() <= 1 ? 1 : p.y() <= 1 ? 2 : 3;
+  }));
+  BOOST_TEST(volume.at(0) == 128, tt::tolerance(1e-12));
+  BOOST_TEST(volume.at(1) == 64, tt::tolerance(1e-12));
+  BOOST_TEST(volume.at(2) == 56, tt::tolerance(1e-12));
+  BOOST_TEST(volume.at(3) == 27, tt::tolerance(1e-12));
+}
+
+// The first cap takes the place that another one needs, so that another order is tried.
+BOOST_AUTO_TEST_CASE(walls_at_a_corner_are_closed_in_another_order)
+{
+  Cells cells;
+  add_box(cells, {1, 1, 0}, {20, 10, 1});
+  add_box(cells, {3, 1, 1}, {5, 10, 12});
+  add_box(cells, {1, 0, 0}, {4, 1, 9});
+  const Soup soup = boundary_of(cells);
+  const Mesh mesh = mesh_of(soup);
+  Labels labels;
+  const auto segment_ids = map_to(labels, mesh);
+  BOOST_TEST(CGAL::segment_spectral_recursive(mesh, segment_ids) == 3);
+  double sum = 0;
+  for (const auto& [id, volume] :
+       volumes_of_solids(soup, std::vector<int>(labels.begin(), labels.end())))
+    sum += volume;
+  BOOST_TEST(sum == 19 * 9 * 1 + 2 * 9 * 11 + 3 * 1 * 9, tt::tolerance(1e-9));
 }
 
 // Returns a mesh and a copy that is turned inside out and moved inwards.

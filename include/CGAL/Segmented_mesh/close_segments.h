@@ -6,13 +6,14 @@
 
 #include <CGAL/Segmented_mesh/Closed_segment.h>
 #include <CGAL/Segmented_mesh/internal/base.h>
-#include <CGAL/Segmented_mesh/internal/capping/Segment_capping.h>
+#include <CGAL/Segmented_mesh/internal/capping/closed_solid.h>
 #include <CGAL/Segmented_mesh/internal/read_segments.h>
 #include <CGAL/Spectral_segmentation/internal/read/read_triangle_mesh.h>
 
 #include <cstddef>
 #include <limits>
 #include <stdexcept>
+#include <utility>
 #include <vector>
 
 namespace CGAL {
@@ -27,10 +28,9 @@ The border of a segment consists of the edges that an odd number of its triangle
 divided into loops, and each loop gets a cap. The holes of the surface are closed first, then the
 segments, in ascending order of their area. The cap of a segment, turned over, also goes to the
 segment on its other side. If there are several such segments, each gets the sector of the cap
-between its edges and a new point in the middle of the loop, provided these edges are at least a
-tenth of the loop, and other segments begin at most 50 times around it. Therefore the closed
-segments fit together, even where three of them meet, and the sum of their volumes is the volume of
-the closed surface.
+between its edges and a chord or a new point, provided these edges are at least a tenth of the loop,
+and other segments begin at most 50 times around it. Therefore the closed segments fit together,
+even where three of them meet, and the sum of their volumes is the volume of the closed surface.
 
 <b>Hollow bodies.</b> The surface may have several components. A component that is oriented inward
 and lies in another one bounds a cavity. If one segment has all of its triangles and surrounds it,
@@ -46,22 +46,21 @@ neither it nor other caps, is taken:
 -# for a loop on an outer wall with one neighbor, or with several loops opposite of it: a Delaunay
    triangulation in the projection to a plane, with these loops as holes;
 -# for two such loops, or one that passes from wall to wall: triangles between the vertices of both
-   sides for which the sum of the squared lengths of edges from side to side, or the area, is least;
--# strips that lead from such loops to the inside of the wall, for less than a third of an edge or
-   of the distance to the other side, and such triangles between them;
+   sides for which the sum of the squared lengths of edges from side to side is least;
+-# for a loop with several neighbors, flat sectors that meet in a point, if there are any;
 -# for one loop, triangles between its vertices: a Delaunay triangulation in the projection to a
    plane if the loop deviates from it by at most a tenth of the diagonal of its bounding box,
    otherwise a surface that bends little and has a small area;
 -# a fan around a new point in the middle of the loop;
 -# a strip that leads from the loop to the inside of the surface, for half an edge, two edges, or a
    tenth of an edge, and such triangles inside;
--# for all loops of the segment together, a copy of its triangles that is moved inwards for less
-   than an edge, so that the segment becomes a shell.
+-# for all loops of the segment together, a shell: a copy of its triangles that is moved inwards.
 
-If none does, the first cap of one loop whose edges have no further triangles stays. This is so if
-the surface intersects itself, or near tunnels and walls that are much thinner than an edge. The
-result states for each segment whether it bounds a solid, and if not, why. A surface that is inside
-out stays so, and its segments are reported as not oriented outward.
+If none does, the first cap of one loop whose edges have no further triangles stays. Then two other
+orders are tried: the segments that intersect themselves first, with sectors that chords cut off,
+and the largest first. The result with most solids is taken. The surface may intersect itself, or
+have tunnels and walls that are much thinner than an edge. The result states for each segment
+whether it bounds a solid, and if not, why. Segments of a surface that is inside out are not turned.
 
 The time is O(*n* log *n*) for *n* triangles, plus O(*l*^2) for each loop of *l* edges that gets a
 fan or a ring, plus the time of `CGAL::Polygon_mesh_processing::triangulate_hole_polyline()` for
@@ -107,20 +106,20 @@ close_segments(PointRange& points, TriangleRange& triangles, SegmentIdRange& seg
   std::vector<internal::Index> labels;
   const auto ids =
     internal::read_segments(soup.corners.size(), segment_ids, labels, "close_segments");
-  const internal::Segment_capping capping(soup.points, soup.corners, labels, ids.size());
-  const internal::Caps& caps = capping.caps();
-  if (!caps.points.empty() && points.size() + caps.points.size() - 1 >
-                                static_cast<std::size_t>((std::numeric_limits<Corner>::max)()))
+  auto closed = internal::closed_solid(soup.points, soup.corners, labels, ids, false);
+  const std::vector<internal::Vector> new_points = closed.solid->new_points();
+  if (!new_points.empty() && points.size() + new_points.size() - 1 >
+                               static_cast<std::size_t>((std::numeric_limits<Corner>::max)()))
     throw std::overflow_error("close_segments: the type of the corners is too small for the number "
                               "of points");
-  auto result = internal::closed_segments(capping, capping.triangles(), ids);
-  for (const internal::Vector& p : caps.points)
+  const internal::Labeled_triangles& caps = closed.solid->caps();
+  for (const internal::Vector& p : new_points)
     points.push_back(Point{p.x(), p.y(), p.z()});
   for (const internal::Corners& t : caps.triangles)
     triangles.push_back(Triangle{Corner(t[0]), Corner(t[1]), Corner(t[2])});
-  for (internal::Index label : caps.segment)
+  for (internal::Index label : caps.segments)
     segment_ids.push_back(ids[label]);
-  return result;
+  return std::move(closed.segments);
 }
 
 } // namespace CGAL

@@ -6,7 +6,7 @@
 
 #include <CGAL/Segmented_mesh/Closed_segment.h>
 #include <CGAL/Segmented_mesh/internal/base.h>
-#include <CGAL/Segmented_mesh/internal/capping/Segment_capping.h>
+#include <CGAL/Segmented_mesh/internal/capping/closed_solid.h>
 #include <CGAL/Segmented_mesh/internal/capping/triangle_sides.h>
 #include <CGAL/Segmented_mesh/internal/read_segments.h>
 #include <CGAL/Spectral_segmentation/internal/read/read_triangle_mesh.h>
@@ -179,17 +179,13 @@ split_into_segments(const TriangleMesh& mesh, SegmentIdMap segment_ids, PartRang
   }
   std::vector<Segmented_mesh::Closed_segment<Id> > result;
   if (choose_parameter(get_parameter(pack, tags::close_parts), false)) {
-    const internal::Segment_capping capping(triangles.points, triangles.corners, labels, n);
-    for (const internal::Vector& p : capping.caps().points)
+    auto closed = internal::closed_solid(triangles.points, triangles.corners, labels, ids, true);
+    for (const internal::Vector& p : closed.solid->new_points())
       points.push_back(Point(p.x(), p.y(), p.z()));
-    triangles_of_part = capping.triangles();
-    for (std::size_t i = 0; i < n; ++i) {
+    triangles_of_part = closed.solid->triangles();
+    for (std::size_t i = 0; i < n; ++i)
       faces_of_part[i].resize(triangles_of_part[i].size(), Graph_traits::null_face());
-      if (capping.is_inside_out())
-        for (internal::Corners& t : triangles_of_part[i])
-          std::swap(t[1], t[2]);
-    }
-    result = internal::closed_segments(capping, triangles_of_part, ids);
+    result = std::move(closed.segments);
   }
   static_assert(internal::is_sequence<PartRange>::value,
                 "the parts are received by a sequence of meshes, such as a std::vector");

@@ -32,81 +32,63 @@ struct Border_edge
 // The edges that an odd number of triangles of a set have.
 typedef std::map<Vertex_pair, Border_edge> Border;
 
+typedef std::vector<Index> Loop;
+
 // Splits a border into loops that pass no vertex twice, against the direction of most of the
 // triangles at them. Loops contain all border edges, however the triangles meet and are oriented,
 // because an even number of border edges meets at each vertex.
-class Border_loops
+inline std::vector<Loop> split_into_loops(const Border& border)
 {
   struct Step
   {
     Index vertex;
-    int direction; // the direction of the border edge that leaves it
+    int direction; // the direction of the border edge to it, or from it
   };
-
-  std::map<Index, std::vector<std::pair<Index, int> > > unused_; // other ends and directions
-  std::vector<Step> path_;
-  std::unordered_map<Index, std::size_t> place_; // the index of each vertex in the path
-  std::vector<std::vector<Index> > loops_;
-
-  // Removes the edge to w from the unused edges of v.
-  void use(Index v, Index w)
-  {
-    auto& edges = unused_[v];
-    edges.erase(std::find_if(edges.begin(), edges.end(), [w](const auto& e)
-                             { return e.first == w; }));
+  std::map<Index, std::vector<Step> > unused; // the other ends of the edges at each vertex
+  for (const auto& [vertices, edge] : border) {
+    unused[vertices.first].push_back({vertices.second, edge.direction});
+    unused[vertices.second].push_back({vertices.first, -edge.direction});
   }
-
-  // Makes a loop of the end of the path, from its `first` vertex on.
-  void add_loop(std::size_t first)
-  {
-    std::vector<Index> loop;
-    int direction = 0;
-    for (std::size_t i = first; i < path_.size(); ++i) {
-      loop.push_back(path_[i].vertex);
-      direction += path_[i].direction > 0 ? 1 : -1;
-      place_.erase(path_[i].vertex);
+  const auto use = [&unused](Index v, Index w) {
+    std::vector<Step>& steps = unused[v];
+    steps.erase(std::find_if(steps.begin(), steps.end(),
+                             [w](const Step& s) { return s.vertex == w; }));
+  };
+  std::vector<Loop> result;
+  std::vector<Step> path;
+  std::unordered_map<Index, std::size_t> place; // the index of each vertex in the path
+  for (const auto& [vertices, edge] : border) {
+    // Walks until no edge is left at the vertex where the walk began.
+    for (Index v = vertices.first; !unused[v].empty();) {
+      const std::vector<Step>& steps = unused[v];
+      const auto along =
+        std::find_if(steps.begin(), steps.end(), [](const Step& s) { return s.direction < 0; });
+      const Step next = along == steps.end() ? steps.front() : *along;
+      use(v, next.vertex);
+      use(next.vertex, v);
+      place[v] = path.size();
+      path.push_back({v, next.direction});
+      v = next.vertex;
+      const auto passed = place.find(v);
+      if (passed == place.end())
+        continue;
+      const std::size_t first = passed->second;
+      Loop loop;
+      int direction = 0;
+      for (std::size_t i = first; i < path.size(); ++i) {
+        loop.push_back(path[i].vertex);
+        direction += path[i].direction > 0 ? 1 : -1;
+        place.erase(path[i].vertex);
+      }
+      path.resize(first);
+      if (direction > 0)
+        std::reverse(loop.begin(), loop.end());
+      result.push_back(std::move(loop));
     }
-    path_.resize(first);
-    if (direction > 0)
-      std::reverse(loop.begin(), loop.end());
-    loops_.push_back(std::move(loop));
+    CGAL_assertion(path.empty());
   }
-
-  // Walks until no edge is left at v, which then is the vertex where the walk began.
-  void walk(Index v)
-  {
-    while (!unused_[v].empty()) {
-      const auto& edges = unused_[v];
-      const auto along = std::find_if(edges.begin(), edges.end(), [](const auto& e)
-                                      { return e.second < 0; });
-      const auto [w, direction] = along == edges.end() ? edges.front() : *along;
-      use(v, w);
-      use(w, v);
-      place_[v] = path_.size();
-      path_.push_back({v, direction});
-      v = w;
-      const auto passed = place_.find(v);
-      if (passed != place_.end())
-        add_loop(passed->second);
-    }
-    CGAL_assertion(path_.empty());
-  }
-
-public:
-  explicit Border_loops(const Border& border)
-  {
-    for (const auto& [vertices, edge] : border) {
-      unused_[vertices.first].emplace_back(vertices.second, edge.direction);
-      unused_[vertices.second].emplace_back(vertices.first, -edge.direction);
-    }
-    for (const auto& [vertices, edge] : border)
-      walk(vertices.first);
-  }
-
-  const std::vector<std::vector<Index> >& operator()() const { return loops_; }
-};
-
-typedef std::vector<Index> Loop;
+  return result;
+}
 
 // A range of edges of a loop that have the same segment on their other side.
 struct Arc
@@ -115,6 +97,25 @@ struct Arc
   std::size_t begin, end;
   double length;
 };
+
+// Splits a loop where another segment begins, by the segment of each edge.
+inline std::vector<Arc> split_into_arcs(const std::vector<Vector>& points, Loop& loop,
+                                        std::vector<Index>& segments)
+{
+  const auto change = std::adjacent_find(segments.begin(), segments.end(),
+                                         std::not_equal_to<Index>());
+  const auto first = change == segments.end() ? 0 : change + 1 - segments.begin();
+  std::rotate(segments.begin(), segments.begin() + first, segments.end());
+  std::rotate(loop.begin(), loop.begin() + first, loop.end());
+  std::vector<Arc> result;
+  for (std::size_t i = 0; i < loop.size(); ++i) {
+    if (i == 0 || segments[i] != segments[i - 1])
+      result.push_back({segments[i], i, i, 0});
+    ++result.back().end;
+    result.back().length += (points[loop[(i + 1) % loop.size()]] - points[loop[i]]).norm();
+  }
+  return result;
+}
 
 // The border of each segment: the edges that an odd number of its triangles have.
 class Segment_borders
@@ -126,40 +127,6 @@ class Segment_borders
   {
     border_[segment].emplace(vertices, edge);
     segments_at_[vertices].push_back(segment);
-  }
-
-  // Splits a loop where another segment begins, by the segment of each edge.
-  static std::vector<Arc> arcs(const std::vector<Vector>& points, Loop& loop,
-                               std::vector<Index>& segments)
-  {
-    const auto change = std::adjacent_find(segments.begin(), segments.end(),
-                                           std::not_equal_to<Index>());
-    const auto first = change == segments.end() ? 0 : change + 1 - segments.begin();
-    std::rotate(segments.begin(), segments.begin() + first, segments.end());
-    std::rotate(loop.begin(), loop.begin() + first, loop.end());
-    std::vector<Arc> result;
-    for (std::size_t i = 0; i < loop.size(); ++i) {
-      if (i == 0 || segments[i] != segments[i - 1])
-        result.push_back({segments[i], i, i, 0});
-      ++result.back().end;
-      result.back().length += (points[loop[(i + 1) % loop.size()]] - points[loop[i]]).norm();
-    }
-    return result;
-  }
-
-  // Assigns a loop with more arcs than can be long to the segment that has most of it.
-  static void unite_many_arcs(const std::vector<Vector>& points, Loop& loop,
-                               std::vector<Index>& segments)
-  {
-    const std::vector<Arc> all = arcs(points, loop, segments);
-    if (all.size() <= 50)
-      return;
-    std::map<Index, double> lengths;
-    for (const Arc& a : all)
-      lengths[a.segment] += a.length;
-    const Index longest = std::max_element(lengths.begin(), lengths.end(), [](auto& a, auto& b)
-                                           { return a.second < b.second; })->first;
-    std::fill(segments.begin(), segments.end(), longest);
   }
 
 public:
@@ -228,22 +195,31 @@ public:
   }
 
   // Returns the arcs of a loop, by the segments at it except `other_than`. Arcs of less than a
-  // tenth of the loop go to the longer arc beside them, because their sectors would be slivers.
+  // tenth of the loop go to the longer arc beside them, because their sectors would be slivers. A
+  // loop with more than 50 arcs, few of which can be long, goes to the segment with most of it.
   std::vector<Arc> long_arcs(const std::vector<Vector>& points, Loop& loop, Index other_than) const
   {
     std::vector<Index> segments;
     for (std::size_t i = 0; i < loop.size(); ++i)
       segments.push_back(segment_at(loop[i], loop[(i + 1) % loop.size()], other_than));
-    unite_many_arcs(points, loop, segments);
     for (;;) {
-      const std::vector<Arc> result = arcs(points, loop, segments);
+      const std::vector<Arc> result = split_into_arcs(points, loop, segments);
+      std::map<Index, double> lengths;
       double length = 0;
-      for (const Arc& a : result)
+      for (const Arc& a : result) {
+        lengths[a.segment] += a.length;
         length += a.length;
+      }
+      const auto is_shorter = [](const auto& a, const auto& b) { return a.second < b.second; };
       const auto i = std::min_element(result.begin(), result.end(), [](const Arc& a, const Arc& b)
                                       { return a.length < b.length; });
       if (result.size() == 1 || i->length >= length / 10)
         return result;
+      if (result.size() > 50) {
+        segments.assign(loop.size(),
+                        std::max_element(lengths.begin(), lengths.end(), is_shorter)->first);
+        continue;
+      }
       const Arc &before = i == result.begin() ? result.back() : *(i - 1),
                 &after = i == result.end() - 1 ? result.front() : *(i + 1);
       for (std::size_t e = i->begin; e < i->end; ++e)

@@ -193,8 +193,6 @@ public:
   Triangle_tree(const Triangle_tree&) = delete;
   Triangle_tree& operator=(const Triangle_tree&) = delete;
 
-  std::size_t size() const { return triangles_.size(); }
-
   // Appends triangles.
   void insert(const std::vector<Corners>& triangles)
   {
@@ -202,11 +200,10 @@ public:
                  [&](const Corners& t) { return !is_degenerate(points_, t); });
   }
 
-  // Removes the last triangles.
-  void resize(std::size_t size)
+  void remove_last(std::size_t number)
   {
-    triangles_.resize(size);
-    if (number_in_tree_ > size)
+    triangles_.resize(triangles_.size() - number);
+    if (number_in_tree_ > triangles_.size())
       build();
   }
 

@@ -23,23 +23,6 @@
 
 namespace CGAL::Segmented_mesh::internal {
 
-inline double length(const std::vector<Vector>& loop)
-{
-  double result = 0;
-  for (std::size_t i = 0; i < loop.size(); ++i)
-    result += (loop[(i + 1) % loop.size()] - loop[i]).norm();
-  return result;
-}
-
-// Returns a vector that is normal to a loop: the sum of the normals of its triangles at a point.
-inline Vector normal(const std::vector<Vector>& loop, const Vector& around)
-{
-  Vector result;
-  for (std::size_t i = 0; i < loop.size(); ++i)
-    result += (loop[i] - around).cross(loop[(i + 1) % loop.size()] - around);
-  return result;
-}
-
 // Returns the triangles inside a polygon and outside its holes, the further polygons. Their corners
 // are indices of the points of all polygons, counterclockwise. There are none if edges of the
 // polygons meet.
@@ -103,51 +86,43 @@ planar_triangulation(const std::vector<std::vector<Exact_predicates::Point_2> >&
 }
 
 // Returns the triangulation of the projection of a loop and its holes to the plane through the
-// middle of the loop; none if a point is farther than a distance from the plane, or edges of the
-// projection meet. CGAL's triangulate_hole_polyline() has this option too, for one loop, but it
-// aborts on some loops.
-inline std::vector<Corners> flat_triangulation(const std::vector<std::vector<Vector> >& loops,
-                                               double distance)
-{
-  Vector middle;
-  for (const Vector& p : loops[0])
-    middle += p / static_cast<double>(loops[0].size());
-  const Vector z = normal(loops[0], middle).normalized();
-  if (z.is_zero())
-    return {};
-  const Vector axis = std::abs(z.x()) < 0.5 ? Vector(1, 0, 0) : Vector(0, 1, 0);
-  const Vector x = (axis - axis.dot(z) * z).normalized(), y = z.cross(x);
-  std::vector<std::vector<Exact_predicates::Point_2> > polygons;
-  std::size_t number_of_triangles = 2 * loops.size() - 4; // plus one per point
-  for (const std::vector<Vector>& loop : loops) {
-    polygons.emplace_back();
-    number_of_triangles += loop.size();
-    for (const Vector& p : loop) {
-      if (!(std::abs((p - middle).dot(z)) <= distance))
-        return {};
-      polygons.back().emplace_back((p - middle).dot(x), (p - middle).dot(y));
-    }
-  }
-  std::vector<Corners> result = planar_triangulation(polygons);
-  if (result.size() != number_of_triangles)
-    result.clear();
-  return result;
-}
-
-// Does the same for a loop and holes of any size that deviate from the plane by at most a tenth of
-// the diagonal of their bounding box.
-inline std::vector<Corners> flat_triangulation(std::vector<std::vector<Vector> > loops)
+// middle of the loop; none if a point is farther from the plane than a tenth of the diagonal of
+// their bounding box, or edges of the projection meet. CGAL's triangulate_hole_polyline() has this
+// option too, for one loop, but it aborts on some loops.
+inline std::vector<Corners> flat_triangulation(const std::vector<std::vector<Vector> >& loops)
 {
   std::vector<Vector> points;
   for (const std::vector<Vector>& loop : loops)
     points.insert(points.end(), loop.begin(), loop.end());
   normalize(points);
   const Bounding_box box(points);
+  const double distance = 0.1 * (box.largest - box.smallest).norm();
+  const std::size_t n = loops[0].size();
+  Vector middle, z;
+  for (std::size_t i = 0; i < n; ++i)
+    middle += points[i] / static_cast<double>(n);
+  for (std::size_t i = 0; i < n; ++i)
+    z += (points[i] - middle).cross(points[(i + 1) % n] - middle);
+  z = z.normalized();
+  if (z.is_zero())
+    return {};
+  const Vector axis = std::abs(z.x()) < 0.5 ? Vector(1, 0, 0) : Vector(0, 1, 0);
+  const Vector x = (axis - axis.dot(z) * z).normalized(), y = z.cross(x);
+  std::vector<std::vector<Exact_predicates::Point_2> > polygons;
   auto next = points.begin();
-  for (std::vector<Vector>& loop : loops)
-    for (Vector& p : loop)
-      p = *next++;
-  return flat_triangulation(loops, 0.1 * (box.largest - box.smallest).norm());
+  for (const std::vector<Vector>& loop : loops) {
+    polygons.emplace_back();
+    for (std::size_t i = 0; i < loop.size(); ++i) {
+      const Vector p = *next++ - middle;
+      if (!(std::abs(p.dot(z)) <= distance))
+        return {};
+      polygons.back().emplace_back(p.dot(x), p.dot(y));
+    }
+  }
+  std::vector<Corners> result = planar_triangulation(polygons);
+  if (result.size() != points.size() + 2 * loops.size() - 4)
+    result.clear();
+  return result;
 }
 
 // Returns a triangulation of a loop of points, whose triangles hold indices of the loop, in its
@@ -158,13 +133,15 @@ inline std::vector<Corners> triangulated_loop(std::vector<Vector> loop)
   namespace PMP = CGAL::Polygon_mesh_processing;
   if (loop.size() == 3)
     return {{0, 1, 2}};
-  normalize(loop);
-  const Bounding_box box(loop);
-  const double diagonal = (box.largest - box.smallest).norm();
-  std::vector<Corners> result = flat_triangulation({loop}, 0.1 * diagonal);
+  std::vector<Corners> result = flat_triangulation({loop});
   if (!result.empty())
     return result;
-  if (length(loop) > 50 * diagonal)
+  normalize(loop);
+  const Bounding_box box(loop);
+  double length = 0;
+  for (std::size_t i = 0; i < loop.size(); ++i)
+    length += (loop[(i + 1) % loop.size()] - loop[i]).norm();
+  if (length > 50 * (box.largest - box.smallest).norm())
     return {}; // it fills space, where CGAL's search among tetrahedra is slow
   std::vector<Exact_predicates::Point_3> points;
   for (const Vector& p : loop)
