@@ -55,6 +55,12 @@ struct Closed_soup
   Closed_segments segments;
 };
 
+inline std::size_t number_of_solids(const Closed_soup& closed)
+{
+  return static_cast<std::size_t>(std::count_if(closed.segments.begin(), closed.segments.end(),
+                                                [](const auto& s) { return s.is_solid(); }));
+}
+
 // Returns the polygons, and after them the triangles that close their segments. Borders of the
 // input are joined. Further properties of new points and triangles are 0;
 // new triangles have no material.
@@ -176,7 +182,8 @@ inline std::string closed_warning(const Closed_segments& segments)
     return "";
   return std::to_string(n) + " of " + std::to_string(segments.size()) +
          (segments.size() == 1 ? " closed segment bounds" : " closed segments bound") +
-         " no solid: " + list + (n > 10 ? " ..." : "");
+         " no solid: " + list + (n > 10 ? " ..." : "") +
+         (segments.size() == 1 ? "" : "; another number of --segments may give solids");
 }
 
 } // namespace segment_mesh

@@ -631,16 +631,11 @@ void write_meshes(const Options& o, const Input& input, const std::vector<Index>
 {
   const std::vector<Rgb> colors =
     segment_colors(segment_neighbors(input, label_of_triangle, number_of_segments));
-  const bool is_refined = !o.keep_faces && number_of_segments > 1;
+  bool is_refined = !o.keep_faces && number_of_segments > 1;
   Refined_input refined;
   if (is_refined)
     refined = Input_refinement(input, label_of_triangle)(label_of_polygon);
-  const Input& written = is_refined ? refined.input : input;
-  const std::vector<Index>& labels = is_refined ? refined.segment : label_of_polygon;
-  const mesh_file::Segmented_mesh mesh{written.soup, labels, colors, parts, refined.polygon,
-                                       o.keep_materials};
   Closed_soup closed;
-  std::vector<Index> closed_faces;
   if (o.close) {
     const std::size_t pairs = number_of_intersecting_pairs(input);
     report["intersecting_pairs"] = pairs;
@@ -648,18 +643,32 @@ void write_meshes(const Options& o, const Input& input, const std::vector<Index>
       warnings.push_back("the input intersects itself in " + std::to_string(pairs) +
                          (pairs == 1 ? " pair" : " pairs") + " of faces; the modifier Remesh of "
                          "Blender, in its mode Voxel, makes a solid of it");
-    closed = closed_soup(written, labels);
+    closed = is_refined ? closed_soup(refined.input, refined.segment)
+                        : closed_soup(input, label_of_polygon);
+    if (is_refined && pairs == 0 && number_of_solids(closed) < closed.segments.size()) {
+      Closed_soup unrefined = closed_soup(input, label_of_polygon);
+      if (number_of_solids(unrefined) > number_of_solids(closed)) {
+        closed = std::move(unrefined);
+        refined = Refined_input();
+        is_refined = false;
+        warnings.push_back("boundaries run along the faces as with --keep-faces, because more "
+                           "closed segments bound a solid then");
+      }
+    }
     report["closed_segments"] = closed_report(closed.segments);
     if (const std::string warning = closed_warning(closed.segments); !warning.empty())
       warnings.push_back(warning);
-    if (is_refined)
-      closed_faces = refined.polygon;
-    else {
-      closed_faces.resize(input.soup.number_of_polygons());
-      std::iota(closed_faces.begin(), closed_faces.end(), Index(0));
-    }
-    closed_faces.resize(closed.segment.size(), mesh_file::null_index);
   }
+  const Input& written = is_refined ? refined.input : input;
+  const std::vector<Index>& labels = is_refined ? refined.segment : label_of_polygon;
+  const mesh_file::Segmented_mesh mesh{written.soup, labels, colors, parts, refined.polygon,
+                                       o.keep_materials};
+  std::vector<Index> closed_faces = refined.polygon;
+  if (!is_refined) {
+    closed_faces.resize(input.soup.number_of_polygons());
+    std::iota(closed_faces.begin(), closed_faces.end(), Index(0));
+  }
+  closed_faces.resize(closed.segment.size(), mesh_file::null_index);
   const mesh_file::Segmented_mesh closed_mesh{closed.soup, closed.segment, colors, parts,
                                               closed_faces, o.keep_materials};
   for (const std::string& name : o.mesh_files)
