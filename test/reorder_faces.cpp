@@ -77,4 +77,25 @@ BOOST_AUTO_TEST_CASE(triangles_in_another_order_are_the_same_triangles)
   }
 }
 
+BOOST_AUTO_TEST_CASE(faces_that_meet_at_a_point_only_have_vertices_of_their_own)
+{
+  using CGAL::Spectral_segmentation::internal::Corners;
+  Surface two;
+  for (int x = 0; x < 5; ++x)
+    two.points.emplace_back(x, x % 2, 0);
+  two.corners = {{0, 1, 2}, {0, 3, 4}};
+  two.opposite = {0, 1, 2, 3, 4, 5};
+  separate_fans(two);
+  BOOST_TEST((two.corners[0] == Corners{0, 1, 2}));
+  BOOST_TEST((two.corners[1] == Corners{3, 4, 5}));
+  BOOST_TEST((two.points[5] == two.points[0]));
+
+  for (const Soup& soup : {sphere(2), plate(3, 4), torus(2, 1, 9, 7)}) {
+    Surface surface = surface_of(soup);
+    const std::size_t number = surface.points.size();
+    separate_fans(surface);
+    BOOST_TEST(surface.points.size() == number);
+  }
+}
+
 BOOST_AUTO_TEST_SUITE_END()

@@ -1731,6 +1731,12 @@ class Soups(Tool_test):
         self.assert_same_parts(self.segment("in.STL", "--segments", 2), self.expected)
         self.assertEqual(self.report()["vertices"], len(self.points))
 
+    def test_stl_of_a_surface_that_touches_itself(self):
+        points, faces = read_off(MESHES / "cow.off")
+        self.assertLess(len(set(points)), len(points))
+        write_ascii_stl(self.directory / "in.stl", points, faces)
+        self.assertEqual(self.segment("in.stl"), self.segment(MESHES / "cow.off"))
+
     def test_flipped_faces(self):
         for seed in range(5):
             choose = random.Random(seed)

@@ -456,8 +456,9 @@ First the function makes a surface of the triangles. Two triangles alone at an e
 If an edge has more triangles, the pairs that are oriented alike and bend the least become
 neighbors. Then connected triangles are oriented alike. They keep their orientation if they agree.
 Otherwise they are oriented outwards if their surface is closed, and like most of their area if it
-is not. Different points at the same place stay different, like the vertices of a mesh. For the
-triangles of a mesh the ids are the same as with the function for meshes.
+is not. Triangles that have a point in common, but are not connected by neighbors at it, meet there
+like triangles with different points at the same place. These stay different, like the vertices of a
+mesh. For the triangles of a mesh the ids are the same as with the function for meshes.
 
 \tparam ConcurrencyTag the tag, as above
 \tparam PointRange a range of points, each with the coordinates `p[0]`, `p[1]` and `p[2]`, such as

@@ -50,7 +50,8 @@ segmentation_hierarchy(Surface triangles, const Options& options, Execution exec
                                 execution, control, constraints, features), options);
 }
 
-// Makes a surface of the triangles of a soup: finds their neighbors and orients them.
+// Makes a surface of the triangles of a soup: finds their neighbors, orients them, and separates
+// what meets at a point only.
 CGAL_SPECTRAL_SEGMENTATION_INLINE
 void connect(Surface& soup);
 

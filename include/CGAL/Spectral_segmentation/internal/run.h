@@ -93,6 +93,7 @@ void connect(Surface& soup)
 {
   separate_groups(soup);
   connect_triangles(soup);
+  separate_fans(soup);
 }
 
 } // namespace CGAL::Spectral_segmentation::internal

@@ -194,6 +194,40 @@ inline void separate_groups(Surface& surface)
     }
 }
 
+// Gives each fan of faces around a vertex, which are neighbors one after the other, a vertex of its
+// own, so that surfaces that meet at a point are apart however the point is numbered.
+inline void separate_fans(Surface& surface)
+{
+  std::vector<char> is_done(surface.number_of_halfedges(), 0), is_taken(surface.points.size(), 0);
+  for (Index h = 0; h < is_done.size(); ++h) {
+    if (is_done[h])
+      continue;
+    Index v = surface.source_vertex(h);
+    if (std::exchange(is_taken[v], char(1))) {
+      surface.points.push_back(Vector(surface.points[v]));
+      v = static_cast<Index>(surface.points.size() - 1);
+    }
+    const auto set_vertex = [&](Index g) {
+      surface.corners[g / 3][g % 3] = v;
+      is_done[g] = 1;
+    };
+    set_vertex(h);
+    for (Index g = h; !surface.is_border(Surface::previous(g));) {
+      g = surface.opposite[Surface::previous(g)];
+      if (is_done[g])
+        break;
+      set_vertex(g);
+    }
+    for (Index g = h; !surface.is_border(g);) {
+      g = Surface::next(surface.opposite[g]);
+      if (is_done[g])
+        break;
+      set_vertex(g);
+    }
+  }
+  start_at_smallest_vertices(surface);
+}
+
 } // namespace CGAL::Spectral_segmentation::internal
 
 #endif // CGAL_SPECTRAL_SEGMENTATION_INTERNAL_SURFACE_REORDER_FACES_H
