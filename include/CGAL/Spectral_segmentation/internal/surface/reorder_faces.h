@@ -180,20 +180,6 @@ void separate_vertices(Surface& surface, const PartOfFace& part_of_face)
   start_at_smallest_vertices(surface);
 }
 
-// Separates the groups of faces: each gets its own vertices, and edges between groups become
-// borders.
-inline void separate_groups(Surface& surface)
-{
-  if (surface.groups.empty())
-    return;
-  separate_vertices(surface, surface.groups);
-  for (Index h = 0; h < surface.opposite.size(); ++h)
-    if (const Index o = surface.opposite[h]; surface.groups[h / 3] != surface.groups[o / 3]) {
-      surface.opposite[h] = h;
-      surface.opposite[o] = o;
-    }
-}
-
 // Gives each fan of faces around a vertex, which are neighbors one after the other, a vertex of its
 // own, so that surfaces that meet at a point are apart however the point is numbered.
 inline void separate_fans(Surface& surface)
@@ -226,6 +212,21 @@ inline void separate_fans(Surface& surface)
     }
   }
   start_at_smallest_vertices(surface);
+}
+
+// Separates the groups of faces: each gets its own vertices, and edges between groups become
+// borders.
+inline void separate_groups(Surface& surface)
+{
+  if (surface.groups.empty())
+    return;
+  separate_vertices(surface, surface.groups);
+  for (Index h = 0; h < surface.opposite.size(); ++h)
+    if (const Index o = surface.opposite[h]; surface.groups[h / 3] != surface.groups[o / 3]) {
+      surface.opposite[h] = h;
+      surface.opposite[o] = o;
+    }
+  separate_fans(surface);
 }
 
 } // namespace CGAL::Spectral_segmentation::internal
