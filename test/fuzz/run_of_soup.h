@@ -103,9 +103,10 @@ inline Options random_options(std::size_t number_of_faces, Random& random)
   else {
     if (one_in(random, 2))
       o.maximum_number_of_segments = random_number(random, 1, 30);
+    const double beyond = o.method == Method::CALIBRATED ? 0 : 1; // saliences are no probabilities
     if (one_in(random, 2))
-      o.salience_threshold =
-        one_of(random, std::vector<double>{-infinity, -1, 0, 0.2, 0.5, 0.8, 1, 2, infinity});
+      o.salience_threshold = one_of(
+        random, std::vector<double>{-infinity, -beyond, 0, 0.2, 0.5, 0.8, 1, 1 + beyond, infinity});
   }
   if (o.method == Method::CALIBRATED)
     o.keep_components_separate = one_in(random, 4);
