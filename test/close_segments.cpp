@@ -414,6 +414,16 @@ BOOST_AUTO_TEST_CASE(cut_through_two_cavities_has_two_holes)
                tt::tolerance(1e-12));
 }
 
+// Checks the volume of each part, which `part_at` has for the place of a face.
+template <class PartAt>
+void check_volumes(const Soup& soup, const PartAt& part_at, const std::vector<double>& expected)
+{
+  const auto volumes = volumes_of_solids(soup, by_place<int>(soup, part_at));
+  BOOST_TEST(volumes.size() == expected.size());
+  for (std::size_t i = 0; i < expected.size(); ++i)
+    BOOST_TEST(volumes.at(int(i)) == expected[i], tt::tolerance(1e-12));
+}
+
 // Two boxes stand on a plate and against each other, so that borders have right angles, and three
 // planes meet in the corner of the last box. Each part has the volume of its cubes.
 BOOST_AUTO_TEST_CASE(boxes_in_corners_get_flat_sectors)
@@ -422,27 +432,18 @@ BOOST_AUTO_TEST_CASE(boxes_in_corners_get_flat_sectors)
   add_box(cells, {0, 0, 0}, {12, 8, 2});
   add_box(cells, {2, 2, 2}, {5, 5, 10});
   add_box(cells, {5, 3, 2}, {10, 4, 6});
-  const Soup wall_at_post = boundary_of(cells);
-  auto volume = volumes_of_solids(wall_at_post, by_place<int>(wall_at_post, [](const Point& p) {
+  check_volumes(boundary_of(cells), [](const Point& p) {
     return p.z() <= 2 ? 0 : p.x() <= 5 ? 1 : 2;
-  }));
-  BOOST_TEST(volume.at(0) == 192, tt::tolerance(1e-12));
-  BOOST_TEST(volume.at(1) == 72, tt::tolerance(1e-12));
-  BOOST_TEST(volume.at(2) == 20, tt::tolerance(1e-12));
+  }, {192, 72, 20});
 
   cells.clear();
   add_box(cells, {0, 0, 0}, {8, 8, 2});
   add_box(cells, {0, 0, 2}, {1, 8, 10});
   add_box(cells, {1, 0, 2}, {8, 1, 10});
   add_box(cells, {1, 1, 2}, {4, 4, 5});
-  const Soup box_in_corner = boundary_of(cells);
-  volume = volumes_of_solids(box_in_corner, by_place<int>(box_in_corner, [](const Point& p) {
+  check_volumes(boundary_of(cells), [](const Point& p) {
     return p.z() <= 2 ? 0 : p.x() <= 1 ? 1 : p.y() <= 1 ? 2 : 3;
-  }));
-  BOOST_TEST(volume.at(0) == 128, tt::tolerance(1e-12));
-  BOOST_TEST(volume.at(1) == 64, tt::tolerance(1e-12));
-  BOOST_TEST(volume.at(2) == 56, tt::tolerance(1e-12));
-  BOOST_TEST(volume.at(3) == 27, tt::tolerance(1e-12));
+  }, {128, 64, 56, 27});
 }
 
 // The first cap takes the place that another one needs, so that another order is tried.

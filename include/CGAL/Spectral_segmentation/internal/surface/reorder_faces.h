@@ -181,10 +181,12 @@ void separate_vertices(Surface& surface, const PartOfFace& part_of_face)
 }
 
 // Gives each fan of faces around a vertex, which are neighbors one after the other, a vertex of its
-// own, so that surfaces that meet at a point are apart however the point is numbered.
+// own, so that surfaces that meet at a point are apart however the point is numbered. Takes faces
+// that start at their smallest vertices, and keeps them so.
 inline void separate_fans(Surface& surface)
 {
-  std::vector<char> is_done(surface.number_of_halfedges(), 0), is_taken(surface.points.size(), 0);
+  const std::size_t number_of_points = surface.points.size();
+  std::vector<char> is_done(surface.number_of_halfedges(), 0), is_taken(number_of_points, 0);
   for (Index h = 0; h < is_done.size(); ++h) {
     if (is_done[h])
       continue;
@@ -211,7 +213,8 @@ inline void separate_fans(Surface& surface)
       set_vertex(g);
     }
   }
-  start_at_smallest_vertices(surface);
+  if (surface.points.size() > number_of_points)
+    start_at_smallest_vertices(surface);
 }
 
 // Separates the groups of faces: each gets its own vertices, and edges between groups become
