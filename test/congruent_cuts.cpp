@@ -137,12 +137,11 @@ void check(const Cut_hierarchy& before, const Cut_hierarchy& after)
 
 Cut_hierarchy checked_cuts(const Surface& graph, const Cut_hierarchy& hierarchy)
 {
-  internal::Merge_tree tree = tree_of(hierarchy);
-  internal::apply_from_top_down(tree);
-  internal::average_saliences(graph, tree,
-                              std::vector<std::size_t>(tree.merges.size(), internal::null_node));
-  internal::apply_from_top_down(tree);
-  const Cut_hierarchy result = internal::hierarchy_of(tree);
+  internal::Merge_tree tree = internal::apply_from_top_down(tree_of(hierarchy));
+  const std::vector<std::size_t> no_partners(tree.merges.size(), internal::null_node);
+  tree = internal::average_saliences(std::move(tree), graph, no_partners);
+  const Cut_hierarchy result =
+    internal::hierarchy_of(internal::apply_from_top_down(std::move(tree)));
   BOOST_TEST(result.is_monotonic);
   check(hierarchy, result);
   return result;

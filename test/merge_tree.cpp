@@ -221,8 +221,7 @@ BOOST_AUTO_TEST_CASE(merged_sets_are_ranges)
 BOOST_AUTO_TEST_CASE(the_most_salient_cut_that_can_be_made_comes_next)
 {
   for_each_random_cuts([](const Random_cuts& cuts, Random&) {
-    Merge_tree tree = cuts.tree;
-    apply_from_top_down(tree);
+    const Merge_tree tree = apply_from_top_down(cuts.tree);
     BOOST_TEST(tree.is_monotonic);
     const Cut_hierarchy before = hierarchy_of(cuts.tree), after = hierarchy_of(tree);
     BOOST_TEST_REQUIRE(after.cut_order.size() == before.cut_order.size());

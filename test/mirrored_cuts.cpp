@@ -157,11 +157,11 @@ BOOST_AUTO_TEST_CASE(partners_get_the_mean_salience)
 {
   const Strip strip;
   Merge_tree tree = strip.tree({0, 2, 8}, {{1, 2}, {0, 1}}, {0.25, 0.75});
-  internal::average_partners(tree, {1, 0});
+  tree = internal::average_partners(std::move(tree), {1, 0});
   BOOST_TEST(tree.merges[0].salience == 0.5);
   BOOST_TEST(tree.merges[1].salience == 0.5);
   tree.merges[1].salience = 0.75;
-  internal::average_partners(tree, {null_node, null_node});
+  tree = internal::average_partners(std::move(tree), {null_node, null_node});
   BOOST_TEST(tree.merges[0].salience == 0.5);
   BOOST_TEST(tree.merges[1].salience == 0.75);
 }
@@ -172,7 +172,7 @@ BOOST_AUTO_TEST_CASE(a_partner_keeps_the_salience_of_the_cuts_below_it)
   const Strip strip;
   Merge_tree tree =
     strip.tree({0, 2, 4, 8}, {{0, 1}, {2, 3}, {1, 2}}, {0.6, 0.25, 0.75});
-  internal::average_partners(tree, {null_node, 2, 1});
+  tree = internal::average_partners(std::move(tree), {null_node, 2, 1});
   BOOST_TEST(tree.merges[0].salience == 0.6);
   BOOST_TEST(tree.merges[1].salience == 0.5);
   BOOST_TEST(tree.merges[2].salience == 0.6);

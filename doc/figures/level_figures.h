@@ -8,7 +8,7 @@
 #include "segmentations.h"
 
 #include <CGAL/Spectral_segmentation/internal/levels/make_levels.h>
-#include <CGAL/Spectral_segmentation/internal/model/prepare_model.h>
+#include <CGAL/Spectral_segmentation/internal/levels/prepare_surface.h>
 #include <CGAL/Spectral_segmentation/internal/search/recursion.h>
 #include <CGAL/Spectral_segmentation/internal/search/region_merging.h>
 
@@ -63,8 +63,10 @@ inline void draw_levels(Picture_book& book, const Named_mesh& shape)
   const internal::Feature_source features;
   const internal::Run_data d{options, options, constraints, features, Execution::PARALLEL, monitor,
                              0};
-  internal::Model m = internal::prepare_model(segmentation_benchmark::triangles_of(shape.mesh), d);
-  internal::Levels l = internal::make_levels(std::move(m.mesh), d);
+  internal::Levels l;
+  l.levels.push_back(internal::first_level(segmentation_benchmark::triangles_of(shape.mesh)));
+  internal::prepare_surface(l.levels.front(), d);
+  internal::make_levels(l, d);
 
   const internal::Calibrated_cut best_cut(l.last(), options, options);
   const std::vector<internal::Index> regions =
@@ -87,7 +89,7 @@ inline void draw_levels(Picture_book& book, const Named_mesh& shape)
     if (l.levels.size() == 1)
       return;
     const std::vector<internal::Index> parent = l.levels.back().parent_face;
-    tree = internal::carry_back(tree, l, d);
+    tree = internal::carry_back(std::move(tree), l, d);
     color = most_frequent_colors(tree, parent, colors);
   }
 }

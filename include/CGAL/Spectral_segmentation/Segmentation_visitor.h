@@ -4,7 +4,7 @@
 #ifndef CGAL_SPECTRAL_SEGMENTATION_SEGMENTATION_VISITOR_H
 #define CGAL_SPECTRAL_SEGMENTATION_SEGMENTATION_VISITOR_H
 
-#include <CGAL/Spectral_segmentation/Part_salience.h>
+#include <CGAL/Spectral_segmentation/Salience_factors.h>
 
 #include <cstddef>
 

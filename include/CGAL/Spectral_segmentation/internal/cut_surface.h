@@ -51,24 +51,22 @@ inline Merge_tree search_calibrated(const Levels& l, const Run_data& d)
         image = symmetry.images(d.execution, *reflection);
     }
     if (!image.empty()) {
-      apply_from_top_down(tree);
+      tree = apply_from_top_down(std::move(tree));
       const std::vector<Index> divided =
         Mirrored_cuts(surface, tree, image).divided_leaves(best_cut.minimum_area());
       if (divided != tree.leaf && d.monitor.go_further())
         tree = merged(divided);
     }
-    apply_from_top_down(tree);
+    tree = apply_from_top_down(std::move(tree));
     std::vector<std::size_t> partner(tree.merges.size(), null_node);
     if (!image.empty()) {
       Mirrored_cuts cuts(surface, tree, image);
       partner = cuts.partners();
       tree.leaf = cuts.mirrored_leaves(partner, best_cut.minimum_area());
       set_areas_of_leaves(tree, surface);
-      average_partners(tree, partner);
+      tree = average_partners(std::move(tree), partner);
     }
-    average_saliences(surface, tree, partner);
-    apply_from_top_down(tree);
-    return tree;
+    return apply_from_top_down(average_saliences(std::move(tree), surface, partner));
   });
 }
 
@@ -79,8 +77,8 @@ inline Merge_tree cut_surface(Levels& l, const Run_data& d, double number_of_com
 {
   const Phase_times times(d, l.mesh().number_of_faces());
   d.start_phase(times.search);
-  if (l.last().weights.empty()) {
-    const bool is_stopped = d.monitor.is_stopped();
+  if (l.search != Search::NEEDED) {
+    const bool is_stopped = l.search == Search::STOPPED;
     Merge_tree tree = uncut_tree(l.mesh(), is_stopped ? Cut_state::NOT_SEARCHED
                                                       : Cut_state::NO_CUT);
     tree.is_monotonic = !is_stopped;
@@ -91,7 +89,7 @@ inline Merge_tree cut_surface(Levels& l, const Run_data& d, double number_of_com
   d.start_phase(times.projection);
   const auto carry_back_to_mesh = [&] {
     while (l.levels.size() > 1)
-      tree = carry_back(tree, l, d);
+      tree = carry_back(std::move(tree), l, d);
     return std::move(tree);
   };
   const bool is_searched_copy = l.levels.size() == 2 && l.levels.back().is_subdivision;

@@ -56,9 +56,9 @@ inline Cut_hierarchy run(Surface input, const Run_data& d)
   });
   Merge_tree tree = m.parts.empty() ? cut_surface(l, d, m.fractions.effective_number())
                                     : cut_parts(l, m, map, d);
-  enforce_constraints(tree, groups, l.levels.front(), d);
-  cut_further(tree, groups, l.mesh(), d);
-  add_walls(tree, m, map);
+  tree = enforce_constraints(std::move(tree), groups, l.levels.front(), d);
+  tree = cut_further(std::move(tree), groups, l.mesh(), d);
+  tree = add_walls(std::move(tree), m, map);
   d.monitor.finish();
   return hierarchy_of_caller(std::move(tree), std::move(map));
 }

@@ -7,7 +7,6 @@
 #include <CGAL/Spectral_segmentation/internal/base/Run_monitor.h>
 #include <CGAL/Spectral_segmentation/internal/constraints/Constraint_groups.h>
 #include <CGAL/Spectral_segmentation/internal/search/Merge_tree.h>
-#include <CGAL/Spectral_segmentation/internal/surface/Moments.h>
 
 #include <algorithm>
 #include <cstddef>
@@ -39,7 +38,7 @@ class Constrained_merging
   const Constraint_groups& groups_;
   const double minimum_area_;
   Run_monitor& monitor_;
-  const Merge_tree& tree_;
+  const Merge_tree tree_;
 
   std::vector<Index> region_;         // one per face
   std::vector<Index> leaf_of_region_;
@@ -303,12 +302,12 @@ class Constrained_merging
 
 public:
   // Takes cuts whose leaves, like the groups of each set, are connected in each component.
-  Constrained_merging(const Surface& mesh, const Constraint_groups& groups,
-                      double minimum_segment_size, const Merge_tree& tree, Run_monitor& monitor)
+  Constrained_merging(Merge_tree tree, const Surface& mesh, const Constraint_groups& groups,
+                      double minimum_segment_size, Run_monitor& monitor)
     : mesh_(mesh), groups_(groups), minimum_area_(minimum_segment_size * total_area(mesh)),
-      monitor_(monitor), tree_(tree), region_(tree.leaf)
+      monitor_(monitor), tree_(std::move(tree)), region_(tree_.leaf)
   {
-    for (Index i = 0; i < tree.leaves.size(); ++i)
+    for (Index i = 0; i < tree_.leaves.size(); ++i)
       leaf_of_region_.push_back(i);
   }
 
@@ -343,20 +342,21 @@ public:
 };
 
 // Changes the tree so that it satisfies the constraints. Joins the groups of each set by faces.
-inline void enforce_constraints(Merge_tree& tree, Constraint_groups& groups, const Level& mesh,
-                                const Run_data& d)
+inline Merge_tree enforce_constraints(Merge_tree tree, Constraint_groups& groups,
+                                      const Level& mesh, const Run_data& d)
 {
   if (groups.faces.empty())
-    return;
+    return tree;
   const std::size_t number_of_roots = tree.number_of_roots();
   groups = Set_connection(mesh.surface, tree.leaf, tree.leaves.size(), groups)(mesh.parent_face);
-  tree = Constrained_merging(mesh.surface, groups, d.options.minimum_segment_size, tree,
-                             d.monitor)();
+  tree = Constrained_merging(std::move(tree), mesh.surface, groups,
+                             d.options.minimum_segment_size, d.monitor)();
   const std::size_t number = tree.number_of_roots(), maximum = maximum_number(d.options);
   if (number > number_of_roots && number > maximum)
     throw std::invalid_argument(
       "segment_spectral_recursive: the constrained edges and seeds need " +
       std::to_string(number) + " segments, but " + std::to_string(maximum) + " are allowed");
+  return tree;
 }
 
 } // namespace CGAL::Spectral_segmentation::internal

@@ -27,7 +27,7 @@ class Further_cuts
   typedef std::pair<double, Index> Key; // the area of a leaf, and the leaf
 
   const Surface& mesh_;
-  Merge_tree& tree_;
+  Merge_tree tree_;
   std::vector<std::vector<Index> > faces_; // one list per leaf, ascending
   double salience_ = 0;                    // of the new cuts
   std::vector<Merge> cuts_;                // in their order
@@ -157,13 +157,13 @@ class Further_cuts
 
 public:
   // Takes the group of each face, or null_index; `group` is empty if there are no groups.
-  Further_cuts(const Surface& mesh, Merge_tree& tree, const std::vector<Index>& group = {})
-    : mesh_(mesh), tree_(tree), faces_(tree.leaves.size()),
+  Further_cuts(Merge_tree tree, const Surface& mesh, const std::vector<Index>& group = {})
+    : mesh_(mesh), tree_(std::move(tree)), faces_(tree_.leaves.size()),
       is_in_leaf_(mesh.number_of_faces(), 0), next_in_group_(first_indices(group.size()))
   {
-    for (Index f = 0; f < tree.leaf.size(); ++f)
-      faces_[tree.leaf[f]].push_back(f);
-    for (const Merge& m : tree.merges)
+    for (Index f = 0; f < tree_.leaf.size(); ++f)
+      faces_[tree_.leaf[f]].push_back(f);
+    for (const Merge& m : tree_.merges)
       salience_ = (std::min)(salience_, m.salience);
     std::vector<Index> last(group.size(), null_index); // face of each group
     for (Index f = 0; f < group.size(); ++f)
@@ -175,7 +175,7 @@ public:
   }
 
   // Cuts until there are this many leaves, or every leaf is a face or a group.
-  void operator()(std::size_t number_of_segments)
+  Merge_tree operator()(std::size_t number_of_segments)
   {
     for (Index i = 0; i < tree_.leaves.size(); ++i) {
       tree_.leaves[i].number_of_earlier_cuts = null_node; // the decision of the search is not final
@@ -188,25 +188,27 @@ public:
     }
     tree_.merges.insert(tree_.merges.begin(), cuts_.rbegin(), cuts_.rend());
     number_leaves(tree_);
+    return std::move(tree_);
   }
 };
 
 // Cuts leaves until there are as many segments as were asked for. No cut divides a set of groups.
-inline void cut_further(Merge_tree& tree, const Constraint_groups& groups, const Surface& mesh,
-                        const Run_data& d)
+inline Merge_tree cut_further(Merge_tree tree, const Constraint_groups& groups,
+                              const Surface& mesh, const Run_data& d)
 {
   if (!d.options.number_of_segments || d.monitor.is_stopped())
-    return;
+    return tree;
   const std::size_t number = *d.options.number_of_segments;
   std::vector<Index> sets;
   for (Index f = 0; f < groups.group.size(); ++f)
     sets.push_back(groups.set(f));
-  Further_cuts(mesh, tree, sets)(number);
+  tree = Further_cuts(std::move(tree), mesh, sets)(number);
   if (tree.leaves.size() < number)
     throw std::invalid_argument(
       "segment_spectral_recursive: number_of_segments is " + std::to_string(number) +
       ", but the edges that must not be cut and the seeds leave at most " +
       std::to_string(tree.leaves.size()) + " segments");
+  return tree;
 }
 
 } // namespace CGAL::Spectral_segmentation::internal

@@ -4,7 +4,7 @@
 #ifndef CGAL_SPECTRAL_SEGMENTATION_INTERNAL_HIERARCHY_CUT_HIERARCHY_H
 #define CGAL_SPECTRAL_SEGMENTATION_INTERNAL_HIERARCHY_CUT_HIERARCHY_H
 
-#include <CGAL/Spectral_segmentation/Part_salience.h>
+#include <CGAL/Spectral_segmentation/Salience_factors.h>
 #include <CGAL/Spectral_segmentation/internal/base/Index.h>
 
 #include <CGAL/Iterator_range.h>
@@ -13,7 +13,6 @@
 #include <algorithm>
 #include <cstddef>
 #include <numeric>
-#include <utility>
 #include <vector>
 
 namespace CGAL {

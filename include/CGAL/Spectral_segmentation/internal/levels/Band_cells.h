@@ -4,7 +4,6 @@
 #ifndef CGAL_SPECTRAL_SEGMENTATION_INTERNAL_LEVELS_BAND_CELLS_H
 #define CGAL_SPECTRAL_SEGMENTATION_INTERNAL_LEVELS_BAND_CELLS_H
 
-#include <CGAL/Spectral_segmentation/internal/levels/coarsening.h>
 #include <CGAL/Spectral_segmentation/internal/surface/connected_components.h>
 
 #include <CGAL/Iterator_range.h>

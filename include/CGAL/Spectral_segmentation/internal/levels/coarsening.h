@@ -8,11 +8,9 @@
 #include <CGAL/Spectral_segmentation/internal/surface/reorder_faces.h>
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
-#include <numeric>
 #include <utility>
 #include <vector>
 

@@ -20,11 +20,15 @@
 
 namespace CGAL::Spectral_segmentation::internal {
 
+// ONE_PART: a convex mesh, which has no cuts.
+enum class Search { NEEDED, ONE_PART, STOPPED };
+
 // The surfaces of a run: the mesh, the mesh with large faces bisected, and coarser surfaces. Cuts
-// are searched on the last, which has weights. Without weights nothing is searched.
+// are searched on the last, which has weights.
 struct Levels
 {
   std::vector<Level> levels;
+  Search search = Search::NEEDED;
   Face_features features; // of the last level
 
   const Surface& mesh() const { return levels.front().surface; }
@@ -170,25 +174,28 @@ inline void add_levels(std::vector<Level>& levels, const Run_data& d)
                      distance_weights(o, d.method));
 }
 
-// Adds the levels to the mesh, which is the only one. A convex mesh stays the only one, because it
-// has no cuts, and so does the mesh of a run that is stopped meanwhile.
+// Adds the levels to the mesh, which is the only one, and stays the only one if no search is needed
+// or the run is stopped meanwhile.
 inline void make_levels(Levels& l, const Run_data& d)
 {
   d.start_phase(Phase_times(d, l.mesh().number_of_faces()).coarsening);
-  if (may_be_one_part(l.mesh(), d) && is_convex(l.mesh()))
+  if (may_be_one_part(l.mesh(), d) && is_convex(l.mesh())) {
+    l.search = Search::ONE_PART;
     return;
+  }
   try {
     add_levels(l.levels, d);
     if (has_features(d))
       set_features(l, d);
   }
   catch (const Run_stopped&) {
+    l.search = Search::STOPPED;
     l.levels.resize(1);
   }
 }
 
 // Carries the cuts of the last level back to the level before it, which becomes the last.
-inline Merge_tree carry_back(const Merge_tree& tree, Levels& l, const Run_data& d)
+inline Merge_tree carry_back(Merge_tree tree, Levels& l, const Run_data& d)
 {
   const std::size_t to = l.levels.size() - 2;
   const Level& from = l.levels.back();

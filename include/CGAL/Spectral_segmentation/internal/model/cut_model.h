@@ -72,7 +72,7 @@ inline Merge_tree cut_parts(Levels& l, Model& m, const Face_map& map, const Run_
   }
   set_areas_of_leaves(tree, l.mesh());
   if (d.options.keep_components_separate) {
-    apply_from_top_down(tree);
+    tree = apply_from_top_down(std::move(tree));
     tree.is_monotonic = !d.monitor.is_stopped();
     return tree;
   }
@@ -83,16 +83,17 @@ inline Merge_tree cut_parts(Levels& l, Model& m, const Face_map& map, const Run_
 
 // Adds the walls to a tree. Their faces get the leaves of the nearest faces of their outer walls,
 // provided that the faces of a wall in each set stay connected.
-inline void add_walls(Merge_tree& tree, const Model& m, const Face_map& map)
+inline Merge_tree add_walls(Merge_tree tree, const Model& m, const Face_map& map)
 {
   if (m.outer_face.empty())
-    return;
+    return tree;
   std::vector<Index> leaf = composed(composed(m.outer_face, map.face), tree.leaf);
   Wall_labels(m.walls.surface, tree, leaf)();
   for (std::size_t i = 0; i < leaf.size(); ++i) {
     tree.leaf.push_back(leaf[i]);
     tree.leaves[leaf[i]].area += m.walls.surface.areas[i];
   }
+  return tree;
 }
 
 } // namespace CGAL::Spectral_segmentation::internal

@@ -5,7 +5,6 @@
 #define CGAL_SPECTRAL_SEGMENTATION_INTERNAL_MODEL_MODEL_COMPONENTS_H
 
 #include <CGAL/Spectral_segmentation/internal/surface/Moments.h>
-#include <CGAL/Spectral_segmentation/internal/surface/connected_components.h>
 #include <CGAL/Spectral_segmentation/internal/surface/is_convex.h>
 
 #include <algorithm>

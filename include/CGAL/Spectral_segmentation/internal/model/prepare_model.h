@@ -8,7 +8,6 @@
 #include <CGAL/Spectral_segmentation/internal/model/component_walls.h>
 #include <CGAL/Spectral_segmentation/internal/model/model_components.h>
 #include <CGAL/Spectral_segmentation/internal/model/weld_borders.h>
-#include <CGAL/Spectral_segmentation/internal/surface/connect_triangles.h>
 #include <CGAL/Spectral_segmentation/internal/surface/reorder_faces.h>
 
 #include <algorithm>

@@ -4,8 +4,8 @@
 #ifndef CGAL_SPECTRAL_SEGMENTATION_INTERNAL_SALIENCE_BOUNDARY_STATISTICS_H
 #define CGAL_SPECTRAL_SEGMENTATION_INTERNAL_SALIENCE_BOUNDARY_STATISTICS_H
 
-#include <CGAL/Spectral_segmentation/Part_salience.h>
-#include <CGAL/Spectral_segmentation/internal/surface/Moments.h>
+#include <CGAL/Spectral_segmentation/Salience_factors.h>
+#include <CGAL/Spectral_segmentation/internal/surface/Surface.h>
 
 #include <algorithm>
 #include <cmath>

@@ -7,7 +7,6 @@
 #include <CGAL/Spectral_segmentation/internal/base/Face_features.h>
 #include <CGAL/Spectral_segmentation/internal/salience/Boundary_statistics.h>
 #include <CGAL/Spectral_segmentation/internal/salience/Support_points.h>
-#include <CGAL/Spectral_segmentation/internal/surface/Moments.h>
 #include <CGAL/Spectral_segmentation/internal/weights/shortest_paths.h>
 
 #include <algorithm>

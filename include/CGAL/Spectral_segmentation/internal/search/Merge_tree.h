@@ -236,7 +236,7 @@ inline void number_leaves(Merge_tree& tree)
 
 // Applies the cuts of a tree from the top down: the part with the most salient cut comes next. A
 // cut that is more salient than the cut above it gets the salience of the latter.
-inline void apply_from_top_down(Merge_tree& tree)
+inline Merge_tree apply_from_top_down(Merge_tree tree)
 {
   // Minus the salience of a cut, a number that grows from cut to cut, and the merge.
   typedef std::tuple<double, std::size_t, Index> Key;
@@ -261,6 +261,7 @@ inline void apply_from_top_down(Merge_tree& tree)
   tree.merges.assign(cuts.rbegin(), cuts.rend());
   tree.is_monotonic = true;
   number_leaves(tree);
+  return tree;
 }
 
 } // namespace CGAL::Spectral_segmentation::internal

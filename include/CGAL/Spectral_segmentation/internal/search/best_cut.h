@@ -11,7 +11,6 @@
 #include <CGAL/Spectral_segmentation/internal/search/cut_proposals.h>
 #include <CGAL/Spectral_segmentation/internal/search/face_orders.h>
 #include <CGAL/Spectral_segmentation/internal/search/line_search.h>
-#include <CGAL/Spectral_segmentation/internal/weights/searched_features.h>
 
 #include <algorithm>
 #include <cstddef>

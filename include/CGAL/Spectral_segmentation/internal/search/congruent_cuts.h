@@ -11,7 +11,6 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
-#include <utility>
 #include <vector>
 
 namespace CGAL::Spectral_segmentation::internal {
@@ -70,8 +69,8 @@ inline std::vector<Cut_shape> cut_shapes(const Surface& mesh, const Merge_tree& 
 
 // Gives congruent cuts, such as the cuts of the legs of a horse in a pose, the mean of their
 // saliences. Cuts that have a partner in place get none. The merges ascend in salience.
-inline void average_saliences(const Surface& mesh, Merge_tree& tree,
-                              const std::vector<std::size_t>& partner)
+inline Merge_tree average_saliences(Merge_tree tree, const Surface& mesh,
+                                    const std::vector<std::size_t>& partner)
 {
   const std::vector<Cut_shape> shapes = cut_shapes(mesh, tree);
   std::vector<std::size_t> all;
@@ -90,6 +89,7 @@ inline void average_saliences(const Surface& mesh, Merge_tree& tree,
     for (std::size_t i : congruent)
       tree.merges[i].salience = mean;
   }
+  return tree;
 }
 
 } // namespace CGAL::Spectral_segmentation::internal

@@ -4,7 +4,7 @@
 #ifndef CGAL_SPECTRAL_SEGMENTATION_INTERNAL_SEARCH_CUT_PROPOSALS_H
 #define CGAL_SPECTRAL_SEGMENTATION_INTERNAL_SEARCH_CUT_PROPOSALS_H
 
-#include <CGAL/Spectral_segmentation/internal/salience/Cut_evaluator.h>
+#include <CGAL/Spectral_segmentation/Part_salience.h>
 #include <CGAL/Spectral_segmentation/internal/search/line_search.h>
 #include <CGAL/Spectral_segmentation/internal/search/minimum_cut.h>
 
@@ -12,7 +12,6 @@
 #include <cmath>
 #include <cstddef>
 #include <iterator>
-#include <limits>
 #include <utility>
 #include <vector>
 

@@ -12,7 +12,6 @@
 #include <boost/graph/visitors.hpp>
 
 #include <algorithm>
-#include <cmath>
 #include <cstddef>
 #include <cstdint>
 #include <iterator>

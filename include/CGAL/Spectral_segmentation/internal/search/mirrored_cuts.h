@@ -4,6 +4,7 @@
 #ifndef CGAL_SPECTRAL_SEGMENTATION_INTERNAL_SEARCH_MIRRORED_CUTS_H
 #define CGAL_SPECTRAL_SEGMENTATION_INTERNAL_SEARCH_MIRRORED_CUTS_H
 
+#include <CGAL/Spectral_segmentation/Part_salience.h>
 #include <CGAL/Spectral_segmentation/internal/salience/Boundary_statistics.h>
 #include <CGAL/Spectral_segmentation/internal/search/Merge_tree.h>
 
@@ -245,7 +246,7 @@ public:
 
 // Gives two partners the mean of their saliences. A cut keeps at least the salience of the cuts of
 // its sides, which would not be made without it.
-inline void average_partners(Merge_tree& tree, const std::vector<std::size_t>& partner)
+inline Merge_tree average_partners(Merge_tree tree, const std::vector<std::size_t>& partner)
 {
   const Merged_sets sets(tree);
   std::vector<double> result;
@@ -263,6 +264,7 @@ inline void average_partners(Merge_tree& tree, const std::vector<std::size_t>& p
   }
   for (std::size_t i = 0; i < partner.size(); ++i)
     tree.merges[i].salience = result[i];
+  return tree;
 }
 
 } // namespace CGAL::Spectral_segmentation::internal

@@ -4,7 +4,6 @@
 #ifndef CGAL_SPECTRAL_SEGMENTATION_INTERNAL_WEIGHTS_CURVATURE_ANGLES_H
 #define CGAL_SPECTRAL_SEGMENTATION_INTERNAL_WEIGHTS_CURVATURE_ANGLES_H
 
-#include <CGAL/Spectral_segmentation/internal/surface/Moments.h>
 #include <CGAL/Spectral_segmentation/internal/surface/connected_components.h>
 
 #include <CGAL/number_type_config.h>
