@@ -70,14 +70,15 @@ echo "=== what computes the pictures of the manual"
 cmake --build "$build/g++-release" --target manual_figures || failed+=(manual_figures)
 
 echo "=== random runs"
-"$build/g++-sanitize/test/fuzz/random_runs" --seconds 3600 --first "$(date +%s)" ||
+"$build/g++-sanitize/test/random_runs/random_runs" --seconds 3600 --first "$(date +%s)" ||
   failed+=(random_runs)
 
 echo "=== instructions of a run"
 cmake --build "$build/g++-release" --target check_instructions || failed+=(instructions)
 
 echo "=== many meshes"
-test/batch.py "$build/g++-release/bindings/command_line/segment_mesh" --count 200 || failed+=(batch)
+bindings/command_line/test/batch.py "$build/g++-release/bindings/command_line/segment_mesh" \
+  --count 200 || failed+=(batch)
 scripts/check_slurm.sh "$build/g++-release/bindings/command_line/segment_mesh" \
   "$build/g++-release/data/meshes" || failed+=(slurm)
 

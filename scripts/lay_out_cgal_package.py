@@ -169,15 +169,12 @@ def copy_source(path, folder, name):
     write(folder / name, re.sub(r'#include "(.*)"', include, path.read_text(encoding="utf-8")))
 
 
-def copy_programs(output, source, libraries, is_left_out=lambda text: False):
-    """Copies the programs of a folder, with a CMakeLists.txt. Returns those that are left out."""
-    folder = output / source / PACKAGE
-    left_out, groups = [], {}
-    for path in sorted((ROOT / source).glob("*.cpp")):
+def copy_programs(output, source, libraries, folders=()):
+    """Copies the programs of a folder, or of some folders in it to one, with a CMakeLists.txt."""
+    folder, root = output / source / PACKAGE, ROOT / source
+    groups = {}
+    for path in sorted(path for name in folders or (".",) for path in root.glob(name + "/*.cpp")):
         text = path.read_text(encoding="utf-8")
-        if is_left_out(text):
-            left_out.append(path.name)
-            continue
         copy_source(path, folder, path.name)
         if re.search(r"\bmain\(|BOOST_AUTO_TEST_CASE|BENCHMARK_MAIN", text):
             needed = tuple(entry for entry in LIBRARIES if re.search(entry[0], text))
@@ -186,10 +183,12 @@ def copy_programs(output, source, libraries, is_left_out=lambda text: False):
             program = 'create_single_source_cgal_program(%s)' % " ".join(
                 ['"%s"' % path.name] + parts)
             groups.setdefault(needed, []).append((path.stem, program))
-    for path in sorted((ROOT / source).rglob("*.h")) + sorted((ROOT / source).glob("*/*.cpp")):
-        name = path.relative_to(ROOT / source)
-        if name.parts[0] not in ("compile_failure", "consumer", "fuzz", "other_machines"):
-            copy_source(path, folder, name)
+    if folders:
+        for path in sorted(path for name in folders for path in root.glob(name + "/*.h")):
+            copy_source(path, folder, path.name)
+    else:
+        for path in sorted(root.rglob("*.h")) + sorted(root.glob("*/*.cpp")):
+            copy_source(path, folder, path.relative_to(root))
     finds = dict.fromkeys(find for needed in groups for _, _, find, _ in needed)
     text = CMAKE.format(package=PACKAGE, kind=source.capitalize()) + libraries
     text += "".join("\n" + find for find in finds)
@@ -205,7 +204,6 @@ def copy_programs(output, source, libraries, is_left_out=lambda text: False):
                         % (", ".join(targets), names), "endif()"])
         text += "\n" + "\n".join(lines) + "\n"
     write(folder / "CMakeLists.txt", text)
-    return left_out
 
 
 def copy_figure(source, folder):
@@ -338,14 +336,12 @@ def main():
 
     copy_include(output)
     (output / "src").mkdir() # CGAL is header only
-    left_out = copy_programs(output, "examples", "")
-    left_out += copy_programs(output, "test", TEST_LIBRARIES,
-                              lambda text: re.search(r'#include "\.\./(bindings|benchmark)/', text))
+    copy_programs(output, "examples", "")
+    copy_programs(output, "test", TEST_LIBRARIES, ("functions", "helpers", "rooms/*"))
     shutil.copytree(ROOT / "test/labels", output / "test" / PACKAGE / "labels")
     copy_programs(output, "benchmark", BENCHMARK_DEFINITIONS)
     copy_manual(output, arguments.pictures)
     write_package_info(output, arguments.cgal)
-    print("Left out, because they need the bindings or the benchmark: " + ", ".join(left_out))
 
     with tempfile.TemporaryDirectory() as name:
         if not shutil.which("doxygen"):

@@ -18,7 +18,7 @@ from selenium.webdriver.support.ui import WebDriverWait
 
 from local_server import start_server
 
-sys.path.insert(0, str(pathlib.Path(__file__).resolve().parents[3] / "test"))
+sys.path.insert(0, str(pathlib.Path(__file__).resolve().parents[2] / "command_line/test"))
 import page_in_browser
 
 TARBALL = None

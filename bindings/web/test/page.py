@@ -20,7 +20,7 @@ from selenium.webdriver.support.ui import Select, WebDriverWait
 
 from local_server import Handler, start_server
 
-sys.path.insert(0, str(pathlib.Path(__file__).resolve().parents[3] / "test"))
+sys.path.insert(0, str(pathlib.Path(__file__).resolve().parents[2] / "command_line/test"))
 import page_in_browser # the tests of the viewer
 
 FOLDER = None
