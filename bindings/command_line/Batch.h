@@ -5,10 +5,10 @@
 #define SEGMENT_MESH_BATCH_H
 
 #include "Child_runs.h"
-#include "Failure.h"
+#include "../meshes/Failure.h"
 #include "Mesh_table.h"
 #include "Output_files.h"
-#include "read_input.h"
+#include "../meshes/read_input.h"
 
 #ifndef _WIN32
 #include <fcntl.h>

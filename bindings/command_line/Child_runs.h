@@ -4,7 +4,7 @@
 #ifndef SEGMENT_MESH_CHILD_RUNS_H
 #define SEGMENT_MESH_CHILD_RUNS_H
 
-#include "Failure.h"
+#include "../meshes/Failure.h"
 #include "report.h"
 
 #ifndef _WIN32

@@ -4,8 +4,8 @@
 #ifndef SEGMENT_MESH_CONSTRAINTS_H
 #define SEGMENT_MESH_CONSTRAINTS_H
 
-#include "Failure.h"
-#include "read_input.h"
+#include "../meshes/Failure.h"
+#include "../meshes/read_input.h"
 
 #include <algorithm>
 #include <cstddef>

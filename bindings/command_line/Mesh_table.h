@@ -4,7 +4,7 @@
 #ifndef SEGMENT_MESH_MESH_TABLE_H
 #define SEGMENT_MESH_MESH_TABLE_H
 
-#include "Failure.h"
+#include "../meshes/Failure.h"
 #include "Output_files.h"
 #include "report.h"
 

@@ -4,7 +4,7 @@
 #ifndef SEGMENT_MESH_RUN_WATCH_H
 #define SEGMENT_MESH_RUN_WATCH_H
 
-#include "Failure.h"
+#include "../meshes/Failure.h"
 
 #include <CGAL/Spectral_segmentation/Segmentation_visitor.h>
 

@@ -4,7 +4,7 @@
 #ifndef SEGMENT_MESH_CHECK_OUTPUTS_H
 #define SEGMENT_MESH_CHECK_OUTPUTS_H
 
-#include "Failure.h"
+#include "../meshes/Failure.h"
 
 #include <nlohmann/json.hpp>
 

@@ -4,7 +4,7 @@
 #ifndef SEGMENT_MESH_OPTION_TEXTS_H
 #define SEGMENT_MESH_OPTION_TEXTS_H
 
-#include "Failure.h"
+#include "../meshes/Failure.h"
 
 #include <CGAL/Spectral_segmentation/version.h>
 

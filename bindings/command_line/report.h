@@ -5,7 +5,7 @@
 #define SEGMENT_MESH_REPORT_H
 
 #include "Run_watch.h"
-#include "read_input.h"
+#include "../meshes/read_input.h"
 
 #include <CGAL/Spectral_segmentation/IO/hierarchy_json.h>
 #include <CGAL/Spectral_segmentation/Segmentation_hierarchy.h>

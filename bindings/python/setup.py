@@ -21,7 +21,7 @@ from setuptools.command.sdist import sdist
 HERE = pathlib.Path(__file__).resolve().parent
 ROOT = HERE if (HERE / "include").is_dir() else HERE.parent.parent
 # The files and folders outside of this folder that the package needs
-SHARED = ["LICENSE", "include", "bindings/files", "bindings/command_line"]
+SHARED = ["LICENSE", "include", "bindings/files", "bindings/meshes"]
 THREE_JS = ["three.min.js", "OrbitControls.js"] # for the page, as in page.cmake
 
 TBB_PROGRAM = """
@@ -37,8 +37,7 @@ def version():
 
 def headers():
     """Returns the files that the sources include: a change of any makes the extension outdated."""
-    folders = [ROOT / "include", ROOT / "bindings/files", ROOT / "bindings/command_line",
-               HERE / "src"]
+    folders = [ROOT / "include", ROOT / "bindings/files", ROOT / "bindings/meshes", HERE / "src"]
     return [str(path) for folder in folders for path in sorted(folder.rglob("*.h"))]
 
 
@@ -65,7 +64,7 @@ class BuildPy(build_py):
         super().run()
         target = pathlib.Path(self.build_lib, "spectral_segmentation", "page")
         target.mkdir(parents=True, exist_ok=True)
-        page = ROOT / "bindings/command_line/page"
+        page = ROOT / "bindings/meshes/page"
         for file in [*page.glob("*.html"), *page.glob("*.css"), *page.glob("*.js"),
                      *three_js_files()]:
             shutil.copyfile(file, target / file.name)

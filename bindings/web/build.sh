@@ -34,15 +34,15 @@ em++ "${flags[@]}" -O3 "$build/engine.o" "$build/segmentation.o" -o "$build/pack
 
 sed "s/@version@/$version/" "$here/package.json.in" > "$build/package/package.json"
 cp "$here"/*.js "$here"/*.d.ts "$here/README.md" "$root/LICENSE" \
-  "$root"/bindings/command_line/page/{decode,hierarchy}.js "$build/package"
+  "$root"/bindings/meshes/page/{decode,hierarchy}.js "$build/package"
 (cd "$build" && npm pack --silent ./package)
 
 # The page: the viewer of `segment_mesh --html`, three.js, and meshes of libcgal-demo as samples.
 mkdir -p "$build/try/samples"
 cp "$here"/page/* \
   "$build"/package/{api,client,decode,hierarchy,index,module,worker,worker_actions,worker_client}.js \
-  "$build/package/module.wasm" "$root"/bindings/command_line/page/{viewer,colors,first_view,glb,scene}.js \
-  "$root/bindings/command_line/page/viewer.css" /usr/share/javascript/three/three.min.js \
+  "$build/package/module.wasm" "$root"/bindings/meshes/page/{viewer,colors,first_view,glb,scene}.js \
+  "$root/bindings/meshes/page/viewer.css" /usr/share/javascript/three/three.min.js \
   /usr/share/javascript/three/examples/js/{controls/OrbitControls,loaders/GLTFLoader}.js \
   "$build/try"
 samples=(triceratops.off elephant.off bear.off) # small ones first

@@ -6,7 +6,6 @@
 #include "arrays.h"
 #include "python_lock.h"
 
-#include <command_line/read_input.h>
 #include <files/Polygon_soup.h>
 #include <files/Polygon_triangulation.h>
 #include <files/Segmented_mesh.h>
@@ -14,6 +13,7 @@
 #include <files/stitch_borders.h>
 #include <files/write_mesh_file.h>
 #include <files/segment_colors.h>
+#include <meshes/read_input.h>
 
 #include <pybind11/numpy.h>
 #include <pybind11/stl.h>

@@ -8,7 +8,7 @@
 #include "python_lock.h"
 
 #define SEGMENT_MESH_WITH_PAGE
-#include <command_line/page/write_page.h>
+#include <meshes/page/write_page.h>
 
 #include <pybind11/stl.h>
 

@@ -8,9 +8,9 @@
 
 #include <CGAL/Segmented_mesh/refine_segment_boundaries.h>
 
-#include <command_line/closed_soup.h>
-#include <command_line/transferred_labels.h>
 #include <files/convex_hull.h>
+#include <meshes/closed_soup.h>
+#include <meshes/transferred_labels.h>
 
 #include <cstddef>
 #include <cstdint>

@@ -15,12 +15,13 @@
 
 #include <files/Face_vectors.h>
 #include <files/Segmented_mesh.h>
+#include <files/segment_colors.h>
 #include <files/write_mesh_file.h>
-#include <command_line/page/page_data.h>
-#include <command_line/part_tree.h>
-#include <command_line/read_input.h>
-#include <command_line/refined_input.h>
-#include <command_line/write_meshes.h>
+#include <meshes/page/page_data.h>
+#include <meshes/part_tree.h>
+#include <meshes/read_input.h>
+#include <meshes/refined_input.h>
+#include <meshes/segment_neighbors.h>
 
 #include <boost/property_map/function_property_map.hpp>
 
