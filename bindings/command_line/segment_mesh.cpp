@@ -661,7 +661,7 @@ void write_meshes(const Options& o, const Input& input, const std::vector<Index>
   }
   const Input& written = is_refined ? refined.input : input;
   const std::vector<Index>& labels = is_refined ? refined.segment : label_of_polygon;
-  const mesh_file::Segmented_mesh mesh{written.soup, labels, colors, parts, refined.polygon,
+  const mesh_file::Segmented_soup mesh{written.soup, labels, colors, parts, refined.polygon,
                                        o.keep_materials};
   std::vector<Index> closed_faces = refined.polygon;
   if (!is_refined) {
@@ -669,7 +669,7 @@ void write_meshes(const Options& o, const Input& input, const std::vector<Index>
     std::iota(closed_faces.begin(), closed_faces.end(), Index(0));
   }
   closed_faces.resize(closed.segment.size(), mesh_file::null_index);
-  const mesh_file::Segmented_mesh closed_mesh{closed.soup, closed.segment, colors, parts,
+  const mesh_file::Segmented_soup closed_mesh{closed.soup, closed.segment, colors, parts,
                                               closed_faces, o.keep_materials};
   for (const std::string& name : o.mesh_files)
     write_mesh(files, name, o.close && has_objects(name) ? closed_mesh : mesh, o.millimeters());

@@ -6,7 +6,7 @@
 
 #include "../meshes/Failure.h"
 #include "Output_files.h"
-#include "../files/Segmented_mesh.h"
+#include "../files/Segmented_soup.h"
 #include "../files/convex_hull.h"
 #include "../files/write_mesh_file.h"
 #include "../meshes/segment_neighbors.h"
@@ -54,7 +54,7 @@ inline double factor_of_format(const std::string& extension, double unit)
 { return unit == 0 ? 1 : is_3mf(extension) ? unit : extension == ".glb" ? unit / 1000 : 1; }
 
 inline void write_mesh(std::ostream& out, const std::string& extension,
-                       const mesh_file::Segmented_mesh& mesh, double unit,
+                       const mesh_file::Segmented_soup& mesh, double unit,
                        const std::string& materials = "")
 {
   const double factor = factor_of_format(extension, unit);
@@ -95,7 +95,7 @@ std::vector<std::string> write_images(const std::vector<mesh_file::Image>& image
 // Writes a mesh in the format of the ending of the name. OBJ has its materials and their images in
 // files beside it.
 inline void write_mesh(Output_files& files, const std::filesystem::path& name,
-                       const mesh_file::Segmented_mesh& mesh, double unit)
+                       const mesh_file::Segmented_soup& mesh, double unit)
 {
   const std::string extension = mesh_file::output_extension(name);
   const std::filesystem::path materials = mesh_file::name_of_materials(name);
@@ -114,7 +114,7 @@ inline void write_mesh(Output_files& files, const std::filesystem::path& name,
 // Writes a mesh for each segment, in the files segment_000, segment_001 ... with the extension, and
 // what holds for the closed segments. The meshes have the materials of the whole, if there are any.
 inline void write_segments(Output_files& files, const std::filesystem::path& directory,
-                           const std::string& extension, const mesh_file::Segmented_mesh& mesh,
+                           const std::string& extension, const mesh_file::Segmented_soup& mesh,
                            double unit, const nlohmann::ordered_json& closed_segments)
 {
   files.start_segments(directory, closed_segments);
@@ -130,7 +130,7 @@ inline void write_segments(Output_files& files, const std::filesystem::path& dir
     if (part.number_of_polygons() == 0) // it is missing in a mesh that got its labels
       continue;
     const std::vector<Index> segment(part.number_of_polygons(), static_cast<Index>(s));
-    const mesh_file::Segmented_mesh written{part, segment, mesh.colors, {}, {}, true};
+    const mesh_file::Segmented_soup written{part, segment, mesh.colors, {}, {}, true};
     const std::string name = mesh_file::segment_name(s);
     files.write_segment(name + extension, [&](std::ostream& out)
                         { write_mesh(out, extension, written, unit, has_mtl ? name + ".mtl" : "");
@@ -145,7 +145,7 @@ inline void write_segments(Output_files& files, const std::filesystem::path& dir
 // and adds a warning if some have a thickness.
 inline nlohmann::ordered_json
 write_hulls(Output_files& files, const std::filesystem::path& directory,
-            const std::string& extension, const mesh_file::Segmented_mesh& mesh, double unit,
+            const std::string& extension, const mesh_file::Segmented_soup& mesh, double unit,
             std::vector<std::string>& warnings)
 {
   std::vector<Point> corners;

@@ -4,7 +4,7 @@
 #ifndef SEGMENT_MESH_SEGMENT_COLORS_H
 #define SEGMENT_MESH_SEGMENT_COLORS_H
 
-#include "Segmented_mesh.h"
+#include "Segmented_soup.h"
 
 #include <boost/gil.hpp>
 #include <boost/gil/extension/toolbox/color_spaces/hsv.hpp>

@@ -4,7 +4,7 @@
 #ifndef SEGMENT_MESH_WRITE_BY_LIB3MF_H
 #define SEGMENT_MESH_WRITE_BY_LIB3MF_H
 
-#include "Segmented_mesh.h"
+#include "Segmented_soup.h"
 
 #include <ostream>
 #include <stdexcept>
@@ -84,7 +84,7 @@ class Lib3mf_writer
     std::string identifier;
   };
 
-  const mesh_file::Segmented_mesh& mesh_;
+  const mesh_file::Segmented_soup& mesh_;
   mesh_file::Segment_extraction extract_;
   const Lib3mf model_ = Lib3mf::model();
   const Lib3mf materials_ = model_.made(NMR::lib3mf_model_addbasematerialgroup);
@@ -227,7 +227,7 @@ class Lib3mf_writer
   }
 
 public:
-  explicit Lib3mf_writer(const mesh_file::Segmented_mesh& mesh) : mesh_(mesh), extract_(mesh) {}
+  explicit Lib3mf_writer(const mesh_file::Segmented_soup& mesh) : mesh_(mesh), extract_(mesh) {}
 
   void operator()(std::ostream& out)
   {
@@ -251,14 +251,14 @@ public:
 };
 
 // Throws if the coordinates are too large or the mesh is too small.
-inline void write_3mf(std::ostream& out, const mesh_file::Segmented_mesh& mesh)
+inline void write_3mf(std::ostream& out, const mesh_file::Segmented_soup& mesh)
 { Lib3mf_writer{mesh}(out); }
 
 #else
 
 constexpr bool has_lib3mf = false;
 
-inline void write_3mf(std::ostream&, const mesh_file::Segmented_mesh&)
+inline void write_3mf(std::ostream&, const mesh_file::Segmented_soup&)
 { throw std::runtime_error("this build is without lib3mf"); }
 
 #endif

@@ -4,7 +4,7 @@
 #ifndef SEGMENT_MESH_MESH_FILE_WRITE_GLB_H
 #define SEGMENT_MESH_MESH_FILE_WRITE_GLB_H
 
-#include "Segmented_mesh.h"
+#include "Segmented_soup.h"
 #include "gltf_materials.h"
 
 #include <nlohmann/json.hpp>
@@ -44,7 +44,7 @@ class Glb_writer
   enum Component_type { UNSIGNED_INT = 5125, FLOAT = 5126 };
   enum Target { ARRAY_BUFFER = 34962, ELEMENT_ARRAY_BUFFER = 34963 };
 
-  const Segmented_mesh& mesh_;
+  const Segmented_soup& mesh_;
   Block_output out_;
   Segment_extraction extract_;
   Renumbering materials_, images_;
@@ -114,7 +114,7 @@ class Glb_writer
       std::vector<Index> materials(soup.number_of_polygons());
       for (std::size_t i = 0; i < materials.size(); ++i)
         materials[i] = material_of(soup, i);
-      const Segmented_mesh by_material{soup, materials, mesh_.colors};
+      const Segmented_soup by_material{soup, materials, mesh_.colors};
       Segment_extraction extract(by_material);
       for (Index m : present_segments(by_material)) {
         result.push_back({m, extract(m), {}, {}, {}});
@@ -332,7 +332,7 @@ class Glb_writer
   }
 
 public:
-  Glb_writer(std::ostream& out, const Segmented_mesh& mesh)
+  Glb_writer(std::ostream& out, const Segmented_soup& mesh)
     : mesh_(mesh), out_(out), extract_(mesh),
       materials_((std::max)(mesh.soup.materials.size() + 1, mesh.colors.size())),
       images_(mesh.soup.images.size()) {}
@@ -374,7 +374,7 @@ public:
 };
 
 // Throws if the coordinates or the mesh are too large for the format.
-inline void write_glb(std::ostream& out, const Segmented_mesh& mesh) { Glb_writer(out, mesh)(); }
+inline void write_glb(std::ostream& out, const Segmented_soup& mesh) { Glb_writer(out, mesh)(); }
 
 } // namespace mesh_file
 

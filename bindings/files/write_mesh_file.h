@@ -4,7 +4,7 @@
 #ifndef SEGMENT_MESH_MESH_FILE_WRITE_MESH_FILE_H
 #define SEGMENT_MESH_MESH_FILE_WRITE_MESH_FILE_H
 
-#include "Segmented_mesh.h"
+#include "Segmented_soup.h"
 #include "Text_scanner.h"
 #include "write_glb.h"
 #include "write_obj.h"
@@ -51,7 +51,7 @@ inline std::filesystem::path name_of_materials(std::filesystem::path name)
 // Writes a mesh in the format of an extension that `output_extension()` gave and
 // `check_output_format()` let pass. `materials` is the name of their file for OBJ, if there is one.
 inline void write_mesh_file(std::ostream& out, const std::string& extension,
-                            const Segmented_mesh& mesh, const std::string& materials = "")
+                            const Segmented_soup& mesh, const std::string& materials = "")
 {
   if (extension == ".obj")
     write_obj(out, mesh, materials);

@@ -4,7 +4,7 @@
 #ifndef SEGMENT_MESH_MESH_FILE_WRITE_OBJ_H
 #define SEGMENT_MESH_MESH_FILE_WRITE_OBJ_H
 
-#include "Segmented_mesh.h"
+#include "Segmented_soup.h"
 
 #include <algorithm>
 #include <cstddef>
@@ -56,7 +56,7 @@ inline void write_kept_materials(Block_output& block, const Polygon_soup& soup,
 
 // Writes the materials for `write_obj()`: those of the soup with the files of its images, or one
 // for each segment that has polygons. An image without a file keeps its name.
-inline void write_mtl(std::ostream& out, const Segmented_mesh& mesh,
+inline void write_mtl(std::ostream& out, const Segmented_soup& mesh,
                       const std::vector<std::string>& image_files = {})
 {
   Block_output block(out);
@@ -77,7 +77,7 @@ inline void write_mtl(std::ostream& out, const Segmented_mesh& mesh,
 
 class Obj_writer
 {
-  const Segmented_mesh& mesh_;
+  const Segmented_soup& mesh_;
   Block_output out_;
   const Used_points used_;
 
@@ -125,7 +125,7 @@ class Obj_writer
   }
 
 public:
-  Obj_writer(std::ostream& out, const Segmented_mesh& mesh)
+  Obj_writer(std::ostream& out, const Segmented_soup& mesh)
     : mesh_(mesh), out_(out), used_(mesh.soup) {}
 
   void operator()(const std::string& materials)
@@ -161,7 +161,7 @@ public:
 
 // Writes a mesh in OBJ, the polygons of each segment as a group. The file of their materials is
 // only named, if there is one. A face has three corners at least: what has fewer is left out.
-inline void write_obj(std::ostream& out, const Segmented_mesh& mesh, const std::string& materials)
+inline void write_obj(std::ostream& out, const Segmented_soup& mesh, const std::string& materials)
 { Obj_writer(out, mesh)(materials); }
 
 } // namespace mesh_file

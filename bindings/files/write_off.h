@@ -4,7 +4,7 @@
 #ifndef SEGMENT_MESH_MESH_FILE_WRITE_OFF_H
 #define SEGMENT_MESH_MESH_FILE_WRITE_OFF_H
 
-#include "Segmented_mesh.h"
+#include "Segmented_soup.h"
 
 #include <cstddef>
 #include <cstdint>
@@ -14,7 +14,7 @@
 namespace mesh_file {
 
 // Writes a mesh in OFF, the polygons in their order, each with its color.
-inline void write_off(std::ostream& out, const Segmented_mesh& mesh)
+inline void write_off(std::ostream& out, const Segmented_soup& mesh)
 {
   const Polygon_soup& soup = mesh.soup;
   const Used_points used(soup);

@@ -4,7 +4,7 @@
 #ifndef SEGMENT_MESH_MESH_FILE_WRITE_PLY_H
 #define SEGMENT_MESH_MESH_FILE_WRITE_PLY_H
 
-#include "Segmented_mesh.h"
+#include "Segmented_soup.h"
 
 #include <algorithm>
 #include <cstddef>
@@ -25,7 +25,7 @@ class Ply_writer
 {
   typedef std::vector<const Property*> Properties;
 
-  const Segmented_mesh& mesh_;
+  const Segmented_soup& mesh_;
   Block_output out_;
   const Used_points used_;
   std::vector<Index> segment_;                   // the first segment of each point, or null_index
@@ -130,7 +130,7 @@ class Ply_writer
   }
 
 public:
-  Ply_writer(std::ostream& out, const Segmented_mesh& mesh)
+  Ply_writer(std::ostream& out, const Segmented_soup& mesh)
     : mesh_(mesh), out_(out), used_(mesh.soup) { split_points(); }
 
   void operator()()
@@ -166,7 +166,7 @@ public:
   }
 };
 
-inline void write_ply(std::ostream& out, const Segmented_mesh& mesh) { Ply_writer(out, mesh)(); }
+inline void write_ply(std::ostream& out, const Segmented_soup& mesh) { Ply_writer(out, mesh)(); }
 
 } // namespace mesh_file
 

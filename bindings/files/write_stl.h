@@ -4,7 +4,7 @@
 #ifndef SEGMENT_MESH_MESH_FILE_WRITE_STL_H
 #define SEGMENT_MESH_MESH_FILE_WRITE_STL_H
 
-#include "Segmented_mesh.h"
+#include "Segmented_soup.h"
 
 #include <array>
 #include <cmath>
@@ -37,7 +37,7 @@ inline std::array<float, 3> unit_normal(const std::array<std::array<float, 3>, 3
 
 // Writes the triangles of a mesh in binary STL, which has neither segments nor colors. Throws if
 // the coordinates are too large for it.
-inline void write_stl(std::ostream& out, const Segmented_mesh& mesh)
+inline void write_stl(std::ostream& out, const Segmented_soup& mesh)
 {
   const std::vector<Triangle> triangles = triangles_of(mesh.soup);
   Block_output block(out);

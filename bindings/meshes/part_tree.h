@@ -4,7 +4,7 @@
 #ifndef SEGMENT_MESH_PART_TREE_H
 #define SEGMENT_MESH_PART_TREE_H
 
-#include "../files/Segmented_mesh.h"
+#include "../files/Segmented_soup.h"
 
 #include <CGAL/Spectral_segmentation/Segmentation_hierarchy.h>
 

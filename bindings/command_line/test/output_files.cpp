@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 #include "../Output_files.h"
-#include "../../files/Segmented_mesh.h"
+#include "../../files/Segmented_soup.h"
 
 #include <boost/test/unit_test.hpp>
 

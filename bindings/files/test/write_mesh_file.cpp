@@ -27,7 +27,7 @@ using mesh_file::Point;
 using mesh_file::Polygon_soup;
 using mesh_file::Rgb;
 using mesh_file::Segment_extraction;
-using mesh_file::Segmented_mesh;
+using mesh_file::Segmented_soup;
 
 typedef std::vector<std::vector<Index> > Faces;
 
@@ -62,7 +62,7 @@ struct Cube
                             {2, 4, 8, 6}});
   }
 
-  Segmented_mesh mesh() const { return {soup, segment, colors}; }
+  Segmented_soup mesh() const { return {soup, segment, colors}; }
 };
 
 // Returns the output of a function.
@@ -74,12 +74,12 @@ std::string written(const Writer& write, const Arguments&... arguments)
   return out.str();
 }
 
-std::string written_as(const std::string& extension, const Segmented_mesh& mesh,
+std::string written_as(const std::string& extension, const Segmented_soup& mesh,
                        const std::string& materials = "")
 { return written(mesh_file::write_mesh_file, extension, mesh, materials); }
 
 // A segment as a mesh of its own.
-std::string written_part(const std::string& extension, const Segmented_mesh& mesh, Index segment)
+std::string written_part(const std::string& extension, const Segmented_soup& mesh, Index segment)
 {
   const Polygon_soup part = Segment_extraction(mesh)(segment);
   const std::vector<Index> segments(part.number_of_polygons(), segment);
@@ -316,7 +316,7 @@ BOOST_AUTO_TEST_CASE(obj_keeps_texture_coordinates_and_normals)
   soup.normal_of_corner = {0, 1, none, none, none, 1, 0, 0};
   const std::vector<Index> segment{1000, 2, 2};
   const std::vector<Rgb> colors(1001);
-  const Segmented_mesh mesh{soup, segment, colors};
+  const Segmented_soup mesh{soup, segment, colors};
   BOOST_TEST(written_as(".obj", mesh) ==
     "v 0.10000000149011612 0 0\nv 1 0 0\nv 0 -2.5 0\nv 1e+300 0 0\n"
     "vt 0.25 1\nvt 0 0.5\nvn 1 0 0\nvn 0 0 1\n"
@@ -337,7 +337,7 @@ BOOST_AUTO_TEST_CASE(obj_keeps_materials)
                          {"red", {{"map_Ka", 0}}, {}}, {"unused", {}, {}}};
   const Index none = mesh_file::null_index;
   cube.soup.material_of_polygon = {0, 0, none, 0, 1, 1};
-  Segmented_mesh mesh = cube.mesh();
+  Segmented_soup mesh = cube.mesh();
   mesh.keeps_materials = true;
   BOOST_TEST(contains(written_as(".obj", mesh, "a.mtl"),
     "g segment_000\nusemtl red\nf 1 3 4 2\nusemtl plain\nf 1 2 6 5\nusemtl red\nf 3 7 8 4\n"
@@ -349,7 +349,7 @@ BOOST_AUTO_TEST_CASE(obj_keeps_materials)
 
   const Polygon_soup part = Segment_extraction(mesh)(1);
   const std::vector<Index> segment{1};
-  BOOST_TEST(written(mesh_file::write_mtl, Segmented_mesh{part, segment, cube.colors, {}, {}, true},
+  BOOST_TEST(written(mesh_file::write_mtl, Segmented_soup{part, segment, cube.colors, {}, {}, true},
                      files) == "newmtl red\nKd 1 0 0\nmap_Kd -s 2 mesh_texture_001.png\n");
   BOOST_TEST(mesh_file::names_for_mtl({{"", {}, {}}, {" a ", {}, {}}, {"x\ny", {}, {}}}) ==
                (std::vector<std::string>{"material_", "material a _", "x_y", "plain"}),
@@ -471,7 +471,7 @@ BOOST_AUTO_TEST_CASE(glb_keeps_materials)
   cube.soup.normal_of_corner.assign(24, 0);
   cube.soup.normal_of_corner[8] = none; // in the polygon without material
   cube.soup.normal_of_corner[4] = 1;    // in the one with a broken material
-  Segmented_mesh mesh = cube.mesh();
+  Segmented_soup mesh = cube.mesh();
   mesh.keeps_materials = true;
   const Glb glb(written_as(".glb", mesh));
   const nlohmann::json& json = glb.json;
@@ -529,7 +529,7 @@ BOOST_AUTO_TEST_CASE(glb_has_the_tree_of_parts)
   const mesh_file::Index none = mesh_file::null_index;
   cube.segment = {2, 0, 2, 2, 4, 2};
   cube.colors.resize(5);
-  Segmented_mesh mesh = cube.mesh();
+  Segmented_soup mesh = cube.mesh();
   mesh.parts = {{none, none, 0}, {0, none, 2}, {1, 4, 5}, {1, 2, 6}, {0, none, 1}, {4, none, 4},
                 {5, 3, 8}, {5, 1, 9}, {4, 0, 3}};
   const nlohmann::json nodes = Glb(written_as(".glb", mesh)).json["nodes"];

@@ -8,7 +8,7 @@
 
 #include <files/Polygon_soup.h>
 #include <files/Polygon_triangulation.h>
-#include <files/Segmented_mesh.h>
+#include <files/Segmented_soup.h>
 #include <files/read_mesh_file.h>
 #include <files/stitch_borders.h>
 #include <files/write_mesh_file.h>
@@ -152,7 +152,7 @@ static py::tuple format_mesh(const Input& input, const std::string& extension,
 {
   const std::vector<Index> label_of_polygon = vector_of<Index>(labels);
   const std::vector<Rgb> color_of_segment = vector_of<Rgb>(colors);
-  const mesh_file::Segmented_mesh mesh{input.soup, label_of_polygon, color_of_segment};
+  const mesh_file::Segmented_soup mesh{input.soup, label_of_polygon, color_of_segment};
   std::ostringstream out, out_of_materials;
   try {
     const No_python_lock no_python_lock;

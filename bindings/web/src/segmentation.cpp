@@ -14,7 +14,7 @@
 #include <CGAL/tags.h>
 
 #include <files/Face_vectors.h>
-#include <files/Segmented_mesh.h>
+#include <files/Segmented_soup.h>
 #include <files/segment_colors.h>
 #include <files/write_mesh_file.h>
 #include <meshes/page/page_data.h>

@@ -1,8 +1,8 @@
 // Copyright (c) 2026  The Spectral_segmentation authors.
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#ifndef SEGMENT_MESH_MESH_FILE_SEGMENTED_MESH_H
-#define SEGMENT_MESH_MESH_FILE_SEGMENTED_MESH_H
+#ifndef SEGMENT_MESH_MESH_FILE_SEGMENTED_SOUP_H
+#define SEGMENT_MESH_MESH_FILE_SEGMENTED_SOUP_H
 
 #include "Polygon_soup.h"
 #include "Polygon_triangulation.h"
@@ -35,7 +35,7 @@ struct Part
 };
 
 // The mesh that is written: polygons that belong to segments.
-struct Segmented_mesh
+struct Segmented_soup
 {
   const Polygon_soup& soup;
   const std::vector<Index>& segment; // one per polygon
@@ -65,7 +65,7 @@ inline std::string part_name(const Part& part)
 }
 
 // Those that have polygons, in ascending order.
-inline std::vector<Index> present_segments(const Segmented_mesh& mesh)
+inline std::vector<Index> present_segments(const Segmented_soup& mesh)
 {
   std::vector<Index> result;
   for (Index s : mesh.segment)
@@ -77,7 +77,7 @@ inline std::vector<Index> present_segments(const Segmented_mesh& mesh)
 }
 
 // The tree of the segments that have polygons. They are all on the top if the mesh has no tree.
-inline std::vector<Part> present_parts(const Segmented_mesh& mesh)
+inline std::vector<Part> present_parts(const Segmented_soup& mesh)
 {
   std::vector<Part> result;
   const std::vector<Index> segments = present_segments(mesh);
@@ -106,7 +106,7 @@ inline std::vector<Part> present_parts(const Segmented_mesh& mesh)
 }
 
 // Those of one segment are in ascending order.
-inline std::vector<Index> polygons_sorted_by_segment(const Segmented_mesh& mesh)
+inline std::vector<Index> polygons_sorted_by_segment(const Segmented_soup& mesh)
 {
   std::vector<Index> result(mesh.segment.size());
   if (result.empty())
@@ -288,7 +288,7 @@ public:
 // Takes segments out of a mesh, one after the other, as meshes of their own.
 class Segment_extraction
 {
-  const Segmented_mesh mesh_;
+  const Segmented_soup mesh_;
   const std::vector<Index> sorted_; // the polygons
   Renumbering points_, textures_, normals_;
 
@@ -317,7 +317,7 @@ class Segment_extraction
   }
 
 public:
-  explicit Segment_extraction(const Segmented_mesh& mesh)
+  explicit Segment_extraction(const Segmented_soup& mesh)
     : mesh_(mesh), sorted_(polygons_sorted_by_segment(mesh)), points_(mesh.soup.points.size()),
       textures_(mesh.soup.texture_coordinates.size()), normals_(mesh.soup.normals.size()) {}
 
@@ -363,4 +363,4 @@ public:
 
 } // namespace mesh_file
 
-#endif // SEGMENT_MESH_MESH_FILE_SEGMENTED_MESH_H
+#endif // SEGMENT_MESH_MESH_FILE_SEGMENTED_SOUP_H
