@@ -17,6 +17,7 @@ import tempfile
 import unittest
 from xml.etree import ElementTree
 
+sys.path.insert(0, str(pathlib.Path(__file__).resolve().parents[1] / "bindings/command_line/test"))
 from segment_mesh import (cross, directed_edges, dot, dumbbell, is_closed, minus, read_off,
                           read_ply_rows, tube, volume, write_off)
 

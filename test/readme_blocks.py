@@ -17,6 +17,7 @@ import sys
 import tempfile
 import unittest
 
+sys.path.insert(0, str(pathlib.Path(__file__).resolve().parents[1] / "bindings/command_line/test"))
 from segment_mesh import dumbbell, write_off
 
 SOURCE = None
