@@ -7,7 +7,7 @@
 #include "../random_numbers.h"
 #include "../run_engine.h"
 
-#include <CGAL/Spectral_segmentation/internal/salience/Boundary_statistics.h>
+#include <CGAL/Spectral_segmentation/internal/salience/Patch.h>
 #include <CGAL/Spectral_segmentation/internal/surface/Moments.h>
 #include <CGAL/Spectral_segmentation/internal/surface/connected_components.h>
 

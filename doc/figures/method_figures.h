@@ -200,8 +200,8 @@ struct Searched_line
     const internal::Growth growth = internal::grow_along(graph, order);
     internal::for_each_cut(
       growth.faces, internal::sizes_of_cuts(graph, growth), minimum_area,
-      internal::Boundary_statistics(graph),
-      [&](const internal::Boundary_statistics& q, std::size_t size) {
+      internal::Patch(graph),
+      [&](const internal::Patch& q, std::size_t size) {
         const CGAL::Spectral_segmentation::Salience_factors f = q.factors();
         steps.push_back({size, f.size, f.cut_strength, f.protrusiveness,
                          options.part_salience(f)});

@@ -14,7 +14,7 @@
 //   4    sampling by shape context       search/face_orders.h
 //   5.2  spectral order of the faces     search/face_orders.h
 //   5.3  line search                     search/line_search.h
-//   6    salience of a part              salience/Boundary_statistics.h, Part_salience.h
+//   6    salience of a part              salience/Patch.h, Part_salience.h
 //
 // The calibrated method adds to the paper: over-segmentation and merging (search/region_merging.h),
 // more cuts to choose from (search/cut_proposals.h), more factors to judge them by

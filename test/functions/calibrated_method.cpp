@@ -8,7 +8,7 @@
 #include "test_meshes.h"
 
 #include <CGAL/Spectral_segmentation/internal/engine.h>
-#include <CGAL/Spectral_segmentation/internal/salience/Boundary_statistics.h>
+#include <CGAL/Spectral_segmentation/internal/salience/Patch.h>
 #include <CGAL/Spectral_segmentation/internal/surface/Moments.h>
 #include <CGAL/segment_spectral_recursive.h>
 

@@ -13,7 +13,7 @@
 #include <cmath>
 #include <random>
 
-using CGAL::Spectral_segmentation::internal::Eigen_solver;
+using CGAL::Spectral_segmentation::internal::Eigen_decomposition;
 using CGAL::Spectral_segmentation::internal::Symmetric_matrix;
 using CGAL::Spectral_segmentation::internal::Vector;
 
@@ -43,7 +43,7 @@ BOOST_AUTO_TEST_CASE(eigenvalues_and_vectors_equal_the_results_of_a_dense_solver
     dense << m.xx, m.xy, m.zx, m.xy, m.yy, m.yz, m.zx, m.yz, m.zz;
     const Eigen::Vector3d values =
       Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d>(dense).eigenvalues();
-    const Eigen_solver solver(m);
+    const Eigen_decomposition solver(m);
     BOOST_TEST(std::abs(solver.largest_eigenvalue() - values[2]) < 1e-12);
     for (int k = 0; k < 3; ++k)
       BOOST_TEST(std::abs(solver.eigenvalue(k) - values[k]) < 1e-12);
@@ -60,11 +60,11 @@ BOOST_AUTO_TEST_CASE(equal_eigenvalues_have_orthogonal_vectors)
   for (const Symmetric_matrix& m : {Symmetric_matrix{2, 2, 2}, Symmetric_matrix{1, 1, 3},
                                     Symmetric_matrix{3, 1, 3}, Symmetric_matrix()}) {
     Vector smallest, middle;
-    Eigen_solver(m).set_eigenvectors(smallest, middle);
+    Eigen_decomposition(m).set_eigenvectors(smallest, middle);
     const double least = (std::min)({m.xx, m.yy, m.zz});
     BOOST_TEST(is_eigenvector(m, smallest, least));
     BOOST_TEST(is_eigenvector(m, middle, m.xx + m.yy + m.zz - least -
-                                           Eigen_solver(m).largest_eigenvalue()));
+                                           Eigen_decomposition(m).largest_eigenvalue()));
     BOOST_TEST(std::abs(smallest.dot(middle)) < 1e-12);
   }
 }

@@ -43,7 +43,7 @@ Constraint_groups joined(const Surface& mesh, const std::vector<Index>& leaf,
 {
   std::vector<Index> callers_face(mesh.number_of_faces());
   std::iota(callers_face.begin(), callers_face.end(), Index(0));
-  return internal::Set_connection(mesh, leaf, number_of_leaves, groups)(callers_face);
+  return internal::Group_connection(mesh, leaf, number_of_leaves, groups)(callers_face);
 }
 
 // The cost of the cheapest path between two faces over allowed faces (Bellman and Ford): a step

@@ -191,7 +191,8 @@ BOOST_AUTO_TEST_CASE(faces_far_from_all_cuts_are_where_the_coarse_mesh_has_them)
   for (std::size_t f = 0; f < all.size(); ++f) {
     std::set<std::size_t> around;
     for (Index v : run.mesh.corners[f]) {
-      const std::set<std::size_t>& leaves = of_vertex[coarse.vertex[clusters.vertex[v]]];
+      const Index coarse_vertex = coarse.coarse_vertex[clusters.coarse_vertex[v]];
+      const std::set<std::size_t>& leaves = of_vertex[coarse_vertex];
       around.insert(leaves.begin(), leaves.end());
     }
     if (around.size() == 1) {

@@ -56,8 +56,8 @@ BOOST_AUTO_TEST_CASE(the_shortest_edge_is_collapsed_first)
     const Level level = collapsed(mesh, mesh.number_of_faces() - 2);
     BOOST_TEST(level.surface.number_of_faces() == mesh.number_of_faces() - 2);
     const auto [v, w] = shortest_edge(mesh);
-    BOOST_TEST(level.vertex[v] == level.vertex[w]);
-    BOOST_TEST(std::set<Index>(level.vertex.begin(), level.vertex.end()).size() ==
+    BOOST_TEST(level.coarse_vertex[v] == level.coarse_vertex[w]);
+    BOOST_TEST(std::set<Index>(level.coarse_vertex.begin(), level.coarse_vertex.end()).size() ==
                mesh.points.size() - 1);
   }
 }

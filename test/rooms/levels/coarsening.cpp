@@ -46,9 +46,9 @@ Level coarsen(const Surface& mesh, std::size_t number_of_faces)
     for (Index& f : result.parent_face)
       f = levels[i].parent_face[f];
     std::vector<Index> vertices;
-    for (Index v : levels[i].vertex)
-      vertices.push_back(result.vertex[v]);
-    result.vertex = vertices;
+    for (Index v : levels[i].coarse_vertex)
+      vertices.push_back(result.coarse_vertex[v]);
+    result.coarse_vertex = vertices;
   }
   return result;
 }
@@ -102,11 +102,11 @@ void check(const Surface& mesh, const Level& coarse)
   // A face that is left has the vertices that its vertices became; two vertices of other faces are
   // one.
   std::vector<char> is_left(mesh.number_of_faces(), 0);
-  BOOST_TEST_REQUIRE(coarse.vertex.size() == mesh.points.size());
+  BOOST_TEST_REQUIRE(coarse.coarse_vertex.size() == mesh.points.size());
   const auto corners = [&](Index f) {
     std::array<Index, 3> result;
     for (int i = 0; i < 3; ++i)
-      result[i] = coarse.vertex[mesh.corners[f][i]];
+      result[i] = coarse.coarse_vertex[mesh.corners[f][i]];
     return result;
   };
   for (Index f = 0; f < n; ++f) {
@@ -211,7 +211,7 @@ BOOST_AUTO_TEST_CASE(the_result_moves_with_the_mesh)
     const Level here = coarsen(framed(soup), 400),
                          there = coarsen(framed(turned(soup)), 400);
     BOOST_TEST((here.parent_face == there.parent_face));
-    BOOST_TEST((here.vertex == there.vertex));
+    BOOST_TEST((here.coarse_vertex == there.coarse_vertex));
     BOOST_TEST((here.surface.points == there.surface.points));
   }
 }
@@ -357,7 +357,7 @@ BOOST_AUTO_TEST_CASE(a_vertex_where_two_surfaces_meet_stays)
     for (Index v : coarse.surface.corners[f])
       sides[v].insert(coarse.parent_face[f] < mesh.number_of_faces() / 2 ? 0 : 1);
   for (const auto& [v, s] : sides)
-    BOOST_TEST((s.size() == 2) == (v == coarse.vertex[0]));
+    BOOST_TEST((s.size() == 2) == (v == coarse.coarse_vertex[0]));
 }
 
 BOOST_AUTO_TEST_CASE(faces_without_area_do_no_harm)
@@ -433,9 +433,9 @@ BOOST_AUTO_TEST_CASE(sheets_that_come_near_stay_apart)
   const Level coarse = clustered(mesh, 0.2);
   BOOST_TEST(coarse.surface.number_of_faces() < mesh.number_of_faces() / 10);
   std::vector<Index> sheet_of(coarse.surface.points.size(), null_index);
-  for (Index v = 0; v < coarse.vertex.size(); ++v) {
+  for (Index v = 0; v < coarse.coarse_vertex.size(); ++v) {
     const Index side = v < sheet.points.size() ? 0 : 1;
-    Index& of_vertex = sheet_of[coarse.vertex[v]];
+    Index& of_vertex = sheet_of[coarse.coarse_vertex[v]];
     BOOST_TEST((of_vertex == null_index || of_vertex == side));
     of_vertex = side;
   }

@@ -36,7 +36,7 @@ inline Cut_hierarchy hierarchy_of_caller(Merge_tree tree, Face_map map)
 inline Cut_hierarchy run(Surface input, const Run_data& d)
 {
   Face_map map;
-  Model m; // stays empty if the mesh is connected
+  Assembled_model m; // stays empty if the mesh is connected
   Constraint_groups groups;
   Levels l = d.monitor.stage(Stage::INITIALIZATION, Segmentation_visitor::whole_mesh, [&] {
     d.start_phase(Phase_times(d, input.number_of_faces()).reading);

@@ -171,7 +171,7 @@ struct Symmetric_matrix
 // Computes eigenvalues and eigenvectors in closed form, with the steps and roundings of Eigen's
 // computeDirect(). With Eigen's function a program that includes the engine took 5 % longer to
 // compile.
-class Eigen_solver
+class Eigen_decomposition
 {
   double shift_, scale_;
   Symmetric_matrix matrix_; // has trace 0 and coefficients up to 1
@@ -189,7 +189,7 @@ class Eigen_solver
   }
 
 public:
-  explicit Eigen_solver(const Symmetric_matrix& given)
+  explicit Eigen_decomposition(const Symmetric_matrix& given)
     : shift_(given.trace() / 3), scale_(given.without(shift_).largest_coefficient()),
       matrix_(given.without(shift_))
   {
@@ -240,7 +240,7 @@ public:
 // Returns the product of the two largest eigenvalues of a covariance matrix. It is the largest
 // eigenvalue of the adjugate. Found as one root, it is accurate even if the second one vanishes.
 inline double product_of_largest_eigenvalues(const Symmetric_matrix& covariance)
-{ return (std::max)(Eigen_solver(covariance.adjugate()).largest_eigenvalue(), 0.); }
+{ return (std::max)(Eigen_decomposition(covariance.adjugate()).largest_eigenvalue(), 0.); }
 
 } // namespace CGAL::Spectral_segmentation::internal
 

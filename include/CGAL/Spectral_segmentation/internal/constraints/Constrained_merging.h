@@ -348,7 +348,7 @@ inline Merge_tree enforce_constraints(Merge_tree tree, Constraint_groups& groups
   if (groups.faces.empty())
     return tree;
   const std::size_t number_of_roots = tree.number_of_roots();
-  groups = Set_connection(mesh.surface, tree.leaf, tree.leaves.size(), groups)(mesh.parent_face);
+  groups = Group_connection(mesh.surface, tree.leaf, tree.leaves.size(), groups)(mesh.parent_face);
   tree = Constrained_merging(std::move(tree), mesh.surface, groups,
                              d.options.minimum_segment_size, d.monitor)();
   const std::size_t number = tree.number_of_roots(), maximum = maximum_number(d.options);

@@ -99,18 +99,17 @@ struct Constraint_groups
 inline std::string names_of_faces(Index f, Index g)
 { return "the faces " + std::to_string(f) + " and " + std::to_string(g); }
 
-// Groups constrained faces. `number` holds the face of the mesh for each face of the caller; it is
-// the same for all duplicates of a face. Throws `std::invalid_argument` if constraints contradict
-// each other.
+// Groups constrained faces. `mesh_face` holds the face of the mesh for each face of the caller, one
+// face for all duplicates. Throws `std::invalid_argument` if constraints contradict each other.
 class Constraint_grouping
 {
   const Constraints& constraints_;
-  const std::vector<Index> number_;
+  const std::vector<Index> mesh_face_;
   const Surface& mesh_;
   Face_components groups_, sets_; // faces that are joined by edges; and also by their seeds
   std::map<std::int64_t, Index> first_of_seed_; // the caller's index of the face
 
-  Index set_of(Index callers_face) { return sets_.representative(number_[callers_face]); }
+  Index set_of(Index callers_face) { return sets_.representative(mesh_face_[callers_face]); }
 
   bool are_neighbors(Index f, Index g) const
   {
@@ -121,9 +120,9 @@ class Constraint_grouping
   void join()
   {
     for (const auto& [f, g] : constraints_.must_link) {
-      sets_.join(number_[f], number_[g]);
-      if (are_neighbors(number_[f], number_[g]))
-        groups_.join(number_[f], number_[g]);
+      sets_.join(mesh_face_[f], mesh_face_[g]);
+      if (are_neighbors(mesh_face_[f], mesh_face_[g]))
+        groups_.join(mesh_face_[f], mesh_face_[g]);
     }
     std::map<Index, std::pair<Index, std::int64_t> > seed_of_set; // a face and its seed
     for (const auto& constraint : constraints_.seeds) {
@@ -135,7 +134,7 @@ class Constraint_grouping
                         "be cut, or are one face twice");
     }
     for (const auto& [f, seed] : constraints_.seeds)
-      sets_.join(number_[first_of_seed_.emplace(seed, f).first->second], number_[f]);
+      sets_.join(mesh_face_[first_of_seed_.emplace(seed, f).first->second], mesh_face_[f]);
     for (const auto& [f, g] : constraints_.cannot_link)
       if (set_of(f) == set_of(g))
         fail_constraint("the edge between " + names_of_faces(f, g) + " is constrained, but the two "
@@ -146,7 +145,7 @@ class Constraint_grouping
   void check_components() const
   {
     const auto check = [this](Index f, Index g, const std::string& what) {
-      if (mesh_.components[number_[f]] != mesh_.components[number_[g]])
+      if (mesh_.components[mesh_face_[f]] != mesh_.components[mesh_face_[g]])
         fail_constraint(names_of_faces(f, g) + what + ", but are of components that are kept "
                         "apart");
     };
@@ -157,9 +156,9 @@ class Constraint_grouping
   }
 
 public:
-  Constraint_grouping(const Constraints& constraints, std::vector<Index> number,
+  Constraint_grouping(const Constraints& constraints, std::vector<Index> mesh_face,
                       const Surface& mesh)
-    : constraints_(constraints), number_(std::move(number)), mesh_(mesh),
+    : constraints_(constraints), mesh_face_(std::move(mesh_face)), mesh_(mesh),
       groups_(mesh.number_of_faces()), sets_(mesh.number_of_faces())
   {
     for (Index f = 0; f < mesh.number_of_faces(); ++f) {
@@ -175,7 +174,7 @@ public:
       check_components();
     Constraint_groups result;
     const std::vector<char> is_constrained =
-      constrained_faces(constraints_, number_, mesh_.number_of_faces());
+      constrained_faces(constraints_, mesh_face_, mesh_.number_of_faces());
     result.group.assign(mesh_.number_of_faces(), null_index);
     std::map<Index, Index> number_of_group, first_of_set;
     for (Index f = 0; f < is_constrained.size(); ++f)
@@ -191,10 +190,10 @@ public:
         first_of_set.emplace(sets_.representative(f), result.group[f]).first->second,
         result.group[f]);
     for (const auto& [f, seed] : constraints_.seeds) // a seed is named by its first face
-      result.sets.set_seed(result.group[number_[f]], first_of_seed_.at(seed));
+      result.sets.set_seed(result.group[mesh_face_[f]], first_of_seed_.at(seed));
     result.is_seam.assign(mesh_.number_of_halfedges(), 0);
     for (const auto& pair : constraints_.cannot_link) {
-      const Index f = number_[pair[0]], g = number_[pair[1]];
+      const Index f = mesh_face_[pair[0]], g = mesh_face_[pair[1]];
       result.sets.separate(result.group[f], result.group[g]);
       for (Index i = 0; i < 3; ++i) {
         result.is_seam[3 * f + i] |= mesh_.neighbor(3 * f + i) == g;
@@ -207,7 +206,7 @@ public:
 
 // Joins the groups of each set, within each component of the mesh, by paths of faces. A set that is
 // blocked by others is routed first on the next attempt.
-class Set_connection
+class Group_connection
 {
   typedef std::vector<Index> Faces;
 
@@ -362,7 +361,7 @@ class Set_connection
 
 public:
   // Takes the leaf of each face, which is below `number_of_nodes`.
-  Set_connection(const Surface& mesh, const std::vector<Index>& leaf, std::size_t number_of_nodes,
+  Group_connection(const Surface& mesh, const std::vector<Index>& leaf, std::size_t number_of_nodes,
                  const Constraint_groups& groups)
     : mesh_(mesh), leaf_(leaf), given_(groups), has_seed_(number_of_nodes, 0)
   {

@@ -5,7 +5,7 @@
 #define CGAL_SPECTRAL_SEGMENTATION_INTERNAL_CONSTRAINTS_FURTHER_CUTS_H
 
 #include <CGAL/Spectral_segmentation/internal/constraints/Constraint_groups.h>
-#include <CGAL/Spectral_segmentation/internal/salience/Boundary_statistics.h>
+#include <CGAL/Spectral_segmentation/internal/salience/Patch.h>
 #include <CGAL/Spectral_segmentation/internal/search/Merge_tree.h>
 
 #include <algorithm>

@@ -118,7 +118,7 @@ public:
   void for_each(Index f, const Visit& visit) const
   {
     for (int i = 0; i < (other_.is_subdivision ? 1 : 3); ++i) {
-      const Index element = other_.is_subdivision ? f : other_.vertex[mesh_.corners[f][i]];
+      const Index element = other_.is_subdivision ? f : other_.coarse_vertex[mesh_.corners[f][i]];
       for (const auto& [leaf, fraction] : fractions_[element])
         visit(leaf, fraction);
     }

@@ -343,7 +343,7 @@ public:
       Index last = v;
       while (became_[last] != last)
         last = became_[last] = became_[became_[last]];
-      result.vertex.push_back(new_vertex[last]);
+      result.coarse_vertex.push_back(new_vertex[last]);
     }
     return result;
   }

@@ -137,7 +137,7 @@ class Vertex_clustering
       const bool is_contracted = is_contracted_[cluster_[v]];
       if (!is_contracted || number[cluster_[v]] == null_index)
         number[cluster_[v]] = next++;
-      result_.vertex.push_back(number[cluster_[v]]);
+      result_.coarse_vertex.push_back(number[cluster_[v]]);
     }
     result_.surface.points.resize(next);
   }
@@ -158,8 +158,8 @@ class Vertex_clustering
   {
     const Vector &p = mesh_.points[mesh_.source_vertex(h)],
                  &q = mesh_.points[mesh_.target_vertex(h)];
-    const Index first = result_.vertex[mesh_.source_vertex(h)],
-                second = result_.vertex[mesh_.target_vertex(h)];
+    const Index first = result_.coarse_vertex[mesh_.source_vertex(h)],
+                second = result_.coarse_vertex[mesh_.target_vertex(h)];
     const Vector normal = (q - p).norm() * (q - p).cross(unit_normal);
     around[first].planes.add(normal, p - around[first].center);
     if (second != first)
@@ -178,7 +178,7 @@ class Vertex_clustering
   {
     std::vector<Surroundings> around(result_.surface.points.size());
     for (Index v = 0; v < mesh_.points.size(); ++v) {
-      Surroundings& a = around[result_.vertex[v]];
+      Surroundings& a = around[result_.coarse_vertex[v]];
       a.is_single = a.vertex == null_index;
       a.vertex = v;
     }
@@ -186,7 +186,8 @@ class Vertex_clustering
       a.center = center(mesh_.points[a.vertex]);
     for (Index f = 0; f < mesh_.number_of_faces(); ++f) {
       const Corners& c = mesh_.corners[f];
-      const Corners vertex = {result_.vertex[c[0]], result_.vertex[c[1]], result_.vertex[c[2]]};
+      const Corners vertex = {result_.coarse_vertex[c[0]], result_.coarse_vertex[c[1]],
+                              result_.coarse_vertex[c[2]]};
       const Vector &p = mesh_.points[c[0]], &q = mesh_.points[c[1]], &r = mesh_.points[c[2]];
       const Vector normal = (q - p).cross(r - p);
       const auto add_corner = [&](const Vector& point, Index i, bool is_new) {
@@ -255,8 +256,8 @@ class Vertex_clustering
       graph.opposite.push_back(3 * number[h / 3] + h % 3);
     for (Index f : result_.parent_face) {
       const Corners& c = mesh_.corners[f];
-      graph.corners.push_back({result_.vertex[c[0]], result_.vertex[c[1]],
-                               result_.vertex[c[2]]});
+      graph.corners.push_back({result_.coarse_vertex[c[0]], result_.coarse_vertex[c[1]],
+                               result_.coarse_vertex[c[2]]});
       if (mesh_.components.number > 1)
         graph.components.labels.push_back(mesh_.components[f]);
     }
@@ -290,7 +291,7 @@ inline void order_by_points(Level& coarse)
   const std::vector<Index> order = geometric_order(coarse.surface);
   const std::vector<Index> number = reorder_faces(coarse.surface, order);
   coarse.parent_face = composed(order, coarse.parent_face);
-  for (Index& v : coarse.vertex)
+  for (Index& v : coarse.coarse_vertex)
     if (v != null_index)
       v = number[v];
 }

@@ -50,7 +50,7 @@ struct Levels
     std::vector<Index> result = first_indices(levels[level].surface.points.size());
     while (++level < levels.size())
       for (Index& v : result)
-        v = v == null_index ? v : levels[level].vertex[v];
+        v = v == null_index ? v : levels[level].coarse_vertex[v];
     return result;
   }
 };

@@ -57,7 +57,7 @@ inline Set_features features_of_components(Levels& l, const Face_map& map, const
 }
 
 // Cuts the parts of a model one after the other, and merges its components unless they are kept.
-inline Merge_tree cut_parts(Levels& l, Model& m, const Face_map& map, const Run_data& d)
+inline Merge_tree cut_parts(Levels& l, Assembled_model& m, const Face_map& map, const Run_data& d)
 {
   double time = 1;
   for (const Part_of_model& part : m.parts)
@@ -83,7 +83,7 @@ inline Merge_tree cut_parts(Levels& l, Model& m, const Face_map& map, const Run_
 
 // Adds the walls to a tree. Their faces get the leaves of the nearest faces of their outer walls,
 // provided that the faces of a wall in each set stay connected.
-inline Merge_tree add_walls(Merge_tree tree, const Model& m, const Face_map& map)
+inline Merge_tree add_walls(Merge_tree tree, const Assembled_model& m, const Face_map& map)
 {
   if (m.outer_face.empty())
     return tree;

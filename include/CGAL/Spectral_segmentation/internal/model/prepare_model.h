@@ -26,7 +26,7 @@ struct Part_of_model
 };
 
 // A mesh of several components, besides its faces.
-struct Model
+struct Assembled_model
 {
   std::vector<Part_of_model> parts; // not empty if components are searched by themselves
   Component_fractions fractions;    // of the mesh, if it has several components
@@ -57,7 +57,7 @@ inline std::vector<Index> remove_duplicates(Level& mesh)
 
 // Removes the components that are walls of others, unless they are constrained, or the rest has
 // fewer faces than segments are asked for.
-inline void remove_walls(Model& m, Level& level, const std::vector<double>& volumes,
+inline void remove_walls(Assembled_model& m, Level& level, const std::vector<double>& volumes,
                          const std::vector<Index>& original, std::vector<Vector>& given_points,
                          const Run_data& d)
 {
@@ -133,7 +133,7 @@ inline Component_fractions renumbered(const Component_fractions& fractions,
 // Prepares a mesh of several components: removes duplicate faces, joins faces at borders that meet
 // and removes walls if components are merged, orients the components, and divides them into parts.
 // Sets the map of the caller's faces.
-inline Model prepare_model(Level& level, Face_map& map, const Run_data& d)
+inline Assembled_model prepare_model(Level& level, Face_map& map, const Run_data& d)
 {
   Surface& mesh = level.surface;
   const std::size_t number_of_faces = mesh.number_of_faces();
@@ -152,7 +152,7 @@ inline Model prepare_model(Level& level, Face_map& map, const Run_data& d)
     weld_borders(mesh);
   const std::vector<double> volumes = orient_outward(mesh);
   mesh.groups.clear(); // they are components now
-  Model m;
+  Assembled_model m;
   if (is_merged)
     remove_walls(m, level, volumes, original, given_points, d);
   std::vector<Index> component(number_of_faces); // of the caller's faces, before they are ordered

@@ -5,7 +5,7 @@
 #define CGAL_SPECTRAL_SEGMENTATION_INTERNAL_SALIENCE_CUT_EVALUATOR_H
 
 #include <CGAL/Spectral_segmentation/internal/base/Face_features.h>
-#include <CGAL/Spectral_segmentation/internal/salience/Boundary_statistics.h>
+#include <CGAL/Spectral_segmentation/internal/salience/Patch.h>
 #include <CGAL/Spectral_segmentation/internal/salience/Support_points.h>
 #include <CGAL/Spectral_segmentation/internal/weights/shortest_paths.h>
 
@@ -165,15 +165,15 @@ public:
 // The data of the entire mesh that the factors of a cut need.
 struct Evaluation_context
 {
-  double area;
+  double area_of_model;
   Support_points support_points;
   Face_features features;
   double feature_weight;
 
   explicit Evaluation_context(const Surface& mesh, Face_features face_features = Face_features(),
                               double weight = 0)
-    : area(total_area(mesh)), support_points(mesh), features(std::move(face_features)),
-      feature_weight(weight) {}
+    : area_of_model(total_area(mesh)), support_points(mesh),
+      features(std::move(face_features)), feature_weight(weight) {}
 };
 
 // Computes all factors of cuts of a part, including the factors beyond the paper (Section 6 and
@@ -184,7 +184,7 @@ class Cut_evaluator
   const Surface& part_;
   const std::vector<Index>& faces_; // the faces of the part, by their indices in the mesh
   const Evaluation_context& mesh_;
-  Boundary_statistics empty_;
+  Patch empty_;
   Convexity_defect convexity_defect_;
   double defect_of_part_;
 
@@ -192,7 +192,7 @@ class Cut_evaluator
   double set_cut_factors(const std::vector<Index>& faces_of_q, const std::vector<Index>& cut,
                          Salience_factors& factors) const
   {
-    Boundary_statistics q = empty_;
+    Patch q = empty_;
     for (Index f : faces_of_q)
       q.add(f);
     factors = q.factors();
@@ -221,7 +221,7 @@ class Cut_evaluator
                                  4 * Symmetric_matrix::square(middle)); // Simpson's rule is exact
     }
     const Symmetric_matrix covariance = squares - Symmetric_matrix::square(sum);
-    const double first = Eigen_solver(covariance).largest_eigenvalue();
+    const double first = Eigen_decomposition(covariance).largest_eigenvalue();
     const double product = product_of_largest_eigenvalues(covariance);
     return first > 0 ? (std::min)(std::sqrt(product) / first, 1.) : 0;
   }
@@ -291,7 +291,7 @@ class Cut_evaluator
       sides.add(faces_[f], part_.areas[f], side[f]);
     for (; first != end_of_near; ++first)
       near_cut.add(faces_[first->face], part_.areas[first->face], side[first->face]);
-    set_feature_factors(sides, near_cut, mesh_.area, factors);
+    set_feature_factors(sides, near_cut, mesh_.area_of_model, factors);
     factors.feature_weight = mesh_.feature_weight;
   }
 
@@ -322,7 +322,7 @@ class Cut_evaluator
   void set_convexity_factors(const std::vector<Index> (&faces)[2], const double (&area)[2],
                              Salience_factors& factors) const
   {
-    const double unit = std::sqrt(mesh_.area), whole = defect_of_part_ / unit;
+    const double unit = std::sqrt(mesh_.area_of_model), whole = defect_of_part_ / unit;
     const double sides =
       (area[0] * convexity_defect_(faces[0]) + area[1] * convexity_defect_(faces[1])) /
       ((area[0] + area[1]) * unit);
@@ -364,7 +364,7 @@ public:
     }
     set_neighborhood_factors(side, cut, area[0], length, factors, near_cut);
     set_convexity_factors(faces, area, factors);
-    factors.log_relative_part_area = std::log((area[0] + area[1]) / mesh_.area);
+    factors.log_relative_part_area = std::log((area[0] + area[1]) / mesh_.area_of_model);
     return factors;
   }
 };

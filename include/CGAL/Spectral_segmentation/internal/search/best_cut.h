@@ -214,7 +214,7 @@ public:
                  Face_features features = Face_features(), double fraction_of_model = 1)
     : Best_cut(mesh, options, fraction_of_model), constants_(constants),
       context_(mesh, std::move(features), options.feature_weight)
-  { context_.area /= fraction_of_model; }
+  { context_.area_of_model /= fraction_of_model; }
 
   const Evaluation_context& context() const { return context_; }
 };

@@ -20,7 +20,7 @@ namespace CGAL::Spectral_segmentation::internal {
 // Proposes the few cuts of a part whose factors are all computed.
 
 // A patch with the capacity of its cut.
-class Patch_with_capacity : public Boundary_statistics
+class Patch_with_capacity : public Patch
 {
   const std::vector<double>& capacities_;
   double capacity_of_cut_ = 0;
@@ -28,11 +28,11 @@ class Patch_with_capacity : public Boundary_statistics
 public:
   // Makes an empty patch; `capacities` holds one per halfedge.
   Patch_with_capacity(const Surface& part, const std::vector<double>& capacities)
-    : Boundary_statistics(part), capacities_(capacities) {}
+    : Patch(part), capacities_(capacities) {}
 
   void add(Index f)
   {
-    Boundary_statistics::add(f, [&](Index h, int sign)
+    Patch::add(f, [&](Index h, int sign)
       { capacity_of_cut_ += sign * capacities_[h]; });
   }
 

@@ -4,7 +4,7 @@
 #ifndef CGAL_SPECTRAL_SEGMENTATION_INTERNAL_SEARCH_LINE_SEARCH_H
 #define CGAL_SPECTRAL_SEGMENTATION_INTERNAL_SEARCH_LINE_SEARCH_H
 
-#include <CGAL/Spectral_segmentation/internal/salience/Boundary_statistics.h>
+#include <CGAL/Spectral_segmentation/internal/salience/Patch.h>
 #include <CGAL/Spectral_segmentation/internal/surface/connected_components.h>
 
 #include <algorithm>
@@ -134,13 +134,13 @@ struct Swept_cut
 // are compared as quantized, so that rounding does not choose between cuts that mirror each other.
 template <class PartSalience>
 Swept_cut sweep(const std::vector<Index>& faces, const std::vector<Index>& sizes,
-                double minimum_area, const Boundary_statistics& empty,
+                double minimum_area, const Patch& empty,
                 const PartSalience& part_salience, bool takes_last)
 {
   Swept_cut best;
   double best_key = best.salience;
   for_each_cut(
-    faces, sizes, minimum_area, empty, [&](const Boundary_statistics& patch, Index size) {
+    faces, sizes, minimum_area, empty, [&](const Patch& patch, Index size) {
       const Salience_factors factors = patch.factors();
       const double salience = salience_of(part_salience, factors);
       const double key = quantized(salience);
@@ -164,7 +164,7 @@ std::optional<Cut> line_search(Execution execution, const Surface& part,
   const Index n = static_cast<Index>(part.number_of_faces());
   Growth growth;
   std::vector<Index> sizes[2]; // sizes of Q, and of the rest
-  std::optional<Boundary_statistics> empty;
+  std::optional<Patch> empty;
   call_all(execution, [&] { empty.emplace(part); }, [&] {
     growth = grow_along(part, order);
     for (Index size : sizes_of_cuts(part, growth))

@@ -4,7 +4,7 @@
 #ifndef CGAL_SPECTRAL_SEGMENTATION_INTERNAL_SEARCH_MINIMUM_CUT_H
 #define CGAL_SPECTRAL_SEGMENTATION_INTERNAL_SEARCH_MINIMUM_CUT_H
 
-#include <CGAL/Spectral_segmentation/internal/salience/Boundary_statistics.h>
+#include <CGAL/Spectral_segmentation/internal/salience/Patch.h>
 
 #include <boost/graph/boykov_kolmogorov_max_flow.hpp>
 #include <boost/graph/graph_traits.hpp>

@@ -88,18 +88,16 @@ class Longest_edge_bisection
     Index halfedge = null_index; // its halfedge in the result, once a face has it
 
     bool operator<(const Edge& other) const
-    {
-      return std::tie(length, ends) < std::tie(other.length, other.ends);
-    }
+    { return std::tie(length, ends) < std::tie(other.length, other.ends); }
   };
 
-  struct Side
+  struct Directed_edge
   {
     Index edge;
     bool is_reversed;
   };
 
-  typedef std::array<Side, 3> Sides_of_face; // the sides in cyclic order
+  typedef std::array<Directed_edge, 3> Edges_of_face; // in cyclic order
 
   const Surface& mesh_;
   const double bound_;
@@ -116,7 +114,7 @@ class Longest_edge_bisection
     return static_cast<Index>(edges_.size() - 1);
   }
 
-  Index source(const Side& side) const
+  Index source(const Directed_edge& side) const
   { return side.is_reversed ? edges_[side.edge].target : edges_[side.edge].source; }
 
   // Splits an edge unless it is split already. Returns the vertex between the two halves.
@@ -134,12 +132,12 @@ class Longest_edge_bisection
   }
 
   // Returns the half of a side at its source, or at its target.
-  Side half(const Side& side, bool is_at_target) const
+  Directed_edge half(const Directed_edge& side, bool is_at_target) const
   {
     return {edges_[side.edge].halves + Index(is_at_target != side.is_reversed), side.is_reversed};
   }
 
-  void add_face(const Sides_of_face& sides, Index face_of_mesh)
+  void add_face(const Edges_of_face& sides, Index face_of_mesh)
   {
     Surface& graph = result_.surface;
     const Index f = static_cast<Index>(graph.corners.size());
@@ -160,11 +158,11 @@ class Longest_edge_bisection
     }
   }
 
-  void add_parts(const Sides_of_face& sides_of_face, Index face_of_mesh)
+  void add_parts(const Edges_of_face& sides_of_face, Index face_of_mesh)
   {
-    std::vector<Sides_of_face> left = {sides_of_face};
+    std::vector<Edges_of_face> left = {sides_of_face};
     while (!left.empty()) {
-      const Sides_of_face sides = left.back();
+      const Edges_of_face sides = left.back();
       left.pop_back();
       int i = 0;
       for (int k : {1, 2})
@@ -174,10 +172,11 @@ class Longest_edge_bisection
         add_face(sides, face_of_mesh);
         continue;
       }
-      const Side &longest = sides[i], &next = sides[(i + 1) % 3], &previous = sides[(i + 2) % 3];
+      const Directed_edge &longest = sides[i], &next = sides[(i + 1) % 3],
+                          &previous = sides[(i + 2) % 3];
       const Index between = add_edge(bisect(longest.edge), source(previous));
-      left.push_back({half(longest, false), Side{between, false}, previous});
-      left.push_back({half(longest, true), next, Side{between, true}});
+      left.push_back({half(longest, false), Directed_edge{between, false}, previous});
+      left.push_back({half(longest, true), next, Directed_edge{between, true}});
     }
   }
 
@@ -189,7 +188,7 @@ public:
   // Returns the bisected surface, whose first vertices are those of the mesh.
   Level operator()(Execution execution)
   {
-    std::vector<Side> sides; // one per halfedge
+    std::vector<Directed_edge> sides; // one per halfedge
     for (Index h = 0; h < mesh_.number_of_halfedges(); ++h)
       if (h <= mesh_.opposite[h])
         sides.push_back({add_edge(mesh_.source_vertex(h), mesh_.target_vertex(h)), false});
@@ -199,7 +198,7 @@ public:
       add_parts({sides[3 * f], sides[3 * f + 1], sides[3 * f + 2]}, f);
     result_.surface.components.number = mesh_.components.number;
     set_areas(execution, result_.surface);
-    result_.vertex = first_indices(mesh_.points.size());
+    result_.coarse_vertex = first_indices(mesh_.points.size());
     result_.is_subdivision = true;
     return std::move(result_);
   }

@@ -67,7 +67,7 @@ struct Moments
   // Returns the standard deviations of the points along the principal axes, in ascending order.
   std::array<double, 3> deviations() const
   {
-    const Eigen_solver variances(second / area - Symmetric_matrix::square(centroid()));
+    const Eigen_decomposition variances(second / area - Symmetric_matrix::square(centroid()));
     std::array<double, 3> result;
     for (int i = 0; i < 3; ++i)
       result[static_cast<std::size_t>(i)] = std::sqrt((std::max)(variances.eigenvalue(i), 0.));
@@ -111,7 +111,7 @@ class Principal_frame
 
   void set_axes(const Symmetric_matrix& covariance)
   {
-    const Eigen_solver solver(covariance);
+    const Eigen_decomposition solver(covariance);
     if (solver.eigenvalue(0) < nearly_equal * solver.eigenvalue(1) &&
         solver.eigenvalue(1) < nearly_equal * solver.eigenvalue(2)) {
       solver.set_eigenvectors(axes_[0], axes_[1]);

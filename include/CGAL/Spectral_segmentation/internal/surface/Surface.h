@@ -119,9 +119,9 @@ struct Surface
 struct Level
 {
   Surface surface;
-  std::vector<Index> parent_face; // of the level before, for each face; of the first, the caller's
-  std::vector<Index> vertex;      // for each vertex of the level before, or null_index
-  bool is_subdivision = false;    // each face of the level before is the union of faces
+  std::vector<Index> parent_face;   // of the level before, for each face; first: the caller's
+  std::vector<Index> coarse_vertex; // for each vertex of the level before, or null_index
+  bool is_subdivision = false;      // each face of the level before is the union of faces
 };
 
 // Returns values[i] for each index i.

@@ -6,7 +6,7 @@
 #include "test_meshes.h"
 
 #include <CGAL/Spectral_segmentation/Part_salience.h>
-#include <CGAL/Spectral_segmentation/internal/salience/Boundary_statistics.h>
+#include <CGAL/Spectral_segmentation/internal/salience/Patch.h>
 #include <CGAL/Spectral_segmentation/internal/surface/Surface.h>
 
 #include <algorithm>
@@ -15,14 +15,14 @@
 #include <numeric>
 #include <vector>
 
-BOOST_AUTO_TEST_SUITE(boundary_statistics)
+BOOST_AUTO_TEST_SUITE(patch)
 
 namespace tt = boost::test_tools;
 using namespace test_meshes;
 using CGAL::Spectral_segmentation::Calibrated_part_salience;
 using CGAL::Spectral_segmentation::Salience_factors;
 using CGAL::Spectral_segmentation::Weighted_part_salience;
-using CGAL::Spectral_segmentation::internal::Boundary_statistics;
+using CGAL::Spectral_segmentation::internal::Patch;
 using CGAL::Spectral_segmentation::internal::Edge_weights;
 
 namespace {
@@ -31,7 +31,7 @@ typedef std::vector<Index> Faces;
 
 Salience_factors factors_of(const Surface& graph, const Faces& faces)
 {
-  Boundary_statistics q(graph);
+  Patch q(graph);
   for (Index f : faces)
     q.add(f);
   return q.factors();
@@ -201,7 +201,7 @@ BOOST_AUTO_TEST_CASE(a_side_knows_its_areas)
 {
   const Surface graph = graph_with_distances(cube_on_a_plate());
   const double unit_area = 13 / std::accumulate(graph.areas.begin(), graph.areas.end(), 0.);
-  Boundary_statistics q(graph);
+  Patch q(graph);
   for (Index f : cube)
     q.add(f);
   BOOST_TEST(q.area() * unit_area == 5, tt::tolerance(1e-12));

@@ -1,8 +1,8 @@
 // Copyright (c) 2026  The Spectral_segmentation authors.
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#ifndef CGAL_SPECTRAL_SEGMENTATION_INTERNAL_SALIENCE_BOUNDARY_STATISTICS_H
-#define CGAL_SPECTRAL_SEGMENTATION_INTERNAL_SALIENCE_BOUNDARY_STATISTICS_H
+#ifndef CGAL_SPECTRAL_SEGMENTATION_INTERNAL_SALIENCE_PATCH_H
+#define CGAL_SPECTRAL_SEGMENTATION_INTERNAL_SALIENCE_PATCH_H
 
 #include <CGAL/Spectral_segmentation/Salience_factors.h>
 #include <CGAL/Spectral_segmentation/internal/surface/Surface.h>
@@ -50,7 +50,7 @@ double salience_of(const PartSalience& part_salience, const Salience_factors& fa
 // The patch Q of the line search (Section 5.3), to which faces are added one by one, and the
 // factors of the salience of the cut between Q and the rest (Section 6). Adding a face and
 // computing the factors take constant time.
-class Boundary_statistics
+class Patch
 {
   const Surface& part_;
   double area_of_part_;
@@ -89,7 +89,7 @@ class Boundary_statistics
   }
 
 public:
-  explicit Boundary_statistics(const Surface& part)
+  explicit Patch(const Surface& part)
     : part_(part), area_of_part_(total_area(part)), origin_(part.centroid(0)),
       has_face_(part.number_of_faces(), 0), valence_(part.points.size(), 0)
   {
@@ -164,4 +164,4 @@ public:
 
 } // namespace CGAL::Spectral_segmentation::internal
 
-#endif // CGAL_SPECTRAL_SEGMENTATION_INTERNAL_SALIENCE_BOUNDARY_STATISTICS_H
+#endif // CGAL_SPECTRAL_SEGMENTATION_INTERNAL_SALIENCE_PATCH_H
