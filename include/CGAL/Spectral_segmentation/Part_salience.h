@@ -25,9 +25,7 @@ struct Weighted_part_salience
 
   /// the weighted sum; in [0, 1] unless the protrusiveness is negative
   double operator()(const Salience_factors& f) const
-  {
-    return alpha * f.size + beta * f.cut_strength + gamma * f.protrusiveness;
-  }
+  { return alpha * f.size + beta * f.cut_strength + gamma * f.protrusiveness; }
 };
 
 /// \ingroup PkgSpectralSegmentationRef

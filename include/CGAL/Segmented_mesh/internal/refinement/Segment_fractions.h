@@ -291,9 +291,7 @@ public:
 
   // Returns whether three curves meet in the face.
   bool is_junction(Index f) const
-  {
-    return !is_frozen_[f] && is_between(3 * f) && is_between(3 * f + 1) && is_between(3 * f + 2);
-  }
+  { return !is_frozen_[f] && is_between(3 * f) && is_between(3 * f + 1) && is_between(3 * f + 2); }
 
   // Returns the edge of the point that the new faces have in common, which is the nearest to its
   // opposite corner, or `Refinement::centroid`. For a face that is not split it is any edge.

@@ -59,9 +59,7 @@ struct Levels
 // a simple shape. On 190 meshes that were decimated to 300 faces, 1,300 faces agree with human
 // segmentations as well as 4,000, and take a third of the time.
 inline double search_resolution(const Options& o, std::size_t number_of_faces)
-{
-  return static_cast<double>((std::min)(o.number_of_coarse_faces, number_of_faces + 1000));
-}
+{ return static_cast<double>((std::min)(o.number_of_coarse_faces, number_of_faces + 1000)); }
 
 // Returns the number of faces to which the surface of a mesh is coarsened: the resolution, and in
 // proportion if more regions are needed than by default. In the paper's recursion it must not

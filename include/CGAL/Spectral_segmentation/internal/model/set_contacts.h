@@ -49,9 +49,7 @@ public:
   { return axis == 2 ? node >> shift_[2] : node >> shift_[axis] & (size_[axis] - 1); }
 
   Vector point(Index node) const
-  {
-    return origin_ + Vector(coordinate(node, 0), coordinate(node, 1), coordinate(node, 2));
-  }
+  { return origin_ + Vector(coordinate(node, 0), coordinate(node, 1), coordinate(node, 2)); }
 
   // Returns the cell of a point, which is inside the grid.
   Index cell(const Vector& p) const
