@@ -208,8 +208,8 @@ at most 4000 faces by default. The memory is O(*n*). The section
   \cgalParamNBegin{face_feature_map}
     \cgalParamDescription{<em>Experimental.</em> Per-face features: a vector, such as a color, a
       stress or the output of a neural network, or a label, such as a guess of the part. Cuts where
-      the features change are preferred to others. Uninformative features, such as noise, have
-      hardly any effect at the default weight.}
+      the features change are preferred to others. Noise has hardly any effect on average
+      at the default weight, but may change a mesh whose cuts are near the threshold.}
     \cgalParamType{a model of `ReadablePropertyMap` from `face_descriptor` to an integer type for
       labels, a floating point type, or a range of numbers, of the same length for all faces}
     \cgalParamDefault{none: only the shape is used}
