@@ -93,9 +93,9 @@ inline std::vector<Index> sizes_of_cuts(const Surface& part, const Growth& growt
 
 // Adds faces to the empty patch Q. Calls `visit(q, size of q)` at each of the sizes, which ascend,
 // where both sides have an area, and not below `minimum_area`. Ends once `visit` returns false.
-template <class Patch, class Visit>
+template <class AnyPatch, class Visit>
 void for_each_cut(const std::vector<Index>& faces, const std::vector<Index>& sizes,
-                  double minimum_area, Patch q, const Visit& visit)
+                  double minimum_area, AnyPatch q, const Visit& visit)
 {
   // Rounding may leave this area for a rest that has none.
   const double rounding = 1e-12 * q.area_of_part();
