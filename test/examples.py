@@ -10,16 +10,15 @@ import os
 import pathlib
 import random
 import re
-import struct
 import subprocess
 import sys
 import tempfile
 import unittest
 from xml.etree import ElementTree
 
-sys.path.insert(0, str(pathlib.Path(__file__).resolve().parents[1] / "bindings/command_line/test"))
-from segment_mesh import (cross, directed_edges, dot, dumbbell, is_closed, minus, read_off,
-                          read_ply_rows, tube, volume, write_off)
+sys.path.insert(0, str(pathlib.Path(__file__).resolve().parent / "helpers"))
+from mesh_files import read_off, read_ply_rows, read_stl, write_off
+from meshes import cross, directed_edges, dot, dumbbell, is_closed, minus, tube, volume
 
 EXAMPLE = None
 MESHES = None
@@ -33,14 +32,6 @@ def read_ply(path):
     assert all(len(face) == 3 for face in faces)
     return ([tuple(row.values())[:3] for row in rows["vertex"]], faces,
             {name: [row[name] for row in rows["face"]] for name in rows["face"][0]})
-
-
-def read_stl(path):
-    """Points and faces of a binary STL; equal points are one."""
-    numbers, faces = {}, []
-    for row in struct.iter_unpack("<12fH", path.read_bytes()[84:]):
-        faces.append([numbers.setdefault(row[i:i + 3], len(numbers)) for i in (3, 6, 9)])
-    return list(numbers), faces
 
 
 def connected_sets(faces):

@@ -17,8 +17,9 @@ import sys
 import tempfile
 import unittest
 
-sys.path.insert(0, str(pathlib.Path(__file__).resolve().parents[1] / "bindings/command_line/test"))
-from segment_mesh import dumbbell, write_off
+sys.path.insert(0, str(pathlib.Path(__file__).resolve().parent / "helpers"))
+from mesh_files import write_off
+from meshes import dumbbell
 
 SOURCE = None
 HAS_TBB = None

@@ -15,7 +15,9 @@ import sys
 import tempfile
 import unittest
 
-from segment_mesh import area, dumbbell, read_off, read_ply, tube, write_off
+sys.path.insert(0, str(pathlib.Path(__file__).resolve().parents[3] / "test/helpers"))
+from mesh_files import read_off, read_ply, write_off
+from meshes import area, dumbbell, tube
 
 TOOL = None
 MESHES = None

@@ -9,7 +9,6 @@ import contextlib
 import itertools
 import json
 import math
-import operator
 import os
 import pathlib
 import random
@@ -20,200 +19,17 @@ import sys
 import tempfile
 import time
 import unittest
-import xml.etree.ElementTree
-import zipfile
 import zlib
+
+sys.path.insert(0, str(pathlib.Path(__file__).resolve().parents[3] / "test/helpers"))
+from mesh_files import (read_3mf, read_glb, read_obj, read_obj_rows, read_off, read_ply,
+                        read_ply_rows, write_ascii_stl, write_binary_stl, write_off)
+from meshes import area, cross, dot, dumbbell, is_closed, minus, volume
 
 TOOL = None
 MESHES = None
 
-Ply = collections.namedtuple("Ply", "points faces segments colors")
-
-
-def read_off(path):
-    lines = [line.split("#")[0] for line in path.read_text().splitlines()]
-    words = iter(" ".join(lines).split())
-    assert next(words) == "OFF"
-    counts = [int(next(words)) for _ in range(3)]
-    points = [tuple(float(next(words)) for _ in range(3)) for _ in range(counts[0])]
-    faces = [tuple(int(next(words)) for _ in range(int(next(words)))) for _ in range(counts[1])]
-    return points, faces
-
-
-def write_off(path, points, faces):
-    lines = ["OFF", "%d %d 0" % (len(points), len(faces))]
-    lines += ["%r %r %r" % tuple(p) for p in points]
-    lines += [" ".join(map(str, (len(f), *f))) for f in faces]
-    path.write_text("\n".join(lines) + "\n")
-
-
-def read_ply_rows(path):
-    """Returns the elements of a binary PLY of the tool, by name; each is a list of dictionaries."""
-    header, body = path.read_bytes().split(b"end_header\n", 1)
-    codes = {"char": "b", "uchar": "B", "short": "h", "ushort": "H", "int": "i", "uint": "I",
-             "float": "f", "double": "d"}
-    elements = []
-    for words in (line.split() for line in header.decode().splitlines()):
-        if words[0] == "element":
-            elements.append((words[1], int(words[2]), []))
-        elif words[0] == "property":
-            elements[-1][2].append(words)
-    position = 0
-    rows = {}
-    for name, count, properties in elements:
-        rows[name] = []
-        for _ in range(count):
-            row = {}
-            for words in properties:
-                size = 1
-                if words[1] == "list":
-                    (size,) = struct.unpack_from("<" + codes[words[2]], body, position)
-                    position += struct.calcsize(codes[words[2]])
-                numbers = struct.Struct("<%d%s" % (size, codes[words[-2]]))
-                values = numbers.unpack_from(body, position)
-                position += numbers.size
-                row[words[-1]] = values if words[1] == "list" else values[0]
-            rows[name].append(row)
-    assert position == len(body)
-    return rows
-
-
-def read_ply(path):
-    """Returns a binary PLY as the tool writes it; segments and colors are empty if it has none."""
-    rows = read_ply_rows(path)
-    color = operator.itemgetter("red", "green", "blue")
-    faces = rows["face"]
-    for vertex in rows["vertex"]:
-        color(vertex)
-    return Ply([(v["x"], v["y"], v["z"]) for v in rows["vertex"]],
-               [f["vertex_indices"] for f in faces],
-               [f["segment"] for f in faces if "segment" in f],
-               [color(f) for f in faces if "red" in f])
-
-
-def read_obj(path):
-    lines = [line.split() for line in path.read_text().splitlines()]
-    return ([tuple(map(float, words[1:])) for words in lines if words[0] == "v"],
-            [tuple(int(word) - 1 for word in words[1:]) for words in lines if words[0] == "f"])
-
-
-def read_glb_nodes(path):
-    """Returns the nodes of a binary glTF."""
-    content = path.read_bytes()
-    (size,) = struct.unpack_from("<I", content, 12)
-    return json.loads(content[20:20 + size])["nodes"]
-
-
-Object_3mf = collections.namedtuple("Object_3mf", "name type color points triangles components")
-
-
-def read_3mf(path):
-    """Returns the objects of a 3MF by their ids, and the ids of those that are built."""
-    core = "{http://schemas.microsoft.com/3dmanufacturing/core/2015/02}"
-    with zipfile.ZipFile(path) as file:
-        assert file.testzip() is None
-        # The sizes of ZIP64 are in further fields, which Assimp 5 does not read.
-        assert not any(info.extra for info in file.infolist())
-        model = xml.etree.ElementTree.fromstring(file.read("3D/3dmodel.model"))
-    assert model.get("unit") == "millimeter"
-    materials = {group.get("id"): [(base.get("name"), base.get("displaycolor")) for base in group]
-                 for group in model.iter(core + "basematerials")}
-    objects = {}
-    for element in model.iter(core + "object"):
-        name, color = element.get("name"), None
-        if element.get("pid"):
-            material, color = materials[element.get("pid")][int(element.get("pindex"))]
-            assert material == name and color.endswith("FF")
-            color = tuple(bytes.fromhex(color[1:7]))
-        components = [c.get("objectid") for c in element.iter(core + "component")]
-        assert all(c in objects for c in components) # they come before
-        objects[element.get("id")] = Object_3mf(
-            name, element.get("type"), color,
-            [tuple(float(v.get(axis)) for axis in "xyz") for v in element.iter(core + "vertex")],
-            [tuple(int(t.get(v)) for v in ("v1", "v2", "v3"))
-             for t in element.iter(core + "triangle")], components)
-    return objects, [item.get("objectid") for item in model.iter(core + "item")]
-
-
-def cross(a, b):
-    return (a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0])
-
-
-def dot(a, b):
-    return sum(x * y for x, y in zip(a, b))
-
-
-def minus(a, b):
-    return tuple(x - y for x, y in zip(a, b))
-
-
-def volume(points, faces):
-    return sum(dot(points[a], cross(points[b], points[c])) for a, b, c in faces) / 6
-
-
-def directed_edges(faces):
-    return [(face[i - 1], face[i]) for face in faces for i in range(3)]
-
-
-def is_closed(faces):
-    """Returns whether each edge has a face on both sides."""
-    edges = set(directed_edges(faces))
-    return len(edges) == 3 * len(faces) and edges == {(b, a) for a, b in edges}
-
-
-def area(points, face):
-    p, q, r = (points[v] for v in face)
-    return math.hypot(*cross(minus(q, p), minus(r, p))) / 2
-
-
-def tube(radii, around=16):
-    """Returns a closed surface around the z axis: rings of these radii, a point at both ends."""
-    points = [(0., 0., -0.5)]
-    for z, radius in enumerate(radii):
-        for i in range(around):
-            angle = 2 * math.pi * (i + 0.5 * z) / around
-            points.append((radius * math.cos(angle), radius * math.sin(angle), float(z)))
-    points.append((0., 0., len(radii) - 0.5))
-    faces = []
-    for i in range(around):
-        faces.append((0, 1 + (i + 1) % around, 1 + i))
-    for z in range(len(radii) - 1):
-        for i in range(around):
-            a, b = 1 + z * around + i, 1 + z * around + (i + 1) % around
-            c, d = a + around, b + around
-            faces += [(a, b, c), (b, d, c)]
-    last = 1 + (len(radii) - 1) * around
-    for i in range(around):
-        faces.append((last + i, last + (i + 1) % around, len(points) - 1))
-    return points, faces
-
-
 STATUSES = ["ok", "bug", "usage", "input", "mesh", "memory", "time", "output", "some failed"]
-
-
-def dumbbell():
-    """Returns two balls with a neck between them: the faces of one ball, then of the other one."""
-    ball = [math.sin(math.pi * (i + 0.5) / 9) * 5 for i in range(9)]
-    return tube(ball[:8] + [1.] + ball[1:])
-
-
-def write_ascii_stl(path, points, faces):
-    lines = ["solid mesh"]
-    for face in faces:
-        lines.append("facet normal 0 0 0\nouter loop")
-        lines += ["vertex %r %r %r" % points[v] for v in face]
-        lines.append("endloop\nendfacet")
-    path.write_text("\n".join(lines) + "\nendsolid mesh\n")
-
-
-def write_binary_stl(path, points, faces):
-    with open(path, "wb") as out:
-        out.write(bytes(80) + struct.pack("<I", len(faces)))
-        for face in faces:
-            out.write(struct.pack("<3f", 0, 0, 0))
-            for v in face:
-                out.write(struct.pack("<3f", *points[v]))
-            out.write(struct.pack("<H", 0))
 
 
 class Tool_test(unittest.TestCase):
@@ -241,6 +57,9 @@ class Tool_test(unittest.TestCase):
 
     def ply(self):
         return read_ply(self.directory / "out.ply")
+
+    def nodes_of_glb(self):
+        return read_glb((self.directory / "out.glb").read_bytes())[0]["nodes"]
 
     def report(self):
         return json.loads((self.directory / "out.json").read_text())
@@ -479,7 +298,7 @@ class Real_meshes(Tool_test):
                          *(o for o in options if o not in ("--close", "--keep-faces")))
             done = self.run_tool(MESHES / "elephant.off", "-o", "out.glb", *options)
             self.assertEqual((done.returncode, done.stderr), (0, ""))
-            nodes = read_glb_nodes(self.directory / "out.glb")
+            nodes = self.nodes_of_glb()
             names = [n["name"] for n in nodes]
             children = {n["name"]: [names[i] for i in n.get("children", [])] for n in nodes}
             self.assertEqual(names[0], "segments")
@@ -494,7 +313,7 @@ class Real_meshes(Tool_test):
             labels = self.segment(MESHES / mesh, *options)
             done = self.run_tool(MESHES / mesh, "-o", "out.glb", *options)
             self.assertEqual((done.returncode, done.stderr), (0, ""))
-            nodes = read_glb_nodes(self.directory / "out.glb")
+            nodes = self.nodes_of_glb()
             self.assertEqual(len(nodes[0]["children"]), top)
             self.assertEqual(sorted(n["name"] for n in nodes if "mesh" in n),
                              ["segment_%03d" % i for i in range(max(labels) + 1)])
@@ -783,9 +602,7 @@ class Formats(Tool_test):
                 return extent(read_ply(name).points)
             if name.suffix == ".3mf":
                 return extent([p for o in read_3mf(name)[0].values() for p in o.points])
-            content = name.read_bytes()
-            (size,) = struct.unpack_from("<I", content, 12)
-            accessors = json.loads(content[20:20 + size])["accessors"]
+            accessors = read_glb(name.read_bytes())[0]["accessors"]
             return extent([a[end] for a in accessors if "min" in a for end in ("min", "max")])
 
         def check(factor, *arguments):
@@ -976,14 +793,11 @@ class Formats(Tool_test):
         (self.directory / "in.obj").write_text("\n".join(obj))
         done = self.run_tool("in.obj", "-o", "out.obj")
         self.assertEqual((done.returncode, done.stderr), (0, ""))
-        lines = [line.split() for line in (self.directory / "out.obj").read_text().splitlines()]
-        v, vt, vn = ([tuple(map(float, line[1:])) for line in lines if line and line[0] == kind]
-                     for kind in ("v", "vt", "vn"))
+        v, vt, vn, faces = read_obj_rows(self.directory / "out.obj").values()
         self.assertGreater(len(v), len(self.points))
         self.assertEqual((len(vt), len(vn)), (len(v), len(v))) # one mean of each at a new point
-        for line in lines:
-            for corner in line[1:] if line and line[0] == "f" else ():
-                i, j, k = (int(number) - 1 for number in corner.split("/"))
+        for face in faces:
+            for i, j, k in face:
                 self.assertAlmostEqual(vt[j][0], v[i][0] + 5 * v[i][2])
                 self.assertAlmostEqual(vt[j][1], v[i][1])
                 self.assertAlmostEqual(math.hypot(*vn[k]), 1)
@@ -1006,11 +820,7 @@ class Formats(Tool_test):
         (self.directory / "in.obj").write_text("\n".join(obj))
         done = self.run_tool("in.obj", "--segments", 2, "-o", "out.obj", "--split-dir", "parts")
         self.assertEqual((done.returncode, done.stderr), (0, ""))
-        lines = [line.split() for line in (self.directory / "out.obj").read_text().splitlines()]
-        v, vt = ([tuple(map(float, line[1:])) for line in lines if line and line[0] == kind]
-                 for kind in ("v", "vt"))
-        faces = [[tuple(int(n) - 1 for n in corner.split("/")) for corner in line[1:]]
-                 for line in lines if line and line[0] == "f"]
+        v, vt, _, faces = read_obj_rows(self.directory / "out.obj").values()
         sizes = collections.Counter(map(len, faces))
         self.assertGreater(sizes[4], len(quads) - 4 * around)
         self.assertGreater(sizes[3], 2 * around)
@@ -1437,8 +1247,8 @@ def rotated(corners):
 
 def read_textured_obj(path):
     """Returns the triangles of an OBJ, sorted; and by materials the statements without textures."""
-    values, triangles, images, statements = {"v": [], "vt": [], "vn": []}, [], {}, {}
-    used, group = None, None
+    rows, triangles, images, statements, used = read_obj_rows(path), [], {}, {}, None
+    faces = iter(rows["f"])
     for line in path.read_text().splitlines():
         kind, _, rest = line.partition(" ")
         if kind == "mtllib":
@@ -1453,22 +1263,16 @@ def read_textured_obj(path):
                     statements[name].append(row)
         elif kind == "usemtl":
             used = rest
-        elif kind in values:
-            values[kind].append(tuple(map(float, rest.split())))
         elif kind == "f":
-            corners = [tuple(int(i) - 1 for i in word.split("/")) for word in rest.split()]
             triangles.append(Textured(rotated([
-                sum((values[kind][i] for kind, i in zip(("v", "vt", "vn"), corner)), ())
-                for corner in corners]), images[used], used))
+                sum((rows[name][i] for name, i in zip(("v", "vt", "vn"), corner)), ())
+                for corner in next(faces)]), images[used], used))
     return sorted(triangles), statements
 
 
 def read_textured_glb(path):
     """The triangles of a GLB, sorted; and its materials by their names. Corners as in OBJ."""
-    content = path.read_bytes()
-    (size,) = struct.unpack_from("<I", content, 12)
-    json_ = json.loads(content[20:20 + size])
-    data = content[28 + size:]
+    json_, data = read_glb(path.read_bytes())
 
     def view(i):
         v = json_["bufferViews"][i]
@@ -1592,9 +1396,9 @@ class Materials(Tool_test):
         self.assertEqual(sorted(sum((triangles for triangles, _ in parts), [])), self.expected)
         for triangles, materials in parts: # without materials of others
             self.assertEqual(materials.keys(), {t.material for t in triangles})
-        names = [node["name"] for node in read_glb_nodes(self.directory / "out.glb")]
+        names = [node["name"] for node in self.nodes_of_glb()]
         self.run_well("in/in.obj", "--keep-faces", "-o", "out.glb") # has the same tree
-        self.assertEqual([n["name"] for n in read_glb_nodes(self.directory / "out.glb")], names)
+        self.assertEqual([node["name"] for node in self.nodes_of_glb()], names)
 
     def textured_gltf(self):
         """Writes the triangles as glTF below a node that is translated: one picture is a file, the
