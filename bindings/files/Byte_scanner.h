@@ -54,7 +54,7 @@ public:
   std::size_t position() const { return position_; }
   std::size_t remaining() const { return bytes_.size() - position_; }
 
-  // At `at`, from the begin of the data.
+  // Throws with the position `at`, counted from the begin of the data.
   [[noreturn]] static void fail(std::size_t at, const std::string& sentence)
   { throw std::runtime_error("byte " + std::to_string(at) + ": " + sentence); }
 

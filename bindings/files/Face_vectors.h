@@ -51,8 +51,8 @@ public:
   }
 };
 
-// Returns vectors of numbers whose differences may be small against the numbers: those less the
-// first finite vector, as a fraction of the largest. Numbers that are not finite stay so.
+// Returns vectors of numbers less the first finite vector, as a fraction of the largest difference:
+// the differences may be small against the numbers. Numbers that are not finite stay so.
 inline Face_vectors face_vectors(std::size_t dimension, std::vector<double> values)
 {
   std::vector<double> first(dimension, 0.);

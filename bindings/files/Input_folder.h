@@ -17,15 +17,14 @@
 
 namespace segment_mesh {
 
-// The folder of an input, which names further files. Who has made it may not be trusted: unless
-// external files are allowed, only those count that are in the folder or below it, also behind
-// links.
+// The folder of an input that names further files. The input may come from a stranger: unless
+// external files are allowed, only files in the folder or below it are read, also behind links.
 class Input_folder
 {
   std::filesystem::path folder_; // empty if there is none
   bool allows_external_files_;
 
-  // Replaces the likes of %20 by what they stand for.
+  // Returns an address with escapes such as %20 replaced by their characters.
   static std::string without_escapes(const std::string& address)
   {
     std::string result;
@@ -51,7 +50,7 @@ public:
     folder_ = std::filesystem::canonical(input, error).parent_path();
   }
 
-  // Takes a path without links.
+  // Returns whether a file may be read. Its path must not have links.
   bool is_readable(const std::filesystem::path& file) const
   {
     std::error_code error;
@@ -62,7 +61,7 @@ public:
   }
 
   // Returns the bytes of a file by its name in the input, which may be of another system or an
-  // address; or null. A path that leads nowhere may still have the name of a file in the folder.
+  // address; or null. If the path leads nowhere, a file of this name in the folder counts.
   std::shared_ptr<const std::string> read(std::string name) const
   {
     std::replace(name.begin(), name.end(), '\\', '/');

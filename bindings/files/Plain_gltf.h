@@ -58,8 +58,8 @@ class Plain_gltf
   static std::size_t number(const Json& object, const char* key, std::size_t otherwise)
   { return object.contains(key) ? number(object, key) : otherwise; }
 
-  // Finds the description and the data of binary glTF. The description may not be filled up to a
-  // multiple of four bytes.
+  // Finds the description and the data, and returns false for binary glTF of another version than
+  // 2. The description may not be filled up to a multiple of four bytes.
   bool split(std::string_view file)
   {
     text_ = file;
@@ -397,7 +397,7 @@ class Plain_gltf
   }
 
 public:
-  // Takes the contents of a file, which must live as long as this, and a function that returns the
+  // Takes the contents of a file, which must outlive this object, and a function that returns the
   // contents of a file that it names.
   Plain_gltf(std::string_view file, Reader read) : read_(std::move(read))
   {
@@ -418,14 +418,14 @@ public:
     }
   }
 
-  // Returns whether the file is of glTF 2; another one stays as it is.
+  // Returns whether the file is of glTF 2. Any other file has no description.
   bool is_version_2() const { return !json_.is_null(); }
 
   std::string description() const { return json_.dump(); }
   std::string_view binary() const { return binary_; }
   const std::string& data() const { return data_; }
 
-  // The addresses of these data in the description
+  // Returns the address of `binary()` in the description.
   static std::string binary_address() { return "*binary"; }
   static std::string data_address() { return "*data"; }
 };

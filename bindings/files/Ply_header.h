@@ -47,7 +47,7 @@ class Ply_header_reader
   Ply_header header_;
   std::set<std::string> element_names_, property_names_; // so far; the latter of the last element
 
-  // On this line.
+  // Reads a word on this line.
   std::string_view word(const char* expected)
   {
     if (text_.is_at_end_of_line())
@@ -127,7 +127,7 @@ class Ply_header_reader
 public:
   explicit Ply_header_reader(Text_scanner& text) : text_(text) {}
 
-  // Leaves the text at the begin of the body.
+  // Reads the header, and leaves the text at the begin of the body.
   Ply_header operator()()
   {
     if (lower_case(text_.peek_word()) != "ply")

@@ -60,7 +60,7 @@ class Point_numbering
   }
 
 public:
-  // New points are appended to `points`, which is empty.
+  // Takes an empty vector, to which new points are appended.
   explicit Point_numbering(std::vector<Point>& points) : points_(points) {}
 
   Index operator()(Point p)

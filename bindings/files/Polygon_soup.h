@@ -46,7 +46,7 @@ public:
 // The number types of PLY. All their values are exact as `double`.
 enum class Number_type { INT8, UINT8, INT16, UINT16, INT32, UINT32, FLOAT32, FLOAT64 };
 
-// Whether a value of that type can be this number.
+// Returns whether a value of that type can be this number.
 inline bool has_type(double value, Number_type type)
 {
   static const struct { double smallest, largest; } ranges[] = {
@@ -78,14 +78,16 @@ struct Polygon_soup
   std::vector<Index> first_corner{0}; // one per polygon, then the number of corners
 
   std::vector<Index> group_of_polygon; // by the objects and groups of a file; empty if it has none
-  // The further properties of a file, if they are asked for
+  // The further properties of a file, if they are requested
   std::vector<Property> point_properties, polygon_properties;
-  // One of the texture coordinates and normals for each corner, or null_index; or nothing
+  // The texture coordinates and normals, and the index of one of them, or null_index, for each
+  // corner; all are empty if there are none
   std::vector<Texture_point> texture_coordinates;
   std::vector<Index> texture_of_corner;
   std::vector<Point> normals;
   std::vector<Index> normal_of_corner;
-  // One of the materials for each polygon, or null_index; or nothing
+  // The materials, and the index of one of them, or null_index, for each polygon; both are empty if
+  // there are none
   std::vector<Material> materials;
   std::vector<Index> material_of_polygon;
   std::vector<Image> images; // of the materials
@@ -127,7 +129,7 @@ inline void remove_infinite_corners(Polygon_soup& soup)
                             "finite; corners left out: " + std::to_string(corners - size));
 }
 
-// Multiplies the coordinates, also those that are not finite.
+// Multiplies all coordinates, including infinite ones.
 inline void scale(Polygon_soup& soup, double factor)
 {
   for (Point& p : soup.points)

@@ -48,11 +48,12 @@ class Polygon_triangulation
 
   double most_steps() const { return 2000. * static_cast<double>(corners_.size()); }
 
-  // Twice the area on the left.
+  // Returns twice the area of a triangle, positive if c is on the left of the line from a to b.
   static double area(const Corner& a, const Corner& b, const Corner& c)
   { return (b.x - a.x) * (c.y - a.y) - (b.y - a.y) * (c.x - a.x); }
 
-  // Relative to the first point, in the unit of the largest difference, so that nothing overflows.
+  // Returns the points relative to the first one, in the unit of the largest difference, so that
+  // nothing overflows.
   std::vector<Point> local_points(const Polygon& polygon) const
   {
     std::vector<Point> result;
@@ -71,7 +72,7 @@ class Polygon_triangulation
     return result;
   }
 
-  // Twice the area vector, by Newell's formula.
+  // Returns twice the area vector of a polygon, by Newell's formula.
   static Point normal(const std::vector<Point>& points)
   {
     Point result{0, 0, 0};
@@ -83,7 +84,7 @@ class Polygon_triangulation
     return result;
   }
 
-  // Projects the polygon, so that its area is positive. False if it has none.
+  // Projects the polygon so that its area is positive. Returns false if it has no area.
   bool set_corners(const Polygon& polygon)
   {
     const std::vector<Point> points = local_points(polygon);
@@ -108,7 +109,7 @@ class Polygon_triangulation
     return area(corners_[c.previous], c, corners_[c.next]);
   }
 
-  // A point inside or on the border of the triangle, but not at a corner of it.
+  // Returns whether p is inside the triangle or on its border, but at none of its corners.
   static bool contains(const Corner& a, const Corner& b, const Corner& c, const Corner& p)
   {
     const auto is_at = [&](const Corner& q) { return p.x == q.x && p.y == q.y; };
@@ -140,7 +141,7 @@ class Polygon_triangulation
     corners_[c.next].previous = c.previous;
   }
 
-  // A corner that has become convex is in the way of no ear.
+  // Removes from the reflex corners those that were clipped or became convex: they lie in no ear.
   void remove_convex_from_reflex()
   {
     reflex_.erase(std::remove_if(reflex_.begin(), reflex_.end(), [this](Index i)
@@ -154,7 +155,7 @@ class Polygon_triangulation
       result.push_back({a, b, c});
   }
 
-  // Returns a corner of what is left.
+  // Clips ears, and returns a corner of the rest.
   Index clip(const Polygon& polygon, std::vector<Triangle>& result)
   {
     std::size_t left = polygon.size(), until_cleaned = left / 2;
@@ -180,8 +181,8 @@ class Polygon_triangulation
 public:
   explicit Polygon_triangulation(const std::vector<Point>& points) : points_(points) {}
 
-  // Appends the triangles: two fewer than the polygon has corners, if these are all different;
-  // triangles that have a corner twice are left out.
+  // Appends the triangles of a polygon: two fewer than it has corners, if these are all different.
+  // Triangles that have a corner twice are left out.
   void operator()(const Polygon& polygon, std::vector<Triangle>& result)
   {
     if (polygon.size() < 3)

@@ -43,19 +43,19 @@ struct Segmented_soup
   std::vector<Part> parts = {};  // contain each segment once; empty if there is no tree
   std::vector<Index> faces = {}; // of the input that the polygons are or lie in, or null_index;
                                  // empty if the polygons are the faces of the input
-  bool keeps_materials = false;  // writes those of the soup instead of the colors
+  bool keeps_materials = false;  // writes the materials of the soup instead of the colors
 
   bool has_materials() const { return keeps_materials && !soup.materials.empty(); }
 };
 
-// 000, 001 ... 1000
+// Returns a number with at least three digits: 000, 001 ... 1000.
 inline std::string three_digits(std::size_t number)
 {
   const std::string digits = std::to_string(number);
   return std::string(3 - (std::min)(digits.size(), std::size_t(3)), '0') + digits;
 }
 
-// segment_000, segment_001 ... segment_1000
+// Returns the name of a segment: segment_000, segment_001 ... segment_1000.
 inline std::string segment_name(std::size_t segment) { return "segment_" + three_digits(segment); }
 
 inline std::string part_name(const Part& part)
@@ -64,7 +64,7 @@ inline std::string part_name(const Part& part)
                                     : segment_name(part.segment);
 }
 
-// Those that have polygons, in ascending order.
+// Returns the segments that have polygons, in ascending order.
 inline std::vector<Index> present_segments(const Segmented_soup& mesh)
 {
   std::vector<Index> result;
@@ -76,7 +76,7 @@ inline std::vector<Index> present_segments(const Segmented_soup& mesh)
   return result;
 }
 
-// The tree of the segments that have polygons. They are all on the top if the mesh has no tree.
+// Returns the tree of the segments that have polygons. They are all roots if the mesh has no tree.
 inline std::vector<Part> present_parts(const Segmented_soup& mesh)
 {
   std::vector<Part> result;
@@ -105,7 +105,7 @@ inline std::vector<Part> present_parts(const Segmented_soup& mesh)
   return result;
 }
 
-// Those of one segment are in ascending order.
+// Returns the polygons sorted by segment, those of one segment in ascending order.
 inline std::vector<Index> polygons_sorted_by_segment(const Segmented_soup& mesh)
 {
   std::vector<Index> result(mesh.segment.size());
@@ -123,14 +123,14 @@ inline std::vector<Index> polygons_sorted_by_segment(const Segmented_soup& mesh)
   return result;
 }
 
-// The number of materials stands for none.
+// Returns the material of a polygon; the number of materials stands for none.
 inline Index material_of(const Polygon_soup& soup, std::size_t polygon)
 {
   const Index result = soup.material_of_polygon[polygon];
   return result == null_index ? static_cast<Index>(soup.materials.size()) : result;
 }
 
-// Those of polygons, in ascending order.
+// Returns the materials of the polygons as by `material_of()`, in ascending order.
 inline std::vector<Index> used_materials(const Polygon_soup& soup)
 {
   std::vector<char> is_used(soup.materials.size() + 1, 0);
@@ -143,7 +143,7 @@ inline std::vector<Index> used_materials(const Polygon_soup& soup)
   return result;
 }
 
-// The points that polygons have, in their order. The others need not be finite.
+// The points of the polygons, in the order of the soup. The other points need not be finite.
 struct Used_points
 {
   std::vector<Index> number; // one per point: its index among the used points, or null_index
@@ -169,7 +169,8 @@ inline std::vector<Triangle> triangles_of(const Polygon_soup& soup)
   return result;
 }
 
-// For formats that have no better numbers.
+// Returns a point in float, for formats without better numbers. Throws if a coordinate is too
+// large.
 inline std::array<float, 3> float_point(const Point& point, const char* format)
 {
   std::array<float, 3> result;
@@ -182,7 +183,7 @@ inline std::array<float, 3> float_point(const Point& point, const char* format)
   return result;
 }
 
-// Gives a stream large blocks, as a call of it for each number would take most of the time.
+// Gives a stream large blocks, because a call for each number would take most of the time.
 class Block_output
 {
   static constexpr std::size_t size_of_block = 1 << 16;
@@ -193,7 +194,7 @@ class Block_output
 public:
   explicit Block_output(std::ostream& out) : out_(out) {}
 
-  // To be called at the end.
+  // Writes the current block. The caller must do so at the end.
   void flush()
   {
     out_.write(block_.data(), static_cast<std::streamsize>(block_.size()));
@@ -216,7 +217,7 @@ public:
     text({digits, static_cast<std::size_t>(end - digits)});
   }
 
-  // With a space before each but the first.
+  // Writes the coordinates of a point with spaces between them.
   void decimal(const Point& point, Number_type type)
   {
     for (std::size_t k = 0; k < 3; ++k) {
@@ -229,7 +230,7 @@ public:
     }
   }
 
-  // The lowest byte first.
+  // Writes the bytes of a number, the lowest byte first.
   template <class Number>
   void binary(Number number)
   {
@@ -276,7 +277,7 @@ public:
 
   const std::vector<Index>& elements() const { return elements_; }
 
-  // In a time that depends on the elements that were asked for only.
+  // Removes all elements, in a time that depends only on their number.
   void clear()
   {
     for (Index i : elements_)
@@ -323,7 +324,8 @@ public:
 
   std::size_t number_of_segments() const { return mesh_.colors.size(); }
 
-  // Its polygons have the further property `face`: their numbers in the input, or -1 for new ones.
+  // Returns a segment as a mesh, whose polygons have the further property `face`: their indices in
+  // the input, or -1 for new ones.
   Polygon_soup operator()(std::size_t segment)
   {
     const Polygon_soup& soup = mesh_.soup;

@@ -60,14 +60,15 @@ class Text_scanner
   bool is_after_word(const char* p) const
   { return p == end_ || is_space(*p) || *p == '#' || is_continuation(p); }
 
-  // A number may begin with one sign. What stands here after two is none.
+  // Returns the begin of a number after its plus sign, if it has one and no minus sign follows.
   const char* after_plus() const
   {
     const bool is_plus = end_ - position_ > 1 && *position_ == '+' && position_[1] != '-';
     return position_ + is_plus;
   }
 
-  // Whether a number goes on as -1.#IND, 1.#INF or 1.#QNAN, which old programs write.
+  // Returns whether a number, read up to p, goes on as in -1.#IND, 1.#INF, 1.#QNAN and 1.#SNAN,
+  // which old programs write.
   bool is_old_nan(const char* p) const
   {
     return end_ - p > 1 && p[-1] == '.' && *p == '#' &&
@@ -82,7 +83,7 @@ class Text_scanner
     return result;
   }
 
-  // Reads a number anew. One too large or too small for double may be unchanged.
+  // Reads a number out of the range of double, which parse_decimal() may not have set.
   static double rounded(std::string_view word)
   { return std::strtod(std::string(word).c_str(), nullptr); }
 
@@ -102,7 +103,7 @@ public:
     end_ = position_ + (std::min)(size, rest().size());
   }
 
-  // Stays before the end of the line.
+  // Skips blanks, continued line ends and a comment, but not the end of the line.
   void skip_blanks()
   {
     for (; position_ != end_; ++position_) {
@@ -132,7 +133,8 @@ public:
     return position_ == end_ || is_end_of_line(*position_);
   }
 
-  // Skips also zeros and bytes 0x1A, which some files have between statements.
+  // Returns whether the text ends after white space, comments, and the zeros and bytes 0x1A that
+  // some files have between statements. Skips all these.
   bool is_at_end()
   {
     for (skip_space(); is_at('\0') || is_at('\x1A'); skip_space())
@@ -140,14 +142,14 @@ public:
     return position_ == end_;
   }
 
-  // Whatever they say.
+  // Skips the words on the rest of the line.
   void skip_rest_of_line()
   {
     while (!is_at_end_of_line())
       skip_word();
   }
 
-  // Also what looks like a comment. Takes the end of the line with it.
+  // Returns the rest of the line, including comments, and moves to the next line.
   std::string_view rest_of_line()
   {
     const char* const first = position_;
@@ -158,8 +160,7 @@ public:
     return result;
   }
 
-  // Returns the rest of the line without the blanks around it, with all that looks like a comment.
-  // The rest stays.
+  // Returns the rest of the line without the blanks around it, including comments. Does not move.
   std::string_view peek_rest_of_line() const
   {
     const char *first = position_, *last = position_;
@@ -172,7 +173,7 @@ public:
     return {first, static_cast<std::size_t>(last - first)};
   }
 
-  // The next word, which stays; empty at the end of the text.
+  // Returns the next word, which is empty at the end of the text. Does not move.
   std::string_view peek_word() const
   {
     const char* p = position_;
@@ -193,14 +194,14 @@ public:
 
   std::string_view all() const { return {begin_, static_cast<std::size_t>(end_ - begin_)}; }
 
-  // The bytes from here on.
+  // Returns the bytes from the position on.
   std::string_view rest() const
   { return {position_, static_cast<std::size_t>(end_ - position_)}; }
 
   std::string at_line(const std::string& sentence) const
   { return "line " + std::to_string(line()) + ": " + sentence; }
 
-  // Says that the word at the position, if there is one, is not `expected`.
+  // Returns a message that the word at the position, if there is one, is not `expected`.
   std::string contradiction(const std::string& expected) const
   {
     const std::string_view word = peek_word();
@@ -216,7 +217,7 @@ public:
   [[noreturn]] void fail_with(const std::string& sentence) const
   { throw std::runtime_error(at_line(sentence)); }
 
-  // On this line or a later one; it may be infinite or NaN.
+  // Reads a number on this line or a later one. It may be infinite or NaN.
   double number()
   {
     if (const std::optional<double> result = find_number())
@@ -224,7 +225,7 @@ public:
     fail("a number");
   }
 
-  // The same, but a word that is no number stays.
+  // Reads a number like `number()`, but does not move past a word that is none.
   std::optional<double> find_number()
   {
     skip_space();
@@ -245,7 +246,7 @@ public:
     return result;
   }
 
-  // The next characters as a number from `smallest` to `largest`, and no more of the word.
+  // Reads a number from `smallest` to `largest`, which may be followed by other characters.
   long long digits(long long smallest, long long largest, const char* expected)
   {
     long long result = 0;
@@ -257,7 +258,7 @@ public:
     return result;
   }
 
-  // A whole word, on this line or a later one.
+  // Reads a word that is a number from `smallest` to `largest`, on this line or a later one.
   long long integer(long long smallest, long long largest, const char* expected)
   {
     skip_space();
@@ -272,7 +273,7 @@ public:
 
   bool is_at(char c) const { return position_ != end_ && *position_ == c; }
 
-  // Moves over a character, if it is the next.
+  // Skips a character, and returns true, if it is the next one.
   bool skip(char c)
   {
     const bool result = is_at(c);

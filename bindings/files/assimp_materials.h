@@ -48,7 +48,7 @@ class Assimp_material
   bool get(const char* key, unsigned type, unsigned index, Value& value) const
   { return material_.Get(key, type, index, value) == AI_SUCCESS; }
 
-  // Null if there is no such texture.
+  // Returns the name of the image of a texture; null if there is no such texture.
   Json image(aiTextureType type, unsigned index) const
   {
     aiString name;
@@ -74,7 +74,8 @@ class Assimp_material
                                          : mode == aiTextureMapMode_Mirror ? 33648 : 33071;
   }
 
-  // Null if there is no such texture, or if it needs a third set of texture coordinates.
+  // Returns a texture in the form of glTF; null if there is no such texture, or if it needs a third
+  // set of texture coordinates.
   Json texture(aiTextureType type, unsigned index)
   {
     Json result{{"index", image(type, index)}};
@@ -196,7 +197,8 @@ public:
   Assimp_material(const aiScene& scene, const aiMaterial& material)
     : scene_(scene), material_(material) {}
 
-  // Materials with glossiness are an extension of glTF that programs have given up.
+  // Returns the description. Materials that have glossiness but no texture of a base color become
+  // MTL, because programs have given up the extension of glTF for them.
   std::string operator()()
   {
     float number;

@@ -24,7 +24,7 @@ namespace mesh_file {
 inline double linear_intensity(double c)
 { return c <= 0.04045 ? c / 12.92 : std::pow((c + 0.055) / 1.055, 2.4); }
 
-// The inverse of `linear_intensity()`.
+// Returns the channel of sRGB with a linear intensity: the inverse of `linear_intensity()`.
 inline double srgb_channel(double c)
 { return c <= 0.0031308 ? 12.92 * c : 1.055 * std::pow(c, 1 / 2.4) - 0.055; }
 
@@ -45,7 +45,8 @@ void for_each_texture(nlohmann::json& json, const Visitor& visit)
   }
 }
 
-// The statements of a material of MTL by their keywords in lower case; the last ones count.
+// The statements of a material of MTL by their keywords in lower case. The last statement of a
+// keyword counts.
 class Mtl_values
 {
   const Material& material_;
@@ -61,7 +62,7 @@ class Mtl_values
 public:
   explicit Mtl_values(const Material& material) : material_(material) {}
 
-  // Empty if there are no numbers.
+  // Returns the numbers of a statement up to the first other word; none if it is missing.
   std::vector<double> numbers(std::string_view keyword) const
   {
     std::vector<double> result;
@@ -82,7 +83,7 @@ public:
     return all.empty() ? otherwise : all[0];
   }
 
-  // Returns the linear intensities of a color.
+  // Returns the linear intensities of a color, whose channels are `otherwise` if it is missing.
   std::vector<double> color(std::string_view keyword, double otherwise) const
   {
     std::vector<double> result = numbers(keyword);
@@ -101,8 +102,8 @@ public:
   }
 };
 
-// Returns the form of glTF of a material whose statements are known. What glTF has not, such as
-// maps of bumps, is left out.
+// Returns a material in the form of glTF, from its statements. What glTF does not have, such as
+// bump maps, is left out.
 inline std::string gltf_of_mtl(const Material& material)
 {
   using nlohmann::json;

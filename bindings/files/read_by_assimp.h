@@ -197,7 +197,7 @@ class Scene_flattening : public Flat_scene
     instances.push_back({node, mesh, static_cast<Index>(soup.number_of_polygons())});
   }
 
-  // A node before its children.
+  // Adds a node, and then its children.
   void add_node(const aiNode& node, const Transformation& transformation_of_parent)
   {
     const Transformation transformation =
@@ -316,7 +316,8 @@ public:
   }
 };
 
-// Puts what Assimp shall read instead of a file of glTF 2 into the files. Returns its name.
+// Puts the plain form of a file of glTF 2 into the files, which Assimp reads in its place. Returns
+// its name.
 inline std::string put_plain_gltf(const std::string& name, Input_files& files)
 {
   const std::string folder = name.substr(0, name.find_last_of("/\\") + 1);
@@ -352,7 +353,7 @@ inline void put_plain_collada(const std::string& name, Input_files& files)
   files.put(name, std::move(text));
 }
 
-// In the child process: sends an error message, which may be empty, and the scene.
+// Sends the scene or an error message, which may be empty. Runs in the child process.
 inline void send_by_assimp(const std::string& name, const Reading_limits& limits,
                            Child_output output)
 {
@@ -379,7 +380,7 @@ inline void send_by_assimp(const std::string& name, const Reading_limits& limits
   send_error(files->error().empty() ? error : files->error(), output);
 }
 
-// The extension has its dot; its case does not matter.
+// Returns whether Assimp reads files with an extension, which begins with a dot, in any case.
 inline bool assimp_reads(const std::string& extension)
 { return Assimp::Importer().IsExtensionSupported(extension); }
 

@@ -55,7 +55,7 @@ inline void append_object(const Lib3mf& object, Flat_scene& scene)
   Flat_scene::append_name("", scene.mesh_names);
 }
 
-// In the child process: sends an error message, or what all build items show, as one object.
+// Sends the objects that the build items show, or an error message. Runs in the child process.
 inline void send_by_lib3mf(const std::string& name, Child_output output)
 {
   try {

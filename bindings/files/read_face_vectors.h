@@ -25,7 +25,7 @@
 
 namespace mesh_file {
 
-// Makes vectors of numbers, or of labels if they are whole numbers, one a face.
+// Returns a vector for each face, from numbers, or from labels if they are single whole numbers.
 inline Face_vectors face_vectors_of(std::size_t dimension, std::vector<double> values,
                                     bool are_whole)
 {

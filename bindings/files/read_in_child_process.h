@@ -149,7 +149,7 @@ class Child_process
     _exit(EXIT_SUCCESS);
   }
 
-  // The exit status, as of waitpid.
+  // Waits for the end of the child, and returns its status as waitpid() does.
   int wait()
   {
     int status = 0;
@@ -178,7 +178,7 @@ class Child_process
     fail("took longer than " + seconds + " s");
   }
 
-  // The pipe is closed: the child is dead, or about to be.
+  // Throws the reason why the child has closed the pipe: it is dead, or about to be.
   [[noreturn]] void fail_after_end()
   {
     const int status = wait();
@@ -224,8 +224,8 @@ class Child_process
   }
 
 public:
-  // The child calls the function with a `Child_output`, and exits. To be called before the program
-  // starts threads.
+  // Starts a child that calls the function with a `Child_output`, and exits. The program must not
+  // have threads yet.
   template <class Function>
   Child_process(const Child_limits& limits, Function function) : limits_(limits)
   {

@@ -44,7 +44,7 @@ class Material_reader
     return result;
   }
 
-  // Returns the number of an image by its name.
+  // Returns the index of an image by its name.
   std::size_t image(std::string name)
   {
     const auto [place, is_new] = images_.emplace(name, soup_.images.size());
@@ -68,7 +68,7 @@ class Material_reader
            std::find(std::begin(others), std::end(others), statement) != std::end(others);
   }
 
-  // Removes the first word and the blanks after it.
+  // Returns a text without its first word and the blanks after it.
   static std::string_view without_word(std::string_view text)
   {
     const std::size_t end = (std::min)(text.find_first_of(" \t"), text.size());
@@ -107,7 +107,8 @@ public:
       images_.emplace(i.name, images_.size());
   }
 
-  // The first material of a name counts.
+  // Reads the statements of the materials in a file, and removes these materials from the map: the
+  // first one of a name counts.
   void read_mtl(std::string_view file, std::map<std::string, Material*, std::less<> >& materials)
   {
     Material* material = nullptr;
@@ -151,7 +152,7 @@ public:
       m.gltf = mesh_file::gltf_of_mtl(m);
   }
 
-  // Reads what `Assimp_material` describes.
+  // Replaces the description that `Assimp_material` made by the material.
   void read_description(Material& material)
   {
     const std::string description = std::move(material.gltf);
@@ -185,7 +186,7 @@ public:
       read_description(m);
   }
 
-  // The names of those that were not found, or not allowed.
+  // Returns the names of the files that were not found, or not allowed.
   const std::vector<std::string>& missing_files() const { return missing_files_; }
 };
 

@@ -50,15 +50,16 @@ inline Format marked_format(std::string_view file)
          Format::UNKNOWN;
 }
 
-// For what has no name.
+// Returns the format of contents without a name.
 inline Format format_of_contents(std::string_view file)
 {
   const Format marked = marked_format(file);
   return marked != Format::UNKNOWN ? marked : is_stl(file) ? Format::STL : Format::OBJ;
 }
 
-// Says what else a file is, and what helps: what no program reads as it is, and on demand a format
-// that libraries read by the name of the file. Empty if nothing is known.
+// Returns what else a file is, and what helps: for files that no program reads as they are, and on
+// demand for formats that libraries read by the name of the file. Returns an empty text if nothing
+// is known.
 inline std::string other_contents(std::string_view file, bool tells_formats_of_libraries)
 {
   const char* const cad = "export a mesh, such as STL";

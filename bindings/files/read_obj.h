@@ -24,9 +24,8 @@
 
 namespace mesh_file {
 
-// The format of Wavefront. Of its statements those of points, faces, objects, groups and names of
-// materials are read; lines, points, curves, settings and commands are skipped. So is what is not
-// known, with a warning.
+// Reads the format of Wavefront: points, faces, objects, groups and names of materials. Skips
+// lines, points, curves, settings and commands, and with a warning all unknown statements.
 class Obj_reader
 {
   static constexpr long long most = null_index - 1;
@@ -34,7 +33,7 @@ class Obj_reader
   Text_scanner text_;
   const bool keeps_properties_;
   Polygon_soup soup_;
-  // Points may follow the faces that use them.
+  // The largest corner and its place: points may follow the faces that use them.
   long long largest_corner_ = 0;
   Text_scanner largest_at_;
   std::string object_, group_; // the current names
@@ -70,8 +69,8 @@ class Obj_reader
     return {x, y, number()};
   }
 
-  // Returns a number of a normal or of texture coordinates. Nothing may need it: NaN stands for one
-  // that is missing or no number.
+  // Returns a number of a normal or of texture coordinates; NaN if it is missing or no number,
+  // because nothing may need it.
   double number_or_nan()
   {
     std::optional<double> result;
@@ -103,8 +102,8 @@ class Obj_reader
       soup_.normals.push_back(normal);
   }
 
-  // Numbers count from 1, or back from the last element that was read. 0 if there is no such
-  // element.
+  // Returns the number of an element, counted from 1. A negative number counts back from the last
+  // element that was read; the result is 0 if that leads too far.
   long long absolute_number(std::size_t number_of_elements)
   {
     const long long number = text_.digits(-most, most, "the corner of a face");
@@ -112,7 +111,7 @@ class Obj_reader
                       0LL);
   }
 
-  // point, point/texture, point//normal or point/texture/normal.
+  // Reads a corner: point, point/texture, point//normal or point/texture/normal.
   void read_corner()
   {
     const Text_scanner where = text_;
@@ -203,7 +202,7 @@ class Obj_reader
     text_.skip_rest_of_line();
   }
 
-  // Nothing is left of those that no corner has, and of numbers without an element.
+  // Sets indices of missing elements to null_index, and removes all indices if no other is left.
   static void clean(std::vector<Index>& of_corner, std::size_t number_of_elements)
   {
     for (Index& i : of_corner)

@@ -25,7 +25,7 @@ struct Off_header
   bool is_homogeneous = false; // 4
   bool has_dimension = false;  // n
 
-  // False if it is no such keyword.
+  // Reads a keyword. Returns false if the word is none.
   bool parse(std::string_view word)
   {
     const auto take = [&](std::string_view prefix) {
@@ -45,7 +45,7 @@ struct Off_header
   }
 };
 
-// The format of Geomview, text and binary. Colors, normals and texture coordinates are skipped.
+// Reads the format of Geomview, text and binary. Skips colors, normals and texture coordinates.
 class Off_reader
 {
   static constexpr long long most = null_index - 1;
@@ -54,7 +54,7 @@ class Off_reader
   Off_header header_;
   Polygon_soup soup_;
 
-  // The numbers of points and polygons are bounded by what the file can hold.
+  // Reserves memory. Throws if the file is too short for so many points and polygons.
   void reserve(long long points, long long polygons, std::size_t bytes_per_item)
   {
     const std::size_t room = text_.rest().size() / bytes_per_item;
@@ -73,7 +73,7 @@ class Off_reader
       text_.fail_with("the points do not have three coordinates");
   }
 
-  // Colors and the like, which have no other mark than their place.
+  // Skips the numbers on the rest of the line: colors and the like, which only their place marks.
   void skip_numbers()
   {
     while (!text_.is_at_end_of_line())
@@ -117,7 +117,7 @@ class Off_reader
       text_.fail_with("there is more after the last face");
   }
 
-  // Some files leave it out.
+  // Skips the number of edges, which some files leave out.
   void skip_number_of_edges()
   {
     if (!text_.is_at_end_of_line()) {

@@ -23,7 +23,8 @@
 
 namespace mesh_file {
 
-// The numbers of a body in text. By lines, each has an element, and maybe more.
+// The numbers of a body in text. If they are read by lines, each line has one element, and maybe
+// further numbers.
 class Ply_text
 {
   Text_scanner text_;
@@ -40,7 +41,8 @@ public:
 
   std::size_t remaining() const { return text_.rest().size(); }
 
-  // The last number may be the end of the file.
+  // Returns the least number of bytes of a number: one digit, because no blank follows the last
+  // one.
   static std::size_t smallest_size(Number_type) { return 1; }
 
   double number(Number_type type)
@@ -56,7 +58,7 @@ public:
     return result;
   }
 
-  // Skips what is left of a line, with a warning for the first time.
+  // Skips the rest of a line, with a warning for the first one that has further numbers.
   void end_element(std::vector<std::string>& warnings)
   {
     if (!is_by_lines_)
@@ -67,7 +69,7 @@ public:
     text_.skip_space();
   }
 
-  // The last number is not `expected`.
+  // Throws that the last number is not `expected`.
   [[noreturn]] void fail(const char* expected) const { last_.fail(expected); }
 
   [[noreturn]] void fail_with(const std::string& sentence) const { text_.fail_with(sentence); }
@@ -128,8 +130,8 @@ public:
   void finish() const { bytes_.finish("the last element"); }
 };
 
-// Takes the points of the element `vertex`, the polygons of `face` and the strips of triangles of
-// `tristrips`. Other elements and lists are skipped.
+// Reads the points of the element `vertex`, the polygons of `face` and the strips of triangles of
+// `tristrips`. Skips other elements and lists.
 template <class Body>
 class Ply_body_reader
 {
@@ -153,7 +155,7 @@ class Ply_body_reader
   static bool is_corner_list(const Ply_property& p)
   { return p.is_list && (p.name == "vertex_indices" || p.name == "vertex_index"); }
 
-  // Whether a list of faces may have the corners under another name.
+  // Returns whether a list of faces may have the corners under another name.
   static bool may_be_corner_list(const Ply_property& p)
   {
     static const std::string_view others[] = {"texcoord", "texture", "color", "normal", "neighbor",
@@ -216,7 +218,7 @@ class Ply_body_reader
     return result;
   }
 
-  // An integer may have the type float.
+  // Reads an integer, whose type may be float.
   double integer(Number_type type, double smallest, double end, const char* expected)
   {
     const double result = body_.number(type);
@@ -252,8 +254,8 @@ class Ply_body_reader
     soup_.end_polygon();
   }
 
-  // Each point makes a triangle with the two before it; every other one is turned, and -1 starts a
-  // new strip.
+  // Reads strips of triangles: each point makes a triangle with the two before it, every other one
+  // is turned, and -1 starts a new strip.
   void read_strips(const Ply_property& p)
   {
     std::vector<Index> strip;
@@ -332,7 +334,7 @@ class Ply_body_reader
     }
   }
 
-  // The best that a coordinate has.
+  // Returns FLOAT32 if all coordinates have this type, else FLOAT64.
   Number_type coordinate_type(const Ply_element& points) const
   {
     const bool is_double = std::any_of(
@@ -365,8 +367,8 @@ public:
   }
 };
 
-// The format of Stanford, text and binary. A text is read by lines only if its numbers alone do not
-// fit the header.
+// Reads the format of Stanford, text and binary. Reads a text by lines only if its numbers alone do
+// not fit the header.
 inline Polygon_soup read_ply(std::string_view file, bool keeps_properties)
 {
   Text_scanner text(file);

@@ -33,8 +33,8 @@ struct Flat_scene
   mesh_file::Polygon_soup soup;
   std::vector<Mesh_instance> instances;
   std::vector<char> node_names, mesh_names; // each ends with a zero
-  // The soup has numbers of materials, of which these are the names and descriptions; and the bytes
-  // of the images in the file, one after the other
+  // The names and descriptions of the materials of the soup, and the bytes of the images in the
+  // file, one after the other
   std::vector<char> material_names, materials, images;
   std::vector<std::size_t> ends_of_images;
 
@@ -121,7 +121,7 @@ class Scene_receiver
     return soup;
   }
 
-  // Returns a list that is empty or has one number below a bound, or null_index, for each element.
+  // Returns a list that is empty or has an index below a bound, or null_index, for each element.
   std::vector<Index> receive_numbers(std::size_t number_of_elements, std::size_t bound)
   {
     std::vector<Index> result = child_.receive<Index>();
@@ -197,7 +197,7 @@ public:
   }
 };
 
-// For a file of this size. A file may name others, which also need memory.
+// Returns the limits for a file of this size. A file may name others, which also need memory.
 inline Child_limits child_limits(double size_of_file, const Reading_limits& limits)
 {
   const double physical_memory =

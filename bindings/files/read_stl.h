@@ -19,8 +19,8 @@
 
 namespace mesh_file {
 
-// The format of stereolithography, text and binary. It has no points but corners: those at the same
-// place are one point.
+// Reads the format of stereolithography, text and binary. A triangle has coordinates, and corners
+// at the same place become one point.
 class Stl_reader
 {
   static constexpr std::size_t size_of_header = 84; // 80 bytes of anything and the number of faces
@@ -33,9 +33,10 @@ class Stl_reader
   static std::uint32_t number_of_faces(std::string_view file)
   { return Byte_scanner(file, 80, false).number<std::uint32_t>(); }
 
-  // Decides by the size, because binary files may begin with "solid", too. In a text the bytes of
-  // the number are characters, which would be a number of faces larger than the file. If the number
-  // is wrong, a zero before the end of the first face decides, unless it fills up a text.
+  // Returns whether the file is binary. Its size decides, because binary files may begin with
+  // "solid", too. In a text the bytes of the number are characters, which would be a number of
+  // faces larger than the file. If the number is wrong, a zero before the end of the first face
+  // decides, unless it fills up a text.
   bool is_binary() const
   {
     if (file_.size() < size_of_header)
@@ -106,8 +107,8 @@ class Stl_reader
       where.fail_with("faces follow the name of the solid on its line");
   }
 
-  // One solid after the other, the last of which may have no end. Words between the faces, such as
-  // colors, are skipped with a warning.
+  // Reads one solid after the other, of which the last may have no end. Skips words between the
+  // faces, such as colors, with a warning.
   void read_text()
   {
     Text_scanner text(file_);
@@ -139,7 +140,7 @@ class Stl_reader
 public:
   explicit Stl_reader(std::string_view file) : file_(file) {}
 
-  // Whether the contents look like one.
+  // Returns whether the contents look like STL.
   bool is_stl() const
   {
     Text_scanner text(file_);

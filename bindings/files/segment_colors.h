@@ -24,7 +24,7 @@ namespace segment_mesh {
 
 using mesh_file::Rgb;
 
-// A color, and where it lies in CIELAB, in which distance is difference for the eye.
+// A color and its place in CIELAB, where distances are differences for the eye.
 struct Color
 {
   Rgb rgb;

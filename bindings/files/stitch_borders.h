@@ -16,11 +16,11 @@
 
 namespace mesh_file {
 
-// Joins what a file repeats along seams, for each texture, or for each face: border edges at the
-// same place become one edge. Points at the same place stay different unless such edges end there.
+// Joins the points that a file repeats along seams, for each texture, or for each face: border
+// edges at the same place become one edge. Other points at the same place stay different.
 class Border_stitching
 {
-  // The places of its ends, the smaller one first, and the points there.
+  // The places of the ends of an edge, the smaller place first, and the points there.
   typedef std::tuple<Index, Index, Index, Index> Edge;
 
   const std::vector<Point>& points_;
@@ -70,7 +70,7 @@ class Border_stitching
     }
   }
 
-  // The points of border edges that have others at their place.
+  // Returns whether each point is an end of a border edge at whose place there is another one.
   std::vector<char> stitched_points() const
   {
     typedef std::vector<Edge>::const_iterator Iterator;

@@ -13,7 +13,7 @@
 
 namespace segment_mesh {
 
-// Writes bytes to a pipe, in a child process, which ends if nobody reads them.
+// Writes bytes to a pipe. Runs in a child process, which ends if nobody reads them.
 inline void write_all(int descriptor, const void* data, std::size_t size)
 {
   for (const char* bytes = static_cast<const char*>(data); size > 0;) {

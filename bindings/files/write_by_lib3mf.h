@@ -35,8 +35,8 @@ inline bool is_3mf(const std::string& extension) { return extension == ".3mf"; }
 
 constexpr bool has_lib3mf = true;
 
-// Returns an archive of lib3mf, which is ZIP64, as plain ZIP, as Assimp 5 does not read the other.
-// One that is too large for that stays.
+// Returns an archive of lib3mf, which is ZIP64, as plain ZIP, because Assimp 5 does not read ZIP64.
+// An archive that is too large for plain ZIP stays as it is.
 inline std::string plain_zip(const std::string& archive)
 {
   const auto bytes = [](std::size_t number, int size) {
@@ -173,7 +173,7 @@ class Lib3mf_writer
     return result;
   }
 
-  // Makes an object of the components that are there; none if there are none.
+  // Returns an object of those components that are not empty; an empty one if all are.
   Object components_object(const std::string& object_name, const std::vector<Object*>& components)
   {
     std::string content = object_name;
@@ -193,7 +193,7 @@ class Lib3mf_writer
     return result;
   }
 
-  // The part that has no parent, or an object that has all of them.
+  // Returns the object of the only part without a parent, or an object of all such parts.
   Object root_object()
   {
     const std::vector<mesh_file::Part> parts = mesh_file::present_parts(mesh_);
@@ -213,7 +213,7 @@ class Lib3mf_writer
     return components_object("segments", components.back());
   }
 
-  // The output itself knows whether writing failed.
+  // Writes bytes for lib3mf. The output itself knows whether writing failed.
   static DWORD write_bytes(BYTE* bytes, DWORD number, void* output)
   {
     static_cast<std::ostream*>(output)->write(reinterpret_cast<const char*>(bytes), number);
@@ -250,7 +250,7 @@ public:
   }
 };
 
-// Throws if the coordinates are too large or the mesh is too small.
+// Writes 3MF. Throws if the coordinates are too large or the mesh is too small.
 inline void write_3mf(std::ostream& out, const mesh_file::Segmented_soup& mesh)
 { Lib3mf_writer{mesh}(out); }
 

@@ -98,7 +98,7 @@ class Glb_writer
       primitive.normals.clear();
   }
 
-  // Returns zero if there is no direction.
+  // Returns a vector of length 1, or 0 if there is no direction.
   static Point unit_vector(const Point& v)
   {
     const double length = std::hypot(v[0], v[1], v[2]);
@@ -130,7 +130,7 @@ class Glb_writer
     return result;
   }
 
-  // Its data come next. Returns its number.
+  // Adds an accessor to the next data, and returns its index.
   std::size_t add_accessor(std::size_t count, std::size_t components, Component_type type,
                            Target target)
   {
@@ -143,7 +143,7 @@ class Glb_writer
     return accessors.size() - 1;
   }
 
-  // Begins at a multiple of 4 bytes.
+  // Adds a view of the next data, and returns its index. It begins at a multiple of 4 bytes.
   std::size_t add_view(std::uint64_t size)
   {
     Json& views = json_["bufferViews"];
@@ -190,7 +190,8 @@ class Glb_writer
             {"doubleSided", true}};
   }
 
-  // Each texture may have a sampler of its own.
+  // Adds the textures of a material, each with its own sampler if it has one, and returns its
+  // description.
   Json kept_material(const Material& material)
   {
     Json result = Json::parse(material.gltf, nullptr, false);
@@ -225,7 +226,7 @@ class Glb_writer
     }
   }
 
-  // Returns the number of the material in the file.
+  // Returns the index of the material in the file.
   Index add_material(Index material)
   {
     const Index result = materials_(material);
@@ -240,7 +241,7 @@ class Glb_writer
     return result;
   }
 
-  // Comes after all materials.
+  // Adds the images of all materials, which must have been added before.
   void add_images()
   {
     for (Index i : images_.elements()) {
@@ -258,7 +259,7 @@ class Glb_writer
     }
   }
 
-  // A segment without triangles has no mesh, as that may not be empty.
+  // Adds a mesh to a node, unless the segment has no triangles: a mesh may not be empty.
   void add_mesh(Index segment, Json& node)
   {
     Json primitives = Json::array();
@@ -281,7 +282,7 @@ class Glb_writer
     meshes.push_back(Json{{"name", segment_name(segment)}, {"primitives", primitives}});
   }
 
-  // The i-th part is the node i + 1.
+  // Adds the i-th part as the node i + 1.
   void add_part(const Part& part)
   {
     Json node{{"name", part_name(part)}};
@@ -373,7 +374,7 @@ public:
   }
 };
 
-// Throws if the coordinates or the mesh are too large for the format.
+// Writes binary glTF. Throws if the coordinates or the mesh are too large for the format.
 inline void write_glb(std::ostream& out, const Segmented_soup& mesh) { Glb_writer(out, mesh)(); }
 
 } // namespace mesh_file

@@ -22,12 +22,13 @@
 
 namespace mesh_file {
 
-// In lower case.
+// Returns the extension of a name in lower case.
 inline std::string output_extension(const std::filesystem::path& name)
 { return lower_case(name.extension().string()); }
 
-// STL has no segments, so it serves for parts only, which are meshes of one segment. `further` is
-// an extension that the caller writes by other means, or empty.
+// Throws if the name ends in no extension that can be written. STL has no segments: it is only for
+// parts, which are meshes of one segment. `further` is an extension that the caller writes by other
+// means, or empty.
 inline void check_output_format(const std::filesystem::path& name, bool is_part,
                                 const std::string& further = "")
 {
@@ -44,12 +45,12 @@ inline void check_output_format(const std::filesystem::path& name, bool is_part,
   throw std::runtime_error("cannot write " + name.string() + ": the name must end in " + list);
 }
 
-// The file for `write_mtl()` that goes with a file of OBJ.
+// Returns the name of the file of materials that belongs to a file of OBJ.
 inline std::filesystem::path name_of_materials(std::filesystem::path name)
 { return name.replace_extension(".mtl"); }
 
-// Writes a mesh in the format of an extension that `output_extension()` gave and
-// `check_output_format()` let pass. `materials` is the name of their file for OBJ, if there is one.
+// Writes a mesh in the format of an extension that `output_extension()` returned and
+// `check_output_format()` accepted. `materials` is the name of their file for OBJ, if there is one.
 inline void write_mesh_file(std::ostream& out, const std::string& extension,
                             const Segmented_soup& mesh, const std::string& materials = "")
 {

@@ -107,7 +107,7 @@ class Obj_writer
     }
   }
 
-  // point, point/texture, point//normal or point/texture/normal, counted from 1.
+  // Writes a corner: point, point/texture, point//normal or point/texture/normal, counted from 1.
   void put_corner(std::size_t corner)
   {
     const Index texture = of_corner(mesh_.soup.texture_of_corner, corner);
@@ -159,8 +159,8 @@ public:
   }
 };
 
-// Writes a mesh in OBJ, the polygons of each segment as a group. The file of their materials is
-// only named, if there is one. A face has three corners at least: what has fewer is left out.
+// Writes a mesh in OBJ, the polygons of each segment as a group. Only names the file of their
+// materials, if there is one. Leaves out polygons with fewer than three corners.
 inline void write_obj(std::ostream& out, const Segmented_soup& mesh, const std::string& materials)
 { Obj_writer(out, mesh)(materials); }
 

@@ -19,8 +19,8 @@ namespace mesh_file {
 
 // Writes a mesh in binary PLY. Programs that show colors look for those of the points, so a point
 // at which segments meet is written once for each. The polygons come in their order, each with its
-// `segment` and its color. Further properties of points and polygons follow, but those that have
-// the name of another.
+// `segment` and its color. Further properties of points and polygons follow, except those whose
+// name is in use.
 class Ply_writer
 {
   typedef std::vector<const Property*> Properties;
@@ -57,7 +57,8 @@ class Ply_writer
     return result;
   }
 
-  // Those without a name that is taken. The opacity goes with the colors that are replaced.
+  // Returns the properties whose name is not in use. The opacity is left out with the colors that
+  // are replaced.
   static Properties further(const std::vector<Property>& properties,
                             std::set<std::string> taken)
   {
