@@ -14,7 +14,7 @@ namespace segment_mesh {
 // How a run ended: the exit status of the program.
 enum class Status { OK, BUG, USAGE, INPUT, MESH, MEMORY, TIME, OUTPUT, SOME_FAILED };
 
-// In reports.
+// Returns the name of a status in reports.
 inline const char* name_of(Status status)
 {
   switch (status) {

@@ -18,7 +18,8 @@ namespace segment_mesh {
 using CGAL::Spectral_segmentation::Segmentation_hierarchy;
 using mesh_file::Index;
 
-// The label that most faces of a leaf have. Smoothing of boundaries moves faces between leaves.
+// Returns the median of the labels of the faces of a leaf: that of most faces, because only
+// smoothing of boundaries moves faces between leaves.
 inline Index label_of_leaf(const Segmentation_hierarchy& tree, std::size_t leaf,
                            const std::vector<Index>& labels)
 {
@@ -31,8 +32,8 @@ inline Index label_of_leaf(const Segmentation_hierarchy& tree, std::size_t leaf,
   return *middle;
 }
 
-// The cuts between the labels of a run, each part before its own parts. A part has the number of
-// its node in the hierarchy. Empty if some segment is no node.
+// Returns the tree of cuts between the labels of a run, each part before its own parts. A part has
+// the number of its node in the hierarchy. Returns nothing if some segment is no node.
 inline std::vector<mesh_file::Part> part_tree(const Segmentation_hierarchy& tree,
                                               const std::vector<Index>& labels,
                                               std::size_t number_of_segments)

@@ -40,14 +40,14 @@ using mesh_file::Polygon;
 using mesh_file::Polygon_soup;
 using mesh_file::Triangle;
 
-// Pipes give their bytes once.
+// Returns whether the bytes of an input can be read only once.
 inline bool is_stream(const std::string& name)
 {
   std::error_code error;
   return name == "-" || std::filesystem::is_fifo(name, error);
 }
 
-// The bytes of a file, or of standard input if the name is "-".
+// Returns the bytes of a file, or of standard input if the name is "-".
 inline std::string read_bytes(const std::string& name)
 {
   if (name == "-")
@@ -63,7 +63,7 @@ inline std::string read_bytes(const std::string& name)
   return result;
 }
 
-// In bytes; 0 if it is not known beforehand.
+// Returns the size of a file in bytes; 0 if it is not known beforehand.
 inline double size_of_file(const std::string& name)
 {
   std::error_code error;
@@ -89,11 +89,11 @@ inline void check_is_file(const std::string& name)
   }
 }
 
-// Returns the end of a message about a mesh of no use; empty without a warning.
+// Returns the first warning as the end of a message about a useless mesh; empty without a warning.
 inline std::string first_warning(const Polygon_soup& soup)
 { return soup.warnings.empty() ? "" : "; " + soup.warnings[0]; }
 
-// Reads a file of a format of libraries.
+// Reads a file in a format that libraries read.
 inline Scene read_by_libraries(const std::string& name, const std::string& extension,
                                const Reading_limits& limits)
 {
@@ -124,9 +124,9 @@ inline bool has_mesh_ending(const std::filesystem::path& name)
          (extension != ".xml" && assimp_reads(extension));
 }
 
-// Throws `Failure` if the file has no mesh. The contents determine the format of a stream, and of a
-// file whose ending belongs to another format or to none. Formats that Assimp reads have names of
-// nodes and meshes.
+// Reads a file. Throws `Failure` if it has no mesh. The contents determine the format of a stream,
+// and of a file whose ending belongs to another format or to none. Formats that Assimp reads have
+// names of nodes and meshes.
 inline Scene read_scene(const std::string& name, bool keeps_properties,
                         const Reading_limits& limits = {})
 {
@@ -244,7 +244,7 @@ inline Input input_of_arrays(Polygon_soup soup)
   return input;
 }
 
-// The points that triangles have.
+// Returns the number of points of the triangles.
 inline std::size_t number_of_vertices(const Input& input)
 {
   std::vector<char> is_used(input.soup.points.size(), 0);
@@ -268,7 +268,7 @@ inline Point normal(const Input& input, std::size_t triangle)
   return a;
 }
 
-// Twice the area of a triangle.
+// Returns twice the area of a triangle.
 inline double area(const Input& input, std::size_t triangle)
 {
   const Point n = normal(input, triangle);
@@ -329,7 +329,7 @@ inline std::string inward_warning(const Input& input)
     ? "the faces seem to point inward, and are turned around for the search" : "";
 }
 
-// Returns the label of largest area among the triangles of one polygon.
+// Returns the label with the largest area among the triangles of one polygon.
 inline Index largest_label(const Input& input, const std::vector<Index>& label_of_triangle,
                            std::size_t begin, std::size_t end)
 {
@@ -383,8 +383,8 @@ inline std::map<std::size_t, Index> labels_across_edges(const Polygon_soup& soup
   return result;
 }
 
-// A polygon without a triangle takes the label of the neighbor with the longest common edge, else
-// of one that it touches, else of the first polygon with a triangle, else 0.
+// Gives each polygon without a triangle the label of the neighbor with the longest common edge,
+// else of a polygon that it touches, else of the first polygon with a triangle, else 0.
 inline void borrow_labels(const Polygon_soup& soup, std::vector<Index>& labels)
 {
   if (std::find(labels.begin(), labels.end(), mesh_file::null_index) == labels.end())
@@ -408,7 +408,7 @@ inline void borrow_labels(const Polygon_soup& soup, std::vector<Index>& labels)
     }
 }
 
-// The label of each polygon.
+// Returns the label of each polygon: the one with the largest area among its triangles.
 inline std::vector<Index> labels_of_polygons(const Input& input,
                                              const std::vector<Index>& label_of_triangle)
 {

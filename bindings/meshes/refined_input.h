@@ -18,7 +18,7 @@
 
 namespace segment_mesh {
 
-// The input with refined boundaries. Polygons that no boundary cuts are those of the input.
+// The input with refined boundaries. Polygons that no boundary cuts stay as they are.
 struct Refined_input
 {
   Input input;
@@ -204,7 +204,7 @@ public:
     clear_polygons();
   }
 
-  // May be called once. Takes the segments of the polygons before.
+  // Returns the refined input. May be called once. Takes the segments of the unrefined polygons.
   Refined_input operator()(const std::vector<Index>& segment_of_polygon)
   {
     const std::size_t n = input_.triangles.size();

@@ -12,7 +12,8 @@
 
 namespace segment_mesh {
 
-// For each segment those that it touches. Some that touch only beside a third may be missing.
+// Returns, for each segment, the segments that it touches. Some may be missing that touch it only
+// beside a third one.
 inline std::vector<std::vector<std::size_t> >
 segment_neighbors(const Input& input, const std::vector<Index>& segment_of_triangle,
                   std::size_t number_of_segments)

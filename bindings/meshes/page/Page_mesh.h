@@ -22,7 +22,7 @@ using mesh_file::Index;
 using mesh_file::Point;
 using mesh_file::Triangle;
 
-// Triangles for the eye, and the piece of each.
+// Triangles to be shown, and the piece of each.
 struct Page_mesh
 {
   std::vector<Point> points;
@@ -30,7 +30,7 @@ struct Page_mesh
   std::vector<Index> pieces;
 };
 
-// The cube around the points of triangles. Its numbers are a quarter of the coordinates, so that
+// The cube around the points of triangles. Its members are a quarter of the coordinates, so that
 // differences are finite.
 struct Page_cube
 {
@@ -52,7 +52,8 @@ struct Page_cube
       edge = (std::max)(edge, opposite[k] - corner[k]);
   }
 
-  // Multiples of the n-th part of the edge, from 0 to n.
+  // Returns the place of a point in the cube in multiples of the n-th part of the edge, from 0 to
+  // n.
   std::array<double, 3> position(const Point& p, double n) const
   {
     std::array<double, 3> result;
@@ -62,8 +63,8 @@ struct Page_cube
   }
 };
 
-// The mesh with all points of a cell of a grid, which has `n` cells along an edge of the cube,
-// joined to their mean. What is no triangle any more is left out, and so are repeated triangles.
+// Returns the mesh with all points of a cell of a grid, which has `n` cells along an edge of the
+// cube, joined to their mean. Leaves out triangles that lose a corner, and repeated triangles.
 inline Page_mesh clustered(const Page_mesh& mesh, const Page_cube& cube, double n)
 {
   std::vector<std::pair<std::uint64_t, Index> > cells; // each with its point
@@ -111,7 +112,7 @@ inline Page_mesh clustered(const Page_mesh& mesh, const Page_cube& cube, double 
   return result;
 }
 
-// The points that triangles have, in the order in which the triangles name them.
+// Returns the mesh with its points in the order in which the triangles use them, without others.
 inline Page_mesh with_points_in_order(const Page_mesh& mesh)
 {
   Page_mesh result;

@@ -26,8 +26,8 @@ inline std::string base64(const std::string& bytes)
   return result;
 }
 
-// Integers as text, the shorter the smaller they are: 0, -1, 1, -2 ... are 0, 1, 2, 3 ..., of which
-// each byte has 7 bits, the lowest first. The eighth bit states whether more follow.
+// Integers as text, the shorter the smaller they are: 0, -1, 1, -2 ... become 0, 1, 2, 3 ..., each
+// in bytes of 7 bits, the lowest first. The eighth bit states whether more bytes follow.
 class Packed
 {
   std::string bytes_;
@@ -44,7 +44,7 @@ public:
   std::string text() const { return base64(bytes_); }
 };
 
-// The differences of each integer to the one `stride` before it.
+// Packs the differences of each integer to the one `stride` before it.
 template <class Integers>
 std::string packed_differences(const Integers& integers, std::size_t stride = 1)
 {
@@ -55,7 +55,7 @@ std::string packed_differences(const Integers& integers, std::size_t stride = 1)
   return result.text();
 }
 
-// Each integer that differs from that before it, and how often it is repeated.
+// Packs runs of equal integers: the integer, and how often it is repeated.
 template <class Integers>
 std::string packed_runs(const Integers& integers)
 {

@@ -59,8 +59,8 @@ public:
     return result;
   }
 
-  // For each piece the node that is its segment if there are `n` segments: a cut numbers its
-  // children behind all nodes that are there.
+  // Returns, for each piece, the node that is its segment if there are `n` segments. The nodes of
+  // `n` segments come first because a cut numbers its children behind all nodes that are there.
   std::vector<std::size_t> segments(std::size_t n) const
   {
     const std::size_t end = 2 * n - tree_.number_of_roots();
@@ -72,7 +72,7 @@ public:
   }
 };
 
-// The least salient cut, which labels of any number of segments need.
+// Returns the salience of the least salient cut, the threshold for any number of segments.
 inline double least_salience(const Segmentation_hierarchy& tree)
 {
   double result = std::numeric_limits<double>::infinity();
@@ -82,7 +82,7 @@ inline double least_salience(const Segmentation_hierarchy& tree)
   return result;
 }
 
-// Whether the labels of polygons follow from their pieces.
+// Returns whether the labels of polygons follow from their pieces.
 inline bool has_whole_polygons(const Input& input, const Pieces& pieces)
 {
   for (std::size_t t = 1; t < input.triangles.size(); ++t)
@@ -92,9 +92,9 @@ inline bool has_whole_polygons(const Input& input, const Pieces& pieces)
   return true;
 }
 
-// For `n` segments the label of each, by its node, and the polygons that have another label than
-// that of their piece: such of several pieces, which count to the segment that has most of them,
-// and such beside boundaries that were smoothed.
+// Returns what `n` segments need besides the pieces: the label of each segment, by its node, and
+// the polygons with another label than that of the segment of their piece. These polygons have
+// several pieces, or lie beside smoothed boundaries.
 inline nlohmann::ordered_json label_exceptions(const Input& input,
                                                const Segmentation_hierarchy& tree,
                                                const std::vector<std::size_t>& segment_of_piece,
@@ -179,7 +179,8 @@ inline std::vector<Index> take_apart(Page_mesh& mesh, const std::vector<Index>& 
   return origins;
 }
 
-// Gives triangles without a piece that of a triangle which they touch, else any of their segment.
+// Gives each triangle without a piece the piece of a triangle that it touches, else any piece of
+// its segment.
 inline void spread_pieces(Page_mesh& mesh, const std::vector<Index>& segments)
 {
   std::map<Index, Index> piece_of_segment;
@@ -273,7 +274,7 @@ inline void refine_pieces(Page_mesh& mesh, const std::vector<Index>& segments)
   mesh.points.swap(points);
 }
 
-// Returns the mesh for the eye: with refined boundaries, or with fewer triangles.
+// Returns the mesh to be shown, with refined boundaries or with fewer triangles.
 inline Page_mesh page_mesh(const Input& input, const Segmentation_hierarchy& tree,
                            const Pieces& pieces, const Page_options& o)
 {

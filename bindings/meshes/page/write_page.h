@@ -15,10 +15,11 @@
 
 namespace segment_mesh {
 
-// The bytes of a file of this folder, or of three.js, by its name. CMake writes this function.
+// Returns the content of a file of this folder, or of three.js, by its name. CMake writes this
+// function.
 const std::string& page_source(const std::string& name);
 
-// Text that a browser takes for no tag.
+// Returns a text in which a browser finds no tag.
 inline std::string escaped(const std::string& text)
 {
   std::string result;
@@ -27,7 +28,8 @@ inline std::string escaped(const std::string& text)
   return result;
 }
 
-// JSON within the element `script`, which `</script` would end. What is no UTF-8 is replaced.
+// Returns JSON for the element `script`, which `</script` would end. Replaces bytes that are no
+// UTF-8.
 inline std::string json_of_script(const nlohmann::ordered_json& data)
 {
   std::string result;
@@ -36,7 +38,7 @@ inline std::string json_of_script(const nlohmann::ordered_json& data)
   return result;
 }
 
-// A module without its lines that import, for a page in which all modules are one.
+// Returns a module without its lines that import, for a page that has all modules in one.
 inline std::string without_imports(const std::string& module)
 {
   std::istringstream in(module);
@@ -47,7 +49,7 @@ inline std::string without_imports(const std::string& module)
   return result;
 }
 
-// Writes a template, with a text for each `{{name}}`.
+// Writes a template with each `{{name}}` replaced by a text.
 inline void write_filled(std::ostream& out, const std::string& page,
                          const std::function<std::string(const std::string&)>& text)
 {
@@ -68,7 +70,7 @@ inline void check_page()
 #endif
 }
 
-// One file that needs no other.
+// Writes the page as one file that needs no other.
 inline void write_page([[maybe_unused]] std::ostream& out,
                        [[maybe_unused]] const nlohmann::ordered_json& data)
 {
