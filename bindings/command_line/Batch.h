@@ -45,8 +45,9 @@ inline Path place_of(const std::string& input)
   return result;
 }
 
-// Returns the meshes in a folder and the folders in it, in ascending order, but for those in the
-// directory of outputs. Throws `Failure` if there are none. Returns the name of what is no folder.
+// Returns the meshes in a folder and in the folders in it, in ascending order, except those in the
+// directory of outputs. Throws `Failure` if there are none. Returns the name itself if it is no
+// folder.
 inline std::vector<std::string> meshes_in(const std::string& folder, const Path& outputs)
 {
   std::vector<std::string> result;
@@ -112,7 +113,7 @@ public:
   // nothing.
   typedef std::function<Json(const std::string& input, const Path& path)> Run;
 
-  // The row, and the report, of a run that could not make them.
+  // Returns the row of a run that was ended by a signal, and writes its report.
   typedef std::function<Json(const std::string& input, const Path& path, const Failure&)> Report;
 
 private:
@@ -127,7 +128,7 @@ private:
   void lock() const
   {
 #ifndef _WIN32
-    // For writing, without which NFS locks nothing; until the program ends.
+    // Opens the file for writing, without which NFS locks nothing, until the program ends.
     const int file = open((directory_ / ".lock").c_str(), O_RDWR | O_CREAT | O_CLOEXEC, 0666);
     if (file < 0)
       throw_cannot_write(directory_ / ".lock", std::strerror(errno));
@@ -200,7 +201,7 @@ private:
     return !error_a && !error_b && time_a >= time_b;
   }
 
-  // For each input.
+  // Returns whether each input is done. Leaves only the last line of each mesh in the table.
   std::vector<bool> which_are_done(Mesh_table& table, const std::vector<std::string>& inputs) const
   {
     const std::unordered_set<std::string> succeeded = table.tidy();
@@ -245,7 +246,7 @@ public:
   Batch(const std::string& directory, bool shows_progress)
     : directory_(directory), shows_progress_(shows_progress) {}
 
-  // To be called once, before this process starts threads.
+  // Runs all inputs that are not done. May be called once, before this process starts threads.
   Counts operator()(const std::vector<std::string>& inputs, const Json& parameters,
                     std::size_t number_of_jobs, const Run& run, const Report& report)
   {

@@ -31,8 +31,8 @@
 namespace segment_mesh {
 
 // Runs that go on at the same time, each in a process of its own, so that none harms another. Each
-// has a number and ends with a result, or is ended by a signal. On Windows they run one after the
-// other in this process.
+// has a number, and ends with a result or by a signal. On Windows they run in this process, one
+// after the other.
 class Child_runs
 {
 public:
@@ -144,7 +144,7 @@ public:
 
   std::size_t size() const { return children_.size(); }
 
-  // To be called before this process starts threads.
+  // Starts a run in a child. This process must not have threads yet.
   void start(std::size_t number, const Run& run)
   {
     int descriptors[2];
@@ -164,7 +164,7 @@ public:
     children_.push_back({child, number, descriptors[0], ""});
   }
 
-  // Returns the next one to end.
+  // Returns the next run to end.
   Ended_run wait() { return end(next_to_end()); }
 #endif
 };

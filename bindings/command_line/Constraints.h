@@ -106,7 +106,7 @@ public:
   std::int64_t seed(std::size_t triangle) const
   { return seeds_.empty() ? -1 : seeds_[input_.polygon_of_triangle[triangle]]; }
 
-  // Whether the edge between two points must be cut, or must not.
+  // Returns whether a file says that the edge between two points must be cut, or must not.
   bool is_given(const std::pair<std::size_t, std::size_t>& edge, bool must_be_cut) const
   {
     const auto e = edges_.find(ends(static_cast<Index>(edge.first),

@@ -58,7 +58,7 @@ public:
       throw_cannot_write(name_);
   }
 
-  // Leaves the last line of each mesh, and returns the meshes whose runs succeeded.
+  // Removes all but the last line of each mesh, and returns the meshes whose runs succeeded.
   std::unordered_set<std::string> tidy()
   {
     out_.close();

@@ -28,9 +28,9 @@
 
 namespace segment_mesh {
 
-// The files that a run leaves. Each is written under a temporary name in the directory of its own;
-// all get their names in `commit()`, when they are complete. What was not committed is removed, by
-// a signal too; a run that is killed leaves its temporary files. To be used by one thread.
+// The files that a run writes, each under a temporary name in its own directory. All get their
+// names in `commit()`, when they are complete. Files without a commit are removed, by a signal too;
+// a run that is killed leaves its temporary files. Only one thread may use this class.
 class Output_files
 {
   struct File
@@ -45,7 +45,7 @@ class Output_files
     nlohmann::ordered_json closed_segments; // of the index
   };
 
-  // Changed under `Signal_block` only, for `remove_temporaries()` is called by a signal.
+  // Changes only under `Signal_block`, because a signal calls `remove_temporaries()`.
   std::vector<File> files_;
   std::vector<Path> new_directories_;
 
@@ -53,7 +53,7 @@ class Output_files
   std::vector<Segment_directory> segment_directories_;
   Signal_handlers handlers_;
 
-  // Only what signal handlers may do.
+  // Removes a file or an empty directory by functions that signal handlers may call.
   static void remove(const Path& name)
   {
 #ifdef _WIN32
@@ -82,7 +82,7 @@ class Output_files
     return temporary_start + digits + temporary_end;
   }
 
-  // Takes owner and mode as far as permitted.
+  // Gives a file the owner and mode of the target as far as permitted.
   static void take_owner_and_mode([[maybe_unused]] const Path& temporary,
                                   [[maybe_unused]] const Path& target)
   {
@@ -112,7 +112,7 @@ class Output_files
       throw_cannot_write(name);
   }
 
-  // A failure of the last step, which the checks before did not foresee.
+  // Throws after a renaming failed, which no earlier check foresaw.
   [[noreturn]] void throw_cannot_rename(std::size_t number_of_outputs, const std::string& reason)
   {
     const std::size_t number_written = number_of_outputs - files_.size();
@@ -121,7 +121,7 @@ class Output_files
                          std::to_string(number_of_outputs) + " outputs were written before"));
   }
 
-  // Before an old file is touched.
+  // Throws if an output cannot be written. Comes before any old file is touched.
   void check_targets() const
   {
     for (const File& f : files_)
@@ -135,7 +135,8 @@ public:
 
   ~Output_files() { remove_temporaries(this); }
 
-  // `writer` writes the content to a stream.
+  // Writes a temporary file, or keeps the content for a stream until `commit()`. `writer` writes to
+  // a std::ostream.
   template <class Writer>
   void write(const Path& name, const Writer& writer)
   {
@@ -178,8 +179,8 @@ public:
     new_directories_.push_back(path);
   }
 
-  // Writes to the directory that was started last. Takes a name for which `is_segment_file()` is
-  // true.
+  // Writes a file to the directory that was started last. `is_segment_file()` must be true for its
+  // name.
   template <class Writer>
   void write_segment(const std::string& name, const Writer& writer)
   {
@@ -187,8 +188,9 @@ public:
     segment_directories_.back().files.insert(name);
   }
 
-  // A signal comes before or after it, but for what streams have got. An index of segments gets its
-  // name first, so that a later run knows the files even if this one is killed.
+  // Writes to the streams, and gives all files their names. A signal comes before or after this,
+  // except for what streams have got. An index of segments gets its name first, so that a later run
+  // knows the files even if this one is killed.
   void commit()
   {
     for (const Segment_directory& d : segment_directories_)

@@ -96,7 +96,8 @@ public:
 
   double seconds() const { return seconds_since(start_); }
 
-  // Summed over the parts, some of which are searched at the same time by several threads.
+  // Returns the seconds of a stage, summed over all parts, some of which several threads search at
+  // the same time.
   double seconds(Stage stage) const
   {
     const auto found = seconds_of_stage_.find(stage);
@@ -109,7 +110,8 @@ public:
     return found == seconds_of_phase_.end() ? 0 : found->second;
   }
 
-  // Ends the phase before. The expected seconds of this one and of all later ones give its weight.
+  // Ends the current phase and starts another, which has a weight by its expected seconds and those
+  // of all later phases.
   void start_phase(const std::string& name, double seconds_expected, double seconds_after)
   {
     end_phase();

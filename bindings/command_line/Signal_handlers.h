@@ -13,7 +13,7 @@
 
 namespace segment_mesh {
 
-// No signal is handled by this thread while this object lives.
+// Keeps this thread from handling signals while this object lives.
 class Signal_block
 {
 #ifdef _WIN32
@@ -36,10 +36,11 @@ public:
   Signal_block& operator=(const Signal_block&) = delete;
 };
 
-// While it lives, a signal that ends the program first calls a function, always in the thread that
-// made this object: so the function may use what that thread changes under `Signal_block` only. A
-// file that gets too large and a closed pipe are errors of writing instead. Signals that are
-// ignored, as by nohup, or have handlers already stay so. One object at a time.
+// Lets a signal that ends the program first call a function, as long as this object lives. The call
+// is always in the thread that made the object: the function may use what that thread changes under
+// `Signal_block` only. Writing to a closed pipe or a file that gets too large becomes an error.
+// Signals that are ignored, as by nohup, or have handlers already stay so. Only one such object may
+// live at a time.
 class Signal_handlers
 {
   typedef void (*Function)(void*);

@@ -42,14 +42,14 @@ inline std::filesystem::file_status status_of(const Path& name)
   return result;
 }
 
-// Whether the content goes to a reader or a device, and not to a file.
+// Returns whether a name is that of a pipe, a device or standard output, and not of a file.
 inline bool is_stream(const Path& name)
 {
   return is_standard_output(name) || is_character_file(status_of(name)) ||
          is_fifo(status_of(name));
 }
 
-// The file that a name means, which a link may name before it exists.
+// Returns the file at the end of links, which need not exist.
 inline Path behind_links(Path name)
 {
   std::error_code ignored;
@@ -71,7 +71,8 @@ inline bool is_writable([[maybe_unused]] const Path& name)
 #endif
 }
 
-// The superuser may write to all files, but means those not that nobody may write to.
+// Returns whether nobody may write to a file, or this user may not. The superuser may write to all
+// files, but does not mean to write to write-protected ones.
 inline bool is_write_protected(const Path& file)
 {
   using std::filesystem::perms;
@@ -80,7 +81,8 @@ inline bool is_write_protected(const Path& file)
          (std::filesystem::status(file).permissions() & write) == perms::none;
 }
 
-// In a directory such as /tmp only the owner of a file, or of the directory, may replace the file.
+// Returns whether this user may not replace a file, because its directory is one such as /tmp,
+// where only the owner of the file or of the directory may.
 inline bool is_kept_by_sticky_bit([[maybe_unused]] const Path& file)
 {
 #ifdef _WIN32
@@ -146,10 +148,10 @@ inline bool is_same_output(const Path& a, const Path& b)
          (!is_stream(a) && is_same_place(behind_links(a), behind_links(b)));
 }
 
-// A directory of segments has an index of them, by which a later run knows what it may remove.
+// The index of a directory of segments, by which a later run knows what it may remove.
 const char* const segment_index_name = "segments.json";
 
-// segment_000.ply, segment_1000.obj, texture_000.png ...
+// Returns whether a name is like segment_000.ply, segment_1000.obj or texture_000.png.
 inline bool is_segment_file(const std::string& name)
 {
   const std::string start = name.substr(0, 8); // which are equally long
@@ -159,12 +161,12 @@ inline bool is_segment_file(const std::string& name)
          name.find_first_of("./\\", dot + 1) == std::string::npos;
 }
 
-// A name of its own while a file is written. Short, so that a target may have the longest name that
-// there is.
+// The begin and end of the name of a file while it is written, which are short so that the target
+// may have the longest possible name.
 const std::string temporary_start = ".segment_mesh_", temporary_end = ".tmp";
 constexpr std::size_t number_of_temporary_digits = 16;
 
-// Only a run that was killed leaves such files.
+// Returns whether a name is that of a temporary file, which only a run that was killed leaves.
 inline bool is_temporary_file(const std::string& name)
 {
   const std::size_t end = temporary_start.size() + number_of_temporary_digits;
@@ -183,9 +185,9 @@ inline std::string segment_index(const std::set<std::string>& files,
   return result.dump(1) + "\n";
 }
 
-// The files of segments that an earlier run wrote, and temporary files if it was killed; none if
-// the directory is not there yet. Throws if the directory or one of these files cannot be written
-// to, or the directory may be of another use.
+// Returns the files of segments that an earlier run wrote, and the temporary files of runs that
+// were killed; none if the directory does not exist yet. Throws if the directory or one of these
+// files cannot be written to, or the directory may be of another use.
 inline std::set<std::string> earlier_segment_files(const Path& directory)
 {
   const std::filesystem::file_status status = status_of(directory);
@@ -229,8 +231,8 @@ inline std::set<std::string> earlier_segment_files(const Path& directory)
 inline Path split_directory_of(const Path& name)
 { return behind_links(name.has_filename() ? name : name.parent_path()); }
 
-// Finds before a long run what cannot be written after it. An input or output may be "-"; an output
-// and a directory of segments may be empty for none.
+// Throws before a long run what could not be written after it. An input or output may be "-"; an
+// output and a directory of segments may be empty for none.
 inline void check_outputs(const std::vector<Path>& inputs, const std::vector<Path>& outputs,
                           const std::vector<Path>& split_directories)
 {

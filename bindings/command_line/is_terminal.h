@@ -14,7 +14,7 @@
 
 namespace segment_mesh {
 
-// Whether standard error is shown to a person, and not kept in a file.
+// Returns whether a person sees standard error, and no file receives it.
 inline bool standard_error_is_terminal()
 {
 #ifdef _WIN32

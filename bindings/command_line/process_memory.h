@@ -12,7 +12,7 @@
 
 namespace segment_mesh {
 
-// The largest memory of the process so far, in bytes; 0 if the system does not report it.
+// Returns the largest memory of the process so far, in bytes; 0 if the system does not report it.
 inline std::size_t peak_memory()
 {
 #if defined(__unix__) || defined(__APPLE__)
@@ -29,8 +29,8 @@ inline std::size_t peak_memory()
 #endif
 }
 
-// Limits the address space of the process while it lives: more bytes than that are std::bad_alloc.
-// The end of its life restores the former limit, so that there is memory for a message. Has no
+// Limits the address space of the process while this object lives: more memory throws
+// std::bad_alloc. Its end restores the former limit, so that there is memory for a message. Has no
 // effect where the system has no such limit.
 class Memory_limit
 {

@@ -140,7 +140,7 @@ struct Options
   std::string part_extension() const { return split_format.empty() ? ".ply" : '.' + split_format; }
   std::string hull_extension() const { return split_format.empty() ? ".obj" : '.' + split_format; }
 
-  // Returns 0 if the unit is not known.
+  // Returns the millimeters of the unit of the mesh; 0 if it is unknown.
   double millimeters() const
   {
     static const std::map<std::string, double> units{
@@ -390,7 +390,7 @@ void add_options(CLI::App& app, Options& o)
   app.add_flag("--print-bash-completion", o.prints_completion)->group("");
 }
 
-// Finds the errors that can be found before any run.
+// Throws errors of usage that can be found before any run.
 void check_usage(const Options& o)
 {
 #ifndef CGAL_LINKED_WITH_TBB
@@ -433,7 +433,7 @@ void check_usage(const Options& o)
                                  "--out-dir");
 }
 
-// Finds the errors in the files that can be found before a long run.
+// Throws errors in the files that can be found before a long run.
 void check_files(const Options& o)
 {
   std::vector<std::filesystem::path> outputs = {o.label_file, o.report_file, o.hierarchy_file,
