@@ -12,7 +12,7 @@
 
 namespace python {
 
-// A thread that does one work after another until the process ends. It must not be destroyed.
+// A thread that runs one task after another until the process ends. It must not be destroyed.
 class Worker
 {
   std::mutex mutex_;

@@ -87,7 +87,7 @@ Rows<Number> rows_of(const py::array& array)
   return Rows<Number>(array, read);
 }
 
-// An array of `shape` that takes over a vector, whose elements consist of numbers of that type.
+// Returns an array of `shape` that takes over a vector, whose elements consist of such numbers.
 template <class Number, class Element>
 py::array_t<Number> array_of(std::vector<Element> elements, std::vector<py::ssize_t> shape)
 {
@@ -116,7 +116,7 @@ py::array_t<std::int32_t> array_of_indices(std::vector<Element> elements,
   return array_of<std::int32_t>(std::move(elements), shape);
 }
 
-// Returns elements of which each is some numbers of a contiguous array.
+// Returns elements, each made of some numbers of a contiguous array.
 template <class Element, class Array>
 std::vector<Element> vector_of(const Array& array)
 {

@@ -26,7 +26,7 @@ struct Factor
   double Factors::*value;
 };
 
-// All factors that are numbers.
+// The factors that are numbers.
 constexpr Factor all_factors[] = {
   {"size", &Factors::size},
   {"cut_strength", &Factors::cut_strength},
@@ -54,7 +54,7 @@ inline py::tuple tuple_of(const Factors& factors)
   return result;
 }
 
-// One number of each node, as an array.
+// Returns an array of one number for each node.
 template <class Number, class Function>
 py::array_t<Number> array_of_nodes(const CGAL::Spectral_segmentation::Segmentation_hierarchy& h,
                                    const Function& number_of_node)
@@ -90,7 +90,7 @@ inline py::dict factors_of_nodes(const CGAL::Spectral_segmentation::Segmentation
   return result;
 }
 
-// A structured array: a row for each node.
+// Returns a structured array with a row for each node.
 inline py::object
 table_of_nodes(const CGAL::Spectral_segmentation::Segmentation_hierarchy& h)
 {

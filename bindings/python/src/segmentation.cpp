@@ -93,7 +93,7 @@ auto feature_map(const Optional_features& features)
   });
 }
 
-// Calls f(tag) so that at most this number of threads work on it; all if there is none.
+// Calls f(tag) so that at most this number of threads work on it; all threads if it is not given.
 template <class Function>
 void with_threads([[maybe_unused]] const std::optional<int>& number, const Function& f)
 {
@@ -177,7 +177,8 @@ Segmentation_hierarchy from_json(const std::string& text)
   }
 }
 
-// The module's own Python checks the types of all arguments, and that nodes exist.
+// Defines the class Hierarchy. The module's own Python checks the types of all arguments, and that
+// nodes exist.
 void define_hierarchy(py::module_& m)
 {
   typedef Segmentation_hierarchy H;
@@ -212,7 +213,7 @@ void define_hierarchy(py::module_& m)
 
 PYBIND11_MODULE(_core, m)
 {
-  // CGAL prints its exceptions before it throws them.
+  // Keeps CGAL from printing its exceptions before it throws them.
   CGAL::set_error_handler([](const char*, const char*, const char*, int, const char*) {});
   CGAL::set_warning_handler([](const char*, const char*, const char*, int, const char*) {});
   py::register_exception_translator([](std::exception_ptr error) {

@@ -50,7 +50,7 @@ using emscripten::val;
 using segment_mesh::Index;
 using segment_mesh::Input;
 
-// A copy of numbers as a typed array. Views of the memory end when it grows.
+// Returns a copy of numbers as a typed array. A view of the memory would end when it grows.
 template <class Number>
 val typed_array(const std::vector<Number>& numbers)
 {
@@ -64,7 +64,7 @@ val typed_array_of_triples(const std::vector<Triple>& triples)
   return val(emscripten::typed_memory_view(3 * triples.size(), numbers)).call<val>("slice");
 }
 
-// Returns the points of a typed array of another number type or the same.
+// Returns the points of a typed array of any number type.
 std::vector<mesh_file::Point> points_of(const val& array)
 {
   std::vector<mesh_file::Point> result(array["length"].as<std::size_t>() / 3);
@@ -73,7 +73,7 @@ std::vector<mesh_file::Point> points_of(const val& array)
   return result;
 }
 
-// The numbers of a typed array; none if it is undefined.
+// Returns the numbers of a typed array; none if it is undefined.
 template <class Number>
 std::vector<Number> numbers_of(const val& array)
 {
@@ -91,7 +91,7 @@ val typed_array_of_bytes(const std::string& bytes)
     bytes.size(), reinterpret_cast<const std::uint8_t*>(bytes.data()))).call<val>("slice");
 }
 
-// Shared by its runs, so that each may end first.
+// A mesh, which each of its runs keeps alive.
 class Mesh
 {
   std::shared_ptr<const Input> input_;
@@ -169,7 +169,8 @@ class Constraints
   std::vector<Edge> constrained_edges_;
   std::vector<Edge> uncuttable_edges_;
 
-  // `known` are the edges of the mesh, sorted. They are found when they are first needed.
+  // Returns the edges of a constraint, sorted. Throws if one is not in the mesh. `known` gets the
+  // edges of the mesh, sorted, when they are first needed.
   static std::vector<Edge> read_edges(const Input& input, const val& given, const char* name,
                                       std::vector<Edge>& known)
   {
@@ -220,8 +221,8 @@ public:
   auto uncuttable_edge_map() const { return edge_map(uncuttable_edges_); }
 };
 
-// The features of the faces: `features` has the labels or the vectors of all faces, one after the
-// other.
+// Returns the features of the faces. `features` has the labels or the vectors of all faces, one
+// after the other.
 mesh_file::Face_vectors read_features(const Input& input, const val& given)
 {
   if (given["features"].isUndefined())
@@ -292,7 +293,7 @@ class Segmentation
   segmentation::Segmentation_hierarchy tree_;
   std::vector<Index> label_of_triangle_; // one per triangle of the run
 
-  // `choice` is undefined for the segments of the run, else an object with numbers.
+  // Returns the labels that `choice` demands; those of the run if it is undefined.
   std::vector<Index> labels_of_triangles(const val& choice) const
   {
     if (choice.isUndefined())
