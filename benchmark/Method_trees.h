@@ -16,7 +16,7 @@
 
 namespace segmentation_benchmark {
 
-// A tree is cut to so many segments at least, which is more than people make.
+// The least number of segments into which a tree is cut, which is more than people make.
 constexpr std::size_t number_of_segments_of_tree = 20;
 
 struct Timed_tree
@@ -25,7 +25,7 @@ struct Timed_tree
   Time time;
 };
 
-// The trees of a method on a mesh or a triangle soup. Each is made when it is first asked for, and
+// The trees of a method on a mesh or a triangle soup. Each is made when it is first requested, and
 // kept.
 class Method_trees
 {
@@ -55,16 +55,16 @@ public:
                { return method.segment_soup(soup, threshold, n); })
   {}
 
-  // Has the labels for this threshold and all higher ones.
+  // Returns a tree with the labels for this threshold and all higher ones.
   const Timed_tree& down_to(double threshold)
   { return has_whole_trees_ ? up_to(1) : run(threshold, any_number); }
 
-  // Has the labels for so many segments and all smaller numbers.
+  // Returns a tree with the labels for so many segments and all smaller numbers.
   const Timed_tree& up_to(std::size_t number_of_segments)
   { return run(any_salience, (std::max)(number_of_segments, number_of_segments_of_tree)); }
 };
 
-// Those with the least error(labels) of all numbers of segments.
+// Returns the labels of the tree with the least error(labels), for any number of segments.
 template <class Error>
 Labels best_labels(const Segmentation_hierarchy& tree, const Error& error_of)
 {

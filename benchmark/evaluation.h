@@ -12,10 +12,10 @@
 #include <functional>
 #include <vector>
 
-// Means over the meshes, and how sure they are.
+// Means over the meshes, and their uncertainty.
 namespace segmentation_benchmark {
 
-// `value` is a function or a pointer to a member.
+// Returns a value of each element. `value` is a function or a pointer to a member.
 template <class Range, class Value>
 std::vector<double> values_of(const Range& range, const Value& value)
 {
@@ -39,7 +39,7 @@ struct Estimated_mean
 {
   double mean, standard_error;
 
-  // Beyond chance: by more than twice the standard error.
+  // Returns whether the mean is positive beyond chance: by more than twice the standard error.
   bool is_positive() const { return mean > 2 * standard_error; }
   bool is_negative() const { return mean < -2 * standard_error; }
 };

@@ -76,7 +76,7 @@ inline double diagonal(const Mesh& mesh)
   return std::hypot(box.x_span(), box.y_span(), box.z_span());
 }
 
-// By a random rotation, and a translation by the diagonal of the bounding box.
+// Returns the mesh after a random rotation, and a translation by the diagonal of the bounding box.
 inline Changed_mesh moved_rigidly(const Mesh& mesh, CGAL::Random& random)
 {
   const Kernel::Vector_3 axis = random_direction(random);
@@ -174,7 +174,7 @@ inline Changed_mesh with_noise(const Mesh& mesh, CGAL::Random& random, double fr
   return result;
 }
 
-// Each face into four, at the midpoints of its edges.
+// Returns the mesh with each face divided into four, at the midpoints of its edges.
 inline Changed_mesh subdivided(const Mesh& mesh)
 {
   Changed_mesh result;
@@ -205,7 +205,8 @@ inline Kernel::Point_3 centroid(const Mesh& mesh, Mesh::Face_index f)
                         mesh.point(mesh.target(mesh.next(h))));
 }
 
-// Faces are compared with the face nearest to their centroid.
+// Collapses edges until so many are left. The original of a face is the face nearest to its
+// centroid.
 inline Changed_mesh decimated(const Mesh& mesh, std::size_t number_of_edges)
 {
   Changed_mesh result{mesh, {}};

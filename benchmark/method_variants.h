@@ -10,7 +10,7 @@
 #include <cstddef>
 #include <vector>
 
-// The default method, and what it is without one of the things it is made of.
+// The default method, and variants without one of its elements.
 namespace segmentation_benchmark {
 
 inline Tree_method method_with(const char* name, const Engine_options& options,
@@ -32,7 +32,7 @@ struct Method_variant
   void (*change)(Engine_options&);
 };
 
-// Each puts one number of the default method to the paper's.
+// Returns the default method, and variants in which one element is left out or the paper's.
 inline const std::vector<Method_variant>& method_variants()
 {
   static const std::vector<Method_variant> variants = {

@@ -27,7 +27,7 @@ CLI::App& add_experiment(CLI::App& app, Options& o, const char* name, const char
   return command;
 }
 
-// Exact eigenvectors need meshes with few faces.
+// Compares the numbers of samples on meshes with few faces, which exact eigenvectors need.
 void compare_on_small_meshes(const Experiment_options& o)
 {
   Experiment_options small = o;

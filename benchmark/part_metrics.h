@@ -28,7 +28,8 @@ struct Part_agreement
   double made = undefined;             // the fraction of the segments that some person made
   double false_segments = undefined;   // the number of segments that nobody made
   double scraps = undefined;           // the number of those that are scraps
-  // Only of meshes that are their own mirror images, but for details (mirror_metrics.h):
+  // Defined only for meshes that are their own mirror images, except for details
+  // (mirror_metrics.h):
   double unlike = undefined;     // the number of segments whose mirror images are no segments
   double same_place = undefined; // of the others, the fraction whose seams are mirror images
 };

@@ -215,7 +215,7 @@ void measure_another_number(benchmark::State& state, Input& input)
   }
 }
 
-// The rows of a size.
+// The rows for a size.
 class Rows
 {
   Inputs& inputs_;
@@ -242,7 +242,7 @@ public:
         { measure_run(state, input, run, threads); });
   }
 
-  // The runs come first, while the mesh is alone in memory.
+  // Adds all rows, those of runs first, while the mesh is alone in memory.
   void add_all(const std::set<std::size_t>& threads) const
   {
     for (std::size_t n : threads)

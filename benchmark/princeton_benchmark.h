@@ -39,7 +39,7 @@ constexpr std::array<const char*, 20> category_names = {
 inline std::size_t category(int id)
 { return static_cast<std::size_t>(id - 1) / meshes_per_category; }
 
-// Springs are among the meshes, but no person has cut them.
+// Returns whether people have cut the mesh: springs are among the meshes, but nobody has cut them.
 inline bool is_in_benchmark(int id)
 {
   return id >= 1 && category(id) < category_names.size() &&
@@ -61,7 +61,7 @@ inline void add_id_range(const std::string& text, std::set<int>& ids)
     ids.insert(id);
 }
 
-// The ids of the benchmark in "odd", "even", "all" or a list as "1-20,33", in ascending order.
+// Returns ids in ascending order from "odd", "even", "all" or a list as "1-20,33".
 inline std::vector<int> parse_ids(const std::string& text)
 {
   std::set<int> ids;
@@ -133,7 +133,7 @@ inline Benchmark_mesh read_benchmark_mesh(const std::filesystem::path& folder, i
   return result;
 }
 
-// The mode of the numbers of people's segments, the smaller of ties.
+// Returns the most frequent number of segments of people, the smallest of ties.
 inline std::size_t usual_number_of_segments(const std::vector<Labels>& people)
 {
   std::map<std::size_t, int> votes;
@@ -151,7 +151,7 @@ inline double mean_rand_error(const Labels& labels, const std::vector<Labels>& p
   return mean();
 }
 
-// Returns the mean over each two people; the error of two people does not depend on their order.
+// Returns the mean error over all pairs of people, in which the order of the two does not matter.
 inline double mean_rand_error_of_people(const std::vector<Labels>& people)
 {
   Mean mean;

@@ -29,7 +29,7 @@ inline void add_threads_option(CLI::App& app, std::size_t& threads)
     ->check(CLI::Range(1, 1024))->capture_default_str();
 }
 
-// The main function of a program: exit status 0, or 1 with a message on standard error.
+// Runs a program. Returns its exit status: 0, or 1 with a message on standard error.
 template <class Options>
 int run_program(const char* name, const char* description,
                 void (*add_options)(CLI::App&, Options&), void (*run)(const Options&), int argc,

@@ -9,7 +9,7 @@
 
 namespace segmentation_benchmark {
 
-// The same numbers on every machine, as long as no distribution of the standard library is used.
+// Gives the same numbers on every machine, unless a distribution of the standard library is used.
 typedef std::mt19937_64 Random_engine;
 
 // Returns a number that is at least 0 and less than 1.

@@ -26,8 +26,7 @@
 #include <utility>
 #include <vector>
 
-// How well methods find the parts of meshes whose parts are known, from files with the part of each
-// triangle.
+// Measures how well methods find known parts, from files with the part of each triangle.
 namespace segmentation_benchmark {
 
 // A part with a smaller fraction of the area of the mesh is hardly seen.

@@ -22,8 +22,8 @@
 
 namespace segmentation_benchmark {
 
-// AUTO: nothing is given. K: the usual number of people's parts is given. TREE: of all numbers of
-// parts that the tree of cuts can give, the one with the smallest Rand error.
+// The information that a method gets. AUTO: none. K: the usual number of people's parts. TREE: the
+// number of parts, of all that the tree of cuts can give, with the smallest Rand error.
 enum class Protocol { AUTO, K, TREE, OTHERS };
 
 constexpr std::array<const char*, 4> protocol_names = {"auto", "k", "tree", "others"};
@@ -39,7 +39,7 @@ struct Row
   std::string triangulation = triangulation_names().front(); // the mesh is segmented in it
 };
 
-// How a row does on a mesh.
+// The quality of a row on a mesh.
 struct Score
 {
   Errors errors;
@@ -144,8 +144,8 @@ class Mesh_scorer
   }
 
 public:
-  // The threshold, if any, is used in place of the default one of each method. The cache is a
-  // folder of changed meshes, or empty.
+  // Takes a threshold, if any, to be used in place of the default one of each method, and a folder
+  // for changed meshes, or an empty path.
   Mesh_scorer(const Benchmark_mesh& input, std::optional<double> threshold,
               std::filesystem::path cache = {})
     : input_(input), threshold_(threshold), cache_(std::move(cache)),

@@ -95,7 +95,7 @@ inline int width_of_titles(const std::vector<Row_summary>& rows)
   return static_cast<int>(width);
 }
 
-// Values that are not defined are a dash.
+// Prints a value, or a dash if it is not defined.
 inline void print_value(int width, double value)
 {
   if (std::isnan(value))
@@ -142,7 +142,7 @@ inline std::size_t row_as_is(const std::vector<Row_summary>& rows, const Row& ro
   return static_cast<std::size_t>(found - rows.begin());
 }
 
-// How much the Rand error of each mesh changes with its triangulation.
+// Prints how much the Rand error of each mesh changes with its triangulation.
 inline void print_triangulations(const std::vector<Row_summary>& rows,
                                  const std::vector<Scored_mesh>& meshes)
 {
@@ -184,7 +184,7 @@ inline void print_line(const char* name, const Summary& first,
   std::printf("\n");
 }
 
-// The Rand error of each row by category.
+// Prints the Rand error of each row by category.
 inline void print_categories(const std::vector<Row_summary>& rows)
 {
   std::vector<int> widths;

@@ -146,7 +146,7 @@ inline std::vector<std::string> method_names()
 constexpr std::size_t any_number = (std::numeric_limits<std::size_t>::max)();
 constexpr double any_salience = -std::numeric_limits<double>::infinity();
 
-// The labels of a method by itself: at its default threshold, if it has one.
+// Returns the labels of a method at its default threshold, if it has one.
 inline Labels default_labels(const std::string& method_name, const Mesh& mesh)
 {
   if (const Tree_method* method = tree_method(method_name))

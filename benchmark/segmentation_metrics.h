@@ -75,7 +75,7 @@ double average_radius(const SurfaceMesh& mesh, const std::vector<double>& face_a
   return sum / area;
 }
 
-// The facts of a CGAL::Surface_mesh without removed elements.
+// Returns the facts of a CGAL::Surface_mesh without removed elements.
 template <class SurfaceMesh>
 Mesh_facts mesh_facts(const SurfaceMesh& mesh)
 {
@@ -110,7 +110,8 @@ Labels contiguous(const AnyLabels& labels)
   return result;
 }
 
-// How much the segments of two segmentations, in rows and columns, have in common.
+// Returns how many faces each segment of a, in rows, and each segment of b, in columns, have in
+// common.
 inline Eigen::ArrayXXd overlap(const Labels& a, const Labels& b)
 {
   Eigen::ArrayXXd table = Eigen::ArrayXXd::Zero(number_of_segments(a), number_of_segments(b));
@@ -141,7 +142,8 @@ inline double rand_error(const Eigen::ArrayXXd& faces)
 inline double rand_error(const Labels& a, const Labels& b)
 { return rand_error(overlap(a, b)); }
 
-// Returns the same of pairs of points of the surface, whatever its triangles.
+// Returns the fraction of pairs of points of the surface, whatever its triangles, that one side
+// joins and the other does not.
 inline double rand_error_by_area(const Eigen::ArrayXXd& area)
 {
   const double total = area.sum();
@@ -149,7 +151,7 @@ inline double rand_error_by_area(const Eigen::ArrayXXd& area)
           2 * area.square().sum()) / (total * total);
 }
 
-// The vertices along the cuts, each once.
+// Returns the vertices along the cuts, each once.
 inline std::vector<std::size_t> cut_vertices(const Mesh_facts& facts, const Labels& labels)
 {
   std::vector<std::size_t> vertices;
@@ -161,7 +163,7 @@ inline std::vector<std::size_t> cut_vertices(const Mesh_facts& facts, const Labe
   return vertices;
 }
 
-// The distance of each vertex from the nearest cut, along edges; infinite where there is none.
+// Returns the distance of each vertex from the nearest cut, along edges; infinite if there is none.
 inline std::vector<double> distances_from_cuts(const Mesh_facts& facts, const Labels& labels)
 {
   const std::vector<std::size_t> sources = cut_vertices(facts, labels);
@@ -178,8 +180,8 @@ inline std::vector<double> distances_from_cuts(const Mesh_facts& facts, const La
   return distances;
 }
 
-// The mean distance of the vertices of each side's cuts from the cuts of the other, in units of the
-// average radius. Undefined where a side has no cut, or none that can be reached.
+// Returns the mean distance of the vertices of each side's cuts from the cuts of the other side, in
+// units of the average radius. Undefined if a side has no cut, or none that can be reached.
 inline double cut_discrepancy(const Mesh_facts& facts, const std::vector<double>& distances_a,
                               const std::vector<double>& distances_b)
 {
@@ -215,7 +217,7 @@ inline Errors errors(const Mesh_facts& facts, const Segmentation& result,
           cut_discrepancy(facts, result.cut_distances, reference.cut_distances)};
 }
 
-// The mean of the values that are defined.
+// The mean of those values that are defined.
 class Mean
 {
   double sum_ = 0;

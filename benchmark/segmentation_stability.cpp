@@ -100,7 +100,7 @@ void print(const std::string& change, const Effects& e)
               100 * e.is_identical(), e.worst.c_str());
 }
 
-// One for each change.
+// Returns the effect of each change on a mesh.
 std::vector<Effect> effects(const Mesh& mesh)
 {
   const Labels original = segment(mesh);

@@ -24,8 +24,9 @@ inline void collapse_edges(Mesh& mesh, std::size_t number_of_faces)
   mesh.collect_garbage();
 }
 
-// The shape of a mesh in about so many faces. Of more than the mesh has, a quarter, a sixteenth and
-// so on is left by collapsing edges, then Loop subdivision makes four of each.
+// Returns the shape of a mesh in about so many faces. For more faces than the mesh has, edges are
+// collapsed until a quarter, a sixteenth and so on of this number is left; then Loop subdivision
+// makes four faces of each.
 inline Mesh with_size(Mesh mesh, std::size_t number_of_faces)
 {
   unsigned int number_of_subdivisions = 0;

@@ -13,7 +13,7 @@
 
 namespace segmentation_benchmark {
 
-// In seconds.
+// A time in seconds.
 struct Time
 {
   double wall = 0;
@@ -29,7 +29,7 @@ public:
   double seconds() const { return boost::chrono::duration<double>(Clock::now() - start_).count(); }
 };
 
-// f() and the time that it takes.
+// Returns f() and the time that it takes.
 template <class Function>
 auto timed(const Function& f)
 {

@@ -24,11 +24,11 @@
 #include <utility>
 #include <vector>
 
-// The same shape in other triangles, and the way back of the labels. People's segmentations are of
-// the original faces, so these are what a segmentation is judged on, whatever was segmented.
+// The same shape in other triangles, and the labels carried back. People have segmented the
+// original faces, so results are compared on these, whatever was segmented.
 namespace segmentation_benchmark {
 
-// The first one leaves the mesh as it is.
+// Returns the names of the triangulations, of which the first leaves the mesh as it is.
 inline const std::vector<std::string>& triangulation_names()
 {
   static const std::vector<std::string> names = {"as_is", "decimated", "remeshed", "subdivided"};
@@ -38,7 +38,7 @@ inline const std::vector<std::string>& triangulation_names()
 inline bool is_as_is(const std::string& triangulation)
 { return triangulation == triangulation_names().front(); }
 
-// Few faces, large where the surface is flat.
+// The number of faces of a mesh with few faces, which are large where the surface is flat.
 constexpr std::size_t faces_of_decimated = 1500;
 
 inline Mesh decimated_mesh(Mesh mesh)
@@ -47,14 +47,15 @@ inline Mesh decimated_mesh(Mesh mesh)
   return mesh;
 }
 
-// About so many faces, nearly equilateral and of one size.
+// The approximate number of faces of a mesh with nearly equilateral faces of one size.
 constexpr double faces_of_remeshed = 8000;
 constexpr double sharp_angle = 60;
 
-// The edges that are sharp stay in the mesh, but not their vertices: if these were protected, short
-// edges would stay along them. The remesher leaves edges that are a little shorter than its target.
-// All faces are of one patch: patches that sharp edges enclose vanish when they are smaller than a
-// face, which the remesher of CGAL 5.5 does not expect.
+// Returns a mesh of nearly equilateral faces of one size. It keeps sharp edges, but not their
+// vertices: if these were protected, short edges would stay along them. The remesher leaves edges
+// that are a little shorter than its target. All faces belong to one patch: patches that sharp
+// edges enclose vanish when they are smaller than a face, which the remesher of CGAL 5.5 does not
+// expect.
 inline Mesh remeshed_mesh(Mesh mesh)
 {
   namespace PMP = CGAL::Polygon_mesh_processing;
@@ -101,10 +102,10 @@ inline Kernel::Point_3 random_point(const Mesh& mesh, Mesh::Face_index f, Random
          t * (mesh.point(mesh.target(mesh.next(h))) - p);
 }
 
-// For each face of a mesh, the faces of another one that are nearest to some random points on it.
-// No face without an area is among these, as there is no plane to measure the distance from.
 constexpr std::size_t points_on_face = 9;
 
+// Returns for each face of a mesh the faces of another mesh that are nearest to some random points
+// on it, among those with an area, because the others have no plane to measure the distance from.
 inline std::vector<std::vector<std::size_t> > nearest_faces(const Mesh& mesh, const Mesh& other)
 {
   std::vector<Mesh::Face_index> faces;
@@ -143,8 +144,8 @@ inline Retriangulated_mesh retriangulated(const std::string& triangulation, cons
 inline Retriangulated_mesh retriangulated(const std::string& triangulation, const Mesh& mesh)
 { return retriangulated(triangulation, mesh, triangulated_as(triangulation, mesh)); }
 
-// The same, from a file of this folder. If there is none, it is made and written first, and read
-// again, so that all runs see the same mesh.
+// Relates a triangulation to the original, by a file in the folder `cache`, so that all runs see
+// the same mesh. A missing file is written first, and read again. Subdivision has no file.
 inline Retriangulated_mesh retriangulated(const std::string& triangulation, const Mesh& mesh,
                                           const std::filesystem::path& cache,
                                           const std::string& name)
@@ -164,7 +165,7 @@ inline Retriangulated_mesh retriangulated(const std::string& triangulation, cons
   return retriangulated(triangulation, mesh, read_mesh(file));
 }
 
-// Each original face takes the label that most of the faces on it have, the first of several.
+// Returns for each original face the label that most of the faces on it have, the first of several.
 inline Labels carried_back(const Retriangulated_mesh& from, const Labels& labels)
 {
   Labels result;

@@ -18,7 +18,7 @@ namespace {
 
 constexpr std::size_t number_of_schemes = sampling_schemes.size();
 
-// Schemes that depend on a random face are tried as often as this at each part.
+// The number of trials at each part of schemes that depend on a random face.
 constexpr int number_of_trials = 5;
 
 // Returns the fraction that has the two faces in different segments, among the people who have two

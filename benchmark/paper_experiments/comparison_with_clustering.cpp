@@ -26,7 +26,7 @@ struct Clusterer
 Labels by_line_search(const Surface& mesh, std::size_t k, std::size_t, Random_engine& random)
 { return recursive_cuts_by_samples(sampling_schemes[shape_context_scheme], mesh, k, random); }
 
-// Line search is the last one.
+// The methods, of which line search is the last.
 constexpr std::array<Clusterer, 3> clusterers = {{
   {"k-way k-means", k_way_clusters},
   {"recursive 2-means", recursive_two_means},
@@ -40,7 +40,7 @@ struct Result
 
 typedef std::array<Result, clusterers.size()> Results;
 
-// The face distances are given.
+// Returns the result of each method, without the time and memory for the distances of faces.
 Results results(const Benchmark_mesh& input, std::size_t samples)
 {
   const Surface graph = paper_graph(input.mesh);

@@ -22,16 +22,16 @@ struct Experiment_options
   std::size_t samples = 100; // rows of the affinity matrix of clusterings
 };
 
-// Figure 1.
+// Compares line search between samples in the same part and in different parts (Figure 1).
 void compare_placements(const Experiment_options& o);
 
-// Figure 3 and Section 4.
+// Compares how often samples by several schemes lie in different parts (Figure 3 and Section 4).
 void compare_samplings(const Experiment_options& o);
 
-// Figure 4 and Section 7.1.
+// Compares line search with spectral clustering by k-means (Figure 4 and Section 7.1).
 void compare_with_clusterings(const Experiment_options& o);
 
-// Section 7.2.
+// Compares more samples with two (Section 7.2).
 void compare_numbers_of_samples(const Experiment_options& o);
 
 // Returns a mesh with about so many faces, which have the labels of the nearest original faces.

@@ -59,7 +59,7 @@ std::vector<Index> farthest_first(std::size_t n, Index first, std::size_t m,
   return samples;
 }
 
-// The first is the one farthest from a random face.
+// Returns samples far apart along shortest paths. The first is farthest from a random face.
 template <auto weighting>
 std::vector<Index> samples_by_paths(const Surface& part, std::size_t m,
                                     Random_engine& random)
@@ -71,7 +71,8 @@ std::vector<Index> samples_by_paths(const Surface& part, std::size_t m,
   return farthest_first(n, first, m, distances_from);
 }
 
-// The first two are those of the paper, with the first reference face of the package.
+// Returns samples whose shape contexts differ most. The first two are those of the paper, with the
+// first reference face of the package.
 inline std::vector<Index> samples_by_contexts(const Surface& part, std::size_t m,
                                               Random_engine&)
 {

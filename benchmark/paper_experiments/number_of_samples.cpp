@@ -90,7 +90,8 @@ void print_table(const std::vector<Scores>& meshes, const char* title, Column er
   }
 }
 
-// In how many settings an error is smaller than that of two samples, or larger, beyond chance.
+// The numbers of settings in which an error is smaller, or larger, than that of two samples beyond
+// chance.
 struct Comparison
 {
   std::size_t settings = 0, smaller = 0, larger = 0;
@@ -118,8 +119,8 @@ void add_settings(const std::vector<Scores>& meshes, Column error, std::size_t s
     comparison.add(values(meshes, scheme, j, error), values(meshes, scheme_of_two, 0, error));
 }
 
-// Compares with two samples by the same scheme; and the Rand errors, also of the exact
-// eigenvectors, with two by shape context, which is the method of the paper.
+// Prints comparisons with two samples by the same scheme; and of Rand errors, also those of the
+// exact eigenvectors, with two samples by shape context, which is the method of the paper.
 void print_comparisons(const std::vector<Scores>& meshes)
 {
   std::printf("Errors of more samples than two\n");

@@ -24,7 +24,7 @@ constexpr std::array<const char*, NUMBER_OF_PLACEMENTS> names =
 // Pairs of random faces of each placement on a mesh.
 constexpr std::size_t number_of_pairs = 10;
 
-// A part is found if its borders are so near to the cut.
+// A part is found if its agreement with the cut is at least this.
 constexpr double enough_agreement = 0.75;
 
 // Returns two random faces in the same segment or in different ones, if chance finds some.

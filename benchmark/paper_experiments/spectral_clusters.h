@@ -21,10 +21,11 @@
 // Spectral clustering by k-means (Liu and Zhang, Pacific Graphics 2004).
 namespace segmentation_benchmark {
 
-// The rows of the k leading eigenvectors, scaled to unit length. The matrix is whole in a part with
-// at most m faces, else approximated from the rows of m faces that are far apart. By the scaling,
-// row sums of other faces cancel out. Extrapolation needs the leading eigenvalues only: as the
-// affinities are not positive definite, the one-shot method would divide by eigenvalues near 0.
+// Returns the rows of the k leading eigenvectors, scaled to unit length. The matrix is whole in a
+// part with at most m faces, else approximated from the rows of m faces that are far apart. Scaling
+// cancels the row sums of the other faces. Extrapolation needs the leading eigenvalues only: the
+// affinities are not positive definite, so that the one-shot method would divide by eigenvalues
+// near 0.
 inline Eigen::MatrixXd spectral_coordinates(const Surface& part, std::size_t k,
                                             std::size_t m, Random_engine& random)
 {
@@ -37,12 +38,12 @@ inline Eigen::MatrixXd spectral_coordinates(const Surface& part, std::size_t k,
   return e.vectors.leftCols(dimensions).rowwise().normalized();
 }
 
-// All k clusters at once.
+// Divides the faces into k clusters at once.
 inline Labels k_way_clusters(const Surface& mesh, std::size_t k, std::size_t m,
                              Random_engine& random)
 { return k_means(spectral_coordinates(mesh, k, m, random), k, random); }
 
-// Two clusters at a time, of the part of the largest area.
+// Divides the part of the largest area into two clusters until there are k parts.
 inline Labels recursive_two_means(const Surface& mesh, std::size_t k, std::size_t m,
                                   Random_engine& random)
 {
