@@ -34,7 +34,7 @@ int main(int argc, char* argv[])
   const std::vector<Face> samples = CGAL::spectral_embedding(mesh, coordinate);
   std::cout << "samples: faces " << samples[0] << " and " << samples[1] << std::endl;
 
-  // From blue to red by rank: the search uses only the order of the coordinates.
+  // Colors go from blue to red by rank, because the search uses only the order of the coordinates.
   std::vector<Face> line(mesh.faces().begin(), mesh.faces().end());
   std::sort(line.begin(), line.end(),
             [&](Face f, Face g) { return coordinate[f] < coordinate[g]; });

@@ -79,7 +79,7 @@ Part_graph skeleton(const Part_graph& parts)
   return result;
 }
 
-// Finds the ends of limbs: the vertex farthest from the joint, of each part that has only one.
+// Returns the ends of limbs: for each part with only one joint, the vertex farthest from it.
 template <class SegmentIdMap>
 std::map<std::size_t, Point> tips(const Mesh& mesh, SegmentIdMap segment_ids,
                                   const Part_graph& parts)

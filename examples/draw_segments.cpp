@@ -18,7 +18,7 @@ typedef Mesh::Face_index Face;
 typedef Mesh::Property_map<Face, CGAL::IO::Color> Color_map;
 
 #if CGAL_VERSION_NR < CGAL_VERSION_NUMBER(6, 0, 0)
-// CGAL::draw() of CGAL 5 gives colors of its own to the faces.
+// Shows a mesh in these colors. CGAL::draw() of CGAL 5 gives colors of its own to the faces.
 void show(const Mesh& mesh, Color_map color)
 {
   if (qEnvironmentVariableIsSet("CGAL_TEST_SUITE"))
@@ -51,7 +51,7 @@ int main(int argc, char* argv[])
   const std::size_t n = CGAL::segment_spectral_recursive(mesh, segment_ids);
   std::cout << n << " segments" << std::endl;
 
-  // Hues that differ by the golden angle. Files and viewers know the property of this name.
+  // Hues differ by the golden angle. Files and viewers know the property of this name.
   Color_map color = mesh.add_property_map<Face, CGAL::IO::Color>("f:color").first;
   for (Face f : faces(mesh))
     color[f].set_hsv(std::fmod(137.508 * segment_ids[f], 360), 60, 95);

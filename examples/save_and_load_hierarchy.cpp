@@ -37,7 +37,7 @@ int save(const std::string& filename)
   return EXIT_SUCCESS;
 }
 
-// Reads the labels for another number of segments off, without the mesh.
+// Writes the labels for another number of segments, without the mesh.
 int load(std::size_t wanted)
 {
   std::ifstream in("hierarchy.json");
@@ -50,7 +50,7 @@ int load(std::size_t wanted)
   return EXIT_SUCCESS;
 }
 
-// With the name of a mesh it saves, with a number it loads.
+// Saves if the argument is the name of a mesh, and loads if it is a number.
 int main(int argc, char* argv[])
 {
   const std::string argument = argc > 1 ? argv[1] : CGAL::data_file_path("meshes/elephant.off");

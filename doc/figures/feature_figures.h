@@ -12,7 +12,7 @@
 #include <algorithm>
 #include <string>
 
-// Shape, features, and both.
+// The figure of segments by shape, by features, and by both.
 namespace manual_figures {
 
 // Draws an elephant whose noisy features mark socks and a cover of the trunk.

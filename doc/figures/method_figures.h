@@ -246,7 +246,8 @@ inline Index face_at(const Mesh& mesh, const Kernel::Point_3& place)
   return best;
 }
 
-// `same_part` holds two points on one part of the shape.
+// Draws samples by shape context and samples in one part, each with the best cut, and the line of
+// the first. `same_part` holds two points on one part of the shape.
 inline void draw_samples_and_line(Picture_book& book, const Named_mesh& shape,
                                   const std::array<Kernel::Point_3, 2>& same_part)
 {

@@ -48,7 +48,7 @@ public:
     : mesh_(mesh), values_(mesh_.add_property_map<Mesh::Face_index, double>("f:sdf").first)
   { CGAL::sdf_values(mesh_, values_); }
 
-  // Uses all defaults of CGAL.
+  // Returns the segments with all defaults of CGAL.
   Labels by_default() const
   {
     boost::vector_property_map<std::size_t> ids(mesh_.number_of_faces());
