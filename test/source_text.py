@@ -4,9 +4,10 @@
 """source_text.py SOURCE_DIR: checks the layout of the sources, and the names in them.
 
 Lines have at most 100 columns, and no tabs or blanks at the end. A comment begins with its subject
-or its verb, and has none of some private words. Bindings and examples use public headers and names
-only, and the segmentation includes no header of Segmented_mesh. Folders of the engine include only
-those below, also through public headers. include/ does not grow beyond a number of lines.
+or its verb, and has none of some private words. A comment on a function begins with a verb.
+Bindings and examples use public headers and names only, and the segmentation includes no header of
+Segmented_mesh. Folders of the engine include only those below, also through public headers.
+include/ does not grow beyond a number of lines.
 """
 
 import pathlib
@@ -20,6 +21,12 @@ OPENING = re.compile(r"\s*(?://[/!]?|#|/\*\*|\"\"\") ?(?:Of|As|But|Where|What|Wi
 COMMENT = re.compile(r"(?:(?:^|\s)(?:///?|#|/\*\*)|^\s*\*) (.*)")
 # The words of the field are fraction, message, and to report, determine or have in common.
 PRIVATE_WORDS = re.compile(r"(?<![/\w])(?:[Tt]ells?|[Ss]entences?|[Ss]hares?)\b")
+# A function with its type, which constructors do not have, after its template arguments are removed
+FUNCTION = re.compile(r"[^={;#]*[\w*&\]] +[*&]*(?:\w+|operator\W+)\(")
+VERB = re.compile(r" *// (?!This\b|Its\b)[A-Z][a-z]+s\b")
+CLASS = re.compile(r" *(?:template.*> )?(?:class|struct)\b")
+# Headers whose comments still are to be rewritten
+WITHOUT_VERBS = ("bindings/command_line/report.h", "bindings/command_line/write_meshes.h")
 # The folders of the engine: each includes headers of those after it only, also through public
 # headers. engine.h, run.h and cut_surface.h belong to no folder.
 ENGINE = "CGAL/Spectral_segmentation/internal/"
@@ -62,9 +69,31 @@ def comment_of(line, is_docstring):
     return line if is_docstring else comment[1] if comment else ""
 
 
+def comments_without_verb(lines):
+    """Yields the number of each comment directly above a function, at the level of a namespace or a
+    class, that does not begin with a verb in the third person, such as Returns."""
+    is_comment = [line.lstrip().startswith("//") for line in lines]
+    for i, line in enumerate(lines):
+        if not line.lstrip().startswith("// ") or is_comment[i - 1]:
+            continue
+        end = is_comment.index(False, i)
+        code = " ".join(lines[end:end + 4]).replace("explicit ", "") if lines[end] else ""
+        while re.search("<[^<>]*>", code):
+            code = re.sub("<[^<>]*>", "", code)
+        # The line that begins the scope is less indented, and neither a label nor a brace.
+        outer = re.compile(" {0,%d}[^ #/{].*[^:]$" % (len(line) - len(line.lstrip()) - 1))
+        scope = next(filter(outer.match, reversed(lines[:i])), "class" if line[0] == "/" else "")
+        if FUNCTION.match(code) and CLASS.match(scope) and not VERB.match(line):
+            yield i + 1
+
+
 def problems(path, name):
     previous, is_docstring = "", False
-    for number, line in enumerate(path.read_text(encoding="utf-8").split("\n"), 1):
+    lines = path.read_text(encoding="utf-8").split("\n")
+    if path.suffix in (".h", ".cpp") and "test/" not in name and name not in WITHOUT_VERBS:
+        for number in comments_without_verb(lines):
+            yield number, "a comment on a function that begins with no verb, such as Returns"
+    for number, line in enumerate(lines, 1):
         if len(line) > 100 and not name.startswith(LONG_LINES):
             yield number, "%d columns" % len(line)
         if "\t" in line or line != line.rstrip():
