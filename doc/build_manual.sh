@@ -10,7 +10,10 @@ set -euo pipefail
 mkdir -p "$4/pictures"
 # Pages of an earlier build go; the pictures, and the shapes that they lead to, are made before.
 find "$4" -mindepth 1 -maxdepth 1 ! -name pictures ! -name pages -exec rm -r {} +
-[[ -z ${5:-} ]] || cp -r "$5" "$4/try"
+if [[ -n ${5:-} ]]; then
+  cp -r "$5" "$4/try"
+  sed -i 's|<!-- manual -->|<a href="../index.html">Manual</a>|' "$4/try/index.html"
+fi
 # If there are no pictures, a note is in the place of each figure. If there is no Chromium, only the
 # picture of the editor is missing.
 names=editor.html

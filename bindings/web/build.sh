@@ -42,7 +42,8 @@ mkdir -p "$build/try/samples"
 cp "$here"/page/* \
   "$build"/package/{api,client,decode,hierarchy,index,module,worker,worker_actions,worker_client}.js \
   "$build/package/module.wasm" "$root"/bindings/meshes/page/{viewer,colors,first_view,glb,scene}.js \
-  "$root/bindings/meshes/page/viewer.css" /usr/share/javascript/three/three.min.js \
+  "$root/bindings/meshes/page/viewer.css" "$root/doc/fig/shapes.png" \
+  /usr/share/javascript/three/three.min.js \
   /usr/share/javascript/three/examples/js/{controls/OrbitControls,loaders/GLTFLoader}.js \
   "$build/try"
 samples=(triceratops.off elephant.off bear.off) # small ones first

@@ -23,14 +23,13 @@ typedef std::vector<std::vector<std::size_t> > Neighbors;
 
 namespace {
 
-// CIE 1976 L*a*b* of an sRGB color, white D65, from the formulas of IEC 61966-2-1 and CIE 15.
-std::array<double, 3> lab(const Rgb& rgb)
+// The formulas of IEC 61966-2-1.
+double linear_intensity(double c)
+{ return c <= 0.04045 ? c / 12.92 : std::pow((c + 0.055) / 1.055, 2.4); }
+
+// CIE 1976 L*a*b* of a linear RGB color, white D65, from the formulas of CIE 15.
+std::array<double, 3> lab_of_linear(const double (&linear)[3])
 {
-  double linear[3];
-  for (int i = 0; i < 3; ++i) {
-    const double c = rgb[i] / 255.;
-    linear[i] = c <= 0.04045 ? c / 12.92 : std::pow((c + 0.055) / 1.055, 2.4);
-  }
   const auto f = [](double t) {
     const double d = 6. / 29;
     return t > d * d * d ? std::cbrt(t) : t / (3 * d * d) + 4. / 29;
@@ -41,6 +40,14 @@ std::array<double, 3> lab(const Rgb& rgb)
   const double z =
     f((0.0193339 * linear[0] + 0.1191920 * linear[1] + 0.9503041 * linear[2]) / 1.08883);
   return {116 * y - 16, 500 * (x - y), 200 * (y - z)};
+}
+
+std::array<double, 3> lab(const Rgb& rgb)
+{
+  double linear[3];
+  for (int i = 0; i < 3; ++i)
+    linear[i] = linear_intensity(rgb[i] / 255.);
+  return lab_of_linear(linear);
 }
 
 double difference(const Rgb& a, const Rgb& b)
@@ -56,6 +63,21 @@ double smallest_difference_of_neighbors(const Neighbors& neighbors, const std::v
     for (std::size_t b : neighbors[a])
       smallest = (std::min)(smallest, difference(colors[a], colors[b]));
   return smallest;
+}
+
+// Returns the color that a person without one kind of cones sees. A matrix maps linear RGB.
+std::array<double, 3> lab_without_cones(const Rgb& rgb, const double (&matrix)[3][3])
+{
+  double linear[3];
+  for (int i = 0; i < 3; ++i)
+    linear[i] = linear_intensity(rgb[i] / 255.);
+  double seen[3] = {0, 0, 0};
+  for (int i = 0; i < 3; ++i)
+    for (int k = 0; k < 3; ++k)
+      seen[i] += matrix[i][k] * linear[k];
+  for (double& x : seen)
+    x = std::clamp(x, 0., 1.);
+  return lab_of_linear(seen);
 }
 
 bool all_differ(const std::vector<Rgb>& colors)
@@ -118,6 +140,30 @@ BOOST_AUTO_TEST_CASE(neighbors_never_look_alike)
         BOOST_TEST(smallest_difference_of_neighbors(neighbors, colors) > 20);
       }
     }
+}
+
+// The matrix for people without the cones for long waves: Machado et al. 2009, Table 1. They take
+// red and green of one lightness for one color.
+BOOST_AUTO_TEST_CASE(people_who_take_red_for_green_distinguish_neighbors)
+{
+  const double without_long[3][3] = {{0.152286, 1.052583, -0.204868},
+                                     {0.114503, 0.786281, 0.099216},
+                                     {-0.003882, -0.048116, 1.051998}};
+  const auto seen = [&](const Rgb& a, const Rgb& b) {
+    const std::array<double, 3> p = lab_without_cones(a, without_long),
+                                q = lab_without_cones(b, without_long);
+    return std::hypot(p[0] - q[0], p[1] - q[1], p[2] - q[2]);
+  };
+  BOOST_TEST(difference({200, 110, 60}, {135, 130, 60}) > 35);
+  BOOST_TEST(seen({200, 110, 60}, {135, 130, 60}) < 10);
+  for (unsigned seed = 0; seed < 20; ++seed) {
+    std::mt19937 random(seed);
+    const Neighbors neighbors = random_ring(20, random);
+    const std::vector<Rgb> colors = segment_colors(neighbors);
+    for (std::size_t a = 0; a < neighbors.size(); ++a)
+      for (std::size_t b : neighbors[a])
+        BOOST_TEST(seen(colors[a], colors[b]) > 10);
+  }
 }
 
 BOOST_AUTO_TEST_CASE(a_body_with_very_many_limbs)

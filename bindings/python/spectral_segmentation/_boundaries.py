@@ -122,6 +122,8 @@ def segment_colors(points: Any, triangles: Optional[ArrayLike] = None,
                    labels: Optional[ArrayLike] = None) -> NDArray[np.uint8]:
     """Returns a color for each segment, unlike the colors of its neighbors, as the tool does.
 
+    Colors of neighbors also differ for color-blind people.
+
     Parameters
     ----------
     {mesh}

@@ -25,8 +25,9 @@ function parsed(bytes) {
   }
 }
 
-// Keeps only the shape, because the rest would only be fetched and decoded in vain.
-function onlyShape(json) {
+// Removes all but the shape, because the rest would only be fetched and decoded in vain. Returns
+// whether there were textures.
+function keepShape(json) {
   if (!json?.meshes?.length)
     throw new Error("it has no mesh");
   const compression = compressions.find(name => json.extensionsRequired?.includes(name));
@@ -37,6 +38,7 @@ function onlyShape(json) {
   const { uri } = json.buffers?.find(({ uri }) => uri && !uri.startsWith("data:")) ?? {};
   if (uri)
     throw new Error(`its points are in another file, ${uri}: save it as GLB, which is one file`);
+  const hasTextures = json.images?.length > 0;
   for (const name of ["animations", "cameras", "extensions", "extensionsRequired",
                       "extensionsUsed", "images", "materials", "samplers", "skins", "textures"])
     delete json[name];
@@ -46,31 +48,34 @@ function onlyShape(json) {
   json.nodes = json.nodes?.map(({ camera, extensions, skin, ...node }) => node);
   for (const { nodes, children } of [...json.scenes ?? [], ...json.nodes ?? []])
     (nodes ?? children)?.forEach((node, i) => { json.nodes[node].extras = { position: i }; });
-  return json;
+  return hasTextures;
 }
 
 const isGlb = bytes => new TextDecoder().decode(bytes.subarray(0, 4)) === "glTF";
 
-// Returns the same file, with nothing but the shape.
+// Returns the same file, with nothing but the shape, and whether there were textures.
 function shapeOf(bytes) {
-  if (!isGlb(bytes))
-    return new TextEncoder().encode(JSON.stringify(
-      onlyShape(parsed(bytes)))).buffer;
+  if (!isGlb(bytes)) {
+    const json = parsed(bytes);
+    const hasTextures = keepShape(json);
+    return { shape: new TextEncoder().encode(JSON.stringify(json)).buffer, hasTextures };
+  }
   const view = new DataView(bytes.buffer, bytes.byteOffset, bytes.byteLength);
   if (bytes.length < 20 || view.getUint32(8, true) > bytes.length ||
       20 + view.getUint32(12, true) > bytes.length)
     throw new Error(`it ends after ${bytes.length} bytes, within its data`);
   const end = 20 + view.getUint32(12, true); // of the JSON
-  const text = JSON.stringify(onlyShape(parsed(bytes.subarray(20, end))));
-  const json = new TextEncoder().encode(text + " ".repeat(3)); // room to align
-  const size = json.length - json.length % 4;
+  const json = parsed(bytes.subarray(20, end));
+  const hasTextures = keepShape(json);
+  const text = new TextEncoder().encode(JSON.stringify(json) + " ".repeat(3)); // room to align
+  const size = text.length - text.length % 4;
   const result = new Uint8Array(20 + size + bytes.length - end);
   result.set(bytes.subarray(0, 20));
-  result.set(json.subarray(0, size), 20);
+  result.set(text.subarray(0, size), 20);
   result.set(bytes.subarray(end), 20 + size);
   new DataView(result.buffer).setUint32(8, result.length, true);
   new DataView(result.buffer).setUint32(12, size, true);
-  return result.buffer;
+  return { shape: result.buffer, hasTextures };
 }
 
 // The loader adds nodes in any order.
@@ -119,10 +124,11 @@ function plyOf({ points, triangles }) {
   return result;
 }
 
+// Returns the bytes of a file of PLY, and whether there were textures.
 export async function gltfAsPly(bytes) {
   if (!globalThis.THREE.GLTFLoader)
     await loadScript("GLTFLoader.js");
-  const shape = shapeOf(bytes);
+  const { shape, hasTextures } = shapeOf(bytes);
   const file = await new Promise((resolve, reject) =>
     new globalThis.THREE.GLTFLoader().parse(shape, "", resolve, reject)).catch(({ message }) => {
     throw new Error(`its data contradict each other: ${message}`);
@@ -130,5 +136,5 @@ export async function gltfAsPly(bytes) {
   file.scene.updateMatrixWorld(true);
   const mesh = { points: [], triangles: [] };
   collect(file.scene, mesh);
-  return plyOf(mesh);
+  return { bytes: plyOf(mesh), hasTextures };
 }

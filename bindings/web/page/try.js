@@ -12,7 +12,6 @@ const ui = Object.fromEntries([...document.querySelectorAll("[id]")].map(part =>
 // The worker goes on to have the segmentation, for files to save.
 let running, shown;
 let viewer;
-let prepared; // a worker
 
 function fail(message) {
   ui.failure.hidden = false;
@@ -81,19 +80,21 @@ function show(job, model) {
   document.title = `${model.name}: its parts`;
 }
 
-// The bytes of a format that the module reads.
-async function readableFile({ name, read }) {
-  const bytes = await read();
-  return /\.(glb|gltf)$/i.test(name) ? { name: `${name}.ply`, bytes: await gltfAsPly(bytes) }
-                                     : { name, bytes };
+// Returns the name and bytes of a file that the module reads, and messages to show.
+async function readableFile({ name, read, notes }) {
+  const given = await read();
+  if (!/\.(glb|gltf)$/i.test(name))
+    return { name, bytes: given, notes };
+  const { bytes, hasTextures } = await gltfAsPly(given);
+  return { name: `${name}.ply`, bytes,
+           notes: hasTextures ? [...notes, "Its textures are not kept."] : notes };
 }
 
 // The mesh that is shown stays until the next one is cut.
 async function segment(name, read, notes = []) {
   running?.worker.close();
   const job = running = { name, read, notes, method: ui.method.value,
-                          worker: prepared ?? new SegmentationWorker() };
-  prepared = undefined;
+                          worker: new SegmentationWorker() };
   ui.failure.hidden = true;
   showProgress(`Reading ${name}`);
   try {
@@ -108,7 +109,8 @@ async function segment(name, read, notes = []) {
       return;
     stop();
     show(job, { ...model, name, glb: number => meshFile(".glb", number),
-                notes: [...model.notes, ...notes, ...warnings.map(each => `Warning: ${each}.`)] });
+                notes: [...model.notes, ...file.notes,
+                        ...warnings.map(each => `Warning: ${each}.`)] });
   }
   catch (error) {
     if (running !== job && shown !== job) // cancelled
@@ -139,11 +141,14 @@ ui.file.addEventListener("change", () => {
     take([...ui.file.files]);
   ui.file.value = ""; // so that the same file can be chosen again
 });
+
+const segmentSample = (name, notes) => segment(name, () => fetched(`samples/${name}`), notes);
+
 for (const name of samples)
   ui.sample.append(new Option(name.replace(/\..*$/, ""), name));
 ui.sample.addEventListener("change", () => {
   if (ui.sample.value)
-    segment(ui.sample.value, fetched.bind(undefined, `samples/${ui.sample.value}`));
+    segmentSample(ui.sample.value);
   ui.sample.value = "";
 });
 ui.method.addEventListener("change", () => {
@@ -172,13 +177,4 @@ addEventListener("drop", event => {
     fail("This is no file. Drop a mesh in a file of OFF, OBJ, PLY, STL or GLB.");
 });
 document.documentElement.dataset.ready = "";
-
-// A browser compiles code well after it has run for a while. Therefore a worker cuts a sample
-// beforehand. Other workers use the same code.
-async function prepare() {
-  const worker = new SegmentationWorker();
-  await worker.segment({ name: samples[0], bytes: await fetched(`samples/${samples[0]}`) });
-  prepared = worker;
-}
-
-prepare().catch(() => {}); // the first mesh shows the error
+segmentSample(samples[0], ["A sample: drop a mesh of your own anywhere on this page."]);
