@@ -188,7 +188,8 @@ def copy_programs(output, source, libraries, folders=()):
             copy_source(path, folder, path.name)
     else:
         for path in sorted(root.rglob("*.h")) + sorted(root.glob("*/*.cpp")):
-            copy_source(path, folder, path.relative_to(root))
+            if path.parent.name != "test":
+                copy_source(path, folder, path.relative_to(root))
     finds = dict.fromkeys(find for needed in groups for _, _, find, _ in needed)
     text = CMAKE.format(package=PACKAGE, kind=source.capitalize()) + libraries
     text += "".join("\n" + find for find in finds)

@@ -1,10 +1,10 @@
 // Copyright (c) 2026  The Spectral_segmentation authors.
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// Colors of the nodes of a hierarchy, as [red, green, blue] from 0 to 1. The segments that are shown
-// first have the colors of meshes on file. The larger child of a cut has the color of its parent.
-// The smaller child of a further cut gets the color that is most unlike those around it for all
-// people: for those whose cones are complete, and those who lack one kind.
+// Colors of the nodes of a hierarchy, as [red, green, blue] from 0 to 1. The segments that are
+// shown first have the colors of meshes on file. The larger child of a cut has the color of its
+// parent. The smaller child of a further cut gets the color that is most unlike those around it for
+// all people: for those whose cones are complete, and those who lack one kind.
 
 // The colors seen without one kind of cones, on linear RGB: Machado, Oliveira, Fernandes, "A
 // Physiologically-based Model for Simulation of Color Vision Deficiency", 2009.

@@ -12,7 +12,7 @@ import unittest
 import numpy as np
 
 sys.dont_write_bytecode = True
-sys.path.insert(0, str(pathlib.Path(__file__).resolve().parents[2] / "benchmark"))
+sys.path.insert(0, str(pathlib.Path(__file__).resolve().parents[1]))
 sys.modules.setdefault("spectral_segmentation", types.ModuleType("none"))  # no run is made
 import fit_part_salience as fit  # noqa: E402
 

@@ -5,12 +5,12 @@
 
 #include "test_meshes.h"
 
-#include "../../benchmark/evaluation.h"
-#include "../../benchmark/k_means.h"
-#include "../../benchmark/paper_experiments/face_samples.h"
-#include "../../benchmark/paper_experiments/parts.h"
-#include "../../benchmark/paper_experiments/spectral_clusters.h"
-#include "../../benchmark/paper_experiments/spectral_lines.h"
+#include "../evaluation.h"
+#include "../k_means.h"
+#include "../paper_experiments/face_samples.h"
+#include "../paper_experiments/parts.h"
+#include "../paper_experiments/spectral_clusters.h"
+#include "../paper_experiments/spectral_lines.h"
 
 #include <CGAL/Spectral_segmentation/internal/search/face_orders.h>
 #include <CGAL/Spectral_segmentation/internal/search/nystrom_embedding.h>

@@ -1,7 +1,7 @@
 // Copyright (c) 2026  The Spectral_segmentation authors.
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#include "../../benchmark/triangulations.h"
+#include "../triangulations.h"
 #include "test_meshes.h"
 
 #include <CGAL/boost/graph/copy_face_graph.h>

@@ -1,8 +1,8 @@
 // Copyright (c) 2026  The Spectral_segmentation authors.
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#include "../../benchmark/part_metrics.h"
-#include "../../benchmark/princeton_benchmark.h"
+#include "../part_metrics.h"
+#include "../princeton_benchmark.h"
 #include "test_meshes.h"
 
 #include <boost/test/unit_test.hpp>

@@ -1,8 +1,8 @@
 // Copyright (c) 2026  The Spectral_segmentation authors.
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#include "../../benchmark/Method_trees.h"
-#include "../../benchmark/method_variants.h"
+#include "../Method_trees.h"
+#include "../method_variants.h"
 #include "test_meshes.h"
 
 #include <CGAL/boost/graph/copy_face_graph.h>
