@@ -3,7 +3,7 @@
 
 #include <boost/test/unit_test.hpp>
 
-#include "labels_of_models.h"
+#include "mesh_models.h"
 #include "test_labels.h"
 #include "test_meshes.h"
 
@@ -130,15 +130,21 @@ BOOST_AUTO_TEST_CASE(the_meshes_have_several_segments)
   }
 }
 
-BOOST_AUTO_TEST_CASE_TEMPLATE(every_model_of_a_mesh_gives_the_same_labels, Graph, Models)
-{ check_labels_of_model<Graph>(); }
+BOOST_AUTO_TEST_CASE_TEMPLATE(every_model_of_a_mesh_gives_the_same_arrays, Graph, Models)
+{ check_arrays_of_model<Graph>(); }
+
+BOOST_AUTO_TEST_CASE(models_without_indices_have_the_same_labels)
+{
+  check_labels_of_model<CGAL::Polyhedron_3<Epick> >();
+  check_labels_of_model<Cell_complex>();
+}
 
 BOOST_AUTO_TEST_CASE(ids_of_a_polyhedron_may_be_anything)
 {
   typedef CGAL::Polyhedron_3<Epick, CGAL::Polyhedron_items_with_id_3> Polyhedron;
   Polyhedron polyhedron;
   fill(polyhedron, soups_of_models()[1]);
-  const Labels expected = labels_of_graph(mesh_of(soups_of_models()[1]));
+  const Mesh expected = mesh_of(soups_of_models()[1]);
   const auto check = [&](const char* what, const auto& set_id) {
     BOOST_TEST_CONTEXT(what) {
       std::size_t i = 0;
@@ -147,7 +153,7 @@ BOOST_AUTO_TEST_CASE(ids_of_a_polyhedron_may_be_anything)
       i = 0;
       for (auto f : faces(polyhedron))
         set_id(f->id(), i++);
-      BOOST_TEST(labels_of_graph(polyhedron) == expected, boost::test_tools::per_element());
+      check_arrays(polyhedron, expected);
     }
   };
   check("all 0", [](std::size_t& id, std::size_t) { id = 0; });
@@ -162,7 +168,7 @@ BOOST_AUTO_TEST_CASE(junk_that_was_removed_leaves_no_trace)
 {
   for (const Soup& soup : soups_of_models()) {
     Mesh mesh = mesh_of(soup);
-    const Labels expected = labels_of_graph(mesh);
+    const Mesh expected = mesh;
     std::vector<Face> junk;
     for (int i = 0; i < 5; ++i) {
       const Mesh::Halfedge_index h =
@@ -172,7 +178,7 @@ BOOST_AUTO_TEST_CASE(junk_that_was_removed_leaves_no_trace)
     for (Face f : junk)
       CGAL::Euler::remove_face(halfedge(f, mesh), mesh);
     BOOST_TEST_REQUIRE(mesh.has_garbage());
-    BOOST_TEST(labels_of_graph(mesh) == expected, boost::test_tools::per_element());
+    check_arrays(mesh, expected);
   }
 }
 
@@ -215,13 +221,6 @@ BOOST_AUTO_TEST_CASE(a_face_filtered_graph_is_the_mesh_of_its_faces)
     }
   }
   BOOST_TEST(number_of_selections > 5);
-}
-
-BOOST_AUTO_TEST_CASE_TEMPLATE(an_empty_mesh_of_every_model_has_no_segments, Graph, Models)
-{
-  const Graph empty;
-  std::map<typename boost::graph_traits<Graph>::face_descriptor, int> ids;
-  BOOST_TEST(CGAL::segment_spectral_recursive(empty, boost::make_assoc_property_map(ids)) == 0);
 }
 
 BOOST_AUTO_TEST_CASE(ids_of_any_integer_type_are_written)

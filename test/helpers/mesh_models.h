@@ -1,13 +1,14 @@
 // Copyright (c) 2026  The Spectral_segmentation authors.
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#ifndef SPECTRAL_SEGMENTATION_TEST_LABELS_OF_MODELS_H
-#define SPECTRAL_SEGMENTATION_TEST_LABELS_OF_MODELS_H
+#ifndef SPECTRAL_SEGMENTATION_TEST_MESH_MODELS_H
+#define SPECTRAL_SEGMENTATION_TEST_MESH_MODELS_H
 
 #include "box_figures.h"
 #include "test_labels.h"
 #include "test_meshes.h"
 
+#include <CGAL/Spectral_segmentation/internal/read/read_triangle_mesh.h>
 #include <CGAL/segment_spectral_recursive.h>
 
 #include <CGAL/Polygon_mesh_processing/polygon_soup_to_polygon_mesh.h>
@@ -20,7 +21,7 @@
 #include <stdexcept>
 #include <vector>
 
-// Labels of meshes of any type that the Boost Graph Library knows.
+// Meshes of any type that the Boost Graph Library knows.
 namespace test_meshes {
 
 // Returns the labels in the order of the faces.
@@ -91,18 +92,45 @@ inline const std::vector<Soup>& soups_of_models()
   return result;
 }
 
-// Compares the labels of a model with those of a Surface_mesh.
+// Checks that a run would read the same arrays from both meshes.
 template <class Graph>
-void check_labels_of_model()
+void check_arrays(const Graph& graph, const Mesh& mesh)
 {
+  namespace internal = CGAL::Spectral_segmentation::internal;
+  const auto read_arrays = [](const auto& g) {
+    const auto np = CGAL::parameters::default_values();
+    return internal::read_mesh_with_parameters(g, internal::numbered_faces(g, np), np);
+  };
+  const Surface surface = read_arrays(graph), expected = read_arrays(mesh);
+  BOOST_TEST((surface.points == expected.points));
+  BOOST_TEST((surface.corners == expected.corners));
+  BOOST_TEST((surface.opposite == expected.opposite));
+}
+
+// Checks the arrays of a model with the faces of a mesh.
+template <class Graph>
+void check_arrays_of_model()
+{
+  check_arrays(Graph(), Mesh());
   for (const Soup& soup : soups_of_models()) {
     Graph graph;
     fill(graph, soup);
-    BOOST_TEST(labels_of_graph(graph) == labels_of_graph(mesh_of(soup)),
-               boost::test_tools::per_element());
+    check_arrays(graph, mesh_of(soup));
   }
+}
+
+// Checks the labels of a model, and that an empty one has none.
+template <class Graph>
+void check_labels_of_model()
+{
+  BOOST_TEST(labels_of_graph(Graph()).empty());
+  const Soup& soup = soups_of_models()[0];
+  Graph graph;
+  fill(graph, soup);
+  BOOST_TEST(labels_of_graph(graph) == labels_of_graph(mesh_of(soup)),
+             boost::test_tools::per_element());
 }
 
 } // namespace test_meshes
 
-#endif // SPECTRAL_SEGMENTATION_TEST_LABELS_OF_MODELS_H
+#endif // SPECTRAL_SEGMENTATION_TEST_MESH_MODELS_H
