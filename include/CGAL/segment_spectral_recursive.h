@@ -400,7 +400,8 @@ the same. `zhang_liu_2005()` does not support constraints. The example
     \cgalParamExtra{from 0 to 100000}
   \cgalParamNEnd
   \cgalParamNBegin{random_seed}
-    \cgalParamDescription{chooses the first reference face of each part at random, as in the paper}
+    \cgalParamDescription{chooses the first reference face at random, as in the paper, also in each
+      part that keeps none}
     \cgalParamType{an integer}
     \cgalParamDefault{none: the first reference face is the one farthest from the center of the
       part}

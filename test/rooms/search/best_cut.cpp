@@ -53,14 +53,16 @@ std::vector<Cut> compared_cuts(const Surface& graph, const Search_options& optio
 {
   internal::Run_control control;
   internal::Run_monitor monitor(control);
-  return search_of(graph, options)->compared_cuts(sequential, whole(graph), monitor);
+  internal::Part part = whole(graph);
+  return search_of(graph, options)->compared_cuts(sequential, part, monitor);
 }
 
 std::optional<Cut> best_cut_of(const Surface& graph, const Search_options& options)
 {
   internal::Run_control control;
   internal::Run_monitor monitor(control);
-  return (*search_of(graph, options))(sequential, whole(graph), monitor);
+  internal::Part part = whole(graph);
+  return (*search_of(graph, options))(sequential, part, monitor);
 }
 
 // The paper's method, and the calibrated one with several constants.
@@ -193,7 +195,8 @@ BOOST_AUTO_TEST_CASE(a_part_without_room_for_two_segments_is_not_searched)
   Options options = Options::zhang_liu_2005();
   const auto search = [&](double minimum_fraction_of_part) {
     options.minimum_segment_size = minimum_fraction_of_part;
-    return internal::Paper_cut(part, options)(sequential, whole(part), monitor);
+    internal::Part all = whole(part);
+    return internal::Paper_cut(part, options)(sequential, all, monitor);
   };
   BOOST_TEST(!search(0.501).has_value());
   BOOST_TEST(counter.number_of_parts == 0u);
@@ -206,7 +209,8 @@ BOOST_AUTO_TEST_CASE(a_part_without_room_for_two_segments_is_not_searched)
     area *= 5.01;
   options.minimum_segment_size = 0.1;
   const internal::Paper_cut best_cut(mesh, options);
-  BOOST_TEST(!best_cut(sequential, whole(part), monitor).has_value());
+  internal::Part whole_part = whole(part);
+  BOOST_TEST(!best_cut(sequential, whole_part, monitor).has_value());
   BOOST_TEST(counter.number_of_parts == 1u);
 }
 
@@ -223,7 +227,8 @@ BOOST_AUTO_TEST_CASE(a_stopped_search_throws)
   for (int questions : {0, 1, 4}) {
     stopper.left = questions;
     internal::Run_monitor monitor(stopper);
-    BOOST_CHECK_THROW(best_cut(sequential, whole(graph), monitor), internal::Run_stopped);
+    internal::Part part = whole(graph);
+    BOOST_CHECK_THROW(best_cut(sequential, part, monitor), internal::Run_stopped);
   }
 }
 

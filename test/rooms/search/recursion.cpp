@@ -126,7 +126,8 @@ BOOST_AUTO_TEST_CASE(the_most_salient_of_all_cuts_is_made_next)
   for (std::size_t i = 0; i < result.nodes.size(); ++i) {
     std::vector<Index> of_node(faces[i].begin(), faces[i].end());
     std::sort(of_node.begin(), of_node.end());
-    const auto cut = best_cut(sequential, {extract(of_node), i, of_node}, monitor);
+    internal::Part part{extract(of_node), i, of_node};
+    const auto cut = best_cut(sequential, part, monitor);
     if (cut)
       salience[i] = internal::quantized(cut->salience);
     BOOST_TEST((cut.has_value() || result.nodes[i].is_leaf()));

@@ -66,12 +66,13 @@ class Recursion
 
   std::size_t number_of_segments() const { return tree_.leaves.size(); }
 
-  void add(Index leaf, Surface graph, std::vector<Index> faces)
+  void add(Index leaf, Surface graph, std::vector<Index> faces, Shape_contexts contexts)
   {
     for (Index f : faces)
       tree_.leaf[f] = leaf;
     const std::size_t node = pending_.size();
-    pending_.push_back({Part{std::move(graph), node, std::move(faces)}, leaf, false, {}});
+    pending_.push_back({Part{std::move(graph), node, std::move(faces), std::move(contexts)}, leaf,
+                        false, {}});
   }
 
   void search(const std::vector<Pending_part*>& parts)
@@ -99,15 +100,18 @@ class Recursion
     const Index leaves[2] = {static_cast<Index>(tree_.leaves.size()), pending.leaf};
     tree_.leaves.push_back({0, Cut_state::NOT_SEARCHED});
     tree_.merges.push_back({{leaves[0], leaves[1]}, cut.salience, cut.factors});
-    std::vector<Index> faces[2];
-    for (std::size_t i = 0; i < cut.side.size(); ++i)
+    std::vector<Index> faces[2], places[2]; // in the mesh, and in the part
+    for (std::size_t i = 0; i < cut.side.size(); ++i) {
       faces[int(cut.side[i])].push_back(pending.part.faces[i]);
+      places[int(cut.side[i])].push_back(static_cast<Index>(i));
+    }
     std::vector<Surface> sides(2);
     if (!is_last)
       sides = split(std::move(pending.part.graph), cut.side, 2);
     for (int i = 0; i < 2; ++i) {
       tree_.leaves[leaves[i]].area = cut.area[i];
-      add(leaves[i], std::move(sides[i]), std::move(faces[i]));
+      add(leaves[i], std::move(sides[i]), std::move(faces[i]),
+          kept_contexts(pending.part.contexts, places[i]));
     }
     monitor_.after_cut(node, cut.factors, cut.salience, number_of_segments());
   }
@@ -184,7 +188,7 @@ public:
       faces[component[f]].push_back(f);
     std::vector<Surface> graphs = split(std::move(mesh), component, number_of_roots_);
     for (Index i = 0; i < number_of_roots_; ++i)
-      add(i, std::move(graphs[i]), std::move(faces[i]));
+      add(i, std::move(graphs[i]), std::move(faces[i]), {});
   }
 
   // Cuts in the order of the paper, the largest part next, until no part has a salient cut or the
