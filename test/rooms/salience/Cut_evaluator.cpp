@@ -79,7 +79,7 @@ Salience_factors factors(const Surface& graph, const Sides& side, double times =
   std::vector<Index> faces(graph.number_of_faces());
   std::iota(faces.begin(), faces.end(), Index(0));
   Evaluation_context mesh(graph);
-  mesh.area *= times;
+  mesh.area_of_model *= times;
   return Cut_evaluator(graph, faces, mesh)(side, is_boundary);
 }
 
