@@ -105,6 +105,7 @@ struct Options
     hull_directory, transfer_file;
   std::vector<std::string> mesh_files; // used by single runs, too
   std::string split_format; // empty for the defaults
+  std::optional<std::size_t> hull_vertices;
   std::string method_name = "calibrated";
   std::optional<std::size_t> segments, maximum_segments;
   std::optional<double> threshold;
@@ -256,11 +257,16 @@ void add_written_mesh_options(CLI::App& app, Options& o)
                "refer to the faces of IN");
   app.add_flag("--close", o.close,
                "close the segments of --split-dir, and of -o with .glb or .3mf, for example for 3D "
-               "printing: with caps that neighbors share, and at holes of the mesh");
+               "printing: with caps that neighbors share, and at holes of the mesh; with --hulls, "
+               "the report also has the volume of each hull divided by the volume of its segment");
   app.add_flag("--keep-materials", o.keep_materials,
                "write -o with .obj or .glb with the materials and textures of IN, if it has any, "
                "instead of a color for each segment; parts of --split-dir in these formats always "
                "have them");
+  app.add_option("--hull-vertices", o.hull_vertices,
+                 "largest number of vertices of a hull, which stays convex and contains its "
+                 "segment; Unity takes at most 255, PhysX on a GPU 64 [no limit]")
+    ->type_name("N")->check(CLI::Range(std::int64_t(4), largest_number));
   app.add_option("--unit", o.unit,
                  "unit of the coordinates of IN, so that .3mf has millimeters and .glb meters; "
                  "without it coordinates stay")
@@ -450,10 +456,12 @@ void check_files(const Options& o)
     check_output_format("segment" + o.part_extension(), true);
   if (!o.hull_directory.empty())
     check_output_format("segment" + o.hull_extension(), true);
-  if (o.close && o.split_directory.empty() &&
+  if (o.hull_vertices && o.hull_directory.empty())
+    throw Failure(Status::USAGE, "--hull-vertices needs --hulls");
+  if (o.close && o.split_directory.empty() && o.hull_directory.empty() &&
       std::none_of(o.mesh_files.begin(), o.mesh_files.end(), has_objects))
-    throw Failure(Status::USAGE, "--close needs an output of separate segments: --split-dir, or -o "
-                                 "with .glb or .3mf");
+    throw Failure(Status::USAGE, "--close needs an output of separate segments: --split-dir, "
+                                 "--hulls, or -o with .glb or .3mf");
   if (o.keep_materials && !o.writes_materials())
     throw Failure(Status::USAGE, "--keep-materials needs -o with .obj or .glb");
   if (!o.unit.empty() && !o.writes_unit())
@@ -574,6 +582,7 @@ Json parameters_report(const Options& o)
           {"keep_faces", o.keep_faces},
           {"close", o.close},
           {"keep_materials", o.keep_materials},
+          {"hull_vertices", json_or_null(o.hull_vertices)},
           {"unit", o.unit.empty() ? Json() : Json(o.unit)},
           {"scale", o.scale}});
   return result;
@@ -678,7 +687,8 @@ void write_meshes(const Options& o, const Input& input, const std::vector<Index>
                    o.millimeters(), report["closed_segments"]);
   if (!o.hull_directory.empty())
     report["hulls"] = write_hulls(files, o.hull_directory, o.hull_extension(), mesh,
-                                  o.millimeters(), warnings);
+                                  o.millimeters(), o.hull_vertices.value_or(largest_number),
+                                  volumes_of_solids(closed.segments, number_of_segments), warnings);
 }
 
 void print_summary(std::ostream& out, const Options& o, const Input& input,

@@ -8,6 +8,7 @@
 #include "Output_files.h"
 #include "../files/Segmented_soup.h"
 #include "../files/convex_hull.h"
+#include "../files/limited_hull.h"
 #include "../files/write_mesh_file.h"
 #include "../meshes/segment_neighbors.h"
 #include "../files/segment_colors.h"
@@ -142,10 +143,12 @@ inline void write_segments(Output_files& files, const std::filesystem::path& dir
 }
 
 // Writes the convex hull of each segment, in files as those of segments. Returns their properties,
-// and adds a warning if some have a thickness.
+// and adds a warning if some have a thickness. The volumes of solid segments are given, otherwise
+// NaN.
 inline nlohmann::ordered_json
 write_hulls(Output_files& files, const std::filesystem::path& directory,
             const std::string& extension, const mesh_file::Segmented_soup& mesh, double unit,
+            std::size_t maximum_number_of_vertices, const std::vector<double>& volumes,
             std::vector<std::string>& warnings)
 {
   std::vector<Point> corners;
@@ -160,7 +163,8 @@ write_hulls(Output_files& files, const std::filesystem::path& directory,
     const std::vector<Point> points = extract(s).points;
     if (points.empty())
       continue;
-    const mesh_file::Convex_hull hull = mesh_file::convex_hull(points, extent);
+    const mesh_file::Convex_hull hull = mesh_file::limited_hull(
+      mesh_file::convex_hull(points, extent), maximum_number_of_vertices);
     Polygon_soup soup;
     soup.points = hull.points;
     for (const Triangle& t : hull.triangles) {
@@ -170,7 +174,10 @@ write_hulls(Output_files& files, const std::filesystem::path& directory,
     const std::vector<Index> segment(hull.triangles.size(), static_cast<Index>(s));
     files.write_segment(mesh_file::segment_name(s) + extension, [&](std::ostream& out)
                         { write_mesh(out, extension, {soup, segment, mesh.colors}, unit); });
-    report.push_back({{"label", s}, {"faces", segment.size()}, {"thickness", hull.thickness}});
+    const double volume = mesh_file::volume(hull);
+    report.push_back({{"label", s}, {"vertices", hull.points.size()}, {"faces", segment.size()},
+                      {"thickness", hull.thickness}, {"volume", volume},
+                      {"volume_ratio", volume / volumes[s]}});
     if (hull.thickness > 0)
       warning << (warning.tellp() > 0 ? ", " : "flat segments got a hull of the thickness " +
                                                  nlohmann::json(hull.thickness).dump() + ": ") << s;

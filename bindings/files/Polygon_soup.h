@@ -15,8 +15,8 @@
 #include <string>
 #include <vector>
 
-// Files of meshes, read and written. Only convex_hull.h uses CGAL, so that this folder serves any
-// program.
+// Files of meshes, read and written. Only convex_hull.h and limited_hull.h use CGAL, so that this
+// folder serves any program.
 namespace mesh_file {
 
 typedef std::array<double, 3> Point;

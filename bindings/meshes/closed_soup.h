@@ -19,6 +19,7 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <limits>
 #include <string>
 #include <utility>
 #include <vector>
@@ -59,6 +60,17 @@ inline std::size_t number_of_solids(const Closed_soup& closed)
 {
   return static_cast<std::size_t>(std::count_if(closed.segments.begin(), closed.segments.end(),
                                                 [](const auto& s) { return s.is_solid(); }));
+}
+
+// Returns the volumes of the segments that are solids, and NaN for all others.
+inline std::vector<double> volumes_of_solids(const Closed_segments& segments,
+                                             std::size_t number_of_segments)
+{
+  std::vector<double> result(number_of_segments, std::numeric_limits<double>::quiet_NaN());
+  for (const auto& s : segments)
+    if (s.is_solid())
+      result[s.id] = s.volume;
+  return result;
 }
 
 // Returns the polygons, and after them the triangles that close their segments. Borders of the

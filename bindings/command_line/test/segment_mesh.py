@@ -653,7 +653,9 @@ class Formats(Tool_test):
         for i, row in enumerate(report):
             points, faces = read_obj(self.directory / "hulls" / ("segment_%03d.obj" % i))
             part = read_ply(self.directory / "parts" / ("segment_%03d.ply" % i))
-            self.assertEqual(row, {"label": i, "faces": len(faces), "thickness": 0})
+            self.assertAlmostEqual(row.pop("volume") / volume(points, faces), 1)
+            self.assertEqual(row, {"label": i, "vertices": len(points), "faces": len(faces),
+                                   "thickness": 0, "volume_ratio": None})
             self.assertLessEqual(set(points), set(part.points))
             self.assertTrue(is_closed(faces))
             self.assertGreater(volume(points, faces), 0)
@@ -663,12 +665,57 @@ class Formats(Tool_test):
                 for p in part.points: # on the inner side of each face
                     self.assertLess(dot(normal, minus(p, points[a])), 1e-9 * length)
 
+    def test_hulls_with_few_vertices(self):
+        """They contain their parts, and are hardly larger than the hulls without a limit."""
+        for name in ("elephant.off", "camel.off", "fandisk_large.off", "anchor_dense.off"):
+            arguments = (MESHES / name, "--keep-faces", "--split-dir", "parts", "--split-format",
+                         "obj", "--hulls", "hulls", "--json", "out.json")
+            self.run_tool(*arguments)
+            full = [row["volume"] for row in self.report()["hulls"]]
+            for limit, largest_ratio in ((64, 1.1), (16, 1.4)):
+                self.run_tool(*arguments, "--hull-vertices", limit)
+                self.assertEqual(self.report()["parameters"]["hull_vertices"], limit)
+                for row, volume_without_limit in zip(self.report()["hulls"], full):
+                    file = "segment_%03d.obj" % row["label"]
+                    points, faces = read_obj(self.directory / "hulls" / file)
+                    self.assertLessEqual(len(points), limit)
+                    self.assertTrue(is_closed(faces))
+                    self.assertLess(1 - 1e-9, row["volume"] / volume_without_limit)
+                    self.assertLess(row["volume"] / volume_without_limit, largest_ratio)
+                    part, _ = read_obj(self.directory / "parts" / file)
+                    size = max(max(c) - min(c) for c in zip(*part))
+                    for a, b, c in faces:
+                        normal = cross(minus(points[b], points[a]), minus(points[c], points[a]))
+                        length = math.hypot(*normal)
+                        if length > 1e-10 * size**2: # otherwise it has no plane
+                            highest = max(dot(normal, p) for p in part) - dot(normal, points[a])
+                            self.assertLess(highest, 1e-9 * size * length)
+        for limit in (3, 0, -1):
+            self.assert_failure("usage", "in.off", "--hulls", "hulls", "--hull-vertices", limit,
+                                message="--hull-vertices: Value %d not in range 4" % limit)
+        self.assert_failure("usage", "in.off", "-o", "out.ply", "--hull-vertices", 8,
+                            message="--hull-vertices needs --hulls")
+
+    def test_volumes_of_hulls_and_closed_parts(self):
+        """The dumbbell has two parts, whose volumes sum up to that of the whole."""
+        done = self.run_tool("in.off", "--hulls", "hulls", "--close", "--json", "out.json")
+        self.assertEqual((done.returncode, done.stderr), (0, ""))
+        report = self.report()
+        for row, part in zip(report["hulls"], report["closed_segments"]):
+            self.assertAlmostEqual(row["volume_ratio"], row["volume"] / part["volume"])
+            self.assertGreaterEqual(row["volume_ratio"], 1)
+        whole = sum(row["volume"] / row["volume_ratio"] for row in report["hulls"])
+        self.assertAlmostEqual(whole / volume(self.points, self.faces), 1)
+
     def test_hulls_of_flat_parts_have_a_thickness(self):
         self.write_off([(0, 0, 0), (3, 0, 0), (3, 4, 0), (0, 4, 0)], [(0, 1, 2), (0, 2, 3)])
         done = self.run_tool("in.off", "--hulls", "hulls", "--json", "out.json")
         self.assertEqual(done.stderr, "segment_mesh: warning: in.off: flat segments got a hull of "
                                       "the thickness 0.005: 0\n")
-        self.assertEqual(self.report()["hulls"], [{"label": 0, "faces": 12, "thickness": 0.005}])
+        row, = self.report()["hulls"]
+        self.assertAlmostEqual(row.pop("volume"), 3 * 4 * 0.005)
+        self.assertEqual(row, {"label": 0, "vertices": 8, "faces": 12, "thickness": 0.005,
+                               "volume_ratio": None})
         points, faces = read_obj(self.directory / "hulls/segment_000.obj")
         self.assertTrue(is_closed(faces))
         self.assertAlmostEqual(volume(points, faces), 3 * 4 * 0.005)

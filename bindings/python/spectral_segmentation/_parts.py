@@ -5,12 +5,14 @@
 from __future__ import annotations
 
 import json
-from typing import TYPE_CHECKING, Any, Dict, List, NamedTuple
+import sys
+from typing import TYPE_CHECKING, Any, Dict, List, NamedTuple, Optional
 
 import numpy as np
 
 from . import _core
 from ._boundaries import _RAISES
+from ._checks import integer
 from ._files import Mesh
 from ._meshes import labels_array, surface_of, warn
 
@@ -39,7 +41,8 @@ class Part(NamedTuple):
     report : dict
         A description of the part, always with its `label`. Closed parts have the report of the
         tool with `--close`: `is_solid`, `is_closed`, `is_manifold`, `is_outward_oriented`,
-        `has_self_intersections` and `volume`. Hulls have `thickness`, which is 0 unless flat.
+        `has_self_intersections` and `volume`. Hulls have `thickness`, which is 0 unless flat,
+        `volume`, and `volume_ratio`, the volume divided by the volume of the part, or None.
     """
 
     points: NDArray[np.float64]
@@ -94,13 +97,19 @@ def split(mesh: Any, labels: ArrayLike, close: bool = False) -> List[Part]:
     return parts
 
 
-def hulls(mesh: Any, labels: ArrayLike) -> List[Part]:
+def hulls(mesh: Any, labels: ArrayLike, max_vertices: Optional[int] = None,
+          close: bool = False) -> List[Part]:
     """Makes the convex hull of each segment, such as for the collisions of a simulation.
 
     A part that is flat to a 10^5th of the extent of the mesh gets a hull with a thickness of a
     1000th of the extent, because simulators refuse flat shapes.
 
     {arguments}
+    max_vertices : int, default: None
+        The largest number of vertices of a hull, at least 4. A hull with fewer vertices is larger,
+        contains the part, and is convex. Unity takes at most 255 vertices, PhysX on a GPU 64.
+    close : bool, default: False
+        Whether the parts are also closed, which gives the hulls of solid parts a `volume_ratio`.
 
     Returns
     -------
@@ -109,15 +118,27 @@ def hulls(mesh: Any, labels: ArrayLike) -> List[Part]:
 
     {raises}
     """
+    limit = sys.maxsize if max_vertices is None else integer("max_vertices", max_vertices)
+    if limit < 4:
+        raise ValueError("max_vertices must be at least 4, but is %d" % limit)
     parts = split(mesh, labels)
+    volumes = {}
+    if close:
+        surface, labels = _read(mesh, labels)
+        volumes = {each["label"]: each["volume"]
+                   for each in json.loads(_core.closed(surface.core, labels)[1])
+                   if each["is_solid"]}
     extent = _core.extent(np.concatenate([part.points for part in parts] or [np.empty((0, 3))]))
     if parts and not 0 < extent < np.inf:
         raise ValueError("the mesh has no hulls, because its extent is %g" % extent)
     result = []
     for part in parts:
-        (points, triangles, _), thickness = _core.hull(part.points, extent)
+        (points, triangles, _), thickness, volume = _core.hull(part.points, extent, limit)
+        label = part.report["label"]
+        ratio = volume / volumes[label] if label in volumes else None
         result.append(Part(points, triangles, np.full(len(triangles), -1),
-                           {**part.report, "thickness": thickness}))
+                           {"label": label, "vertices": len(points), "faces": len(triangles),
+                            "thickness": thickness, "volume": volume, "volume_ratio": ratio}))
     return result
 
 

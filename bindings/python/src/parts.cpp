@@ -8,7 +8,7 @@
 
 #include <CGAL/Segmented_mesh/refine_segment_boundaries.h>
 
-#include <files/convex_hull.h>
+#include <files/limited_hull.h>
 #include <meshes/closed_soup.h>
 #include <meshes/transferred_labels.h>
 
@@ -85,12 +85,15 @@ static py::array_t<std::int32_t> transferred(const Input& from, const Labels& la
   return array_of_indices(std::move(result), {size}, 0);
 }
 
-// Returns the points and triangles of a convex hull, and its thickness if it is flat.
-static py::tuple hull(const Contiguous<double>& points, double extent)
+// Returns the points and triangles of a convex hull, its thickness if it is flat, and its volume.
+static py::tuple hull(const Contiguous<double>& points, double extent,
+                      std::size_t maximum_number_of_vertices)
 {
-  mesh_file::Convex_hull result = mesh_file::convex_hull(vector_of<Point>(points), extent);
+  mesh_file::Convex_hull result = mesh_file::limited_hull(
+    mesh_file::convex_hull(vector_of<Point>(points), extent), maximum_number_of_vertices);
+  const double volume = mesh_file::volume(result);
   Part_arrays arrays{std::move(result.points), std::move(result.triangles), {}};
-  return py::make_tuple(arrays.tuple(), result.thickness);
+  return py::make_tuple(arrays.tuple(), result.thickness, volume);
 }
 
 void define_parts(py::module_& m)

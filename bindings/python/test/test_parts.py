@@ -118,6 +118,41 @@ def test_hulls(dumbbell):
         assert hull.report["label"] == part.report["label"]
 
 
+def test_hulls_with_few_vertices(dumbbell):
+    labels = segment(dumbbell, number_of_segments=3)
+    full = hulls(dumbbell, labels)
+    for limit in (np.int32(20), 64):
+        for hull, large, part in zip(hulls(dumbbell, labels, max_vertices=limit), full,
+                                     split(dumbbell, labels)):
+            assert hull.report == {"label": part.report["label"], "vertices": len(hull.points),
+                                   "faces": len(hull.triangles), "thickness": 0,
+                                   "volume": pytest.approx(volume(hull)), "volume_ratio": None}
+            assert len(hull.points) <= min(limit, len(large.points))
+            assert is_closed(hull) and is_convex(hull)
+            a, b, c = hull.points[hull.triangles].transpose(1, 0, 2)
+            normals = np.cross(b - a, c - a)
+            assert (part.points @ normals.T - (normals * a).sum(axis=1)).max() < 1e-9
+            assert 1 - 1e-9 < volume(hull) / volume(large) < (1.5 if limit == 20 else 1.1)
+    assert [len(hull.points) for hull in hulls(dumbbell, labels, max_vertices=2**62)] == [
+        len(hull.points) for hull in full]
+    with pytest.raises(ValueError, match="max_vertices must be at least 4, but is 3"):
+        hulls(dumbbell, labels, max_vertices=3)
+    with pytest.raises(TypeError, match="max_vertices must be an integer"):
+        hulls(dumbbell, labels, max_vertices=8.)
+
+
+def test_volumes_of_hulls_and_closed_parts(dumbbell):
+    labels = segment(dumbbell, number_of_segments=3)
+    for hull, part in zip(hulls(dumbbell, labels, close=True), split(dumbbell, labels, close=True)):
+        assert hull.report["volume_ratio"] == pytest.approx(volume(hull) / volume(part))
+    hull, = hulls((CUBE, SQUARES[1:]), np.zeros(5, int), close=True) # the cap is planar
+    assert hull.report["volume_ratio"] == pytest.approx(1)
+    points = np.concatenate([CUBE, CUBE + 0.5])
+    squares = SQUARES + [[v + 8 for v in square] for square in SQUARES]
+    hull, = hulls((points, squares), np.zeros(12, int), close=True)
+    assert hull.report["volume_ratio"] is None # the part intersects itself
+
+
 def test_hull_of_a_cube_with_a_dent():
     points = np.concatenate([CUBE, [[0.5, 0.5, 0.6]]])
     triangles = [*SQUARES[:1], *SQUARES[2:], [4, 5, 8], [5, 7, 8], [7, 6, 8], [6, 4, 8]]
