@@ -35,6 +35,8 @@ const Example examples[] = {
   {"segment_mesh scan.obj --split-dir parts --split-format glb",
    "writes parts with the textures of the scan."},
   {"segment_mesh bear.off --hulls hulls", "writes convex collision shapes."},
+  {"segment_mesh bear.off --urdf bear.urdf --mjcf bear.xml --hull-vertices 64",
+   "writes the parts with mass and inertia for simulators."},
   {"segment_mesh folder --out-dir results --outputs labels,html --time-limit 60",
    "segments many meshes, and leaves out those that were finished before."}};
 

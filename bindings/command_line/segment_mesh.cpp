@@ -21,6 +21,7 @@
 #include "../meshes/refined_input.h"
 #include "report.h"
 #include "../meshes/transferred_labels.h"
+#include "write_bodies.h"
 #include "write_meshes.h"
 
 #include <CGAL/Spectral_segmentation/Options.h>
@@ -102,7 +103,7 @@ struct Options
   std::optional<std::size_t> jobs;
   std::string input, seed_file, edge_file, feature_file;
   std::string label_file, report_file, hierarchy_file, page_file, split_directory,
-    hull_directory, transfer_file;
+    hull_directory, urdf_file, mjcf_file, transfer_file;
   std::vector<std::string> mesh_files; // used by single runs, too
   std::string split_format; // empty for the defaults
   std::optional<std::size_t> hull_vertices;
@@ -121,6 +122,7 @@ struct Options
   bool keep_materials = false;
   std::string unit;
   double scale = 1;
+  double density = 1000; // in kg / m^3
   bool quiet = false;
   bool prints_man_page = false, prints_completion = false;
 
@@ -129,8 +131,13 @@ struct Options
   bool writes_meshes() const
   { return !mesh_files.empty() || !split_directory.empty() || !hull_directory.empty(); }
 
+  bool writes_bodies() const { return !(urdf_file + mjcf_file).empty(); }
+
   bool has_output() const
-  { return writes_meshes() || !(label_file + report_file + hierarchy_file + page_file).empty(); }
+  {
+    return writes_meshes() || writes_bodies() ||
+           !(label_file + report_file + hierarchy_file + page_file).empty();
+  }
 
   bool writes_to_standard_output() const
   {
@@ -138,8 +145,25 @@ struct Options
            is_standard_output(hierarchy_file) || is_standard_output(page_file);
   }
 
-  std::string part_extension() const { return split_format.empty() ? ".ply" : '.' + split_format; }
-  std::string hull_extension() const { return split_format.empty() ? ".obj" : '.' + split_format; }
+  std::string part_extension() const
+  { return !split_format.empty() ? '.' + split_format : writes_bodies() ? ".stl" : ".ply"; }
+
+  std::string hull_extension() const
+  { return !split_format.empty() ? '.' + split_format : writes_bodies() ? ".stl" : ".obj"; }
+
+  // Adds the meshes that robot descriptions name, in folders beside them.
+  void add_meshes_of_bodies()
+  {
+    if (!writes_bodies())
+      return;
+    close = true;
+    std::filesystem::path path = urdf_file.empty() ? mjcf_file : urdf_file;
+    path.replace_extension();
+    if (split_directory.empty())
+      split_directory = path.string() + "_parts";
+    if (hull_directory.empty())
+      hull_directory = path.string() + "_hulls";
+  }
 
   // Returns the millimeters of the unit of the mesh; 0 if it is unknown.
   double millimeters() const
@@ -151,7 +175,8 @@ struct Options
 
   bool writes_unit() const
   {
-    return (!split_directory.empty() && has_objects("part" + part_extension())) ||
+    return writes_bodies() ||
+           (!split_directory.empty() && has_objects("part" + part_extension())) ||
            (!hull_directory.empty() && has_objects("hull" + hull_extension())) ||
            std::any_of(mesh_files.begin(), mesh_files.end(), has_objects);
   }
@@ -178,7 +203,8 @@ struct Options
 };
 
 const std::vector<std::string> output_formats = {"labels", "hierarchy", "ply", "obj", "off",
-                                                 "glb", "3mf", "parts", "hulls", "html"};
+                                                 "glb", "3mf", "parts", "hulls", "html", "urdf",
+                                                 "mjcf"};
 
 // The largest value of options that are 32-bit numbers
 const std::int64_t largest_number = (std::numeric_limits<std::uint32_t>::max)();
@@ -238,12 +264,18 @@ void add_output_options(CLI::App& app, Options& o)
            "directory for the convex hull of each segment, such as collision shapes; like "
            "--split-dir. The hull of a flat segment gets a thickness, which the report names")
     ->type_name("DIR");
+  add_file(app, "--urdf", o.urdf_file,
+           "robot description with a link for each segment, and fixed joints where they touch. It "
+           "names a closed mesh and a convex hull of each segment, in folders beside FILE whose "
+           "names end with _parts and _hulls, unless --split-dir and --hulls name others");
+  add_file(app, "--mjcf", o.mjcf_file, "the same for MuJoCo, as one free body that has the others");
   add_file(app, "--transfer-to", o.transfer_file,
            "another mesh of the same shape, such as a decimated copy: its faces get the labels of "
            "the nearest faces of IN, and -o, --labels, --split-dir and --hulls write it instead of "
            "IN");
   app.add_option("--split-format", o.split_format,
-                 "format of the files in --split-dir [ply] and --hulls [obj]")
+                 "format of the files in --split-dir [ply] and --hulls [obj]; [stl] for --urdf and "
+                 "--mjcf")
     ->type_name("F")->check(CLI::IsMember({"ply", "obj", "off", "stl", "glb", "3mf"}));
   app.add_flag("--quiet", o.quiet, "print neither progress nor a summary");
 }
@@ -268,9 +300,12 @@ void add_written_mesh_options(CLI::App& app, Options& o)
                  "segment; Unity takes at most 255, PhysX on a GPU 64 [no limit]")
     ->type_name("N")->check(CLI::Range(std::int64_t(4), largest_number));
   app.add_option("--unit", o.unit,
-                 "unit of the coordinates of IN, so that .3mf has millimeters and .glb meters; "
-                 "without it coordinates stay")
+                 "unit of the coordinates of IN, so that .3mf has millimeters, and .glb, --urdf "
+                 "and --mjcf meters; without it coordinates stay")
     ->type_name("U")->check(CLI::IsMember({"um", "mm", "cm", "m", "in", "ft"}));
+  app.add_option("--density", o.density,
+                 "density for the mass and inertia in --urdf and --mjcf, in kg/m^3 [1000]")
+    ->type_name("D")->check(CLI::Range(1e-9, 1e9));
   app.add_option("--scale", o.scale, "factor of all coordinates that are written [1]")
     ->type_name("F")->check(CLI::Range(1e-9, 1e9));
 }
@@ -354,7 +389,7 @@ void add_batch_options(CLI::App& app, Options& o)
   app.add_option("--outputs", o.output_formats,
                  "outputs in --out-dir besides the reports: colored meshes by their format, "
                  "'parts' as with --split-dir, 'hulls' as with --hulls, 'html' as with --html, "
-                 "'hierarchy' and 'labels'")
+                 "'urdf', 'mjcf', 'hierarchy' and 'labels'")
     ->type_name("F")->delimiter(',')->allow_extra_args(false)
     ->check(CLI::IsMember(output_formats))->needs(out_dir)->default_str("labels");
   app.add_option("--jobs", o.jobs, "number of meshes that --out-dir segments at a time [all cores]")
@@ -403,8 +438,10 @@ void check_usage(const Options& o)
   if (o.threads && *o.threads > 1)
     throw Failure(Status::USAGE, "--threads above 1 needs TBB, but this build is without TBB");
 #endif
-  if (std::isnan(o.time_limit) || std::isnan(o.memory_limit) || std::isnan(o.scale))
-    throw Failure(Status::USAGE, "--time-limit, --memory-limit and --scale must be numbers");
+  if (std::isnan(o.time_limit) || std::isnan(o.memory_limit) || std::isnan(o.scale) ||
+      std::isnan(o.density))
+    throw Failure(Status::USAGE, "--time-limit, --memory-limit, --scale and --density must be "
+                                 "numbers");
   if (std::isfinite(o.memory_limit) && o.threads.value_or(1) > 1)
     throw Failure(Status::USAGE, "--memory-limit allows only one thread; leave out --threads");
   if (o.segments && (o.threshold || o.maximum_segments))
@@ -443,7 +480,12 @@ void check_usage(const Options& o)
 void check_files(const Options& o)
 {
   std::vector<std::filesystem::path> outputs = {o.label_file, o.report_file, o.hierarchy_file,
-                                                o.page_file};
+                                                o.page_file, o.urdf_file, o.mjcf_file};
+  for (const std::string& name : {o.urdf_file, o.mjcf_file})
+    if (!name.empty() && is_stream(name))
+      throw Failure(Status::USAGE, "--urdf and --mjcf need a file, beside which the meshes are");
+  if (o.writes_bodies() && o.part_extension() != ".stl" && o.part_extension() != ".obj")
+    throw Failure(Status::USAGE, "--urdf and --mjcf need --split-format stl or obj");
   if (!o.page_file.empty())
     check_page();
   for (const std::string& name : o.mesh_files) {
@@ -465,7 +507,8 @@ void check_files(const Options& o)
   if (o.keep_materials && !o.writes_materials())
     throw Failure(Status::USAGE, "--keep-materials needs -o with .obj or .glb");
   if (!o.unit.empty() && !o.writes_unit())
-    throw Failure(Status::USAGE, "--unit needs an output that has a unit: .glb or .3mf");
+    throw Failure(Status::USAGE, "--unit needs an output that has a unit: .glb, .3mf, --urdf or "
+                                 "--mjcf");
   if (!o.transfer_file.empty() && !o.writes_meshes() && o.label_file.empty())
     throw Failure(Status::USAGE, "--transfer-to needs an output of the other mesh: -o, --labels, "
                                  "--split-dir or --hulls");
@@ -584,7 +627,8 @@ Json parameters_report(const Options& o)
           {"keep_materials", o.keep_materials},
           {"hull_vertices", json_or_null(o.hull_vertices)},
           {"unit", o.unit.empty() ? Json() : Json(o.unit)},
-          {"scale", o.scale}});
+          {"scale", o.scale},
+          {"density", o.writes_bodies() ? Json(o.density) : Json()}});
   return result;
 }
 
@@ -685,10 +729,29 @@ void write_meshes(const Options& o, const Input& input, const std::vector<Index>
   if (!o.split_directory.empty())
     write_segments(files, o.split_directory, o.part_extension(), o.close ? closed_mesh : mesh,
                    o.millimeters(), report["closed_segments"]);
-  if (!o.hull_directory.empty())
-    report["hulls"] = write_hulls(files, o.hull_directory, o.hull_extension(), mesh,
-                                  o.millimeters(), o.hull_vertices.value_or(largest_number),
-                                  volumes_of_solids(closed.segments, number_of_segments), warnings);
+  if (o.hull_directory.empty())
+    return;
+  const std::vector<double> volumes = volumes_of_solids(closed.segments, number_of_segments);
+  const std::vector<mesh_file::Convex_hull> hulls =
+    segment_hulls(mesh, o.hull_vertices.value_or(largest_number));
+  report["hulls"] = write_hulls(files, o.hull_directory, o.hull_extension(), hulls, colors,
+                                o.millimeters(), volumes, warnings);
+  if (!o.writes_bodies())
+    return;
+  const double meters = o.unit.empty() ? 1 : o.millimeters() / 1000;
+  std::vector<Body> bodies =
+    body_tree(bodies_of(closed_mesh, hulls, volumes, meters, o.density, warnings),
+              contacts(written, labels), meters);
+  const std::string name = std::filesystem::path(o.input).stem().string();
+  for (const auto& [file, write] : {std::pair(o.urdf_file, write_urdf),
+                                    std::pair(o.mjcf_file, write_mjcf)}) {
+    if (file.empty())
+      continue;
+    name_meshes(bodies, file, o.split_directory, o.hull_directory, o.part_extension());
+    std::ostringstream text;
+    write(text, name, bodies, meters);
+    files.write(file, [&](std::ostream& out) { out << text.str(); });
+  }
 }
 
 void print_summary(std::ostream& out, const Options& o, const Input& input,
@@ -902,9 +965,14 @@ Options options_of_mesh(const Options& batch, const std::string& input, const Pa
       o.split_directory = name;
     else if (format == "hulls")
       o.hull_directory = name;
+    else if (format == "urdf")
+      o.urdf_file = name;
+    else if (format == "mjcf")
+      o.mjcf_file = path.string() + ".xml";
     else
       o.mesh_files.push_back(name);
   }
+  o.add_meshes_of_bodies();
   return o;
 }
 
@@ -1004,6 +1072,7 @@ int main(int argc, char* argv[])
     options.input = options.inputs.front();
     if (std::isfinite(options.memory_limit))
       options.threads = 1;
+    options.add_meshes_of_bodies();
     check_files(options);
   }
   catch (const CLI::Success& e) {

@@ -142,29 +142,37 @@ inline void write_segments(Output_files& files, const std::filesystem::path& dir
   }
 }
 
-// Writes the convex hull of each segment, in files as those of segments. Returns their properties,
-// and adds a warning if some have a thickness. The volumes of solid segments are given, otherwise
-// NaN.
-inline nlohmann::ordered_json
-write_hulls(Output_files& files, const std::filesystem::path& directory,
-            const std::string& extension, const mesh_file::Segmented_soup& mesh, double unit,
-            std::size_t maximum_number_of_vertices, const std::vector<double>& volumes,
-            std::vector<std::string>& warnings)
+// Returns the convex hull of each segment; it is empty if the segment is missing.
+inline std::vector<mesh_file::Convex_hull> segment_hulls(const mesh_file::Segmented_soup& mesh,
+                                                         std::size_t maximum_number_of_vertices)
 {
   std::vector<Point> corners;
   for (Index v : mesh.soup.corners)
     corners.push_back(mesh.soup.points[v]);
   const double extent = mesh_file::extent_of(corners);
   mesh_file::Segment_extraction extract(mesh);
+  std::vector<mesh_file::Convex_hull> result;
+  for (std::size_t s = 0; s < extract.number_of_segments(); ++s)
+    result.push_back(mesh_file::limited_hull(mesh_file::convex_hull(extract(s).points, extent),
+                                             maximum_number_of_vertices));
+  return result;
+}
+
+// Writes the hull of each segment, in files as those of segments. Returns their properties, and
+// adds a warning if some have a thickness. The volumes of solid segments are given, otherwise NaN.
+inline nlohmann::ordered_json
+write_hulls(Output_files& files, const std::filesystem::path& directory,
+            const std::string& extension, const std::vector<mesh_file::Convex_hull>& hulls,
+            const std::vector<Rgb>& colors, double unit, const std::vector<double>& volumes,
+            std::vector<std::string>& warnings)
+{
   auto report = nlohmann::ordered_json::array();
   std::ostringstream warning;
   files.start_segments(directory);
-  for (std::size_t s = 0; s < extract.number_of_segments(); ++s) {
-    const std::vector<Point> points = extract(s).points;
-    if (points.empty())
+  for (std::size_t s = 0; s < hulls.size(); ++s) {
+    const mesh_file::Convex_hull& hull = hulls[s];
+    if (hull.points.empty())
       continue;
-    const mesh_file::Convex_hull hull = mesh_file::limited_hull(
-      mesh_file::convex_hull(points, extent), maximum_number_of_vertices);
     Polygon_soup soup;
     soup.points = hull.points;
     for (const Triangle& t : hull.triangles) {
@@ -173,7 +181,7 @@ write_hulls(Output_files& files, const std::filesystem::path& directory,
     }
     const std::vector<Index> segment(hull.triangles.size(), static_cast<Index>(s));
     files.write_segment(mesh_file::segment_name(s) + extension, [&](std::ostream& out)
-                        { write_mesh(out, extension, {soup, segment, mesh.colors}, unit); });
+                        { write_mesh(out, extension, {soup, segment, colors}, unit); });
     const double volume = mesh_file::volume(hull);
     report.push_back({{"label", s}, {"vertices", hull.points.size()}, {"faces", segment.size()},
                       {"thickness", hull.thickness}, {"volume", volume},
