@@ -743,8 +743,8 @@ void write_meshes(const Options& o, const Input& input, const std::vector<Index>
     body_tree(bodies_of(closed_mesh, hulls, volumes, meters, o.density, warnings),
               contacts(written, labels), meters);
   const std::string name = std::filesystem::path(o.input).stem().string();
-  for (const auto& [file, write] : {std::pair(o.urdf_file, write_urdf),
-                                    std::pair(o.mjcf_file, write_mjcf)}) {
+  for (const auto& [file, write] : {std::pair(o.urdf_file, &write_urdf),
+                                    std::pair(o.mjcf_file, &write_mjcf)}) {
     if (file.empty())
       continue;
     name_meshes(bodies, file, o.split_directory, o.hull_directory, o.part_extension());
