@@ -48,23 +48,6 @@ inline int move_common_corners_first(Corners& t, const Corners& other)
 inline Vector normal(const std::vector<Vector>& points, const Corners& t)
 { return (points[t[1]] - points[t[0]]).cross(points[t[2]] - points[t[0]]); }
 
-// Returns whether, projected along a coordinate axis, the line of an edge of s contains the first n
-// corners, which both triangles have, and separates the opposite corner from the others of t.
-inline bool has_separating_edge(const std::vector<Vector>& points, const Corners& s,
-                                const Corners& t, int n, int axis)
-{
-  const auto projection = [&](Index v)
-  { return Exact_predicates::Point_2(points[v][(axis + 1) % 3], points[v][(axis + 2) % 3]); };
-  for (int i = n; i < 3; ++i) {
-    const auto v = projection(s[(i + 1) % 3]), w = projection(s[(i + 2) % 3]);
-    const auto side = CGAL::orientation(v, w, projection(s[i]));
-    if (side != CGAL::COLLINEAR && std::all_of(t.begin() + n, t.end(), [&](Index x)
-                                     { return CGAL::orientation(v, w, projection(x)) == -side; }))
-      return true;
-  }
-  return false;
-}
-
 // Returns whether two triangles, which are not degenerate, meet outside their common corners and
 // edges. CGAL has this test for the faces of one mesh only.
 inline bool do_intersect(const std::vector<Vector>& points, Corners s, Corners t)
@@ -80,9 +63,6 @@ inline bool do_intersect(const std::vector<Vector>& points, Corners s, Corners t
                p = exact_point(points[s[2]]), q = exact_point(points[t[2]]);
     return CGAL::coplanar(v, w, p, q) && CGAL::coplanar_orientation(v, w, p, q) == CGAL::POSITIVE;
   }
-  for (int axis = 0; axis < 3; ++axis)
-    if (has_separating_edge(points, s, t, n, axis) || has_separating_edge(points, t, s, n, axis))
-      return false;
   if (n == 1)
     return CGAL::do_intersect(edge(s), exact_triangle(points, t)) ||
            CGAL::do_intersect(edge(t), exact_triangle(points, s));
