@@ -39,7 +39,8 @@ inline Json seconds_report(const Run_watch& watch)
           {"total", watch.seconds()}};
 }
 
-// The JSON of the hierarchy with the segments of the run. Faces are the triangles of the input.
+// Returns the JSON of the hierarchy with the segments of the run. Faces are the triangles of the
+// input.
 inline std::string
 hierarchy_text(const CGAL::Spectral_segmentation::Segmentation_hierarchy& hierarchy,
                const Input& input)
@@ -49,7 +50,7 @@ hierarchy_text(const CGAL::Spectral_segmentation::Segmentation_hierarchy& hierar
   return out.str();
 }
 
-// The same without the data of faces.
+// Returns this JSON without the data of faces.
 inline Json hierarchy_report(const CGAL::Spectral_segmentation::Segmentation_hierarchy& hierarchy,
                              const Input& input)
 {
@@ -59,7 +60,7 @@ inline Json hierarchy_report(const CGAL::Spectral_segmentation::Segmentation_hie
   return json;
 }
 
-// The same with the data of faces; if there are larger polygons, also with their numbers.
+// Writes this JSON with the data of faces; if there are larger polygons, also with their indices.
 inline void write_hierarchy(std::ostream& out,
                             const CGAL::Spectral_segmentation::Segmentation_hierarchy& hierarchy,
                             const Input& input)

@@ -195,7 +195,7 @@ write_hulls(Output_files& files, const std::filesystem::path& directory,
   return report;
 }
 
-// One a line.
+// Writes the labels, one per line.
 inline void write_labels(std::ostream& out, const std::vector<Index>& labels)
 {
   std::string lines;
