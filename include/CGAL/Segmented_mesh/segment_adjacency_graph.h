@@ -237,12 +237,8 @@ Otherwise it is the same as the function above.
 */
 template <class TriangleMesh, class SegmentIdMap,
           class NamedParameters = CGAL::parameters::Default_named_parameters>
-#ifdef DOXYGEN_RUNNING
-Segmented_mesh::Segment_adjacency_graph<Id>
-#else
 Segmented_mesh::Segment_adjacency_graph<
   typename boost::property_traits<SegmentIdMap>::value_type>
-#endif
 segment_adjacency_graph(const TriangleMesh& mesh, SegmentIdMap segment_ids,
                         const NamedParameters& np = NamedParameters())
 { return Segmented_mesh::internal::make_adjacency_graph(mesh, segment_ids, nullptr, np); }

@@ -100,18 +100,16 @@ class Recursion
     const Index leaves[2] = {static_cast<Index>(tree_.leaves.size()), pending.leaf};
     tree_.leaves.push_back({0, Cut_state::NOT_SEARCHED});
     tree_.merges.push_back({{leaves[0], leaves[1]}, cut.salience, cut.factors});
-    std::vector<Index> faces[2], places[2]; // in the mesh, and in the part
-    for (std::size_t i = 0; i < cut.side.size(); ++i) {
-      faces[int(cut.side[i])].push_back(pending.part.faces[i]);
-      places[int(cut.side[i])].push_back(static_cast<Index>(i));
-    }
+    std::vector<Index> faces[2]; // in the part
+    for (Index i = 0; i < cut.side.size(); ++i)
+      faces[int(cut.side[i])].push_back(i);
     std::vector<Surface> sides(2);
     if (!is_last)
       sides = split(std::move(pending.part.graph), cut.side, 2);
     for (int i = 0; i < 2; ++i) {
       tree_.leaves[leaves[i]].area = cut.area[i];
-      add(leaves[i], std::move(sides[i]), std::move(faces[i]),
-          kept_contexts(pending.part.contexts, places[i]));
+      add(leaves[i], std::move(sides[i]), composed(faces[i], pending.part.faces),
+          kept_contexts(pending.part.contexts, faces[i]));
     }
     monitor_.after_cut(node, cut.factors, cut.salience, number_of_segments());
   }
