@@ -96,7 +96,6 @@ class Recursion
   void cut(Pending_part pending, bool is_last)
   {
     const Cut& cut = *pending.cut;
-    const std::size_t node = pending.part.node;
     const Index leaves[2] = {static_cast<Index>(tree_.leaves.size()), pending.leaf};
     tree_.leaves.push_back({0, Cut_state::NOT_SEARCHED});
     tree_.merges.push_back({{leaves[0], leaves[1]}, cut.salience, cut.factors});
@@ -111,7 +110,7 @@ class Recursion
       add(leaves[i], std::move(sides[i]), composed(faces[i], pending.part.faces),
           kept_contexts(pending.part.contexts, faces[i]));
     }
-    monitor_.after_cut(node, cut.factors, cut.salience, number_of_segments());
+    monitor_.after_cut(pending.part.node, cut.factors, cut.salience, number_of_segments());
   }
 
   void search_all()
