@@ -80,31 +80,23 @@ inline bool is_degenerate(const std::vector<Vector>& points, const Corners& t)
                          exact_point(points[t[2]]));
 }
 
-// Calls f with the indices of any two triangles that intersect each other. No triangle may be
-// degenerate.
-template <class Function>
-void for_intersecting_pairs(const std::vector<Vector>& points,
-                            const std::vector<Corners>& triangles, const Function& f)
+// Returns whether two of a set of triangles, which are not degenerate, intersect each other.
+inline bool do_self_intersect(const std::vector<Vector>& points,
+                              const std::vector<Corners>& triangles)
 {
   typedef CGAL::Box_intersection_d::Box_with_info_d<double, 3, Index> Box;
+  struct Found {};
   std::vector<Box> boxes;
   for (std::size_t i = 0; i < triangles.size(); ++i)
     boxes.emplace_back(exact_triangle(points, triangles[i]).bbox(), static_cast<Index>(i));
   std::vector<const Box*> pointers; // they are faster to sort
   for (const Box& b : boxes)
     pointers.push_back(&b);
-  CGAL::box_self_intersection_d(pointers.begin(), pointers.end(), [&](const Box* a, const Box* b) {
-    if (do_intersect(points, triangles[a->info()], triangles[b->info()]))
-      f(a->info(), b->info()); });
-}
-
-// Returns whether two of a set of triangles, which are not degenerate, intersect each other.
-inline bool do_self_intersect(const std::vector<Vector>& points,
-                              const std::vector<Corners>& triangles)
-{
-  struct Found {};
   try {
-    for_intersecting_pairs(points, triangles, [](Index, Index) { throw Found(); });
+    CGAL::box_self_intersection_d(pointers.begin(), pointers.end(),
+                                  [&](const Box* a, const Box* b) {
+      if (do_intersect(points, triangles[a->info()], triangles[b->info()]))
+        throw Found(); });
   }
   catch (const Found&) {
     return true;

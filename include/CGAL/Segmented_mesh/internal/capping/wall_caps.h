@@ -90,40 +90,13 @@ class Strip_triangulation
     return result;
   }
 
-  // Marks the triangle with the longer perimeter of any two that intersect, and triangles that
-  // repeat an edge, for example where a ring has an entire side at one corner. Returns whether
-  // there are any.
-  bool mark_conflicts(const std::vector<Step>& steps, const std::vector<Corners>& triangles)
-  {
-    bool result = false;
-    std::set<std::pair<Index, Index> > edges;
-    for (const Step& s : steps)
-      if (!edges.emplace(p_[s.i], q_[s.j]).second) {
-        state(s) = UNUSABLE;
-        result = true;
-      }
-    for_intersecting_pairs(points_, triangles, [&](Index a, Index b) {
-      if (a > b)
-        std::swap(a, b);
-      state(steps[perimeter(triangles[a]) > perimeter(triangles[b]) ? a : b]) = UNUSABLE;
-      result = true;
-    });
-    return result;
-  }
-
-  double perimeter(const Corners& t) const
-  {
-    return (points_[t[1]] - points_[t[0]]).norm() + (points_[t[2]] - points_[t[1]]).norm() +
-           (points_[t[0]] - points_[t[2]]).norm();
-  }
-
 public:
   // The triangles pass p in its direction, and q against it.
   Strip_triangulation(const std::vector<Vector>& points, std::vector<Index> p,
                       std::vector<Index> q)
     : points_(points), p_(std::move(p)), q_(std::move(q)) {}
 
-  // Returns usable triangles that do not intersect each other; none if it finds none.
+  // Returns usable triangles; none if it finds none.
   template <class Is_usable>
   std::vector<Corners> operator()(const Is_usable& is_usable)
   {
@@ -140,7 +113,7 @@ public:
           state(s) = is_usable(result.back()) ? USABLE : UNUSABLE;
         are_usable = are_usable && state(s) == USABLE;
       }
-      if (steps.empty() || (are_usable && !mark_conflicts(steps, result)))
+      if (steps.empty() || are_usable)
         return result;
     }
     return {};
@@ -191,6 +164,10 @@ inline Cap strip(Segmented_solid& solid, const Loop& p, const Loop& q, const Ope
 {
   const std::vector<Corners> triangles = Strip_triangulation(solid.points(), p, q)(
     [&](const Corners& t) { return solid.fit({t}, opening); });
+  bool fit = solid.fit(triangles, opening); // together
+  for_each_edge(sorted_sides(triangles), [&](std::size_t, std::size_t n) { fit = fit && n <= 2; });
+  if (!fit)
+    return {};
   for (const Corners& t : triangles)
     for (int i = 0; i < 3; ++i)
       if (opening.edges.count(vertex_pair(t[i], t[(i + 1) % 3])) == 0)
