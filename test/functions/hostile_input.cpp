@@ -208,18 +208,6 @@ BOOST_AUTO_TEST_CASE(coordinates_that_are_not_finite_are_refused)
     }
 }
 
-BOOST_AUTO_TEST_CASE(a_vertex_without_faces_may_be_anywhere)
-{
-  const Mesh mesh = mesh_of(dumbbell(16, 12));
-  Mesh with_vertices = mesh;
-  with_vertices.add_vertex(Point(infinity, 0, 0));
-  with_vertices.add_vertex(Point(1e300, 0, 0));
-  for_both_methods([&](const auto& np) {
-    BOOST_TEST(labels_of(with_vertices, np) == labels_of(mesh, np),
-               boost::test_tools::per_element());
-  });
-}
-
 BOOST_AUTO_TEST_CASE(a_face_that_is_not_a_triangle_is_refused)
 {
   Soup soup = plate(3, 3);

@@ -168,19 +168,6 @@ BOOST_AUTO_TEST_CASE(each_number_has_an_effect)
   }
 }
 
-BOOST_AUTO_TEST_CASE(the_method_of_the_paper_ends_at_its_number_of_parts)
-{
-  for (std::size_t n : {12, 30}) {
-    Options o = Options::zhang_liu_2005(), with_threshold = o;
-    if (n != 12)
-      o.maximum_number_of_segments = n;
-    with_threshold.maximum_number_of_segments = n;
-    with_threshold.salience_threshold = 0.54;
-    BOOST_TEST(labels_of_options(o) == labels_of_options(with_threshold),
-               boost::test_tools::per_element());
-  }
-}
-
 BOOST_AUTO_TEST_CASE(the_threshold_follows_the_salience)
 {
   for (Options o : {Options(), Options::zhang_liu_2005()}) {

@@ -67,7 +67,7 @@ BOOST_AUTO_TEST_CASE(a_power_of_two_as_unit_changes_nothing)
 {
   for_each_run([](const Soup& soup, const auto& np) {
     const Labels expected = labels_of(soup, np);
-    for (int exponent : {-480, -1, 1, 480})
+    for (int exponent : {-480, 480})
       BOOST_TEST((labels_of(scaled(soup, std::ldexp(1., exponent)), np) == expected));
   });
 }

@@ -680,7 +680,7 @@ BOOST_AUTO_TEST_CASE(signals_handled_otherwise)
   }) == EXIT_SUCCESS);
 }
 
-// 200 runs of 50 megabytes, each ended by a signal at some time: all of its files are new, or none.
+// 80 runs of 10 megabytes, each ended by a signal at some time: all of its files are new, or none.
 BOOST_AUTO_TEST_CASE(signals_at_random_times)
 {
   const In_directory directory;
@@ -694,10 +694,10 @@ BOOST_AUTO_TEST_CASE(signals_at_random_times)
           out << block;
       };
     };
-    files.write("a", megabytes(20));
-    files.write("b", megabytes(10));
+    files.write("a", megabytes(4));
+    files.write("b", megabytes(2));
     files.start_segments("parts");
-    files.write_segment("segment_000.ply", megabytes(20));
+    files.write_segment("segment_000.ply", megabytes(4));
     files.commit();
   };
   typedef std::chrono::steady_clock Clock;
@@ -725,9 +725,9 @@ BOOST_AUTO_TEST_CASE(signals_at_random_times)
     }
     else {
       BOOST_TEST(names_in(".") == (Names{"a", "b", "parts"}), boost::test_tools::per_element());
-      BOOST_TEST(std::filesystem::file_size("a") == 20000000u);
-      BOOST_TEST(std::filesystem::file_size("b") == 10000000u);
-      BOOST_TEST(std::filesystem::file_size("parts/segment_000.ply") == 20000000u);
+      BOOST_TEST(std::filesystem::file_size("a") == 4000000u);
+      BOOST_TEST(std::filesystem::file_size("b") == 2000000u);
+      BOOST_TEST(std::filesystem::file_size("parts/segment_000.ply") == 4000000u);
       BOOST_TEST(names_in("parts").size() == 2);
       ++number_of_commits;
     }

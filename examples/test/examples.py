@@ -15,7 +15,7 @@ import sys
 import tempfile
 import unittest
 
-sys.path.insert(0, str(pathlib.Path(__file__).resolve().parent / "helpers"))
+sys.path.insert(0, str(pathlib.Path(__file__).resolve().parents[2] / "test/helpers"))
 from mesh_files import read_off, read_ply_rows, read_stl, write_off
 from meshes import cross, directed_edges, dot, dumbbell, is_closed, minus, tube, volume
 
