@@ -86,14 +86,14 @@ double spread_of_cut(const Mesh& mesh, const std::vector<Face>& q, const std::ve
     for (Halfedge h : halfedges_around_face(halfedge(f, mesh), mesh))
       if (in_rest.count(face(opposite(h, mesh), mesh)))
         along_cut.insert({source(h, mesh), target(h, mesh)});
-  Eigen::Matrix3Xd points(3, along_cut.size());
-  Eigen::Index column = 0;
-  for (Mesh::Vertex_index v : along_cut) {
-    const Point& p = mesh.point(v);
-    points.col(column++) << p.x(), p.y(), p.z();
-  }
-  points.colwise() -= points.rowwise().mean().eval();
-  const Eigen::Matrix3d covariance = points * points.transpose() / double(points.cols());
+  const auto point = [&](Mesh::Vertex_index v)
+  { return Eigen::Vector3d(mesh.point(v).x(), mesh.point(v).y(), mesh.point(v).z()); };
+  Eigen::Vector3d mean(0, 0, 0);
+  for (Mesh::Vertex_index v : along_cut)
+    mean += point(v) / double(along_cut.size());
+  Eigen::Matrix3d covariance = Eigen::Matrix3d::Zero();
+  for (Mesh::Vertex_index v : along_cut)
+    covariance += (point(v) - mean) * (point(v) - mean).transpose() / double(along_cut.size());
   const Eigen::Vector3d values =
     Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d>(covariance).eigenvalues();
   return 4 * std::sqrt((std::max)(values[1], 0.) * values[2]);

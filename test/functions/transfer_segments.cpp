@@ -3,12 +3,12 @@
 
 #include <boost/test/unit_test.hpp>
 
+#include "box_figures.h"
 #include "test_labels.h"
 #include "test_meshes.h"
 
 #include <CGAL/Segmented_mesh/transfer_segments.h>
 
-#include <CGAL/Polygon_mesh_processing/triangulate_faces.h>
 #include <CGAL/Polyhedron_3.h>
 #include <CGAL/boost/graph/copy_face_graph.h>
 #include <CGAL/boost/graph/generators.h>
@@ -168,18 +168,9 @@ BOOST_AUTO_TEST_CASE(sides_of_a_thin_sheet)
 
 BOOST_AUTO_TEST_CASE(sides_of_a_box)
 {
-  Mesh box;
-  CGAL::make_hexahedron(Point(0, 0, 0), Point(1, 0, 0), Point(1, 1, 0), Point(0, 1, 0),
-                        Point(0, 1, 1), Point(0, 0, 1), Point(1, 0, 1), Point(1, 1, 1), box);
-  CGAL::Polygon_mesh_processing::triangulate_faces(box);
-  Soup soup;
-  for (Mesh::Vertex_index v : box.vertices())
-    soup.points.push_back(box.point(v));
-  for (Mesh::Face_index f : box.faces()) {
-    soup.triangles.emplace_back();
-    for (Mesh::Vertex_index v : vertices_around_face(box.halfedge(f), box))
-      soup.triangles.back().push_back(v);
-  }
+  Cells box;
+  add_box(box, {0, 0, 0}, {1, 1, 1});
+  const Soup soup = boundary_of(box);
   const auto side = [](const Point& p) {
     for (int i = 0; i < 3; ++i)
       for (int end : {0, 1})
