@@ -108,7 +108,14 @@ least_point(const std::vector<Half_space<Dimension> >& half_spaces, std::size_t 
 class Outward_simplification
 {
   typedef Eigen::Vector3d Vector;
-  typedef CGAL::Surface_mesh<Vector> Mesh;
+  // A point that is 0 by default, because CGAL copies points before it sets them.
+  struct Mesh_point : Vector
+  {
+    Mesh_point() : Vector(Vector::Zero()) {}
+    Mesh_point(const Vector& v) : Vector(v) {}
+  };
+
+  typedef CGAL::Surface_mesh<Mesh_point> Mesh;
   typedef Mesh::Vertex_index Vertex;
   typedef Mesh::Halfedge_index Halfedge;
   typedef Mesh::Edge_index Edge;

@@ -1,10 +1,9 @@
 // Copyright (c) 2026  The Spectral_segmentation authors.
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// Colors of the nodes of a hierarchy, as [red, green, blue] from 0 to 1. The segments that are
-// shown first have the colors of meshes on file. The larger child of a cut has the color of its
-// parent. The smaller child of a further cut gets the color that is most unlike those around it for
-// all people: for those whose cones are complete, and those who lack one kind.
+// Colors of the nodes of a hierarchy, as [red, green, blue] from 0 to 1. The larger child of a cut
+// keeps the color of its parent. The smaller one gets the color that is most unlike those around it
+// for all people: for those whose cones are complete, and those who lack one kind.
 
 // The colors seen without one kind of cones, on linear RGB: Machado, Oliveira, Fernandes, "A
 // Physiologically-based Model for Simulation of Color Vision Deficiency", 2009.
@@ -67,24 +66,19 @@ function candidates() {
   return result;
 }
 
-// Returns the color of each node. `neighbors` has for each piece the set of those that it touches,
-// `given` the colors of the nodes that are the segments shown first.
-export function nodeColors(hierarchy, neighbors, given) {
+// neighbors: for each piece the set of those that it touches.
+export function nodeColors(hierarchy, neighbors) {
   const choices = candidates();
   const nearest = new Float64Array(choices.length).fill(Infinity); // to all colors that are used
   const colors = new Array(hierarchy.size);
-
-  function use(color) {
-    choices.forEach((choice, i) => {
-      nearest[i] = Math.min(nearest[i], difference(choice, color));
-    });
-    return color;
-  }
+  const [blue] = seen([0.38, 0.62, 0.88]).lab;
+  const first = choices.reduce((best, color, i) =>
+    distance(color.lab[0], blue) < distance(choices[best].lab[0], blue) ? i : best, 0);
 
   function choose(touching) {
     if (nearest.every(distance => distance === 0)) // all are used: a second round
       nearest.fill(Infinity);
-    let best = 0, largest = -1;
+    let best = first, largest = -1;
     choices.forEach((color, i) => {
       let value = nearest[i];
       for (const other of touching)
@@ -94,16 +88,15 @@ export function nodeColors(hierarchy, neighbors, given) {
         best = i;
       }
     });
-    return use(choices[best]);
+    choices.forEach((color, i) => {
+      nearest[i] = Math.min(nearest[i], difference(color, choices[best]));
+    });
+    return choices[best];
   }
 
-  given.forEach((color, node) => { colors[node] = use(seen(color)); });
-  const made = given.size - hierarchy.roots; // cuts between the segments shown first
-  for (let i = made; i-- > 0;)
-    colors[hierarchy.cutNodes[i]] = colors[hierarchy.roots + 2 * i + 1];
+  for (let root = 0; root < hierarchy.roots; ++root)
+    colors[root] = choose([]);
   hierarchy.cutNodes.forEach((node, i) => {
-    if (i < made)
-      return;
     const smaller = hierarchy.roots + 2 * i;
     colors[smaller + 1] = colors[node];
     const segments = hierarchy.segmentOfPiece(hierarchy.roots + i + 1);

@@ -44,15 +44,15 @@ function pairs(list) {
 }
 
 // The model of a Viewer from what page_data.h writes.
-export function decode({ name, segments, colors, salience, input_triangles, hierarchy, mesh,
-                         piece_of_face, exceptions }) {
+export function decode({ name, segments, salience, input_triangles, hierarchy, mesh, piece_of_face,
+                         exceptions }) {
   const pieces = runs(mesh.pieces);
   const numberShown = pieces.length;
   const notes = numberShown >= input_triangles ? [] :
     [`The mesh shown is simplified to ${numberShown.toLocaleString("en")} triangles; labels are ` +
      "those of all faces."];
   return {
-    name, segments, colors, salience, notes, pieceOfFace: runs(piece_of_face),
+    name, segments, salience, notes, pieceOfFace: runs(piece_of_face),
     mesh: { points: Float32Array.from(sums(mesh.points, 3)),
             triangles: Uint32Array.from(sums(mesh.triangles, 1)), pieces,
             corner: mesh.corner, unit: mesh.unit },

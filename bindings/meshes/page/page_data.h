@@ -4,9 +4,7 @@
 #ifndef SEGMENT_MESH_PAGE_PAGE_DATA_H
 #define SEGMENT_MESH_PAGE_PAGE_DATA_H
 
-#include "../../files/segment_colors.h"
 #include "../read_input.h"
-#include "../segment_neighbors.h"
 #include "Page_mesh.h"
 #include "packed.h"
 
@@ -304,16 +302,6 @@ inline nlohmann::ordered_json mesh_data(const Page_mesh& mesh)
           {"pieces", packed_runs(mesh.pieces)}};
 }
 
-// Returns the colors that `n` segments have in meshes on file.
-inline std::vector<Rgb> colors_on_file(const Input& input, const Segmentation_hierarchy& tree,
-                                       std::size_t n)
-{
-  const std::vector<std::size_t> nodes = tree.nodes_above(least_salience(tree), n);
-  const std::vector<std::size_t> labels = tree.labels(nodes);
-  return segment_colors(
-    segment_neighbors(input, std::vector<Index>(labels.begin(), labels.end()), nodes.size()));
-}
-
 // Returns the data that page/decode.js reads.
 inline nlohmann::ordered_json page_data(const Input& input, const Segmentation_hierarchy& tree,
                                         const Page_options& o)
@@ -327,7 +315,6 @@ inline nlohmann::ordered_json page_data(const Input& input, const Segmentation_h
         label_exceptions(input, tree, pieces.segments(n), piece_of_polygon, n);
   return {{"name", o.name},
           {"segments", o.number_of_segments},
-          {"colors", colors_on_file(input, tree, o.number_of_segments)},
           {"salience", o.is_salience_probability ? "probability" : "salience"},
           {"input_triangles", input.triangles.size()},
           {"hierarchy", hierarchy_data(input, tree, pieces)},

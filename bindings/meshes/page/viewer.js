@@ -105,7 +105,7 @@ const percent = share => `${(100 * share).toPrecision(share < 0.1 ? 2 : 3)} %`;
 // - hierarchy: the arguments of Hierarchy;
 // - pieceOfFace: the piece of each face of the input; and, if these do not determine all labels,
 //   exceptions, see faceLabels();
-// - segments: the number of segments to begin with, and colors: of these, from 0 to 255;
+// - segments: the number of segments to begin with;
 // - salience: what the number of a cut is called, as "probability";
 // - notes: messages to show, if any;
 // - glb: a function that returns the file of a number of segments, if there is a better one than
@@ -135,22 +135,14 @@ export class Viewer {
                                   error.message;
       throw error;
     }
-    this.colors = nodeColors(this.hierarchy, this.neighbors(), this.firstColors());
+    this.colors = nodeColors(this.hierarchy, this.neighbors());
     this.fill();
     this.listen();
     this.apply(this.stateOf(model.segments));
     this.ui.up.checked = this.scene.chooseView(this.segmentOfPiece);
   }
 
-  // Returns the colors of the nodes that are the segments shown first.
-  firstColors() {
-    const { segments, colors, exceptions } = this.model;
-    const labels = labelOfSegment(this.hierarchy, segments, exceptions);
-    return new Map(this.hierarchy.segmentOfPiece(segments).map( // one without faces has no label
-      node => [node, colors[labels.get(node) ?? 0].map(x => x / 255)]));
-  }
-
-  // Returns for each piece those that it touches.
+  // For each piece those that it touches.
   neighbors() {
     const result = this.hierarchy.leaves.map(() => new Set());
     for (const [, , piece, , , other] of this.scene.seams) {
