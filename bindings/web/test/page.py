@@ -171,12 +171,7 @@ class Page_test(unittest.TestCase):
         self.wait_for("elephant.off")
         self.assertIn("Not read: elephant.mtl.", self.part("counts").text)
         self.assertEqual(self.number(), len(set(tool(path, "--labels", "-")[0].split())))
-        colors = self.colors()
-        self.assertGreaterEqual(len(colors), 10)
-        tool(path, "-o", self.directory / "elephant.obj") # its file of materials has the same
-        colors_on_file = [",".join(str(round(255 * float(x))) for x in line.split()[1:])
-                          for line in materials.read_text().splitlines() if line[:2] == "Kd"]
-        self.assertLessEqual(set(colors), set(colors_on_file))
+        self.assertGreaterEqual(len(self.colors()), 10)
         self.set_number(5)
         self.assertEqual(self.saved("saveLabels", "elephant_5.seg"),
                          tool(path, "--segments", 5, "--labels", "-")[0])
