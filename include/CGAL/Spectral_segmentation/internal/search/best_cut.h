@@ -93,8 +93,8 @@ public:
     // 1. two sample faces
     Shape_contexts contexts = std::move(part.contexts);
     const Sample_faces samples = monitor.stage(Stage::SAMPLING, part.node, [&] {
-      const Index first = options_.random_seed
-        ? random_face(m, *options_.random_seed, part.faces.front())
+      const Index first = !contexts.references.empty() ? contexts.references.front()
+        : options_.random_seed ? random_face(m, *options_.random_seed, part.faces.front())
         : farthest_face_from_center(execution, m);
       contexts = shape_contexts(m, first, options_.number_of_reference_faces, check,
                                 std::move(contexts));

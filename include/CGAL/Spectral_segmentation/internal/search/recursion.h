@@ -108,7 +108,7 @@ class Recursion
     for (int i = 0; i < 2; ++i) {
       tree_.leaves[leaves[i]].area = cut.area[i];
       add(leaves[i], std::move(sides[i]), composed(faces[i], pending.part.faces),
-          kept_contexts(pending.part.contexts, faces[i]));
+          is_last ? Shape_contexts() : kept_contexts(pending.part.contexts, faces[i]));
     }
     monitor_.after_cut(pending.part.node, cut.factors, cut.salience, number_of_segments());
   }
