@@ -4,6 +4,7 @@
 #ifndef SEGMENT_MESH_MESH_FILE_LIMITED_HULL_H
 #define SEGMENT_MESH_MESH_FILE_LIMITED_HULL_H
 
+#include "Moments.h"
 #include "convex_hull.h"
 
 #include <CGAL/Surface_mesh.h>
@@ -255,16 +256,7 @@ public:
 inline Eigen::Vector3d vector_of(const Point& p) { return {p[0], p[1], p[2]}; }
 
 inline double volume(const Convex_hull& hull)
-{
-  double result = 0;
-  for (const Triangle& t : hull.triangles) {
-    const Eigen::Vector3d origin = vector_of(hull.points[0]);
-    result += (vector_of(hull.points[t[0]]) - origin)
-                .dot((vector_of(hull.points[t[1]]) - origin)
-                       .cross(vector_of(hull.points[t[2]]) - origin)) / 6;
-  }
-  return result;
-}
+{ return Moments(hull.points, hull.triangles).volume(); }
 
 // Returns a box around a hull if there may be 8 points, otherwise a tetrahedron: the smallest one
 // with a side in the plane of a triangle, and another side parallel to one of its edges.
