@@ -2,16 +2,16 @@
 # Copyright (c) 2026  The Spectral_segmentation authors.
 # SPDX-License-Identifier: GPL-3.0-or-later
 #
-# check_all.sh [--cgal DIR] [--build DIR]
+# check_all.sh --cgal DIR [--build DIR]
 # All programs and tests under g++ and clang++, each in Release with warnings as errors and in Debug
 # with sanitizers, each header alone, the readers under a fuzzer, an hour of random runs with
 # sanitizers, the pictures of the manual, the number of instructions of a run, the labels on other
 # machines, the add-on in Blender, the installed Python package, the web page, the npm package with
 # bundlers from the npm registry, and many meshes, also on a cluster of Slurm.
-# With --cgal, Release once more against the CGAL whose CGALConfig.cmake is in DIR, and the examples
-# of the package that scripts/lay_out_cgal_package.py lays out. Takes long; builds in build-check/
-# or the --build folder. Needs to be root, clang, and the packages of
-# `setup.sh build test python python_examples performance machines cluster blender web`.
+# Release once more against a CGAL 6 whose CGALConfig.cmake is in DIR, the tool, the Python module
+# and all examples too, and the examples of the package that scripts/lay_out_cgal_package.py lays
+# out. Takes long; builds in build-check/ or the --build folder. Needs to be root, clang, and the
+# packages of `setup.sh build test python python_examples performance machines cluster blender web`.
 
 set -euo pipefail
 cd "$(dirname "$0")/.."
@@ -25,6 +25,10 @@ while [[ $# -gt 0 ]]; do
     *) echo "check_all.sh: unknown option: $1" >&2; exit 1 ;;
   esac
 done
+if [[ -z $cgal ]]; then
+  echo "check_all.sh: --cgal DIR is missing: the folder of CGALConfig.cmake of a CGAL 6" >&2
+  exit 1
+fi
 
 failed=()
 
@@ -46,22 +50,18 @@ for compiler in g++ clang++; do
   echo "=== $compiler, each header alone"
   while read -r header; do
     "$compiler" -std=c++17 -Wall -Wextra -Werror -fsyntax-only -Iinclude \
-      ${cgal:+-isystem "$cgal/include"} -isystem /usr/include/eigen3 -include "$header" \
+      -isystem "$cgal/include" -isystem /usr/include/eigen3 -include "$header" \
       -x c++ /dev/null || failed+=("$compiler-$header")
   done < <(cd include && find . -name '*.h' | sort)
 
   check "$compiler-release" release "$warnings" -DCMAKE_CXX_COMPILER="$compiler" \
     $([[ $compiler = g++ ]] || echo "$quick")
   check "$compiler-sanitize" sanitize $quick -DCMAKE_CXX_COMPILER="$compiler"
-  if [[ -n $cgal ]]; then
-    check "$compiler-cgal" release "$warnings" $quick -DCMAKE_CXX_COMPILER="$compiler" \
-      -DCGAL_DIR="$cgal"
-  fi
+  check "$compiler-cgal" release "$warnings" $quick -DCMAKE_CXX_COMPILER="$compiler" \
+    -DCGAL_DIR="$cgal"
 done
-if [[ -n $cgal ]]; then
-  rm -rf "$build/cgal_package"
-  scripts/lay_out_cgal_package.py "$build/cgal_package" --cgal "$cgal" || failed+=(cgal_package)
-fi
+rm -rf "$build/cgal_package"
+scripts/lay_out_cgal_package.py "$build/cgal_package" --cgal "$cgal" || failed+=(cgal_package)
 
 echo "=== files that a fuzzer makes up"
 cmake --build "$build/g++-release" --target fuzz || failed+=(fuzz)

@@ -857,7 +857,7 @@ Json run(const Options& o)
   if (o.writes_meshes())
     parts = part_tree(tree, labels, number_of_segments);
   if (is_transferred)
-    labels = transferred_labels(input, std::move(labels), other);
+    labels = transferred_labels(input, labels, other);
   const std::vector<Index> label_of_polygon = labels_of_polygons(written, labels);
   if (o.scale != 1) { // the labels do not depend on it
     multiply_points(input.soup, o.scale);

@@ -7,26 +7,23 @@
 #include "closed_soup.h"
 
 #include <CGAL/Segmented_mesh/transfer_segments.h>
-#include <CGAL/property_map.h>
-
-#include <boost/property_map/compose_property_map.hpp>
 
 #include <vector>
 
 namespace segment_mesh {
 
 // Returns the label of each triangle of another mesh, from those of the triangles of a mesh.
-inline std::vector<Index> transferred_labels(const Input& from, std::vector<Index> labels,
+inline std::vector<Index> transferred_labels(const Input& from, const std::vector<Index>& labels,
                                              const Input& to)
 {
-  std::vector<Index> result(to.triangles.size());
-  const Mesh from_mesh = mesh_of(from), to_mesh = mesh_of(to);
-  const auto id_map = [](const Mesh& mesh, std::vector<Index>& ids) {
-    return boost::make_compose_property_map(CGAL::make_property_map(ids),
-                                            get(CGAL::face_index, mesh));
-  };
-  CGAL::transfer_segments(from_mesh, id_map(from_mesh, labels), to_mesh, id_map(to_mesh, result));
-  return result;
+  const auto add_ids = [](Mesh& mesh)
+  { return mesh.add_property_map<Mesh::Face_index, Index>("f:segment").first; };
+  Mesh from_mesh = mesh_of(from), to_mesh = mesh_of(to);
+  const auto from_ids = add_ids(from_mesh), to_ids = add_ids(to_mesh);
+  for (Mesh::Face_index f : from_mesh.faces())
+    from_ids[f] = labels[f];
+  CGAL::transfer_segments(from_mesh, from_ids, to_mesh, to_ids);
+  return {to_ids.begin(), to_ids.end()};
 }
 
 } // namespace segment_mesh

@@ -7,6 +7,7 @@
 #include "test_meshes.h"
 
 #include <boost/pending/disjoint_sets.hpp>
+#include <boost/property_map/vector_property_map.hpp>
 
 #include <array>
 #include <cstddef>
@@ -32,8 +33,9 @@ struct Face_constraints
   // Returns whether faces that must be together are joined with those that must be apart.
   bool are_contradictory(std::size_t number_of_faces) const
   {
-    std::vector<std::size_t> rank(number_of_faces), parent(number_of_faces);
-    boost::disjoint_sets<std::size_t*, std::size_t*> sets(rank.data(), parent.data());
+    // Not pointers: a function of Boost's sparse row graphs, which CGAL 6 includes, hides theirs.
+    const boost::vector_property_map<std::size_t> rank(number_of_faces), parent(number_of_faces);
+    boost::disjoint_sets<decltype(rank), decltype(parent)> sets(rank, parent);
     for (std::size_t f = 0; f < number_of_faces; ++f)
       sets.make_set(f);
     std::map<int, std::size_t> first;
