@@ -38,8 +38,7 @@ inline const std::vector<Method_variant>& method_variants()
   static const std::vector<Method_variant> variants = {
     {"all of it", [](Engine_options&) {}},
     {"dihedral angles", [](Engine_options& o) { o.concavity_radius = 0; }},
-    {"no orders from single faces", [](Engine_options& o) { o.single_source_orders = false; }},
-    {"one candidate", [](Engine_options& o) { o.number_of_candidates = 1; }},
+    {"one search", [](Engine_options& o) { o.number_of_searches = 1; }},
     {"no minimum cuts", [](Engine_options& o) { o.number_of_refined_candidates = 0; }},
     {"no coarsening", [](Engine_options& o) { o.number_of_coarse_faces = 0; }},
     {"no bisection", [](Engine_options& o) { o.bisection = false; }},

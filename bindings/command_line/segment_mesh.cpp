@@ -343,6 +343,11 @@ void add_segmentation_options(CLI::App& app, Options& o)
   app.add_option("--smooth", o.segmentation.number_of_smoothing_iterations,
                  "number of steps of Laplacian smoothing before distances are computed [0]")
     ->type_name("N")->check(CLI::Range(std::int64_t(0), largest_number));
+  app.add_option("--searches", o.segmentation.number_of_searches,
+                 "number of coarse meshes that are searched; the cuts are those of the search that "
+                 "agrees best with the others" +
+                   both_defaults(&Segmentation_options::number_of_searches))
+    ->type_name("N")->check(CLI::Range(std::int64_t(1), std::int64_t(100)));
   app.add_option("--method", o.method_name,
                  "calibrated cuts where people cut; paper is the method of Zhang and Liu 2005")
     ->type_name("M")->check(CLI::IsMember({"calibrated", "paper"}))->capture_default_str();

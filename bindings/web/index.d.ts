@@ -49,10 +49,14 @@ export interface Options extends Choice {
   /** The weight of the geodesic distance, from 0 to 1, and the factors of the angle distance at
    *  concave and at convex edges: by default 0.03, 1, 0.1, with the method "paper" 0.01, 1, 0.1. */
   distanceWeights?: readonly number[] | Float64Array;
-  /** Cuts are searched on a coarse mesh with this number of triangles: by default 4000. 0 means the
+  /** Cuts are searched on a coarse mesh with this number of triangles: by default 3400. 0 means the
    *  mesh itself, the default of the method "paper". */
   numberOfCoarseFaces?: number;
-  /** The dimension of the context vector, from 1 to 1000; 10 by default. */
+  /** The number of coarse meshes that are searched, from 1 to 100: by default 5; 1 with the method
+   *  "paper". The cuts are those of the search that agrees best with the others. */
+  numberOfSearches?: number;
+  /** The dimension of the context vector, from 1 to 1000: by default 3, with the method "paper" 10.
+   */
   numberOfReferenceFaces?: number;
   /** Steps of Laplacian smoothing before the search; 0 by default. */
   numberOfSmoothingIterations?: number;

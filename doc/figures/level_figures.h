@@ -52,7 +52,7 @@ most_frequent_colors(const CGAL::Spectral_segmentation::internal::Merge_tree& tr
   return result;
 }
 
-// Draws the levels of a run, the last first, each with the leaves of its tree.
+// Draws the levels of the first search of a run, the last first, each with the leaves of its tree.
 inline void draw_levels(Picture_book& book, const Named_mesh& shape)
 {
   namespace internal = CGAL::Spectral_segmentation::internal;
@@ -64,33 +64,36 @@ inline void draw_levels(Picture_book& book, const Named_mesh& shape)
   const internal::Run_data d{options, options, constraints, features, Execution::PARALLEL, monitor,
                              0};
   internal::Levels l;
-  l.levels.push_back(internal::first_level(segmentation_benchmark::triangles_of(shape.mesh)));
-  internal::prepare_surface(l.levels.front(), d);
-  internal::make_levels(l, d);
+  l.shared.push_back(internal::first_level(segmentation_benchmark::triangles_of(shape.mesh)));
+  internal::prepare_surface(l.shared.front(), d);
+  internal::make_levels(l, 1, d);
+  const std::vector<const internal::Level*> levels = l.levels_of(0);
 
-  const internal::Calibrated_cut best_cut(l.last(), options, options);
+  const Surface& searched = levels.back()->surface;
+  const internal::Calibrated_cut best_cut(searched, options, options);
   const std::vector<internal::Index> regions =
-    internal::Recursion(d.execution, l.last(), best_cut, options, monitor)
+    internal::Recursion(d.execution, searched, best_cut, options, monitor)
       .by_salience(options.number_of_regions).leaf;
   internal::Merge_tree tree = internal::Region_merging(
-    d.execution, l.last(), best_cut.context(), options.part_salience, monitor)(regions);
+    d.execution, searched, best_cut.context(), options.part_salience, monitor)(regions);
 
   std::vector<Rgb> color(tree.leaves.size());
   segment_mesh::Color_sequence sequence;
   for (Rgb& c : color)
     c = sequence().rgb;
-  for (;;) {
+  for (std::size_t i = levels.size(); i-- > 0;) {
     std::vector<Rgb> colors;
     for (internal::Index leaf : tree.leaf)
       colors.push_back(color[leaf]);
-    const std::string caption = "level " + std::to_string(l.levels.size() - 1) + ": " +
+    const std::string caption = "level " + std::to_string(i) + ": " +
                                 count(tree.leaf.size(), "faces");
-    book.add("levels", {{shape.name + " in its frame", mesh_of(l.last())}, caption, colors});
-    if (l.levels.size() == 1)
+    book.add("levels",
+             {{shape.name + " in its frame", mesh_of(levels[i]->surface)}, caption, colors});
+    if (i == 0)
       return;
-    const std::vector<internal::Index> parent = l.levels.back().parent_face;
-    tree = internal::carry_back(std::move(tree), l, d);
-    color = most_frequent_colors(tree, parent, colors);
+    tree = internal::carry_back(tree, *levels[i], levels[i - 1]->surface,
+                                [](const std::vector<internal::Index>&, Surface&) {}, d);
+    color = most_frequent_colors(tree, levels[i]->parent_face, colors);
   }
 }
 

@@ -150,7 +150,7 @@ salience reaches the threshold. The section \ref Spectral_segmentation_method ha
 the numbers of sections and equations below refer to the paper.
 
 The time is O(*n* log *n*) in the number *n* of faces, for reading and coarsening, plus a search on
-at most 4000 faces by default. The memory is O(*n*). The section
+at most 3400 faces, five times by default. The memory is O(*n*). The section
 \ref Spectral_segmentation_complexity has the bounds of each step.
 
 \tparam ConcurrencyTag `CGAL::Sequential_tag`, `CGAL::Parallel_tag` or
@@ -332,13 +332,20 @@ the same. `zhang_liu_2005()` does not support constraints. The example
       time of the search nor the result depends much on the triangles. With 0 the mesh itself is
       searched.}
     \cgalParamType{an integer}
-    \cgalParamDefault{`4000`, which agrees with people as well as a search on the mesh itself, or
-      `0` with `zhang_liu_2005()`}
+    \cgalParamDefault{`3400`, or `0` with `zhang_liu_2005()`}
     \cgalParamExtra{at least 0. No more than the number of faces of the mesh plus 1000 are searched.
       A convex mesh that has at most `number_of_coarse_faces` faces is one part without a search,
       unless `number_of_segments` or constraints are given. In the calibrated method (default) the
       number grows in proportion if more than 20 segments are requested. The factors and saliences
       of cuts refer to the mesh that is searched.}
+  \cgalParamNEnd
+  \cgalParamNBegin{number_of_searches}
+    \cgalParamDescription{the number of coarse meshes that are searched, each independently. The
+      cuts are those of the search whose segments above the default threshold agree best with those
+      of the others; above the given threshold with a custom salience}
+    \cgalParamType{an integer}
+    \cgalParamDefault{`5`, or `1` with `zhang_liu_2005()`, which permits no other number}
+    \cgalParamExtra{from 1 to 100. One search takes a third of the time, and is less reliable.}
   \cgalParamNEnd
   \cgalParamNBegin{smooth_boundaries}
     \cgalParamDescription{whether the boundaries of the segments are smoothed (Section 2). A face
@@ -388,7 +395,8 @@ the same. `zhang_liu_2005()` does not support constraints. The example
   \cgalParamNBegin{number_of_reference_faces}
     \cgalParamDescription{the dimension *k* of the context vector of a face (Section 4)}
     \cgalParamType{an integer}
-    \cgalParamDefault{`10`; the result depends little on it, the time is linear in it}
+    \cgalParamDefault{`3`, or `10` with `zhang_liu_2005()`; the result depends little on it, the
+      time is linear in it}
     \cgalParamExtra{from 1 to 1000}
   \cgalParamNEnd
   \cgalParamNBegin{number_of_smoothing_iterations}
@@ -400,8 +408,7 @@ the same. `zhang_liu_2005()` does not support constraints. The example
     \cgalParamExtra{from 0 to 100000}
   \cgalParamNEnd
   \cgalParamNBegin{random_seed}
-    \cgalParamDescription{chooses the first reference face at random, as in the paper, also in each
-      part that keeps none}
+    \cgalParamDescription{chooses the first reference face of each part at random, as in the paper}
     \cgalParamType{an integer}
     \cgalParamDefault{none: the first reference face is the one farthest from the center of the
       part}

@@ -33,7 +33,7 @@ auto in_a_chain(const Mesh& mesh, CGAL::Spectral_segmentation::Segmentation_hier
     .geom_traits(Kernel()).random_seed(1).visitor(visitor).maximum_number_of_segments(2)
     .minimum_segment_size(0.1f).feature_weight(0.5f).salience_threshold(1).part_salience(Own_salience())
     .salience_weights(0.1, 0.6f, 0).distance_weights(0.1, 1, 0.1f).number_of_reference_faces(3u)
-    .number_of_coarse_faces(0).number_of_smoothing_iterations(std::size_t(1))
+    .number_of_coarse_faces(0).number_of_searches(1).number_of_smoothing_iterations(std::size_t(1))
     .smooth_boundaries(true).hierarchy(hierarchy).zhang_liu_2005();
 }
 
@@ -63,6 +63,7 @@ auto at_the_start(const Mesh& mesh, CGAL::Spectral_segmentation::Segmentation_hi
   params::distance_weights(0.1, 1, 0.1);
   params::number_of_reference_faces(3);
   params::number_of_coarse_faces(0);
+  params::number_of_searches(1);
   params::number_of_smoothing_iterations(1);
   params::smooth_boundaries(true);
   params::hierarchy(hierarchy);

@@ -31,6 +31,7 @@ auto pack_10 = params::salience_threshold("high");       // error: salience_thre
 auto pack_11 = params::part_salience(0.5);               // error: part_salience takes a class that is called with Salience_factors
 auto pack_12 = params::number_of_reference_faces(0.5);   // error: number_of_reference_faces takes an integer
 auto pack_13 = params::number_of_coarse_faces(0.5);    // error: number_of_coarse_faces takes an integer
+auto pack_13b = params::number_of_searches("5");          // error: number_of_searches takes an integer
 auto pack_14 = params::number_of_smoothing_iterations("3"); // error: number_of_smoothing_iterations takes an integer
 auto pack_15 = params::smooth_boundaries(1);            // error: smooth_boundaries takes a bool
 

@@ -142,7 +142,7 @@ BOOST_AUTO_TEST_CASE(the_default_number_of_coarse_faces)
     BOOST_TEST(!has_projection(soup, parameters::zhang_liu_2005()));
   }
   // In proportion with more than 20 segments: the sphere has 5120 faces.
-  const auto of_2500 = by_default.number_of_coarse_faces(2500);
+  const auto of_2500 = by_default.number_of_coarse_faces(2500).number_of_searches(1);
   BOOST_TEST(has_projection(fine, of_2500.maximum_number_of_segments(40)));
   BOOST_TEST(!has_projection(fine, of_2500.maximum_number_of_segments(41)));
 }
@@ -394,6 +394,7 @@ BOOST_AUTO_TEST_CASE(numbers_out_of_range_are_refused_by_name)
   check_refused("maximum_number_of_segments", parameters::maximum_number_of_segments(-3));
   check_refused("maximum_number_of_segments", parameters::maximum_number_of_segments(0u));
   check_refused("number_of_coarse_faces", parameters::number_of_coarse_faces(-1));
+  check_refused("number_of_searches", parameters::number_of_searches(-1));
   check_refused("number_of_reference_faces", parameters::number_of_reference_faces(-1));
   check_refused("number_of_smoothing_iterations", parameters::number_of_smoothing_iterations(-1));
   check_refused("feature_weight", parameters::feature_weight(not_a_number));

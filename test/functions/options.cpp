@@ -80,19 +80,22 @@ BOOST_AUTO_TEST_CASE(the_defaults_are_those_that_are_documented)
     BOOST_TEST(!both.smooth_boundaries);
     BOOST_TEST(both.concave_angle_weight == 1);
     BOOST_TEST(both.convex_angle_weight == 0.1);
-    BOOST_TEST(both.number_of_reference_faces == 10u);
     BOOST_TEST(!both.random_seed);
   }
   BOOST_TEST(threshold_of(o) == 0.4);
   BOOST_TEST(!o.keep_components_separate);
   BOOST_TEST(o.minimum_segment_size == 0.003);
   BOOST_TEST((o.part_salience.target<Calibrated_part_salience>() != nullptr));
-  BOOST_TEST(o.number_of_coarse_faces == 4000u);
+  BOOST_TEST(o.number_of_coarse_faces == 3400u);
+  BOOST_TEST(o.number_of_searches == 5u);
+  BOOST_TEST(o.number_of_reference_faces == 3u);
   BOOST_TEST(o.geodesic_weight == 0.03);
   BOOST_TEST(threshold_of(paper) == 0.54);
   BOOST_TEST(paper.keep_components_separate);
   BOOST_TEST(paper.minimum_segment_size == 0.005);
   BOOST_TEST(paper.number_of_coarse_faces == 0u);
+  BOOST_TEST(paper.number_of_searches == 1u);
+  BOOST_TEST(paper.number_of_reference_faces == 10u);
   BOOST_TEST(paper.geodesic_weight == 0.01);
   const auto* weights = paper.part_salience.target<Weighted_part_salience>();
   BOOST_TEST_REQUIRE(weights);
@@ -114,12 +117,13 @@ BOOST_AUTO_TEST_CASE(fields_have_the_effects_of_named_parameters)
   o.minimum_segment_size = 0.02;
   o.keep_components_separate = true;
   o.number_of_coarse_faces = 300;
+  o.number_of_searches = 2;
   o.number_of_smoothing_iterations = 2;
   o.smooth_boundaries = true;
   check_equal(o, parameters::maximum_number_of_segments(6).salience_threshold(-infinity)
                    .minimum_segment_size(0.02).keep_components_separate(true)
-                   .number_of_coarse_faces(300).number_of_smoothing_iterations(2)
-                   .smooth_boundaries(true));
+                   .number_of_coarse_faces(300).number_of_searches(2)
+                   .number_of_smoothing_iterations(2).smooth_boundaries(true));
 
   o = Options::zhang_liu_2005();
   o.part_salience = Weighted_part_salience{0.2, 0.3, 0.5};
@@ -228,6 +232,10 @@ BOOST_AUTO_TEST_CASE(values_out_of_range_are_refused_by_name)
     check_refused("salience_threshold", [&](Options& o) { o.salience_threshold = bad; });
   check_refused("keep_components_separate", [](Options& o) { o.keep_components_separate = false; },
                 Options::zhang_liu_2005());
+  check_refused("number_of_searches", [](Options& o) { o.number_of_searches = 0; });
+  check_refused("number_of_searches", [](Options& o) { o.number_of_searches = 101; });
+  check_refused("number_of_searches", [](Options& o) { o.number_of_searches = 2; },
+                Options::zhang_liu_2005());
   for (double bad : {-0.001, 0.501, not_a_number})
     check_refused("minimum_segment_size", [&](Options& o) { o.minimum_segment_size = bad; });
   check_refused("part_salience", [](Options& o) { o.part_salience = nullptr; });
@@ -269,6 +277,8 @@ BOOST_AUTO_TEST_CASE(the_ends_of_the_ranges_are_taken)
       o.concave_angle_weight = o.convex_angle_weight = least == 0 ? 0 : 1e300;
     });
   is_taken([](Options& o) { o.number_of_reference_faces = 1000; });
+  is_taken([](Options& o) { o.number_of_searches = 1; });
+  is_taken([](Options& o) { o.number_of_searches = 100; });
   is_taken([](Options& o) { o.number_of_smoothing_iterations = 100000; });
   const Weighted_part_salience weights[] = {{1, 0, 0}, {0, 1, 0}, {0, 0, 1}};
   for (const Weighted_part_salience& w : weights)
@@ -334,7 +344,7 @@ BOOST_AUTO_TEST_CASE(each_option_has_its_name_kind_and_range)
   });
   BOOST_TEST(o.minimum_segment_size == 0.25);
   BOOST_TEST((o.number_of_segments == 7u));
-  BOOST_TEST(kinds.size() == 10u);
+  BOOST_TEST(kinds.size() == 11u);
   BOOST_TEST(kinds["number_of_reference_faces"] == "integer");
   BOOST_TEST(kinds["feature_weight"] == "number");
   BOOST_TEST(kinds["smooth_boundaries"] == "boolean");

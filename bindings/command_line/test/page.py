@@ -194,8 +194,8 @@ class Page_test(unittest.TestCase):
                 self.assertEqual(set(edges.values()), {2})
 
     def test_labels(self):
-        page = self.check_labels(MESHES / "elephant.off", (1, 2, 7, 12, 19))
-        self.assertEqual(page.number_of_segments(), 19) # one of 20 was below the minimum size
+        page = self.check_labels(MESHES / "elephant.off", (1, 2, 7, 12, 20))
+        self.assertEqual(page.number_of_segments(), 20)
         self.assertEqual(page.data["exceptions"], {})
         self.check_equal(page.labels(page.data["segments"]),
                          self.labels(MESHES / "elephant.off"))

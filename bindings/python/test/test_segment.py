@@ -38,6 +38,8 @@ def test_parameters_do_the_same_as_in_the_tool(meshes, tool):
                 minimum_segment_size=0.02),
         labels_of_tool(tool, path, "--maximum-segments", "5", "--salience-threshold", "0.6",
                        "--minimum-segment-size", "0.02"))
+    np.testing.assert_array_equal(segment(mesh, number_of_searches=2),
+                                  labels_of_tool(tool, path, "--searches", "2"))
     np.testing.assert_array_equal(
         segment(mesh, method="paper", random_seed=7, threads=1),
         labels_of_tool(tool, path, "--method", "paper", "--seed", "7"))

@@ -79,7 +79,8 @@ test("options do the same as in the tool", () => {
     [{ salienceThreshold: 0.7, maximumNumberOfSegments: 4 }, "--salience-threshold", "0.7",
      "--maximum-segments", "4"],
     [{ minimumSegmentSize: 0.02, numberOfSmoothingIterations: 2 }, "--minimum-segment-size", "0.02",
-     "--smooth", "2"]])
+     "--smooth", "2"],
+    [{ numberOfSearches: 2 }, "--searches", "2"]])
     assert.equal(text(segmentation.segment(mesh, options).labels()),
                  labelsOfTool(path.join(MESHES, "elephant.off"), ...ofTool), ofTool.join(" "));
 });

@@ -65,7 +65,8 @@ struct Options
   double minimum_segment_size = 0.003;                       ///< in [0, 0.5]
   double feature_weight = 0.5;                               ///< in [0, 1]
   Part_salience part_salience = Calibrated_part_salience();  ///< not empty
-  std::size_t number_of_coarse_faces = 4000;               ///< with 0 the mesh itself is searched
+  std::size_t number_of_coarse_faces = 3400;               ///< with 0 the mesh itself is searched
+  std::size_t number_of_searches = 5;                      ///< 1 in the paper's method
   std::size_t number_of_smoothing_iterations = 0; ///< smooths the points, at most 10^5 times
   bool smooth_boundaries = false;                           ///< smooths the labels
 
@@ -74,7 +75,7 @@ struct Options
   double geodesic_weight = 0.03;              ///< the first of `distance_weights`, in [0, 1]
   double concave_angle_weight = 1;            ///< the second, finite and not negative
   double convex_angle_weight = 0.1;           ///< the third, finite and not negative
-  std::size_t number_of_reference_faces = 10; ///< from 1 to 1000
+  std::size_t number_of_reference_faces = 3;  ///< from 1 to 1000; 10 in the paper's method
   std::optional<std::uint64_t> random_seed;   ///< chooses the first reference faces at random
   /// @}
 
@@ -88,7 +89,9 @@ struct Options
     o.minimum_segment_size = 0.005;
     o.part_salience = Weighted_part_salience();
     o.number_of_coarse_faces = 0;
+    o.number_of_searches = 1;
     o.geodesic_weight = 0.01;
+    o.number_of_reference_faces = 10;
     return o;
   }
 };
@@ -103,6 +106,7 @@ struct Options
   f(g, minimum_segment_size, is_real, "takes a number", 0, 0.5)                                  \
   f(g, feature_weight, is_real, "takes a number", 0, 1)                                          \
   f(g, number_of_coarse_faces, is_count, "takes an integer", 0, INFINITY)                        \
+  f(g, number_of_searches, is_count, "takes an integer", 1, 100)                                 \
   f(g, number_of_smoothing_iterations, is_count, "takes an integer", 0, 100000)                  \
   f(g, smooth_boundaries, is_flag, "takes a bool", 0, 1)                                         \
   f(g, number_of_reference_faces, is_count, "takes an integer", 1, 1000)
@@ -187,6 +191,8 @@ inline void check(const Options& o)
   });
   require(o.keep_components_separate || o.method == Method::CALIBRATED, "keep_components_separate",
           "true with zhang_liu_2005()");
+  require(o.number_of_searches == 1 || o.method == Method::CALIBRATED, "number_of_searches",
+          "1 with zhang_liu_2005()");
   require(static_cast<bool>(o.part_salience), "part_salience", "a function");
   if (const auto* w = o.part_salience.target<Weighted_part_salience>())
     require(w->alpha >= 0 && w->beta >= 0 && w->gamma >= 0 &&

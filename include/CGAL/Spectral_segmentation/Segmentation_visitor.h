@@ -32,8 +32,9 @@ enum class Stage
 /// function whose name is misspelt. The compiler finds this only if the class redefines no other.
 ///
 /// A part is identified by the index of its node in the `Segmentation_hierarchy` of the run. In the
-/// calibrated method (default), which merges regions after the search, it is identified by its
-/// position in the order in which parts of the surface were found.
+/// calibrated method (default), which merges regions after the searches, it is identified by its
+/// position in the order in which its search found parts, times `number_of_searches`, plus the
+/// position of its search.
 ///
 /// No two functions are called at the same time. With `CGAL::Parallel_tag` several parts are
 /// searched at once; therefore their calls interleave and come from different threads.
@@ -61,7 +62,7 @@ struct Segmentation_visitor
   void after_part(std::size_t /* part */) {}
 
   /// `part` was cut in two. There are now `number_of_segments` segments; in the calibrated method
-  /// (default) they are the regions before merging.
+  /// (default) they are the regions of one search before merging.
   void after_cut(std::size_t /* part */, const Salience_factors&, double /* salience */,
                  std::size_t /* number_of_segments */) {}
 

@@ -7,14 +7,12 @@
 
 #include <CGAL/Spectral_segmentation/internal/search/face_orders.h>
 #include <CGAL/Spectral_segmentation/internal/surface/Surface.h>
-#include <CGAL/Spectral_segmentation/internal/surface/connected_components.h>
 #include <CGAL/Spectral_segmentation/internal/weights/shortest_paths.h>
 
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
-#include <iterator>
 #include <limits>
 #include <set>
 #include <stdexcept>
@@ -25,13 +23,10 @@ BOOST_AUTO_TEST_SUITE(face_orders)
 namespace tt = boost::test_tools;
 using namespace test_meshes;
 using CGAL::Spectral_segmentation::internal::Edge_weights;
-using CGAL::Spectral_segmentation::internal::Part_extractor;
 using CGAL::Spectral_segmentation::internal::Sample_faces;
 using CGAL::Spectral_segmentation::internal::Shape_contexts;
 using CGAL::Spectral_segmentation::internal::Vector;
 using CGAL::Spectral_segmentation::internal::farthest_face_from_center;
-using CGAL::Spectral_segmentation::internal::geodesic_paths;
-using CGAL::Spectral_segmentation::internal::kept_contexts;
 using CGAL::Spectral_segmentation::internal::null_index;
 using CGAL::Spectral_segmentation::internal::random_face;
 using CGAL::Spectral_segmentation::internal::sample_faces;
@@ -79,19 +74,6 @@ double context_by_walking(const Surface& graph, Index f, Index reference,
     f = graph.neighbor(way);
   }
   return sum;
-}
-
-// Returns the faces that are no farther from a random face than another one, ascending.
-std::vector<Index> random_faces(const Surface& graph, Random& random)
-{
-  const std::size_t n = graph.number_of_faces();
-  const std::vector<double> distance = geodesic_distances(graph, static_cast<Index>(random() % n));
-  const double radius = distance[random() % n];
-  std::vector<Index> result;
-  for (Index f = 0; f < n; ++f)
-    if (distance[f] <= radius)
-      result.push_back(f);
-  return result;
 }
 
 Shape_contexts contexts_of(const Surface& graph, Index first, std::size_t k)
@@ -207,48 +189,6 @@ BOOST_AUTO_TEST_CASE(there_are_no_more_references_than_faces)
   const Shape_contexts all = contexts_of(graph, 3, n + 100);
   BOOST_TEST(all.references.size() == n);
   BOOST_TEST(std::set<Index>(all.references.begin(), all.references.end()).size() == n);
-}
-
-// A part of a part keeps what is known of its faces, and gets as many references.
-BOOST_AUTO_TEST_CASE(references_of_a_part_are_kept)
-{
-  for (unsigned seed = 1; seed <= 50; ++seed) {
-    BOOST_TEST_CONTEXT("seed " << seed) {
-      Random random(seed);
-      const Surface graph = random_graph(random);
-      const std::size_t k = 2 + random() % 9;
-      const Shape_contexts all = contexts_of(graph, 0, k);
-      const std::vector<Index> faces = random_faces(graph, random);
-      const Shape_contexts kept = kept_contexts(all, faces);
-      std::vector<Index> kept_references;
-      for (Index f : kept.references)
-        kept_references.push_back(faces[f]);
-      std::vector<Index> expected;
-      std::copy_if(all.references.begin(), all.references.end(), std::back_inserter(expected),
-                   [&](Index f) { return std::count(faces.begin(), faces.end(), f) > 0; });
-      BOOST_TEST(kept_references == expected, boost::test_tools::per_element());
-
-      const Surface part = Part_extractor(graph)(faces);
-      std::size_t searches = 0;
-      const Shape_contexts completed = shape_contexts(part, 0, k, [&] { ++searches; }, kept);
-      const std::size_t number = std::min(k, faces.size());
-      BOOST_TEST_REQUIRE(completed.references.size() == number);
-      BOOST_TEST(searches == number - expected.size());
-      BOOST_TEST(std::set<Index>(completed.references.begin(), completed.references.end()).size() ==
-                 number);
-      for (std::size_t j = 0; j < number; ++j) {
-        const Index reference = completed.references[j];
-        const auto same = std::find(all.references.begin(), all.references.end(),
-                                    faces[reference]);
-        for (std::size_t f = 0; f < faces.size(); ++f)
-          if (j < expected.size())
-            BOOST_TEST(completed.values(f, j) ==
-                       all.values(faces[f], same - all.references.begin()));
-          else
-            BOOST_TEST(completed.values(f, j) == geodesic_paths(part, reference).angles[f]);
-      }
-    }
-  }
 }
 
 BOOST_AUTO_TEST_CASE(the_caller_is_asked_before_each_search)

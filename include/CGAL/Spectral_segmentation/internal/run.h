@@ -41,8 +41,8 @@ inline Cut_hierarchy run(Surface input, const Run_data& d)
   Levels l = d.monitor.stage(Stage::INITIALIZATION, Segmentation_visitor::whole_mesh, [&] {
     d.start_phase(Phase_times(d, input.number_of_faces()).reading);
     Levels l;
-    l.levels.push_back(first_level(std::move(input)));
-    Level& mesh = l.levels.front();
+    l.shared.push_back(first_level(std::move(input)));
+    Level& mesh = l.shared.front();
     if (mesh.surface.components.number > 1)
       m = prepare_model(mesh, map, d);
     else
@@ -51,12 +51,12 @@ inline Cut_hierarchy run(Surface input, const Run_data& d)
       groups = Constraint_grouping(d.constraints, map.face,
                                    mesh.surface)(d.options.keep_components_separate);
     if (m.parts.empty())
-      make_levels(l, d);
+      make_levels(l, d.options.number_of_searches, d);
     return l;
   });
   Merge_tree tree = m.parts.empty() ? cut_surface(l, d, m.fractions.effective_number())
                                     : cut_parts(l, m, map, d);
-  tree = enforce_constraints(std::move(tree), groups, l.levels.front(), d);
+  tree = enforce_constraints(std::move(tree), groups, l.shared.front(), d);
   tree = cut_further(std::move(tree), groups, l.mesh(), d);
   tree = add_walls(std::move(tree), m, map);
   d.monitor.finish();

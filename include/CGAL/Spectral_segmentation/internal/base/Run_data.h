@@ -60,9 +60,7 @@ struct Method_constants
   // With 0 the method uses dihedral angles.
   double concavity_radius = 0.02;
   bool bisection = true;            // whether faces larger than the searched ones are bisected
-  bool single_source_orders = true; // whether limbs are also grown from single faces
-  std::size_t number_of_candidates = 14;        // cuts of a part that get all factors
-  std::size_t number_of_refined_candidates = 4; // candidates that are moved to minimum cuts
+  std::size_t number_of_refined_candidates = 4; // cuts of a part that are moved to minimum cuts
   std::size_t number_of_regions = 20; // of an over-segmentation; 0 if the method makes none
   bool keeps_points = false;    // whether a mesh that is not coarsened is searched as given
   double time_per_face = 50000; // of the search, in nanoseconds, for the progress

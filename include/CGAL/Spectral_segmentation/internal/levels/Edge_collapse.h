@@ -53,7 +53,7 @@ public:
 //
 // Each vertex has two positions. The coarsely rounded one determines the order of the edges, so
 // that little noise in the points does not change it. The precise one is used for everything else,
-// because faces with coarsely rounded corners would be bumpy. A hash of the positions breaks ties.
+// because faces with coarsely rounded corners would be bumpy. A hash breaks ties.
 // Therefore the result does not depend on the indices of vertices and faces.
 class Edge_collapse : private Surface
 {
@@ -70,9 +70,10 @@ class Edge_collapse : private Surface
   static constexpr std::size_t most_faces_around = 256;
   static constexpr double smallest_cosine = 0.3; // between a normal before and after a collapse
 
-  // The squared length and the hash of the rounded positions, the coordinate of the precise ones
-  // along a direction in which shapes have no symmetry, and a halfedge.
-  typedef std::tuple<float, std::uint64_t, double, Index> Edge;
+  // The squared length of an edge between rounded positions, a hash of its place (Knuth 1973), its
+  // place between the precise positions, and a halfedge. Coordinates have few digits, so that all
+  // are exact, whichever multiplications the compiler fuses with additions.
+  typedef std::tuple<double, std::uint64_t, double, Index> Edge;
   typedef std::priority_queue<Edge, std::vector<Edge>, std::greater<Edge> > Edge_queue;
 
   // Returns whether a face was removed.
@@ -130,40 +131,15 @@ class Edge_collapse : private Surface
     return result;
   }
 
-  // Returns the hash of a point by the finalizer of SplitMix64 (Steele, Lea, Flood 2014). It is
-  // the same on every machine, unlike the hashes of libraries.
-  static std::uint64_t hash(const Vector& p)
-  {
-    std::uint64_t h = 0;
-    for (int i = 0; i < 3; ++i) {
-      const double coordinate = p[i] + 0.; // no negative zero
-      std::uint64_t bits;
-      std::memcpy(&bits, &coordinate, sizeof(bits));
-      h += bits + 0x9e3779b97f4a7c15;
-      h = (h ^ (h >> 30)) * 0xbf58476d1ce4e5b9;
-      h = (h ^ (h >> 27)) * 0x94d049bb133111eb;
-      h ^= h >> 31;
-    }
-    return h;
-  }
-
-  // Returns the dot product of two vectors, whose coordinates it rounds to floats. The product of
-  // two floats is exact in double precision. Therefore the result, which is compared with that of
-  // another call, does not depend on which multiplications the compiler fuses with additions.
-  static double dot_of_floats(const Vector& v, const Vector& w)
-  {
-    double result = 0;
-    for (int i = 0; i < 3; ++i)
-      result += static_cast<double>(static_cast<float>(v[i])) * static_cast<float>(w[i]);
-    return result;
-  }
-
   Edge edge(Index h) const
   {
+    const Vector direction(0.5377f, 0.6211f, 0.5701f); // in which shapes have no symmetry
     const Index v = source_vertex(h), w = target_vertex(h);
-    const Vector &p = rounded_[v], &q = rounded_[w];
-    return {static_cast<float>(dot_of_floats(q - p, q - p)), hash(p + q),
-            dot_of_floats({0.5377, 0.6211, 0.5701}, points[v] + points[w]), h};
+    const double place = direction.dot(rounded_[v] + rounded_[w]) + 0.; // no negative zero
+    std::uint64_t bits;
+    std::memcpy(&bits, &place, sizeof(bits));
+    return {(rounded_[v] - rounded_[w]).squared_norm(), bits * 0x9e3779b97f4a7c15,
+            direction.dot(points[v] + points[w]), h};
   }
 
   // Returns the normal of the face of h if the source of h moves to a point.
@@ -261,6 +237,7 @@ class Edge_collapse : private Surface
   }
 
 public:
+  // Takes the step to which positions are rounded for the order, which has few binary digits.
   Edge_collapse(const Surface& mesh, double step_of_rounding, Run_monitor& monitor)
     : Surface(mesh), monitor_(monitor), became_(first_indices(points.size())),
       is_fixed_(points.size(), 0)
@@ -284,18 +261,15 @@ public:
   void collapse_edges(std::size_t number)
   {
     std::vector<Edge> all;
+    all.reserve(number_of_halfedges()); // twice as many as there are edges
     for (Index h = 0; h < number_of_halfedges(); ++h)
       if (h <= opposite[h])
         all.push_back(edge(h));
     Edge_queue edges(std::greater<Edge>(), std::move(all)); // stale entries are skipped
     std::size_t left = number_of_faces(), tries = 0;
-    const double all_to_remove = static_cast<double>(left) - static_cast<double>(number);
-    for (std::size_t reported = left; left > number && !edges.empty();) {
-      if (++tries % tries_between_checks == 0) {
+    while (left > number && !edges.empty()) {
+      if (++tries % tries_between_checks == 0)
         monitor_.check();
-        monitor_.advance(static_cast<double>(reported - left) / all_to_remove);
-        reported = left;
-      }
       const Edge shortest = edges.top();
       edges.pop();
       const Index h = std::get<Index>(shortest);

@@ -279,11 +279,22 @@ public:
   }
 };
 
-// Returns the width of the cells of clusters, about half the edge length of a uniform mesh with
-// this number of faces. It has few digits, so that its multiples are exact. Wider cells make the
-// surface more robust to noise, but the parts worse.
-inline double width_of_cells(double area, std::size_t number_of_faces)
-{ return 0.75 * std::exp2(std::floor(std::log2(area / static_cast<double>(number_of_faces)) / 2)); }
+// Returns the width of the cells of clusters, about 0.4 of the edge length of an even mesh with
+// this number of faces. It has few digits, so that its multiples are exact.
+inline double width_of_cells(double area, double number_of_faces)
+{
+  int exponent;
+  const double fraction = std::frexp(0.6 * std::sqrt(area / number_of_faces), &exponent);
+  return std::ldexp(std::round(32 * fraction), exponent - 5);
+}
+
+// Returns a surface after vertex clustering, with areas.
+inline Level clustered(Execution execution, const Surface& mesh, double width)
+{
+  Level result = Vertex_clustering(mesh, width)(execution);
+  set_areas(execution, result.surface);
+  return result;
+}
 
 // Sorts the faces of a coarse surface into geometric order.
 inline void order_by_points(Level& coarse)
@@ -298,21 +309,18 @@ inline void order_by_points(Level& coarse)
 
 // Returns the successive surfaces down to at most `number_of_faces` faces: vertex clustering makes
 // the first, edge collapses the second. If the mesh has no more faces, the only surface has all.
-// Cuts are projected through both, so that the bands around cuts in the given surface are narrow.
 // The points of the last surface are rounded to a twelfth of a cell, so that noise in the given
 // points rarely gets through.
 inline std::vector<Level> coarsened(Execution execution, const Surface& mesh,
                                     std::size_t number_of_faces, Run_monitor& monitor)
 {
   const double area = total_area(mesh);
-  const double width = width_of_cells(area > 0 ? area : 1, number_of_faces);
+  const double width = width_of_cells(area > 0 ? area : 1, static_cast<double>(number_of_faces));
   std::vector<Level> result;
   if (mesh.number_of_faces() > number_of_faces) {
-    result.push_back(Vertex_clustering(mesh, width)(execution));
-    set_areas(execution, result.back().surface);
-    monitor.advance(0.5);
+    result.push_back(clustered(execution, mesh, width));
     monitor.check();
-    Edge_collapse collapse(result.back().surface, width / 3, monitor);
+    Edge_collapse collapse(result.back().surface, width / 4, monitor);
     collapse.collapse_edges(number_of_faces);
     result.push_back(collapse.result());
   }

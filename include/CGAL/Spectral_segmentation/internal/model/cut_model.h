@@ -32,13 +32,13 @@ cut_part(Part_of_model part, double time_scale, const Run_data& d)
                          time_scale, part.fraction_of_model};
   Levels l = d.monitor.stage(Stage::INITIALIZATION, Segmentation_visitor::whole_mesh, [&] {
     Levels l;
-    l.levels.push_back(std::move(part.mesh));
-    prepare_part(l.levels.front(), of_part);
-    make_levels(l, of_part);
+    l.shared.push_back(std::move(part.mesh));
+    prepare_part(l.shared.front(), of_part);
+    make_levels(l, d.options.number_of_searches, of_part);
     return l;
   });
   Merge_tree tree = cut_surface(l, of_part);
-  return {std::move(tree), l.callers_faces(0)};
+  return {std::move(tree), l.shared[0].parent_face};
 }
 
 // Returns the features of the components of the mesh, the only level, computed on its last level.
@@ -46,13 +46,17 @@ inline Set_features features_of_components(Levels& l, const Face_map& map, const
 {
   if (!has_features(d))
     return {};
-  make_levels(l, d);
-  std::vector<Index> component = composed(l.callers_faces(l.levels.size() - 1), map.face);
+  make_levels(l, 1, d);
+  if (l.searches.empty()) // the run was stopped
+    return {};
+  const std::vector<const Level*> levels = l.levels_of(0);
+  std::vector<Index> component = composed(callers_faces(levels, levels.size() - 1), map.face);
   for (Index& f : component)
     f = l.mesh().components[f];
-  const Set_features result = l.features.empty() ? Set_features() :
-    Set_features(l.features, l.last().areas, component, l.mesh().components.number);
-  l.levels.resize(1);
+  const Face_features& features = l.searches[0].features;
+  const Set_features result = features.empty() ? Set_features() :
+    Set_features(features, l.searched(0).areas, component, l.mesh().components.number);
+  l.shared.resize(1);
   return result;
 }
 

@@ -211,6 +211,21 @@ inline Cut_hierarchy hierarchy_of(const Merge_tree& tree)
   return result;
 }
 
+// Returns the segment of each face, one of its leaves, if the cuts of a monotonic tree are made
+// that are at least as salient as the threshold.
+inline std::vector<Index> segments_above(const Merge_tree& tree, double threshold)
+{
+  std::vector<Index> segment = first_indices(tree.leaves.size());
+  Face_components sets(segment.size());
+  for (Index leaf : segment)
+    sets.add(leaf);
+  for (auto m = tree.merges.begin(); m != tree.merges.end() && m->salience < threshold; ++m)
+    sets.join(m->leaves[0], m->leaves[1]);
+  for (Index& leaf : segment)
+    leaf = sets.representative(leaf);
+  return composed(tree.leaf, segment);
+}
+
 // Numbers the leaves in the order in which the cuts make them. Later steps break ties by leaves.
 inline void number_leaves(Merge_tree& tree)
 {

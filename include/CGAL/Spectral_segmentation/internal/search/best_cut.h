@@ -25,9 +25,8 @@ namespace CGAL::Spectral_segmentation::internal {
 struct Part
 {
   Surface graph;
-  std::size_t node;         // its node in the hierarchy
+  std::size_t number;       // by which visitors identify it
   std::vector<Index> faces; // their indices in the mesh, ascending
-  Shape_contexts contexts = {}; // for the references that it has already
 };
 
 inline bool both_sides_are_connected(const Surface& part, const Sides& side)
@@ -52,7 +51,6 @@ class Best_cut
 
   // Returns the orders along which cuts are searched.
   virtual std::vector<Face_order> orders(Execution execution, const Part& part,
-                                         const std::vector<Index>& references,
                                          const Sample_faces& samples) const = 0;
 
   // Returns the cuts along some orders that are compared, the most salient first.
@@ -72,9 +70,9 @@ public:
 
   double minimum_area() const { return minimum_area_; }
 
-  // Returns the cuts that are compared, the most salient first. Completes the contexts of the part,
-  // if its sides can use them. Throws `Run_stopped` if the caller stops the run.
-  std::vector<Cut> compared_cuts(Execution execution, Part& part, Run_monitor& monitor) const
+  // Returns the cuts that are compared, the most salient first. Throws `Run_stopped` if the caller
+  // stops the run.
+  std::vector<Cut> compared_cuts(Execution execution, const Part& part, Run_monitor& monitor) const
   {
     const Surface& m = part.graph;
     if (m.number_of_faces() < 2 || total_area(m) < 2 * minimum_area_)
@@ -82,43 +80,39 @@ public:
     // A part is assumed to be half of its fraction of the search. Later parts add the rest.
     const double step = 0.5 * static_cast<double>(m.number_of_faces()) /
                         static_cast<double>(number_of_faces_) /
-                        static_cast<double>(options_.number_of_reference_faces + 3);
+                        static_cast<double>(options_.number_of_reference_faces + 3) /
+                        static_cast<double>(options_.number_of_searches);
     const auto check = [&] {
       monitor.check();
       monitor.approach(step);
     };
     check();
-    monitor.before_part(part.node, m.number_of_faces());
+    monitor.before_part(part.number, m.number_of_faces());
 
     // 1. two sample faces
-    Shape_contexts contexts = std::move(part.contexts);
-    const Sample_faces samples = monitor.stage(Stage::SAMPLING, part.node, [&] {
-      const Index first = !contexts.references.empty() ? contexts.references.front()
-        : options_.random_seed ? random_face(m, *options_.random_seed, part.faces.front())
+    const Sample_faces samples = monitor.stage(Stage::SAMPLING, part.number, [&] {
+      const Index first = options_.random_seed
+        ? random_face(m, *options_.random_seed, part.faces.front())
         : farthest_face_from_center(execution, m);
-      contexts = shape_contexts(m, first, options_.number_of_reference_faces, check,
-                                std::move(contexts));
-      return sample_faces(execution, contexts);
+      return sample_faces(
+        execution, shape_contexts(m, first, options_.number_of_reference_faces, check));
     });
 
     // 2. distances from both; 3. to 5. the order of the faces on the line
     check();
-    const std::vector<Face_order> lines = monitor.stage(Stage::EMBEDDING, part.node, [&]
-      { return orders(execution, part, contexts.references, samples); });
+    const std::vector<Face_order> lines = monitor.stage(Stage::EMBEDDING, part.number, [&]
+      { return orders(execution, part, samples); });
 
     // 6. line search
     check();
-    std::vector<Cut> found = monitor.stage(Stage::LINE_SEARCH, part.node, [&]
+    std::vector<Cut> found = monitor.stage(Stage::LINE_SEARCH, part.number, [&]
       { return cuts(execution, part, lines); });
 
-    // The calibrated method would not be faster by the reuse, and cut hand.off into 8 parts, not 4.
-    if (options_.method == Method::ZHANG_LIU_2005)
-      part.contexts = std::move(contexts);
-    monitor.after_part(part.node);
+    monitor.after_part(part.number);
     return found;
   }
 
-  std::optional<Cut> operator()(Execution execution, Part& part, Run_monitor& monitor) const
+  std::optional<Cut> operator()(Execution execution, const Part& part, Run_monitor& monitor) const
   {
     std::vector<Cut> cuts = compared_cuts(execution, part, monitor);
     return cuts.empty() ? std::nullopt : std::make_optional(std::move(cuts.front()));
@@ -128,7 +122,7 @@ public:
 // Takes the best cut along one order of the faces (Sections 4 and 5).
 class Paper_cut : public Best_cut
 {
-  std::vector<Face_order> orders(Execution execution, const Part& part, const std::vector<Index>&,
+  std::vector<Face_order> orders(Execution execution, const Part& part,
                                  const Sample_faces& samples) const override
   { return {face_order(execution, part.graph, samples)}; }
 
@@ -151,12 +145,13 @@ class Calibrated_cut : public Best_cut
   const Method_constants constants_;
   Evaluation_context context_;
 
+  // Returns the spectral order from both ends, and the order of the features, if there are any.
   std::vector<Face_order> orders(Execution execution, const Part& part,
-                                 const std::vector<Index>& references,
                                  const Sample_faces& samples) const override
   {
-    std::vector<Face_order> result =
-      face_orders(execution, part.graph, references, samples, constants_.single_source_orders);
+    const auto [from_s, from_t] = distances_from_samples(execution, part.graph, samples);
+    std::vector<Face_order> result = {spectral_order(execution, from_s, from_t),
+                                      spectral_order(execution, from_t, from_s)};
     if (!context_.features.empty())
       result.push_back(feature_order(execution, context_.features, part.graph.areas, part.faces));
     return result;
@@ -193,8 +188,7 @@ class Calibrated_cut : public Best_cut
   {
     const Surface& graph = part.graph;
     const Cut_evaluator evaluator(graph, part.faces, context_);
-    std::vector<Sides> proposals = cut_proposals(execution, graph, orders, minimum_area_,
-                                                 constants_.number_of_candidates);
+    std::vector<Sides> proposals = cut_proposals(execution, graph, orders, minimum_area_);
     std::vector<Cut> cuts;
     append(execution, proposals.size(), [&](std::size_t i)
       { return evaluate(graph, evaluator, std::move(proposals[i])); }, cuts);

@@ -11,13 +11,10 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
-#include <iterator>
 #include <utility>
 #include <vector>
 
 namespace CGAL::Spectral_segmentation::internal {
-
-// Proposes the few cuts of a part whose factors are all computed.
 
 // A patch with the capacity of its cut.
 class Patch_with_capacity : public Patch
@@ -37,19 +34,6 @@ public:
   }
 
   double capacity_of_cut() const { return capacity_of_cut_; }
-};
-
-struct Proposal
-{
-  Sides side; // the larger one may be first
-  double score; // comparable among proposals by the same measure
-};
-
-// The proposals of an order by two measures: the salience of the paper, and cheapness, which is
-// minus the capacity of the cut over the length scale of its smaller side.
-struct Proposals
-{
-  std::vector<Proposal> salient, cheap;
 };
 
 struct Sweep_step
@@ -79,8 +63,8 @@ inline std::vector<Sweep_step> sweep_steps(const Surface& part, const Growth& gr
   return steps;
 }
 
-// Returns the two best steps by a measure, the second not next to the first.
-inline std::vector<Proposal> best_steps(const Growth& growth, const std::vector<Sweep_step>& steps,
+// Returns the cuts of the two best steps by a measure, the second not next to the first.
+inline std::vector<Sides> best_steps(const Growth& growth, const std::vector<Sweep_step>& steps,
                                         double Sweep_step::*measure)
 {
   const Sweep_step* best[2] = {nullptr, nullptr};
@@ -92,20 +76,24 @@ inline std::vector<Proposal> best_steps(const Growth& growth, const std::vector<
       if (!is_next_to_first && (!best[i] || s.*measure > best[i]->*measure))
         best[i] = &s;
     }
-  std::vector<Proposal> result;
+  std::vector<Sides> result;
   for (const Sweep_step* s : best)
     if (s)
-      result.push_back({sides_of(growth, s->size), s->*measure});
+      result.push_back(sides_of(growth, s->size));
   return result;
 }
 
-inline Proposals propose_cuts(const Surface& part, const std::vector<Index>& order,
-                              double minimum_area, const Patch_with_capacity& empty)
+// Returns the best cuts along an order by two measures: the salience of the paper, and cheapness,
+// which is minus the capacity of the cut over the length scale of its smaller side.
+inline std::vector<Sides> propose_cuts(const Surface& part, const std::vector<Index>& order,
+                                       double minimum_area, const Patch_with_capacity& empty)
 {
   const Growth growth = grow_along(part, order);
   const std::vector<Sweep_step> steps = sweep_steps(part, growth, minimum_area, empty);
-  return {best_steps(growth, steps, &Sweep_step::salience),
-          best_steps(growth, steps, &Sweep_step::cheapness)};
+  std::vector<Sides> result = best_steps(growth, steps, &Sweep_step::salience);
+  for (Sides& side : best_steps(growth, steps, &Sweep_step::cheapness))
+    result.push_back(std::move(side));
+  return result;
 }
 
 // Checks whether a cut is new among the cuts that it was given: the faces on which two cuts differ
@@ -146,43 +134,24 @@ public:
   }
 };
 
-// Returns at most `number` cuts, no two alike, alternately the best by each measure. The larger
-// side may be first.
+// Returns the best cuts along several orders, no two alike. The larger side may be first.
 inline std::vector<Sides> cut_proposals(Execution execution, const Surface& part,
                                         const std::vector<std::vector<Index> >& orders,
-                                        double minimum_area, std::size_t number)
+                                        double minimum_area)
 {
   std::vector<double> capacities(part.number_of_halfedges());
   for (Index h = 0; h < part.number_of_halfedges(); ++h)
     capacities[h] = capacity(part, h);
   const Patch_with_capacity empty(part, capacities);
-  std::vector<Proposals> proposals(orders.size());
+  std::vector<std::vector<Sides> > proposals(orders.size());
   for_each_index(execution, orders.size(), [&](std::size_t i)
     { proposals[i] = propose_cuts(part, orders[i], minimum_area, empty); });
-  std::vector<Proposal> by_measure[2];
-  for (Proposals& p : proposals) {
-    std::move(p.salient.begin(), p.salient.end(), std::back_inserter(by_measure[0]));
-    std::move(p.cheap.begin(), p.cheap.end(), std::back_inserter(by_measure[1]));
-  }
-  std::vector<Index> ranks[2]; // the best first
-  for (int m = 0; m < 2; ++m) {
-    std::vector<double> keys;
-    for (const Proposal& p : by_measure[m])
-      keys.push_back(-p.score);
-    ranks[m] = sorted_indices(Execution::SEQUENTIAL, keys);
-  }
-
   std::vector<Sides> result;
   Distinct_cuts distinct;
-  std::size_t next[2] = {0, 0};
-  for (int m = 0; result.size() < number &&
-                  (next[0] < ranks[0].size() || next[1] < ranks[1].size()); m = 1 - m)
-    for (bool is_taken = false; !is_taken && next[m] < ranks[m].size(); ++next[m]) {
-      Sides& side = by_measure[m][ranks[m][next[m]]].side;
-      is_taken = distinct.insert(side);
-      if (is_taken)
+  for (std::vector<Sides>& along_order : proposals)
+    for (Sides& side : along_order)
+      if (distinct.insert(side))
         result.push_back(std::move(side));
-    }
   return result;
 }
 

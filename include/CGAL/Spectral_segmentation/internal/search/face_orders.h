@@ -9,12 +9,11 @@
 #include <CGAL/Spectral_segmentation/internal/weights/shortest_paths.h>
 
 #include <Eigen/Core>
-#include <boost/graph/visitors.hpp>
 
 #include <algorithm>
+#include <array>
 #include <cstddef>
 #include <cstdint>
-#include <iterator>
 #include <random>
 #include <vector>
 
@@ -52,58 +51,32 @@ inline Index random_face(const Surface& graph, std::uint64_t seed, Index smalles
 struct Shape_contexts
 {
   std::vector<Index> references;
-  Eigen::MatrixXf values;         // a row for each face, a column for each reference
-  std::vector<double> to_nearest; // geodesic distances of the faces from the nearest reference
+  Eigen::MatrixXf values; // a row for each face, a column for each reference
 };
 
-// Returns the contexts of some faces, which ascend, for the references among them. Reuse of
-// references makes the method of the paper 1.6 times as fast, and is its future work (Section 8).
-inline Shape_contexts kept_contexts(const Shape_contexts& contexts, const std::vector<Index>& faces)
-{
-  Shape_contexts result;
-  std::vector<std::size_t> columns;
-  for (std::size_t j = 0; j < contexts.references.size(); ++j) {
-    const auto place = std::lower_bound(faces.begin(), faces.end(), contexts.references[j]);
-    if (place != faces.end() && *place == contexts.references[j]) {
-      result.references.push_back(static_cast<Index>(place - faces.begin()));
-      columns.push_back(j);
-    }
-  }
-  if (columns.empty())
-    return result;
-  result.values.resize(faces.size(), columns.size());
-  for (std::size_t j = 0; j < columns.size(); ++j)
-    for (std::size_t i = 0; i < faces.size(); ++i)
-      result.values(i, j) = contexts.values(faces[i], columns[j]);
-  for (Index f : faces)
-    result.to_nearest.push_back(contexts.to_nearest[f]);
-  return result;
-}
-
-// Adds reference faces until there are k, or all if there are fewer, by farthest-point sampling in
-// geodesic distance, and sums the angle distances along the shortest geodesic paths to each. Calls
+// Chooses k reference faces, or all if there are fewer, by farthest-point sampling in geodesic
+// distance, and sums the angle distances along the shortest geodesic paths to each. Calls
 // `before_search()` before each search for paths.
 template <class BeforeSearch>
 Shape_contexts shape_contexts(const Surface& graph, Index first_reference, std::size_t k,
-                              const BeforeSearch& before_search, Shape_contexts contexts = {})
+                              const BeforeSearch& before_search)
 {
   const std::size_t n = graph.number_of_faces();
   k = (std::min)(k, n);
-  std::vector<double>& to_nearest = contexts.to_nearest;
-  if (contexts.references.empty())
-    to_nearest.assign(n, infinite_distance);
-  contexts.values.conservativeResize(n, k);
-  for (std::size_t j = contexts.references.size(); j < k; ++j) {
+  Shape_contexts contexts;
+  contexts.values.resize(n, k);
+  std::vector<double> to_nearest(n, infinite_distance);
+  Index reference = first_reference;
+  for (std::size_t j = 0; j < k; ++j) {
     before_search();
-    const auto farthest = std::max_element(to_nearest.begin(), to_nearest.end());
-    const Index reference =
-      j == 0 ? first_reference : static_cast<Index>(farthest - to_nearest.begin());
     contexts.references.push_back(reference);
     const Geodesic_paths paths = geodesic_paths(graph, reference);
     for (Index f = 0; f < n; ++f) {
       contexts.values(f, j) = paths.angles[f];
       to_nearest[f] = (std::min)(to_nearest[f], paths.lengths[f]);
     }
+    const auto farthest = std::max_element(to_nearest.begin(), to_nearest.end());
+    reference = static_cast<Index>(farthest - to_nearest.begin());
   }
   return contexts;
 }
@@ -158,55 +131,21 @@ inline Face_order spectral_order(Execution execution, const std::vector<double>&
     { return from_s[f] < from_s[g] || (from_s[f] == from_s[g] && f < g); });
 }
 
-// Returns the distances of the faces of a connected part from a source. Sets their order by
-// distance; ties go to the first.
-inline std::vector<double> distances_and_order(const Surface& part, Index source, Face_order& order)
+// Returns the distances of the faces of a part from both samples.
+inline std::array<std::vector<double>, 2>
+distances_from_samples(Execution execution, const Surface& part, const Sample_faces& samples)
 {
-  order.reserve(part.number_of_faces());
-  const std::vector<double> distance = shortest_paths(
-    part, &Edge_weights::combined, source,
-    boost::make_dijkstra_visitor(boost::write_property(
-      boost::typed_identity_property_map<Index>(), std::back_inserter(order),
-      boost::on_examine_vertex())));
-  for (auto first = order.begin(), end = first; first != order.end(); first = end) {
-    end = std::find_if(first, order.end(), [&](Index f) { return distance[f] > distance[*first]; });
-    std::sort(first, end);
-  }
-  return distance;
-}
-
-// Returns the orders of the calibrated method: the spectral order from both ends, and if requested
-// the orders by distance from each sample and each reference face. These grow a single limb where
-// the pair of samples grows several at once.
-inline std::vector<Face_order> face_orders(Execution execution, const Surface& part,
-                                           const std::vector<Index>& references,
-                                           const Sample_faces& samples, bool from_single_sources)
-{
-  std::vector<Index> sources = {samples.s, samples.t};
-  if (from_single_sources)
-    for (Index reference : references)
-      if (reference != samples.s && reference != samples.t)
-        sources.push_back(reference);
-  std::vector<std::vector<double> > distances(sources.size());
-  std::vector<Face_order> by_distance(sources.size());
-  for_each_index(execution, sources.size(), [&](std::size_t i)
-    { distances[i] = distances_and_order(part, sources[i], by_distance[i]); });
-
-  std::vector<Face_order> orders = {spectral_order(execution, distances[0], distances[1]),
-                                    spectral_order(execution, distances[1], distances[0])};
-  if (from_single_sources)
-    std::move(by_distance.begin(), by_distance.end(), std::back_inserter(orders));
-  return orders;
+  std::array<std::vector<double>, 2> result;
+  call_all(execution,
+    [&] { result[0] = shortest_paths(part, &Edge_weights::combined, samples.s); },
+    [&] { result[1] = shortest_paths(part, &Edge_weights::combined, samples.t); });
+  return result;
 }
 
 // Returns the order of the paper.
-inline Face_order face_order(Execution execution, const Surface& part,
-                             const Sample_faces& samples)
+inline Face_order face_order(Execution execution, const Surface& part, const Sample_faces& samples)
 {
-  std::vector<double> from_s, from_t;
-  call_all(execution,
-    [&] { from_s = shortest_paths(part, &Edge_weights::combined, samples.s); },
-    [&] { from_t = shortest_paths(part, &Edge_weights::combined, samples.t); });
+  const auto [from_s, from_t] = distances_from_samples(execution, part, samples);
   return spectral_order(execution, from_s, from_t);
 }
 

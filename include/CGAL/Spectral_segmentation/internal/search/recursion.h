@@ -48,6 +48,7 @@ class Recursion
   Run_monitor& monitor_;
   const Best_cut& best_cut_;
 
+  const std::size_t search_;          // of the `number_of_searches` of a run
   const std::size_t number_of_roots_;
   std::size_t maximum_ = 0;           // number of segments of the recursion by area
   Merge_tree tree_;                   // its merges are in the order of the cuts
@@ -64,15 +65,17 @@ class Recursion
     return number_of_roots_ + static_cast<std::size_t>(cuts);
   }
 
+  std::size_t node_of(const Pending_part& pending) const
+  { return static_cast<std::size_t>(&pending - pending_.data()); }
+
   std::size_t number_of_segments() const { return tree_.leaves.size(); }
 
-  void add(Index leaf, Surface graph, std::vector<Index> faces, Shape_contexts contexts)
+  void add(Index leaf, Surface graph, std::vector<Index> faces)
   {
     for (Index f : faces)
       tree_.leaf[f] = leaf;
-    const std::size_t node = pending_.size();
-    pending_.push_back({Part{std::move(graph), node, std::move(faces), std::move(contexts)}, leaf,
-                        false, {}});
+    const std::size_t number = pending_.size() * options_.number_of_searches + search_;
+    pending_.push_back({Part{std::move(graph), number, std::move(faces)}, leaf, false, {}});
   }
 
   void search(const std::vector<Pending_part*>& parts)
@@ -99,18 +102,17 @@ class Recursion
     const Index leaves[2] = {static_cast<Index>(tree_.leaves.size()), pending.leaf};
     tree_.leaves.push_back({0, Cut_state::NOT_SEARCHED});
     tree_.merges.push_back({{leaves[0], leaves[1]}, cut.salience, cut.factors});
-    std::vector<Index> faces[2]; // in the part
-    for (Index i = 0; i < cut.side.size(); ++i)
-      faces[int(cut.side[i])].push_back(i);
+    std::vector<Index> faces[2];
+    for (std::size_t i = 0; i < cut.side.size(); ++i)
+      faces[int(cut.side[i])].push_back(pending.part.faces[i]);
     std::vector<Surface> sides(2);
     if (!is_last)
       sides = split(std::move(pending.part.graph), cut.side, 2);
     for (int i = 0; i < 2; ++i) {
       tree_.leaves[leaves[i]].area = cut.area[i];
-      add(leaves[i], std::move(sides[i]), composed(faces[i], pending.part.faces),
-          is_last ? Shape_contexts() : kept_contexts(pending.part.contexts, faces[i]));
+      add(leaves[i], std::move(sides[i]), std::move(faces[i]));
     }
-    monitor_.after_cut(pending.part.node, cut.factors, cut.salience, number_of_segments());
+    monitor_.after_cut(pending.part.number, cut.factors, cut.salience, number_of_segments());
   }
 
   void search_all()
@@ -122,11 +124,11 @@ class Recursion
     search(parts);
     for (const Pending_part* p : parts)
       if (p->cut)
-        queue_.insert({-quantized(p->cut->salience), p->part.node});
+        queue_.insert({-quantized(p->cut->salience), node_of(*p)});
   }
 
   void enqueue_by_area(const Pending_part& pending)
-  { queue_.insert({-tree_.leaves[pending.leaf].area, pending.part.node}); }
+  { queue_.insert({-tree_.leaves[pending.leaf].area, node_of(pending)}); }
 
   // Searches the largest part and, if threads work in parallel, the next parts. All of these will
   // be needed, unless the maximum number of segments is reached before.
@@ -174,9 +176,9 @@ class Recursion
 
 public:
   Recursion(Execution execution, Surface mesh, const Best_cut& best_cut, const Options& options,
-            Run_monitor& monitor)
+            Run_monitor& monitor, std::size_t search = 0)
     : execution_(execution), options_(options), monitor_(monitor), best_cut_(best_cut),
-      number_of_roots_(mesh.components.number),
+      search_(search), number_of_roots_(mesh.components.number),
       tree_(uncut_tree(mesh, Cut_state::NOT_SEARCHED))
   {
     const std::vector<Index> component = tree_.leaf;
@@ -185,7 +187,7 @@ public:
       faces[component[f]].push_back(f);
     std::vector<Surface> graphs = split(std::move(mesh), component, number_of_roots_);
     for (Index i = 0; i < number_of_roots_; ++i)
-      add(i, std::move(graphs[i]), std::move(faces[i]), {});
+      add(i, std::move(graphs[i]), std::move(faces[i]));
   }
 
   // Cuts in the order of the paper, the largest part next, until no part has a salient cut or the
@@ -223,8 +225,6 @@ public:
         if (queue_.empty())
           break;
         cut(take_first(), false);
-        monitor_.advance_to(static_cast<double>(number_of_segments() - further) /
-                            static_cast<double>(number));
       }
     }
     catch (const Run_stopped&) {

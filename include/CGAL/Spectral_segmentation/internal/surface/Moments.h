@@ -185,27 +185,6 @@ inline double move_to_frame(Execution execution, Surface& surface)
   return unit;
 }
 
-// Groups elements into classes of pairwise similar members, although similarity is not transitive.
-// In order, each element joins the first class whose members are all similar to it.
-template <class AreAlike>
-std::vector<std::vector<std::size_t> >
-first_fit_classes(const std::vector<std::size_t>& elements, const AreAlike& are_alike)
-{
-  std::vector<std::vector<std::size_t> > classes;
-  for (std::size_t e : elements) {
-    const auto fits = [&](const std::vector<std::size_t>& members) {
-      return std::all_of(members.begin(), members.end(),
-                         [&](std::size_t member) { return are_alike(e, member); });
-    };
-    const auto found = std::find_if(classes.begin(), classes.end(), fits);
-    if (found != classes.end())
-      found->push_back(e);
-    else
-      classes.push_back({e});
-  }
-  return classes;
-}
-
 // Returns the moments of each segment, about a corner of the first triangle, in a unit that no
 // coordinate exceeds. Points and triangles are arrays of three; labels are below `number`.
 template <class Points, class Triangles, class Labels>

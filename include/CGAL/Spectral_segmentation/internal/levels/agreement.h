@@ -1,0 +1,86 @@
+// Copyright (c) 2026  The Spectral_segmentation authors.
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_SPECTRAL_SEGMENTATION_INTERNAL_LEVELS_AGREEMENT_H
+#define CGAL_SPECTRAL_SEGMENTATION_INTERNAL_LEVELS_AGREEMENT_H
+
+#include <CGAL/Spectral_segmentation/internal/levels/Band_cells.h>
+
+#include <algorithm>
+#include <cstddef>
+#include <vector>
+
+namespace CGAL::Spectral_segmentation::internal {
+
+// Returns the segment of each face of a surface, given the segments of the faces of a coarser one
+// and the coarse vertex that each vertex became: the segment of most faces around the corners.
+inline std::vector<Index> segments_of_finer_faces(const Surface& finer, const Surface& coarse,
+                                                  const std::vector<Index>& segments,
+                                                  const std::vector<Index>& coarse_vertex)
+{
+  const Leaf_fractions around = vertex_fractions(coarse, segments);
+  std::vector<Index> result;
+  for (const Corners& corners : finer.corners) {
+    Leaf_fractions of_face;
+    of_face.add_element();
+    for (Index v : corners)
+      if (coarse_vertex[v] != null_index)
+        for (const auto& [segment, fraction] : around[coarse_vertex[v]])
+          of_face.add(segment, fraction);
+    float largest = 0;
+    Index best = null_index; // ties, up to rounding, go to the first segment
+    for (const auto& [segment, fraction] : of_face[0])
+      if (fraction > largest * (segment < best ? 0.99999f : 1.00001f)) {
+        largest = fraction;
+        best = segment;
+      }
+    result.push_back(best);
+  }
+  return result;
+}
+
+// Returns the panoptic quality of two partitions of faces (Kirillov et al. 2019): the intersections
+// over unions of segments that exceed 1/2, summed, over the mean number of segments.
+inline double panoptic_quality(const std::vector<Index>& first, const std::vector<Index>& second,
+                               const std::vector<double>& areas)
+{
+  std::size_t n = 0, m = 0;
+  for (std::size_t f = 0; f < areas.size(); ++f) {
+    n = (std::max)(n, std::size_t(first[f]) + 1);
+    m = (std::max)(m, std::size_t(second[f]) + 1);
+  }
+  std::vector<double> common(n * m, 0), of_first(n, 0), of_second(m, 0);
+  for (std::size_t f = 0; f < areas.size(); ++f) {
+    common[first[f] * m + second[f]] += areas[f];
+    of_first[first[f]] += areas[f];
+    of_second[second[f]] += areas[f];
+  }
+  double sum = 0;
+  for (std::size_t i = 0; i < n; ++i)
+    for (std::size_t j = 0; j < m; ++j) {
+      const double both = common[i * m + j], any = of_first[i] + of_second[j] - both;
+      sum += 2 * both > any ? both / any : 0;
+    }
+  const auto is_positive = [](double area) { return area > 0; };
+  const auto number = std::count_if(of_first.begin(), of_first.end(), is_positive) +
+                      std::count_if(of_second.begin(), of_second.end(), is_positive);
+  return number > 0 ? 2 * sum / static_cast<double>(number) : 1;
+}
+
+// Returns the first partition with the largest sum of panoptic qualities with the others.
+inline std::size_t most_agreed(const std::vector<std::vector<Index> >& partitions,
+                               const std::vector<double>& areas)
+{
+  std::vector<double> sums(partitions.size(), 0);
+  for (std::size_t i = 0; i < sums.size(); ++i)
+    for (std::size_t j = 0; j < i; ++j) {
+      const double quality = quantized(panoptic_quality(partitions[i], partitions[j], areas));
+      sums[i] += quality;
+      sums[j] += quality;
+    }
+  return static_cast<std::size_t>(std::max_element(sums.begin(), sums.end()) - sums.begin());
+}
+
+} // namespace CGAL::Spectral_segmentation::internal
+
+#endif // CGAL_SPECTRAL_SEGMENTATION_INTERNAL_LEVELS_AGREEMENT_H
