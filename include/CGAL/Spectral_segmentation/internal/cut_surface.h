@@ -77,6 +77,7 @@ public:
       best_cut_(surface_, d.options, d.method, l.searches[search].features, d.fraction_of_model) {}
 
   const Merge_tree& tree() const { return tree_; }
+
   void find_regions()
   {
     tree_ = Recursion(d_.execution, surface_, best_cut_, d_.options, d_.monitor, search_)

@@ -19,17 +19,17 @@ inline std::vector<Index> segments_of_finer_faces(const Surface& finer, const Su
                                                   const std::vector<Index>& coarse_vertex)
 {
   const Leaf_fractions around = vertex_fractions(coarse, segments);
+  Leaf_fractions of_faces;
   std::vector<Index> result;
   for (const Corners& corners : finer.corners) {
-    Leaf_fractions of_face;
-    of_face.add_element();
+    of_faces.add_element();
     for (Index v : corners)
       if (coarse_vertex[v] != null_index)
         for (const auto& [segment, fraction] : around[coarse_vertex[v]])
-          of_face.add(segment, fraction);
+          of_faces.add(segment, fraction);
     float largest = 0;
     Index best = null_index; // ties, up to rounding, go to the first segment
-    for (const auto& [segment, fraction] : of_face[0])
+    for (const auto& [segment, fraction] : of_faces[result.size()])
       if (fraction > largest * (segment < best ? 0.99999f : 1.00001f)) {
         largest = fraction;
         best = segment;

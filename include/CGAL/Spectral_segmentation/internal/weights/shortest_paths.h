@@ -40,14 +40,12 @@ void run_dijkstra(const Surface& part, const std::vector<Index>& sources, const 
 typedef float Edge_weights::* Weighting;
 
 // Returns the distances of all faces from `source`.
-template <class Visitor = boost::dijkstra_visitor<> >
-std::vector<double> shortest_paths(const Surface& part, Weighting weighting, Index source,
-                                   const Visitor& visitor = Visitor())
+inline std::vector<double> shortest_paths(const Surface& part, Weighting weighting, Index source)
 {
   std::vector<double> distance(part.number_of_faces(), infinite_distance);
   distance[source] = 0;
   run_dijkstra(part, {source}, [&](Index h) -> double { return part.weights[h].*weighting; },
-               distance, visitor);
+               distance, boost::dijkstra_visitor<>());
   return distance;
 }
 
