@@ -8,6 +8,8 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <map>
+#include <utility>
 #include <vector>
 
 namespace CGAL::Spectral_segmentation::internal {
@@ -44,27 +46,20 @@ inline std::vector<Index> segments_of_finer_faces(const Surface& finer, const Su
 inline double panoptic_quality(const std::vector<Index>& first, const std::vector<Index>& second,
                                const std::vector<double>& areas)
 {
-  std::size_t n = 0, m = 0;
-  for (std::size_t f = 0; f < areas.size(); ++f) {
-    n = (std::max)(n, std::size_t(first[f]) + 1);
-    m = (std::max)(m, std::size_t(second[f]) + 1);
-  }
-  std::vector<double> common(n * m, 0), of_first(n, 0), of_second(m, 0);
-  for (std::size_t f = 0; f < areas.size(); ++f) {
-    common[first[f] * m + second[f]] += areas[f];
-    of_first[first[f]] += areas[f];
-    of_second[second[f]] += areas[f];
-  }
-  double sum = 0;
-  for (std::size_t i = 0; i < n; ++i)
-    for (std::size_t j = 0; j < m; ++j) {
-      const double both = common[i * m + j], any = of_first[i] + of_second[j] - both;
-      sum += 2 * both > any ? both / any : 0;
+  std::map<Index, double> of_first, of_second;
+  std::map<std::pair<Index, Index>, double> common;
+  for (std::size_t f = 0; f < areas.size(); ++f)
+    if (areas[f] > 0) {
+      of_first[first[f]] += areas[f];
+      of_second[second[f]] += areas[f];
+      common[{first[f], second[f]}] += areas[f];
     }
-  const auto is_positive = [](double area) { return area > 0; };
-  const auto number = std::count_if(of_first.begin(), of_first.end(), is_positive) +
-                      std::count_if(of_second.begin(), of_second.end(), is_positive);
-  return number > 0 ? 2 * sum / static_cast<double>(number) : 1;
+  double sum = 0;
+  for (const auto& [segments, both] : common) {
+    const double any = of_first[segments.first] + of_second[segments.second] - both;
+    sum += 2 * both > any ? both / any : 0;
+  }
+  return of_first.empty() ? 1 : 2 * sum / static_cast<double>(of_first.size() + of_second.size());
 }
 
 // Returns the first partition with the largest sum of panoptic qualities with the others.
