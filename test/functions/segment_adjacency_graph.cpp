@@ -126,39 +126,12 @@ BOOST_AUTO_TEST_CASE(row_of_cubes)
   BOOST_TEST((graph[0].id == -3 && graph[1].id == 7 && graph[2].id == 40));
   BOOST_TEST((graph[0].area == 16 && graph[1].area == 20 && graph[2].area == 20));
   BOOST_TEST((graph[0].number_of_faces == 8 && graph[1].number_of_faces == 10));
-  BOOST_TEST(graph[1].segment_class == graph[2].segment_class); // mirror images
-  BOOST_TEST(graph[0].segment_class != graph[1].segment_class);
   BOOST_TEST(num_edges(graph) == 2);
   for (std::size_t end : {1, 2}) {
     const auto [boundary, is_there] = edge(0, end, graph);
     BOOST_TEST_REQUIRE(is_there);
     BOOST_TEST(graph[boundary].length == 8.);
   }
-}
-
-BOOST_AUTO_TEST_CASE(copies_and_mirror_images_are_of_one_class)
-{
-  const auto turned = [](Soup soup, double angle, double sign) {
-    for (Point& p : soup.points)
-      p = Point(sign * (std::cos(angle) * p.x() - std::sin(angle) * p.y()) + 1e4,
-                std::sin(angle) * p.x() + std::cos(angle) * p.y(), p.z());
-    return soup;
-  };
-  Soup shape = scaled(dumbbell(12, 10), 0.5);
-  shape = disjoint_union(shape, moved(scaled(sphere(2), 0.3), 0.7, 0.2, 0.4));
-  const std::vector<Soup> soups = {shape, sphere(2), turned(shape, 0.7, 1), turned(shape, 2, -1),
-                                   scaled(sphere(2), 1.3), turned(sphere(2), 1, 1), {},
-                                   scaled(shape, 0.8)};
-  const std::vector<std::size_t> expected = {0, 1, 0, 0, 2, 1, 3, 4};
-  Soup all;
-  std::vector<std::size_t> labels;
-  for (std::size_t i = 0; i < soups.size(); ++i) {
-    all = disjoint_union(all, soups[i]);
-    labels.resize(all.triangles.size(), i);
-  }
-  BOOST_TEST(internal::congruence_classes(internal::segment_moments(
-               all.points, all.triangles, labels, soups.size())) == expected,
-             boost::test_tools::per_element());
 }
 
 BOOST_AUTO_TEST_CASE(sums_over_edges_and_faces)

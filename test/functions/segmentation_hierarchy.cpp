@@ -7,7 +7,6 @@
 #include "test_labels.h"
 #include "test_meshes.h"
 
-#include <CGAL/Spectral_segmentation/node_classes.h>
 #include <CGAL/segment_spectral_recursive.h>
 
 #include <CGAL/Polygon_mesh_processing/measure.h>
@@ -428,40 +427,6 @@ BOOST_AUTO_TEST_CASE(a_leaf_is_cut_again_as_its_faces_are)
       BOOST_TEST((faces_of(h, i + shift) == expected));
     }
   });
-}
-
-// Two copies and a smaller mesh, which are kept apart. Edits move nodes below later ones.
-BOOST_AUTO_TEST_CASE(nodes_of_copies_are_of_one_class)
-{
-  const Soup shape = dumbbell(14, 10);
-  const Soup soup = disjoint_union(disjoint_union(shape, scaled(sphere(1), 0.1)),
-                                   moved(turned_inside_out(scaled(shape, -1)), 64, 0, 0));
-  Segmentation_hierarchy h;
-  Labels labels(soup.triangles.size());
-  CGAL::segment_spectral_recursive(
-    soup.points, soup.triangles, labels.data(),
-    parameters::keep_components_separate(true).salience_threshold(-infinity).hierarchy(h));
-  BOOST_TEST_REQUIRE(h.number_of_roots() == 3);
-  std::mt19937 random(1);
-  for (int edits = 0; edits < 20;) {
-    const Labels classes = node_classes(h, soup.points, soup.triangles);
-    BOOST_TEST_REQUIRE(classes.size() == h.number_of_nodes());
-    BOOST_TEST((classes[0] == 0 && classes[1] == 1 && classes[2] == 0));
-    std::vector<double> largest(h.number_of_nodes(), 0);
-    for (std::size_t i = 0; i < classes.size(); ++i)
-      largest[classes[i]] = (std::max)(largest[classes[i]], h.node(i).area);
-    for (std::size_t i = 0; i < classes.size(); ++i)
-      BOOST_TEST(h.node(i).area >= 0.8499 * largest[classes[i]]);
-    const std::size_t a = random() % h.number_of_nodes(), b = random() % h.number_of_nodes();
-    try {
-      h.merge(a, b);
-      ++edits;
-    }
-    catch (const std::invalid_argument&) { // one contains the other, or they have different roots
-    }
-  }
-  BOOST_CHECK_THROW(node_classes(h, shape.points, shape.triangles), std::invalid_argument);
-  BOOST_TEST(node_classes(Segmentation_hierarchy(), Soup().points, Soup().triangles).empty());
 }
 
 BOOST_AUTO_TEST_CASE(changes_that_make_no_sense_are_refused)

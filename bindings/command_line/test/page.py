@@ -215,9 +215,6 @@ class Page_test(unittest.TestCase):
             self.assertAlmostEqual(tree[node]["salience"],
                                    page.data["hierarchy"]["saliences"][i])
         self.assertEqual(page.data["hierarchy"]["areas"], [node["area"] for node in tree])
-        classes = page.data["hierarchy"]["classes"]
-        self.assertEqual(len(classes), len(tree))
-        self.assertEqual(sorted(set(classes)), list(range(max(classes) + 1)))
 
     def test_smoothed_boundaries(self):
         page = self.check_labels(MESHES / "elephant.off", (2, 9, 19), "--smooth-boundaries")

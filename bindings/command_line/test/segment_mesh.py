@@ -174,7 +174,6 @@ class Real_meshes(Tool_test):
             corners = [points[v] for face in part for v in face]
             self.assertEqual(segment["id"], k)
             self.assertEqual(segment["faces"], len(part))
-            self.assertLessEqual(segment["class"], k)
             self.assertAlmostEqual(segment["area"] / sum(area(points, f) for f in part), 1)
             self.assertEqual(segment["bounding_box"],
                              [[bound(axis) for axis in zip(*corners)] for bound in (min, max)])

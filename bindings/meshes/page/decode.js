@@ -58,7 +58,7 @@ export function decode({ name, segments, salience, input_triangles, hierarchy, m
             corner: mesh.corner, unit: mesh.unit },
     hierarchy: { roots: hierarchy.roots, cutNodes: hierarchy.cut_nodes,
                  saliences: hierarchy.saliences.map(x => x ?? Infinity), areas: hierarchy.areas,
-                 classes: hierarchy.classes, firstTriangles: hierarchy.first_triangles },
+                 firstTriangles: hierarchy.first_triangles },
     exceptions: Object.fromEntries(Object.entries(exceptions).map(([n, e]) =>
       [n, { segments: pairs(e.segments), faces: sums(e.faces, 1), labels: runs(e.labels) }]))
   };

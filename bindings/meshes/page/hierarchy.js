@@ -6,10 +6,9 @@
 export class Hierarchy {
 
   // roots: their number; cutNodes: the node of each cut; saliences: of the cuts, Infinity between
-  // components; areas, classes: of the nodes, copies have one class; firstTriangles: of each piece
-  // that of smallest number.
-  constructor({ roots, cutNodes, saliences, areas, classes, firstTriangles }) {
-    Object.assign(this, { roots, saliences, areas, classes, firstTriangles });
+  // components; areas: of the nodes; firstTriangles: of each piece that of smallest number.
+  constructor({ roots, cutNodes, saliences, areas, firstTriangles }) {
+    Object.assign(this, { roots, saliences, areas, firstTriangles });
     this.size = roots + 2 * cutNodes.length;
     this.most = roots + cutNodes.length; // segments
     this.parents = new Int32Array(this.size).fill(-1);

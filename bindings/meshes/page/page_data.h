@@ -9,7 +9,6 @@
 #include "packed.h"
 
 #include <CGAL/Spectral_segmentation/Segmentation_hierarchy.h>
-#include <CGAL/Spectral_segmentation/node_classes.h>
 #include <CGAL/Segmented_mesh/refine_segment_boundaries.h>
 
 #include <nlohmann/json.hpp>
@@ -151,7 +150,6 @@ inline nlohmann::ordered_json hierarchy_data(const Input& input, const Segmentat
           {"cut_nodes", parents},
           {"saliences", saliences},
           {"areas", areas},
-          {"classes", node_classes(tree, input.soup.points, input.triangles)},
           {"first_triangles", pieces.first_triangles()}};
 }
 

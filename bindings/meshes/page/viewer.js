@@ -535,18 +535,7 @@ export class Viewer {
     ui.cut.disabled = pieces.length === 1;
     ui.partText.textContent = this.merged === selected
       ? "Choose the segment to merge it with." : `${count(faces, "face")}, ` +
-        `${percent(area > 0 ? this.area(pieces) / area : 0)} of the area` +
-        (this.isEdited ? "" : this.copiesText(node));
-  }
-
-  // The segments shown that may be copies or mirror images of one.
-  copiesText(node) {
-    const { classes } = this.hierarchy;
-    const copies = [...new Set(this.segmentOfPiece)]
-      .filter(other => other !== node && classes[other] === classes[node])
-      .map(other => this.labels.get(other)).sort((a, b) => a - b);
-    return copies.length === 0 ? "" : `, like segment${copies.length > 1 ? "s" : ""} ` +
-      copies.slice(0, 8).join(", ") + (copies.length > 8 ? " …" : "");
+        `${percent(area > 0 ? this.area(pieces) / area : 0)} of the area`;
   }
 
   showHidden() {

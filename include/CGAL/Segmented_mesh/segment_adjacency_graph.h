@@ -9,7 +9,6 @@
 #include <CGAL/Spectral_segmentation/Segmentation_hierarchy.h>
 #include <CGAL/Spectral_segmentation/internal/read/numbered_descriptors.h>
 #include <CGAL/Spectral_segmentation/internal/read/read_triangle_mesh.h>
-#include <CGAL/Spectral_segmentation/internal/surface/Moments.h>
 #include <CGAL/Spectral_segmentation/parameters.h>
 
 #include <CGAL/boost/graph/named_params_helper.h>
@@ -36,12 +35,6 @@ struct Segment_properties
   Id id = 0;                       ///< the id of the segment
   std::size_t number_of_faces = 0; ///< at least 1
   double area = 0;                 ///< in the square of the unit of the mesh's coordinates
-
-  /// the class of congruent segments, from 0 on. Segments of one class may be copies or mirror
-  /// images of each other: their areas, and the standard deviations of their points along the
-  /// principal axes, differ by at most 15 % from the largest. Therefore the legs of an
-  /// animal are congruent, and so may be a cube and a ball of its size.
-  std::size_t segment_class = 0;
 };
 
 /// \ingroup PkgSpectralSegmentationRef
@@ -134,10 +127,6 @@ make_adjacency_graph(const TriangleMesh& mesh, SegmentIdMap segment_ids,
   Segment_adjacency_graph<Id> graph(ids.size());
   for (std::size_t i = 0; i < ids.size(); ++i)
     graph[i].id = ids[i];
-  const std::vector<std::size_t> classes =
-    congruence_classes(segment_moments(surface.points, surface.corners, labels, ids.size()));
-  for (std::size_t i = 0; i < ids.size(); ++i)
-    graph[i].segment_class = classes[i];
   std::vector<double> area_of_face;
   std::map<std::pair<Index, Index>, double> lengths; // one per boundary
   for (Index f = 0; f < labels.size(); ++f) {

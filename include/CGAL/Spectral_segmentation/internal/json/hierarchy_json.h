@@ -6,7 +6,6 @@
 
 #include <CGAL/Spectral_segmentation/Segmentation_hierarchy.h>
 #include <CGAL/Spectral_segmentation/internal/base/Boundary_network.h>
-#include <CGAL/Spectral_segmentation/internal/surface/Moments.h>
 
 #include <nlohmann/json.hpp>
 
@@ -38,7 +37,7 @@ constexpr const char* infinity_string = "infinity";
 constexpr const char* minus_infinity_string = "-infinity";
 constexpr const char* nan_string = "nan";
 
-// The extent of a segment, its neighbors, and the class of its copies.
+// The extent of a segment, and its neighbors.
 struct Segment_extent
 {
   static constexpr double infinity = std::numeric_limits<double>::infinity();
@@ -46,7 +45,6 @@ struct Segment_extent
   std::array<double, 3> smallest{infinity, infinity, infinity};
   std::array<double, 3> largest{-infinity, -infinity, -infinity};
   std::vector<std::size_t> neighbors; // the adjacent segments, ascending
-  std::size_t segment_class = 0;      // segments of one class may be copies or mirror images
 };
 
 // Returns the extent of each segment. Points and triangles are arrays of three; labels are below
@@ -93,10 +91,6 @@ std::vector<Segment_extent> segment_extents(const Points& points, const Triangle
     std::sort(list.begin(), list.end());
     list.erase(std::unique(list.begin(), list.end()), list.end());
   }
-  const std::vector<std::size_t> classes =
-    congruence_classes(segment_moments(points, triangles, labels, number));
-  for (std::size_t i = 0; i < number; ++i)
-    result[i].segment_class = classes[i];
   return result;
 }
 
@@ -177,7 +171,6 @@ inline Json json_of_segments(const Segmentation_hierarchy& h,
     if (!extents.empty()) {
       segment["neighbors"] = extents[k].neighbors;
       segment["bounding_box"] = {extents[k].smallest, extents[k].largest};
-      segment["class"] = extents[k].segment_class;
     }
     result.push_back(segment);
   }

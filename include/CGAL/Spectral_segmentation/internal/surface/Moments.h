@@ -10,8 +10,6 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
-#include <numeric>
-#include <vector>
 
 namespace CGAL::Spectral_segmentation::internal {
 
@@ -35,23 +33,17 @@ struct Moments
   Vector first;
   Symmetric_matrix second;
 
-  void add(double area_of_face, const std::array<Vector, 3>& corners)
+  void add(const Surface& surface, Index f)
   {
     Vector sum;
     Symmetric_matrix squares;
-    for (const Vector& p : corners) {
-      sum += p;
-      squares += Symmetric_matrix::square(p);
+    for (Index v : surface.corners[f]) {
+      sum += surface.points[v];
+      squares += Symmetric_matrix::square(surface.points[v]);
     }
-    area += area_of_face;
-    first += area_of_face / 3 * sum;
-    second += area_of_face / 12 * (squares + Symmetric_matrix::square(sum));
-  }
-
-  void add(const Surface& surface, Index f)
-  {
-    const Corners& c = surface.corners[f];
-    add(surface.areas[f], {surface.points[c[0]], surface.points[c[1]], surface.points[c[2]]});
+    area += surface.areas[f];
+    first += surface.areas[f] / 3 * sum;
+    second += surface.areas[f] / 12 * (squares + Symmetric_matrix::square(sum));
   }
 
   Moments& operator+=(const Moments& other)
@@ -74,27 +66,6 @@ struct Moments
     return result;
   }
 };
-
-// The size and the extents of a set of faces, which do not change if it is moved or mirrored.
-struct Shape
-{
-  double area = 0;
-  std::array<double, 3> deviations = {0, 0, 0}; // along the principal axes
-
-  // Returns whether two sizes are equal up to a measured tolerance.
-  static bool are_near(double x, double y)
-  { return std::abs(x - y) <= 0.15 * (std::max)(x, y); }
-};
-
-// Returns whether two sets of faces may be copies or mirror images of each other. `thickness`
-// exceeds the rounding errors of flat shapes.
-inline bool are_congruent(const Shape& a, const Shape& b, double thickness)
-{
-  bool result = Shape::are_near(a.area, b.area);
-  for (std::size_t i = 0; i < 3; ++i)
-    result = result && Shape::are_near(a.deviations[i] + thickness, b.deviations[i] + thickness);
-  return result;
-}
 
 // A coordinate frame that moves with a surface whose area is not 0: its center and its principal
 // axes, the least variance first. If two variances are nearly equal, the principal axes are
@@ -183,68 +154,6 @@ inline double move_to_frame(Execution execution, Surface& surface)
   if (frame.is_left_handed())
     reverse_orientation(surface);
   return unit;
-}
-
-// Returns the moments of each segment, about a corner of the first triangle, in a unit that no
-// coordinate exceeds. Points and triangles are arrays of three; labels are below `number`.
-template <class Points, class Triangles, class Labels>
-std::vector<Moments> segment_moments(const Points& points, const Triangles& triangles,
-                                     const Labels& labels, std::size_t number)
-{
-  double unit = 0;
-  for (const auto& triangle : triangles)
-    for (auto v : triangle)
-      for (int k = 0; k < 3; ++k)
-        unit = (std::max)(unit, std::abs(static_cast<double>(points[v][k])));
-  const auto vector = [&](std::size_t t, std::size_t i) {
-    const auto& p = points[triangles[t][i]];
-    return unit > 0 ? Vector(p[0] / unit, p[1] / unit, p[2] / unit) : Vector();
-  };
-  std::vector<Moments> result(number);
-  for (std::size_t t = 0; t < triangles.size(); ++t) {
-    const Vector origin = vector(0, 0);
-    const std::array<Vector, 3> corners = {vector(t, 0) - origin, vector(t, 1) - origin,
-                                           vector(t, 2) - origin};
-    result[labels[t]].add((corners[1] - corners[0]).cross(corners[2] - corners[0]).norm() / 2,
-                          corners);
-  }
-  return result;
-}
-
-// Returns a class for each set of faces, numbered by their first members. The members of a class
-// are congruent to the largest one.
-inline std::vector<std::size_t> congruence_classes(const std::vector<Moments>& moments)
-{
-  std::vector<Shape> shapes;
-  for (const Moments& m : moments)
-    shapes.push_back(m.area > 0 ? Shape{m.area, m.deviations()} : Shape());
-  std::vector<std::size_t> by_size(shapes.size());
-  std::iota(by_size.begin(), by_size.end(), std::size_t(0));
-  std::stable_sort(by_size.begin(), by_size.end(), [&](std::size_t a, std::size_t b)
-                   { return shapes[a].area > shapes[b].area; });
-  std::vector<std::size_t> largest; // the largest member per class, descending
-  std::vector<std::size_t> class_of(shapes.size());
-  std::size_t first = 0;            // the first class that is not too large
-  for (std::size_t i : by_size) {
-    while (first < largest.size() &&
-           !Shape::are_near(shapes[largest[first]].area, shapes[i].area))
-      ++first;
-    const auto found = std::find_if(
-      largest.begin() + static_cast<std::ptrdiff_t>(first), largest.end(),
-      [&](std::size_t other)
-      { return are_congruent(shapes[other], shapes[i], 0.01 * std::sqrt(shapes[other].area)); });
-    class_of[i] = static_cast<std::size_t>(found - largest.begin());
-    if (found == largest.end())
-      largest.push_back(i);
-  }
-  std::vector<std::size_t> number(largest.size(), shapes.size());
-  std::size_t next = 0;
-  for (std::size_t& c : class_of) {
-    if (number[c] == shapes.size())
-      number[c] = next++;
-    c = number[c];
-  }
-  return class_of;
 }
 
 } // namespace CGAL::Spectral_segmentation::internal
