@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 #include <CGAL/Simple_cartesian.h>
-#include <CGAL/Spectral_segmentation/IO/hierarchy_json.h>
+#include <CGAL/Spectral_segmentation/IO/hierarchy.h>
 #include <CGAL/Surface_mesh.h>
 #include <CGAL/boost/graph/IO/polygon_mesh_io.h>
 #include <CGAL/segment_spectral_recursive.h>
@@ -31,8 +31,8 @@ int save(const std::string& filename)
   auto segment_ids = mesh.add_property_map<Mesh::Face_index, int>("f:segment").first;
   const std::size_t n =
     CGAL::segment_spectral_recursive(mesh, segment_ids, params::hierarchy(hierarchy));
-  std::ofstream out("hierarchy.json");
-  write_hierarchy(out, hierarchy, hierarchy.nodes(), mesh);
+  std::ofstream out("hierarchy.txt");
+  write_hierarchy(out, hierarchy);
   std::cout << n << " segments, up to " << hierarchy.number_of_segments() << std::endl;
   return EXIT_SUCCESS;
 }
@@ -40,7 +40,7 @@ int save(const std::string& filename)
 // Writes the labels for another number of segments, without the mesh.
 int load(std::size_t wanted)
 {
-  std::ifstream in("hierarchy.json");
+  std::ifstream in("hierarchy.txt");
   const Segmentation_hierarchy hierarchy = CGAL::Spectral_segmentation::read_hierarchy(in);
   std::ofstream out("segments.txt");
   const std::vector<std::size_t> nodes = hierarchy.nodes(wanted);

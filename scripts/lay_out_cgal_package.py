@@ -63,7 +63,7 @@ LIBRARIES = (
     (r"<QApplication>", "Qt6::Widgets", "find_package(Qt6 QUIET COMPONENTS Widgets)\n"
      "add_compile_definitions(QT_NO_KEYWORDS) # TBB has a function emit()\n",
      "TARGET Qt6::Widgets"),
-    (r"<nlohmann/|hierarchy_json\.h|score_report\.h", "nlohmann_json::nlohmann_json",
+    (r"<nlohmann/|score_report\.h", "nlohmann_json::nlohmann_json",
      "find_package(nlohmann_json QUIET)\n", "TARGET nlohmann_json::nlohmann_json"),
     (r"<CLI/", "CLI11::CLI11", "find_package(CLI11 QUIET)\n", "TARGET CLI11::CLI11"),
     (r"<benchmark/", "benchmark::benchmark", "find_package(benchmark QUIET)\n",

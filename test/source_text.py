@@ -28,10 +28,10 @@ CLASS = re.compile(r" *(?:template.*> )?(?:class|struct)\b")
 # The folders of the engine: each includes headers of those after it only, also through public
 # headers. engine.h, run.h and cut_surface.h belong to no folder.
 ENGINE = "CGAL/Spectral_segmentation/internal/"
-ENGINE_FOLDERS = ("json", "model", "constraints", "levels", "search", "salience", "hierarchy",
+ENGINE_FOLDERS = ("model", "constraints", "levels", "search", "salience", "hierarchy",
                   "weights", "read", "surface", "base")
 INCLUDE = re.compile(r"#include <(CGAL/(?:Spectral_segmentation|Segmented_mesh)[^>]*)>")
-MOST_LINES_OF_INCLUDE = 19964
+MOST_LINES_OF_INCLUDE = 19403
 # Words that files must not have
 FORBIDDEN = (
     (re.compile(r"(bindings|examples)/"),

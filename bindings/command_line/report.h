@@ -5,20 +5,12 @@
 #define SEGMENT_MESH_REPORT_H
 
 #include "Run_watch.h"
+#include "../meshes/hierarchy_json.h"
 #include "../meshes/read_input.h"
 
-#include <CGAL/Spectral_segmentation/IO/hierarchy_json.h>
-#include <CGAL/Spectral_segmentation/Segmentation_hierarchy.h>
-
-#include <nlohmann/json.hpp>
-
 #include <ostream>
-#include <sstream>
-#include <string>
 
 namespace segment_mesh {
-
-typedef nlohmann::ordered_json Json;
 
 // Seconds of the program by phase, and of the segmentation by stage, as in Table 1 of Zhang and Liu
 // 2005. The stages are sums over all parts; with several threads parts are searched at the same
@@ -39,37 +31,18 @@ inline Json seconds_report(const Run_watch& watch)
           {"total", watch.seconds()}};
 }
 
-// Returns the JSON of the hierarchy with the segments of the run. Faces are the triangles of the
-// input.
-inline std::string
-hierarchy_text(const CGAL::Spectral_segmentation::Segmentation_hierarchy& hierarchy,
-               const Input& input)
-{
-  std::ostringstream out;
-  write_hierarchy(out, hierarchy, hierarchy.nodes(), input.soup.points, input.triangles);
-  return out.str();
-}
-
-// Returns this JSON without the data of faces.
-inline Json hierarchy_report(const CGAL::Spectral_segmentation::Segmentation_hierarchy& hierarchy,
-                             const Input& input)
-{
-  Json json = Json::parse(hierarchy_text(hierarchy, input));
-  json.erase("leaf_of_face");
-  json.erase("neighbors_of_faces");
-  return json;
-}
+// Returns the JSON of a hierarchy without the data of faces. Faces are the triangles of the input.
+inline Json hierarchy_report(const Segmentation_hierarchy& hierarchy, const Input& input)
+{ return json_of_hierarchy(hierarchy, input.soup.points, input.triangles); }
 
 // Writes this JSON with the data of faces; if there are larger polygons, also with their indices.
-inline void write_hierarchy(std::ostream& out,
-                            const CGAL::Spectral_segmentation::Segmentation_hierarchy& hierarchy,
+inline void write_hierarchy(std::ostream& out, const Segmentation_hierarchy& hierarchy,
                             const Input& input)
 {
-  std::string text = hierarchy_text(hierarchy, input);
+  Json json = hierarchy_report(hierarchy, input);
   if (input.triangles.size() != input.soup.number_of_polygons())
-    text.replace(text.rfind("\n}"), std::string::npos,
-                 ",\n\"input_face_of_face\": " + Json(input.polygon_of_triangle).dump() + "\n}\n");
-  out << text;
+    json["input_face_of_face"] = input.polygon_of_triangle;
+  write_json(out, hierarchy, json);
 }
 
 } // namespace segment_mesh

@@ -7,7 +7,7 @@
 #include "Event_visitor.h"
 #include "random_meshes.h"
 
-#include <CGAL/Spectral_segmentation/IO/hierarchy_json.h>
+#include <CGAL/Spectral_segmentation/IO/hierarchy.h>
 #include <CGAL/segment_spectral_recursive.h>
 
 #include <CGAL/Polygon_mesh_processing/polygon_soup_to_polygon_mesh.h>

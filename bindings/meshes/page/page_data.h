@@ -134,7 +134,7 @@ struct Page_options
   std::size_t most_triangles = 300000; // a phone can turn so many
 };
 
-inline nlohmann::ordered_json hierarchy_data(const Input& input, const Segmentation_hierarchy& tree,
+inline nlohmann::ordered_json hierarchy_data(const Segmentation_hierarchy& tree,
                                              const Pieces& pieces)
 {
   nlohmann::ordered_json saliences = nlohmann::ordered_json::array();
@@ -315,7 +315,7 @@ inline nlohmann::ordered_json page_data(const Input& input, const Segmentation_h
           {"segments", o.number_of_segments},
           {"salience", o.is_salience_probability ? "probability" : "salience"},
           {"input_triangles", input.triangles.size()},
-          {"hierarchy", hierarchy_data(input, tree, pieces)},
+          {"hierarchy", hierarchy_data(tree, pieces)},
           {"mesh", mesh_data(page_mesh(input, tree, pieces, o))},
           {"piece_of_face", packed_runs(piece_of_polygon)},
           {"exceptions", exceptions}};

@@ -287,7 +287,7 @@ class Hierarchy:
 
     @staticmethod
     def from_json(text: Union[str, bytes]) -> Hierarchy:
-        """Reads a hierarchy from a text of `to_json()`, the C++ library or its tool.
+        """Reads a hierarchy from a text of `to_json()` or `segment_mesh --hierarchy`.
 
         Parameters
         ----------
@@ -309,7 +309,7 @@ class Hierarchy:
         return Hierarchy._of(_core.Hierarchy.from_json(text))
 
     def save(self, path: Path) -> None:
-        """Writes the hierarchy to a file of JSON, which `load()`, the library and its tool read.
+        """Writes the hierarchy to a file of JSON, which `load()` reads.
 
         An existing file is replaced only when the new one is complete.
 
@@ -326,7 +326,7 @@ class Hierarchy:
 
     @staticmethod
     def load(path: Path) -> Hierarchy:
-        """Reads a file of `save()`, the C++ library, or `segment_mesh --hierarchy`.
+        """Reads a file of `save()` or `segment_mesh --hierarchy`.
 
         Parameters
         ----------

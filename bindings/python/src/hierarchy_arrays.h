@@ -7,6 +7,8 @@
 #include <CGAL/Spectral_segmentation/Salience_factors.h>
 #include <CGAL/Spectral_segmentation/Segmentation_hierarchy.h>
 
+#include <meshes/named_factors.h>
+
 #include <pybind11/numpy.h>
 
 #include <cstddef>
@@ -18,38 +20,16 @@ namespace python {
 
 namespace py = pybind11;
 
-typedef CGAL::Spectral_segmentation::Salience_factors Factors;
-
-struct Factor
-{
-  const char* name;
-  double Factors::*value;
-};
-
-// The factors that are numbers.
-constexpr Factor all_factors[] = {
-  {"size", &Factors::size},
-  {"cut_strength", &Factors::cut_strength},
-  {"protrusiveness", &Factors::protrusiveness},
-  {"log_relative_part_area", &Factors::log_relative_part_area},
-  {"concavity_near_cut", &Factors::concavity_near_cut},
-  {"convexity_gain", &Factors::convexity_gain},
-  {"relative_convexity_gain", &Factors::relative_convexity_gain},
-  {"expansion_behind_cut", &Factors::expansion_behind_cut},
-  {"roundness", &Factors::roundness},
-  {"flatness_behind_cut", &Factors::flatness_behind_cut},
-  {"concavity_around_cut", &Factors::concavity_around_cut},
-  {"lower_quartile_of_concavity", &Factors::lower_quartile_of_concavity},
-  {"expansion_before_cut", &Factors::expansion_before_cut},
-  {"number_of_common_neighbors", &Factors::number_of_common_neighbors}};
+using CGAL::Spectral_segmentation::Salience_factors;
+using segment_mesh::named_factors;
 
 // Returns all factors, in the order of the fields of Python's `SalienceFactors`.
-inline py::tuple tuple_of(const Factors& factors)
+inline py::tuple tuple_of(const Salience_factors& factors)
 {
-  constexpr std::size_t number = std::size(all_factors);
+  constexpr std::size_t number = std::size(named_factors);
   py::tuple result(number + 1);
   for (std::size_t i = 0; i < number; ++i)
-    result[i] = py::float_(factors.*all_factors[i].value);
+    result[i] = py::float_(factors.*named_factors[i].value);
   result[number] = py::bool_(factors.is_boundary);
   return result;
 }
@@ -84,7 +64,7 @@ saliences_of_nodes(const CGAL::Spectral_segmentation::Segmentation_hierarchy& h)
 inline py::dict factors_of_nodes(const CGAL::Spectral_segmentation::Segmentation_hierarchy& h)
 {
   py::dict result;
-  for (const Factor& factor : all_factors)
+  for (const auto& factor : named_factors)
     result[factor.name] =
       array_of_nodes<double>(h, [&](std::size_t i) { return h.node(i).factors.*factor.value; });
   return result;

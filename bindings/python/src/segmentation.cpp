@@ -13,7 +13,8 @@
 #include "python_lock.h"
 #include "read_parameters.h"
 
-#include <CGAL/Spectral_segmentation/IO/hierarchy_json.h>
+#include <meshes/hierarchy_json.h>
+
 #include <CGAL/assertions_behaviour.h>
 #include <CGAL/property_map.h>
 #include <CGAL/segment_spectral_recursive.h>
@@ -162,7 +163,7 @@ std::vector<std::size_t> chosen_nodes(const Segmentation_hierarchy& h,
 std::string to_json(const Segmentation_hierarchy& h)
 {
   std::ostringstream out;
-  segmentation::write_hierarchy(out, h);
+  segment_mesh::write_json(out, h, segment_mesh::json_of_hierarchy(h));
   return out.str();
 }
 
@@ -170,7 +171,7 @@ Segmentation_hierarchy from_json(const std::string& text)
 {
   std::istringstream in(text);
   try {
-    return segmentation::read_hierarchy(in);
+    return segment_mesh::read_hierarchy_json(in);
   }
   catch (const std::runtime_error& e) {
     throw py::value_error(message_of_python(e));

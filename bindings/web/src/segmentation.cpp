@@ -4,7 +4,6 @@
 /// \file
 /// The WebAssembly module behind index.js, which checks the arguments: meshes and their runs.
 
-#include <CGAL/Spectral_segmentation/IO/hierarchy_json.h>
 #include <CGAL/Spectral_segmentation/Options.h>
 #include <CGAL/Spectral_segmentation/Segmentation_hierarchy.h>
 #include <CGAL/Spectral_segmentation/Segmentation_visitor.h>
@@ -17,6 +16,7 @@
 #include <files/Segmented_soup.h>
 #include <files/segment_colors.h>
 #include <files/write_mesh_file.h>
+#include <meshes/hierarchy_json.h>
 #include <meshes/page/page_data.h>
 #include <meshes/part_tree.h>
 #include <meshes/read_input.h>
@@ -361,7 +361,7 @@ public:
   std::string json() const
   {
     std::ostringstream out;
-    segmentation::write_hierarchy(out, tree_);
+    segment_mesh::write_json(out, tree_, segment_mesh::json_of_hierarchy(tree_));
     return out.str();
   }
 

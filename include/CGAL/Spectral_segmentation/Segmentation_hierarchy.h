@@ -36,7 +36,7 @@ struct Hierarchy_access;
 /// separate, for example by `zhang_liu_2005()`, each connected component is a root.
 /// A hierarchy gives the labels for another number of segments, or another threshold, without a new
 /// search. Each segment is a node. Segments can be merged by hand, and cut again.
-/// `IO/hierarchy_json.h` writes a hierarchy to a stream, and reads it.
+/// `IO/hierarchy.h` writes a hierarchy to a stream, and reads it.
 ///
 /// The calibrated method (default) merges the regions of an over-segmentation. The cuts are its
 /// merges in reverse, and the hierarchy has all of them, whatever the threshold and the maximum
