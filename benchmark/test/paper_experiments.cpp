@@ -189,7 +189,7 @@ BOOST_AUTO_TEST_CASE(cut_by_two_samples)
     return internal::line_search(Execution::SEQUENTIAL, graph, line, part_salience, 0)->salience;
   };
   const auto order = [&](const std::vector<double>& from, const std::vector<double>& to)
-  { return internal::spectral_order(Execution::SEQUENTIAL, from, to); };
+  { return internal::spectral_order(from, to); };
   const double expected =
     std::max(salience(order(from_s, from_t)), salience(order(from_t, from_s)));
   const auto cut = cut_by_eigenvectors(graph, face_eigenpairs(graph, samples), samples, 0);

@@ -191,7 +191,7 @@ struct Searched_line
     : samples(given),
       from_s(distances(graph, samples.s)),
       from_t(distances(graph, samples.t)),
-      order(internal::spectral_order(Execution::SEQUENTIAL, from_s, from_t))
+      order(internal::spectral_order(from_s, from_t))
   {
     const Engine_options options = Engine_options::zhang_liu_2005();
     const double minimum_area = options.minimum_segment_size * internal::total_area(graph);

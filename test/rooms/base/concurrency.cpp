@@ -7,11 +7,8 @@
 
 #include <CGAL/Spectral_segmentation/internal/base/concurrency.h>
 
-#include <algorithm>
 #include <cmath>
 #include <cstddef>
-#include <limits>
-#include <numeric>
 #include <stdexcept>
 #include <vector>
 
@@ -29,16 +26,6 @@ namespace {
 
 // The second is the same as the first if there is no TBB.
 const Execution executions[] = {Execution::SEQUENTIAL, Execution::PARALLEL};
-
-template <class Value>
-std::vector<Index> stably_sorted(const std::vector<Value>& values)
-{
-  std::vector<Index> order(values.size());
-  std::iota(order.begin(), order.end(), Index(0));
-  std::stable_sort(order.begin(), order.end(),
-                   [&](Index i, Index j) { return values[i] < values[j]; });
-  return order;
-}
 
 } // namespace
 
@@ -103,48 +90,6 @@ BOOST_AUTO_TEST_CASE(the_rounding_of_a_sum_does_not_depend_on_the_threads)
   const double sum = sum_of(Execution::SEQUENTIAL, 1000000, 0., term);
   for (int i = 0; i < 20; ++i)
     BOOST_TEST(sum_of(Execution::PARALLEL, 1000000, 0., term) == sum);
-}
-
-BOOST_AUTO_TEST_CASE(order_equals_a_stable_sort_with_any_number_of_threads)
-{
-  Random random(1);
-  for (std::size_t n : {0, 1, 2, 500, 10001, 60000})
-    for (unsigned number_of_values : {1, 2, 50, 1000000}) {
-      std::vector<float> values;
-      for (std::size_t i = 0; i < n; ++i)
-        values.push_back((float(random() % number_of_values) - float(number_of_values / 2)) / 1024);
-      const std::vector<double> distances(values.begin(), values.end());
-      for (Execution execution : {Execution::SEQUENTIAL, Execution::PARALLEL}) {
-        BOOST_TEST(internal::sorted_indices(execution, values) == stably_sorted(values));
-        BOOST_TEST(internal::sorted_indices(execution, distances) == stably_sorted(distances));
-      }
-    }
-}
-
-BOOST_AUTO_TEST_CASE(the_caller_may_break_ties)
-{
-  Random random(2);
-  std::vector<double> values(10001), second(10001);
-  for (std::size_t i = 0; i < values.size(); ++i) {
-    values[i] = double(random() % 20);
-    second[i] = double(random() % 20);
-  }
-  const auto is_first = [&](Index i, Index j)
-  { return second[i] < second[j] || (second[i] == second[j] && i > j); };
-  std::vector<Index> expected = stably_sorted(values);
-  std::sort(expected.begin(), expected.end(), [&](Index i, Index j)
-    { return values[i] < values[j] || (values[i] == values[j] && is_first(i, j)); });
-  for (Execution execution : {Execution::SEQUENTIAL, Execution::PARALLEL})
-    BOOST_TEST(internal::sorted_indices(execution, values, is_first) == expected);
-}
-
-BOOST_AUTO_TEST_CASE(infinite_values_and_both_zeros_have_their_place)
-{
-  const double infinity = std::numeric_limits<double>::infinity();
-  const std::vector<double> values = {infinity, 0., -infinity, -0., 1., 0., infinity};
-  for (Execution execution : {Execution::SEQUENTIAL, Execution::PARALLEL})
-    BOOST_TEST(internal::sorted_indices(execution, values) ==
-               std::vector<Index>({2, 1, 3, 5, 4, 0, 6}), boost::test_tools::per_element());
 }
 
 BOOST_AUTO_TEST_SUITE_END()

@@ -254,7 +254,7 @@ std::vector<Index> random_line(const Surface& part, Random& random)
 
 std::vector<Index> line_between(const Surface& part, Index s, Index t)
 {
-  return spectral_order(sequential, shortest_paths(part, &Edge_weights::combined, s),
+  return spectral_order(shortest_paths(part, &Edge_weights::combined, s),
                         shortest_paths(part, &Edge_weights::combined, t));
 }
 

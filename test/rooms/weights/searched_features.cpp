@@ -197,7 +197,7 @@ BOOST_AUTO_TEST_CASE(order_along_the_largest_variance)
     for (double direction : {0.6, 0., -0.8})
       features.values.push_back(float(direction * position.back() + 1e-3 * random_value(random)));
   }
-  std::vector<Index> order = feature_order(sequential, features, std::vector<double>(50, 1),
+  std::vector<Index> order = feature_order(features, std::vector<double>(50, 1),
                                            [] { auto n = numbers(100); n.resize(50); return n; }());
   if (position[order.front()] > position[order.back()])
     std::reverse(order.begin(), order.end());

@@ -4,9 +4,11 @@
 #ifndef CGAL_SPECTRAL_SEGMENTATION_INTERNAL_BASE_INDEX_H
 #define CGAL_SPECTRAL_SEGMENTATION_INTERNAL_BASE_INDEX_H
 
+#include <algorithm>
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
+#include <functional>
 #include <numeric>
 #include <utility>
 #include <vector>
@@ -22,6 +24,18 @@ inline std::vector<Index> first_indices(std::size_t n)
 {
   std::vector<Index> result(n);
   std::iota(result.begin(), result.end(), Index(0));
+  return result;
+}
+
+// Returns the indices of the values, the smallest value first; `is_first(i, j)` breaks ties. No
+// value may be NaN.
+template <class Value, class IsFirst = std::less<Index> >
+std::vector<Index> sorted_indices(const std::vector<Value>& values,
+                                  const IsFirst& is_first = IsFirst())
+{
+  std::vector<Index> result = first_indices(values.size());
+  std::sort(result.begin(), result.end(), [&](Index i, Index j)
+    { return values[i] < values[j] || (values[i] == values[j] && is_first(i, j)); });
   return result;
 }
 

@@ -39,7 +39,7 @@ inline std::vector<Cut> most_salient_first(std::vector<Cut> cuts)
   for (const Cut& cut : cuts)
     keys.push_back(-quantized(cut.salience));
   std::vector<Cut> result;
-  for (Index i : sorted_indices(Execution::SEQUENTIAL, keys))
+  for (Index i : sorted_indices(keys))
     result.push_back(std::move(cuts[i]));
   return result;
 }
@@ -150,10 +150,10 @@ class Calibrated_cut : public Best_cut
                                  const Sample_faces& samples) const override
   {
     const auto [from_s, from_t] = distances_from_samples(execution, part.graph, samples);
-    std::vector<Face_order> result = {spectral_order(execution, from_s, from_t),
-                                      spectral_order(execution, from_t, from_s)};
+    std::vector<Face_order> result = {spectral_order(from_s, from_t),
+                                      spectral_order(from_t, from_s)};
     if (!context_.features.empty())
-      result.push_back(feature_order(execution, context_.features, part.graph.areas, part.faces));
+      result.push_back(feature_order(context_.features, part.graph.areas, part.faces));
     return result;
   }
 

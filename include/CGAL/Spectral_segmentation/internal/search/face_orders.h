@@ -121,13 +121,13 @@ typedef std::vector<Index> Face_order;
 // monotone function of x / y, that is, of the distance from s minus the distance from t. Sorting by
 // this difference needs no kernel and does not underflow. Ties, for example along a limb off the
 // path from s to t, go to the face nearer to s.
-inline Face_order spectral_order(Execution execution, const std::vector<double>& from_s,
+inline Face_order spectral_order(const std::vector<double>& from_s,
                                  const std::vector<double>& from_t)
 {
   std::vector<double> difference(from_s.size());
   for (std::size_t f = 0; f < difference.size(); ++f)
     difference[f] = from_s[f] - from_t[f];
-  return sorted_indices(execution, difference, [&](Index f, Index g)
+  return sorted_indices(difference, [&](Index f, Index g)
     { return from_s[f] < from_s[g] || (from_s[f] == from_s[g] && f < g); });
 }
 
@@ -146,12 +146,12 @@ distances_from_samples(Execution execution, const Surface& part, const Sample_fa
 inline Face_order face_order(Execution execution, const Surface& part, const Sample_faces& samples)
 {
   const auto [from_s, from_t] = distances_from_samples(execution, part, samples);
-  return spectral_order(execution, from_s, from_t);
+  return spectral_order(from_s, from_t);
 }
 
 // Returns the faces of a part ordered along the direction of largest variance of their features.
 // `faces` are their indices in the mesh.
-inline std::vector<Index> feature_order(Execution execution, const Face_features& features,
+inline std::vector<Index> feature_order(const Face_features& features,
                                         const std::vector<double>& areas,
                                         const std::vector<Index>& faces)
 {
@@ -180,7 +180,7 @@ inline std::vector<Index> feature_order(Execution execution, const Face_features
     direction = product(covariance, direction);
   }
   orthonormalize(direction);
-  return sorted_indices(execution, product(rows, direction).values);
+  return sorted_indices(product(rows, direction).values);
 }
 
 } // namespace CGAL::Spectral_segmentation::internal

@@ -135,7 +135,7 @@ class Triangle_connection
         pairs.emplace_back(h, g);
         keys.push_back(quantized(are_alike(h, g) ? -cosine : cosine + 4));
       }
-    for (Index i : sorted_indices(Execution::SEQUENTIAL, keys)) {
+    for (Index i : sorted_indices(keys)) {
       const auto [h, g] = pairs[i];
       if (surface_.is_border(h) && surface_.is_border(g))
         join(h, g);

@@ -88,9 +88,9 @@ inline std::vector<Vector> face_normals(Execution execution, const Surface& grap
 
 // Equalizes the histogram: maps values to equally spaced values in [0, 1] by their rank. Equal
 // values get the mean of their ranks.
-inline std::vector<double> equalize(Execution execution, const std::vector<float>& values)
+inline std::vector<double> equalize(const std::vector<float>& values)
 {
-  const std::vector<Index> order = sorted_indices(execution, values);
+  const std::vector<Index> order = sorted_indices(values);
   std::vector<double> result(values.size());
   for (std::size_t first = 0; first < order.size();) {
     std::size_t last = first;
@@ -106,10 +106,10 @@ inline std::vector<double> equalize(Execution execution, const std::vector<float
 
 // Equalizes the histogram by weighted ranks. An edge then counts by its length and not by the
 // number of edges into which the triangulation cuts it.
-inline std::vector<double> equalize(Execution execution, const std::vector<float>& values,
+inline std::vector<double> equalize(const std::vector<float>& values,
                                     const std::vector<double>& weights)
 {
-  const std::vector<Index> order = sorted_indices(execution, values);
+  const std::vector<Index> order = sorted_indices(values);
   const double total = std::accumulate(weights.begin(), weights.end(), 0.);
   std::vector<double> result(values.size(), 0.5);
   double below = 0;
@@ -189,7 +189,7 @@ inline Equalized_angles equalized_dihedrals(Execution execution, const Surface& 
   normalize_by_mean(angles);
   // In single precision, angles that differ only by rounding tie.
   const std::vector<float> rounded(angles.begin(), angles.end());
-  Equalized_angles result{equalize(execution, rounded), std::vector<double>(edges.size(), 0)};
+  Equalized_angles result{equalize(rounded), std::vector<double>(edges.size(), 0)};
   for (std::size_t e = 0; e < edges.size(); ++e)
     if (is_concave[e])
       result.concave[e] = result.total[e];
@@ -215,7 +215,7 @@ inline Equalized_angles equalized_bending(Execution execution, const Surface& gr
     distances[e] = static_cast<float>((bending[h] < 0 ? weights.concave : weights.convex) *
                                       (2 * sine * sine));
   });
-  Equalized_angles result{equalize(execution, distances, lengths),
+  Equalized_angles result{equalize(distances, lengths),
                           std::vector<double>(edges.size(), 0)};
   for (std::size_t e = 0; e < edges.size(); ++e)
     if (bending[edges[e]] < 0)
