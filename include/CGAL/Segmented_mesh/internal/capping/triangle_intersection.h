@@ -49,7 +49,7 @@ inline Vector normal(const std::vector<Vector>& points, const Corners& t)
 { return (points[t[1]] - points[t[0]]).cross(points[t[2]] - points[t[0]]); }
 
 // Returns whether two triangles, which are not degenerate, meet outside their common corners and
-// edges. CGAL has this test for the faces of one mesh only.
+// edges. CGAL 5.5 has this test for the faces of one mesh only, and 5.6 for triangle soups.
 inline bool do_intersect(const std::vector<Vector>& points, Corners s, Corners t)
 {
   const int n = move_common_corners_first(s, t);
