@@ -87,7 +87,7 @@ inline Labels components(const Triangle_soup& soup)
 {
   using CGAL::Spectral_segmentation::internal::Index;
   const Index n = static_cast<Index>(soup.triangles.size());
-  CGAL::Spectral_segmentation::internal::Face_components sets(n);
+  CGAL::Spectral_segmentation::internal::Disjoint_sets sets(n);
   std::map<std::pair<std::size_t, std::size_t>, Index> first_at_edge;
   for (Index f = 0; f < n; ++f) {
     sets.add(f);

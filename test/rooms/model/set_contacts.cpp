@@ -178,7 +178,7 @@ BOOST_AUTO_TEST_CASE(nearest_sets_come_first)
   for (double center : x)
     soup = disjoint_union(soup, moved(sphere(2), center, 0, 0));
   const Surface graph = surface_of(soup);
-  internal::Face_components joined(graph.components.number);
+  internal::Disjoint_sets joined(graph.components.number);
   for (Index i = 0; i < graph.components.number; ++i)
     joined.add(i);
   std::vector<std::pair<Index, Index> > pairs;

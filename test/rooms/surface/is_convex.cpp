@@ -5,7 +5,7 @@
 
 #include "test_meshes.h"
 
-#include <CGAL/Spectral_segmentation/internal/model/model_components.h>
+#include <CGAL/Spectral_segmentation/internal/model/surrounding_components.h>
 #include <CGAL/Spectral_segmentation/internal/surface/Moments.h>
 
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>

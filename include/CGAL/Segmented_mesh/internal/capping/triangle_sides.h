@@ -82,7 +82,7 @@ inline bool is_manifold(const std::vector<Corners>& triangles,
                         const std::vector<Triangle_side>& sides)
 {
   const std::size_t n = sides.size();
-  Face_components fans(n); // sets of corners
+  Disjoint_sets fans(n); // sets of corners
   for (std::size_t i = 0; i < n; ++i)
     fans.add(static_cast<Index>(i));
   bool has_manifold_edges = true;

@@ -72,7 +72,7 @@ class Segment_keeper
         ++half;
       return 3 * f + (half + 1) / 2 % 3;
     };
-    Face_components components(graph_.number_of_halfedges());
+    Disjoint_sets components(graph_.number_of_halfedges());
     std::vector<Index> label_of_part(graph_.number_of_halfedges(), null_index);
     for (Index h = 0; h < graph_.number_of_halfedges(); ++h)
       for (int half : {0, 1}) {

@@ -58,7 +58,7 @@ class Constrained_merging
       for (Index h = 3 * f; h < 3 * f + 3; ++h)
         if (groups_.is_seam[h] && tree_.leaf[f] == tree_.leaf[mesh_.neighbor(h)])
           is_cut[tree_.leaf[f]] = 1;
-    Face_components pieces(region_.size());
+    Disjoint_sets pieces(region_.size());
     for (Index f = 0; f < region_.size(); ++f)
       if (is_cut[region_[f]])
         pieces.add(f);

@@ -106,7 +106,7 @@ class Constraint_grouping
   const Constraints& constraints_;
   const std::vector<Index> mesh_face_;
   const Surface& mesh_;
-  Face_components groups_, sets_; // faces that are joined by edges; and also by their seeds
+  Disjoint_sets groups_, sets_; // faces that are joined by edges; and also by their seeds
   std::map<std::int64_t, Index> first_of_seed_; // the caller's index of the face
 
   Index set_of(Index callers_face) { return sets_.representative(mesh_face_[callers_face]); }

@@ -152,7 +152,7 @@ class Band_cells
 
   void find_cores(const Surface& mesh)
   {
-    Face_components cores(cell_.size());
+    Disjoint_sets cores(cell_.size());
     for (Index f = 0; f < cell_.size(); ++f)
       if (cell_[f] == null_index)
         cores.add(f);

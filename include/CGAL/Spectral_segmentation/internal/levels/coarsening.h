@@ -74,7 +74,7 @@ class Vertex_clustering
     const Index n = static_cast<Index>(mesh_.points.size());
     std::vector<std::uint64_t> cells(n); // one per vertex
     for_each_index(execution, n, [&](std::size_t v) { cells[v] = cell(mesh_.points[v]); });
-    Face_components sets(n); // sets of vertices
+    Disjoint_sets sets(n); // sets of vertices
     for (Index v = 0; v < n; ++v)
       sets.add(v);
     // These are summed for each vertex, then for its cluster. The ends of an edge are in one

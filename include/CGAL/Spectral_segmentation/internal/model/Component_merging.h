@@ -6,8 +6,8 @@
 
 #include <CGAL/Spectral_segmentation/internal/base/Face_features.h>
 #include <CGAL/Spectral_segmentation/internal/base/Run_monitor.h>
-#include <CGAL/Spectral_segmentation/internal/model/model_components.h>
 #include <CGAL/Spectral_segmentation/internal/model/set_contacts.h>
+#include <CGAL/Spectral_segmentation/internal/model/surrounding_components.h>
 #include <CGAL/Spectral_segmentation/internal/search/Merge_tree.h>
 
 #include <algorithm>

@@ -6,7 +6,7 @@
 
 #include <CGAL/Spectral_segmentation/internal/levels/prepare_surface.h>
 #include <CGAL/Spectral_segmentation/internal/model/component_walls.h>
-#include <CGAL/Spectral_segmentation/internal/model/model_components.h>
+#include <CGAL/Spectral_segmentation/internal/model/surrounding_components.h>
 #include <CGAL/Spectral_segmentation/internal/model/weld_borders.h>
 #include <CGAL/Spectral_segmentation/internal/surface/reorder_faces.h>
 

@@ -114,7 +114,7 @@ inline std::vector<Index> welded_vertices(const Surface& surface, double width)
     if (surface.is_border(h))
       is_on_border[surface.source_vertex(h)] = is_on_border[surface.target_vertex(h)] = 1;
   std::vector<std::pair<Cell, Index> > vertices;
-  Face_components sets(surface.points.size()); // sets of vertices
+  Disjoint_sets sets(surface.points.size()); // sets of vertices
   for (Index v = 0; v < surface.points.size(); ++v) {
     sets.add(v);
     const Vector& p = surface.points[v];

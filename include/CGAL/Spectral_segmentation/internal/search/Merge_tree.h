@@ -105,7 +105,7 @@ struct Merged_sets
     : position(tree.leaves.size())
   {
     const Index n = static_cast<Index>(tree.leaves.size());
-    Face_components sets(n);
+    Disjoint_sets sets(n);
     std::vector<Merged_set> set(n); // one per representative
     for (Index i = 0; i < n; ++i) {
       sets.add(i);
@@ -216,7 +216,7 @@ inline Cut_hierarchy hierarchy_of(const Merge_tree& tree)
 inline std::vector<Index> segments_above(const Merge_tree& tree, double threshold)
 {
   std::vector<Index> segment = first_indices(tree.leaves.size());
-  Face_components sets(segment.size());
+  Disjoint_sets sets(segment.size());
   for (Index leaf : segment)
     sets.add(leaf);
   for (auto m = tree.merges.begin(); m != tree.merges.end() && m->salience < threshold; ++m)

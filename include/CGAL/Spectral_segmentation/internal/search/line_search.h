@@ -65,7 +65,7 @@ inline std::vector<bool> rest_is_connected(const Surface& part,
                                            const std::vector<Index>& faces)
 {
   const std::size_t n = faces.size();
-  Face_components components(n);
+  Disjoint_sets components(n);
   std::vector<char> is_in_rest(n, 0);
   std::vector<bool> result(n + 1, false);
   for (std::size_t i = n; i-- > 0;) {

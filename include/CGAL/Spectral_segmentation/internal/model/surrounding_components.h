@@ -1,8 +1,8 @@
 // Copyright (c) 2026  The Spectral_segmentation authors.
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#ifndef CGAL_SPECTRAL_SEGMENTATION_INTERNAL_MODEL_MODEL_COMPONENTS_H
-#define CGAL_SPECTRAL_SEGMENTATION_INTERNAL_MODEL_MODEL_COMPONENTS_H
+#ifndef CGAL_SPECTRAL_SEGMENTATION_INTERNAL_MODEL_SURROUNDING_COMPONENTS_H
+#define CGAL_SPECTRAL_SEGMENTATION_INTERNAL_MODEL_SURROUNDING_COMPONENTS_H
 
 #include <CGAL/Spectral_segmentation/internal/surface/Moments.h>
 #include <CGAL/Spectral_segmentation/internal/surface/is_convex.h>
@@ -168,4 +168,4 @@ inline Component_fractions component_fractions(const Surface& surface)
 
 } // namespace CGAL::Spectral_segmentation::internal
 
-#endif // CGAL_SPECTRAL_SEGMENTATION_INTERNAL_MODEL_MODEL_COMPONENTS_H
+#endif // CGAL_SPECTRAL_SEGMENTATION_INTERNAL_MODEL_SURROUNDING_COMPONENTS_H
