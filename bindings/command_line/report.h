@@ -9,6 +9,7 @@
 #include "../meshes/read_input.h"
 
 #include <ostream>
+#include <utility>
 
 namespace segment_mesh {
 
@@ -42,7 +43,7 @@ inline void write_hierarchy(std::ostream& out, const Segmentation_hierarchy& hie
   Json json = hierarchy_report(hierarchy, input);
   if (input.triangles.size() != input.soup.number_of_polygons())
     json["input_face_of_face"] = input.polygon_of_triangle;
-  write_json(out, hierarchy, json);
+  write_json(out, hierarchy, std::move(json));
 }
 
 } // namespace segment_mesh

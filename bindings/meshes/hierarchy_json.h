@@ -152,10 +152,11 @@ inline std::vector<char> applied_cuts(const Segmentation_hierarchy& h,
 // Returns the segments; `extents` may be empty.
 inline Json json_of_segments(const Segmentation_hierarchy& h,
                              const std::vector<std::size_t>& segments,
+                             const std::vector<std::size_t>& labels,
                              const std::vector<Segment_extent>& extents)
 {
   std::vector<std::size_t> number_of_faces(segments.size(), 0);
-  for (std::size_t label : h.labels(segments))
+  for (std::size_t label : labels)
     ++number_of_faces[label];
   Json result = Json::array();
   for (std::size_t k = 0; k < segments.size(); ++k) {
@@ -172,12 +173,13 @@ inline Json json_of_segments(const Segmentation_hierarchy& h,
   return result;
 }
 
-// Returns a hierarchy with the segments of its run, but without the data of faces. The manual
-// documents the keys.
+// Returns a hierarchy with its segments, but without the data of faces. The manual documents the
+// keys.
 inline Json json_of_hierarchy(const Segmentation_hierarchy& h,
-                              const std::vector<Segment_extent>& extents = {})
+                              const std::vector<std::size_t>& segments,
+                              const std::vector<std::size_t>& labels,
+                              const std::vector<Segment_extent>& extents)
 {
-  const std::vector<std::size_t> segments = h.nodes();
   const std::vector<char> is_applied = applied_cuts(h, segments);
   Json nodes = Json::array();
   for (std::size_t i = 0; i < h.number_of_nodes(); ++i)
@@ -187,8 +189,15 @@ inline Json json_of_hierarchy(const Segmentation_hierarchy& h,
           {"number_of_faces", h.number_of_faces()},
           {"number_of_roots", h.number_of_roots()},
           {"salience_threshold", json_of_number(h.salience_threshold())},
-          {"segments", json_of_segments(h, segments, extents)},
+          {"segments", json_of_segments(h, segments, labels, extents)},
           {"nodes", nodes}};
+}
+
+// Returns a hierarchy with the segments of its run.
+inline Json json_of_hierarchy(const Segmentation_hierarchy& h)
+{
+  const std::vector<std::size_t> nodes = h.nodes();
+  return json_of_hierarchy(h, nodes, h.labels(nodes), {});
 }
 
 // Returns the same with the neighbors and bounding boxes of the segments. Points and triangles are
@@ -198,7 +207,9 @@ Json json_of_hierarchy(const Segmentation_hierarchy& h, const Points& points,
                        const Triangles& triangles)
 {
   const std::vector<std::size_t> nodes = h.nodes();
-  return json_of_hierarchy(h, segment_extents(points, triangles, h.labels(nodes), nodes.size()));
+  const std::vector<std::size_t> labels = h.labels(nodes);
+  return json_of_hierarchy(h, nodes, labels,
+                           segment_extents(points, triangles, labels, nodes.size()));
 }
 
 // Writes the JSON of a hierarchy with the leaf of each face, and with the text from which it is

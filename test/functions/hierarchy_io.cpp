@@ -3,6 +3,7 @@
 
 #include <boost/test/unit_test.hpp>
 
+#include "test_hierarchies.h"
 #include "test_labels.h"
 #include "test_meshes.h"
 
@@ -52,17 +53,6 @@ Segmentation_hierarchy read_back(const std::string& text)
 
 bool has_same_bits(double a, double b) { return std::memcmp(&a, &b, sizeof a) == 0; }
 
-// The labels, or nothing where they are not known.
-Labels labels_or_nothing(const Segmentation_hierarchy& h, std::size_t n, double threshold)
-{
-  try {
-    return labels_above(h, threshold, n);
-  }
-  catch (const std::out_of_range&) {
-    return {};
-  }
-}
-
 void check_equal(const Segmentation_hierarchy& a, const Segmentation_hierarchy& b)
 {
   BOOST_TEST_REQUIRE(a.number_of_nodes() == b.number_of_nodes());
@@ -98,13 +88,6 @@ void check_round_trip(const Segmentation_hierarchy& hierarchy)
   check_equal(again, hierarchy);
   BOOST_TEST(written(again) == text);
 }
-
-// A salience as strange as a user-defined one may be.
-struct Strange_salience
-{
-  double operator()(const CGAL::Spectral_segmentation::Salience_factors& f) const
-  { return f.size > 0.3 ? infinity : f.size < 0.1 ? -infinity : -f.size / 3; }
-};
 
 // Returns the error message of reading a text.
 std::string error_of(const std::string& text)
@@ -143,19 +126,7 @@ struct German_numbers : std::numpunct<char>
 
 BOOST_AUTO_TEST_CASE(a_hierarchy_that_is_read_is_the_one_that_was_written)
 {
-  check_round_trip(Segmentation_hierarchy());
-  const auto check_runs = [](const Mesh& mesh, const auto& np) {
-    check_round_trip(hierarchy_of(mesh, np));
-    check_round_trip(hierarchy_of(mesh, np.number_of_segments(25).smooth_boundaries(true)));
-    check_round_trip(hierarchy_of(mesh, np.salience_threshold(-infinity)
-                                          .maximum_number_of_segments(6)
-                                          .part_salience(Strange_salience())));
-  };
-  for (const Mesh& mesh : {mesh_of(doll()), mesh_of(dumbbell(8, 8)),
-                           mesh_of(disjoint_union(dumbbell(14, 10), torus(3, 1, 20, 10)))})
-    check_runs(mesh, parameters::zhang_liu_2005());
-  check_runs(mesh_of(disjoint_union(dumbbell(8, 8), torus(3, 1, 20, 10))),
-             parameters::default_values());
+  for_each_hierarchy(check_round_trip);
 }
 
 // With a large minimum size the search finds few cuts, and segments are halved.

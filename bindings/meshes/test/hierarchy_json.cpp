@@ -5,6 +5,7 @@
 
 #include "../hierarchy_json.h"
 #include "box_figures.h"
+#include "test_hierarchies.h"
 #include "test_labels.h"
 #include "test_meshes.h"
 
@@ -14,13 +15,10 @@
 
 #include <algorithm>
 #include <array>
-#include <cmath>
 #include <cstddef>
-#include <cstring>
 #include <functional>
 #include <iterator>
 #include <limits>
-#include <numeric>
 #include <random>
 #include <set>
 #include <sstream>
@@ -56,17 +54,6 @@ Segmentation_hierarchy read_back(const std::string& text)
   return segment_mesh::read_hierarchy_json(in);
 }
 
-// The labels, or nothing where they are not known.
-Labels labels_or_nothing(const Segmentation_hierarchy& h, std::size_t n, double threshold)
-{
-  try {
-    return labels_above(h, threshold, n);
-  }
-  catch (const std::out_of_range&) {
-    return {};
-  }
-}
-
 void check_round_trip(const Segmentation_hierarchy& hierarchy)
 {
   const std::string text = written(hierarchy);
@@ -76,13 +63,6 @@ void check_round_trip(const Segmentation_hierarchy& hierarchy)
   for (std::size_t n = 0; n <= hierarchy.number_of_segments(); ++n)
     BOOST_TEST(labels_of_number(again, n) == labels_of_number(hierarchy, n), tt::per_element());
 }
-
-// A salience as strange as a user-defined one may be.
-struct Strange_salience
-{
-  double operator()(const CGAL::Spectral_segmentation::Salience_factors& f) const
-  { return f.size > 0.3 ? infinity : f.size < 0.1 ? -infinity : -f.size / 3; }
-};
 
 Segmentation_hierarchy small_hierarchy()
 { return hierarchy_of(mesh_of(dumbbell(8, 8)), parameters::maximum_number_of_segments(4)); }
@@ -155,19 +135,7 @@ void change_bytes(std::string& text, std::mt19937& random)
 
 BOOST_AUTO_TEST_CASE(a_hierarchy_that_is_read_is_the_one_that_was_written)
 {
-  check_round_trip(Segmentation_hierarchy());
-  const auto check_runs = [](const Mesh& mesh, const auto& np) {
-    check_round_trip(hierarchy_of(mesh, np));
-    check_round_trip(hierarchy_of(mesh, np.number_of_segments(25).smooth_boundaries(true)));
-    check_round_trip(hierarchy_of(mesh, np.salience_threshold(-infinity)
-                                          .maximum_number_of_segments(6)
-                                          .part_salience(Strange_salience())));
-  };
-  for (const Mesh& mesh : {mesh_of(doll()), mesh_of(dumbbell(8, 8)),
-                           mesh_of(disjoint_union(dumbbell(14, 10), torus(3, 1, 20, 10)))})
-    check_runs(mesh, parameters::zhang_liu_2005());
-  check_runs(mesh_of(disjoint_union(dumbbell(8, 8), torus(3, 1, 20, 10))),
-             parameters::default_values());
+  for_each_hierarchy(check_round_trip);
 }
 
 // Compared with the halfedges and the faces of the segments.

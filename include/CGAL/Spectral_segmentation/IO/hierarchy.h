@@ -171,7 +171,7 @@ inline void write_hierarchy(std::ostream& os, const Segmentation_hierarchy& hier
   write(cuts.leaf);
   write.end_line();
   write(cuts.neighbors);
-  if (!(os << internal::first_word_of_hierarchy << write.text() << std::endl))
+  if (!(os << internal::first_word_of_hierarchy << write.text() << '\n'))
     throw std::runtime_error("write_hierarchy: the stream cannot be written");
 }
 
