@@ -4,9 +4,8 @@
 #ifndef SEGMENT_MESH_HIERARCHY_JSON_H
 #define SEGMENT_MESH_HIERARCHY_JSON_H
 
-#include "named_factors.h"
-
 #include <CGAL/Spectral_segmentation/IO/hierarchy.h>
+#include <CGAL/Spectral_segmentation/Salience_factors.h>
 #include <CGAL/Spectral_segmentation/Segmentation_hierarchy.h>
 
 #include <nlohmann/json.hpp>
@@ -26,6 +25,7 @@
 
 namespace segment_mesh {
 
+using CGAL::Spectral_segmentation::Salience_factors;
 using CGAL::Spectral_segmentation::Segmentation_hierarchy;
 
 constexpr const char* name_of_format = "CGAL Spectral_segmentation hierarchy";
@@ -103,7 +103,7 @@ inline Json json_of_number(double x)
 inline Json json_of_factors(const Salience_factors& factors)
 {
   Json result = {{"is_boundary", factors.is_boundary}};
-  for (const auto& [name, value] : named_factors)
+  for (const auto& [name, value] : CGAL::Spectral_segmentation::named_factors)
     result[name] = json_of_number(factors.*value);
   return result;
 }

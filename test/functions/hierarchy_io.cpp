@@ -66,7 +66,7 @@ void check_equal(const Segmentation_hierarchy& a, const Segmentation_hierarchy& 
     BOOST_TEST(has_same_bits(m.area, n.area));
     BOOST_TEST(has_same_bits(m.salience, n.salience));
     BOOST_TEST(m.factors.is_boundary == n.factors.is_boundary);
-    for (const auto& [name, value] : CGAL::Spectral_segmentation::internal::named_factors)
+    for (const auto& [name, value] : CGAL::Spectral_segmentation::named_factors)
       BOOST_TEST(has_same_bits(m.factors.*value, n.factors.*value));
     BOOST_TEST(a.faces(i) == b.faces(i), tt::per_element());
   }

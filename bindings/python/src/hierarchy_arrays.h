@@ -7,8 +7,6 @@
 #include <CGAL/Spectral_segmentation/Salience_factors.h>
 #include <CGAL/Spectral_segmentation/Segmentation_hierarchy.h>
 
-#include <meshes/named_factors.h>
-
 #include <pybind11/numpy.h>
 
 #include <cstddef>
@@ -21,7 +19,7 @@ namespace python {
 namespace py = pybind11;
 
 using CGAL::Spectral_segmentation::Salience_factors;
-using segment_mesh::named_factors;
+using CGAL::Spectral_segmentation::named_factors;
 
 // Returns all factors, in the order of the fields of Python's `SalienceFactors`.
 inline py::tuple tuple_of(const Salience_factors& factors)

@@ -347,8 +347,8 @@ BOOST_AUTO_TEST_CASE(a_boundary_has_the_factors_of_a_candidate_and_more)
                          b = factors_of_boundary(graph, below(soup, 0));
   BOOST_TEST(!a.is_boundary);
   BOOST_TEST(b.is_boundary);
-  for (std::size_t i = 0; i < internal::named_factors.size(); ++i) {
-    const auto [name, value] = internal::named_factors[i];
+  for (std::size_t i = 0; i < CGAL::Spectral_segmentation::named_factors.size(); ++i) {
+    const auto [name, value] = CGAL::Spectral_segmentation::named_factors[i];
     BOOST_TEST_CONTEXT(name)
       {
         const double of_candidate = a.*value, of_boundary = b.*value;

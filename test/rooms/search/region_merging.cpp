@@ -277,7 +277,7 @@ BOOST_AUTO_TEST_CASE(merges_equal_merges_of_sets_that_are_evaluated_anew_in_each
                       (sides[1] == merge.first && sides[0] == merge.second)));
           BOOST_TEST(cut.salience == merge.salience, tt::tolerance(1e-9));
           BOOST_TEST(cut.factors.is_boundary);
-          for (const auto& [name, value] : internal::named_factors)
+          for (const auto& [name, value] : CGAL::Spectral_segmentation::named_factors)
             BOOST_TEST_CONTEXT(name)
               BOOST_TEST(std::abs(cut.factors.*value - merge.factors.*value) < 1e-9);
         }

@@ -4,13 +4,12 @@
 #ifndef CGAL_SPECTRAL_SEGMENTATION_IO_HIERARCHY_H
 #define CGAL_SPECTRAL_SEGMENTATION_IO_HIERARCHY_H
 
+#include <CGAL/Spectral_segmentation/Salience_factors.h>
 #include <CGAL/Spectral_segmentation/Segmentation_hierarchy.h>
-#include <CGAL/Spectral_segmentation/internal/base/Boundary_network.h>
 #include <CGAL/Spectral_segmentation/internal/hierarchy/complete_hierarchy.h>
 
 #include <cmath>
 #include <cstddef>
-#include <cstdio>
 #include <istream>
 #include <iterator>
 #include <limits>
@@ -77,8 +76,7 @@ public:
   std::size_t count(std::size_t largest = unlimited)
   {
     std::size_t result = 0;
-    in_ >> std::ws;
-    require_in_file(in_.peek() != '-' && in_ >> result && result <= largest,
+    require_in_file((in_ >> std::ws).peek() != '-' && in_ >> result && result <= largest,
                     "a number is not an integer in its range");
     return result;
   }
@@ -93,7 +91,7 @@ public:
     std::istringstream in(text);
     in.imbue(std::locale::classic());
     double result = 0;
-    require_in_file(in >> result && in.peek() == EOF, "a word is not a number");
+    require_in_file(in >> result && in.eof(), "a word is not a number");
     return result;
   }
 

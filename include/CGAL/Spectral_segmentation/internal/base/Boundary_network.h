@@ -14,29 +14,6 @@
 
 namespace CGAL::Spectral_segmentation::internal {
 
-struct Named_factor
-{
-  const char* name;
-  double Salience_factors::*value;
-};
-
-// All factors that are numbers.
-constexpr std::array<Named_factor, 14> named_factors = {{
-  {"size", &Salience_factors::size},
-  {"cut_strength", &Salience_factors::cut_strength},
-  {"protrusiveness", &Salience_factors::protrusiveness},
-  {"log_relative_part_area", &Salience_factors::log_relative_part_area},
-  {"concavity_near_cut", &Salience_factors::concavity_near_cut},
-  {"convexity_gain", &Salience_factors::convexity_gain},
-  {"relative_convexity_gain", &Salience_factors::relative_convexity_gain},
-  {"expansion_behind_cut", &Salience_factors::expansion_behind_cut},
-  {"roundness", &Salience_factors::roundness},
-  {"flatness_behind_cut", &Salience_factors::flatness_behind_cut},
-  {"concavity_around_cut", &Salience_factors::concavity_around_cut},
-  {"lower_quartile_of_concavity", &Salience_factors::lower_quartile_of_concavity},
-  {"expansion_before_cut", &Salience_factors::expansion_before_cut},
-  {"number_of_common_neighbors", &Salience_factors::number_of_common_neighbors}}};
-
 // Computes the logit of the probability that people cut along a boundary: a linear function of the
 // standardized inputs, and hyperbolic tangents of linear functions. The inputs are the named
 // factors, and the logarithm of the fraction of the area of the mesh that the smaller side has.
