@@ -12,6 +12,7 @@
 #include <boost/property_map/function_property_map.hpp>
 
 #include <algorithm>
+#include <cmath>
 #include <cstddef>
 #include <functional>
 #include <limits>
@@ -386,7 +387,8 @@ BOOST_AUTO_TEST_CASE(keep_components_separate_are_parts_from_the_start)
                     std::invalid_argument);
 }
 
-// A dome, a room, a plinth, and a plinth in a dome, whichever way their faces point.
+// A dome, a room, a plinth, a thick slab, a hilly terrain, and a plinth in a dome, whichever way
+// their faces point.
 BOOST_AUTO_TEST_CASE(a_body_has_its_parts_in_any_surroundings)
 {
   const Soup& body = doll();
@@ -402,8 +404,13 @@ BOOST_AUTO_TEST_CASE(a_body_has_its_parts_in_any_surroundings)
                    unit * (z * p.z() - below));
     });
   };
-  const Soup dome = scaled(sphere(3), 6 * unit), room = box(8, 9, 10, 5), plinth = box(9, 9, 1, 3);
-  for (const Soup& surroundings : {dome, room, plinth, disjoint_union(scaled(dome, 2), plinth)})
+  const Soup dome = scaled(sphere(3), 6 * unit), room = box(8, 9, 10, 5), plinth = box(9, 9, 1, 3),
+             slab = box(5, 5, 2, 4), terrain = transformed(plate(20, 20), [=](const Point& p) {
+    return Point(unit / 2 * (p.x() - 10), unit / 2 * (p.y() - 10),
+                 unit * (0.3 * std::sin(p.x() / 3) * std::sin(p.y() / 4) - 4));
+  });
+  for (const Soup& surroundings :
+       {dome, room, plinth, slab, terrain, disjoint_union(scaled(dome, 2), plinth)})
     for (const Soup& turned : {surroundings, turned_inside_out(surroundings)}) {
       const Labels labels = labels_of_soup(disjoint_union(body, turned));
       BOOST_TEST(first_labels(labels, n) == alone,

@@ -9,10 +9,7 @@
 
 #include <algorithm>
 #include <array>
-#include <cmath>
 #include <cstddef>
-#include <limits>
-#include <utility>
 #include <vector>
 
 namespace CGAL::Spectral_segmentation::internal {
@@ -35,136 +32,73 @@ struct Component_fractions
   }
 };
 
-// Finds the surroundings of a model, whose faces have areas and point outward: a sheet or a flat
-// convex solid that is at least twice as long as all others together, or a convex solid with all
-// others inside, such as the dome of a sky, a room, or a convex hull. There may be several, such as
-// a floor in a room. Candidates are the component of largest area, and the one of largest extent.
-class Surrounding_components
+// Returns whether a convex solid has a ball around others inside, whose radius is twice their
+// largest standard deviation.
+inline bool is_around(const Surface& surface, Index component, const Moments& others)
 {
-  static constexpr double flatness_of_sheet = 0.02, flatness_of_slab = 0.2;
-  static constexpr int most_rounds = 8, number_of_directions = 100;
-
-  const Surface& surface_;
-  std::vector<Moments> moments_; // one per component
-  std::vector<char> is_surrounding_;
-
-  // Returns the points of the others that are farthest in directions that are spread over a sphere.
-  std::vector<Vector> extreme_points_of_others(Index component) const
-  {
-    std::vector<Vector> directions, result;
-    for (int i = 0; i < number_of_directions; ++i) { // on a spiral
-      const double z = 1 - (2 * i + 1.) / number_of_directions, angle = 2.399963229728653 * i;
-      const double r = std::sqrt(1 - z * z);
-      directions.emplace_back(r * std::cos(angle), r * std::sin(angle), z);
-    }
-    std::vector<double> farthest(directions.size(), -std::numeric_limits<double>::infinity());
-    result.resize(directions.size());
-    std::vector<char> is_seen(surface_.points.size(), 0);
-    for (Index f = 0; f < surface_.number_of_faces(); ++f) {
-      if (const Index c = surface_.components[f]; c == component || is_surrounding_[c])
-        continue;
-      for (Index v : surface_.corners[f])
-        if (!std::exchange(is_seen[v], char(1)))
-          for (std::size_t i = 0; i < directions.size(); ++i)
-            if (const double x = directions[i].dot(surface_.points[v]); x > farthest[i]) {
-              farthest[i] = x;
-              result[i] = surface_.points[v];
-            }
-    }
-    return result;
-  }
-
-  // Returns whether the others are inside a convex component. If they touch it all around, they are
-  // not much smaller: the details of a block are not in it as in a room.
-  bool are_others_inside(Index component, double area_of_others) const
-  {
-    const double tolerance = 1e-3 * std::sqrt(moments_[component].area);
-    const std::vector<Vector> points = extreme_points_of_others(component);
-    std::vector<double> depths(points.size(), std::numeric_limits<double>::infinity());
-    for (Index f = 0; f < surface_.number_of_faces(); ++f)
-      if (surface_.components[f] == component) {
-        const Vector normal = surface_.normal(f).stably_normalized();
-        const double height = normal.dot(surface_.points[surface_.corners[f][0]]);
-        for (std::size_t i = 0; i < points.size(); ++i)
-          depths[i] = (std::min)(depths[i], height - normal.dot(points[i]));
-      }
-    std::sort(depths.begin(), depths.end());
-    return depths.front() >= -tolerance &&
-           (depths[depths.size() / 2] > 10 * tolerance ||
-            area_of_others > 0.3 * moments_[component].area);
-  }
-
-  bool surrounds(Index component, bool has_largest_area) const
-  {
-    Moments others;
-    for (Index c = 0; c < moments_.size(); ++c)
-      if (c != component && !is_surrounding_[c])
-        others += moments_[c];
-    if (!(others.area > 0))
+  const double radius = 2 * others.deviations()[2];
+  for (Index f = 0; f < surface.number_of_faces(); ++f)
+    if (surface.components[f] == component &&
+        surface.normal(f).stably_normalized().dot(surface.points[surface.corners[f][0]] -
+                                                  others.centroid()) < radius)
       return false;
-    const std::array<double, 3> extents = moments_[component].deviations();
-    const bool is_long = has_largest_area && extents[2] >= 2 * others.deviations()[2];
-    if (is_long && extents[0] <= flatness_of_sheet * extents[1])
-      return true;
-    return is_convex(surface_, component) &&
-           ((is_long && extents[0] <= flatness_of_slab * extents[1]) ||
-            are_others_inside(component, others.area));
-  }
+  return true;
+}
 
-  // Returns the component of largest value among those that are not surroundings.
-  template <class Value>
-  Index largest(const Value& value) const
-  {
-    Index result = null_index;
-    double best = -1;
-    for (Index c = 0; c < moments_.size(); ++c)
-      if (const double x = is_surrounding_[c] ? -1 : quantized(value(moments_[c])); x > best) {
-        best = x;
-        result = c;
-      }
-    return result;
-  }
+// Returns whether a component, which may have a border, surrounds others: it has more area, and it
+// is a flat sheet or slab of twice their length, or a convex solid around them, or a convex solid
+// beside which they are no mere details.
+inline bool surrounds(const Surface& surface, Index component, bool is_open, const Moments& m,
+                      const Moments& others)
+{
+  constexpr double flatness_of_sheet = 0.1, flatness_of_slab = 0.2, least_area = 0.01;
+  if (!(others.area > 0) || quantized(m.area) <= quantized(others.area))
+    return false;
+  const std::array<double, 3> extents = m.deviations();
+  const bool is_long = extents[2] >= 2 * others.deviations()[2];
+  if (is_open)
+    return is_long && extents[0] <= flatness_of_sheet * extents[1];
+  return is_convex(surface, component) &&
+         ((is_long && extents[0] <= flatness_of_slab * extents[1]) ||
+          others.area >= least_area * m.area || is_around(surface, component, others));
+}
 
-  // Marks a component if it surrounds the others. Returns whether it does.
-  bool mark(Index component, bool has_largest_area)
-  {
-    if (component == null_index || !surrounds(component, has_largest_area))
-      return false;
-    is_surrounding_[component] = 1;
-    return true;
-  }
-
-public:
-  explicit Surrounding_components(const Surface& surface)
-    : surface_(surface), moments_(surface.components.number),
-      is_surrounding_(surface.components.number, 0)
-  {
-    for (Index f = 0; f < surface.number_of_faces(); ++f)
-      moments_[surface.components[f]].add(surface, f);
-  }
-
-  Component_fractions operator()()
-  {
-    const auto area = [](const Moments& m) { return m.area; };
-    const auto extent = [](const Moments& m) { return m.deviations()[2]; };
-    for (int round = 0; round < most_rounds; ++round) {
-      const Index by_area = largest(area), by_extent = largest(extent);
-      if (!mark(by_area, true) && (by_extent == by_area || !mark(by_extent, false)))
-        break;
-    }
-    double total = 0;
-    for (Index c = 0; c < moments_.size(); ++c)
-      total += is_surrounding_[c] ? 0 : moments_[c].area;
-    Component_fractions result;
-    for (const Moments& m : moments_)
-      result.fraction.push_back(total > 0 ? m.area / total : 0);
-    result.is_surrounding = is_surrounding_;
-    return result;
-  }
-};
-
+// Returns the fractions of the components of a surface, whose faces have areas and point outward.
+// The largest component may surround the others, then the next one the rest, such as a floor in a
+// room.
 inline Component_fractions component_fractions(const Surface& surface)
-{ return Surrounding_components(surface)(); }
+{
+  const std::size_t n = surface.components.number;
+  std::vector<Moments> moments(n);
+  std::vector<char> is_open(n, 0);
+  for (Index f = 0; f < surface.number_of_faces(); ++f) {
+    moments[surface.components[f]].add(surface, f);
+    for (Index h = 3 * f; h < 3 * f + 3; ++h)
+      if (surface.is_border(h))
+        is_open[surface.components[f]] = 1;
+  }
+  std::vector<Index> by_area = first_indices(n);
+  std::stable_sort(by_area.begin(), by_area.end(), [&](Index a, Index b)
+    { return quantized(moments[a].area) < quantized(moments[b].area); });
+  std::vector<Moments> sums(1); // of the first components in this order
+  for (Index c : by_area) {
+    sums.push_back(sums.back());
+    sums.back() += moments[c];
+  }
+
+  Component_fractions result{std::vector<double>(n, 0), std::vector<char>(n, 0)};
+  std::size_t number = n; // of the components that surround nothing
+  for (; number > 1; --number) {
+    const Index c = by_area[number - 1];
+    if (!surrounds(surface, c, is_open[c] != 0, moments[c], sums[number - 1]))
+      break;
+    result.is_surrounding[c] = 1;
+  }
+  for (Index c = 0; c < n; ++c)
+    if (sums[number].area > 0)
+      result.fraction[c] = moments[c].area / sums[number].area;
+  return result;
+}
 
 } // namespace CGAL::Spectral_segmentation::internal
 
