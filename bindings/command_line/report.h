@@ -26,7 +26,6 @@ inline Json seconds_report(const Run_watch& watch)
           {"line_search", watch.seconds(Run_watch::Stage::LINE_SEARCH)},
           {"merging", watch.seconds(Run_watch::Stage::MERGING)},
           {"projection", watch.seconds(Run_watch::Stage::PROJECTION)},
-          {"smooth_boundaries", watch.seconds(Run_watch::Stage::BOUNDARY_SMOOTHING)},
           {"segmentation", watch.seconds("segmentation")},
           {"writing", watch.seconds("writing")},
           {"total", watch.seconds()}};

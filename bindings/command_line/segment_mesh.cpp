@@ -338,8 +338,6 @@ void add_segmentation_options(CLI::App& app, Options& o)
   app.add_flag("--keep-groups", o.keep_groups,
                "treat each object or group of IN as a separate component; those of .obj, "
                "and the nodes of files that Assimp reads");
-  app.add_flag("--smooth-boundaries", o.segmentation.smooth_boundaries,
-               "smooth the boundaries between segments by removing teeth of single faces");
   app.add_option("--smooth", o.segmentation.number_of_smoothing_iterations,
                  "number of steps of Laplacian smoothing before distances are computed [0]")
     ->type_name("N")->check(CLI::Range(std::int64_t(0), largest_number));
@@ -652,7 +650,6 @@ Page_options page_options(const Options& o, std::size_t number_of_segments)
   result.name = std::filesystem::path(o.input).filename().string();
   result.number_of_segments = number_of_segments;
   result.is_salience_probability = !o.uses_paper_method();
-  result.smooth_boundaries = o.segmentation.smooth_boundaries;
   result.keep_faces = o.keep_faces;
   return result;
 }

@@ -60,8 +60,6 @@ export interface Options extends Choice {
   numberOfReferenceFaces?: number;
   /** Steps of Laplacian smoothing before the search; 0 by default. */
   numberOfSmoothingIterations?: number;
-  /** Whether boundaries of segments are smoothed; false by default. */
-  smoothBoundaries?: boolean;
   /** Chooses reference faces at random, as in the paper: an integer from 0 to 2^53 - 1. */
   randomSeed?: number;
 }

@@ -38,7 +38,6 @@ LAYOUTS = {
     "contexts": (2, (700, 560)),
     "samples": (2, (700, 560)),
     "line": (2, (700, 560)),
-    "smooth_boundaries": (2, (700, 560)),
     "seeds": (2, (700, 560)),
     "equipment": (2, (700, 560)),
     "clusterings": (3, (480, 400)),

@@ -19,7 +19,6 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
-#include <limits>
 #include <sstream>
 #include <string>
 #include <vector>
@@ -197,11 +196,6 @@ inline void draw_parameters(Picture_book& book, const Named_mesh& limbs, const N
            {0.0, 0.01, calibrated.concavity_radius, 0.06});
   draw_row(book, "number_of_smoothing_iterations",
            &Engine_options::number_of_smoothing_iterations, paper, noise, {0, 1, 3, 10});
-  Engine_options few_segments = paper;
-  few_segments.maximum_number_of_segments = 8;
-  few_segments.salience_threshold = -std::numeric_limits<double>::infinity();
-  draw_row(book, "smooth_boundaries", &Engine_options::smooth_boundaries, few_segments,
-           noise, {false, true});
 }
 
 inline void draw_methods(Picture_book& book, const std::vector<const Named_mesh*>& shapes)

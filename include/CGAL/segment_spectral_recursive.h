@@ -7,7 +7,8 @@
 // These headers, below Spectral_segmentation/internal/, hold the sections of the paper:
 //
 //   2    overview, queue of parts        search/recursion.h
-//   2    smoothing before and after      weights/face_distances.h, hierarchy/boundary_smoothing.h
+//   2    smoothing before                weights/face_distances.h
+//   2    smoothing after                 ../Segmented_mesh/segment_boundaries.h
 //   2    BESTCUT (Figure 2)              search/best_cut.h
 //   3    distances of adjacent faces     weights/face_distances.h
 //   3    distances of all faces          weights/shortest_paths.h, by BGL's Dijkstra
@@ -99,12 +100,8 @@ std::size_t segment_and_write(Surface triangles, const std::vector<Face>& faces,
   Segmentation_hierarchy hierarchy = segmentation_hierarchy(
     std::move(triangles), options, is_parallel ? Execution::PARALLEL : Execution::SEQUENTIAL,
     control, constraints, read_features(faces, np));
-  if (options.smooth_boundaries)
-    control.before_stage(Stage::BOUNDARY_SMOOTHING, Segmentation_visitor::whole_mesh);
-  const std::vector<std::size_t> labels = hierarchy.labels(hierarchy.nodes());
-  if (options.smooth_boundaries)
-    control.after_stage(Stage::BOUNDARY_SMOOTHING, Segmentation_visitor::whole_mesh);
-  const std::size_t number_of_segments = write_labels(faces, labels, segment_ids);
+  const std::size_t number_of_segments =
+    write_labels(faces, hierarchy.labels(hierarchy.nodes()), segment_ids);
 
   if constexpr (is_given<CGALNamedParameters, internal_np::hierarchy_t>)
     get_parameter_reference(np, internal_np::hierarchy) = std::move(hierarchy);
@@ -346,14 +343,6 @@ the same. `zhang_liu_2005()` does not support constraints. The example
     \cgalParamType{an integer}
     \cgalParamDefault{`5`, or `1` with `zhang_liu_2005()`, which permits no other number}
     \cgalParamExtra{from 1 to 100. One search takes a third of the time, and is less reliable.}
-  \cgalParamNEnd
-  \cgalParamNBegin{smooth_boundaries}
-    \cgalParamDescription{whether the boundaries of the segments are smoothed (Section 2). A face
-      with two edges in the boundary to the same other segment moves to that segment, until there is
-      no such face. Each step makes the boundary shorter, and neither empties nor disconnects a
-      segment.}
-    \cgalParamType{`bool`}
-    \cgalParamDefault{`false`: most cuts are smooth enough, because short cuts are more salient}
   \cgalParamNEnd
 \cgalNamedParamsEnd
 

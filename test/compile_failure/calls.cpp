@@ -36,7 +36,7 @@ std::size_t n_04 = CGAL::segment_spectral_recursive<CGAL::Parallel_tag>(mesh(), 
 std::size_t n_05 = CGAL::segment_spectral_recursive(mesh(), ids(), CGAL::parameters::number_of_iterations(3)); // error: this pack holds a named parameter that the function does not use
 std::size_t n_22 = CGAL::segment_spectral_recursive(mesh(), ids(), params::from(CGAL::parameters::verbose(true))); // error: this pack holds a named parameter that the function does not use
 
-std::size_t n_06 = hierarchy().write(mesh(), ids(), {0}, params::smooth_boundaries(true)); // error: the labels of a Segmentation_hierarchy depend on no named parameter but face_index_map
+std::size_t n_06 = hierarchy().write(mesh(), ids(), {0}, params::random_seed(1)); // error: the labels of a Segmentation_hierarchy depend on no named parameter but face_index_map
 
 std::size_t n_12 = CGAL::segment_spectral_recursive(mesh(), names());           // error: the values of the segment id map must be of an integer type
 std::size_t n_13 = CGAL::segment_spectral_recursive(mesh(), ids_of_vertices()); // error: the keys of the segment id map must be the faces of the mesh

@@ -34,7 +34,7 @@ auto in_a_chain(const Mesh& mesh, CGAL::Spectral_segmentation::Segmentation_hier
     .minimum_segment_size(0.1f).feature_weight(0.5f).salience_threshold(1).part_salience(Own_salience())
     .salience_weights(0.1, 0.6f, 0).distance_weights(0.1, 1, 0.1f).number_of_reference_faces(3u)
     .number_of_coarse_faces(0).number_of_searches(1).number_of_smoothing_iterations(std::size_t(1))
-    .smooth_boundaries(true).hierarchy(hierarchy).zhang_liu_2005();
+    .hierarchy(hierarchy).zhang_liu_2005();
 }
 
 auto at_the_start(const Mesh& mesh, CGAL::Spectral_segmentation::Segmentation_hierarchy& hierarchy,
@@ -65,7 +65,7 @@ auto at_the_start(const Mesh& mesh, CGAL::Spectral_segmentation::Segmentation_hi
   params::number_of_coarse_faces(0);
   params::number_of_searches(1);
   params::number_of_smoothing_iterations(1);
-  params::smooth_boundaries(true);
+  params::keep_components_separate(true);
   params::hierarchy(hierarchy);
   return params::zhang_liu_2005();
 }

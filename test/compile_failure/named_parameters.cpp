@@ -33,7 +33,7 @@ auto pack_12 = params::number_of_reference_faces(0.5);   // error: number_of_ref
 auto pack_13 = params::number_of_coarse_faces(0.5);    // error: number_of_coarse_faces takes an integer
 auto pack_13b = params::number_of_searches("5");          // error: number_of_searches takes an integer
 auto pack_14 = params::number_of_smoothing_iterations("3"); // error: number_of_smoothing_iterations takes an integer
-auto pack_15 = params::smooth_boundaries(1);            // error: smooth_boundaries takes a bool
+auto pack_15 = params::keep_components_separate(1);     // error: keep_components_separate takes a bool
 
 // A test of a threshold is no salience.
 auto pack_16 = params::part_salience([](const Salience_factors& f) { return f.size > 0.1; }); // error: part_salience takes a class that is called with Salience_factors

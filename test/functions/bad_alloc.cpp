@@ -111,7 +111,7 @@ BOOST_AUTO_TEST_CASE(a_run_that_finds_no_memory_says_so_and_writes_nothing)
 {
   const Mesh mesh = mesh_of(doll());
   for_both_methods([&](const auto& np) {
-    const auto pack = np.number_of_coarse_faces(200).smooth_boundaries(true);
+    const auto pack = np.number_of_coarse_faces(200);
     check<CGAL::Sequential_tag>(mesh, pack);
     BOOST_TEST(!succeeds<CGAL::Sequential_tag>(mesh, pack, Labels(), 0, never));
 #ifdef CGAL_LINKED_WITH_TBB

@@ -166,16 +166,6 @@ BOOST_AUTO_TEST_CASE(factors_describe_the_mesh_that_is_searched)
   }
 }
 
-BOOST_AUTO_TEST_CASE(smoothed_boundaries_leave_segments_connected_and_few_faces_changed)
-{
-  const Mesh mesh = mesh_of(elephant());
-  const Labels smoothed = labels_of(mesh, calibrated().smooth_boundaries(true));
-  const Labels labels = labels_of(mesh, calibrated());
-  BOOST_TEST(check_labels(mesh, smoothed) == number_of(labels));
-  BOOST_TEST(rand_index(smoothed, labels) > 0.95);
-  BOOST_TEST(rand_index(smoothed, labels) < 1);
-}
-
 BOOST_AUTO_TEST_CASE(components_that_shall_stay_apart_are_never_merged)
 {
   const Soup soup = disjoint_union(dumbbell(16, 12), moved(dumbbell(16, 12), 0, 0, 0.1));

@@ -156,7 +156,6 @@ BOOST_AUTO_TEST_CASE(changes_by_hand_are_kept)
 
 BOOST_AUTO_TEST_CASE(a_hierarchy_of_duplicate_faces_is_read_back)
 {
-  std::size_t changes = 0;
   for (unsigned seed = 0; seed < 20; ++seed)
     BOOST_TEST_CONTEXT("seed " << seed) {
       Random random(seed);
@@ -172,19 +171,15 @@ BOOST_AUTO_TEST_CASE(a_hierarchy_of_duplicate_faces_is_read_back)
       Labels labels(2 * n);
       CGAL::segment_spectral_recursive(
         soup.points, soup.triangles, labels.data(),
-        parameters::hierarchy(hierarchy).number_of_segments(8).smooth_boundaries(true));
+        parameters::hierarchy(hierarchy).number_of_segments(8));
       for (std::size_t k = 1; k <= 8; ++k) {
         labels = labels_of_number(hierarchy, k);
         BOOST_TEST(number_of(labels) == k);
         for (std::size_t f = 0; f < labels.size(); ++f)
           BOOST_TEST(labels[f] == labels[first[f]]);
       }
-      for (std::size_t i : hierarchy.nodes())
-        for (std::size_t f : hierarchy.faces(i))
-          changes += labels[f] != labels[*hierarchy.faces(i).begin()];
       check_round_trip(hierarchy);
     }
-  BOOST_TEST(changes > 100);
 }
 
 // Compared with the areas in a smaller unit. Powers of two round nothing; the largest is 4e300.
@@ -268,7 +263,7 @@ BOOST_AUTO_TEST_CASE(many_cuts_are_read)
 BOOST_AUTO_TEST_CASE(no_change_of_a_file_does_harm)
 {
   const std::string valid = written(hierarchy_of(
-    mesh_of(dumbbell(4, 4)), parameters::smooth_boundaries(true).maximum_number_of_segments(4)));
+    mesh_of(dumbbell(4, 4)), parameters::maximum_number_of_segments(4)));
   const std::vector<std::string> words = {"0", "1", "2", "5", "-1", "0.5", "nan", "inf", "x", "",
                                           "4294967295", "18446744073709551615"};
   std::istringstream in(valid);

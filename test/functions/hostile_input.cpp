@@ -34,8 +34,7 @@ std::size_t check_run(const Mesh& mesh, const NamedParameters& np)
 std::size_t check_runs(const Mesh& mesh)
 {
   for_both_methods([&](const auto& np) {
-    check_run(mesh, np.salience_threshold(-infinity).minimum_segment_size(0)
-                      .smooth_boundaries(true));
+    check_run(mesh, np.salience_threshold(-infinity).minimum_segment_size(0));
     check_run(mesh, np.number_of_smoothing_iterations(3).random_seed(1));
   });
   check_run(mesh, parameters::zhang_liu_2005());

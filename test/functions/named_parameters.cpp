@@ -224,17 +224,18 @@ BOOST_AUTO_TEST_CASE(parameters_chain_in_any_order)
   const auto point = get(CGAL::vertex_point, doll_mesh());
   const Labels a = labels_of_doll(
     parameters::vertex_point_map(point).salience_threshold(0.4).random_seed(3)
-      .maximum_number_of_segments(5).hierarchy(hierarchy_1).smooth_boundaries(true));
+      .maximum_number_of_segments(5).hierarchy(hierarchy_1).keep_components_separate(true));
   const Labels b = labels_of_doll(
-    CGAL::parameters::smooth_boundaries(true).hierarchy(hierarchy_2).maximum_number_of_segments(5)
-      .random_seed(3).salience_threshold(0.4).vertex_point_map(point));
+    CGAL::parameters::keep_components_separate(true).hierarchy(hierarchy_2)
+      .maximum_number_of_segments(5).random_seed(3).salience_threshold(0.4)
+      .vertex_point_map(point));
   const Labels c = labels_of_doll(
     parameters::from(CGAL::parameters::random_seed(3).vertex_point_map(point))
-      .hierarchy(hierarchy_3).smooth_boundaries(true).salience_threshold(0.4)
+      .hierarchy(hierarchy_3).keep_components_separate(true).salience_threshold(0.4)
       .maximum_number_of_segments(5));
   const Labels d = labels_of_doll(CGAL::parameters::combine(
     CGAL::parameters::random_seed(3).vertex_point_map(point),
-    CGAL::parameters::hierarchy(hierarchy_4).smooth_boundaries(true),
+    CGAL::parameters::hierarchy(hierarchy_4).keep_components_separate(true),
     CGAL::parameters::salience_threshold(0.4).maximum_number_of_segments(5)));
   for (const Labels& labels : {b, c, d})
     BOOST_TEST(a == labels, boost::test_tools::per_element());

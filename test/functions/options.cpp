@@ -77,7 +77,6 @@ BOOST_AUTO_TEST_CASE(the_defaults_are_those_that_are_documented)
     BOOST_TEST(!both.salience_threshold);
     BOOST_TEST(both.feature_weight == 0.5);
     BOOST_TEST(both.number_of_smoothing_iterations == 0u);
-    BOOST_TEST(!both.smooth_boundaries);
     BOOST_TEST(both.concave_angle_weight == 1);
     BOOST_TEST(both.convex_angle_weight == 0.1);
     BOOST_TEST(!both.random_seed);
@@ -119,11 +118,10 @@ BOOST_AUTO_TEST_CASE(fields_have_the_effects_of_named_parameters)
   o.number_of_coarse_faces = 300;
   o.number_of_searches = 2;
   o.number_of_smoothing_iterations = 2;
-  o.smooth_boundaries = true;
   check_equal(o, parameters::maximum_number_of_segments(6).salience_threshold(-infinity)
                    .minimum_segment_size(0.02).keep_components_separate(true)
                    .number_of_coarse_faces(300).number_of_searches(2)
-                   .number_of_smoothing_iterations(2).smooth_boundaries(true));
+                   .number_of_smoothing_iterations(2));
 
   o = Options::zhang_liu_2005();
   o.part_salience = Weighted_part_salience{0.2, 0.3, 0.5};
@@ -161,9 +159,7 @@ BOOST_AUTO_TEST_CASE(each_number_has_an_effect)
     BOOST_TEST(has_effect([](Options& c) { c.number_of_smoothing_iterations = 5; }));
     BOOST_TEST(has_effect([](Options& c) { c.salience_threshold = 0.9; }));
     BOOST_TEST(has_effect([](Options& c) { c.maximum_number_of_segments = 1; }));
-    if (o.method == Method::ZHANG_LIU_2005) // no tooth is left here by the calibrated method
-      BOOST_TEST(has_effect([](Options& c) { c.smooth_boundaries = true; }));
-    else
+    if (o.method == Method::CALIBRATED)
       BOOST_TEST(has_effect([](Options& c) {
         c = Options::zhang_liu_2005();
         c.salience_threshold = -infinity;
@@ -344,10 +340,10 @@ BOOST_AUTO_TEST_CASE(each_option_has_its_name_kind_and_range)
   });
   BOOST_TEST(o.minimum_segment_size == 0.25);
   BOOST_TEST((o.number_of_segments == 7u));
-  BOOST_TEST(kinds.size() == 11u);
+  BOOST_TEST(kinds.size() == 10u);
+  BOOST_TEST(kinds["keep_components_separate"] == "boolean");
   BOOST_TEST(kinds["number_of_reference_faces"] == "integer");
   BOOST_TEST(kinds["feature_weight"] == "number");
-  BOOST_TEST(kinds["smooth_boundaries"] == "boolean");
 }
 
 BOOST_AUTO_TEST_CASE(the_method_of_the_paper_has_no_constraints)

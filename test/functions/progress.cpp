@@ -115,7 +115,7 @@ BOOST_AUTO_TEST_CASE(progress_rises_to_one)
   for_both_methods([&](const auto& np) {
     for (const Soup& soup : soups) {
       check_progress(mesh_of(soup), np, 1);
-      check_progress(mesh_of(soup), np.number_of_coarse_faces(60).smooth_boundaries(true), 1);
+      check_progress(mesh_of(soup), np.number_of_coarse_faces(60), 1);
     }
   });
 }
@@ -140,7 +140,7 @@ BOOST_AUTO_TEST_CASE(a_run_may_be_stopped_at_any_poll)
     check(np.maximum_number_of_segments(6).number_of_coarse_faces(0));
     BOOST_TEST_CONTEXT("on a coarse mesh")
       check(np.maximum_number_of_segments(6).number_of_coarse_faces(60)
-              .number_of_smoothing_iterations(3).smooth_boundaries(true));
+              .number_of_smoothing_iterations(3));
   });
 }
 

@@ -235,8 +235,7 @@ BOOST_AUTO_TEST_CASE(salience_after_segments_were_merged_by_hand)
                                                    target(e, graph))).salience);
 }
 
-// Smoothing moves faces to another segment here.
-BOOST_AUTO_TEST_CASE(salience_of_smoothed_boundaries)
+BOOST_AUTO_TEST_CASE(saliences_of_boundaries_reach_the_threshold)
 {
   const Mesh mesh = mesh_of(read("elephant.off"));
   Segmentation_hierarchy hierarchy;

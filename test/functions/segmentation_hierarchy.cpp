@@ -130,7 +130,7 @@ void check_nodes(const Segmentation_hierarchy& hierarchy, const Mesh& mesh)
 }
 
 // Each number gives that many segments: the segments of one fewer, with one of them cut in two.
-void check_labels_of_numbers(const Segmentation_hierarchy& hierarchy, bool smoothing = false)
+void check_labels_of_numbers(const Segmentation_hierarchy& hierarchy)
 {
   Labels coarse;
   for (std::size_t n = hierarchy.number_of_roots(); n <= hierarchy.number_of_segments(); ++n) {
@@ -140,7 +140,7 @@ void check_labels_of_numbers(const Segmentation_hierarchy& hierarchy, bool smoot
     std::set<std::pair<std::size_t, std::size_t> > pairs;
     for (std::size_t f = 0; f < coarse.size(); ++f)
       pairs.insert({coarse[f], labels[f]});
-    if (!coarse.empty() && !smoothing)
+    if (!coarse.empty())
       BOOST_TEST(pairs.size() == n);
     coarse = labels;
   }
@@ -210,25 +210,24 @@ BOOST_AUTO_TEST_CASE(each_cut_has_the_factors_of_its_salience)
 BOOST_AUTO_TEST_CASE(labels_for_any_number_and_threshold_equal_a_fresh_run)
 {
   const double smallest = 0.4;
-  for (const Mesh& mesh : several_meshes())
-    for (bool smoothing : {false, true}) {
-      const auto np = parameters::zhang_liu_2005().smooth_boundaries(smoothing);
-      Segmentation_hierarchy hierarchy;
-      const Labels labels =
-        labels_of(mesh, np.salience_threshold(smallest).hierarchy(hierarchy));
-      BOOST_TEST(run_labels(hierarchy) == labels, boost::test_tools::per_element());
+  const auto np = parameters::zhang_liu_2005();
+  for (const Mesh& mesh : several_meshes()) {
+    Segmentation_hierarchy hierarchy;
+    const Labels labels =
+      labels_of(mesh, np.salience_threshold(smallest).hierarchy(hierarchy));
+    BOOST_TEST(run_labels(hierarchy) == labels, boost::test_tools::per_element());
 
-      for (std::size_t n = 1; n <= hierarchy.number_of_segments() + 1; ++n)
-        BOOST_TEST(labels_above(hierarchy, smallest, n) ==
-                   labels_of(mesh, np.salience_threshold(smallest).maximum_number_of_segments(n)),
+    for (std::size_t n = 1; n <= hierarchy.number_of_segments() + 1; ++n)
+      BOOST_TEST(labels_above(hierarchy, smallest, n) ==
+                 labels_of(mesh, np.salience_threshold(smallest).maximum_number_of_segments(n)),
+                 boost::test_tools::per_element());
+    for (double threshold : interesting_thresholds(hierarchy, smallest))
+      for (std::size_t n : {std::size_t(4), unlimited})
+        BOOST_TEST(labels_above(hierarchy, threshold, n) ==
+                   labels_of(mesh, np.salience_threshold(threshold)
+                                     .maximum_number_of_segments(n)),
                    boost::test_tools::per_element());
-      for (double threshold : interesting_thresholds(hierarchy, smallest))
-        for (std::size_t n : {std::size_t(4), unlimited})
-          BOOST_TEST(labels_above(hierarchy, threshold, n) ==
-                     labels_of(mesh, np.salience_threshold(threshold)
-                                       .maximum_number_of_segments(n)),
-                     boost::test_tools::per_element());
-    }
+  }
 }
 
 BOOST_AUTO_TEST_CASE(a_run_with_a_maximum_gives_labels_up_to_it)
@@ -310,8 +309,8 @@ BOOST_AUTO_TEST_CASE(a_number_alone_is_exact)
   for (const Mesh& mesh : several_meshes())
     for_both_methods([&](const auto& np) {
       const Segmentation_hierarchy hierarchy =
-        hierarchy_of(mesh, np.smooth_boundaries(true).maximum_number_of_segments(7));
-      check_labels_of_numbers(hierarchy, true);
+        hierarchy_of(mesh, np.maximum_number_of_segments(7));
+      check_labels_of_numbers(hierarchy);
       Labels written;
       const auto by_number = [&](std::size_t n)
       { return hierarchy.write(mesh, map_to(written, mesh), hierarchy.nodes(n)); };

@@ -114,19 +114,16 @@ struct Strict_visitor : Segmentation_visitor
 };
 
 template <class ConcurrencyTag>
-void check_events(const Mesh& mesh, bool smoothing)
+void check_events(const Mesh& mesh)
 {
   Strict_visitor visitor;
   Segmentation_hierarchy hierarchy;
   labels_of<ConcurrencyTag>(
     mesh, parameters::zhang_liu_2005().visitor(std::ref(visitor)).salience_threshold(0.4)
-            .hierarchy(hierarchy).smooth_boundaries(smoothing));
+            .hierarchy(hierarchy));
 
-  std::vector<std::pair<Stage, bool> > expected = {{Stage::INITIALIZATION, true},
-                                                   {Stage::INITIALIZATION, false}};
-  if (smoothing)
-    expected.insert(expected.end(), {{Stage::BOUNDARY_SMOOTHING, true},
-                                     {Stage::BOUNDARY_SMOOTHING, false}});
+  const std::vector<std::pair<Stage, bool> > expected = {{Stage::INITIALIZATION, true},
+                                                         {Stage::INITIALIZATION, false}};
   BOOST_TEST((visitor.events_of_mesh == expected));
 
   for (const auto& [part, state] : visitor.parts) {
@@ -183,13 +180,12 @@ struct Lonely_visitor : Event_visitor<Lonely_visitor>
 BOOST_AUTO_TEST_CASE(events_are_balanced_and_in_order)
 {
   const Soup triangle = {{Point(0, 0, 9), Point(1, 0, 9), Point(0, 1, 9)}, {{0, 1, 2}}};
-  for (const Mesh& mesh : {mesh_of(doll()), mesh_of(disjoint_union(dumbbell(16, 12), triangle))})
-    for (bool smoothing : {false, true}) {
-      check_events<CGAL::Sequential_tag>(mesh, smoothing);
+  for (const Mesh& mesh : {mesh_of(doll()), mesh_of(disjoint_union(dumbbell(16, 12), triangle))}) {
+    check_events<CGAL::Sequential_tag>(mesh);
 #ifdef CGAL_LINKED_WITH_TBB
-      check_events<CGAL::Parallel_tag>(mesh, smoothing);
+    check_events<CGAL::Parallel_tag>(mesh);
 #endif
-    }
+  }
 }
 
 BOOST_AUTO_TEST_CASE(parts_do_not_interleave_in_one_thread)
@@ -269,35 +265,32 @@ BOOST_AUTO_TEST_CASE(a_visitor_is_taken_by_value_and_by_reference)
 BOOST_AUTO_TEST_CASE(a_stopped_run_gives_the_labels_of_the_cuts_made_so_far)
 {
   const Mesh mesh = mesh_of(disjoint_union(dumbbell(8, 6), doll()));
-  for (bool smoothing : {false, true}) {
-    const auto np =
-      parameters::zhang_liu_2005().salience_threshold(0.3).smooth_boundaries(smoothing);
-    Strict_visitor counter;
-    Segmentation_hierarchy whole_hierarchy;
-    const Labels whole = labels_of<CGAL::Sequential_tag>(
-      mesh, np.visitor(std::ref(counter)).hierarchy(whole_hierarchy));
-    BOOST_TEST(whole_hierarchy.number_of_segments() > 3);
+  const auto np = parameters::zhang_liu_2005().salience_threshold(0.3);
+  Strict_visitor counter;
+  Segmentation_hierarchy whole_hierarchy;
+  const Labels whole = labels_of<CGAL::Sequential_tag>(
+    mesh, np.visitor(std::ref(counter)).hierarchy(whole_hierarchy));
+  BOOST_TEST(whole_hierarchy.number_of_segments() > 3);
 
-    std::map<std::size_t, Labels> labels_of_run; // by the number of segments
-    for (std::size_t n = 2; n <= whole_hierarchy.number_of_segments(); ++n)
-      labels_of_run[n] = labels_of(mesh, np.maximum_number_of_segments(n));
-    std::size_t segments_before = 0;
-    for (std::size_t poll = 0; poll < counter.number_of_polls + 7; poll += 7) {
-      BOOST_TEST_CONTEXT("stopped at poll " << poll) {
-        Segmentation_hierarchy hierarchy;
-        Stop_at visitor(poll);
-        const Labels labels =
-          labels_of<CGAL::Sequential_tag>(mesh, np.visitor(std::ref(visitor)).hierarchy(hierarchy));
-        const std::size_t n = number_of(labels);
-        BOOST_TEST(n >= segments_before);
-        BOOST_TEST(n == hierarchy.number_of_segments());
-        BOOST_TEST((labels == run_labels(hierarchy)));
-        BOOST_TEST((labels == labels_of_run.at(n)));
-        segments_before = n;
-      }
+  std::map<std::size_t, Labels> labels_of_run; // by the number of segments
+  for (std::size_t n = 2; n <= whole_hierarchy.number_of_segments(); ++n)
+    labels_of_run[n] = labels_of(mesh, np.maximum_number_of_segments(n));
+  std::size_t segments_before = 0;
+  for (std::size_t poll = 0; poll < counter.number_of_polls + 7; poll += 7) {
+    BOOST_TEST_CONTEXT("stopped at poll " << poll) {
+      Segmentation_hierarchy hierarchy;
+      Stop_at visitor(poll);
+      const Labels labels =
+        labels_of<CGAL::Sequential_tag>(mesh, np.visitor(std::ref(visitor)).hierarchy(hierarchy));
+      const std::size_t n = number_of(labels);
+      BOOST_TEST(n >= segments_before);
+      BOOST_TEST(n == hierarchy.number_of_segments());
+      BOOST_TEST((labels == run_labels(hierarchy)));
+      BOOST_TEST((labels == labels_of_run.at(n)));
+      segments_before = n;
     }
-    BOOST_TEST(segments_before == whole_hierarchy.number_of_segments());
   }
+  BOOST_TEST(segments_before == whole_hierarchy.number_of_segments());
 }
 
 BOOST_AUTO_TEST_CASE(a_stopped_hierarchy_does_not_invent_labels)

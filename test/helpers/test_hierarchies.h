@@ -47,7 +47,7 @@ void for_each_hierarchy(const Function& f)
   f(Segmentation_hierarchy());
   const auto check_runs = [&](const Mesh& mesh, const auto& np) {
     f(hierarchy_of(mesh, np));
-    f(hierarchy_of(mesh, np.number_of_segments(25).smooth_boundaries(true)));
+    f(hierarchy_of(mesh, np.number_of_segments(25)));
     f(hierarchy_of(mesh, np.salience_threshold(-Strange_salience::infinity)
                            .maximum_number_of_segments(6)
                            .part_salience(Strange_salience())));

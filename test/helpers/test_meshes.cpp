@@ -358,14 +358,6 @@ Surface surface_of(const Mesh& mesh)
 
 Surface surface_of(const Soup& soup) { return surface_of(mesh_of(soup)); }
 
-std::vector<Index> neighbors_of(const Surface& surface)
-{
-  std::vector<Index> result;
-  for (Index h = 0; h < surface.number_of_halfedges(); ++h)
-    result.push_back(surface.neighbor(h));
-  return result;
-}
-
 double unit_of(const Soup& soup)
 {
   Surface surface = read_surface(soup);

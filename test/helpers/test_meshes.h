@@ -136,9 +136,6 @@ Surface surface_of(const Mesh& mesh);
 
 Surface surface_of(const Soup& soup);
 
-// The face across each halfedge.
-std::vector<Index> neighbors_of(const Surface& surface);
-
 // Returns the unit of the surface, in the coordinates of the soup.
 double unit_of(const Soup& soup);
 

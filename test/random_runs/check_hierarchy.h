@@ -160,7 +160,7 @@ inline void check_labels(const Segmentation_hierarchy& h, const Parameters& p,
       require(label <= next, "labels(k) are numbered by their first face");
       next += label == next;
     }
-    require(coarse.empty() || p.options.smooth_boundaries || is_nested(labels, coarse),
+    require(coarse.empty() || is_nested(labels, coarse),
             "labels(k + 1) are nested in labels(k)");
     if (number_of_components > 0) {
       const std::size_t pieces = neighbors.number_of_pieces(labels);
@@ -188,8 +188,7 @@ inline void check_thresholds(const Segmentation_hierarchy& h, const Parameters& 
     const Labels labels = h.labels(nodes);
     require(number_of(labels) == nodes.size() && nodes.size() >= h.number_of_roots(),
             "each node of a threshold is a segment");
-    require(p.options.smooth_boundaries || is_nested(labels, coarse),
-            "segments of a lower threshold are nested");
+    require(is_nested(labels, coarse), "segments of a lower threshold are nested");
     coarse = labels;
   }
   if (p.options.method == Method::CALIBRATED)
@@ -262,7 +261,7 @@ inline void merge(Segmentation_hierarchy& h, const Parameters& p, Random& random
     require(written(h) == written(before), "a change that is refused changes nothing");
     return;
   }
-  if (are_segments && nodes.size() > h.number_of_roots() && !p.options.smooth_boundaries) {
+  if (are_segments && nodes.size() > h.number_of_roots()) {
     Labels expected = before.labels(nodes);
     std::replace(expected.begin(), expected.end(), j, i);
     const Labels labels = h.labels(h.nodes(nodes.size() - 1));

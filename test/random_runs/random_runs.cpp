@@ -305,7 +305,7 @@ public:
     check_hierarchy(h, parameters_, neighbors, are_connected ? number_of_components : 0,
                     o.method == Method::CALIBRATED);
     if (o.method == Method::CALIBRATED && number_of_components == 1 &&
-        !parameters_.has_constraints() && !o.number_of_segments && !o.smooth_boundaries)
+        !parameters_.has_constraints() && !o.number_of_segments)
       check_sizes(h);
     check_constraints(mesh(), parameters_, outcome.labels, "the segments");
     check_constraints(mesh(), parameters_, h);

@@ -83,8 +83,8 @@ inline std::ostream& operator<<(std::ostream& os, const Parameters& p)
             << " minimum_segment_size=" << o.minimum_segment_size
             << " number_of_coarse_faces=" << o.number_of_coarse_faces
             << " number_of_smoothing_iterations=" << o.number_of_smoothing_iterations
-            << " smooth_boundaries=" << o.smooth_boundaries << " distance_weights="
-            << o.geodesic_weight << ',' << o.concave_angle_weight << ',' << o.convex_angle_weight
+            << " distance_weights=" << o.geodesic_weight << ',' << o.concave_angle_weight << ','
+            << o.convex_angle_weight
             << " number_of_reference_faces=" << o.number_of_reference_faces
             << " random_seed=" << (o.random_seed ? std::to_string(*o.random_seed) : "none")
             << " feature_weight=" << (p.features.empty() ? 0 : o.feature_weight)
@@ -116,7 +116,6 @@ inline Options random_options(std::size_t number_of_faces, Random& random)
   o.number_of_coarse_faces = one_of(
     random, std::vector<std::size_t>{0, 0, 0, 1, 2, 5, 10, 20, 20, 50, 50, 100, 100, 300, 4000});
   o.number_of_smoothing_iterations = one_in(random, 4) ? random() % 4 : 0;
-  o.smooth_boundaries = one_in(random, 3);
   if (one_in(random, 4)) {
     o.geodesic_weight = random_fraction(random);
     o.concave_angle_weight = random_fraction(random);

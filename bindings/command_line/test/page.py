@@ -173,8 +173,7 @@ class Page_test(unittest.TestCase):
 
     def test_boundaries_equal_boundaries_of_meshes(self):
         """The page has them at the number of segments that is shown first."""
-        for name, *options in [("cow.off",), ("bear.off", "--segments", "5"),
-                               ("elephant.off", "--smooth-boundaries")]:
+        for name, *options in [("cow.off",), ("bear.off", "--segments", "5")]:
             with self.subTest(name=name):
                 page = self.page(MESHES / name, *options, "-o", "out.ply")
                 segments = page.segments(page.data["segments"])
@@ -215,10 +214,6 @@ class Page_test(unittest.TestCase):
             self.assertAlmostEqual(tree[node]["salience"],
                                    page.data["hierarchy"]["saliences"][i])
         self.assertEqual(page.data["hierarchy"]["areas"], [node["area"] for node in tree])
-
-    def test_smoothed_boundaries(self):
-        page = self.check_labels(MESHES / "elephant.off", (2, 9, 19), "--smooth-boundaries")
-        self.assertNotEqual(page.data["exceptions"], {})
 
     def test_method_of_paper(self):
         page = self.page(MESHES / "elephant.off", "--method", "paper", "--segments", "6")

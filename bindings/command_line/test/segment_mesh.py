@@ -206,9 +206,7 @@ class Real_meshes(Tool_test):
         self.assertLessEqual(sum(phases.values()), total)
         self.assertTrue(all(s > 0 for s in phases.values()))
         self.assertEqual(set(seconds), {"initialization", "sampling", "embedding",
-                                        "line_search", "merging", "projection",
-                                        "smooth_boundaries"})
-        self.assertEqual(seconds["smooth_boundaries"], 0)
+                                        "line_search", "merging", "projection"})
         self.assertTrue(all(s >= 0 for s in seconds.values()))
         self.assertLessEqual(sum(seconds.values()), phases["segmentation"])
 
@@ -225,7 +223,7 @@ class Real_meshes(Tool_test):
         self.assertEqual(self.report()["segments"], 5)
 
     def test_every_run_is_the_same(self):
-        for options in ((), ("--seed", 5), ("--smooth-boundaries", "--smooth", 2)):
+        for options in ((), ("--seed", 5), ("--smooth", 2)):
             labels = self.segment(MESHES / "elephant.off", "--threads", 1, *options)
             for threads in (1, 2):
                 if threads == 2 and "without TBB" in self.run_tool(
@@ -236,7 +234,7 @@ class Real_meshes(Tool_test):
 
     def test_options_reach_the_function(self):
         plain = self.segment(MESHES / "elephant.off")
-        for options in (("--seed", 5), ("--smooth", 10), ("--smooth-boundaries",)):
+        for options in (("--seed", 5), ("--smooth", 10)):
             self.assertNotEqual(self.segment(MESHES / "elephant.off", *options), plain, options)
 
     def test_refined_boundaries(self):
@@ -307,9 +305,9 @@ class Real_meshes(Tool_test):
             self.assertEqual([n["mesh"] for n in nodes if n["name"].startswith("segment_")],
                              list(range(len(set(self.labels())))))
 
-    def test_nodes_of_components_and_smooth_boundaries(self):
+    def test_nodes_of_components(self):
         for mesh, options, top in (("blobby_3cc.off", ("--keep-components-separate",), 3),
-                                   ("elephant.off", ("--smooth-boundaries",), 1)):
+                                   ("elephant.off", (), 1)):
             labels = self.segment(MESHES / mesh, *options)
             done = self.run_tool(MESHES / mesh, "-o", "out.glb", *options)
             self.assertEqual((done.returncode, done.stderr), (0, ""))
@@ -1995,7 +1993,7 @@ class Printing(Tool_test):
         self.assertEqual(done.returncode, 0)
         for option in ("-o", "--labels", "--json", "--split-dir", "--segments", "--seed",
                        "--method", "--salience-threshold", "--threads", "--smooth",
-                       "--smooth-boundaries", "--keep-faces", "--quiet", "--version", "--hulls",
+                       "--keep-faces", "--quiet", "--version", "--hulls",
                        "scripts/render.py"):
             self.assertIn(option, done.stdout)
         self.assertLessEqual(max(map(len, done.stdout.splitlines())), 80)

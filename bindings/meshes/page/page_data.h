@@ -92,8 +92,8 @@ inline bool has_whole_polygons(const Input& input, const Pieces& pieces)
 }
 
 // Returns what `n` segments need besides the pieces: the label of each segment, by its node, and
-// the polygons with another label than that of the segment of their piece. These polygons have
-// several pieces, or lie beside smoothed boundaries.
+// the polygons with another label than that of the segment of their piece, which have several
+// pieces.
 inline nlohmann::ordered_json label_exceptions(const Input& input,
                                                const Segmentation_hierarchy& tree,
                                                const std::vector<std::size_t>& segment_of_piece,
@@ -129,7 +129,7 @@ struct Page_options
 {
   std::string name;
   std::size_t number_of_segments;      // that the page shows first
-  bool is_salience_probability, smooth_boundaries;
+  bool is_salience_probability;
   bool keep_faces = false;             // otherwise boundaries are refined
   std::size_t most_triangles = 300000; // a phone can turn so many
 };
@@ -307,7 +307,7 @@ inline nlohmann::ordered_json page_data(const Input& input, const Segmentation_h
   const Pieces pieces(tree);
   const std::vector<Index> piece_of_polygon = labels_of_polygons(input, pieces.of_triangles());
   nlohmann::ordered_json exceptions = nlohmann::ordered_json::object();
-  if (o.smooth_boundaries || !has_whole_polygons(input, pieces))
+  if (!has_whole_polygons(input, pieces))
     for (std::size_t n = tree.number_of_roots(); n <= tree.number_of_segments(); ++n)
       exceptions[std::to_string(n)] =
         label_exceptions(input, tree, pieces.segments(n), piece_of_polygon, n);

@@ -230,7 +230,7 @@ BOOST_AUTO_TEST_CASE(many_foreign_keys_are_read)
 BOOST_AUTO_TEST_CASE(no_change_of_a_file_does_harm)
 {
   const std::string valid = written(hierarchy_of(
-    mesh_of(dumbbell(4, 4)), parameters::smooth_boundaries(true).maximum_number_of_segments(4)));
+    mesh_of(dumbbell(4, 4)), parameters::maximum_number_of_segments(4)));
   const Json json = Json::parse(valid);
   std::mt19937 random(1);
   std::size_t number_read = 0;

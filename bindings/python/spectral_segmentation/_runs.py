@@ -117,8 +117,6 @@ _PARAMETERS = """Parameters
         The dimension of the context vector, at most 1000.
     number_of_smoothing_iterations : int, default: 0
         Steps of Laplacian smoothing before the search, at most 100000.
-    smooth_boundaries : bool, default: False
-        Whether boundaries of segments are smoothed.
     reverse : bool, default: False
         Whether the surface is searched as if all its triangles were turned around. Closed
         components that point inward, and open ones with small holes, are turned around anyway.
@@ -181,7 +179,6 @@ def segment_hierarchy(
         number_of_searches: Optional[int] = None,
         number_of_reference_faces: Optional[int] = None,
         number_of_smoothing_iterations: int = 0,
-        smooth_boundaries: bool = False,
         reverse: bool = False,
         random_seed: Optional[int] = None,
         threads: Optional[int] = None,

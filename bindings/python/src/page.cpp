@@ -35,18 +35,6 @@ namespace python {
 using segment_mesh::Input;
 using segment_mesh::Segmentation_hierarchy;
 
-// Returns whether segments differ from their nodes because their boundaries were smoothed.
-static bool has_smooth_boundaries(const Segmentation_hierarchy& h)
-{
-  std::vector<std::size_t> leaves;
-  for (std::size_t i = 0; i < h.number_of_nodes(); ++i)
-    if (h.node(i).is_leaf())
-      leaves.push_back(i);
-  const std::vector<std::size_t> labels = h.labels(leaves);
-  const segment_mesh::Pieces pieces(h);
-  return !std::equal(labels.begin(), labels.end(), pieces.of_triangles().begin());
-}
-
 static py::bytes page(const Input& input, const Segmentation_hierarchy& h, const std::string& name,
                       std::size_t number_of_segments, bool is_salience_probability)
 {
@@ -58,7 +46,6 @@ static py::bytes page(const Input& input, const Segmentation_hierarchy& h, const
   std::ostringstream out;
   {
     const No_python_lock no_python_lock;
-    o.smooth_boundaries = has_smooth_boundaries(h);
     segment_mesh::write_page(out, segment_mesh::page_data(input, h, o));
   }
   return out.str();

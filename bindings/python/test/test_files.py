@@ -185,8 +185,7 @@ def test_the_page_is_the_one_of_the_tool(meshes, tool, tmp_path):
 
 def test_pages(dumbbell, tmp_path):
     points, triangles = dumbbell
-    hierarchy = segment_hierarchy(points, triangles, method="paper", number_of_segments=3,
-                                  smooth_boundaries=True)
+    hierarchy = segment_hierarchy(points, triangles, method="paper", number_of_segments=3)
     path = tmp_path / "dumbbell.html"
     try:
         write(path, (points, triangles), hierarchy)

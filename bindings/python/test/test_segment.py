@@ -30,9 +30,8 @@ def test_parameters_do_the_same_as_in_the_tool(meshes, tool):
     path = meshes / "elephant.off"
     mesh = read(path)
     np.testing.assert_array_equal(
-        segment(mesh, number_of_segments=9, number_of_smoothing_iterations=3,
-                smooth_boundaries=True),
-        labels_of_tool(tool, path, "--segments", "9", "--smooth", "3", "--smooth-boundaries"))
+        segment(mesh, number_of_segments=9, number_of_smoothing_iterations=3),
+        labels_of_tool(tool, path, "--segments", "9", "--smooth", "3"))
     np.testing.assert_array_equal(
         segment(mesh, salience_threshold=0.6, maximum_number_of_segments=5,
                 minimum_segment_size=0.02),
@@ -257,7 +256,8 @@ def test_own_salience(dumbbell):
 
 def test_numbers_of_numpy_are_numbers(dumbbell):
     expected = segment(*dumbbell, number_of_segments=3, minimum_segment_size=0.01,
-                       smooth_boundaries=True)
-    given = segment(*dumbbell, number_of_segments=np.uint8(3), smooth_boundaries=np.bool_(True),
+                       keep_components_separate=True)
+    given = segment(*dumbbell, number_of_segments=np.uint8(3),
+                    keep_components_separate=np.bool_(True),
                     minimum_segment_size=np.float64(0.01))
     np.testing.assert_array_equal(given, expected)

@@ -373,7 +373,6 @@ public:
     options.number_of_segments = number_of_segments();
     options.is_salience_probability =
       options_.part_salience.target<segmentation::Calibrated_part_salience>() != nullptr;
-    options.smooth_boundaries = options_.smooth_boundaries;
     return segment_mesh::page_data(*input_, tree_, options)
       .dump(-1, ' ', false, nlohmann::ordered_json::error_handler_t::replace);
   }

@@ -75,7 +75,8 @@ test("labels equal the labels of the native tool", { timeout: 7200e3 }, () => {
 test("options do the same as in the tool", () => {
   const mesh = segmentation.read(elephant, "elephant.off");
   for (const [options, ...ofTool] of [
-    [{ numberOfSegments: 7, smoothBoundaries: true }, "--segments", "7", "--smooth-boundaries"],
+    [{ numberOfSegments: 7, keepComponentsSeparate: true }, "--segments", "7",
+     "--keep-components-separate"],
     [{ salienceThreshold: 0.7, maximumNumberOfSegments: 4 }, "--salience-threshold", "0.7",
      "--maximum-segments", "4"],
     [{ minimumSegmentSize: 0.02, numberOfSmoothingIterations: 2 }, "--minimum-segment-size", "0.02",

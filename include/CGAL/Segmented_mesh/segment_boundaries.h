@@ -59,18 +59,18 @@ class Boundary_halfedges
   const FaceGraph& mesh_;
   SegmentIdMap segment_ids_;
 
-  bool is_at_border(halfedge_descriptor h) const
-  {
-    return face(h, mesh_) == Graph_traits::null_face() ||
-           face(opposite(h, mesh_), mesh_) == Graph_traits::null_face();
-  }
-
 public:
   Boundary_halfedges(const FaceGraph& mesh, SegmentIdMap segment_ids)
     : mesh_(mesh), segment_ids_(segment_ids)
   {
     static_assert(is_segment_id_map<typename Graph_traits::face_descriptor, SegmentIdMap>(),
                   "the segment ids must be a map of faces");
+  }
+
+  bool is_at_border(halfedge_descriptor h) const
+  {
+    return face(h, mesh_) == Graph_traits::null_face() ||
+           face(opposite(h, mesh_), mesh_) == Graph_traits::null_face();
   }
 
   Id id_on_left(halfedge_descriptor h) const { return get(segment_ids_, face(h, mesh_)); }
@@ -206,6 +206,59 @@ std::size_t mark_segment_boundaries(const FaceGraph& mesh, SegmentIdMap segment_
     const bool is_marked = boundary_halfedges.contain(halfedge(e, mesh));
     put(edge_is_constrained_map, e, is_marked);
     result += is_marked ? 1 : 0;
+  }
+  return result;
+}
+
+/*!
+\ingroup PkgSpectralSegmentationRef
+
+removes teeth of single triangles from the boundaries between segments, the smoothing after a
+segmentation in Section 2 of Zhang and Liu 2005.
+
+A tooth is a triangle with two edges in the boundary to the same other segment, and the third edge
+in the interior of its own. It gets the id of the other segment, so that one edge of the boundary
+replaces two. This goes on until there is no tooth. The segments keep their number, and connected
+segments stay connected. Triangles are looked at in the order of `faces(mesh)`. Constraints of the
+segmentation are not known here. For smooth curves instead, see `refine_segment_boundaries()`.
+
+The points are not used. The time is O(*n*) for *n* faces, because each step shortens the boundary.
+
+\tparam FaceGraph a model of `FaceListGraph`; faces that are no triangles keep their ids
+\tparam SegmentIdMap a model of `ReadWritePropertyMap` with
+  `boost::graph_traits<FaceGraph>::%face_descriptor` as key type and an integer type as value type
+
+\param mesh the mesh
+\param segment_ids the id of the segment of each face: any integers; they are changed
+
+\return the number of changes of an id
+*/
+template <class FaceGraph, class SegmentIdMap>
+std::size_t smooth_segment_boundaries(const FaceGraph& mesh, SegmentIdMap segment_ids)
+{
+  typedef boost::graph_traits<FaceGraph> Graph_traits;
+  typedef typename Graph_traits::face_descriptor face_descriptor;
+  const Segmented_mesh::internal::Boundary_halfedges<FaceGraph, SegmentIdMap>
+    boundary_halfedges(mesh, segment_ids);
+  std::vector<face_descriptor> candidates(faces(mesh).begin(), faces(mesh).end());
+  std::size_t result = 0;
+  while (!candidates.empty()) {
+    std::vector<face_descriptor> neighbors; // of faces that have changed
+    for (face_descriptor f : candidates)
+      for (auto h : halfedges_around_face(halfedge(f, mesh), mesh)) {
+        const auto i = next(h, mesh), j = next(i, mesh);
+        if (next(j, mesh) != h || boundary_halfedges.is_at_border(h) ||
+            boundary_halfedges.contain(h) || !boundary_halfedges.contain(i) ||
+            !boundary_halfedges.contain(j) ||
+            boundary_halfedges.id_on_right(i) != boundary_halfedges.id_on_right(j))
+          continue;
+        put(segment_ids, f, boundary_halfedges.id_on_right(i));
+        ++result;
+        for (auto g : {h, i, j})
+          neighbors.push_back(face(opposite(g, mesh), mesh));
+        break;
+      }
+    candidates.swap(neighbors);
   }
   return result;
 }

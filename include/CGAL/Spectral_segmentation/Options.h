@@ -68,7 +68,6 @@ struct Options
   std::size_t number_of_coarse_faces = 3400;               ///< with 0 the mesh itself is searched
   std::size_t number_of_searches = 5;                      ///< 1 in the paper's method
   std::size_t number_of_smoothing_iterations = 0; ///< smooths the points, at most 10^5 times
-  bool smooth_boundaries = false;                           ///< smooths the labels
 
   /// \name Parameters of the Paper
   /// @{
@@ -108,7 +107,6 @@ struct Options
   f(g, number_of_coarse_faces, is_count, "takes an integer", 0, INFINITY)                        \
   f(g, number_of_searches, is_count, "takes an integer", 1, 100)                                 \
   f(g, number_of_smoothing_iterations, is_count, "takes an integer", 0, 100000)                  \
-  f(g, smooth_boundaries, is_flag, "takes a bool", 0, 1)                                         \
   f(g, number_of_reference_faces, is_count, "takes an integer", 1, 1000)
 
 /// \ingroup PkgSpectralSegmentationRef

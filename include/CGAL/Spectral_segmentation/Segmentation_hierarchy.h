@@ -7,7 +7,6 @@
 #include <CGAL/Spectral_segmentation/Options.h>
 #include <CGAL/Spectral_segmentation/internal/hierarchy/Cut_editor.h>
 #include <CGAL/Spectral_segmentation/internal/hierarchy/Cut_hierarchy.h>
-#include <CGAL/Spectral_segmentation/internal/hierarchy/boundary_smoothing.h>
 #include <CGAL/Spectral_segmentation/internal/read/numbered_descriptors.h>
 #include <CGAL/Spectral_segmentation/parameters.h>
 
@@ -191,8 +190,7 @@ public:
   { return in_order(cuts_above(salience_threshold, maximum_number_of_segments)); }
 
   /// the label of each face, by its index, if these nodes are the segments: the position of its
-  /// node in `nodes`. With `smooth_boundaries` the faces of a segment and of its node differ along
-  /// the boundary. Throws `std::invalid_argument` if the nodes do not contain each face exactly
+  /// node in `nodes`. Throws `std::invalid_argument` if the nodes do not contain each face exactly
   /// once.
   std::vector<size_type> labels(const std::vector<size_type>& nodes) const
   {
@@ -213,11 +211,10 @@ public:
       else if (n.is_leaf() && position[i] == null_node)
         throw std::invalid_argument("Segmentation_hierarchy: a face is in no segment");
     }
-    std::vector<size_type> result(number_of_faces());
-    for (size_type f = 0; f < result.size(); ++f)
-      result[f] = position[cuts_.leaf[f]];
-    if (!cuts_.neighbors.empty())
-      internal::remove_teeth(cuts_.neighbors, result);
+    std::vector<size_type> result;
+    result.reserve(number_of_faces());
+    for (size_type leaf : cuts_.leaf)
+      result.push_back(position[leaf]);
     return result;
   }
 

@@ -22,8 +22,7 @@ enum class Stage
   EMBEDDING,         ///< distances from the samples, and the order of the faces on each line
   LINE_SEARCH,       ///< the most salient cut along the lines, and minimum cuts near the best ones
   MERGING,           ///< merging of regions into segments; once, calibrated method (default) only
-  PROJECTION,        ///< projection of the cuts of a coarse mesh onto the mesh; once
-  BOUNDARY_SMOOTHING ///< removal of teeth of single faces from boundaries; once, if requested
+  PROJECTION         ///< projection of the cuts of a coarse mesh onto the mesh; once
 };
 
 /// \ingroup PkgSpectralSegmentationRef

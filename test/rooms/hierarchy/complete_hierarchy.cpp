@@ -104,21 +104,4 @@ BOOST_AUTO_TEST_CASE(each_contradiction_is_named)
   check(error_of([](C c) { c.leaf[2] = 4; }), "has no face");
 }
 
-// The faces of a strip have two neighbors, or one at its ends.
-BOOST_AUTO_TEST_CASE(neighbors_are_mutual)
-{
-  typedef internal::Cut_hierarchy& C;
-  const std::vector<internal::Index> strip = {0, 0, 1, 1, 0, 2, 2, 1, 3, 3, 2, 4, 4, 4, 3};
-  BOOST_TEST(error_of([&](C c) { c.neighbors = strip; }) == "");
-  BOOST_TEST(error_of([&](C c) { c.neighbors = {0, 1}; }) != "");
-  BOOST_TEST(error_of([&](C c) {
-    c.neighbors = strip;
-    c.neighbors[2] = 5;
-  }) != "");
-  BOOST_TEST(error_of([&](C c) {
-    c.neighbors = strip;
-    c.neighbors[5] = 4;
-  }) != "");
-}
-
 BOOST_AUTO_TEST_SUITE_END()

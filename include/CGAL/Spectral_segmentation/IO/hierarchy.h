@@ -143,8 +143,8 @@ inline Cut_node read_node(Word_reader& read)
 writes a hierarchy as text, which `read_hierarchy()` reads. It needs neither the mesh nor the run.
 
 Numbers are written with all their digits. The time is linear in the size of the text, which is
-about 3 bytes for each face; with `smooth_boundaries` each face has three more numbers. The
-arrangement of the text may change with the first number of the version.
+about 3 bytes for each face. The arrangement of the text may change with the first number of the
+version.
 
 \param os the stream
 \param hierarchy the hierarchy
@@ -167,8 +167,6 @@ inline void write_hierarchy(std::ostream& os, const Segmentation_hierarchy& hier
   write(cuts.cut_order);
   write.end_line();
   write(cuts.leaf);
-  write.end_line();
-  write(cuts.neighbors);
   if (!(os << internal::first_word_of_hierarchy << write.text() << '\n'))
     throw std::runtime_error("write_hierarchy: the stream cannot be written");
 }
@@ -200,7 +198,6 @@ inline Segmentation_hierarchy read_hierarchy(std::istream& is)
     cuts.nodes.push_back(internal::read_node(read));
   cuts.cut_order = read.counts<std::size_t>();
   cuts.leaf = read.counts<internal::Index>();
-  cuts.neighbors = read.counts<internal::Index>();
   internal::complete_hierarchy(cuts);
   internal::require_in_file(!std::isnan(threshold), "the threshold is not a number");
   return Segmentation_hierarchy(std::move(cuts), most, threshold);

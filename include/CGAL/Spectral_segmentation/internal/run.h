@@ -21,13 +21,12 @@ namespace CGAL::Spectral_segmentation::internal {
 
 // Returns the hierarchy of a tree in the indices and the unit of the caller. The square of the unit
 // may be infinite even if an area is not.
-inline Cut_hierarchy hierarchy_of_caller(Merge_tree tree, Face_map map)
+inline Cut_hierarchy hierarchy_of_caller(Merge_tree tree, const Face_map& map)
 {
   tree.leaf = composed(map.face, tree.leaf);
   Cut_hierarchy result = hierarchy_of(tree);
   for (Cut_node& node : result.nodes)
     node.area = node.area * map.unit * map.unit;
-  result.neighbors = std::move(map.neighbors);
   return result;
 }
 
@@ -60,7 +59,7 @@ inline Cut_hierarchy run(Surface input, const Run_data& d)
   tree = cut_further(std::move(tree), groups, l.mesh(), d);
   tree = add_walls(std::move(tree), m, map);
   d.monitor.finish();
-  return hierarchy_of_caller(std::move(tree), std::move(map));
+  return hierarchy_of_caller(std::move(tree), map);
 }
 
 CGAL_SPECTRAL_SEGMENTATION_INLINE

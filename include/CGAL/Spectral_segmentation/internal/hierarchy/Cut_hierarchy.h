@@ -48,7 +48,6 @@ struct Cut_hierarchy
   std::vector<std::size_t> cut_order;    // the nodes in the order in which the run decided on them
   bool is_monotonic = false;       // no cut is less salient than any later cut
   bool has_all_cuts = true;        // false if cuts are lost because a side became too small
-  std::vector<Index> neighbors;      // one per halfedge, only if boundaries are to be smoothed
 
   std::size_t number_of_segments() const
   { return number_of_roots + (nodes.size() - number_of_roots) / 2; }

@@ -6,7 +6,6 @@
 
 #include <CGAL/Spectral_segmentation/internal/hierarchy/Cut_hierarchy.h>
 
-#include <algorithm>
 #include <cmath>
 #include <cstddef>
 #include <stdexcept>
@@ -21,22 +20,12 @@ inline void require_in_file(bool is_right, const char* error)
     throw std::runtime_error(std::string("read_hierarchy: ") + error);
 }
 
-// Returns whether two neighbors are mutual. Smoothing then ends because each step makes boundaries
-// shorter. A face with three equal neighbors is never smoothed, because it is constrained and has
-// itself for neighbors, or because it is a duplicate.
-inline bool are_mutual(const std::vector<Index>& neighbors, Index f, Index g)
-{
-  const auto edges = [&](Index from, Index to)
-    { return std::count(&neighbors[3 * from], &neighbors[3 * from] + 3, to); };
-  return f == g || edges(f, g) == edges(g, f) || edges(g, g) == 3 || edges(f, g) == 3;
-}
-
 // Sets the parents of the nodes of a hierarchy that was read. Checks all that the functions of a
 // hierarchy rely on, and throws `std::runtime_error`.
 inline void complete_hierarchy(Cut_hierarchy& cuts)
 {
   std::vector<Cut_node>& nodes = cuts.nodes;
-  const std::size_t n = nodes.size(), number_of_faces = cuts.leaf.size();
+  const std::size_t n = nodes.size();
   require_in_file(cuts.number_of_roots <= n, "there are more roots than nodes");
   for (std::size_t i = 0; i < n; ++i) {
     const Cut_node& node = nodes[i];
@@ -64,7 +53,7 @@ inline void complete_hierarchy(Cut_hierarchy& cuts)
                     "a node comes twice, or before its parent, in the order of cuts");
     is_ordered[i] = 1;
   }
-  require_in_file(number_of_faces < null_index / 3, "there are too many faces");
+  require_in_file(cuts.leaf.size() < null_index / 3, "there are too many faces");
   for (Index leaf : cuts.leaf) {
     require_in_file(leaf < n && nodes[leaf].is_leaf(), "a face is in no leaf");
     has_faces[leaf] = 1;
@@ -73,14 +62,6 @@ inline void complete_hierarchy(Cut_hierarchy& cuts)
     require_in_file(nodes[i].is_leaf() || is_ordered[i], "a cut is missing in the order of cuts");
     require_in_file(!nodes[i].is_leaf() || has_faces[i], "a leaf has no face");
   }
-
-  require_in_file(cuts.neighbors.empty() || cuts.neighbors.size() == 3 * number_of_faces,
-                  "there are not three neighbors for each face");
-  for (Index neighbor : cuts.neighbors)
-    require_in_file(neighbor < number_of_faces, "a neighbor does not exist");
-  for (Index h = 0; h < cuts.neighbors.size(); ++h)
-    require_in_file(are_mutual(cuts.neighbors, h / 3, cuts.neighbors[h]),
-                    "of two faces only one is a neighbor of the other");
 }
 
 } // namespace CGAL::Spectral_segmentation::internal

@@ -22,37 +22,20 @@ namespace CGAL::Spectral_segmentation::internal {
 // part of the mesh, follow those of the mesh.
 struct Face_map
 {
-  double unit;                  // the length of 1 in the coordinates of the caller
-  std::vector<Index> face;      // for each of the caller's; a duplicate has that of its original
-  std::vector<Index> neighbors; // one per halfedge of the caller; only for smoothing
+  double unit;             // the length of 1 in the coordinates of the caller
+  std::vector<Index> face; // for each of the caller's; a duplicate has that of its original
 };
 
 // Returns the map of the caller's faces, given the original of each duplicate, or the face itself.
-// For smoothing, the only neighbor of a duplicate is its original, and a constrained face is its
-// own neighbor, so that its label stays.
 inline Face_map face_map(double unit, const std::vector<Index>& original, const Level& mesh,
-                         const Level& walls, const Run_data& d)
+                         const Level& walls)
 {
-  std::vector<Index> callers_face = mesh.parent_face;
-  callers_face.insert(callers_face.end(), walls.parent_face.begin(), walls.parent_face.end());
   std::vector<Index> number(original.size(), null_index);
-  for (Index f = 0; f < callers_face.size(); ++f)
-    number[callers_face[f]] = f;
-  Face_map result{unit, composed(original, number), {}};
-  if (!d.options.smooth_boundaries)
-    return result;
-  const Index n = static_cast<Index>(mesh.parent_face.size());
-  const std::vector<char> is_constrained =
-    constrained_faces(d.constraints, result.face, callers_face.size());
-  for (Index h = 0; h < 3 * original.size(); ++h) {
-    const Index f = result.face[h / 3];
-    Index neighbor = f;
-    if (callers_face[f] == h / 3) // else it is a duplicate
-      neighbor = f < n ? mesh.surface.neighbor(3 * f + h % 3)
-                       : n + walls.surface.neighbor(3 * (f - n) + h % 3);
-    result.neighbors.push_back(is_constrained[f] ? h / 3 : callers_face[neighbor]);
-  }
-  return result;
+  for (Index f = 0; f < mesh.parent_face.size(); ++f)
+    number[mesh.parent_face[f]] = f;
+  for (Index f = 0; f < walls.parent_face.size(); ++f)
+    number[walls.parent_face[f]] = static_cast<Index>(mesh.parent_face.size()) + f;
+  return {unit, composed(original, number)};
 }
 
 // Returns whether a method searches the points of a mesh as they are given.
@@ -133,7 +116,7 @@ inline Face_map prepare_surface(Level& mesh, const Run_data& d)
   mesh.surface.groups.clear();
   unit *= move_and_order(mesh, d);
   check_number(mesh.surface, d.options);
-  return face_map(unit, first_indices(mesh.parent_face.size()), mesh, {}, d);
+  return face_map(unit, first_indices(mesh.parent_face.size()), mesh, {});
 }
 
 } // namespace CGAL::Spectral_segmentation::internal

@@ -171,7 +171,7 @@ inline Assembled_model prepare_model(Level& level, Face_map& map, const Run_data
   for (double& area : m.walls.surface.areas)
     area /= unit_of_frame * unit_of_frame;
   check_number(mesh, d.options);
-  map = face_map(unit, original, level, m.walls, d);
+  map = face_map(unit, original, level, m.walls);
   return m;
 }
 

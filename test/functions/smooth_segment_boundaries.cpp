@@ -3,28 +3,28 @@
 
 #include <boost/test/unit_test.hpp>
 
+#include "test_labels.h"
 #include "test_meshes.h"
 
-#include <CGAL/Spectral_segmentation/internal/hierarchy/boundary_smoothing.h>
+#include <CGAL/Segmented_mesh/segment_boundaries.h>
 #include <CGAL/Spectral_segmentation/internal/surface/Surface.h>
 #include <CGAL/Spectral_segmentation/internal/surface/connected_components.h>
+
+#include <boost/property_map/property_map.hpp>
 
 #include <algorithm>
 #include <cstddef>
 #include <set>
 #include <vector>
 
-BOOST_AUTO_TEST_SUITE(boundary_smoothing)
+BOOST_AUTO_TEST_SUITE(smooth_segment_boundaries)
 
 namespace tt = boost::test_tools;
 using namespace test_meshes;
 using CGAL::Spectral_segmentation::internal::connected_components;
-using CGAL::Spectral_segmentation::internal::remove_teeth;
 using CGAL::Spectral_segmentation::internal::split;
 
 namespace {
-
-typedef std::vector<std::size_t> Labels;
 
 constexpr std::size_t width = 12; // the side of a square plate
 
@@ -43,10 +43,15 @@ Labels labels_of_squares(const Label_of_square& label)
 std::size_t face_of_square(std::size_t x, std::size_t y, std::size_t i)
 { return 2 * (width * y + x) + i; }
 
+auto ids_of(Labels& labels, const Mesh& mesh)
+{ return boost::make_iterator_property_map(labels.begin(), get(CGAL::face_index, mesh)); }
+
 Labels smoothed(const Soup& soup, Labels labels)
 {
-  const Surface graph = surface_of(soup);
-  remove_teeth(neighbors_of(graph), labels);
+  const Mesh mesh = mesh_of(soup);
+  const Labels given = labels;
+  const std::size_t changes = CGAL::smooth_segment_boundaries(mesh, ids_of(labels, mesh));
+  BOOST_TEST((changes == 0) == (labels == given));
   return labels;
 }
 
@@ -189,13 +194,12 @@ BOOST_AUTO_TEST_CASE(segments_are_neither_emptied_nor_disconnected)
   for (unsigned seed = 1; seed <= 400; ++seed) {
     BOOST_TEST_CONTEXT("seed " << seed) {
       Random random(seed);
-      const Surface graph =
-        random_part(surface_of(shapes[seed % shapes.size()]), 50 + random() % 300, random);
+      const Soup& shape = shapes[seed % shapes.size()];
+      const Surface graph = surface_of(shape);
       const std::size_t number = 1 + random() % 8;
       const Labels labels = random_segments(graph, number, random);
       BOOST_REQUIRE(are_connected(graph, labels, number));
-      Labels result = labels;
-      remove_teeth(neighbors_of(graph), result);
+      const Labels result = smoothed(shape, labels);
       BOOST_TEST(values(result) == values(labels), tt::per_element());
       BOOST_TEST(are_connected(graph, result, number));
       changes += result != labels;
@@ -209,6 +213,39 @@ BOOST_AUTO_TEST_CASE(one_segment_and_no_face_are_left_as_they_are)
   const Labels one(2 * width * width, 0);
   BOOST_TEST(smoothed_on_plate(one) == one, tt::per_element());
   BOOST_TEST(smoothed(Soup(), {}).empty());
+}
+
+BOOST_AUTO_TEST_CASE(segments_of_a_real_mesh_stay_connected_and_boundaries_become_shorter)
+{
+  const Mesh mesh = mesh_of(read("elephant.off"));
+  const Labels labels = labels_of(mesh, CGAL::parameters::default_values());
+  Labels result = labels;
+  const std::size_t changes = CGAL::smooth_segment_boundaries(mesh, ids_of(result, mesh));
+  BOOST_TEST(changes > 0);
+  const auto number_of_edges = [&mesh](Labels ids) {
+    std::size_t number = 0;
+    for (const auto& b : CGAL::segment_boundaries(mesh, ids_of(ids, mesh)))
+      number += b.halfedges.size();
+    return number;
+  };
+  BOOST_TEST(number_of_edges(result) + changes == number_of_edges(labels));
+  BOOST_TEST(check_labels(mesh, result) == number_of(labels));
+  BOOST_TEST(CGAL::smooth_segment_boundaries(mesh, ids_of(result, mesh)) == 0);
+}
+
+// A quadrilateral between triangles keeps its id, whatever its neighbors are.
+BOOST_AUTO_TEST_CASE(faces_of_other_sizes_keep_their_ids)
+{
+  CGAL::Surface_mesh<Point> mesh;
+  const auto v = [&](double x, double y) { return mesh.add_vertex(Point(x, y, 0)); };
+  const auto a = v(0, 0), b = v(1, 0), c = v(1, 1), d = v(0, 1);
+  mesh.add_face(a, b, c, d);
+  mesh.add_face(b, a, v(.5, -1));
+  mesh.add_face(c, b, v(2, .5));
+  mesh.add_face(d, c, v(.5, 2));
+  Labels labels = {0, 0, 1, 1};
+  BOOST_TEST(CGAL::smooth_segment_boundaries(mesh, ids_of(labels, mesh)) == 0);
+  BOOST_TEST((labels == Labels{0, 0, 1, 1}));
 }
 
 BOOST_AUTO_TEST_SUITE_END()
