@@ -12,6 +12,7 @@
 #include "Run_watch.h"
 #include "../meshes/closed_soup.h"
 #include "is_terminal.h"
+#include "../files/face_colors.h"
 #include "../files/read_face_vectors.h"
 #include "option_texts.h"
 #include "../meshes/page/write_page.h"
@@ -188,6 +189,8 @@ struct Options
            (keep_materials &&
             std::any_of(mesh_files.begin(), mesh_files.end(), can_have_materials));
   }
+
+  bool uses_colors() const { return feature_file == "colors"; }
 
   Segmentation_options segmentation_options() const
   {
@@ -371,7 +374,7 @@ void add_feature_options(CLI::App& app, Options& o)
   add_file(app, "--features", o.feature_file,
            "what is known of each face of IN beyond its shape, one line for each: numbers, such as "
            "a color or the output of a neural network, or a whole number, a label that may be "
-           "wrong; or an array of NumPy (.npy)");
+           "wrong; or an array of NumPy (.npy); or 'colors', those of IN itself");
   app.add_option("--feature-weight", o.segmentation.feature_weight,
                  "the weight of the features: with 0 they are not used, with 1 the shape only "
                  "breaks ties between cuts that the features do not distinguish")
@@ -515,8 +518,9 @@ void check_files(const Options& o)
   if (!o.transfer_file.empty() && !o.writes_meshes() && o.label_file.empty())
     throw Failure(Status::USAGE, "--transfer-to needs an output of the other mesh: -o, --labels, "
                                  "--split-dir or --hulls");
-  check_outputs({o.input, o.seed_file, o.edge_file, o.feature_file, o.transfer_file}, outputs,
-                {o.split_directory, o.hull_directory});
+  check_outputs({o.input, o.seed_file, o.edge_file,
+                 o.uses_colors() ? std::string() : o.feature_file, o.transfer_file},
+                outputs, {o.split_directory, o.hull_directory});
 }
 
 template <class NamedParameters>
@@ -543,6 +547,14 @@ mesh_file::Face_vectors read_features(const Input& input, const Options& o)
 {
   if (o.feature_file.empty())
     return {};
+  if (o.uses_colors()) {
+    try {
+      return mesh_file::face_colors(input.soup);
+    }
+    catch (const std::runtime_error& e) {
+      throw Failure(Status::INPUT, o.input + ": " + e.what());
+    }
+  }
   mesh_file::Face_vectors result;
   try {
     result = mesh_file::read_face_vectors(o.feature_file);
@@ -827,10 +839,10 @@ Json run(const Options& o)
                                                       first_guess.writing);
   const bool is_transferred = !o.transfer_file.empty();
   const Reading_limits limits{o.time_limit, o.jobs.value_or(1), o.allow_external_files,
-                              o.writes_materials()};
+                              o.writes_materials() || o.uses_colors()};
   Scene scene, other_scene;
   try {
-    scene = read_scene(o.input, o.writes_meshes(), limits);
+    scene = read_scene(o.input, o.writes_meshes() || o.uses_colors(), limits);
     if (is_transferred)
       other_scene = read_scene(o.transfer_file, o.writes_meshes(), limits);
   }

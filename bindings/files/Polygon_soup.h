@@ -68,6 +68,20 @@ struct Property
   std::vector<double> values;
 };
 
+// Adds three properties, the colors of all elements, if there are as many colors as elements.
+inline void add_colors(std::vector<double>&& colors, std::size_t number_of_elements,
+                       std::vector<Property>& properties)
+{
+  if (colors.empty() || colors.size() != 3 * number_of_elements)
+    return;
+  const char* const names[] = {"red", "green", "blue"};
+  for (std::size_t i = 0; i < 3; ++i) {
+    properties.push_back({names[i], Number_type::FLOAT64, {}});
+    for (std::size_t k = i; k < colors.size(); k += 3)
+      properties.back().values.push_back(colors[k]);
+  }
+}
+
 // Points and polygons in the order of a file. A polygon may have any number of corners, also none.
 // The points are finite, if a polygon uses them, and the corners are points.
 struct Polygon_soup

@@ -110,7 +110,7 @@ inline Polygon_soup read_mesh_file(std::string_view file, Format format, bool ke
     throw std::runtime_error(other);
   Polygon_soup result;
   switch (marked == Format::UNKNOWN ? format : marked) {
-    case Format::OFF: result = read_off(file); break;
+    case Format::OFF: result = read_off(file, keeps_properties); break;
     case Format::OBJ: result = read_obj(file, keeps_properties); break;
     case Format::PLY: result = read_ply(file, keeps_properties); break;
     case Format::STL: result = read_stl(file); break;

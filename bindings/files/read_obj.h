@@ -33,6 +33,7 @@ class Obj_reader
   Text_scanner text_;
   const bool keeps_properties_;
   Polygon_soup soup_;
+  std::vector<double> colors_; // of the points
   // The largest corner and its place: points may follow the faces that use them.
   long long largest_corner_ = 0;
   Text_scanner largest_at_;
@@ -83,6 +84,16 @@ class Obj_reader
       text_.skip_word();
     }
     return result.value_or(std::numeric_limits<double>::quiet_NaN());
+  }
+
+  // Reads the rest of a point: a color, or a weight, which is skipped.
+  void read_color()
+  {
+    std::vector<double> numbers;
+    while (!text_.is_at_end_of_line())
+      numbers.push_back(text_.number());
+    if (keeps_properties_ && numbers.size() >= 3)
+      colors_.insert(colors_.end(), numbers.begin(), numbers.begin() + 3);
   }
 
   void read_texture_coordinates()
@@ -180,8 +191,7 @@ class Obj_reader
     const std::string_view statement = text_.word();
     if (statement == "v") {
       soup_.points.push_back(point());
-      while (!text_.is_at_end_of_line())
-        text_.number(); // a weight or colors
+      read_color();
     }
     else if (statement == "vn")
       read_normal();
@@ -233,6 +243,7 @@ public:
       soup_.material_of_polygon.clear();
     if (soup_.points.size() > static_cast<std::size_t>(most))
       throw std::runtime_error("there are too many points");
+    add_colors(std::move(colors_), soup_.points.size(), soup_.point_properties);
     if (largest_corner_ > static_cast<long long>(soup_.points.size()))
       largest_at_.fail("a corner: there are " + std::to_string(soup_.points.size()) + " points");
     clean(soup_.texture_of_corner, soup_.texture_coordinates.size());

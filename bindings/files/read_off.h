@@ -13,6 +13,7 @@
 #include <string>
 #include <string_view>
 #include <utility>
+#include <vector>
 
 namespace mesh_file {
 
@@ -45,12 +46,14 @@ struct Off_header
   }
 };
 
-// Reads the format of Geomview, text and binary. Skips colors, normals and texture coordinates.
+// Reads the format of Geomview, text and binary. Keeps the colors of a text on demand. Skips other
+// colors, normals and texture coordinates.
 class Off_reader
 {
   static constexpr long long most = null_index - 1;
 
   Text_scanner text_;
+  const bool keeps_colors_;
   Off_header header_;
   Polygon_soup soup_;
 
@@ -73,11 +76,17 @@ class Off_reader
       text_.fail_with("the points do not have three coordinates");
   }
 
-  // Skips the numbers on the rest of the line: colors and the like, which only their place marks.
-  void skip_numbers()
+  // Reads the numbers on the rest of the line, which only their place marks. Three that follow the
+  // first `skipped` ones are a color.
+  void read_color(std::size_t skipped, std::vector<double>& colors)
   {
+    std::vector<double> numbers;
     while (!text_.is_at_end_of_line())
-      text_.number();
+      numbers.push_back(text_.number());
+    if (keeps_colors_ && numbers.size() >= skipped + 3) {
+      const auto first = numbers.begin() + static_cast<std::ptrdiff_t>(skipped);
+      colors.insert(colors.end(), first, first + 3);
+    }
   }
 
   long long number_of_corners()
@@ -98,11 +107,13 @@ class Off_reader
     const long long polygons = text_.integer(0, most, "a number of faces");
     skip_number_of_edges();
     reserve(points, polygons, 2);
+    std::vector<double> colors_of_points, colors_of_polygons;
+    const std::size_t before_color = !header_.has_colors ? most : header_.has_normals ? 3 : 0;
     for (long long i = 0; i < points; ++i) {
       const double x = text_.number();
       const double y = text_.number();
       soup_.points.push_back({x, y, text_.number()});
-      skip_numbers();
+      read_color(before_color, colors_of_points);
     }
     for (long long i = 0; i < polygons; ++i) {
       for (long long n = number_of_corners(); n > 0; --n)
@@ -111,8 +122,11 @@ class Off_reader
       if (soup_.corners.size() > most)
         text_.fail_with("there are too many corners");
       soup_.end_polygon();
-      skip_numbers();
+      read_color(0, colors_of_polygons);
     }
+    add_colors(std::move(colors_of_points), soup_.points.size(), soup_.point_properties);
+    add_colors(std::move(colors_of_polygons), soup_.number_of_polygons(),
+               soup_.polygon_properties);
     if (!text_.is_at_end())
       text_.fail_with("there is more after the last face");
   }
@@ -173,7 +187,8 @@ class Off_reader
   }
 
 public:
-  explicit Off_reader(std::string_view file) : text_(file) {}
+  Off_reader(std::string_view file, bool keeps_colors)
+    : text_(file), keeps_colors_(keeps_colors) {}
 
   Polygon_soup operator()()
   {
@@ -193,8 +208,8 @@ public:
   }
 };
 
-inline Polygon_soup read_off(std::string_view file)
-{ return Off_reader(file)(); }
+inline Polygon_soup read_off(std::string_view file, bool keeps_colors)
+{ return Off_reader(file, keeps_colors)(); }
 
 } // namespace mesh_file
 

@@ -1708,6 +1708,57 @@ class Constraints(Tool_test):
         self.segment(self.mesh)
         self.assertIsNone(self.report()["parameters"]["feature_weight"])
 
+    def test_colors(self):
+        """A ball is cut where its color changes, in any format, and without colors not at all."""
+        n = 24
+        points = [(0, 0, 1), (0, 0, -1)] + [
+            (math.sin(t) * math.cos(a), math.sin(t) * math.sin(a), math.cos(t))
+            for t in (math.pi * i / 16 for i in range(1, 16))
+            for a in (2 * math.pi * k / n for k in range(n))]
+        at = lambda i, k: 2 + n * i + k % n
+        faces = [f for k in range(n) for f in ((0, at(0, k), at(0, k + 1)),
+                                               (1, at(14, k + 1), at(14, k)))]
+        faces += [f for i in range(14) for k in range(n)
+                  for f in ((at(i, k), at(i + 1, k), at(i + 1, k + 1)),
+                            (at(i, k), at(i + 1, k + 1), at(i, k + 1)))]
+        is_red = lambda f: sum(points[v][2] for v in f) > 0
+        colors = [(200, 40, 40) if is_red(f) else (20, 20, 220) for f in faces]
+        dyes = [(.8, .1, .1) if p[2] > 0 else (.1, .1, .8) for p in points]
+        numbers = lambda values: " ".join(map(str, values))
+        ply = ["ply", "format ascii 1.0", "element vertex %d" % len(points)] + [
+            "property float " + c for c in "xyz"]
+        of_faces = ["property uchar " + c for c in ("red", "green", "blue")]
+        of_polygons = ["element face %d" % len(faces), "property list uchar int vertex_indices"]
+        sizes = "%d %d 0" % (len(points), len(faces))
+        self.write("colors.mtl", ["newmtl a", "Kd .8 .1 .1", "newmtl b", "Kd .1 .1 .8"])
+        obj = ["v " + numbers(p) for p in points]
+        corners = [" ".join(str(v + 1) for v in f) for f in faces]
+        dyed = [numbers(p + d) for p, d in zip(points, dyes)]
+        indices = ["3 " + numbers(f) for f in faces]
+        for name, lines in (
+                ("faces.ply", ply + of_polygons + of_faces + ["end_header"] +
+                 [numbers(p) for p in points] +
+                 [i + " " + numbers(c) for i, c in zip(indices, colors)]),
+                ("points.ply", ply + ["property float " + c for c in ("red", "green", "blue")] +
+                 of_polygons + ["end_header"] + dyed + indices),
+                ("faces.off", ["OFF", sizes] + [numbers(p) for p in points] +
+                 [i + " " + numbers(c) for i, c in zip(indices, colors)]),
+                ("points.off", ["COFF", sizes] + [d + " 1" for d in dyed] + indices),
+                ("points.obj", ["v " + d for d in dyed] + ["f " + c for c in corners]),
+                ("materials.obj", ["mtllib colors.mtl"] + obj +
+                 [line for f, c in zip(faces, corners)
+                  for line in ("usemtl " + "ba"[is_red(f)], "f " + c)])):
+            with self.subTest(name=name):
+                mesh = self.write(name, lines)
+                self.assertEqual(set(self.segment(mesh)), {0})
+                labels = self.segment(mesh, "--features", "colors")
+                self.assertEqual(len(set(zip(labels, map(is_red, faces)))), len(set(labels)))
+                self.assertEqual(set(labels), {0, 1})
+        self.assert_failure("input", self.mesh, "--features", "colors", message="no colors")
+        self.write("colors.mtl", ["newmtl a", "map_Kd picture.png", "newmtl b"])
+        self.assert_failure("input", "materials.obj", "--features", "colors",
+                            message="images are not read")
+
     def test_bad_features(self):
         n = len(self.faces)
         for lines, kind, message in (

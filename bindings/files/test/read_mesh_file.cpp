@@ -167,7 +167,7 @@ BOOST_AUTO_TEST_CASE(off)
   check(Format::OFF, text.substr(0, text.size() - 1), square_points, polygons);
   for (const std::string& padding : paddings)
     check(Format::OFF, text.substr(0, text.size() - 1) + padding, square_points, polygons);
-  BOOST_TEST((mesh_file::read_off(text).coordinate_type == Number_type::FLOAT64));
+  BOOST_TEST((mesh_file::read_off(text, false).coordinate_type == Number_type::FLOAT64));
 }
 
 BOOST_AUTO_TEST_CASE(off_counts)
@@ -206,9 +206,9 @@ BOOST_AUTO_TEST_CASE(off_binary)
   Bytes plain(true, "OFF BINARY\n");
   plain.ints({3, 2, 0}).floats(corner_floats).ints({3, 0, 1, 2, 0, 2, 2, 1, 3}).floats({1, 0, 0});
   check(Format::OFF, plain(), corner_points, {{0, 1, 2}, {2, 1}});
-  BOOST_TEST((mesh_file::read_off(plain()).coordinate_type == Number_type::FLOAT32));
+  BOOST_TEST((mesh_file::read_off(plain(), false).coordinate_type == Number_type::FLOAT32));
   for (std::size_t size = 11; size < plain().size(); ++size)
-    BOOST_CHECK_THROW(mesh_file::read_off(plain().substr(0, size)), std::runtime_error);
+    BOOST_CHECK_THROW(mesh_file::read_off(plain().substr(0, size), false), std::runtime_error);
 
   Bytes further(true, "STCNOFF BINARY\n");
   further.ints({2, 1, 0});
