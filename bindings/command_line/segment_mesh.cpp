@@ -549,7 +549,7 @@ mesh_file::Face_vectors read_features(const Input& input, const Options& o)
     return {};
   if (o.uses_colors()) {
     try {
-      return mesh_file::face_colors(input.soup);
+      return mesh_file::face_vectors(3, mesh_file::face_colors(input.soup));
     }
     catch (const std::runtime_error& e) {
       throw Failure(Status::INPUT, o.input + ": " + e.what());

@@ -4,7 +4,6 @@
 #ifndef SEGMENT_MESH_MESH_FILE_FACE_COLORS_H
 #define SEGMENT_MESH_MESH_FILE_FACE_COLORS_H
 
-#include "Face_vectors.h"
 #include "Polygon_soup.h"
 #include "Text_scanner.h"
 
@@ -15,7 +14,6 @@
 #include <stdexcept>
 #include <string>
 #include <string_view>
-#include <utility>
 #include <vector>
 
 namespace mesh_file {
@@ -54,9 +52,14 @@ inline std::optional<std::array<double, 3> > diffuse_color(const Material& mater
   return result;
 }
 
-// Returns the color of each polygon: its own, else the mean color of its points, else the color of
-// its material. Throws `std::runtime_error` if the file has no colors, or only in images.
-inline Face_vectors face_colors(const Polygon_soup& soup)
+// Returns whether the polygons or the points have colors.
+inline bool has_colors(const Polygon_soup& soup)
+{ return color_properties(soup.polygon_properties) || color_properties(soup.point_properties); }
+
+// Returns red, green and blue of each polygon, in the unit of the file: its own color, else the
+// mean color of its points, else the color of its material. Throws `std::runtime_error` if there
+// are no colors, or only in images.
+inline std::vector<double> face_colors(const Polygon_soup& soup)
 {
   std::vector<double> result;
   const auto add = [&result](const auto& color) {
@@ -87,7 +90,7 @@ inline Face_vectors face_colors(const Polygon_soup& soup)
       add([&](std::size_t i) { return color.value_or(std::array<double, 3>{.8, .8, .8})[i]; });
     }
   }
-  return face_vectors(3, std::move(result));
+  return result;
 }
 
 } // namespace mesh_file

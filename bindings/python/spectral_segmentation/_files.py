@@ -38,12 +38,16 @@ class Mesh(NamedTuple):
     labels : ndarray of int, shape (m,), or None
         The segment of each triangle, if known: a file has it as the property `segment` of PLY, or
         as the objects and groups of OBJ, which are numbered in the order of the file.
+    colors : ndarray of float64, shape (m, 3), or None
+        Red, green and blue of each triangle, in the unit of the file, if its faces or points have
+        colors. They can be the `features` of `segment()`.
     """
 
     points: NDArray[np.float64]
     triangles: NDArray[np.int32]
     polygon_of_triangle: NDArray[np.int32]
     labels: Optional[NDArray[np.intp]] = None
+    colors: Optional[NDArray[np.float64]] = None
 
 
 def _extension(path, known, hint=""):
@@ -75,8 +79,8 @@ def read(path: Path) -> Mesh:
     Returns
     -------
     Mesh
-        The points, the triangles, the polygon of each triangle, and the labels that `write()` put
-        into PLY or OBJ. Files of OFF, GLB and STL keep no labels for `read()`.
+        The points, the triangles, the polygon of each triangle, the labels that `write()` put into
+        PLY or OBJ, and the colors. Files of OFF, GLB and STL keep no labels for `read()`.
 
     Raises
     ------
@@ -98,10 +102,11 @@ def read(path: Path) -> Mesh:
     with open(path, "rb") as file:
         contents = file.read()
     try:
-        *arrays, segments, messages = _core.parse_mesh(contents, extension)
+        *arrays, segments, colors, messages = _core.parse_mesh(contents, extension)
     except ValueError as error:
         raise ValueError("%s cannot be read: %s" % (path, error)) from None
-    mesh = Mesh(*arrays, _labels_of_file(segments, extension))
+    mesh = Mesh(*arrays, _labels_of_file(segments, extension),
+                colors if len(colors) > 0 else None)
     if len(mesh.triangles) == 0:
         raise ValueError("; ".join(["%s has no face with three different corners" % path]
                                    + messages[:1]))

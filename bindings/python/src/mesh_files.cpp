@@ -9,6 +9,7 @@
 #include <files/Polygon_soup.h>
 #include <files/Polygon_triangulation.h>
 #include <files/Segmented_soup.h>
+#include <files/face_colors.h>
 #include <files/read_mesh_file.h>
 #include <files/stitch_borders.h>
 #include <files/write_mesh_file.h>
@@ -67,20 +68,20 @@ static std::vector<double> segments_of(const Polygon_soup& soup)
   return {soup.group_of_polygon.begin(), soup.group_of_polygon.end()};
 }
 
-// Returns the points, the triangles, the polygon and the segment of each triangle, and the
-// warnings.
+// Returns the points, the triangles, the polygon, the segment and the color of each triangle, and
+// the warnings.
 static py::tuple parse_mesh(const py::bytes& bytes, const std::string& extension)
 {
   const std::string_view contents = bytes;
   Polygon_soup soup;
   std::vector<Triangle> triangles;
   std::vector<Index> polygon_of_triangle;
-  std::vector<double> segments;
+  std::vector<double> segments, colors;
   std::size_t number_of_polygons = 0;
   try {
     const No_python_lock no_python_lock;
     const mesh_file::Format format = mesh_file::format_of_extension(extension);
-    soup = mesh_file::read_mesh_file(contents, format, format == mesh_file::Format::PLY);
+    soup = mesh_file::read_mesh_file(contents, format, true);
     number_of_polygons = soup.number_of_polygons();
     segment_mesh::triangulate(soup, triangles, polygon_of_triangle);
     std::vector<char> is_used(soup.points.size(), 0);
@@ -93,6 +94,11 @@ static py::tuple parse_mesh(const py::bytes& bytes, const std::string& extension
     if (!segment_of_polygon.empty())
       for (Index i : polygon_of_triangle)
         segments.push_back(segment_of_polygon[i]);
+    if (mesh_file::has_colors(soup)) {
+      const std::vector<double> color_of_polygon = mesh_file::face_colors(soup);
+      for (Index i : polygon_of_triangle)
+        colors.insert(colors.end(), &color_of_polygon[3 * i], &color_of_polygon[3 * i] + 3);
+    }
   }
   catch (const std::runtime_error& e) {
     throw py::value_error(e.what());
@@ -100,12 +106,14 @@ static py::tuple parse_mesh(const py::bytes& bytes, const std::string& extension
   const auto number_of_points = static_cast<py::ssize_t>(soup.points.size());
   const auto number_of_triangles = static_cast<py::ssize_t>(triangles.size());
   const auto number_of_segments = static_cast<py::ssize_t>(segments.size());
+  const auto number_of_colors = static_cast<py::ssize_t>(colors.size() / 3);
   return py::make_tuple(
     array_of<double>(std::move(soup.points), {number_of_points, 3}),
     array_of_indices(std::move(triangles), {number_of_triangles, 3},
                      static_cast<std::size_t>(number_of_points)),
     array_of_indices(std::move(polygon_of_triangle), {number_of_triangles}, number_of_polygons),
-    array_of<double>(std::move(segments), {number_of_segments}), soup.warnings);
+    array_of<double>(std::move(segments), {number_of_segments}),
+    array_of<double>(std::move(colors), {number_of_colors, 3}), soup.warnings);
 }
 
 // Returns the polygons of arrays, and their triangles.

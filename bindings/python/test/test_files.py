@@ -55,6 +55,20 @@ def test_round_trips(dumbbell, tmp_path, extension, kind):
     assert {p.suffix for p in tmp_path.iterdir()} == suffixes
 
 
+def test_colors_are_read(dumbbell, tmp_path):
+    points, triangles = dumbbell
+    labels = segment_hierarchy(points, triangles).labels(3)
+    write(tmp_path / "mesh.ply", points, triangles, labels) # with a color for each label
+    colors = read(tmp_path / "mesh.ply").colors
+    assert len(set(map(tuple, colors))) == 3
+    assert len({(label, *color) for label, color in zip(labels, colors)}) == 3
+    write(tmp_path / "plain.obj", points, triangles)
+    assert read(tmp_path / "plain.obj").colors is None
+    (tmp_path / "two.obj").write_text("v 0 0 0 0 0 1\nv 1 0 0 0 0 1\nv 0 1 0 .6 0 1\n"
+                                      "v 0 0 1 .3 0 .7\nf 1 2 3\nf 1 4 2\n")
+    np.testing.assert_allclose(read(tmp_path / "two.obj").colors, [[.2, 0, 1], [.1, 0, .9]])
+
+
 def test_labels_are_read_back(dumbbell, tmp_path):
     points, triangles = dumbbell
     labels = segment_hierarchy(points, triangles).labels(3)
