@@ -6,7 +6,7 @@
 /// not 0, standard error has an error message in one line.
 
 #include "Batch.h"
-#include "Constraints.h"
+#include "Constraint_files.h"
 #include "../meshes/Failure.h"
 #include "Output_files.h"
 #include "Run_watch.h"
@@ -582,7 +582,7 @@ std::size_t segment(const Input& input, std::vector<Index>& labels, const Option
   const auto np = parameters::options(o.segmentation_options())
                     .face_group_map(group).face_feature_map(feature).hierarchy(tree)
                     .visitor(std::ref(watch));
-  Constraints constraints(input);
+  Constraint_files constraints(input);
   if (!o.seed_file.empty())
     constraints.read_seeds(o.seed_file);
   if (!o.edge_file.empty())

@@ -63,8 +63,8 @@ inline Named_mesh noisy(const Named_mesh& shape, double fraction)
   return result;
 }
 
-// Draws the rows that are read off one tree.
-inline void draw_rows_of_tree(Picture_book& book, const Named_mesh& shape)
+// Draws the rows of thresholds, which are read off one tree, and of numbers.
+inline void draw_thresholds_and_numbers(Picture_book& book, const Named_mesh& shape)
 {
   const Segmentation_hierarchy tree = hierarchy(shape.mesh, Engine_options());
   Row_colors colors;
@@ -72,9 +72,12 @@ inline void draw_rows_of_tree(Picture_book& book, const Named_mesh& shape)
     add_segments(book, "salience_threshold", shape, colors, labels_of_tree(tree, threshold),
                  caption_of("salience_threshold", threshold, tree.salience_threshold()));
   colors = Row_colors();
-  for (std::size_t n : {2, 5, 10, 20})
-    add_segments(book, "number_of_segments", shape, colors, tree.labels(tree.nodes(n)),
+  for (std::size_t n : {2, 5, 10, 20}) {
+    Engine_options o;
+    o.number_of_segments = n; // the tree may have fewer leaves
+    add_segments(book, "number_of_segments", shape, colors, segment(shape.mesh, o),
                  "number_of_segments " + std::to_string(n));
+  }
 }
 
 // Draws several segmentations of a model of many components.
@@ -186,7 +189,7 @@ inline void draw_parameters(Picture_book& book, const Named_mesh& limbs, const N
                             const Named_mesh& fine)
 {
   const Engine_options calibrated = Engine_options(), paper = Engine_options::zhang_liu_2005();
-  draw_rows_of_tree(book, limbs);
+  draw_thresholds_and_numbers(book, limbs);
   draw_row(book, "minimum_segment_size", &Engine_options::minimum_segment_size, calibrated, fine,
            {0.0, calibrated.minimum_segment_size, 0.02, 0.1});
   draw_row(book, "number_of_coarse_faces", &Engine_options::number_of_coarse_faces, calibrated,

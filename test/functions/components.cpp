@@ -405,7 +405,7 @@ BOOST_AUTO_TEST_CASE(a_body_has_its_parts_in_any_surroundings)
     });
   };
   const Soup dome = scaled(sphere(3), 6 * unit), room = box(8, 9, 10, 5), plinth = box(9, 9, 1, 3),
-             slab = box(5, 5, 2, 4), terrain = transformed(plate(20, 20), [=](const Point& p) {
+             slab = box(6, 5, 1.5, 3.6), terrain = transformed(plate(20, 20), [=](const Point& p) {
     return Point(unit / 2 * (p.x() - 10), unit / 2 * (p.y() - 10),
                  unit * (0.3 * std::sin(p.x() / 3) * std::sin(p.y() / 4) - 4));
   });

@@ -161,7 +161,7 @@ std::vector<Edge> sorted_edges(const std::vector<mesh_file::Triangle>& triangles
 }
 
 // The constraints of a run, as maps of triangles and edges.
-class Constraints
+class Constraint_maps
 {
   const std::vector<Index>& face_of_triangle_;
   std::vector<std::int32_t> seed_of_face_;
@@ -205,7 +205,7 @@ class Constraints
   }
 
 public:
-  Constraints(const Input& input, const val& given)
+  Constraint_maps(const Input& input, const val& given)
     : face_of_triangle_(input.polygon_of_triangle),
       seed_of_face_(numbers_of<std::int32_t>(given["faceSeeds"])),
       group_of_face_(numbers_of<std::int32_t>(given["faceGroups"]))
@@ -320,7 +320,7 @@ public:
     : input_(mesh.input()), options_(read_options(options))
   {
     Progress visitor(progress);
-    const Constraints constraints(*input_, options);
+    const Constraint_maps constraints(*input_, options);
     const mesh_file::Face_vectors features = read_features(*input_, options);
     label_of_triangle_.resize(input_->triangles.size());
     CGAL::segment_spectral_recursive<CGAL::Sequential_tag>(

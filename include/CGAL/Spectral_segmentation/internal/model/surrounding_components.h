@@ -46,21 +46,18 @@ inline bool is_around(const Surface& surface, Index component, const Moments& ot
 }
 
 // Returns whether a component, which may have a border, surrounds others: it has more area, and it
-// is a flat sheet or slab of twice their length, or a convex solid around them, or a convex solid
-// beside which they are no mere details.
+// is a flat sheet or slab of twice their length, or a convex solid around them.
 inline bool surrounds(const Surface& surface, Index component, bool is_open, const Moments& m,
                       const Moments& others)
 {
-  constexpr double flatness_of_sheet = 0.1, flatness_of_slab = 0.2, least_area = 0.01;
+  constexpr double flatness_of_sheet = 0.1, flatness_of_slab = 0.4;
   if (!(others.area > 0) || quantized(m.area) <= quantized(others.area))
     return false;
   const std::array<double, 3> extents = m.deviations();
-  const bool is_long = extents[2] >= 2 * others.deviations()[2];
-  if (is_open)
-    return is_long && extents[0] <= flatness_of_sheet * extents[1];
-  return is_convex(surface, component) &&
-         ((is_long && extents[0] <= flatness_of_slab * extents[1]) ||
-          others.area >= least_area * m.area || is_around(surface, component, others));
+  const bool is_flat = extents[2] >= 2 * others.deviations()[2] &&
+    extents[0] <= (is_open ? flatness_of_sheet : flatness_of_slab) * extents[1];
+  return is_open ? is_flat : is_convex(surface, component) &&
+                               (is_flat || is_around(surface, component, others));
 }
 
 // Returns the fractions of the components of a surface, whose faces have areas and point outward.

@@ -1,8 +1,8 @@
 // Copyright (c) 2026  The Spectral_segmentation authors.
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#ifndef SEGMENT_MESH_CONSTRAINTS_H
-#define SEGMENT_MESH_CONSTRAINTS_H
+#ifndef SEGMENT_MESH_CONSTRAINT_FILES_H
+#define SEGMENT_MESH_CONSTRAINT_FILES_H
 
 #include "../meshes/Failure.h"
 #include "../meshes/read_input.h"
@@ -20,7 +20,7 @@
 namespace segment_mesh {
 
 // The conditions on the segments that the user gives in files.
-class Constraints
+class Constraint_files
 {
   struct Edge
   {
@@ -62,7 +62,7 @@ class Constraints
   }
 
 public:
-  explicit Constraints(const Input& input) : input_(input) {}
+  explicit Constraint_files(const Input& input) : input_(input) {}
 
   bool has_seeds() const { return !seeds_.empty(); }
   bool has_edges() const { return !edges_.empty(); }
@@ -117,4 +117,4 @@ public:
 
 } // namespace segment_mesh
 
-#endif // SEGMENT_MESH_CONSTRAINTS_H
+#endif // SEGMENT_MESH_CONSTRAINT_FILES_H
