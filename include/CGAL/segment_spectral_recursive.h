@@ -34,6 +34,7 @@
 #include <CGAL/Spectral_segmentation/internal/engine.h>
 #include <CGAL/Spectral_segmentation/internal/read/numbered_descriptors.h>
 #include <CGAL/Spectral_segmentation/internal/read/read_constraints.h>
+#include <CGAL/Spectral_segmentation/internal/read/read_features.h>
 #include <CGAL/Spectral_segmentation/internal/read/read_options.h>
 #include <CGAL/Spectral_segmentation/internal/read/read_triangle_mesh.h>
 
