@@ -547,20 +547,13 @@ mesh_file::Face_vectors read_features(const Input& input, const Options& o)
 {
   if (o.feature_file.empty())
     return {};
-  if (o.uses_colors()) {
-    try {
-      return mesh_file::face_vectors(3, mesh_file::face_colors(input.soup));
-    }
-    catch (const std::runtime_error& e) {
-      throw Failure(Status::INPUT, o.input + ": " + e.what());
-    }
-  }
   mesh_file::Face_vectors result;
   try {
-    result = mesh_file::read_face_vectors(o.feature_file);
+    result = o.uses_colors() ? mesh_file::face_vectors(3, mesh_file::face_colors(input.soup))
+                             : mesh_file::read_face_vectors(o.feature_file);
   }
   catch (const std::runtime_error& e) {
-    throw Failure(Status::INPUT, o.feature_file + ": " + e.what());
+    throw Failure(Status::INPUT, (o.uses_colors() ? o.input : o.feature_file) + ": " + e.what());
   }
   if (result.number_of_faces() != input.soup.number_of_polygons())
     throw Failure(Status::USAGE, o.feature_file + " has " +

@@ -16,6 +16,7 @@
 #include <string>
 #include <string_view>
 #include <system_error>
+#include <vector>
 
 namespace mesh_file {
 
@@ -223,6 +224,15 @@ public:
     if (const std::optional<double> result = find_number())
       return *result;
     fail("a number");
+  }
+
+  // Reads the numbers on the rest of the line.
+  std::vector<double> numbers_on_line()
+  {
+    std::vector<double> result;
+    while (!is_at_end_of_line())
+      result.push_back(number());
+    return result;
   }
 
   // Reads a number like `number()`, but does not move past a word that is none.

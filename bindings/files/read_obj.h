@@ -89,9 +89,7 @@ class Obj_reader
   // Reads the rest of a point: a color, or a weight, which is skipped.
   void read_color()
   {
-    std::vector<double> numbers;
-    while (!text_.is_at_end_of_line())
-      numbers.push_back(text_.number());
+    const std::vector<double> numbers = text_.numbers_on_line();
     if (keeps_properties_ && numbers.size() >= 3)
       colors_.insert(colors_.end(), numbers.begin(), numbers.begin() + 3);
   }

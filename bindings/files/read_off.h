@@ -80,9 +80,7 @@ class Off_reader
   // first `skipped` ones are a color.
   void read_color(std::size_t skipped, std::vector<double>& colors)
   {
-    std::vector<double> numbers;
-    while (!text_.is_at_end_of_line())
-      numbers.push_back(text_.number());
+    const std::vector<double> numbers = text_.numbers_on_line();
     if (keeps_colors_ && numbers.size() >= skipped + 3) {
       const auto first = numbers.begin() + static_cast<std::ptrdiff_t>(skipped);
       colors.insert(colors.end(), first, first + 3);
