@@ -7,7 +7,7 @@
 #include "part_metrics.h"
 #include "run_engine.h"
 
-#include <CGAL/Spectral_segmentation/internal/surface/mirror_symmetry.h>
+#include <CGAL/Spectral_segmentation/internal/surface/symmetries.h>
 
 #include <algorithm>
 #include <cmath>
@@ -56,11 +56,11 @@ public:
     internal::normalize(surface_.points);
     internal::set_areas(Execution::SEQUENTIAL, surface_);
     internal::move_to_frame(Execution::SEQUENTIAL, surface_);
-    const internal::Mirror_symmetry symmetry(surface_);
-    const auto reflection = symmetry();
-    if (!reflection)
+    const internal::Symmetry_search search(surface_);
+    const std::vector<internal::Rigid_motion> reflection = search.reflection();
+    if (reflection.empty())
       return;
-    image_ = symmetry.images(Execution::SEQUENTIAL, *reflection);
+    image_ = search.images(Execution::SEQUENTIAL, reflection[0]);
     for (Index f = 0; f < image_.size(); ++f)
       if (image_[f] == internal::null_index)
         image_[f] = f;

@@ -87,9 +87,8 @@ public:
     /// components that do not touch.
     /// In the calibrated method (default) a salience that is larger than the salience of the cut
     /// above it becomes that salience, because a cut can only be made after the cut above it.
-    /// Therefore saliences never grow from cut to cut. Cuts that are mirror images have the mean of
-    /// their saliences, limited in the same way, unless a cut below one of them is more salient.
-    /// The factors are not changed.
+    /// Therefore saliences never grow from cut to cut. Cuts that are images of each other, under a
+    /// reflection or rotation of the mesh, have the mean of their saliences. The factors stay.
     double salience;
 
     /// the factors of that cut, on the mesh on which it was searched (`number_of_coarse_faces`);

@@ -6,10 +6,10 @@
 
 #include <CGAL/Spectral_segmentation/internal/levels/agreement.h>
 #include <CGAL/Spectral_segmentation/internal/levels/make_levels.h>
-#include <CGAL/Spectral_segmentation/internal/search/mirrored_cuts.h>
+#include <CGAL/Spectral_segmentation/internal/search/symmetric_cuts.h>
 #include <CGAL/Spectral_segmentation/internal/search/recursion.h>
 #include <CGAL/Spectral_segmentation/internal/search/region_merging.h>
-#include <CGAL/Spectral_segmentation/internal/surface/mirror_symmetry.h>
+#include <CGAL/Spectral_segmentation/internal/surface/symmetries.h>
 
 #include <algorithm>
 #include <cstddef>
@@ -60,17 +60,6 @@ class Calibrated_search
                      d_.monitor)(regions));
   }
 
-  // Returns the mirror image of each face, if the surface is its own; else none.
-  std::vector<Index> mirror_image() const
-  {
-    if (surface_.components.number > 1 || !d_.monitor.go_further() ||
-        !d_.options.part_salience.target<Calibrated_part_salience>())
-      return {};
-    const Mirror_symmetry symmetry(surface_);
-    const auto reflection = symmetry();
-    return reflection ? symmetry.images(d_.execution, *reflection) : std::vector<Index>();
-  }
-
 public:
   Calibrated_search(const Levels& l, std::size_t search, const Run_data& d)
     : surface_(l.searched(search)), d_(d), search_(search),
@@ -84,22 +73,25 @@ public:
       .by_salience(d_.method.number_of_regions);
   }
 
-  // Merges the regions. Treats mirror images of cuts like the cuts.
-  void merge_regions()
+  // Merges the regions. Treats the images of cuts under symmetries of the surface like the cuts.
+  void merge_regions(const std::vector<Rigid_motion>& symmetries)
   {
     tree_ = merged(tree_.leaf);
-    const std::vector<Index> image = mirror_image();
-    if (image.empty())
+    if (symmetries.empty())
       return;
+    const Symmetry_search search(surface_);
+    std::vector<std::vector<Index> > images;
+    for (const Rigid_motion& motion : symmetries)
+      images.push_back(search.images(d_.execution, motion));
     const std::vector<Index> divided =
-      Mirrored_cuts(surface_, tree_, image).divided_leaves(best_cut_.minimum_area());
+      Symmetric_cuts(surface_, tree_, images).divided_leaves(best_cut_.minimum_area());
     if (divided != tree_.leaf && d_.monitor.go_further())
       tree_ = merged(divided);
-    Mirrored_cuts cuts(surface_, tree_, image);
-    const std::vector<std::size_t> partner = cuts.partners();
-    tree_.leaf = cuts.mirrored_leaves(partner, best_cut_.minimum_area());
+    Symmetric_cuts cuts(surface_, tree_, images);
+    const std::vector<Partner> partner = cuts.partners();
+    tree_.leaf = cuts.moved_leaves(partner, best_cut_.minimum_area());
     set_areas_of_leaves(tree_, surface_);
-    tree_ = apply_from_top_down(average_partners(std::move(tree_), partner));
+    tree_ = apply_from_top_down(merge_symmetrically(surface_, std::move(tree_), partner));
   }
 };
 
@@ -114,7 +106,11 @@ inline Merge_tree search_calibrated(const Levels& l, const Run_data& d)
     searches.push_back(std::make_unique<Calibrated_search>(l, i, d));
   for_each_index(d.execution, n, [&](std::size_t i) { searches[i]->find_regions(); });
   d.monitor.stage(Stage::MERGING, Segmentation_visitor::whole_mesh, [&] {
-    for_each_index(d.execution, n, [&](std::size_t i) { searches[i]->merge_regions(); });
+    std::vector<Rigid_motion> symmetries;
+    if (l.mesh().components.number == 1 && !d.monitor.is_stopped() &&
+        d.options.part_salience.target<Calibrated_part_salience>())
+      symmetries = Symmetry_search(l.searched(0)).symmetries();
+    for_each_index(d.execution, n, [&](std::size_t i) { searches[i]->merge_regions(symmetries); });
     return true;
   });
   const Surface& common = l.shared.back().surface;
