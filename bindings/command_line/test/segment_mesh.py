@@ -40,7 +40,9 @@ class Tool_test(unittest.TestCase):
         self.directory = pathlib.Path(directory.name)
 
     def run_tool(self, *arguments):
-        return subprocess.run([TOOL, *map(str, arguments)], cwd=self.directory, text=True,
+        """Runs the tool, with one search unless it is asked for more, which take longer."""
+        number = [] if "--searches" in arguments else ["--searches", "1"]
+        return subprocess.run([TOOL, *number, *map(str, arguments)], cwd=self.directory, text=True,
                               stdin=subprocess.DEVNULL, stdout=subprocess.PIPE,
                               stderr=subprocess.PIPE, timeout=300, check=False)
 
@@ -479,9 +481,9 @@ class Formats(Tool_test):
 
     def test_standard_input_and_output(self):
         for name in ("in.off", "out.ply"):
-            done = subprocess.run([TOOL, "-", "--labels", "-"], cwd=self.directory,
-                                  input=(self.directory / name).read_bytes(), capture_output=True,
-                                  timeout=300, check=False)
+            done = subprocess.run([TOOL, "--searches", "1", "-", "--labels", "-"],
+                                  cwd=self.directory, capture_output=True, timeout=300, check=False,
+                                  input=(self.directory / name).read_bytes())
             self.assertEqual(done.returncode, 0, name)
             self.assertEqual([int(line) for line in done.stdout.split()], self.expected)
 
@@ -496,8 +498,8 @@ class Formats(Tool_test):
     @unittest.skipUnless(hasattr(os, "mkfifo"), "this system has no named pipes")
     def test_named_pipe(self):
         os.mkfifo(self.directory / "pipe")
-        with subprocess.Popen([TOOL, "pipe", "--labels", "-", "--quiet"], cwd=self.directory,
-                              stdout=subprocess.PIPE) as run:
+        with subprocess.Popen([TOOL, "--searches", "1", "pipe", "--labels", "-", "--quiet"],
+                              cwd=self.directory, stdout=subprocess.PIPE) as run:
             (self.directory / "pipe").write_bytes((self.directory / "in.off").read_bytes())
             self.assertEqual([int(line) for line in run.stdout], self.expected)
 
@@ -696,7 +698,8 @@ class Formats(Tool_test):
 
     def test_volumes_of_hulls_and_closed_parts(self):
         """The dumbbell has two parts, whose volumes sum up to that of the whole."""
-        done = self.run_tool("in.off", "--hulls", "hulls", "--close", "--json", "out.json")
+        done = self.run_tool("in.off", "--hulls", "hulls", "--close", "--json", "out.json",
+                             "--searches", "5")
         self.assertEqual((done.returncode, done.stderr), (0, ""))
         report = self.report()
         for row, part in zip(report["hulls"], report["closed_segments"]):

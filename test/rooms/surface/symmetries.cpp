@@ -65,10 +65,11 @@ namespace {
 void check_images(const Surface& surface, const Rigid_motion& motion)
 {
   const std::vector<Index> image = Symmetry_search(surface).images(sequential, motion);
-  for (Index f = 0; f < image.size(); ++f) {
-    BOOST_TEST_REQUIRE(image[f] != internal::null_index);
-    BOOST_TEST((surface.centroid(image[f]) - motion(surface.centroid(f))).norm() < 0.05);
-  }
+  std::size_t number = 0; // of faces with an image there
+  for (Index f = 0; f < image.size(); ++f)
+    number += image[f] != internal::null_index &&
+              (surface.centroid(image[f]) - motion(surface.centroid(f))).norm() < 0.05;
+  BOOST_TEST(number == image.size());
 }
 
 // Maps a point of a sphere to one of a flat body with n lobes, whose axis is oblique. A twist makes
@@ -126,7 +127,7 @@ BOOST_AUTO_TEST_CASE(rotations_of_bodies_with_equal_lobes_are_found)
   for (int n : {3, 4, 5, 6, 11})
     for (double twist : {0., 0.5}) {
       const Surface surface =
-        framed(sphere(5), [&](const Point& p) { return lobed(p, n, twist); });
+        framed(sphere(4), [&](const Point& p) { return lobed(p, n, twist); });
       const std::vector<Rigid_motion> motions = Symmetry_search(surface).symmetries();
       BOOST_TEST_REQUIRE(motions.size() == static_cast<std::size_t>(n - 1));
       for (const Rigid_motion& motion : motions)
