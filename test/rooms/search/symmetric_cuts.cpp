@@ -68,11 +68,11 @@ struct Squares
   }
 };
 
-// Returns ten squares in a row, which the reflection in its middle maps to itself.
-Squares make_strip()
+// Returns squares in a row, which the reflection in its middle maps to itself.
+Squares make_strip(Index n = 10)
 {
-  Squares result{surface_of(plate(10, 1)), {}};
-  result.add_motion([](Index square) { return 9 - square; });
+  Squares result{surface_of(plate(n, 1)), {}};
+  result.add_motion([n](Index square) { return n - 1 - square; });
   return result;
 }
 
@@ -166,14 +166,27 @@ BOOST_AUTO_TEST_CASE(a_region_whose_cut_is_a_partner_stays)
              tt::per_element());
 }
 
-// The image is the last two squares. One of them is a region already.
+// The image is the last three squares. One of them is a region already.
 BOOST_AUTO_TEST_CASE(an_image_divides_each_region_that_it_does_not_fill)
 {
-  const Squares strip = make_strip();
+  const Squares strip = make_strip(20);
   const Merge_tree tree =
-    strip.tree({0, 2, 5, 9}, {{2, 3}, {1, 2}, {0, 1}}, {0.1, 0.1, 0.8});
+    strip.tree({0, 3, 10, 19}, {{2, 3}, {1, 2}, {0, 1}}, {0.1, 0.1, 0.8});
+  std::vector<Index> expected = of_squares(tree.leaf);
+  expected[17] = expected[18] = 4;
   BOOST_TEST(of_squares(Symmetric_cuts(strip.surface, tree, strip.images).divided_leaves(0)) ==
-             (std::vector<Index>{0, 0, 1, 1, 1, 2, 2, 2, 4, 3}), tt::per_element());
+             expected, tt::per_element());
+}
+
+// The last three of the seven squares of the image are cut off: they may be meant as the partner.
+BOOST_AUTO_TEST_CASE(a_region_with_a_similar_cut_stays)
+{
+  const Squares strip = make_strip(40);
+  const Merge_tree tree = strip.tree({0, 7, 37}, {{1, 2}, {0, 1}}, {0.1, 0.8});
+  const Merge_tree other = strip.tree({0, 7, 38}, {{1, 2}, {0, 1}}, {0.1, 0.8});
+  BOOST_TEST(Symmetric_cuts(strip.surface, other, strip.images).divided_leaves(0) != other.leaf);
+  BOOST_TEST(Symmetric_cuts(strip.surface, tree, strip.images).divided_leaves(0) == tree.leaf,
+             tt::per_element());
 }
 
 // A tooth of two squares is cut off.

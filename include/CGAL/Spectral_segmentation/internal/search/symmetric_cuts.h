@@ -30,7 +30,9 @@ struct Partner
 // one, so that the cut of one horn may be among the regions, and its partner not.
 class Symmetric_cuts
 {
-  static constexpr double least_overlap = 0.5; // of an image with a side of its partner
+  // The intersection over union of an image with a side of its partner, and with a side of a cut
+  // that is similar to a partner
+  static constexpr double least_overlap = 0.5, least_overlap_of_similar = 0.4;
   // A cut within the image is no partner: both its sides together overlap as much.
   static constexpr double largest_overlap_of_both = 0.8; // relative to that of one
   static constexpr double largest_common = 0.3;    // fraction of a side that is its own image
@@ -83,10 +85,10 @@ class Symmetric_cuts
   }
 
   // Returns the cut that separates the image from other faces; null_node if there is none.
-  std::size_t cut_of_image() const
+  std::size_t cut_of_image(double least) const
   {
     std::size_t result = null_node;
-    double best = least_overlap;
+    double best = least;
     for (std::size_t i = 0; i < sets_.sides.size(); ++i) {
       const auto& [smaller, larger] = sets_.sides[i];
       const double overlap = quantized((std::max)(overlap_with(smaller), overlap_with(larger)));
@@ -203,7 +205,7 @@ public:
     for (std::size_t i = result.size(); i-- > 0;)
       for (std::size_t m = 0; m < images_.size() && result[i].cut == null_node; ++m)
         if (set_image(i, m))
-          if (const std::size_t j = cut_of_image();
+          if (const std::size_t j = cut_of_image(least_overlap);
               j < i && result[j].cut == null_node && !has_follower[j]) {
             const auto& [smaller, larger] = sets_.sides[j];
             result[j] = {i, m, std::size_t(overlap_with(larger) > overlap_with(smaller))};
@@ -221,7 +223,7 @@ public:
     for (std::size_t i = tree_.merges.size(); i-- > 0;)
       for (std::size_t m = 0; m < images_.size(); ++m)
         if (tree_.merges[i].salience >= default_probability_threshold / 2 && set_image(i, m) &&
-            cut_of_image() == null_node)
+            cut_of_image(least_overlap_of_similar) == null_node)
           divide(result, number, minimum_area);
     return result;
   }
