@@ -57,10 +57,10 @@ public:
     internal::set_areas(Execution::SEQUENTIAL, surface_);
     internal::move_to_frame(Execution::SEQUENTIAL, surface_);
     const internal::Symmetry_search search(surface_);
-    const std::vector<internal::Rigid_motion> reflection = search.reflection();
-    if (reflection.empty())
+    const auto reflection = search.reflection();
+    if (!reflection)
       return;
-    image_ = search.images(Execution::SEQUENTIAL, reflection[0]);
+    image_ = search.images(Execution::SEQUENTIAL, *reflection);
     for (Index f = 0; f < image_.size(); ++f)
       if (image_[f] == internal::null_index)
         image_[f] = f;

@@ -109,7 +109,7 @@ class Cut_transfer
   {
     float result = 0;
     for (const auto& [leaf, fraction] : fractions_[cell])
-      if (leaf >= set.first && leaf < set.end)
+      if (set.contains(leaf))
         result += fraction;
     return result;
   }

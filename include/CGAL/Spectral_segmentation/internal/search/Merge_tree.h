@@ -91,6 +91,7 @@ struct Merged_set
   double area;
 
   Index size() const { return end - first; }
+  bool contains(Index position) const { return position >= first && position < end; }
 };
 
 // The sets that the merges of a tree join. The range of the union begins with the range of its

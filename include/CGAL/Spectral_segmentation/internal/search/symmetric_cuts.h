@@ -49,10 +49,7 @@ class Symmetric_cuts
   std::vector<double> area_before_; // of it in the leaves before each position
 
   bool is_in(const Merged_set& set, Index f) const
-  {
-    const Index position = sets_.position[leaf_[f]];
-    return position >= set.first && position < set.end;
-  }
+  { return set.contains(sets_.position[leaf_[f]]); }
 
   // Sets the image of the smaller side of a cut: the faces that a motion maps there. Returns
   // whether it is elsewhere.
@@ -220,11 +217,13 @@ public:
   {
     std::vector<Index> result = tree_.leaf;
     Index number = static_cast<Index>(tree_.leaves.size());
-    for (std::size_t i = tree_.merges.size(); i-- > 0;)
+    for (std::size_t i = tree_.merges.size(); i-- > 0;) {
+      if (tree_.merges[i].salience < default_probability_threshold / 2)
+        continue;
       for (std::size_t m = 0; m < images_.size(); ++m)
-        if (tree_.merges[i].salience >= default_probability_threshold / 2 && set_image(i, m) &&
-            cut_of_image(least_overlap_of_similar) == null_node)
+        if (set_image(i, m) && cut_of_image(least_overlap_of_similar) == null_node)
           divide(result, number, minimum_area);
+    }
     return result;
   }
 
@@ -248,13 +247,9 @@ public:
   }
 };
 
-// Gives partners the mean of their saliences, and merges the leaves again, the least salient
-// boundary first. A boundary between two leaves is as salient as the most salient cut of which one
-// side has only one of them: the side that is an image of that of the partner, or the smaller one.
-inline Merge_tree merge_symmetrically(const Surface& surface, Merge_tree tree,
-                                      const std::vector<Partner>& partner)
+// Gives partners the mean of their saliences.
+inline void average_partners(Merge_tree& tree, const std::vector<Partner>& partner)
 {
-  const Merged_sets sets(tree);
   const std::size_t n = partner.size();
   const auto first = [&](std::size_t i)
   { return partner[i].cut == null_node ? i : partner[i].cut; };
@@ -265,7 +260,16 @@ inline Merge_tree merge_symmetrically(const Surface& surface, Merge_tree tree,
   }
   for (std::size_t i = 0; i < n; ++i)
     tree.merges[i].salience = sum[first(i)] / number[first(i)];
+}
 
+// Averages the saliences of partners, and merges the leaves again, the least salient boundary
+// first. A boundary between two leaves is as salient as the most salient cut of which one side has
+// only one of them: the side that is an image of that of the partner, or else the smaller one.
+inline Merge_tree merge_symmetrically(const Surface& surface, Merge_tree tree,
+                                      const std::vector<Partner>& partner)
+{
+  const Merged_sets sets(tree);
+  average_partners(tree, partner);
   std::set<std::pair<Index, Index> > pairs;
   for (Index h = 0; h < surface.number_of_halfedges(); ++h)
     if (const Index a = tree.leaf[h / 3], b = tree.leaf[surface.neighbor(h)]; a < b)
@@ -273,11 +277,9 @@ inline Merge_tree merge_symmetrically(const Surface& surface, Merge_tree tree,
   std::vector<std::tuple<double, std::size_t, Index, Index> > boundaries;
   for (const auto& [a, b] : pairs) {
     std::pair<double, std::size_t> most_salient(-1, 0);
-    for (std::size_t i = 0; i < n; ++i) {
+    for (std::size_t i = 0; i < partner.size(); ++i) {
       const Merged_set& side = sets.sides[i][partner[i].side];
-      const auto is_in = [&](Index leaf)
-      { return sets.position[leaf] >= side.first && sets.position[leaf] < side.end; };
-      if (is_in(a) != is_in(b))
+      if (side.contains(sets.position[a]) != side.contains(sets.position[b]))
         most_salient = (std::max)(most_salient, {tree.merges[i].salience, i});
     }
     boundaries.push_back({most_salient.first, most_salient.second, a, b});

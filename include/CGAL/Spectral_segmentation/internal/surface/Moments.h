@@ -56,10 +56,14 @@ struct Moments
 
   Vector centroid() const { return first / area; }
 
+  // Returns the variances of the points along the principal axes.
+  Eigen_decomposition variances() const
+  { return Eigen_decomposition(second / area - Symmetric_matrix::square(centroid())); }
+
   // Returns the standard deviations of the points along the principal axes, in ascending order.
   std::array<double, 3> deviations() const
   {
-    const Eigen_decomposition variances(second / area - Symmetric_matrix::square(centroid()));
+    const Eigen_decomposition variances = this->variances();
     std::array<double, 3> result;
     for (int i = 0; i < 3; ++i)
       result[static_cast<std::size_t>(i)] = std::sqrt((std::max)(variances.eigenvalue(i), 0.));

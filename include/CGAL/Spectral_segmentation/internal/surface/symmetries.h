@@ -12,6 +12,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <optional>
 #include <vector>
 
 namespace CGAL::Spectral_segmentation::internal {
@@ -135,32 +136,40 @@ class Symmetry_search
     return sum / number;
   }
 
-  // Returns the rotations by multiples of 1/n turn for the largest n that maps faces near others,
-  // if there is one of at least 3. The axis is principal, and the two other variances are nearly
-  // equal. A surface of revolution has no such rotations: half the angle maps faces as near.
-  std::vector<Rigid_motion> rotations() const
+  // Returns the principal axis around which the two variances are nearly equal, if there is one.
+  static std::optional<Vector> axis_of_rotation(const Moments& moments)
   {
     constexpr double largest_difference = 0.15; // of the two variances, relative to the larger
-    constexpr double largest_ratio = 0.35;      // of the mean distances for both angles
-    constexpr double least_distance = 0.002;    // for half the angle
+    if (!(moments.area > 0))
+      return {};
+    const Eigen_decomposition variances = moments.variances();
+    const double a = variances.eigenvalue(0), b = variances.eigenvalue(1),
+                 c = variances.eigenvalue(2);
+    const bool is_least = c - b < b - a; // the variance along the axis
+    if (is_least ? b < (1 - largest_difference) * c : a < (1 - largest_difference) * b)
+      return {};
+    Vector least, middle;
+    variances.set_eigenvectors(least, middle);
+    return is_least ? least : least.cross(middle);
+  }
+
+  // Returns the rotations by multiples of 1/n turn for the largest n that maps faces near others,
+  // if there is one of at least 3. A surface of revolution has no such rotations: half the angle
+  // maps faces as near.
+  std::vector<Rigid_motion> rotations() const
+  {
+    constexpr double largest_ratio = 0.35;   // of the mean distances for both angles
+    constexpr double least_distance = 0.002; // for half the angle
     constexpr double noise = 0.0005; // of mean distances; they may double for a multiple of n
     Moments moments;
     for (Index f = 0; f < surface_.number_of_faces(); ++f)
       moments.add(surface_, f);
-    const Vector center = moments.centroid();
-    const Eigen_decomposition variances(moments.second / moments.area -
-                                        Symmetric_matrix::square(center));
-    Vector least, middle;
-    variances.set_eigenvectors(least, middle);
-    const double a = variances.eigenvalue(0), b = variances.eigenvalue(1),
-                 c = variances.eigenvalue(2);
-    const bool is_least = c - b < b - a; // the variance along the axis
     std::vector<Rigid_motion> result;
-    if (!(moments.area > 0) ||
-        (is_least ? b < (1 - largest_difference) * c : a < (1 - largest_difference) * b))
+    const std::optional<Vector> axis = axis_of_rotation(moments);
+    if (!axis)
       return result;
-    const auto rotation = [&](double fraction)
-    { return Rigid_motion::rotation(is_least ? least : least.cross(middle), center, fraction); };
+    const auto rotation = [&, center = moments.centroid()](double fraction)
+    { return Rigid_motion::rotation(*axis, center, fraction); };
     double distances[largest_order + 1]; // by n
     int best = 3;
     for (int n = 3; n <= largest_order; ++n) {
@@ -185,9 +194,9 @@ public:
 
   // Returns the reflection that maps the most faces near others, if these are enough. Ties go to
   // the axis of larger variance: each face of a plate is near its image on the other side.
-  std::vector<Rigid_motion> reflection() const
+  std::optional<Rigid_motion> reflection() const
   {
-    std::vector<Rigid_motion> result;
+    std::optional<Rigid_motion> result;
     double best = least_fraction;
     for (int axis = 0; axis < 3; ++axis) {
       Rigid_motion motion =
@@ -198,7 +207,7 @@ public:
         continue; // many faces are hardly enough, either
       if (const double found = fraction(motion, many_faces); found >= best) {
         best = found;
-        result.assign(1, motion);
+        result = motion;
       }
     }
     return result;
@@ -208,8 +217,11 @@ public:
   // axis, or else a reflection, if there are any.
   std::vector<Rigid_motion> symmetries() const
   {
-    const std::vector<Rigid_motion> result = rotations();
-    return result.empty() ? reflection() : result;
+    std::vector<Rigid_motion> result = rotations();
+    if (result.empty())
+      if (const std::optional<Rigid_motion> motion = reflection())
+        result.push_back(*motion);
+    return result;
   }
 
   // Returns the face to which a motion maps each face, or null_index if there is none near.
