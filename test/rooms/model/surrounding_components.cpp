@@ -3,6 +3,7 @@
 
 #include <boost/test/unit_test.hpp>
 
+#include "box_figures.h"
 #include "test_meshes.h"
 
 #include <CGAL/Spectral_segmentation/internal/model/surrounding_components.h>
