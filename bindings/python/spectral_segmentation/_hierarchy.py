@@ -42,9 +42,9 @@ class Hierarchy:
                         "Hierarchy")
 
     @classmethod
-    def _of(cls, core, surface=None, is_probability=False):
-        """The hierarchy of triangles, or with a surface the one of its polygons. The salience is a
-        probability, or nobody knows."""
+    def _of(cls, core, surface=None, is_probability=None):
+        """The hierarchy of triangles, or with a surface the one of its polygons. Whether the
+        salience is a probability is not known of a file: `None`."""
         result = object.__new__(cls)
         result._core = core
         result._surface = surface

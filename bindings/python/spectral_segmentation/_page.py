@@ -43,9 +43,9 @@ def page_of(surface, hierarchy, name, n=None):
         raise ValueError("the mesh has no triangles")
     if n is None:
         n = len(hierarchy.segments())
-    # Only the calibrated method, whose saliences are probabilities, computes this factor.
-    is_probability = bool(hierarchy.factors["log_relative_part_area"].any() or
-                          (hierarchy.children < 0).all())
+    is_probability = hierarchy._is_probability
+    if is_probability is None: # of a file; only the calibrated method computes this factor
+        is_probability = bool(hierarchy.factors["log_relative_part_area"].any())
     name = name.encode(errors="replace").decode()
     return _core.page(surface.core, hierarchy._core, name, n, is_probability)
 

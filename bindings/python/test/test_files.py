@@ -208,6 +208,10 @@ def test_pages(dumbbell, tmp_path):
     page = path.read_text()
     assert "<title>dumbbell" in page and '"salience":"salience"' in page
     assert '"segments":2,' in view(dumbbell, hierarchy, n=2).html
+    calibrated = Hierarchy.from_json(segment_hierarchy(dumbbell).to_json())
+    assert '"salience":"probability"' in view(dumbbell, calibrated).html
+    weighted = segment_hierarchy(dumbbell, salience_weights=(0.1, 0.6, 0.3))
+    assert '"salience":"salience"' in view(dumbbell, weighted).html
     for labels, words in ((hierarchy.labels(), "needs a Hierarchy, .* not ndarray"),
                           (None, "needs a Hierarchy, .* not NoneType")):
         with pytest.raises(TypeError, match=words):
