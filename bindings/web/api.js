@@ -81,13 +81,9 @@ function checkedOptions(options, kindOfOption = optionKinds) {
   return given;
 }
 
-const constraints = ["constrainedEdges", "uncuttableEdges", "faceSeeds"];
-
 // Adds the features as an array of one type. Whole numbers, one a face, are labels, but not if
 // their type is one of real numbers.
 function addFeatures(features, mesh, given) {
-  if (given.method === "paper")
-    throw new TypeError("features does not go with the method 'paper'");
   const { numberOfFaces } = mesh;
   if (features.length % numberOfFaces !== 0)
     throw new TypeError(`features must have as many numbers for each of the ${numberOfFaces} ` +
@@ -113,9 +109,8 @@ function checkedRunOptions(options, mesh) {
   const given = checkedOptions(options);
   if (isProbability(given))
     checkThreshold(given);
-  for (const name of [...constraints, "faceGroups"].filter(each => each in given)) {
-    if (given.method === "paper" && constraints.includes(name))
-      throw new TypeError(`${name} does not go with the method 'paper'`);
+  const integers = ["constrainedEdges", "uncuttableEdges", "faceSeeds", "faceGroups"];
+  for (const name of integers.filter(each => each in given)) {
     const numbers = given[name] = Int32Array.from(given[name]);
     if (name.startsWith("face") && numbers.length !== mesh.numberOfFaces)
       throw new TypeError(`${name} must have ${mesh.numberOfFaces} integers, one for each face, ` +

@@ -209,9 +209,6 @@ def segment_hierarchy(
     is_probability = part_salience is None and salience_weights is None and not _METHODS[method]
     if part_salience is not None and salience_weights is not None:
         raise ValueError("part_salience does not go with salience_weights")
-    for name in ("constrained_edges", "uncuttable_edges", "face_seeds", "features"):
-        if arguments[name] is not None and _METHODS[method]:
-            raise ValueError("%s does not go with the method 'paper'" % name)
     given = {"uses_paper_method": _METHODS[method]}
     for name, read in _READ.items():
         if arguments[name] is not None:

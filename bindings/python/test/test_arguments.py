@@ -96,7 +96,8 @@ def test_triangles(triangles, error, words):
     ({"progress": 1}, TypeError, "progress must be callable, not int"),
     ({"face_seeds": [1, 2, 3]}, ValueError, r"face_seeds must have the shape \(4,\)"),
     ({"face_seeds": [1., 2, 3, 4]}, TypeError, "face_seeds must be integers, not float64"),
-    ({"face_seeds": [1, 2, 1, 2], "method": "paper"}, ValueError, "face_seeds does not go"),
+    ({"face_seeds": [1, 2, 1, 2], "method": "paper"}, ValueError,
+     "^the method of the paper takes no constraints: use the calibrated method with them$"),
     ({"face_seeds": [1, 2, 3, 4], "number_of_segments": 2}, ValueError, "need 4 segments"),
     ({"face_groups": [1, 2, 3]}, ValueError, r"face_groups must have the shape \(4,\)"),
     ({"face_groups": [1., 2, 3, 4]}, TypeError, "face_groups must be integers, not float64"),
@@ -106,7 +107,7 @@ def test_triangles(triangles, error, words):
     ({"features": list("abcd")}, TypeError, "features must be numbers"),
     ({"features": [0., 1, np.nan, 2]}, ValueError, "not finite, at face 2"),
     ({"features": np.array([0, 1, np.inf, 2], np.float32)}, ValueError, "not finite, at face 2"),
-    ({"features": [1, 2, 1, 2], "method": "paper"}, ValueError, "features does not go"),
+    ({"features": [1, 2, 1, 2], "method": "paper"}, ValueError, "takes no features"),
     ({"constrained_edges": [0, 1]}, ValueError,
      r"constrained_edges must have the shape \(k, 2\), two points for each edge, not \(2,\)"),
     ({"uncuttable_edges": [[0., 1]]}, TypeError,
@@ -119,7 +120,7 @@ def test_triangles(triangles, error, words):
      "triangles 0 and 1 is in both constrained_edges and uncuttable_edges"),
     ({"constrained_edges": [[0, 1]], "face_seeds": [1, 1, -1, -1]}, ValueError,
      "triangles 0 and 1"),
-    ({"constrained_edges": [], "method": "paper"}, ValueError, "does not go with the method"),
+    ({"constrained_edges": [[0, 1]], "method": "paper"}, ValueError, "takes no constraints"),
 ])
 def test_parameters(parameters, error, words):
     for function in (segment, segment_hierarchy):
