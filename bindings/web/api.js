@@ -107,8 +107,6 @@ function checkThreshold({ salienceThreshold: threshold = 0 }) {
 // Returns the options for the module, which takes constraints as arrays of one type.
 function checkedRunOptions(options, mesh) {
   const given = checkedOptions(options);
-  if (isProbability(given))
-    checkThreshold(given);
   const integers = ["constrainedEdges", "uncuttableEdges", "faceSeeds", "faceGroups"];
   for (const name of integers.filter(each => each in given)) {
     const numbers = given[name] = Int32Array.from(given[name]);
