@@ -238,6 +238,17 @@ BOOST_AUTO_TEST_CASE(constraints_and_numbers_of_segments_keep_walls)
   BOOST_TEST(all.number_of_faces() == 3 * n);
 }
 
+// The fractions of the area are below 1/100 and above.
+BOOST_AUTO_TEST_CASE(small_components_have_no_walls)
+{
+  for (const Soup& inner : {ball(0.98, 0), turned_inside_out(ball(0.98, 0))}) {
+    const Soup hollow = disjoint_union(ball(1, 0), inner);
+    BOOST_TEST(Prepared_model(disjoint_union(ball(11, 50), hollow)).number_of_walls() == 0u);
+    BOOST_TEST(Prepared_model(disjoint_union(ball(8, 50), hollow)).number_of_walls() ==
+               faces_of_ball);
+  }
+}
+
 // Both halves of a tube have their own vertices where they meet.
 BOOST_AUTO_TEST_CASE(patches_are_joined_unless_they_are_kept)
 {
