@@ -179,8 +179,6 @@ BOOST_AUTO_TEST_CASE(nearest_sets_come_first)
     soup = disjoint_union(soup, moved(sphere(2), center, 0, 0));
   const Surface graph = surface_of(soup);
   internal::Disjoint_sets joined(graph.components.number);
-  for (Index i = 0; i < graph.components.number; ++i)
-    joined.add(i);
   std::vector<std::pair<Index, Index> > pairs;
   for (const internal::Set_contact& c :
        internal::set_contacts(graph, graph.components.labels, [](std::size_t) {}))

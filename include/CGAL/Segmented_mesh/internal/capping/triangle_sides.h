@@ -83,8 +83,6 @@ inline bool is_manifold(const std::vector<Corners>& triangles,
 {
   const std::size_t n = sides.size();
   Disjoint_sets fans(n); // sets of corners
-  for (std::size_t i = 0; i < n; ++i)
-    fans.add(static_cast<Index>(i));
   bool has_manifold_edges = true;
   for_each_edge(sides, [&](std::size_t i, std::size_t number) {
     if (number == 2 && are_opposite(sides[i], sides[i + 1]))

@@ -77,10 +77,7 @@ class Segment_keeper
     for (Index h = 0; h < graph_.number_of_halfedges(); ++h)
       for (int half : {0, 1}) {
         const Index l = label(h, half);
-        Index& part_label = label_of_part[part(h / 3, l)];
-        if (part_label == null_index)
-          components.add(part(h / 3, l));
-        part_label = l;
+        label_of_part[part(h / 3, l)] = l;
       }
     for (Index h = 0; h < graph_.number_of_halfedges(); ++h) {
       if (h / 3 >= graph_.neighbor(h))

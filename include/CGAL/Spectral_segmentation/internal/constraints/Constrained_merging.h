@@ -61,9 +61,6 @@ class Constrained_merging
     Disjoint_sets pieces(region_.size());
     for (Index f = 0; f < region_.size(); ++f)
       if (is_cut[region_[f]])
-        pieces.add(f);
-    for (Index f = 0; f < region_.size(); ++f)
-      if (is_cut[region_[f]])
         for (Index h = 3 * f; h < 3 * f + 3; ++h)
           if (!groups_.is_seam[h] && region_[mesh_.neighbor(h)] == region_[f])
             pieces.join(f, mesh_.neighbor(h));

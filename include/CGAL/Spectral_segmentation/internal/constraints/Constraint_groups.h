@@ -160,12 +160,7 @@ public:
                       const Surface& mesh)
     : constraints_(constraints), mesh_face_(std::move(mesh_face)), mesh_(mesh),
       groups_(mesh.number_of_faces()), sets_(mesh.number_of_faces())
-  {
-    for (Index f = 0; f < mesh.number_of_faces(); ++f) {
-      groups_.add(f);
-      sets_.add(f);
-    }
-  }
+  {}
 
   Constraint_groups operator()(bool keep_components_separate)
   {

@@ -155,9 +155,6 @@ class Band_cells
     Disjoint_sets cores(cell_.size());
     for (Index f = 0; f < cell_.size(); ++f)
       if (cell_[f] == null_index)
-        cores.add(f);
-    for (Index f = 0; f < cell_.size(); ++f)
-      if (cell_[f] == null_index)
         for (Index h = 3 * f; h < 3 * f + 3; ++h)
           if (const Index g = mesh.neighbor(h); f < g && cell_[g] == null_index)
             cores.join(f, g);

@@ -75,8 +75,6 @@ class Vertex_clustering
     std::vector<std::uint64_t> cells(n); // one per vertex
     for_each_index(execution, n, [&](std::size_t v) { cells[v] = cell(mesh_.points[v]); });
     Disjoint_sets sets(n); // sets of vertices
-    for (Index v = 0; v < n; ++v)
-      sets.add(v);
     // These are summed for each vertex, then for its cluster. The ends of an edge are in one
     // cluster if they are in one cell.
     std::vector<int> euler(n, 1), number_of_arcs(n, 0);

@@ -116,7 +116,6 @@ inline std::vector<Index> welded_vertices(const Surface& surface, double width)
   std::vector<std::pair<Cell, Index> > vertices;
   Disjoint_sets sets(surface.points.size()); // sets of vertices
   for (Index v = 0; v < surface.points.size(); ++v) {
-    sets.add(v);
     const Vector& p = surface.points[v];
     if (is_on_border[v])
       vertices.push_back({{std::llround(p.x() / width), std::llround(p.y() / width),

@@ -108,10 +108,8 @@ struct Merged_sets
     const Index n = static_cast<Index>(tree.leaves.size());
     Disjoint_sets sets(n);
     std::vector<Merged_set> set(n); // one per representative
-    for (Index i = 0; i < n; ++i) {
-      sets.add(i);
+    for (Index i = 0; i < n; ++i)
       set[i] = {0, 1, i, null_index, tree.leaves[i].area};
-    }
     for (Index i = 0; i < tree.merges.size(); ++i) {
       Index a = sets.representative(tree.merges[i].leaves[0]);
       Index b = sets.representative(tree.merges[i].leaves[1]);
@@ -218,8 +216,6 @@ inline std::vector<Index> segments_above(const Merge_tree& tree, double threshol
 {
   std::vector<Index> segment = first_indices(tree.leaves.size());
   Disjoint_sets sets(segment.size());
-  for (Index leaf : segment)
-    sets.add(leaf);
   for (auto m = tree.merges.begin(); m != tree.merges.end() && m->salience < threshold; ++m)
     sets.join(m->leaves[0], m->leaves[1]);
   for (Index& leaf : segment)

@@ -70,12 +70,11 @@ inline std::vector<bool> rest_is_connected(const Surface& part,
   std::vector<bool> result(n + 1, false);
   for (std::size_t i = n; i-- > 0;) {
     const Index f = faces[i];
-    components.add(f);
     is_in_rest[f] = 1;
     for (Index h = 3 * f; h < 3 * f + 3; ++h)
       if (is_in_rest[part.neighbor(h)])
         components.join(f, part.neighbor(h));
-    result[i] = components.number() == 1;
+    result[i] = components.number() == i + 1; // the first i faces are not joined yet
   }
   return result;
 }

@@ -286,8 +286,6 @@ inline Merge_tree merge_symmetrically(const Surface& surface, Merge_tree tree,
   }
   std::sort(boundaries.begin(), boundaries.end());
   Disjoint_sets merged(tree.leaves.size());
-  for (Index leaf = 0; leaf < tree.leaves.size(); ++leaf)
-    merged.add(leaf);
   std::vector<Merge> merges;
   for (const auto& [salience, i, a, b] : boundaries)
     if (merged.representative(a) != merged.representative(b)) {

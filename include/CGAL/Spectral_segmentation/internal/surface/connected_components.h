@@ -13,23 +13,19 @@
 
 namespace CGAL::Spectral_segmentation::internal {
 
-// Sets of elements that are added one by one, kept by union-find. For a mesh of 2 million faces it
-// takes three quarters of the time of boost::disjoint_sets, and half the memory, without ranks.
+// Sets of elements, which are joined by union-find. In the beginning each element is a set. For a
+// mesh of 2 million faces it takes three quarters of the time of boost::disjoint_sets, and half the
+// memory, without ranks.
 class Disjoint_sets
 {
   std::vector<Index> parent_;
-  std::size_t number_ = 0;
+  std::size_t number_;
 
 public:
-  explicit Disjoint_sets(std::size_t number_of_elements) : parent_(number_of_elements) {}
+  explicit Disjoint_sets(std::size_t number_of_elements)
+    : parent_(first_indices(number_of_elements)), number_(number_of_elements) {}
 
-  void add(Index i)
-  {
-    parent_[i] = i;
-    ++number_;
-  }
-
-  // Joins the sets of two elements that were added.
+  // Joins the sets of two elements.
   void join(Index i, Index j)
   {
     const Index a = representative(i), b = representative(j);
@@ -70,8 +66,6 @@ Components connected_components(const Surface& surface, const std::vector<Label>
 {
   const std::size_t n = surface.number_of_faces();
   Disjoint_sets sets(n);
-  for (Index f = 0; f < n; ++f)
-    sets.add(f);
   for (Index f = 0; f < n && sets.number() > 1; ++f)
     for (Index h = 3 * f; h < 3 * f + 3; ++h) {
       const Index g = surface.neighbor(h);
