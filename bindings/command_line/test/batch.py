@@ -98,8 +98,8 @@ def check_results(directory, expected):
 def check_labels(directory, tool, expected):
     for name, status in expected.items():
         if status == "ok":
-            single = subprocess.run([tool, name, "--labels", "-", "--quiet"], cwd=directory,
-                                    capture_output=True, check=True)
+            single = subprocess.run([tool, name, "--searches", "1", "--labels", "-", "--quiet"],
+                                    cwd=directory, capture_output=True, check=True)
             labels = (directory / "out" / (name + ".labels")).read_bytes()
             check(single.stdout == labels, name + " has other labels")
 
@@ -201,7 +201,8 @@ def main():
         expected = make_inputs(directory, options.count)
         count = collections.Counter(expected.values())
         (directory / "list").write_text("\n".join(expected))
-        command = [options.tool, "--list", "list", "--out-dir", "out", "--jobs", "2"]
+        command = [options.tool, "--list", "list", "--out-dir", "out", "--jobs", "2",
+                   "--searches", "1"]
 
         batch = subprocess.Popen(command, cwd=directory, stdout=subprocess.PIPE)
         while len(rows(directory)) < options.count // 3:
