@@ -31,7 +31,7 @@ ENGINE = "CGAL/Spectral_segmentation/internal/"
 ENGINE_FOLDERS = ("model", "constraints", "levels", "search", "salience", "hierarchy",
                   "weights", "read", "surface", "base")
 INCLUDE = re.compile(r"#include <(CGAL/(?:Spectral_segmentation|Segmented_mesh)[^>]*)>")
-MOST_LINES_OF_INCLUDE = 19406
+MOST_LINES_OF_INCLUDE = 19380
 # Words that files must not have
 FORBIDDEN = (
     (re.compile(r"(bindings|examples)/"),

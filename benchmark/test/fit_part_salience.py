@@ -91,7 +91,7 @@ class Test(unittest.TestCase):
         self.assertLess(outputs[1], -100)
 
     def test_inputs_are_found_by_their_names(self):
-        self.assertEqual(len(set(fit.NAMES)), 14)
+        self.assertEqual(len(set(fit.NAMES)), 15)
         numbers = fit.inputs(factors(size=0.25, log_relative_part_area=-1, roundness=0.75))
         self.assertEqual(numbers[fit.NAMES.index("roundness")], 0.75)
         self.assertAlmostEqual(numbers[-1], np.log(0.25) - 1)
@@ -158,6 +158,30 @@ class Test(unittest.TestCase):
             flange.points[flange.triangles[:, 1]], flange.points[flange.triangles[:, 2]])) / 6
         polygon = 24 / 2 * np.sin(2 * np.pi / 24)  # instead of pi
         self.assertAlmostEqual(abs(volume), polygon * (9 * 0.4 + 1.2 ** 2 * 2.6))
+
+    def test_solids_of_cones_have_their_volumes_and_parts(self):
+        a, b, c = np.array([0., 0, 0]), np.array([20., 0, 0]), np.array([10., 0, 20])
+        mesh, part = fit.solid_of_cones([[(a, b, 6, 6)], [((a + b) / 2, c, 3, 3)]])
+        edges = {(t[k], t[k - 2]) for t in mesh.triangles for k in range(3)}
+        self.assertTrue(all((b, a) in edges for a, b in edges))
+        x, y, z = (mesh.points[mesh.triangles[:, k]] for k in range(3))
+        bar = np.pi * 6 ** 2 * (20 + 4 / 3 * 6)
+        peg = np.pi * 3 ** 2 * (14 + 2 / 3 * 3)  # 14 from the top of the bar to the upper center
+        volume = np.einsum("ij,ij->", x, np.cross(y, z)) / 6
+        self.assertAlmostEqual(volume / (bar + peg), 1, delta=0.04)
+        areas = mesh.shares_of_area()
+        of_bar = 2 * np.pi * 6 * (20 + 2 * 6) - np.pi * 3 ** 2
+        of_peg = 2 * np.pi * 3 * (14 + 3)
+        self.assertAlmostEqual(areas[part == 1].sum(), of_peg / (of_bar + of_peg), delta=0.03)
+
+    def test_creatures_are_closed_and_their_torso_touches_their_limbs(self):
+        for seed, number_of_limbs in ((0, 5), (1, 5), (2, 4)):
+            mesh, part = fit.creature(seed)
+            face_at = {(t[k], t[k - 2]): i for i, t in enumerate(mesh.triangles) for k in range(3)}
+            self.assertEqual(len(face_at), 3 * len(mesh.triangles))
+            self.assertTrue(all((b, a) in face_at for a, b in face_at))
+            touched = {part[face_at[b, a]] for (a, b), i in face_at.items() if part[i] == 0}
+            self.assertGreaterEqual(len(touched - {0}), number_of_limbs)
 
     def test_the_table_has_all_numbers(self):
         random = np.random.default_rng(1)

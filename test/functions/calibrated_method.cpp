@@ -128,13 +128,13 @@ BOOST_AUTO_TEST_CASE(the_maximum_changes_the_hierarchy_only_above_the_number_of_
   }
 }
 
-// A cut of the hierarchy has factors that the function of the caller was given, but for the number
-// of common neighbors, which may have changed since.
+// A cut of the hierarchy has factors that the function of the caller was given, but for the
+// numbers of neighbors, which may have changed since.
 BOOST_AUTO_TEST_CASE(the_salience_is_asked_for_each_cut_of_the_hierarchy)
 {
   const CGAL::Spectral_segmentation::Calibrated_part_salience calibrated;
   const auto salience_without_neighbors = [=](Salience_factors factors) {
-    factors.number_of_common_neighbors = 0;
+    factors.number_of_common_neighbors = factors.number_of_other_neighbors = 0;
     return calibrated(factors);
   };
   CGAL::Spectral_segmentation::Options options;

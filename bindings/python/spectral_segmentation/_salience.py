@@ -23,6 +23,7 @@ _FACTORS = {
     "expansion_before_cut":
         "`expansion_behind_cut` of the smaller side, within twice the distance",
     "number_of_common_neighbors": "how many other regions touch both",
+    "number_of_other_neighbors": "how many other regions touch the side that fewer touch",
     "is_boundary": "whether the cut is the boundary of two regions that may be merged"}
 
 
@@ -41,6 +42,7 @@ class SalienceFactors(NamedTuple):
     lower_quartile_of_concavity: float = 0.
     expansion_before_cut: float = 0.
     number_of_common_neighbors: float = 0.
+    number_of_other_neighbors: float = 0.
     is_boundary: bool = False
 
 

@@ -41,37 +41,38 @@ struct Weighted_part_salience
 /// - if both sides are closer to convex than their union, and
 /// - if the rest widens behind the cut.
 ///
-/// Merging makes the hierarchy of cuts by a network of all factors, and a second network gives its
-/// cuts their saliences. Both are a linear function of the standardized inputs, and hyperbolic
-/// tangents of linear functions. The second network also has the input ln *S*, where *S* is the
-/// fraction of the area of the mesh that the smaller side has. It is fitted to what a cut costs:
-/// each cut is weighted by the Rand error and by the human parts that it adds or removes. Therefore
-/// a missing head weighs more than a missing finger, and a superfluous scrap counts, too. The more
-/// reliable the features of faces are, the more the first network replaces it. Its output is
-/// calibrated: of the cuts with a salience of 0.7, seven of ten people make the mean one. The table
-/// has the mean change of its logit if an input grows by one standard deviation, which
-/// benchmark/fit_part_salience.py prints.
+/// Merging makes the hierarchy of cuts by a network of all factors but `number_of_other_neighbors`,
+/// and a second network of all factors gives its cuts their saliences. Both are a linear function
+/// of the standardized inputs, and hyperbolic tangents of linear functions. The second network also
+/// has the input ln *S*, where *S* is the fraction of the area of the mesh that the smaller side
+/// has. It is fitted to what a cut costs: each cut is weighted by the Rand error and by the human
+/// parts that it adds or removes. Therefore a missing head weighs more than a missing finger, and a
+/// superfluous scrap counts, too. The more reliable the features of faces are, the more the first
+/// network replaces it. Its output is calibrated: of the cuts with a salience of 0.7, seven of ten
+/// people make the mean one. The table has the mean change of its logit if an input grows by one
+/// standard deviation, which benchmark/fit_part_salience.py prints.
 ///
 /// A function of the caller that calls this one gives the order of merging, too, so that its
 /// hierarchy may differ.
 ///
 /// Input | Change
 /// ------|------:
-/// `flatness_behind_cut` | +0.73
-/// `log_relative_part_area` | +0.49
-/// `cut_strength` | +0.48
-/// `concavity_around_cut` | -0.47
+/// `flatness_behind_cut` | +0.69
+/// `convexity_gain` | +0.52
 /// `expansion_before_cut` | +0.42
-/// `convexity_gain` | +0.41
-/// `protrusiveness` | +0.29
-/// `concavity_near_cut` | +0.21
-/// `number_of_common_neighbors` | -0.21
-/// `roundness` | +0.14
-/// ln *S* | +0.13
-/// `size` | -0.11
-/// `expansion_behind_cut` | +0.10
-/// `relative_convexity_gain` | +0.09
-/// `lower_quartile_of_concavity` | -0.09
+/// `cut_strength` | +0.41
+/// `concavity_around_cut` | -0.41
+/// `log_relative_part_area` | +0.31
+/// `number_of_other_neighbors` | -0.24
+/// ln *S* | +0.21
+/// `size` | -0.20
+/// `concavity_near_cut` | +0.15
+/// `protrusiveness` | +0.13
+/// `expansion_behind_cut` | +0.12
+/// `roundness` | +0.12
+/// `relative_convexity_gain` | +0.11
+/// `number_of_common_neighbors` | -0.03
+/// `lower_quartile_of_concavity` | 0.00
 ///
 /// \cgalModels{PartSalience}
 struct Calibrated_part_salience
@@ -97,7 +98,7 @@ struct Calibrated_part_salience
   /// @}
 
 #ifndef DOXYGEN_RUNNING
-  internal::Boundary_network<15, 12> boundary_network = internal::calibrated_boundary_network;
+  internal::Boundary_network<16, 12> boundary_network = internal::calibrated_boundary_network;
   internal::Boundary_network<14, 4> merging_network = internal::merging_network;
   internal::Feature_logit feature_logit; // the term of the features
 

@@ -11,7 +11,7 @@ namespace Spectral_segmentation {
 
 /// \ingroup PkgSpectralSegmentationRef
 /// Experimental: the factors of a cut of a part *M* into two sides: the three factors of the paper
-/// (Hoffman and Singh 1997; Zhang and Liu 2005, Section 6), and eleven more. *Q* is the side of
+/// (Hoffman and Singh 1997; Zhang and Liu 2005, Section 6), and twelve more. *Q* is the side of
 /// smaller area.
 struct Salience_factors
 {
@@ -88,6 +88,10 @@ struct Salience_factors
   /// how many other regions touch both; it changes while regions are merged
   double number_of_common_neighbors = 0;
 
+  /// how many regions touch *Q* or the rest, whichever fewer touch, without each other: 0 if either
+  /// is the end of a limb, more if limbs hang on both; it changes while regions are merged
+  double number_of_other_neighbors = 0;
+
   /// @}
 
   /// \name Factors of Features
@@ -127,7 +131,7 @@ struct Named_factor
 };
 
 // All factors that are numbers.
-constexpr std::array<Named_factor, 14> named_factors = {{
+constexpr std::array<Named_factor, 15> named_factors = {{
   {"size", &Salience_factors::size},
   {"cut_strength", &Salience_factors::cut_strength},
   {"protrusiveness", &Salience_factors::protrusiveness},
@@ -141,7 +145,8 @@ constexpr std::array<Named_factor, 14> named_factors = {{
   {"concavity_around_cut", &Salience_factors::concavity_around_cut},
   {"lower_quartile_of_concavity", &Salience_factors::lower_quartile_of_concavity},
   {"expansion_before_cut", &Salience_factors::expansion_before_cut},
-  {"number_of_common_neighbors", &Salience_factors::number_of_common_neighbors}}};
+  {"number_of_common_neighbors", &Salience_factors::number_of_common_neighbors},
+  {"number_of_other_neighbors", &Salience_factors::number_of_other_neighbors}}};
 
 } // namespace Spectral_segmentation
 } // namespace CGAL

@@ -15,7 +15,7 @@ BOOST_AUTO_TEST_SUITE(boundary_network)
 BOOST_AUTO_TEST_CASE(logit_of_a_network_by_hand)
 {
   const auto tolerance = boost::test_tools::tolerance(1e-12);
-  CGAL::Spectral_segmentation::internal::Boundary_network<15, 12> network{};
+  CGAL::Spectral_segmentation::internal::Boundary_network<16, 12> network{};
   network.deviations.fill(1);
   network.means[0] = 0.1; // of size
   network.deviations[0] = 0.2;

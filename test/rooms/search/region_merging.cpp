@@ -106,15 +106,17 @@ struct Naive_merging
         for (std::size_t j = i + 1; j < regions.size(); ++j) {
           if (!are_neighbors(graph, regions[i], regions[j]))
             continue;
-          const auto touches_both = [&](const Faces& region) {
-            return are_neighbors(graph, region, regions[i]) &&
-                   are_neighbors(graph, region, regions[j]);
-          };
-          std::size_t number_of_common_neighbors = 0;
+          int common = 0, of_first = 0, of_second = 0;
           for (std::size_t k = 0; k < regions.size(); ++k)
-            number_of_common_neighbors += k != i && k != j && touches_both(regions[k]);
-          const Merge merge = evaluated(graph, context, regions[i], regions[j],
-                                        number_of_common_neighbors, in_merging);
+            if (k != i && k != j) {
+              const bool touches_first = are_neighbors(graph, regions[k], regions[i]);
+              const bool touches_second = are_neighbors(graph, regions[k], regions[j]);
+              common += touches_first && touches_second;
+              of_first += touches_first;
+              of_second += touches_second;
+            }
+          const Merge merge = evaluated(graph, context, regions[i], regions[j], common,
+                                        std::min(of_first, of_second), in_merging);
           if (!best || quantized(merge.salience) < quantized(best->salience)) {
             best = merge;
             place[0] = i;
@@ -157,7 +159,7 @@ private:
 
   static Merge evaluated(const Surface& graph, const Evaluation_context& context,
                          const Faces& first, const Faces& second,
-                         std::size_t number_of_common_neighbors,
+                         double number_of_common_neighbors, double number_of_other_neighbors,
                          const Part_salience& part_salience)
   {
     Faces both = first;
@@ -169,7 +171,8 @@ private:
       side.push_back((first.count(f) > 0) == first_is_smaller ? 0 : 1);
     const Surface part = internal::Part_extractor(graph)(faces);
     Salience_factors factors = internal::Cut_evaluator(part, faces, context)(side, true);
-    factors.number_of_common_neighbors = static_cast<double>(number_of_common_neighbors);
+    factors.number_of_common_neighbors = number_of_common_neighbors;
+    factors.number_of_other_neighbors = number_of_other_neighbors;
     return {first, second, part_salience(factors), factors};
   }
 };
@@ -243,7 +246,7 @@ std::vector<Soup> shapes(Random& random)
 double coarse_salience(const Salience_factors& factors)
 {
   return std::round(4 * factors.size + 4 * factors.concavity_near_cut +
-                    factors.number_of_common_neighbors) / 4;
+                    factors.number_of_common_neighbors + factors.number_of_other_neighbors) / 4;
 }
 
 } // namespace

@@ -16,7 +16,8 @@ namespace CGAL::Spectral_segmentation::internal {
 
 // Computes the logit of the probability that people cut along a boundary: a linear function of the
 // standardized inputs, and hyperbolic tangents of linear functions. The inputs are the named
-// factors, and the logarithm of the fraction of the area of the mesh that the smaller side has.
+// factors, or the first of them, and the logarithm of the fraction of the area of the mesh that the
+// smaller side has.
 template <std::size_t number_of_inputs, std::size_t number_of_units>
 struct Boundary_network
 {

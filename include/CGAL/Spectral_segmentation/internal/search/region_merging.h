@@ -41,8 +41,8 @@ class Region_merging
   double feature_reliability_ = 0;
   std::vector<Merge> merges_;              // possible merges of neighbors, the lower index first
 
-  // Sets the salience and the factors of the boundary of two regions, which cuts their union.
-  // Keeps the number of common neighbors.
+  // Sets the factors of the boundary of two regions, which cuts their union, but for the numbers of
+  // neighbors.
   void evaluate(Merge& merge) const
   {
     const std::vector<Index>& first = faces_[merge.leaves[0]];
@@ -57,16 +57,13 @@ class Region_merging
     }
     normalize_sides(side, area);
     const Surface both = Part_extractor(mesh_)(faces);
-    const double number_of_common_neighbors = merge.factors.number_of_common_neighbors;
     merge.factors = Cut_evaluator(both, faces, context_)(side, true);
-    merge.factors.number_of_common_neighbors = number_of_common_neighbors;
     merge.factors.feature_reliability = feature_reliability_;
-    merge.salience = salience_of(part_salience_, merge.factors);
   }
 
-  // Counts the common neighbors of all pairs. Updates the saliences of the first `number` pairs,
-  // whose other factors stay.
-  void count_common_neighbors(std::size_t number)
+  // Counts the neighbors of all pairs. Sets the saliences of the pairs whose numbers change, and of
+  // all from the pair `first_new` on.
+  void count_neighbors(std::size_t first_new)
   {
     std::vector<std::set<Index> > neighbors(faces_.size());
     for (const Merge& m : merges_) {
@@ -75,14 +72,16 @@ class Region_merging
     }
     for (std::size_t i = 0; i < merges_.size(); ++i) {
       Merge& m = merges_[i];
-      const std::set<Index>& second = neighbors[m.leaves[1]];
-      const auto n = std::count_if(neighbors[m.leaves[0]].begin(), neighbors[m.leaves[0]].end(),
-                                   [&](Index region) { return second.count(region) > 0; });
-      if (m.factors.number_of_common_neighbors == static_cast<double>(n))
+      const std::set<Index> &first = neighbors[m.leaves[0]], &second = neighbors[m.leaves[1]];
+      const auto common = static_cast<double>(std::count_if(
+        first.begin(), first.end(), [&](Index region) { return second.count(region) > 0; }));
+      const auto other = static_cast<double>((std::min)(first.size(), second.size()) - 1);
+      if (i < first_new && m.factors.number_of_common_neighbors == common &&
+          m.factors.number_of_other_neighbors == other)
         continue;
-      m.factors.number_of_common_neighbors = static_cast<double>(n);
-      if (i < number)
-        m.salience = salience_of(part_salience_, m.factors);
+      m.factors.number_of_common_neighbors = common;
+      m.factors.number_of_other_neighbors = other;
+      m.salience = salience_of(part_salience_, m.factors);
     }
   }
 
@@ -127,11 +126,11 @@ class Region_merging
     const std::size_t first = merges_.size();
     for (const auto& [a, b] : neighbors)
       merges_.push_back({{a, b}, 0, {}});
-    count_common_neighbors(first);
     for_each_index(execution_, neighbors.size(), [&](std::size_t i) {
       monitor_.go_further(); // may throw
       evaluate(merges_[first + i]);
     });
+    count_neighbors(first);
   }
 
   void merge(Index into, Index from)
