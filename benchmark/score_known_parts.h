@@ -90,7 +90,6 @@ inline Labels components(const Triangle_soup& soup)
   CGAL::Spectral_segmentation::internal::Disjoint_sets sets(n);
   std::map<std::pair<std::size_t, std::size_t>, Index> first_at_edge;
   for (Index f = 0; f < n; ++f) {
-    sets.add(f);
     const auto& corners = soup.triangles[f];
     for (std::size_t i = 0; i < 3; ++i)
       sets.join(f, first_at_edge.emplace(std::minmax(corners[i], corners[(i + 1) % 3]), f)
