@@ -3,6 +3,7 @@
 
 #include <boost/test/unit_test.hpp>
 
+#include "random_point.h"
 #include "test_meshes.h"
 
 #include <CGAL/Segmented_mesh/internal/capping/Segmented_solid.h>
@@ -23,12 +24,6 @@ using internal::Segmented_solid;
 using internal::Vector;
 
 namespace {
-
-Vector random_point(Random& random)
-{
-  const double x = double(random() % 1000), y = double(random() % 1000);
-  return Vector(x, y, double(random() % 1000)) / 1000;
-}
 
 // The unit octahedron, scaled, whose upper half is a segment; vertex i is on an axis.
 struct Octahedron

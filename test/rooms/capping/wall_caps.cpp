@@ -3,6 +3,7 @@
 
 #include <boost/test/unit_test.hpp>
 
+#include "random_point.h"
 #include "test_meshes.h"
 
 #include <CGAL/Segmented_mesh/internal/capping/wall_caps.h>
@@ -26,12 +27,6 @@ using internal::Vector;
 namespace {
 
 constexpr double infinity = std::numeric_limits<double>::infinity();
-
-Vector random_point(Random& random)
-{
-  const double x = double(random() % 1000), y = double(random() % 1000);
-  return Vector(x, y, double(random() % 1000)) / 1000;
-}
 
 // Two polylines: the points of p come first.
 struct Two_sides
