@@ -299,8 +299,7 @@ def distances_to_cone(points, cone):
 def smoothed(mesh, number_of_steps=20):
     """Smooths by the method of Taubin, which hardly shrinks."""
     t = mesh.triangles
-    edges = np.hstack([t[:, [0, 1, 2]], t[:, [1, 2, 0]]]).reshape(-1, 2, 3)
-    tails, heads = edges[:, 0].ravel(), edges[:, 1].ravel()
+    tails, heads = t.ravel(), t[:, [1, 2, 0]].ravel()
     n, points = len(mesh.points), mesh.points
     is_neighbor = scipy.sparse.csr_matrix((np.ones(len(tails)), (tails, heads)), (n, n)) > 0
     is_neighbor = is_neighbor.maximum(is_neighbor.T)
