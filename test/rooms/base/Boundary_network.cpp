@@ -15,7 +15,8 @@ BOOST_AUTO_TEST_SUITE(boundary_network)
 BOOST_AUTO_TEST_CASE(logit_of_a_network_by_hand)
 {
   const auto tolerance = boost::test_tools::tolerance(1e-12);
-  CGAL::Spectral_segmentation::internal::Boundary_network<16, 12> network{};
+  CGAL::Spectral_segmentation::Calibrated_part_salience salience;
+  decltype(salience.boundary_network) network{};
   network.deviations.fill(1);
   network.means[0] = 0.1; // of size
   network.deviations[0] = 0.2;
@@ -34,7 +35,6 @@ BOOST_AUTO_TEST_CASE(logit_of_a_network_by_hand)
   BOOST_TEST(network.logit(factors) == 0.5 + 3 * 1.5 + 2 * (std::log(0.4) - 1 - 0.5) +
                                          2 * std::tanh(-1 + 0.5 * 1.5 + 0.25 * 4), tolerance);
   factors.is_boundary = true;
-  CGAL::Spectral_segmentation::Calibrated_part_salience salience;
   salience.boundary_network = network;
   BOOST_TEST(salience(factors) == 1 / (1 + std::exp(-network.logit(factors))), tolerance);
 }
